@@ -1,0 +1,56 @@
+#include "files.h"
+
+#include <algorithm>
+#include <fstream>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+namespace halfspace::cli {
+namespace fs = std::filesystem;
+namespace {
+
+void remove_earlier_run(const fs::path& path) {
+  for (const char* name : {"run.pvd", "history.csv", "first.svg", "last.svg", "summary.txt"}) fs::remove(path / name);
+  if (!fs::is_directory(path / "frames")) return;
+  std::vector<fs::path> frames;
+  for (const fs::directory_entry& entry : fs::directory_iterator(path / "frames")) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("frame_") && name.ends_with(".vtp")) frames.push_back(entry.path());
+  }
+  for (const fs::path& frame : frames) fs::remove(frame);
+}
+
+}  // namespace
+
+OutputDirectory::OutputDirectory(fs::path path, bool force) : path_(std::move(path)) {
+  try {
+    fs::create_directories(path_);
+    if (!fs::is_directory(path_)) throw std::runtime_error(path_.string() + " is not a directory");
+    if (!force && !fs::is_empty(path_)) {
+      throw std::runtime_error("the directory " + path_.string() + " is not empty; --force replaces an earlier run in it");
+    }
+    remove_earlier_run(path_);
+    fs::create_directories(path_ / "frames");
+  } catch (const fs::filesystem_error& error) {
+    throw std::runtime_error("cannot use the directory " + path_.string() + ": " + error.code().message());
+  }
+}
+
+void OutputDirectory::write(const std::string& name, const std::string& content) {
+  const fs::path target = path_ / name;
+  const fs::path temporary = target.string() + ".part";
+  std::ofstream stream(temporary, std::ios::binary);
+  stream << content;
+  stream.close();
+  std::error_code error;
+  if (stream) fs::rename(temporary, target, error);
+  if (!stream || error) {
+    std::error_code ignored;
+    fs::remove(temporary, ignored);
+    throw std::runtime_error("cannot write " + target.string() + (error ? ": " + error.message() : ""));
+  }
+  if (std::find(written_.begin(), written_.end(), name) == written_.end()) written_.push_back(name);
+}
+
+}  // namespace halfspace::cli

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace halfspace::cli {
+
+/// The directory of one run. A file in it is either whole or not there: it is written under another name and renamed.
+class OutputDirectory {
+ public:
+  /// @throws std::runtime_error if the directory cannot be made, or holds files and `force` is not set. With `force`,
+  /// what an earlier run wrote there is removed; other files stay.
+  OutputDirectory(std::filesystem::path path, bool force);
+
+  /// Writes a file, given its path in the directory. @throws std::runtime_error
+  void write(const std::string& name, const std::string& content);
+
+  const std::filesystem::path& path() const { return path_; }
+  const std::vector<std::string>& written() const { return written_; }
+
+ private:
+  std::filesystem::path path_;
+  std::vector<std::string> written_;  ///< in the order of first writing
+};
+
+}  // namespace halfspace::cli

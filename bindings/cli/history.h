@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "model.h"
+
+namespace halfspace::cli {
+
+/// history.csv: one row for each moment, with time, energies, contacts, and the motion of the tracked blocks.
+class History {
+ public:
+  explicit History(const Plan& plan);
+  void add(const Model& model);
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+}  // namespace halfspace::cli

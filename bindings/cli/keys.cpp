@@ -1,0 +1,231 @@
+#include "keys.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <sstream>
+#include <utility>
+
+#include "text.h"
+
+namespace halfspace::cli {
+namespace {
+
+const toml::table no_keys;
+
+/// A value as the user wrote it, near enough to recognise it.
+std::string shown(const toml::node& node) {
+  if (node.is_table()) return "a table";
+  if (const auto* number = node.as_floating_point()) return shortest(number->get());
+  std::ostringstream stream;
+  node.visit([&stream](const auto& value) { stream << value; });
+  const std::string text = stream.str();
+  return text.size() <= 60 ? text : text.substr(0, 57) + "...";
+}
+
+std::string joined(const std::vector<std::string_view>& words) {
+  std::string text;
+  for (std::string_view word : words) text += (text.empty() ? "" : ", ") + std::string(word);
+  return text;
+}
+
+/// Levenshtein distance: how many letters to insert, drop or change.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0u);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t changed = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = std::exchange(row[j + 1], std::min({changed, row[j] + 1, row[j + 1] + 1}));
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+std::string suggestion(std::string_view name, const std::vector<std::string_view>& names) {
+  std::string_view nearest;
+  std::size_t least = 1 + std::max<std::size_t>(2, name.size() / 3);  // farther than that is another word
+  for (std::string_view candidate : names) {
+    const std::size_t distance = edit_distance(name, candidate);
+    if (distance < least) {
+      least = distance;
+      nearest = candidate;
+    }
+  }
+  return nearest.empty() ? "" : "; did you mean '" + std::string(nearest) + "'?";
+}
+
+bool Range::holds(double value) const {
+  return (with_low ? value >= low : value > low) && (with_high ? value <= high : value < high);
+}
+
+std::string Range::describe() const {
+  std::string text = "a number";
+  if (std::isfinite(low)) text += (with_low ? ", at least " : " above ") + shortest(low);
+  if (std::isfinite(high)) text += (with_high ? ", at most " : ", below ") + shortest(high);
+  return text;
+}
+
+Keys::Keys(const toml::table& table, std::string path, Faults& faults)
+    : table_(&table), path_(std::move(path)), faults_(&faults) {}
+
+Place Keys::place_of(const toml::node& node) {
+  const toml::source_position begin = node.source().begin;
+  return begin ? Place{static_cast<int>(begin.line), static_cast<int>(begin.column)} : Place{};
+}
+
+Place Keys::place(std::string_view key) const {
+  const toml::node* node = table_->get(key);
+  return place_of(node ? *node : *table_);
+}
+
+std::string Keys::path(std::string_view key) const {
+  return path_.empty() ? std::string(key) : path_ + '.' + std::string(key);
+}
+
+const toml::node* Keys::find(std::string_view key, std::string_view what, bool is_required) {
+  asked_.push_back(key);
+  const toml::node* node = table_->get(key);
+  const bool table_told = table_ == &no_keys;  // its absence is a fault already, or allowed
+  if (!node && is_required && !table_told) fault(key, "missing; required: " + std::string(what));
+  return node;
+}
+
+std::optional<double> Keys::finite_number(const toml::node& node, const std::string& path) {
+  const std::optional<double> value = node.value<double>();
+  if (node.is_number() && value && std::isfinite(*value)) return value;
+  const char* wrong = node.is_number() ? "not finite: " : "not a number: ";
+  faults_->add(place_of(node), path, wrong + shown(node) + "; allowed: a finite number");
+  return {};
+}
+
+double Keys::number(std::string_view key, Range range, std::optional<double> fallback) {
+  const toml::node* node = find(key, range.describe(), !fallback);
+  if (node) {
+    const std::optional<double> value = finite_number(*node, path(key));
+    if (value && range.holds(*value)) return *value;
+    if (value) fault(key, "out of range: " + shown(*node) + "; allowed: " + range.describe());
+  }
+  return fallback.value_or(1.0);
+}
+
+std::int64_t Keys::integer(std::string_view key, std::int64_t low, std::int64_t high,
+                           std::optional<std::int64_t> fallback) {
+  std::string allowed = "a whole number, at least " + std::to_string(low);
+  if (high < std::numeric_limits<std::int64_t>::max()) allowed += ", at most " + std::to_string(high);
+  const toml::node* node = find(key, allowed, !fallback);
+  if (node) {
+    const toml::value<std::int64_t>* value = node->as_integer();
+    if (value && value->get() >= low && value->get() <= high) return value->get();
+    fault(key, (value ? "out of range: " : "not a whole number: ") + shown(*node) + "; allowed: " + allowed);
+  }
+  return fallback.value_or(low);
+}
+
+std::string Keys::text(std::string_view key, std::optional<std::string> fallback) {
+  const toml::node* node = find(key, "a text", !fallback);
+  if (node) {
+    if (const toml::value<std::string>* value = node->as_string()) return value->get();
+    fault(key, "not a text: " + shown(*node) + "; allowed: a text in quotes");
+  }
+  return fallback.value_or("");
+}
+
+int Keys::word(std::string_view key, std::initializer_list<std::string_view> allowed, std::optional<int> fallback) {
+  const toml::node* node = find(key, joined(allowed), !fallback);
+  if (node) {
+    const toml::value<std::string>* value = node->as_string();
+    const auto found = value ? std::find(allowed.begin(), allowed.end(), value->get()) : allowed.end();
+    if (found != allowed.end()) return static_cast<int>(found - allowed.begin());
+    const std::string near = value ? suggestion(value->get(), allowed) : "";
+    fault(key, "unknown word: " + shown(*node) + near + "; allowed: " + joined(allowed));
+  }
+  return fallback.value_or(0);
+}
+
+std::optional<Point> Keys::point_of(const toml::node& node, const std::string& path) {
+  const toml::array* pair = node.as_array();
+  if (!pair || pair->size() != 2) {
+    faults_->add(place_of(node), path, "not a point: " + shown(node) + "; allowed: [x, y]");
+    return {};
+  }
+  const std::optional<double> x = finite_number((*pair)[0], path);
+  const std::optional<double> y = finite_number((*pair)[1], path);
+  if (!x || !y) return {};
+  return Point{*x, *y};
+}
+
+Point Keys::point(std::string_view key, std::optional<Point> fallback) {
+  const toml::node* node = find(key, "[x, y]", !fallback);
+  return (node ? point_of(*node, path(key)) : fallback).value_or(Point{});
+}
+
+std::vector<Point> Keys::points(std::string_view key, std::size_t fewest, std::optional<std::vector<Point>> fallback) {
+  const std::string allowed = "[[x, y], [x, y], ...] with " + std::to_string(fewest) + " points or more";
+  const toml::node* node = find(key, allowed, !fallback);
+  if (!node) return fallback.value_or(std::vector<Point>{});
+  const toml::array* list = node->as_array();
+  if (!list || list->size() < fewest) {
+    fault(key, (list ? "too few points: " : "not a list of points: ") + shown(*node) + "; allowed: " + allowed);
+    return {};
+  }
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const std::optional<Point> point = point_of((*list)[i], path(key) + '[' + std::to_string(i) + ']');
+    if (point) points.push_back(*point);
+  }
+  return points.size() == list->size() ? points : std::vector<Point>{};
+}
+
+std::vector<std::string> Keys::texts(std::string_view key, std::vector<Place>& places,
+                                     std::optional<std::vector<std::string>> fallback) {
+  const toml::node* node = find(key, "[\"text\", ...]", !fallback);
+  if (!node) return fallback.value_or(std::vector<std::string>{});
+  const toml::array* list = node->as_array();
+  if (!list || !std::all_of(list->begin(), list->end(), [](const toml::node& item) { return item.is_string(); })) {
+    fault(key, "not a list of texts: " + shown(*node) + "; allowed: [\"text\", ...]");
+    return {};
+  }
+  std::vector<std::string> texts;
+  for (const toml::node& item : *list) {
+    texts.push_back(item.as_string()->get());
+    places.push_back(place_of(item));
+  }
+  return texts;
+}
+
+Keys Keys::table(std::string_view key, bool is_required) {
+  const toml::node* node = find(key, "a table [" + path(key) + "]", is_required);
+  if (node && !node->is_table()) fault(key, "not a table: " + shown(*node) + "; allowed: [" + path(key) + "]");
+  return Keys(node && node->is_table() ? *node->as_table() : no_keys, path(key), *faults_);
+}
+
+std::vector<Keys> Keys::tables(std::string_view key, bool is_required) {
+  const std::string allowed = "one or more tables [[" + path(key) + "]]";
+  const toml::node* node = find(key, allowed, is_required);
+  if (!node) return {};
+  const toml::array* list = node->as_array();
+  if (!list || !std::all_of(list->begin(), list->end(), [](const toml::node& item) { return item.is_table(); })) {
+    fault(key, "not a list of tables: " + shown(*node) + "; allowed: " + allowed);
+    return {};
+  }
+  std::vector<Keys> members;
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    members.emplace_back(*(*list)[i].as_table(), path(key) + '[' + std::to_string(i) + ']', *faults_);
+  }
+  return members;
+}
+
+void Keys::finish() {
+  for (const auto& [key, node] : *table_) {
+    if (std::find(asked_.begin(), asked_.end(), key.str()) != asked_.end()) continue;
+    const toml::source_position begin = key.source().begin;
+    faults_->add({static_cast<int>(begin.line), static_cast<int>(begin.column)}, path(key.str()),
+                 "unknown key" + suggestion(key.str(), asked_) + "; allowed: " + joined(asked_));
+  }
+}
+
+}  // namespace halfspace::cli

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <initializer_list>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <toml++/toml.h>
+#include <vector>
+
+#include "faults.h"
+#include "scene.h"
+
+namespace halfspace::cli {
+
+/// Marks a key that has no default.
+inline constexpr std::nullopt_t required = std::nullopt;
+
+/// The numbers that a key allows.
+struct Range {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool with_low = true;
+  bool with_high = true;
+
+  bool holds(double value) const;
+  std::string describe() const;
+};
+
+inline Range any_number() { return {}; }
+inline Range above(double low) { return {.low = low, .with_low = false}; }
+inline Range at_least(double low) { return {.low = low}; }
+
+/// Reads one table of a scene key by key. What is wrong goes to the faults, and a stand-in is returned, so that
+/// reading goes on and every fault of a file is found in one pass. Call finish() after the last key.
+class Keys {
+ public:
+  /// An empty path is the top of the file.
+  Keys(const toml::table& table, std::string path, Faults& faults);
+
+  double number(std::string_view key, Range range, std::optional<double> fallback);
+  std::int64_t integer(std::string_view key, std::int64_t low, std::int64_t high, std::optional<std::int64_t> fallback);
+  std::string text(std::string_view key, std::optional<std::string> fallback);
+  /// The index of the word among those allowed.
+  int word(std::string_view key, std::initializer_list<std::string_view> allowed, std::optional<int> fallback);
+  Point point(std::string_view key, std::optional<Point> fallback);
+  std::vector<Point> points(std::string_view key, std::size_t fewest, std::optional<std::vector<Point>> fallback);
+  std::vector<std::string> texts(std::string_view key, std::vector<Place>& places,
+                                 std::optional<std::vector<std::string>> fallback);
+
+  /// A [table]; an empty one stands in for a table that is missing and may be.
+  Keys table(std::string_view key, bool is_required);
+  /// The members of a [[table]].
+  std::vector<Keys> tables(std::string_view key, bool is_required);
+
+  bool has(std::string_view key) const { return table_->contains(key); }
+  Place place() const { return place_of(*table_); }
+  Place place(std::string_view key) const;
+  std::string path(std::string_view key) const;
+  void fault(std::string_view key, std::string text) { faults_->add(place(key), path(key), std::move(text)); }
+
+  /// Tells of every key that nobody asked for.
+  void finish();
+
+ private:
+  const toml::node* find(std::string_view key, std::string_view what, bool is_required);
+  std::optional<double> finite_number(const toml::node& node, const std::string& path);
+  std::optional<Point> point_of(const toml::node& node, const std::string& path);
+  static Place place_of(const toml::node& node);
+
+  const toml::table* table_;
+  std::string path_;
+  Faults* faults_;
+  std::vector<std::string_view> asked_;
+};
+
+/// "; did you mean 'x'?" for the nearest of the names, or nothing when none is near.
+std::string suggestion(std::string_view name, const std::vector<std::string_view>& names);
+
+}  // namespace halfspace::cli

@@ -1,0 +1,113 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <string>
+
+#include "faults.h"
+#include "files.h"
+#include "library.h"
+#include "plan.h"
+#include "read_scene.h"
+#include "run.h"
+
+namespace halfspace::cli {
+namespace {
+
+enum ExitCode { exit_ok = 0, exit_failed = 1, exit_usage = 2, exit_unstable = 3 };
+
+void print(std::FILE* stream, const std::string& text) { std::fputs(text.c_str(), stream); }
+
+/// A scene and its blocks, both whole only if there are no faults.
+struct CheckedScene {
+  Scene scene;
+  Plan plan;
+  Faults faults;
+};
+
+CheckedScene load(const Context& context, const std::string& file) {
+  CheckedScene checked;
+  checked.scene = read_scene(file, checked.faults);
+  checked.plan = plan_blocks(context, checked.scene, checked.faults);
+  return checked;
+}
+
+int refuse(const std::string& file, const Faults& faults) {
+  print(stderr, faults.describe(file));
+  print(stderr, std::to_string(faults.count()) + (faults.count() == 1 ? " fault in " : " faults in ") + file + '\n');
+  return exit_failed;
+}
+
+int check(const std::string& file) {
+  const Context context = make_context();
+  const CheckedScene checked = load(context, file);
+  if (!checked.faults.none()) return refuse(file, checked.faults);
+  std::string text = file + ": no faults, " + std::to_string(checked.plan.blocks.size()) + " blocks";
+  if (checked.plan.left_out > 0) text += ", " + std::to_string(checked.plan.left_out) + " left out as too small";
+  print(stdout, text + '\n');
+  return exit_ok;
+}
+
+void print_files(const OutputDirectory& directory) {
+  std::size_t frames = 0;
+  std::string others;
+  for (const std::string& name : directory.written()) {
+    if (name.starts_with("frames/")) {
+      ++frames;
+    } else {
+      others += "  " + (directory.path() / name).string() + '\n';
+    }
+  }
+  print(stdout, "files written\n" + others + "  " + (directory.path() / "frames").string() + "/ (" +
+                    std::to_string(frames) + " frames)\n");
+}
+
+int run(const std::string& file, const std::string& output, bool force) {
+  const Context context = make_context();
+  CheckedScene checked = load(context, file);
+  if (!checked.faults.none()) return refuse(file, checked.faults);
+  OutputDirectory directory(output, force);
+  const RunResult result = run_scene(context, checked.scene, std::move(checked.plan), directory);
+  print(stdout, result.summary + result.timings);
+  print_files(directory);
+  if (result.outcome == Outcome::unstable) {
+    print(stderr, "halfspace: unstable run: " + result.trouble + "; give a smaller time_step or safety in [world]\n");
+    return exit_unstable;
+  }
+  return result.outcome == Outcome::interrupted ? exit_failed : exit_ok;
+}
+
+int main_of(int argc, char** argv) {
+  CLI::App app("Moves convex blocks in contact, from a scene file to pictures.", "halfspace");
+  app.set_version_flag("--version", std::string("halfspace ") + hs_version());
+  app.require_subcommand(1);
+  app.footer("Exit codes: 0 ok, 1 failed or faulty scene, 2 wrong usage, 3 unstable run (its output is kept).");
+
+  std::string file;
+  std::string output;
+  bool force = false;
+  CLI::App* run_command = app.add_subcommand("run", "Run a scene");
+  run_command->add_option("scene", file, "The scene file (TOML)")->required();
+  run_command->add_option("-o,--output", output, "Directory for the output; made if missing")->required();
+  run_command->add_flag("--force", force, "Replace an earlier run in the directory");
+  CLI::App* check_command = app.add_subcommand("check", "Tell everything that is wrong with a scene, without running it");
+  check_command->add_option("scene", file, "The scene file (TOML)")->required();
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? exit_ok : exit_usage;
+  }
+  return run_command->parsed() ? run(file, output, force) : check(file);
+}
+
+}  // namespace
+}  // namespace halfspace::cli
+
+int main(int argc, char** argv) {
+  try {
+    return halfspace::cli::main_of(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "halfspace: %s\n", error.what());
+    return halfspace::cli::exit_failed;
+  }
+}

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <vector>
+
+#include "library.h"
+#include "plan.h"
+#include "scene.h"
+
+namespace halfspace::cli {
+
+/// One block at one time.
+struct BlockFrame {
+  hs_block_state state{};
+  std::vector<Point> vertices;  ///< counter-clockwise, where they are now
+};
+
+/// All blocks at one time, in the order of the plan.
+struct Frame {
+  double time = 0;
+  std::vector<BlockFrame> blocks;
+};
+
+/// The world of a scene, and the motions that start and stop in it.
+class Model {
+ public:
+  Model(const Context& context, const Scene& scene, Plan plan);
+
+  /// Steps the world, stopping on the way wherever a prescribed motion starts or stops, to the step nearest to a time.
+  /// Does at most `most_steps` steps. @throws LibraryError
+  void step_towards(double time, std::int64_t most_steps);
+
+  /// Has the step nearest to this time been done?
+  bool reached(double time) const { return time - report_.time < report_.time_step / 2; }
+
+  bool motions_over() const { return next_motion_change() == never; }
+  const hs_world_report& report() const { return report_; }
+  Frame frame() const;
+  hs_block_state state_of(std::size_t block) const;
+  const Plan& plan() const { return plan_; }
+
+ private:
+  static constexpr double never = std::numeric_limits<double>::infinity();
+
+  void set_due_motions();
+  double next_motion_change() const;
+  void update_report();
+
+  const Context& context_;
+  Plan plan_;
+  World world_;
+  std::vector<hs_block> blocks_;
+  hs_world_report report_{};
+};
+
+}  // namespace halfspace::cli

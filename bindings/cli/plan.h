@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "faults.h"
+#include "library.h"
+#include "scene.h"
+
+namespace halfspace::cli {
+
+struct PlannedBlock {
+  std::string name;
+  int material = 0;
+  int kind = HS_BLOCK_RIGID;
+  Shape shape;
+  Motion motion;
+};
+
+/// All blocks of a scene, generators included, in the order of the file.
+struct Plan {
+  std::vector<PlannedBlock> blocks;
+  std::vector<std::size_t> tracked;  ///< indices of the blocks whose motion goes into the history
+  int left_out = 0;                  ///< blocks too small to be kept
+  double area_left_out = 0;
+};
+
+/// Makes the shapes of a scene. Bad shapes and unknown names go to the faults.
+Plan plan_blocks(const Context& context, const Scene& scene, Faults& faults);
+
+}  // namespace halfspace::cli

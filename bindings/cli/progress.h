@@ -1,0 +1,31 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+
+namespace halfspace::cli {
+
+/// A bar with the time left on standard error, if that is a terminal; nothing at all if not.
+class Progress {
+ public:
+  Progress();
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// Shows how far the run is. Redraws a few times a second at most.
+  void show(double time, double duration);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  bool on_terminal_;
+  bool drawn_ = false;
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point last_drawn_{};
+};
+
+/// What the bar looks like after `elapsed` seconds of work.
+std::string progress_line(double time, double duration, double elapsed);
+
+}  // namespace halfspace::cli

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "files.h"
+#include "library.h"
+#include "plan.h"
+#include "scene.h"
+
+namespace halfspace::cli {
+
+/// How a run ended. All but the last two are what the scene asked for.
+enum class Outcome { complete, at_rest, interrupted, unstable };
+
+struct RunResult {
+  Outcome outcome = Outcome::complete;
+  std::string trouble;  ///< what the library said of an unstable run
+  std::string summary;  ///< of the physics: the same for the same scene
+  std::string timings;  ///< of this run of it
+};
+
+/// Runs a scene and writes frames, history, pictures and summary. Whatever happens, the directory holds whole files of
+/// everything up to the end, regular or not. @throws LibraryError, std::runtime_error
+RunResult run_scene(const Context& context, const Scene& scene, Plan plan, OutputDirectory& directory);
+
+}  // namespace halfspace::cli

@@ -1,0 +1,105 @@
+#include "summary.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "text.h"
+
+namespace halfspace::cli {
+namespace {
+
+std::string line(std::string name, const std::string& value) {
+  name.resize(20, ' ');
+  return name + value + '\n';
+}
+
+struct Extent {
+  double left = INFINITY;
+  double right = -INFINITY;
+};
+
+Extent extent_of(const Frame& frame) {
+  Extent extent;
+  for (const BlockFrame& block : frame.blocks) {
+    if (block.state.kind != HS_BLOCK_RIGID) continue;
+    for (const Point& p : block.vertices) {
+      extent.left = std::min(extent.left, p[0]);
+      extent.right = std::max(extent.right, p[0]);
+    }
+  }
+  return extent;
+}
+
+std::string blocks_text(const Plan& plan) {
+  int counts[3] = {};
+  for (const PlannedBlock& block : plan.blocks) ++counts[block.kind];
+  std::string text = std::to_string(plan.blocks.size()) + " (" + std::to_string(counts[HS_BLOCK_RIGID]) + " rigid, " +
+                     std::to_string(counts[HS_BLOCK_FIXED]) + " fixed, " +
+                     std::to_string(counts[HS_BLOCK_PRESCRIBED]) + " prescribed)";
+  if (plan.left_out > 0) {
+    text += "; " + std::to_string(plan.left_out) + " left out as too small, " + rounded(plan.area_left_out, 3) +
+            " m2 in all";
+  }
+  return text;
+}
+
+const char* describe(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::complete: return "complete";
+    case Outcome::at_rest: return "complete: at rest before the end";
+    case Outcome::interrupted: return "interrupted";
+    case Outcome::unstable: return "UNSTABLE: the time step is too large";
+  }
+  return "";
+}
+
+std::string energy_text(const hs_energy& energy) {
+  const double turned_over = energy.kinetic + energy.strain + energy.friction_loss + energy.contact_damping_loss +
+                             energy.local_damping_loss + energy.mass_damping_loss;
+  std::string text = rounded(energy.residual, 3) + " J";
+  if (turned_over > 0) {
+    text += ", " + rounded(energy.residual / turned_over, 2) + " of the " + rounded(turned_over, 4) + " J set free";
+  }
+  return text;
+}
+
+}  // namespace
+
+RunOut run_out(const Frame& start, const Frame& end) {
+  const Extent first = extent_of(start);
+  const Extent last = extent_of(end);
+  if (!(first.left <= first.right)) return {};  // no rigid block
+  RunOut result{.right = last.right - first.right, .left = first.left - last.left};
+  double mass = 0;
+  for (const BlockFrame& block : end.blocks) {
+    if (block.state.kind != HS_BLOCK_RIGID) continue;
+    const double x = block.state.pose.position[0];
+    mass += block.state.mass;
+    if (x < first.left || x > first.right) result.moved_out += block.state.mass;
+  }
+  result.moved_out /= mass;
+  return result;
+}
+
+std::string summary(const Scene& scene, const Model& model, const Frame& start, const Frame& end, Outcome outcome) {
+  const hs_world_report& report = model.report();
+  const RunOut reach = run_out(start, end);
+  return line("scene", scene.title) + line("outcome", describe(outcome)) + line("blocks", blocks_text(model.plan())) +
+         line("simulated", rounded(report.time, 6) + " s in " + std::to_string(report.steps) + " steps of " +
+                               rounded(report.time_step, 4) + " s (stable: " + rounded(report.stable_time_step, 4) +
+                               " s)") +
+         line("contacts", std::to_string(report.contact_count) + ", largest overlap " +
+                              rounded(report.largest_overlap, 3) + " m, fastest block " +
+                              rounded(report.largest_speed, 3) + " m/s") +
+         line("energy residual", energy_text(report.energy)) +
+         line("run-out", decimals(reach.right, 2) + " m to the right, " + decimals(reach.left, 2) + " m to the left; " +
+                             decimals(100 * reach.moved_out, 1) + " % of the mass beyond its first extent");
+}
+
+std::string timings(const hs_world_report& report, double seconds) {
+  const double block_steps = static_cast<double>(report.block_count) * static_cast<double>(report.steps);
+  return line("wall time", decimals(seconds, 2) + " s, " + rounded(block_steps / seconds, 3) +
+                               " block-steps per second, output included");
+}
+
+}  // namespace halfspace::cli

@@ -1,0 +1,104 @@
+#include "svg.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "text.h"
+
+namespace halfspace::cli {
+namespace {
+
+std::string pixels(double value) { return decimals(std::round(100 * value) / 100 + 0.0, 2); }
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (char c : text) {
+    if (c == '&') {
+      result += "&amp;";
+    } else if (c == '<') {
+      result += "&lt;";
+    } else if (c == '>') {
+      result += "&gt;";
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
+std::string position(const char* x, const char* y, Point at) {
+  return std::string(" ") + x + "=\"" + pixels(at[0]) + "\" " + y + "=\"" + pixels(at[1]) + '"';
+}
+
+std::string box(Point corner, double width, double height) {
+  return "<rect" + position("x", "y", corner) + " width=\"" + pixels(width) + "\" height=\"" + pixels(height) + '"';
+}
+
+}  // namespace
+
+double even_step(double length, int count) {
+  const double rough = length / count;
+  const double power = std::pow(10.0, std::floor(std::log10(rough)));
+  for (double factor : {1.0, 2.0, 5.0}) {
+    if (factor * power >= rough) return factor * power;
+  }
+  return 10 * power;
+}
+
+int decimals_for(double step) { return std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9))); }
+
+std::string ramp_colour(double share) {
+  static constexpr double stops[][3] = {{38, 36, 98}, {34, 94, 148}, {38, 148, 142}, {132, 196, 98}, {250, 222, 88}};
+  constexpr int last = 4;
+  const double place = last * std::clamp(share, 0.0, 1.0);
+  const int below = std::min(static_cast<int>(place), last - 1);
+  const double part = place - below;
+  char text[8];
+  int rgb[3];
+  for (int i = 0; i < 3; ++i) {
+    rgb[i] = static_cast<int>(std::lround((1 - part) * stops[below][i] + part * stops[below + 1][i]));
+  }
+  std::snprintf(text, sizeof text, "#%02x%02x%02x", rgb[0] & 255, rgb[1] & 255, rgb[2] & 255);
+  return text;
+}
+
+Svg::Svg(double width, double height) {
+  const std::string w = pixels(width);
+  const std::string h = pixels(height);
+  text_ = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w + "\" height=\"" + h + "\" viewBox=\"0 0 " + w + ' ' +
+          h + "\" font-family=\"Helvetica, Arial, sans-serif\" fill=\"#222\">\n";
+}
+
+void Svg::rectangle(Point corner, double width, double height, std::string_view style) {
+  text_ += box(corner, width, height) + " " + std::string(style) + "/>\n";
+}
+
+void Svg::line(Point from, Point to, std::string_view style) {
+  text_ += "<line" + position("x1", "y1", from) + position("x2", "y2", to) + " " + std::string(style) + "/>\n";
+}
+
+void Svg::polygon(const std::vector<Point>& vertices, std::string_view style) {
+  text_ += "<path d=\"";
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    text_ += (i == 0 ? "M" : "L") + pixels(vertices[i][0]) + ' ' + pixels(vertices[i][1]);
+  }
+  text_ += "Z\" " + std::string(style) + "/>\n";
+}
+
+void Svg::label(Point at, std::string_view text, double size, std::string_view anchor, double turned) {
+  text_ += "<text" + position("x", "y", at) + " font-size=\"" + pixels(size) + "\" text-anchor=\"" + std::string(anchor) +
+           '"';
+  if (turned != 0) {
+    text_ += " transform=\"rotate(" + pixels(turned) + ' ' + pixels(at[0]) + ' ' + pixels(at[1]) + ")\"";
+  }
+  text_ += '>' + escaped(text) + "</text>\n";
+}
+
+void Svg::begin_clip(Point corner, double width, double height) {
+  text_ += "<clipPath id=\"plot\">" + box(corner, width, height) + "/></clipPath>\n<g clip-path=\"url(#plot)\">\n";
+}
+
+void Svg::end_clip() { text_ += "</g>\n"; }
+
+}  // namespace halfspace::cli

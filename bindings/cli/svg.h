@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "scene.h"
+
+namespace halfspace::cli {
+
+/// Steps of 1, 2 or 5 times a power of ten, about `count` of them in a length.
+double even_step(double length, int count);
+
+/// The decimals that tell multiples of a step apart.
+int decimals_for(double step);
+
+/// A colour from 0 (dark blue) to 1 (yellow), of rising lightness, so that it reads in grey and by colour-blind eyes.
+std::string ramp_colour(double share);
+
+/// A drawing in pixels, y downwards.
+class Svg {
+ public:
+  Svg(double width, double height);
+
+  void rectangle(Point corner, double width, double height, std::string_view style);
+  void line(Point from, Point to, std::string_view style);
+  void polygon(const std::vector<Point>& vertices, std::string_view style);
+  /// Anchor: start, middle or end.
+  void label(Point at, std::string_view text, double size, std::string_view anchor, double turned = 0);
+  /// Everything until end_clip() shows only within a rectangle.
+  void begin_clip(Point corner, double width, double height);
+  void end_clip();
+
+  std::string text() const { return text_ + "</svg>\n"; }
+
+ private:
+  std::string text_;
+};
+
+}  // namespace halfspace::cli

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <charconv>
+#include <string>
+
+namespace halfspace::cli {
+
+/// The shortest text that reads back as the same number, in any locale.
+inline std::string shortest(double value) {
+  char buffer[32];
+  return std::string(buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr);
+}
+
+/// With a given number of significant digits, trailing zeros dropped.
+inline std::string rounded(double value, int digits) {
+  char buffer[64];
+  return std::string(buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits).ptr);
+}
+
+/// With a given number of decimals.
+inline std::string decimals(double value, int count) {
+  char buffer[400];  // the largest double has 309 digits before the point
+  return std::string(buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, count).ptr);
+}
+
+}  // namespace halfspace::cli

@@ -1,0 +1,71 @@
+/** @file
+ *  @brief Detection for hosts that keep their own bodies: one pair, or many. Stateless but for a cache the caller may keep.
+ */
+#ifndef HALFSPACE_PAIR_H
+#define HALFSPACE_PAIR_H
+
+#include "halfspace/contact.h"
+#include "halfspace/shape.h"
+#include "halfspace/status.h"
+#include "halfspace/view.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** What a pair remembers between calls: the last violated potential pair while separated, the initial contact pair while in
+ *  contact (Wang et al. 2021, section 2.5). All zero is an empty cache. Copy it freely. */
+typedef struct hs_pair_cache {
+  int32_t state; /**< 0 unknown, 1 separated, 2 in contact */
+  int32_t edge;  /**< edge of the remembered pair; edges of b follow those of a */
+  int32_t vertex; /**< vertex of the remembered pair, of the other block */
+  int32_t reserved; /**< 0 */
+} hs_pair_cache;
+
+/** Settings of detection. Fill it with hs_pair_options_init(). */
+typedef struct hs_pair_options {
+  uint32_t struct_size;  /**< set by hs_pair_options_init() */
+  uint32_t reserved;     /**< 0 */
+  double parallel_angle; /**< edges closer to parallel than this are edge-edge; rad, [0, 0.5]; default 0.01 */
+  double vertex_zone;    /**< share of the edge's length at each end that counts as its vertex; [0, 0.5]; default 0.001 */
+} hs_pair_options;
+
+/** @brief Fills detection options with their defaults.
+ *  @param options to fill
+ *  @param size sizeof(hs_pair_options) as the caller was compiled
+ *  @return HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time. */
+HS_API hs_status hs_pair_options_init(hs_pair_options *options, size_t size);
+
+/** @brief Are two shapes in contact, and how?
+ *  @param shape_a,shape_b the shapes; the same one twice is legal
+ *  @param pose_a,pose_b where they are
+ *  @param options NULL for the defaults
+ *  @param cache NULL, or the pair's memory from the last call: makes the answer faster and, in contact, keeps the plane
+ *         through which the pair met. Updated.
+ *  @param contact receives type, normal, gap, region; block ids and forces are 0
+ *  @return HS_OK or HS_ERROR_ARGUMENT */
+HS_API hs_status hs_pair_detect(const hs_shape *shape_a, const hs_pose *pose_a, const hs_shape *shape_b,
+                                const hs_pose *pose_b, const hs_pair_options *options, hs_pair_cache *cache,
+                                hs_contact *contact);
+
+/** @brief Detects many pairs.
+ *  @param context for the error text
+ *  @param shapes shapes of the bodies, body_count pointers
+ *  @param poses poses of the bodies, body_count
+ *  @param body_count number of bodies, >= 0
+ *  @param pairs body indices a, b of each pair, 2 * pair_count values
+ *  @param pair_count number of pairs, >= 0
+ *  @param options NULL for the defaults
+ *  @param caches NULL, or one per pair
+ *  @param contacts receives one per pair, in the order of the pairs, separated ones with HS_CONTACT_NONE
+ *  @param touching receives the number of pairs in contact; may be NULL
+ *  @return HS_OK or HS_ERROR_ARGUMENT */
+HS_API hs_status hs_pairs_detect(hs_context *context, const hs_shape *const *shapes, const hs_pose *poses,
+                                 int64_t body_count, const int32_t *pairs, int64_t pair_count,
+                                 const hs_pair_options *options, hs_pair_cache *caches, hs_contact *contacts,
+                                 int64_t *touching);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "geometry/rotation.h"
+#include "geometry/vector.h"
+#include "guard.h"
+#include "halfspace/view.h"
+
+namespace halfspace::capi {
+
+inline void require_pointer(const void* pointer, const char* name) {
+  if (!pointer) refuse(HS_ERROR_ARGUMENT, "%s is NULL", name);
+}
+
+inline double require_finite(double value, const char* name) {
+  if (!std::isfinite(value)) refuse(HS_ERROR_ARGUMENT, "%s is %g; it must be finite", name, value);
+  return value;
+}
+
+/// `range` says in words what `holds` checked.
+inline double require(bool holds, double value, const char* name, const char* range) {
+  if (!holds) refuse(HS_ERROR_ARGUMENT, "%s is %g; it must be %s", name, value, range);
+  return value;
+}
+
+inline void require_count(std::int64_t count, const char* name) {
+  if (count < 0) refuse(HS_ERROR_ARGUMENT, "%s is %lld; it must be >= 0", name, static_cast<long long>(count));
+}
+
+/// The defaults of a definition, given next to the functions that read it.
+template <class Definition>
+Definition default_definition();
+
+/// A definition's size tells which version of it the caller was compiled with; a smaller or larger one than ours is met by
+/// reading what both know.
+template <class Definition>
+Definition read_definition(const Definition* given, const char* name) {
+  require_pointer(given, name);
+  constexpr std::size_t least = 2 * sizeof(std::uint32_t);
+  if (given->struct_size < least || given->struct_size > 1u << 16) {
+    refuse(HS_ERROR_ARGUMENT, "%s.struct_size is %u; fill the definition with its init function", name,
+           given->struct_size);
+  }
+  Definition known = default_definition<Definition>();
+  std::memcpy(static_cast<void*>(&known), given, std::min<std::size_t>(given->struct_size, sizeof known));
+  known.struct_size = sizeof known;
+  return known;
+}
+
+/// The init function behind every definition: the defaults, as much of them as the caller's struct holds.
+template <class Definition>
+hs_status write_definition(Definition* def, std::size_t size) {
+  if (!def || size < 2 * sizeof(std::uint32_t) || size > 1u << 16) return HS_ERROR_ARGUMENT;
+  Definition defaults = default_definition<Definition>();
+  defaults.struct_size = static_cast<std::uint32_t>(size);
+  std::memset(static_cast<void*>(def), 0, size);
+  std::memcpy(static_cast<void*>(def), &defaults, std::min(size, sizeof defaults));
+  return HS_OK;
+}
+
+struct Pose2 {
+  Vector<2> position;
+  Rotation<2> rotation;
+};
+
+inline Pose2 read_pose(const hs_pose* pose, const char* name) {
+  require_pointer(pose, name);
+  for (int i = 0; i < 2; ++i) {
+    const double p = pose->position[i];
+    if (!std::isfinite(p)) {
+      refuse(HS_ERROR_ARGUMENT, "%s->position[%d] is %g; it must be finite", name, i, p);
+    }
+  }
+  const double* q = pose->rotation;
+  const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+  if (!(std::abs(length - 1) <= 1e-6)) {
+    refuse(HS_ERROR_ARGUMENT, "%s->rotation has length %.9g; it must be a unit quaternion", name, length);
+  }
+  if (std::abs(q[0]) > 1e-6 || std::abs(q[1]) > 1e-6) {
+    refuse(HS_ERROR_ARGUMENT, "%s->rotation is (%g, %g, %g, %g); in 2D it must turn about z", name, q[0], q[1], q[2],
+           q[3]);
+  }
+  return {{pose->position[0], pose->position[1]}, Rotation<2>::from_quaternion(q[2], q[3])};
+}
+
+inline void write_pose(const Vector<2>& position, const Rotation<2>& rotation, hs_pose& pose) {
+  // Half-angle formulas, from the larger of the two so that no digits cancel.
+  const double c = rotation.cosine, s = rotation.sine;
+  const double larger = std::sqrt(0.5 * (1 + std::abs(c)));
+  const double z = c >= 0 ? 0.5 * s / larger : std::copysign(larger, s);
+  const double w = c >= 0 ? larger : 0.5 * std::abs(s) / larger;
+  pose = {{position.x(), position.y(), 0}, {0, 0, z, w}};
+}
+
+inline void write_vector(const Vector<2>& v, double out[3]) {
+  out[0] = v.x();
+  out[1] = v.y();
+  out[2] = 0;
+}
+
+}  // namespace halfspace::capi

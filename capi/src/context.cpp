@@ -1,0 +1,76 @@
+#include "context.h"
+
+#include <cstdlib>
+
+#include "check.h"
+#include "guard.h"
+
+using namespace halfspace::capi;
+
+namespace halfspace::capi {
+
+template <>
+hs_context_def default_definition() {
+  return {};
+}
+
+void* HostMemory::do_allocate(std::size_t bytes, std::size_t alignment) {
+  void* memory;
+  if (def_.allocate) {
+    memory = def_.allocate(bytes, alignment, def_.user);
+  } else if (alignment <= alignof(std::max_align_t)) {
+    memory = std::malloc(bytes);
+  } else {
+    const std::size_t rounded = (bytes + alignment - 1) / alignment * alignment;
+    memory = std::aligned_alloc(alignment, rounded);
+  }
+  if (!memory) throw std::bad_alloc();
+  return memory;
+}
+
+void HostMemory::do_deallocate(void* memory, std::size_t bytes, std::size_t alignment) {
+  if (def_.release) {
+    def_.release(memory, bytes, alignment, def_.user);
+  } else {
+    std::free(memory);
+  }
+}
+
+}  // namespace halfspace::capi
+
+const char* hs_status_string(hs_status status) {
+  switch (status) {
+#define HS_STATUS_CASE(name, value, text) \
+  case name: return text;
+    HS_STATUS_LIST(HS_STATUS_CASE)
+#undef HS_STATUS_CASE
+    default: return "unknown status";
+  }
+}
+
+const char* hs_version(void) { return HALFSPACE_VERSION; }
+
+hs_status hs_context_def_init(hs_context_def* def, size_t size) { return write_definition(def, size); }
+
+hs_status hs_context_create(const hs_context_def* def, hs_context** context) {
+  return guarded(nullptr, __func__, [&] {
+    require_pointer(context, "context");
+    const hs_context_def known = def ? read_definition(def, "def") : default_definition<hs_context_def>();
+    if (!known.allocate != !known.release) refuse(HS_ERROR_ARGUMENT, "set allocate and release both, or neither");
+    HostMemory memory(known);
+    void* place = memory.allocate(sizeof(hs_context), alignof(hs_context));
+    *context = new (place) hs_context(known);
+    return HS_OK;
+  });
+}
+
+void hs_context_destroy(hs_context* context) {
+  if (!context) return;
+  HostMemory memory = context->memory;
+  context->~hs_context();
+  memory.deallocate(context, sizeof(hs_context), alignof(hs_context));
+}
+
+const char* hs_context_last_error(const hs_context* context) {
+  return context ? context->last_error : "no context: a handle was NULL";
+}

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdarg>
+#include <cstdio>
+#include <cstring>
+#include <new>
+
+#include "context.h"
+#include "halfspace/status.h"
+
+namespace halfspace::capi {
+
+/// Why a call is refused. Thrown inside the guard only.
+struct Refusal {
+  hs_status status;
+  char text[400];
+};
+
+/// Ends the call with a status and a text that names the argument and its value.
+[[noreturn, gnu::format(printf, 2, 3)]] inline void refuse(hs_status status, const char* format, ...) {
+  Refusal refusal;
+  refusal.status = status;
+  std::va_list arguments;
+  va_start(arguments, format);
+  std::vsnprintf(refusal.text, sizeof refusal.text, format, arguments);
+  va_end(arguments);
+  throw refusal;
+}
+
+inline void report(hs_context* context, const char* function, const char* text) {
+  if (context) std::snprintf(context->last_error, sizeof context->last_error, "%s: %s", function, text);
+}
+
+/// The one guard around every fallible entry point: runs the body, turns what it throws into a status and a text. Nothing passes.
+template <class Body>
+hs_status guarded(hs_context* context, const char* function, Body&& body) noexcept {
+  try {
+    return body();
+  } catch (const Refusal& refusal) {
+    report(context, function, refusal.text);
+    return refusal.status;
+  } catch (const std::bad_alloc&) {
+    report(context, function, hs_status_string(HS_ERROR_OUT_OF_MEMORY));
+    return HS_ERROR_OUT_OF_MEMORY;
+  } catch (const std::exception& e) {
+    report(context, function, e.what());
+    return HS_ERROR_INTERNAL;
+  } catch (...) {
+    report(context, function, hs_status_string(HS_ERROR_INTERNAL));
+    return HS_ERROR_INTERNAL;
+  }
+}
+
+}  // namespace halfspace::capi

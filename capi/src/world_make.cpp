@@ -1,0 +1,178 @@
+#include <cmath>
+#include <numbers>
+
+#include "pair.h"
+#include "shape.h"
+#include "world.h"
+
+using namespace halfspace;
+using namespace halfspace::capi;
+
+namespace halfspace::capi {
+
+template <>
+hs_world_def default_definition() {
+  const WorldSettings<2> defaults;
+  hs_world_def def{};
+  def.dimension = 2;
+  def.gravity[1] = -9.81;
+  def.safety = defaults.safety;
+  def.skin = defaults.skin;
+  def.parallel_angle = defaults.detect.parallel_angle;
+  def.vertex_zone = defaults.detect.vertex_zone;
+  return def;
+}
+
+template <>
+hs_law_def default_definition() {
+  const SpringLaw defaults;
+  hs_law_def def{};
+  def.normal_stiffness = defaults.normal_stiffness;
+  def.shear_stiffness = defaults.shear_stiffness;
+  return def;
+}
+
+template <>
+hs_block_def default_definition() {
+  hs_block_def def{};
+  def.kind = HS_BLOCK_RIGID;
+  def.pose.rotation[3] = 1;
+  return def;
+}
+
+namespace {
+
+WorldSettings<2> read_settings(const hs_world_def& def) {
+  if (def.dimension != 2) refuse(HS_ERROR_ARGUMENT, "def.dimension is %d; this version knows 2", def.dimension);
+  const auto positive_or_zero = [](double v) { return v >= 0 && std::isfinite(v); };
+  WorldSettings<2> settings;
+  settings.gravity = read_finite_vector(def.gravity, "def.gravity");
+  settings.time_step = require(positive_or_zero(def.time_step), def.time_step, "def.time_step", "finite and >= 0");
+  settings.safety = require(def.safety > 0 && def.safety <= 1, def.safety, "def.safety", "above 0 and at most 1");
+  settings.local_damping = require(def.local_damping >= 0 && def.local_damping < 1, def.local_damping,
+                                   "def.local_damping", "at least 0 and below 1");
+  settings.mass_damping =
+      require(positive_or_zero(def.mass_damping), def.mass_damping, "def.mass_damping", "finite and >= 0");
+  settings.skin = require(def.skin > 0 && def.skin <= 1, def.skin, "def.skin", "above 0 and at most 1");
+  settings.detect = read_detect_options(def.parallel_angle, def.vertex_zone);
+  return settings;
+}
+
+SpringLaw read_law(const hs_law_def* given) {
+  const hs_law_def def = read_definition(given, "law");
+  if (def.stiffness_kind != HS_STIFFNESS_PER_CONTACT && def.stiffness_kind != HS_STIFFNESS_PER_AREA) {
+    refuse(HS_ERROR_ARGUMENT, "law.stiffness_kind is %d; it must be HS_STIFFNESS_PER_CONTACT or HS_STIFFNESS_PER_AREA",
+           def.stiffness_kind);
+  }
+  const auto at_least_zero = [](double value, const char* name) {
+    return require(value >= 0 && std::isfinite(value), value, name, "finite and >= 0");
+  };
+  SpringLaw law;
+  law.stiffness_kind = StiffnessKind(def.stiffness_kind);
+  law.normal_stiffness = require(def.normal_stiffness > 0 && std::isfinite(def.normal_stiffness), def.normal_stiffness,
+                                 "law.normal_stiffness", "finite and > 0");
+  law.shear_stiffness = at_least_zero(def.shear_stiffness, "law.shear_stiffness");
+  law.friction_angle = require(def.friction_angle >= 0 && def.friction_angle < std::numbers::pi / 2,
+                               def.friction_angle, "law.friction_angle", "at least 0 and below pi/2");
+  law.tan_friction = std::tan(law.friction_angle);
+  law.cohesion = at_least_zero(def.cohesion, "law.cohesion");
+  law.tensile_strength = at_least_zero(def.tensile_strength, "law.tensile_strength");
+  law.normal_damping = at_least_zero(def.normal_damping, "law.normal_damping");
+  law.shear_damping = at_least_zero(def.shear_damping, "law.shear_damping");
+  return law;
+}
+
+void require_material(const hs_world& world, std::int32_t material, const char* name) {
+  if (material < 0 || material >= world.world.material_count()) {
+    refuse(HS_ERROR_STALE_ID, "%s is %d; the world has %d materials", name, material, world.world.material_count());
+  }
+}
+
+}  // namespace
+}  // namespace halfspace::capi
+
+hs_status hs_world_def_init(hs_world_def* def, size_t size) { return write_definition(def, size); }
+
+hs_status hs_law_def_init(hs_law_def* def, size_t size) { return write_definition(def, size); }
+
+hs_status hs_block_def_init(hs_block_def* def, size_t size, const hs_shape* shape) {
+  if (!shape || !def || size < sizeof(hs_block_def)) return HS_ERROR_ARGUMENT;
+  const hs_status status = write_definition(def, size);
+  if (status == HS_OK) write_pose(shape->shape.centroid(), Rotation<2>(), def->pose);
+  return status;
+}
+
+hs_status hs_world_create(hs_context* context, const hs_world_def* def, hs_world** world) {
+  return guarded(context, __func__, [&] {
+    require_pointer(context, "context");
+    require_pointer(world, "world");
+    *world = create<hs_world>(context, context, read_settings(read_definition(def, "def")));
+    return HS_OK;
+  });
+}
+
+void hs_world_destroy(hs_world* world) {
+  if (world) destroy(world->context, world);
+}
+
+hs_status hs_world_add_material(hs_world* world, double density, int32_t* material) {
+  return guarded(context_of(world), __func__, [&] {
+    require_pointer(world, "world");
+    require_pointer(material, "material");
+    require(density > 0 && std::isfinite(density), density, "density", "finite and > 0");
+    *material = world->world.add_material(density);
+    return HS_OK;
+  });
+}
+
+hs_status hs_world_set_default_law(hs_world* world, const hs_law_def* law) {
+  return guarded(context_of(world), __func__, [&] {
+    require_pointer(world, "world");
+    world->world.set_default_law(read_law(law));
+    return HS_OK;
+  });
+}
+
+hs_status hs_world_set_law(hs_world* world, int32_t material_a, int32_t material_b, const hs_law_def* law) {
+  return guarded(context_of(world), __func__, [&] {
+    require_pointer(world, "world");
+    require_material(*world, material_a, "material_a");
+    require_material(*world, material_b, "material_b");
+    world->world.set_law(material_a, material_b, read_law(law));
+    return HS_OK;
+  });
+}
+
+hs_status hs_world_add_block(hs_world* world, const hs_shape* shape, const hs_block_def* def, hs_block* block) {
+  return guarded(context_of(world), __func__, [&] {
+    require_pointer(world, "world");
+    require_pointer(shape, "shape");
+    require_pointer(block, "block");
+    const hs_block_def known = read_definition(def, "def");
+    if (known.kind < HS_BLOCK_FIXED || known.kind > HS_BLOCK_RIGID) {
+      refuse(HS_ERROR_ARGUMENT, "def.kind is %d; it must be an HS_BLOCK_ value", known.kind);
+    }
+    require_material(*world, known.material, "def.material");
+    const Pose2 pose = read_pose(&known.pose, "def.pose");
+    const Vector<2> velocity = read_finite_vector(known.velocity, "def.velocity");
+    const double spin = read_finite_turn(known.angular_velocity, "def.angular_velocity");
+    if (known.kind == HS_BLOCK_FIXED && (velocity != Vector<2>::Zero() || spin != 0)) {
+      refuse(HS_ERROR_ARGUMENT, "def.velocity is (%g, %g), def.angular_velocity[2] is %g; a fixed block has none",
+             velocity.x(), velocity.y(), spin);
+    }
+    World<2>& w = world->world;
+    const std::int32_t slot =
+        w.add_block(shape->shape, BlockKind(known.kind), known.material, pose.position, pose.rotation);
+    w.set_velocity(slot, velocity, spin);
+    *block = id_of(w.blocks(), std::size_t(slot));
+    return HS_OK;
+  });
+}
+
+hs_status hs_world_remove_block(hs_world* world, hs_block block) {
+  return guarded(context_of(world), __func__, [&] {
+    require_pointer(world, "world");
+    world->world.remove_block(slot_of(world->world.blocks(), block, "block"));
+    return HS_OK;
+  });
+}

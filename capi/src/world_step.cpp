@@ -1,0 +1,159 @@
+#include <algorithm>
+#include <cmath>
+
+#include "contact.h"
+#include "view.h"
+#include "world.h"
+
+using namespace halfspace;
+using namespace halfspace::capi;
+
+namespace {
+
+hs_energy energy_of(const Ledger& ledger) {
+  return {ledger.kinetic,
+          ledger.gravity,
+          ledger.strain,
+          ledger.friction_loss,
+          ledger.contact_damping_loss,
+          ledger.local_damping_loss,
+          ledger.mass_damping_loss,
+          ledger.outer_work,
+          ledger.residual()};
+}
+
+double largest_overlap(const World<2>& world) {
+  double overlap = 0;
+  for (const Contact<2>& contact : world.contacts()) overlap = std::max(overlap, -contact.gap);
+  return overlap;
+}
+
+double largest_speed(const Blocks<2>& blocks) {
+  double squared = 0;
+  for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
+    if (blocks.kind[i] == BlockKind::rigid) squared = std::max(squared, blocks.velocity[i].squaredNorm());
+  }
+  return std::sqrt(squared);
+}
+
+std::int64_t contact_index(const World<2>& world, std::int32_t a, std::int32_t b) {
+  for (std::size_t c = 0; c < world.contacts().size(); ++c) {
+    const Candidate& pair = world.candidate_of(c);
+    if (pair.a == std::min(a, b) && pair.b == std::max(a, b)) return std::int64_t(c);
+  }
+  refuse(HS_ERROR_STALE_ID, "block_a and block_b are not in contact");
+}
+
+}  // namespace
+
+hs_status hs_world_detect(hs_world* world, int64_t* touching) {
+  return guarded(context_of(world), __func__, [&] {
+    require_pointer(world, "world");
+    world->world.detect();
+    if (touching) *touching = std::int64_t(world->world.contacts().size());
+    return HS_OK;
+  });
+}
+
+hs_status hs_world_forces(hs_world* world, double elapsed, hs_mutable_view forces, hs_mutable_view torques) {
+  return guarded(context_of(world), __func__, [&] {
+    require_pointer(world, "world");
+    require(elapsed >= 0 && std::isfinite(elapsed), elapsed, "elapsed", "finite and >= 0");
+    require_view(forces, "forces");
+    require_turn_view(torques, "torques");
+    World<2>& w = world->world;
+    if (!w.is_detected()) refuse(HS_ERROR_STATE, "poses, blocks or laws have changed; call hs_world_detect() first");
+    w.evaluate_forces(elapsed);
+    const Blocks<2>& all = w.blocks();
+    for_each_block(all, [&](std::int64_t i, std::int32_t slot) {
+      if (i < forces.count) write_point(forces, i, all.force[std::size_t(slot)]);
+      if (i < torques.count) write_turn(torques, i, all.torque[std::size_t(slot)]);
+    });
+    const bool all_turns = torques.count == 0 || torques.count >= all.count();
+    return all_turns ? fits(all.count(), forces.count) : HS_NOTE_TRUNCATED;
+  });
+}
+
+hs_status hs_world_step(hs_world* world, int64_t steps) {
+  return guarded(context_of(world), __func__, [&] {
+    require_pointer(world, "world");
+    require_count(steps, "steps");
+    World<2>& w = world->world;
+    for (std::int64_t i = 0; i < steps; ++i) {
+      const StepResult result = w.step();
+      if (result == StepResult::no_time_step) {
+        refuse(HS_ERROR_STATE, "no time step was given, and without rigid blocks and a material none can be derived");
+      }
+      if (result == StepResult::unstable) {
+        refuse(HS_ERROR_UNSTABLE, "unstable at time %g (step %lld): time step %g, stable time step %g", w.time(),
+               static_cast<long long>(w.steps()), w.time_step(), w.stable_time_step());
+      }
+    }
+    return HS_OK;
+  });
+}
+
+hs_status hs_world_get_report(hs_world* world, hs_world_report* report) {
+  return guarded(context_of(world), __func__, [&] {
+    require_pointer(world, "world");
+    require_pointer(report, "report");
+    World<2>& w = world->world;
+    w.prepare();  // energies and the time step of a world that has been changed
+    const double stable = w.stable_time_step();
+    *report = {w.steps(),
+               w.time(),
+               w.time_step(),
+               std::isfinite(stable) ? stable : 0,
+               w.blocks().count(),
+               std::int64_t(w.candidates().pairs().size()),
+               std::int64_t(w.contacts().size()),
+               w.candidates().builds(),
+               largest_overlap(w),
+               largest_speed(w.blocks()),
+               energy_of(w.ledger())};
+    return HS_OK;
+  });
+}
+
+hs_status hs_world_get_contacts(const hs_world* world, hs_contact* contacts, int64_t capacity, int64_t* count) {
+  return guarded(context_of(world), __func__, [&] {
+    require_pointer(world, "world");
+    require_count(capacity, "capacity");
+    if (capacity > 0) require_pointer(contacts, "contacts");
+    const World<2>& w = world->world;
+    const Blocks<2>& blocks = w.blocks();
+    const std::int64_t all = std::int64_t(w.contacts().size());
+    for (std::int64_t i = 0; i < std::min(all, capacity); ++i) {
+      const std::size_t c = std::size_t(i);
+      const Candidate& pair = w.candidate_of(c);
+      const Vector<2>& origin = blocks.position[std::size_t(pair.a)];
+      hs_contact& out = contacts[i];
+      write_contact(w.contacts()[c], Rotation<2>(), origin, out);
+      out.block_a = id_of(blocks, std::size_t(pair.a));
+      out.block_b = id_of(blocks, std::size_t(pair.b));
+      if (c >= w.contact_forces().size()) continue;  // detected, but forces not evaluated yet
+      const ContactForce<2>& force = w.contact_forces()[c];
+      write_vector(force.force, out.force);
+      write_vector(force.point + origin, out.force_point);
+      out.normal_force = force.normal_force;
+      out.shear_force = force.shear_force;
+    }
+    if (count) *count = all;
+    return fits(all, capacity);
+  });
+}
+
+hs_status hs_world_set_shear_force(hs_world* world, hs_block block_a, hs_block block_b, double shear_force) {
+  return guarded(context_of(world), __func__, [&] {
+    require_pointer(world, "world");
+    require_finite(shear_force, "shear_force");
+    World<2>& w = world->world;
+    const std::int32_t a = slot_of(w.blocks(), block_a, "block_a");
+    const std::int32_t b = slot_of(w.blocks(), block_b, "block_b");
+    // Swapping the blocks turns normal, tangent and force on the second: the scalar stays.
+    if (!w.set_shear_force(std::size_t(contact_index(w, a, b)), shear_force)) {
+      refuse(HS_ERROR_STATE, "the law between block_a and block_b has no friction and no shear spring");
+    }
+    return HS_OK;
+  });
+}

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+
+#include "geometry/vector.h"
+
+namespace halfspace {
+
+/// Contact types (Wang et al. 2021, section 2.5). The values are those of the C API.
+enum class ContactType : std::int32_t { none = 0, vertex_vertex = 1, vertex_edge = 2, edge_edge = 3 };
+
+/// Settings of detection that trade nothing but what a contact is called.
+struct DetectOptions {
+  double parallel_angle = 0.01;  // rad: edges closer to parallel than this are edge-edge
+  double vertex_zone = 0.001;    // share of an edge's length at each end that counts as its vertex
+};
+
+/// A facet of the Minkowski difference of two blocks is a potential contact pair (Wang et al. 2021, eq. 9). In the plane it
+/// is known by its edge alone: the vertex is the other block's deepest one behind it.
+struct PotentialPair {
+  std::int32_t owner = 0;   // whose edge: 0 block a, 1 block b
+  std::int32_t edge = 0;    // of the owner
+  std::int32_t vertex = 0;  // of the other block
+  friend bool operator==(const PotentialPair&, const PotentialPair&) = default;
+};
+
+/// What a pair of blocks remembers from one step to the next.
+struct PairMemory {
+  enum State : std::int32_t { unknown = 0, separated = 1, touching = 2 };
+  State state = unknown;
+  /// Separated: the last violated pair, tried first. Touching: the pair through which the blocks met.
+  PotentialPair pair;
+};
+
+/// A contact between blocks a and b, relative to the centroid of a.
+template <int D>
+struct Contact;
+
+template <>
+struct Contact<2> {
+  ContactType type = ContactType::none;
+  PotentialPair pair;
+  std::int32_t point_count = 0;
+  Vector<2> normal{0, 0};     // unit, from a to b
+  double gap = 0;             // of the pair along the normal; > 0 proves the separation
+  double length = 0;          // of the contact region: 0 unless edge-edge
+  Vector<2> points[2] = {{0, 0}, {0, 0}};  // of the region, on the contact plane
+  double gaps[2] = {0, 0};    // at the points
+  double shares[2] = {1, 0};  // of the contact's stiffness at the points
+};
+
+}  // namespace halfspace

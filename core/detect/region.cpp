@@ -1,0 +1,147 @@
+#include <algorithm>
+#include <cmath>
+
+#include "detect/pair.h"
+#include "detect/potential_pairs.h"
+
+namespace halfspace {
+namespace {
+
+/// A potential pair seen from the block that owns the edge.
+struct PairFrame {
+  const Outline<2>& owner;
+  const Outline<2>& other;
+  Vector<2> to_other;
+  int edge;
+  int vertex;
+  Vector<2> normal = owner.normal(edge);
+  Vector<2> tangent = perpendicular(normal);  // along the edge, counter-clockwise round the owner
+  Vector<2> start = owner.vertex(edge);
+  double length = tangent.dot(owner.vertex(owner.next(edge)) - start);
+
+  /// Distance along the edge from its start.
+  double along(const Vector<2>& p) const { return tangent.dot(p - start); }
+  double gap(const Vector<2>& p) const { return normal.dot(p) - owner.offset[edge]; }
+  Vector<2> on_edge(double s) const { return start + s * tangent; }
+  Vector<2> other_vertex(int v) const { return other.vertex(v) + to_other; }
+};
+
+PairFrame frame_of(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b, const PotentialPair& pair) {
+  return pair.owner == 0 ? PairFrame{a, b, to_b, pair.edge, pair.vertex}
+                         : PairFrame{b, a, -to_b, pair.edge, pair.vertex};
+}
+
+/// The other block's edge at the vertex that is nearer to parallel with the contact plane.
+struct FacingEdge {
+  int far_vertex;
+  double sine;  // of the angle to the contact plane, >= 0 but for rounding
+};
+
+FacingEdge facing_edge(const PairFrame& f) {
+  const int before = f.other.previous(f.vertex);
+  const double sine_after = std::abs(cross(f.other.normal(f.vertex), f.normal));
+  const double sine_before = std::abs(cross(f.other.normal(before), f.normal));
+  const double cosine_after = -f.other.normal(f.vertex).dot(f.normal);
+  const double cosine_before = -f.other.normal(before).dot(f.normal);
+  return cosine_after >= cosine_before ? FacingEdge{f.other.next(f.vertex), cosine_after > 0 ? sine_after : 1}
+                                       : FacingEdge{before, cosine_before > 0 ? sine_before : 1};
+}
+
+/// Stiffness at the shallower of two points: half while the edges are parallel, none at the parallel angle, so that the force
+/// does not jump when the region shrinks to a point or grows out of one. Constant up to half that angle: there the contact
+/// conserves energy as two fixed springs do.
+double share_of_shallower_point(double sine, double parallel_angle) {
+  return 0.5 * std::clamp(2 * (1 - sine / parallel_angle), 0.0, 1.0);
+}
+
+void describe_edge_edge(const PairFrame& f, const FacingEdge& facing, double from, double to,
+                        const DetectOptions& options, Contact<2>& contact) {
+  contact.type = ContactType::edge_edge;
+  contact.length = to - from;
+  contact.point_count = 2;
+  const Vector<2> near = f.other_vertex(f.vertex);
+  const Vector<2> far = f.other_vertex(facing.far_vertex);
+  const double s_near = f.along(near);
+  const double s_far = f.along(far);
+  const double gap_near = f.gap(near);
+  const double slope = (f.gap(far) - gap_near) / (s_far - s_near);
+  const double ends[2] = {from, to};
+  for (int i = 0; i < 2; ++i) {
+    contact.points[i] = f.on_edge(ends[i]);
+    contact.gaps[i] = gap_near + slope * (ends[i] - s_near);
+  }
+  const int shallower = contact.gaps[0] > contact.gaps[1] ? 0 : 1;
+  contact.shares[shallower] = share_of_shallower_point(facing.sine, options.parallel_angle);
+  contact.shares[1 - shallower] = 1 - contact.shares[shallower];
+}
+
+void describe_point(ContactType type, const Vector<2>& point, Contact<2>& contact) {
+  contact.type = type;
+  contact.length = 0;
+  contact.point_count = 1;
+  contact.shares[0] = 1;
+  contact.points[0] = point;
+  contact.gaps[0] = contact.gap;
+}
+
+/// Two vertices meet: the normal is that of the sum of both half-spaces' normals (section 2.5).
+void describe_vertex_vertex(const PairFrame& f, const Vector<2>& end, const Vector<2>& adjacent_normal,
+                            Contact<2>& contact) {
+  const Vector<2> vertex = f.other_vertex(f.vertex);
+  contact.normal = (f.normal + adjacent_normal).normalized();
+  contact.gap = contact.normal.dot(vertex - end);
+  describe_point(ContactType::vertex_vertex, end, contact);
+}
+
+/// Outer normal of a pair's half-space, pointing from the owner of the pair's frame `f` to the other block.
+Vector<2> normal_away_from(const PotentialPair& pair, int frame_owner, const Outline<2>& a, const Outline<2>& b) {
+  const Vector<2> normal = pair.owner == 0 ? a.normal(pair.edge) : b.normal(pair.edge);
+  return pair.owner == frame_owner ? normal : Vector<2>(-normal);
+}
+
+}  // namespace
+
+void describe_contact(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b, PotentialPair& pair,
+                      const DetectOptions& options, Contact<2>& contact) {
+  for (int steps = a.count + b.count; steps >= 0; --steps) {
+    const PairFrame f = frame_of(a, b, to_b, pair);
+    const Vector<2> vertex = f.other_vertex(f.vertex);
+    const double s = f.along(vertex);
+    contact.normal = f.normal;
+    contact.gap = f.gap(vertex);
+
+    const FacingEdge facing = facing_edge(f);
+    if (facing.sine < options.parallel_angle) {
+      const double s_far = f.along(f.other_vertex(facing.far_vertex));
+      const double from = std::max(0.0, std::min(s, s_far));
+      const double to = std::min(f.length, std::max(s, s_far));
+      if (from < to) {
+        describe_edge_edge(f, facing, from, to, options, contact);
+        break;
+      }
+    }
+    const double zone = options.vertex_zone * f.length;
+    if (s > zone && s < f.length - zone) {
+      describe_point(ContactType::vertex_edge, f.on_edge(s), contact);
+      break;
+    }
+    const bool at_start = s < 0.5 * f.length;
+    const PotentialPair adjacent = at_start ? previous_pair(a, b, pair) : next_pair(a, b, pair);
+    const bool beyond = s < -zone || s > f.length + zone;
+    if (beyond && steps > 0) {
+      pair = adjacent;
+      continue;
+    }
+    const Vector<2> end = at_start ? f.start : f.owner.vertex(f.owner.next(f.edge));
+    describe_vertex_vertex(f, end, normal_away_from(adjacent, pair.owner, a, b), contact);
+    break;
+  }
+  contact.pair = pair;
+  if (pair.owner == 1) {
+    // Seen from b so far: relative to a's centroid, and from a to b.
+    contact.normal = -contact.normal;
+    for (int i = 0; i < contact.point_count; ++i) contact.points[i] += to_b;
+  }
+}
+
+}  // namespace halfspace

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "geometry/vector.h"
+
+namespace halfspace {
+
+/// What clean_polygon() changed.
+struct CleanReport {
+  std::int64_t welded = 0;
+  std::int64_t straightened = 0;
+  bool reversed = false;
+};
+
+/// Drops vertices within the tolerance of the one before or of their neighbours' line, and turns the order
+/// counter-clockwise. No vertex moves.
+Array<Vector<2>> clean_polygon(std::span<const Vector<2>> vertices, double tolerance, CleanReport& report,
+                               Memory* memory);
+
+}  // namespace halfspace

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cmath>
+
+#include "geometry/vector.h"
+
+namespace halfspace {
+
+/// A turn about the origin.
+template <int D>
+class Rotation;
+
+/// In the plane: a unit complex number, cosine and sine. Kept as such, and advanced by a polynomial instead of the
+/// C library's sine, so that a run has the same bits wherever the arithmetic is IEEE.
+template <>
+class Rotation<2> {
+ public:
+  double cosine = 1;
+  double sine = 0;
+
+  /// From the z and w of a quaternion whose length is near 1.
+  static Rotation from_quaternion(double z, double w) {
+    const double length_squared = z * z + w * w;
+    return {(w * w - z * z) / length_squared, 2 * w * z / length_squared};
+  }
+
+  static Rotation from_angle(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
+  Vector<2> operator*(const Vector<2>& v) const {
+    return {cosine * v.x() - sine * v.y(), sine * v.x() + cosine * v.y()};
+  }
+
+  Rotation operator*(const Rotation& r) const {
+    return {cosine * r.cosine - sine * r.sine, sine * r.cosine + cosine * r.sine};
+  }
+
+  Rotation inverse() const { return {cosine, -sine}; }
+
+  /// This rotation followed by a further turn, brought back to unit length.
+  Rotation turned_by(double angle) const {
+    if (angle == 0) return *this;
+    const Rotation next = small_turn(angle) * *this;
+    // One Newton step of 1/sqrt(c^2 + s^2) at 1: the length is off by rounding only.
+    const double correction = 1.5 - 0.5 * (next.cosine * next.cosine + next.sine * next.sine);
+    return {next.cosine * correction, next.sine * correction};
+  }
+
+  Rotation(double c = 1, double s = 0) : cosine(c), sine(s) {}
+
+ private:
+  static Rotation small_turn(double angle) {
+    constexpr double largest_for_the_series = 0.0625;  // the first neglected term is below 1e-18 there
+    if (std::abs(angle) > largest_for_the_series) return from_angle(angle);
+    const double q = angle * angle;
+    const double s = angle * (1 - q / 6 * (1 - q / 20 * (1 - q / 42 * (1 - q / 72))));
+    const double c = 1 - q / 2 * (1 - q / 12 * (1 - q / 30 * (1 - q / 56 * (1 - q / 90))));
+    return {c, s};
+  }
+};
+
+}  // namespace halfspace

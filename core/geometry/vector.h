@@ -1,0 +1,26 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <memory_resource>
+#include <vector>
+
+namespace halfspace {
+
+/// A point or direction in D dimensions.
+template <int D>
+using Vector = Eigen::Matrix<double, D, 1>;
+
+/// Contiguous storage that takes its memory from the caller's allocator.
+template <class T>
+using Array = std::pmr::vector<T>;
+
+using Memory = std::pmr::memory_resource;
+
+/// z component of the cross product: > 0 when b lies counter-clockwise of a.
+inline double cross(const Vector<2>& a, const Vector<2>& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// The vector turned by a right angle counter-clockwise.
+inline Vector<2> perpendicular(const Vector<2>& v) { return {-v.y(), v.x()}; }
+
+}  // namespace halfspace

@@ -1,0 +1,128 @@
+#include "world/candidates.h"
+
+#include <algorithm>
+
+namespace halfspace {
+
+template <int D>
+Candidates<D>::Candidates(Memory* memory)
+    : pairs_(memory),
+      shear_(memory),
+      reference_position_(memory),
+      reference_angle_(memory),
+      skin_(memory),
+      search_(memory),
+      boxes_(memory),
+      sizes_(memory),
+      found_(memory),
+      sorted_(memory),
+      first_of_block_(memory),
+      old_pairs_(memory),
+      old_shear_(memory) {}
+
+/// A share of each block's own size, but no more than of the typical block's: a large plate's skin would fill its list with grains
+/// that it never meets. A fixed block needs none.
+template <int D>
+void Candidates<D>::choose_skins(const Blocks<D>& blocks, double relative_skin) {
+  sizes_.clear();
+  for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
+    if (blocks.kind[i] == BlockKind::rigid) sizes_.push_back(blocks.radius[i]);
+  }
+  double typical = 0;
+  if (!sizes_.empty()) {
+    const auto middle = sizes_.begin() + std::ptrdiff_t(sizes_.size() / 2);
+    std::nth_element(sizes_.begin(), middle, sizes_.end());
+    typical = *middle;
+  }
+  skin_.resize(blocks.slot_count());
+  for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
+    const bool moves = blocks.kind[i] == BlockKind::rigid || blocks.kind[i] == BlockKind::prescribed;
+    skin_[i] = moves ? relative_skin * 2 * std::min(blocks.radius[i], typical) : 0;
+  }
+}
+
+template <int D>
+void Candidates<D>::search(const Blocks<D>& blocks) {
+  const std::size_t slots = blocks.slot_count();
+  boxes_.resize(slots);
+  reference_position_.resize(slots);
+  reference_angle_.resize(slots);
+  for (std::size_t i = 0; i < slots; ++i) {
+    if (!blocks.lives(i)) continue;
+    boxes_[i] = blocks.box(std::int32_t(i));
+    boxes_[i].lower.array() -= skin_[i];
+    boxes_[i].upper.array() += skin_[i];
+    reference_position_[i] = blocks.position[i];
+    reference_angle_[i] = blocks.angle[i];
+  }
+  found_.clear();
+  search_.search(
+      std::span<const Box<D>>(boxes_), [&](std::size_t i) { return blocks.lives(i); },
+      [&](const BlockPair& pair) {
+        const bool one_moves_freely = blocks.kind[std::size_t(pair.a)] == BlockKind::rigid ||
+                                      blocks.kind[std::size_t(pair.b)] == BlockKind::rigid;
+        if (one_moves_freely) found_.push_back(pair);
+      });
+}
+
+/// By counting on a, then by b within each: linear, since a block has few neighbours.
+template <int D>
+void Candidates<D>::sort_found(std::size_t slots) {
+  first_of_block_.assign(slots + 1, 0);
+  for (const BlockPair& pair : found_) ++first_of_block_[std::size_t(pair.a) + 1];
+  for (std::size_t i = 0; i < slots; ++i) first_of_block_[i + 1] += first_of_block_[i];
+  sorted_.resize(found_.size());
+  for (const BlockPair& pair : found_) sorted_[first_of_block_[std::size_t(pair.a)]++] = pair;
+  auto first = sorted_.begin();
+  for (std::size_t i = 0; i < slots; ++i) {
+    const auto last = sorted_.begin() + first_of_block_[i];
+    std::sort(first, last, [](const BlockPair& p, const BlockPair& q) { return p.b < q.b; });
+    first = last;
+  }
+}
+
+template <int D>
+void Candidates<D>::carry_over(bool with_shear) {
+  old_pairs_.swap(pairs_);
+  old_shear_.swap(shear_);
+  pairs_.clear();
+  shear_.clear();
+  // Room to spare, so that a settled heap does not allocate when a pair comes in.
+  if (pairs_.capacity() < sorted_.size()) pairs_.reserve(sorted_.size() + sorted_.size() / 4);
+  const auto precedes = [](const auto& p, const auto& q) { return p.a < q.a || (p.a == q.a && p.b < q.b); };
+  std::size_t old = 0;
+  for (const BlockPair& pair : sorted_) {
+    while (old < old_pairs_.size() && precedes(old_pairs_[old], pair)) ++old;
+    const bool known = old < old_pairs_.size() && !precedes(pair, old_pairs_[old]);
+    pairs_.push_back(known ? old_pairs_[old] : Candidate{pair.a, pair.b, {}, 0});
+    if (with_shear) shear_.push_back(known && !old_shear_.empty() ? old_shear_[old] : ShearSpring{});
+  }
+}
+
+template <int D>
+void Candidates<D>::rebuild(const Blocks<D>& blocks, double relative_skin, bool with_shear) {
+  choose_skins(blocks, relative_skin);
+  search(blocks);
+  sort_found(blocks.slot_count());
+  carry_over(with_shear);
+  used_up_ = false;
+  ++builds_;
+}
+
+template <int D>
+void Candidates<D>::forget(std::int32_t slot) {
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    if (pairs_[k].a == slot || pairs_[k].b == slot) continue;
+    pairs_[kept] = pairs_[k];
+    if (!shear_.empty()) shear_[kept] = shear_[k];
+    ++kept;
+  }
+  pairs_.resize(kept);
+  if (!shear_.empty()) shear_.resize(kept);
+  used_up_ = true;
+}
+
+template class Candidates<2>;
+
+}  // namespace halfspace

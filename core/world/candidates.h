@@ -1,0 +1,82 @@
+#pragma once
+
+#include <span>
+
+#include "block/blocks.h"
+#include "detect/contact.h"
+#include "force/spring.h"
+#include "neighbor/neighbor_search.h"
+
+namespace halfspace {
+
+/// A pair of blocks near enough to touch soon, a < b, and what it remembers.
+struct Candidate {
+  std::int32_t a;
+  std::int32_t b;
+  PairMemory memory;
+  std::int32_t bonded = 0;
+};
+
+/// The neighbour list: all pairs that can touch before some block has moved by more than its skin. Sorted by (a, b).
+template <int D>
+class Candidates {
+ public:
+  explicit Candidates(Memory* memory);
+
+  /// True when a block may have come near another that is not in its list.
+  bool used_up() const { return used_up_; }
+  void expire() { used_up_ = true; }
+
+  /// Notes a block's motion. Call after each move.
+  void note_motion(const Blocks<D>& blocks, std::size_t slot) {
+    const double moved = (blocks.position[slot] - reference_position_[slot]).norm() +
+                         blocks.radius[slot] * std::abs(blocks.angle[slot] - reference_angle_[slot]);
+    if (!(moved <= skin_[slot])) used_up_ = true;
+  }
+
+  /// Searches again. Pairs that stay keep their memory; `relative_skin` is the skin as a share of a block's size; `with_shear` says
+  /// whether any law needs a shear spring.
+  void rebuild(const Blocks<D>& blocks, double relative_skin, bool with_shear);
+
+  /// Drops the pairs of a block that is removed.
+  void forget(std::int32_t slot);
+
+  std::span<Candidate> pairs() { return pairs_; }
+  std::span<const Candidate> pairs() const { return pairs_; }
+  /// One per pair; none at all when no law resists shear.
+  std::span<ShearSpring> shear() { return shear_; }
+  std::int64_t builds() const { return builds_; }
+
+  template <class Archive>
+  void visit(Archive& archive) {
+    archive(pairs_, shear_, reference_position_, reference_angle_, skin_, used_up_, builds_);
+  }
+
+ private:
+  void choose_skins(const Blocks<D>& blocks, double relative_skin);
+  void search(const Blocks<D>& blocks);
+  void sort_found(std::size_t slots);
+  void carry_over(bool with_shear);
+
+  Array<Candidate> pairs_;
+  Array<ShearSpring> shear_;
+  Array<Vector<D>> reference_position_;
+  Array<double> reference_angle_;
+  Array<double> skin_;
+  std::int32_t used_up_ = 1;
+  std::int64_t builds_ = 0;
+
+  // Working memory of rebuild(), kept so that it allocates nothing in a steady run.
+  NeighborSearch<D> search_;
+  Array<Box<D>> boxes_;
+  Array<double> sizes_;
+  Array<BlockPair> found_;
+  Array<BlockPair> sorted_;
+  Array<std::uint32_t> first_of_block_;
+  Array<Candidate> old_pairs_;
+  Array<ShearSpring> old_shear_;
+};
+
+extern template class Candidates<2>;
+
+}  // namespace halfspace

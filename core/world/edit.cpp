@@ -1,0 +1,111 @@
+#include <algorithm>
+
+#include "world/world.h"
+
+namespace halfspace {
+
+template <int D>
+World<D>::World(const WorldSettings<D>& settings, Memory* memory)
+    : settings_(settings),
+      density_(memory),
+      fresh_(memory),
+      laws_(memory),
+      blocks_(memory),
+      candidates_(memory),
+      contacts_(memory),
+      candidate_(memory),
+      forces_(memory),
+      acceleration_(memory),
+      angular_acceleration_(memory) {}
+
+/// Every change of the world from outside: what it does to the energy is booked as outer work by prepare().
+template <int D>
+void World<D>::edit() {
+  if (!edited_) residual_before_edit_ = ledger_.residual();
+  edited_ = true;
+  current_ = false;
+}
+
+template <int D>
+std::int32_t World<D>::add_material(double density) {
+  density_.reserve(density_.size() + 1);
+  laws_.resize(std::int32_t(density_.size()) + 1);
+  density_.push_back(density);
+  edit();
+  return std::int32_t(density_.size()) - 1;
+}
+
+template <int D>
+void World<D>::set_default_law(const SpringLaw& law) {
+  laws_.set_default(law);
+  candidates_.expire();  // shear springs may be needed now
+  detected_ = false;
+  edit();
+}
+
+template <int D>
+void World<D>::set_law(std::int32_t a, std::int32_t b, const SpringLaw& law) {
+  laws_.set(a, b, law);
+  candidates_.expire();
+  detected_ = false;
+  edit();
+}
+
+template <int D>
+std::int32_t World<D>::add_block(const Shape<D>& shape, BlockKind kind, std::int32_t material,
+                                 const Vector<D>& position, const Rotation<D>& rotation) {
+  fresh_.reserve(fresh_.size() + 1);
+  const std::int32_t slot = blocks_.add(shape, kind, material, density_[std::size_t(material)]);
+  fresh_.push_back(slot);
+  set_pose(slot, position, rotation);
+  return slot;
+}
+
+template <int D>
+void World<D>::remove_block(std::int32_t slot) {
+  fresh_.erase(std::remove(fresh_.begin(), fresh_.end(), slot), fresh_.end());
+  blocks_.remove(slot);
+  // Its slot may come to name another block: no pair may remember it.
+  candidates_.forget(slot);
+  contacts_.clear();
+  candidate_.clear();
+  forces_.clear();
+  detected_ = false;
+  edit();
+}
+
+template <int D>
+void World<D>::set_pose(std::int32_t slot, const Vector<D>& position, const Rotation<D>& rotation) {
+  blocks_.place(slot, position, rotation);
+  candidates_.expire();
+  detected_ = false;
+  edit();
+}
+
+template <int D>
+void World<D>::set_velocity(std::int32_t slot, const Vector<D>& velocity, double spin) {
+  blocks_.velocity[std::size_t(slot)] = velocity;
+  blocks_.spin[std::size_t(slot)] = spin;
+  edit();
+}
+
+template <int D>
+void World<D>::set_applied_force(std::int32_t slot, const Vector<D>& force, double torque) {
+  blocks_.applied_force[std::size_t(slot)] = force;
+  blocks_.applied_torque[std::size_t(slot)] = torque;
+}
+
+template <int D>
+bool World<D>::set_shear_force(std::size_t contact, double force) {
+  const Candidate& pair = candidate_of(contact);
+  const SpringLaw& law = laws_.between(blocks_.material[std::size_t(pair.a)], blocks_.material[std::size_t(pair.b)]);
+  if (!law.resists_shear()) return false;
+  // The energy is known at the next evaluation, which knows the stiffness.
+  candidates_.shear()[candidate_[contact]] = {force, ShearSpring::preloaded};
+  edit();
+  return true;
+}
+
+template class World<2>;
+
+}  // namespace halfspace

@@ -1,0 +1,131 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "block/blocks.h"
+#include "detect/contact.h"
+#include "force/law.h"
+#include "force/spring.h"
+#include "world/candidates.h"
+#include "world/ledger.h"
+
+namespace halfspace {
+
+/// How a world is stepped.
+template <int D>
+struct WorldSettings {
+  Vector<D> gravity = Vector<D>::Zero();
+  double time_step = 0;  // 0: safety times the stable one
+  double safety = 0.5;
+  double local_damping = 0;
+  double mass_damping = 0;
+  double skin = 0.1;
+  DetectOptions detect;
+};
+
+enum class StepResult { ok, unstable, no_time_step };
+
+/// Blocks, their contacts, and time.
+template <int D>
+class World {
+ public:
+  World(const WorldSettings<D>& settings, Memory* memory);
+
+  // Making and changing.
+  std::int32_t add_material(double density);
+  std::int32_t material_count() const { return std::int32_t(density_.size()); }
+  void set_default_law(const SpringLaw& law);
+  void set_law(std::int32_t a, std::int32_t b, const SpringLaw& law);
+  std::int32_t add_block(const Shape<D>& shape, BlockKind kind, std::int32_t material, const Vector<D>& position,
+                         const Rotation<D>& rotation);
+  void remove_block(std::int32_t slot);
+  void set_pose(std::int32_t slot, const Vector<D>& position, const Rotation<D>& rotation);
+  void set_velocity(std::int32_t slot, const Vector<D>& velocity, double spin);
+  void set_applied_force(std::int32_t slot, const Vector<D>& force, double torque);
+
+  // Stages.
+  /// Neighbour search, when motion has used the list up, and detection.
+  void detect();
+  bool is_detected() const { return detected_; }
+  /// Contact forces into the blocks; shear springs grow over `elapsed`.
+  void evaluate_forces(double elapsed);
+  /// One step of velocity Verlet; on failure the world is as it was.
+  StepResult step();
+  /// Brings time step, contacts, forces and ledger up to date after changes.
+  StepResult prepare();
+
+  // Reading.
+  const Blocks<D>& blocks() const { return blocks_; }
+  std::span<const Contact<D>> contacts() const { return contacts_; }
+  std::span<const ContactForce<D>> contact_forces() const { return forces_; }
+  const Candidate& candidate_of(std::size_t contact) const { return candidates_.pairs()[candidate_[contact]]; }
+  const Candidates<D>& candidates() const { return candidates_; }
+  const Ledger& ledger() const { return ledger_; }
+  double time() const { return epoch_time_ + double(steps_ - epoch_step_) * time_step_; }
+  std::int64_t steps() const { return steps_; }
+  double time_step() const { return time_step_; }
+  /// Largest stable step by Gershgorin's bound, infinite when nothing can touch.
+  double stable_time_step() const;
+  /// Sets the shear spring of a contact in force on b. False when it has none.
+  bool set_shear_force(std::size_t contact, double force);
+
+  template <class Archive>
+  void visit(Archive& archive) {
+    archive(settings_, density_, fresh_, laws_, blocks_, candidates_, forces_, acceleration_,
+            angular_acceleration_, ledger_, noise_energy_, residual_before_edit_, prescribed_power_, epoch_time_,
+            epoch_step_, time_step_, steps_, detected_, current_, edited_);
+  }
+  /// After reading a snapshot: what is derived from the rest.
+  void rederive();
+
+ private:
+  /// What drives a block, before damping.
+  struct Drive {
+    Vector<D> force;
+    double torque;
+  };
+
+  void edit();
+  void add_contact(std::size_t candidate, const Contact<D>& contact);
+  void detect_candidate(std::size_t k, Contact<D>& contact);
+  void release_shear(std::size_t candidate);
+  bool bonds_at_birth(const Candidate& candidate, const Contact<D>& contact) const;
+  bool choose_time_step();
+  void start_ledger();
+  bool moves_too_far() const;
+  void kick_and_drift();
+  void kick_and_book();
+  double reduced_mass(std::size_t a, std::size_t b) const;
+  double stiffness_on(std::size_t slot) const;
+  bool makes_energy() const;
+  Drive drive(std::size_t slot) const;
+  void accelerate(std::size_t slot);
+
+  WorldSettings<D> settings_;
+  Array<double> density_;
+  Array<std::int32_t> fresh_;  // slots whose first step has not begun
+  LawTable laws_;
+  Blocks<D> blocks_;
+  Candidates<D> candidates_;
+  Array<Contact<D>> contacts_;
+  Array<std::uint32_t> candidate_;  // of each contact
+  Array<ContactForce<D>> forces_;   // of each contact
+  Array<Vector<D>> acceleration_;  // of each block, from the last forces
+  Array<double> angular_acceleration_;
+  Ledger ledger_;
+  double noise_energy_ = 0;  // of the whole, below which energy made by the numbers is not judged
+  double residual_before_edit_ = 0;
+  double prescribed_power_ = 0;
+  double epoch_time_ = 0;  // when the time step was last chosen
+  std::int64_t epoch_step_ = 0;
+  double time_step_ = 0;
+  std::int64_t steps_ = 0;
+  std::int32_t detected_ = 0;  // contacts belong to the present poses
+  std::int32_t current_ = 0;   // and forces to the present state
+  std::int32_t edited_ = 1;    // since the last step
+};
+
+extern template class World<2>;
+
+}  // namespace halfspace

@@ -1,0 +1,104 @@
+#include "convex_pairs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace halfspace_benchmark {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+double uniform(Random& random, double low, double high) {
+  return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+Point round_to_float(Point p) { return {double(float(p.x)), double(float(p.y))}; }
+
+/// On a circle, each vertex off its regular place by up to a fifth of the spacing: always strictly convex.
+Points draw_polygon(int vertices, Random& random) {
+  const double radius = size * uniform(random, 0.4, 0.6);
+  Points polygon;
+  for (int i = 0; i < vertices; ++i) {
+    const double angle = 2 * pi * (i + uniform(random, -0.2, 0.2)) / vertices;
+    polygon.push_back(round_to_float({radius * std::cos(angle), radius * std::sin(angle)}));
+  }
+  return polygon;
+}
+
+Points lay(const Points& polygon, const Placement& at) {
+  const double c = std::cos(at.angle), s = std::sin(at.angle);
+  Points laid;
+  for (const Point& p : polygon) laid.push_back({at.position.x + (c * p.x - s * p.y), at.position.y + (s * p.x + c * p.y)});
+  return laid;
+}
+
+double largest_height_over_an_edge(const Points& owner, const Points& other) {
+  double largest = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < owner.size(); ++i) {
+    const Point from = owner[i], to = owner[(i + 1) % owner.size()];
+    const double length = std::hypot(to.x - from.x, to.y - from.y);
+    const Point normal{(to.y - from.y) / length, (from.x - to.x) / length};
+    double least = std::numeric_limits<double>::infinity();
+    for (const Point& p : other) least = std::min(least, (p.x - from.x) * normal.x + (p.y - from.y) * normal.y);
+    largest = std::max(largest, least);
+  }
+  return largest;
+}
+
+bool boxes_overlap(const Points& a, const Points& b) {
+  const auto apart_along = [&](double Point::*axis) {
+    const auto less = [&](const Point& p, const Point& q) { return p.*axis < q.*axis; };
+    const auto [a_low, a_high] = std::minmax_element(a.begin(), a.end(), less);
+    const auto [b_low, b_high] = std::minmax_element(b.begin(), b.end(), less);
+    return (*a_high).*axis < (*b_low).*axis || (*b_high).*axis < (*a_low).*axis;
+  };
+  return !apart_along(&Point::x) && !apart_along(&Point::y);
+}
+
+/// Moves b away from a along a direction until they are apart by `wanted`. The separation is convex in the distance, so that there
+/// is one such place if the polygons overlap more than that at the start.
+bool lay_apart(ConvexPair& pair, double direction, double wanted) {
+  const auto at = [&](double distance) {
+    pair.at_b.position = {pair.at_a.position.x + distance * std::cos(direction),
+                          pair.at_a.position.y + distance * std::sin(direction)};
+    return separation(pair);
+  };
+  double too_near = 0, too_far = 3 * size;
+  if (at(too_near) >= wanted) return false;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (too_near + too_far) / 2;
+    (at(middle) < wanted ? too_near : too_far) = middle;
+  }
+  pair.at_b.position = round_to_float(pair.at_b.position);
+  return true;
+}
+
+ConvexPair draw_pair(int vertices, double wanted, Random& random) {
+  for (;;) {
+    ConvexPair pair{draw_polygon(vertices, random), draw_polygon(vertices, random), {}, {}};
+    pair.at_a.position = round_to_float({size * uniform(random, -10, 10), size * uniform(random, -10, 10)});
+    pair.at_a.angle = float(uniform(random, -pi, pi));
+    pair.at_b.angle = float(uniform(random, -pi, pi));
+    if (lay_apart(pair, uniform(random, -pi, pi), wanted) &&
+        boxes_overlap(lay(pair.a, pair.at_a), lay(pair.b, pair.at_b))) {
+      return pair;
+    }
+  }
+}
+
+}  // namespace
+
+double separation(const Points& a, const Points& b) {
+  return std::max(largest_height_over_an_edge(a, b), largest_height_over_an_edge(b, a));
+}
+
+double separation(const ConvexPair& pair) { return separation(lay(pair.a, pair.at_a), lay(pair.b, pair.at_b)); }
+
+std::vector<ConvexPair> draw_pairs(int count, int vertices, const GapSet& set, Random& random) {
+  std::vector<ConvexPair> pairs;
+  for (int i = 0; i < count; ++i) pairs.push_back(draw_pair(vertices, set.separation * size, random));
+  return pairs;
+}
+
+}  // namespace halfspace_benchmark

@@ -1,0 +1,55 @@
+#pragma once
+
+// The runner: one core, a monotonic clock, and what is kept of repeated passes.
+
+#include <sched.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <cstdio>
+#include <string_view>
+#include <vector>
+
+namespace halfspace_benchmark {
+
+/// Keeps this thread on the core where it is now, so that no pass pays for a move. Returns the core, or -1 if the system refuses.
+inline int pin_to_this_core() {
+  const int core = sched_getcpu();
+  if (core < 0) return -1;
+  cpu_set_t only_this;
+  CPU_ZERO(&only_this);
+  CPU_SET(std::size_t(core), &only_this);
+  return sched_setaffinity(0, sizeof only_this, &only_this) == 0 ? core : -1;
+}
+
+/// Seconds that `work` takes.
+template <class Work>
+double seconds_of(Work&& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Times of repeated passes. The minimum is the cost with the least disturbance by others, the median the usual one.
+class Passes {
+ public:
+  void add(double seconds) { seconds_.push_back(seconds); }
+  double minimum() const { return *std::min_element(seconds_.begin(), seconds_.end()); }
+  double median() const {
+    std::vector<double> sorted = seconds_;
+    std::sort(sorted.begin(), sorted.end());
+    const std::size_t middle = sorted.size() / 2;
+    return sorted.size() % 2 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
+  }
+
+ private:
+  std::vector<double> seconds_;
+};
+
+/// Was the option given?
+inline bool has_option(int argc, char** argv, std::string_view name) {
+  return std::any_of(argv + 1, argv + argc, [&](const char* given) { return name == given; });
+}
+
+}  // namespace halfspace_benchmark

@@ -1,0 +1,25 @@
+find_package(Catch2 REQUIRED)
+include(Catch)
+
+# Catch2 3 brings its own main. For version 2 it is built here, with the standard that the tests are built with.
+add_library(halfspace_catch INTERFACE)
+target_include_directories(halfspace_catch INTERFACE ${CMAKE_CURRENT_LIST_DIR})
+if(Catch2_VERSION VERSION_GREATER_EQUAL 3)
+  target_link_libraries(halfspace_catch INTERFACE Catch2::Catch2WithMain)
+else()
+  add_library(halfspace_catch_main STATIC ${CMAKE_CURRENT_LIST_DIR}/catch_main.cpp)
+  target_link_libraries(halfspace_catch_main PUBLIC Catch2::Catch2)
+  target_link_libraries(halfspace_catch INTERFACE halfspace_catch_main)
+endif()
+
+# halfspace_add_test(name SOURCES a.cpp b.cpp LIBRARIES halfspace_core)
+#
+# One Catch2 executable; each of its cases becomes a CTest test called "name: case". Sources may include "catch.h" and everything
+# else relative to tests/. A case tagged [slow] gets the CTest label slow, which the clang and sanitizer runs leave out.
+function(halfspace_add_test name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES")
+  add_executable(${name} ${arg_SOURCES})
+  target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} halfspace_catch)
+  catch_discover_tests(${name} TEST_PREFIX "${name}: " TEST_SPEC "~[slow]")
+  catch_discover_tests(${name} TEST_PREFIX "${name}: " TEST_SPEC "[slow]" PROPERTIES LABELS slow)
+endfunction()
