@@ -12,14 +12,16 @@ else()
   target_link_libraries(halfspace_catch INTERFACE halfspace_catch_main)
 endif()
 
-# halfspace_add_test(name SOURCES a.cpp b.cpp LIBRARIES halfspace_core)
+# halfspace_add_test(name [SLOW] SOURCES a.cpp b.cpp LIBRARIES halfspace_core)
 #
 # One Catch2 executable; each of its cases becomes a CTest test called "name: case". Sources may include "catch.h" and everything
-# else relative to tests/. A case tagged [slow] gets the CTest label slow, which the clang and sanitizer runs leave out.
+# else relative to tests/. SLOW puts the CTest label slow on all its cases: they run in release, not with clang or sanitizers.
 function(halfspace_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "SLOW" "" "SOURCES;LIBRARIES")
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} halfspace_catch)
-  catch_discover_tests(${name} TEST_PREFIX "${name}: " TEST_SPEC "~[slow]")
-  catch_discover_tests(${name} TEST_PREFIX "${name}: " TEST_SPEC "[slow]" PROPERTIES LABELS slow)
+  if(arg_SLOW)
+    set(label PROPERTIES LABELS slow)
+  endif()
+  catch_discover_tests(${name} TEST_PREFIX "${name}: " ${label})
 endfunction()

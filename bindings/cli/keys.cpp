@@ -17,6 +17,7 @@ const toml::table no_keys;
 std::string shown(const toml::node& node) {
   if (node.is_table()) return "a table";
   if (const auto* number = node.as_floating_point()) return shortest(number->get());
+  if (const auto* text = node.as_string()) return '"' + text->get() + '"';
   std::ostringstream stream;
   node.visit([&stream](const auto& value) { stream << value; });
   const std::string text = stream.str();
@@ -55,7 +56,7 @@ std::string suggestion(std::string_view name, const std::vector<std::string_view
       nearest = candidate;
     }
   }
-  return nearest.empty() ? "" : "; did you mean '" + std::string(nearest) + "'?";
+  return nearest.empty() ? "" : " (did you mean '" + std::string(nearest) + "'?)";
 }
 
 bool Range::holds(double value) const {
@@ -114,8 +115,8 @@ double Keys::number(std::string_view key, Range range, std::optional<double> fal
 
 std::int64_t Keys::integer(std::string_view key, std::int64_t low, std::int64_t high,
                            std::optional<std::int64_t> fallback) {
-  std::string allowed = "a whole number, at least " + std::to_string(low);
-  if (high < std::numeric_limits<std::int64_t>::max()) allowed += ", at most " + std::to_string(high);
+  std::string allowed = low == high ? std::to_string(low) : "a whole number, at least " + std::to_string(low);
+  if (low < high && high < std::numeric_limits<std::int64_t>::max()) allowed += ", at most " + std::to_string(high);
   const toml::node* node = find(key, allowed, !fallback);
   if (node) {
     const toml::value<std::int64_t>* value = node->as_integer();
@@ -197,14 +198,22 @@ std::vector<std::string> Keys::texts(std::string_view key, std::vector<Place>& p
   return texts;
 }
 
+std::string Keys::header(std::string_view key) const {
+  std::string text = path(key);
+  for (auto open = text.find('['); open != std::string::npos; open = text.find('[')) {
+    text.erase(open, text.find(']', open) + 1 - open);
+  }
+  return '[' + text + ']';
+}
+
 Keys Keys::table(std::string_view key, bool is_required) {
-  const toml::node* node = find(key, "a table [" + path(key) + "]", is_required);
-  if (node && !node->is_table()) fault(key, "not a table: " + shown(*node) + "; allowed: [" + path(key) + "]");
+  const toml::node* node = find(key, "a table " + header(key), is_required);
+  if (node && !node->is_table()) fault(key, "not a table: " + shown(*node) + "; allowed: " + header(key));
   return Keys(node && node->is_table() ? *node->as_table() : no_keys, path(key), *faults_);
 }
 
 std::vector<Keys> Keys::tables(std::string_view key, bool is_required) {
-  const std::string allowed = "one or more tables [[" + path(key) + "]]";
+  const std::string allowed = "one or more tables [" + header(key) + "]";
   const toml::node* node = find(key, allowed, is_required);
   if (!node) return {};
   const toml::array* list = node->as_array();

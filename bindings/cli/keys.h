@@ -63,6 +63,8 @@ class Keys {
   void finish();
 
  private:
+  /// How a table is headed in the file: its path without indices, in brackets.
+  std::string header(std::string_view key) const;
   const toml::node* find(std::string_view key, std::string_view what, bool is_required);
   std::optional<double> finite_number(const toml::node& node, const std::string& path);
   std::optional<Point> point_of(const toml::node& node, const std::string& path);
@@ -74,7 +76,7 @@ class Keys {
   std::vector<std::string_view> asked_;
 };
 
-/// "; did you mean 'x'?" for the nearest of the names, or nothing when none is near.
+/// " (did you mean 'x'?)" for the nearest of the names, or nothing when none is near.
 std::string suggestion(std::string_view name, const std::vector<std::string_view>& names);
 
 }  // namespace halfspace::cli

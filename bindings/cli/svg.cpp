@@ -49,7 +49,8 @@ double even_step(double length, int count) {
 int decimals_for(double step) { return std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9))); }
 
 std::string ramp_colour(double share) {
-  static constexpr double stops[][3] = {{38, 36, 98}, {34, 94, 148}, {38, 148, 142}, {132, 196, 98}, {250, 222, 88}};
+  static constexpr double stops[][3] = {
+      {72, 92, 158}, {52, 138, 178}, {72, 180, 150}, {160, 210, 110}, {252, 226, 100}};
   constexpr int last = 4;
   const double place = last * std::clamp(share, 0.0, 1.0);
   const int below = std::min(static_cast<int>(place), last - 1);

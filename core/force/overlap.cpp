@@ -19,9 +19,11 @@ struct Profile {
   double first = HUGE_VAL;
   double last = -HUGE_VAL;
 
-  /// One straight piece, cut off where it leaves the half-space or the edge, [0, length].
-  void add(DepthPoint p, DepthPoint q, double length) {
+  /// One straight piece, cut off where it leaves the half-space or the edge, [0, length]. Where an outline overhangs it runs
+  /// back under what was added, and is taken off again.
+  void add(DepthPoint p, DepthPoint q, double length, bool overhangs) {
     if (p.s > q.s) std::swap(p, q);
+    const double sign = overhangs ? -1 : 1;
     const double slope = q.s > p.s ? (q.depth - p.depth) / (q.s - p.s) : 0;
     const auto cut_at = [&](DepthPoint& end, double s) { end = {s, p.depth + slope * (s - p.s)}; };
     const DepthPoint p0 = p;
@@ -31,7 +33,7 @@ struct Profile {
     if (p.s < 0) cut_at(p, 0);
     if (q.s > length) cut_at(q, length);
     if (!(q.s > p.s) || p.depth < 0 || q.depth < 0) return;
-    const double width = q.s - p.s;
+    const double width = sign * (q.s - p.s);
     const double piece = 0.5 * width * (p.depth + q.depth);
     area += piece;
     moment += width * (p.s * (2 * p.depth + q.depth) + q.s * (p.depth + 2 * q.depth)) / 6;
@@ -59,17 +61,18 @@ Overlap measure_overlap(const Outline<2>& a, const Outline<2>& b, const Vector<2
 
   Profile profile;
   const DepthPoint deepest = depth_at(pair.vertex);
-  const auto walk = [&](auto neighbour) {
+  const auto walk = [&](auto neighbour, double outward) {
     DepthPoint here = deepest;
     for (int v = neighbour(pair.vertex); here.depth > 0 && v != pair.vertex; v = neighbour(v)) {
       const DepthPoint there = depth_at(v);
       if (there.depth > here.depth) break;  // round the far side: its outline faces the other way
-      profile.add(here, there, length);
+      profile.add(here, there, length, outward * (there.s - here.s) < 0);
       here = there;
     }
   };
-  walk([&](int v) { return other.next(v); });
-  walk([&](int v) { return other.previous(v); });
+  // The outlines run against each other: the other's counter-clockwise leads towards the start of the edge.
+  walk([&](int v) { return other.next(v); }, -1);
+  walk([&](int v) { return other.previous(v); }, 1);
 
   Overlap overlap;
   if (profile.area > 0) {

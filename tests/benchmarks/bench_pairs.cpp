@@ -6,8 +6,10 @@
 
 #include <cmath>
 #include <cstdio>
-#include <exception>
+#include <cstdlib>
+#include <deque>
 #include <numeric>
+#include <stdexcept>
 
 #include "convex_pairs.h"
 #include "timing.h"
@@ -18,16 +20,16 @@ namespace {
 constexpr int passes = 7;
 
 struct HalfspacePair {
-  halfspace_test::Shape a;
-  halfspace_test::Shape b;
+  const hs_shape* a;
+  const hs_shape* b;
   hs_pose at_a;
   hs_pose at_b;
   hs_pair_cache cache;
 };
 
 struct Box2dPair {
-  b2PolygonShape a;
-  b2PolygonShape b;
+  const b2PolygonShape* a;
+  const b2PolygonShape* b;
   b2Transform at_a;
   b2Transform at_b;
 };
@@ -41,13 +43,8 @@ hs_pose pose_of(const hs_shape* shape, const Placement& at) {
                                  std::sin(at.angle / 2), std::cos(at.angle / 2));
 }
 
-HalfspacePair for_halfspace(hs_context* context, const ConvexPair& pair) {
-  HalfspacePair made{};
-  made.a = halfspace_test::make_shape(context, pair.a);
-  made.b = halfspace_test::make_shape(context, pair.b);
-  made.at_a = pose_of(made.a.get(), pair.at_a);
-  made.at_b = pose_of(made.b.get(), pair.at_b);
-  return made;
+b2Transform transform_of(const Placement& at) {
+  return {{float(at.position.x), float(at.position.y)}, b2Rot(float(at.angle))};
 }
 
 b2PolygonShape box2d_shape(const Points& polygon) {
@@ -58,92 +55,119 @@ b2PolygonShape box2d_shape(const Points& polygon) {
   return shape;
 }
 
-Box2dPair for_box2d(const ConvexPair& pair) {
-  const auto transform = [](const Placement& at) {
-    return b2Transform({float(at.position.x), float(at.position.y)}, b2Rot(float(at.angle)));
-  };
-  return {box2d_shape(pair.a), box2d_shape(pair.b), transform(pair.at_a), transform(pair.at_b)};
-}
+/// One set of pairs as both engines see it.
+struct Arena {
+  Arena(const PairSet& set, hs_context* context) {
+    for (const Points& polygon : set.polygons) {
+      halfspace_shapes.push_back(halfspace_test::make_shape(context, polygon));
+      box2d_shapes.push_back(box2d_shape(polygon));
+    }
+    for (const ConvexPair& pair : set.pairs) {
+      const hs_shape* a = halfspace_shapes[std::size_t(pair.a)].get();
+      const hs_shape* b = halfspace_shapes[std::size_t(pair.b)].get();
+      halfspace.push_back({a, b, pose_of(a, pair.at_a), pose_of(b, pair.at_b), {}});
+      box2d.push_back({&box2d_shapes[std::size_t(pair.a)], &box2d_shapes[std::size_t(pair.b)],
+                       transform_of(pair.at_a), transform_of(pair.at_b)});
+      truth.push_back(separation(set, pair) <= 0);
+    }
+  }
 
-bool touches_cold(HalfspacePair& pair) {
-  hs_contact contact;
-  hs_pair_detect(pair.a.get(), &pair.at_a, pair.b.get(), &pair.at_b, nullptr, nullptr, &contact);
-  return contact.type != HS_CONTACT_NONE;
-}
-
-bool touches_warm(HalfspacePair& pair) {
-  hs_contact contact;
-  hs_pair_detect(pair.a.get(), &pair.at_a, pair.b.get(), &pair.at_b, nullptr, &pair.cache, &contact);
-  return contact.type != HS_CONTACT_NONE;
-}
-
-bool touches_box2d(Box2dPair& pair) {
-  b2Manifold manifold;
-  b2CollidePolygons(&manifold, &pair.a, pair.at_a, &pair.b, pair.at_b);
-  return manifold.pointCount > 0;
-}
-
-/// Times one engine's answer on all pairs in the order given; the number of touching pairs keeps the work from being left out.
-template <class Pair>
-double time_pass(std::vector<Pair>& pairs, const std::vector<int>& order, bool (*touches)(Pair&), int& touching) {
-  return seconds_of([&] {
-    for (const int i : order) touching += touches(pairs[std::size_t(i)]);
-  });
-}
-
-template <class Pair>
-int count_wrong(std::vector<Pair>& pairs, const std::vector<bool>& truth, bool (*touches)(Pair&)) {
-  int wrong = 0;
-  for (std::size_t i = 0; i < pairs.size(); ++i) wrong += touches(pairs[i]) != truth[i];
-  return wrong;
-}
-
-void run(int vertices, const GapSet& set, int count, hs_context* context, Random& random) {
-  const std::vector<ConvexPair> drawn = draw_pairs(count, vertices, set, random);
+  std::vector<halfspace_test::Shape> halfspace_shapes;
+  std::deque<b2PolygonShape> box2d_shapes;  // a deque: the pairs point into it while it grows
   std::vector<HalfspacePair> halfspace;
   std::vector<Box2dPair> box2d;
   std::vector<bool> truth;
-  for (const ConvexPair& pair : drawn) {
-    halfspace.push_back(for_halfspace(context, pair));
-    box2d.push_back(for_box2d(pair));
-    truth.push_back(separation(pair) <= 0);
-  }
-  const int wrong_cold = count_wrong(halfspace, truth, touches_cold);
-  count_wrong(halfspace, truth, touches_warm);  // fills the caches
-  const int wrong_warm = count_wrong(halfspace, truth, touches_warm);
-  const int wrong_box2d = count_wrong(box2d, truth, touches_box2d);
+};
 
-  std::vector<int> order(std::size_t(count));
+bool touches(const HalfspacePair& pair, hs_pair_cache* cache) {
+  hs_contact contact;
+  const hs_status status =
+      hs_pair_detect(pair.a, &pair.at_a, pair.b, &pair.at_b, nullptr, cache, &contact);
+  if (status != HS_OK) throw std::runtime_error(hs_status_string(status));
+  return contact.type != HS_CONTACT_NONE;
+}
+
+bool touches_cold(HalfspacePair& pair) { return touches(pair, nullptr); }
+bool touches_warm(HalfspacePair& pair) { return touches(pair, &pair.cache); }
+
+bool touches_box2d(Box2dPair& pair) {
+  b2Manifold manifold;
+  b2CollidePolygons(&manifold, pair.a, pair.at_a, pair.b, pair.at_b);
+  return manifold.pointCount > 0;
+}
+
+/// One engine's way to answer on its pairs: its verdicts judged once, its time taken pass by pass.
+template <class Pair>
+class Contestant {
+ public:
+  Contestant(std::vector<Pair>& pairs, bool (*touches)(Pair&), const std::vector<bool>& truth)
+      : pairs_(pairs), touches_(touches) {
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const bool verdict = touches(pairs[i]);
+      touching_ += verdict;
+      wrong_ += verdict != truth[i];
+    }
+  }
+
+  void time_pass(const std::vector<int>& order) {
+    int touching = 0;
+    passes_.add(seconds_of([&] {
+      for (const int i : order) touching += touches_(pairs_[std::size_t(i)]);
+    }));
+    if (touching != touching_) throw std::runtime_error("the same pairs gave another answer when they were asked again");
+  }
+
+  double minimum_ns() const { return 1e9 * passes_.minimum() / double(pairs_.size()); }
+  double median_ns() const { return 1e9 * passes_.median() / double(pairs_.size()); }
+  int wrong() const { return wrong_; }
+
+ private:
+  std::vector<Pair>& pairs_;
+  bool (*touches_)(Pair&);
+  Passes passes_;
+  int touching_ = 0;
+  int wrong_ = 0;
+};
+
+struct Sizes {
+  int pairs;
+  int shapes;
+};
+
+void run(int vertices, const GapSet& gap, const Sizes& sizes, hs_context* context, Random& random) {
+  Arena arena(draw_pairs(sizes.pairs, sizes.shapes, vertices, gap, random), context);
+  Contestant cold(arena.halfspace, touches_cold, arena.truth);
+  Contestant(arena.halfspace, touches_warm, arena.truth);  // fills the caches
+  Contestant warm(arena.halfspace, touches_warm, arena.truth);
+  Contestant peer(arena.box2d, touches_box2d, arena.truth);
+
+  std::vector<int> order(arena.halfspace.size());
   std::iota(order.begin(), order.end(), 0);
-  Passes cold, warm, peer;
-  int touching = 0;
   const auto reshuffled = [&]() -> const std::vector<int>& {
     std::shuffle(order.begin(), order.end(), random);
     return order;
   };
   for (int pass = 0; pass < passes; ++pass) {
-    cold.add(time_pass(halfspace, reshuffled(), touches_cold, touching));
-    peer.add(time_pass(box2d, reshuffled(), touches_box2d, touching));
-    warm.add(time_pass(halfspace, reshuffled(), touches_warm, touching));
+    cold.time_pass(reshuffled());
+    peer.time_pass(reshuffled());
+    warm.time_pass(reshuffled());
   }
 
-  const auto ns = [&](double seconds) { return 1e9 * seconds / count; };
-  std::printf("%8d %-6s %7.1f %7.1f %7.1f %7.1f %7.1f %7.1f %9.2f %9.2f %6d %5d %5d\n", vertices, set.name,
-              ns(cold.minimum()), ns(cold.median()), ns(warm.minimum()), ns(warm.median()), ns(peer.minimum()),
-              ns(peer.median()), cold.median() / peer.median(), warm.median() / peer.median(), wrong_cold, wrong_warm,
-              wrong_box2d);
-  if (touching < 0) std::abort();  // never: it only makes the answers matter
+  std::printf("%8d %-6s %7.1f %7.1f %7.1f %7.1f %7.1f %7.1f %9.2f %9.2f %6d %5d %5d\n", vertices, gap.name,
+              cold.minimum_ns(), cold.median_ns(), warm.minimum_ns(), warm.median_ns(), peer.minimum_ns(),
+              peer.median_ns(), cold.minimum_ns() / peer.minimum_ns(), warm.minimum_ns() / peer.minimum_ns(), cold.wrong(),
+              warm.wrong(), peer.wrong());
 }
 
-void run_all(int count) {
+void run_all(const Sizes& sizes) {
   const halfspace_test::Context context = halfspace_test::make_context();
   Random random(1);
   std::printf("%8s %-6s %15s %15s %15s %19s %18s\n", "", "", "hs cold, ns", "hs warm, ns", "Box2D, ns",
-              "ratio to Box2D", "wrong verdicts");
+              "ratio of minima", "wrong verdicts");
   std::printf("%8s %-6s %7s %7s %7s %7s %7s %7s %9s %9s %6s %5s %5s\n", "vertices", "set", "min", "median", "min",
               "median", "min", "median", "cold", "warm", "cold", "warm", "Box2D");
   for (const int vertices : {3, 4, 6, 8}) {
-    for (const GapSet& set : gap_sets) run(vertices, set, count, context.get(), random);
+    for (const GapSet& gap : gap_sets) run(vertices, gap, sizes, context.get(), random);
   }
 }
 
@@ -152,12 +176,16 @@ void run_all(int count) {
 
 int main(int argc, char** argv) {
   using namespace halfspace_benchmark;
-  const bool quick = has_option(argc, argv, "--quick");
-  const int count = quick ? 128 : 4096;
-  std::printf("libhalfspace %s, Box2D %d.%d.%d; %d pairs a set, %d passes, core %d\n", hs_version(), b2_version.major,
-              b2_version.minor, b2_version.revision, count, passes, pin_to_this_core());
+  const int shapes = std::atoi(option_value(argc, argv, "--shapes", "64").data());
+  if (shapes < 1) {
+    std::fprintf(stderr, "bench_pairs: --shapes must be followed by a number of shapes, 1 or more\n");
+    return 2;
+  }
+  const Sizes sizes{has_option(argc, argv, "--quick") ? 128 : 4096, shapes};
+  std::printf("libhalfspace %s, Box2D " BOX2D_VERSION "; %d pairs of %d shapes a set, %d passes, core %d\n",
+              hs_version(), sizes.pairs, sizes.shapes, passes, pin_to_this_core());
   try {
-    run_all(count);
+    run_all(sizes);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "bench_pairs: %s\n", error.what());
     return 1;

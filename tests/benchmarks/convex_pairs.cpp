@@ -58,11 +58,11 @@ bool boxes_overlap(const Points& a, const Points& b) {
 
 /// Moves b away from a along a direction until they are apart by `wanted`. The separation is convex in the distance, so that there
 /// is one such place if the polygons overlap more than that at the start.
-bool lay_apart(ConvexPair& pair, double direction, double wanted) {
+bool lay_apart(const PairSet& set, ConvexPair& pair, double direction, double wanted) {
   const auto at = [&](double distance) {
     pair.at_b.position = {pair.at_a.position.x + distance * std::cos(direction),
                           pair.at_a.position.y + distance * std::sin(direction)};
-    return separation(pair);
+    return separation(set, pair);
   };
   double too_near = 0, too_far = 3 * size;
   if (at(too_near) >= wanted) return false;
@@ -74,16 +74,19 @@ bool lay_apart(ConvexPair& pair, double direction, double wanted) {
   return true;
 }
 
-ConvexPair draw_pair(int vertices, double wanted, Random& random) {
+bool boxes_overlap(const PairSet& set, const ConvexPair& pair) {
+  return boxes_overlap(lay(set.polygons[std::size_t(pair.a)], pair.at_a),
+                       lay(set.polygons[std::size_t(pair.b)], pair.at_b));
+}
+
+ConvexPair draw_pair(const PairSet& set, double wanted, Random& random) {
+  std::uniform_int_distribution<int> polygon(0, int(set.polygons.size()) - 1);
   for (;;) {
-    ConvexPair pair{draw_polygon(vertices, random), draw_polygon(vertices, random), {}, {}};
+    ConvexPair pair{polygon(random), polygon(random), {}, {}};
     pair.at_a.position = round_to_float({size * uniform(random, -10, 10), size * uniform(random, -10, 10)});
     pair.at_a.angle = float(uniform(random, -pi, pi));
     pair.at_b.angle = float(uniform(random, -pi, pi));
-    if (lay_apart(pair, uniform(random, -pi, pi), wanted) &&
-        boxes_overlap(lay(pair.a, pair.at_a), lay(pair.b, pair.at_b))) {
-      return pair;
-    }
+    if (lay_apart(set, pair, uniform(random, -pi, pi), wanted) && boxes_overlap(set, pair)) return pair;
   }
 }
 
@@ -93,12 +96,15 @@ double separation(const Points& a, const Points& b) {
   return std::max(largest_height_over_an_edge(a, b), largest_height_over_an_edge(b, a));
 }
 
-double separation(const ConvexPair& pair) { return separation(lay(pair.a, pair.at_a), lay(pair.b, pair.at_b)); }
+double separation(const PairSet& set, const ConvexPair& pair) {
+  return separation(lay(set.polygons[std::size_t(pair.a)], pair.at_a), lay(set.polygons[std::size_t(pair.b)], pair.at_b));
+}
 
-std::vector<ConvexPair> draw_pairs(int count, int vertices, const GapSet& set, Random& random) {
-  std::vector<ConvexPair> pairs;
-  for (int i = 0; i < count; ++i) pairs.push_back(draw_pair(vertices, set.separation * size, random));
-  return pairs;
+PairSet draw_pairs(int pair_count, int polygon_count, int vertices, const GapSet& gap, Random& random) {
+  PairSet set;
+  for (int i = 0; i < polygon_count; ++i) set.polygons.push_back(draw_polygon(vertices, random));
+  for (int i = 0; i < pair_count; ++i) set.pairs.push_back(draw_pair(set, gap.separation * size, random));
+  return set;
 }
 
 }  // namespace halfspace_benchmark

@@ -29,21 +29,28 @@ struct Placement {
   double angle = 0;
 };
 
+/// Two polygons of a set, by index, and where they lie.
 struct ConvexPair {
-  Points a;
-  Points b;
+  int a = 0;
+  int b = 0;
   Placement at_a;
   Placement at_b;
 };
 
-/// Separation of two polygons with vertices counter-clockwise: the largest, over all edges of both, of the least height of the
-/// other's vertices over the edge. All edges against all vertices, in double.
+struct PairSet {
+  std::vector<Points> polygons;  ///< counter-clockwise
+  std::vector<ConvexPair> pairs;
+};
+
+/// Separation of two polygons: the largest, over all edges of both, of the least height of the other's vertices over the edge. All
+/// edges against all vertices, in double.
 double separation(const Points& a, const Points& b);
 
 /// A pair's separation where it is laid.
-double separation(const ConvexPair& pair);
+double separation(const PairSet& set, const ConvexPair& pair);
 
-/// Pairs with `vertices` vertices each, all at the set's separation, and with bounding boxes that overlap.
-std::vector<ConvexPair> draw_pairs(int count, int vertices, const GapSet& set, Random& random);
+/// Random polygons with `vertices` vertices each, and random pairs of them, all at the separation given and with bounding boxes
+/// that overlap.
+PairSet draw_pairs(int pair_count, int polygon_count, int vertices, const GapSet& gap, Random& random);
 
 }  // namespace halfspace_benchmark

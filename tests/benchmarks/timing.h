@@ -1,13 +1,12 @@
 #pragma once
 
-// The runner: one core, a monotonic clock, and what is kept of repeated passes.
+// The runner: one core, its clock, and what is kept of repeated passes.
 
 #include <sched.h>
+#include <time.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
-#include <cstdio>
 #include <string_view>
 #include <vector>
 
@@ -23,12 +22,19 @@ inline int pin_to_this_core() {
   return sched_setaffinity(0, sizeof only_this, &only_this) == 0 ? core : -1;
 }
 
-/// Seconds that `work` takes.
+/// Processor time of this thread so far, in s: what others run on the core in between is not counted.
+inline double thread_seconds() {
+  timespec now;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
+}
+
+/// Processor seconds that `work` takes on this thread.
 template <class Work>
 double seconds_of(Work&& work) {
-  const auto start = std::chrono::steady_clock::now();
+  const double start = thread_seconds();
   work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return thread_seconds() - start;
 }
 
 /// Times of repeated passes. The minimum is the cost with the least disturbance by others, the median the usual one.
@@ -50,6 +56,12 @@ class Passes {
 /// Was the option given?
 inline bool has_option(int argc, char** argv, std::string_view name) {
   return std::any_of(argv + 1, argv + argc, [&](const char* given) { return name == given; });
+}
+
+/// The text after an option, or what is used without it.
+inline std::string_view option_value(int argc, char** argv, std::string_view name, std::string_view otherwise) {
+  const auto found = std::find_if(argv + 1, argv + argc, [&](const char* given) { return name == given; });
+  return found < argv + argc - 1 ? found[1] : otherwise;
 }
 
 }  // namespace halfspace_benchmark

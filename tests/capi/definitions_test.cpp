@@ -1,0 +1,84 @@
+// Every definition that the library fills, and the sizes by which it knows which version of the struct a caller has.
+
+#include <cstring>
+#include <vector>
+
+#include "capi/handles.h"
+#include "catch.h"
+
+namespace halfspace_test {
+namespace {
+
+/// Checks hs_..._init(def, size) for a struct that begins with struct_size.
+template <class Def, class Init>
+void check_init(Init init) {
+  CHECK(init(nullptr, sizeof(Def)) == HS_ERROR_ARGUMENT);
+
+  Def def;
+  std::memset(&def, 0xee, sizeof def);
+  const Def untouched = def;
+  for (std::size_t size : {std::size_t(0), std::size_t(1), std::size_t(4), ~std::size_t(0)}) {
+    CHECK(init(&def, size) == HS_ERROR_ARGUMENT);
+    CHECK(std::memcmp(&def, &untouched, sizeof def) == 0);
+  }
+  REQUIRE(init(&def, sizeof def) == HS_OK);
+  CHECK(def.struct_size == sizeof(Def));
+
+  // A caller from the future has a longer struct: what this library does not know is zero, nothing behind it is touched.
+  std::vector<unsigned char> longer(sizeof(Def) + 64, 0xee);
+  REQUIRE(init(reinterpret_cast<Def*>(longer.data()), sizeof(Def) + 32) == HS_OK);
+  Def known;
+  std::memcpy(&known, longer.data(), sizeof known);
+  CHECK(known.struct_size == sizeof(Def) + 32);
+  for (std::size_t i = sizeof(Def); i < sizeof(Def) + 32; ++i) CHECK(int(longer[i]) == 0);
+  for (std::size_t i = sizeof(Def) + 32; i < longer.size(); ++i) CHECK(int(longer[i]) == 0xee);
+}
+
+}  // namespace
+
+TEST_CASE("hs_context_def_init") { check_init<hs_context_def>(hs_context_def_init); }
+TEST_CASE("hs_pair_options_init") { check_init<hs_pair_options>(hs_pair_options_init); }
+TEST_CASE("hs_world_def_init") { check_init<hs_world_def>(hs_world_def_init); }
+TEST_CASE("hs_law_def_init") { check_init<hs_law_def>(hs_law_def_init); }
+
+TEST_CASE("hs_block_def_init") {
+  const Context context = make_context();
+  const Shape shape = make_shape(context.get(), box(1, 2, 5, 4));
+  check_init<hs_block_def>([&](hs_block_def* def, std::size_t size) { return hs_block_def_init(def, size, shape.get()); });
+  hs_block_def def;
+  CHECK(hs_block_def_init(&def, sizeof def, nullptr) == HS_ERROR_ARGUMENT);
+  REQUIRE(hs_block_def_init(&def, sizeof def, shape.get()) == HS_OK);
+  CHECK(def.pose.position[0] == 3);
+  CHECK(def.pose.position[1] == 3);
+  CHECK(def.pose.rotation[3] == 1);
+}
+
+TEST_CASE("the defaults are those the headers state") {
+  hs_pair_options options;
+  REQUIRE(hs_pair_options_init(&options, sizeof options) == HS_OK);
+  CHECK(options.parallel_angle == 0.01);
+  CHECK(options.vertex_zone == 0.001);
+
+  hs_law_def law;
+  REQUIRE(hs_law_def_init(&law, sizeof law) == HS_OK);
+  CHECK(law.stiffness_kind == HS_STIFFNESS_PER_CONTACT);
+  CHECK(law.normal_stiffness == 1e9);
+  CHECK(law.shear_stiffness == 1e9);
+  for (double zero : {law.friction_angle, law.cohesion, law.tensile_strength, law.normal_damping, law.shear_damping}) {
+    CHECK(zero == 0);
+  }
+
+  hs_world_def world;
+  REQUIRE(hs_world_def_init(&world, sizeof world) == HS_OK);
+  CHECK(world.dimension == 2);
+  CHECK(world.gravity[1] == -9.81);
+  CHECK(world.safety == 0.2);
+  CHECK(world.skin == 0.1);
+  CHECK(world.parallel_angle == 0.01);
+  CHECK(world.vertex_zone == 0.001);
+  for (double zero : {world.gravity[0], world.gravity[2], world.time_step, world.local_damping, world.mass_damping}) {
+    CHECK(zero == 0);
+  }
+}
+
+}  // namespace halfspace_test

@@ -1,0 +1,110 @@
+#include "catch.h"
+#include "detect/pair.h"
+#include "geometry/rotation.h"
+#include "polygons.h"
+
+using namespace halfspace;
+using namespace halfspace::test;
+
+namespace {
+
+struct Met {
+  Contact<2> contact;
+  PairMemory memory;
+};
+
+Met meet(const Shape<2>& a, const Shape<2>& b, const Vector<2>& to_b, PairMemory memory = {}) {
+  Met met{{}, memory};
+  detect_pair(a.outline(), b.outline(), to_b, DetectOptions(), met.memory, met.contact);
+  return met;
+}
+
+const Shape<2> square = shape_of(rectangle(2, 2));
+const Shape<2> diamond = shape_of({{1, 0}, {0, 1}, {-1, 0}, {0, -1}});
+
+}  // namespace
+
+TEST_CASE("edge-edge: two squares side by side share the overlap of their edges") {
+  const Met met = meet(square, square, {1.9, 0.5});
+  CHECK(met.contact.type == ContactType::edge_edge);
+  CHECK(met.contact.normal == Vector<2>(1, 0));
+  CHECK(met.contact.gap == Approx(-0.1));
+  CHECK(met.contact.length == Approx(1.5));
+  CHECK(met.contact.point_count == 2);
+  CHECK(met.contact.gaps[0] == Approx(-0.1));
+  CHECK(met.contact.gaps[1] == Approx(-0.1));
+  CHECK(met.contact.shares[0] == 0.5);
+}
+
+TEST_CASE("vertex-edge: a diamond's corner on a square's edge") {
+  const Met met = meet(square, diamond, {1.9, 0.3});
+  CHECK(met.contact.type == ContactType::vertex_edge);
+  CHECK(met.contact.normal == Vector<2>(1, 0));
+  CHECK(met.contact.gap == Approx(-0.1));
+  CHECK(met.contact.length == 0);
+  CHECK(met.contact.points[0].isApprox(Vector<2>(1, 0.3)));
+}
+
+TEST_CASE("vertex-vertex: a diamond's corner at a square's corner is pushed along the sum of the normals") {
+  // The diamond's left corner lies a little inside the end of the square's right edge.
+  const Met met = meet(square, diamond, {1.9999, 0.99995});
+  CHECK(met.contact.type == ContactType::vertex_vertex);
+  const Vector<2> right_edge(1, 0), lower_right_edge_of_diamond_opposed = Vector<2>(1, 1).normalized();
+  CHECK(met.contact.normal.isApprox((right_edge + lower_right_edge_of_diamond_opposed).normalized()));
+}
+
+TEST_CASE("swapping the blocks turns the normal and nothing else") {
+  const Met met = meet(square, diamond, {1.9, 0.3});
+  const Met swapped = meet(diamond, square, {-1.9, -0.3});
+  CHECK(swapped.contact.type == met.contact.type);
+  CHECK(swapped.contact.gap == met.contact.gap);
+  CHECK(swapped.contact.normal == -met.contact.normal);
+  CHECK(swapped.contact.pair.owner == 1 - met.contact.pair.owner);
+}
+
+TEST_CASE("edges within the parallel angle are edge-edge, beyond it vertex-edge") {
+  const auto tilted = [](double angle) {
+    Points points = rectangle(2, 2);
+    for (Vector<2>& p : points) p = Rotation<2>::from_angle(angle) * p;
+    return shape_of(points);
+  };
+  const double limit = DetectOptions().parallel_angle;
+  CHECK(meet(square, tilted(0.9 * limit), {1.99, 0}).contact.type == ContactType::edge_edge);
+  CHECK(meet(square, tilted(1.1 * limit), {1.99, 0}).contact.type == ContactType::vertex_edge);
+  CHECK(meet(square, tilted(1e-12), {1.99, 0}).contact.type == ContactType::edge_edge);
+}
+
+TEST_CASE("a thin block that is overlapped past its middle keeps the side through which it was met") {
+  const Shape<2> slab = shape_of(rectangle(10, 0.1));
+  const Met above = meet(slab, diamond, {0, 1.06});
+  REQUIRE(above.contact.type == ContactType::none);
+  // Nine tenths through in one step: the least depth would push it out below.
+  const Met through = meet(slab, diamond, {0, 0.96}, above.memory);
+  CHECK(through.contact.normal == Vector<2>(0, 1));
+  CHECK(through.contact.gap == Approx(-0.09));
+  // With no history the least depth stands in; here it is above, too, until past the middle of the whole.
+  CHECK(meet(slab, diamond, {0, -0.96}).contact.normal == Vector<2>(0, -1));
+}
+
+TEST_CASE("the violated pair is kept, tried first, and left when it no longer holds") {
+  const Met apart = meet(square, diamond, {2.5, 0});
+  REQUIRE(apart.memory.state == PairMemory::separated);
+  const Met moved = meet(square, diamond, {2.4, 0.1}, apart.memory);
+  CHECK(moved.memory.pair.edge == apart.memory.pair.edge);
+  const Met around = meet(square, diamond, {0, 2.5}, apart.memory);
+  CHECK(around.contact.type == ContactType::none);
+  CHECK(around.contact.gap > 0);
+  CHECK(around.memory.pair.edge != apart.memory.pair.edge);
+}
+
+TEST_CASE("a vertex that slides off the end of an edge goes on at the next one") {
+  const Shape<2> octagon = shape_of(regular_polygon(8, 1, 0));
+  Met met = meet(octagon, diamond, {0.9, 1.5});
+  // Round the octagon in small steps, always overlapping: the normal follows, from a to b.
+  for (double angle = 1.0; angle < 7; angle += 0.01) {
+    const Vector<2> to_b = 1.7 * Vector<2>(std::cos(angle), std::sin(angle));
+    met = meet(octagon, diamond, to_b, met.memory);
+    REQUIRE(met.contact.type != ContactType::none);
+    CHECK(met.contact.normal.dot(to_b) > 0);
+  }
+}

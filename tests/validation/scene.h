@@ -1,0 +1,159 @@
+#pragma once
+
+// A world of the C API with its context, for tests that say what stands where and look at what comes of it.
+
+#include <cmath>
+#include <cstdio>
+
+#include "capi/handles.h"
+
+namespace halfspace_test {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double rounding = 1.1102230246251565e-16;  // of one operation, relative
+constexpr double degree = pi / 180;
+
+inline double square_of(double x) { return x * x; }
+
+inline hs_world_def world_def(double time_step, double gravity = -9.81) {
+  hs_world_def def;
+  hs_world_def_init(&def, sizeof def);
+  def.time_step = time_step;
+  def.gravity[1] = gravity;
+  return def;
+}
+
+/// The penalty spring of the papers: the same stiffness for normal and shear.
+inline hs_law_def spring_law(double stiffness, double friction_angle = 0) {
+  hs_law_def law;
+  hs_law_def_init(&law, sizeof law);
+  law.normal_stiffness = law.shear_stiffness = stiffness;
+  law.friction_angle = friction_angle;
+  return law;
+}
+
+/// Where a block starts, relative to where its vertices are given, and how it moves.
+struct Start {
+  int32_t kind = HS_BLOCK_RIGID;
+  Point velocity{};
+  double spin = 0;
+};
+
+class Scene {
+ public:
+  Scene(const hs_world_def& def, const hs_law_def& law, double density = 2000) : context_(make_context()) {
+    hs_world* world = nullptr;
+    require_ok(hs_world_create(context(), &def, &world), context());
+    world_.reset(world);
+    require_ok(hs_world_set_default_law(world, &law), context());
+    add_material(density);
+  }
+
+  hs_context* context() const { return context_.get(); }
+  hs_world* world() const { return world_.get(); }
+  void check(hs_status status) const { require_ok(status, context()); }
+
+  int32_t add_material(double density) {
+    int32_t material = 0;
+    check(hs_world_add_material(world(), density, &material));
+    return material;
+  }
+
+  hs_block add(const Points& vertices, const Start& start = {}, int32_t material = 0) {
+    const Shape shape = make_shape(context(), vertices);
+    return place(shape.get(), nullptr, start, material);
+  }
+
+  /// With the centroid somewhere, turned.
+  hs_block add_at(const Points& vertices, Point centroid, double angle, const Start& start = {}, int32_t material = 0) {
+    const Shape shape = make_shape(context(), vertices);
+    const hs_pose pose = pose_at(centroid.x, centroid.y, std::sin(angle / 2), std::cos(angle / 2));
+    return place(shape.get(), &pose, start, material);
+  }
+
+  void step(std::int64_t steps = 1) { check(hs_world_step(world(), steps)); }
+
+  void apply(hs_block block, Point force, double torque = 0) {
+    const double f[3] = {force.x, force.y, 0}, t[3] = {0, 0, torque};
+    check(hs_world_set_applied_force(world(), block, f, t));
+  }
+
+  void set_velocity(hs_block block, Point velocity, double spin = 0) {
+    const double v[3] = {velocity.x, velocity.y, 0}, w[3] = {0, 0, spin};
+    check(hs_world_set_velocity(world(), block, v, w));
+  }
+
+  /// Detects, and sets the force of a shear spring on the second block along the tangent.
+  void preload_shear(hs_block a, hs_block b, double force) {
+    check(hs_world_detect(world(), nullptr));
+    check(hs_world_set_shear_force(world(), a, b, force));
+  }
+
+  hs_block_state state(hs_block block) const {
+    hs_block_state state;
+    check(hs_world_get_block_state(world(), block, &state));
+    return state;
+  }
+  Point position(hs_block block) const {
+    const hs_block_state s = state(block);
+    return {s.pose.position[0], s.pose.position[1]};
+  }
+  Point velocity(hs_block block) const {
+    const hs_block_state s = state(block);
+    return {s.velocity[0], s.velocity[1]};
+  }
+  double spin(hs_block block) const { return state(block).angular_velocity[2]; }
+
+  hs_world_report report() const {
+    hs_world_report report;
+    check(hs_world_get_report(world(), &report));
+    return report;
+  }
+  hs_energy energy() const { return report().energy; }
+
+  std::vector<hs_block> blocks() const {
+    std::vector<hs_block> blocks(std::size_t(report().block_count));
+    check(hs_world_get_blocks(world(), blocks.data(), std::int64_t(blocks.size()), nullptr));
+    return blocks;
+  }
+
+  std::vector<hs_contact> contacts() const {
+    std::int64_t count = 0;
+    hs_world_get_contacts(world(), nullptr, 0, &count);
+    std::vector<hs_contact> contacts(static_cast<std::size_t>(count));
+    check(hs_world_get_contacts(world(), contacts.data(), count, nullptr));
+    return contacts;
+  }
+
+  Points vertices(hs_block block) const {
+    std::int64_t count = 0;
+    Points vertices(64);
+    check(hs_world_get_block_vertices(world(), block, mutable_view_of(vertices), &count));
+    vertices.resize(std::size_t(count));
+    return vertices;
+  }
+
+ private:
+  hs_block place(const hs_shape* shape, const hs_pose* pose, const Start& start, int32_t material) {
+    hs_block_def def;
+    check(hs_block_def_init(&def, sizeof def, shape));
+    def.kind = start.kind;
+    def.material = material;
+    if (pose) def.pose = *pose;
+    def.velocity[0] = start.velocity.x;
+    def.velocity[1] = start.velocity.y;
+    def.angular_velocity[2] = start.spin;
+    hs_block block = 0;
+    check(hs_world_add_block(world(), shape, &def, &block));
+    return block;
+  }
+
+  Context context_;
+  World world_;
+};
+
+inline Points rectangle(double width, double height) {
+  return box(-width / 2, -height / 2, width / 2, height / 2);
+}
+
+}  // namespace halfspace_test

@@ -1,0 +1,136 @@
+// A block slides down a slope (Wang et al. 2021, section 4.1, and Zheng et al. 2020, section 4.3, in the plane):
+// s = 1/2 (g sin - g cos tan(phi)) t^2.
+
+#include "catch.h"
+#include "validation/scene.h"
+
+namespace {
+
+using namespace halfspace_test;
+
+constexpr double slope = 30 * degree;
+constexpr double gravity = 9.81;
+const Point downhill{std::cos(slope), -std::sin(slope)};
+const Point upward{std::sin(slope), std::cos(slope)};
+
+struct Slider {
+  double width;
+  double height;
+  double density;
+  double stiffness;
+  double friction_angle;
+  double duration;
+  int32_t stiffness_kind = HS_STIFFNESS_PER_CONTACT;
+  bool preloaded = true;
+
+  double weight() const { return width * height * density * gravity; }
+  double normal_force() const { return weight() * std::cos(slope); }
+  /// What friction takes up: all of the weight's share if it can.
+  double shear_force() const { return std::min(normal_force() * std::tan(friction_angle), weight() * std::sin(slope)); }
+};
+
+/// How the block rests on its springs: height of the centroid above the plane, and forward tilt.
+struct Rest {
+  double height;
+  double tilt;
+};
+
+/// The shear force acts at the base, at the height y below the centroid, and turns the block until the normal force is
+/// ahead of the centroid by y T / N. Found by iteration: the tilt is of the order of the overlap.
+Rest rest_of(const Slider& s) {
+  Rest rest{s.height / 2, 0};
+  for (int i = 0; i < 50; ++i) {
+    const double c = std::cos(rest.tilt), n = s.normal_force();
+    if (s.stiffness_kind == HS_STIFFNESS_PER_CONTACT) {
+      // Springs K/2 under both corners, at (+-w/2 c - h/2 s, +-w/2 s) relative to the middle of the base:
+      // sum of depths = 2 N/K, sum of moments = K w^2 s c / 4 - N h s / 2 = y T.
+      rest.height = s.height * c / 2 - n / s.stiffness;
+      rest.tilt = std::asin(rest.height * s.shear_force() / (s.stiffness * square_of(s.width) * c / 4 - n * s.height / 2));
+    } else {
+      // Depth d0 + tan(tilt) x under a base of length w c: force K w c d0, moment about its middle K tan(tilt) (w c)^3 / 12;
+      // its middle lies h/2 sin(tilt) behind the centroid.
+      const double base = s.width * c;
+      rest.height = s.height * c / 2 - n / (s.stiffness * base);
+      const double tangent = (rest.height * s.shear_force() + n * s.height / 2 * std::sin(rest.tilt)) /
+                             (s.stiffness * base * base * base / 12);
+      rest.tilt = std::atan(tangent);
+    }
+  }
+  return rest;
+}
+
+struct Slide {
+  double distance;
+  double friction_loss;
+  double residual;
+};
+
+Slide run(const Slider& s) {
+  const double time_step = 1e-5;
+  hs_law_def law = spring_law(s.stiffness, s.friction_angle);
+  law.stiffness_kind = s.stiffness_kind;
+  Scene scene(world_def(time_step, -gravity), law, s.density);
+  // A plane that is long enough, its upper side through the origin where the block starts.
+  const double run_off = 0.5 * gravity * square_of(s.duration) + 2 * s.width;
+  const Points plane_outline = rectangle(2 * run_off, 1);
+  const hs_block plane =
+      scene.add_at(plane_outline, {-0.5 * upward.x, -0.5 * upward.y}, -slope, {HS_BLOCK_FIXED, {}, 0});
+  const Rest rest = s.preloaded ? rest_of(s) : Rest{s.height / 2, 0};
+  const hs_block block = scene.add_at(rectangle(s.width, s.height), {rest.height * upward.x, rest.height * upward.y},
+                                      -slope - rest.tilt);
+  if (s.preloaded && s.friction_angle > 0) scene.preload_shear(plane, block, s.shear_force());
+  const Point from = scene.position(block);
+  scene.step(std::llround(s.duration / time_step));
+  const Point to = scene.position(block);
+  const hs_energy energy = scene.energy();
+  return {(to.x - from.x) * downhill.x + (to.y - from.y) * downhill.y, energy.friction_loss, energy.residual};
+}
+
+/// Constant acceleration is exact in velocity Verlet, whatever the step. What is left when the springs start in equilibrium
+/// is rounding of the block's place: coordinates of some 10 m (rounding 2e-15 m) give the overlap N/K, and so the normal
+/// force, a relative error of 2e-15 K / N (5e-11 for the stiffer, A4.1), shaken once more with every of up to 5e5 steps as
+/// the block moves; were all these errors of one sign and undamped, sqrt(steps) of them add up: 4e-8.
+constexpr double required = 1e-4;
+constexpr double derived = 4e-8;
+
+void check_slide(const char* name, Slider s) {
+  const double acceleration = gravity * (std::sin(slope) - std::cos(slope) * std::tan(s.friction_angle));
+  const double exact = 0.5 * acceleration * square_of(s.duration);
+  const Slide slide = run(s);
+  s.preloaded = false;
+  const Slide unloaded = run(s);
+  const double error = slide.distance / exact - 1;
+  std::printf("%s, friction %2.0f deg: slide %.9f m, relative error %9.2e (not preloaded %9.2e), friction loss off by %9.2e\n",
+              name, s.friction_angle / degree, slide.distance, error, unloaded.distance / exact - 1,
+              slide.friction_loss - s.shear_force() * slide.distance);
+  CHECK(std::abs(error) <= required);
+  CHECK(std::abs(error) <= derived);
+  // Friction takes F s.
+  CHECK(std::abs(slide.friction_loss - s.shear_force() * slide.distance) <= derived * s.weight() * slide.distance);
+}
+
+TEST_CASE("A4.1 a block of 5 x 4 m slides down 30 degrees as the formula says") {
+  for (double friction : {15.0, 20.0, 25.0}) {
+    check_slide("A4.1", {5, 4, 2500, 1e10, friction * degree, 5});
+  }
+}
+
+TEST_CASE("A4.1 a block stays on a slope as steep as its friction angle") {
+  Slider s{5, 4, 2500, 1e10, slope, 5};
+  const double creep = run(s).distance / s.width;
+  s.preloaded = false;
+  std::printf("A4.1, friction 30 deg: creep in 5 s %.2e of the width (not preloaded %.2e)\n", creep,
+              run(s).distance / s.width);
+  // By the same rounding, 4e-8 of the free slide of 1/2 g sin t^2 = 61 m at most, which is 5e-7 of the width.
+  CHECK(std::abs(creep) < 1e-6);
+}
+
+TEST_CASE("B4.3 a block of 1 m slides down 30 degrees as the formula says") {
+  for (double friction : {0.0, 10.0, 20.0}) check_slide("B4.3 per contact", {1, 1, 2000, 1e7, friction * degree, 2});
+  // With the stiffness per area, while the whole base bears: x_c < w/6, friction < 18 degrees.
+  for (double friction : {0.0, 10.0}) {
+    check_slide("B4.3 per area", {1, 1, 2000, 1e7, friction * degree, 2, HS_STIFFNESS_PER_AREA});
+  }
+}
+
+}  // namespace
