@@ -1,7 +1,8 @@
 find_package(Catch2 REQUIRED)
 include(Catch)
 
-# Catch2 3 brings its own main. For version 2 it is built here, with the standard that the tests are built with.
+# Catch2 3 brings its own main. For version 2 it is built here, with the standard that the tests are built
+# with.
 add_library(halfspace_catch INTERFACE)
 target_include_directories(halfspace_catch INTERFACE ${CMAKE_CURRENT_LIST_DIR})
 if(Catch2_VERSION VERSION_GREATER_EQUAL 3)
@@ -14,8 +15,9 @@ endif()
 
 # halfspace_add_test(name [SLOW] SOURCES a.cpp b.cpp LIBRARIES halfspace_core)
 #
-# One Catch2 executable; each of its cases becomes a CTest test called "name: case". Sources may include "catch.h" and everything
-# else relative to tests/. SLOW puts the CTest label slow on all its cases: they run in release, not with clang or sanitizers.
+# One Catch2 executable; each of its cases becomes a CTest test called "name:case". Sources may include
+# "catch.h" and everything else relative to tests/. SLOW puts the CTest label slow on all its cases: they run
+# in release, not with clang or sanitizers.
 function(halfspace_add_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "SLOW" "" "SOURCES;LIBRARIES")
   add_executable(${name} ${arg_SOURCES})
@@ -23,5 +25,5 @@ function(halfspace_add_test name)
   if(arg_SLOW)
     set(label PROPERTIES LABELS slow)
   endif()
-  catch_discover_tests(${name} TEST_PREFIX "${name}: " ${label})
+  catch_discover_tests(${name} TEST_PREFIX "${name}:" ${label})
 endfunction()

@@ -10,15 +10,21 @@ namespace halfspace::cli {
 namespace fs = std::filesystem;
 namespace {
 
-void remove_earlier_run(const fs::path& path) {
-  for (const char* name : {"run.pvd", "history.csv", "first.svg", "last.svg", "summary.txt"}) fs::remove(path / name);
-  if (!fs::is_directory(path / "frames")) return;
-  std::vector<fs::path> frames;
-  for (const fs::directory_entry& entry : fs::directory_iterator(path / "frames")) {
+void remove_matching(const fs::path& directory, const char* begin, const char* end) {
+  if (!fs::is_directory(directory)) return;
+  std::vector<fs::path> matching;
+  for (const fs::directory_entry& entry : fs::directory_iterator(directory)) {
     const std::string name = entry.path().filename().string();
-    if (name.starts_with("frame_") && name.ends_with(".vtp")) frames.push_back(entry.path());
+    if (name.starts_with(begin) && name.ends_with(end)) matching.push_back(entry.path());
   }
-  for (const fs::path& frame : frames) fs::remove(frame);
+  for (const fs::path& file : matching) fs::remove(file);
+}
+
+void remove_earlier_run(const fs::path& path) {
+  for (const char* name : {"run.pvd", "history.csv", "first.svg", "last.svg", "summary.txt"})
+    fs::remove(path / name);
+  remove_matching(path, "at_", "s.svg");
+  remove_matching(path / "frames", "frame_", ".vtp");
 }
 
 }  // namespace
@@ -28,7 +34,8 @@ OutputDirectory::OutputDirectory(fs::path path, bool force) : path_(std::move(pa
     fs::create_directories(path_);
     if (!fs::is_directory(path_)) throw std::runtime_error(path_.string() + " is not a directory");
     if (!force && !fs::is_empty(path_)) {
-      throw std::runtime_error("the directory " + path_.string() + " is not empty; --force replaces an earlier run in it");
+      throw std::runtime_error("the directory " + path_.string() +
+                               " is not empty; --force replaces an earlier run in it");
     }
     remove_earlier_run(path_);
     fs::create_directories(path_ / "frames");

@@ -6,11 +6,12 @@
 
 namespace halfspace::cli {
 
-/// The directory of one run. A file in it is either whole or not there: it is written under another name and renamed.
+/// The directory of one run. A file in it is either whole or not there: it is written under another name and
+/// renamed.
 class OutputDirectory {
  public:
-  /// @throws std::runtime_error if the directory cannot be made, or holds files and `force` is not set. With `force`,
-  /// what an earlier run wrote there is removed; other files stay.
+  /// @throws std::runtime_error if the directory cannot be made, or holds files and `force` is not set. With
+  /// `force`, what an earlier run wrote there is removed; other files stay.
   OutputDirectory(std::filesystem::path path, bool force);
 
   /// Writes a file, given its path in the directory. @throws std::runtime_error

@@ -6,7 +6,8 @@ namespace halfspace::cli {
 
 History::History(const Plan& plan) {
   text_ =
-      "time,steps,contacts,largest_overlap,largest_speed,kinetic,gravity,strain,friction_loss,contact_damping_loss,"
+      "time,steps,contacts,largest_overlap,largest_speed,kinetic,gravity,strain,friction_loss,contact_"
+      "damping_loss,"
       "local_damping_loss,mass_damping_loss,outer_work,residual";
   for (std::size_t block : plan.tracked) {
     for (const char* column : {".x", ".y", ".angle", ".vx", ".vy", ".angular_velocity"}) {
@@ -19,10 +20,12 @@ History::History(const Plan& plan) {
 void History::add(const Model& model) {
   const hs_world_report& report = model.report();
   const hs_energy& energy = report.energy;
-  text_ += shortest(report.time) + ',' + std::to_string(report.steps) + ',' + std::to_string(report.contact_count);
-  for (double value : {report.largest_overlap, report.largest_speed, energy.kinetic, energy.gravity, energy.strain,
-                       energy.friction_loss, energy.contact_damping_loss, energy.local_damping_loss,
-                       energy.mass_damping_loss, energy.outer_work, energy.residual}) {
+  text_ +=
+      shortest(report.time) + ',' + std::to_string(report.steps) + ',' + std::to_string(report.contact_count);
+  for (double value :
+       {report.largest_overlap, report.largest_speed, energy.kinetic, energy.gravity, energy.strain,
+        energy.friction_loss, energy.contact_damping_loss, energy.local_damping_loss,
+        energy.mass_damping_loss, energy.outer_work, energy.residual}) {
     text_ += ',' + shortest(value);
   }
   for (std::size_t block : model.plan().tracked) {

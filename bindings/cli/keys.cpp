@@ -116,7 +116,8 @@ double Keys::number(std::string_view key, Range range, std::optional<double> fal
 std::int64_t Keys::integer(std::string_view key, std::int64_t low, std::int64_t high,
                            std::optional<std::int64_t> fallback) {
   std::string allowed = low == high ? std::to_string(low) : "a whole number, at least " + std::to_string(low);
-  if (low < high && high < std::numeric_limits<std::int64_t>::max()) allowed += ", at most " + std::to_string(high);
+  if (low < high && high < std::numeric_limits<std::int64_t>::max())
+    allowed += ", at most " + std::to_string(high);
   const toml::node* node = find(key, allowed, !fallback);
   if (node) {
     const toml::value<std::int64_t>* value = node->as_integer();
@@ -135,7 +136,8 @@ std::string Keys::text(std::string_view key, std::optional<std::string> fallback
   return fallback.value_or("");
 }
 
-int Keys::word(std::string_view key, std::initializer_list<std::string_view> allowed, std::optional<int> fallback) {
+int Keys::word(std::string_view key, std::initializer_list<std::string_view> allowed,
+               std::optional<int> fallback) {
   const toml::node* node = find(key, joined(allowed), !fallback);
   if (node) {
     const toml::value<std::string>* value = node->as_string();
@@ -164,13 +166,15 @@ Point Keys::point(std::string_view key, std::optional<Point> fallback) {
   return (node ? point_of(*node, path(key)) : fallback).value_or(Point{});
 }
 
-std::vector<Point> Keys::points(std::string_view key, std::size_t fewest, std::optional<std::vector<Point>> fallback) {
+std::vector<Point> Keys::points(std::string_view key, std::size_t fewest,
+                                std::optional<std::vector<Point>> fallback) {
   const std::string allowed = "[[x, y], [x, y], ...] with " + std::to_string(fewest) + " points or more";
   const toml::node* node = find(key, allowed, !fallback);
   if (!node) return fallback.value_or(std::vector<Point>{});
   const toml::array* list = node->as_array();
   if (!list || list->size() < fewest) {
-    fault(key, (list ? "too few points: " : "not a list of points: ") + shown(*node) + "; allowed: " + allowed);
+    fault(key,
+          (list ? "too few points: " : "not a list of points: ") + shown(*node) + "; allowed: " + allowed);
     return {};
   }
   std::vector<Point> points;
@@ -181,12 +185,34 @@ std::vector<Point> Keys::points(std::string_view key, std::size_t fewest, std::o
   return points.size() == list->size() ? points : std::vector<Point>{};
 }
 
+std::vector<double> Keys::rising_numbers(std::string_view key, Range range) {
+  const std::string allowed = "a list of rising numbers, each " + range.describe();
+  const toml::node* node = find(key, allowed, false);
+  if (!node) return {};
+  const toml::array* list = node->as_array();
+  if (!list) {
+    fault(key, "not a list: " + shown(*node) + "; allowed: " + allowed);
+    return {};
+  }
+  std::vector<double> numbers;
+  for (const toml::node& item : *list) {
+    const std::optional<double> value = finite_number(item, path(key));
+    if (!value) continue;
+    if (!range.holds(*value) || (!numbers.empty() && *value <= numbers.back())) {
+      faults_->add(place_of(item), path(key), "out of range: " + shown(item) + "; allowed: " + allowed);
+    }
+    numbers.push_back(*value);
+  }
+  return numbers;
+}
+
 std::vector<std::string> Keys::texts(std::string_view key, std::vector<Place>& places,
                                      std::optional<std::vector<std::string>> fallback) {
   const toml::node* node = find(key, "[\"text\", ...]", !fallback);
   if (!node) return fallback.value_or(std::vector<std::string>{});
   const toml::array* list = node->as_array();
-  if (!list || !std::all_of(list->begin(), list->end(), [](const toml::node& item) { return item.is_string(); })) {
+  if (!list ||
+      !std::all_of(list->begin(), list->end(), [](const toml::node& item) { return item.is_string(); })) {
     fault(key, "not a list of texts: " + shown(*node) + "; allowed: [\"text\", ...]");
     return {};
   }
@@ -217,7 +243,8 @@ std::vector<Keys> Keys::tables(std::string_view key, bool is_required) {
   const toml::node* node = find(key, allowed, is_required);
   if (!node) return {};
   const toml::array* list = node->as_array();
-  if (!list || !std::all_of(list->begin(), list->end(), [](const toml::node& item) { return item.is_table(); })) {
+  if (!list ||
+      !std::all_of(list->begin(), list->end(), [](const toml::node& item) { return item.is_table(); })) {
     fault(key, "not a list of tables: " + shown(*node) + "; allowed: " + allowed);
     return {};
   }

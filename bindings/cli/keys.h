@@ -1,11 +1,12 @@
 #pragma once
 
+#include <toml++/toml.h>
+
 #include <initializer_list>
 #include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <toml++/toml.h>
 #include <vector>
 
 #include "faults.h"
@@ -31,20 +32,25 @@ inline Range any_number() { return {}; }
 inline Range above(double low) { return {.low = low, .with_low = false}; }
 inline Range at_least(double low) { return {.low = low}; }
 
-/// Reads one table of a scene key by key. What is wrong goes to the faults, and a stand-in is returned, so that
-/// reading goes on and every fault of a file is found in one pass. Call finish() after the last key.
+/// Reads one table of a scene key by key. What is wrong goes to the faults, and a stand-in is returned, so
+/// that reading goes on and every fault of a file is found in one pass. Call finish() after the last key.
 class Keys {
  public:
   /// An empty path is the top of the file.
   Keys(const toml::table& table, std::string path, Faults& faults);
 
   double number(std::string_view key, Range range, std::optional<double> fallback);
-  std::int64_t integer(std::string_view key, std::int64_t low, std::int64_t high, std::optional<std::int64_t> fallback);
+  std::int64_t integer(std::string_view key, std::int64_t low, std::int64_t high,
+                       std::optional<std::int64_t> fallback);
   std::string text(std::string_view key, std::optional<std::string> fallback);
   /// The index of the word among those allowed.
-  int word(std::string_view key, std::initializer_list<std::string_view> allowed, std::optional<int> fallback);
+  int word(std::string_view key, std::initializer_list<std::string_view> allowed,
+           std::optional<int> fallback);
   Point point(std::string_view key, std::optional<Point> fallback);
-  std::vector<Point> points(std::string_view key, std::size_t fewest, std::optional<std::vector<Point>> fallback);
+  std::vector<Point> points(std::string_view key, std::size_t fewest,
+                            std::optional<std::vector<Point>> fallback);
+  /// Each within the range and larger than the one before; none by default.
+  std::vector<double> rising_numbers(std::string_view key, Range range);
   std::vector<std::string> texts(std::string_view key, std::vector<Place>& places,
                                  std::optional<std::vector<std::string>> fallback);
 

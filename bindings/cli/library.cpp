@@ -17,12 +17,14 @@ Context make_context() {
 
 hs_view view_of(const std::vector<Point>& points) {
   if (points.empty()) return {};
-  return {points[0].data(), points[0].data() + 1, nullptr, sizeof(Point), static_cast<int64_t>(points.size())};
+  return {points[0].data(), points[0].data() + 1, nullptr, sizeof(Point),
+          static_cast<int64_t>(points.size())};
 }
 
 hs_mutable_view view_of(std::vector<Point>& points) {
   if (points.empty()) return {};
-  return {points[0].data(), points[0].data() + 1, nullptr, sizeof(Point), static_cast<int64_t>(points.size())};
+  return {points[0].data(), points[0].data() + 1, nullptr, sizeof(Point),
+          static_cast<int64_t>(points.size())};
 }
 
 Shape make_polygon(const Context& context, const std::vector<Point>& vertices) {

@@ -33,7 +33,8 @@ CheckedScene load(const Context& context, const std::string& file) {
 
 int refuse(const std::string& file, const Faults& faults) {
   print(stderr, faults.describe(file));
-  print(stderr, std::to_string(faults.count()) + (faults.count() == 1 ? " fault in " : " faults in ") + file + '\n');
+  print(stderr,
+        std::to_string(faults.count()) + (faults.count() == 1 ? " fault in " : " faults in ") + file + '\n');
   return exit_failed;
 }
 
@@ -42,7 +43,8 @@ int check(const std::string& file) {
   const CheckedScene checked = load(context, file);
   if (!checked.faults.none()) return refuse(file, checked.faults);
   std::string text = file + ": no faults, " + std::to_string(checked.plan.blocks.size()) + " blocks";
-  if (checked.plan.left_out > 0) text += ", " + std::to_string(checked.plan.left_out) + " left out as too small";
+  if (checked.plan.left_out > 0)
+    text += ", " + std::to_string(checked.plan.left_out) + " left out as too small";
   print(stdout, text + '\n');
   return exit_ok;
 }
@@ -70,7 +72,8 @@ int run(const std::string& file, const std::string& output, bool force) {
   print(stdout, result.summary + result.timings);
   print_files(directory);
   if (result.outcome == Outcome::unstable) {
-    print(stderr, "halfspace: unstable run: " + result.trouble + "; give a smaller time_step or safety in [world]\n");
+    print(stderr,
+          "halfspace: unstable run: " + result.trouble + "; give a smaller time_step or safety in [world]\n");
     return exit_unstable;
   }
   return result.outcome == Outcome::interrupted ? exit_failed : exit_ok;
@@ -80,7 +83,8 @@ int main_of(int argc, char** argv) {
   CLI::App app("Moves convex blocks in contact, from a scene file to pictures.", "halfspace");
   app.set_version_flag("--version", std::string("halfspace ") + hs_version());
   app.require_subcommand(1);
-  app.footer("Exit codes: 0 ok, 1 failed or faulty scene, 2 wrong usage, 3 unstable run (its output is kept).");
+  app.footer(
+      "Exit codes: 0 ok, 1 failed or faulty scene, 2 wrong usage, 3 unstable run (its output is kept).");
 
   std::string file;
   std::string output;
@@ -89,7 +93,8 @@ int main_of(int argc, char** argv) {
   run_command->add_option("scene", file, "The scene file (TOML)")->required();
   run_command->add_option("-o,--output", output, "Directory for the output; made if missing")->required();
   run_command->add_flag("--force", force, "Replace an earlier run in the directory");
-  CLI::App* check_command = app.add_subcommand("check", "Tell everything that is wrong with a scene, without running it");
+  CLI::App* check_command =
+      app.add_subcommand("check", "Tell everything that is wrong with a scene, without running it");
   check_command->add_option("scene", file, "The scene file (TOML)")->required();
 
   try {

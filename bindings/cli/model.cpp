@@ -15,7 +15,8 @@ void set_velocity(hs_block_def& def, const Motion& motion) {
 
 }  // namespace
 
-Model::Model(const Context& context, const Scene& scene, Plan plan) : context_(context), plan_(std::move(plan)) {
+Model::Model(const Context& context, const Scene& scene, Plan plan)
+    : context_(context), plan_(std::move(plan)) {
   hs_world* world = nullptr;
   require(context, hs_world_create(context.get(), &scene.world, &world));
   world_.reset(world);
@@ -67,7 +68,8 @@ void Model::set_due_motions() {
     const Point velocity = moves ? block.motion.velocity : Point{};
     const double spin = moves ? block.motion.angular_velocity : 0;
     const hs_block_state now = state_of(i);
-    if (now.velocity[0] == velocity[0] && now.velocity[1] == velocity[1] && now.angular_velocity[2] == spin) continue;
+    if (now.velocity[0] == velocity[0] && now.velocity[1] == velocity[1] && now.angular_velocity[2] == spin)
+      continue;
     const double velocity3[] = {velocity[0], velocity[1], 0};
     const double spin3[] = {0, 0, spin};
     require(context_, hs_world_set_velocity(world_.get(), blocks_[i], velocity3, spin3));
@@ -87,8 +89,10 @@ Frame Model::frame() const {
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
     BlockFrame& block = frame.blocks[i];
     block.state = state_of(i);
-    block.vertices.resize(static_cast<std::size_t>(properties_of(context_, plan_.blocks[i].shape).vertex_count));
-    require(context_, hs_world_get_block_vertices(world_.get(), blocks_[i], view_of(block.vertices), nullptr));
+    block.vertices.resize(
+        static_cast<std::size_t>(properties_of(context_, plan_.blocks[i].shape).vertex_count));
+    require(context_,
+            hs_world_get_block_vertices(world_.get(), blocks_[i], view_of(block.vertices), nullptr));
   }
   return frame;
 }

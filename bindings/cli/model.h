@@ -25,8 +25,8 @@ class Model {
  public:
   Model(const Context& context, const Scene& scene, Plan plan);
 
-  /// Steps the world, stopping on the way wherever a prescribed motion starts or stops, to the step nearest to a time.
-  /// Does at most `most_steps` steps. @throws LibraryError
+  /// Steps the world, stopping on the way wherever a prescribed motion starts or stops, to the step nearest
+  /// to a time. Does at most `most_steps` steps. @throws LibraryError
   void step_towards(double time, std::int64_t most_steps);
 
   /// Has the step nearest to this time been done?

@@ -17,10 +17,14 @@ double value_of(Colour colour, const BlockFrame& then, const BlockFrame& now) {
   const auto& position = now.state.pose.position;
   const auto& origin = then.state.pose.position;
   switch (colour) {
-    case Colour::displacement: return std::hypot(position[0] - origin[0], position[1] - origin[1]);
-    case Colour::speed: return std::hypot(now.state.velocity[0], now.state.velocity[1]);
-    case Colour::layer: return origin[1];
-    case Colour::material: return now.state.material;
+    case Colour::displacement:
+      return std::hypot(position[0] - origin[0], position[1] - origin[1]);
+    case Colour::speed:
+      return std::hypot(now.state.velocity[0], now.state.velocity[1]);
+    case Colour::layer:
+      return origin[1];
+    case Colour::material:
+      return now.state.material;
   }
   return 0;
 }
@@ -64,7 +68,8 @@ struct Plot {
     height = scale * h;
   }
   Point at(Point p) const {
-    return {left_margin + scale * (p[0] - stage.lower_left[0]), top_margin + scale * (stage.upper_right[1] - p[1])};
+    return {left_margin + scale * (p[0] - stage.lower_left[0]),
+            top_margin + scale * (stage.upper_right[1] - p[1])};
   }
   Point corner() const { return {left_margin, top_margin}; }
   double right() const { return left_margin + width; }
@@ -143,7 +148,8 @@ void draw_scale_bar(Svg& svg, const Plot& plot) {
   const double right = plot.right() - 16;
   const double y = top_margin + 34;
   svg.rectangle({right - plot.scale * length, y}, plot.scale * length, 5, "fill=\"#222\"");
-  svg.label({right - plot.scale * length / 2, y - 6}, decimals(length, decimals_for(length)) + " m", 13, "middle");
+  svg.label({right - plot.scale * length / 2, y - 6}, decimals(length, decimals_for(length)) + " m", 13,
+            "middle");
 }
 
 void draw_colours(Svg& svg, const Plot& plot, const Scene& scene) {

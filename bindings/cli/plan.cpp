@@ -14,33 +14,44 @@ namespace {
 
 const char* describe(int fault) {
   switch (fault) {
-    case HS_FAULT_TOO_FEW_VERTICES: return "fewer than 3 vertices";
-    case HS_FAULT_NOT_FINITE: return "a coordinate too large or too small to compute with";
-    case HS_FAULT_REPEATED_VERTEX: return "the same place as its neighbour";
-    case HS_FAULT_COLLINEAR_VERTEX: return "on the line of its neighbours";
-    case HS_FAULT_NOT_CONVEX: return "a corner that turns inwards";
-    case HS_FAULT_SELF_CROSSING: return "the outline crosses itself or winds more than once";
-    case HS_FAULT_ZERO_AREA: return "all vertices on one line";
-    default: return "not a polygon";
+    case HS_FAULT_TOO_FEW_VERTICES:
+      return "fewer than 3 vertices";
+    case HS_FAULT_NOT_FINITE:
+      return "a coordinate too large or too small to compute with";
+    case HS_FAULT_REPEATED_VERTEX:
+      return "the same place as its neighbour";
+    case HS_FAULT_COLLINEAR_VERTEX:
+      return "on the line of its neighbours";
+    case HS_FAULT_NOT_CONVEX:
+      return "a corner that turns inwards";
+    case HS_FAULT_SELF_CROSSING:
+      return "the outline crosses itself or winds more than once";
+    case HS_FAULT_ZERO_AREA:
+      return "all vertices on one line";
+    default:
+      return "not a polygon";
   }
 }
 
-/// A convex outline can be given as a block or as a region; what is wrong with it is told at its place in the file.
-bool is_convex(const Context& context, const std::vector<Point>& vertices, Place place, const std::string& key,
-               Faults& faults) {
+/// A convex outline can be given as a block or as a region; what is wrong with it is told at its place in the
+/// file.
+bool is_convex(const Context& context, const std::vector<Point>& vertices, Place place,
+               const std::string& key, Faults& faults) {
   hs_fault fault{};
   require(context, hs_polygon_check(context.get(), view_of(vertices), &fault));
   if (fault.kind == HS_FAULT_NONE) return true;
   std::string text;
   if (fault.vertex >= 0) {
     const Point vertex = vertices[static_cast<std::size_t>(fault.vertex)];
-    text = "vertex " + std::to_string(fault.vertex) + " [" + shortest(vertex[0]) + ", " + shortest(vertex[1]) + "]: ";
+    text = "vertex " + std::to_string(fault.vertex) + " [" + shortest(vertex[0]) + ", " +
+           shortest(vertex[1]) + "]: ";
   }
   faults.add(place, key, text + describe(fault.kind) + "; allowed: the corners of a convex polygon in order");
   return false;
 }
 
-/// Adds blocks one by one. Once there is a fault the plan will not be used, and only what can still be wrong is checked.
+/// Adds blocks one by one. Once there is a fault the plan will not be used, and only what can still be wrong
+/// is checked.
 class Planner {
  public:
   Planner(const Context& context, Faults& faults) : context_(context), faults_(faults) {}
@@ -59,7 +70,8 @@ class Planner {
   void add(const JointedRock& rock) {
     const Making& making = rock.making;
     claim(making);
-    if (!rock.region.empty()) is_convex(context_, rock.region, rock.region_place, making.key + ".region", faults_);
+    if (!rock.region.empty())
+      is_convex(context_, rock.region, rock.region_place, making.key + ".region", faults_);
     if (!may_generate(making)) return;
     JointedBlocks cut = cut_jointed_rock(context_, rock);
     for (std::size_t i = 0; i < cut.blocks.size(); ++i) add_member(making, i, std::move(cut.blocks[i]));

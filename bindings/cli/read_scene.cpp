@@ -25,7 +25,8 @@ double degrees(Keys& keys, std::string_view key, Range range, std::optional<doub
 std::string read_name(Keys& keys) {
   const std::string name = keys.text("name", required);
   const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.';
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-' || c == '.';
   });
   if (keys.has("name") && (name.empty() || !plain)) {
     keys.fault("name", "not a name: \"" + name + "\"; allowed: letters, digits, '_', '-' and '.'");
@@ -42,10 +43,12 @@ void read_world(Keys keys, Scene& scene) {
   scene.duration = keys.number("duration", above(0), required);
   world.time_step = keys.number("time_step", above(0), world.time_step);
   world.safety = keys.number("safety", {.low = 0, .high = 1, .with_low = false}, world.safety);
-  world.local_damping = keys.number("local_damping", {.low = 0, .high = 1, .with_high = false}, world.local_damping);
+  world.local_damping =
+      keys.number("local_damping", {.low = 0, .high = 1, .with_high = false}, world.local_damping);
   world.mass_damping = keys.number("mass_damping", at_least(0), world.mass_damping);
   world.skin = keys.number("skin", {.low = 0, .high = 1, .with_low = false}, world.skin);
-  world.parallel_angle = degrees(keys, "parallel_angle", {.low = 0, .high = 28}, world.parallel_angle / degree);
+  world.parallel_angle =
+      degrees(keys, "parallel_angle", {.low = 0, .high = 28}, world.parallel_angle / degree);
   world.vertex_zone = keys.number("vertex_zone", {.low = 0, .high = 0.5}, world.vertex_zone);
   scene.rest_speed = keys.number("rest_speed", above(0), scene.rest_speed);
   keys.finish();
@@ -56,7 +59,8 @@ void read_materials(std::vector<Keys> tables, Scene& scene) {
     Material material{read_name(keys), keys.number("density", above(0), required)};
     const bool twice = std::any_of(scene.materials.begin(), scene.materials.end(),
                                    [&](const Material& other) { return other.name == material.name; });
-    if (twice && !material.name.empty()) keys.fault("name", "used twice: \"" + material.name + "\"; allowed: a new name");
+    if (twice && !material.name.empty())
+      keys.fault("name", "used twice: \"" + material.name + "\"; allowed: a new name");
     scene.materials.push_back(std::move(material));
     keys.finish();
   }
@@ -67,7 +71,8 @@ int material_index(Keys& keys, std::string_view key, const std::string& name, co
   for (const Material& material : scene.materials) names.push_back(material.name);
   const auto found = std::find(names.begin(), names.end(), name);
   if (found != names.end()) return static_cast<int>(found - names.begin());
-  keys.fault(key, "no such material: \"" + name + '"' + suggestion(name, names) + "; allowed: the name of a [[material]]");
+  keys.fault(key, "no such material: \"" + name + '"' + suggestion(name, names) +
+                      "; allowed: the name of a [[material]]");
   return 0;
 }
 
@@ -202,7 +207,8 @@ void read_triangulated(std::vector<Keys> tables, Scene& scene) {
     const bool has_area =
         region.upper_right[0] > region.lower_left[0] && region.upper_right[1] > region.lower_left[1];
     if (keys.has("lower_left") && keys.has("upper_right") && !has_area) {
-      keys.fault("upper_right", "not above and to the right of lower_left; allowed: a rectangle with an area");
+      keys.fault("upper_right",
+                 "not above and to the right of lower_left; allowed: a rectangle with an area");
     }
     scene.triangulated.push_back(std::move(region));
     keys.finish();
@@ -215,8 +221,11 @@ void read_output(Keys keys, Scene& scene) {
   output.history_interval = keys.number("history_interval", above(0), output.frame_interval);
   output.tracked = keys.texts("tracked", output.tracked_places, std::vector<std::string>{});
   Keys picture = keys.table("picture", false);
-  output.colour = static_cast<Colour>(picture.word("colour", {"displacement", "speed", "layer", "material"}, 0));
+  output.colour =
+      static_cast<Colour>(picture.word("colour", {"displacement", "speed", "layer", "material"}, 0));
   output.layers = static_cast<int>(picture.integer("layers", 1, 1000, output.layers));
+  output.picture_times =
+      picture.rising_numbers("times", {.low = 0, .high = scene.duration, .with_low = false});
   const std::vector<Point> window = picture.points("window", 2, std::vector<Point>{});
   if (window.size() == 2 && window[1][0] > window[0][0] && window[1][1] > window[0][1]) {
     output.window = {{window[0], window[1]}};

@@ -7,7 +7,8 @@
 
 namespace halfspace::cli {
 
-/// Reads a scene file. Everything wrong with it goes to the faults; the scene is whole only when there are none.
+/// Reads a scene file. Everything wrong with it goes to the faults; the scene is whole only when there are
+/// none.
 /// @throws std::runtime_error if the file cannot be read
 Scene read_scene(const std::string& file, Faults& faults);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <limits>
 #include <utility>
 
 #include "history.h"
@@ -10,6 +11,7 @@
 #include "picture.h"
 #include "progress.h"
 #include "summary.h"
+#include "text.h"
 #include "vtk_series.h"
 
 namespace halfspace::cli {
@@ -36,7 +38,8 @@ class Every {
   std::int64_t count_ = 1;
 };
 
-/// Steps between two looks at the clock: about a tenth of a second, so that progress and interrupts are prompt.
+/// Steps between two looks at the clock: about a tenth of a second, so that progress and interrupts are
+/// prompt.
 class Batch {
  public:
   std::int64_t steps() const { return steps_; }
@@ -49,8 +52,8 @@ class Batch {
   std::int64_t steps_ = 1;
 };
 
-/// Has every rigid block been slow at enough rows of the history in a row? A block at the turn of its path is slow
-/// once; ten rows are no turn.
+/// Has every rigid block been slow at enough rows of the history in a row? A block at the turn of its path is
+/// slow once; ten rows are no turn.
 class RestWatch {
  public:
   explicit RestWatch(double speed) : speed_(speed) {}
@@ -69,7 +72,11 @@ class RestWatch {
 class Recorder {
  public:
   Recorder(const Scene& scene, Model& model, OutputDirectory& directory)
-      : scene_(scene), model_(model), directory_(directory), series_(directory), history_(model.plan()),
+      : scene_(scene),
+        model_(model),
+        directory_(directory),
+        series_(directory),
+        history_(model.plan()),
         start_(model.frame()) {
     record_frame();
     history_.add(model_);
@@ -85,7 +92,8 @@ class Recorder {
     while (!model_.reached(scene_.duration)) {
       const Clock::time_point before = Clock::now();
       try {
-        model_.step_towards(std::min({frames.next(), rows.next(), scene_.duration}), batch.steps());
+        model_.step_towards(std::min({frames.next(), rows.next(), next_picture(), scene_.duration}),
+                            batch.steps());
       } catch (const LibraryError& error) {
         if (error.status != HS_ERROR_UNSTABLE) throw;
         trouble = error.what();
@@ -96,6 +104,7 @@ class Recorder {
       const bool row_due = rows.due(model_);
       if (row_due) record_row();
       if (frames.due(model_)) record_frame();
+      if (model_.reached(next_picture())) pictured_.push_back(model_.frame());
       if (row_due && rest.at_rest(model_)) return Outcome::at_rest;
       if (interrupt_asked) return Outcome::interrupted;
     }
@@ -110,6 +119,10 @@ class Recorder {
     const Frame end = model_.frame();
     const Stage stage = stage_for(scene_, start_, end);
     directory_.write("first.svg", picture(stage, scene_, start_, start_));
+    for (std::size_t i = 0; i < pictured_.size(); ++i) {
+      directory_.write("at_" + shortest(scene_.output.picture_times[i]) + "s.svg",
+                       picture(stage, scene_, start_, pictured_[i]));
+    }
     directory_.write("last.svg", picture(stage, scene_, start_, end));
     return end;
   }
@@ -117,6 +130,11 @@ class Recorder {
   const Frame& start() const { return start_; }
 
  private:
+  double next_picture() const {
+    const std::vector<double>& times = scene_.output.picture_times;
+    return pictured_.size() < times.size() ? times[pictured_.size()]
+                                           : std::numeric_limits<double>::infinity();
+  }
   void record_row() {
     history_.add(model_);
     last_row_step_ = model_.report().steps;
@@ -134,6 +152,8 @@ class Recorder {
   VtkSeries series_;
   History history_;
   Frame start_;
+  std::vector<Frame>
+      pictured_;  ///< at the picture times, kept because all pictures share the stage of the last
   std::int64_t last_row_step_ = 0;
   std::int64_t last_frame_step_ = 0;
 };

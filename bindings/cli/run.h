@@ -19,8 +19,8 @@ struct RunResult {
   std::string timings;  ///< of this run of it
 };
 
-/// Runs a scene and writes frames, history, pictures and summary. Whatever happens, the directory holds whole files of
-/// everything up to the end, regular or not. @throws LibraryError, std::runtime_error
+/// Runs a scene and writes frames, history, pictures and summary. Whatever happens, the directory holds whole
+/// files of everything up to the end, regular or not. @throws LibraryError, std::runtime_error
 RunResult run_scene(const Context& context, const Scene& scene, Plan plan, OutputDirectory& directory);
 
 }  // namespace halfspace::cli

@@ -26,7 +26,8 @@ struct PairLaw {
   hs_law_def law{};
 };
 
-/// How a block moves: the initial motion of a rigid block, the motion of a prescribed one between start and stop.
+/// How a block moves: the initial motion of a rigid block, the motion of a prescribed one between start and
+/// stop.
 struct Motion {
   Point velocity{};
   double angular_velocity = 0;  ///< rad/s
@@ -87,6 +88,7 @@ struct Output {
   std::vector<Place> tracked_places;
   Colour colour = Colour::displacement;
   int layers = 6;
+  std::vector<double> picture_times;           ///< rising; pictures beside those of the first and last moment
   std::optional<std::array<Point, 2>> window;  ///< lower left, upper right
 };
 

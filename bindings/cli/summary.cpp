@@ -33,32 +33,38 @@ Extent extent_of(const Frame& frame) {
 std::string blocks_text(const Plan& plan) {
   int counts[3] = {};
   for (const PlannedBlock& block : plan.blocks) ++counts[block.kind];
-  std::string text = std::to_string(plan.blocks.size()) + " (" + std::to_string(counts[HS_BLOCK_RIGID]) + " rigid, " +
-                     std::to_string(counts[HS_BLOCK_FIXED]) + " fixed, " +
+  std::string text = std::to_string(plan.blocks.size()) + " (" + std::to_string(counts[HS_BLOCK_RIGID]) +
+                     " rigid, " + std::to_string(counts[HS_BLOCK_FIXED]) + " fixed, " +
                      std::to_string(counts[HS_BLOCK_PRESCRIBED]) + " prescribed)";
   if (plan.left_out > 0) {
-    text += "; " + std::to_string(plan.left_out) + " left out as too small, " + rounded(plan.area_left_out, 3) +
-            " m2 in all";
+    text += "; " + std::to_string(plan.left_out) + " left out as too small, " +
+            rounded(plan.area_left_out, 3) + " m2 in all";
   }
   return text;
 }
 
 const char* describe(Outcome outcome) {
   switch (outcome) {
-    case Outcome::complete: return "complete";
-    case Outcome::at_rest: return "complete: at rest before the end";
-    case Outcome::interrupted: return "interrupted";
-    case Outcome::unstable: return "UNSTABLE: the time step is too large";
+    case Outcome::complete:
+      return "complete";
+    case Outcome::at_rest:
+      return "complete: at rest before the end";
+    case Outcome::interrupted:
+      return "interrupted";
+    case Outcome::unstable:
+      return "UNSTABLE: the time step is too large";
   }
   return "";
 }
 
 std::string energy_text(const hs_energy& energy) {
-  const double turned_over = energy.kinetic + energy.strain + energy.friction_loss + energy.contact_damping_loss +
-                             energy.local_damping_loss + energy.mass_damping_loss;
+  const double turned_over = energy.kinetic + energy.strain + energy.friction_loss +
+                             energy.contact_damping_loss + energy.local_damping_loss +
+                             energy.mass_damping_loss;
   std::string text = rounded(energy.residual, 3) + " J";
   if (turned_over > 0) {
-    text += ", " + rounded(energy.residual / turned_over, 2) + " of the " + rounded(turned_over, 4) + " J set free";
+    text += ", " + rounded(energy.residual / turned_over, 2) + " of the " + rounded(turned_over, 4) +
+            " J set free";
   }
   return text;
 }
@@ -81,19 +87,22 @@ RunOut run_out(const Frame& start, const Frame& end) {
   return result;
 }
 
-std::string summary(const Scene& scene, const Model& model, const Frame& start, const Frame& end, Outcome outcome) {
+std::string summary(const Scene& scene, const Model& model, const Frame& start, const Frame& end,
+                    Outcome outcome) {
   const hs_world_report& report = model.report();
   const RunOut reach = run_out(start, end);
-  return line("scene", scene.title) + line("outcome", describe(outcome)) + line("blocks", blocks_text(model.plan())) +
+  return line("scene", scene.title) + line("outcome", describe(outcome)) +
+         line("blocks", blocks_text(model.plan())) +
          line("simulated", rounded(report.time, 6) + " s in " + std::to_string(report.steps) + " steps of " +
-                               rounded(report.time_step, 4) + " s (stable: " + rounded(report.stable_time_step, 4) +
-                               " s)") +
+                               rounded(report.time_step, 4) +
+                               " s (stable: " + rounded(report.stable_time_step, 4) + " s)") +
          line("contacts", std::to_string(report.contact_count) + ", largest overlap " +
                               rounded(report.largest_overlap, 3) + " m, fastest block " +
                               rounded(report.largest_speed, 3) + " m/s") +
          line("energy residual", energy_text(report.energy)) +
-         line("run-out", decimals(reach.right, 2) + " m to the right, " + decimals(reach.left, 2) + " m to the left; " +
-                             decimals(100 * reach.moved_out, 1) + " % of the mass beyond its first extent");
+         line("run-out", decimals(reach.right, 2) + " m to the right, " + decimals(reach.left, 2) +
+                             " m to the left; " + decimals(100 * reach.moved_out, 1) +
+                             " % of the mass beyond its first extent");
 }
 
 std::string timings(const hs_world_report& report, double seconds) {

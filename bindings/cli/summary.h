@@ -17,7 +17,8 @@ struct RunOut {
 RunOut run_out(const Frame& start, const Frame& end);
 
 /// What came out, a line for each figure. The same scene gives the same text.
-std::string summary(const Scene& scene, const Model& model, const Frame& start, const Frame& end, Outcome outcome);
+std::string summary(const Scene& scene, const Model& model, const Frame& start, const Frame& end,
+                    Outcome outcome);
 
 /// How fast it was.
 std::string timings(const hs_world_report& report, double seconds);

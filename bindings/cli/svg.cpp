@@ -32,7 +32,8 @@ std::string position(const char* x, const char* y, Point at) {
 }
 
 std::string box(Point corner, double width, double height) {
-  return "<rect" + position("x", "y", corner) + " width=\"" + pixels(width) + "\" height=\"" + pixels(height) + '"';
+  return "<rect" + position("x", "y", corner) + " width=\"" + pixels(width) + "\" height=\"" +
+         pixels(height) + '"';
 }
 
 }  // namespace
@@ -67,8 +68,9 @@ std::string ramp_colour(double share) {
 Svg::Svg(double width, double height) {
   const std::string w = pixels(width);
   const std::string h = pixels(height);
-  text_ = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w + "\" height=\"" + h + "\" viewBox=\"0 0 " + w + ' ' +
-          h + "\" font-family=\"Helvetica, Arial, sans-serif\" fill=\"#222\">\n";
+  text_ = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w + "\" height=\"" + h +
+          "\" viewBox=\"0 0 " + w + ' ' + h +
+          "\" font-family=\"Helvetica, Arial, sans-serif\" fill=\"#222\">\n";
 }
 
 void Svg::rectangle(Point corner, double width, double height, std::string_view style) {
@@ -76,20 +78,22 @@ void Svg::rectangle(Point corner, double width, double height, std::string_view 
 }
 
 void Svg::line(Point from, Point to, std::string_view style) {
-  text_ += "<line" + position("x1", "y1", from) + position("x2", "y2", to) + " " + std::string(style) + "/>\n";
+  text_ +=
+      "<line" + position("x1", "y1", from) + position("x2", "y2", to) + " " + std::string(style) + "/>\n";
 }
 
 void Svg::polygon(const std::vector<Point>& vertices, std::string_view style) {
   text_ += "<path d=\"";
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    text_ += (i == 0 ? "M" : "L") + pixels(vertices[i][0]) + ' ' + pixels(vertices[i][1]);
+    text_ += i == 0 ? 'M' : 'L';
+    text_ += pixels(vertices[i][0]) + ' ' + pixels(vertices[i][1]);
   }
   text_ += "Z\" " + std::string(style) + "/>\n";
 }
 
 void Svg::label(Point at, std::string_view text, double size, std::string_view anchor, double turned) {
-  text_ += "<text" + position("x", "y", at) + " font-size=\"" + pixels(size) + "\" text-anchor=\"" + std::string(anchor) +
-           '"';
+  text_ += "<text" + position("x", "y", at) + " font-size=\"" + pixels(size) + "\" text-anchor=\"" +
+           std::string(anchor) + '"';
   if (turned != 0) {
     text_ += " transform=\"rotate(" + pixels(turned) + ' ' + pixels(at[0]) + ' ' + pixels(at[1]) + ")\"";
   }
@@ -97,7 +101,8 @@ void Svg::label(Point at, std::string_view text, double size, std::string_view a
 }
 
 void Svg::begin_clip(Point corner, double width, double height) {
-  text_ += "<clipPath id=\"plot\">" + box(corner, width, height) + "/></clipPath>\n<g clip-path=\"url(#plot)\">\n";
+  text_ +=
+      "<clipPath id=\"plot\">" + box(corner, width, height) + "/></clipPath>\n<g clip-path=\"url(#plot)\">\n";
 }
 
 void Svg::end_clip() { text_ += "</g>\n"; }

@@ -13,7 +13,8 @@ double even_step(double length, int count);
 /// The decimals that tell multiples of a step apart.
 int decimals_for(double step);
 
-/// A colour from 0 (blue) to 1 (yellow), of rising lightness, so that it reads in grey and by colour-blind eyes.
+/// A colour from 0 (blue) to 1 (yellow), of rising lightness, so that it reads in grey and by colour-blind
+/// eyes.
 std::string ramp_colour(double share);
 
 /// A drawing in pixels, y downwards.

@@ -14,13 +14,15 @@ inline std::string shortest(double value) {
 /// With a given number of significant digits, trailing zeros dropped.
 inline std::string rounded(double value, int digits) {
   char buffer[64];
-  return std::string(buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits).ptr);
+  return std::string(
+      buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits).ptr);
 }
 
 /// With a given number of decimals.
 inline std::string decimals(double value, int count) {
   char buffer[400];  // the largest double has 309 digits before the point
-  return std::string(buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, count).ptr);
+  return std::string(
+      buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, count).ptr);
 }
 
 }  // namespace halfspace::cli

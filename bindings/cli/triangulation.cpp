@@ -23,8 +23,8 @@ Grid grid_for(std::int64_t count, double width, double height) {
   return {columns, cells / columns};
 }
 
-/// The grid's nodes, row by row from below. With a jitter below a quarter every cell stays convex: a corner then lies
-/// on its own side of the diagonal between its neighbours.
+/// The grid's nodes, row by row from below. With a jitter below a quarter every cell stays convex: a corner
+/// then lies on its own side of the diagonal between its neighbours.
 std::vector<Point> shifted_nodes(const Triangulated& region, Grid grid, Random& random) {
   std::vector<Point> nodes;
   const auto place = [&](int axis, std::int64_t index, std::int64_t cells) {
@@ -66,7 +66,7 @@ std::vector<Triangle> triangulate(const Triangulated& region) {
       const Point* below = &nodes[static_cast<std::size_t>(row * (grid.columns + 1) + column)];
       const Point* above = below + grid.columns + 1;
       const Point corners[] = {below[0], below[1], above[1], above[0]};  // counter-clockwise
-      const std::uint64_t first = random.below(2);                      // where the diagonal starts
+      const std::uint64_t first = random.below(2);                       // where the diagonal starts
       const auto corner = [&](std::uint64_t i) { return corners[(first + i) % 4]; };
       triangles.push_back({corner(0), corner(1), corner(2)});
       triangles.push_back({corner(0), corner(2), corner(3)});

@@ -34,7 +34,9 @@ class Appended {
   std::string bytes_;
 };
 
-void append_vector(std::vector<double>& values, double x, double y) { values.insert(values.end(), {x, y, 0.0}); }
+void append_vector(std::vector<double>& values, double x, double y) {
+  values.insert(values.end(), {x, y, 0.0});
+}
 
 std::string cell_data(const Frame& frame, const Frame& start, Appended& data) {
   std::vector<std::int64_t> block;
@@ -74,17 +76,19 @@ std::string vtk_polygons(const Frame& frame, const Frame& start) {
   }
   Appended data;
   const char* order = std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
-  std::string text = std::string("<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"") + order +
-                     "\" header_type=\"UInt64\">\n<PolyData>\n<FieldData>\n";
-  text += "<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">" + shortest(frame.time) +
-          "</DataArray>\n</FieldData>\n";
+  std::string text =
+      std::string("<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"") +
+      order + "\" header_type=\"UInt64\">\n<PolyData>\n<FieldData>\n";
+  text += "<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">" +
+          shortest(frame.time) + "</DataArray>\n</FieldData>\n";
   text += "<Piece NumberOfPoints=\"" + std::to_string(connectivity.size()) + "\" NumberOfPolys=\"" +
           std::to_string(offsets.size()) + "\">\n";
   text += cell_data(frame, start, data);
   text += "<Points>\n" + data.add("Float64", "points", 3, points) + "</Points>\n";
-  text += "<Polys>\n" + data.add("Int64", "connectivity", 1, connectivity) + data.add("Int64", "offsets", 1, offsets) +
-          "</Polys>\n";
-  text += "</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_" + data.bytes() + "\n</AppendedData>\n</VTKFile>\n";
+  text += "<Polys>\n" + data.add("Int64", "connectivity", 1, connectivity) +
+          data.add("Int64", "offsets", 1, offsets) + "</Polys>\n";
+  text += "</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_" + data.bytes() +
+          "\n</AppendedData>\n</VTKFile>\n";
   return text;
 }
 
@@ -94,8 +98,8 @@ void VtkSeries::add(const Frame& frame, const Frame& start) {
   directory_.write(name, vtk_polygons(frame, start));
   entries_ += "<DataSet timestep=\"" + shortest(frame.time) + "\" part=\"0\" file=\"" + name + "\"/>\n";
   directory_.write("run.pvd",
-                   "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n" + entries_ +
-                       "</Collection>\n</VTKFile>\n");
+                   "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n" +
+                       entries_ + "</Collection>\n</VTKFile>\n");
 }
 
 }  // namespace halfspace::cli

@@ -66,24 +66,28 @@ struct Pose2 {
   Rotation<2> rotation;
 };
 
+/// Says which part of a pose is wrong. Only called when one is.
+[[noreturn]] inline void refuse_pose(const hs_pose& pose, const char* name) {
+  for (int i = 0; i < 2; ++i) {
+    const double p = pose.position[i];
+    if (!std::isfinite(p)) refuse(HS_ERROR_ARGUMENT, "%s->position[%d] is %g; it must be finite", name, i, p);
+  }
+  const double* q = pose.rotation;
+  refuse(HS_ERROR_ARGUMENT, "%s->rotation is (%.9g, %.9g, %.9g, %.9g); it must be a unit quaternion that turns about z", name,
+         q[0], q[1], q[2], q[3]);
+}
+
 inline Pose2 read_pose(const hs_pose* pose, const char* name) {
   require_pointer(pose, name);
-  for (int i = 0; i < 2; ++i) {
-    const double p = pose->position[i];
-    if (!std::isfinite(p)) {
-      refuse(HS_ERROR_ARGUMENT, "%s->position[%d] is %g; it must be finite", name, i, p);
-    }
-  }
+  const double x = pose->position[0], y = pose->position[1];
   const double* q = pose->rotation;
-  const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-  if (!(std::abs(length - 1) <= 1e-6)) {
-    refuse(HS_ERROR_ARGUMENT, "%s->rotation has length %.9g; it must be a unit quaternion", name, length);
-  }
-  if (std::abs(q[0]) > 1e-6 || std::abs(q[1]) > 1e-6) {
-    refuse(HS_ERROR_ARGUMENT, "%s->rotation is (%g, %g, %g, %g); in 2D it must turn about z", name, q[0], q[1], q[2],
-           q[3]);
-  }
-  return {{pose->position[0], pose->position[1]}, Rotation<2>::from_quaternion(q[2], q[3])};
+  const double off_axis = q[0] * q[0] + q[1] * q[1];
+  const double excess = (q[2] * q[2] + q[3] * q[3]) - 1;
+  // One comparison for all, false for NaN: x - x is 0 exactly when x is finite.
+  const double infinite = std::abs(x - x) + std::abs(y - y);
+  constexpr double largest_excess = 2e-6;  // of a length off 1 by 1e-6
+  if (!(std::abs(excess) + off_axis + infinite <= largest_excess)) refuse_pose(*pose, name);
+  return {{x, y}, Rotation<2>::from_quaternion(q[2], q[3], excess)};
 }
 
 inline void write_pose(const Vector<2>& position, const Rotation<2>& rotation, hs_pose& pose) {

@@ -56,72 +56,86 @@ void write_cache(const PairMemory& memory, int edges_of_a, hs_pair_cache& cache)
   cache = {memory.state, pair.owner == 0 ? pair.edge : pair.edge + edges_of_a, pair.vertex, 0};
 }
 
-/// An outline turned into another frame, in memory of its own: on the stack for most shapes.
+/// An outline turned into another frame, in memory of its own: on the stack for most shapes. The normals are turned on demand.
 class TurnedOutline {
  public:
-  TurnedOutline(const Outline<2>& given, const Rotation<2>& rotation, Memory* memory) : overflow_(memory) {
-    const int stride = Outline<2>::padded(given.count);
-    double* p = inline_;
-    if (stride > most_inline) {
-      overflow_.resize(std::size_t(4 * stride));
-      p = overflow_.data();
-    }
-    outline_ = {given.count, p, p + stride, p + 2 * stride, p + 3 * stride, given.offset};
-    turn(given.x, given.y, stride, rotation, p, p + stride);
-    turn(given.nx, given.ny, stride, rotation, p + 2 * stride, p + 3 * stride);
+  TurnedOutline(const Outline<2>& given, const Rotation<2>& rotation, Memory* memory)
+      : given_(given), rotation_(rotation), stride_(Outline<2>::padded(given.count)), memory_(memory) {
+    components_ = stride_ <= most_inline ? inline_ : static_cast<double*>(memory_->allocate(bytes(), alignof(double)));
+    outline_ = {given.count, component(0), component(1), component(2), component(3), given.offset};
+    turn(given.x, given.y, component(0), component(1));
   }
+  ~TurnedOutline() {
+    if (components_ != inline_) memory_->deallocate(components_, bytes(), alignof(double));
+  }
+  TurnedOutline(const TurnedOutline&) = delete;
+  TurnedOutline& operator=(const TurnedOutline&) = delete;
 
   const Outline<2>& outline() const { return outline_; }
+  void turn_normals() { turn(given_.nx, given_.ny, component(2), component(3)); }
 
  private:
   static constexpr int most_inline = 32;
 
-  static void turn(const double* x, const double* y, int count, const Rotation<2>& r, double* out_x, double* out_y) {
-    for (int i = 0; i < count; ++i) {
-      out_x[i] = r.cosine * x[i] - r.sine * y[i];
-      out_y[i] = r.sine * x[i] + r.cosine * y[i];
+  std::size_t bytes() const { return 4 * std::size_t(stride_) * sizeof(double); }
+  double* component(int k) { return components_ + k * stride_; }
+
+  void turn(const double* x, const double* y, double* out_x, double* out_y) const {
+    const double c = rotation_.cosine, s = rotation_.sine;
+    for (int i = 0; i < stride_; i += 2) {
+      const Eigen::Map<const Eigen::Array2d> px(x + i), py(y + i);
+      Eigen::Map<Eigen::Array2d>(out_x + i) = c * px - s * py;
+      Eigen::Map<Eigen::Array2d>(out_y + i) = s * px + c * py;
     }
   }
 
+  const Outline<2>& given_;
+  Rotation<2> rotation_;
+  int stride_;
+  Memory* memory_;
+  double* components_;
   double inline_[4 * most_inline];
-  Array<double> overflow_;
   Outline<2> outline_;
 };
 
-/// The remembered violated pair, judged before anything is turned but one normal.
-bool proves_separation(const Outline<2>& a, const Outline<2>& b, const Rotation<2>& b_in_a, const Vector<2>& to_b,
-                       PairMemory& memory, Contact<2>& contact) {
+/// Where block b is, seen from a: detection works in the frame of a, so that only b has to be turned and the distance from the
+/// origin costs no digits.
+struct Relative {
+  Rotation<2> b_in_a;
+  Vector<2> to_b;
+};
+
+/// The remembered violated pair, judged before anything is turned but its normal.
+bool proves_separation(const Outline<2>& a, const Outline<2>& b, const Relative& at, PairMemory& memory,
+                       Contact<2>& contact) {
   if (memory.state != PairMemory::separated) return false;
   PotentialPair& pair = memory.pair;
   const bool a_owns = pair.owner == 0;
   const Outline<2>& owner = a_owns ? a : b;
   const Outline<2>& other = a_owns ? b : a;
   const Vector<2> normal = owner.normal(pair.edge);
-  const Vector<2> normal_of_other = (a_owns ? b_in_a.inverse() : b_in_a) * normal;
-  const Vector<2> normal_in_a = a_owns ? normal : normal_of_other;
+  const Vector<2> normal_of_other = (a_owns ? at.b_in_a.inverse() : at.b_in_a) * normal;
+  const Vector<2> away = a_owns ? normal : Vector<2>(-normal_of_other);  // from a to b, in the frame of a
   pair.vertex = deepest_vertex(other, normal_of_other, pair.vertex);
-  const double height = normal_of_other.dot(other.vertex(pair.vertex));
-  const Vector<2> away = a_owns ? normal_in_a : Vector<2>(-normal_in_a);
-  contact.gap = (height + away.dot(to_b)) - owner.offset[pair.edge];
-  contact.pair = pair;
-  contact.normal = away;
-  return contact.gap > 0;
+  const double gap = (height_along(normal_of_other, other, pair.vertex) + away.dot(at.to_b)) - owner.offset[pair.edge];
+  if (!(gap > 0)) return false;
+  describe_separation({gap, pair}, away, contact);
+  return true;
 }
 
 void detect(const hs_shape& shape_a, const Pose2& pose_a, const hs_shape& shape_b, const Pose2& pose_b,
             const DetectOptions& options, hs_pair_cache* cache, hs_contact& out) {
-  // In the frame of a: only b has to be turned, and the distance from the origin costs no digits.
-  const Outline<2> a = shape_a.shape.outline();
-  const Outline<2> b = shape_b.shape.outline();
+  const Outline<2>& a = shape_a.shape.outline();
+  const Outline<2>& b = shape_b.shape.outline();
   const Rotation<2> to_a_frame = pose_a.rotation.inverse();
-  const Rotation<2> b_in_a = to_a_frame * pose_b.rotation;
-  const Vector<2> to_b = to_a_frame * Vector<2>(pose_b.position - pose_a.position);
+  const Relative at{to_a_frame * pose_b.rotation, to_a_frame * Vector<2>(pose_b.position - pose_a.position)};
 
-  PairMemory memory = cache ? read_cache(*cache, a, b) : PairMemory{};
+  PairMemory memory;
+  if (cache) memory = read_cache(*cache, a, b);
   Contact<2> contact;
-  if (!proves_separation(a, b, b_in_a, to_b, memory, contact)) {
-    const TurnedOutline turned(b, b_in_a, &shape_a.context->memory);
-    detect_pair(a, turned.outline(), to_b, options, memory, contact);
+  if (!proves_separation(a, b, at, memory, contact)) {
+    TurnedOutline turned(b, at.b_in_a, &shape_a.context->memory);
+    judge_pair(a, turned.outline(), at.to_b, options, [&] { turned.turn_normals(); }, memory, contact);
   }
   if (cache) write_cache(memory, a.count, *cache);
   write_contact(contact, pose_a.rotation, pose_a.position, out);

@@ -128,6 +128,7 @@ hs_status hs_world_get_contacts(const hs_world* world, hs_contact* contacts, int
       const Candidate& pair = w.candidate_of(c);
       const Vector<2>& origin = blocks.position[std::size_t(pair.a)];
       hs_contact& out = contacts[i];
+      out = {};
       write_contact(w.contacts()[c], Rotation<2>(), origin, out);
       out.block_a = id_of(blocks, std::size_t(pair.a));
       out.block_b = id_of(blocks, std::size_t(pair.b));

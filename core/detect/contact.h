@@ -32,21 +32,22 @@ struct PairMemory {
   PotentialPair pair;
 };
 
-/// A contact between blocks a and b, relative to the centroid of a.
+/// A contact between blocks a and b, relative to the centroid of a, or the proof that there is none.
 template <int D>
 struct Contact;
 
+/// Without initial values: detection writes one for each pair, and what a separated pair leaves unset costs nothing.
 template <>
 struct Contact<2> {
-  ContactType type = ContactType::none;
-  PotentialPair pair;
-  std::int32_t point_count = 0;
-  Vector<2> normal{0, 0};     // unit, from a to b
-  double gap = 0;             // of the pair along the normal; > 0 proves the separation
-  double length = 0;          // of the contact region: 0 unless edge-edge
-  Vector<2> points[2] = {{0, 0}, {0, 0}};  // of the region, on the contact plane
-  double gaps[2] = {0, 0};    // at the points
-  double shares[2] = {1, 0};  // of the contact's stiffness at the points
+  ContactType type;
+  PotentialPair pair;        // the contact plane; of a separated pair, the violated pair
+  std::int32_t point_count;  // 0 when separated, and then only normal and gap follow
+  Vector<2> normal;          // unit, from a to b
+  double gap;                // of the pair along the normal; > 0 proves the separation
+  double length;             // of the contact region: 0 unless edge-edge
+  Vector<2> points[2];       // of the region, on the contact plane
+  double gaps[2];            // at the points
+  double shares[2];          // of the contact's stiffness at the points
 };
 
 }  // namespace halfspace

@@ -7,19 +7,52 @@
 namespace halfspace {
 
 /// Gap of a potential pair whose vertex may have moved on: `pair.vertex` is brought up to date.
-double refresh(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b, PotentialPair& pair);
+inline double refresh(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b, PotentialPair& pair) {
+  const bool a_owns = pair.owner == 0;
+  const Outline<2>& owner = a_owns ? a : b;
+  const Outline<2>& other = a_owns ? b : a;
+  pair.vertex = deepest_vertex(other, owner.normal(pair.edge), pair.vertex);
+  return edge_gap(owner, pair.edge, other, pair.vertex, a_owns ? to_b : Vector<2>(-to_b));
+}
 
-/// Are a and b in contact, and through which pair? Returns the pair and its gap: a violated one when separated, a complete proof
-/// (Wang et al. 2021, eq. 12), and the one remembered is tried first; else the initial contact pair (section 2.5).
-Separation judge(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b, PairMemory& memory);
+/// True when the remembered pair is still violated, which proves separation by itself (Wang et al. 2021, eq. 12).
+inline bool still_separated(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b, PairMemory& memory) {
+  return memory.state == PairMemory::separated && refresh(a, b, to_b, memory.pair) > 0;
+}
+
+/// The pair through which blocks meet that are found to overlap: the last violated one, or a neighbour of it that is less deep; the
+/// one remembered when they touched before; without history the given one, of least depth (section 2.5). Remembers it.
+void remember_contact(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b, const Separation& least_depth,
+                      PairMemory& memory);
 
 /// Type, normal, gap and region of the contact at a potential pair, touching or not. `pair` is moved to the neighbouring one when
 /// the vertex has left the edge across its end.
 void describe_contact(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b, PotentialPair& pair,
                       const DetectOptions& options, Contact<2>& contact);
 
-/// Judges a pair: the contact when it touches, else ContactType::none with the violated pair, its normal and its gap.
-void detect_pair(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b, const DetectOptions& options,
-                 PairMemory& memory, Contact<2>& contact);
+/// The proof of separation as a contact of no type.
+inline void describe_separation(const Separation& separation, const Vector<2>& normal, Contact<2>& contact) {
+  contact.type = ContactType::none;
+  contact.pair = separation.pair;
+  contact.point_count = 0;
+  contact.gap = separation.gap;
+  contact.normal = normal;
+}
+
+/// Judges all potential pairs of two blocks, and describes the contact or the separation. `turn_normals` is called before the
+/// normals of b are read.
+template <class TurnNormals>
+void judge_pair(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b, const DetectOptions& options,
+                TurnNormals turn_normals, PairMemory& memory, Contact<2>& contact) {
+  const Separation separation = find_separation(a, b, to_b, turn_normals);
+  const PotentialPair& pair = separation.pair;
+  if (separation.gap > 0) {
+    memory = {PairMemory::separated, pair};
+    describe_separation(separation, pair.owner == 0 ? a.normal(pair.edge) : Vector<2>(-b.normal(pair.edge)), contact);
+  } else {
+    remember_contact(a, b, to_b, separation, memory);
+    describe_contact(a, b, to_b, memory.pair, options, contact);
+  }
+}
 
 }  // namespace halfspace

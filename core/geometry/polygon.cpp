@@ -14,22 +14,6 @@ Shape<2>::Shape(std::span<const Vector<2>> vertices, Memory* memory)
   store(ordered);
 }
 
-Shape<2>::Shape(const Shape& other, Memory* memory)
-    : count_(other.count_),
-      area_(other.area_),
-      centroid_(other.centroid_),
-      second_moment_(other.second_moment_),
-      bounding_radius_(other.bounding_radius_),
-      shortest_edge_(other.shortest_edge_),
-      longest_edge_(other.longest_edge_),
-      components_(other.components_, memory) {}
-
-Outline<2> Shape<2>::outline() const {
-  const int stride = Outline<2>::padded(count_);
-  const double* p = components_.data();
-  return {count_, p, p + stride, p + 2 * stride, p + 3 * stride, p + 4 * stride};
-}
-
 /// Exact moments by fanning triangles out of the first vertex: all coordinates are differences, so that the distance
 /// from the origin costs no digits, and all triangles have positive area, so that nothing cancels.
 void Shape<2>::measure(std::span<const Vector<2>> vertices) {
@@ -65,6 +49,7 @@ void Shape<2>::store(std::span<const Vector<2>> vertices) {
   double* nx = y + stride;
   double* ny = nx + stride;
   double* offset = ny + stride;
+  outline_ = {count_, x, y, nx, ny, offset};
 
   shortest_edge_ = HUGE_VAL;
   for (int i = 0; i < count_; ++i) {

@@ -17,10 +17,11 @@ class Shape<2> {
  public:
   /// From vertices in either order that check_polygon() found no fault with.
   Shape(std::span<const Vector<2>> vertices, Memory* memory);
-  Shape(const Shape& other, Memory* memory);
+  Shape(const Shape&) = delete;  // its outline points into its own components
+  Shape& operator=(const Shape&) = delete;
 
   int vertex_count() const { return count_; }
-  Outline<2> outline() const;
+  const Outline<2>& outline() const { return outline_; }
 
   double area() const { return area_; }
   const Vector<2>& centroid() const { return centroid_; }
@@ -44,6 +45,7 @@ class Shape<2> {
   double shortest_edge_ = 0;
   double longest_edge_ = 0;
   Array<double> components_;  // x, y, nx, ny, offset, each padded
+  Outline<2> outline_;        // into components_
 };
 
 }  // namespace halfspace

@@ -45,7 +45,12 @@ void World<D>::detect_candidate(std::size_t k, Contact<D>& contact) {
   const bool first_time = pair.memory.state == PairMemory::unknown;
   const bool was_touching = pair.memory.state == PairMemory::touching;
 
-  detect_pair(a, b, to_b, settings_.detect, pair.memory, contact);
+  if (still_separated(a, b, to_b, pair.memory)) {
+    if (!pair.bonded) return;
+    contact.type = ContactType::none;
+  } else {
+    judge_pair(a, b, to_b, settings_.detect, [] {}, pair.memory, contact);
+  }
   if (first_time && contact.gap == 0) {
     // Neatly stacked: the strict form of inclusion holds at first sight, so that an initial contact pair is left behind (eq. 11).
     pair.memory.state = PairMemory::separated;

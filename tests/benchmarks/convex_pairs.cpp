@@ -7,22 +7,11 @@
 namespace halfspace_benchmark {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
-double uniform(Random& random, double low, double high) {
-  return std::uniform_real_distribution<double>(low, high)(random);
-}
-
 Point round_to_float(Point p) { return {double(float(p.x)), double(float(p.y))}; }
 
-/// On a circle, each vertex off its regular place by up to a fifth of the spacing: always strictly convex.
 Points draw_polygon(int vertices, Random& random) {
-  const double radius = size * uniform(random, 0.4, 0.6);
-  Points polygon;
-  for (int i = 0; i < vertices; ++i) {
-    const double angle = 2 * pi * (i + uniform(random, -0.2, 0.2)) / vertices;
-    polygon.push_back(round_to_float({radius * std::cos(angle), radius * std::sin(angle)}));
-  }
+  Points polygon = random_polygon(vertices, size * uniform(random, 0.4, 0.6), random);
+  std::transform(polygon.begin(), polygon.end(), polygon.begin(), round_to_float);
   return polygon;
 }
 

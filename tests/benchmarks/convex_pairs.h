@@ -2,16 +2,11 @@
 
 // Random pairs of convex polygons laid at a given separation, the same for every engine that is timed.
 
-#include <random>
 #include <vector>
 
-#include "capi/handles.h"
+#include "random_polygon.h"
 
 namespace halfspace_benchmark {
-
-using halfspace_test::Point;
-using halfspace_test::Points;
-using Random = std::mt19937_64;
 
 /// Typical diameter, in m. Box2D wraps its polygons in a skin of 1 cm that its header does not allow to be changed; at this size
 /// the skins of a pair are 2 % of the smallest gap below, so that both engines judge the same geometry.

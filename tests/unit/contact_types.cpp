@@ -15,7 +15,7 @@ struct Met {
 
 Met meet(const Shape<2>& a, const Shape<2>& b, const Vector<2>& to_b, PairMemory memory = {}) {
   Met met{{}, memory};
-  detect_pair(a.outline(), b.outline(), to_b, DetectOptions(), met.memory, met.contact);
+  judge_pair(a.outline(), b.outline(), to_b, DetectOptions(), [] {}, met.memory, met.contact);
   return met;
 }
 
@@ -89,8 +89,10 @@ TEST_CASE("a thin block that is overlapped past its middle keeps the side throug
 TEST_CASE("the violated pair is kept, tried first, and left when it no longer holds") {
   const Met apart = meet(square, diamond, {2.5, 0});
   REQUIRE(apart.memory.state == PairMemory::separated);
-  const Met moved = meet(square, diamond, {2.4, 0.1}, apart.memory);
-  CHECK(moved.memory.pair.edge == apart.memory.pair.edge);
+  PairMemory memory = apart.memory;
+  CHECK(still_separated(square.outline(), diamond.outline(), {2.4, 0.1}, memory));
+  CHECK(memory.pair.edge == apart.memory.pair.edge);
+  CHECK_FALSE(still_separated(square.outline(), diamond.outline(), {0, 2.5}, memory));
   const Met around = meet(square, diamond, {0, 2.5}, apart.memory);
   CHECK(around.contact.type == ContactType::none);
   CHECK(around.contact.gap > 0);

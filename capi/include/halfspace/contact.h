@@ -21,10 +21,11 @@ enum {
 /** Most points that a contact region has in 2D. */
 enum { HS_CONTACT_POINTS_2D = 2 };
 
-/** One contact, or the proof that there is none. The layout is frozen. */
+/** One contact, or the proof that there is none. The layout is frozen. Detection of single pairs leaves what has no meaning
+ *  there as it was: ids and forces always, area and points when the blocks are separated. */
 typedef struct hs_contact {
-  uint64_t block_a;    /**< id; 0 outside a world */
-  uint64_t block_b;    /**< id; 0 outside a world */
+  uint64_t block_a;    /**< id, in a world */
+  uint64_t block_b;    /**< id, in a world */
   int32_t type;        /**< an HS_CONTACT_ value */
   int32_t point_count; /**< points of the region, 0 when separated */
   int32_t edge_owner;  /**< whose edge is the contact plane: 0 block a, 1 block b */
@@ -37,7 +38,7 @@ typedef struct hs_contact {
   double area;         /**< of the contact region: overlap length x unit thickness; 0 unless edge-edge */
   double points[2][3]; /**< points of the region on the contact plane, in the frame of the poses given */
   double gaps[2];      /**< gap at each point */
-  double force[3];     /**< on block b, normal and shear together; 0 outside a world */
+  double force[3];     /**< on block b, normal and shear together; in a world */
   double force_point[3]; /**< where the force acts */
   double normal_force; /**< compression > 0 */
   double shear_force;  /**< along the tangent (-normal[1], normal[0]), on block b */

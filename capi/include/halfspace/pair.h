@@ -42,7 +42,7 @@ HS_API hs_status hs_pair_options_init(hs_pair_options *options, size_t size);
  *  @param options NULL for the defaults
  *  @param cache NULL, or the pair's memory from the last call: makes the answer faster and, in contact, keeps the plane
  *         through which the pair met. Updated.
- *  @param contact receives type, normal, gap, region; block ids and forces are 0
+ *  @param contact receives type, pair, normal, gap, and of a contact its region
  *  @return HS_OK or HS_ERROR_ARGUMENT */
 HS_API hs_status hs_pair_detect(const hs_shape *shape_a, const hs_pose *pose_a, const hs_shape *shape_b,
                                 const hs_pose *pose_b, const hs_pair_options *options, hs_pair_cache *cache,

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """The angle of repose of a heap: fits a line to its surface on the left and on the right of the summit.
 
 Usage: slope.py DIR, DIR being the output of `halfspace run full.toml -o DIR` or small.toml.

@@ -1,0 +1,99 @@
+// Cost of a step in a settled heap from 1e3 to 1e6 blocks of the same packing: time and memory per block.
+// README.md says what is timed and how to read the figures.
+
+#include <cstdio>
+#include <stdexcept>
+
+#include "box2d_heap.h"
+#include "counting_memory.h"
+#include "timing.h"
+
+namespace halfspace_benchmark {
+namespace {
+
+using halfspace_test::require_ok;
+
+constexpr int passes = 5;
+
+struct Plan {
+  int columns, rows;         ///< grains of a bin
+  std::vector<int> bins;     ///< in each world
+  double most_time;          ///< for settling the bin, s
+  double block_steps;        ///< of each world in a pass
+  int most_blocks_of_peer;   ///< Box2D's floats do not reach further
+  int steps_of_peer;
+  bool random_order;
+};
+
+Plan full_plan(bool random_order) { return {20, 50, {1, 10, 100, 1000}, 3, 4e6, 100000, 20, random_order}; }
+Plan quick_plan(bool random_order) { return {10, 10, {1, 10}, 1, 1e4, 1000, 2, random_order}; }
+
+hs_world_report report_of(hs_world* world, hs_context* context) {
+  hs_world_report report;
+  require_ok(hs_world_get_report(world, &report), context);
+  return report;
+}
+
+/// Prints one world's row; returns its ns per block-step.
+double run(const Bin& bin, int bins, const Plan& plan, Random& random) {
+  CountingMemory memory;
+  const hs_context_def def = memory.definition();
+  const halfspace_test::Context context = halfspace_test::make_context(&def);
+  halfspace_test::World world;
+  const double build = seconds_of([&] { world = make_heap(context.get(), bin, bins, plan.random_order, random); });
+
+  const double blocks = double(bins) * double(bin.grains.size());
+  const int steps = std::max(2, int(plan.block_steps / blocks));
+  const auto pass = [&] { require_ok(hs_world_step(world.get(), steps), context.get()); };
+  pass();  // the first step finds the time step, fills the lists and grows what must grow
+
+  const hs_world_report before = report_of(world.get(), context.get());
+  const std::int64_t allocations_before = memory.allocations();
+  Passes timed;
+  for (int i = 0; i < passes; ++i) timed.add(seconds_of(pass));
+  const std::int64_t allocations = memory.allocations() - allocations_before;
+  const hs_world_report after = report_of(world.get(), context.get());
+
+  const double least = 1e9 * timed.minimum() / (steps * blocks);
+  std::printf("%8.0f %6d %8.2f %9.2f %8.1f %8.1f %9.2f %9.0f %9.0f %7lld %7lld %9.1e %7.1f", blocks, steps,
+              double(after.contact_count) / blocks, double(after.candidate_count) / blocks, least,
+              1e9 * timed.median() / (steps * blocks), 1e3 / least, double(memory.live()) / blocks,
+              double(memory.peak()) / blocks, static_cast<long long>(allocations),
+              static_cast<long long>(after.list_builds - before.list_builds), after.largest_speed, build);
+  if (blocks <= plan.most_blocks_of_peer) {
+    std::printf(" %9.1f\n", 1e9 * box2d_step_seconds(bin, bins, plan.steps_of_peer) / blocks);
+  } else {
+    std::printf(" %9s\n", "-");
+  }
+  std::fflush(stdout);
+  return least;
+}
+
+void run_all(const Plan& plan) {
+  Random random(1);
+  const Bin bin = settle_bin(plan.columns, plan.rows, plan.most_time, random);
+  std::printf("bin of %d triangles settled for %.2f s, left with at most %.1e m/s; blocks in %s order\n",
+              plan.columns * plan.rows, bin.settling_time, bin.largest_speed, plan.random_order ? "random" : "bin by bin");
+  std::printf("%8s %6s %8s %9s %8s %8s %9s %9s %9s %7s %7s %9s %7s %9s\n", "", "steps", "per block", "", "ns/blk-stp",
+              "", "1e6 block", "B/block", "", "steady", "list", "largest", "build", "Box2D");
+  std::printf("%8s %6s %8s %9s %8s %8s %9s %9s %9s %7s %7s %9s %7s %9s\n", "blocks", "a pass", "contacts", "candid.",
+              "min", "median", "steps/s", "held", "peak", "allocs", "builds", "speed m/s", "s", "ns/blk-st");
+  std::vector<double> costs;
+  for (const int bins : plan.bins) costs.push_back(run(bin, bins, plan, random));
+  std::printf("cost of the largest world over that of the second: %.2f\n", costs.back() / costs[1]);
+}
+
+}  // namespace
+}  // namespace halfspace_benchmark
+
+int main(int argc, char** argv) {
+  using namespace halfspace_benchmark;
+  const bool random_order = has_option(argc, argv, "--random-order");
+  std::printf("libhalfspace %s, Box2D " BOX2D_VERSION ", core %d\n", hs_version(), pin_to_this_core());
+  try {
+    run_all(has_option(argc, argv, "--quick") ? quick_plan(random_order) : full_plan(random_order));
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "bench_world: %s\n", error.what());
+    return 1;
+  }
+}

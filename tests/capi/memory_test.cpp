@@ -1,0 +1,220 @@
+// The host's allocator: all memory goes through it, all comes back, a steady step asks for none, and failure is survived.
+
+#include <atomic>
+#include <cstdlib>
+#include <cstring>
+#include <map>
+#include <new>
+
+#include "capi/world_fixture.h"
+#include "catch.h"
+
+namespace {
+std::atomic<long> calls_of_new{0};
+}
+
+// The C++ allocator of the whole process, the library included: it must not be used behind the host's back.
+void* operator new(std::size_t bytes) {
+  ++calls_of_new;
+  if (void* memory = std::malloc(bytes ? bytes : 1)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace halfspace_test {
+namespace {
+
+/// Counts, checks sizes and alignments, and fails on request.
+class Ledger {
+ public:
+  hs_context_def definition() {
+    hs_context_def def;
+    if (hs_context_def_init(&def, sizeof def) != HS_OK) throw std::runtime_error("no context definition");
+    def.allocate = [](std::size_t bytes, std::size_t alignment, void* user) {
+      return static_cast<Ledger*>(user)->allocate(bytes, alignment);
+    };
+    def.release = [](void* memory, std::size_t bytes, std::size_t alignment, void* user) {
+      static_cast<Ledger*>(user)->release(memory, bytes, alignment);
+    };
+    def.user = this;
+    return def;
+  }
+
+  long allocations = 0;
+  long fail_at = -1;  // the allocation with this number gets nothing
+  long mismatches = 0;
+  std::size_t bytes_in_use() const {
+    std::size_t sum = 0;
+    for (const auto& [memory, piece] : live_) sum += piece.bytes;
+    return sum;
+  }
+
+ private:
+  struct Piece {
+    std::size_t bytes, alignment;
+  };
+
+  void* allocate(std::size_t bytes, std::size_t alignment) {
+    if (allocations++ == fail_at) return nullptr;
+    const bool is_power_of_two = alignment > 0 && (alignment & (alignment - 1)) == 0;
+    if (!is_power_of_two) ++mismatches;
+    void* memory = nullptr;
+    if (posix_memalign(&memory, std::max(alignment, sizeof(void*)), std::max<std::size_t>(bytes, 1)) != 0) return nullptr;
+    std::memset(memory, 0xee, bytes);  // nobody may count on zeros
+    const long calls = calls_of_new;  // the ledger's own do not count
+    live_[memory] = {bytes, alignment};
+    calls_of_new = calls;
+    return memory;
+  }
+
+  void release(void* memory, std::size_t bytes, std::size_t alignment) {
+    const auto found = live_.find(memory);
+    if (found == live_.end() || found->second.bytes != bytes || found->second.alignment != alignment) {
+      ++mismatches;
+      return;
+    }
+    live_.erase(found);
+    std::free(memory);
+  }
+
+  std::map<void*, Piece> live_;
+};
+
+/// Retries a call once after it ran out of memory, which must have left everything as it was.
+template <class Call>
+void survive(Call call, long& failures) {
+  hs_status status = call();
+  if (status == HS_ERROR_OUT_OF_MEMORY) {
+    ++failures;
+    status = call();
+  }
+  if (status < 0) throw std::runtime_error(hs_status_string(status));
+}
+
+/// Everything that allocates, once; returns the world's state at the end.
+std::vector<unsigned char> tour(Ledger& ledger, long& failures) {
+  const hs_context_def def = ledger.definition();
+  hs_context* c = nullptr;
+  survive([&] { return hs_context_create(&def, &c); }, failures);
+  const Context context(c);
+
+  Points points;
+  for (int i = 0; i < 50; ++i) points.push_back({std::cos(0.1256 * i), std::sin(0.1256 * i)});  // more than fit on a stack
+  hs_shape* made[4] = {};
+  survive([&] { return hs_polygon_create(c, view_of(points), &made[0]); }, failures);
+  const Shape round(made[0]);
+  survive([&] { return hs_polygon_create_hull(c, view_of(points), &made[1]); }, failures);
+  const Shape hull(made[1]);
+  const double origin[3] = {0.1, 0, 0}, normal[3] = {1, 2, 0};
+  survive([&] { return hs_shape_cut(round.get(), origin, normal, &made[2], &made[3]); }, failures);
+  const Shape parts[2] = {Shape(made[2]), Shape(made[3])};
+  Points cleaned(points.size());
+  std::int64_t count = 0;
+  survive([&] { return hs_polygon_clean(c, view_of(points), 0, mutable_view_of(cleaned), &count, nullptr); }, failures);
+  hs_fault fault;
+  survive([&] { return hs_polygon_check(c, view_of(points), &fault); }, failures);
+
+  const hs_pose poses[2] = {pose_at(0, 0), pose_at(0.5, 0.2, 0.6, 0.8)};
+  const hs_shape* shapes[2] = {round.get(), hull.get()};
+  const std::int32_t pairs[2] = {0, 1};
+  hs_contact contact;
+  survive([&] { return hs_pair_detect(shapes[0], &poses[0], shapes[1], &poses[1], nullptr, nullptr, &contact); }, failures);
+  survive([&] { return hs_pairs_detect(c, shapes, poses, 2, pairs, 1, nullptr, nullptr, &contact, nullptr); }, failures);
+
+  const hs_world_def settings = world_def();
+  hs_world* w = nullptr;
+  survive([&] { return hs_world_create(c, &settings, &w); }, failures);
+  const World world(w);
+  std::int32_t material = -1;
+  survive([&] { return hs_world_add_material(w, 1000, &material); }, failures);
+  survive([&] { return hs_world_add_material(w, 2000, &material); }, failures);
+  const hs_law_def law = law_def(1e7, 0.5);
+  survive([&] { return hs_world_set_default_law(w, &law); }, failures);
+  survive([&] { return hs_world_set_law(w, 0, 1, &law); }, failures);
+  hs_block_def block_def;
+  require_ok(hs_block_def_init(&block_def, sizeof block_def, round.get()), c);
+  hs_block block = 0;
+  for (int i = 0; i < 5; ++i) {
+    block_def.kind = i == 0 ? HS_BLOCK_FIXED : HS_BLOCK_RIGID;
+    block_def.material = i % 2;
+    block_def.pose.position[1] = 2.0 * i * 0.999;
+    survive([&] { return hs_world_add_block(w, round.get(), &block_def, &block); }, failures);
+  }
+  survive([&] { return hs_world_detect(w, nullptr); }, failures);
+  for (int i = 0; i < 300; ++i) survive([&] { return hs_world_step(w, 1); }, failures);
+  survive([&] { return hs_world_remove_block(w, block); }, failures);
+  survive([&] { return hs_world_add_block(w, hull.get(), &block_def, &block); }, failures);
+  for (int i = 0; i < 20; ++i) survive([&] { return hs_world_step(w, 1); }, failures);
+
+  std::vector<unsigned char> bytes;
+  survive([&] {
+    std::size_t size = 0;
+    hs_world_save(w, nullptr, 0, &size);
+    bytes.assign(size, 0);
+    return hs_world_save(w, bytes.data(), size, &size);
+  }, failures);
+  hs_world* copy = nullptr;
+  survive([&] { return hs_world_restore(c, bytes.data(), bytes.size(), &copy); }, failures);
+  const World restored(copy);
+  survive([&] { return hs_world_step(copy, 10); }, failures);
+  return saved(copy);
+}
+
+}  // namespace
+
+TEST_CASE("all memory comes from the host's allocator and goes back to it") {
+  Ledger ledger;
+  long failures = 0;
+  tour(ledger, failures);
+  CHECK(failures == 0);
+  CHECK(ledger.allocations > 10);
+  CHECK(ledger.mismatches == 0);
+  CHECK(ledger.bytes_in_use() == 0);
+}
+
+TEST_CASE("any one allocation may fail: a status, no leak, nothing changed, and the next try succeeds") {
+  Ledger undisturbed;
+  long none = 0;
+  const std::vector<unsigned char> expected = tour(undisturbed, none);
+  for (long n = 0; n < undisturbed.allocations; ++n) {
+    Ledger ledger;
+    ledger.fail_at = n;
+    long failures = 0;
+    INFO("allocation " << n << " of " << undisturbed.allocations << " fails");
+    std::vector<unsigned char> got;
+    CHECK_NOTHROW(got = tour(ledger, failures));
+    CHECK(failures == 1);
+    const bool ends_the_same = got == expected;
+    CHECK(ends_the_same);
+    CHECK(ledger.mismatches == 0);
+    CHECK(ledger.bytes_in_use() == 0);
+  }
+  std::printf("allocations failed one by one: %ld\n", undisturbed.allocations);
+}
+
+TEST_CASE("a steady step asks for no memory, rebuilds of the neighbour list included") {
+  Ledger ledger;
+  const hs_context_def def = ledger.definition();
+  const Context context = make_context(&def);
+  const Pile pile(context.get(), 60);
+  // A prescribed block that turns in the heap for ever wears the neighbour list's skin out again and again.
+  const hs_block stirrer = add_block(context.get(), pile.world.get(), box(-0.7, 0.2, 0.7, 0.5), HS_BLOCK_PRESCRIBED);
+  hs_world* w = pile.world.get();
+  const double standing[3] = {0, 0, 0}, turning[3] = {0, 0, 1};
+  require_ok(hs_world_set_velocity(w, stirrer, standing, turning), context.get());
+  require_ok(hs_world_step(w, 60000), context.get());
+  const hs_world_report before = report_of(w);
+  const long allocations = ledger.allocations, news = calls_of_new;
+  require_ok(hs_world_step(w, 20000), context.get());
+  const long asked = ledger.allocations - allocations, asked_of_new = calls_of_new - news;
+  const hs_world_report after = report_of(w);
+  std::printf("20000 steps, %lld rebuilds, %lld contacts: %ld allocations by the host's allocator, %ld by operator new\n",
+              (long long)(after.list_builds - before.list_builds), (long long)after.contact_count, asked, asked_of_new);
+  CHECK(after.list_builds > before.list_builds);
+  CHECK(after.contact_count > 60);
+  CHECK(asked == 0);
+  CHECK(asked_of_new == 0);
+}
+
+}  // namespace halfspace_test

@@ -1,0 +1,36 @@
+"""The same scene gives the same bytes, in every file."""
+import tempfile
+import unittest
+from pathlib import Path
+
+from command import EXAMPLES, halfspace, main
+
+
+def files_of(directory):
+    return {str(path.relative_to(directory)): path.read_bytes() for path in directory.rglob("*") if path.is_file()}
+
+
+class RepeatedRun(unittest.TestCase):
+    def test_identical_bytes(self):
+        with tempfile.TemporaryDirectory() as directory:
+            # The collapse with irregular joints, for as long as it takes to get many contacts.
+            text = (EXAMPLES / "rock_collapse" / "friction_15.toml").read_text()
+            text = text.replace("duration = 7.5", "duration = 0.3").replace("spacing = 1.5", "spacing = 1.5\nspread = 0.4\nseed = 7")
+            scene = Path(directory, "scene.toml")
+            scene.write_text(text)
+            runs = []
+            for name in ("once", "again"):
+                answer = halfspace("run", scene, "-o", Path(directory, name))
+                self.assertEqual(answer.returncode, 0, answer.stderr)
+                runs.append(files_of(Path(directory, name)))
+            once, again = runs
+            self.assertEqual(sorted(once), sorted(again))
+            for name, content in once.items():
+                self.assertEqual(content, again[name], name)
+            contacts = int(once["history.csv"].decode().splitlines()[-1].split(",")[2])
+            print(f"{len(once)} files, {sum(map(len, once.values()))} bytes, {contacts} contacts at the end: identical")
+            self.assertGreater(contacts, 100)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,100 @@
+"""`halfspace check` tells all faults of a scene at once, each at its line and column."""
+import re
+import tempfile
+import unittest
+from pathlib import Path
+
+from command import EXAMPLES, SCENES, halfspace, main
+
+# line, column, key, what is said of it; one for each fault that was put into faulty.toml
+EXPECTED = [
+    (1, 9, "title", "not a text: 5"),
+    (2, 13, "dimension", "out of range: 3; allowed: 2"),
+    (5, 12, "world.duration", "out of range: -1; allowed: a number above 0"),
+    (6, 1, "world.safty", "unknown key (did you mean 'safety'?)"),
+    (7, 15, "world.gravity", "not finite: inf"),
+    (11, 11, "material[0].density", 'not a number: "heavy"'),
+    (14, 8, "material[1].name", 'used twice: "rock"'),
+    (17, 1, "default_law.shear_stiffness", "missing; required"),
+    (18, 13, "default_law.stiffness", "unknown word: \"per aria\" (did you mean 'per area'?)"),
+    (20, 18, "default_law.friction_angle", "out of range: 95; allowed: a number, at least 0, below 90"),
+    (23, 11, "law[0].between", "no such material: \"rok\" (did you mean 'rock'?)"),
+    (26, 8, "block[0].name", 'not a name: "two words"'),
+    (28, 12, "block[0].vertices", "vertex 2 [0.2, 0.2]: a corner that turns inwards"),
+    (34, 12, "block[1].velocity", "a fixed block does not move"),
+    (35, 12, "block[1].vertices", "too few points"),
+    (37, 1, "jointed_rock[0].joint_set", "missing; required"),
+    (38, 8, "jointed_rock[0].name", 'used twice: "plate"'),
+    (40, 39, "jointed_rock[0].region[3]", 'not a number: "a"'),
+    (47, 9, "triangulated[0].count", "odd: 7"),
+    (50, 12, "output.tracked", 'no such block: "nobody"'),
+    (53, 1, "output.picture.color", "unknown key (did you mean 'colour'?)"),
+]
+
+
+def check_text(text):
+    """What check says of a scene given as text."""
+    with tempfile.TemporaryDirectory() as directory:
+        scene = Path(directory, "scene.toml")
+        scene.write_text(text)
+        return halfspace("check", scene)
+
+
+class SceneFaults(unittest.TestCase):
+    def test_all_faults_at_once_in_the_order_of_the_file(self):
+        scene = SCENES / "faulty.toml"
+        answer = halfspace("check", scene)
+        self.assertEqual(answer.returncode, 1)
+        self.assertEqual(answer.stdout, "")
+        *lines, last = answer.stderr.splitlines()
+        self.assertEqual(last, f"{len(EXPECTED)} faults in {scene}")
+        self.assertEqual(len(lines), len(EXPECTED))
+        for line, (row, column, key, text) in zip(lines, EXPECTED):
+            self.assertTrue(line.startswith(f"{scene}:{row}:{column}: {key}: {text}"), line)
+            self.assertRegex(line, r"(allowed|required): ")
+
+    def test_run_says_the_same_and_writes_nothing(self):
+        scene = SCENES / "faulty.toml"
+        with tempfile.TemporaryDirectory() as directory:
+            answer = halfspace("run", scene, "-o", Path(directory, "out"))
+            self.assertEqual(answer.returncode, 1)
+            self.assertEqual(answer.stderr, halfspace("check", scene).stderr)
+            self.assertEqual(list(Path(directory).iterdir()), [])
+
+    def test_syntax(self):
+        answer = check_text("title = 1\nb = [1,\nc = 2\n")
+        self.assertEqual(answer.returncode, 1)
+        self.assertTrue(re.search(r"scene\.toml:3:\d+: not TOML: ", answer.stderr), answer.stderr)
+
+    def test_empty_scene_lists_what_is_required(self):
+        answer = check_text("")
+        self.assertEqual(answer.returncode, 1)
+        for key in ("dimension", "world", "material", "default_law"):
+            self.assertIn(f": {key}: missing; required: ", answer.stderr)
+
+    def test_law_in_other_units_takes_no_stiffness_from_the_default(self):
+        text = (SCENES / "falling_block.toml").read_text()
+        law = '[[law]]\nbetween = ["stone", "stone"]\n'
+        self.assertEqual(check_text(text + law + "friction_angle = 20\n").returncode, 0)
+        answer = check_text(text + law + 'stiffness = "per area"\n')
+        self.assertIn("law[0].normal_stiffness: missing", answer.stderr)
+        self.assertIn("law[0].shear_stiffness: missing", answer.stderr)
+
+    def test_tracking_members_of_a_generator(self):
+        text = (EXAMPLES / "rock_collapse" / "friction_15.toml").read_text()
+        tracking = text.replace("[output]\n", '[output]\ntracked = ["rock.0", "ground", "rock.9999"]\n')
+        answer = check_text(tracking)
+        self.assertEqual(answer.stderr.count('no such block: "rock.9999"'), 1)
+        self.assertIn("1 fault in", answer.stderr)
+
+    def test_examples_have_no_faults(self):
+        scenes = sorted(EXAMPLES.glob("*/*.toml"))
+        self.assertGreaterEqual(len(scenes), 4)
+        for scene in scenes:
+            with self.subTest(scene=scene.name):
+                answer = halfspace("check", scene)
+                self.assertEqual((answer.returncode, answer.stderr), (0, ""))
+
+
+if __name__ == "__main__":
+    main()

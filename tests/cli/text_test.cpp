@@ -1,0 +1,33 @@
+#include "text.h"
+
+#include <cstdlib>
+
+#include "catch.h"
+#include "progress.h"
+#include "svg.h"
+
+using namespace halfspace::cli;
+
+TEST_CASE("numbers as text") {
+  for (double value : {0.0, 0.1, 1.0 / 3, -2.5e-300, 1.7976931348623157e308}) {
+    CHECK(std::strtod(shortest(value).c_str(), nullptr) == value);
+  }
+  CHECK(shortest(0.1) == "0.1");
+  CHECK(rounded(1234.5678, 3) == "1.23e+03");
+  CHECK(decimals(2, 3) == "2.000");
+}
+
+TEST_CASE("axis steps are 1, 2 or 5 times a power of ten") {
+  CHECK(even_step(100, 10) == 10);
+  CHECK(even_step(3, 5) == Approx(1.0));
+  CHECK(even_step(0.07, 4) == Approx(0.02));
+  CHECK(decimals_for(0.02) == 2);
+  CHECK(decimals_for(0.1) == 1);
+  CHECK(decimals_for(20) == 0);
+}
+
+TEST_CASE("a progress line") {
+  CHECK(progress_line(2.5, 5, 60) == "[###############               ] 50 %  t = 2.5 of 5 s  1:00 left");
+  CHECK(progress_line(0, 5, 1) == "[                              ] 0 %  t = 0 of 5 s");
+  CHECK(progress_line(1, 11, 720) == "[##                            ] 9 %  t = 1 of 11 s  2:00:00 left");
+}
