@@ -17,12 +17,14 @@ struct PairFrame {
   Vector<2> normal = owner.normal(edge);
   Vector<2> tangent = perpendicular(normal);  // along the edge, counter-clockwise round the owner
   Vector<2> start = owner.vertex(edge);
-  double length = tangent.dot(owner.vertex(owner.next(edge)) - start);
+  Vector<2> end = owner.vertex(owner.next(edge));
+  Vector<2> middle = 0.5 * (start + end);
+  double half_length = 0.5 * tangent.dot(end - start);
 
-  /// Distance along the edge from its start.
-  double along(const Vector<2>& p) const { return tangent.dot(p - start); }
+  /// Distance along the edge from its middle: so a mirrored pair finds the same bits, mirrored.
+  double along(const Vector<2>& p) const { return tangent.dot(p - middle); }
   double gap(const Vector<2>& p) const { return normal.dot(p) - owner.offset[edge]; }
-  Vector<2> on_edge(double s) const { return start + s * tangent; }
+  Vector<2> on_edge(double s) const { return middle + s * tangent; }
   Vector<2> other_vertex(int v) const { return other.vertex(v) + to_other; }
 };
 
@@ -113,26 +115,25 @@ void describe_contact(const Outline<2>& a, const Outline<2>& b, const Vector<2>&
     const FacingEdge facing = facing_edge(f);
     if (facing.sine < options.parallel_angle) {
       const double s_far = f.along(f.other_vertex(facing.far_vertex));
-      const double from = std::max(0.0, std::min(s, s_far));
-      const double to = std::min(f.length, std::max(s, s_far));
+      const double from = std::max(-f.half_length, std::min(s, s_far));
+      const double to = std::min(f.half_length, std::max(s, s_far));
       if (from < to) {
         describe_edge_edge(f, facing, from, to, options, contact);
         break;
       }
     }
-    const double zone = options.vertex_zone * f.length;
-    if (s > zone && s < f.length - zone) {
+    const double zone = 2 * options.vertex_zone * f.half_length;
+    if (std::abs(s) < f.half_length - zone) {
       describe_point(ContactType::vertex_edge, f.on_edge(s), contact);
       break;
     }
-    const bool at_start = s < 0.5 * f.length;
-    const PotentialPair adjacent = at_start ? previous_pair(a, b, pair) : next_pair(a, b, pair);
-    const bool beyond = s < -zone || s > f.length + zone;
+    const PotentialPair adjacent = s < 0 ? previous_pair(a, b, pair) : next_pair(a, b, pair);
+    const bool beyond = std::abs(s) > f.half_length + zone;
     if (beyond && steps > 0) {
       pair = adjacent;
       continue;
     }
-    const Vector<2> end = at_start ? f.start : f.owner.vertex(f.owner.next(f.edge));
+    const Vector<2>& end = s < 0 ? f.start : f.end;
     describe_vertex_vertex(f, end, normal_away_from(adjacent, pair.owner, a, b), contact);
     break;
   }

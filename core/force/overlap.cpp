@@ -19,9 +19,9 @@ struct Profile {
   double first = HUGE_VAL;
   double last = -HUGE_VAL;
 
-  /// One straight piece, cut off where it leaves the half-space or the edge, [0, length]. Where an outline overhangs it runs
+  /// One straight piece, cut off where it leaves the half-space or the edge, [-half_length, half_length]. Where an outline overhangs it runs
   /// back under what was added, and is taken off again.
-  void add(DepthPoint p, DepthPoint q, double length, bool overhangs) {
+  void add(DepthPoint p, DepthPoint q, double half_length, bool overhangs) {
     if (p.s > q.s) std::swap(p, q);
     const double sign = overhangs ? -1 : 1;
     const double slope = q.s > p.s ? (q.depth - p.depth) / (q.s - p.s) : 0;
@@ -30,8 +30,8 @@ struct Profile {
     const auto zero = [&] { return p0.s - p0.depth / slope; };
     if (q.depth < 0 && slope < 0) q = {zero(), 0};
     if (p.depth < 0 && slope > 0) p = {zero(), 0};
-    if (p.s < 0) cut_at(p, 0);
-    if (q.s > length) cut_at(q, length);
+    if (p.s < -half_length) cut_at(p, -half_length);
+    if (q.s > half_length) cut_at(q, half_length);
     if (!(q.s > p.s) || p.depth < 0 || q.depth < 0) return;
     const double width = sign * (q.s - p.s);
     const double piece = 0.5 * width * (p.depth + q.depth);
@@ -53,10 +53,12 @@ Overlap measure_overlap(const Outline<2>& a, const Outline<2>& b, const Vector<2
   const Vector<2> normal = owner.normal(pair.edge);
   const Vector<2> tangent = perpendicular(normal);
   const Vector<2> start = owner.vertex(pair.edge);
-  const double length = tangent.dot(owner.vertex(owner.next(pair.edge)) - start);
+  const Vector<2> end = owner.vertex(owner.next(pair.edge));
+  const Vector<2> middle = 0.5 * (start + end);
+  const double half_length = 0.5 * tangent.dot(end - start);
   const auto depth_at = [&](int vertex) {
     const Vector<2> p = other.vertex(vertex) + to_other;
-    return DepthPoint{tangent.dot(p - start), owner.offset[pair.edge] - normal.dot(p)};
+    return DepthPoint{tangent.dot(p - middle), owner.offset[pair.edge] - normal.dot(p)};
   };
 
   Profile profile;
@@ -66,7 +68,7 @@ Overlap measure_overlap(const Outline<2>& a, const Outline<2>& b, const Vector<2
     for (int v = neighbour(pair.vertex); here.depth > 0 && v != pair.vertex; v = neighbour(v)) {
       const DepthPoint there = depth_at(v);
       if (there.depth > here.depth) break;  // round the far side: its outline faces the other way
-      profile.add(here, there, length, outward * (there.s - here.s) < 0);
+      profile.add(here, there, half_length, outward * (there.s - here.s) < 0);
       here = there;
     }
   };
@@ -79,7 +81,7 @@ Overlap measure_overlap(const Outline<2>& a, const Outline<2>& b, const Vector<2
     overlap.area = profile.area;
     overlap.depth_squared = profile.depth_squared;
     overlap.width = profile.last - profile.first;
-    overlap.center = start + profile.moment / profile.area * tangent;
+    overlap.center = middle + profile.moment / profile.area * tangent;
     if (!a_owns) overlap.center += to_b;
   }
   return overlap;

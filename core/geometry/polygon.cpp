@@ -63,7 +63,9 @@ void Shape<2>::store(std::span<const Vector<2>> vertices) {
     y[i] = local.y();
     nx[i] = edge.y() / length;
     ny[i] = -edge.x() / length;
-    offset[i] = nx[i] * x[i] + ny[i] * y[i];
+    // Of the edge's middle: so a mirrored shape has the same bits, mirrored.
+    const Vector<2> middle = local + 0.5 * edge;
+    offset[i] = nx[i] * middle.x() + ny[i] * middle.y();
     bounding_radius_ = std::max(bounding_radius_, local.norm());
     shortest_edge_ = std::min(shortest_edge_, length);
     longest_edge_ = std::max(longest_edge_, length);

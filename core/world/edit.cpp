@@ -93,6 +93,7 @@ template <int D>
 void World<D>::set_applied_force(std::int32_t slot, const Vector<D>& force, double torque) {
   blocks_.applied_force[std::size_t(slot)] = force;
   blocks_.applied_torque[std::size_t(slot)] = torque;
+  if (current_) accelerate(std::size_t(slot));  // the next step begins under this force
 }
 
 template <int D>

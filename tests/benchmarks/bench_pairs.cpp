@@ -81,8 +81,7 @@ struct Arena {
 
 bool touches(const HalfspacePair& pair, hs_pair_cache* cache) {
   hs_contact contact;
-  const hs_status status =
-      hs_pair_detect(pair.a, &pair.at_a, pair.b, &pair.at_b, nullptr, cache, &contact);
+  const hs_status status = hs_pair_detect(pair.a, &pair.at_a, pair.b, &pair.at_b, nullptr, cache, &contact);
   if (status != HS_OK) throw std::runtime_error(hs_status_string(status));
   return contact.type != HS_CONTACT_NONE;
 }
@@ -114,7 +113,8 @@ class Contestant {
     passes_.add(seconds_of([&] {
       for (const int i : order) touching += touches_(pairs_[std::size_t(i)]);
     }));
-    if (touching != touching_) throw std::runtime_error("the same pairs gave another answer when they were asked again");
+    if (touching != touching_)
+      throw std::runtime_error("the same pairs gave another answer when they were asked again");
   }
 
   double minimum_ns() const { return 1e9 * passes_.minimum() / double(pairs_.size()); }
@@ -155,8 +155,8 @@ void run(int vertices, const GapSet& gap, const Sizes& sizes, hs_context* contex
 
   std::printf("%8d %-6s %7.1f %7.1f %7.1f %7.1f %7.1f %7.1f %9.2f %9.2f %6d %5d %5d\n", vertices, gap.name,
               cold.minimum_ns(), cold.median_ns(), warm.minimum_ns(), warm.median_ns(), peer.minimum_ns(),
-              peer.median_ns(), cold.minimum_ns() / peer.minimum_ns(), warm.minimum_ns() / peer.minimum_ns(), cold.wrong(),
-              warm.wrong(), peer.wrong());
+              peer.median_ns(), cold.minimum_ns() / peer.minimum_ns(), warm.minimum_ns() / peer.minimum_ns(),
+              cold.wrong(), warm.wrong(), peer.wrong());
 }
 
 void run_all(const Sizes& sizes) {
@@ -164,8 +164,8 @@ void run_all(const Sizes& sizes) {
   Random random(1);
   std::printf("%8s %-6s %15s %15s %15s %19s %18s\n", "", "", "hs cold, ns", "hs warm, ns", "Box2D, ns",
               "ratio of minima", "wrong verdicts");
-  std::printf("%8s %-6s %7s %7s %7s %7s %7s %7s %9s %9s %6s %5s %5s\n", "vertices", "set", "min", "median", "min",
-              "median", "min", "median", "cold", "warm", "cold", "warm", "Box2D");
+  std::printf("%8s %-6s %7s %7s %7s %7s %7s %7s %9s %9s %6s %5s %5s\n", "vertices", "set", "min", "median",
+              "min", "median", "min", "median", "cold", "warm", "cold", "warm", "Box2D");
   for (const int vertices : {3, 4, 6, 8}) {
     for (const GapSet& gap : gap_sets) run(vertices, gap, sizes, context.get(), random);
   }

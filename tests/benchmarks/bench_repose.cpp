@@ -1,5 +1,5 @@
-// The angle of repose of Wang et al. 2021, section 4.4, at full size: block-steps per second in the box, while the baffles rise and
-// in the heap at rest. README.md says what is timed and how to read the figures.
+// The angle of repose of Wang et al. 2021, section 4.4, at full size: block-steps per second in the box,
+// while the baffles rise and in the heap at rest. README.md says what is timed and how to read the figures.
 
 #include <cstdio>
 #include <fstream>
@@ -20,16 +20,17 @@ using halfspace_test::Shape;
 using halfspace_test::World;
 
 struct Plan {
-  double width, height;         ///< of the material, m
-  int columns, rows, quartered; ///< of its mesh
+  double width, height;          ///< of the material, m
+  int columns, rows, quartered;  ///< of its mesh
   double plate_length;
   double time_in_box, time_of_rise, time_to_rest;  ///< simulated, s
-  double rise_speed;            ///< of the baffles, m/s
-  int timed_steps;              ///< in each of the passes
+  double rise_speed;                               ///< of the baffles, m/s
+  int timed_steps;                                 ///< in each of the passes
 };
 
-// 49 x 59 cells halved and three of them quartered are the paper's 5788 triangles. Plate and baffles have the length of its 440
-// squares of 0.05 m: (8.6 + 2 x 1.2) x 0.1 m^2. The baffles rise ten times as fast as the paper's.
+// 49 x 59 cells halved and three of them quartered are the paper's 5788 triangles. Plate and baffles have the
+// length of its 440 squares of 0.05 m: (8.6 + 2 x 1.2) x 0.1 m^2. The baffles rise ten times as fast as the
+// paper's.
 constexpr Plan full_plan{1.0, 1.2, 49, 59, 3, 8.6, 0.2, 1.3, 1.5, 1.0, 200};
 constexpr Plan quick_plan{0.2, 0.24, 10, 12, 0, 1.7, 0.002, 0.004, 0.002, 1.0, 20};
 
@@ -65,7 +66,8 @@ World make_world(hs_context* context) {
   return owned;
 }
 
-hs_block add_block(hs_context* context, hs_world* world, const Points& vertices, int kind, Material material) {
+hs_block add_block(hs_context* context, hs_world* world, const Points& vertices, int kind,
+                   Material material) {
   const Shape shape = halfspace_test::make_shape(context, vertices);
   hs_block_def def;
   hs_block_def_init(&def, sizeof def, shape.get());
@@ -78,13 +80,13 @@ hs_block add_block(hs_context* context, hs_world* world, const Points& vertices,
 
 class Repose {
  public:
-  Repose(const Plan& plan, hs_context* context) : plan_(plan), context_(context), world_(make_world(context)) {
+  Repose(const Plan& plan, hs_context* context) : context_(context), world_(make_world(context)) {
     const double middle = plan.width / 2;
-    add(halfspace_test::box(middle - plan.plate_length / 2, -wall, middle + plan.plate_length / 2, 0), HS_BLOCK_FIXED,
-        plate_material);
+    add(halfspace_test::box(middle - plan.plate_length / 2, -wall, middle + plan.plate_length / 2, 0),
+        HS_BLOCK_FIXED, plate_material);
     baffles_[0] = add(halfspace_test::box(-wall, 0, 0, plan.height), HS_BLOCK_PRESCRIBED, baffle_material);
-    baffles_[1] =
-        add(halfspace_test::box(plan.width, 0, plan.width + wall, plan.height), HS_BLOCK_PRESCRIBED, baffle_material);
+    baffles_[1] = add(halfspace_test::box(plan.width, 0, plan.width + wall, plan.height), HS_BLOCK_PRESCRIBED,
+                      baffle_material);
     Random random(1);
     for (const Points& triangle :
          mesh_rectangle(plan.width, plan.height, plan.columns, plan.rows, plan.quartered, random)) {
@@ -92,7 +94,7 @@ class Repose {
     }
   }
 
-  Repose(const Plan& plan, hs_context* context, const std::string& saved) : plan_(plan), context_(context) {
+  Repose(hs_context* context, const std::string& saved) : context_(context) {
     hs_world* world = nullptr;
     require_ok(hs_world_restore(context, saved.data(), saved.size(), &world), context);
     world_.reset(world);
@@ -108,7 +110,8 @@ class Repose {
 
   void set_rise_speed(double speed) {
     const double velocity[3] = {0, speed, 0}, spin[3] = {0, 0, 0};
-    for (const hs_block baffle : baffles_) require_ok(hs_world_set_velocity(world_.get(), baffle, velocity, spin), context_);
+    for (const hs_block baffle : baffles_)
+      require_ok(hs_world_set_velocity(world_.get(), baffle, velocity, spin), context_);
   }
 
   void step(int steps) { require_ok(hs_world_step(world_.get(), steps), context_); }
@@ -125,17 +128,16 @@ class Repose {
     return add_block(context_, world_.get(), vertices, kind, material);
   }
 
-  const Plan& plan_;
   hs_context* context_;
   World world_;
   hs_block baffles_[2] = {0, 0};
 };
 
 void print_header() {
-  std::printf("%-12s %8s %8s %9s %9s %9s %9s %9s %7s %7s %10s\n", "", "", "contacts", "candid.", "ns/blk-st", "",
-              "1e6 blk-", "bytes per", "", "list", "largest");
-  std::printf("%-12s %8s %8s %9s %9s %9s %9s %9s %7s %7s %10s\n", "stage", "time, s", "a block", "a block", "min",
-              "median", "steps/s", "block", "allocs", "builds", "speed m/s");
+  std::printf("%-12s %8s %8s %9s %9s %9s %9s %9s %7s %7s %10s\n", "", "", "contacts", "candid.", "ns/blk-st",
+              "", "1e6 blk-", "bytes per", "", "list", "largest");
+  std::printf("%-12s %8s %8s %9s %9s %9s %9s %9s %7s %7s %10s\n", "stage", "time, s", "a block", "a block",
+              "min", "median", "steps/s", "block", "allocs", "builds", "speed m/s");
 }
 
 /// Times some steps from where the world stands.
@@ -149,9 +151,9 @@ void measure(const char* stage, Repose& repose, const Plan& plan, const Counting
   const double blocks = double(after.block_count);
   const auto ns = [&](double seconds) { return 1e9 * seconds / (plan.timed_steps * blocks); };
   std::printf("%-12s %8.3f %8.2f %9.2f %9.1f %9.1f %9.2f %9.0f %7lld %7lld %10.1e\n", stage, after.time,
-              double(after.contact_count) / blocks, double(after.candidate_count) / blocks, ns(timed.minimum()),
-              ns(timed.median()), 1e3 / ns(timed.minimum()), double(memory.live()) / blocks,
-              static_cast<long long>(memory.allocations() - allocations),
+              double(after.contact_count) / blocks, double(after.candidate_count) / blocks,
+              ns(timed.minimum()), ns(timed.median()), 1e3 / ns(timed.minimum()),
+              double(memory.live()) / blocks, static_cast<long long>(memory.allocations() - allocations),
               static_cast<long long>(after.list_builds - before.list_builds), after.largest_speed);
   std::fflush(stdout);
 }
@@ -163,7 +165,8 @@ std::string read_all(const std::string& path) {
 
 void write_all(const std::string& path, const std::string& bytes) {
   std::ofstream file(path, std::ios::binary);
-  if (!file.write(bytes.data(), std::streamsize(bytes.size()))) throw std::runtime_error("cannot write " + path);
+  if (!file.write(bytes.data(), std::streamsize(bytes.size())))
+    throw std::runtime_error("cannot write " + path);
 }
 
 /// From the full box to the heap at rest, timed on the way; the heap is kept in `path` if one is given.
@@ -188,7 +191,7 @@ void measure_kept_heap(const Plan& plan, const std::string& saved) {
   CountingMemory memory;
   const hs_context_def def = memory.definition();
   const Context context = halfspace_test::make_context(&def);
-  Repose repose(plan, context.get(), saved);
+  Repose repose(context.get(), saved);
   measure("kept heap", repose, plan, memory);
 }
 

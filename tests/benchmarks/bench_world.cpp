@@ -16,11 +16,11 @@ using halfspace_test::require_ok;
 constexpr int passes = 5;
 
 struct Plan {
-  int columns, rows;         ///< grains of a bin
-  std::vector<int> bins;     ///< in each world
-  double most_time;          ///< for settling the bin, s
-  double block_steps;        ///< of each world in a pass
-  int most_blocks_of_peer;   ///< Box2D's floats do not reach further
+  int columns, rows;        ///< grains of a bin
+  std::vector<int> bins;    ///< in each world
+  double most_time;         ///< for settling the bin, s
+  double block_steps;       ///< of each world in a pass
+  int most_blocks_of_peer;  ///< Box2D's floats do not reach further
   int steps_of_peer;
   bool random_order;
 };
@@ -40,7 +40,8 @@ double run(const Bin& bin, int bins, const Plan& plan, Random& random) {
   const hs_context_def def = memory.definition();
   const halfspace_test::Context context = halfspace_test::make_context(&def);
   halfspace_test::World world;
-  const double build = seconds_of([&] { world = make_heap(context.get(), bin, bins, plan.random_order, random); });
+  const double build =
+      seconds_of([&] { world = make_heap(context.get(), bin, bins, plan.random_order, random); });
 
   const double blocks = double(bins) * double(bin.grains.size());
   const int steps = std::max(2, int(plan.block_steps / blocks));
@@ -73,11 +74,13 @@ void run_all(const Plan& plan) {
   Random random(1);
   const Bin bin = settle_bin(plan.columns, plan.rows, plan.most_time, random);
   std::printf("bin of %d triangles settled for %.2f s, left with at most %.1e m/s; blocks in %s order\n",
-              plan.columns * plan.rows, bin.settling_time, bin.largest_speed, plan.random_order ? "random" : "bin by bin");
-  std::printf("%8s %6s %8s %9s %8s %8s %9s %9s %9s %7s %7s %9s %7s %9s\n", "", "steps", "per block", "", "ns/blk-stp",
-              "", "1e6 block", "B/block", "", "steady", "list", "largest", "build", "Box2D");
-  std::printf("%8s %6s %8s %9s %8s %8s %9s %9s %9s %7s %7s %9s %7s %9s\n", "blocks", "a pass", "contacts", "candid.",
-              "min", "median", "steps/s", "held", "peak", "allocs", "builds", "speed m/s", "s", "ns/blk-st");
+              plan.columns * plan.rows, bin.settling_time, bin.largest_speed,
+              plan.random_order ? "random" : "bin by bin");
+  std::printf("%8s %6s %8s %9s %8s %8s %9s %9s %9s %7s %7s %9s %7s %9s\n", "", "steps", "per block", "",
+              "ns/blk-stp", "", "1e6 block", "B/block", "", "steady", "list", "largest", "build", "Box2D");
+  std::printf("%8s %6s %8s %9s %8s %8s %9s %9s %9s %7s %7s %9s %7s %9s\n", "blocks", "a pass", "contacts",
+              "candid.", "min", "median", "steps/s", "held", "peak", "allocs", "builds", "speed m/s", "s",
+              "ns/blk-st");
   std::vector<double> costs;
   for (const int bins : plan.bins) costs.push_back(run(bin, bins, plan, random));
   std::printf("cost of the largest world over that of the second: %.2f\n", costs.back() / costs[1]);

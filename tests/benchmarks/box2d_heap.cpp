@@ -41,7 +41,8 @@ void add_grain(b2World& world, const Grain& grain, double shift) {
 double box2d_step_seconds(const Bin& bin, int bins, int steps) {
   b2World world({0, -9.81f * scale});
   world.SetAllowSleeping(false);
-  world.SetContinuousPhysics(false);  // at rest nothing tunnels, and its search grows with the square of the blocks
+  world.SetContinuousPhysics(
+      false);  // at rest nothing tunnels, and its search grows with the square of the blocks
   add_box(world, floor_of(bin, bins));
   for (int i = 0; i <= bins; ++i) add_box(world, wall_of(bin, i));
   for (int i = 0; i < bins; ++i) {

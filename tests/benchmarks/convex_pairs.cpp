@@ -18,7 +18,8 @@ Points draw_polygon(int vertices, Random& random) {
 Points lay(const Points& polygon, const Placement& at) {
   const double c = std::cos(at.angle), s = std::sin(at.angle);
   Points laid;
-  for (const Point& p : polygon) laid.push_back({at.position.x + (c * p.x - s * p.y), at.position.y + (s * p.x + c * p.y)});
+  for (const Point& p : polygon)
+    laid.push_back({at.position.x + (c * p.x - s * p.y), at.position.y + (s * p.x + c * p.y)});
   return laid;
 }
 
@@ -29,7 +30,8 @@ double largest_height_over_an_edge(const Points& owner, const Points& other) {
     const double length = std::hypot(to.x - from.x, to.y - from.y);
     const Point normal{(to.y - from.y) / length, (from.x - to.x) / length};
     double least = std::numeric_limits<double>::infinity();
-    for (const Point& p : other) least = std::min(least, (p.x - from.x) * normal.x + (p.y - from.y) * normal.y);
+    for (const Point& p : other)
+      least = std::min(least, (p.x - from.x) * normal.x + (p.y - from.y) * normal.y);
     largest = std::max(largest, least);
   }
   return largest;
@@ -45,8 +47,8 @@ bool boxes_overlap(const Points& a, const Points& b) {
   return !apart_along(&Point::x) && !apart_along(&Point::y);
 }
 
-/// Moves b away from a along a direction until they are apart by `wanted`. The separation is convex in the distance, so that there
-/// is one such place if the polygons overlap more than that at the start.
+/// Moves b away from a along a direction until they are apart by `wanted`. The separation is convex in the
+/// distance, so that there is one such place if the polygons overlap more than that at the start.
 bool lay_apart(const PairSet& set, ConvexPair& pair, double direction, double wanted) {
   const auto at = [&](double distance) {
     pair.at_b.position = {pair.at_a.position.x + distance * std::cos(direction),
@@ -86,7 +88,8 @@ double separation(const Points& a, const Points& b) {
 }
 
 double separation(const PairSet& set, const ConvexPair& pair) {
-  return separation(lay(set.polygons[std::size_t(pair.a)], pair.at_a), lay(set.polygons[std::size_t(pair.b)], pair.at_b));
+  return separation(lay(set.polygons[std::size_t(pair.a)], pair.at_a),
+                    lay(set.polygons[std::size_t(pair.b)], pair.at_b));
 }
 
 PairSet draw_pairs(int pair_count, int polygon_count, int vertices, const GapSet& gap, Random& random) {

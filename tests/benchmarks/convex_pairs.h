@@ -8,8 +8,9 @@
 
 namespace halfspace_benchmark {
 
-/// Typical diameter, in m. Box2D wraps its polygons in a skin of 1 cm that its header does not allow to be changed; at this size
-/// the skins of a pair are 2 % of the smallest gap below, so that both engines judge the same geometry.
+/// Typical diameter, in m. Box2D wraps its polygons in a skin of 1 cm that its header does not allow to be
+/// changed; at this size the skins of a pair are 2 % of the smallest gap below, so that both engines judge
+/// the same geometry.
 inline constexpr double size = 1000;
 
 struct GapSet {
@@ -37,15 +38,15 @@ struct PairSet {
   std::vector<ConvexPair> pairs;
 };
 
-/// Separation of two polygons: the largest, over all edges of both, of the least height of the other's vertices over the edge. All
-/// edges against all vertices, in double.
+/// Separation of two polygons: the largest, over all edges of both, of the least height of the other's
+/// vertices over the edge. All edges against all vertices, in double.
 double separation(const Points& a, const Points& b);
 
 /// A pair's separation where it is laid.
 double separation(const PairSet& set, const ConvexPair& pair);
 
-/// Random polygons with `vertices` vertices each, and random pairs of them, all at the separation given and with bounding boxes
-/// that overlap.
+/// Random polygons with `vertices` vertices each, and random pairs of them, all at the separation given and
+/// with bounding boxes that overlap.
 PairSet draw_pairs(int pair_count, int polygon_count, int vertices, const GapSet& gap, Random& random);
 
 }  // namespace halfspace_benchmark

@@ -12,10 +12,10 @@ using halfspace_test::require_ok;
 using halfspace_test::Shape;
 using halfspace_test::World;
 
-constexpr double radius = 0.0115;              // of the triangles' circumcircle: edges of about 0.02 m
-constexpr double pitch = 2.1 * radius;         // of the grains before they fall: they cannot overlap
-constexpr double friction = 25 * pi / 180;     // Wang et al. 2021, section 4.4
-constexpr double stiffness = 1e7;              // a tenth of the paper's, so that the heap is at rest sooner
+constexpr double radius = 0.0115;           // of the triangles' circumcircle: edges of about 0.02 m
+constexpr double pitch = 2.1 * radius;      // of the grains before they fall: they cannot overlap
+constexpr double friction = 25 * pi / 180;  // Wang et al. 2021, section 4.4
+constexpr double stiffness = 1e7;           // a tenth of the paper's, so that the heap is at rest sooner
 constexpr double density = 2500;
 
 World make_world(hs_context* context) {
@@ -37,7 +37,8 @@ World make_world(hs_context* context) {
   return owned;
 }
 
-hs_block add_block(hs_context* context, hs_world* world, const hs_shape* shape, int kind, const hs_pose* pose) {
+hs_block add_block(hs_context* context, hs_world* world, const hs_shape* shape, int kind,
+                   const hs_pose* pose) {
   hs_block_def def;
   hs_block_def_init(&def, sizeof def, shape);
   def.kind = kind;
@@ -48,8 +49,8 @@ hs_block add_block(hs_context* context, hs_world* world, const hs_shape* shape, 
 }
 
 hs_block add_box(hs_context* context, hs_world* world, const Box& box) {
-  const Shape shape = halfspace_test::make_shape(
-      context, halfspace_test::box(box.low.x, box.low.y, box.high.x, box.high.y));
+  const Shape shape =
+      halfspace_test::make_shape(context, halfspace_test::box(box.low.x, box.low.y, box.high.x, box.high.y));
   return add_block(context, world, shape.get(), HS_BLOCK_FIXED, nullptr);
 }
 
@@ -97,18 +98,21 @@ Ids fill(hs_context* context, hs_world* world, const Bin& bin, int bins, bool ra
 }
 
 std::vector<ShearSpring> springs_of(const hs_world* world, hs_context* context, const Ids& ids) {
-  std::unordered_map<hs_block, int> part{{ids.floor, floor_wall}, {ids.walls[0], left_wall}, {ids.walls[1], right_wall}};
+  std::unordered_map<hs_block, int> part{
+      {ids.floor, floor_wall}, {ids.walls[0], left_wall}, {ids.walls[1], right_wall}};
   for (std::size_t i = 0; i < ids.grains.size(); ++i) part[ids.grains[i]] = int(i);
   std::int64_t count = 0;
   hs_world_get_contacts(world, nullptr, 0, &count);
   std::vector<hs_contact> contacts(static_cast<std::size_t>(count));
   require_ok(hs_world_get_contacts(world, contacts.data(), count, nullptr), context);
   std::vector<ShearSpring> springs;
-  for (const hs_contact& c : contacts) springs.push_back({part.at(c.block_a), part.at(c.block_b), c.shear_force});
+  for (const hs_contact& c : contacts)
+    springs.push_back({part.at(c.block_a), part.at(c.block_b), c.shear_force});
   return springs;
 }
 
-/// A contact at the edge of touching may be gone by a rounding where its bin stands now; its spring bears nothing then.
+/// A contact at the edge of touching may be gone by a rounding where its bin stands now; its spring bears
+/// nothing then.
 void preload(hs_context* context, hs_world* world, const Bin& bin, int bins, const Ids& ids) {
   require_ok(hs_world_detect(world, nullptr), context);
   for (std::size_t i = 0; i < std::size_t(bins); ++i) {
@@ -131,7 +135,8 @@ Bin loose_bin(hs_context* context, int columns, int rows, Random& random) {
     const double angle = uniform(random, -pi, pi), c = std::cos(angle), s = std::sin(angle);
     const Point off{c * properties.centroid[0] - s * properties.centroid[1],
                     s * properties.centroid[0] + c * properties.centroid[1]};
-    bin.grains.push_back({vertices, {(i % columns + 0.5) * pitch + off.x, (i / columns + 0.5) * pitch + off.y}, angle});
+    bin.grains.push_back(
+        {vertices, {(i % columns + 0.5) * pitch + off.x, (i / columns + 0.5) * pitch + off.y}, angle});
   }
   return bin;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-// A settled heap of random triangles in a bin, and wide boxes made of many such bins side by side: any number of blocks in the same
-// packing, without settling them all.
+// A settled heap of random triangles in a bin, and wide boxes made of many such bins side by side: any number
+// of blocks in the same packing, without settling them all.
 
 #include <cstdint>
 #include <vector>
@@ -37,7 +37,8 @@ struct Bin {
 
 inline constexpr double wall_thickness = 0.02;
 
-/// Lets columns x rows grains of about 0.02 m fall into a bin, until no grain is faster than 1 mm/s or the time given has passed.
+/// Lets columns x rows grains of about 0.02 m fall into a bin, until no grain is faster than 1 mm/s or the
+/// time given has passed.
 Bin settle_bin(int columns, int rows, double most_time, Random& random);
 
 /// One floor under all, a wall on both sides of every bin; a fixed box is given by its corners.
@@ -52,6 +53,7 @@ Box wall_of(const Bin& bin, int index);
 inline double spacing(const Bin& bin) { return bin.width + wall_thickness; }
 
 /// `bins` bins in one world, at rest. With `random_order`, neighbours in space are strangers in memory.
-halfspace_test::World make_heap(hs_context* context, const Bin& bin, int bins, bool random_order, Random& random);
+halfspace_test::World make_heap(hs_context* context, const Bin& bin, int bins, bool random_order,
+                                Random& random);
 
 }  // namespace halfspace_benchmark

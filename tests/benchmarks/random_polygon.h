@@ -17,8 +17,8 @@ inline double uniform(Random& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);
 }
 
-/// Vertices on a circle about the origin, counter-clockwise, each off its regular place by up to a fifth of the spacing: always
-/// strictly convex.
+/// Vertices on a circle about the origin, counter-clockwise, each off its regular place by up to a fifth of
+/// the spacing: always strictly convex.
 inline Points random_polygon(int vertices, double radius, Random& random) {
   Points polygon;
   for (int i = 0; i < vertices; ++i) {

@@ -12,7 +12,8 @@
 
 namespace halfspace_benchmark {
 
-/// Keeps this thread on the core where it is now, so that no pass pays for a move. Returns the core, or -1 if the system refuses.
+/// Keeps this thread on the core where it is now, so that no pass pays for a move. Returns the core, or -1 if
+/// the system refuses.
 inline int pin_to_this_core() {
   const int core = sched_getcpu();
   if (core < 0) return -1;
@@ -37,7 +38,8 @@ double seconds_of(Work&& work) {
   return thread_seconds() - start;
 }
 
-/// Times of repeated passes. The minimum is the cost with the least disturbance by others, the median the usual one.
+/// Times of repeated passes. The minimum is the cost with the least disturbance by others, the median the
+/// usual one.
 class Passes {
  public:
   void add(double seconds) { seconds_.push_back(seconds); }
@@ -59,7 +61,8 @@ inline bool has_option(int argc, char** argv, std::string_view name) {
 }
 
 /// The text after an option, or what is used without it.
-inline std::string_view option_value(int argc, char** argv, std::string_view name, std::string_view otherwise) {
+inline std::string_view option_value(int argc, char** argv, std::string_view name,
+                                     std::string_view otherwise) {
   const auto found = std::find_if(argv + 1, argv + argc, [&](const char* given) { return name == given; });
   return found < argv + argc - 1 ? found[1] : otherwise;
 }

@@ -72,7 +72,7 @@ TEST_CASE("the defaults are those the headers state") {
   REQUIRE(hs_world_def_init(&world, sizeof world) == HS_OK);
   CHECK(world.dimension == 2);
   CHECK(world.gravity[1] == -9.81);
-  CHECK(world.safety == 0.2);
+  CHECK(world.safety == 0.5);
   CHECK(world.skin == 0.1);
   CHECK(world.parallel_angle == 0.01);
   CHECK(world.vertex_zone == 0.001);

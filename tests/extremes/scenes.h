@@ -49,7 +49,7 @@ void for_each_scene(int count, std::uint64_t seed, Visit visit) {
 
 inline hs_contact detect(const hs_shape* a, const hs_pose& pose_a, const hs_shape* b, const hs_pose& pose_b,
                          hs_pair_cache* cache = nullptr) {
-  hs_contact contact;
+  hs_contact contact{};  // what detection does not say stays 0
   const hs_status status = hs_pair_detect(a, &pose_a, b, &pose_b, nullptr, cache, &contact);
   if (status != HS_OK) throw std::runtime_error(hs_status_string(status));
   return contact;

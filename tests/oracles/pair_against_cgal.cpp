@@ -115,7 +115,7 @@ Tally run(Family family, long pairs, std::uint64_t seed) {
     const hs_shape_properties of_b = properties_of(b.get());
     for (int i = 0; i < placements_of_a_pair && tally.pairs < pairs; ++i) {
       const PosePair poses = draw_poses(family, polygons, a.get(), b.get(), random);
-      hs_contact contact;
+      hs_contact contact{};
       require_ok(hs_pair_detect(a.get(), &poses.a, b.get(), &poses.b, nullptr, nullptr, &contact), context.get());
       const PlacedPolygon placed_a{&polygons.a, {of_a.centroid[0], of_a.centroid[1]}, poses.a};
       const PlacedPolygon placed_b{&polygons.b, {of_b.centroid[0], of_b.centroid[1]}, poses.b};
