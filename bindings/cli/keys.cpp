@@ -110,7 +110,8 @@ double Keys::number(std::string_view key, Range range, std::optional<double> fal
     if (value && range.holds(*value)) return *value;
     if (value) fault(key, "out of range: " + shown(*node) + "; allowed: " + range.describe());
   }
-  return fallback.value_or(1.0);
+  // The stand-in: no other key then seems to exceed it.
+  return fallback.value_or(std::numeric_limits<double>::infinity());
 }
 
 std::int64_t Keys::integer(std::string_view key, std::int64_t low, std::int64_t high,

@@ -70,7 +70,9 @@ struct Pose2 {
 [[noreturn]] inline void refuse_pose(const hs_pose& pose, const char* name) {
   for (int i = 0; i < 2; ++i) {
     const double p = pose.position[i];
-    if (!std::isfinite(p)) refuse(HS_ERROR_ARGUMENT, "%s->position[%d] is %g; it must be finite", name, i, p);
+    if (!(std::abs(p) <= 1e75)) {
+      refuse(HS_ERROR_ARGUMENT, "%s->position[%d] is %g; it must be finite and at most 1e75", name, i, p);
+    }
   }
   const double* q = pose.rotation;
   refuse(HS_ERROR_ARGUMENT, "%s->rotation is (%.9g, %.9g, %.9g, %.9g); it must be a unit quaternion that turns about z", name,
@@ -83,10 +85,10 @@ inline Pose2 read_pose(const hs_pose* pose, const char* name) {
   const double* q = pose->rotation;
   const double off_axis = q[0] * q[0] + q[1] * q[1];
   const double excess = (q[2] * q[2] + q[3] * q[3]) - 1;
-  // One comparison for all, false for NaN: x - x is 0 exactly when x is finite.
-  const double infinite = std::abs(x - x) + std::abs(y - y);
+  // One comparison for all, false for NaN. A coordinate counts nothing unless it is beyond what shapes may have, 1e75.
+  const double far_off = 1e-81 * (std::abs(x) + std::abs(y));
   constexpr double largest_excess = 2e-6;  // of a length off 1 by 1e-6
-  if (!(std::abs(excess) + off_axis + infinite <= largest_excess)) refuse_pose(*pose, name);
+  if (!(std::abs(excess) + off_axis + far_off <= largest_excess)) refuse_pose(*pose, name);
   return {{x, y}, Rotation<2>::from_quaternion(q[2], q[3], excess)};
 }
 

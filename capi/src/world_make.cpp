@@ -1,4 +1,5 @@
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 #include "pair.h"
@@ -96,7 +97,8 @@ hs_status hs_world_def_init(hs_world_def* def, size_t size) { return write_defin
 hs_status hs_law_def_init(hs_law_def* def, size_t size) { return write_definition(def, size); }
 
 hs_status hs_block_def_init(hs_block_def* def, size_t size, const hs_shape* shape) {
-  if (!shape || !def || size < sizeof(hs_block_def)) return HS_ERROR_ARGUMENT;
+  constexpr std::size_t up_to_pose = offsetof(hs_block_def, pose) + sizeof(hs_pose);
+  if (!shape || size < up_to_pose) return HS_ERROR_ARGUMENT;
   const hs_status status = write_definition(def, size);
   if (status == HS_OK) write_pose(shape->shape.centroid(), Rotation<2>(), def->pose);
   return status;

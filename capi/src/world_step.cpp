@@ -36,12 +36,23 @@ double largest_speed(const Blocks<2>& blocks) {
   return std::sqrt(squared);
 }
 
-std::int64_t contact_index(const World<2>& world, std::int32_t a, std::int32_t b) {
-  for (std::size_t c = 0; c < world.contacts().size(); ++c) {
-    const Candidate& pair = world.candidate_of(c);
-    if (pair.a == std::min(a, b) && pair.b == std::max(a, b)) return std::int64_t(c);
+/// Contacts are sorted as their pairs are.
+std::size_t contact_index(const World<2>& world, std::int32_t a, std::int32_t b) {
+  const auto wanted = std::minmax(a, b);
+  std::size_t first = 0, last = world.contacts().size();
+  while (first < last) {
+    const std::size_t middle = first + (last - first) / 2;
+    const Candidate& pair = world.candidate_of(middle);
+    if (std::pair(pair.a, pair.b) < std::pair(wanted.first, wanted.second)) {
+      first = middle + 1;
+    } else {
+      last = middle;
+    }
   }
-  refuse(HS_ERROR_STALE_ID, "block_a and block_b are not in contact");
+  const bool found = first < world.contacts().size() && world.candidate_of(first).a == wanted.first &&
+                     world.candidate_of(first).b == wanted.second;
+  if (!found) refuse(HS_ERROR_STALE_ID, "block_a and block_b are not in contact");
+  return first;
 }
 
 }  // namespace
@@ -134,7 +145,7 @@ hs_status hs_world_get_contacts(const hs_world* world, hs_contact* contacts, int
       out.block_b = id_of(blocks, std::size_t(pair.b));
       if (c >= w.contact_forces().size()) continue;  // detected, but forces not evaluated yet
       const ContactForce<2>& force = w.contact_forces()[c];
-      write_vector(force.force, out.force);
+      write_vector(force.on_b(w.contacts()[c].normal), out.force);
       write_vector(force.point + origin, out.force_point);
       out.normal_force = force.normal_force;
       out.shear_force = force.shear_force;
@@ -152,7 +163,7 @@ hs_status hs_world_set_shear_force(hs_world* world, hs_block block_a, hs_block b
     const std::int32_t a = slot_of(w.blocks(), block_a, "block_a");
     const std::int32_t b = slot_of(w.blocks(), block_b, "block_b");
     // Swapping the blocks turns normal, tangent and force on the second: the scalar stays.
-    if (!w.set_shear_force(std::size_t(contact_index(w, a, b)), shear_force)) {
+    if (!w.set_shear_force(contact_index(w, a, b), shear_force)) {
       refuse(HS_ERROR_STATE, "the law between block_a and block_b has no friction and no shear spring");
     }
     return HS_OK;

@@ -12,7 +12,7 @@ enum class ContactType : std::int32_t { none = 0, vertex_vertex = 1, vertex_edge
 /// Settings of detection that trade nothing but what a contact is called.
 struct DetectOptions {
   double parallel_angle = 0.01;  // rad: edges closer to parallel than this are edge-edge
-  double vertex_zone = 0.001;    // share of an edge's length at each end that counts as its vertex
+  double vertex_zone = 1e-6;     // share of the shorter edge's length that an end of an edge counts as its vertex
 };
 
 /// A facet of the Minkowski difference of two blocks is a potential contact pair (Wang et al. 2021, eq. 9). In the plane it
@@ -43,11 +43,12 @@ struct Contact<2> {
   PotentialPair pair;        // the contact plane; of a separated pair, the violated pair
   std::int32_t point_count;  // 0 when separated, and then only normal and gap follow
   Vector<2> normal;          // unit, from a to b
-  double gap;                // of the pair along the normal; > 0 proves the separation
+  double gap;                // of the pair, or of the deeper end of an edge-edge region; > 0 proves the separation
   double length;             // of the contact region: 0 unless edge-edge
   Vector<2> points[2];       // of the region, on the contact plane
   double gaps[2];            // at the points
   double shares[2];          // of the contact's stiffness at the points
+  double share_rate;         // of the first point's share as b turns counter-clockwise against a
 };
 
 }  // namespace halfspace

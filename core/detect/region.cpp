@@ -49,11 +49,18 @@ FacingEdge facing_edge(const PairFrame& f) {
                                        : FacingEdge{before, cosine_before > 0 ? sine_before : 1};
 }
 
-/// Stiffness at the shallower of two points: half while the edges are parallel, none at the parallel angle, so that the force
-/// does not jump when the region shrinks to a point or grows out of one. Constant up to half that angle: there the contact
-/// conserves energy as two fixed springs do.
-double share_of_shallower_point(double sine, double parallel_angle) {
-  return 0.5 * std::clamp(2 * (1 - sine / parallel_angle), 0.0, 1.0);
+/// Stiffness at the shallower of two points, and how it changes with the sine of the angle between the edges: half while they are
+/// parallel, none at the parallel angle, so that the force does not jump when the region shrinks to a point or grows out of one.
+/// Constant up to half that angle: there the contact is two fixed springs. In between, a smooth step.
+struct Share {
+  double value;
+  double rate;
+};
+
+Share share_of_shallower_point(double sine, double parallel_angle) {
+  const double u = 2 * (1 - sine / parallel_angle);
+  if (u >= 1) return {0.5, 0};
+  return {0.5 * u * u * (3 - 2 * u), -6 * u * (1 - u) / parallel_angle};
 }
 
 void describe_edge_edge(const PairFrame& f, const FacingEdge& facing, double from, double to,
@@ -72,9 +79,15 @@ void describe_edge_edge(const PairFrame& f, const FacingEdge& facing, double fro
     contact.points[i] = f.on_edge(ends[i]);
     contact.gaps[i] = gap_near + slope * (ends[i] - s_near);
   }
+  // The vertex itself may lie beyond the edge's end: the deeper end of the region says how far the blocks overlap.
+  contact.gap = std::min(contact.gaps[0], contact.gaps[1]);
   const int shallower = contact.gaps[0] > contact.gaps[1] ? 0 : 1;
-  contact.shares[shallower] = share_of_shallower_point(facing.sine, options.parallel_angle);
-  contact.shares[1 - shallower] = 1 - contact.shares[shallower];
+  const Share share = share_of_shallower_point(facing.sine, options.parallel_angle);
+  contact.shares[shallower] = share.value;
+  contact.shares[1 - shallower] = 1 - share.value;
+  // The points run along the tangent. When the other block turns counter-clockwise the edges close where the first point is the deeper
+  // one and open where it is the shallower; either way the first point's share changes by the same rate.
+  contact.share_rate = share.rate;
 }
 
 void describe_point(ContactType type, const Vector<2>& point, Contact<2>& contact) {
@@ -82,6 +95,7 @@ void describe_point(ContactType type, const Vector<2>& point, Contact<2>& contac
   contact.length = 0;
   contact.point_count = 1;
   contact.shares[0] = 1;
+  contact.share_rate = 0;
   contact.points[0] = point;
   contact.gaps[0] = contact.gap;
 }
@@ -122,7 +136,9 @@ void describe_contact(const Outline<2>& a, const Outline<2>& b, const Vector<2>&
         break;
       }
     }
-    const double zone = 2 * options.vertex_zone * f.half_length;
+    // Of the shorter of both edges: on a long plate a share of its own length would swallow whole grains.
+    const double facing_length = (f.other.vertex(facing.far_vertex) - f.other.vertex(f.vertex)).norm();
+    const double zone = options.vertex_zone * std::min(2 * f.half_length, facing_length);
     if (std::abs(s) < f.half_length - zone) {
       describe_point(ContactType::vertex_edge, f.on_edge(s), contact);
       break;
@@ -141,6 +157,7 @@ void describe_contact(const Outline<2>& a, const Outline<2>& b, const Vector<2>&
   if (pair.owner == 1) {
     // Seen from b so far: relative to a's centroid, and from a to b.
     contact.normal = -contact.normal;
+    contact.share_rate = -contact.share_rate;
     for (int i = 0; i < contact.point_count; ++i) contact.points[i] += to_b;
   }
 }

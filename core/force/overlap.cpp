@@ -25,11 +25,10 @@ struct Profile {
     if (p.s > q.s) std::swap(p, q);
     const double sign = overhangs ? -1 : 1;
     const double slope = q.s > p.s ? (q.depth - p.depth) / (q.s - p.s) : 0;
-    const auto cut_at = [&](DepthPoint& end, double s) { end = {s, p.depth + slope * (s - p.s)}; };
-    const DepthPoint p0 = p;
-    const auto zero = [&] { return p0.s - p0.depth / slope; };
-    if (q.depth < 0 && slope < 0) q = {zero(), 0};
-    if (p.depth < 0 && slope > 0) p = {zero(), 0};
+    const auto cut_at = [&](DepthPoint& end, double s) { end = {s, end.depth + slope * (s - end.s)}; };
+    const auto cut_at_plane = [&](DepthPoint& end, const DepthPoint& inside) { end = {inside.s - inside.depth / slope, 0}; };
+    if (q.depth < 0 && slope < 0) cut_at_plane(q, p);
+    if (p.depth < 0 && slope > 0) cut_at_plane(p, q);
     if (p.s < -half_length) cut_at(p, -half_length);
     if (q.s > half_length) cut_at(q, half_length);
     if (!(q.s > p.s) || p.depth < 0 || q.depth < 0) return;
@@ -61,9 +60,9 @@ Overlap measure_overlap(const Outline<2>& a, const Outline<2>& b, const Vector<2
     return DepthPoint{tangent.dot(p - middle), owner.offset[pair.edge] - normal.dot(p)};
   };
 
-  Profile profile;
   const DepthPoint deepest = depth_at(pair.vertex);
   const auto walk = [&](auto neighbour, double outward) {
+    Profile profile;
     DepthPoint here = deepest;
     for (int v = neighbour(pair.vertex); here.depth > 0 && v != pair.vertex; v = neighbour(v)) {
       const DepthPoint there = depth_at(v);
@@ -71,17 +70,20 @@ Overlap measure_overlap(const Outline<2>& a, const Outline<2>& b, const Vector<2
       profile.add(here, there, half_length, outward * (there.s - here.s) < 0);
       here = there;
     }
+    return profile;
   };
   // The outlines run against each other: the other's counter-clockwise leads towards the start of the edge.
-  walk([&](int v) { return other.next(v); }, -1);
-  walk([&](int v) { return other.previous(v); }, 1);
+  // Each way is summed by itself, so that a mirrored pair finds the same bits.
+  const Profile towards_start = walk([&](int v) { return other.next(v); }, -1);
+  const Profile towards_end = walk([&](int v) { return other.previous(v); }, 1);
+  const double area = towards_start.area + towards_end.area;
 
   Overlap overlap;
-  if (profile.area > 0) {
-    overlap.area = profile.area;
-    overlap.depth_squared = profile.depth_squared;
-    overlap.width = profile.last - profile.first;
-    overlap.center = middle + profile.moment / profile.area * tangent;
+  if (area > 0) {
+    overlap.area = area;
+    overlap.depth_squared = towards_start.depth_squared + towards_end.depth_squared;
+    overlap.width = std::max(towards_start.last, towards_end.last) - std::min(towards_start.first, towards_end.first);
+    overlap.center = middle + (towards_start.moment + towards_end.moment) / area * tangent;
     if (!a_owns) overlap.center += to_b;
   }
   return overlap;

@@ -29,6 +29,9 @@ Spring::NormalPart Spring::per_contact(const Contact<2>& contact, const PairMoti
       energy.damping_loss -= viscous * opening * elapsed_;
     }
     energy.strain += 0.5 * elastic * depth;
+    // The energy of both springs, differentiated by the turn that moves stiffness from one to the other.
+    const double rate = i == 0 ? contact.share_rate : -contact.share_rate;
+    normal.couple -= 0.5 * law_.normal_stiffness * rate * depth * depth;
     normal.force += elastic + viscous;
     weighted += (elastic + viscous) * contact.points[i];
   }
@@ -105,8 +108,8 @@ double Spring::shear_force(const NormalPart& normal, double slip_velocity, Shear
   return total;
 }
 
-ContactForce<2> Spring::evaluate(const Contact<2>& contact, const Overlap& overlap, const PairMotion<2>& motion,
-                                 ShearSpring& shear, bool& bonded, ContactEnergy& energy) const {
+PairLoad<2> Spring::evaluate(const Contact<2>& contact, const Overlap& overlap, const PairMotion<2>& motion,
+                             ShearSpring& shear, bool& bonded, ContactEnergy& energy) const {
   const auto normal_part = [&] {
     return law_.stiffness_kind == StiffnessKind::per_area ? per_area(contact, overlap, motion, bonded, energy)
                                                          : per_contact(contact, motion, bonded, energy);
@@ -122,18 +125,13 @@ ContactForce<2> Spring::evaluate(const Contact<2>& contact, const Overlap& overl
     energy.friction_loss += held - (energy.strain - before.strain);
   }
 
-  ContactForce<2> result;
-  const Vector<2> tangent = perpendicular(contact.normal);
-  result.normal_force = normal.force;
+  ContactForce<2> force{normal.center, normal.force, 0};
   if (law_.resists_shear()) {
-    const double slip_velocity = tangent.dot(motion.relative_at(normal.center));
-    result.shear_force = shear_force(normal, slip_velocity, shear, bonded, energy);
+    const double slip_velocity = perpendicular(contact.normal).dot(motion.relative_at(normal.center));
+    force.shear_force = shear_force(normal, slip_velocity, shear, bonded, energy);
   }
-  result.force = result.normal_force * contact.normal + result.shear_force * tangent;
-  result.point = normal.center;
-  result.torque_on_b = cross(normal.center - motion.to_b, result.force);
-  result.torque_on_a = -cross(normal.center, result.force);
-  return result;
+  const Vector<2> on_b = force.on_b(contact.normal);
+  return {force, on_b, -cross(normal.center, on_b) - normal.couple, cross(normal.center - motion.to_b, on_b) + normal.couple};
 }
 
 }  // namespace halfspace

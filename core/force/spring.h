@@ -37,12 +37,23 @@ struct ContactForce;
 
 template <>
 struct ContactForce<2> {
-  Vector<2> force{0, 0};  // on b
-  Vector<2> point{0, 0};  // where it acts, relative to the centroid of a
-  double torque_on_a = 0;
-  double torque_on_b = 0;
-  double normal_force = 0;  // compression > 0
-  double shear_force = 0;
+  Vector<2> point{0, 0};    // where it acts, relative to the centroid of a
+  double normal_force = 0;  // along the contact's normal, on b: compression > 0
+  double shear_force = 0;   // along the tangent, perpendicular(normal), on b
+
+  Vector<2> on_b(const Vector<2>& normal) const { return normal_force * normal + shear_force * perpendicular(normal); }
+};
+
+/// What a contact does to its two blocks.
+template <int D>
+struct PairLoad;
+
+template <>
+struct PairLoad<2> {
+  ContactForce<2> contact;
+  Vector<2> force;  // on b, opposite on a
+  double torque_on_a;
+  double torque_on_b;
 };
 
 /// Energies that a contact stores and has lost in this evaluation.
@@ -59,14 +70,15 @@ class Spring {
   Spring(const SpringLaw& law, double reduced_mass, double elapsed)
       : law_(law), reduced_mass_(reduced_mass), elapsed_(elapsed) {}
 
-  ContactForce<2> evaluate(const Contact<2>& contact, const Overlap& overlap, const PairMotion<2>& motion,
+  PairLoad<2> evaluate(const Contact<2>& contact, const Overlap& overlap, const PairMotion<2>& motion,
                            ShearSpring& shear, bool& bonded, ContactEnergy& energy) const;
 
  private:
   struct NormalPart {
     double force = 0;
     double stiffness = 0;
-    double width = 0;       // of the region: what cohesion and shear stiffness per area act on
+    double width = 0;   // of the region: what cohesion and shear stiffness per area act on
+    double couple = 0;  // on b, besides the force at the centre
     Vector<2> center{0, 0};
   };
 

@@ -15,6 +15,12 @@ using Vector = Eigen::Matrix<double, D, 1>;
 template <class T>
 using Array = std::pmr::vector<T>;
 
+/// Room for so many entries, and some to spare: what fluctuates about a level soon asks for no more memory.
+template <class T>
+void make_room(Array<T>& array, std::size_t size) {
+  if (array.capacity() < size) array.reserve(size + size / 4);
+}
+
 using Memory = std::pmr::memory_resource;
 
 /// z component of the cross product: > 0 when b lies counter-clockwise of a.

@@ -11,17 +11,18 @@ Candidates<D>::Candidates(Memory* memory)
       reference_position_(memory),
       reference_angle_(memory),
       skin_(memory),
+      planned_(memory),
       search_(memory),
       boxes_(memory),
       sizes_(memory),
       found_(memory),
       sorted_(memory),
       first_of_block_(memory),
-      old_pairs_(memory),
-      old_shear_(memory) {}
+      next_pairs_(memory),
+      next_shear_(memory) {}
 
 /// A share of each block's own size, but no more than of the typical block's: a large plate's skin would fill its list with grains
-/// that it never meets. A fixed block needs none.
+/// that it never meets; but never less than what the block is about to move. A fixed block needs none.
 template <int D>
 void Candidates<D>::choose_skins(const Blocks<D>& blocks, double relative_skin) {
   sizes_.clear();
@@ -35,9 +36,10 @@ void Candidates<D>::choose_skins(const Blocks<D>& blocks, double relative_skin) 
     typical = *middle;
   }
   skin_.resize(blocks.slot_count());
+  planned_.resize(blocks.slot_count());
   for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
     const bool moves = blocks.kind[i] == BlockKind::rigid || blocks.kind[i] == BlockKind::prescribed;
-    skin_[i] = moves ? relative_skin * 2 * std::min(blocks.radius[i], typical) : 0;
+    skin_[i] = moves ? std::max(relative_skin * 2 * std::min(blocks.radius[i], typical), planned_[i]) : 0;
   }
 }
 
@@ -45,15 +47,11 @@ template <int D>
 void Candidates<D>::search(const Blocks<D>& blocks) {
   const std::size_t slots = blocks.slot_count();
   boxes_.resize(slots);
-  reference_position_.resize(slots);
-  reference_angle_.resize(slots);
   for (std::size_t i = 0; i < slots; ++i) {
     if (!blocks.lives(i)) continue;
     boxes_[i] = blocks.box(std::int32_t(i));
     boxes_[i].lower.array() -= skin_[i];
     boxes_[i].upper.array() += skin_[i];
-    reference_position_[i] = blocks.position[i];
-    reference_angle_[i] = blocks.angle[i];
   }
   found_.clear();
   search_.search(
@@ -61,7 +59,9 @@ void Candidates<D>::search(const Blocks<D>& blocks) {
       [&](const BlockPair& pair) {
         const bool one_moves_freely = blocks.kind[std::size_t(pair.a)] == BlockKind::rigid ||
                                       blocks.kind[std::size_t(pair.b)] == BlockKind::rigid;
-        if (one_moves_freely) found_.push_back(pair);
+        if (!one_moves_freely) return;
+        make_room(found_, found_.size() + 1);
+        found_.push_back(pair);
       });
 }
 
@@ -71,6 +71,7 @@ void Candidates<D>::sort_found(std::size_t slots) {
   first_of_block_.assign(slots + 1, 0);
   for (const BlockPair& pair : found_) ++first_of_block_[std::size_t(pair.a) + 1];
   for (std::size_t i = 0; i < slots; ++i) first_of_block_[i + 1] += first_of_block_[i];
+  make_room(sorted_, found_.size());
   sorted_.resize(found_.size());
   for (const BlockPair& pair : found_) sorted_[first_of_block_[std::size_t(pair.a)]++] = pair;
   auto first = sorted_.begin();
@@ -83,28 +84,40 @@ void Candidates<D>::sort_found(std::size_t slots) {
 
 template <int D>
 void Candidates<D>::carry_over(bool with_shear) {
-  old_pairs_.swap(pairs_);
-  old_shear_.swap(shear_);
-  pairs_.clear();
-  shear_.clear();
-  // Room to spare, so that a settled heap does not allocate when a pair comes in.
-  if (pairs_.capacity() < sorted_.size()) pairs_.reserve(sorted_.size() + sorted_.size() / 4);
+  next_pairs_.clear();
+  next_shear_.clear();
+  make_room(next_pairs_, sorted_.size());
+  if (with_shear) make_room(next_shear_, sorted_.size());
   const auto precedes = [](const auto& p, const auto& q) { return p.a < q.a || (p.a == q.a && p.b < q.b); };
   std::size_t old = 0;
   for (const BlockPair& pair : sorted_) {
-    while (old < old_pairs_.size() && precedes(old_pairs_[old], pair)) ++old;
-    const bool known = old < old_pairs_.size() && !precedes(pair, old_pairs_[old]);
-    pairs_.push_back(known ? old_pairs_[old] : Candidate{pair.a, pair.b, {}, 0});
-    if (with_shear) shear_.push_back(known && !old_shear_.empty() ? old_shear_[old] : ShearSpring{});
+    while (old < pairs_.size() && precedes(pairs_[old], pair)) ++old;
+    const bool known = old < pairs_.size() && !precedes(pair, pairs_[old]);
+    next_pairs_.push_back(known ? pairs_[old] : Candidate{pair.a, pair.b, {}, 0});
+    if (with_shear) next_shear_.push_back(known && !shear_.empty() ? shear_[old] : ShearSpring{});
+  }
+  pairs_.swap(next_pairs_);
+  shear_.swap(next_shear_);
+}
+
+template <int D>
+void Candidates<D>::set_references(const Blocks<D>& blocks) {
+  for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
+    reference_position_[i] = blocks.position[i];
+    reference_angle_[i] = blocks.angle[i];
   }
 }
 
+/// The list that is in use stays as it is until the new one is complete: when memory runs out nothing is lost.
 template <int D>
 void Candidates<D>::rebuild(const Blocks<D>& blocks, double relative_skin, bool with_shear) {
   choose_skins(blocks, relative_skin);
   search(blocks);
   sort_found(blocks.slot_count());
+  reference_position_.resize(blocks.slot_count(), Vector<D>::Zero());
+  reference_angle_.resize(blocks.slot_count());
   carry_over(with_shear);
+  set_references(blocks);
   used_up_ = false;
   ++builds_;
 }

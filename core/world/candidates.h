@@ -23,15 +23,16 @@ class Candidates {
  public:
   explicit Candidates(Memory* memory);
 
-  /// True when a block may have come near another that is not in its list.
+  /// True when a block may come near another that is not in its list.
   bool used_up() const { return used_up_; }
   void expire() { used_up_ = true; }
 
-  /// Notes a block's motion. Call after each move.
-  void note_motion(const Blocks<D>& blocks, std::size_t slot) {
+  /// Announces how far a block's farthest point will move. Call for each block before it moves.
+  void plan(const Blocks<D>& blocks, std::size_t slot, double motion) {
     const double moved = (blocks.position[slot] - reference_position_[slot]).norm() +
                          blocks.radius[slot] * std::abs(blocks.angle[slot] - reference_angle_[slot]);
-    if (!(moved <= skin_[slot])) used_up_ = true;
+    planned_[slot] = motion;
+    if (!(moved + motion <= skin_[slot])) used_up_ = true;
   }
 
   /// Searches again. Pairs that stay keep their memory; `relative_skin` is the skin as a share of a block's size; `with_shear` says
@@ -41,15 +42,15 @@ class Candidates {
   /// Drops the pairs of a block that is removed.
   void forget(std::int32_t slot);
 
-  std::span<Candidate> pairs() { return pairs_; }
-  std::span<const Candidate> pairs() const { return pairs_; }
+  Array<Candidate>& pairs() { return pairs_; }
+  const Array<Candidate>& pairs() const { return pairs_; }
   /// One per pair; none at all when no law resists shear.
   std::span<ShearSpring> shear() { return shear_; }
   std::int64_t builds() const { return builds_; }
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(pairs_, shear_, reference_position_, reference_angle_, skin_, used_up_, builds_);
+    archive(pairs_, shear_, reference_position_, reference_angle_, skin_, planned_, used_up_, builds_);
   }
 
  private:
@@ -57,12 +58,14 @@ class Candidates {
   void search(const Blocks<D>& blocks);
   void sort_found(std::size_t slots);
   void carry_over(bool with_shear);
+  void set_references(const Blocks<D>& blocks);
 
   Array<Candidate> pairs_;
   Array<ShearSpring> shear_;
   Array<Vector<D>> reference_position_;
   Array<double> reference_angle_;
   Array<double> skin_;
+  Array<double> planned_;  // motion announced for the coming step
   std::int32_t used_up_ = 1;
   std::int64_t builds_ = 0;
 
@@ -73,8 +76,8 @@ class Candidates {
   Array<BlockPair> found_;
   Array<BlockPair> sorted_;
   Array<std::uint32_t> first_of_block_;
-  Array<Candidate> old_pairs_;
-  Array<ShearSpring> old_shear_;
+  Array<Candidate> next_pairs_;
+  Array<ShearSpring> next_shear_;
 };
 
 extern template class Candidates<2>;

@@ -67,19 +67,21 @@ void World<D>::detect_candidate(std::size_t k, Contact<D>& contact) {
   }
 }
 
+/// With room for a contact at every candidate: detection then asks for no memory.
+template <int D>
+void World<D>::rebuild_candidates() {
+  const bool with_shear = laws_.any([](const SpringLaw& law) { return law.resists_shear(); });
+  candidates_.rebuild(blocks_, settings_.skin, with_shear);
+  const std::size_t most = candidates_.pairs().size();
+  make_room(contacts_, most);
+  make_room(candidate_, most);
+  make_room(forces_, most);
+}
+
 template <int D>
 void World<D>::detect() {
   if (detected_) return;
-  if (candidates_.used_up()) {
-    const bool with_shear = laws_.any([](const SpringLaw& law) { return law.resists_shear(); });
-    candidates_.rebuild(blocks_, settings_.skin, with_shear);
-    const std::size_t most = candidates_.pairs().size();
-    if (contacts_.capacity() < most) {
-      contacts_.reserve(most + most / 4);
-      candidate_.reserve(most + most / 4);
-      forces_.reserve(most + most / 4);
-    }
-  }
+  if (candidates_.used_up()) rebuild_candidates();
   contacts_.clear();
   candidate_.clear();
   Contact<D> contact;

@@ -32,14 +32,14 @@ void World<D>::evaluate_forces(double elapsed) {
     const Spring spring(law, is_damped ? reduced_mass(a, b) : 0, elapsed);
     ShearSpring& shear = candidates_.shear().empty() ? no_shear : candidates_.shear()[candidate_[c]];
     bool bonded = pair.bonded;
-    const ContactForce<D> result = spring.evaluate(contact, overlap, motion, shear, bonded, energy);
+    const PairLoad<D> load = spring.evaluate(contact, overlap, motion, shear, bonded, energy);
     pair.bonded = bonded;
 
-    blocks_.force[a] -= result.force;
-    blocks_.force[b] += result.force;
-    blocks_.torque[a] += result.torque_on_a;
-    blocks_.torque[b] += result.torque_on_b;
-    forces_.push_back(result);
+    blocks_.force[a] -= load.force;
+    blocks_.force[b] += load.force;
+    blocks_.torque[a] += load.torque_on_a;
+    blocks_.torque[b] += load.torque_on_b;
+    forces_.push_back(load.contact);
   }
   ledger_.strain = energy.strain;
   ledger_.friction_loss += energy.friction_loss;

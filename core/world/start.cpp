@@ -5,21 +5,25 @@
 
 namespace halfspace {
 
-/// Stiffness of the stiffest contact that a block can have.
+/// The stiffest and the most viscous contact that a block can have.
 template <int D>
-double World<D>::stiffness_on(std::size_t slot) const {
-  double stiffest = 0;
+typename World<D>::Hardest World<D>::hardest_contact(std::size_t slot) const {
+  Hardest hardest;
   for (std::int32_t other = 0; other < material_count(); ++other) {
     const SpringLaw& law = laws_.between(blocks_.material[slot], other);
-    const double spring = std::max(law.normal_stiffness, law.shear_stiffness);
     const bool per_area = law.stiffness_kind == StiffnessKind::per_area;
-    stiffest = std::max(stiffest, per_area ? spring * blocks_.longest_edge[slot] : spring);
+    const double spring = std::max(law.normal_stiffness, law.shear_stiffness);
+    const double stiffness = per_area ? spring * blocks_.longest_edge[slot] : spring;
+    const double share = std::max(law.normal_damping, law.shear_damping);
+    hardest.stiffness = std::max(hardest.stiffness, stiffness);
+    hardest.viscosity = std::max(hardest.viscosity, 2 * share * std::sqrt(stiffness * blocks_.mass[slot]));
   }
-  return stiffest;
+  return hardest;
 }
 
-/// Gershgorin: no frequency exceeds omega^2 = 2 sum_contacts K (1/m + r^2/I), with r at most the block's radius. Central differences
-/// are stable up to 2/omega. Blocks will meet others: never fewer than four contacts are counted.
+/// Gershgorin: no frequency exceeds omega^2 = 2 sum_contacts K (1/m + r^2/I), with r at most the block's radius, and no decay gamma =
+/// 2 sum_contacts c (1/m + r^2/I). Dashpots read the velocity of half a step before, so that central differences are stable as long as
+/// dt^2 omega^2 + 2 dt gamma < 4. Blocks will meet others: never fewer than four contacts are counted.
 template <int D>
 double World<D>::stable_time_step() const {
   constexpr int least_contacts = 4;
@@ -28,14 +32,17 @@ double World<D>::stable_time_step() const {
     ++contacts_of[std::size_t(candidate_of(c).a)];
     ++contacts_of[std::size_t(candidate_of(c).b)];
   }
-  double largest = 0;
+  double stable = HUGE_VAL;
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
-    if (blocks_.kind[i] != BlockKind::rigid) continue;
+    if (blocks_.kind[i] != BlockKind::rigid || material_count() == 0) continue;
     const double contacts = std::max(contacts_of[i], least_contacts);
     const double mobility = 1 / blocks_.mass[i] + blocks_.radius[i] * blocks_.radius[i] / blocks_.inertia[i];
-    largest = std::max(largest, 2 * contacts * stiffness_on(i) * mobility);
+    const Hardest hardest = hardest_contact(i);
+    const double omega_squared = 2 * contacts * hardest.stiffness * mobility;
+    const double gamma = 2 * contacts * hardest.viscosity * mobility;
+    stable = std::min(stable, 4 / (gamma + std::sqrt(gamma * gamma + 4 * omega_squared)));
   }
-  return 2 / std::sqrt(largest);
+  return stable;
 }
 
 template <int D>
@@ -57,21 +64,18 @@ bool World<D>::choose_time_step() {
 /// Accelerations and energies of the present state; what an edit has done to the energy is outer work.
 template <int D>
 void World<D>::start_ledger() {
-  acceleration_.resize(blocks_.slot_count(), Vector<D>::Zero());
-  angular_acceleration_.resize(blocks_.slot_count());
-  ledger_.kinetic = ledger_.gravity = 0;
-  prescribed_power_ = 0;
+  Stock stock;
   double weight_times_size = 0;
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
-    if (blocks_.kind[i] == BlockKind::prescribed) {
-      prescribed_power_ -= blocks_.force[i].dot(blocks_.velocity[i]) + blocks_.torque[i] * blocks_.spin[i];
+    if (blocks_.kind[i] == BlockKind::rigid) {
+      accelerate(i);
+      weight_times_size += blocks_.mass[i] * settings_.gravity.norm() * blocks_.radius[i];
     }
-    if (blocks_.kind[i] != BlockKind::rigid) continue;
-    accelerate(i);
-    ledger_.kinetic += blocks_.kinetic_energy(std::int32_t(i));
-    ledger_.gravity -= blocks_.mass[i] * settings_.gravity.dot(blocks_.position[i]);
-    weight_times_size += blocks_.mass[i] * settings_.gravity.norm() * blocks_.radius[i];
+    take_stock(i, blocks_.velocity[i], blocks_.spin[i], stock);
   }
+  ledger_.kinetic = stock.kinetic;
+  ledger_.gravity = stock.gravity;
+  power_ = stock.power;
   noise_energy_ = weight_times_size + ledger_.kinetic + ledger_.strain;
   ledger_.outer_work = ledger_.total() - residual_before_edit_;
 }

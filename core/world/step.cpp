@@ -10,14 +10,9 @@ double damped(double force, double velocity, double share) {
   return velocity == 0 ? force : force - share * std::abs(force) * (velocity > 0 ? 1 : -1);
 }
 
-/// Component of a velocity against which local damping acted, when it had been formed from the velocity before.
-double along(double before, double after) { return before == 0 ? 0 : (before > 0 ? after : -after); }
-
-template <class Vector>
-double damped_power(const Vector& force, const Vector& before, const Vector& after) {
-  double power = 0;
-  for (int k = 0; k < force.size(); ++k) power += std::abs(force[k]) * along(before[k], after[k]);
-  return power;
+/// Rate of what local damping takes when it opposes one velocity and the block has another by now.
+double damped_power(double force, double opposed, double velocity) {
+  return opposed == 0 ? 0 : std::abs(force) * (opposed > 0 ? velocity : -velocity);
 }
 
 }  // namespace
@@ -40,6 +35,28 @@ void World<D>::accelerate(std::size_t i) {
   angular_acceleration_[i] = torque / blocks_.inertia[i] - settings_.mass_damping * blocks_.spin[i];
 }
 
+/// Plans the coming step: false when a block would pass its own radius in it, or when one is not finite: out of hand. Brings the
+/// neighbour list up to date when the step would use it up. All memory is taken here, so that a step once begun is finished.
+template <int D>
+bool World<D>::plan_motion() {
+  const double half = 0.5 * time_step_;
+  for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
+    const bool rigid = blocks_.kind[i] == BlockKind::rigid;
+    if (!rigid && blocks_.kind[i] != BlockKind::prescribed) continue;
+    Vector<D> velocity = blocks_.velocity[i];
+    double spin = blocks_.spin[i];
+    if (rigid) {
+      velocity += half * acceleration_[i];
+      spin += half * angular_acceleration_[i];
+    }
+    const double motion = time_step_ * (velocity.norm() + blocks_.radius[i] * std::abs(spin));
+    if (!(motion <= blocks_.radius[i])) return false;
+    candidates_.plan(blocks_, i, motion);
+  }
+  if (candidates_.used_up()) rebuild_candidates();
+  return true;
+}
+
 /// First half of velocity Verlet: velocities to the middle of the step, positions to its end.
 template <int D>
 void World<D>::kick_and_drift() {
@@ -58,60 +75,58 @@ void World<D>::kick_and_drift() {
       blocks_.rotation[i] = blocks_.rotation[i].turned_by(turn);
       blocks_.turn_outline(std::int32_t(i));
     }
-    candidates_.note_motion(blocks_, i);
   }
 }
 
-/// Second half: velocities to the end of the step, and the ledger.
+/// A block's energies, and the rates at which prescribed motion and damping change the world's. `opposed` is the velocity that
+/// damping was formed with.
+template <int D>
+void World<D>::take_stock(std::size_t i, const Vector<D>& opposed, double opposed_spin, Stock& stock) const {
+  const Vector<D>& velocity = blocks_.velocity[i];
+  const double spin = blocks_.spin[i];
+  if (blocks_.kind[i] == BlockKind::prescribed) {
+    stock.power.prescribed -= blocks_.force[i].dot(velocity) + blocks_.torque[i] * spin;
+  }
+  if (blocks_.kind[i] != BlockKind::rigid) return;
+  const double mass = blocks_.mass[i];
+  stock.kinetic += blocks_.kinetic_energy(std::int32_t(i));
+  stock.gravity -= mass * settings_.gravity.dot(blocks_.position[i]);
+  if (settings_.local_damping > 0) {
+    const auto [force, torque] = drive(i);
+    double power = damped_power(torque, opposed_spin, spin);
+    for (int k = 0; k < D; ++k) power += damped_power(force[k], opposed[k], velocity[k]);
+    stock.power.local_damping += settings_.local_damping * power;
+  }
+  if (settings_.mass_damping > 0) {
+    stock.power.mass_damping +=
+        settings_.mass_damping * (mass * opposed.dot(velocity) + blocks_.inertia[i] * opposed_spin * spin);
+  }
+}
+
+/// Second half: velocities to the end of the step, and the ledger. Powers are known at both ends of the step: the trapezoid between
+/// them is as exact as the step itself.
 template <int D>
 void World<D>::kick_and_book() {
   const double half = 0.5 * time_step_;
-  double kinetic = 0, gravity = 0, local_loss = 0, mass_loss = 0, applied_power = 0, prescribed_power = 0;
+  Stock stock;
+  double applied_power = 0;
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
-    if (blocks_.kind[i] == BlockKind::prescribed) {
-      prescribed_power -= blocks_.force[i].dot(blocks_.velocity[i]) + blocks_.torque[i] * blocks_.spin[i];
+    const Vector<D> middle_velocity = blocks_.velocity[i];
+    const double middle_spin = blocks_.spin[i];
+    if (blocks_.kind[i] == BlockKind::rigid) {
+      accelerate(i);
+      applied_power += blocks_.applied_force[i].dot(middle_velocity) + blocks_.applied_torque[i] * middle_spin;
+      blocks_.velocity[i] += half * acceleration_[i];
+      blocks_.spin[i] += half * angular_acceleration_[i];
     }
-    if (blocks_.kind[i] != BlockKind::rigid) continue;
-    accelerate(i);
-    const double mass = blocks_.mass[i];
-    const Vector<D> before = blocks_.velocity[i];
-    const double spin_before = blocks_.spin[i];
-    applied_power += blocks_.applied_force[i].dot(before) + blocks_.applied_torque[i] * spin_before;
-    blocks_.velocity[i] += half * acceleration_[i];
-    blocks_.spin[i] += half * angular_acceleration_[i];
-    // Work of the damping forces over this half kick and the next one, which is exact at the velocity between them.
-    const Vector<D>& after = blocks_.velocity[i];
-    const double spin_after = blocks_.spin[i];
-    if (settings_.local_damping > 0) {
-      const auto [force, torque] = drive(i);
-      local_loss += settings_.local_damping * (damped_power(force, before, after) + std::abs(torque) * along(spin_before, spin_after));
-    }
-    if (settings_.mass_damping > 0) {
-      mass_loss += settings_.mass_damping * (mass * before.dot(after) + blocks_.inertia[i] * spin_before * spin_after);
-    }
-    kinetic += blocks_.kinetic_energy(std::int32_t(i));
-    gravity -= mass * settings_.gravity.dot(blocks_.position[i]);
+    take_stock(i, middle_velocity, middle_spin, stock);
   }
-  ledger_.kinetic = kinetic;
-  ledger_.gravity = gravity;
-  ledger_.local_damping_loss += time_step_ * local_loss;
-  ledger_.mass_damping_loss += time_step_ * mass_loss;
-  ledger_.outer_work += time_step_ * applied_power + half * (prescribed_power_ + prescribed_power);
-  prescribed_power_ = prescribed_power;
-}
-
-/// A block that would pass its own radius in one step is out of hand; so is one that is not finite.
-template <int D>
-bool World<D>::moves_too_far() const {
-  const double half = 0.5 * time_step_;
-  for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
-    if (blocks_.kind[i] != BlockKind::rigid) continue;
-    const Vector<D> velocity = blocks_.velocity[i] + half * acceleration_[i];
-    const double spin = blocks_.spin[i] + half * angular_acceleration_[i];
-    const double moved = time_step_ * (velocity.cwiseAbs().maxCoeff() + blocks_.radius[i] * std::abs(spin));
-    if (!(moved <= blocks_.radius[i])) return true;
-  }
-  return false;
+  ledger_.kinetic = stock.kinetic;
+  ledger_.gravity = stock.gravity;
+  ledger_.local_damping_loss += half * (power_.local_damping + stock.power.local_damping);
+  ledger_.mass_damping_loss += half * (power_.mass_damping + stock.power.mass_damping);
+  ledger_.outer_work += time_step_ * applied_power + half * (power_.prescribed + stock.power.prescribed);
+  power_ = stock.power;
 }
 
 /// All but nothing of the energy present was there before: the numbers made it. (Near the stable step, but below it, the
@@ -125,10 +140,10 @@ bool World<D>::makes_energy() const {
 
 template <int D>
 StepResult World<D>::prepare() {
-  if (edited_) {
-    if (!choose_time_step()) return StepResult::no_time_step;
-  }
+  if (edited_ && !choose_time_step()) return StepResult::no_time_step;
   if (current_) return StepResult::ok;
+  acceleration_.resize(blocks_.slot_count(), Vector<D>::Zero());
+  angular_acceleration_.resize(blocks_.slot_count());
   detect();
   evaluate_forces(0);
   start_ledger();
@@ -141,14 +156,14 @@ StepResult World<D>::prepare() {
 template <int D>
 StepResult World<D>::step() {
   if (const StepResult result = prepare(); result != StepResult::ok) return result;
-  if (moves_too_far()) return StepResult::unstable;
+  if (makes_energy() || !plan_motion()) return StepResult::unstable;
   kick_and_drift();
   detected_ = false;
   detect();
   evaluate_forces(time_step_);
   kick_and_book();
   ++steps_;
-  return makes_energy() ? StepResult::unstable : StepResult::ok;
+  return StepResult::ok;
 }
 
 template class World<2>;

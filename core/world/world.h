@@ -50,7 +50,7 @@ class World {
   bool is_detected() const { return detected_; }
   /// Contact forces into the blocks; shear springs grow over `elapsed`.
   void evaluate_forces(double elapsed);
-  /// One step of velocity Verlet; on failure the world is as it was.
+  /// One step of velocity Verlet; on failure the world is as it was before.
   StepResult step();
   /// Brings time step, contacts, forces and ledger up to date after changes.
   StepResult prepare();
@@ -73,8 +73,7 @@ class World {
   template <class Archive>
   void visit(Archive& archive) {
     archive(settings_, density_, fresh_, laws_, blocks_, candidates_, forces_, acceleration_,
-            angular_acceleration_, ledger_, noise_energy_, residual_before_edit_, prescribed_power_, epoch_time_,
-            epoch_step_, time_step_, steps_, detected_, current_, edited_);
+            angular_acceleration_, ledger_, noise_energy_, residual_before_edit_, power_, epoch_time_, epoch_step_, time_step_, steps_, detected_, current_, edited_);
   }
   /// After reading a snapshot: what is derived from the rest.
   void rederive();
@@ -86,6 +85,26 @@ class World {
     double torque;
   };
 
+  /// Rates at which prescribed motion puts energy in and damping takes it out.
+  struct Power {
+    double prescribed = 0;
+    double local_damping = 0;
+    double mass_damping = 0;
+  };
+
+  /// What is summed over the blocks.
+  struct Stock {
+    double kinetic = 0;
+    double gravity = 0;
+    Power power;
+  };
+
+  /// Of a contact.
+  struct Hardest {
+    double stiffness = 0;
+    double viscosity = 0;
+  };
+
   void edit();
   void add_contact(std::size_t candidate, const Contact<D>& contact);
   void detect_candidate(std::size_t k, Contact<D>& contact);
@@ -93,11 +112,13 @@ class World {
   bool bonds_at_birth(const Candidate& candidate, const Contact<D>& contact) const;
   bool choose_time_step();
   void start_ledger();
-  bool moves_too_far() const;
+  bool plan_motion();
+  void rebuild_candidates();
   void kick_and_drift();
   void kick_and_book();
+  void take_stock(std::size_t slot, const Vector<D>& opposed, double opposed_spin, Stock& stock) const;
   double reduced_mass(std::size_t a, std::size_t b) const;
-  double stiffness_on(std::size_t slot) const;
+  Hardest hardest_contact(std::size_t slot) const;
   bool makes_energy() const;
   Drive drive(std::size_t slot) const;
   void accelerate(std::size_t slot);
@@ -116,7 +137,7 @@ class World {
   Ledger ledger_;
   double noise_energy_ = 0;  // of the whole, below which energy made by the numbers is not judged
   double residual_before_edit_ = 0;
-  double prescribed_power_ = 0;
+  Power power_;                 // at the last forces
   double epoch_time_ = 0;  // when the time step was last chosen
   std::int64_t epoch_step_ = 0;
   double time_step_ = 0;

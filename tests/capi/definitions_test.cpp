@@ -1,4 +1,5 @@
-// Every definition that the library fills, and the sizes by which it knows which version of the struct a caller has.
+// Every definition that the library fills, and the sizes by which it knows which version of the struct a
+// caller has.
 
 #include <cstring>
 #include <vector>
@@ -24,7 +25,8 @@ void check_init(Init init) {
   REQUIRE(init(&def, sizeof def) == HS_OK);
   CHECK(def.struct_size == sizeof(Def));
 
-  // A caller from the future has a longer struct: what this library does not know is zero, nothing behind it is touched.
+  // A caller from the future has a longer struct: what this library does not know is zero, nothing behind it
+  // is touched.
   std::vector<unsigned char> longer(sizeof(Def) + 64, 0xee);
   REQUIRE(init(reinterpret_cast<Def*>(longer.data()), sizeof(Def) + 32) == HS_OK);
   Def known;
@@ -44,7 +46,8 @@ TEST_CASE("hs_law_def_init") { check_init<hs_law_def>(hs_law_def_init); }
 TEST_CASE("hs_block_def_init") {
   const Context context = make_context();
   const Shape shape = make_shape(context.get(), box(1, 2, 5, 4));
-  check_init<hs_block_def>([&](hs_block_def* def, std::size_t size) { return hs_block_def_init(def, size, shape.get()); });
+  check_init<hs_block_def>(
+      [&](hs_block_def* def, std::size_t size) { return hs_block_def_init(def, size, shape.get()); });
   hs_block_def def;
   CHECK(hs_block_def_init(&def, sizeof def, nullptr) == HS_ERROR_ARGUMENT);
   REQUIRE(hs_block_def_init(&def, sizeof def, shape.get()) == HS_OK);
@@ -57,14 +60,15 @@ TEST_CASE("the defaults are those the headers state") {
   hs_pair_options options;
   REQUIRE(hs_pair_options_init(&options, sizeof options) == HS_OK);
   CHECK(options.parallel_angle == 0.01);
-  CHECK(options.vertex_zone == 0.001);
+  CHECK(options.vertex_zone == 1e-6);
 
   hs_law_def law;
   REQUIRE(hs_law_def_init(&law, sizeof law) == HS_OK);
   CHECK(law.stiffness_kind == HS_STIFFNESS_PER_CONTACT);
   CHECK(law.normal_stiffness == 1e9);
   CHECK(law.shear_stiffness == 1e9);
-  for (double zero : {law.friction_angle, law.cohesion, law.tensile_strength, law.normal_damping, law.shear_damping}) {
+  for (double zero :
+       {law.friction_angle, law.cohesion, law.tensile_strength, law.normal_damping, law.shear_damping}) {
     CHECK(zero == 0);
   }
 
@@ -75,8 +79,9 @@ TEST_CASE("the defaults are those the headers state") {
   CHECK(world.safety == 0.5);
   CHECK(world.skin == 0.1);
   CHECK(world.parallel_angle == 0.01);
-  CHECK(world.vertex_zone == 0.001);
-  for (double zero : {world.gravity[0], world.gravity[2], world.time_step, world.local_damping, world.mass_damping}) {
+  CHECK(world.vertex_zone == 1e-6);
+  for (double zero :
+       {world.gravity[0], world.gravity[2], world.time_step, world.local_damping, world.mass_damping}) {
     CHECK(zero == 0);
   }
 }

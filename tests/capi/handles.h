@@ -38,7 +38,8 @@ inline hs_mutable_view mutable_view_of(Points& p) {
 }
 
 inline void require_ok(hs_status status, const hs_context* context) {
-  if (status != HS_OK) throw std::runtime_error(std::string(hs_status_string(status)) + ": " + hs_context_last_error(context));
+  if (status != HS_OK)
+    throw std::runtime_error(std::string(hs_status_string(status)) + ": " + hs_context_last_error(context));
 }
 
 inline Context make_context(const hs_context_def* def = nullptr) {
@@ -69,11 +70,14 @@ inline hs_shape_properties properties_of(const hs_shape* shape) {
 
 inline Points vertices_of(const hs_shape* shape) {
   Points vertices(std::size_t(properties_of(shape).vertex_count));
-  if (hs_shape_get_vertices(shape, mutable_view_of(vertices), nullptr) != HS_OK) throw std::runtime_error("no vertices");
+  if (hs_shape_get_vertices(shape, mutable_view_of(vertices), nullptr) != HS_OK)
+    throw std::runtime_error("no vertices");
   return vertices;
 }
 
-inline Points box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
+inline Points box(double x0, double y0, double x1, double y1) {
+  return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+}
 
 inline hs_pose pose_at(double x, double y, double z = 0, double w = 1) { return {{x, y, 0}, {0, 0, z, w}}; }
 

@@ -54,7 +54,10 @@ const std::vector<Spoiled> spoiled_inputs = {
     {"rotation", "inf", [](PairCall& c) { c.poses[1].rotation[3] = inf; }},
     {"rotation", "(0, 0, 0, 0)", [](PairCall& c) { c.poses[1].rotation[3] = 0; }},
     {"rotation", "1.00001", [](PairCall& c) { c.poses[1].rotation[3] = 1.00001; }},
-    {"rotation", "(1, 0, 0, 0)", [](PairCall& c) { c.poses[1] = {{0, 0, 0}, {1, 0, 0, 0}}; }},
+    {"rotation", "(1, 0, 0, 0)",
+     [](PairCall& c) {
+       c.poses[1] = {{0, 0, 0}, {1, 0, 0, 0}};
+     }},
     {"parallel_angle", "-0.1", [](PairCall& c) { c.options.parallel_angle = -0.1; }},
     {"parallel_angle", "0.6", [](PairCall& c) { c.options.parallel_angle = 0.6; }},
     {"parallel_angle", "nan", [](PairCall& c) { c.options.parallel_angle = nan; }},
@@ -66,10 +69,22 @@ const std::vector<Spoiled> spoiled_inputs = {
     {"struct_size", "4294967295", [](PairCall& c) { c.options.struct_size = 0xffffffffu; }},
     {"state", "3", [](PairCall& c) { c.caches[0].state = 3; }},
     {"state", "-1", [](PairCall& c) { c.caches[0].state = -1; }},
-    {"edge", "8", [](PairCall& c) { c.caches[0] = {1, 8, 0, 0}; }},
-    {"edge", "-1", [](PairCall& c) { c.caches[0] = {2, -1, 0, 0}; }},
-    {"vertex", "4", [](PairCall& c) { c.caches[0] = {1, 0, 4, 0}; }},
-    {"vertex", "-2", [](PairCall& c) { c.caches[0] = {2, 0, -2, 0}; }},
+    {"edge", "8",
+     [](PairCall& c) {
+       c.caches[0] = {1, 8, 0, 0};
+     }},
+    {"edge", "-1",
+     [](PairCall& c) {
+       c.caches[0] = {2, -1, 0, 0};
+     }},
+    {"vertex", "4",
+     [](PairCall& c) {
+       c.caches[0] = {1, 0, 4, 0};
+     }},
+    {"vertex", "-2",
+     [](PairCall& c) {
+       c.caches[0] = {2, 0, -2, 0};
+     }},
 };
 
 }  // namespace
@@ -80,8 +95,10 @@ TEST_CASE("both forms of detection refuse the same bad input and write nothing")
     s.spoil(call);
     hs_pair_cache before[2];
     std::memcpy(before, call.caches, sizeof before);
-    check_refusals(call.context.get(), "hs_pair_detect", {{s.argument, s.value, [&] { return call.single(); }}});
-    check_refusals(call.context.get(), "hs_pairs_detect", {{s.argument, s.value, [&] { return call.batch(); }}});
+    check_refusals(call.context.get(), "hs_pair_detect",
+                   {{s.argument, s.value, [&] { return call.single(); }}});
+    check_refusals(call.context.get(), "hs_pairs_detect",
+                   {{s.argument, s.value, [&] { return call.batch(); }}});
     INFO(s.argument << " = " << s.value);
     CHECK(call.is_untouched());
     CHECK(std::memcmp(before, call.caches, sizeof before) == 0);
@@ -94,28 +111,30 @@ TEST_CASE("hs_pair_detect refuses what is missing") {
   const hs_pose* p = c.poses;
   hs_contact* out = c.contacts;
   CHECK(hs_pair_detect(nullptr, p, nullptr, p, nullptr, nullptr, out) == HS_ERROR_ARGUMENT);
-  check_refusals(c.context.get(), "hs_pair_detect",
-                 {{"shape_a", "NULL", [&] { return hs_pair_detect(nullptr, p, s, p, nullptr, nullptr, out); }},
-                  {"shape_b", "NULL", [&] { return hs_pair_detect(s, p, nullptr, p, nullptr, nullptr, out); }},
-                  {"pose_a", "NULL", [&] { return hs_pair_detect(s, nullptr, s, p, nullptr, nullptr, out); }},
-                  {"pose_b", "NULL", [&] { return hs_pair_detect(s, p, s, nullptr, nullptr, nullptr, out); }},
-                  {"contact", "NULL", [&] { return hs_pair_detect(s, p, s, p, nullptr, nullptr, nullptr); }}});
+  check_refusals(
+      c.context.get(), "hs_pair_detect",
+      {{"shape_a", "NULL", [&] { return hs_pair_detect(nullptr, p, s, p, nullptr, nullptr, out); }},
+       {"shape_b", "NULL", [&] { return hs_pair_detect(s, p, nullptr, p, nullptr, nullptr, out); }},
+       {"pose_a", "NULL", [&] { return hs_pair_detect(s, nullptr, s, p, nullptr, nullptr, out); }},
+       {"pose_b", "NULL", [&] { return hs_pair_detect(s, p, s, nullptr, nullptr, nullptr, out); }},
+       {"contact", "NULL", [&] { return hs_pair_detect(s, p, s, p, nullptr, nullptr, nullptr); }}});
   CHECK(c.is_untouched());
 }
 
 TEST_CASE("hs_pairs_detect refuses what is missing or out of range") {
   PairCall c;
   hs_context* context = c.context.get();
-  const auto call = [&](const hs_shape* const* shapes, const hs_pose* poses, std::int64_t bodies, const std::int32_t* pairs,
-                        std::int64_t count, hs_contact* contacts) {
+  const auto call = [&](const hs_shape* const* shapes, const hs_pose* poses, std::int64_t bodies,
+                        const std::int32_t* pairs, std::int64_t count, hs_contact* contacts) {
     return [=, &c] {
-      return hs_pairs_detect(c.context.get(), shapes, poses, bodies, pairs, count, nullptr, nullptr, contacts, &c.touching);
+      return hs_pairs_detect(c.context.get(), shapes, poses, bodies, pairs, count, nullptr, nullptr, contacts,
+                             &c.touching);
     };
   };
   const std::int32_t negative[2] = {0, -1}, beyond[2] = {2, 0};
   const hs_shape* one_missing[2] = {c.square.get(), nullptr};
-  CHECK(hs_pairs_detect(nullptr, c.shapes, c.poses, 2, c.pairs, 2, nullptr, nullptr, c.contacts, &c.touching) ==
-        HS_ERROR_ARGUMENT);
+  CHECK(hs_pairs_detect(nullptr, c.shapes, c.poses, 2, c.pairs, 2, nullptr, nullptr, c.contacts,
+                        &c.touching) == HS_ERROR_ARGUMENT);
   check_refusals(context, "hs_pairs_detect",
                  {{"shapes", "NULL", call(nullptr, c.poses, 2, c.pairs, 2, c.contacts)},
                   {"shapes[1]", "NULL", call(one_missing, c.poses, 2, c.pairs, 2, c.contacts)},
@@ -129,7 +148,8 @@ TEST_CASE("hs_pairs_detect refuses what is missing or out of range") {
   CHECK(c.is_untouched());
 
   // Nothing to do is legal without any arrays.
-  CHECK(hs_pairs_detect(context, nullptr, nullptr, 0, nullptr, 0, nullptr, nullptr, nullptr, &c.touching) == HS_OK);
+  CHECK(hs_pairs_detect(context, nullptr, nullptr, 0, nullptr, 0, nullptr, nullptr, nullptr, &c.touching) ==
+        HS_OK);
   CHECK(c.touching == 0);
   CHECK(c.batch() == HS_OK);
   CHECK(c.touching == 2);
@@ -141,7 +161,8 @@ TEST_CASE("positions as large as doubles go give a finite answer or a refusal, n
     c.poses[0] = pose_at(-far, 0);
     c.poses[1] = pose_at(far, -far, 0.6, 0.8);
     hs_contact contact;
-    const hs_status status = hs_pair_detect(c.shapes[0], &c.poses[0], c.shapes[1], &c.poses[1], nullptr, nullptr, &contact);
+    const hs_status status =
+        hs_pair_detect(c.shapes[0], &c.poses[0], c.shapes[1], &c.poses[1], nullptr, nullptr, &contact);
     INFO("positions " << far);
     if (status == HS_ERROR_ARGUMENT) continue;
     REQUIRE(status == HS_OK);

@@ -1,6 +1,7 @@
 #pragma once
 
-// Tables of calls that must be refused: a status, and a text that names the function, the argument and its value.
+// Tables of calls that must be refused: a status, and a text that names the function, the argument and its
+// value.
 
 #include <functional>
 #include <string>
@@ -18,9 +19,11 @@ struct Refusal {
   hs_status status = HS_ERROR_ARGUMENT;
 };
 
-inline void check_refusals(hs_context* context, const std::string& function, const std::vector<Refusal>& refusals) {
+inline void check_refusals(hs_context* context, const std::string& function,
+                           const std::vector<Refusal>& refusals) {
   for (const Refusal& r : refusals) {
-    hs_polygon_check(context, {}, nullptr);  // so that a text left over from the case before is not taken for this one's
+    hs_polygon_check(context, {},
+                     nullptr);  // so that a text left over from the case before is not taken for this one's
     INFO(function << ", " << r.argument << " = " << r.value);
     CHECK(r.call() == r.status);
     const std::string text = hs_context_last_error(context);

@@ -1,4 +1,5 @@
-// halfspace/shape.h: what is refused, and what is wrong with a polygon. Its numbers are the oracles' business.
+// halfspace/shape.h: what is refused, and what is wrong with a polygon. Its numbers are the oracles'
+// business.
 
 #include <cmath>
 #include <cstring>
@@ -81,8 +82,10 @@ TEST_CASE("shape functions refuse what is missing") {
 
   const Shape made = make_shape(c, triangle);
   check_refusals(c, "hs_polygon_check", {{"fault", "NULL", [&] { return hs_polygon_check(c, v, nullptr); }}});
-  check_refusals(c, "hs_polygon_create", {{"shape", "NULL", [&] { return hs_polygon_create(c, v, nullptr); }}});
-  check_refusals(c, "hs_polygon_create_hull", {{"shape", "NULL", [&] { return hs_polygon_create_hull(c, v, nullptr); }}});
+  check_refusals(c, "hs_polygon_create",
+                 {{"shape", "NULL", [&] { return hs_polygon_create(c, v, nullptr); }}});
+  check_refusals(c, "hs_polygon_create_hull",
+                 {{"shape", "NULL", [&] { return hs_polygon_create_hull(c, v, nullptr); }}});
   check_refusals(c, "hs_shape_get_properties",
                  {{"properties", "NULL", [&] { return hs_shape_get_properties(made.get(), nullptr); }}});
 }
@@ -93,36 +96,63 @@ TEST_CASE("a hull is refused for what is no number and for what has no area") {
   hs_shape* shape = no_shape;
   const auto hull = [&](const Points& points) { return hs_polygon_create_hull(c, view_of(points), &shape); };
   check_refusals(c, "hs_polygon_create_hull",
-                 {{"points[1]", "nan", [&] { return hull({{0, 0}, {nan, 0}, {0, 1}}); }},
-                  {"points[2]", "inf", [&] { return hull({{0, 0}, {1, 0}, {0, inf}}); }},
+                 {{"points[1]", "nan",
+                   [&] {
+                     return hull({{0, 0}, {nan, 0}, {0, 1}});
+                   }},
+                  {"points[2]", "inf",
+                   [&] {
+                     return hull({{0, 0}, {1, 0}, {0, inf}});
+                   }},
                   {"points", "0 points", [&] { return hull({}); }, HS_ERROR_GEOMETRY},
-                  {"points", "1 points", [&] { return hull({{2, 3}}); }, HS_ERROR_GEOMETRY},
-                  {"points", "4 points", [&] { return hull({{2, 3}, {2, 3}, {2, 3}, {2, 3}}); }, HS_ERROR_GEOMETRY},
-                  {"points", "3 points", [&] { return hull({{0, 0}, {1, 1}, {3, 3}}); }, HS_ERROR_GEOMETRY}});
+                  {"points", "1 points",
+                   [&] {
+                     return hull({{2, 3}});
+                   },
+                   HS_ERROR_GEOMETRY},
+                  {"points", "4 points",
+                   [&] {
+                     return hull({{2, 3}, {2, 3}, {2, 3}, {2, 3}});
+                   },
+                   HS_ERROR_GEOMETRY},
+                  {"points", "3 points",
+                   [&] {
+                     return hull({{0, 0}, {1, 1}, {3, 3}});
+                   },
+                   HS_ERROR_GEOMETRY}});
   CHECK(shape == no_shape);
 }
 
 TEST_CASE("hs_polygon_clean refuses bad input and reports what it changed") {
   const Context context = make_context();
   hs_context* c = context.get();
-  const Points given = {{0, 1}, {0, 1}, {1, 1}, {1, 0}, {0.5, 0}, {0, 0}};  // clockwise, one repeated, one straight
+  const Points given = {{0, 1}, {0, 1},   {1, 1},
+                        {1, 0}, {0.5, 0}, {0, 0}};  // clockwise, one repeated, one straight
   Points out(6);
   std::int64_t count = -7;
   hs_clean_report report{-1, -1, -1, -1};
   const auto clean = [&](double tolerance) {
     return hs_polygon_clean(c, view_of(given), tolerance, mutable_view_of(out), &count, &report);
   };
-  CHECK(hs_polygon_clean(nullptr, view_of(given), 0, mutable_view_of(out), &count, &report) == HS_ERROR_ARGUMENT);
+  CHECK(hs_polygon_clean(nullptr, view_of(given), 0, mutable_view_of(out), &count, &report) ==
+        HS_ERROR_ARGUMENT);
   check_refusals(
       c, "hs_polygon_clean",
       {{"tolerance", "-1", [&] { return clean(-1); }},
        {"tolerance", "nan", [&] { return clean(nan); }},
        {"tolerance", "inf", [&] { return clean(inf); }},
-       {"count", "NULL", [&] { return hs_polygon_clean(c, view_of(given), 0, mutable_view_of(out), nullptr, &report); }},
+       {"count", "NULL",
+        [&] { return hs_polygon_clean(c, view_of(given), 0, mutable_view_of(out), nullptr, &report); }},
        {"vertices.count", "-1",
-        [&] { return hs_polygon_clean(c, {&given[0].x, &given[0].y, nullptr, 16, -1}, 0, mutable_view_of(out), &count, &report); }},
+        [&] {
+          return hs_polygon_clean(c, {&given[0].x, &given[0].y, nullptr, 16, -1}, 0, mutable_view_of(out),
+                                  &count, &report);
+        }},
        {"cleaned.stride", "3",
-        [&] { return hs_polygon_clean(c, view_of(given), 0, {&out[0].x, &out[0].y, nullptr, 3, 6}, &count, &report); }},
+        [&] {
+          return hs_polygon_clean(c, view_of(given), 0, {&out[0].x, &out[0].y, nullptr, 3, 6}, &count,
+                                  &report);
+        }},
        {"vertices[1]", "nan", [&] {
           const Points bad = {{0, 0}, {nan, 1}, {1, 1}};
           return hs_polygon_clean(c, view_of(bad), 0, mutable_view_of(out), &count, &report);
@@ -156,16 +186,17 @@ TEST_CASE("hs_shape_cut refuses bad input; a line outside leaves one part") {
   };
   const double one[3] = {0.2, 0.2, 0};
   CHECK(hs_shape_cut(nullptr, one, one, &behind, &ahead) == HS_ERROR_ARGUMENT);
-  check_refusals(c, "hs_shape_cut",
-                 {{"point", "NULL", [&] { return hs_shape_cut(shape.get(), nullptr, one, &behind, &ahead); }},
-                  {"normal", "NULL", [&] { return hs_shape_cut(shape.get(), one, nullptr, &behind, &ahead); }},
-                  {"behind", "NULL", [&] { return hs_shape_cut(shape.get(), one, one, nullptr, &ahead); }},
-                  {"ahead", "NULL", [&] { return hs_shape_cut(shape.get(), one, one, &behind, nullptr); }},
-                  {"point", "nan", [&] { return cut(nan, 0, 1, 0); }},
-                  {"point", "inf", [&] { return cut(0, -inf, 1, 0); }},
-                  {"normal", "nan", [&] { return cut(0, 0, nan, 0); }},
-                  {"normal", "inf", [&] { return cut(0, 0, 1, inf); }},
-                  {"normal", "(0, 0)", [&] { return cut(0, 0, 0, 0); }}});
+  check_refusals(
+      c, "hs_shape_cut",
+      {{"point", "NULL", [&] { return hs_shape_cut(shape.get(), nullptr, one, &behind, &ahead); }},
+       {"normal", "NULL", [&] { return hs_shape_cut(shape.get(), one, nullptr, &behind, &ahead); }},
+       {"behind", "NULL", [&] { return hs_shape_cut(shape.get(), one, one, nullptr, &ahead); }},
+       {"ahead", "NULL", [&] { return hs_shape_cut(shape.get(), one, one, &behind, nullptr); }},
+       {"point", "nan", [&] { return cut(nan, 0, 1, 0); }},
+       {"point", "inf", [&] { return cut(0, -inf, 1, 0); }},
+       {"normal", "nan", [&] { return cut(0, 0, nan, 0); }},
+       {"normal", "inf", [&] { return cut(0, 0, 1, inf); }},
+       {"normal", "(0, 0)", [&] { return cut(0, 0, 0, 0); }}});
   CHECK(behind == no_shape);
   CHECK(ahead == no_shape);
 
@@ -173,9 +204,10 @@ TEST_CASE("hs_shape_cut refuses bad input; a line outside leaves one part") {
     double px, nx;
     bool has_behind, has_ahead;
   };
-  for (const Line& l : {Line{0.5, 1, true, true}, Line{2, 1, true, false}, Line{-1, 1, false, true},
-                        Line{0, 1, false, true}, Line{1, 1, true, false}, Line{0.5, 1e-300, true, true},
-                        Line{0.5, 1e300, true, true}, Line{1e300, 1, true, false}, Line{-1e300, 1, false, true}}) {
+  for (const Line& l :
+       {Line{0.5, 1, true, true}, Line{2, 1, true, false}, Line{-1, 1, false, true}, Line{0, 1, false, true},
+        Line{1, 1, true, false}, Line{0.5, 1e-300, true, true}, Line{0.5, 1e300, true, true},
+        Line{1e300, 1, true, false}, Line{-1e300, 1, false, true}}) {
     INFO("line at x = " << l.px << ", normal " << l.nx);
     REQUIRE(cut(l.px, 0, l.nx, 0) == HS_OK);
     const Shape parts[2] = {Shape(behind), Shape(ahead)};

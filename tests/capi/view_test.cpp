@@ -16,7 +16,7 @@ constexpr double guard = 12345;  // what must not be overwritten
 /// One way to lay n points out in memory.
 struct Layout {
   std::string name;
-  std::size_t size;  // of the whole, in doubles
+  std::size_t size;     // of the whole, in doubles
   std::size_t x, y, z;  // where point 0 begins; z == size: none
   std::int64_t stride;  // in doubles
 };
@@ -41,7 +41,9 @@ hs_mutable_view write_view(const Layout& l, std::vector<double>& memory, std::in
   return {p + l.x, p + l.y, l.z < l.size ? p + l.z : nullptr, l.stride * std::int64_t(sizeof(double)), count};
 }
 
-std::size_t at(std::size_t first, std::int64_t stride, std::int64_t i) { return std::size_t(std::int64_t(first) + i * stride); }
+std::size_t at(std::size_t first, std::int64_t stride, std::int64_t i) {
+  return std::size_t(std::int64_t(first) + i * stride);
+}
 
 std::vector<double> laid_out(const Layout& l) {
   std::vector<double> memory(l.size, guard);
@@ -98,7 +100,8 @@ TEST_CASE("vertices and half-spaces arrive in every layout, z is 0, nothing else
     CHECK(offsets[n] == guard);
     const hs_shape_properties p = properties_of(shape.get());
     for (std::int64_t i = 0; i < n; ++i) {
-      // Half-space i is that of the edge from vertex i to the next: both lie on its line, to rounding of coordinates below 8.
+      // Half-space i is that of the edge from vertex i to the next: both lie on its line, to rounding of
+      // coordinates below 8.
       for (std::int64_t v : {i, (i + 1) % n}) {
         const double height = memory[at(l.x, l.stride, i)] * (expected[std::size_t(v)].x - p.centroid[0]) +
                               memory[at(l.y, l.stride, i)] * (expected[std::size_t(v)].y - p.centroid[1]);

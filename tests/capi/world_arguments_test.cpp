@@ -1,4 +1,5 @@
-// halfspace/world.h and law.h: every argument of every function that can be wrong, and that nothing has changed afterwards.
+// halfspace/world.h and law.h: every argument of every function that can be wrong, and that nothing has
+// changed afterwards.
 
 #include <cmath>
 #include <cstring>
@@ -73,8 +74,9 @@ TEST_CASE("hs_world_create refuses every bad setting") {
   for (const auto& s : spoiled) {
     hs_world_def def = world_def();
     s.spoil(def);
-    check_refusals(context.get(), "hs_world_create",
-                   {{s.member, s.value, [&] { return hs_world_create(context.get(), &def, &world); }, s.status}});
+    check_refusals(
+        context.get(), "hs_world_create",
+        {{s.member, s.value, [&] { return hs_world_create(context.get(), &def, &world); }, s.status}});
   }
   const hs_world_def def = world_def();
   CHECK(hs_world_create(nullptr, &def, &world) == HS_ERROR_ARGUMENT);
@@ -88,7 +90,9 @@ TEST_CASE("materials and laws refuse every bad number") {
   TwoBoxes s;
   hs_world* w = s.world.get();
   std::int32_t material = -7;
-  const auto add = [&](double density) { return [&, density] { return hs_world_add_material(w, density, &material); }; };
+  const auto add = [&](double density) {
+    return [&, density] { return hs_world_add_material(w, density, &material); };
+  };
   CHECK(hs_world_add_material(nullptr, 1, &material) == HS_ERROR_ARGUMENT);
   check_unchanged(s, "hs_world_add_material",
                   {{"density", "0", add(0)},
@@ -131,12 +135,14 @@ TEST_CASE("materials and laws refuse every bad number") {
     bad.spoil(law);
     check_unchanged(s, "hs_world_set_default_law",
                     {{bad.member, bad.value, [&] { return hs_world_set_default_law(w, &law); }}});
-    check_unchanged(s, "hs_world_set_law", {{bad.member, bad.value, [&] { return hs_world_set_law(w, 0, 0, &law); }}});
+    check_unchanged(s, "hs_world_set_law",
+                    {{bad.member, bad.value, [&] { return hs_world_set_law(w, 0, 0, &law); }}});
   }
   const hs_law_def law = law_def(1e6, 0.3);
   CHECK(hs_world_set_default_law(nullptr, &law) == HS_ERROR_ARGUMENT);
   CHECK(hs_world_set_law(nullptr, 0, 0, &law) == HS_ERROR_ARGUMENT);
-  check_unchanged(s, "hs_world_set_default_law", {{"law", "NULL", [&] { return hs_world_set_default_law(w, nullptr); }}});
+  check_unchanged(s, "hs_world_set_default_law",
+                  {{"law", "NULL", [&] { return hs_world_set_default_law(w, nullptr); }}});
   check_unchanged(s, "hs_world_set_law",
                   {{"law", "NULL", [&] { return hs_world_set_law(w, 0, 0, nullptr); }},
                    {"material_a", "-1", [&] { return hs_world_set_law(w, -1, 0, &law); }, HS_ERROR_STALE_ID},
@@ -171,7 +177,8 @@ TEST_CASE("hs_world_add_block refuses every bad definition") {
     REQUIRE(hs_block_def_init(&def, sizeof def, shape.get()) == HS_OK);
     bad.spoil(def);
     check_unchanged(s, "hs_world_add_block",
-                    {{bad.member, bad.value, [&] { return hs_world_add_block(w, shape.get(), &def, &block); }, bad.status}});
+                    {{bad.member, bad.value, [&] { return hs_world_add_block(w, shape.get(), &def, &block); },
+                      bad.status}});
   }
   hs_block_def def;
   REQUIRE(hs_block_def_init(&def, sizeof def, shape.get()) == HS_OK);
@@ -202,27 +209,36 @@ TEST_CASE("functions of one block refuse bad numbers, what is missing, and what 
                    {"pose->position[0]", "inf", pose(inf, 1)},
                    {"pose->rotation", "1.5", pose(0, 1.5)},
                    {"pose->rotation", "nan", pose(0, nan)}});
-  check_unchanged(s, "hs_world_set_velocity",
-                  {{"velocity", "NULL", [&] { return hs_world_set_velocity(w, rigid, nullptr, zero); }},
-                   {"angular_velocity", "NULL", [&] { return hs_world_set_velocity(w, rigid, zero, nullptr); }},
-                   {"velocity[1]", "nan", [&] { return hs_world_set_velocity(w, rigid, not_a_number, zero); }},
-                   {"velocity[0]", "inf", [&] { return hs_world_set_velocity(w, rigid, infinite, zero); }},
-                   {"angular_velocity[2]", "nan", [&] { return hs_world_set_velocity(w, rigid, zero, spinning_nan); }},
-                   {"block", "fixed", [&] { return hs_world_set_velocity(w, fixed, zero, zero); }, HS_ERROR_STATE}});
-  check_unchanged(s, "hs_world_set_applied_force",
-                  {{"force", "NULL", [&] { return hs_world_set_applied_force(w, rigid, nullptr, zero); }},
-                   {"torque", "NULL", [&] { return hs_world_set_applied_force(w, rigid, zero, nullptr); }},
-                   {"force[1]", "nan", [&] { return hs_world_set_applied_force(w, rigid, not_a_number, zero); }},
-                   {"force[0]", "inf", [&] { return hs_world_set_applied_force(w, rigid, infinite, zero); }},
-                   {"torque[2]", "nan", [&] { return hs_world_set_applied_force(w, rigid, zero, spinning_nan); }},
-                   {"block", "rigid", [&] { return hs_world_set_applied_force(w, fixed, zero, zero); }, HS_ERROR_STATE}});
+  check_unchanged(
+      s, "hs_world_set_velocity",
+      {{"velocity", "NULL", [&] { return hs_world_set_velocity(w, rigid, nullptr, zero); }},
+       {"angular_velocity", "NULL", [&] { return hs_world_set_velocity(w, rigid, zero, nullptr); }},
+       {"velocity[1]", "nan", [&] { return hs_world_set_velocity(w, rigid, not_a_number, zero); }},
+       {"velocity[0]", "inf", [&] { return hs_world_set_velocity(w, rigid, infinite, zero); }},
+       {"angular_velocity[2]", "nan", [&] { return hs_world_set_velocity(w, rigid, zero, spinning_nan); }},
+       {"block", "fixed", [&] { return hs_world_set_velocity(w, fixed, zero, zero); }, HS_ERROR_STATE}});
+  check_unchanged(
+      s, "hs_world_set_applied_force",
+      {{"force", "NULL", [&] { return hs_world_set_applied_force(w, rigid, nullptr, zero); }},
+       {"torque", "NULL", [&] { return hs_world_set_applied_force(w, rigid, zero, nullptr); }},
+       {"force[1]", "nan", [&] { return hs_world_set_applied_force(w, rigid, not_a_number, zero); }},
+       {"force[0]", "inf", [&] { return hs_world_set_applied_force(w, rigid, infinite, zero); }},
+       {"torque[2]", "nan", [&] { return hs_world_set_applied_force(w, rigid, zero, spinning_nan); }},
+       {"block", "rigid", [&] { return hs_world_set_applied_force(w, fixed, zero, zero); }, HS_ERROR_STATE}});
   check_unchanged(s, "hs_world_get_block_state",
                   {{"state", "NULL", [&] { return hs_world_get_block_state(w, rigid, nullptr); }}});
-  check_unchanged(
-      s, "hs_world_get_block_vertices",
-      {{"vertices.count", "-1", [&] { return hs_world_get_block_vertices(w, rigid, {two, two, nullptr, 8, -1}, nullptr); }},
-       {"vertices.x", "NULL", [&] { return hs_world_get_block_vertices(w, rigid, {nullptr, two, nullptr, 8, 1}, nullptr); }},
-       {"vertices.stride", "9", [&] { return hs_world_get_block_vertices(w, rigid, {two, two, nullptr, 9, 1}, nullptr); }}});
+  check_unchanged(s, "hs_world_get_block_vertices",
+                  {{"vertices.count", "-1",
+                    [&] {
+                      return hs_world_get_block_vertices(w, rigid, {two, two, nullptr, 8, -1}, nullptr);
+                    }},
+                   {"vertices.x", "NULL",
+                    [&] {
+                      return hs_world_get_block_vertices(w, rigid, {nullptr, two, nullptr, 8, 1}, nullptr);
+                    }},
+                   {"vertices.stride", "9", [&] {
+                      return hs_world_get_block_vertices(w, rigid, {two, two, nullptr, 9, 1}, nullptr);
+                    }}});
   CHECK(hs_world_set_pose(nullptr, rigid, &good) == HS_ERROR_ARGUMENT);
   CHECK(hs_world_set_velocity(nullptr, rigid, zero, zero) == HS_ERROR_ARGUMENT);
   CHECK(hs_world_set_applied_force(nullptr, rigid, zero, zero) == HS_ERROR_ARGUMENT);
@@ -249,12 +265,16 @@ TEST_CASE("a stale or invented id is refused by every function that takes one") 
     };
     stale("hs_world_remove_block", "block", [&] { return hs_world_remove_block(w, bad); });
     stale("hs_world_get_block_state", "block", [&] { return hs_world_get_block_state(w, bad, &state); });
-    stale("hs_world_get_block_vertices", "block", [&] { return hs_world_get_block_vertices(w, bad, {}, nullptr); });
+    stale("hs_world_get_block_vertices", "block",
+          [&] { return hs_world_get_block_vertices(w, bad, {}, nullptr); });
     stale("hs_world_set_pose", "block", [&] { return hs_world_set_pose(w, bad, &good); });
     stale("hs_world_set_velocity", "block", [&] { return hs_world_set_velocity(w, bad, zero, zero); });
-    stale("hs_world_set_applied_force", "block", [&] { return hs_world_set_applied_force(w, bad, zero, zero); });
-    stale("hs_world_set_shear_force", "block_a", [&] { return hs_world_set_shear_force(w, bad, s.floor, 1); });
-    stale("hs_world_set_shear_force", "block_b", [&] { return hs_world_set_shear_force(w, s.floor, bad, 1); });
+    stale("hs_world_set_applied_force", "block",
+          [&] { return hs_world_set_applied_force(w, bad, zero, zero); });
+    stale("hs_world_set_shear_force", "block_a",
+          [&] { return hs_world_set_shear_force(w, bad, s.floor, 1); });
+    stale("hs_world_set_shear_force", "block_b",
+          [&] { return hs_world_set_shear_force(w, s.floor, bad, 1); });
   }
   CHECK(hs_world_get_block_state(w, successor, &state) == HS_OK);
 }
@@ -294,19 +314,31 @@ TEST_CASE("bulk functions refuse bad arrays as a whole") {
                    {"poses[2]", "nan", [&] { return hs_world_set_poses(w, moved.data(), 3); }}});
   check_unchanged(
       s, "hs_world_get_velocities",
-      {{"velocities.x", "NULL", [&] { return hs_world_get_velocities(w, {nullptr, v, nullptr, 8, 3}, no_room); }},
+      {{"velocities.x", "NULL",
+        [&] {
+          return hs_world_get_velocities(w, {nullptr, v, nullptr, 8, 3}, no_room);
+        }},
        {"velocities.count", "-1", [&] { return hs_world_get_velocities(w, out(v, -1), no_room); }},
        {"velocities.stride", "20", [&] { return hs_world_get_velocities(w, out(v, 3, 20), no_room); }},
-       {"angular_velocities.z", "NULL", [&] { return hs_world_get_velocities(w, out(v, 3), {spin, spin, nullptr, 8, 3}); }},
-       {"angular_velocities.count", "-1", [&] { return hs_world_get_velocities(w, out(v, 3), out(spin, -1)); }}});
+       {"angular_velocities.z", "NULL",
+        [&] {
+          return hs_world_get_velocities(w, out(v, 3), {spin, spin, nullptr, 8, 3});
+        }},
+       {"angular_velocities.count", "-1",
+        [&] { return hs_world_get_velocities(w, out(v, 3), out(spin, -1)); }}});
   check_unchanged(
       s, "hs_world_set_velocities",
       {{"velocities.count", "2", [&] { return hs_world_set_velocities(w, view(v, 2), none); }},
        {"velocities.stride", "1", [&] { return hs_world_set_velocities(w, view(v, 3, 1), none); }},
-       {"velocities.y", "NULL", [&] { return hs_world_set_velocities(w, {v, nullptr, nullptr, 8, 3}, none); }},
+       {"velocities.y", "NULL",
+        [&] {
+          return hs_world_set_velocities(w, {v, nullptr, nullptr, 8, 3}, none);
+        }},
        {"velocities[2]", "nan", [&] { return hs_world_set_velocities(w, view(v_nan, 3), none); }},
-       {"angular_velocities.count", "1", [&] { return hs_world_set_velocities(w, view(v, 3), view(spin, 1)); }},
-       {"angular_velocities[1]", "inf", [&] { return hs_world_set_velocities(w, view(v, 3), view(spin_inf, 3)); }}});
+       {"angular_velocities.count", "1",
+        [&] { return hs_world_set_velocities(w, view(v, 3), view(spin, 1)); }},
+       {"angular_velocities[1]", "inf",
+        [&] { return hs_world_set_velocities(w, view(v, 3), view(spin_inf, 3)); }}});
   CHECK(hs_world_get_blocks(nullptr, ids, 3, nullptr) == HS_ERROR_ARGUMENT);
   CHECK(hs_world_get_poses(nullptr, poses.data(), 3, nullptr) == HS_ERROR_ARGUMENT);
   CHECK(hs_world_set_poses(nullptr, poses.data(), 3) == HS_ERROR_ARGUMENT);
@@ -333,9 +365,12 @@ TEST_CASE("stages, steps, reports and contacts refuse bad input") {
                    {"forces.count", "-1", evaluate(0, {f, f + 1, nullptr, 24, -1})},
                    {"forces.x", "NULL", evaluate(0, {nullptr, f + 1, nullptr, 24, 3})},
                    {"forces.stride", "0", evaluate(0, {f, f + 1, nullptr, 0, 3})},
-                   {"torques.z", "NULL", [&] { return hs_world_forces(w, 0, forces, {f, f, nullptr, 8, 3}); }}});
+                   {"torques.z", "NULL", [&] {
+                      return hs_world_forces(w, 0, forces, {f, f, nullptr, 8, 3});
+                    }}});
   check_unchanged(s, "hs_world_step", {{"steps", "-1", [&] { return hs_world_step(w, -1); }}});
-  check_unchanged(s, "hs_world_get_report", {{"report", "NULL", [&] { return hs_world_get_report(w, nullptr); }}});
+  check_unchanged(s, "hs_world_get_report",
+                  {{"report", "NULL", [&] { return hs_world_get_report(w, nullptr); }}});
   check_unchanged(s, "hs_world_get_contacts",
                   {{"contacts", "NULL", [&] { return hs_world_get_contacts(w, nullptr, 1, nullptr); }},
                    {"capacity", "-1", [&] { return hs_world_get_contacts(w, &contact, -1, nullptr); }}});
@@ -343,7 +378,8 @@ TEST_CASE("stages, steps, reports and contacts refuse bad input") {
       s, "hs_world_set_shear_force",
       {{"shear_force", "nan", [&] { return hs_world_set_shear_force(w, s.floor, s.box_on_floor, nan); }},
        {"shear_force", "inf", [&] { return hs_world_set_shear_force(w, s.floor, s.box_on_floor, inf); }},
-       {"contact", "", [&] { return hs_world_set_shear_force(w, s.floor, s.box_away, 1); }, HS_ERROR_STALE_ID},
+       {"contact", "", [&] { return hs_world_set_shear_force(w, s.floor, s.box_away, 1); },
+        HS_ERROR_STALE_ID},
        {"contact", "", [&] { return hs_world_set_shear_force(w, s.floor, s.floor, 1); }, HS_ERROR_STALE_ID}});
   hs_world_report report;
   CHECK(hs_world_detect(nullptr, nullptr) == HS_ERROR_ARGUMENT);

@@ -75,7 +75,8 @@ inline std::vector<hs_contact> contacts_of(const hs_world* world) {
   std::int64_t count = 0;
   hs_world_get_contacts(world, nullptr, 0, &count);
   std::vector<hs_contact> contacts(static_cast<std::size_t>(count));
-  if (hs_world_get_contacts(world, contacts.data(), count, nullptr) != HS_OK) throw std::runtime_error("no contacts");
+  if (hs_world_get_contacts(world, contacts.data(), count, nullptr) != HS_OK)
+    throw std::runtime_error("no contacts");
   return contacts;
 }
 
@@ -98,6 +99,12 @@ struct TwoBoxes {
   }
 };
 
+/// Steps until `seconds` have passed, however long a step is.
+inline void run(hs_context* context, hs_world* world, double seconds) {
+  const double time_step = report_of(world).time_step;
+  require_ok(hs_world_step(world, std::int64_t(std::ceil(seconds / time_step))), context);
+}
+
 /// Random convex polygons that fall into a trough and pile up there.
 struct Pile {
   World world;
@@ -115,7 +122,9 @@ struct Pile {
       blocks.push_back(add_block(context, world.get(), wall, HS_BLOCK_FIXED));
     }
     std::mt19937_64 random(42);
-    const auto uniform = [&](double from, double to) { return std::uniform_real_distribution<double>(from, to)(random); };
+    const auto uniform = [&](double from, double to) {
+      return std::uniform_real_distribution<double>(from, to)(random);
+    };
     for (int i = 0; i < count; ++i) {
       const double x = -2.4 + 0.8 * (i % 7), y = 0.45 + 0.8 * (i / 7);
       const int corners = 3 + i % 6;

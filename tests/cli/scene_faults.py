@@ -29,6 +29,7 @@ EXPECTED = [
     (47, 9, "triangulated[0].count", "odd: 7"),
     (50, 12, "output.tracked", 'no such block: "nobody"'),
     (53, 1, "output.picture.color", "unknown key (did you mean 'colour'?)"),
+    (54, 15, "output.picture.times", "out of range: 1"),
 ]
 
 
@@ -94,6 +95,12 @@ class SceneFaults(unittest.TestCase):
             with self.subTest(scene=scene.name):
                 answer = halfspace("check", scene)
                 self.assertEqual((answer.returncode, answer.stderr), (0, ""))
+
+    def test_the_scene_of_the_documentation_has_no_faults(self):
+        page = (EXAMPLES.parent / "scenes.md").read_text()
+        scene = re.search(r"```toml\n(.*?)```", page, re.DOTALL).group(1)
+        answer = check_text(scene)
+        self.assertEqual((answer.returncode, answer.stderr), (0, ""))
 
 
 if __name__ == "__main__":

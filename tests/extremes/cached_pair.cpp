@@ -17,10 +17,11 @@ constexpr double unit_roundoff = 0x1p-53;
 void check_against_cold(const Scene& s, const hs_contact& warm, const hs_contact& cold) {
   const ExactVerdict exact = exact_verdict(s.placed_a(), s.placed_b());
   const double bound = 2 * rounding_bound * unit_roundoff * s.extent();
-  INFO(name_of(s.family) << ": exact " << double(exact.largest_gap) << " warm " << warm.gap << " cold " << cold.gap);
+  INFO(name_of(s.family) << ": exact " << double(exact.largest_gap) << " warm " << warm.gap << " cold "
+                         << cold.gap);
   if (std::abs(exact.largest_gap) > bound) CHECK(touches(warm) == touches(cold));
   // No pair has a larger gap than the largest: a cached one proves separation by less, or overlaps by more.
-  if (gap_is_of_an_edge(warm)) CHECK(warm.gap <= exact.largest_gap + bound);
+  if (gap_is_of_the_pair(warm)) CHECK(warm.gap <= exact.largest_gap + bound);
   if (!touches(warm)) CHECK(warm.gap > 0);
 }
 
@@ -53,9 +54,10 @@ TEST_CASE("no cache content, however stale, changes the verdict") {
 TEST_CASE("a pair that moves in small steps is judged as if it had no past") {
   long steps = 0, touching = 0, changes = 0;
   for_each_scene(12, 1200, [&](Scene& s, Random& random) {
-    // b passes through a, or through its boundary if a is much larger, and turns meanwhile, in steps of a hundredth of the
-    // smaller block.
-    const double reach = 2 * std::min(properties_of(s.a.get()).bounding_radius, properties_of(s.b.get()).bounding_radius);
+    // b passes through a, or through its boundary if a is much larger, and turns meanwhile, in steps of a
+    // hundredth of the smaller block.
+    const double reach =
+        2 * std::min(properties_of(s.a.get()).bounding_radius, properties_of(s.b.get()).bounding_radius);
     const double heading = std::uniform_real_distribution<double>(0, 6.28)(random);
     const double turn = std::uniform_real_distribution<double>(-1, 1)(random);
     const hs_pose middle = s.poses.b;
@@ -65,8 +67,9 @@ TEST_CASE("a pair that moves in small steps is judged as if it had no past") {
     for (int i = -half; i <= half; ++i) {
       const double along = reach * i / half;
       const double z = std::sin(turn * i / half), w = std::cos(turn * i / half);
-      s.poses.b = pose_at(middle.position[0] + along * std::cos(heading), middle.position[1] + along * std::sin(heading),
-                          z * middle.rotation[3] + w * middle.rotation[2], w * middle.rotation[3] - z * middle.rotation[2]);
+      s.poses.b = pose_at(
+          middle.position[0] + along * std::cos(heading), middle.position[1] + along * std::sin(heading),
+          z * middle.rotation[3] + w * middle.rotation[2], w * middle.rotation[3] - z * middle.rotation[2]);
       const hs_contact warm = detect(s, &cache);
       check_against_cold(s, warm, detect(s));
       check_invariants(s, warm);

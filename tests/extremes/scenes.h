@@ -59,11 +59,17 @@ inline hs_contact detect(const Scene& s, hs_pair_cache* cache = nullptr) {
   return detect(s.a.get(), s.poses.a, s.b.get(), s.poses.b, cache);
 }
 
-inline bool same_bytes(const hs_contact& a, const hs_contact& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+inline bool same_bytes(const hs_contact& a, const hs_contact& b) {
+  return std::memcmp(&a, &b, sizeof a) == 0;
+}
 
 inline bool touches(const hs_contact& c) { return c.type != HS_CONTACT_NONE; }
 
-/// Is the gap along one edge's normal? That of a vertex-vertex contact is along the sum of two.
-inline bool gap_is_of_an_edge(const hs_contact& c) { return c.type != HS_CONTACT_VERTEX_VERTEX; }
+/// Is the gap that of the pair named, edge and vertex? That of a vertex-vertex contact is along the sum of
+/// two normals, and that of an edge-edge contact is at the deeper end of its region, where the vertex may lie
+/// beyond.
+inline bool gap_is_of_the_pair(const hs_contact& c) {
+  return c.type == HS_CONTACT_NONE || c.type == HS_CONTACT_VERTEX_EDGE;
+}
 
 }  // namespace halfspace_test

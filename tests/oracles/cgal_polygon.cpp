@@ -59,7 +59,8 @@ ExactPolygon part_behind(const ExactPolygon& polygon, Point point, Point normal)
 }
 
 ExactMoments exact_moments(const ExactPolygon& polygon) {
-  // Integrals of 1, x, y, xx, yy, xy over the polygon by its boundary, about the origin; then moved to the centroid.
+  // Integrals of 1, x, y, xx, yy, xy over the polygon by its boundary, about the origin; then moved to the
+  // centroid.
   ExactNumber area = 0, x = 0, y = 0, xx = 0, yy = 0, xy = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const ExactPoint& p = polygon[i];

@@ -35,7 +35,8 @@ Complex<N> conjugate(const Complex<N>& a) {
   return {a.re, N(0) - a.im};
 }
 
-/// The turn of a quaternion (z, w) is zeta / |q|^2 with zeta = (w + iz)^2: polynomial but for the common denominator.
+/// The turn of a quaternion (z, w) is zeta / |q|^2 with zeta = (w + iz)^2: polynomial but for the common
+/// denominator.
 template <class N>
 struct Turn {
   explicit Turn(const hs_pose& pose) {
@@ -47,7 +48,8 @@ struct Turn {
   N denominator;
 };
 
-/// Both polygons in the owner's own frame, everything multiplied by the two denominators: polynomials in the input, no division.
+/// Both polygons in the owner's own frame, everything multiplied by the two denominators: polynomials in the
+/// input, no division.
 template <class N>
 class Frame {
  public:
@@ -60,7 +62,8 @@ class Frame {
                              point(owner.pose.position[0], owner.pose.position[1]);
     apart_ = other_turn_.denominator * (back * apart);
     for (const Point& p : *other.vertices) {
-      vertices_.push_back(apart_ + relative_turn_ * (point(p.x, p.y) - point(other.centroid.x, other.centroid.y)));
+      vertices_.push_back(apart_ +
+                          relative_turn_ * (point(p.x, p.y) - point(other.centroid.x, other.centroid.y)));
     }
   }
 
@@ -123,7 +126,8 @@ long double gap_in(const Frame<long double>& frame, std::size_t edge) {
 
 double bounding_radius(const PlacedPolygon& p) {
   double radius = 0;
-  for (const Point& v : *p.vertices) radius = std::max(radius, std::hypot(v.x - p.centroid.x, v.y - p.centroid.y));
+  for (const Point& v : *p.vertices)
+    radius = std::max(radius, std::hypot(v.x - p.centroid.x, v.y - p.centroid.y));
   return radius;
 }
 
@@ -139,9 +143,10 @@ long double gap_of_edge(const PlacedPolygon& owner, std::size_t edge, const Plac
 }
 
 ExactVerdict exact_verdict(const PlacedPolygon& a, const PlacedPolygon& b) {
-  // The same count of roundings as in rounding_bound, with the unit roundoff of long double, and room to spare: the
-  // differences of doubles that rounding_bound counts once are rounded no more often here.
-  const long double accuracy = 2 * rounding_bound * 0.5L * std::numeric_limits<long double>::epsilon() * extent(a, b);
+  // The same count of roundings as in rounding_bound, with the unit roundoff of long double, and room to
+  // spare: the differences of doubles that rounding_bound counts once are rounded no more often here.
+  const long double accuracy =
+      2 * rounding_bound * 0.5L * std::numeric_limits<long double>::epsilon() * extent(a, b);
   ExactVerdict verdict{true, -std::numeric_limits<long double>::infinity(), accuracy, true};
   bool surely_apart = false;
   struct InDoubt {
@@ -155,8 +160,10 @@ ExactVerdict exact_verdict(const PlacedPolygon& a, const PlacedPolygon& b) {
     for (std::size_t e = 0; e < owner.vertices->size(); ++e) {
       const long double gap = gap_in(frame, e);
       verdict.largest_gap = std::max(verdict.largest_gap, gap);
-      if (gap > accuracy) surely_apart = true;
-      else if (gap >= -accuracy) in_doubt.push_back({&owner, &other, e});
+      if (gap > accuracy)
+        surely_apart = true;
+      else if (gap >= -accuracy)
+        in_doubt.push_back({&owner, &other, e});
     }
   };
   judge(a, b);

@@ -1,6 +1,7 @@
 #pragma once
 
-// The exact verdict on a pair of polygons: the theorem of separating axes in CGAL's exact ring Mpzf, on the doubles as they are.
+// The exact verdict on a pair of polygons: the theorem of separating axes in CGAL's exact ring Mpzf, on the
+// doubles as they are.
 
 #include <halfspace/halfspace.h>
 
@@ -16,26 +17,29 @@ struct PlacedPolygon {
 };
 
 struct ExactVerdict {
-  bool touches;            // no edge has all of the other polygon strictly in front of it: exact
-  long double largest_gap; // over all edges of both; to `accuracy`
+  bool touches;             // no edge has all of the other polygon strictly in front of it: exact
+  long double largest_gap;  // over all edges of both; to `accuracy`
   long double accuracy;
   bool filter_was_enough;
 };
 
-/// The largest gap in long double, whose error bound decides the sign; where it does not, the edges in doubt are evaluated exactly.
+/// The largest gap in long double, whose error bound decides the sign; where it does not, the edges in doubt
+/// are evaluated exactly.
 ExactVerdict exact_verdict(const PlacedPolygon& a, const PlacedPolygon& b);
 
-/// Sign of the largest gap, all edges exactly, without the filter: 1 apart, 0 exactly touching, -1 overlapping.
+/// Sign of the largest gap, all edges exactly, without the filter: 1 apart, 0 exactly touching, -1
+/// overlapping.
 int sign_of_largest_gap(const PlacedPolygon& a, const PlacedPolygon& b);
 
 /// The gap of one edge, the least over the other's vertices, in long double.
 long double gap_of_edge(const PlacedPolygon& owner, std::size_t edge, const PlacedPolygon& other);
 
-/// Sum of both bounding radii and the distance of the centroids: the length that a gap's rounding is measured by.
+/// Sum of both bounding radii and the distance of the centroids: the length that a gap's rounding is measured
+/// by.
 double extent(const PlacedPolygon& a, const PlacedPolygon& b);
 
-/// Bound of the rounding in the library's gap, in units of 2^-53 * extent(). With u = 2^-53, for any evaluation in double that
-/// starts from coordinates relative to the centroids:
+/// Bound of the rounding in the library's gap, in units of 2^-53 * extent(). With u = 2^-53, for any
+/// evaluation in double that starts from coordinates relative to the centroids:
 ///   local coordinates and the distance of the centroids, one subtraction each    1
 ///   a rotation from a quaternion, (w^2 - z^2)/(w^2 + z^2) and 2wz/(w^2 + z^2):
 ///     5 roundings per entry, 7 for the vector; composed with the other's 7, and 3

@@ -14,7 +14,9 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 constexpr double pi = 3.14159265358979323846;
 
-double uniform(Random& random, double from, double to) { return std::uniform_real_distribution<double>(from, to)(random); }
+double uniform(Random& random, double from, double to) {
+  return std::uniform_real_distribution<double>(from, to)(random);
+}
 int whole(Random& random, int from, int to) { return std::uniform_int_distribution<int>(from, to)(random); }
 
 /// Exact on the doubles given, so the result is strictly convex as it stands.
@@ -55,7 +57,8 @@ Points regular(Random& random) {
   const int n = whole(random, 3, 40);
   const double phase = uniform(random, 0, 2 * pi);
   Points points;
-  for (int i = 0; i < n; ++i) points.push_back({std::cos(phase + 2 * pi * i / n), std::sin(phase + 2 * pi * i / n)});
+  for (int i = 0; i < n; ++i)
+    points.push_back({std::cos(phase + 2 * pi * i / n), std::sin(phase + 2 * pi * i / n)});
   return exact_hull(points);
 }
 
@@ -111,7 +114,8 @@ PolygonPair neighbours(Random& random) {
     for (int i = 0; i < more; ++i) {
       const double along = uniform(random, 0, 1);
       const double away = side * uniform(random, 0.05, 1);
-      points.push_back({p.x + along * (q.x - p.x) - away * (q.y - p.y), p.y + along * (q.y - p.y) + away * (q.x - p.x)});
+      points.push_back(
+          {p.x + along * (q.x - p.x) - away * (q.y - p.y), p.y + along * (q.y - p.y) + away * (q.x - p.x)});
     }
     return exact_hull(points);
   };
@@ -170,8 +174,8 @@ Points local_and_turned(const Points& vertices, const hs_shape* shape, const hs_
   return scaled_and_turned(local, 1, 1, 2 * std::atan2(pose.rotation[2], pose.rotation[3]));
 }
 
-/// How far the centroids must be apart along `direction` (unit) so that the largest gap of all edges of `a` against `b` is `gap`:
-/// the gap of each edge grows linearly with the distance.
+/// How far the centroids must be apart along `direction` (unit) so that the largest gap of all edges of `a`
+/// against `b` is `gap`: the gap of each edge grows linearly with the distance.
 double distance_for_gap(const Points& a, const Points& b, Point direction, double gap) {
   double distance = std::numeric_limits<double>::infinity();
   const auto add_edges_of = [&](const Points& owner, const Points& other, double sign) {
@@ -193,12 +197,20 @@ double distance_for_gap(const Points& a, const Points& b, Point direction, doubl
 }
 
 double draw_gap(double size, Random& random) {
-  switch (whole(random, 0, 4)) {
-    case 0: return 0.1 * size;                                                   // far
-    case 1: return 1e-3 * size;                                                  // near
-    case 2: return whole(random, -30, 30) * std::numeric_limits<double>::epsilon() * size;  // grazing
-    case 3: return -1e-3 * size;                                                 // touching
-    default: return -0.2 * size;                                                 // deep
+  switch (whole(random, 0, 5)) {
+    case 0:
+      return 0.1 * size;  // far
+    case 1:
+      return 1e-3 * size;  // near
+    case 2:
+      return whole(random, -30, 30) * std::numeric_limits<double>::epsilon() * size;  // grazing
+    case 3:
+      return (whole(random, 0, 1) ? 1 : -1) * std::pow(10, uniform(random, -15, -3)) *
+             size;  // any order of magnitude
+    case 4:
+      return -1e-3 * size;  // touching
+    default:
+      return -0.2 * size;  // deep
   }
 }
 
@@ -206,48 +218,75 @@ double draw_gap(double size, Random& random) {
 
 const char* name_of(Family family) {
   switch (family) {
-    case Family::triangles: return "triangles";
-    case Family::boxes: return "boxes";
-    case Family::regular: return "regular";
-    case Family::random_hulls: return "random hulls";
-    case Family::slivers: return "slivers 1e6";
-    case Family::short_edges: return "edges of 1e-8";
-    case Family::stacked_boxes: return "stacked boxes";
-    case Family::stacked_far_away: return "stacked 1e8 away";
-    case Family::shared_edge: return "shared edge";
-    case Family::vertex_on_edge: return "vertex on edge";
-    case Family::vertex_on_vertex: return "vertex on vertex";
-    case Family::far_from_origin: return "1e8 away";
-    case Family::size_ratio: return "size ratio 1e6";
+    case Family::triangles:
+      return "triangles";
+    case Family::boxes:
+      return "boxes";
+    case Family::regular:
+      return "regular";
+    case Family::random_hulls:
+      return "random hulls";
+    case Family::slivers:
+      return "slivers 1e6";
+    case Family::short_edges:
+      return "edges of 1e-8";
+    case Family::stacked_boxes:
+      return "stacked boxes";
+    case Family::stacked_far_away:
+      return "stacked 1e8 away";
+    case Family::shared_edge:
+      return "shared edge";
+    case Family::vertex_on_edge:
+      return "vertex on edge";
+    case Family::vertex_on_vertex:
+      return "vertex on vertex";
+    case Family::far_from_origin:
+      return "1e8 away";
+    case Family::size_ratio:
+      return "size ratio 1e6";
   }
   return "";
 }
 
 bool is_placed_by_vertices(Family family) {
-  return family == Family::stacked_boxes || family == Family::stacked_far_away || family == Family::shared_edge ||
-         family == Family::vertex_on_edge || family == Family::vertex_on_vertex;
+  return family == Family::stacked_boxes || family == Family::stacked_far_away ||
+         family == Family::shared_edge || family == Family::vertex_on_edge ||
+         family == Family::vertex_on_vertex;
 }
 
 PolygonPair draw_polygons(Family family, Random& random) {
   switch (family) {
-    case Family::triangles: return {triangle(random), triangle(random)};
-    case Family::boxes: return {random_box(random), random_box(random)};
-    case Family::regular: return {regular(random), regular(random)};
-    case Family::slivers: return {sliver(random), whole(random, 0, 1) ? sliver(random) : random_hull(random)};
-    case Family::short_edges: return {with_short_edge(random), with_short_edge(random)};
-    case Family::stacked_boxes: return stacked(0, 0, random);
-    case Family::stacked_far_away: return stacked(1e8, -1e8, random);
-    case Family::shared_edge: return neighbours(random);
-    case Family::vertex_on_edge: return vertex_on_edge(random);
-    case Family::vertex_on_vertex: return vertex_on_vertex(random);
-    case Family::size_ratio: return {random_hull(random), scaled_and_turned(random_hull(random), 1e6, 1e6, 0)};
+    case Family::triangles:
+      return {triangle(random), triangle(random)};
+    case Family::boxes:
+      return {random_box(random), random_box(random)};
+    case Family::regular:
+      return {regular(random), regular(random)};
+    case Family::slivers:
+      return {sliver(random), whole(random, 0, 1) ? sliver(random) : random_hull(random)};
+    case Family::short_edges:
+      return {with_short_edge(random), with_short_edge(random)};
+    case Family::stacked_boxes:
+      return stacked(0, 0, random);
+    case Family::stacked_far_away:
+      return stacked(1e8, -1e8, random);
+    case Family::shared_edge:
+      return neighbours(random);
+    case Family::vertex_on_edge:
+      return vertex_on_edge(random);
+    case Family::vertex_on_vertex:
+      return vertex_on_vertex(random);
+    case Family::size_ratio:
+      return {random_hull(random), scaled_and_turned(random_hull(random), 1e6, 1e6, 0)};
     case Family::random_hulls:
-    case Family::far_from_origin: break;
+    case Family::far_from_origin:
+      break;
   }
   return {random_hull(random), random_hull(random)};
 }
 
-PosePair draw_poses(Family family, const PolygonPair& polygons, const hs_shape* a, const hs_shape* b, Random& random) {
+PosePair draw_poses(Family family, const PolygonPair& polygons, const hs_shape* a, const hs_shape* b,
+                    Random& random) {
   if (is_placed_by_vertices(family)) return {where_it_was_made(a), where_it_was_made(b)};
 
   const double reach = family == Family::far_from_origin ? 1e8 : 1;
@@ -259,9 +298,9 @@ PosePair draw_poses(Family family, const PolygonPair& polygons, const hs_shape* 
 
   const double size = std::min(properties_of(a).bounding_radius, properties_of(b).bounding_radius);
   // A sliver may be too thin for the gap wanted: then it lies centroid on centroid.
-  const double distance =
-      std::max(0.0, distance_for_gap(local_and_turned(polygons.a, a, pose_a), local_and_turned(polygons.b, b, pose_b),
-                                     direction, draw_gap(size, random)));
+  const double distance = std::max(
+      0.0, distance_for_gap(local_and_turned(polygons.a, a, pose_a), local_and_turned(polygons.b, b, pose_b),
+                            direction, draw_gap(size, random)));
   pose_b.position[0] = origin.x + distance * direction.x;
   pose_b.position[1] = origin.y + distance * direction.y;
   return {pose_a, pose_b};

@@ -1,6 +1,7 @@
 #pragma once
 
-// Random pairs of convex polygons, family by family, from a seed. Shared by the oracles and the metamorphic tests.
+// Random pairs of convex polygons, family by family, from a seed. Shared by the oracles and the metamorphic
+// tests.
 
 #include <halfspace/halfspace.h>
 
@@ -29,9 +30,10 @@ enum class Family {
   size_ratio,
 };
 inline constexpr Family all_families[] = {
-    Family::triangles,        Family::boxes,           Family::regular,     Family::random_hulls,   Family::slivers,
-    Family::short_edges,      Family::stacked_boxes,   Family::stacked_far_away, Family::shared_edge, Family::vertex_on_edge,
-    Family::vertex_on_vertex, Family::far_from_origin, Family::size_ratio,
+    Family::triangles,   Family::boxes,          Family::regular,          Family::random_hulls,
+    Family::slivers,     Family::short_edges,    Family::stacked_boxes,    Family::stacked_far_away,
+    Family::shared_edge, Family::vertex_on_edge, Family::vertex_on_vertex, Family::far_from_origin,
+    Family::size_ratio,
 };
 const char* name_of(Family family);
 
@@ -50,9 +52,11 @@ struct PosePair {
   hs_pose b;
 };
 
-/// Where to put a pair: families that are about a special position give that; the others are laid at a gap that is far, near,
-/// grazing (a few roundings), touching or deep, in a random direction and orientation.
+/// Where to put a pair: families that are about a special position give that; the others are laid at a gap
+/// that is far, near, grazing (a few roundings), of any smallness, touching or deep, in a random direction
+/// and orientation.
 /// @param polygons as drawn, @param a, b shapes made of them
-PosePair draw_poses(Family family, const PolygonPair& polygons, const hs_shape* a, const hs_shape* b, Random& random);
+PosePair draw_poses(Family family, const PolygonPair& polygons, const hs_shape* a, const hs_shape* b,
+                    Random& random);
 
 }  // namespace halfspace_test

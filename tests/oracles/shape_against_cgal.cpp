@@ -1,5 +1,7 @@
 // Mass properties, convex hull and cutting against CGAL's exact kernel.
 
+#include <CGAL/convex_hull_2.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -7,8 +9,6 @@
 #include "catch.h"
 #include "oracles/cgal_polygon.h"
 #include "oracles/random_pairs.h"
-
-#include <CGAL/convex_hull_2.h>
 
 namespace halfspace_test {
 namespace {
@@ -29,7 +29,8 @@ void for_each_polygon(Family family, Check check) {
   for (int i = 0; i < polygons_of_a_family; ++i) {
     const PolygonPair pair = draw_polygons(family, random);
     for (const Points& vertices : {pair.a, pair.b, moved(pair.a, 1e8, -1e8)}) {
-      if (const Shape shape = try_shape(context.get(), vertices)) check(context.get(), vertices, shape.get(), random);
+      if (const Shape shape = try_shape(context.get(), vertices))
+        check(context.get(), vertices, shape.get(), random);
     }
   }
 }
@@ -59,14 +60,17 @@ TEST_CASE("area, centroid and second moments are those of exact arithmetic") {
       const ExactMoments exact = exact_moments(exact_polygon(vertices));
       const double n = double(vertices.size());
       const double reach = reach_of(vertices);
-      // A triangle of the fan is the difference of two products of two differences each: 2 + 1 + 1 roundings of numbers below
-      // reach^2, halved; n - 2 of them are summed: less than 4 n + n roundings of reach^2 in all.
-      const double area_error = rounded(CGAL::abs(ExactNumber(got.volume) - exact.area)) / (unit_roundoff * reach * reach);
+      // A triangle of the fan is the difference of two products of two differences each: 2 + 1 + 1 roundings
+      // of numbers below reach^2, halved; n - 2 of them are summed: less than 4 n + n roundings of reach^2 in
+      // all.
+      const double area_error =
+          rounded(CGAL::abs(ExactNumber(got.volume) - exact.area)) / (unit_roundoff * reach * reach);
       worst_area = std::max(worst_area, area_error / n);
       CHECK(area_error <= 5 * n);
 
-      // The first moment is a sum of such areas times a distance below reach, with 3 roundings more, and is divided by the area:
-      // what slivers lose there they lose in the direction of their length only. The centroid itself is rounded once.
+      // The first moment is a sum of such areas times a distance below reach, with 3 roundings more, and is
+      // divided by the area: what slivers lose there they lose in the direction of their length only. The
+      // centroid itself is rounded once.
       const double area = rounded(exact.area);
       const double condition = reach * reach / area;
       for (int i = 0; i < 2; ++i) {
@@ -85,8 +89,9 @@ TEST_CASE("area, centroid and second moments are those of exact arithmetic") {
         CHECK(error <= bound);
       }
     });
-    std::printf("%-16s area error %.2f of 2^-53 reach^2 per vertex, centroid %.3f and moments %.3f of their bounds\n",
-                name_of(family), worst_area, worst_centroid, worst_moment);
+    std::printf(
+        "%-16s area error %.2f of 2^-53 reach^2 per vertex, centroid %.3f and moments %.3f of their bounds\n",
+        name_of(family), worst_area, worst_centroid, worst_moment);
   }
 }
 
@@ -127,18 +132,20 @@ TEST_CASE("the hull is CGAL's, but for vertices that are straight to rounding") 
     }
     REQUIRE(status == HS_OK);
     ++compared;
-    // Every vertex of the library's hull is one of CGAL's, to the rounding of centroid + local; those dropped lie on the lines of
-    // their neighbours to rounding, so that the area tells whether more was dropped.
+    // Every vertex of the library's hull is one of CGAL's, to the rounding of centroid + local; those dropped
+    // lie on the lines of their neighbours to rounding, so that the area tells whether more was dropped.
     const Points got = vertices_of(shape.get());
     dropped += long(hull.size()) - long(got.size());
     CHECK(got.size() <= hull.size());
     const double rounding = 2 * unit_roundoff * (magnitude_of(points) + reach);
     for (const Point& p : got) {
       CHECK(std::any_of(hull.begin(), hull.end(), [&](const auto& q) {
-        return std::abs(CGAL::to_double(q.x()) - p.x) <= rounding && std::abs(CGAL::to_double(q.y()) - p.y) <= rounding;
+        return std::abs(CGAL::to_double(q.x()) - p.x) <= rounding &&
+               std::abs(CGAL::to_double(q.y()) - p.y) <= rounding;
       }));
     }
-    CHECK(std::abs(properties_of(shape.get()).volume - area) <= 16 * unit_roundoff * reach * reach * double(hull.size()));
+    CHECK(std::abs(properties_of(shape.get()).volume - area) <=
+          16 * unit_roundoff * reach * reach * double(hull.size()));
   }
   std::printf("hulls compared: %ld, vertices dropped as straight to rounding: %ld\n", compared, dropped);
   CHECK(compared > 1000);
@@ -148,7 +155,8 @@ TEST_CASE("the parts of a cut are CGAL's clippings, convex, and fill the whole")
   long cuts = 0;
   double worst_area = 0;
   for (Family family : all_families) {
-    for_each_polygon(family, [&](hs_context* context, const Points& vertices, const hs_shape* shape, Random& random) {
+    for_each_polygon(family, [&](hs_context* context, const Points& vertices, const hs_shape* shape,
+                                 Random& random) {
       const hs_shape_properties whole = properties_of(shape);
       const double angle = std::uniform_real_distribution<double>(0, 6.28)(random);
       const double off = std::uniform_real_distribution<double>(-0.8, 0.8)(random) * whole.bounding_radius;
@@ -162,15 +170,17 @@ TEST_CASE("the parts of a cut are CGAL's clippings, convex, and fill the whole")
       const Shape parts[2] = {Shape(behind), Shape(ahead)};
       ++cuts;
 
-      // A vertex of a part is off by the rounding of the coordinates and of the crossing: below 16 roundings of what
-      // the coordinates are, plus the extent. Along the outline that is an area below that times the perimeter (< 4 reach).
+      // A vertex of a part is off by the rounding of the coordinates and of the crossing: below 16 roundings
+      // of what the coordinates are, plus the extent. Along the outline that is an area below that times the
+      // perimeter (< 4 reach).
       const double reach = reach_of(vertices);
       const double rounding = 16 * unit_roundoff * (magnitude_of(vertices) + reach) * 4 * reach;
       const ExactPolygon exact = exact_polygon(vertices);
       double sum = 0;
       for (int side = 0; side < 2; ++side) {
         const double sign = side == 0 ? 1 : -1;
-        const ExactPolygon expected = part_behind(exact, {point[0], point[1]}, {sign * normal[0], sign * normal[1]});
+        const ExactPolygon expected =
+            part_behind(exact, {point[0], point[1]}, {sign * normal[0], sign * normal[1]});
         const double expected_area = expected.is_empty() ? 0 : rounded(expected.area());
         const double area = parts[side] ? properties_of(parts[side].get()).volume : 0;
         sum += area;

@@ -13,9 +13,10 @@ struct Met {
   PairMemory memory;
 };
 
-Met meet(const Shape<2>& a, const Shape<2>& b, const Vector<2>& to_b, PairMemory memory = {}) {
+Met meet(const Shape<2>& a, const Shape<2>& b, const Vector<2>& to_b, PairMemory memory = {},
+         const DetectOptions& options = {}) {
   Met met{{}, memory};
-  judge_pair(a.outline(), b.outline(), to_b, DetectOptions(), [] {}, met.memory, met.contact);
+  judge_pair(a.outline(), b.outline(), to_b, options, [] {}, met.memory, met.contact);
   return met;
 }
 
@@ -47,7 +48,7 @@ TEST_CASE("vertex-edge: a diamond's corner on a square's edge") {
 
 TEST_CASE("vertex-vertex: a diamond's corner at a square's corner is pushed along the sum of the normals") {
   // The diamond's left corner lies a little inside the end of the square's right edge.
-  const Met met = meet(square, diamond, {1.9999, 0.99995});
+  const Met met = meet(square, diamond, {1.9999, 0.99995}, {}, {.vertex_zone = 0.001});
   CHECK(met.contact.type == ContactType::vertex_vertex);
   const Vector<2> right_edge(1, 0), lower_right_edge_of_diamond_opposed = Vector<2>(1, 1).normalized();
   CHECK(met.contact.normal.isApprox((right_edge + lower_right_edge_of_diamond_opposed).normalized()));

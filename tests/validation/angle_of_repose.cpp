@@ -1,4 +1,5 @@
-// The angle of repose (Wang et al. 2021, section 4.4), with fewer grains and softer springs: the full size is a scene in docs/examples.
+// The angle of repose (Wang et al. 2021, section 4.4), with fewer grains and softer springs: the full size is
+// a scene in docs/examples.
 
 #include <algorithm>
 #include <map>
@@ -19,7 +20,9 @@ constexpr double friction = 25 * degree;
 /// A grid of triangles with shifted nodes; the border stays straight.
 std::vector<Points> triangles(int columns, int rows, std::uint64_t seed) {
   std::mt19937_64 random(seed);
-  const auto uniform = [&](double low, double high) { return low + (high - low) * (double(random() >> 11) * 0x1p-53); };
+  const auto uniform = [&](double low, double high) {
+    return low + (high - low) * (double(random() >> 11) * 0x1p-53);
+  };
   const auto coordinate = [&](int i, int n, double low, double high) {
     const double shift = i == 0 || i == n ? 0 : uniform(-0.2, 0.2);
     return low + (high - low) * (i + shift) / n;
@@ -44,8 +47,8 @@ std::vector<Points> triangles(int columns, int rows, std::uint64_t seed) {
   return grains;
 }
 
-/// Least-squares slope, in degrees, of the surface of one side: highest grain centroid in each strip, between 15 % and 85 % of
-/// the summit.
+/// Least-squares slope, in degrees, of the surface of one side: highest grain centroid in each strip, between
+/// 15 % and 85 % of the summit.
 double slope_angle(const std::vector<Point>& grains, double side) {
   constexpr double strip = 0.02;
   std::map<int, Point> highest;
@@ -68,12 +71,16 @@ double slope_angle(const std::vector<Point>& grains, double side) {
   return std::atan(-(n * sxy - sx * sy) / (n * sxx - sx * sx)) / degree;
 }
 
-/// At rest: the grains' total force balances to the share of the weight that friction inside could hide, and nothing moves. Bounds
-/// of the angle: a heap at rest has a slope above 0, and interlocking triangles cannot stand steeper than the steepest side of a
-/// column of them, 90; what can be derived is that the surface grains do not slide as a block on the plate: the toe's friction is
-/// the plate's, tan 25, which the heap's mean slope (height over half its base) cannot exceed by more than interlocking gives.
+/// What must hold at rest: nothing moves, and the plate carries the weight, but for what still rings. Kinetic
+/// energy e in all on springs under a weight W makes the force on the plate swing by sqrt(2 m e) omega, omega
+/// at most that of one grain. The angle: the steepest slope of loose grains is that of friction and
+/// interlocking together, and nothing says that it must be the friction angle; a heap that falls down with
+/// the baffles gone may also end flatter. Mean slopes of half and of twice tan(phi) are the bounds within
+/// which the paper's statement, the slope is the friction angle, has any meaning. Mirror balance: the two
+/// slopes are those of two halves of one random heap. The rise of a flank is known to about a grain in its
+/// height of some ten, each: 0.1 sqrt(2) of the tangent, three times that.
 TEST_CASE("A4.4 a heap of triangles comes to rest with two slopes", "[slow]") {
-  constexpr double stiffness = 1e7, time_step = 6e-5, density = 2500;
+  constexpr double stiffness = 1e7, time_step = 4e-5, density = 2500;
   hs_world_def def = world_def(time_step);
   hs_law_def law = spring_law(stiffness, friction);
   Scene scene(def, law, density);
@@ -81,8 +88,10 @@ TEST_CASE("A4.4 a heap of triangles comes to rest with two slopes", "[slow]") {
   law.friction_angle = 0;
   scene.check(hs_world_set_law(scene.world(), 0, baffle, &law));
   scene.add(box(-0.8, -0.05, 0.8, 0), {HS_BLOCK_FIXED, {}, 0});
-  const hs_block left = scene.add(box(-half_width - 0.05, 0, -half_width, height), {HS_BLOCK_PRESCRIBED, {0, lift_speed}, 0}, baffle);
-  const hs_block right = scene.add(box(half_width, 0, half_width + 0.05, height), {HS_BLOCK_PRESCRIBED, {0, lift_speed}, 0}, baffle);
+  const hs_block left = scene.add(box(-half_width - 0.05, 0, -half_width, height),
+                                  {HS_BLOCK_PRESCRIBED, {0, lift_speed}, 0}, baffle);
+  const hs_block right = scene.add(box(half_width, 0, half_width + 0.05, height),
+                                   {HS_BLOCK_PRESCRIBED, {0, lift_speed}, 0}, baffle);
   std::vector<hs_block> grains;
   for (const Points& p : triangles(12, 15, 1)) grains.push_back(scene.add(p));
 
@@ -90,14 +99,20 @@ TEST_CASE("A4.4 a heap of triangles comes to rest with two slopes", "[slow]") {
   scene.step(std::llround(lift_time / time_step));
   scene.set_velocity(left, {});
   scene.set_velocity(right, {});
-  // Springs without dashpots ring on: at rest is what moves less than a hundredth of a grain's size in a second.
-  constexpr double grain_size = 0.02, rest_speed = 0.01 * grain_size / 1;
-  double time = 0;
+  // Springs without dashpots ring on for long. At rest: in half a second no grain has moved by a twentieth of
+  // its size.
+  constexpr double grain_size = 0.02, pause = 0.5;
+  double moved = HUGE_VAL;
   hs_world_report report = scene.report();
-  while (time < 4 && report.largest_speed > rest_speed) {
-    scene.step(std::llround(0.05 / time_step));
-    report = scene.report();
-    time = report.time;
+  for (std::vector<Point> before; report.time < 5 && moved > grain_size / 20; report = scene.report()) {
+    before.clear();
+    for (hs_block grain : grains) before.push_back(scene.position(grain));
+    scene.step(std::llround(pause / time_step));
+    moved = 0;
+    for (std::size_t i = 0; i < grains.size(); ++i) {
+      const Point p = scene.position(grains[i]);
+      moved = std::max(moved, std::hypot(p.x - before[i].x, p.y - before[i].y));
+    }
   }
   std::vector<Point> places;
   double weight = 0, mean_x = 0, widest = 0, summit = 0;
@@ -115,17 +130,23 @@ TEST_CASE("A4.4 a heap of triangles comes to rest with two slopes", "[slow]") {
   }
   const double angle_left = slope_angle(places, -1), angle_right = slope_angle(places, 1);
   const hs_energy e = report.energy;
-  std::printf("A4.4 %zu triangles: at %.2f s the fastest moves %.2e m/s; slopes %.1f deg left, %.1f deg right; summit %.3f m, reach %.3f m, mean x %.4f m; plate carries %.6f of the weight; overlap %.1e m\n",
-              grains.size(), report.time, report.largest_speed, angle_left, angle_right, summit, widest, mean_x, on_plate / weight,
-              report.largest_overlap);
-  std::printf("A4.4 ledger: friction loss %.4f J, kinetic %.1e J, strain %.1e J, residual %.1e J\n", e.friction_loss, e.kinetic, e.strain,
-              e.residual);
-  CHECK(report.largest_speed <= rest_speed);
-  CHECK(std::abs(on_plate / weight - 1) <= 0.01);
-  CHECK(angle_left > 5);
-  CHECK(angle_right > 5);
-  CHECK(angle_left < 60);
-  CHECK(angle_right < 60);
+  std::printf(
+      "A4.4 %zu triangles: at %.2f s, moved in the last half second by %.1e m at most; slopes %.1f deg left, "
+      "%.1f deg right; summit %.3f m, reach %.3f m, mean x %.4f m; plate carries %.6f of the weight; overlap "
+      "%.1e m\n",
+      grains.size(), report.time, moved, angle_left, angle_right, summit, widest, mean_x, on_plate / weight,
+      report.largest_overlap);
+  std::printf("A4.4 ledger: friction loss %.4f J, kinetic %.1e J, strain %.1e J, residual %.1e J\n",
+              e.friction_loss, e.kinetic, e.strain, e.residual);
+  CHECK(moved <= grain_size / 20);
+  const double mass = weight / 9.81, omega = std::sqrt(stiffness / (mass / double(grains.size())));
+  CHECK(std::abs(on_plate - weight) <= std::sqrt(2 * mass * e.kinetic) * omega);
+  for (double angle : {angle_left, angle_right}) {
+    CHECK(std::tan(angle * degree) >= 0.5 * std::tan(friction));
+    CHECK(std::tan(angle * degree) <= 2 * std::tan(friction));
+  }
+  CHECK(std::abs(std::tan(angle_left * degree) / std::tan(angle_right * degree) - 1) <=
+        3 * 0.1 * std::sqrt(2.0));
 }
 
 }  // namespace

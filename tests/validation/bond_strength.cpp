@@ -28,8 +28,9 @@ struct Bonded {
   }
 };
 
-/// Under a load that grows as r t from rest, the spring's force is r (t - sin(omega t) / omega): within r / omega of the load,
-/// and never beyond it by more. Half a cosine of the discrete motion and the step's growth add (omega dt)^2 r / omega and r dt.
+/// Under a load that grows as r t from rest, the spring's force is r (t - sin(omega t) / omega): within r /
+/// omega of the load, and never beyond it by more. Half a cosine of the discrete motion and the step's growth
+/// add (omega dt)^2 r / omega and r dt.
 TEST_CASE("a bond is torn at its tensile strength times its area") {
   constexpr double rate = 1e5;
   for (int32_t kind : {HS_STIFFNESS_PER_CONTACT, HS_STIFFNESS_PER_AREA}) {
@@ -49,8 +50,10 @@ TEST_CASE("a bond is torn at its tensile strength times its area") {
       const double load = rate * double(steps) * time_step, expected = strength * width;
       const double slowest = kind == HS_STIFFNESS_PER_AREA ? omega * std::sqrt(width) : omega;
       const double resolution = rate * (1 / slowest + 3 * time_step);
-      std::printf("tension, %s, face of %.1f m: torn at a load of %.2f N, strength times area %.0f N, the bond held %.2f N\n",
-                  kind == HS_STIFFNESS_PER_AREA ? "per area" : "per contact", width, load, expected, held);
+      std::printf(
+          "tension, %s, face of %.1f m: torn at a load of %.2f N, strength times area %.0f N, the bond held "
+          "%.2f N\n",
+          kind == HS_STIFFNESS_PER_AREA ? "per area" : "per contact", width, load, expected, held);
       CHECK(std::abs(load - expected) <= resolution);
       CHECK(held <= expected);
       CHECK(held >= expected - 3 * rate * time_step);  // r (1 - cos) <= 2 r a second
@@ -61,17 +64,19 @@ TEST_CASE("a bond is torn at its tensile strength times its area") {
   }
 }
 
-/// Pressed by F_n in equilibrium, sheared by a load that grows as above in the line of the contact plane (force and torque at
-/// the centroid), so that nothing turns.
-TEST_CASE("a bond is sheared off at the friction of its load and its cohesion times its area, and friction remains") {
+/// Pressed by F_n in equilibrium, sheared by a load that grows as above in the line of the contact plane
+/// (force and torque at the centroid), so that nothing turns.
+TEST_CASE(
+    "a bond is sheared off at the friction of its load and its cohesion times its area, and friction "
+    "remains") {
   constexpr double rate = 2e5, load = 1e5, friction = 30 * degree;
   for (double width : {0.5, 1.0}) {
     hs_law_def law = spring_law(stiffness, friction);
     law.cohesion = cohesion;
     law.tensile_strength = cohesion;
     Bonded b(law, width);
-    // Settled under the load: the load grows over 0.2 s, its shake is the slope over omega (700 N), damped out by nothing but
-    // counted below.
+    // Settled under the load: the load grows over 0.2 s, its shake is the slope over omega (700 N), damped
+    // out by nothing but counted below.
     const double settle = 0.2;
     const std::int64_t settle_steps = std::llround(settle / time_step);
     for (std::int64_t i = 0; i < settle_steps; ++i) {
@@ -86,7 +91,7 @@ TEST_CASE("a bond is sheared off at the friction of its load and its cohesion ti
     std::int64_t steps = 0;
     for (; steps < 300000 && !broken; ++steps) {
       pushed = rate * double(steps) * time_step;
-      b.scene.apply(b.upper, {pushed, -load}, -pushed * -arm);
+      b.scene.apply(b.upper, {pushed, -load}, pushed * arm);
       b.scene.step();
       const double now = std::abs(b.contact().shear_force);
       broken = now < 0.9 * before;
@@ -97,11 +102,14 @@ TEST_CASE("a bond is sheared off at the friction of its load and its cohesion ti
     // Shear: the load's growth over omega, and its step. Normal force: the shake, as friction.
     const double resolution = rate * (1 / omega + 3 * time_step) + shake * std::tan(friction);
     const hs_contact after = b.contact();
-    std::printf("shear, face of %.1f m: broken at a push of %.1f N, F_n tan(phi) + c A = %.1f N, held %.1f N; then friction %.6f of the normal force, tan(phi) %.6f\n",
-                width, pushed, expected, held, std::abs(after.shear_force) / after.normal_force, std::tan(friction));
+    std::printf(
+        "shear, face of %.1f m: broken at a push of %.1f N, F_n tan(phi) + c A = %.1f N, held %.1f N; then "
+        "friction %.6f of the normal force, tan(phi) %.6f\n",
+        width, pushed, expected, held, std::abs(after.shear_force) / after.normal_force, std::tan(friction));
     CHECK(std::abs(pushed - expected) <= resolution);
     CHECK(held <= expected + shake * std::tan(friction));
-    CHECK(std::abs(std::abs(after.shear_force) - after.normal_force * std::tan(friction)) <= 4 * rounding * after.normal_force);
+    CHECK(std::abs(std::abs(after.shear_force) - after.normal_force * std::tan(friction)) <=
+          4 * rounding * after.normal_force);
   }
 }
 

@@ -58,7 +58,9 @@ TEST_CASE("no pair is lost between a plate of 20 m and fast grains of 1 cm") {
   constexpr int grains = 150, steps = 400;
   constexpr double time_step = 1e-5;
   std::mt19937_64 random(7);
-  const auto uniform = [&](double low, double high) { return low + (high - low) * (double(random() >> 11) * 0x1p-53); };
+  const auto uniform = [&](double low, double high) {
+    return low + (high - low) * (double(random() >> 11) * 0x1p-53);
+  };
   Scene scene(world_def(time_step, 0), spring_law(1e5, 0.5));
   std::vector<Shape> shapes;
   const auto make = [&](const Points& p) { shapes.push_back(make_shape(scene.context(), p)); };
@@ -105,10 +107,12 @@ TEST_CASE("no pair is lost between a plate of 20 m and fast grains of 1 cm") {
     for (const auto& pair : of_world) invented += !brute.touching.count(pair) && !brute.in_doubt.count(pair);
   }
   const hs_world_report report = scene.report();
-  std::printf("broad phase: %lld touching pairs in %d steps, %lld lost, %lld invented, %lld within rounding of touching; %lld list builds, %lld candidates of %lld pairs\n",
-              (long long)touching, steps, (long long)lost, (long long)invented, (long long)doubtful,
-              (long long)report.list_builds, (long long)report.candidate_count,
-              (long long)(report.block_count * (report.block_count - 1) / 2));
+  std::printf(
+      "broad phase: %lld touching pairs in %d steps, %lld lost, %lld invented, %lld within rounding of "
+      "touching; %lld list builds, %lld candidates of %lld pairs\n",
+      (long long)touching, steps, (long long)lost, (long long)invented, (long long)doubtful,
+      (long long)report.list_builds, (long long)report.candidate_count,
+      (long long)(report.block_count * (report.block_count - 1) / 2));
   CHECK(touching > 1000);
   CHECK(lost == 0);
   CHECK(invented == 0);

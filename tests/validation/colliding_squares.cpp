@@ -33,9 +33,11 @@ Collision collide(double time_step, double drift = 0) {
   for (std::int64_t i = 0; i < steps; ++i) {
     scene.step();
     const Point va = scene.velocity(a), vb = scene.velocity(b);
-    result.momentum_error = std::max(result.momentum_error, std::abs(mass * (va.x + vb.x) - momentum) / std::abs(momentum));
+    result.momentum_error =
+        std::max(result.momentum_error, std::abs(mass * (va.x + vb.x) - momentum) / std::abs(momentum));
     result.largest_overlap = std::max(result.largest_overlap, scene.report().largest_overlap);
-    result.shaken = std::max({result.shaken, std::abs(va.y), std::abs(vb.y), std::abs(scene.spin(a)), std::abs(scene.spin(b))});
+    result.shaken = std::max(
+        {result.shaken, std::abs(va.y), std::abs(vb.y), std::abs(scene.spin(a)), std::abs(scene.spin(b))});
   }
   const hs_world_report report = scene.report();
   result.velocity_a = scene.velocity(a).x - drift;
@@ -46,13 +48,15 @@ Collision collide(double time_step, double drift = 0) {
   return result;
 }
 
-/// Verlet keeps 1/2 v_{n+1/2}^2 + 1/2 omega^2 x_n x_{n+1} while the spring acts. At first and last touch, x_n < 0 < x_{n+1}
-/// lie in one free step of length v dt, so that |x_n x_{n+1}| <= (v dt)^2 / 4 and the square of the relative velocity is off
-/// by (omega dt)^2 / 4 at most: the relative velocity by half of that, each block's by a quarter.
-/// Amplitude: the same energy gives -1/8 (omega dt)^2, the discrete motion's shape +1/8, a peak between two steps -1/8.
-/// Duration: the discrete frequency is omega (1 + (omega dt)^2 / 24); the chord over the step of first touch misses the
-/// sine's zero by (omega dt)^3 / 6 at most, at both ends.
-TEST_CASE("B4.1 two squares exchange their velocities, and the spring's closed form comes out as the step goes to zero") {
+/// Verlet keeps 1/2 v_{n+1/2}^2 + 1/2 omega^2 x_n x_{n+1} while the spring acts. At first and last touch, x_n
+/// < 0 < x_{n+1} lie in one free step of length v dt, so that |x_n x_{n+1}| <= (v dt)^2 / 4 and the square of
+/// the relative velocity is off by (omega dt)^2 / 4 at most: the relative velocity by half of that, each
+/// block's by a quarter. Amplitude: the same energy gives -1/8 (omega dt)^2, the discrete motion's shape
+/// +1/8, a peak between two steps -1/8. Duration: the discrete frequency is omega (1 + (omega dt)^2 / 24);
+/// the chord over the step of first touch misses the sine's zero by (omega dt)^3 / 6 at most, at both ends.
+TEST_CASE(
+    "B4.1 two squares exchange their velocities, and the spring's closed form comes out as the step goes to "
+    "zero") {
   const double duration = pi / omega, overlap = speed / omega;
   for (double time_step : {4e-4, 2e-4, 1e-4, 5e-5}) {
     const Collision c = collide(time_step);
@@ -60,23 +64,25 @@ TEST_CASE("B4.1 two squares exchange their velocities, and the spring's closed f
     const double velocity_error = std::max(std::abs(c.velocity_a), std::abs(c.velocity_b - speed));
     const double overlap_error = c.largest_overlap / overlap - 1;
     const double duration_error = c.contact_time / duration - 1;
-    std::printf("B4.1 step %.0e: velocities off by %.2e, momentum %.1e, contact time %.6f ms (%+.2e), overlap %.6f mm (%+.2e)\n",
-                time_step, velocity_error, c.momentum_error, 1e3 * c.contact_time, duration_error,
-                1e3 * c.largest_overlap, overlap_error);
+    std::printf(
+        "B4.1 step %.0e: velocities off by %.2e, momentum %.1e, contact time %.6f ms (%+.2e), overlap %.6f "
+        "mm (%+.2e)\n",
+        time_step, velocity_error, c.momentum_error, 1e3 * c.contact_time, duration_error,
+        1e3 * c.largest_overlap, overlap_error);
     CHECK(velocity_error <= turn * turn / 16 + 1e-12);
     CHECK(overlap_error <= turn * turn / 8);
     CHECK(overlap_error >= -turn * turn / 4);
     CHECK(std::abs(duration_error) <= turn * turn / 24 + turn * turn * turn / (3 * pi));
     CHECK(c.momentum_error <= 1e-12);
     if (time_step == 1e-4) CHECK(velocity_error <= 1e-3);  // the step of the paper
-    // The force is shared by two points, whose arms of half a metre differ by rounding of the blocks' places (2e-16 m):
-    // impulse m v times that over the moment of inertia m/6, in each of the steps with contact.
+    // The force is shared by two points, whose arms of half a metre differ by rounding of the blocks' places
+    // (2e-16 m): impulse m v times that over the moment of inertia m/6, in each of the steps with contact.
     CHECK(c.shaken <= 6 * 2 * rounding * double(c.contact_time / time_step));
   }
 }
 
-/// The same in a frame in motion: places grow to 100 m/s x 60 ms = 6 m, where a step rounds by 4e-16 m, and a thousand
-/// steps by 4e-13 m, to be compared with an overlap of 1 cm: 4e-11 of the velocities.
+/// The same in a frame in motion: places grow to 100 m/s x 60 ms = 6 m, where a step rounds by 4e-16 m, and a
+/// thousand steps by 4e-13 m, to be compared with an overlap of 1 cm: 4e-11 of the velocities.
 TEST_CASE("B4.1 is the same in a frame that moves at 100 m/s") {
   const Collision rest = collide(1e-4), moved = collide(1e-4, 100);
   std::printf("B4.1 boosted by 100 m/s: velocities differ by %.2e and %.2e, momentum %.1e\n",

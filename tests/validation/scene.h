@@ -65,7 +65,8 @@ class Scene {
   }
 
   /// With the centroid somewhere, turned.
-  hs_block add_at(const Points& vertices, Point centroid, double angle, const Start& start = {}, int32_t material = 0) {
+  hs_block add_at(const Points& vertices, Point centroid, double angle, const Start& start = {},
+                  int32_t material = 0) {
     const Shape shape = make_shape(context(), vertices);
     const hs_pose pose = pose_at(centroid.x, centroid.y, std::sin(angle / 2), std::cos(angle / 2));
     return place(shape.get(), &pose, start, material);

@@ -1,5 +1,5 @@
-// A block slides down a slope (Wang et al. 2021, section 4.1, and Zheng et al. 2020, section 4.3, in the plane):
-// s = 1/2 (g sin - g cos tan(phi)) t^2.
+// A block slides down a slope (Wang et al. 2021, section 4.1, and Zheng et al. 2020, section 4.3, in the
+// plane): s = 1/2 (g sin - g cos tan(phi)) t^2.
 
 #include "catch.h"
 #include "validation/scene.h"
@@ -26,7 +26,9 @@ struct Slider {
   double weight() const { return width * height * density * gravity; }
   double normal_force() const { return weight() * std::cos(slope); }
   /// What friction takes up: all of the weight's share if it can.
-  double shear_force() const { return std::min(normal_force() * std::tan(friction_angle), weight() * std::sin(slope)); }
+  double shear_force() const {
+    return std::min(normal_force() * std::tan(friction_angle), weight() * std::sin(slope));
+  }
 };
 
 /// How the block rests on its springs: height of the centroid above the plane, and forward tilt.
@@ -35,8 +37,8 @@ struct Rest {
   double tilt;
 };
 
-/// The shear force acts at the base, at the height y below the centroid, and turns the block until the normal force is
-/// ahead of the centroid by y T / N. Found by iteration: the tilt is of the order of the overlap.
+/// The shear force acts at the base, at the height y below the centroid, and turns the block until the normal
+/// force is ahead of the centroid by y T / N. Found by iteration: the tilt is of the order of the overlap.
 Rest rest_of(const Slider& s) {
   Rest rest{s.height / 2, 0};
   for (int i = 0; i < 50; ++i) {
@@ -45,10 +47,11 @@ Rest rest_of(const Slider& s) {
       // Springs K/2 under both corners, at (+-w/2 c - h/2 s, +-w/2 s) relative to the middle of the base:
       // sum of depths = 2 N/K, sum of moments = K w^2 s c / 4 - N h s / 2 = y T.
       rest.height = s.height * c / 2 - n / s.stiffness;
-      rest.tilt = std::asin(rest.height * s.shear_force() / (s.stiffness * square_of(s.width) * c / 4 - n * s.height / 2));
+      rest.tilt = std::asin(rest.height * s.shear_force() /
+                            (s.stiffness * square_of(s.width) * c / 4 - n * s.height / 2));
     } else {
-      // Depth d0 + tan(tilt) x under a base of length w c: force K w c d0, moment about its middle K tan(tilt) (w c)^3 / 12;
-      // its middle lies h/2 sin(tilt) behind the centroid.
+      // Depth d0 + tan(tilt) x under a base of length w c: force K w c d0, moment about its middle K
+      // tan(tilt) (w c)^3 / 12; its middle lies h/2 sin(tilt) behind the centroid.
       const double base = s.width * c;
       rest.height = s.height * c / 2 - n / (s.stiffness * base);
       const double tangent = (rest.height * s.shear_force() + n * s.height / 2 * std::sin(rest.tilt)) /
@@ -76,8 +79,8 @@ Slide run(const Slider& s) {
   const hs_block plane =
       scene.add_at(plane_outline, {-0.5 * upward.x, -0.5 * upward.y}, -slope, {HS_BLOCK_FIXED, {}, 0});
   const Rest rest = s.preloaded ? rest_of(s) : Rest{s.height / 2, 0};
-  const hs_block block = scene.add_at(rectangle(s.width, s.height), {rest.height * upward.x, rest.height * upward.y},
-                                      -slope - rest.tilt);
+  const hs_block block = scene.add_at(rectangle(s.width, s.height),
+                                      {rest.height * upward.x, rest.height * upward.y}, -slope - rest.tilt);
   if (s.preloaded && s.friction_angle > 0) scene.preload_shear(plane, block, s.shear_force());
   const Point from = scene.position(block);
   scene.step(std::llround(s.duration / time_step));
@@ -86,10 +89,11 @@ Slide run(const Slider& s) {
   return {(to.x - from.x) * downhill.x + (to.y - from.y) * downhill.y, energy.friction_loss, energy.residual};
 }
 
-/// Constant acceleration is exact in velocity Verlet, whatever the step. What is left when the springs start in equilibrium
-/// is rounding of the block's place: coordinates of some 10 m (rounding 2e-15 m) give the overlap N/K, and so the normal
-/// force, a relative error of 2e-15 K / N (5e-11 for the stiffer, A4.1), shaken once more with every of up to 5e5 steps as
-/// the block moves; were all these errors of one sign and undamped, sqrt(steps) of them add up: 4e-8.
+/// Constant acceleration is exact in velocity Verlet, whatever the step. What is left when the springs start
+/// in equilibrium is rounding of the block's place: coordinates of some 10 m (rounding 2e-15 m) give the
+/// overlap N/K, and so the normal force, a relative error of 2e-15 K / N (5e-11 for the stiffer, A4.1),
+/// shaken once more with every of up to 5e5 steps as the block moves; were all these errors of one sign and
+/// undamped, sqrt(steps) of them add up: 4e-8.
 constexpr double required = 1e-4;
 constexpr double derived = 4e-8;
 
@@ -100,13 +104,16 @@ void check_slide(const char* name, Slider s) {
   s.preloaded = false;
   const Slide unloaded = run(s);
   const double error = slide.distance / exact - 1;
-  std::printf("%s, friction %2.0f deg: slide %.9f m, relative error %9.2e (not preloaded %9.2e), friction loss off by %9.2e\n",
-              name, s.friction_angle / degree, slide.distance, error, unloaded.distance / exact - 1,
-              slide.friction_loss - s.shear_force() * slide.distance);
+  std::printf(
+      "%s, friction %2.0f deg: slide %.9f m, relative error %9.2e (not preloaded %9.2e), friction loss off "
+      "by %9.2e\n",
+      name, s.friction_angle / degree, slide.distance, error, unloaded.distance / exact - 1,
+      slide.friction_loss - s.shear_force() * slide.distance);
   CHECK(std::abs(error) <= required);
   CHECK(std::abs(error) <= derived);
   // Friction takes F s.
-  CHECK(std::abs(slide.friction_loss - s.shear_force() * slide.distance) <= derived * s.weight() * slide.distance);
+  CHECK(std::abs(slide.friction_loss - s.shear_force() * slide.distance) <=
+        derived * s.weight() * slide.distance);
 }
 
 TEST_CASE("A4.1 a block of 5 x 4 m slides down 30 degrees as the formula says") {
@@ -126,7 +133,8 @@ TEST_CASE("A4.1 a block stays on a slope as steep as its friction angle") {
 }
 
 TEST_CASE("B4.3 a block of 1 m slides down 30 degrees as the formula says") {
-  for (double friction : {0.0, 10.0, 20.0}) check_slide("B4.3 per contact", {1, 1, 2000, 1e7, friction * degree, 2});
+  for (double friction : {0.0, 10.0, 20.0})
+    check_slide("B4.3 per contact", {1, 1, 2000, 1e7, friction * degree, 2});
   // With the stiffness per area, while the whole base bears: x_c < w/6, friction < 18 degrees.
   for (double friction : {0.0, 10.0}) {
     check_slide("B4.3 per area", {1, 1, 2000, 1e7, friction * degree, 2, HS_STIFFNESS_PER_AREA});

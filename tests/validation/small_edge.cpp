@@ -1,6 +1,7 @@
-// A vertex falls onto an edge of 1 cm and next to it (Wang et al. 2021, section 4.3), and onto blocks of different height
-// (Zheng et al. 2020, section 5.1). The papers give no coordinates: a square of 1 m stands on its corner above a block of
-// 1 m whose roof of 30 degrees ends in the small edge. The papers' friction is not given: none.
+// A vertex falls onto an edge of 1 cm and next to it (Wang et al. 2021, section 4.3), and onto blocks of
+// different height (Zheng et al. 2020, section 5.1). The papers give no coordinates: a square of 1 m stands
+// on its corner above a block of 1 m whose roof of 30 degrees ends in the small edge. The papers' friction is
+// not given: none.
 
 #include "catch.h"
 #include "validation/scene.h"
@@ -45,7 +46,8 @@ struct Fall {
   }
 };
 
-/// The overlap (v / omega = 28 mm) passes the small edge's length: the contact must remember through which edge it came.
+/// The overlap (v / omega = 28 mm) passes the small edge's length: the contact must remember through which
+/// edge it came.
 TEST_CASE("A4.3 case 1: a vertex that falls onto an edge of 1 cm goes straight back up") {
   Fall fall(house(small), diamond(0.001));
   const double start = fall.scene.position(fall.block).y;
@@ -59,19 +61,22 @@ TEST_CASE("A4.3 case 1: a vertex that falls onto an edge of 1 cm goes straight b
     deepest = std::max(deepest, fall.scene.report().largest_overlap);
   }
   const hs_energy energy = fall.scene.energy();
-  std::printf("A4.3 case 1: falls %.6f m, rises %.9f m, sideways %.1e m/s, spin %.1e /s, overlap %.2f mm, residual %.1e J\n",
-              drop, top, largest_side, largest_spin, 1e3 * deepest, energy.residual);
+  std::printf(
+      "A4.3 case 1: falls %.6f m, rises %.9f m, sideways %.1e m/s, spin %.1e /s, overlap %.2f mm, residual "
+      "%.1e J\n",
+      drop, top, largest_side, largest_spin, 1e3 * deepest, energy.residual);
   CHECK(deepest > small);
-  // The vertex lies below the centroid, the normal is vertical: rounding of the arm, 1e-16 m, times the momentum 2 m v, over m/6.
+  // The vertex lies below the centroid, the normal is vertical: rounding of the arm, 1e-16 m, times the
+  // momentum 2 m v, over m/6.
   CHECK(largest_side <= 1e-15 * speed);
   CHECK(largest_spin <= 6 * 2 * speed * rounding * 10);
-  // Elastic. The discrete energy is off by (omega dt)^2 / 4 at each of the two ends of the contact (see B4.1), and so is
-  // the height; the highest of the steps' places is g (dt/2)^2 / 2 short of the summit.
+  // Elastic. The discrete energy is off by (omega dt)^2 / 4 at each of the two ends of the contact (see
+  // B4.1), and so is the height; the highest of the steps' places is g (dt/2)^2 / 2 short of the summit.
   CHECK(std::abs(top - drop) <= drop * square_of(omega * time_step) / 2 + 9.81 * square_of(time_step) / 8);
 }
 
-/// The vertex strikes the roof right of the edge: it is deflected to the right, and as if the small edge were not there, until
-/// at 0.34 s the ridge strikes the turning block from below.
+/// The vertex strikes the roof right of the edge: it is deflected to the right, and as if the small edge were
+/// not there, until at 0.34 s the ridge strikes the turning block from below.
 TEST_CASE("A4.3 case 2: a vertex that falls next to the edge of 1 cm is deflected to the right") {
   constexpr double x = 0.03;
   constexpr int steps = 15000;
@@ -89,21 +94,23 @@ TEST_CASE("A4.3 case 2: a vertex that falls next to the edge of 1 cm is deflecte
   }
   const Point v = fall.scene.velocity(fall.block);
   const hs_energy energy = fall.scene.energy();
-  std::printf("A4.3 case 2: after the bounce %.4f, %.4f m/s, spin %.4f /s, at 0.3 s; against the roof without small edge %.1e m; residual %.1e J\n",
-              v.x, v.y, fall.scene.spin(fall.block), largest_difference, energy.residual);
+  std::printf(
+      "A4.3 case 2: after the bounce %.4f, %.4f m/s, spin %.4f /s, at 0.3 s; against the roof without small "
+      "edge %.1e m; residual %.1e J\n",
+      v.x, v.y, fall.scene.spin(fall.block), largest_difference, energy.residual);
   CHECK(v.x > 0.1);
   fall.scene.step(20000 - steps);
   CHECK(fall.scene.velocity(fall.block).x > v.x);  // the ridge, on its left, throws it further right
-  // The two roofs' lines differ by rounding of their vertices, some 1e-16 m. The contact turns that into a velocity off by
-  // omega (at the vertex, whose reduced mass is at least a quarter of the mass, 100 /s) times that, for 0.15 s: the steps'
-  // own rounding is larger.
+  // The two roofs' lines differ by rounding of their vertices, some 1e-16 m. The contact turns that into a
+  // velocity off by omega (at the vertex, whose reduced mass is at least a quarter of the mass, 100 /s) times
+  // that, for 0.15 s: the steps' own rounding is larger.
   CHECK(largest_difference <= steps * rounding);
   // The contact takes or gives energy at its two ends only, (omega dt)^2 / 4 of 1/2 m v^2 each.
   CHECK(std::abs(energy.residual) <= 0.5 * square_of(2 * omega * time_step) * 0.5 * density * speed * speed);
 }
 
-/// A spring per contact knows no block size, nor does one per area: the bounce is the same to rounding of the fixed block's
-/// outline, which is about its own centroid.
+/// A spring per contact knows no block size, nor does one per area: the bounce is the same to rounding of the
+/// fixed block's outline, which is about its own centroid.
 TEST_CASE("B5.1 the bounce does not depend on the height of the block below") {
   for (int32_t kind : {HS_STIFFNESS_PER_CONTACT, HS_STIFFNESS_PER_AREA}) {
     hs_law_def law = spring_law(5e7);
@@ -125,11 +132,13 @@ TEST_CASE("B5.1 the bounce does not depend on the height of the block below") {
       if (low->velocity(on_low).y > 0) highest = std::max(highest, y);
     }
     std::printf("B5.1 %s: 1 s of bounces on 0.1 m and on 1 m differ by %.1e m, rise to %.6f of the drop\n",
-                kind == HS_STIFFNESS_PER_AREA ? "per area" : "per contact", difference, (highest - 0.5) / drop);
-    // A bounce turns an overlap that is off by 2e-16 m into a velocity off by omega (158 /s) times that; three bounces in
-    // 1 s, and rounding of 1e4 steps besides.
+                kind == HS_STIFFNESS_PER_AREA ? "per area" : "per contact", difference,
+                (highest - 0.5) / drop);
+    // A bounce turns an overlap that is off by 2e-16 m into a velocity off by omega (158 /s) times that;
+    // three bounces in 1 s, and rounding of 1e4 steps besides.
     CHECK(difference <= 3 * 158 * 2 * rounding + 1e4 * rounding);
-    // (omega dt)^2 / 4 of the energy at each end of each of at most four contacts, seen in the height, and sampled once a step.
+    // (omega dt)^2 / 4 of the energy at each end of each of at most four contacts, seen in the height, and
+    // sampled once a step.
     const double own_omega = std::sqrt(5e7 / density);
     CHECK(std::abs((highest - 0.5) / drop - 1) <= 8 * square_of(own_omega * 1e-4) / 4);
   }

@@ -1,4 +1,5 @@
-// The stable time step: what is reported never exceeds what an eigenvalue analysis allows, and that is what it allows.
+// The stable time step: what is reported never exceeds what an eigenvalue analysis allows, and that is what
+// it allows.
 
 #include <Eigen/Dense>
 #include <map>
@@ -10,8 +11,9 @@ namespace {
 
 using namespace halfspace_test;
 
-/// Stiffness, damping and mass of all rigid blocks' motion (x, y, turn) about where they are, from the contacts of the world: each
-/// point of a region has its half of the normal stiffness, the region's middle the shear stiffness.
+/// Stiffness, damping and mass of all rigid blocks' motion (x, y, turn) about where they are, from the
+/// contacts of the world: each point of a region has its half of the normal stiffness, the region's middle
+/// the shear stiffness.
 struct LinearWorld {
   Eigen::MatrixXd stiffness;
   Eigen::MatrixXd damping;
@@ -40,14 +42,17 @@ struct LinearWorld {
         add(c.block_b, 1);
         return row;
       };
-      const auto inverse_mass = [&](hs_block block) { return first.count(block) ? 1 / scene.state(block).mass : 0; };
+      const auto inverse_mass = [&](hs_block block) {
+        return first.count(block) ? 1 / scene.state(block).mass : 0;
+      };
       const double reduced = 1 / (inverse_mass(c.block_a) + inverse_mass(c.block_b));
       double mid_x = 0, mid_y = 0;
       for (int i = 0; i < c.point_count; ++i) {
         const Eigen::VectorXd row = rate_at(c.points[i][0], c.points[i][1], c.normal[0], c.normal[1]);
         const double share = 1.0 / c.point_count;
         stiffness += share * law.normal_stiffness * row * row.transpose();
-        damping += share * 2 * law.normal_damping * std::sqrt(law.normal_stiffness * reduced) * row * row.transpose();
+        damping += share * 2 * law.normal_damping * std::sqrt(law.normal_stiffness * reduced) * row *
+                   row.transpose();
         mid_x += share * c.points[i][0];
         mid_y += share * c.points[i][1];
       }
@@ -61,11 +66,13 @@ struct LinearWorld {
   /// Leapfrog without damping: 2 / omega of the fastest mode.
   double critical_step() const {
     const Eigen::VectorXd scale = mass.cwiseSqrt().cwiseInverse();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(scale.asDiagonal() * stiffness * scale.asDiagonal());
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(scale.asDiagonal() * stiffness *
+                                                               scale.asDiagonal());
     return 2 / std::sqrt(modes.eigenvalues().maxCoeff());
   }
 
-  /// Growth per step of v' = v - dt M^-1 (K x + C v), x' = x + dt v': dashpots read the velocity of half a step before.
+  /// Growth per step of v' = v - dt M^-1 (K x + C v), x' = x + dt v': dashpots read the velocity of half a
+  /// step before.
   double growth(double dt) const {
     const Eigen::Index n = mass.size();
     const Eigen::MatrixXd inverse = mass.cwiseInverse().asDiagonal();
@@ -76,7 +83,8 @@ struct LinearWorld {
     return step.eigenvalues().cwiseAbs().maxCoeff();
   }
 
-  /// With damping: where growth passes 1. The free modes' growth is 1 to the root of rounding (a double eigenvalue).
+  /// With damping: where growth passes 1. The free modes' growth is 1 to the root of rounding (a double
+  /// eigenvalue).
   double damped_critical_step() const {
     double low = 0, high = critical_step();
     for (int i = 0; i < 40; ++i) {
@@ -87,7 +95,9 @@ struct LinearWorld {
   }
 };
 
-double inertia_of_box(double mass, double width, double height) { return mass * (width * width + height * height) / 12; }
+double inertia_of_box(double mass, double width, double height) {
+  return mass * (width * width + height * height) / 12;
+}
 
 /// Blocks of one width on top of one another, each pressed into the one below by the weight above.
 struct Stack {
@@ -127,8 +137,10 @@ void check_reported(const char* name, const Group& group, const hs_law_def& law)
   const LinearWorld linear(group.scene, law, group.inertia);
   const double reported = group.scene.report().stable_time_step;
   const double critical = law.normal_damping > 0 ? linear.damped_critical_step() : linear.critical_step();
-  std::printf("stable step, %s, friction %s, damping ratio %.1f: reported %.3e s, critical %.3e s: %.2f of it\n", name,
-              law.friction_angle > 0 ? "yes" : "no", law.normal_damping, reported, critical, reported / critical);
+  std::printf(
+      "stable step, %s, friction %s, damping ratio %.1f: reported %.3e s, critical %.3e s: %.2f of it\n",
+      name, law.friction_angle > 0 ? "yes" : "no", law.normal_damping, reported, critical,
+      reported / critical);
   CHECK(reported > 0);
   CHECK(reported <= critical);
 }
@@ -146,20 +158,22 @@ TEST_CASE("the stable time step reported is never above the critical one of the 
   }
 }
 
-/// One block on one spring, bonded so that it pulls as well as pushes: the step's own limit, 2 sqrt(m / K). Rocking is slower for
-/// a slender block: (w/2)^2 / I = 3 w^2 / (m (w^2 + h^2)) < 1 / m.
+/// One block on one spring, bonded so that it pulls as well as pushes: the step's own limit, 2 sqrt(m / K).
+/// Rocking is slower for a slender block: (w/2)^2 / I = 3 w^2 / (m (w^2 + h^2)) < 1 / m.
 TEST_CASE("a block on a spring stays bounded at 0.99 of the critical step and not at 1.01") {
   constexpr double stiffness = 1e8, width = 0.5, height = 2, mass = 2000;
   hs_law_def law = spring_law(stiffness);
   law.shear_stiffness = 0;
   law.tensile_strength = 1e12;
   const double critical = 2 * std::sqrt(mass / stiffness);
-  // Leapfrog at the share q of its limit keeps (1 - q^2) omega^2 x^2 + v^2: no place is farther than 1 / sqrt(1 - q^2) of the first.
+  // Leapfrog at the share q of its limit keeps (1 - q^2) omega^2 x^2 + v^2: no place is farther than 1 /
+  // sqrt(1 - q^2) of the first.
   constexpr double start = 1e-6;
   const auto largest = [&](double share) {
     Scene scene(world_def(share * critical, 0), law);
     scene.add(box(-2, -1, 2, 0), {HS_BLOCK_FIXED, {}, 0});
-    const hs_block block = scene.add(box(-width / 2, 0, width / 2, height), {HS_BLOCK_RIGID, {0, start * 2 / critical}, 0});
+    const hs_block block =
+        scene.add(box(-width / 2, 0, width / 2, height), {HS_BLOCK_RIGID, {0, start * 2 / critical}, 0});
     double largest = 0;
     for (int i = 0; i < 10000; ++i) {
       if (hs_world_step(scene.world(), 1) != HS_OK) return HUGE_VAL;
@@ -168,8 +182,10 @@ TEST_CASE("a block on a spring stays bounded at 0.99 of the critical step and no
     return largest / start;
   };
   const double below = largest(0.99), above = largest(1.01);
-  std::printf("one spring: largest place %.3f of the amplitude at 0.99 of the critical step (bound %.3f), %.1e at 1.01\n", below,
-              1 / std::sqrt(1 - 0.99 * 0.99), above);
+  std::printf(
+      "one spring: largest place %.3f of the amplitude at 0.99 of the critical step (bound %.3f), %.1e at "
+      "1.01\n",
+      below, 1 / std::sqrt(1 - 0.99 * 0.99), above);
   CHECK(below <= 1 / std::sqrt(1 - 0.99 * 0.99) * (1 + 1e-6));
   CHECK(above > 1e3);
 }

@@ -13,8 +13,9 @@ Points mirrored(Points p) {
   return p;
 }
 
-/// B4.2. A block falls between two gables that stand on lintels on columns. Mirror images never meet: a pair that meets corner
-/// to corner on the axis has two contact planes that are as good as each other, and one penalty spring has to take one.
+/// B4.2. A block falls between two gables that stand on lintels on columns. Mirror images never meet: a pair
+/// that meets corner to corner on the axis has two contact planes that are as good as each other, and one
+/// penalty spring has to take one.
 struct SymmetricGroup {
   Scene scene;
   std::vector<std::pair<hs_block, hs_block>> pairs;
@@ -24,8 +25,9 @@ struct SymmetricGroup {
     add_pair({{2.25, 0}, {3.75, 0}, {3.75, 1.5}, {2.25, 1.5}});
     add_pair({{1.875, 1.5}, {4.125, 1.5}, {4.125, 2.25}, {1.875, 2.25}});
     add_pair({{2.25, 2.25}, {3.75, 2.25}, {3, 3.75}});
-    const hs_block falling = scene.add({{shift - 2.25, 3}, {shift + 2.25, 3}, {shift + 2.25, 4.5}, {shift - 2.25, 4.5}},
-                                       {HS_BLOCK_RIGID, {0, -3}, 0});
+    const hs_block falling =
+        scene.add({{shift - 2.25, 3}, {shift + 2.25, 3}, {shift + 2.25, 4.5}, {shift - 2.25, 4.5}},
+                  {HS_BLOCK_RIGID, {0, -3}, 0});
     pairs.emplace_back(falling, falling);
   }
   void add_pair(const Points& right) { pairs.emplace_back(scene.add(right), scene.add(mirrored(right))); }
@@ -35,9 +37,10 @@ struct SymmetricGroup {
     double largest = 0;
     for (auto [right, left] : pairs) {
       const hs_block_state r = scene.state(right), l = scene.state(left);
-      for (double difference : {r.pose.position[0] + l.pose.position[0], r.pose.position[1] - l.pose.position[1],
-                                r.velocity[0] + l.velocity[0], r.velocity[1] - l.velocity[1], r.angle + l.angle,
-                                r.angular_velocity[2] + l.angular_velocity[2]}) {
+      for (double difference :
+           {r.pose.position[0] + l.pose.position[0], r.pose.position[1] - l.pose.position[1],
+            r.velocity[0] + l.velocity[0], r.velocity[1] - l.velocity[1], r.angle + l.angle,
+            r.angular_velocity[2] + l.angular_velocity[2]}) {
         largest = std::max(largest, std::abs(difference));
       }
     }
@@ -45,9 +48,11 @@ struct SymmetricGroup {
   }
 };
 
-/// Not bit for bit: places along an edge are measured from its start, which is the mirrored edge's end. So each step adds
-/// rounding (of coordinates up to 4 m: 4e-16), which the collisions enlarge as they enlarge any other disturbance. By how much
-/// is found by running the group once more with the falling block put off the axis by a known, small distance.
+/// Per contact it holds bit for bit: all arithmetic is even or odd under the mirror, and no block has three
+/// contacts whose forces a mirror image adds up in another order. Per area the trapezoids under the depth are
+/// added in the order of the outline, which the mirror turns round: each step rounds coordinates of up to 4 m
+/// (4e-16), which the collisions enlarge as they enlarge any disturbance. By how much is found by running the
+/// group once more with the falling block put off the axis by a known, small distance.
 TEST_CASE("B4.2 a mirror-symmetric group moves symmetrically") {
   constexpr int steps = 10000;
   constexpr double shift = 1e-9;
@@ -56,25 +61,28 @@ TEST_CASE("B4.2 a mirror-symmetric group moves symmetrically") {
       hs_law_def law = spring_law(1e7, friction * degree);
       law.stiffness_kind = kind;
       SymmetricGroup group(law, 0), disturbed(law, shift);
-      double largest = 0, first = -1, growth = 1;
+      double largest = 0, growth = 1;
       for (int i = 0; i < steps; ++i) {
         group.scene.step();
         disturbed.scene.step();
         largest = std::max(largest, group.asymmetry());
         growth = std::max(growth, disturbed.asymmetry() / shift);
-        if (largest > 0 && first < 0) first = group.scene.report().time;
       }
-      const Point end = group.scene.position(group.pairs[3].first), gable = group.scene.position(group.pairs[2].first);
-      std::printf("B4.2 friction %2.0f deg, %s: largest asymmetry in 1 s %.1e, first at %.4f s; a disturbance grows by %.1e; fallen to %.3f m, gable at %.3f, %.3f m\n",
-                  friction, kind == HS_STIFFNESS_PER_AREA ? "per area" : "per contact", largest, first, growth, end.y, gable.x, gable.y);
-      CHECK(largest <= growth * steps * 4 * rounding);
-      CHECK(largest <= 1e-6);  // whatever the growth: nobody can see it
+      const Point end = group.scene.position(group.pairs[3].first),
+                  gable = group.scene.position(group.pairs[2].first);
+      std::printf(
+          "B4.2 friction %2.0f deg, %s: largest asymmetry in 1 s %.1e; a disturbance grows by %.1e; fallen "
+          "to %.3f m, gable at %.3f, %.3f m\n",
+          friction, kind == HS_STIFFNESS_PER_AREA ? "per area" : "per contact", largest, growth, end.y,
+          gable.x, gable.y);
+      CHECK(largest <= (kind == HS_STIFFNESS_PER_CONTACT ? 0 : growth * steps * 4 * rounding));
     }
   }
 }
 
-/// B5.2. Two triangles with an angle of 5 degrees, each the other turned by half a turn about the origin, at +-1 m/s. Their
-/// faces are parallel as long as both turn alike. With the offset of 0.45 m only the two tips meet.
+/// B5.2. Two triangles with an angle of 5 degrees, each the other turned by half a turn about the origin, at
+/// +-1 m/s. Their faces are parallel as long as both turn alike. With the offset of 0.45 m only the two tips
+/// meet.
 TEST_CASE("B5.2 two triangles with an angle of 5 degrees move point-symmetrically") {
   constexpr int steps = 10000;
   for (double offset : {-0.45, -0.25, 0.0, 0.25}) {
@@ -99,12 +107,15 @@ TEST_CASE("B5.2 two triangles with an angle of 5 degrees move point-symmetricall
         spin = std::max(spin, std::abs(a.angular_velocity[2] - b.angular_velocity[2]));
       }
       const hs_block_state a = scene.state(up);
-      std::printf("B5.2 offset %5.2f m, scene turned by %2.0f deg: velocity %.4f, %.4f m/s, spin %.4f /s; asymmetry of place %.1e m, velocity %.1e m/s, turn %.1e, spin %.1e /s\n",
-                  offset, turned, c * a.velocity[0] + s * a.velocity[1], -s * a.velocity[0] + c * a.velocity[1],
-                  a.angular_velocity[2], place, velocity, turn, spin);
+      std::printf(
+          "B5.2 offset %5.2f m, scene turned by %2.0f deg: velocity %.4f, %.4f m/s, spin %.4f /s; asymmetry "
+          "of place %.1e m, velocity %.1e m/s, turn %.1e, spin %.1e /s\n",
+          offset, turned, c * a.velocity[0] + s * a.velocity[1], -s * a.velocity[0] + c * a.velocity[1],
+          a.angular_velocity[2], place, velocity, turn, spin);
       CHECK(std::abs(a.angular_velocity[2]) > 0.1);  // they have met, off their centroids
-      // Action is reaction: each step rounds velocities and places of about 1 by 1e-16. A contact point known to 2e-16 m
-      // gives the spin m / I (24 to 36 per m^2) times that for each 1 m/s that the contact changes.
+      // Action is reaction: each step rounds velocities and places of about 1 by 1e-16. A contact point known
+      // to 2e-16 m gives the spin m / I (24 to 36 per m^2) times that for each 1 m/s that the contact
+      // changes.
       CHECK(place <= steps * rounding);
       CHECK(velocity <= steps * rounding);
       CHECK(spin <= 36 * steps * rounding);

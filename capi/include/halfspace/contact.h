@@ -33,7 +33,8 @@ typedef struct hs_contact {
   int32_t vertex;      /**< the other block's vertex deepest behind it */
   int32_t reserved;    /**< 0 */
   double normal[3];    /**< unit, from a to b */
-  double gap;          /**< of the pair (edge, vertex) along the normal; < 0 is overlap. When separated it is the
+  double gap;          /**< of the pair (edge, vertex) along the normal, or at the deeper end of an edge-edge region; < 0 is
+                            overlap. When separated it is the
                             separation that proves the verdict: a lower bound of the distance. */
   double area;         /**< of the contact region: overlap length x unit thickness; 0 unless edge-edge */
   double points[2][3]; /**< points of the region on the contact plane, in the frame of the poses given */

@@ -27,7 +27,8 @@ typedef struct hs_pair_options {
   uint32_t struct_size;  /**< set by hs_pair_options_init() */
   uint32_t reserved;     /**< 0 */
   double parallel_angle; /**< edges closer to parallel than this are edge-edge; rad, [0, 0.5]; default 0.01 */
-  double vertex_zone;    /**< share of the edge's length at each end that counts as its vertex; [0, 0.5]; default 0.001 */
+  double vertex_zone;    /**< how near the end of an edge a vertex meets the vertex there: share of the
+                              shorter of the two edges that face each other; [0, 0.5]; default 1e-6 */
 } hs_pair_options;
 
 /** @brief Fills detection options with their defaults.

@@ -33,7 +33,7 @@ typedef struct hs_mutable_view {
 
 /** Where a shape is: its centroid, and its rotation about the centroid. */
 typedef struct hs_pose {
-  double position[3]; /**< of the centroid; finite */
+  double position[3]; /**< of the centroid; finite, at most 1e75 */
   double rotation[4]; /**< unit quaternion x, y, z, w; its length may be off 1 by 1e-6 and is normalised */
 } hs_pose;
 

@@ -61,7 +61,7 @@ typedef struct hs_block_state {
   int32_t kind;               /**< an HS_BLOCK_ value */
   int32_t material;           /**< index */
   hs_pose pose;               /**< of the centroid */
-  double angle;               /**< 2D: accumulated turn, rad, unbounded */
+  double angle;               /**< 2D: turned by motion since the block was added, rad, unbounded */
   double velocity[3];         /**< of the centroid */
   double angular_velocity[3]; /**< 2D: z */
   double force[3];            /**< contact force of the last force evaluation */
