@@ -1,9 +1,11 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 
+#include "detect/two_lanes.h"
 #include "geometry/rotation.h"
 #include "geometry/vector.h"
 #include "guard.h"
@@ -79,17 +81,48 @@ struct Pose2 {
          q[0], q[1], q[2], q[3]);
 }
 
+/// Quaternions about z as turns, and by how much their squared lengths are off 1. Number is a double, or TwoLanes for those of two
+/// poses side by side.
+template <class Number>
+struct TurnAboutZ {
+  TurnAboutZ(const Number& z, const Number& w) {
+    const Number excess = (z * z + w * w) - 1.0;
+    turn = cosine_and_sine(z, w, excess);
+    fault = magnitude(excess);
+  }
+
+  CosineAndSine<Number> turn;
+  Number fault;
+};
+
+/// Of a quaternion's squared length, and of its x and y squared: of a length off 1 by 1e-6.
+constexpr double largest_fault = 2e-6;
+
+inline TurnAboutZ<TwoLanes> turns_about_z(const hs_pose& a, const hs_pose& b) {
+  const TwoLanes zw_a = two_at(a.rotation + 2), zw_b = two_at(b.rotation + 2);
+  return {firsts(zw_a, zw_b), seconds(zw_a, zw_b)};
+}
+
+/// Are the x and y of both quaternions 0?
+inline bool turn_exactly_about_z(const hs_pose& a, const hs_pose& b) {
+  const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
+  const std::uint64_t any = bits(a.rotation[0]) | bits(a.rotation[1]) | bits(b.rotation[0]) | bits(b.rotation[1]);
+  return any << 1 == 0;  // without the sign
+}
+
+/// False also for NaN.
+inline bool is_tolerable(TwoLanes fault) { return fault[0] <= largest_fault && fault[1] <= largest_fault; }
+
 inline Pose2 read_pose(const hs_pose* pose, const char* name) {
   require_pointer(pose, name);
   const double x = pose->position[0], y = pose->position[1];
   const double* q = pose->rotation;
+  const TurnAboutZ<double> about_z(q[2], q[3]);
   const double off_axis = q[0] * q[0] + q[1] * q[1];
-  const double excess = (q[2] * q[2] + q[3] * q[3]) - 1;
-  // One comparison for all, false for NaN. A coordinate counts nothing unless it is beyond what shapes may have, 1e75.
-  const double far_off = 1e-81 * (std::abs(x) + std::abs(y));
-  constexpr double largest_excess = 2e-6;  // of a length off 1 by 1e-6
-  if (!(std::abs(excess) + off_axis + far_off <= largest_excess)) refuse_pose(*pose, name);
-  return {{x, y}, Rotation<2>::from_quaternion(q[2], q[3], excess)};
+  // One comparison for all, false for NaN: x - x is 0 exactly when x is finite.
+  const double infinite = std::abs(x - x) + std::abs(y - y);
+  if (!((about_z.fault + off_axis) + infinite <= largest_fault)) refuse_pose(*pose, name);
+  return {{x, y}, {about_z.turn.cosine, about_z.turn.sine}};
 }
 
 inline void write_pose(const Vector<2>& position, const Rotation<2>& rotation, hs_pose& pose) {

@@ -6,17 +6,29 @@
 
 namespace halfspace::capi {
 
+/// The part that is always set.
+inline void write_pair(ContactType type, int point_count, const PotentialPair& pair, const Vector<2>& normal, double gap,
+                       hs_contact& out) {
+  out.type = std::int32_t(type);
+  out.point_count = point_count;
+  out.edge_owner = pair.owner;
+  out.edge = pair.edge;
+  out.vertex = pair.vertex;
+  out.reserved = 0;
+  write_vector(normal, out.normal);
+  out.gap = gap;
+}
+
+/// The proof that there is no contact.
+inline void write_separation(const PotentialPair& pair, const Vector<2>& normal, double gap, hs_contact& out) {
+  write_pair(ContactType::none, 0, pair, normal, gap, out);
+}
+
 /// A contact in the host's terms, without ids and forces. `frame` turns and `origin` moves it from the frame of detection to the host's.
 inline void write_contact(const Contact<2>& contact, const Rotation<2>& frame, const Vector<2>& origin,
                           hs_contact& out) {
-  out.type = std::int32_t(contact.type);
-  out.point_count = contact.point_count;
-  out.edge_owner = contact.pair.owner;
-  out.edge = contact.pair.edge;
-  out.vertex = contact.pair.vertex;
-  out.reserved = 0;
-  write_vector(frame * contact.normal, out.normal);
-  out.gap = contact.gap;
+  write_pair(contact.type, contact.point_count, contact.pair, frame * contact.normal, contact.gap, out);
+  if (contact.point_count == 0) return;
   out.area = contact.point_count == 2 ? contact.length : 0;
   for (int i = 0; i < contact.point_count; ++i) {
     write_vector(frame * contact.points[i] + origin, out.points[i]);

@@ -73,13 +73,15 @@ SpringLaw read_law(const hs_law_def* given) {
   law.normal_stiffness = require(def.normal_stiffness > 0 && std::isfinite(def.normal_stiffness), def.normal_stiffness,
                                  "law.normal_stiffness", "finite and > 0");
   law.shear_stiffness = at_least_zero(def.shear_stiffness, "law.shear_stiffness");
-  law.friction_angle = require(def.friction_angle >= 0 && def.friction_angle < std::numbers::pi / 2,
-                               def.friction_angle, "law.friction_angle", "at least 0 and below pi/2");
-  law.tan_friction = std::tan(law.friction_angle);
+  law.tan_friction = std::tan(require(def.friction_angle >= 0 && def.friction_angle < std::numbers::pi / 2,
+                                      def.friction_angle, "law.friction_angle", "at least 0 and below pi/2"));
   law.cohesion = at_least_zero(def.cohesion, "law.cohesion");
   law.tensile_strength = at_least_zero(def.tensile_strength, "law.tensile_strength");
   law.normal_damping = at_least_zero(def.normal_damping, "law.normal_damping");
   law.shear_damping = at_least_zero(def.shear_damping, "law.shear_damping");
+  if (law.shear_stiffness == 0 && (law.tan_friction > 0 || law.cohesion > 0)) {
+    refuse(HS_ERROR_ARGUMENT, "law.shear_stiffness is 0; friction and cohesion act through it and need one above 0");
+  }
   return law;
 }
 
@@ -162,7 +164,14 @@ hs_status hs_world_add_block(hs_world* world, const hs_shape* shape, const hs_bl
       refuse(HS_ERROR_ARGUMENT, "def.velocity is (%g, %g), def.angular_velocity[2] is %g; a fixed block has none",
              velocity.x(), velocity.y(), spin);
     }
+    if (known.reserved != 0) refuse(HS_ERROR_ARGUMENT, "def.reserved is %d; it must be 0", known.reserved);
     World<2>& w = world->world;
+    const double density = w.density(known.material);
+    const double mass = density * shape->shape.area(), inertia = density * shape->shape.polar_moment();
+    if (!(mass > 0 && inertia > 0 && std::isfinite(mass) && std::isfinite(inertia))) {
+      refuse(HS_ERROR_ARGUMENT, "shape and def.material give a mass of %g and a moment of inertia of %g; both must be finite and > 0",
+             mass, inertia);
+    }
     const std::int32_t slot =
         w.add_block(shape->shape, BlockKind(known.kind), known.material, pose.position, pose.rotation);
     w.set_velocity(slot, velocity, spin);

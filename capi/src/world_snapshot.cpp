@@ -67,8 +67,7 @@ hs_status hs_world_restore(hs_context* context, const void* bytes, size_t count,
     try {
       snapshot::Reader reader(state);
       restored->world.visit(reader);
-      if (reader.failed() || !reader.at_end()) refuse(HS_ERROR_FORMAT, "bytes do not hold what a snapshot holds");
-      restored->world.rederive();
+      if (reader.failed() || !reader.at_end() || !restored->world.is_consistent()) refuse(HS_ERROR_FORMAT, "bytes do not hold what a snapshot holds");
     } catch (...) {
       hs_world_destroy(restored);
       throw;

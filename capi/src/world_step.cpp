@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "contact.h"
 #include "view.h"
@@ -51,7 +52,7 @@ std::size_t contact_index(const World<2>& world, std::int32_t a, std::int32_t b)
   }
   const bool found = first < world.contacts().size() && world.candidate_of(first).a == wanted.first &&
                      world.candidate_of(first).b == wanted.second;
-  if (!found) refuse(HS_ERROR_STALE_ID, "block_a and block_b are not in contact");
+  if (!found) refuse(HS_ERROR_STALE_ID, "block_a and block_b (slots %d and %d) are not in contact", a, b);
   return first;
 }
 
@@ -74,7 +75,7 @@ hs_status hs_world_forces(hs_world* world, double elapsed, hs_mutable_view force
     require_turn_view(torques, "torques");
     World<2>& w = world->world;
     if (!w.is_detected()) refuse(HS_ERROR_STATE, "poses, blocks or laws have changed; call hs_world_detect() first");
-    w.evaluate_forces(elapsed);
+    w.evaluate_forces_for_host(elapsed);
     const Blocks<2>& all = w.blocks();
     for_each_block(all, [&](std::int64_t i, std::int32_t slot) {
       if (i < forces.count) write_point(forces, i, all.force[std::size_t(slot)]);
@@ -162,6 +163,7 @@ hs_status hs_world_set_shear_force(hs_world* world, hs_block block_a, hs_block b
     World<2>& w = world->world;
     const std::int32_t a = slot_of(w.blocks(), block_a, "block_a");
     const std::int32_t b = slot_of(w.blocks(), block_b, "block_b");
+    if (!w.is_detected()) refuse(HS_ERROR_STATE, "poses, blocks or laws have changed; call hs_world_detect() first");
     // Swapping the blocks turns normal, tangent and force on the second: the scalar stays.
     if (!w.set_shear_force(contact_index(w, a, b), shear_force)) {
       refuse(HS_ERROR_STATE, "the law between block_a and block_b has no friction and no shear spring");

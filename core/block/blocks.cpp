@@ -64,7 +64,6 @@ std::int32_t Blocks<2>::add(const Shape<2>& shape, BlockKind block_kind, std::in
   try {
     own_.resize(first + components * stride);
     turned_.resize(first + components * stride);
-    free_slots_.reserve(slots + 1);
     if (appended) resize(slots + 1);
   } catch (...) {
     own_.resize(first);
@@ -98,9 +97,9 @@ std::int32_t Blocks<2>::add(const Shape<2>& shape, BlockKind block_kind, std::in
 }
 
 void Blocks<2>::remove(std::int32_t slot) {
+  free_slots_.push_back(slot);  // the one line that may fail comes first
   drop_outline(slot);
   kind[std::size_t(slot)] = BlockKind::none;
-  free_slots_.push_back(slot);  // reserved by add()
   --living_;
 }
 

@@ -41,6 +41,9 @@ class Blocks<2> {
                   inertia[std::size_t(slot)] * spin[std::size_t(slot)] * spin[std::size_t(slot)]);
   }
 
+  /// False for what no blocks can be, after reading a snapshot: nothing read from it can then lead out of the arrays.
+  bool is_consistent(std::int32_t material_count) const;
+
   template <class Archive>
   void visit(Archive& archive) {
     archive(kind, material, generation, position, velocity, force, applied_force, rotation, angle, spin, torque,

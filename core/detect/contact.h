@@ -42,12 +42,13 @@ struct Contact<2> {
   ContactType type;
   PotentialPair pair;        // the contact plane; of a separated pair, the violated pair
   std::int32_t point_count;  // 0 when separated, and then only normal and gap follow
-  Vector<2> normal;          // unit, from a to b
+  std::int32_t reserved;     // fills the gap before the next member, so that saved contacts hold no stray bytes
   double gap;                // of the pair, or of the deeper end of an edge-edge region; > 0 proves the separation
-  double length;             // of the contact region: 0 unless edge-edge
+  Vector<2> normal;          // unit, from a to b
   Vector<2> points[2];       // of the region, on the contact plane
   double gaps[2];            // at the points
   double shares[2];          // of the contact's stiffness at the points
+  double length;             // of the contact region: 0 unless edge-edge
   double share_rate;         // of the first point's share as b turns counter-clockwise against a
 };
 

@@ -8,27 +8,28 @@ namespace {
 /// Walks around the Minkowski difference to the pair of least depth that is reached without passing a deeper one. So the
 /// contact keeps the side through which the blocks met, also when a thin block is overlapped past its middle.
 PotentialPair descend(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b, const PotentialPair& start) {
-  Separation best{0, start};
-  best.gap = refresh(a, b, to_b, best.pair);
+  PotentialPair best = start;
+  double best_gap = refresh(a, b, to_b, best);
   const auto walk = [&](auto neighbour) {
     for (int steps = a.count + b.count; steps > 0; --steps) {
-      Separation candidate{0, neighbour(a, b, best.pair)};
-      candidate.gap = refresh(a, b, to_b, candidate.pair);
-      if (candidate.gap <= best.gap) break;
+      PotentialPair candidate = neighbour(a, b, best);
+      const double gap = refresh(a, b, to_b, candidate);
+      if (gap <= best_gap) break;
       best = candidate;
+      best_gap = gap;
     }
   };
   walk(next_pair);
-  if (best.pair.owner == start.owner && best.pair.edge == start.edge) walk(previous_pair);
-  return best.pair;
+  if (best.owner == start.owner && best.edge == start.edge) walk(previous_pair);
+  return best;
 }
 
 }  // namespace
 
-void remember_contact(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b, const Separation& least_depth,
+void remember_contact(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b, const PotentialPair& least_depth,
                       PairMemory& memory) {
   switch (memory.state) {
-    case PairMemory::unknown: memory.pair = least_depth.pair; break;
+    case PairMemory::unknown: memory.pair = least_depth; break;
     case PairMemory::separated: memory.pair = descend(a, b, to_b, memory.pair); break;
     case PairMemory::touching: refresh(a, b, to_b, memory.pair); break;
   }

@@ -22,7 +22,7 @@ inline bool still_separated(const Outline<2>& a, const Outline<2>& b, const Vect
 
 /// The pair through which blocks meet that are found to overlap: the last violated one, or a neighbour of it that is less deep; the
 /// one remembered when they touched before; without history the given one, of least depth (section 2.5). Remembers it.
-void remember_contact(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b, const Separation& least_depth,
+void remember_contact(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b, const PotentialPair& least_depth,
                       PairMemory& memory);
 
 /// Type, normal, gap and region of the contact at a potential pair, touching or not. `pair` is moved to the neighbouring one when
@@ -31,28 +31,37 @@ void describe_contact(const Outline<2>& a, const Outline<2>& b, const Vector<2>&
                       const DetectOptions& options, Contact<2>& contact);
 
 /// The proof of separation as a contact of no type.
-inline void describe_separation(const Separation& separation, const Vector<2>& normal, Contact<2>& contact) {
+inline void describe_separation(const Separation& separation, Contact<2>& contact) {
   contact.type = ContactType::none;
   contact.pair = separation.pair;
   contact.point_count = 0;
   contact.gap = separation.gap;
-  contact.normal = normal;
+  contact.normal = separation.normal;
 }
 
-/// Judges all potential pairs of two blocks, and describes the contact or the separation. `turn_normals` is called before the
-/// normals of b are read.
+/// Describes the contact of two blocks that overlap.
+inline void describe_overlap(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b, const PotentialPair& least_depth,
+                             const DetectOptions& options, PairMemory& memory, Contact<2>& contact) {
+  remember_contact(a, b, to_b, least_depth, memory);
+  describe_contact(a, b, to_b, memory.pair, options, contact);
+}
+
+/// Judges all potential pairs of two blocks, and describes the contact or the separation.
+inline void judge_pair(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b, const DetectOptions& options,
+                       PairMemory& memory, Contact<2>& contact) {
+  const Separation separation = find_separation(a, b, to_b);
+  if (separation.gap > 0) {
+    memory = {PairMemory::separated, separation.pair};
+    describe_separation(separation, contact);
+  } else {
+    describe_overlap(a, b, to_b, separation.pair, options, memory, contact);
+  }
+}
+
 template <class TurnNormals>
 void judge_pair(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b, const DetectOptions& options,
-                TurnNormals turn_normals, PairMemory& memory, Contact<2>& contact) {
-  const Separation separation = find_separation(a, b, to_b, turn_normals);
-  const PotentialPair& pair = separation.pair;
-  if (separation.gap > 0) {
-    memory = {PairMemory::separated, pair};
-    describe_separation(separation, pair.owner == 0 ? a.normal(pair.edge) : Vector<2>(-b.normal(pair.edge)), contact);
-  } else {
-    remember_contact(a, b, to_b, separation, memory);
-    describe_contact(a, b, to_b, memory.pair, options, contact);
-  }
+                TurnNormals, PairMemory& memory, Contact<2>& contact) {
+  judge_pair(a, b, to_b, options, memory, contact);
 }
 
 }  // namespace halfspace

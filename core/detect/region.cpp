@@ -98,6 +98,8 @@ void describe_point(ContactType type, const Vector<2>& point, Contact<2>& contac
   contact.share_rate = 0;
   contact.points[0] = point;
   contact.gaps[0] = contact.gap;
+  contact.shares[1] = contact.gaps[1] = 0;
+  contact.points[1].setZero();
 }
 
 /// Two vertices meet: the normal is that of the sum of both half-spaces' normals (section 2.5).
@@ -154,6 +156,7 @@ void describe_contact(const Outline<2>& a, const Outline<2>& b, const Vector<2>&
     break;
   }
   contact.pair = pair;
+  contact.reserved = 0;
   if (pair.owner == 1) {
     // Seen from b so far: relative to a's centroid, and from a to b.
     contact.normal = -contact.normal;

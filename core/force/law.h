@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "geometry/vector.h"
@@ -15,8 +16,7 @@ struct SpringLaw {
   std::int32_t reserved = 0;     // so that saved laws have no padding
   double normal_stiffness = 1e9;  // N/m or Pa/m
   double shear_stiffness = 1e9;   // N/m or Pa/m
-  double friction_angle = 0;      // rad
-  double tan_friction = 0;        // of the friction angle
+  double tan_friction = 0;        // tangent of the friction angle
   double cohesion = 0;            // Pa, of intact contacts
   double tensile_strength = 0;    // Pa, of intact contacts
   double normal_damping = 0;      // share of critical
@@ -31,7 +31,13 @@ class LawTable {
  public:
   explicit LawTable(Memory* memory) : own_(memory), law_of_pair_(memory) {}
 
-  void resize(std::int32_t material_count);
+  std::int32_t material_count() const { return material_count_; }
+
+  /// One more material, that has the default law with all.
+  void add_material() {
+    law_of_pair_.resize(law_of_pair_.size() + std::size_t(material_count_) + 1, -1);
+    ++material_count_;
+  }
   void set_default(const SpringLaw& law) { default_ = law; }
   void set(std::int32_t a, std::int32_t b, const SpringLaw& law);
 
@@ -49,17 +55,24 @@ class LawTable {
     return false;
   }
 
+  /// False for what no table can be, after reading a snapshot.
+  bool is_consistent() const;
+
   template <class Archive>
   void visit(Archive& archive) {
     archive(default_, own_, law_of_pair_, material_count_);
   }
 
  private:
-  std::size_t index(std::int32_t a, std::int32_t b) const { return std::size_t(a * material_count_ + b); }
+  /// Of the lower triangle, row by row: a new material adds a row and moves nothing.
+  static std::size_t index(std::int32_t a, std::int32_t b) {
+    const std::size_t row = std::size_t(std::max(a, b)), column = std::size_t(std::min(a, b));
+    return row * (row + 1) / 2 + column;
+  }
 
   SpringLaw default_;
   Array<SpringLaw> own_;
-  Array<std::int32_t> law_of_pair_;  // material_count^2, -1: default
+  Array<std::int32_t> law_of_pair_;  // -1: default
   std::int32_t material_count_ = 0;
 };
 

@@ -4,6 +4,13 @@
 #include <cmath>
 
 namespace halfspace {
+namespace {
+
+Vector<2> middle_of(const Contact<2>& contact) {
+  return contact.point_count == 2 ? Vector<2>(0.5 * (contact.points[0] + contact.points[1])) : contact.points[0];
+}
+
+}  // namespace
 
 double Spring::viscosity(double share_of_critical, double stiffness) const {
   return share_of_critical == 0 ? 0 : 2 * share_of_critical * std::sqrt(stiffness * reduced_mass_);
@@ -35,13 +42,30 @@ Spring::NormalPart Spring::per_contact(const Contact<2>& contact, const PairMoti
     normal.force += elastic + viscous;
     weighted += (elastic + viscous) * contact.points[i];
   }
-  if (normal.force > 0) {
+  normal.center = middle_of(contact);
+  if (normal.force > 0 && !bonded) {
     normal.center = weighted / normal.force;
-  } else if (contact.point_count == 2) {
-    normal.center = 0.5 * (contact.points[0] + contact.points[1]);
   } else {
-    normal.center = contact.points[0];
+    // A bond pulls at one end and pushes at the other: what has no centre has a couple.
+    const Vector<2> moment_arm = weighted - normal.force * normal.center;
+    normal.couple += cross(moment_arm, contact.normal);
   }
+  return normal;
+}
+
+/// An intact contact per area: the springs of the joint are spread over the faces that were one, and pull as well as push.
+Spring::NormalPart Spring::bonded_per_area(const Contact<2>& contact, ContactEnergy& energy) const {
+  NormalPart normal;
+  const double length = contact.length;
+  const double mean = 0.5 * (contact.gaps[0] + contact.gaps[1]);
+  const double difference = contact.gaps[1] - contact.gaps[0];
+  normal.width = length;
+  normal.stiffness = law_.normal_stiffness * length;
+  normal.center = middle_of(contact);
+  normal.force = -normal.stiffness * mean;
+  const Vector<2> along = contact.points[1] - contact.points[0];
+  normal.couple = -normal.stiffness * difference / 12 * cross(along, contact.normal);
+  energy.strain += 0.5 * normal.stiffness * (mean * mean + difference * difference / 12);
   return normal;
 }
 
@@ -49,14 +73,8 @@ Spring::NormalPart Spring::per_contact(const Contact<2>& contact, const PairMoti
 Spring::NormalPart Spring::per_area(const Contact<2>& contact, const Overlap& overlap, const PairMotion<2>& motion,
                                     bool bonded, ContactEnergy& energy) const {
   NormalPart normal;
-  if (bonded && overlap.area == 0) {
-    // An intact contact that has opened: the joint's springs are spread over the faces that were one.
-    normal.width = contact.length;
-    normal.stiffness = law_.normal_stiffness * contact.length;
-    normal.center = contact.point_count == 2 ? Vector<2>(0.5 * (contact.points[0] + contact.points[1])) : contact.points[0];
-    const double opening = contact.point_count == 2 ? 0.5 * (contact.gaps[0] + contact.gaps[1]) : contact.gap;
-    normal.force = -normal.stiffness * opening;
-    energy.strain += -0.5 * normal.force * opening;
+  if (bonded && contact.point_count == 2) {
+    normal = bonded_per_area(contact, energy);
   } else {
     normal.width = overlap.width;
     normal.stiffness = law_.normal_stiffness * overlap.width;

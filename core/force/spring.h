@@ -86,6 +86,7 @@ class Spring {
                          ContactEnergy& energy) const;
   NormalPart per_area(const Contact<2>& contact, const Overlap& overlap, const PairMotion<2>& motion, bool bonded,
                       ContactEnergy& energy) const;
+  NormalPart bonded_per_area(const Contact<2>& contact, ContactEnergy& energy) const;
   double shear_force(const NormalPart& normal, double slip_velocity, ShearSpring& shear, bool& bonded,
                      ContactEnergy& energy) const;
   double viscosity(double share_of_critical, double stiffness) const;

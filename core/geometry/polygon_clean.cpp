@@ -1,6 +1,7 @@
 #include "geometry/polygon_clean.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/orientation.h"
 #include "geometry/polygon_check.h"
@@ -24,15 +25,18 @@ void weld(Array<Vector<2>>& kept, double tolerance, CleanReport& report) {
 }
 
 void straighten(Array<Vector<2>>& kept, double tolerance, CleanReport& report) {
-  for (std::size_t i = 0; kept.size() > 3 && i < kept.size();) {
+  // A vertex that goes gives its neighbours new ones: round and round until a whole round finds nothing.
+  for (std::size_t i = 0, found_bent = 0; kept.size() > 3 && found_bent < kept.size();) {
     const std::size_t n = kept.size();
-    if (!is_straight(kept[(i + n - 1) % n], kept[i], kept[(i + 1) % n], tolerance)) {
-      ++i;
-      continue;
+    if (is_straight(kept[(i + n - 1) % n], kept[i], kept[(i + 1) % n], tolerance)) {
+      kept.erase(kept.begin() + std::ptrdiff_t(i));
+      ++report.straightened;
+      found_bent = 0;
+      i = i == 0 ? kept.size() - 1 : i - 1;
+    } else {
+      ++found_bent;
+      i = (i + 1) % n;
     }
-    kept.erase(kept.begin() + std::ptrdiff_t(i));
-    ++report.straightened;
-    if (i > 0) --i;  // its predecessor has a new neighbour now
   }
 }
 

@@ -6,6 +6,21 @@
 
 namespace halfspace {
 
+/// Cosine and sine of a turn in the plane. Number is a double, or TwoLanes for two turns.
+template <class Number>
+struct CosineAndSine {
+  Number cosine;
+  Number sine;
+};
+
+/// From the z and w of a quaternion whose squared length is 1 but for an excess of at most 1e-5: the series of its inverse is
+/// exact to rounding then, and faster than a division.
+template <class Number>
+CosineAndSine<Number> cosine_and_sine(const Number& z, const Number& w, const Number& excess) {
+  const Number inverse = 1.0 - excess * (1.0 - excess * (1.0 - excess));
+  return {(w * w - z * z) * inverse, 2.0 * w * z * inverse};
+}
+
 /// A turn about the origin.
 template <int D>
 class Rotation;
@@ -18,11 +33,10 @@ class Rotation<2> {
   double cosine = 1;
   double sine = 0;
 
-  /// From the z and w of a quaternion whose squared length is 1 but for an excess of at most 1e-5: the series of its inverse is
-  /// exact to rounding then, and faster than a division.
+  /// See cosine_and_sine().
   static Rotation from_quaternion(double z, double w, double excess) {
-    const double inverse = 1 - excess * (1 - excess * (1 - excess));
-    return {(w * w - z * z) * inverse, 2 * w * z * inverse};
+    const CosineAndSine<double> turn = cosine_and_sine(z, w, excess);
+    return {turn.cosine, turn.sine};
   }
 
   static Rotation from_angle(double angle) { return {std::cos(angle), std::sin(angle)}; }

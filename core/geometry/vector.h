@@ -15,10 +15,10 @@ using Vector = Eigen::Matrix<double, D, 1>;
 template <class T>
 using Array = std::pmr::vector<T>;
 
-/// Room for so many entries, and some to spare: what fluctuates about a level soon asks for no more memory.
+/// Room for one entry more, gained by doubling, so that entries added one by one cost linear time.
 template <class T>
-void make_room(Array<T>& array, std::size_t size) {
-  if (array.capacity() < size) array.reserve(size + size / 4);
+void make_room_for_one(Array<T>& array) {
+  if (array.capacity() == array.size()) array.reserve(2 * array.size() + 1);
 }
 
 using Memory = std::pmr::memory_resource;

@@ -33,7 +33,7 @@ struct BlockPair {
 template <int D>
 class NeighborSearch {
  public:
-  explicit NeighborSearch(Memory* memory) : entries_(memory), first_of_bucket_(memory), cells_(memory), levels_(memory) {}
+  explicit NeighborSearch(Memory* memory) : cells_(memory), first_of_bucket_(memory), levels_(memory) {}
 
   /// Calls `found(BlockPair)` for each pair among the given boxes, each once, in an order fixed by the input. `is_member(i)` tells which
   /// entries are blocks at all.
@@ -55,13 +55,14 @@ class NeighborSearch {
   };
 
   static std::int32_t level_of(const Box<D>& box);
+  static Cell cell_of(const Box<D>& box, std::size_t block);
   static std::int64_t cell_index(double coordinate, double cell_size);
   std::size_t bucket_of(const Cell& cell) const;
-  void fill();
+  template <class IsMember>
+  void sort_into_buckets(std::span<const Box<D>> boxes, IsMember is_member);
 
-  Array<Cell> entries_;                   // sorted by bucket
+  Array<Cell> cells_;                     // of the blocks, sorted by bucket
   Array<std::uint32_t> first_of_bucket_;  // one more than buckets
-  Array<Cell> cells_;                     // in the order of the blocks
   Array<std::int32_t> levels_;            // in use, ascending
 };
 

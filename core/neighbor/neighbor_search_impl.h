@@ -32,37 +32,44 @@ std::size_t NeighborSearch<D>::bucket_of(const Cell& cell) const {
   return std::size_t(hash) & (first_of_bucket_.size() - 2);
 }
 
-/// Sorts the cells into buckets by counting: within a bucket the order of the blocks stays.
 template <int D>
-void NeighborSearch<D>::fill() {
-  const std::size_t buckets = std::bit_ceil(std::max<std::size_t>(cells_.size(), 1));
+typename NeighborSearch<D>::Cell NeighborSearch<D>::cell_of(const Box<D>& box, std::size_t block) {
+  Cell cell;
+  cell.level = level_of(box);
+  cell.block = std::int32_t(block);
+  const double size = std::ldexp(1.0, cell.level);
+  for (int k = 0; k < D; ++k) cell.index[k] = cell_index(0.5 * (box.lower[k] + box.upper[k]), size);
+  return cell;
+}
+
+/// By counting: within a bucket the order of the blocks stays.
+template <int D>
+template <class IsMember>
+void NeighborSearch<D>::sort_into_buckets(std::span<const Box<D>> boxes, IsMember is_member) {
+  const std::size_t buckets = std::bit_ceil(std::max<std::size_t>(boxes.size(), 1));
   first_of_bucket_.assign(buckets + 1, 0);
-  for (const Cell& cell : cells_) ++first_of_bucket_[bucket_of(cell) + 1];
+  std::size_t members = 0;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    if (!is_member(i)) continue;
+    ++first_of_bucket_[bucket_of(cell_of(boxes[i], i)) + 1];
+    ++members;
+  }
   for (std::size_t k = 0; k < buckets; ++k) first_of_bucket_[k + 1] += first_of_bucket_[k];
-  entries_.resize(cells_.size());
-  for (std::size_t i = cells_.size(); i-- > 0;) {
-    // Filled from the back; the start of each bucket is restored on the way.
-    entries_[--first_of_bucket_[bucket_of(cells_[i]) + 1]] = cells_[i];
+  cells_.resize(members);
+  for (std::size_t i = boxes.size(); i-- > 0;) {
+    if (!is_member(i)) continue;
+    // Filled from the back: the end of each bucket comes down to its start.
+    const Cell cell = cell_of(boxes[i], i);
+    cells_[--first_of_bucket_[bucket_of(cell) + 1]] = cell;
   }
   std::rotate(first_of_bucket_.begin(), first_of_bucket_.begin() + 1, first_of_bucket_.end());
-  first_of_bucket_.back() = std::uint32_t(cells_.size());
+  first_of_bucket_.back() = std::uint32_t(members);
 }
 
 template <int D>
 template <class IsMember, class Found>
 void NeighborSearch<D>::search(std::span<const Box<D>> boxes, IsMember is_member, Found found) {
-  cells_.clear();
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    if (!is_member(i)) continue;
-    Cell cell;
-    cell.level = level_of(boxes[i]);
-    cell.block = std::int32_t(i);
-    const double size = std::ldexp(1.0, cell.level);
-    for (int k = 0; k < D; ++k) cell.index[k] = cell_index(0.5 * (boxes[i].lower[k] + boxes[i].upper[k]), size);
-    cells_.push_back(cell);
-  }
-  fill();
-
+  sort_into_buckets(boxes, is_member);
   levels_.clear();
   for (const Cell& cell : cells_) {
     if (std::find(levels_.begin(), levels_.end(), cell.level) == levels_.end()) levels_.push_back(cell.level);
@@ -85,7 +92,7 @@ void NeighborSearch<D>::search(std::span<const Box<D>> boxes, IsMember is_member
       for (bool more = true; more;) {
         const std::size_t bucket = bucket_of(wanted);
         for (std::size_t e = first_of_bucket_[bucket]; e < first_of_bucket_[bucket + 1]; ++e) {
-          const Cell& other = entries_[e];
+          const Cell& other = cells_[e];
           const bool once = *level > own.level || other.block > own.block;
           if (once && other.same_place(wanted) && box.overlaps(boxes[std::size_t(other.block)])) {
             found(BlockPair{std::min(own.block, other.block), std::max(own.block, other.block)});

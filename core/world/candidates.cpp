@@ -9,7 +9,7 @@ Candidates<D>::Candidates(Memory* memory)
     : pairs_(memory),
       shear_(memory),
       reference_position_(memory),
-      reference_angle_(memory),
+      reference_rotation_(memory),
       skin_(memory),
       planned_(memory),
       search_(memory),
@@ -54,15 +54,15 @@ void Candidates<D>::search(const Blocks<D>& blocks) {
     boxes_[i].upper.array() += skin_[i];
   }
   found_.clear();
+  found_.reserve(room_);
   search_.search(
       std::span<const Box<D>>(boxes_), [&](std::size_t i) { return blocks.lives(i); },
       [&](const BlockPair& pair) {
         const bool one_moves_freely = blocks.kind[std::size_t(pair.a)] == BlockKind::rigid ||
                                       blocks.kind[std::size_t(pair.b)] == BlockKind::rigid;
-        if (!one_moves_freely) return;
-        make_room(found_, found_.size() + 1);
-        found_.push_back(pair);
+        if (one_moves_freely) found_.push_back(pair);
       });
+  if (found_.size() > room_) room_ = found_.size() + found_.size() / 8;
 }
 
 /// By counting on a, then by b within each: linear, since a block has few neighbours.
@@ -71,7 +71,7 @@ void Candidates<D>::sort_found(std::size_t slots) {
   first_of_block_.assign(slots + 1, 0);
   for (const BlockPair& pair : found_) ++first_of_block_[std::size_t(pair.a) + 1];
   for (std::size_t i = 0; i < slots; ++i) first_of_block_[i + 1] += first_of_block_[i];
-  make_room(sorted_, found_.size());
+  sorted_.reserve(room_);
   sorted_.resize(found_.size());
   for (const BlockPair& pair : found_) sorted_[first_of_block_[std::size_t(pair.a)]++] = pair;
   auto first = sorted_.begin();
@@ -82,42 +82,58 @@ void Candidates<D>::sort_found(std::size_t slots) {
   }
 }
 
+/// Both lists are sorted: one merge. A bonded pair stays even if its boxes have parted.
 template <int D>
 void Candidates<D>::carry_over(bool with_shear) {
+  const auto precedes = [](const auto& p, const auto& q) { return p.a < q.a || (p.a == q.a && p.b < q.b); };
+  const auto bonded = std::count_if(pairs_.begin(), pairs_.end(), [](const Candidate& pair) { return pair.bonded; });
+  const std::size_t most = std::max(room_, sorted_.size() + std::size_t(bonded));
   next_pairs_.clear();
   next_shear_.clear();
-  make_room(next_pairs_, sorted_.size());
-  if (with_shear) make_room(next_shear_, sorted_.size());
-  const auto precedes = [](const auto& p, const auto& q) { return p.a < q.a || (p.a == q.a && p.b < q.b); };
+  next_pairs_.reserve(most);
+  if (with_shear) next_shear_.reserve(most);
+  const auto keep = [&](const Candidate& pair, const ShearSpring& shear) {
+    next_pairs_.push_back(pair);
+    if (with_shear) next_shear_.push_back(shear);
+  };
+  const auto shear_of = [&](std::size_t old) { return shear_.empty() ? ShearSpring{} : shear_[old]; };
+
   std::size_t old = 0;
+  const auto keep_bonded = [&] {
+    if (pairs_[old].bonded) keep(pairs_[old], shear_of(old));
+    ++old;
+  };
   for (const BlockPair& pair : sorted_) {
-    while (old < pairs_.size() && precedes(pairs_[old], pair)) ++old;
+    while (old < pairs_.size() && precedes(pairs_[old], pair)) keep_bonded();
     const bool known = old < pairs_.size() && !precedes(pair, pairs_[old]);
-    next_pairs_.push_back(known ? pairs_[old] : Candidate{pair.a, pair.b, {}, 0});
-    if (with_shear) next_shear_.push_back(known && !shear_.empty() ? shear_[old] : ShearSpring{});
+    if (known) {
+      keep(pairs_[old], shear_of(old));
+      ++old;
+    } else {
+      keep(Candidate{pair.a, pair.b, {}, 0}, {});
+    }
   }
-  pairs_.swap(next_pairs_);
-  shear_.swap(next_shear_);
+  while (old < pairs_.size()) keep_bonded();
 }
 
 template <int D>
-void Candidates<D>::set_references(const Blocks<D>& blocks) {
-  for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
-    reference_position_[i] = blocks.position[i];
-    reference_angle_[i] = blocks.angle[i];
-  }
-}
-
-/// The list that is in use stays as it is until the new one is complete: when memory runs out nothing is lost.
-template <int D>
-void Candidates<D>::rebuild(const Blocks<D>& blocks, double relative_skin, bool with_shear) {
+void Candidates<D>::search_again(const Blocks<D>& blocks, double relative_skin, bool with_shear) {
   choose_skins(blocks, relative_skin);
   search(blocks);
   sort_found(blocks.slot_count());
   reference_position_.resize(blocks.slot_count(), Vector<D>::Zero());
-  reference_angle_.resize(blocks.slot_count());
+  reference_rotation_.resize(blocks.slot_count());
   carry_over(with_shear);
-  set_references(blocks);
+}
+
+template <int D>
+void Candidates<D>::renew(const Blocks<D>& blocks) noexcept {
+  pairs_.swap(next_pairs_);
+  shear_.swap(next_shear_);
+  for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
+    reference_position_[i] = blocks.position[i];
+    reference_rotation_[i] = blocks.rotation[i];
+  }
   used_up_ = false;
   ++builds_;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <span>
 
 #include "block/blocks.h"
@@ -29,15 +30,21 @@ class Candidates {
 
   /// Announces how far a block's farthest point will move. Call for each block before it moves.
   void plan(const Blocks<D>& blocks, std::size_t slot, double motion) {
-    const double moved = (blocks.position[slot] - reference_position_[slot]).norm() +
-                         blocks.radius[slot] * std::abs(blocks.angle[slot] - reference_angle_[slot]);
     planned_[slot] = motion;
-    if (!(moved + motion <= skin_[slot])) used_up_ = true;
+    if (!(moved(blocks, slot) + motion <= skin_[slot])) used_up_ = true;
   }
 
-  /// Searches again. Pairs that stay keep their memory; `relative_skin` is the skin as a share of a block's size; `with_shear` says
-  /// whether any law needs a shear spring.
-  void rebuild(const Blocks<D>& blocks, double relative_skin, bool with_shear);
+  /// Notes that a block has been put elsewhere.
+  void note_placement(const Blocks<D>& blocks, std::size_t slot) {
+    const bool is_listed = slot < skin_.size();
+    if (!is_listed || !(moved(blocks, slot) <= skin_[slot])) used_up_ = true;
+  }
+
+  /// Searches again and prepares the new list, for which all memory is taken here: the list in use stays as it is. Pairs that stay keep
+  /// their memory; `relative_skin` is the skin as a share of a block's size; `with_shear` says whether any law needs a shear spring.
+  void search_again(const Blocks<D>& blocks, double relative_skin, bool with_shear);
+  /// Takes the new list into use.
+  void renew(const Blocks<D>& blocks) noexcept;
 
   /// Drops the pairs of a block that is removed.
   void forget(std::int32_t slot);
@@ -46,24 +53,36 @@ class Candidates {
   const Array<Candidate>& pairs() const { return pairs_; }
   /// One per pair; none at all when no law resists shear.
   std::span<ShearSpring> shear() { return shear_; }
+  /// Pairs that all lists of pairs have room for: some to spare, so that a settled heap whose pairs come and go asks for no memory.
+  std::size_t room() const { return room_; }
   std::int64_t builds() const { return builds_; }
+
+  /// False for what no list can be, after reading a snapshot.
+  bool is_consistent(const Blocks<D>& blocks) const;
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(pairs_, shear_, reference_position_, reference_angle_, skin_, planned_, used_up_, builds_);
+    archive(pairs_, shear_, reference_position_, reference_rotation_, skin_, planned_, used_up_, builds_);
   }
 
  private:
+  /// How far a block's farthest point can have moved since the search.
+  double moved(const Blocks<D>& blocks, std::size_t slot) const {
+    const Rotation<D>& now = blocks.rotation[slot];
+    const Rotation<D>& then = reference_rotation_[slot];
+    return (blocks.position[slot] - reference_position_[slot]).norm() +
+           blocks.radius[slot] * (std::abs(now.cosine - then.cosine) + std::abs(now.sine - then.sine));
+  }
+
   void choose_skins(const Blocks<D>& blocks, double relative_skin);
   void search(const Blocks<D>& blocks);
   void sort_found(std::size_t slots);
   void carry_over(bool with_shear);
-  void set_references(const Blocks<D>& blocks);
 
   Array<Candidate> pairs_;
   Array<ShearSpring> shear_;
   Array<Vector<D>> reference_position_;
-  Array<double> reference_angle_;
+  Array<Rotation<D>> reference_rotation_;
   Array<double> skin_;
   Array<double> planned_;  // motion announced for the coming step
   std::int32_t used_up_ = 1;
@@ -73,6 +92,7 @@ class Candidates {
   NeighborSearch<D> search_;
   Array<Box<D>> boxes_;
   Array<double> sizes_;
+  std::size_t room_ = 0;
   Array<BlockPair> found_;
   Array<BlockPair> sorted_;
   Array<std::uint32_t> first_of_block_;

@@ -13,12 +13,24 @@ constexpr double bond_reach = 1e-6;
 
 /// Intact contacts are those that are there when a block's first step begins (Wang et al. 2021, section 2.5).
 template <int D>
-bool World<D>::bonds_at_birth(const Candidate& candidate, const Contact<D>& contact) const {
-  const auto is_fresh = [&](std::int32_t slot) { return std::find(fresh_.begin(), fresh_.end(), slot) != fresh_.end(); };
-  const std::size_t a = std::size_t(candidate.a), b = std::size_t(candidate.b);
-  const double reach = bond_reach * std::min(blocks_.radius[a], blocks_.radius[b]);
-  return std::abs(contact.gap) <= reach && laws_.between(blocks_.material[a], blocks_.material[b]).bonds() &&
-         (is_fresh(candidate.a) || is_fresh(candidate.b));
+void World<D>::make_bonds() {
+  fresh_.resize(blocks_.slot_count());
+  if (laws_.any([](const SpringLaw& law) { return law.bonds(); })) {
+    detect();
+    for (Candidate& pair : candidates_.pairs()) {
+      const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
+      const bool is_fresh = fresh_[a] || fresh_[b];
+      if (!is_fresh || !laws_.between(blocks_.material[a], blocks_.material[b]).bonds()) continue;
+      Contact<D> contact;
+      describe_contact(blocks_.outline(pair.a), blocks_.outline(pair.b), blocks_.position[b] - blocks_.position[a],
+                       pair.memory.pair, settings_.detect, contact);
+      pair.bonded = std::abs(contact.gap) <= bond_reach * std::min(blocks_.radius[a], blocks_.radius[b]);
+    }
+    forget_contacts();  // bonded pairs count as such from now on
+    edit();
+  }
+  std::fill(fresh_.begin(), fresh_.end(), std::uint8_t(0));
+  any_fresh_ = false;
 }
 
 /// A contact that has ended gives up what its shear spring held.
@@ -56,7 +68,6 @@ void World<D>::detect_candidate(std::size_t k, Contact<D>& contact) {
     pair.memory.state = PairMemory::separated;
     contact.type = ContactType::none;
   }
-  if (first_time && !fresh_.empty() && bonds_at_birth(pair, contact)) pair.bonded = true;
   if (pair.bonded && contact.type == ContactType::none) {
     describe_contact(a, b, to_b, pair.memory.pair, settings_.detect, contact);
   }
@@ -67,35 +78,38 @@ void World<D>::detect_candidate(std::size_t k, Contact<D>& contact) {
   }
 }
 
-/// With room for a contact at every candidate: detection then asks for no memory.
+/// With room for a contact at every candidate: detection then asks for no memory. When there is none, nothing has changed.
 template <int D>
-void World<D>::rebuild_candidates() {
+void World<D>::renew_candidates() {
   const bool with_shear = laws_.any([](const SpringLaw& law) { return law.resists_shear(); });
-  candidates_.rebuild(blocks_, settings_.skin, with_shear);
-  const std::size_t most = candidates_.pairs().size();
-  make_room(contacts_, most);
-  make_room(candidate_, most);
-  make_room(forces_, most);
+  candidates_.search_again(blocks_, settings_.skin, with_shear);
+  const std::size_t most = candidates_.room();
+  contacts_.reserve(most);
+  candidate_.reserve(most);
+  forces_.reserve(most);
+  forget_contacts();
+  candidates_.renew(blocks_);
+}
+
+template <int D>
+void World<D>::forget_contacts() {
+  contacts_.clear();
+  candidate_.clear();
+  forces_.clear();
+  detected_ = false;
 }
 
 template <int D>
 void World<D>::detect() {
   if (detected_) return;
-  if (candidates_.used_up()) rebuild_candidates();
+  if (candidates_.used_up()) renew_candidates();
+  forces_.clear();
   contacts_.clear();
   candidate_.clear();
-  Contact<D> contact;
+  Contact<D> contact{};
   const std::size_t pairs = candidates_.pairs().size();
   for (std::size_t k = 0; k < pairs; ++k) detect_candidate(k, contact);
   detected_ = true;
-}
-
-/// Contacts are not saved: detection at the same poses finds the same ones.
-template <int D>
-void World<D>::rederive() {
-  if (!detected_) return;
-  detected_ = false;
-  detect();
 }
 
 template class World<2>;

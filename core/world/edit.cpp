@@ -15,6 +15,7 @@ World<D>::World(const WorldSettings<D>& settings, Memory* memory)
       contacts_(memory),
       candidate_(memory),
       forces_(memory),
+      contacts_of_(memory),
       acceleration_(memory),
       angular_acceleration_(memory) {}
 
@@ -23,13 +24,12 @@ template <int D>
 void World<D>::edit() {
   if (!edited_) residual_before_edit_ = ledger_.residual();
   edited_ = true;
-  current_ = false;
 }
 
 template <int D>
 std::int32_t World<D>::add_material(double density) {
-  density_.reserve(density_.size() + 1);
-  laws_.resize(std::int32_t(density_.size()) + 1);
+  make_room_for_one(density_);
+  laws_.add_material();
   density_.push_back(density);
   edit();
   return std::int32_t(density_.size()) - 1;
@@ -39,7 +39,7 @@ template <int D>
 void World<D>::set_default_law(const SpringLaw& law) {
   laws_.set_default(law);
   candidates_.expire();  // shear springs may be needed now
-  detected_ = false;
+  forget_contacts();
   edit();
 }
 
@@ -47,38 +47,37 @@ template <int D>
 void World<D>::set_law(std::int32_t a, std::int32_t b, const SpringLaw& law) {
   laws_.set(a, b, law);
   candidates_.expire();
-  detected_ = false;
+  forget_contacts();
   edit();
 }
 
 template <int D>
 std::int32_t World<D>::add_block(const Shape<D>& shape, BlockKind kind, std::int32_t material,
                                  const Vector<D>& position, const Rotation<D>& rotation) {
-  fresh_.reserve(fresh_.size() + 1);
+  make_room_for_one(fresh_);
   const std::int32_t slot = blocks_.add(shape, kind, material, density_[std::size_t(material)]);
-  fresh_.push_back(slot);
+  fresh_.resize(blocks_.slot_count());
+  fresh_[std::size_t(slot)] = true;
+  any_fresh_ = true;
+  candidates_.expire();
   set_pose(slot, position, rotation);
   return slot;
 }
 
 template <int D>
 void World<D>::remove_block(std::int32_t slot) {
-  fresh_.erase(std::remove(fresh_.begin(), fresh_.end(), slot), fresh_.end());
   blocks_.remove(slot);
   // Its slot may come to name another block: no pair may remember it.
   candidates_.forget(slot);
-  contacts_.clear();
-  candidate_.clear();
-  forces_.clear();
-  detected_ = false;
+  forget_contacts();
   edit();
 }
 
 template <int D>
 void World<D>::set_pose(std::int32_t slot, const Vector<D>& position, const Rotation<D>& rotation) {
   blocks_.place(slot, position, rotation);
-  candidates_.expire();
-  detected_ = false;
+  candidates_.note_placement(blocks_, std::size_t(slot));
+  forget_contacts();
   edit();
 }
 
@@ -93,7 +92,7 @@ template <int D>
 void World<D>::set_applied_force(std::int32_t slot, const Vector<D>& force, double torque) {
   blocks_.applied_force[std::size_t(slot)] = force;
   blocks_.applied_torque[std::size_t(slot)] = torque;
-  if (current_) accelerate(std::size_t(slot));  // the next step begins under this force
+  if (!edited_) accelerate(std::size_t(slot));  // the next step begins under this force
 }
 
 template <int D>

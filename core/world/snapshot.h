@@ -6,7 +6,6 @@
 #include <span>
 #include <type_traits>
 
-#include "force/law.h"
 #include "geometry/vector.h"
 
 namespace halfspace {
@@ -41,6 +40,11 @@ class Writer {
   void write(const Array<T>& array) {
     write(std::uint64_t(array.size()));
     raw(array.data(), array.size() * sizeof(T));
+  }
+
+  template <int D>
+  void write(const Vector<D>& vector) {
+    raw(vector.data(), sizeof(double) * D);
   }
 
   template <class T>
@@ -85,6 +89,11 @@ class Reader {
     }
     array.resize(std::size_t(size));
     raw(array.data(), array.size() * sizeof(T));
+  }
+
+  template <int D>
+  void read(Vector<D>& vector) {
+    raw(vector.data(), sizeof(double) * D);
   }
 
   template <class T>

@@ -25,17 +25,17 @@ typename World<D>::Hardest World<D>::hardest_contact(std::size_t slot) const {
 /// 2 sum_contacts c (1/m + r^2/I). Dashpots read the velocity of half a step before, so that central differences are stable as long as
 /// dt^2 omega^2 + 2 dt gamma < 4. Blocks will meet others: never fewer than four contacts are counted.
 template <int D>
-double World<D>::stable_time_step() const {
+double World<D>::stable_time_step() {
   constexpr int least_contacts = 4;
-  Array<std::int32_t> contacts_of(blocks_.slot_count(), 0, density_.get_allocator());
+  contacts_of_.assign(blocks_.slot_count(), 0);
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
-    ++contacts_of[std::size_t(candidate_of(c).a)];
-    ++contacts_of[std::size_t(candidate_of(c).b)];
+    ++contacts_of_[std::size_t(candidate_of(c).a)];
+    ++contacts_of_[std::size_t(candidate_of(c).b)];
   }
   double stable = HUGE_VAL;
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
     if (blocks_.kind[i] != BlockKind::rigid || material_count() == 0) continue;
-    const double contacts = std::max(contacts_of[i], least_contacts);
+    const double contacts = std::max(contacts_of_[i], least_contacts);
     const double mobility = 1 / blocks_.mass[i] + blocks_.radius[i] * blocks_.radius[i] / blocks_.inertia[i];
     const Hardest hardest = hardest_contact(i);
     const double omega_squared = 2 * contacts * hardest.stiffness * mobility;

@@ -53,7 +53,7 @@ bool World<D>::plan_motion() {
     if (!(motion <= blocks_.radius[i])) return false;
     candidates_.plan(blocks_, i, motion);
   }
-  if (candidates_.used_up()) rebuild_candidates();
+  if (candidates_.used_up()) renew_candidates();
   return true;
 }
 
@@ -140,21 +140,26 @@ bool World<D>::makes_energy() const {
 
 template <int D>
 StepResult World<D>::prepare() {
-  if (edited_ && !choose_time_step()) return StepResult::no_time_step;
-  if (current_) return StepResult::ok;
+  if (!edited_) return StepResult::ok;
+  if (!choose_time_step()) return StepResult::no_time_step;
   acceleration_.resize(blocks_.slot_count(), Vector<D>::Zero());
   angular_acceleration_.resize(blocks_.slot_count());
   detect();
   evaluate_forces(0);
   start_ledger();
-  fresh_.clear();
-  current_ = true;
   edited_ = false;
   return StepResult::ok;
 }
 
 template <int D>
+void World<D>::evaluate_forces_for_host(double elapsed) {
+  edit();  // springs and losses change outside the steps
+  evaluate_forces(elapsed);
+}
+
+template <int D>
 StepResult World<D>::step() {
+  if (any_fresh_) make_bonds();
   if (const StepResult result = prepare(); result != StepResult::ok) return result;
   if (makes_energy() || !plan_motion()) return StepResult::unstable;
   kick_and_drift();

@@ -22,6 +22,11 @@ struct WorldSettings {
   double mass_damping = 0;
   double skin = 0.1;
   DetectOptions detect;
+
+  template <class Archive>
+  void visit(Archive& archive) {
+    archive(gravity, time_step, safety, local_damping, mass_damping, skin, detect);
+  }
 };
 
 enum class StepResult { ok, unstable, no_time_step };
@@ -34,6 +39,7 @@ class World {
 
   // Making and changing.
   std::int32_t add_material(double density);
+  double density(std::int32_t material) const { return density_[std::size_t(material)]; }
   std::int32_t material_count() const { return std::int32_t(density_.size()); }
   void set_default_law(const SpringLaw& law);
   void set_law(std::int32_t a, std::int32_t b, const SpringLaw& law);
@@ -49,7 +55,7 @@ class World {
   void detect();
   bool is_detected() const { return detected_; }
   /// Contact forces into the blocks; shear springs grow over `elapsed`.
-  void evaluate_forces(double elapsed);
+  void evaluate_forces_for_host(double elapsed);
   /// One step of velocity Verlet; on failure the world is as it was before.
   StepResult step();
   /// Brings time step, contacts, forces and ledger up to date after changes.
@@ -66,17 +72,18 @@ class World {
   std::int64_t steps() const { return steps_; }
   double time_step() const { return time_step_; }
   /// Largest stable step by Gershgorin's bound, infinite when nothing can touch.
-  double stable_time_step() const;
+  double stable_time_step();
   /// Sets the shear spring of a contact in force on b. False when it has none.
   bool set_shear_force(std::size_t contact, double force);
 
+  /// False for what no world can be, after reading a snapshot: a damaged one is refused and not run.
+  bool is_consistent() const;
+
   template <class Archive>
   void visit(Archive& archive) {
-    archive(settings_, density_, fresh_, laws_, blocks_, candidates_, forces_, acceleration_,
-            angular_acceleration_, ledger_, noise_energy_, residual_before_edit_, power_, epoch_time_, epoch_step_, time_step_, steps_, detected_, current_, edited_);
+    archive(settings_, density_, fresh_, any_fresh_, laws_, blocks_, candidates_, contacts_, candidate_, forces_, acceleration_,
+            angular_acceleration_, ledger_, noise_energy_, residual_before_edit_, power_, epoch_time_, epoch_step_, time_step_, steps_, detected_, edited_);
   }
-  /// After reading a snapshot: what is derived from the rest.
-  void rederive();
 
  private:
   /// What drives a block, before damping.
@@ -109,11 +116,13 @@ class World {
   void add_contact(std::size_t candidate, const Contact<D>& contact);
   void detect_candidate(std::size_t k, Contact<D>& contact);
   void release_shear(std::size_t candidate);
-  bool bonds_at_birth(const Candidate& candidate, const Contact<D>& contact) const;
+  void make_bonds();
+  void forget_contacts();
+  void evaluate_forces(double elapsed);
   bool choose_time_step();
   void start_ledger();
   bool plan_motion();
-  void rebuild_candidates();
+  void renew_candidates();
   void kick_and_drift();
   void kick_and_book();
   void take_stock(std::size_t slot, const Vector<D>& opposed, double opposed_spin, Stock& stock) const;
@@ -125,13 +134,15 @@ class World {
 
   WorldSettings<D> settings_;
   Array<double> density_;
-  Array<std::int32_t> fresh_;  // slots whose first step has not begun
+  Array<std::uint8_t> fresh_;  // of each block: its first step has not begun
+  std::int32_t any_fresh_ = 0;
   LawTable laws_;
   Blocks<D> blocks_;
   Candidates<D> candidates_;
   Array<Contact<D>> contacts_;
   Array<std::uint32_t> candidate_;  // of each contact
   Array<ContactForce<D>> forces_;   // of each contact
+  Array<std::int32_t> contacts_of_;  // each block, when the stable step is asked for
   Array<Vector<D>> acceleration_;  // of each block, from the last forces
   Array<double> angular_acceleration_;
   Ledger ledger_;
@@ -143,8 +154,7 @@ class World {
   double time_step_ = 0;
   std::int64_t steps_ = 0;
   std::int32_t detected_ = 0;  // contacts belong to the present poses
-  std::int32_t current_ = 0;   // and forces to the present state
-  std::int32_t edited_ = 1;    // since the last step
+  std::int32_t edited_ = 1;    // since the last step: forces, accelerations and ledger are of another state
 };
 
 extern template class World<2>;

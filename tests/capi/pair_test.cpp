@@ -40,6 +40,14 @@ struct PairCall {
   }
 };
 
+hs_pair_cache cache_of(std::int32_t state, std::int32_t edge, std::int32_t vertex) {
+  hs_pair_cache cache{};
+  cache.state = state;
+  cache.edge = edge;
+  cache.vertex = vertex;
+  return cache;
+}
+
 /// Both calls with one thing spoiled: refused by both, and nothing is written.
 struct Spoiled {
   std::string argument;
@@ -71,19 +79,19 @@ const std::vector<Spoiled> spoiled_inputs = {
     {"state", "-1", [](PairCall& c) { c.caches[0].state = -1; }},
     {"edge", "8",
      [](PairCall& c) {
-       c.caches[0] = {1, 8, 0, 0};
+       c.caches[0] = cache_of(1, 8, 0);
      }},
     {"edge", "-1",
      [](PairCall& c) {
-       c.caches[0] = {2, -1, 0, 0};
+       c.caches[0] = cache_of(2, -1, 0);
      }},
     {"vertex", "4",
      [](PairCall& c) {
-       c.caches[0] = {1, 0, 4, 0};
+       c.caches[0] = cache_of(1, 0, 4);
      }},
     {"vertex", "-2",
      [](PairCall& c) {
-       c.caches[0] = {2, 0, -2, 0};
+       c.caches[0] = cache_of(2, 0, -2);
      }},
 };
 

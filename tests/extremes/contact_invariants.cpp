@@ -110,6 +110,20 @@ void check_invariants(const Scene& s, const hs_contact& c) {
   }
 }
 
+long double distance(const Scene& s) {
+  // Seen from a, so that the distance from the origin costs no digits.
+  PlacedPolygon placed_a = s.placed_a(), placed_b = s.placed_b();
+  for (int i = 0; i < 2; ++i) {
+    placed_b.pose.position[i] -= placed_a.pose.position[i];
+    placed_a.pose.position[i] = 0;
+  }
+  const std::vector<LongPoint> a = outline_of(placed_a), b = outline_of(placed_b);
+  long double least = HUGE_VALL;
+  for (const LongPoint& p : a) least = std::min(least, distance_to_polygon(p, b));
+  for (const LongPoint& p : b) least = std::min(least, distance_to_polygon(p, a));
+  return least;
+}
+
 void check_least_depth(const Scene& s, const hs_contact& c) {
   const long double largest_gap = exact_verdict(s.placed_a(), s.placed_b()).largest_gap;
   const double bound = rounding_bound * unit_roundoff * s.extent();

@@ -14,4 +14,7 @@ void check_invariants(const Scene& scene, const hs_contact& contact);
 /// Of a contact found without a cache: not deeper than the least depth.
 void check_least_depth(const Scene& scene, const hs_contact& contact);
 
+/// Distance of two blocks that do not overlap, vertex by vertex.
+long double distance(const Scene& scene);
+
 }  // namespace halfspace_test

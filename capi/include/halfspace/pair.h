@@ -14,12 +14,22 @@ extern "C" {
 #endif
 
 /** What a pair remembers between calls: the last violated potential pair while separated, the initial contact pair while in
- *  contact (Wang et al. 2021, section 2.5). All zero is an empty cache. Copy it freely. */
+ *  contact (Wang et al. 2021, section 2.5). All zero is an empty cache. Copy it freely, also to another process.
+ *
+ *  While separated it also holds a proof: along `normal` the two centroids were farther apart than the shapes reach together. A
+ *  call whose blocks have moved and turned by less than the gap since answers from the proof alone, without a look at the shapes;
+ *  its contact has the proof's normal and vertex, and as gap what is left of the gap after the most that the motion can have
+ *  taken. The proof is of the two shapes that it was found for; with others it is not used. */
 typedef struct hs_pair_cache {
   int32_t state; /**< 0 unknown, 1 separated, 2 in contact */
   int32_t edge;  /**< edge of the remembered pair; edges of b follow those of a */
   int32_t vertex; /**< vertex of the remembered pair, of the other block */
-  int32_t reserved; /**< 0 */
+  int32_t reserved;     /**< 0 */
+  uint64_t shapes;      /**< the proof: fingerprint of its shapes, 0 if there is none */
+  double reach;         /**< of both shapes together, along the normal, as they were turned then */
+  double normal[3];     /**< unit, from a to b */
+  double rotation_a[4]; /**< how a was turned then: quaternion x, y, z, w */
+  double rotation_b[4]; /**< how b was turned then */
 } hs_pair_cache;
 
 /** Settings of detection. Fill it with hs_pair_options_init(). */

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cmath>
+
+namespace halfspace {
+
+/// Two doubles that every operation treats alike: one register of the x86-64 baseline. By the vector extensions of GCC and Clang,
+/// which also compare and select lane by lane; each lane rounds as a double does, so the bits do not depend on it.
+using TwoLanes = double __attribute__((vector_size(16)));
+
+inline TwoLanes two_at(const double* p) {
+  TwoLanes lanes;
+  __builtin_memcpy(&lanes, p, sizeof lanes);
+  return lanes;
+}
+
+inline void put_two_at(double* p, TwoLanes lanes) { __builtin_memcpy(p, &lanes, sizeof lanes); }
+
+inline TwoLanes both(double value) { return TwoLanes{value, value}; }
+
+/// The first (second) lanes of two.
+inline TwoLanes firsts(TwoLanes a, TwoLanes b) { return TwoLanes{a[0], b[0]}; }
+inline TwoLanes seconds(TwoLanes a, TwoLanes b) { return TwoLanes{a[1], b[1]}; }
+
+inline TwoLanes exchanged(TwoLanes a) { return TwoLanes{a[1], a[0]}; }
+
+/// Sum of the lanes of each.
+inline TwoLanes sums(TwoLanes a, TwoLanes b) { return firsts(a, b) + seconds(a, b); }
+
+inline TwoLanes smaller(TwoLanes a, TwoLanes b) { return a < b ? a : b; }
+inline TwoLanes larger(TwoLanes a, TwoLanes b) { return a > b ? a : b; }
+
+inline double magnitude(double a) { return std::abs(a); }
+inline TwoLanes magnitude(TwoLanes a) {
+  using Bits = long long __attribute__((vector_size(16)));
+  return TwoLanes(Bits(a) & ~Bits(TwoLanes{-0.0, -0.0}));
+}
+
+}  // namespace halfspace

@@ -1,0 +1,84 @@
+#include <algorithm>
+#include <cmath>
+
+#include "world/world.h"
+
+// What a snapshot must fulfil so that running it never leads out of an array. Numbers may be wrong in value: that is what the checksum
+// is for; here the question is what a wrong index could do.
+
+namespace halfspace {
+
+bool LawTable::is_consistent() const {
+  const std::size_t materials = std::size_t(material_count_);
+  const auto names_a_law = [&](std::int32_t index) { return index >= -1 && index < std::int64_t(own_.size()); };
+  return material_count_ >= 0 && law_of_pair_.size() == materials * (materials + 1) / 2 &&
+         std::all_of(law_of_pair_.begin(), law_of_pair_.end(), names_a_law);
+}
+
+bool Blocks<2>::is_consistent(std::int32_t material_count) const {
+  const std::size_t slots = slot_count();
+  const std::size_t sizes[] = {material.size(), generation.size(),     position.size(),     velocity.size(), force.size(),
+                               applied_force.size(), rotation.size(), angle.size(),        spin.size(),     torque.size(),
+                               applied_torque.size(), mass.size(),    inertia.size(),      radius.size(),   longest_edge.size(),
+                               first_.size(),   vertex_count_.size()};
+  if (std::any_of(std::begin(sizes), std::end(sizes), [&](std::size_t size) { return size != slots; })) return false;
+  if (own_.size() != turned_.size()) return false;
+  std::int64_t living = 0;
+  for (std::size_t i = 0; i < slots; ++i) {
+    if (kind[i] == BlockKind::none) continue;
+    ++living;
+    if (kind[i] < BlockKind::fixed || kind[i] > BlockKind::rigid) return false;
+    if (material[i] < 0 || material[i] >= material_count) return false;
+    const std::int64_t count = vertex_count_[i], first = first_[i];
+    const std::int64_t length = 5 * (count + (count & 1));
+    if (count < 3 || first < 0 || first > std::int64_t(own_.size()) - length) return false;
+  }
+  const auto is_free = [&](std::int32_t slot) { return slot >= 0 && std::size_t(slot) < slots && !lives(std::size_t(slot)); };
+  return living == living_ && std::int64_t(free_slots_.size()) == std::int64_t(slots) - living &&
+         std::all_of(free_slots_.begin(), free_slots_.end(), is_free);
+}
+
+template <int D>
+bool Candidates<D>::is_consistent(const Blocks<D>& blocks) const {
+  const std::size_t slots = blocks.slot_count();
+  const std::size_t listed = skin_.size();
+  if (listed > slots || planned_.size() != listed || (!used_up_ && listed != slots)) return false;
+  if (reference_position_.size() != listed || reference_rotation_.size() != listed) return false;
+  if (!shear_.empty() && shear_.size() != pairs_.size()) return false;
+  const auto lives = [&](std::int32_t slot) { return slot >= 0 && std::size_t(slot) < slots && blocks.lives(std::size_t(slot)); };
+  return std::all_of(pairs_.begin(), pairs_.end(), [&](const Candidate& pair) {
+    if (!lives(pair.a) || !lives(pair.b) || pair.a >= pair.b) return false;
+    const PairMemory& memory = pair.memory;
+    if (memory.state < PairMemory::unknown || memory.state > PairMemory::touching) return false;
+    if (memory.pair.owner != 0 && memory.pair.owner != 1) return false;
+    const int of_owner = blocks.outline(memory.pair.owner == 0 ? pair.a : pair.b).count;
+    const int of_other = blocks.outline(memory.pair.owner == 0 ? pair.b : pair.a).count;
+    return memory.pair.edge >= 0 && memory.pair.edge < of_owner && memory.pair.vertex >= 0 && memory.pair.vertex < of_other;
+  });
+}
+
+template <int D>
+bool World<D>::is_consistent() const {
+  if (!laws_.is_consistent() || laws_.material_count() != material_count()) return false;
+  if (!blocks_.is_consistent(material_count()) || !candidates_.is_consistent(blocks_)) return false;
+  const std::size_t slots = blocks_.slot_count();
+  if (fresh_.size() > slots || (any_fresh_ && fresh_.size() != slots)) return false;
+  if (!edited_ && (acceleration_.size() != slots || angular_acceleration_.size() != slots)) return false;
+  if (acceleration_.size() > slots || angular_acceleration_.size() > slots) return false;
+  if (candidate_.size() != contacts_.size() || forces_.size() > contacts_.size()) return false;
+  if (!(time_step_ >= 0) || !std::isfinite(time_step_)) return false;
+  const auto names_a_pair = [&](std::uint32_t candidate) { return candidate < candidates_.pairs().size(); };
+  if (!std::all_of(candidate_.begin(), candidate_.end(), names_a_pair)) return false;
+  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    // The overlap area is measured from the contact's own pair, which is the one remembered.
+    const Contact<D>& contact = contacts_[c];
+    if (contact.point_count < 1 || contact.point_count > 2) return false;
+    if (!(contact.pair == candidate_of(c).memory.pair)) return false;
+  }
+  return true;
+}
+
+template bool Candidates<2>::is_consistent(const Blocks<2>&) const;
+template bool World<2>::is_consistent() const;
+
+}  // namespace halfspace
