@@ -29,15 +29,16 @@ inline double require(bool holds, double value, const char* name, const char* ra
 }
 
 inline void require_count(std::int64_t count, const char* name) {
-  if (count < 0) refuse(HS_ERROR_ARGUMENT, "%s is %lld; it must be >= 0", name, static_cast<long long>(count));
+  if (count < 0)
+    refuse(HS_ERROR_ARGUMENT, "%s is %lld; it must be >= 0", name, static_cast<long long>(count));
 }
 
 /// The defaults of a definition, given next to the functions that read it.
 template <class Definition>
 Definition default_definition();
 
-/// A definition's size tells which version of it the caller was compiled with; a smaller or larger one than ours is met by
-/// reading what both know.
+/// A definition's size tells which version of it the caller was compiled with; a smaller or larger one than
+/// ours is met by reading what both know.
 template <class Definition>
 Definition read_definition(const Definition* given, const char* name) {
   require_pointer(given, name);
@@ -77,12 +78,13 @@ struct Pose2 {
     }
   }
   const double* q = pose.rotation;
-  refuse(HS_ERROR_ARGUMENT, "%s->rotation is (%.9g, %.9g, %.9g, %.9g); it must be a unit quaternion that turns about z", name,
+  refuse(HS_ERROR_ARGUMENT,
+         "%s->rotation is (%.9g, %.9g, %.9g, %.9g); it must be a unit quaternion that turns about z", name,
          q[0], q[1], q[2], q[3]);
 }
 
-/// Quaternions about z as turns, and by how much their squared lengths are off 1. Number is a double, or TwoLanes for those of two
-/// poses side by side.
+/// Quaternions about z as turns, and by how much their squared lengths are off 1. Number is a double, or
+/// TwoLanes for those of two poses side by side.
 template <class Number>
 struct TurnAboutZ {
   TurnAboutZ(const Number& z, const Number& w) {
@@ -106,7 +108,8 @@ inline TurnAboutZ<TwoLanes> turns_about_z(const hs_pose& a, const hs_pose& b) {
 /// Are the x and y of both quaternions 0?
 inline bool turn_exactly_about_z(const hs_pose& a, const hs_pose& b) {
   const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
-  const std::uint64_t any = bits(a.rotation[0]) | bits(a.rotation[1]) | bits(b.rotation[0]) | bits(b.rotation[1]);
+  const std::uint64_t any =
+      bits(a.rotation[0]) | bits(a.rotation[1]) | bits(b.rotation[0]) | bits(b.rotation[1]);
   return any << 1 == 0;  // without the sign
 }
 

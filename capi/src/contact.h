@@ -7,8 +7,8 @@
 namespace halfspace::capi {
 
 /// The part that is always set.
-inline void write_pair(ContactType type, int point_count, const PotentialPair& pair, const Vector<2>& normal, double gap,
-                       hs_contact& out) {
+inline void write_pair(ContactType type, int point_count, const PotentialPair& pair, const Vector<2>& normal,
+                       double gap, hs_contact& out) {
   out.type = std::int32_t(type);
   out.point_count = point_count;
   out.edge_owner = pair.owner;
@@ -20,11 +20,13 @@ inline void write_pair(ContactType type, int point_count, const PotentialPair& p
 }
 
 /// The proof that there is no contact.
-inline void write_separation(const PotentialPair& pair, const Vector<2>& normal, double gap, hs_contact& out) {
+inline void write_separation(const PotentialPair& pair, const Vector<2>& normal, double gap,
+                             hs_contact& out) {
   write_pair(ContactType::none, 0, pair, normal, gap, out);
 }
 
-/// A contact in the host's terms, without ids and forces. `frame` turns and `origin` moves it from the frame of detection to the host's.
+/// A contact in the host's terms, without ids and forces. `frame` turns and `origin` moves it from the frame
+/// of detection to the host's.
 inline void write_contact(const Contact<2>& contact, const Rotation<2>& frame, const Vector<2>& origin,
                           hs_contact& out) {
   write_pair(contact.type, contact.point_count, contact.pair, frame * contact.normal, contact.gap, out);

@@ -21,7 +21,8 @@ hs_pair_options default_definition() {
 }
 
 DetectOptions read_detect_options(double parallel_angle, double vertex_zone) {
-  require(parallel_angle >= 0 && parallel_angle <= 0.5, parallel_angle, "parallel_angle", "from 0 to 0.5 rad");
+  require(parallel_angle >= 0 && parallel_angle <= 0.5, parallel_angle, "parallel_angle",
+          "from 0 to 0.5 rad");
   require(vertex_zone >= 0 && vertex_zone <= 0.5, vertex_zone, "vertex_zone", "from 0 to 0.5");
   return {parallel_angle, vertex_zone};
 }
@@ -62,7 +63,8 @@ void write_cache(const PairMemory& memory, int edges_of_a, hs_pair_cache& cache)
 }
 
 /// The remembered pair as it is now.
-Separation remembered_separation(const Outline<2>& a, const Outline<2>& b, const Placement& at, const PotentialPair& pair) {
+Separation remembered_separation(const Outline<2>& a, const Outline<2>& b, const Placement& at,
+                                 const PotentialPair& pair) {
   const bool a_owns = pair.owner == 0;
   const Outline<2>& owner = a_owns ? a : b;
   const Outline<2>& other = a_owns ? b : a;
@@ -70,37 +72,42 @@ Separation remembered_separation(const Outline<2>& a, const Outline<2>& b, const
   const Vector<2> seen_from_other = (a_owns ? at.b_in_a.inverse() : at.b_in_a) * normal;
   const Vector<2> from_a_to_b = a_owns ? normal : Vector<2>(-seen_from_other);
   const int vertex = deepest_vertex(other, seen_from_other, pair.vertex);
-  const double gap = (height_along(seen_from_other, other, vertex) + from_a_to_b.dot(at.to_b)) - owner.offset[pair.edge];
+  const double gap =
+      (height_along(seen_from_other, other, vertex) + from_a_to_b.dot(at.to_b)) - owner.offset[pair.edge];
   return {gap, {pair.owner, pair.edge, vertex}, from_a_to_b};
 }
 
 /// The cache may be NULL.
-[[gnu::always_inline]] inline void answer_separated(const Separation& separation, const PosedPair& posed, const Placement& at, hs_pair_cache* cache,
-                      hs_contact& out) {
+[[gnu::always_inline]] inline void answer_separated(const Separation& separation, const PosedPair& posed,
+                                                    const Placement& at, hs_pair_cache* cache,
+                                                    hs_contact& out) {
   write_separation(separation.pair, at.rotation_of_a * separation.normal, separation.gap, out);
   if (!cache) return;
   write_cache({PairMemory::separated, separation.pair}, posed.a.shape.vertex_count(), *cache);
   keep_proof(posed, out, *cache);
 }
 
-void answer_overlap(const Outline<2>& a, const Outline<2>& b, const Placement& at, const PotentialPair& least_depth,
-                    const DetectOptions& options, PairMemory& memory, hs_pair_cache* cache, hs_contact& out) {
+void answer_overlap(const Outline<2>& a, const Outline<2>& b, const Placement& at,
+                    const PotentialPair& least_depth, const DetectOptions& options, PairMemory& memory,
+                    hs_pair_cache* cache, hs_contact& out) {
   Contact<2> contact;
   describe_overlap(a, b, at.to_b, least_depth, options, memory, contact);
   write_contact(contact, at.rotation_of_a, at.position_of_a, out);
   if (cache) write_cache(memory, a.count, *cache);
 }
 
-// What follows takes both shapes in the frame of a. The placement is handed over by value, so that it stays in registers until then.
+// What follows takes both shapes in the frame of a. The placement is handed over by value, so that it stays
+// in registers until then.
 
-[[gnu::always_inline]] inline void judge_overlap(const PosedPair& posed, const Placement& at, PotentialPair least_depth,
-                                     const DetectOptions& options, PairMemory memory, hs_pair_cache* cache, hs_contact& out) {
+[[gnu::noinline]] void judge_overlap(const PosedPair& posed, Placement at, PotentialPair least_depth,
+                                     const DetectOptions& options, PairMemory memory, hs_pair_cache* cache,
+                                     hs_contact& out) {
   const TurnedOutline b(posed.b.shape.outline(), at.b_in_a, &posed.a.context->memory);
   answer_overlap(posed.a.shape.outline(), b.outline(), at, least_depth, options, memory, cache, out);
 }
 
-[[gnu::noinline]] void judge_by_merge(const PosedPair& posed, Placement at, const DetectOptions& options, PairMemory memory,
-                                      hs_pair_cache* cache, hs_contact& out) {
+[[gnu::noinline]] void judge_by_merge(const PosedPair& posed, Placement at, const DetectOptions& options,
+                                      PairMemory memory, hs_pair_cache* cache, hs_contact& out) {
   const Outline<2>& a = posed.a.shape.outline();
   const TurnedOutline turned(posed.b.shape.outline(), at.b_in_a, &posed.a.context->memory);
   const Outline<2> b = turned.outline();
@@ -131,9 +138,11 @@ void detect(const PosedPair& posed, const DetectOptions& options, hs_pair_cache*
   if (!cache || !answer_by_proof(posed, *cache, out)) judge(posed, options, cache, out);
 }
 
-/// hs_pair_detect() when it takes more than the proof in the cache; apart from it, so that the proof is all that is paid for there.
-[[gnu::noinline]] hs_status detect_guarded(const hs_shape* shape_a, const hs_pose* pose_a, const hs_shape* shape_b,
-                                           const hs_pose* pose_b, const hs_pair_options* options, hs_pair_cache* cache,
+/// hs_pair_detect() when it takes more than the proof in the cache; apart from it, so that the proof is all
+/// that is paid for there.
+[[gnu::noinline]] hs_status detect_guarded(const hs_shape* shape_a, const hs_pose* pose_a,
+                                           const hs_shape* shape_b, const hs_pose* pose_b,
+                                           const hs_pair_options* options, hs_pair_cache* cache,
                                            hs_contact* contact) {
   hs_context* context = shape_a ? shape_a->context : shape_b ? shape_b->context : nullptr;
   return guarded(context, "hs_pair_detect", [&] {
@@ -150,7 +159,9 @@ void detect(const PosedPair& posed, const DetectOptions& options, hs_pair_cache*
 }  // namespace
 }  // namespace halfspace::capi
 
-hs_status hs_pair_options_init(hs_pair_options* options, size_t size) { return write_definition(options, size); }
+hs_status hs_pair_options_init(hs_pair_options* options, size_t size) {
+  return write_definition(options, size);
+}
 
 hs_status hs_pair_detect(const hs_shape* shape_a, const hs_pose* pose_a, const hs_shape* shape_b,
                          const hs_pose* pose_b, const hs_pair_options* options, hs_pair_cache* cache,
@@ -161,9 +172,10 @@ hs_status hs_pair_detect(const hs_shape* shape_a, const hs_pose* pose_a, const h
   return detect_guarded(shape_a, pose_a, shape_b, pose_b, options, cache, contact);
 }
 
-hs_status hs_pairs_detect(hs_context* context, const hs_shape* const* shapes, const hs_pose* poses, int64_t body_count,
-                          const int32_t* pairs, int64_t pair_count, const hs_pair_options* options,
-                          hs_pair_cache* caches, hs_contact* contacts, int64_t* touching) {
+hs_status hs_pairs_detect(hs_context* context, const hs_shape* const* shapes, const hs_pose* poses,
+                          int64_t body_count, const int32_t* pairs, int64_t pair_count,
+                          const hs_pair_options* options, hs_pair_cache* caches, hs_contact* contacts,
+                          int64_t* touching) {
   return guarded(context, __func__, [&] {
     require_pointer(context, "context");
     require_count(body_count, "body_count");
@@ -187,8 +199,8 @@ hs_status hs_pairs_detect(hs_context* context, const hs_shape* const* shapes, co
     }
     for (std::int64_t i = 0; i < 2 * pair_count; ++i) {
       if (pairs[i] < 0 || pairs[i] >= body_count) {
-        refuse(HS_ERROR_ARGUMENT, "pairs[%lld] is %d; there are %lld bodies", static_cast<long long>(i), pairs[i],
-               static_cast<long long>(body_count));
+        refuse(HS_ERROR_ARGUMENT, "pairs[%lld] is %d; there are %lld bodies", static_cast<long long>(i),
+               pairs[i], static_cast<long long>(body_count));
       }
     }
     const auto posed = [&](std::int64_t i) {

@@ -17,8 +17,8 @@ struct PosedPair {
   const hs_pose& at_b;
 };
 
-/// Where block b is, seen from a: detection works in the frame of a, so that only b has to be turned and the distance from the
-/// origin costs no digits. And the way back out of that frame.
+/// Where block b is, seen from a: detection works in the frame of a, so that only b has to be turned and the
+/// distance from the origin costs no digits. And the way back out of that frame.
 struct Placement {
   Rotation<2> b_in_a;
   Vector<2> to_b;       // in the frame of a
@@ -50,8 +50,8 @@ inline Placement read_placement(const hs_pose& a, const hs_pose& b) {
   const auto& [cosine, sine] = about_z.turn;
   const Rotation<2> rotation_of_a(cosine[0], sine[0]), rotation_of_b(cosine[1], sine[1]);
   const DirectionLanes to_b = inverse_turned(about_z.turn, {both(apart[0]), both(apart[1])});
-  return {rotation_of_a.inverse() * rotation_of_b, Vector<2>(to_b.x[0], to_b.y[0]), Vector<2>(to_b.x[1], to_b.y[1]),
-          rotation_of_a, Vector<2>(a.position[0], a.position[1])};
+  return {rotation_of_a.inverse() * rotation_of_b, Vector<2>(to_b.x[0], to_b.y[0]),
+          Vector<2>(to_b.x[1], to_b.y[1]), rotation_of_a, Vector<2>(a.position[0], a.position[1])};
 }
 
 }  // namespace halfspace::capi

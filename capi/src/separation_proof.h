@@ -14,7 +14,9 @@
 namespace halfspace::capi {
 
 /// Odd, hence never 0; other for the same shapes swapped.
-inline std::uint64_t fingerprint_of(const hs_shape& a, const hs_shape& b) { return a.fingerprint + 2 * b.fingerprint; }
+inline std::uint64_t fingerprint_of(const hs_shape& a, const hs_shape& b) {
+  return a.fingerprint + 2 * b.fingerprint;
+}
 
 /// The remembered pair, not checked. Without a branch, as its owner is as good as random.
 inline PotentialPair pair_in(const hs_pair_cache& cache, int edges_of_a) {
@@ -22,7 +24,8 @@ inline PotentialPair pair_in(const hs_pair_cache& cache, int edges_of_a) {
   return {owner, cache.edge - owner * edges_of_a, cache.vertex};
 }
 
-/// Along the normal of a separated pair the centroids are farther apart than the shapes reach together. That the cache keeps.
+/// Along the normal of a separated pair the centroids are farther apart than the shapes reach together. That
+/// the cache keeps.
 inline void keep_proof(const PosedPair& posed, const hs_contact& separated, hs_pair_cache& proof) {
   const auto& [a, at_a, b, at_b] = posed;
   const TwoLanes along = (two_at(at_b.position) - two_at(at_a.position)) * two_at(separated.normal);
@@ -33,9 +36,10 @@ inline void keep_proof(const PosedPair& posed, const hs_contact& separated, hs_p
   std::copy_n(at_b.rotation, 4, proof.rotation_b);
 }
 
-/// What the poses leave of the gap, at least. A block that turns by an angle moves none of its points by more than
-/// 2 R sin(angle / 2), and its quaternion by 2 sin(angle / 4): the reach grows by at most 2 R times the latter, here summed over the
-/// components, and by a little more as quaternions may be off unit length. Translation counts as it is.
+/// What the poses leave of the gap, at least. A block that turns by an angle moves none of its points by more
+/// than 2 R sin(angle / 2), and its quaternion by 2 sin(angle / 4): the reach grows by at most 2 R times the
+/// latter, here summed over the components, and by a little more as quaternions may be off unit length.
+/// Translation counts as it is.
 inline double gap_left(const PosedPair& posed, const hs_pair_cache& proof) {
   const auto& [a, at_a, b, at_b] = posed;
   const TwoLanes along = (two_at(at_b.position) - two_at(at_a.position)) * two_at(proof.normal);
@@ -46,8 +50,8 @@ inline double gap_left(const PosedPair& posed, const hs_pair_cache& proof) {
   return ((along[0] + along[1]) - proof.reach) - points_per_quaternion * (moved[0] + moved[1]);
 }
 
-/// The answer when the pair is still proven to be separated. Poses that are to be refused prove nothing, nor do those that are not
-/// finite, or whose quaternions turn about z but for rounding.
+/// The answer when the pair is still proven to be separated. Poses that are to be refused prove nothing, nor
+/// do those that are not finite, or whose quaternions turn about z but for rounding.
 inline bool answer_by_proof(const PosedPair& posed, const hs_pair_cache& proof, hs_contact& out) {
   if (proof.state != PairMemory::separated || proof.shapes != fingerprint_of(posed.a, posed.b)) return false;
   if (!turn_exactly_about_z(posed.at_a, posed.at_b)) return false;

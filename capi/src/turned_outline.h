@@ -13,7 +13,8 @@ class TurnedOutline {
   TurnedOutline(const Outline<2>& given, const Rotation<2>& rotation, Memory* memory)
       : given_(given), rotation_(rotation), memory_(memory) {
     const int stride = Outline<2>::padded(given.count);
-    components_ = stride <= most_inline ? inline_ : static_cast<double*>(memory_->allocate(bytes(), alignof(double)));
+    components_ =
+        stride <= most_inline ? inline_ : static_cast<double*>(memory_->allocate(bytes(), alignof(double)));
     turn(given.x, given.y, component(0), component(1));
     turn(given.nx, given.ny, component(2), component(3));
   }

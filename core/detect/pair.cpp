@@ -5,9 +5,11 @@
 namespace halfspace {
 namespace {
 
-/// Walks around the Minkowski difference to the pair of least depth that is reached without passing a deeper one. So the
-/// contact keeps the side through which the blocks met, also when a thin block is overlapped past its middle.
-PotentialPair descend(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b, const PotentialPair& start) {
+/// Walks around the Minkowski difference to the pair of least depth that is reached without passing a deeper
+/// one. So the contact keeps the side through which the blocks met, also when a thin block is overlapped past
+/// its middle.
+PotentialPair descend(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
+                      const PotentialPair& start) {
   PotentialPair best = start;
   double best_gap = refresh(a, b, to_b, best);
   const auto walk = [&](auto neighbour) {
@@ -26,12 +28,18 @@ PotentialPair descend(const Outline<2>& a, const Outline<2>& b, const Vector<2>&
 
 }  // namespace
 
-void remember_contact(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b, const PotentialPair& least_depth,
-                      PairMemory& memory) {
+void remember_contact(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
+                      const PotentialPair& least_depth, PairMemory& memory) {
   switch (memory.state) {
-    case PairMemory::unknown: memory.pair = least_depth; break;
-    case PairMemory::separated: memory.pair = descend(a, b, to_b, memory.pair); break;
-    case PairMemory::touching: refresh(a, b, to_b, memory.pair); break;
+    case PairMemory::unknown:
+      memory.pair = least_depth;
+      break;
+    case PairMemory::separated:
+      memory.pair = descend(a, b, to_b, memory.pair);
+      break;
+    case PairMemory::touching:
+      refresh(a, b, to_b, memory.pair);
+      break;
   }
   memory.state = PairMemory::touching;
 }

@@ -4,8 +4,9 @@
 
 namespace halfspace {
 
-/// Two doubles that every operation treats alike: one register of the x86-64 baseline. By the vector extensions of GCC and Clang,
-/// which also compare and select lane by lane; each lane rounds as a double does, so the bits do not depend on it.
+/// Two doubles that every operation treats alike: one register of the x86-64 baseline. By the vector
+/// extensions of GCC and Clang, which also compare and select lane by lane; each lane rounds as a double
+/// does, so the bits do not depend on it.
 using TwoLanes = double __attribute__((vector_size(16)));
 
 inline TwoLanes two_at(const double* p) {

@@ -21,6 +21,16 @@ void make_room_for_one(Array<T>& array) {
   if (array.capacity() == array.size()) array.reserve(2 * array.size() + 1);
 }
 
+/// Capacity near `room` for an array whose entries are not needed any more: more when it is short, less when most would lie idle.
+template <class T>
+void refit(Array<T>& array, std::size_t room) {
+  array.clear();
+  if (array.capacity() >= room && array.capacity() <= room + room / 4) return;
+  Array<T> fitting(array.get_allocator());
+  fitting.reserve(room);
+  array.swap(fitting);
+}
+
 using Memory = std::pmr::memory_resource;
 
 /// z component of the cross product: > 0 when b lies counter-clockwise of a.

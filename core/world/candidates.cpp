@@ -53,8 +53,7 @@ void Candidates<D>::search(const Blocks<D>& blocks) {
     boxes_[i].lower.array() -= skin_[i];
     boxes_[i].upper.array() += skin_[i];
   }
-  found_.clear();
-  found_.reserve(room_);
+  refit(found_, room_);
   search_.search(
       std::span<const Box<D>>(boxes_), [&](std::size_t i) { return blocks.lives(i); },
       [&](const BlockPair& pair) {
@@ -62,7 +61,8 @@ void Candidates<D>::search(const Blocks<D>& blocks) {
                                       blocks.kind[std::size_t(pair.b)] == BlockKind::rigid;
         if (one_moves_freely) found_.push_back(pair);
       });
-  if (found_.size() > room_) room_ = found_.size() + found_.size() / 8;
+  const std::size_t found = found_.size();
+  if (found > room_ || 3 * found < 2 * room_) room_ = found + found / 8;
 }
 
 /// By counting on a, then by b within each: linear, since a block has few neighbours.
@@ -71,7 +71,7 @@ void Candidates<D>::sort_found(std::size_t slots) {
   first_of_block_.assign(slots + 1, 0);
   for (const BlockPair& pair : found_) ++first_of_block_[std::size_t(pair.a) + 1];
   for (std::size_t i = 0; i < slots; ++i) first_of_block_[i + 1] += first_of_block_[i];
-  sorted_.reserve(room_);
+  refit(sorted_, room_);
   sorted_.resize(found_.size());
   for (const BlockPair& pair : found_) sorted_[first_of_block_[std::size_t(pair.a)]++] = pair;
   auto first = sorted_.begin();
@@ -88,10 +88,8 @@ void Candidates<D>::carry_over(bool with_shear) {
   const auto precedes = [](const auto& p, const auto& q) { return p.a < q.a || (p.a == q.a && p.b < q.b); };
   const auto bonded = std::count_if(pairs_.begin(), pairs_.end(), [](const Candidate& pair) { return pair.bonded; });
   const std::size_t most = std::max(room_, sorted_.size() + std::size_t(bonded));
-  next_pairs_.clear();
-  next_shear_.clear();
-  next_pairs_.reserve(most);
-  if (with_shear) next_shear_.reserve(most);
+  refit(next_pairs_, most);
+  refit(next_shear_, with_shear ? most : 0);
   const auto keep = [&](const Candidate& pair, const ShearSpring& shear) {
     next_pairs_.push_back(pair);
     if (with_shear) next_shear_.push_back(shear);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -54,7 +55,7 @@ class Candidates {
   /// One per pair; none at all when no law resists shear.
   std::span<ShearSpring> shear() { return shear_; }
   /// Pairs that all lists of pairs have room for: some to spare, so that a settled heap whose pairs come and go asks for no memory.
-  std::size_t room() const { return room_; }
+  std::size_t room() const { return std::max(room_, next_pairs_.size()); }
   std::int64_t builds() const { return builds_; }
 
   /// False for what no list can be, after reading a snapshot.

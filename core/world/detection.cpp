@@ -78,16 +78,16 @@ void World<D>::detect_candidate(std::size_t k, Contact<D>& contact) {
   }
 }
 
-/// With room for a contact at every candidate: detection then asks for no memory. When there is none, nothing has changed.
+/// With room for a contact at every candidate: detection then asks for no memory. When there is none, contacts have to be found again,
+/// and nothing else has changed.
 template <int D>
 void World<D>::renew_candidates() {
   const bool with_shear = laws_.any([](const SpringLaw& law) { return law.resists_shear(); });
   candidates_.search_again(blocks_, settings_.skin, with_shear);
-  const std::size_t most = candidates_.room();
-  contacts_.reserve(most);
-  candidate_.reserve(most);
-  forces_.reserve(most);
   forget_contacts();
+  refit(contacts_, candidates_.room());
+  refit(candidate_, candidates_.room());
+  refit(forces_, candidates_.room());
   candidates_.renew(blocks_);
 }
 

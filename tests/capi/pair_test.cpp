@@ -113,6 +113,41 @@ TEST_CASE("both forms of detection refuse the same bad input and write nothing")
   }
 }
 
+TEST_CASE("a proof of separation in the cache lets no bad pose through") {
+  for (const Spoiled& s : spoiled_inputs) {
+    if (s.argument != "rotation" && s.argument.substr(0, 8) != "position") continue;
+    PairCall call;
+    call.poses[1] = pose_at(4, 0);
+    REQUIRE(call.batch() == HS_OK);
+    REQUIRE(call.touching == 0);
+    REQUIRE(call.caches[0].shapes != 0);
+    const hs_pair_cache before = call.caches[0];
+    s.spoil(call);
+    INFO(s.argument << " = " << s.value);
+    CHECK(call.single() == HS_ERROR_ARGUMENT);
+    CHECK(call.batch() == HS_ERROR_ARGUMENT);
+    CHECK(std::memcmp(&before, &call.caches[0], sizeof before) == 0);
+  }
+}
+
+TEST_CASE("a proof of separation is of its two shapes in their order") {
+  PairCall call;
+  const Shape wide = make_shape(call.context.get(), box(-4, -1, 4, 1));
+  call.poses[1] = pose_at(4, 0);
+  REQUIRE(call.single() == HS_OK);
+  REQUIRE(call.contacts[0].type == HS_CONTACT_NONE);
+  call.shapes[1] = wide.get();
+  REQUIRE(call.single() == HS_OK);
+  CHECK(call.contacts[0].type != HS_CONTACT_NONE);
+  call.poses[1] = pose_at(8, 0);
+  REQUIRE(call.single() == HS_OK);
+  REQUIRE(call.contacts[0].type == HS_CONTACT_NONE);
+  std::swap(call.shapes[0], call.shapes[1]);  // the wide one still reaches the place of the other
+  call.poses[1] = pose_at(4.5, 0);
+  REQUIRE(call.single() == HS_OK);
+  CHECK(call.contacts[0].type != HS_CONTACT_NONE);
+}
+
 TEST_CASE("hs_pair_detect refuses what is missing") {
   PairCall c;
   const hs_shape* s = c.square.get();
