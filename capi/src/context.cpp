@@ -41,10 +41,12 @@ void HostMemory::do_deallocate(void* memory, std::size_t bytes, std::size_t alig
 const char* hs_status_string(hs_status status) {
   switch (status) {
 #define HS_STATUS_CASE(name, value, text) \
-  case name: return text;
+  case name:                              \
+    return text;
     HS_STATUS_LIST(HS_STATUS_CASE)
 #undef HS_STATUS_CASE
-    default: return "unknown status";
+    default:
+      return "unknown status";
   }
 }
 
@@ -56,7 +58,8 @@ hs_status hs_context_create(const hs_context_def* def, hs_context** context) {
   return guarded(nullptr, __func__, [&] {
     require_pointer(context, "context");
     const hs_context_def known = def ? read_definition(def, "def") : default_definition<hs_context_def>();
-    if (!known.allocate != !known.release) refuse(HS_ERROR_ARGUMENT, "set allocate and release both, or neither");
+    if (!known.allocate != !known.release)
+      refuse(HS_ERROR_ARGUMENT, "set allocate and release both, or neither");
     HostMemory memory(known);
     void* place = memory.allocate(sizeof(hs_context), alignof(hs_context));
     *context = new (place) hs_context(known);

@@ -31,7 +31,8 @@ inline void report(hs_context* context, const char* function, const char* text) 
   if (context) std::snprintf(context->last_error, sizeof context->last_error, "%s: %s", function, text);
 }
 
-/// The one guard around every fallible entry point: runs the body, turns what it throws into a status and a text. Nothing passes.
+/// The one guard around every fallible entry point: runs the body, turns what it throws into a status and a
+/// text. Nothing passes.
 template <class Body>
 hs_status guarded(hs_context* context, const char* function, Body&& body) noexcept {
   try {

@@ -38,8 +38,8 @@ Points read_finite_points(hs_context* context, const hs_view& view, const char* 
     refuse(HS_ERROR_GEOMETRY, "%s (%zu points) %s", name, points.size(), fault_text(report.fault));
   }
   const Vector<2>& p = points[std::size_t(report.vertex)];
-  refuse(HS_ERROR_GEOMETRY, "%s[%lld] = (%.17g, %.17g) %s", name, static_cast<long long>(report.vertex), p.x(), p.y(),
-         fault_text(report.fault));
+  refuse(HS_ERROR_GEOMETRY, "%s[%lld] = (%.17g, %.17g) %s", name, static_cast<long long>(report.vertex),
+         p.x(), p.y(), fault_text(report.fault));
 }
 
 hs_shape* make_shape(hs_context* context, const Points& points, const char* name) {
@@ -109,8 +109,8 @@ hs_status hs_polygon_clean(hs_context* context, hs_view vertices, double toleran
   });
 }
 
-hs_status hs_shape_cut(const hs_shape* shape, const double point[3], const double normal[3], hs_shape** behind,
-                       hs_shape** ahead) {
+hs_status hs_shape_cut(const hs_shape* shape, const double point[3], const double normal[3],
+                       hs_shape** behind, hs_shape** ahead) {
   hs_context* context = shape ? shape->context : nullptr;
   return guarded(context, __func__, [&] {
     require_pointer(shape, "shape");
@@ -122,9 +122,10 @@ hs_status hs_shape_cut(const hs_shape* shape, const double point[3], const doubl
       require_finite(point[i], "point");
       require_finite(normal[i], "normal");
     }
-    if (normal[0] == 0 && normal[1] == 0) refuse(HS_ERROR_ARGUMENT, "normal is (0, 0); it must have a direction");
-    const PolygonParts parts = cut_polygon(vertices_of(*shape), {point[0], point[1]}, {normal[0], normal[1]},
-                                           &context->memory);
+    if (normal[0] == 0 && normal[1] == 0)
+      refuse(HS_ERROR_ARGUMENT, "normal is (0, 0); it must have a direction");
+    const PolygonParts parts =
+        cut_polygon(vertices_of(*shape), {point[0], point[1]}, {normal[0], normal[1]}, &context->memory);
     const auto part = [&](const Points& vertices, const char* name) {
       return vertices.empty() ? nullptr : make_shape(context, vertices, name);
     };
@@ -177,7 +178,8 @@ hs_status hs_shape_get_vertices(const hs_shape* shape, hs_mutable_view vertices,
   });
 }
 
-hs_status hs_shape_get_halfspaces(const hs_shape* shape, hs_mutable_view normals, double* offsets, int64_t* count) {
+hs_status hs_shape_get_halfspaces(const hs_shape* shape, hs_mutable_view normals, double* offsets,
+                                  int64_t* count) {
   return guarded(shape ? shape->context : nullptr, __func__, [&] {
     require_pointer(shape, "shape");
     require_view(normals, "normals");

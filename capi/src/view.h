@@ -37,7 +37,8 @@ inline Vector<2> read_point(const hs_view& view, std::int64_t i) {
 inline Vector<2> read_finite_point(const hs_view& view, std::int64_t i, const char* name) {
   const Vector<2> p = read_point(view, i);
   if (!p.allFinite()) {
-    refuse(HS_ERROR_ARGUMENT, "%s[%lld] is (%g, %g); it must be finite", name, static_cast<long long>(i), p.x(), p.y());
+    refuse(HS_ERROR_ARGUMENT, "%s[%lld] is (%g, %g); it must be finite", name, static_cast<long long>(i),
+           p.x(), p.y());
   }
   return p;
 }

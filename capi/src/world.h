@@ -28,8 +28,10 @@ inline hs_block id_of(const Blocks<2>& blocks, std::size_t slot) {
 /// The slot of a living block.
 inline std::int32_t slot_of(const Blocks<2>& blocks, hs_block id, const char* name) {
   const std::uint64_t slot = (id & 0xffffffffu) - 1;
-  if (slot >= blocks.slot_count() || !blocks.lives(std::size_t(slot)) || id_of(blocks, std::size_t(slot)) != id) {
-    refuse(HS_ERROR_STALE_ID, "%s is %#llx; no living block has that id", name, static_cast<unsigned long long>(id));
+  if (slot >= blocks.slot_count() || !blocks.lives(std::size_t(slot)) ||
+      id_of(blocks, std::size_t(slot)) != id) {
+    refuse(HS_ERROR_STALE_ID, "%s is %#llx; no living block has that id", name,
+           static_cast<unsigned long long>(id));
   }
   return std::int32_t(slot);
 }

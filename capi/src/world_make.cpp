@@ -44,12 +44,15 @@ hs_block_def default_definition() {
 namespace {
 
 WorldSettings<2> read_settings(const hs_world_def& def) {
-  if (def.dimension != 2) refuse(HS_ERROR_ARGUMENT, "def.dimension is %d; this version knows 2", def.dimension);
+  if (def.dimension != 2)
+    refuse(HS_ERROR_ARGUMENT, "def.dimension is %d; this version knows 2", def.dimension);
   const auto positive_or_zero = [](double v) { return v >= 0 && std::isfinite(v); };
   WorldSettings<2> settings;
   settings.gravity = read_finite_vector(def.gravity, "def.gravity");
-  settings.time_step = require(positive_or_zero(def.time_step), def.time_step, "def.time_step", "finite and >= 0");
-  settings.safety = require(def.safety > 0 && def.safety <= 1, def.safety, "def.safety", "above 0 and at most 1");
+  settings.time_step =
+      require(positive_or_zero(def.time_step), def.time_step, "def.time_step", "finite and >= 0");
+  settings.safety =
+      require(def.safety > 0 && def.safety <= 1, def.safety, "def.safety", "above 0 and at most 1");
   settings.local_damping = require(def.local_damping >= 0 && def.local_damping < 1, def.local_damping,
                                    "def.local_damping", "at least 0 and below 1");
   settings.mass_damping =
@@ -62,7 +65,8 @@ WorldSettings<2> read_settings(const hs_world_def& def) {
 SpringLaw read_law(const hs_law_def* given) {
   const hs_law_def def = read_definition(given, "law");
   if (def.stiffness_kind != HS_STIFFNESS_PER_CONTACT && def.stiffness_kind != HS_STIFFNESS_PER_AREA) {
-    refuse(HS_ERROR_ARGUMENT, "law.stiffness_kind is %d; it must be HS_STIFFNESS_PER_CONTACT or HS_STIFFNESS_PER_AREA",
+    refuse(HS_ERROR_ARGUMENT,
+           "law.stiffness_kind is %d; it must be HS_STIFFNESS_PER_CONTACT or HS_STIFFNESS_PER_AREA",
            def.stiffness_kind);
   }
   const auto at_least_zero = [](double value, const char* name) {
@@ -70,8 +74,8 @@ SpringLaw read_law(const hs_law_def* given) {
   };
   SpringLaw law;
   law.stiffness_kind = StiffnessKind(def.stiffness_kind);
-  law.normal_stiffness = require(def.normal_stiffness > 0 && std::isfinite(def.normal_stiffness), def.normal_stiffness,
-                                 "law.normal_stiffness", "finite and > 0");
+  law.normal_stiffness = require(def.normal_stiffness > 0 && std::isfinite(def.normal_stiffness),
+                                 def.normal_stiffness, "law.normal_stiffness", "finite and > 0");
   law.shear_stiffness = at_least_zero(def.shear_stiffness, "law.shear_stiffness");
   law.tan_friction = std::tan(require(def.friction_angle >= 0 && def.friction_angle < std::numbers::pi / 2,
                                       def.friction_angle, "law.friction_angle", "at least 0 and below pi/2"));
@@ -80,14 +84,16 @@ SpringLaw read_law(const hs_law_def* given) {
   law.normal_damping = at_least_zero(def.normal_damping, "law.normal_damping");
   law.shear_damping = at_least_zero(def.shear_damping, "law.shear_damping");
   if (law.shear_stiffness == 0 && (law.tan_friction > 0 || law.cohesion > 0)) {
-    refuse(HS_ERROR_ARGUMENT, "law.shear_stiffness is 0; friction and cohesion act through it and need one above 0");
+    refuse(HS_ERROR_ARGUMENT,
+           "law.shear_stiffness is 0; friction and cohesion act through it and need one above 0");
   }
   return law;
 }
 
 void require_material(const hs_world& world, std::int32_t material, const char* name) {
   if (material < 0 || material >= world.world.material_count()) {
-    refuse(HS_ERROR_STALE_ID, "%s is %d; the world has %d materials", name, material, world.world.material_count());
+    refuse(HS_ERROR_STALE_ID, "%s is %d; the world has %d materials", name, material,
+           world.world.material_count());
   }
 }
 
@@ -147,7 +153,8 @@ hs_status hs_world_set_law(hs_world* world, int32_t material_a, int32_t material
   });
 }
 
-hs_status hs_world_add_block(hs_world* world, const hs_shape* shape, const hs_block_def* def, hs_block* block) {
+hs_status hs_world_add_block(hs_world* world, const hs_shape* shape, const hs_block_def* def,
+                             hs_block* block) {
   return guarded(context_of(world), __func__, [&] {
     require_pointer(world, "world");
     require_pointer(shape, "shape");
@@ -161,15 +168,18 @@ hs_status hs_world_add_block(hs_world* world, const hs_shape* shape, const hs_bl
     const Vector<2> velocity = read_finite_vector(known.velocity, "def.velocity");
     const double spin = read_finite_turn(known.angular_velocity, "def.angular_velocity");
     if (known.kind == HS_BLOCK_FIXED && (velocity != Vector<2>::Zero() || spin != 0)) {
-      refuse(HS_ERROR_ARGUMENT, "def.velocity is (%g, %g), def.angular_velocity[2] is %g; a fixed block has none",
-             velocity.x(), velocity.y(), spin);
+      refuse(HS_ERROR_ARGUMENT,
+             "def.velocity is (%g, %g), def.angular_velocity[2] is %g; a fixed block has none", velocity.x(),
+             velocity.y(), spin);
     }
     if (known.reserved != 0) refuse(HS_ERROR_ARGUMENT, "def.reserved is %d; it must be 0", known.reserved);
     World<2>& w = world->world;
     const double density = w.density(known.material);
     const double mass = density * shape->shape.area(), inertia = density * shape->shape.polar_moment();
     if (!(mass > 0 && inertia > 0 && std::isfinite(mass) && std::isfinite(inertia))) {
-      refuse(HS_ERROR_ARGUMENT, "shape and def.material give a mass of %g and a moment of inertia of %g; both must be finite and > 0",
+      refuse(HS_ERROR_ARGUMENT,
+             "shape and def.material give a mass of %g and a moment of inertia of %g; both must be finite "
+             "and > 0",
              mass, inertia);
     }
     const std::int32_t slot =

@@ -1,6 +1,5 @@
-#include "world/snapshot.h"
-
 #include "world.h"
+#include "world/snapshot.h"
 
 using namespace halfspace;
 using namespace halfspace::capi;
@@ -49,25 +48,31 @@ hs_status hs_world_restore(hs_context* context, const void* bytes, size_t count,
     require_pointer(bytes, "bytes");
     require_pointer(world, "world");
     Header header;
-    if (count < sizeof header) refuse(HS_ERROR_FORMAT, "count is %zu; a snapshot has at least %zu bytes", count, sizeof header);
+    if (count < sizeof header)
+      refuse(HS_ERROR_FORMAT, "count is %zu; a snapshot has at least %zu bytes", count, sizeof header);
     std::memcpy(&header, bytes, sizeof header);
     const Header expected;
     if (header.magic != expected.magic) refuse(HS_ERROR_FORMAT, "bytes do not begin as a snapshot does");
     if (header.version != expected.version || header.dimension != expected.dimension) {
-      refuse(HS_ERROR_FORMAT, "snapshot has version %u and dimension %u; this library reads version %u, dimension %u",
+      refuse(HS_ERROR_FORMAT,
+             "snapshot has version %u and dimension %u; this library reads version %u, dimension %u",
              header.version, header.dimension, expected.version, expected.dimension);
     }
-    const std::span<const std::byte> state(static_cast<const std::byte*>(bytes) + sizeof header, count - sizeof header);
+    const std::span<const std::byte> state(static_cast<const std::byte*>(bytes) + sizeof header,
+                                           count - sizeof header);
     if (header.size != state.size()) {
-      refuse(HS_ERROR_FORMAT, "count is %zu; the snapshot says %zu", count, std::size_t(header.size) + sizeof header);
+      refuse(HS_ERROR_FORMAT, "count is %zu; the snapshot says %zu", count,
+             std::size_t(header.size) + sizeof header);
     }
-    if (header.checksum != snapshot::checksum(state)) refuse(HS_ERROR_FORMAT, "bytes are damaged: the checksum differs");
+    if (header.checksum != snapshot::checksum(state))
+      refuse(HS_ERROR_FORMAT, "bytes are damaged: the checksum differs");
 
     hs_world* restored = create<hs_world>(context, context, WorldSettings<2>());
     try {
       snapshot::Reader reader(state);
       restored->world.visit(reader);
-      if (reader.failed() || !reader.at_end() || !restored->world.is_consistent()) refuse(HS_ERROR_FORMAT, "bytes do not hold what a snapshot holds");
+      if (reader.failed() || !reader.at_end() || !restored->world.is_consistent())
+        refuse(HS_ERROR_FORMAT, "bytes do not hold what a snapshot holds");
     } catch (...) {
       hs_world_destroy(restored);
       throw;

@@ -76,21 +76,24 @@ hs_status hs_world_set_velocity(hs_world* world, hs_block block, const double ve
     const Vector<2> v = read_finite_vector(velocity, "velocity");
     const double spin = read_finite_turn(angular_velocity, "angular_velocity");
     if (world->world.blocks().kind[std::size_t(slot)] == BlockKind::fixed) {
-      refuse(HS_ERROR_STATE, "block %#llx is fixed and takes no velocity", static_cast<unsigned long long>(block));
+      refuse(HS_ERROR_STATE, "block %#llx is fixed and takes no velocity",
+             static_cast<unsigned long long>(block));
     }
     world->world.set_velocity(slot, v, spin);
     return HS_OK;
   });
 }
 
-hs_status hs_world_set_applied_force(hs_world* world, hs_block block, const double force[3], const double torque[3]) {
+hs_status hs_world_set_applied_force(hs_world* world, hs_block block, const double force[3],
+                                     const double torque[3]) {
   return guarded(context_of(world), __func__, [&] {
     require_pointer(world, "world");
     const std::int32_t slot = slot_of(world->world.blocks(), block, "block");
     const Vector<2> f = read_finite_vector(force, "force");
     const double t = read_finite_turn(torque, "torque");
     if (world->world.blocks().kind[std::size_t(slot)] != BlockKind::rigid) {
-      refuse(HS_ERROR_STATE, "block %#llx is not rigid: no force moves it", static_cast<unsigned long long>(block));
+      refuse(HS_ERROR_STATE, "block %#llx is not rigid: no force moves it",
+             static_cast<unsigned long long>(block));
     }
     world->world.set_applied_force(slot, f, t);
     return HS_OK;
@@ -104,7 +107,8 @@ hs_status hs_world_get_poses(const hs_world* world, hs_pose* poses, int64_t capa
     if (capacity > 0) require_pointer(poses, "poses");
     const Blocks<2>& all = world->world.blocks();
     for_each_block(all, [&](std::int64_t i, std::int32_t slot) {
-      if (i < capacity) write_pose(all.position[std::size_t(slot)], all.rotation[std::size_t(slot)], poses[i]);
+      if (i < capacity)
+        write_pose(all.position[std::size_t(slot)], all.rotation[std::size_t(slot)], poses[i]);
     });
     if (count) *count = all.count();
     return fits(all.count(), capacity);

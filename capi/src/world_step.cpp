@@ -74,7 +74,8 @@ hs_status hs_world_forces(hs_world* world, double elapsed, hs_mutable_view force
     require_view(forces, "forces");
     require_turn_view(torques, "torques");
     World<2>& w = world->world;
-    if (!w.is_detected()) refuse(HS_ERROR_STATE, "poses, blocks or laws have changed; call hs_world_detect() first");
+    if (!w.is_detected())
+      refuse(HS_ERROR_STATE, "poses, blocks or laws have changed; call hs_world_detect() first");
     w.evaluate_forces_for_host(elapsed);
     const Blocks<2>& all = w.blocks();
     for_each_block(all, [&](std::int64_t i, std::int32_t slot) {
@@ -94,11 +95,12 @@ hs_status hs_world_step(hs_world* world, int64_t steps) {
     for (std::int64_t i = 0; i < steps; ++i) {
       const StepResult result = w.step();
       if (result == StepResult::no_time_step) {
-        refuse(HS_ERROR_STATE, "no time step was given, and without rigid blocks and a material none can be derived");
+        refuse(HS_ERROR_STATE,
+               "no time step was given, and without rigid blocks and a material none can be derived");
       }
       if (result == StepResult::unstable) {
-        refuse(HS_ERROR_UNSTABLE, "unstable at time %g (step %lld): time step %g, stable time step %g", w.time(),
-               static_cast<long long>(w.steps()), w.time_step(), w.stable_time_step());
+        refuse(HS_ERROR_UNSTABLE, "unstable at time %g (step %lld): time step %g, stable time step %g",
+               w.time(), static_cast<long long>(w.steps()), w.time_step(), w.stable_time_step());
       }
     }
     return HS_OK;
@@ -127,7 +129,8 @@ hs_status hs_world_get_report(hs_world* world, hs_world_report* report) {
   });
 }
 
-hs_status hs_world_get_contacts(const hs_world* world, hs_contact* contacts, int64_t capacity, int64_t* count) {
+hs_status hs_world_get_contacts(const hs_world* world, hs_contact* contacts, int64_t capacity,
+                                int64_t* count) {
   return guarded(context_of(world), __func__, [&] {
     require_pointer(world, "world");
     require_count(capacity, "capacity");
@@ -163,7 +166,8 @@ hs_status hs_world_set_shear_force(hs_world* world, hs_block block_a, hs_block b
     World<2>& w = world->world;
     const std::int32_t a = slot_of(w.blocks(), block_a, "block_a");
     const std::int32_t b = slot_of(w.blocks(), block_b, "block_b");
-    if (!w.is_detected()) refuse(HS_ERROR_STATE, "poses, blocks or laws have changed; call hs_world_detect() first");
+    if (!w.is_detected())
+      refuse(HS_ERROR_STATE, "poses, blocks or laws have changed; call hs_world_detect() first");
     // Swapping the blocks turns normal, tangent and force on the second: the scalar stays.
     if (!w.set_shear_force(contact_index(w, a, b), shear_force)) {
       refuse(HS_ERROR_STATE, "the law between block_a and block_b has no friction and no shear spring");

@@ -53,7 +53,8 @@ void Blocks<2>::resize(std::size_t slots) {
   vertex_count_.resize(slots);
 }
 
-std::int32_t Blocks<2>::add(const Shape<2>& shape, BlockKind block_kind, std::int32_t block_material, double density) {
+std::int32_t Blocks<2>::add(const Shape<2>& shape, BlockKind block_kind, std::int32_t block_material,
+                            double density) {
   // All memory first: when there is none, nothing has changed.
   const Outline<2> outline = shape.outline();
   const std::size_t stride = std::size_t(Outline<2>::padded(outline.count));
@@ -76,7 +77,8 @@ std::int32_t Blocks<2>::add(const Shape<2>& shape, BlockKind block_kind, std::in
   if (!appended) free_slots_.pop_back();
   first_[s] = std::int64_t(first);
   vertex_count_[s] = outline.count;
-  const double* component_of_shape[components] = {outline.x, outline.y, outline.nx, outline.ny, outline.offset};
+  const double* component_of_shape[components] = {outline.x, outline.y, outline.nx, outline.ny,
+                                                  outline.offset};
   for (int k = 0; k < components; ++k) {
     std::copy_n(component_of_shape[k], stride, own_.data() + first + std::size_t(k) * stride);
   }

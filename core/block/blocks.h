@@ -13,7 +13,8 @@ namespace halfspace {
 /// How a block moves. The values are those of the C API; `none` marks a free slot.
 enum class BlockKind : std::int32_t { none = -1, fixed = 0, prescribed = 1, rigid = 2 };
 
-/// All blocks of a world, a component to an array. Slots of removed blocks are used again, under a new generation.
+/// All blocks of a world, a component to an array. Slots of removed blocks are used again, under a new
+/// generation.
 template <int D>
 class Blocks;
 
@@ -41,14 +42,15 @@ class Blocks<2> {
                   inertia[std::size_t(slot)] * spin[std::size_t(slot)] * spin[std::size_t(slot)]);
   }
 
-  /// False for what no blocks can be, after reading a snapshot: nothing read from it can then lead out of the arrays.
+  /// False for what no blocks can be, after reading a snapshot: nothing read from it can then lead out of the
+  /// arrays.
   bool is_consistent(std::int32_t material_count) const;
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(kind, material, generation, position, velocity, force, applied_force, rotation, angle, spin, torque,
-            applied_torque, mass, inertia, radius, longest_edge, free_slots_, first_, vertex_count_, own_, turned_,
-            living_);
+    archive(kind, material, generation, position, velocity, force, applied_force, rotation, angle, spin,
+            torque, applied_torque, mass, inertia, radius, longest_edge, free_slots_, first_, vertex_count_,
+            own_, turned_, living_);
   }
 
   Array<BlockKind> kind;
@@ -56,16 +58,16 @@ class Blocks<2> {
   Array<std::uint32_t> generation;
   Array<Vector<2>> position;  // of the centroid
   Array<Vector<2>> velocity;
-  Array<Vector<2>> force;     // of the contacts
+  Array<Vector<2>> force;  // of the contacts
   Array<Vector<2>> applied_force;
   Array<Rotation<2>> rotation;
-  Array<double> angle;        // turned in all
+  Array<double> angle;  // turned in all
   Array<double> spin;
-  Array<double> torque;       // of the contacts
+  Array<double> torque;  // of the contacts
   Array<double> applied_torque;
   Array<double> mass;
   Array<double> inertia;
-  Array<double> radius;       // of the bounding circle
+  Array<double> radius;  // of the bounding circle
   Array<double> longest_edge;
 
  private:
@@ -73,7 +75,7 @@ class Blocks<2> {
   void drop_outline(std::int32_t slot);
 
   Array<std::int32_t> free_slots_;
-  Array<std::int64_t> first_;         // of the block's components in own_ and turned_
+  Array<std::int64_t> first_;  // of the block's components in own_ and turned_
   Array<std::int32_t> vertex_count_;
   // Per block x, y, nx, ny, offset, each padded: what one block needs lies together.
   Array<double> own_;     // in the shape's frame

@@ -62,10 +62,4 @@ inline void judge_pair(const Outline<2>& a, const Outline<2>& b, const Vector<2>
   }
 }
 
-template <class TurnNormals>
-void judge_pair(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b, const DetectOptions& options,
-                TurnNormals, PairMemory& memory, Contact<2>& contact) {
-  judge_pair(a, b, to_b, options, memory, contact);
-}
-
 }  // namespace halfspace

@@ -6,11 +6,11 @@
 
 namespace halfspace {
 
-/// Visits every vertex-edge potential contact pair of two blocks (Wang et al. 2021, eq. 9) by one merge of their edge normals,
-/// which are sorted by angle as they are: O(n + m). The visitor returns false to stop.
+/// Visits every vertex-edge potential contact pair of two blocks (Wang et al. 2021, eq. 9) by one merge of
+/// their edge normals, which are sorted by angle as they are: O(n + m). The visitor returns false to stop.
 ///
-/// The pairs are the edges of the Minkowski difference a - b, met counter-clockwise: at each normal of a, the vertex of b that
-/// is deepest is where b's opposed normals have got to, and the other way round.
+/// The pairs are the edges of the Minkowski difference a - b, met counter-clockwise: at each normal of a, the
+/// vertex of b that is deepest is where b's opposed normals have got to, and the other way round.
 template <class Visitor>
 void for_each_potential_pair(const Outline<2>& a, const Outline<2>& b, Visitor&& visit) {
   int i = 0;
@@ -31,8 +31,8 @@ void for_each_potential_pair(const Outline<2>& a, const Outline<2>& b, Visitor&&
   }
 }
 
-/// The potential pair that follows (or precedes) another around the Minkowski difference: across the end of its edge that it
-/// would leave there.
+/// The potential pair that follows (or precedes) another around the Minkowski difference: across the end of
+/// its edge that it would leave there.
 PotentialPair next_pair(const Outline<2>& a, const Outline<2>& b, const PotentialPair& pair);
 PotentialPair previous_pair(const Outline<2>& a, const Outline<2>& b, const PotentialPair& pair);
 

@@ -28,7 +28,8 @@ struct PairFrame {
   Vector<2> other_vertex(int v) const { return other.vertex(v) + to_other; }
 };
 
-PairFrame frame_of(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b, const PotentialPair& pair) {
+PairFrame frame_of(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
+                   const PotentialPair& pair) {
   return pair.owner == 0 ? PairFrame{a, b, to_b, pair.edge, pair.vertex}
                          : PairFrame{b, a, -to_b, pair.edge, pair.vertex};
 }
@@ -49,9 +50,10 @@ FacingEdge facing_edge(const PairFrame& f) {
                                        : FacingEdge{before, cosine_before > 0 ? sine_before : 1};
 }
 
-/// Stiffness at the shallower of two points, and how it changes with the sine of the angle between the edges: half while they are
-/// parallel, none at the parallel angle, so that the force does not jump when the region shrinks to a point or grows out of one.
-/// Constant up to half that angle: there the contact is two fixed springs. In between, a smooth step.
+/// Stiffness at the shallower of two points, and how it changes with the sine of the angle between the edges:
+/// half while they are parallel, none at the parallel angle, so that the force does not jump when the region
+/// shrinks to a point or grows out of one. Constant up to half that angle: there the contact is two fixed
+/// springs. In between, a smooth step.
 struct Share {
   double value;
   double rate;
@@ -79,14 +81,16 @@ void describe_edge_edge(const PairFrame& f, const FacingEdge& facing, double fro
     contact.points[i] = f.on_edge(ends[i]);
     contact.gaps[i] = gap_near + slope * (ends[i] - s_near);
   }
-  // The vertex itself may lie beyond the edge's end: the deeper end of the region says how far the blocks overlap.
+  // The vertex itself may lie beyond the edge's end: the deeper end of the region says how far the blocks
+  // overlap.
   contact.gap = std::min(contact.gaps[0], contact.gaps[1]);
   const int shallower = contact.gaps[0] > contact.gaps[1] ? 0 : 1;
   const Share share = share_of_shallower_point(facing.sine, options.parallel_angle);
   contact.shares[shallower] = share.value;
   contact.shares[1 - shallower] = 1 - share.value;
-  // The points run along the tangent. When the other block turns counter-clockwise the edges close where the first point is the deeper
-  // one and open where it is the shallower; either way the first point's share changes by the same rate.
+  // The points run along the tangent. When the other block turns counter-clockwise the edges close where the
+  // first point is the deeper one and open where it is the shallower; either way the first point's share
+  // changes by the same rate.
   contact.share_rate = share.rate;
 }
 
@@ -112,7 +116,8 @@ void describe_vertex_vertex(const PairFrame& f, const Vector<2>& end, const Vect
 }
 
 /// Outer normal of a pair's half-space, pointing from the owner of the pair's frame `f` to the other block.
-Vector<2> normal_away_from(const PotentialPair& pair, int frame_owner, const Outline<2>& a, const Outline<2>& b) {
+Vector<2> normal_away_from(const PotentialPair& pair, int frame_owner, const Outline<2>& a,
+                           const Outline<2>& b) {
   const Vector<2> normal = pair.owner == 0 ? a.normal(pair.edge) : b.normal(pair.edge);
   return pair.owner == frame_owner ? normal : Vector<2>(-normal);
 }

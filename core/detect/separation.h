@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 
 #include "detect/contact.h"
 #include "detect/two_lanes.h"
@@ -127,7 +128,7 @@ inline IndexedLanes largest_of_each(const IndexedLanes& a, const IndexedLanes& b
 constexpr int most_combinations = 1024;
 
 inline bool by_all_combinations(const Outline<2>& a, const Outline<2>& b) {
-  return a.count * b.count <= most_combinations;
+  return std::int64_t(a.count) * b.count <= most_combinations;
 }
 
 /// The largest of all gaps, or the first above 0, by the merge of sorted normals.
@@ -167,11 +168,6 @@ template <class Turn>
 inline Separation find_separation(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b) {
   return by_all_combinations(a, b) ? find_separation_by_all(a, b, to_b, to_b, NoTurn())
                                    : find_separation_by_merge(a, b, to_b);
-}
-
-template <class TurnNormals>
-Separation find_separation(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b, TurnNormals) {
-  return find_separation(a, b, to_b);
 }
 
 }  // namespace halfspace

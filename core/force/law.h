@@ -13,7 +13,7 @@ enum class StiffnessKind : std::int32_t { per_contact = 0, per_area = 1 };
 /// Penalty spring with Mohr-Coulomb friction (Wang et al. 2021, section 3).
 struct SpringLaw {
   StiffnessKind stiffness_kind = StiffnessKind::per_contact;
-  std::int32_t reserved = 0;     // so that saved laws have no padding
+  std::int32_t reserved = 0;      // so that saved laws have no padding
   double normal_stiffness = 1e9;  // N/m or Pa/m
   double shear_stiffness = 1e9;   // N/m or Pa/m
   double tan_friction = 0;        // tangent of the friction angle

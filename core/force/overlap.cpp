@@ -19,14 +19,16 @@ struct Profile {
   double first = HUGE_VAL;
   double last = -HUGE_VAL;
 
-  /// One straight piece, cut off where it leaves the half-space or the edge, [-half_length, half_length]. Where an outline overhangs it runs
-  /// back under what was added, and is taken off again.
+  /// One straight piece, cut off where it leaves the half-space or the edge, [-half_length, half_length].
+  /// Where an outline overhangs it runs back under what was added, and is taken off again.
   void add(DepthPoint p, DepthPoint q, double half_length, bool overhangs) {
     if (p.s > q.s) std::swap(p, q);
     const double sign = overhangs ? -1 : 1;
     const double slope = q.s > p.s ? (q.depth - p.depth) / (q.s - p.s) : 0;
     const auto cut_at = [&](DepthPoint& end, double s) { end = {s, end.depth + slope * (s - end.s)}; };
-    const auto cut_at_plane = [&](DepthPoint& end, const DepthPoint& inside) { end = {inside.s - inside.depth / slope, 0}; };
+    const auto cut_at_plane = [&](DepthPoint& end, const DepthPoint& inside) {
+      end = {inside.s - inside.depth / slope, 0};
+    };
     if (q.depth < 0 && slope < 0) cut_at_plane(q, p);
     if (p.depth < 0 && slope > 0) cut_at_plane(p, q);
     if (p.s < -half_length) cut_at(p, -half_length);
@@ -44,7 +46,8 @@ struct Profile {
 
 }  // namespace
 
-Overlap measure_overlap(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b, const PotentialPair& pair) {
+Overlap measure_overlap(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
+                        const PotentialPair& pair) {
   const bool a_owns = pair.owner == 0;
   const Outline<2>& owner = a_owns ? a : b;
   const Outline<2>& other = a_owns ? b : a;
@@ -82,7 +85,8 @@ Overlap measure_overlap(const Outline<2>& a, const Outline<2>& b, const Vector<2
   if (area > 0) {
     overlap.area = area;
     overlap.depth_squared = towards_start.depth_squared + towards_end.depth_squared;
-    overlap.width = std::max(towards_start.last, towards_end.last) - std::min(towards_start.first, towards_end.first);
+    overlap.width =
+        std::max(towards_start.last, towards_end.last) - std::min(towards_start.first, towards_end.first);
     overlap.center = middle + (towards_start.moment + towards_end.moment) / area * tangent;
     if (!a_owns) overlap.center += to_b;
   }

@@ -7,7 +7,8 @@ namespace halfspace {
 namespace {
 
 Vector<2> middle_of(const Contact<2>& contact) {
-  return contact.point_count == 2 ? Vector<2>(0.5 * (contact.points[0] + contact.points[1])) : contact.points[0];
+  return contact.point_count == 2 ? Vector<2>(0.5 * (contact.points[0] + contact.points[1]))
+                                  : contact.points[0];
 }
 
 }  // namespace
@@ -53,7 +54,8 @@ Spring::NormalPart Spring::per_contact(const Contact<2>& contact, const PairMoti
   return normal;
 }
 
-/// An intact contact per area: the springs of the joint are spread over the faces that were one, and pull as well as push.
+/// An intact contact per area: the springs of the joint are spread over the faces that were one, and pull as
+/// well as push.
 Spring::NormalPart Spring::bonded_per_area(const Contact<2>& contact, ContactEnergy& energy) const {
   NormalPart normal;
   const double length = contact.length;
@@ -69,9 +71,10 @@ Spring::NormalPart Spring::bonded_per_area(const Contact<2>& contact, ContactEne
   return normal;
 }
 
-/// The stiffness per area times the overlap area: the linear depth integrated over the region, moment included.
-Spring::NormalPart Spring::per_area(const Contact<2>& contact, const Overlap& overlap, const PairMotion<2>& motion,
-                                    bool bonded, ContactEnergy& energy) const {
+/// The stiffness per area times the overlap area: the linear depth integrated over the region, moment
+/// included.
+Spring::NormalPart Spring::per_area(const Contact<2>& contact, const Overlap& overlap,
+                                    const PairMotion<2>& motion, bool bonded, ContactEnergy& energy) const {
   NormalPart normal;
   if (bonded && contact.point_count == 2) {
     normal = bonded_per_area(contact, energy);
@@ -92,8 +95,8 @@ Spring::NormalPart Spring::per_area(const Contact<2>& contact, const Overlap& ov
   return normal;
 }
 
-/// Incremental shear spring with Mohr-Coulomb's limit (eqs. 37-40). In the plane the tangent turns with the contact, and the
-/// scalar force with it.
+/// Incremental shear spring with Mohr-Coulomb's limit (eqs. 37-40). In the plane the tangent turns with the
+/// contact, and the scalar force with it.
 double Spring::shear_force(const NormalPart& normal, double slip_velocity, ShearSpring& shear, bool& bonded,
                            ContactEnergy& energy) const {
   const bool per_area = law_.stiffness_kind == StiffnessKind::per_area;
@@ -130,7 +133,7 @@ PairLoad<2> Spring::evaluate(const Contact<2>& contact, const Overlap& overlap, 
                              ShearSpring& shear, bool& bonded, ContactEnergy& energy) const {
   const auto normal_part = [&] {
     return law_.stiffness_kind == StiffnessKind::per_area ? per_area(contact, overlap, motion, bonded, energy)
-                                                         : per_contact(contact, motion, bonded, energy);
+                                                          : per_contact(contact, motion, bonded, energy);
   };
   ContactEnergy before = energy;
   NormalPart normal = normal_part();
@@ -149,7 +152,8 @@ PairLoad<2> Spring::evaluate(const Contact<2>& contact, const Overlap& overlap, 
     force.shear_force = shear_force(normal, slip_velocity, shear, bonded, energy);
   }
   const Vector<2> on_b = force.on_b(contact.normal);
-  return {force, on_b, -cross(normal.center, on_b) - normal.couple, cross(normal.center - motion.to_b, on_b) + normal.couple};
+  return {force, on_b, -cross(normal.center, on_b) - normal.couple,
+          cross(normal.center - motion.to_b, on_b) + normal.couple};
 }
 
 }  // namespace halfspace

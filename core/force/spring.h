@@ -41,7 +41,9 @@ struct ContactForce<2> {
   double normal_force = 0;  // along the contact's normal, on b: compression > 0
   double shear_force = 0;   // along the tangent, perpendicular(normal), on b
 
-  Vector<2> on_b(const Vector<2>& normal) const { return normal_force * normal + shear_force * perpendicular(normal); }
+  Vector<2> on_b(const Vector<2>& normal) const {
+    return normal_force * normal + shear_force * perpendicular(normal);
+  }
 };
 
 /// What a contact does to its two blocks.
@@ -63,7 +65,8 @@ struct ContactEnergy {
   double damping_loss = 0;
 };
 
-/// Penalty force of a contact (Wang et al. 2021, eqs. 36-40). Stateless but for the shear spring and the bond.
+/// Penalty force of a contact (Wang et al. 2021, eqs. 36-40). Stateless but for the shear spring and the
+/// bond.
 class Spring {
  public:
   /// `overlap` is read only by a law per area; `elapsed` is the time over which the shear spring grows.
@@ -71,7 +74,7 @@ class Spring {
       : law_(law), reduced_mass_(reduced_mass), elapsed_(elapsed) {}
 
   PairLoad<2> evaluate(const Contact<2>& contact, const Overlap& overlap, const PairMotion<2>& motion,
-                           ShearSpring& shear, bool& bonded, ContactEnergy& energy) const;
+                       ShearSpring& shear, bool& bonded, ContactEnergy& energy) const;
 
  private:
   struct NormalPart {
@@ -84,8 +87,8 @@ class Spring {
 
   NormalPart per_contact(const Contact<2>& contact, const PairMotion<2>& motion, bool bonded,
                          ContactEnergy& energy) const;
-  NormalPart per_area(const Contact<2>& contact, const Overlap& overlap, const PairMotion<2>& motion, bool bonded,
-                      ContactEnergy& energy) const;
+  NormalPart per_area(const Contact<2>& contact, const Overlap& overlap, const PairMotion<2>& motion,
+                      bool bonded, ContactEnergy& energy) const;
   NormalPart bonded_per_area(const Contact<2>& contact, ContactEnergy& energy) const;
   double shear_force(const NormalPart& normal, double slip_velocity, ShearSpring& shear, bool& bonded,
                      ContactEnergy& energy) const;

@@ -4,12 +4,14 @@
 
 namespace halfspace {
 
-/// A convex shape as detection reads it: plain component arrays, relative to the centroid, in some orientation.
+/// A convex shape as detection reads it: plain component arrays, relative to the centroid, in some
+/// orientation.
 template <int D>
 struct Outline;
 
-/// Vertex i, and half-space i of the edge from vertex i to vertex i + 1: inside is nx*x + ny*y <= offset. The arrays are
-/// padded to an even count by repeating the last entry, so that a pair of entries can be read at a time.
+/// Vertex i, and half-space i of the edge from vertex i to vertex i + 1: inside is nx*x + ny*y <= offset. The
+/// arrays are padded to an even count by repeating the last entry, so that a pair of entries can be read at a
+/// time.
 template <>
 struct Outline<2> {
   int count = 0;

@@ -14,8 +14,8 @@ Shape<2>::Shape(std::span<const Vector<2>> vertices, Memory* memory)
   store(ordered);
 }
 
-/// Exact moments by fanning triangles out of the first vertex: all coordinates are differences, so that the distance
-/// from the origin costs no digits, and all triangles have positive area, so that nothing cancels.
+/// Exact moments by fanning triangles out of the first vertex: all coordinates are differences, so that the
+/// distance from the origin costs no digits, and all triangles have positive area, so that nothing cancels.
 void Shape<2>::measure(std::span<const Vector<2>> vertices) {
   const Vector<2>& origin = vertices[0];
   Vector<2> first_moment = Vector<2>::Zero();
@@ -36,7 +36,9 @@ void Shape<2>::measure(std::span<const Vector<2>> vertices) {
     const Vector<2> c = (vertices[std::size_t(i) + 1] - origin) - to_centroid;
     const Vector<2> sum = a + b + c;
     const double weight = 0.5 * cross(b - a, c - a) / 12;
-    const auto product = [&](int r, int s) { return sum[r] * sum[s] + a[r] * a[s] + b[r] * b[s] + c[r] * c[s]; };
+    const auto product = [&](int r, int s) {
+      return sum[r] * sum[s] + a[r] * a[s] + b[r] * b[s] + c[r] * c[s];
+    };
     second_moment_ += weight * Eigen::Vector3d(product(0, 0), product(1, 1), product(0, 1));
   }
 }
@@ -56,8 +58,8 @@ void Shape<2>::store(std::span<const Vector<2>> vertices) {
     const Vector<2> here = vertices[std::size_t(i)];
     const Vector<2> edge = vertices[std::size_t(i + 1 == count_ ? 0 : i + 1)] - here;
     const double length = edge.stableNorm();
-    // Relative to the centroid as it is reported, rounding included: the difference of near numbers is exact, so that
-    // adjacent shapes stay adjacent wherever they are.
+    // Relative to the centroid as it is reported, rounding included: the difference of near numbers is exact,
+    // so that adjacent shapes stay adjacent wherever they are.
     const Vector<2> local = here - centroid_;
     x[i] = local.x();
     y[i] = local.y();

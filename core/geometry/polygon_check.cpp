@@ -9,15 +9,16 @@
 namespace halfspace {
 namespace {
 
-// Second moments grow with the fourth power of the size: within these limits neither they nor their products with
-// a density overflow or vanish.
+// Second moments grow with the fourth power of the size: within these limits neither they nor their products
+// with a density overflow or vanish.
 constexpr double largest_coordinate = 1e75;
 constexpr double smallest_extent = 1e-75;
 
 FaultReport first_not_finite(std::span<const Vector<2>> vertices) {
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const double magnitude = std::max(std::abs(vertices[i].x()), std::abs(vertices[i].y()));
-    if (!vertices[i].allFinite() || magnitude > largest_coordinate) return {Fault::not_finite, std::int64_t(i)};
+    if (!vertices[i].allFinite() || magnitude > largest_coordinate)
+      return {Fault::not_finite, std::int64_t(i)};
   }
   return {};
 }
@@ -115,7 +116,8 @@ FaultReport check_polygon(std::span<const Vector<2>> vertices) {
   if (all_on_one_line(vertices)) return {Fault::zero_area, -1};
 
   const FaultReport wrong_turn = first_wrong_turn(vertices);
-  if (wrong_turn.fault == Fault::not_convex && outline_crosses_itself(vertices)) return {Fault::self_crossing, -1};
+  if (wrong_turn.fault == Fault::not_convex && outline_crosses_itself(vertices))
+    return {Fault::self_crossing, -1};
   if (wrong_turn.fault != Fault::none) return wrong_turn;
   if (winding_of_directions(vertices) != 1) return {Fault::self_crossing, -1};
   return {};
@@ -123,14 +125,22 @@ FaultReport check_polygon(std::span<const Vector<2>> vertices) {
 
 const char* fault_text(Fault fault) {
   switch (fault) {
-    case Fault::none: return "is valid";
-    case Fault::too_few_vertices: return "has fewer than 3 vertices";
-    case Fault::not_finite: return "is not finite, or beyond 1e75, or the whole is smaller than 1e-75";
-    case Fault::repeated_vertex: return "repeats the vertex before it";
-    case Fault::collinear_vertex: return "is on the line of its neighbours";
-    case Fault::not_convex: return "is a re-entrant corner";
-    case Fault::self_crossing: return "makes the outline cross or fold onto itself";
-    case Fault::zero_area: return "has no area: all vertices are on one line";
+    case Fault::none:
+      return "is valid";
+    case Fault::too_few_vertices:
+      return "has fewer than 3 vertices";
+    case Fault::not_finite:
+      return "is not finite, or beyond 1e75, or the whole is smaller than 1e-75";
+    case Fault::repeated_vertex:
+      return "repeats the vertex before it";
+    case Fault::collinear_vertex:
+      return "is on the line of its neighbours";
+    case Fault::not_convex:
+      return "is a re-entrant corner";
+    case Fault::self_crossing:
+      return "makes the outline cross or fold onto itself";
+    case Fault::zero_area:
+      return "has no area: all vertices are on one line";
   }
   return "is faulty";
 }

@@ -8,9 +8,10 @@
 namespace halfspace {
 namespace {
 
-/// The corner that the line leaves on an edge. Evaluated from the end behind the line to the end ahead, so that both
-/// neighbours across an edge find the same bits.
-Vector<2> crossing(const Vector<2>& behind, double height_behind, const Vector<2>& ahead, double height_ahead) {
+/// The corner that the line leaves on an edge. Evaluated from the end behind the line to the end ahead, so
+/// that both neighbours across an edge find the same bits.
+Vector<2> crossing(const Vector<2>& behind, double height_behind, const Vector<2>& ahead,
+                   double height_ahead) {
   const double t = height_behind / (height_behind - height_ahead);
   return behind + t * (ahead - behind);
 }

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "geometry/vector.h"
-
 #include <span>
+
+#include "geometry/vector.h"
 
 namespace halfspace {
 
@@ -12,8 +12,9 @@ struct PolygonParts {
   Array<Vector<2>> ahead;
 };
 
-/// Cuts a counter-clockwise convex polygon by the line through `point` with normal `normal`. Both parts get the same new
-/// vertices, so that neighbours stay exactly adjacent. A part that the line touches only to rounding is empty.
+/// Cuts a counter-clockwise convex polygon by the line through `point` with normal `normal`. Both parts get
+/// the same new vertices, so that neighbours stay exactly adjacent. A part that the line touches only to
+/// rounding is empty.
 PolygonParts cut_polygon(std::span<const Vector<2>> vertices, const Vector<2>& point, const Vector<2>& normal,
                          Memory* memory);
 

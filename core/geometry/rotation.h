@@ -13,8 +13,8 @@ struct CosineAndSine {
   Number sine;
 };
 
-/// From the z and w of a quaternion whose squared length is 1 but for an excess of at most 1e-5: the series of its inverse is
-/// exact to rounding then, and faster than a division.
+/// From the z and w of a quaternion whose squared length is 1 but for an excess of at most 1e-5: the series
+/// of its inverse is exact to rounding then, and faster than a division.
 template <class Number>
 CosineAndSine<Number> cosine_and_sine(const Number& z, const Number& w, const Number& excess) {
   const Number inverse = 1.0 - excess * (1.0 - excess * (1.0 - excess));
@@ -25,8 +25,8 @@ CosineAndSine<Number> cosine_and_sine(const Number& z, const Number& w, const Nu
 template <int D>
 class Rotation;
 
-/// In the plane: a unit complex number, cosine and sine. Kept as such, and advanced by a polynomial instead of the
-/// C library's sine, so that a run has the same bits wherever the arithmetic is IEEE.
+/// In the plane: a unit complex number, cosine and sine. Kept as such, and advanced by a polynomial instead
+/// of the C library's sine, so that a run has the same bits wherever the arithmetic is IEEE.
 template <>
 class Rotation<2> {
  public:

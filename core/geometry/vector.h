@@ -21,7 +21,8 @@ void make_room_for_one(Array<T>& array) {
   if (array.capacity() == array.size()) array.reserve(2 * array.size() + 1);
 }
 
-/// Capacity near `room` for an array whose entries are not needed any more: more when it is short, less when most would lie idle.
+/// Capacity near `room` for an array whose entries are not needed any more: more when it is short, less when
+/// most would lie idle.
 template <class T>
 void refit(Array<T>& array, std::size_t room) {
   array.clear();

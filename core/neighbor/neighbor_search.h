@@ -27,16 +27,16 @@ struct BlockPair {
 
 /// Finds all pairs of overlapping boxes, at any ratio of sizes, in time linear in blocks and pairs.
 ///
-/// A grid per power of two: each block lies in the grid whose cell is just larger than itself, by its centre, and looks for others in
-/// its own grid and in all coarser ones, at most 3^D cells in each. A cell as large as the largest block, as in the papers, would put
-/// all grains on a plate into one cell.
+/// A grid per power of two: each block lies in the grid whose cell is just larger than itself, by its centre,
+/// and looks for others in its own grid and in all coarser ones, at most 3^D cells in each. A cell as large
+/// as the largest block, as in the papers, would put all grains on a plate into one cell.
 template <int D>
 class NeighborSearch {
  public:
   explicit NeighborSearch(Memory* memory) : cells_(memory), first_of_bucket_(memory), levels_(memory) {}
 
-  /// Calls `found(BlockPair)` for each pair among the given boxes, each once, in an order fixed by the input. `is_member(i)` tells which
-  /// entries are blocks at all.
+  /// Calls `found(BlockPair)` for each pair among the given boxes, each once, in an order fixed by the input.
+  /// `is_member(i)` tells which entries are blocks at all.
   template <class IsMember, class Found>
   void search(std::span<const Box<D>> boxes, IsMember is_member, Found found);
 

@@ -78,7 +78,8 @@ void NeighborSearch<D>::search(std::span<const Box<D>> boxes, IsMember is_member
 
   for (const Cell& own : cells_) {
     const Box<D>& box = boxes[std::size_t(own.block)];
-    for (auto level = std::lower_bound(levels_.begin(), levels_.end(), own.level); level != levels_.end(); ++level) {
+    for (auto level = std::lower_bound(levels_.begin(), levels_.end(), own.level); level != levels_.end();
+         ++level) {
       // Centres of that grid's blocks lie within half a cell of their boxes.
       const double size = std::ldexp(1.0, *level);
       Cell wanted;

@@ -21,8 +21,9 @@ Candidates<D>::Candidates(Memory* memory)
       next_pairs_(memory),
       next_shear_(memory) {}
 
-/// A share of each block's own size, but no more than of the typical block's: a large plate's skin would fill its list with grains
-/// that it never meets; but never less than what the block is about to move. A fixed block needs none.
+/// A share of each block's own size, but no more than of the typical block's: a large plate's skin would fill
+/// its list with grains that it never meets; but never less than what the block is about to move. A fixed
+/// block needs none.
 template <int D>
 void Candidates<D>::choose_skins(const Blocks<D>& blocks, double relative_skin) {
   sizes_.clear();
@@ -86,7 +87,8 @@ void Candidates<D>::sort_found(std::size_t slots) {
 template <int D>
 void Candidates<D>::carry_over(bool with_shear) {
   const auto precedes = [](const auto& p, const auto& q) { return p.a < q.a || (p.a == q.a && p.b < q.b); };
-  const auto bonded = std::count_if(pairs_.begin(), pairs_.end(), [](const Candidate& pair) { return pair.bonded; });
+  const auto bonded =
+      std::count_if(pairs_.begin(), pairs_.end(), [](const Candidate& pair) { return pair.bonded; });
   const std::size_t most = std::max(room_, sorted_.size() + std::size_t(bonded));
   refit(next_pairs_, most);
   refit(next_shear_, with_shear ? most : 0);

@@ -19,7 +19,8 @@ struct Candidate {
   std::int32_t bonded = 0;
 };
 
-/// The neighbour list: all pairs that can touch before some block has moved by more than its skin. Sorted by (a, b).
+/// The neighbour list: all pairs that can touch before some block has moved by more than its skin. Sorted by
+/// (a, b).
 template <int D>
 class Candidates {
  public:
@@ -41,8 +42,9 @@ class Candidates {
     if (!is_listed || !(moved(blocks, slot) <= skin_[slot])) used_up_ = true;
   }
 
-  /// Searches again and prepares the new list, for which all memory is taken here: the list in use stays as it is. Pairs that stay keep
-  /// their memory; `relative_skin` is the skin as a share of a block's size; `with_shear` says whether any law needs a shear spring.
+  /// Searches again and prepares the new list, for which all memory is taken here: the list in use stays as
+  /// it is. Pairs that stay keep their memory; `relative_skin` is the skin as a share of a block's size;
+  /// `with_shear` says whether any law needs a shear spring.
   void search_again(const Blocks<D>& blocks, double relative_skin, bool with_shear);
   /// Takes the new list into use.
   void renew(const Blocks<D>& blocks) noexcept;
@@ -54,7 +56,8 @@ class Candidates {
   const Array<Candidate>& pairs() const { return pairs_; }
   /// One per pair; none at all when no law resists shear.
   std::span<ShearSpring> shear() { return shear_; }
-  /// Pairs that all lists of pairs have room for: some to spare, so that a settled heap whose pairs come and go asks for no memory.
+  /// Pairs that all lists of pairs have room for: some to spare, so that a settled heap whose pairs come and
+  /// go asks for no memory.
   std::size_t room() const { return std::max(room_, next_pairs_.size()); }
   std::int64_t builds() const { return builds_; }
 

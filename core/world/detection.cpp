@@ -6,7 +6,8 @@
 namespace halfspace {
 namespace {
 
-/// Blocks that a joint has cut apart touch to rounding only: what lies nearer than this share of the smaller one's radius was one face.
+/// Blocks that a joint has cut apart touch to rounding only: what lies nearer than this share of the smaller
+/// one's radius was one face.
 constexpr double bond_reach = 1e-6;
 
 }  // namespace
@@ -22,8 +23,9 @@ void World<D>::make_bonds() {
       const bool is_fresh = fresh_[a] || fresh_[b];
       if (!is_fresh || !laws_.between(blocks_.material[a], blocks_.material[b]).bonds()) continue;
       Contact<D> contact;
-      describe_contact(blocks_.outline(pair.a), blocks_.outline(pair.b), blocks_.position[b] - blocks_.position[a],
-                       pair.memory.pair, settings_.detect, contact);
+      describe_contact(blocks_.outline(pair.a), blocks_.outline(pair.b),
+                       blocks_.position[b] - blocks_.position[a], pair.memory.pair, settings_.detect,
+                       contact);
       pair.bonded = std::abs(contact.gap) <= bond_reach * std::min(blocks_.radius[a], blocks_.radius[b]);
     }
     forget_contacts();  // bonded pairs count as such from now on
@@ -61,10 +63,11 @@ void World<D>::detect_candidate(std::size_t k, Contact<D>& contact) {
     if (!pair.bonded) return;
     contact.type = ContactType::none;
   } else {
-    judge_pair(a, b, to_b, settings_.detect, [] {}, pair.memory, contact);
+    judge_pair(a, b, to_b, settings_.detect, pair.memory, contact);
   }
   if (first_time && contact.gap == 0) {
-    // Neatly stacked: the strict form of inclusion holds at first sight, so that an initial contact pair is left behind (eq. 11).
+    // Neatly stacked: the strict form of inclusion holds at first sight, so that an initial contact pair is
+    // left behind (eq. 11).
     pair.memory.state = PairMemory::separated;
     contact.type = ContactType::none;
   }
@@ -78,8 +81,8 @@ void World<D>::detect_candidate(std::size_t k, Contact<D>& contact) {
   }
 }
 
-/// With room for a contact at every candidate: detection then asks for no memory. When there is none, contacts have to be found again,
-/// and nothing else has changed.
+/// With room for a contact at every candidate: detection then asks for no memory. When there is none,
+/// contacts have to be found again, and nothing else has changed.
 template <int D>
 void World<D>::renew_candidates() {
   const bool with_shear = laws_.any([](const SpringLaw& law) { return law.resists_shear(); });

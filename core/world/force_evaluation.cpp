@@ -6,7 +6,9 @@ namespace halfspace {
 
 template <int D>
 double World<D>::reduced_mass(std::size_t a, std::size_t b) const {
-  const auto inverse = [&](std::size_t i) { return blocks_.kind[i] == BlockKind::rigid ? 1 / blocks_.mass[i] : 0; };
+  const auto inverse = [&](std::size_t i) {
+    return blocks_.kind[i] == BlockKind::rigid ? 1 / blocks_.mass[i] : 0;
+  };
   return 1 / (inverse(a) + inverse(b));
 }
 
@@ -22,8 +24,8 @@ void World<D>::evaluate_forces(double elapsed) {
     const Contact<D>& contact = contacts_[c];
     const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
     const SpringLaw& law = laws_.between(blocks_.material[a], blocks_.material[b]);
-    const PairMotion<D> motion{blocks_.velocity[b] - blocks_.velocity[a], blocks_.position[b] - blocks_.position[a],
-                               blocks_.spin[a], blocks_.spin[b]};
+    const PairMotion<D> motion{blocks_.velocity[b] - blocks_.velocity[a],
+                               blocks_.position[b] - blocks_.position[a], blocks_.spin[a], blocks_.spin[b]};
     Overlap overlap;
     if (law.stiffness_kind == StiffnessKind::per_area) {
       overlap = measure_overlap(blocks_.outline(pair.a), blocks_.outline(pair.b), motion.to_b, contact.pair);

@@ -13,7 +13,9 @@ struct Ledger {
   double mass_damping_loss = 0;
   double outer_work = 0;
 
-  double losses() const { return friction_loss + contact_damping_loss + local_damping_loss + mass_damping_loss; }
+  double losses() const {
+    return friction_loss + contact_damping_loss + local_damping_loss + mass_damping_loss;
+  }
   double total() const { return kinetic + gravity + strain + losses(); }
   /// What the numbers themselves made (> 0) or lost (< 0).
   double residual() const { return total() - outer_work; }

@@ -10,7 +10,8 @@
 
 namespace halfspace {
 
-/// Bytes of a snapshot: header, then every member that visit() names, in its order. Numbers are as the machine has them.
+/// Bytes of a snapshot: header, then every member that visit() names, in its order. Numbers are as the
+/// machine has them.
 namespace snapshot {
 
 constexpr std::uint64_t magic = 0x31'77'70'73'66'6c'61'68;  // "halfspw1"

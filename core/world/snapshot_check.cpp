@@ -3,25 +3,29 @@
 
 #include "world/world.h"
 
-// What a snapshot must fulfil so that running it never leads out of an array. Numbers may be wrong in value: that is what the checksum
-// is for; here the question is what a wrong index could do.
+// What a snapshot must fulfil so that running it never leads out of an array. Numbers may be wrong in value:
+// that is what the checksum is for; here the question is what a wrong index could do.
 
 namespace halfspace {
 
 bool LawTable::is_consistent() const {
   const std::size_t materials = std::size_t(material_count_);
-  const auto names_a_law = [&](std::int32_t index) { return index >= -1 && index < std::int64_t(own_.size()); };
+  const auto names_a_law = [&](std::int32_t index) {
+    return index >= -1 && index < std::int64_t(own_.size());
+  };
   return material_count_ >= 0 && law_of_pair_.size() == materials * (materials + 1) / 2 &&
          std::all_of(law_of_pair_.begin(), law_of_pair_.end(), names_a_law);
 }
 
 bool Blocks<2>::is_consistent(std::int32_t material_count) const {
   const std::size_t slots = slot_count();
-  const std::size_t sizes[] = {material.size(), generation.size(),     position.size(),     velocity.size(), force.size(),
-                               applied_force.size(), rotation.size(), angle.size(),        spin.size(),     torque.size(),
-                               applied_torque.size(), mass.size(),    inertia.size(),      radius.size(),   longest_edge.size(),
-                               first_.size(),   vertex_count_.size()};
-  if (std::any_of(std::begin(sizes), std::end(sizes), [&](std::size_t size) { return size != slots; })) return false;
+  const std::size_t sizes[] = {
+      material.size(),       generation.size(),   position.size(), velocity.size(), force.size(),
+      applied_force.size(),  rotation.size(),     angle.size(),    spin.size(),     torque.size(),
+      applied_torque.size(), mass.size(),         inertia.size(),  radius.size(),   longest_edge.size(),
+      first_.size(),         vertex_count_.size()};
+  if (std::any_of(std::begin(sizes), std::end(sizes), [&](std::size_t size) { return size != slots; }))
+    return false;
   if (own_.size() != turned_.size()) return false;
   std::int64_t living = 0;
   for (std::size_t i = 0; i < slots; ++i) {
@@ -33,7 +37,9 @@ bool Blocks<2>::is_consistent(std::int32_t material_count) const {
     const std::int64_t length = 5 * (count + (count & 1));
     if (count < 3 || first < 0 || first > std::int64_t(own_.size()) - length) return false;
   }
-  const auto is_free = [&](std::int32_t slot) { return slot >= 0 && std::size_t(slot) < slots && !lives(std::size_t(slot)); };
+  const auto is_free = [&](std::int32_t slot) {
+    return slot >= 0 && std::size_t(slot) < slots && !lives(std::size_t(slot));
+  };
   return living == living_ && std::int64_t(free_slots_.size()) == std::int64_t(slots) - living &&
          std::all_of(free_slots_.begin(), free_slots_.end(), is_free);
 }
@@ -45,7 +51,9 @@ bool Candidates<D>::is_consistent(const Blocks<D>& blocks) const {
   if (listed > slots || planned_.size() != listed || (!used_up_ && listed != slots)) return false;
   if (reference_position_.size() != listed || reference_rotation_.size() != listed) return false;
   if (!shear_.empty() && shear_.size() != pairs_.size()) return false;
-  const auto lives = [&](std::int32_t slot) { return slot >= 0 && std::size_t(slot) < slots && blocks.lives(std::size_t(slot)); };
+  const auto lives = [&](std::int32_t slot) {
+    return slot >= 0 && std::size_t(slot) < slots && blocks.lives(std::size_t(slot));
+  };
   return std::all_of(pairs_.begin(), pairs_.end(), [&](const Candidate& pair) {
     if (!lives(pair.a) || !lives(pair.b) || pair.a >= pair.b) return false;
     const PairMemory& memory = pair.memory;
@@ -53,7 +61,8 @@ bool Candidates<D>::is_consistent(const Blocks<D>& blocks) const {
     if (memory.pair.owner != 0 && memory.pair.owner != 1) return false;
     const int of_owner = blocks.outline(memory.pair.owner == 0 ? pair.a : pair.b).count;
     const int of_other = blocks.outline(memory.pair.owner == 0 ? pair.b : pair.a).count;
-    return memory.pair.edge >= 0 && memory.pair.edge < of_owner && memory.pair.vertex >= 0 && memory.pair.vertex < of_other;
+    return memory.pair.edge >= 0 && memory.pair.edge < of_owner && memory.pair.vertex >= 0 &&
+           memory.pair.vertex < of_other;
   });
 }
 

@@ -21,9 +21,10 @@ typename World<D>::Hardest World<D>::hardest_contact(std::size_t slot) const {
   return hardest;
 }
 
-/// Gershgorin: no frequency exceeds omega^2 = 2 sum_contacts K (1/m + r^2/I), with r at most the block's radius, and no decay gamma =
-/// 2 sum_contacts c (1/m + r^2/I). Dashpots read the velocity of half a step before, so that central differences are stable as long as
-/// dt^2 omega^2 + 2 dt gamma < 4. Blocks will meet others: never fewer than four contacts are counted.
+/// Gershgorin: no frequency exceeds omega^2 = 2 sum_contacts K (1/m + r^2/I), with r at most the block's
+/// radius, and no decay gamma = 2 sum_contacts c (1/m + r^2/I). Dashpots read the velocity of half a step
+/// before, so that central differences are stable as long as dt^2 omega^2 + 2 dt gamma < 4. Blocks will meet
+/// others: never fewer than four contacts are counted.
 template <int D>
 double World<D>::stable_time_step() {
   constexpr int least_contacts = 4;

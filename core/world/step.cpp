@@ -23,7 +23,8 @@ typename World<D>::Drive World<D>::drive(std::size_t i) const {
           blocks_.torque[i] + blocks_.applied_torque[i]};
 }
 
-/// Newton's law with local damping (Cundall's, against each component of the velocity) and mass-proportional damping.
+/// Newton's law with local damping (Cundall's, against each component of the velocity) and mass-proportional
+/// damping.
 template <int D>
 void World<D>::accelerate(std::size_t i) {
   auto [force, torque] = drive(i);
@@ -35,8 +36,9 @@ void World<D>::accelerate(std::size_t i) {
   angular_acceleration_[i] = torque / blocks_.inertia[i] - settings_.mass_damping * blocks_.spin[i];
 }
 
-/// Plans the coming step: false when a block would pass its own radius in it, or when one is not finite: out of hand. Brings the
-/// neighbour list up to date when the step would use it up. All memory is taken here, so that a step once begun is finished.
+/// Plans the coming step: false when a block would pass its own radius in it, or when one is not finite: out
+/// of hand. Brings the neighbour list up to date when the step would use it up. All memory is taken here, so
+/// that a step once begun is finished.
 template <int D>
 bool World<D>::plan_motion() {
   const double half = 0.5 * time_step_;
@@ -78,8 +80,8 @@ void World<D>::kick_and_drift() {
   }
 }
 
-/// A block's energies, and the rates at which prescribed motion and damping change the world's. `opposed` is the velocity that
-/// damping was formed with.
+/// A block's energies, and the rates at which prescribed motion and damping change the world's. `opposed` is
+/// the velocity that damping was formed with.
 template <int D>
 void World<D>::take_stock(std::size_t i, const Vector<D>& opposed, double opposed_spin, Stock& stock) const {
   const Vector<D>& velocity = blocks_.velocity[i];
@@ -103,8 +105,8 @@ void World<D>::take_stock(std::size_t i, const Vector<D>& opposed, double oppose
   }
 }
 
-/// Second half: velocities to the end of the step, and the ledger. Powers are known at both ends of the step: the trapezoid between
-/// them is as exact as the step itself.
+/// Second half: velocities to the end of the step, and the ledger. Powers are known at both ends of the step:
+/// the trapezoid between them is as exact as the step itself.
 template <int D>
 void World<D>::kick_and_book() {
   const double half = 0.5 * time_step_;
@@ -115,7 +117,8 @@ void World<D>::kick_and_book() {
     const double middle_spin = blocks_.spin[i];
     if (blocks_.kind[i] == BlockKind::rigid) {
       accelerate(i);
-      applied_power += blocks_.applied_force[i].dot(middle_velocity) + blocks_.applied_torque[i] * middle_spin;
+      applied_power +=
+          blocks_.applied_force[i].dot(middle_velocity) + blocks_.applied_torque[i] * middle_spin;
       blocks_.velocity[i] += half * acceleration_[i];
       blocks_.spin[i] += half * angular_acceleration_[i];
     }
@@ -129,8 +132,9 @@ void World<D>::kick_and_book() {
   power_ = stock.power;
 }
 
-/// All but nothing of the energy present was there before: the numbers made it. (Near the stable step, but below it, the
-/// ledger of a spring swings by the share q^2 of its energy, q the time step over the stable one.)
+/// All but nothing of the energy present was there before: the numbers made it. (Near the stable step, but
+/// below it, the ledger of a spring swings by the share q^2 of its energy, q the time step over the stable
+/// one.)
 template <int D>
 bool World<D>::makes_energy() const {
   const double made = ledger_.residual();

@@ -43,8 +43,8 @@ class World {
   std::int32_t material_count() const { return std::int32_t(density_.size()); }
   void set_default_law(const SpringLaw& law);
   void set_law(std::int32_t a, std::int32_t b, const SpringLaw& law);
-  std::int32_t add_block(const Shape<D>& shape, BlockKind kind, std::int32_t material, const Vector<D>& position,
-                         const Rotation<D>& rotation);
+  std::int32_t add_block(const Shape<D>& shape, BlockKind kind, std::int32_t material,
+                         const Vector<D>& position, const Rotation<D>& rotation);
   void remove_block(std::int32_t slot);
   void set_pose(std::int32_t slot, const Vector<D>& position, const Rotation<D>& rotation);
   void set_velocity(std::int32_t slot, const Vector<D>& velocity, double spin);
@@ -65,7 +65,9 @@ class World {
   const Blocks<D>& blocks() const { return blocks_; }
   std::span<const Contact<D>> contacts() const { return contacts_; }
   std::span<const ContactForce<D>> contact_forces() const { return forces_; }
-  const Candidate& candidate_of(std::size_t contact) const { return candidates_.pairs()[candidate_[contact]]; }
+  const Candidate& candidate_of(std::size_t contact) const {
+    return candidates_.pairs()[candidate_[contact]];
+  }
   const Candidates<D>& candidates() const { return candidates_; }
   const Ledger& ledger() const { return ledger_; }
   double time() const { return epoch_time_ + double(steps_ - epoch_step_) * time_step_; }
@@ -81,8 +83,9 @@ class World {
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(settings_, density_, fresh_, any_fresh_, laws_, blocks_, candidates_, contacts_, candidate_, forces_, acceleration_,
-            angular_acceleration_, ledger_, noise_energy_, residual_before_edit_, power_, epoch_time_, epoch_step_, time_step_, steps_, detected_, edited_);
+    archive(settings_, density_, fresh_, any_fresh_, laws_, blocks_, candidates_, contacts_, candidate_,
+            forces_, acceleration_, angular_acceleration_, ledger_, noise_energy_, residual_before_edit_,
+            power_, epoch_time_, epoch_step_, time_step_, steps_, detected_, edited_);
   }
 
  private:
@@ -140,15 +143,15 @@ class World {
   Blocks<D> blocks_;
   Candidates<D> candidates_;
   Array<Contact<D>> contacts_;
-  Array<std::uint32_t> candidate_;  // of each contact
-  Array<ContactForce<D>> forces_;   // of each contact
+  Array<std::uint32_t> candidate_;   // of each contact
+  Array<ContactForce<D>> forces_;    // of each contact
   Array<std::int32_t> contacts_of_;  // each block, when the stable step is asked for
-  Array<Vector<D>> acceleration_;  // of each block, from the last forces
+  Array<Vector<D>> acceleration_;    // of each block, from the last forces
   Array<double> angular_acceleration_;
   Ledger ledger_;
   double noise_energy_ = 0;  // of the whole, below which energy made by the numbers is not judged
   double residual_before_edit_ = 0;
-  Power power_;                 // at the last forces
+  Power power_;            // at the last forces
   double epoch_time_ = 0;  // when the time step was last chosen
   std::int64_t epoch_step_ = 0;
   double time_step_ = 0;

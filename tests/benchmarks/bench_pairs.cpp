@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <deque>
-#include <numeric>
 #include <stdexcept>
 
 #include "convex_pairs.h"
@@ -108,10 +107,11 @@ class Contestant {
     }
   }
 
-  void time_pass(const std::vector<int>& order) {
+  void time_pass(Random& random) {
+    std::shuffle(pairs_.begin(), pairs_.end(), random);
     int touching = 0;
     passes_.add(seconds_of([&] {
-      for (const int i : order) touching += touches_(pairs_[std::size_t(i)]);
+      for (Pair& pair : pairs_) touching += touches_(pair);
     }));
     if (touching != touching_)
       throw std::runtime_error("the same pairs gave another answer when they were asked again");
@@ -141,16 +141,10 @@ void run(int vertices, const GapSet& gap, const Sizes& sizes, hs_context* contex
   Contestant warm(arena.halfspace, touches_warm, arena.truth);
   Contestant peer(arena.box2d, touches_box2d, arena.truth);
 
-  std::vector<int> order(arena.halfspace.size());
-  std::iota(order.begin(), order.end(), 0);
-  const auto reshuffled = [&]() -> const std::vector<int>& {
-    std::shuffle(order.begin(), order.end(), random);
-    return order;
-  };
   for (int pass = 0; pass < passes; ++pass) {
-    cold.time_pass(reshuffled());
-    peer.time_pass(reshuffled());
-    warm.time_pass(reshuffled());
+    cold.time_pass(random);
+    peer.time_pass(random);
+    warm.time_pass(random);
   }
 
   std::printf("%8d %-6s %7.1f %7.1f %7.1f %7.1f %7.1f %7.1f %9.2f %9.2f %6d %5d %5d\n", vertices, gap.name,

@@ -77,22 +77,10 @@ const std::vector<Spoiled> spoiled_inputs = {
     {"struct_size", "4294967295", [](PairCall& c) { c.options.struct_size = 0xffffffffu; }},
     {"state", "3", [](PairCall& c) { c.caches[0].state = 3; }},
     {"state", "-1", [](PairCall& c) { c.caches[0].state = -1; }},
-    {"edge", "8",
-     [](PairCall& c) {
-       c.caches[0] = cache_of(1, 8, 0);
-     }},
-    {"edge", "-1",
-     [](PairCall& c) {
-       c.caches[0] = cache_of(2, -1, 0);
-     }},
-    {"vertex", "4",
-     [](PairCall& c) {
-       c.caches[0] = cache_of(1, 0, 4);
-     }},
-    {"vertex", "-2",
-     [](PairCall& c) {
-       c.caches[0] = cache_of(2, 0, -2);
-     }},
+    {"edge", "8", [](PairCall& c) { c.caches[0] = cache_of(1, 8, 0); }},
+    {"edge", "-1", [](PairCall& c) { c.caches[0] = cache_of(2, -1, 0); }},
+    {"vertex", "4", [](PairCall& c) { c.caches[0] = cache_of(1, 0, 4); }},
+    {"vertex", "-2", [](PairCall& c) { c.caches[0] = cache_of(2, 0, -2); }},
 };
 
 }  // namespace

@@ -6,7 +6,8 @@
 #include "catch.h"
 #include "world_fixture.h"
 
-// A world may be read and changed at any time: what was read leaves no trace, and what belonged to the state before is gone.
+// A world may be read and changed at any time: what was read leaves no trace, and what belonged to the state
+// before is gone.
 
 namespace halfspace_test {
 namespace {
@@ -44,8 +45,8 @@ struct Cantilever {
 }  // namespace
 
 TEST_CASE("a bonded cantilever stands by the moment of its joint") {
-  // Springs over a joint of 1 m: shear k turns into a sag w/k, and the joint's bending stiffness is k/4 with a spring at each end
-  // of it, k/12 when spread. The weight w acts at 0.5 m: it tilts by w/2 over that.
+  // Springs over a joint of 1 m: shear k turns into a sag w/k, and the joint's bending stiffness is k/4 with
+  // a spring at each end of it, k/12 when spread. The weight w acts at 0.5 m: it tilts by w/2 over that.
   const double stiffness = 1e9, weight = 2500 * 9.81;
   for (const int32_t kind : {HS_STIFFNESS_PER_CONTACT, HS_STIFFNESS_PER_AREA}) {
     Cantilever c(kind, stiffness);
@@ -59,7 +60,8 @@ TEST_CASE("a bonded cantilever stands by the moment of its joint") {
     // Small angles: relative errors of the order of the tilt, and what still rings after a second of damping.
     CHECK(c.state().angle == Approx(tilt).epsilon(1e-3));
     CHECK(c.state().pose.position[1] == Approx(0.5 - weight / stiffness + 0.5 * tilt).epsilon(1e-6));
-    // The step is half the stable one for four contacts, a quarter of that for one: q = 1/4, and Verlet's ledger swings by q^2.
+    // The step is half the stable one for four contacts, a quarter of that for one: q = 1/4, and Verlet's
+    // ledger swings by q^2.
     const double set_free = weight * (0.5 - c.state().pose.position[1]);
     CHECK(std::abs(c.report().energy.residual) < set_free / 16);
   }
@@ -70,7 +72,8 @@ TEST_CASE("reading a world before its first step does not prevent its bonds") {
   read.report();
   require_ok(hs_world_detect(read.world.get(), nullptr), read.context.get());
   read.report();
-  for (Cantilever* c : {&undisturbed, &read}) require_ok(hs_world_step(c->world.get(), 500), c->context.get());
+  for (Cantilever* c : {&undisturbed, &read})
+    require_ok(hs_world_step(c->world.get(), 500), c->context.get());
   CHECK(undisturbed.state().pose.position[1] == read.state().pose.position[1]);
   CHECK(undisturbed.state().angle == read.state().angle);
 }

@@ -21,8 +21,8 @@ void check_against_cold(const Scene& s, const hs_contact& warm, const hs_contact
                          << cold.gap);
   if (std::abs(exact.largest_gap) > bound) CHECK(touches(warm) == touches(cold));
   if (!touches(warm)) {
-    // Along any direction the blocks are at most as far apart as their distance. A proof's direction need not be an edge's normal
-    // any more, so that its gap may be larger than any edge's.
+    // Along any direction the blocks are at most as far apart as their distance. A proof's direction need not
+    // be an edge's normal any more, so that its gap may be larger than any edge's.
     CHECK(warm.gap > 0);
     CHECK(warm.gap <= distance(s) + bound);
   } else if (gap_is_of_the_pair(warm)) {

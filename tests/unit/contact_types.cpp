@@ -16,7 +16,7 @@ struct Met {
 Met meet(const Shape<2>& a, const Shape<2>& b, const Vector<2>& to_b, PairMemory memory = {},
          const DetectOptions& options = {}) {
   Met met{{}, memory};
-  judge_pair(a.outline(), b.outline(), to_b, options, [] {}, met.memory, met.contact);
+  judge_pair(a.outline(), b.outline(), to_b, options, met.memory, met.contact);
   return met;
 }
 

@@ -53,7 +53,8 @@ TEST_CASE("a hull holds all its points and is a valid polygon") {
   Random random(2);
   for (int round = 0; round < 200; ++round) {
     Points points;
-    for (int i = random.integer(3, 60); i > 0; --i) points.emplace_back(random.uniform(-1, 1), random.uniform(-1, 1));
+    for (int i = random.integer(3, 60); i > 0; --i)
+      points.emplace_back(random.uniform(-1, 1), random.uniform(-1, 1));
     const Array<Vector<2>> hull = convex_hull(points, std::pmr::get_default_resource());
     REQUIRE(check_polygon(hull).fault == Fault::none);
     for (std::size_t e = 0; e < hull.size(); ++e) {

@@ -14,7 +14,9 @@ std::uint64_t Random::next() {
   return z ^ (z >> 31);
 }
 
-double Random::uniform(double lower, double upper) { return lower + (upper - lower) * (double(next() >> 11) * 0x1p-53); }
+double Random::uniform(double lower, double upper) {
+  return lower + (upper - lower) * (double(next() >> 11) * 0x1p-53);
+}
 
 int Random::integer(int lower, int upper) { return lower + int(next() % std::uint64_t(upper - lower + 1)); }
 
@@ -41,7 +43,8 @@ Points random_polygon(Random& random, int most_vertices, double radius) {
 
 Points rectangle(double width, double height, const Vector<2>& center) {
   const double x = width / 2, y = height / 2;
-  return {center + Vector<2>(-x, -y), center + Vector<2>(x, -y), center + Vector<2>(x, y), center + Vector<2>(-x, y)};
+  return {center + Vector<2>(-x, -y), center + Vector<2>(x, -y), center + Vector<2>(x, y),
+          center + Vector<2>(-x, y)};
 }
 
 Shape<2> shape_of(const Points& points) { return Shape<2>(points, std::pmr::get_default_resource()); }

@@ -45,7 +45,8 @@ PairSet pairs_by_merge(const Outline<2>& a, const Outline<2>& b) {
 double largest_gap_by_definition(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b) {
   double largest = -HUGE_VAL;
   for (const auto& [owner, edge, vertex] : pairs_by_definition(a, b)) {
-    largest = std::max(largest, owner == 0 ? edge_gap(a, edge, b, vertex, to_b) : edge_gap(b, edge, a, vertex, -to_b));
+    largest = std::max(largest,
+                       owner == 0 ? edge_gap(a, edge, b, vertex, to_b) : edge_gap(b, edge, a, vertex, -to_b));
   }
   return largest;
 }
@@ -92,7 +93,7 @@ TEST_CASE("separation by all combinations and by the merge both find the largest
       const Shape<2> a = shape_of(random_polygon(random, most, 1));
       const Shape<2> b = shape_of(random_polygon(random, most, 1));
       const Vector<2> to_b(random.uniform(-2, 2), random.uniform(-2, 2));
-      const Separation found = find_separation(a.outline(), b.outline(), to_b, [] {});
+      const Separation found = find_separation(a.outline(), b.outline(), to_b);
       const double largest = largest_gap_by_definition(a.outline(), b.outline(), to_b);
       CHECK((found.gap > 0) == (largest > 0));
       // A separated verdict stops at the first block that has a violated pair; a contact has seen all.

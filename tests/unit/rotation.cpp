@@ -5,7 +5,8 @@
 using namespace halfspace;
 
 TEST_CASE("small turns add up to the angle and stay of unit length") {
-  // Each turn rounds its cosine and sine to half an ulp: n turns are off by less than n of them, and by their root as a rule.
+  // Each turn rounds its cosine and sine to half an ulp: n turns are off by less than n of them, and by their
+  // root as a rule.
   Rotation<2> rotation;
   const double step = 1e-3;
   const int count = 1000000;

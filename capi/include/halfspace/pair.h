@@ -54,7 +54,7 @@ HS_API hs_status hs_pair_options_init(hs_pair_options *options, size_t size);
  *  @param cache NULL, or the pair's memory from the last call: makes the answer faster and, in contact, keeps the plane
  *         through which the pair met. Updated.
  *  @param contact receives type, pair, normal, gap, and of a contact its region
- *  @return HS_OK or HS_ERROR_ARGUMENT */
+ *  @return HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY (shapes of more than 32 vertices) */
 HS_API hs_status hs_pair_detect(const hs_shape *shape_a, const hs_pose *pose_a, const hs_shape *shape_b,
                                 const hs_pose *pose_b, const hs_pair_options *options, hs_pair_cache *cache,
                                 hs_contact *contact);
@@ -70,7 +70,7 @@ HS_API hs_status hs_pair_detect(const hs_shape *shape_a, const hs_pose *pose_a, 
  *  @param caches NULL, or one per pair
  *  @param contacts receives one per pair, in the order of the pairs, separated ones with HS_CONTACT_NONE
  *  @param touching receives the number of pairs in contact; may be NULL
- *  @return HS_OK or HS_ERROR_ARGUMENT */
+ *  @return HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY; then the pairs before the failing one have been written */
 HS_API hs_status hs_pairs_detect(hs_context *context, const hs_shape *const *shapes, const hs_pose *poses,
                                  int64_t body_count, const int32_t *pairs, int64_t pair_count,
                                  const hs_pair_options *options, hs_pair_cache *caches, hs_contact *contacts,

@@ -62,7 +62,7 @@ typedef struct hs_clean_report {
  *  @param context for the error text
  *  @param vertices clockwise or counter-clockwise
  *  @param fault receives the first fault, or HS_FAULT_NONE
- *  @return HS_OK (also when there is a fault), or HS_ERROR_ARGUMENT */
+ *  @return HS_OK (also when there is a fault), HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY */
 HS_API hs_status hs_polygon_check(hs_context *context, hs_view vertices, hs_fault *fault);
 
 /** @brief Makes a convex polygon. Nothing is welded or repaired: faulty input is refused with its reason.
@@ -100,7 +100,7 @@ HS_API hs_status hs_polygon_clean(hs_context *context, hs_view vertices, double 
  *  @param behind receives the part against the normal, or NULL if there is none
  *  @param ahead receives the part along the normal, or NULL if there is none
  *  A part that the plane touches only to rounding is none, and the other part is then a copy of the whole.
- *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY */
+ *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (a part too small to compute with) or HS_ERROR_OUT_OF_MEMORY */
 HS_API hs_status hs_shape_cut(const hs_shape *shape, const double point[3], const double normal[3], hs_shape **behind,
                               hs_shape **ahead);
 

@@ -36,7 +36,7 @@ typedef struct hs_world_def {
   int32_t dimension;     /**< 2 */
   double gravity[3];     /**< acceleration; default 0, -9.81, 0 */
   double time_step;      /**< > 0, or 0 (default): safety times the stable time step, found when the first step begins and
-                              whenever blocks, laws or materials change */
+                              again after each change of the world from outside */
   double safety;         /**< (0, 1]; default 0.5 */
   double local_damping;  /**< [0, 1): force opposing each velocity component, share of the force; default 0 */
   double mass_damping;   /**< 1/s, >= 0: force -mass_damping * mass * velocity; default 0 */
@@ -88,7 +88,7 @@ typedef struct hs_world_report {
   int64_t steps;             /**< done so far */
   double time;               /**< passed so far */
   double time_step;          /**< in use */
-  double stable_time_step;   /**< bound from stiffness and mass; 0 if no pair of blocks can touch */
+  double stable_time_step;   /**< safe bound from stiffness, viscosity and mass; 0 without rigid blocks */
   int64_t block_count;       /**< living blocks */
   int64_t candidate_count;   /**< pairs in the neighbour list */
   int64_t contact_count;     /**< pairs in contact */
@@ -140,7 +140,7 @@ HS_API hs_status hs_block_def_init(hs_block_def *def, size_t size, const hs_shap
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID (material) or HS_ERROR_OUT_OF_MEMORY */
 HS_API hs_status hs_world_add_block(hs_world *world, const hs_shape *shape, const hs_block_def *def, hs_block *block);
 
-/** @brief Removes a block; its id becomes stale.
+/** @brief Removes a block; its id becomes stale. The cost grows with the size of the world.
  *  @param world not NULL @param block id
  *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID */
 HS_API hs_status hs_world_remove_block(hs_world *world, hs_block block);
@@ -201,7 +201,7 @@ HS_API hs_status hs_world_set_velocities(hs_world *world, hs_view velocities, hs
 
 /** @brief Stage: neighbour search and detection at the present poses.
  *  @param world not NULL @param touching receives the number of pairs in contact; may be NULL
- *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_UNSTABLE or HS_ERROR_OUT_OF_MEMORY */
+ *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY */
 HS_API hs_status hs_world_detect(hs_world *world, int64_t *touching);
 
 /** @brief Stage: contact forces at the present poses and velocities, after hs_world_detect().
@@ -219,12 +219,14 @@ HS_API hs_status hs_world_forces(hs_world *world, double elapsed, hs_mutable_vie
  *  HS_ERROR_UNSTABLE: the world stays at the last good step and can be read, saved or restored */
 HS_API hs_status hs_world_step(hs_world *world, int64_t steps);
 
-/** @brief Time, time step, counts, energies.
+/** @brief Time, time step, counts, energies. After a change of the world it detects and evaluates forces first, as a step would; that
+ *  leaves no trace in the run. Without a time step the energies are those of before the change.
  *  @param world not NULL @param report receives them
- *  @return HS_OK or HS_ERROR_ARGUMENT */
+ *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY */
 HS_API hs_status hs_world_get_report(hs_world *world, hs_world_report *report);
 
-/** @brief The contacts of the last detection, sorted by block index, a before b.
+/** @brief The contacts of the last detection, sorted by block index, a before b; none after a change of poses, blocks or laws. Forces
+ *  are 0 until they are evaluated.
  *  @param world not NULL @param contacts receives them; may be NULL if capacity is 0 @param capacity in contacts
  *  @param count receives their number; may be NULL
  *  @return HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT */
@@ -234,7 +236,8 @@ HS_API hs_status hs_world_get_contacts(const hs_world *world, hs_contact *contac
  *  @param world after hs_world_detect() or a step
  *  @param block_a,block_b the pair, either order
  *  @param shear_force on block_b along (-n.y, n.x), n the normal from block_a to block_b; finite
- *  @return HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_STALE_ID if the two are not in contact */
+ *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID if the two are not in contact, or HS_ERROR_STATE before detection at these
+ *  poses and laws, or when their law has neither friction nor cohesion */
 HS_API hs_status hs_world_set_shear_force(hs_world *world, hs_block block_a, hs_block block_b, double shear_force);
 
 /** @brief Saves the whole state of motion and contact. A restored world goes on bit for bit.
