@@ -97,8 +97,14 @@ struct TurnAboutZ {
   Number fault;
 };
 
-/// Of a quaternion's squared length, and of its x and y squared: of a length off 1 by 1e-6.
+/// Of a quaternion's squared length: of a length off 1 by 1e-6. Other faults of a pose are weighed so that
+/// this is their limit, too.
 constexpr double largest_fault = 2e-6;
+/// Of the squares of a quaternion's x and y: either may be 1e-6.
+constexpr double weight_off_axis = 1e6;
+/// Of coordinates: nothing unless they are beyond the 1e75 that shapes may have, and not a number for what is
+/// not finite.
+constexpr double weight_far_off = 1e-82;
 
 inline TurnAboutZ<TwoLanes> turns_about_z(const hs_pose& a, const hs_pose& b) {
   const TwoLanes zw_a = two_at(a.rotation + 2), zw_b = two_at(b.rotation + 2);
@@ -122,9 +128,9 @@ inline Pose2 read_pose(const hs_pose* pose, const char* name) {
   const double* q = pose->rotation;
   const TurnAboutZ<double> about_z(q[2], q[3]);
   const double off_axis = q[0] * q[0] + q[1] * q[1];
-  // One comparison for all, false for NaN: x - x is 0 exactly when x is finite.
-  const double infinite = std::abs(x - x) + std::abs(y - y);
-  if (!((about_z.fault + off_axis) + infinite <= largest_fault)) refuse_pose(*pose, name);
+  // One comparison for all, false for NaN.
+  const double far_off = weight_far_off * (std::abs(x) + std::abs(y));
+  if (!((about_z.fault + weight_off_axis * off_axis) + far_off <= largest_fault)) refuse_pose(*pose, name);
   return {{x, y}, {about_z.turn.cosine, about_z.turn.sine}};
 }
 

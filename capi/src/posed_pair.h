@@ -31,8 +31,9 @@ struct Placement {
 [[noreturn, gnu::cold]] inline void refuse_poses(const hs_pose& a, const hs_pose& b) {
   read_pose(&a, "pose_a");
   read_pose(&b, "pose_b");
-  refuse(HS_ERROR_ARGUMENT, "pose_b->position - pose_a->position is (%g, %g); it must be finite",
-         b.position[0] - a.position[0], b.position[1] - a.position[1]);
+  refuse(HS_ERROR_ARGUMENT,
+         "pose_a->position (%g, %g) and pose_b->position (%g, %g) are too far off together", a.position[0],
+         a.position[1], b.position[0], b.position[1]);
 }
 
 /// A direction in the frames of both poses.
@@ -45,8 +46,9 @@ inline Placement read_placement(const hs_pose& a, const hs_pose& b) {
   const TwoLanes xy_a = two_at(a.rotation), xy_b = two_at(b.rotation);
   const TwoLanes off_axis = sums(xy_a * xy_a, xy_b * xy_b);
   const TwoLanes apart = two_at(b.position) - two_at(a.position);
-  // x - x is 0 exactly when x is finite.
-  if (!is_tolerable((about_z.fault + off_axis) + (apart - apart))) refuse_poses(a, b);
+  const TwoLanes far_off =
+      both(weight_far_off) * (magnitude(two_at(a.position)) + magnitude(two_at(b.position)));
+  if (!is_tolerable((about_z.fault + both(weight_off_axis) * off_axis) + far_off)) refuse_poses(a, b);
   const auto& [cosine, sine] = about_z.turn;
   const Rotation<2> rotation_of_a(cosine[0], sine[0]), rotation_of_b(cosine[1], sine[1]);
   const DirectionLanes to_b = inverse_turned(about_z.turn, {both(apart[0]), both(apart[1])});
