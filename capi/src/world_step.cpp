@@ -37,6 +37,12 @@ double largest_speed(const Blocks<2>& blocks) {
   return std::sqrt(squared);
 }
 
+void require_detected(const World<2>& world) {
+  if (!world.is_detected()) {
+    refuse(HS_ERROR_STATE, "poses, blocks or laws have changed; call hs_world_detect() first");
+  }
+}
+
 /// Contacts are sorted as their pairs are.
 std::size_t contact_index(const World<2>& world, std::int32_t a, std::int32_t b) {
   const auto wanted = std::minmax(a, b);
@@ -74,8 +80,7 @@ hs_status hs_world_forces(hs_world* world, double elapsed, hs_mutable_view force
     require_view(forces, "forces");
     require_turn_view(torques, "torques");
     World<2>& w = world->world;
-    if (!w.is_detected())
-      refuse(HS_ERROR_STATE, "poses, blocks or laws have changed; call hs_world_detect() first");
+    require_detected(w);
     w.evaluate_forces_for_host(elapsed);
     const Blocks<2>& all = w.blocks();
     for_each_block(all, [&](std::int64_t i, std::int32_t slot) {
@@ -166,8 +171,7 @@ hs_status hs_world_set_shear_force(hs_world* world, hs_block block_a, hs_block b
     World<2>& w = world->world;
     const std::int32_t a = slot_of(w.blocks(), block_a, "block_a");
     const std::int32_t b = slot_of(w.blocks(), block_b, "block_b");
-    if (!w.is_detected())
-      refuse(HS_ERROR_STATE, "poses, blocks or laws have changed; call hs_world_detect() first");
+    require_detected(w);
     // Swapping the blocks turns normal, tangent and force on the second: the scalar stays.
     if (!w.set_shear_force(contact_index(w, a, b), shear_force)) {
       refuse(HS_ERROR_STATE, "the law between block_a and block_b has no friction and no shear spring");

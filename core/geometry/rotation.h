@@ -33,12 +33,6 @@ class Rotation<2> {
   double cosine = 1;
   double sine = 0;
 
-  /// See cosine_and_sine().
-  static Rotation from_quaternion(double z, double w, double excess) {
-    const CosineAndSine<double> turn = cosine_and_sine(z, w, excess);
-    return {turn.cosine, turn.sine};
-  }
-
   static Rotation from_angle(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
   Vector<2> operator*(const Vector<2>& v) const {
