@@ -25,7 +25,7 @@ hs_energy energy_of(const Ledger& ledger) {
 
 double largest_overlap(const World<2>& world) {
   double overlap = 0;
-  for (const Contact<2>& contact : world.contacts()) overlap = std::max(overlap, -contact.gap);
+  for (std::size_t c = 0; c < world.contact_count(); ++c) overlap = std::max(overlap, -world.contact(c).gap);
   return overlap;
 }
 
@@ -46,7 +46,7 @@ void require_detected(const World<2>& world) {
 /// Contacts are sorted as their pairs are.
 std::size_t contact_index(const World<2>& world, std::int32_t a, std::int32_t b) {
   const auto wanted = std::minmax(a, b);
-  std::size_t first = 0, last = world.contacts().size();
+  std::size_t first = 0, last = world.contact_count();
   while (first < last) {
     const std::size_t middle = first + (last - first) / 2;
     const Candidate& pair = world.candidate_of(middle);
@@ -56,7 +56,7 @@ std::size_t contact_index(const World<2>& world, std::int32_t a, std::int32_t b)
       last = middle;
     }
   }
-  const bool found = first < world.contacts().size() && world.candidate_of(first).a == wanted.first &&
+  const bool found = first < world.contact_count() && world.candidate_of(first).a == wanted.first &&
                      world.candidate_of(first).b == wanted.second;
   if (!found) refuse(HS_ERROR_STALE_ID, "block_a and block_b (slots %d and %d) are not in contact", a, b);
   return first;
@@ -68,7 +68,7 @@ hs_status hs_world_detect(hs_world* world, int64_t* touching) {
   return guarded(context_of(world), __func__, [&] {
     require_pointer(world, "world");
     world->world.detect();
-    if (touching) *touching = std::int64_t(world->world.contacts().size());
+    if (touching) *touching = std::int64_t(world->world.contact_count());
     return HS_OK;
   });
 }
@@ -125,7 +125,7 @@ hs_status hs_world_get_report(hs_world* world, hs_world_report* report) {
                std::isfinite(stable) ? stable : 0,
                w.blocks().count(),
                std::int64_t(w.candidates().pairs().size()),
-               std::int64_t(w.contacts().size()),
+               std::int64_t(w.contact_count()),
                w.candidates().builds(),
                largest_overlap(w),
                largest_speed(w.blocks()),
@@ -142,19 +142,20 @@ hs_status hs_world_get_contacts(const hs_world* world, hs_contact* contacts, int
     if (capacity > 0) require_pointer(contacts, "contacts");
     const World<2>& w = world->world;
     const Blocks<2>& blocks = w.blocks();
-    const std::int64_t all = std::int64_t(w.contacts().size());
+    const std::int64_t all = std::int64_t(w.contact_count());
     for (std::int64_t i = 0; i < std::min(all, capacity); ++i) {
       const std::size_t c = std::size_t(i);
       const Candidate& pair = w.candidate_of(c);
       const Vector<2>& origin = blocks.position[std::size_t(pair.a)];
       hs_contact& out = contacts[i];
       out = {};
-      write_contact(w.contacts()[c], Rotation<2>(), origin, out);
+      const Contact<2> contact = w.contact(c);
+      write_contact(contact, Rotation<2>(), origin, out);
       out.block_a = id_of(blocks, std::size_t(pair.a));
       out.block_b = id_of(blocks, std::size_t(pair.b));
       if (c >= w.contact_forces().size()) continue;  // detected, but forces not evaluated yet
       const ContactForce<2>& force = w.contact_forces()[c];
-      write_vector(force.on_b(w.contacts()[c].normal), out.force);
+      write_vector(force.on_b(contact.normal), out.force);
       write_vector(force.point + origin, out.force_point);
       out.normal_force = force.normal_force;
       out.shear_force = force.shear_force;

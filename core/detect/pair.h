@@ -33,15 +33,6 @@ void remember_contact(const Outline<2>& a, const Outline<2>& b, const Vector<2>&
 void describe_contact(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b, PotentialPair& pair,
                       const DetectOptions& options, Contact<2>& contact);
 
-/// The proof of separation as a contact of no type.
-inline void describe_separation(const Separation& separation, Contact<2>& contact) {
-  contact.type = ContactType::none;
-  contact.pair = separation.pair;
-  contact.point_count = 0;
-  contact.gap = separation.gap;
-  contact.normal = separation.normal;
-}
-
 /// Describes the contact of two blocks that overlap.
 inline void describe_overlap(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
                              const PotentialPair& least_depth, const DetectOptions& options,
@@ -50,15 +41,13 @@ inline void describe_overlap(const Outline<2>& a, const Outline<2>& b, const Vec
   describe_contact(a, b, to_b, memory.pair, options, contact);
 }
 
-/// Judges all potential pairs of two blocks, and describes the contact or the separation.
-inline void judge_pair(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
-                       const DetectOptions& options, PairMemory& memory, Contact<2>& contact) {
+/// Judges all potential pairs of two blocks, and remembers the contact or the separation.
+inline void judge_pair(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b, PairMemory& memory) {
   const Separation separation = find_separation(a, b, to_b);
   if (separation.gap > 0) {
     memory = {PairMemory::separated, separation.pair};
-    describe_separation(separation, contact);
   } else {
-    describe_overlap(a, b, to_b, separation.pair, options, memory, contact);
+    remember_contact(a, b, to_b, separation.pair, memory);
   }
 }
 

@@ -79,6 +79,7 @@ class Candidates {
   }
 
   void choose_skins(const Blocks<D>& blocks, double relative_skin);
+  bool may_touch(const Blocks<D>& blocks, const BlockPair& pair) const;
   void search(const Blocks<D>& blocks);
   void sort_found(std::size_t slots);
   void carry_over(bool with_shear);

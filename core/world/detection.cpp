@@ -44,41 +44,40 @@ void World<D>::release_shear(std::size_t candidate) {
   shear = {};
 }
 
+/// True when the candidate is in contact, or held together by its bond; then the contact is described.
 template <int D>
-void World<D>::add_contact(std::size_t candidate, const Contact<D>& contact) {
-  contacts_.push_back(contact);
-  candidate_.push_back(std::uint32_t(candidate));
-}
-
-template <int D>
-void World<D>::detect_candidate(std::size_t k, Contact<D>& contact) {
+bool World<D>::find_contact(std::size_t k, Contact<D>& contact) {
   Candidate& pair = candidates_.pairs()[k];
+  PairMemory& memory = pair.memory;
   const Outline<D> a = blocks_.outline(pair.a);
   const Outline<D> b = blocks_.outline(pair.b);
   const Vector<D> to_b = blocks_.position[std::size_t(pair.b)] - blocks_.position[std::size_t(pair.a)];
-  const bool first_time = pair.memory.state == PairMemory::unknown;
-  const bool was_touching = pair.memory.state == PairMemory::touching;
+  const PairMemory::State before = memory.state;
 
-  if (still_separated(a, b, to_b, pair.memory)) {
-    if (!pair.bonded) return;
-    contact.type = ContactType::none;
-  } else {
-    judge_pair(a, b, to_b, settings_.detect, pair.memory, contact);
+  if (!still_separated(a, b, to_b, memory)) judge_pair(a, b, to_b, memory);
+  if (memory.state == PairMemory::separated && !pair.bonded) {
+    if (before == PairMemory::touching) release_shear(k);
+    return false;
   }
-  if (first_time && contact.gap == 0) {
+  describe_contact(a, b, to_b, memory.pair, settings_.detect, contact);
+  if (before == PairMemory::unknown && contact.gap == 0) {
     // Neatly stacked: the strict form of inclusion holds at first sight, so that an initial contact pair is
     // left behind (eq. 11).
-    pair.memory.state = PairMemory::separated;
-    contact.type = ContactType::none;
+    memory.state = PairMemory::separated;
+    return pair.bonded;
   }
-  if (pair.bonded && contact.type == ContactType::none) {
-    describe_contact(a, b, to_b, pair.memory.pair, settings_.detect, contact);
-  }
-  if (contact.type != ContactType::none) {
-    add_contact(k, contact);
-  } else if (was_touching) {
-    release_shear(k);
-  }
+  return true;
+}
+
+template <int D>
+Contact<D> World<D>::contact(std::size_t c) const {
+  const Candidate& pair = candidate_of(c);
+  PotentialPair found = pair.memory.pair;
+  Contact<D> contact;
+  describe_contact(blocks_.outline(pair.a), blocks_.outline(pair.b),
+                   blocks_.position[std::size_t(pair.b)] - blocks_.position[std::size_t(pair.a)], found,
+                   settings_.detect, contact);
+  return contact;
 }
 
 /// With room for a contact at every candidate: detection then asks for no memory. When there is none,
@@ -88,31 +87,57 @@ void World<D>::renew_candidates() {
   const bool with_shear = laws_.any([](const SpringLaw& law) { return law.resists_shear(); });
   candidates_.search_again(blocks_, settings_.skin, with_shear);
   forget_contacts();
-  refit(contacts_, candidates_.room());
-  refit(candidate_, candidates_.room());
+  refit(touching_, candidates_.room());
   refit(forces_, candidates_.room());
   candidates_.renew(blocks_);
 }
 
 template <int D>
 void World<D>::forget_contacts() {
-  contacts_.clear();
-  candidate_.clear();
+  touching_.clear();
   forces_.clear();
   detected_ = false;
+}
+
+/// Calls `on_contact(candidate, contact)` for each contact as it is found. A contact is not kept: it follows
+/// from its candidate, and in a packing most candidates have none.
+template <int D>
+template <class OnContact>
+void World<D>::find_contacts(OnContact on_contact) {
+  forget_contacts();
+  Contact<D> contact;
+  const std::size_t pairs = candidates_.pairs().size();
+  for (std::size_t k = 0; k < pairs; ++k) {
+    if (!find_contact(k, contact)) continue;
+    touching_.push_back(std::uint32_t(k));
+    on_contact(k, contact);
+  }
+  detected_ = true;
 }
 
 template <int D>
 void World<D>::detect() {
   if (detected_) return;
   if (candidates_.used_up()) renew_candidates();
-  forces_.clear();
-  contacts_.clear();
-  candidate_.clear();
-  Contact<D> contact{};
-  const std::size_t pairs = candidates_.pairs().size();
-  for (std::size_t k = 0; k < pairs; ++k) detect_candidate(k, contact);
-  detected_ = true;
+  find_contacts([](std::size_t, const Contact<D>&) {});
+}
+
+template <int D>
+void World<D>::evaluate_forces(double elapsed) {
+  if (!detected_ && candidates_.used_up()) renew_candidates();
+  std::fill(blocks_.force.begin(), blocks_.force.end(), Vector<D>::Zero());
+  std::fill(blocks_.torque.begin(), blocks_.torque.end(), 0.0);
+  ContactEnergy energy;
+  if (detected_) {
+    forces_.clear();
+    for (std::size_t c = 0; c < touching_.size(); ++c) load_blocks(touching_[c], contact(c), elapsed, energy);
+  } else {
+    find_contacts(
+        [&](std::size_t k, const Contact<D>& contact) { load_blocks(k, contact, elapsed, energy); });
+  }
+  ledger_.strain = energy.strain;
+  ledger_.friction_loss += energy.friction_loss;
+  ledger_.contact_damping_loss += energy.damping_loss;
 }
 
 template class World<2>;

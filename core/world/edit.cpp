@@ -12,8 +12,7 @@ World<D>::World(const WorldSettings<D>& settings, Memory* memory)
       laws_(memory),
       blocks_(memory),
       candidates_(memory),
-      contacts_(memory),
-      candidate_(memory),
+      touching_(memory),
       forces_(memory),
       contacts_of_(memory),
       acceleration_(memory),
@@ -102,7 +101,7 @@ bool World<D>::set_shear_force(std::size_t contact, double force) {
       laws_.between(blocks_.material[std::size_t(pair.a)], blocks_.material[std::size_t(pair.b)]);
   if (!law.resists_shear()) return false;
   // The energy is known at the next evaluation, which knows the stiffness.
-  candidates_.shear()[candidate_[contact]] = {force, ShearSpring::preloaded};
+  candidates_.shear()[touching_[contact]] = {force, ShearSpring::preloaded};
   edit();
   return true;
 }

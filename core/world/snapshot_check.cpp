@@ -74,17 +74,10 @@ bool World<D>::is_consistent() const {
   if (fresh_.size() > slots || (any_fresh_ && fresh_.size() != slots)) return false;
   if (!edited_ && (acceleration_.size() != slots || angular_acceleration_.size() != slots)) return false;
   if (acceleration_.size() > slots || angular_acceleration_.size() > slots) return false;
-  if (candidate_.size() != contacts_.size() || forces_.size() > contacts_.size()) return false;
+  if (!forces_.empty() && forces_.size() != touching_.size()) return false;
   if (!(time_step_ >= 0) || !std::isfinite(time_step_)) return false;
   const auto names_a_pair = [&](std::uint32_t candidate) { return candidate < candidates_.pairs().size(); };
-  if (!std::all_of(candidate_.begin(), candidate_.end(), names_a_pair)) return false;
-  for (std::size_t c = 0; c < contacts_.size(); ++c) {
-    // The overlap area is measured from the contact's own pair, which is the one remembered.
-    const Contact<D>& contact = contacts_[c];
-    if (contact.point_count < 1 || contact.point_count > 2) return false;
-    if (!(contact.pair == candidate_of(c).memory.pair)) return false;
-  }
-  return true;
+  return std::all_of(touching_.begin(), touching_.end(), names_a_pair);
 }
 
 template bool Candidates<2>::is_consistent(const Blocks<2>&) const;

@@ -29,7 +29,7 @@ template <int D>
 double World<D>::stable_time_step() {
   constexpr int least_contacts = 4;
   contacts_of_.assign(blocks_.slot_count(), 0);
-  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+  for (std::size_t c = 0; c < contact_count(); ++c) {
     ++contacts_of_[std::size_t(candidate_of(c).a)];
     ++contacts_of_[std::size_t(candidate_of(c).b)];
   }

@@ -148,7 +148,6 @@ StepResult World<D>::prepare() {
   if (!choose_time_step()) return StepResult::no_time_step;
   acceleration_.resize(blocks_.slot_count(), Vector<D>::Zero());
   angular_acceleration_.resize(blocks_.slot_count());
-  detect();
   evaluate_forces(0);
   start_ledger();
   edited_ = false;
@@ -168,7 +167,6 @@ StepResult World<D>::step() {
   if (makes_energy() || !plan_motion()) return StepResult::unstable;
   kick_and_drift();
   detected_ = false;
-  detect();
   evaluate_forces(time_step_);
   kick_and_book();
   ++steps_;

@@ -63,11 +63,12 @@ class World {
 
   // Reading.
   const Blocks<D>& blocks() const { return blocks_; }
-  std::span<const Contact<D>> contacts() const { return contacts_; }
+  std::size_t contact_count() const { return touching_.size(); }
+  /// Described anew from the present poses: reading contacts costs time, but stepping no memory for them.
+  Contact<D> contact(std::size_t c) const;
+  /// As many as contacts, or none before forces are evaluated.
   std::span<const ContactForce<D>> contact_forces() const { return forces_; }
-  const Candidate& candidate_of(std::size_t contact) const {
-    return candidates_.pairs()[candidate_[contact]];
-  }
+  const Candidate& candidate_of(std::size_t contact) const { return candidates_.pairs()[touching_[contact]]; }
   const Candidates<D>& candidates() const { return candidates_; }
   const Ledger& ledger() const { return ledger_; }
   double time() const { return epoch_time_ + double(steps_ - epoch_step_) * time_step_; }
@@ -83,9 +84,9 @@ class World {
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(settings_, density_, fresh_, any_fresh_, laws_, blocks_, candidates_, contacts_, candidate_,
-            forces_, acceleration_, angular_acceleration_, ledger_, noise_energy_, residual_before_edit_,
-            power_, epoch_time_, epoch_step_, time_step_, steps_, detected_, edited_);
+    archive(settings_, density_, fresh_, any_fresh_, laws_, blocks_, candidates_, touching_, forces_,
+            acceleration_, angular_acceleration_, ledger_, noise_energy_, residual_before_edit_, power_,
+            epoch_time_, epoch_step_, time_step_, steps_, detected_, edited_);
   }
 
  private:
@@ -116,11 +117,14 @@ class World {
   };
 
   void edit();
-  void add_contact(std::size_t candidate, const Contact<D>& contact);
-  void detect_candidate(std::size_t k, Contact<D>& contact);
+  bool find_contact(std::size_t k, Contact<D>& contact);
+  template <class OnContact>
+  void find_contacts(OnContact on_contact);
+  void load_blocks(std::size_t candidate, const Contact<D>& contact, double elapsed, ContactEnergy& energy);
   void release_shear(std::size_t candidate);
   void make_bonds();
   void forget_contacts();
+  /// Finds the contacts on the way, unless they are known.
   void evaluate_forces(double elapsed);
   bool choose_time_step();
   void start_ledger();
@@ -142,8 +146,7 @@ class World {
   LawTable laws_;
   Blocks<D> blocks_;
   Candidates<D> candidates_;
-  Array<Contact<D>> contacts_;
-  Array<std::uint32_t> candidate_;   // of each contact
+  Array<std::uint32_t> touching_;    // the candidate of each contact
   Array<ContactForce<D>> forces_;    // of each contact
   Array<std::int32_t> contacts_of_;  // each block, when the stable step is asked for
   Array<Vector<D>> acceleration_;    // of each block, from the last forces
