@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "geometry/vector.h"
 
 namespace halfspace {
@@ -26,6 +28,56 @@ struct Outline<2> {
   int next(int i) const { return i + 1 == count ? 0 : i + 1; }
   int previous(int i) const { return i == 0 ? count - 1 : i - 1; }
   static int padded(int count) { return count + (count & 1); }
+};
+
+/// How the vertices, edges and faces of a polyhedron hang together. Says nothing of where they are, so that
+/// all blocks of one shape share it however they are turned.
+///
+/// A list of lists is two arrays: list i is entries first[i] to first[i + 1], the latter excluded.
+struct Topology {
+  std::int32_t vertex_count = 0;
+  std::int32_t edge_count = 0;
+  std::int32_t face_count = 0;
+
+  /// Around face f: its vertices counter-clockwise seen from outside, and the edge from each to the next.
+  const std::int32_t* first_of_face = nullptr;  // face_count + 1
+  const std::int32_t* face_vertex = nullptr;    // 2 edge_count
+  const std::int32_t* face_edge = nullptr;      // 2 edge_count
+
+  /// Edge e goes from edge_start to edge_end, along the counter-clockwise loop of edge_left and against that
+  /// of edge_right: seen from outside with edge_end ahead, edge_left is on the left.
+  const std::int32_t* edge_start = nullptr;  // edge_count each
+  const std::int32_t* edge_end = nullptr;
+  const std::int32_t* edge_left = nullptr;
+  const std::int32_t* edge_right = nullptr;
+
+  /// Around vertex v counter-clockwise seen from outside: its neighbours, the edge to each, and the face
+  /// between each and the next.
+  const std::int32_t* first_of_vertex = nullptr;   // vertex_count + 1
+  const std::int32_t* vertex_neighbour = nullptr;  // 2 edge_count each
+  const std::int32_t* vertex_edge = nullptr;
+  const std::int32_t* vertex_face = nullptr;
+};
+
+/// Vertex i, and half-space f of face f: inside is nx*x + ny*y + nz*z <= offset. The arrays of the vertices
+/// and those of the faces are padded to a multiple of four by repeating the last entry, so that two or four
+/// entries can be read at a time.
+template <>
+struct Outline<3> {
+  const Topology* topology = nullptr;
+  const double* x = nullptr;
+  const double* y = nullptr;
+  const double* z = nullptr;
+  const double* nx = nullptr;
+  const double* ny = nullptr;
+  const double* nz = nullptr;
+  const double* offset = nullptr;
+
+  int vertex_count() const { return topology->vertex_count; }
+  int face_count() const { return topology->face_count; }
+  Vector<3> vertex(int i) const { return {x[i], y[i], z[i]}; }
+  Vector<3> normal(int f) const { return {nx[f], ny[f], nz[f]}; }
+  static int padded(int count) { return (count + 3) & ~3; }
 };
 
 }  // namespace halfspace

@@ -123,26 +123,4 @@ FaultReport check_polygon(std::span<const Vector<2>> vertices) {
   return {};
 }
 
-const char* fault_text(Fault fault) {
-  switch (fault) {
-    case Fault::none:
-      return "is valid";
-    case Fault::too_few_vertices:
-      return "has fewer than 3 vertices";
-    case Fault::not_finite:
-      return "is not finite, or beyond 1e75, or the whole is smaller than 1e-75";
-    case Fault::repeated_vertex:
-      return "repeats the vertex before it";
-    case Fault::collinear_vertex:
-      return "is on the line of its neighbours";
-    case Fault::not_convex:
-      return "is a re-entrant corner";
-    case Fault::self_crossing:
-      return "makes the outline cross or fold onto itself";
-    case Fault::zero_area:
-      return "has no area: all vertices are on one line";
-  }
-  return "is faulty";
-}
-
 }  // namespace halfspace

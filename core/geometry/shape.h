@@ -3,6 +3,8 @@
 #include <span>
 
 #include "geometry/outline.h"
+#include "geometry/polyhedron.h"
+#include "geometry/polyhedron_topology.h"
 #include "geometry/vector.h"
 
 namespace halfspace {
@@ -47,5 +49,49 @@ class Shape<2> {
   Array<double> components_;  // x, y, nx, ny, offset, each padded
   Outline<2> outline_;        // into components_
 };
+
+/// A convex polyhedron.
+template <>
+class Shape<3> {
+ public:
+  /// From a polyhedron that check_polyhedron() found no fault with.
+  Shape(const Polyhedron& polyhedron, Memory* memory);
+  Shape(const Shape&) = delete;  // its outline points into its own components
+  Shape& operator=(const Shape&) = delete;
+
+  int vertex_count() const { return topology().vertex_count; }
+  int edge_count() const { return topology().edge_count; }
+  int face_count() const { return topology().face_count; }
+  const Topology& topology() const { return topology_.view(); }
+  const Outline<3>& outline() const { return outline_; }
+
+  double volume() const { return volume_; }
+  const Vector<3>& centroid() const { return centroid_; }
+  /// Integral of r r^T about the centroid: xx, yy, zz, xy, yz, zx.
+  const Eigen::Matrix<double, 6, 1>& second_moment() const { return second_moment_; }
+  /// About the centroid, for unit density: integral of (r.r) 1 - r r^T.
+  Eigen::Matrix3d inertia() const;
+  double bounding_radius() const { return bounding_radius_; }
+  double shortest_edge() const { return shortest_edge_; }
+  double longest_edge() const { return longest_edge_; }
+
+ private:
+  void measure(const Polyhedron& polyhedron);
+  void store(const Polyhedron& polyhedron);
+  void measure_edges();
+
+  double volume_ = 0;
+  Vector<3> centroid_ = Vector<3>::Zero();
+  Eigen::Matrix<double, 6, 1> second_moment_ = Eigen::Matrix<double, 6, 1>::Zero();
+  double bounding_radius_ = 0;
+  double shortest_edge_ = 0;
+  double longest_edge_ = 0;
+  TopologyArrays topology_;
+  Array<double> components_;  // x, y, z, then nx, ny, nz, offset, each padded
+  Outline<3> outline_;        // into components_ and topology_
+};
+
+/// The polyhedron that a shape was made from, in the coordinates that it was made from, to rounding.
+Polyhedron polyhedron_of(const Shape<3>& shape, Memory* memory);
 
 }  // namespace halfspace

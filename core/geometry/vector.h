@@ -37,6 +37,10 @@ using Memory = std::pmr::memory_resource;
 /// z component of the cross product: > 0 when b lies counter-clockwise of a.
 inline double cross(const Vector<2>& a, const Vector<2>& b) { return a.x() * b.y() - a.y() * b.x(); }
 
+inline Vector<3> cross_product(const Vector<3>& a, const Vector<3>& b) {
+  return {a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(), a.x() * b.y() - a.y() * b.x()};
+}
+
 /// The vector turned by a right angle counter-clockwise.
 inline Vector<2> perpendicular(const Vector<2>& v) { return {-v.y(), v.x()}; }
 
