@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "detect/two_lanes.h"
 #include "geometry/rotation.h"
+#include "geometry/two_lanes.h"
 #include "geometry/vector.h"
 #include "guard.h"
 #include "halfspace/view.h"
@@ -87,15 +87,15 @@ struct Pose2 {
 /// TwoLanes for those of two poses side by side.
 template <class Number>
 struct TurnAboutZ {
-  TurnAboutZ(const Number& z, const Number& w) {
-    const Number excess = (z * z + w * w) - 1.0;
-    turn = cosine_and_sine(z, w, excess);
-    fault = magnitude(excess);
-  }
-
   CosineAndSine<Number> turn;
   Number fault;
 };
+
+template <class Number>
+TurnAboutZ<Number> turn_about_z(const Number& z, const Number& w) {
+  const Number deficit = 1.0 - (z * z + w * w);
+  return {cosine_and_sine(z, w, deficit), magnitude(deficit)};
+}
 
 /// Of a quaternion's squared length: of a length off 1 by 1e-6. Other faults of a pose are weighed so that
 /// this is their limit, too.
@@ -108,7 +108,7 @@ constexpr double weight_far_off = 1e-82;
 
 inline TurnAboutZ<TwoLanes> turns_about_z(const hs_pose& a, const hs_pose& b) {
   const TwoLanes zw_a = two_at(a.rotation + 2), zw_b = two_at(b.rotation + 2);
-  return {firsts(zw_a, zw_b), seconds(zw_a, zw_b)};
+  return turn_about_z(firsts(zw_a, zw_b), seconds(zw_a, zw_b));
 }
 
 /// Are the x and y of both quaternions 0?
@@ -126,7 +126,7 @@ inline Pose2 read_pose(const hs_pose* pose, const char* name) {
   require_pointer(pose, name);
   const double x = pose->position[0], y = pose->position[1];
   const double* q = pose->rotation;
-  const TurnAboutZ<double> about_z(q[2], q[3]);
+  const TurnAboutZ<double> about_z = turn_about_z(q[2], q[3]);
   const double off_axis = q[0] * q[0] + q[1] * q[1];
   // One comparison for all, false for NaN.
   const double far_off = weight_far_off * (std::abs(x) + std::abs(y));

@@ -19,10 +19,11 @@ inline void write_pair(ContactType type, int point_count, const PotentialPair& p
   out.gap = gap;
 }
 
-/// The proof that there is no contact.
+/// The proof that there is no contact. The pair is known by its edge: which vertex is deepest does not
+/// matter.
 inline void write_separation(const PotentialPair& pair, const Vector<2>& normal, double gap,
                              hs_contact& out) {
-  write_pair(ContactType::none, 0, pair, normal, gap, out);
+  write_pair(ContactType::none, 0, {pair.owner, pair.edge, -1}, normal, gap, out);
 }
 
 /// A contact in the host's terms, without ids and forces. `frame` turns and `origin` moves it from the frame

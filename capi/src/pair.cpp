@@ -3,11 +3,11 @@
 #include "check.h"
 #include "contact.h"
 #include "detect/pair.h"
+#include "detect/turned_outline.h"
 #include "guard.h"
 #include "posed_pair.h"
 #include "separation_proof.h"
 #include "shape.h"
-#include "turned_outline.h"
 
 using namespace halfspace;
 using namespace halfspace::capi;
@@ -62,75 +62,52 @@ void write_cache(const PairMemory& memory, int edges_of_a, hs_pair_cache& cache)
   cache.shapes = 0;
 }
 
-/// The remembered pair as it is now.
-Separation remembered_separation(const Outline<2>& a, const Outline<2>& b, const Placement& at,
-                                 const PotentialPair& pair) {
-  const bool a_owns = pair.owner == 0;
-  const Outline<2>& owner = a_owns ? a : b;
-  const Outline<2>& other = a_owns ? b : a;
-  const Vector<2> normal = owner.normal(pair.edge);
-  const Vector<2> seen_from_other = (a_owns ? at.b_in_a.inverse() : at.b_in_a) * normal;
-  const Vector<2> from_a_to_b = a_owns ? normal : Vector<2>(-seen_from_other);
-  const int vertex = deepest_vertex(other, seen_from_other, pair.vertex);
-  const double gap =
-      (height_along(seen_from_other, other, vertex) + from_a_to_b.dot(at.to_b)) - owner.offset[pair.edge];
-  return {gap, {pair.owner, pair.edge, vertex}, from_a_to_b};
-}
-
 /// The cache may be NULL.
 [[gnu::always_inline]] inline void answer_separated(const Separation& separation, const PosedPair& posed,
-                                                    const Placement& at, hs_pair_cache* cache,
+                                                    const Turns& turns, hs_pair_cache* cache,
                                                     hs_contact& out) {
-  write_separation(separation.pair, at.rotation_of_a * separation.normal, separation.gap, out);
+  write_separation(separation.pair, normal_from_a_to_b(separation.pair, posed, turns), separation.gap, out);
   if (!cache) return;
   write_cache({PairMemory::separated, separation.pair}, posed.a.shape.vertex_count(), *cache);
   keep_proof(posed, out, *cache);
 }
 
-void answer_overlap(const Outline<2>& a, const Outline<2>& b, const Placement& at,
-                    const PotentialPair& least_depth, const DetectOptions& options, PairMemory& memory,
-                    hs_pair_cache* cache, hs_contact& out) {
+void answer_overlap(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
+                    const Rotation<2>& rotation_of_a, const hs_pose& at_a, const PotentialPair& least_depth,
+                    const DetectOptions& options, PairMemory& memory, hs_pair_cache* cache, hs_contact& out) {
   Contact<2> contact;
-  describe_overlap(a, b, at.to_b, least_depth, options, memory, contact);
-  write_contact(contact, at.rotation_of_a, at.position_of_a, out);
+  describe_overlap(a, b, to_b, least_depth, options, memory, contact);
+  write_contact(contact, rotation_of_a, {at_a.position[0], at_a.position[1]}, out);
   if (cache) write_cache(memory, a.count, *cache);
-}
-
-// What follows takes both shapes in the frame of a. The placement is handed over by value, so that it stays
-// in registers until then.
-
-[[gnu::noinline]] void judge_overlap(const PosedPair& posed, Placement at, PotentialPair least_depth,
-                                     const DetectOptions& options, PairMemory memory, hs_pair_cache* cache,
-                                     hs_contact& out) {
-  const TurnedOutline b(posed.b.shape.outline(), at.b_in_a, &posed.a.context->memory);
-  answer_overlap(posed.a.shape.outline(), b.outline(), at, least_depth, options, memory, cache, out);
-}
-
-[[gnu::noinline]] void judge_by_merge(const PosedPair& posed, Placement at, const DetectOptions& options,
-                                      PairMemory memory, hs_pair_cache* cache, hs_contact& out) {
-  const Outline<2>& a = posed.a.shape.outline();
-  const TurnedOutline turned(posed.b.shape.outline(), at.b_in_a, &posed.a.context->memory);
-  const Outline<2> b = turned.outline();
-  const Separation found = find_separation_by_merge(a, b, at.to_b);
-  if (found.gap > 0) return answer_separated(found, posed, at, cache, out);
-  answer_overlap(a, b, at, found.pair, options, memory, cache, out);
 }
 
 /// By looking at the shapes, each in its own frame as long as that will do.
 void judge(const PosedPair& posed, const DetectOptions& options, hs_pair_cache* cache, hs_contact& out) {
-  const Placement at = read_placement(posed.at_a, posed.at_b);
+  const Turns turns = read_turns(posed.at_a, posed.at_b);
+  const Placement<Turns> at = placement_of(turns, posed.at_a, posed.at_b);
   const Outline<2>& a = posed.a.shape.outline();
   const Outline<2>& b = posed.b.shape.outline();
   PairMemory memory;
   if (cache) memory = read_cache(*cache, a, b);
   if (memory.state == PairMemory::separated) {
-    const Separation remembered = remembered_separation(a, b, at, memory.pair);
-    if (remembered.gap > 0) return answer_separated(remembered, posed, at, cache, out);
+    const double gap = refresh(a, b, at, memory.pair);
+    if (gap > 0) return answer_separated({gap, memory.pair}, posed, turns, cache, out);
   }
-  if (!by_all_combinations(a, b)) return judge_by_merge(posed, at, options, memory, cache, out);
-  const Separation found = find_separation_by_all(a, b, at.to_b, at.to_b_in_b, at.b_in_a);
-  if (found.gap > 0) return answer_separated(found, posed, at, cache, out);
-  judge_overlap(posed, at, found.pair, options, memory, cache, out);
+  Separation found;
+  const bool by_all = by_all_combinations(a, b);
+  if (by_all) {
+    found = find_separation_by_all(a, b, at);
+    if (found.gap > 0) return answer_separated(found, posed, turns, cache, out);
+  }
+  const Vector<2> to_b = only(at.to_other, 0);
+  const Rotation<2> b_in_a = only(at.into_other, 1);
+  const TurnedOutline turned(b, b_in_a, &posed.a.context->memory);
+  if (!by_all) {
+    found = find_separation_by_merge(a, turned.outline(), to_b);
+    if (found.gap > 0) return answer_separated(found, posed, turns, cache, out);
+  }
+  answer_overlap(a, turned.outline(), to_b, only(turns, 0), posed.at_a, found.pair, options, memory, cache,
+                 out);
 }
 
 /// By the proof in the cache, or else by looking at the shapes.
@@ -156,6 +133,56 @@ void detect(const PosedPair& posed, const DetectOptions& options, hs_pair_cache*
   });
 }
 
+/// The contact of blocks that detect_cold() has found to overlap. What it knows of the poses is handed over
+/// in registers.
+[[gnu::noinline]] hs_status describe_guarded(const hs_shape& a, const hs_pose& at_a, const hs_shape& b,
+                                             int owner, int edge, hs_contact& out, Rotation<2> b_in_a,
+                                             TwoLanes to_b, Rotation<2> rotation_of_a) {
+  return guarded(a.context, "hs_pair_detect", [&] {
+    const TurnedOutline turned(b.shape.outline(), b_in_a, &a.context->memory);
+    PairMemory memory;
+    answer_overlap(a.shape.outline(), turned.outline(), {to_b[0], to_b[1]}, rotation_of_a, at_a,
+                   {owner, edge, 0}, DetectOptions(), memory, nullptr, out);
+    return HS_OK;
+  });
+}
+
+/// hs_pair_detect() without cache and options, for blocks within most_combinations: the proof of separation
+/// passes no guard, as nothing on its way throws. Compiled once more for few vertices, where the loops over
+/// them come to an end that is known.
+template <int most_vertices>
+[[gnu::always_inline]] inline hs_status detect_cold(const hs_shape* shape_a, const hs_pose* pose_a,
+                                                    const hs_shape* shape_b, const hs_pose* pose_b,
+                                                    hs_contact* contact) {
+  const Outline<2>& a = shape_a->shape.outline();
+  const Outline<2>& b = shape_b->shape.outline();
+  const auto is_known = [](int count) { return count >= 3 && count <= most_vertices; };
+  if (!is_known(a.count) || !is_known(b.count)) __builtin_unreachable();
+
+  const TurnAboutZ<TwoLanes> about_z = turns_about_z(*pose_a, *pose_b);
+  if (!are_tolerable(about_z, *pose_a, *pose_b)) {
+    return detect_guarded(shape_a, pose_a, shape_b, pose_b, nullptr, nullptr, contact);
+  }
+  const Turns& turns = about_z.turn;
+  const Placement<Turns> at = placement_of(turns, *pose_a, *pose_b);
+  const Separation found = find_separation_by_all(a, b, at);
+  if (found.gap > 0) {
+    answer_separated(found, {*shape_a, *pose_a, *shape_b, *pose_b}, turns, nullptr, *contact);
+    return HS_OK;
+  }
+  return describe_guarded(*shape_a, *pose_a, *shape_b, found.pair.owner, found.pair.edge, *contact,
+                          only(at.into_other, 1), TwoLanes{at.to_other.x[0], at.to_other.y[0]},
+                          only(turns, 0));
+}
+
+/// The same where a call costs little beside the vertices.
+template <int most_vertices>
+[[gnu::noinline]] hs_status detect_cold_by_call(const hs_shape* shape_a, const hs_pose* pose_a,
+                                                const hs_shape* shape_b, const hs_pose* pose_b,
+                                                hs_contact* contact) {
+  return detect_cold<most_vertices>(shape_a, pose_a, shape_b, pose_b, contact);
+}
+
 }  // namespace
 }  // namespace halfspace::capi
 
@@ -166,8 +193,18 @@ hs_status hs_pair_options_init(hs_pair_options* options, size_t size) {
 hs_status hs_pair_detect(const hs_shape* shape_a, const hs_pose* pose_a, const hs_shape* shape_b,
                          const hs_pose* pose_b, const hs_pair_options* options, hs_pair_cache* cache,
                          hs_contact* contact) {
-  if (cache && !options && shape_a && pose_a && shape_b && pose_b && contact) {
-    if (answer_by_proof({*shape_a, *pose_a, *shape_b, *pose_b}, *cache, *contact)) return HS_OK;
+  if (!options && shape_a && pose_a && shape_b && pose_b && contact) {
+    const Outline<2>& a = shape_a->shape.outline();
+    const Outline<2>& b = shape_b->shape.outline();
+    if (cache) {
+      if (answer_by_proof({*shape_a, *pose_a, *shape_b, *pose_b}, *cache, *contact)) return HS_OK;
+    } else if (a.count == 3 && b.count == 3) {
+      return detect_cold<3>(shape_a, pose_a, shape_b, pose_b, contact);
+    } else if (a.count <= 4 && b.count <= 4) {
+      return detect_cold_by_call<4>(shape_a, pose_a, shape_b, pose_b, contact);
+    } else if (by_all_combinations(a, b)) {
+      return detect_cold_by_call<most_combinations>(shape_a, pose_a, shape_b, pose_b, contact);
+    }
   }
   return detect_guarded(shape_a, pose_a, shape_b, pose_b, options, cache, contact);
 }
@@ -209,7 +246,7 @@ hs_status hs_pairs_detect(hs_context* context, const hs_shape* const* shapes, co
     };
     for (std::int64_t i = 0; i < pair_count; ++i) {
       const PosedPair pair = posed(i);
-      read_placement(pair.at_a, pair.at_b);
+      read_turns(pair.at_a, pair.at_b);
       if (caches) read_cache(caches[i], pair.a.shape.outline(), pair.b.shape.outline());
     }
 

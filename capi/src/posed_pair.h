@@ -2,8 +2,8 @@
 
 #include "check.h"
 #include "detect/separation.h"
-#include "detect/two_lanes.h"
-#include "guard.h"
+#include "geometry/rotation.h"
+#include "geometry/two_lanes.h"
 #include "halfspace/view.h"
 #include "shape.h"
 
@@ -17,43 +17,38 @@ struct PosedPair {
   const hs_pose& at_b;
 };
 
-/// Where block b is, seen from a: detection works in the frame of a, so that only b has to be turned and the
-/// distance from the origin costs no digits. And the way back out of that frame.
-struct Placement {
-  Rotation<2> b_in_a;
-  Vector<2> to_b;       // in the frame of a
-  Vector<2> to_b_in_b;  // in that of b
-  Rotation<2> rotation_of_a;
-  Vector<2> position_of_a;
-};
-
-/// Says what is wrong with poses that read_placement() does not take.
-[[noreturn, gnu::cold]] inline void refuse_poses(const hs_pose& a, const hs_pose& b) {
-  read_pose(&a, "pose_a");
-  read_pose(&b, "pose_b");
-  refuse(HS_ERROR_ARGUMENT,
-         "pose_a->position (%g, %g) and pose_b->position (%g, %g) are too far off together", a.position[0],
-         a.position[1], b.position[0], b.position[1]);
+/// False also for some poses that are tolerable each by itself.
+inline bool are_tolerable(const TurnAboutZ<TwoLanes>& about_z, const hs_pose& a, const hs_pose& b) {
+  const TwoLanes far_off = magnitude(two_at(a.position)) + magnitude(two_at(b.position));
+  const TwoLanes fault = about_z.fault + both(weight_far_off) * far_off;
+  return fault[0] + fault[1] <= largest_fault && turn_exactly_about_z(a, b);
 }
 
-/// A direction in the frames of both poses.
-inline DirectionLanes inverse_turned(const CosineAndSine<TwoLanes>& turn, const DirectionLanes& d) {
-  return {turn.cosine * d.x + turn.sine * d.y, turn.cosine * d.y - turn.sine * d.x};
+/// Detection takes the poses relative to each other: the distance from the origin, which both share, costs no
+/// digits.
+inline Placement<Turns> placement_of(const Turns& turns, const hs_pose& a, const hs_pose& b) {
+  const TwoLanes position_a = two_at(a.position), position_b = two_at(b.position);
+  const TwoLanes to_b = position_b - position_a, to_a = position_a - position_b;
+  const auto& [c, s] = turns;
+  const TwoLanes crossed = c * exchanged(s);
+  return {{c * exchanged(c) + s * exchanged(s), exchanged(crossed) - crossed},
+          turned_back(turns, {firsts(to_b, to_a), seconds(to_b, to_a)})};
 }
 
-inline Placement read_placement(const hs_pose& a, const hs_pose& b) {
+/// Refuses poses that are wrong.
+inline Turns read_turns(const hs_pose& a, const hs_pose& b) {
   const TurnAboutZ<TwoLanes> about_z = turns_about_z(a, b);
-  const TwoLanes xy_a = two_at(a.rotation), xy_b = two_at(b.rotation);
-  const TwoLanes off_axis = sums(xy_a * xy_a, xy_b * xy_b);
-  const TwoLanes apart = two_at(b.position) - two_at(a.position);
-  const TwoLanes far_off =
-      both(weight_far_off) * (magnitude(two_at(a.position)) + magnitude(two_at(b.position)));
-  if (!is_tolerable((about_z.fault + both(weight_off_axis) * off_axis) + far_off)) refuse_poses(a, b);
-  const auto& [cosine, sine] = about_z.turn;
-  const Rotation<2> rotation_of_a(cosine[0], sine[0]), rotation_of_b(cosine[1], sine[1]);
-  const DirectionLanes to_b = inverse_turned(about_z.turn, {both(apart[0]), both(apart[1])});
-  return {rotation_of_a.inverse() * rotation_of_b, Vector<2>(to_b.x[0], to_b.y[0]),
-          Vector<2>(to_b.x[1], to_b.y[1]), rotation_of_a, Vector<2>(a.position[0], a.position[1])};
+  if (!are_tolerable(about_z, a, b)) {
+    read_pose(&a, "pose_a");
+    read_pose(&b, "pose_b");
+  }
+  return about_z.turn;
+}
+
+/// Normal of a pair's half-space, from a to b.
+inline Vector<2> normal_from_a_to_b(const PotentialPair& pair, const PosedPair& posed, const Turns& turns) {
+  const Owner owner(posed.a.shape.outline(), posed.b.shape.outline(), pair);
+  return owner.sign * (only(turns, pair.owner) * owner.block.normal(pair.edge));
 }
 
 }  // namespace halfspace::capi

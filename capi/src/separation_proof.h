@@ -6,7 +6,7 @@
 
 #include "contact.h"
 #include "detect/contact.h"
-#include "detect/two_lanes.h"
+#include "geometry/two_lanes.h"
 #include "halfspace/contact.h"
 #include "halfspace/pair.h"
 #include "posed_pair.h"

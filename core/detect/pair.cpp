@@ -3,11 +3,7 @@
 #include "detect/potential_pairs.h"
 
 namespace halfspace {
-namespace {
 
-/// Walks around the Minkowski difference to the pair of least depth that is reached without passing a deeper
-/// one. So the contact keeps the side through which the blocks met, also when a thin block is overlapped past
-/// its middle.
 PotentialPair descend(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
                       const PotentialPair& start) {
   PotentialPair best = start;
@@ -24,24 +20,6 @@ PotentialPair descend(const Outline<2>& a, const Outline<2>& b, const Vector<2>&
   walk(next_pair);
   if (best.owner == start.owner && best.edge == start.edge) walk(previous_pair);
   return best;
-}
-
-}  // namespace
-
-void remember_contact(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
-                      const PotentialPair& least_depth, PairMemory& memory) {
-  switch (memory.state) {
-    case PairMemory::unknown:
-      memory.pair = least_depth;
-      break;
-    case PairMemory::separated:
-      memory.pair = descend(a, b, to_b, memory.pair);
-      break;
-    case PairMemory::touching:
-      refresh(a, b, to_b, memory.pair);
-      break;
-  }
-  memory.state = PairMemory::touching;
 }
 
 }  // namespace halfspace

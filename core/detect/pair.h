@@ -6,13 +6,22 @@
 
 namespace halfspace {
 
-/// Gap of a potential pair whose vertex may have moved on: `pair.vertex` is brought up to date.
+/// Gap of a potential pair whose vertex may have moved on: `pair.vertex` is brought up to date. Seen from the
+/// frame of the owner, as far as the vertex allows.
+template <class Lanes>
+double refresh(const Outline<2>& a, const Outline<2>& b, const Placement<Lanes>& at, PotentialPair& pair) {
+  const Owner owner(a, b, pair);
+  const Vector<2> normal = owner.block.normal(pair.edge);
+  const Vector<2> seen_from_other = only(at.into_other, pair.owner) * normal;
+  pair.vertex = deepest_vertex(owner.other, seen_from_other, pair.vertex);
+  return (height_along(seen_from_other, owner.other, pair.vertex) +
+          normal.dot(only(at.to_other, pair.owner))) -
+         owner.block.offset[pair.edge];
+}
+
+/// The same for outlines in one orientation.
 inline double refresh(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b, PotentialPair& pair) {
-  const bool a_owns = pair.owner == 0;
-  const Outline<2>& owner = a_owns ? a : b;
-  const Outline<2>& other = a_owns ? b : a;
-  pair.vertex = deepest_vertex(other, owner.normal(pair.edge), pair.vertex);
-  return edge_gap(owner, pair.edge, other, pair.vertex, a_owns ? to_b : Vector<2>(-to_b));
+  return refresh(a, b, placement_unturned(to_b), pair);
 }
 
 /// True when the remembered pair is still violated, which proves separation by itself (Wang et al. 2021, eq.
@@ -22,11 +31,25 @@ inline bool still_separated(const Outline<2>& a, const Outline<2>& b, const Vect
   return memory.state == PairMemory::separated && refresh(a, b, to_b, memory.pair) > 0;
 }
 
+/// Walks around the Minkowski difference to the pair of least depth that is reached without passing a deeper
+/// one. So the contact keeps the side through which the blocks met, also when a thin block is overlapped past
+/// its middle.
+PotentialPair descend(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
+                      const PotentialPair& start);
+
 /// The pair through which blocks meet that are found to overlap: the last violated one, or a neighbour of it
 /// that is less deep; the one remembered when they touched before; without history the given one, of least
-/// depth (section 2.5). Remembers it.
-void remember_contact(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
-                      const PotentialPair& least_depth, PairMemory& memory);
+/// depth (section 2.5). Remembers it, with its vertex brought up to date.
+inline void remember_contact(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
+                             const PotentialPair& least_depth, PairMemory& memory) {
+  if (memory.state == PairMemory::separated) {
+    memory.pair = descend(a, b, to_b, memory.pair);
+  } else {
+    if (memory.state == PairMemory::unknown) memory.pair = least_depth;
+    refresh(a, b, to_b, memory.pair);
+  }
+  memory.state = PairMemory::touching;
+}
 
 /// Type, normal, gap and region of the contact at a potential pair, touching or not. `pair` is moved to the
 /// neighbouring one when the vertex has left the edge across its end.

@@ -30,8 +30,8 @@ struct PairFrame {
 
 PairFrame frame_of(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
                    const PotentialPair& pair) {
-  return pair.owner == 0 ? PairFrame{a, b, to_b, pair.edge, pair.vertex}
-                         : PairFrame{b, a, -to_b, pair.edge, pair.vertex};
+  const Owner owner(a, b, pair);
+  return {owner.block, owner.other, owner.sign * to_b, pair.edge, pair.vertex};
 }
 
 /// The other block's edge at the vertex that is nearer to parallel with the contact plane.
@@ -42,12 +42,13 @@ struct FacingEdge {
 
 FacingEdge facing_edge(const PairFrame& f) {
   const int before = f.other.previous(f.vertex);
-  const double sine_after = std::abs(cross(f.other.normal(f.vertex), f.normal));
-  const double sine_before = std::abs(cross(f.other.normal(before), f.normal));
   const double cosine_after = -f.other.normal(f.vertex).dot(f.normal);
   const double cosine_before = -f.other.normal(before).dot(f.normal);
-  return cosine_after >= cosine_before ? FacingEdge{f.other.next(f.vertex), cosine_after > 0 ? sine_after : 1}
-                                       : FacingEdge{before, cosine_before > 0 ? sine_before : 1};
+  // By tables instead of branches: which edge it is is as good as random.
+  const int ends[] = {before, f.other.next(f.vertex)}, edges[] = {before, f.vertex};
+  const int after = cosine_after >= cosine_before;
+  const double sine = std::abs(cross(f.other.normal(edges[after]), f.normal));
+  return {ends[after], std::max(cosine_after, cosine_before) > 0 ? sine : 1};
 }
 
 /// Stiffness at the shallower of two points, and how it changes with the sine of the angle between the edges:
@@ -162,12 +163,11 @@ void describe_contact(const Outline<2>& a, const Outline<2>& b, const Vector<2>&
   }
   contact.pair = pair;
   contact.reserved = 0;
-  if (pair.owner == 1) {
-    // Seen from b so far: relative to a's centroid, and from a to b.
-    contact.normal = -contact.normal;
-    contact.share_rate = -contact.share_rate;
-    for (int i = 0; i < contact.point_count; ++i) contact.points[i] += to_b;
-  }
+  // Seen from the owner so far: relative to a's centroid, and from a to b.
+  const double sign = 1 - 2 * pair.owner;
+  contact.normal *= sign;
+  contact.share_rate *= sign;
+  for (int i = 0; i < contact.point_count; ++i) contact.points[i] += double(pair.owner) * to_b;
 }
 
 }  // namespace halfspace

@@ -21,12 +21,11 @@ int walk_to_deepest_vertex(const Outline<2>& block, const Vector<2>& normal, int
 }
 
 Separation find_separation_by_merge(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b) {
-  Separation best{-HUGE_VAL, {}, {}};
+  Separation best{-HUGE_VAL, {}};
   for_each_potential_pair(a, b, [&](const PotentialPair& pair) {
     const double gap = pair.owner == 0 ? edge_gap(a, pair.edge, b, pair.vertex, to_b)
                                        : edge_gap(b, pair.edge, a, pair.vertex, -to_b);
-    if (gap > best.gap)
-      best = {gap, pair, pair.owner == 0 ? a.normal(pair.edge) : Vector<2>(-b.normal(pair.edge))};
+    if (gap > best.gap) best = {gap, pair};
     return best.gap <= 0;
   });
   return best;

@@ -4,54 +4,34 @@
 #include <cstdint>
 
 #include "detect/contact.h"
-#include "detect/two_lanes.h"
+#include "detect/edge_gaps.h"
+#include "detect/placement.h"
 #include "geometry/outline.h"
-#include "geometry/rotation.h"
+#include "geometry/two_lanes.h"
 
 namespace halfspace {
 
-/// A violated potential pair, or the pair of least depth when none is violated, its gap and the normal of its
-/// half-space, turned so that it points from a to b, in the frame of a.
+/// A violated potential pair, or the pair of least depth when none is violated, and its gap. The pair is
+/// known by its edge; its vertex is only where to look for the deepest one first, unless a function says
+/// more.
 struct Separation {
   double gap;
   PotentialPair pair;
-  Vector<2> normal;
 };
 
-/// The turn from a frame into itself.
-struct NoTurn {
-  NoTurn inverse() const { return {}; }
-  template <class Direction>
-  const Direction& operator*(const Direction& direction) const {
-    return direction;
-  }
+/// The blocks of a potential pair by their part in it. By a table instead of a branch: who owns the edge is
+/// as good as random.
+struct Owner {
+  Owner(const Outline<2>& a, const Outline<2>& b, const PotentialPair& pair)
+      : blocks{&a, &b}, block(*blocks[pair.owner]), other(*blocks[1 - pair.owner]), sign(signs[pair.owner]) {}
+
+  static constexpr double signs[] = {1, -1};
+
+  const Outline<2>* blocks[2];
+  const Outline<2>& block;
+  const Outline<2>& other;
+  double sign;  // of what leads from a to b, seen from the owner
 };
-
-/// Two directions in the plane, side by side.
-struct DirectionLanes {
-  TwoLanes x;
-  TwoLanes y;
-};
-
-inline DirectionLanes operator*(const Rotation<2>& turn, const DirectionLanes& d) {
-  const TwoLanes c = both(turn.cosine), s = both(turn.sine);
-  return {c * d.x - s * d.y, s * d.x + c * d.y};
-}
-
-/// Values, and the index of the edge or vertex that each is of. Whole numbers, as doubles.
-struct IndexedLanes {
-  TwoLanes value;
-  TwoLanes index;
-};
-
-/// Lane by lane, the one of the larger (smaller) value. Without branches: which one wins is as good as
-/// random.
-inline IndexedLanes larger(const IndexedLanes& a, const IndexedLanes& b) {
-  return {larger(a.value, b.value), b.value > a.value ? b.index : a.index};
-}
-inline IndexedLanes smaller(const IndexedLanes& a, const IndexedLanes& b) {
-  return {smaller(a.value, b.value), b.value < a.value ? b.index : a.index};
-}
 
 inline double height_along(const Vector<2>& normal, const Outline<2>& block, int vertex) {
   return normal.x() * block.x[vertex] + normal.y() * block.y[vertex];
@@ -89,40 +69,6 @@ inline double edge_gap(const Outline<2>& owner, int edge, const Outline<2>& othe
   return (normal.dot(other.vertex(vertex)) + normal.dot(to_other)) - owner.offset[edge];
 }
 
-// What follows is inlined by force: called, it would hand its lanes over through memory, in the chain of
-// operations that the first branch on a pair waits for.
-
-/// The largest gap among the even edges of `owner`, and that among its odd ones, by all combinations with the
-/// other's vertices. Of the other's arrays only the vertices are read. Both are seen from the frame of the
-/// other: the owner's directions are turned into it, and `to_other` leads there from the owner's centroid to
-/// the other's.
-template <class Turn>
-[[gnu::always_inline]] inline IndexedLanes largest_gaps(const Outline<2>& owner, const Outline<2>& other,
-                                                        const Turn& turn, const Vector<2>& to_other) {
-  const TwoLanes to_x = both(to_other.x()), to_y = both(to_other.y());
-  const auto gaps_at = [&](int e) {
-    const DirectionLanes normal = turn * DirectionLanes{two_at(owner.nx + e), two_at(owner.ny + e)};
-    TwoLanes deepest = normal.x * both(other.x[0]) + normal.y * both(other.y[0]);
-    for (int v = 1; v < other.count; ++v) {
-      deepest = smaller(deepest, normal.x * both(other.x[v]) + normal.y * both(other.y[v]));
-    }
-    return (deepest + (normal.x * to_x + normal.y * to_y)) - two_at(owner.offset + e);
-  };
-  TwoLanes edge = {0, 1};
-  IndexedLanes largest = {gaps_at(0), edge};
-  for (int e = 2; e < owner.count; e += 2) {
-    edge += both(2);
-    largest = larger(largest, {gaps_at(e), edge});
-  }
-  return largest;
-}
-
-/// Of two blocks: each one's largest gap, from those of its even and odd edges.
-inline IndexedLanes largest_of_each(const IndexedLanes& a, const IndexedLanes& b) {
-  return larger({firsts(a.value, b.value), firsts(a.index, b.index)},
-                {seconds(a.value, b.value), seconds(a.index, b.index)});
-}
-
 /// Up to this many vertex-edge combinations they are all judged; beyond, the merge, whose every step waits
 /// for the one before, is faster (tests/benchmarks, bench_pairs).
 constexpr int most_combinations = 1024;
@@ -134,40 +80,35 @@ inline bool by_all_combinations(const Outline<2>& a, const Outline<2>& b) {
 /// The largest of all gaps, or the first above 0, by the merge of sorted normals.
 Separation find_separation_by_merge(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b);
 
-/// The potential pair of an edge whose gap is known.
-template <class Turn>
-[[gnu::always_inline]] inline Separation separation_at(double gap, int owner, int edge, const Outline<2>& a,
-                                                       const Outline<2>& b, const Turn& b_in_a) {
-  // By tables instead of branches: who owns it is as good as random.
-  const Outline<2>* const blocks[] = {&a, &b};
-  const Vector<2> normal = blocks[owner]->normal(edge);
-  const Vector<2> seen_from_other[] = {b_in_a.inverse() * normal, b_in_a * normal};
-  const Vector<2> from_a_to_b[] = {normal, -seen_from_other[1]};
-  return {gap, {owner, edge, deepest_vertex(*blocks[1 - owner], seen_from_other[owner])}, from_a_to_b[owner]};
+/// The larger of both blocks' gaps. Without a branch: who owns it is as good as random.
+inline Separation larger_of_each(const IndexedLanes& each) {
+  const int owner = each.value[1] > each.value[0];
+  const int edges[] = {int(each.index[0]), int(each.index[1])};
+  const double gap = each.value[1] > each.value[0] ? each.value[1] : each.value[0];
+  return {gap, {owner, edges[owner], 0}};
 }
 
-/// Judges all potential contact pairs, and stops at the first block that has a violated one (eqs. 12-16).
-/// Each block is in its own frame; `b_in_a` turns from that of b into that of a, `to_b` leads from the
-/// centroid of a to that of b in the frame of a, and `to_b_in_b` in that of b. For blocks within
-/// most_combinations.
-template <class Turn>
+/// Judges all potential contact pairs (eqs. 12-16); but of other blocks than triangles, stops at the first
+/// block that has a violated one. For blocks within most_combinations.
+template <class Lanes>
 [[gnu::always_inline]] inline Separation find_separation_by_all(const Outline<2>& a, const Outline<2>& b,
-                                                                const Vector<2>& to_b,
-                                                                const Vector<2>& to_b_in_b,
-                                                                const Turn& b_in_a) {
-  const IndexedLanes of_a = largest_gaps(a, b, b_in_a.inverse(), to_b_in_b);
-  const IndexedLanes first = largest_of_each(of_a, of_a);
-  if (first.value[0] > 0) return separation_at(first.value[0], 0, int(first.index[0]), a, b, b_in_a);
-  const IndexedLanes of_b = largest_gaps(b, a, b_in_a, -to_b);
-  const IndexedLanes each = largest_of_each(of_a, of_b);
-  const IndexedLanes best = larger(each, {exchanged(each.value), exchanged(each.index)});
-  return separation_at(best.value[0], each.value[1] > each.value[0], int(best.index[0]), a, b, b_in_a);
+                                                                const Placement<Lanes>& at) {
+  if (a.count == 3 && b.count == 3) return larger_of_each(largest_gap_of_each(a, b, at));
+  const Placement<Lanes> seen_from_a = {both(at.into_other, 0), both(at.to_other, 0)};
+  const IndexedLanes of_a = largest_gap(a, b, seen_from_a);
+  if (of_a.value[0] > 0) return {of_a.value[0], {0, int(of_a.index[0]), 0}};
+  const Placement<Lanes> seen_from_b = {both(at.into_other, 1), both(at.to_other, 1)};
+  const IndexedLanes of_b = largest_gap(b, a, seen_from_b);
+  return larger_of_each({firsts(of_a.value, of_b.value), firsts(of_a.index, of_b.index)});
 }
 
-/// The same for outlines in one orientation and of any count.
+/// The same for outlines in one orientation and of any count. The pair's vertex is the deepest one.
 inline Separation find_separation(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b) {
-  return by_all_combinations(a, b) ? find_separation_by_all(a, b, to_b, to_b, NoTurn())
-                                   : find_separation_by_merge(a, b, to_b);
+  if (!by_all_combinations(a, b)) return find_separation_by_merge(a, b, to_b);
+  Separation found = find_separation_by_all(a, b, placement_unturned(to_b));
+  const Owner owner(a, b, found.pair);
+  found.pair.vertex = deepest_vertex(owner.other, owner.block.normal(found.pair.edge));
+  return found;
 }
 
 }  // namespace halfspace

@@ -12,8 +12,8 @@ template <int D>
 struct Outline;
 
 /// Vertex i, and half-space i of the edge from vertex i to vertex i + 1: inside is nx*x + ny*y <= offset. The
-/// arrays are padded to an even count by repeating the last entry, so that a pair of entries can be read at a
-/// time.
+/// arrays follow one another in this order, each padded to an even count by repeating the last entry, so that
+/// a pair of entries can be read at a time.
 template <>
 struct Outline<2> {
   int count = 0;
@@ -25,9 +25,10 @@ struct Outline<2> {
 
   Vector<2> vertex(int i) const { return {x[i], y[i]}; }
   Vector<2> normal(int i) const { return {nx[i], ny[i]}; }
-  int next(int i) const { return i + 1 == count ? 0 : i + 1; }
-  int previous(int i) const { return i == 0 ? count - 1 : i - 1; }
-  static int padded(int count) { return count + (count & 1); }
+  // Without branches: whether the first or last one is met is as good as random.
+  int next(int i) const { return (i + 1) & -int(i + 1 < count); }
+  int previous(int i) const { return i - 1 + (count & -int(i == 0)); }
+  static constexpr int padded(int count) { return count + (count & 1); }
 };
 
 /// How the vertices, edges and faces of a polyhedron hang together. Says nothing of where they are, so that

@@ -13,11 +13,11 @@ struct CosineAndSine {
   Number sine;
 };
 
-/// From the z and w of a quaternion whose squared length is 1 but for an excess of at most 1e-5: the series
+/// From the z and w of a quaternion whose squared length is 1 but for a deficit of at most 3e-6: the series
 /// of its inverse is exact to rounding then, and faster than a division.
 template <class Number>
-CosineAndSine<Number> cosine_and_sine(const Number& z, const Number& w, const Number& excess) {
-  const Number inverse = 1.0 - excess * (1.0 - excess * (1.0 - excess));
+CosineAndSine<Number> cosine_and_sine(const Number& z, const Number& w, const Number& deficit) {
+  const Number inverse = (1.0 + deficit) + deficit * deficit;
   return {(w * w - z * z) * inverse, 2.0 * w * z * inverse};
 }
 

@@ -72,7 +72,11 @@ void check_indices(const Scene& s, const hs_contact& c) {
   const std::size_t vertices = (a_owns ? s.polygons.b : s.polygons.a).size();
   CHECK((c.edge_owner == 0 || c.edge_owner == 1));
   CHECK((c.edge >= 0 && std::size_t(c.edge) < edges));
-  CHECK((c.vertex >= 0 && std::size_t(c.vertex) < vertices));
+  if (c.type == HS_CONTACT_NONE) {
+    CHECK(c.vertex == -1);
+  } else {
+    CHECK((c.vertex >= 0 && std::size_t(c.vertex) < vertices));
+  }
   const int points = c.type == HS_CONTACT_NONE ? 0 : c.type == HS_CONTACT_EDGE_EDGE ? 2 : 1;
   CHECK(c.point_count == points);
   CHECK((c.block_a == 0 && c.block_b == 0 && c.reserved == 0));

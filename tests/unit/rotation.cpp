@@ -29,8 +29,8 @@ TEST_CASE("a turn and its opposite mirror each other bit for bit") {
 
 TEST_CASE("a quaternion off unit length by little is taken as its direction") {
   const double stretch = 1 + 1e-6;
-  const double excess = stretch * stretch - 1;
-  const CosineAndSine<double> r = cosine_and_sine(0.6 * stretch, 0.8 * stretch, excess);
+  const double deficit = 1 - stretch * stretch;
+  const CosineAndSine<double> r = cosine_and_sine(0.6 * stretch, 0.8 * stretch, deficit);
   CHECK(r.cosine == Approx(0.64 - 0.36).epsilon(1e-15));
   CHECK(r.sine == Approx(2 * 0.6 * 0.8).epsilon(1e-15));
 }

@@ -30,7 +30,8 @@ typedef struct hs_contact {
   int32_t point_count; /**< points of the region, 0 when separated */
   int32_t edge_owner;  /**< whose edge is the contact plane: 0 block a, 1 block b */
   int32_t edge;        /**< index of that edge; when separated, the edge of the violated pair */
-  int32_t vertex;      /**< the other block's vertex deepest behind it */
+  int32_t vertex;      /**< the other block's vertex deepest behind it; -1 when separated: no vertex of the other block is
+                            behind the edge, which is all of the proof */
   int32_t reserved;    /**< 0 */
   double normal[3];    /**< unit, from a to b */
   double gap;          /**< of the pair (edge, vertex) along the normal, or at the deeper end of an edge-edge region; < 0 is
