@@ -1,0 +1,28 @@
+# The polyhedra and the other engines that the 3D oracle and the 3D benchmark share. Either folder may be
+# built without the other; the one that comes first makes the libraries.
+find_package(CGAL REQUIRED)
+find_package(Eigen3 REQUIRED CONFIG)  # CGAL brings a module of that name, which has no target
+find_package(ccd REQUIRED)
+find_package(fcl REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(bullet REQUIRED IMPORTED_TARGET bullet-float64)
+pkg_check_modules(ode REQUIRED IMPORTED_TARGET ode)
+
+if(TARGET peers_3d)
+  return()
+endif()
+
+set(tests ${CMAKE_CURRENT_LIST_DIR}/..)
+
+add_library(polyhedra_3d STATIC
+  ${tests}/oracles/polyhedron_3d.cpp ${tests}/oracles/random_polyhedra.cpp
+  ${tests}/oracles/minkowski_facets.cpp)
+target_include_directories(polyhedra_3d PUBLIC ${tests})
+target_link_libraries(polyhedra_3d PUBLIC halfspace::halfspace PRIVATE CGAL::CGAL)
+
+add_library(peers_3d STATIC
+  ${tests}/benchmarks/peer_libccd.cpp ${tests}/benchmarks/peer_fcl.cpp ${tests}/benchmarks/peer_bullet.cpp
+  ${tests}/benchmarks/peer_ode.cpp)
+target_link_libraries(peers_3d
+  PUBLIC polyhedra_3d
+  PRIVATE ccd fcl PkgConfig::bullet PkgConfig::ode Eigen3::Eigen)
