@@ -7,8 +7,8 @@
 namespace halfspace::capi {
 
 /// The part that is always set.
-inline void write_pair(ContactType type, int point_count, const PotentialPair& pair, const Vector<2>& normal,
-                       double gap, hs_contact& out) {
+inline void write_pair(ContactType type, int point_count, const PotentialPair<2>& pair,
+                       const Vector<2>& normal, double gap, hs_contact& out) {
   out.type = std::int32_t(type);
   out.point_count = point_count;
   out.edge_owner = pair.owner;
@@ -21,7 +21,7 @@ inline void write_pair(ContactType type, int point_count, const PotentialPair& p
 
 /// The proof that there is no contact. The pair is known by its edge: which vertex is deepest does not
 /// matter.
-inline void write_separation(const PotentialPair& pair, const Vector<2>& normal, double gap,
+inline void write_separation(const PotentialPair<2>& pair, const Vector<2>& normal, double gap,
                              hs_contact& out) {
   write_pair(ContactType::none, 0, {pair.owner, pair.edge, -1}, normal, gap, out);
 }

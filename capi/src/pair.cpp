@@ -35,13 +35,13 @@ DetectOptions read_options(const hs_pair_options* options) {
   return read_detect_options(known.parallel_angle, known.vertex_zone);
 }
 
-PairMemory read_cache(const hs_pair_cache& cache, const Outline<2>& a, const Outline<2>& b) {
-  if (cache.state < PairMemory::unknown || cache.state > PairMemory::touching) {
+PairMemory<2> read_cache(const hs_pair_cache& cache, const Outline<2>& a, const Outline<2>& b) {
+  if (cache.state < PairMemory<2>::unknown || cache.state > PairMemory<2>::touching) {
     refuse(HS_ERROR_ARGUMENT, "cache->state is %d; it must be 0, 1 or 2", cache.state);
   }
-  PairMemory memory;
-  if (cache.state == PairMemory::unknown) return memory;
-  memory.state = PairMemory::State(cache.state);
+  PairMemory<2> memory;
+  if (cache.state == PairMemory<2>::unknown) return memory;
+  memory.state = PairMemory<2>::State(cache.state);
   if (cache.edge < 0 || cache.edge >= a.count + b.count) {
     refuse(HS_ERROR_ARGUMENT, "cache->edge is %d; the shapes have %d edges", cache.edge, a.count + b.count);
   }
@@ -53,8 +53,8 @@ PairMemory read_cache(const hs_pair_cache& cache, const Outline<2>& a, const Out
   return memory;
 }
 
-void write_cache(const PairMemory& memory, int edges_of_a, hs_pair_cache& cache) {
-  const PotentialPair& pair = memory.pair;
+void write_cache(const PairMemory<2>& memory, int edges_of_a, hs_pair_cache& cache) {
+  const PotentialPair<2>& pair = memory.pair;
   cache.state = memory.state;
   cache.edge = pair.owner == 0 ? pair.edge : pair.edge + edges_of_a;
   cache.vertex = pair.vertex;
@@ -63,18 +63,19 @@ void write_cache(const PairMemory& memory, int edges_of_a, hs_pair_cache& cache)
 }
 
 /// The cache may be NULL.
-[[gnu::always_inline]] inline void answer_separated(const Separation& separation, const PosedPair& posed,
+[[gnu::always_inline]] inline void answer_separated(const Separation<2>& separation, const PosedPair& posed,
                                                     const Turns& turns, hs_pair_cache* cache,
                                                     hs_contact& out) {
   write_separation(separation.pair, normal_from_a_to_b(separation.pair, posed, turns), separation.gap, out);
   if (!cache) return;
-  write_cache({PairMemory::separated, separation.pair}, posed.a.shape.vertex_count(), *cache);
+  write_cache({PairMemory<2>::separated, separation.pair}, posed.a.shape.vertex_count(), *cache);
   keep_proof(posed, out, *cache);
 }
 
 void answer_overlap(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
-                    const Rotation<2>& rotation_of_a, const hs_pose& at_a, const PotentialPair& least_depth,
-                    const DetectOptions& options, PairMemory& memory, hs_pair_cache* cache, hs_contact& out) {
+                    const Rotation<2>& rotation_of_a, const hs_pose& at_a,
+                    const PotentialPair<2>& least_depth, const DetectOptions& options, PairMemory<2>& memory,
+                    hs_pair_cache* cache, hs_contact& out) {
   Contact<2> contact;
   describe_overlap(a, b, to_b, least_depth, options, memory, contact);
   write_contact(contact, rotation_of_a, {at_a.position[0], at_a.position[1]}, out);
@@ -87,13 +88,13 @@ void judge(const PosedPair& posed, const DetectOptions& options, hs_pair_cache* 
   const Placement<Turns> at = placement_of(turns, posed.at_a, posed.at_b);
   const Outline<2>& a = posed.a.shape.outline();
   const Outline<2>& b = posed.b.shape.outline();
-  PairMemory memory;
+  PairMemory<2> memory;
   if (cache) memory = read_cache(*cache, a, b);
-  if (memory.state == PairMemory::separated) {
+  if (memory.state == PairMemory<2>::separated) {
     const double gap = refresh(a, b, at, memory.pair);
     if (gap > 0) return answer_separated({gap, memory.pair}, posed, turns, cache, out);
   }
-  Separation found;
+  Separation<2> found;
   const bool by_all = by_all_combinations(a, b);
   if (by_all) {
     found = find_separation_by_all(a, b, at);
@@ -140,7 +141,7 @@ void detect(const PosedPair& posed, const DetectOptions& options, hs_pair_cache*
                                              TwoLanes to_b, Rotation<2> rotation_of_a) {
   return guarded(a.context, "hs_pair_detect", [&] {
     const TurnedOutline turned(b.shape.outline(), b_in_a, &a.context->memory);
-    PairMemory memory;
+    PairMemory<2> memory;
     answer_overlap(a.shape.outline(), turned.outline(), {to_b[0], to_b[1]}, rotation_of_a, at_a,
                    {owner, edge, 0}, DetectOptions(), memory, nullptr, out);
     return HS_OK;
@@ -165,7 +166,7 @@ template <int most_vertices>
   }
   const Turns& turns = about_z.turn;
   const Placement<Turns> at = placement_of(turns, *pose_a, *pose_b);
-  const Separation found = find_separation_by_all(a, b, at);
+  const Separation<2> found = find_separation_by_all(a, b, at);
   if (found.gap > 0) {
     answer_separated(found, {*shape_a, *pose_a, *shape_b, *pose_b}, turns, nullptr, *contact);
     return HS_OK;

@@ -46,7 +46,8 @@ inline Turns read_turns(const hs_pose& a, const hs_pose& b) {
 }
 
 /// Normal of a pair's half-space, from a to b.
-inline Vector<2> normal_from_a_to_b(const PotentialPair& pair, const PosedPair& posed, const Turns& turns) {
+inline Vector<2> normal_from_a_to_b(const PotentialPair<2>& pair, const PosedPair& posed,
+                                    const Turns& turns) {
   const Owner owner(posed.a.shape.outline(), posed.b.shape.outline(), pair);
   return owner.sign * (only(turns, pair.owner) * owner.block.normal(pair.edge));
 }

@@ -19,7 +19,7 @@ inline std::uint64_t fingerprint_of(const hs_shape& a, const hs_shape& b) {
 }
 
 /// The remembered pair, not checked. Without a branch, as its owner is as good as random.
-inline PotentialPair pair_in(const hs_pair_cache& cache, int edges_of_a) {
+inline PotentialPair<2> pair_in(const hs_pair_cache& cache, int edges_of_a) {
   const std::int32_t owner = cache.edge >= edges_of_a;
   return {owner, cache.edge - owner * edges_of_a, cache.vertex};
 }
@@ -53,12 +53,13 @@ inline double gap_left(const PosedPair& posed, const hs_pair_cache& proof) {
 /// The answer when the pair is still proven to be separated. Poses that are to be refused prove nothing, nor
 /// do those that are not finite, or whose quaternions turn about z but for rounding.
 inline bool answer_by_proof(const PosedPair& posed, const hs_pair_cache& proof, hs_contact& out) {
-  if (proof.state != PairMemory::separated || proof.shapes != fingerprint_of(posed.a, posed.b)) return false;
+  if (proof.state != PairMemory<2>::separated || proof.shapes != fingerprint_of(posed.a, posed.b))
+    return false;
   if (!turn_exactly_about_z(posed.at_a, posed.at_b)) return false;
   const double gap = gap_left(posed, proof);
   if (!(gap > 0 && gap < HUGE_VAL)) return false;
   if (!is_tolerable(turns_about_z(posed.at_a, posed.at_b).fault)) return false;
-  const PotentialPair pair = pair_in(proof, posed.a.shape.vertex_count());
+  const PotentialPair<2> pair = pair_in(proof, posed.a.shape.vertex_count());
   write_separation(pair, {proof.normal[0], proof.normal[1]}, gap, out);
   return true;
 }

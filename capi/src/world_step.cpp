@@ -49,7 +49,7 @@ std::size_t contact_index(const World<2>& world, std::int32_t a, std::int32_t b)
   std::size_t first = 0, last = world.contact_count();
   while (first < last) {
     const std::size_t middle = first + (last - first) / 2;
-    const Candidate& pair = world.candidate_of(middle);
+    const Candidate<2>& pair = world.candidate_of(middle);
     if (std::pair(pair.a, pair.b) < std::pair(wanted.first, wanted.second)) {
       first = middle + 1;
     } else {
@@ -145,7 +145,7 @@ hs_status hs_world_get_contacts(const hs_world* world, hs_contact* contacts, int
     const std::int64_t all = std::int64_t(w.contact_count());
     for (std::int64_t i = 0; i < std::min(all, capacity); ++i) {
       const std::size_t c = std::size_t(i);
-      const Candidate& pair = w.candidate_of(c);
+      const Candidate<2>& pair = w.candidate_of(c);
       const Vector<2>& origin = blocks.position[std::size_t(pair.a)];
       hs_contact& out = contacts[i];
       out = {};

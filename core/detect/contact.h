@@ -7,30 +7,75 @@
 namespace halfspace {
 
 /// Contact types (Wang et al. 2021, section 2.5). The values are those of the C API.
-enum class ContactType : std::int32_t { none = 0, vertex_vertex = 1, vertex_edge = 2, edge_edge = 3 };
+enum class ContactType : std::int32_t {
+  none = 0,
+  vertex_vertex = 1,
+  vertex_edge = 2,
+  edge_edge = 3,
+  edge_face = 4,  // this and what follows in space only
+  face_face = 5,
+  vertex_face = 6
+};
 
 /// Settings of detection that trade nothing but what a contact is called.
 struct DetectOptions {
-  double parallel_angle = 0.01;  // rad: edges closer to parallel than this are edge-edge
+  double parallel_angle = 0.01;  // rad: edges (in space, faces) closer to parallel than this share a region
   double vertex_zone =
       1e-6;  // share of the shorter edge's length that an end of an edge counts as its vertex
 };
 
-/// A facet of the Minkowski difference of two blocks is a potential contact pair (Wang et al. 2021, eq. 9).
+/// A facet of the Minkowski difference of two blocks is a potential contact pair (Wang et al. 2021, eqs. 9,
+/// 17 and 23).
+template <int D>
+struct PotentialPair;
+
 /// In the plane it is known by its edge alone: the vertex is the other block's deepest one behind it.
-struct PotentialPair {
+template <>
+struct PotentialPair<2> {
   std::int32_t owner = 0;   // whose edge: 0 block a, 1 block b
   std::int32_t edge = 0;    // of the owner
   std::int32_t vertex = 0;  // of the other block
   friend bool operator==(const PotentialPair&, const PotentialPair&) = default;
 };
 
+/// In space it is a face of one block and the other's deepest vertex behind it, or an edge of each. Of
+/// separated blocks it may also be a vertex of each, deepest along the normal of some plane between the
+/// blocks.
+template <>
+struct PotentialPair<3> {
+  enum Kind : std::int32_t { face_vertex = 0, vertex_face = 1, edge_edge = 2, vertex_vertex = 3 };
+  Kind kind = face_vertex;  // which features: first of block a, second of block b
+  std::int32_t a = 0;       // index of that of block a
+  std::int32_t b = 0;       // index of that of block b
+  friend bool operator==(const PotentialPair&, const PotentialPair&) = default;
+};
+
 /// What a pair of blocks remembers from one step to the next.
+template <int D>
 struct PairMemory {
   enum State : std::int32_t { unknown = 0, separated = 1, touching = 2 };
   State state = unknown;
   /// Separated: the last violated pair, tried first. Touching: the pair through which the blocks met.
-  PotentialPair pair;
+  PotentialPair<D> pair;
+};
+
+/// A violated potential pair, or the pair of least depth when none is violated, and its gap.
+template <int D>
+struct Separation;
+
+/// The pair is known by its edge; its vertex is only where to look for the deepest one first, unless a
+/// function says more.
+template <>
+struct Separation<2> {
+  double gap;
+  PotentialPair<2> pair;
+};
+
+template <>
+struct Separation<3> {
+  double gap;
+  PotentialPair<3> pair;
+  Vector<3> normal;  // unit, from a to b
 };
 
 /// A contact between blocks a and b, relative to the centroid of a, or the proof that there is none.
@@ -42,7 +87,7 @@ struct Contact;
 template <>
 struct Contact<2> {
   ContactType type;
-  PotentialPair pair;        // the contact plane; of a separated pair, the violated pair
+  PotentialPair<2> pair;     // the contact plane; of a separated pair, the violated pair
   std::int32_t point_count;  // 0 when separated, and then only normal and gap follow
   std::int32_t reserved;  // fills the gap before the next member, so that saved contacts hold no stray bytes
   double gap;           // of the pair, or of the deeper end of an edge-edge region; > 0 proves the separation
@@ -52,6 +97,30 @@ struct Contact<2> {
   double shares[2];     // of the contact's stiffness at the points
   double length;        // of the contact region: 0 unless edge-edge
   double share_rate;    // of the first point's share as b turns counter-clockwise against a
+};
+
+/// So many points of a contact region are kept at most. The overlap of two faces seldom has more corners; of
+/// one that has, those are kept that lie farthest in as many directions spread evenly round the contact
+/// plane.
+constexpr int most_region_points = 16;
+
+/// The contact plane is that of the face of `pair`; where edges or vertices meet it goes through the point
+/// given, which between two edges is the middle of their nearest points. Without initial values, as in the
+/// plane; what lies past point_count is left unset.
+template <>
+struct Contact<3> {
+  ContactType type;
+  PotentialPair<3> pair;     // the contact plane; of a separated pair, the violated pair
+  std::int32_t point_count;  // 0 when separated, and then only normal and gap follow
+  std::int32_t reserved;  // fills the gap before the next member, so that saved contacts hold no stray bytes
+  double gap;             // of the pair, or of the deepest point of the region; > 0 proves the separation
+  Vector<3> normal;       // unit, from a to b
+  double area;            // of the contact region: 0 unless face-face
+  double length;          // of the contact region: 0 unless edge-face
+  Vector<3> center;       // centroid of the contact region, on the contact plane
+  double center_gap;      // there
+  Vector<3> points[most_region_points];  // corners of the region, counter-clockwise about the normal
+  double gaps[most_region_points];       // at the points
 };
 
 }  // namespace halfspace

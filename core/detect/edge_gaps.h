@@ -2,26 +2,12 @@
 
 #include <array>
 
+#include "detect/indexed_lanes.h"
 #include "detect/placement.h"
 #include "geometry/outline.h"
 #include "geometry/two_lanes.h"
 
 namespace halfspace {
-
-/// Values, and the index of the edge or vertex that each is of. Whole numbers, as doubles.
-struct IndexedLanes {
-  TwoLanes value;
-  TwoLanes index;
-};
-
-/// Lane by lane, the one of the larger (smaller) value. Without branches: which one wins is as good as
-/// random.
-inline IndexedLanes larger(const IndexedLanes& a, const IndexedLanes& b) {
-  return {larger(a.value, b.value), b.value > a.value ? b.index : a.index};
-}
-inline IndexedLanes smaller(const IndexedLanes& a, const IndexedLanes& b) {
-  return {smaller(a.value, b.value), b.value < a.value ? b.index : a.index};
-}
 
 // What follows is inlined by force: called, it would hand its lanes over through memory, in the chain of
 // operations that the first branch on a pair waits for.

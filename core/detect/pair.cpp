@@ -4,13 +4,13 @@
 
 namespace halfspace {
 
-PotentialPair descend(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
-                      const PotentialPair& start) {
-  PotentialPair best = start;
+PotentialPair<2> descend(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
+                         const PotentialPair<2>& start) {
+  PotentialPair<2> best = start;
   double best_gap = refresh(a, b, to_b, best);
   const auto walk = [&](auto neighbour) {
     for (int steps = a.count + b.count; steps > 0; --steps) {
-      PotentialPair candidate = neighbour(a, b, best);
+      PotentialPair<2> candidate = neighbour(a, b, best);
       const double gap = refresh(a, b, to_b, candidate);
       if (gap <= best_gap) break;
       best = candidate;

@@ -2,7 +2,7 @@
 
 namespace halfspace {
 
-PotentialPair next_pair(const Outline<2>& a, const Outline<2>& b, const PotentialPair& pair) {
+PotentialPair<2> next_pair(const Outline<2>& a, const Outline<2>& b, const PotentialPair<2>& pair) {
   const Outline<2>& owner = pair.owner == 0 ? a : b;
   const Outline<2>& other = pair.owner == 0 ? b : a;
   const int next_edge = owner.next(pair.edge);
@@ -11,7 +11,7 @@ PotentialPair next_pair(const Outline<2>& a, const Outline<2>& b, const Potentia
   return {1 - pair.owner, pair.vertex, next_edge};
 }
 
-PotentialPair previous_pair(const Outline<2>& a, const Outline<2>& b, const PotentialPair& pair) {
+PotentialPair<2> previous_pair(const Outline<2>& a, const Outline<2>& b, const PotentialPair<2>& pair) {
   const Outline<2>& owner = pair.owner == 0 ? a : b;
   const Outline<2>& other = pair.owner == 0 ? b : a;
   const int previous_edge = owner.previous(pair.edge);

@@ -20,11 +20,11 @@ void for_each_potential_pair(const Outline<2>& a, const Outline<2>& b, Visitor&&
     const bool a_comes_first =
         seen_of_b == b.count || (seen_of_a < a.count && cross(a.normal(i), -b.normal(j)) >= 0);
     if (a_comes_first) {
-      if (!visit(PotentialPair{0, i, j})) return;
+      if (!visit(PotentialPair<2>{0, i, j})) return;
       i = a.next(i);
       ++seen_of_a;
     } else {
-      if (!visit(PotentialPair{1, j, i})) return;
+      if (!visit(PotentialPair<2>{1, j, i})) return;
       j = b.next(j);
       ++seen_of_b;
     }
@@ -33,7 +33,7 @@ void for_each_potential_pair(const Outline<2>& a, const Outline<2>& b, Visitor&&
 
 /// The potential pair that follows (or precedes) another around the Minkowski difference: across the end of
 /// its edge that it would leave there.
-PotentialPair next_pair(const Outline<2>& a, const Outline<2>& b, const PotentialPair& pair);
-PotentialPair previous_pair(const Outline<2>& a, const Outline<2>& b, const PotentialPair& pair);
+PotentialPair<2> next_pair(const Outline<2>& a, const Outline<2>& b, const PotentialPair<2>& pair);
+PotentialPair<2> previous_pair(const Outline<2>& a, const Outline<2>& b, const PotentialPair<2>& pair);
 
 }  // namespace halfspace

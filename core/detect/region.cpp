@@ -29,7 +29,7 @@ struct PairFrame {
 };
 
 PairFrame frame_of(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
-                   const PotentialPair& pair) {
+                   const PotentialPair<2>& pair) {
   const Owner owner(a, b, pair);
   return {owner.block, owner.other, owner.sign * to_b, pair.edge, pair.vertex};
 }
@@ -117,7 +117,7 @@ void describe_vertex_vertex(const PairFrame& f, const Vector<2>& end, const Vect
 }
 
 /// Outer normal of a pair's half-space, pointing from the owner of the pair's frame `f` to the other block.
-Vector<2> normal_away_from(const PotentialPair& pair, int frame_owner, const Outline<2>& a,
+Vector<2> normal_away_from(const PotentialPair<2>& pair, int frame_owner, const Outline<2>& a,
                            const Outline<2>& b) {
   const Vector<2> normal = pair.owner == 0 ? a.normal(pair.edge) : b.normal(pair.edge);
   return pair.owner == frame_owner ? normal : Vector<2>(-normal);
@@ -125,7 +125,7 @@ Vector<2> normal_away_from(const PotentialPair& pair, int frame_owner, const Out
 
 }  // namespace
 
-void describe_contact(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b, PotentialPair& pair,
+void describe_contact(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b, PotentialPair<2>& pair,
                       const DetectOptions& options, Contact<2>& contact) {
   for (int steps = a.count + b.count; steps >= 0; --steps) {
     const PairFrame f = frame_of(a, b, to_b, pair);
@@ -151,7 +151,7 @@ void describe_contact(const Outline<2>& a, const Outline<2>& b, const Vector<2>&
       describe_point(ContactType::vertex_edge, f.on_edge(s), contact);
       break;
     }
-    const PotentialPair adjacent = s < 0 ? previous_pair(a, b, pair) : next_pair(a, b, pair);
+    const PotentialPair<2> adjacent = s < 0 ? previous_pair(a, b, pair) : next_pair(a, b, pair);
     const bool beyond = std::abs(s) > f.half_length + zone;
     if (beyond && steps > 0) {
       pair = adjacent;

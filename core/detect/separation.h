@@ -11,18 +11,10 @@
 
 namespace halfspace {
 
-/// A violated potential pair, or the pair of least depth when none is violated, and its gap. The pair is
-/// known by its edge; its vertex is only where to look for the deepest one first, unless a function says
-/// more.
-struct Separation {
-  double gap;
-  PotentialPair pair;
-};
-
 /// The blocks of a potential pair by their part in it. By a table instead of a branch: who owns the edge is
 /// as good as random.
 struct Owner {
-  Owner(const Outline<2>& a, const Outline<2>& b, const PotentialPair& pair)
+  Owner(const Outline<2>& a, const Outline<2>& b, const PotentialPair<2>& pair)
       : blocks{&a, &b}, block(*blocks[pair.owner]), other(*blocks[1 - pair.owner]), sign(signs[pair.owner]) {}
 
   static constexpr double signs[] = {1, -1};
@@ -78,10 +70,10 @@ inline bool by_all_combinations(const Outline<2>& a, const Outline<2>& b) {
 }
 
 /// The largest of all gaps, or the first above 0, by the merge of sorted normals.
-Separation find_separation_by_merge(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b);
+Separation<2> find_separation_by_merge(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b);
 
 /// The larger of both blocks' gaps. Without a branch: who owns it is as good as random.
-inline Separation larger_of_each(const IndexedLanes& each) {
+inline Separation<2> larger_of_each(const IndexedLanes& each) {
   const int owner = each.value[1] > each.value[0];
   const int edges[] = {int(each.index[0]), int(each.index[1])};
   const double gap = each.value[1] > each.value[0] ? each.value[1] : each.value[0];
@@ -91,8 +83,8 @@ inline Separation larger_of_each(const IndexedLanes& each) {
 /// Judges all potential contact pairs (eqs. 12-16); but of other blocks than triangles, stops at the first
 /// block that has a violated one. For blocks within most_combinations.
 template <class Lanes>
-[[gnu::always_inline]] inline Separation find_separation_by_all(const Outline<2>& a, const Outline<2>& b,
-                                                                const Placement<Lanes>& at) {
+[[gnu::always_inline]] inline Separation<2> find_separation_by_all(const Outline<2>& a, const Outline<2>& b,
+                                                                   const Placement<Lanes>& at) {
   if (a.count == 3 && b.count == 3) return larger_of_each(largest_gap_of_each(a, b, at));
   const Placement<Lanes> seen_from_a = {both(at.into_other, 0), both(at.to_other, 0)};
   const IndexedLanes of_a = largest_gap(a, b, seen_from_a);
@@ -103,9 +95,9 @@ template <class Lanes>
 }
 
 /// The same for outlines in one orientation and of any count. The pair's vertex is the deepest one.
-inline Separation find_separation(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b) {
+inline Separation<2> find_separation(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b) {
   if (!by_all_combinations(a, b)) return find_separation_by_merge(a, b, to_b);
-  Separation found = find_separation_by_all(a, b, placement_unturned(to_b));
+  Separation<2> found = find_separation_by_all(a, b, placement_unturned(to_b));
   const Owner owner(a, b, found.pair);
   found.pair.vertex = deepest_vertex(owner.other, owner.block.normal(found.pair.edge));
   return found;

@@ -47,7 +47,7 @@ struct Profile {
 }  // namespace
 
 Overlap measure_overlap(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
-                        const PotentialPair& pair) {
+                        const PotentialPair<2>& pair) {
   const bool a_owns = pair.owner == 0;
   const Outline<2>& owner = a_owns ? a : b;
   const Outline<2>& other = a_owns ? b : a;

@@ -17,6 +17,6 @@ struct Overlap {
 /// Exact overlap at a contact: the linear depth between the contact plane and the other block's outline,
 /// integrated over the edge. Cost grows with the number of vertices behind the plane.
 Overlap measure_overlap(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
-                        const PotentialPair& pair);
+                        const PotentialPair<2>& pair);
 
 }  // namespace halfspace

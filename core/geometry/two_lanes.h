@@ -28,6 +28,15 @@ inline TwoLanes exchanged(TwoLanes a) { return TwoLanes{a[1], a[0]}; }
 /// Sum of the lanes of each.
 inline TwoLanes sums(TwoLanes a, TwoLanes b) { return firsts(a, b) + seconds(a, b); }
 
+/// Bit i is set when lane i has a sign: is below 0, or -0.
+inline unsigned signs(TwoLanes a) {
+#ifdef __SSE2__
+  return unsigned(__builtin_ia32_movmskpd(a));
+#else
+  return unsigned(std::signbit(a[0])) | unsigned(std::signbit(a[1])) << 1;
+#endif
+}
+
 inline TwoLanes smaller(TwoLanes a, TwoLanes b) { return a < b ? a : b; }
 inline TwoLanes larger(TwoLanes a, TwoLanes b) { return a > b ? a : b; }
 

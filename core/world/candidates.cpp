@@ -8,7 +8,7 @@ namespace halfspace {
 namespace {
 
 template <int D>
-Separation separation_of(const Blocks<D>& blocks, const BlockPair& pair) {
+Separation<D> separation_of(const Blocks<D>& blocks, const BlockPair& pair) {
   return find_separation(blocks.outline(pair.a), blocks.outline(pair.b),
                          blocks.position[std::size_t(pair.b)] - blocks.position[std::size_t(pair.a)]);
 }
@@ -106,11 +106,11 @@ template <int D>
 void Candidates<D>::carry_over(bool with_shear) {
   const auto precedes = [](const auto& p, const auto& q) { return p.a < q.a || (p.a == q.a && p.b < q.b); };
   const auto bonded =
-      std::count_if(pairs_.begin(), pairs_.end(), [](const Candidate& pair) { return pair.bonded; });
+      std::count_if(pairs_.begin(), pairs_.end(), [](const Candidate<D>& pair) { return pair.bonded; });
   const std::size_t most = std::max(room_, sorted_.size() + std::size_t(bonded));
   refit(next_pairs_, most);
   refit(next_shear_, with_shear ? most : 0);
-  const auto keep = [&](const Candidate& pair, const ShearSpring& shear) {
+  const auto keep = [&](const Candidate<D>& pair, const ShearSpring& shear) {
     next_pairs_.push_back(pair);
     if (with_shear) next_shear_.push_back(shear);
   };
@@ -128,7 +128,7 @@ void Candidates<D>::carry_over(bool with_shear) {
       keep(pairs_[old], shear_of(old));
       ++old;
     } else {
-      keep(Candidate{pair.a, pair.b, {}, 0}, {});
+      keep(Candidate<D>{pair.a, pair.b, {}, 0}, {});
     }
   }
   while (old < pairs_.size()) keep_bonded();

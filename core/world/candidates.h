@@ -12,10 +12,11 @@
 namespace halfspace {
 
 /// A pair of blocks near enough to touch soon, a < b, and what it remembers.
+template <int D>
 struct Candidate {
   std::int32_t a;
   std::int32_t b;
-  PairMemory memory;
+  PairMemory<D> memory;
   std::int32_t bonded = 0;
 };
 
@@ -52,8 +53,8 @@ class Candidates {
   /// Drops the pairs of a block that is removed.
   void forget(std::int32_t slot);
 
-  Array<Candidate>& pairs() { return pairs_; }
-  const Array<Candidate>& pairs() const { return pairs_; }
+  Array<Candidate<D>>& pairs() { return pairs_; }
+  const Array<Candidate<D>>& pairs() const { return pairs_; }
   /// One per pair; none at all when no law resists shear.
   std::span<ShearSpring> shear() { return shear_; }
   /// Pairs that all lists of pairs have room for: some to spare, so that a settled heap whose pairs come and
@@ -84,7 +85,7 @@ class Candidates {
   void sort_found(std::size_t slots);
   void carry_over(bool with_shear);
 
-  Array<Candidate> pairs_;
+  Array<Candidate<D>> pairs_;
   Array<ShearSpring> shear_;
   Array<Vector<D>> reference_position_;
   Array<Rotation<D>> reference_rotation_;
@@ -101,7 +102,7 @@ class Candidates {
   Array<BlockPair> found_;
   Array<BlockPair> sorted_;
   Array<std::uint32_t> first_of_block_;
-  Array<Candidate> next_pairs_;
+  Array<Candidate<D>> next_pairs_;
   Array<ShearSpring> next_shear_;
 };
 

@@ -18,7 +18,7 @@ void World<D>::make_bonds() {
   fresh_.resize(blocks_.slot_count());
   if (laws_.any([](const SpringLaw& law) { return law.bonds(); })) {
     detect();
-    for (Candidate& pair : candidates_.pairs()) {
+    for (Candidate<D>& pair : candidates_.pairs()) {
       const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
       const bool is_fresh = fresh_[a] || fresh_[b];
       if (!is_fresh || !laws_.between(blocks_.material[a], blocks_.material[b]).bonds()) continue;
@@ -47,23 +47,23 @@ void World<D>::release_shear(std::size_t candidate) {
 /// True when the candidate is in contact, or held together by its bond; then the contact is described.
 template <int D>
 bool World<D>::find_contact(std::size_t k, Contact<D>& contact) {
-  Candidate& pair = candidates_.pairs()[k];
-  PairMemory& memory = pair.memory;
+  Candidate<D>& pair = candidates_.pairs()[k];
+  PairMemory<D>& memory = pair.memory;
   const Outline<D> a = blocks_.outline(pair.a);
   const Outline<D> b = blocks_.outline(pair.b);
   const Vector<D> to_b = blocks_.position[std::size_t(pair.b)] - blocks_.position[std::size_t(pair.a)];
-  const PairMemory::State before = memory.state;
+  const typename PairMemory<D>::State before = memory.state;
 
   if (!still_separated(a, b, to_b, memory)) judge_pair(a, b, to_b, memory);
-  if (memory.state == PairMemory::separated && !pair.bonded) {
-    if (before == PairMemory::touching) release_shear(k);
+  if (memory.state == PairMemory<D>::separated && !pair.bonded) {
+    if (before == PairMemory<D>::touching) release_shear(k);
     return false;
   }
   describe_contact(a, b, to_b, memory.pair, settings_.detect, contact);
-  if (before == PairMemory::unknown && contact.gap == 0) {
+  if (before == PairMemory<D>::unknown && contact.gap == 0) {
     // Neatly stacked: the strict form of inclusion holds at first sight, so that an initial contact pair is
     // left behind (eq. 11).
-    memory.state = PairMemory::separated;
+    memory.state = PairMemory<D>::separated;
     return pair.bonded;
   }
   return true;
@@ -71,8 +71,8 @@ bool World<D>::find_contact(std::size_t k, Contact<D>& contact) {
 
 template <int D>
 Contact<D> World<D>::contact(std::size_t c) const {
-  const Candidate& pair = candidate_of(c);
-  PotentialPair found = pair.memory.pair;
+  const Candidate<D>& pair = candidate_of(c);
+  PotentialPair<D> found = pair.memory.pair;
   Contact<D> contact;
   describe_contact(blocks_.outline(pair.a), blocks_.outline(pair.b),
                    blocks_.position[std::size_t(pair.b)] - blocks_.position[std::size_t(pair.a)], found,

@@ -96,7 +96,7 @@ void World<D>::set_applied_force(std::int32_t slot, const Vector<D>& force, doub
 
 template <int D>
 bool World<D>::set_shear_force(std::size_t contact, double force) {
-  const Candidate& pair = candidate_of(contact);
+  const Candidate<D>& pair = candidate_of(contact);
   const SpringLaw& law =
       laws_.between(blocks_.material[std::size_t(pair.a)], blocks_.material[std::size_t(pair.b)]);
   if (!law.resists_shear()) return false;

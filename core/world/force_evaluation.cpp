@@ -14,7 +14,7 @@ double World<D>::reduced_mass(std::size_t a, std::size_t b) const {
 template <int D>
 void World<D>::load_blocks(std::size_t candidate, const Contact<D>& contact, double elapsed,
                            ContactEnergy& energy) {
-  Candidate& pair = candidates_.pairs()[candidate];
+  Candidate<D>& pair = candidates_.pairs()[candidate];
   const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
   const SpringLaw& law = laws_.between(blocks_.material[a], blocks_.material[b]);
   const PairMotion<D> motion{blocks_.velocity[b] - blocks_.velocity[a],

@@ -54,10 +54,10 @@ bool Candidates<D>::is_consistent(const Blocks<D>& blocks) const {
   const auto lives = [&](std::int32_t slot) {
     return slot >= 0 && std::size_t(slot) < slots && blocks.lives(std::size_t(slot));
   };
-  return std::all_of(pairs_.begin(), pairs_.end(), [&](const Candidate& pair) {
+  return std::all_of(pairs_.begin(), pairs_.end(), [&](const Candidate<D>& pair) {
     if (!lives(pair.a) || !lives(pair.b) || pair.a >= pair.b) return false;
-    const PairMemory& memory = pair.memory;
-    if (memory.state < PairMemory::unknown || memory.state > PairMemory::touching) return false;
+    const PairMemory<D>& memory = pair.memory;
+    if (memory.state < PairMemory<D>::unknown || memory.state > PairMemory<D>::touching) return false;
     if (memory.pair.owner != 0 && memory.pair.owner != 1) return false;
     const int of_owner = blocks.outline(memory.pair.owner == 0 ? pair.a : pair.b).count;
     const int of_other = blocks.outline(memory.pair.owner == 0 ? pair.b : pair.a).count;

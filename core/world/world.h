@@ -68,7 +68,9 @@ class World {
   Contact<D> contact(std::size_t c) const;
   /// As many as contacts, or none before forces are evaluated.
   std::span<const ContactForce<D>> contact_forces() const { return forces_; }
-  const Candidate& candidate_of(std::size_t contact) const { return candidates_.pairs()[touching_[contact]]; }
+  const Candidate<D>& candidate_of(std::size_t contact) const {
+    return candidates_.pairs()[touching_[contact]];
+  }
   const Candidates<D>& candidates() const { return candidates_; }
   const Ledger& ledger() const { return ledger_; }
   double time() const { return epoch_time_ + double(steps_ - epoch_step_) * time_step_; }

@@ -10,14 +10,14 @@ namespace {
 
 struct Met {
   Contact<2> contact;
-  PairMemory memory;
+  PairMemory<2> memory;
 };
 
-Met meet(const Shape<2>& a, const Shape<2>& b, const Vector<2>& to_b, PairMemory memory = {},
+Met meet(const Shape<2>& a, const Shape<2>& b, const Vector<2>& to_b, PairMemory<2> memory = {},
          const DetectOptions& options = {}) {
   Met met{{}, memory};  // no contact yet
   judge_pair(a.outline(), b.outline(), to_b, met.memory);
-  if (met.memory.state == PairMemory::touching)
+  if (met.memory.state == PairMemory<2>::touching)
     describe_contact(a.outline(), b.outline(), to_b, met.memory.pair, options, met.contact);
   return met;
 }
@@ -91,8 +91,8 @@ TEST_CASE("a thin block that is overlapped past its middle keeps the side throug
 
 TEST_CASE("the violated pair is kept, tried first, and left when it no longer holds") {
   const Met apart = meet(square, diamond, {2.5, 0});
-  REQUIRE(apart.memory.state == PairMemory::separated);
-  PairMemory memory = apart.memory;
+  REQUIRE(apart.memory.state == PairMemory<2>::separated);
+  PairMemory<2> memory = apart.memory;
   CHECK(still_separated(square.outline(), diamond.outline(), {2.4, 0.1}, memory));
   CHECK(memory.pair.edge == apart.memory.pair.edge);
   CHECK_FALSE(still_separated(square.outline(), diamond.outline(), {0, 2.5}, memory));

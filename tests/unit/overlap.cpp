@@ -31,7 +31,7 @@ double area_by_cutting(const Shape<2>& a, const Shape<2>& b, const Vector<2>& to
 TEST_CASE("aligned faces: area, width and centre of the overlap are exact") {
   const Shape<2> square = shape_of(rectangle(2, 2));
   const Vector<2> to_b(1.75, 0.5);
-  const Separation s = find_separation(square.outline(), square.outline(), to_b);
+  const Separation<2> s = find_separation(square.outline(), square.outline(), to_b);
   const Overlap overlap = measure_overlap(square.outline(), square.outline(), to_b, s.pair);
   CHECK(overlap.area == Approx(0.25 * 1.5).epsilon(1e-15));
   CHECK(overlap.width == Approx(1.5).epsilon(1e-15));
@@ -43,7 +43,7 @@ TEST_CASE("a corner behind an edge: half its depth times its width") {
   const Shape<2> square = shape_of(rectangle(2, 2));
   const Shape<2> diamond = shape_of({{1, 0}, {0, 1}, {-1, 0}, {0, -1}});
   const Vector<2> to_b(1.9, 0.2);
-  const Separation s = find_separation(square.outline(), diamond.outline(), to_b);
+  const Separation<2> s = find_separation(square.outline(), diamond.outline(), to_b);
   const Overlap overlap = measure_overlap(square.outline(), diamond.outline(), to_b, s.pair);
   CHECK(overlap.area == Approx(0.01).epsilon(1e-13));
   CHECK(overlap.width == Approx(0.2).epsilon(1e-13));
@@ -59,7 +59,7 @@ TEST_CASE("shallow overlaps of random polygons agree with cutting") {
     const Shape<2> b = shape_of(random_polygon(random, 15, 1));
     const double angle = random.uniform(0, 7), distance = random.uniform(1.2, 1.9);
     const Vector<2> to_b = distance * Vector<2>(std::cos(angle), std::sin(angle));
-    const Separation s = find_separation(a.outline(), b.outline(), to_b);
+    const Separation<2> s = find_separation(a.outline(), b.outline(), to_b);
     if (s.gap > 0 || s.gap < -0.1) continue;
     const bool a_owns = s.pair.owner == 0;
     const double area = measure_overlap(a.outline(), b.outline(), to_b, s.pair).area;

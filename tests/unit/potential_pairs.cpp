@@ -35,7 +35,7 @@ PairSet pairs_by_definition(const Outline<2>& a, const Outline<2>& b) {
 
 PairSet pairs_by_merge(const Outline<2>& a, const Outline<2>& b) {
   PairSet pairs;
-  for_each_potential_pair(a, b, [&](const PotentialPair& p) {
+  for_each_potential_pair(a, b, [&](const PotentialPair<2>& p) {
     pairs.insert({p.owner, p.edge, p.vertex});
     return true;
   });
@@ -69,9 +69,9 @@ TEST_CASE("neighbouring pairs go once round the Minkowski difference, either way
     const Shape<2> b = shape_of(random_polygon(random, 12, 2));
     const PairSet all = pairs_by_merge(a.outline(), b.outline());
     const auto [owner, edge, vertex] = *all.begin();
-    const PotentialPair start{owner, edge, vertex};
+    const PotentialPair<2> start{owner, edge, vertex};
     PairSet forth, back;
-    PotentialPair p = start, q = start;
+    PotentialPair<2> p = start, q = start;
     for (std::size_t i = 0; i < all.size(); ++i) {
       p = next_pair(a.outline(), b.outline(), p);
       q = previous_pair(a.outline(), b.outline(), q);
@@ -98,7 +98,7 @@ TEST_CASE("separation by all combinations and by the merge both find the largest
       const Shape<2> a = shape_of(draw());
       const Shape<2> b = shape_of(draw());
       const Vector<2> to_b(random.uniform(-2, 2), random.uniform(-2, 2));
-      const Separation found = find_separation(a.outline(), b.outline(), to_b);
+      const Separation<2> found = find_separation(a.outline(), b.outline(), to_b);
       const double largest = largest_gap_by_definition(a.outline(), b.outline(), to_b);
       CHECK((found.gap > 0) == (largest > 0));
       // A separated verdict may stop at the first block that has a violated pair; a contact has seen all.

@@ -1,0 +1,146 @@
+#include "detect/pair_3d.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "detect/potential_pairs_3d.h"
+#include "detect/support.h"
+
+namespace halfspace {
+namespace {
+
+/// A face of `owner` and the other's deepest vertex.
+double refresh_face(const Outline<3>& owner, int face, const Outline<3>& other, const Vector<3>& to_other,
+                    std::int32_t& vertex) {
+  const Vector<3> normal = owner.normal(face);
+  const Support support = deepest(other, normal, vertex);
+  vertex = support.vertex;
+  return (support.height + normal.dot(to_other)) - owner.offset[face];
+}
+
+/// Between what both blocks reach along a direction.
+double gap_along(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, const Vector<3>& normal,
+                 std::int32_t& vertex_of_a, std::int32_t& vertex_of_b) {
+  const Support of_a = deepest(a, -normal, vertex_of_a), of_b = deepest(b, normal, vertex_of_b);
+  vertex_of_a = of_a.vertex;
+  vertex_of_b = of_b.vertex;
+  return (of_b.height + of_a.height) + normal.dot(to_b);
+}
+
+double refresh_edges(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
+                     const PotentialPair<3>& pair) {
+  const Vector<3> normal = edge_pair_normal(a, pair.a, b, pair.b);
+  if (normal == Vector<3>::Zero()) return -HUGE_VAL;
+  std::int32_t near_a = a.topology->edge_start[pair.a], near_b = b.topology->edge_start[pair.b];
+  return gap_along(a, b, to_b, normal, near_a, near_b);
+}
+
+double refresh_vertices(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
+                        PotentialPair<3>& pair) {
+  const Vector<3> between = (b.vertex(pair.b) - a.vertex(pair.a)) + to_b;
+  const double distance = between.norm();
+  if (distance == 0) return -HUGE_VAL;
+  return gap_along(a, b, to_b, between / distance, pair.a, pair.b);
+}
+
+/// Facets of the Minkowski difference in one plane, which they are when a face is parallel to an edge or a
+/// face of the other block, and the neighbour that is least deep. More than there is room for are left out,
+/// with what lies behind them.
+class FacetsInOnePlane {
+ public:
+  FacetsInOnePlane(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, const Facet& first)
+      : a_(a), b_(b), to_b_(to_b), best_(first) {
+    add(first);
+    // The list grows while it is gone through.
+    for (int i = 0; i < count_; ++i) {
+      for_each_side(a, b, facet_[i].pair, [&](const FacetSide& side) {
+        const Facet facet = facet_across(a, b, side, facet_[i].normal);
+        is_in_plane(facet) ? add(facet) : judge(facet);
+      });
+    }
+  }
+
+  const Facet& least_deep_neighbour() const { return best_; }
+  double gap_of_neighbour() const { return best_gap_; }
+
+ private:
+  bool is_in_plane(const Facet& facet) const {
+    constexpr double flat = 1e-6;  // rad: far above rounding, far below an angle that matters
+    return cross_product(facet.normal, facet_[0].normal).norm() < flat &&
+           facet.normal.dot(facet_[0].normal) > 0;
+  }
+
+  void add(const Facet& facet) {
+    const auto is_same = [&](const Facet& f) { return f.pair == facet.pair; };
+    if (count_ == room || std::any_of(facet_, facet_ + count_, is_same)) return;
+    facet_[count_++] = facet;
+  }
+
+  void judge(const Facet& facet) {
+    Facet candidate = facet;
+    const double gap = refresh(a_, b_, to_b_, candidate.pair);
+    if (gap <= best_gap_) return;
+    best_ = candidate;
+    best_gap_ = gap;
+  }
+
+  static constexpr int room = 64;
+  const Outline<3>& a_;
+  const Outline<3>& b_;
+  const Vector<3>& to_b_;
+  int count_ = 0;
+  Facet facet_[room];
+  Facet best_;
+  double best_gap_ = -HUGE_VAL;
+};
+
+/// Walks over the Minkowski difference to the pair of least depth that is reached without passing a deeper
+/// one. So the contact keeps the side through which the blocks met, also when a thin block is overlapped past
+/// its middle.
+PotentialPair<3> descend(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
+                         PotentialPair<3> start) {
+  double best_gap = refresh(a, b, to_b, start);
+  Facet best{start, normal_of(a, b, start)};
+  for (int steps = a.topology->edge_count + b.topology->edge_count; steps > 0; --steps) {
+    const FacetsInOnePlane plane(a, b, to_b, best);
+    if (plane.gap_of_neighbour() <= best_gap) break;
+    best = plane.least_deep_neighbour();
+    best_gap = plane.gap_of_neighbour();
+  }
+  return best.pair;
+}
+
+}  // namespace
+
+double refresh(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, PotentialPair<3>& pair) {
+  switch (pair.kind) {
+    case PotentialPair<3>::face_vertex:
+      return refresh_face(a, pair.a, b, to_b, pair.b);
+    case PotentialPair<3>::vertex_face:
+      return refresh_face(b, pair.b, a, -to_b, pair.a);
+    case PotentialPair<3>::edge_edge:
+      return refresh_edges(a, b, to_b, pair);
+    case PotentialPair<3>::vertex_vertex:
+      return refresh_vertices(a, b, to_b, pair);
+  }
+  return -HUGE_VAL;
+}
+
+void remember_contact(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
+                      const PotentialPair<3>& least_depth, PairMemory<3>& memory) {
+  switch (memory.state) {
+    case PairMemory<3>::unknown:
+      memory.pair = least_depth;
+      break;
+    case PairMemory<3>::separated:
+      memory.pair = memory.pair.kind == PotentialPair<3>::vertex_vertex ? least_depth
+                                                                        : descend(a, b, to_b, memory.pair);
+      break;
+    case PairMemory<3>::touching:
+      refresh(a, b, to_b, memory.pair);
+      break;
+  }
+  memory.state = PairMemory<3>::touching;
+}
+
+}  // namespace halfspace

@@ -1,0 +1,79 @@
+#pragma once
+
+#include "detect/contact.h"
+#include "geometry/outline.h"
+
+namespace halfspace {
+
+/// From the start of an edge to its end.
+inline Vector<3> edge_vector(const Outline<3>& block, int edge) {
+  return block.vertex(block.topology->edge_end[edge]) - block.vertex(block.topology->edge_start[edge]);
+}
+
+/// True when a block lies behind the plane through one of its edges whose outer normal, at right angles to
+/// the edge, is given.
+bool is_outer_normal(const Outline<3>& block, int edge, const Vector<3>& normal);
+
+/// Unit vector at right angles to an edge of each block, out of a as the faces at a's edge are: of an
+/// edge-edge potential pair the normal from a to b. Zero when the edges are exactly parallel.
+Vector<3> edge_pair_normal(const Outline<3>& a, int edge_of_a, const Outline<3>& b, int edge_of_b);
+
+/// True when an edge of each block are a potential contact pair (Wang et al. 2021, eqs. 23-26): both blocks
+/// lie on their own sides of edge_pair_normal(). Of edges parallel to rounding, it tells whether that normal,
+/// as rounded, can serve.
+bool is_edge_pair(const Outline<3>& a, int edge_of_a, const Outline<3>& b, int edge_of_b);
+
+/// Unit normal of a potential pair's half-space, turned so that it points from a to b. Not for two vertices.
+inline Vector<3> normal_of(const Outline<3>& a, const Outline<3>& b, const PotentialPair<3>& pair) {
+  if (pair.kind == PotentialPair<3>::face_vertex) return a.normal(pair.a);
+  if (pair.kind == PotentialPair<3>::vertex_face) return -b.normal(pair.b);
+  return edge_pair_normal(a, pair.a, b, pair.b);
+}
+
+/// A side of a facet of the Minkowski difference: an edge of one block and a vertex of the other. Across it
+/// the normal turns about the edge towards the outer normal of a face at it.
+struct FacetSide {
+  int owner;    // whose edge: 0 block a, 1 block b
+  int edge;     // of the owner
+  int towards;  // face of the owner
+  int vertex;   // of the other block
+};
+
+/// Of the facet of a face of block `owner` and the other's vertex, that at an edge of the face.
+FacetSide side_along(const Topology& owner_topology, int owner, int face, int edge, int vertex);
+
+/// Of the facet of an edge of each block, that at an end of one, `ending`, which belongs to the block that is
+/// not `owner`.
+FacetSide side_at_end(const Outline<3>& owner_block, int owner, int edge, const Outline<3>& other, int ending,
+                      int vertex);
+
+/// A potential pair and its unit normal from a to b.
+struct Facet {
+  PotentialPair<3> pair;
+  Vector<3> normal;
+};
+
+/// The facet on the other side, of one whose unit normal from a to b is given. The normal turns about the
+/// side's edge until another edge at the vertex comes to lie in the plane, or else until the face does.
+Facet facet_across(const Outline<3>& a, const Outline<3>& b, const FacetSide& side, const Vector<3>& normal);
+
+/// Visits the sides of a facet. Of a pair of two edges parallel to rounding they need not all be there.
+template <class Visitor>
+void for_each_side(const Outline<3>& a, const Outline<3>& b, const PotentialPair<3>& pair, Visitor&& visit) {
+  if (pair.kind == PotentialPair<3>::edge_edge) {
+    const Topology &of_a = *a.topology, &of_b = *b.topology;
+    visit(side_at_end(a, 0, pair.a, b, pair.b, of_b.edge_start[pair.b]));
+    visit(side_at_end(a, 0, pair.a, b, pair.b, of_b.edge_end[pair.b]));
+    visit(side_at_end(b, 1, pair.b, a, pair.a, of_a.edge_start[pair.a]));
+    visit(side_at_end(b, 1, pair.b, a, pair.a, of_a.edge_end[pair.a]));
+    return;
+  }
+  const int owner = pair.kind == PotentialPair<3>::face_vertex ? 0 : 1;
+  const Topology& topology = owner == 0 ? *a.topology : *b.topology;
+  const int face = owner == 0 ? pair.a : pair.b;
+  const int vertex = owner == 0 ? pair.b : pair.a;
+  for (int k = topology.first_of_face[face]; k < topology.first_of_face[face + 1]; ++k)
+    visit(side_along(topology, owner, face, topology.face_edge[k], vertex));
+}
+
+}  // namespace halfspace

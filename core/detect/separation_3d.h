@@ -1,0 +1,25 @@
+#pragma once
+
+#include "detect/contact.h"
+#include "detect/descent.h"
+#include "geometry/outline.h"
+
+namespace halfspace {
+
+/// True for blocks of so few features that judging all potential pairs is faster than a descent
+/// (tests/benchmarks, bench_pairs_3d).
+bool by_all_combinations(const Outline<3>& a, const Outline<3>& b);
+
+/// The largest of all gaps, or the first found above 0: vertex-face pairs first, edge-edge pairs only when
+/// all of those hold (Wang et al. 2021, eqs. 31-35). Both blocks are in one orientation.
+Separation<3> find_separation_by_all(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b);
+
+/// A violated potential pair or a plane between the blocks, or the potential pair of least depth; by
+/// whichever is faster.
+inline Separation<3> find_separation(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b) {
+  return by_all_combinations(a, b)
+             ? find_separation_by_all(a, b, to_b)
+             : find_separation_by_descent(MinkowskiDifference<NoTurn>(a, b, to_b, NoTurn()));
+}
+
+}  // namespace halfspace

@@ -1,0 +1,210 @@
+#include <algorithm>
+#include <vector>
+
+#include "catch.h"
+#include "contacts_3d.h"
+#include "detect/potential_pairs_3d.h"
+
+using namespace halfspace;
+using namespace halfspace::test;
+
+namespace {
+
+const Cloud cube = prism(rectangle(1, 1), 1);
+const Cloud tip = octahedron(0.3, 0.3, 1);
+
+}  // namespace
+
+TEST_CASE(
+    "at the pair of least depth a contact stays, and from any other pair it comes to one that holds it") {
+  Random random(11);
+  for (int i = 0; i < 60; ++i) {
+    const Shape<3> a = random_block(random, random.integer(4, 24)),
+                   b = random_block(random, random.integer(4, 24));
+    const Vector<3> to_b(random.uniform(-0.8, 0.8), random.uniform(-0.8, 0.8), random.uniform(-0.8, 0.8));
+    const Separation<3> least = pair_of_largest_gap(a.outline(), b.outline(), to_b);
+    if (least.gap > 0) continue;
+    Pair pair = least.pair;
+    Contact<3> contact;
+    describe_contact(a.outline(), b.outline(), to_b, pair, {}, contact);
+    CHECK(pair == least.pair);
+    CHECK(contact.gap == Approx(least.gap).margin(1e-15));
+    check_by_definition(a, b, to_b, contact);
+    for (int f = 0; f < a.face_count(); ++f) {
+      Pair start{Pair::face_vertex, f, 0};
+      const double gap = refresh(a.outline(), b.outline(), to_b, start);
+      pair = start;
+      describe_contact(a.outline(), b.outline(), to_b, pair, {}, contact);
+      CHECK(contact.gap >= gap - 1e-15);
+      // But for a region that leaves the deepest vertex out, the gap is that of all the two blocks have
+      // there.
+      Pair reached = pair;
+      if (contact.type == ContactType::vertex_face || contact.type == ContactType::edge_edge)
+        CHECK(contact.gap == Approx(refresh(a.outline(), b.outline(), to_b, reached)).margin(1e-15));
+      check_by_definition(a, b, to_b, contact);
+    }
+  }
+}
+
+TEST_CASE("every facet of the Minkowski difference is across the sides of its neighbours") {
+  Random random(5);
+  for (int i = 0; i < 10; ++i) {
+    const Shape<3> shape_a = random_block(random, 12), shape_b = random_block(random, 12);
+    const Outline<3>&a = shape_a.outline(), &b = shape_b.outline();
+    Pair first{Pair::face_vertex, 0, 0};
+    refresh(a, b, Vector<3>::Zero(), first);
+    std::vector<Pair> found{first};
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      const Pair pair = found[k];  // the list grows
+      for_each_side(a, b, pair, [&](const FacetSide& side) {
+        const Facet facet = facet_across(a, b, side, normal_of(a, b, pair));
+        CHECK(facet.normal.isApprox(normal_of(a, b, facet.pair), 1e-9));
+        if (std::find(found.begin(), found.end(), facet.pair) == found.end()) found.push_back(facet.pair);
+      });
+    }
+    // By definition: each face with the vertex deepest behind it, and the edges that pass eqs. 23 to 26.
+    int expected = a.face_count() + b.face_count();
+    for (int e = 0; e < a.topology->edge_count; ++e)
+      for (int h = 0; h < b.topology->edge_count; ++h) expected += is_edge_pair(a, e, b, h);
+    CHECK(int(found.size()) == expected);
+    for (Pair pair : found) {
+      const Pair before = pair;
+      refresh(a, b, Vector<3>::Zero(), pair);
+      CHECK(pair == before);
+    }
+  }
+}
+
+TEST_CASE("a tip that slides over a cube's edge goes on at the next pair") {
+  const Shape<3> block = block_of(cube), above = block_of(octahedron(0.3, 0.3, 0.3));
+  Met met = meet(block, above, {0.4, 0.125, 0.79});
+  REQUIRE(met.contact.type == ContactType::vertex_face);
+  Pair last = met.memory.pair;
+  int moves = 0;
+  for (double x = 0.4; x < 0.7; x += 0.005) {
+    met = meet(block, above, {x, 0.125, 0.79 - (x > 0.5 ? x - 0.5 : 0)}, met.memory);
+    REQUIRE(met.contact.type != ContactType::none);
+    CHECK(met.contact.normal.dot(Vector<3>(1, 0, 1)) > 0);
+    CHECK(met.contact.gap > -0.02);
+    moves += met.memory.pair != last;
+    last = met.memory.pair;
+  }
+  CHECK(moves >= 1);
+  CHECK(met.contact.normal.x() > 0.5);
+}
+
+TEST_CASE("edges that have ceased to be a potential pair lead on to one") {
+  const Cloud ridge = wedge(1, 0.5, 0.5);
+  const Shape<3> lower = block_of(ridge);
+  Met met = meet(lower, turned_block(ridge, 0, 1), {0.1, 0, 0.99});
+  REQUIRE(met.contact.type == ContactType::edge_edge);
+  // The upper block turns until its faces are level: the edge that was its lowest is not any more.
+  const Shape<3> upper = turned_block(ridge, pi / 4, 1);
+  REQUIRE_FALSE(is_edge_pair(lower.outline(), met.memory.pair.a, upper.outline(), met.memory.pair.b));
+  met = meet(lower, upper, {0.1, 0, 0.84}, met.memory);
+  CHECK(met.contact.type == ContactType::edge_face);
+  CHECK(met.contact.normal.isApprox(z_axis));
+  check_by_definition(lower, upper, {0.1, 0, 0.84}, met.contact);
+}
+
+TEST_CASE(
+    "in space, a thin block that is overlapped past its middle keeps the side through which it was met") {
+  const Shape<3> slab = block_of(prism(rectangle(10, 10), 0.1)), above = block_of(octahedron(1, 1, 1));
+  const Met apart = meet(slab, above, {0, 0, 1.06});
+  REQUIRE(apart.contact.type == ContactType::none);
+  const Met through = meet(slab, above, {0, 0, 0.96}, apart.memory);
+  CHECK(through.contact.normal == z_axis);
+  CHECK(through.contact.gap == Approx(-0.09));
+  CHECK(meet(slab, above, {0, 0, -0.96}).contact.normal == -z_axis);
+}
+
+TEST_CASE("sides of a thin wedge that share an edge are not mixed up") {
+  // A slice of triangles, 0.1 thick at its back and sharp at its front.
+  const Shape<3> slice =
+      block_of({{-5, -5, -0.05}, {-5, 5, -0.05}, {-5, -5, 0.05}, {-5, 5, 0.05}, {5, -5, 0}, {5, 5, 0}});
+  const Shape<3> above = block_of(octahedron(1, 1, 1));
+  const Met apart = meet(slice, above, {0, 0, 1.06});
+  REQUIRE(apart.contact.type == ContactType::none);
+  const Met through = meet(slice, above, {0, 0, 0.97}, apart.memory);
+  CHECK(through.contact.normal.z() > 0.99);
+  CHECK(through.contact.gap < -0.05);
+}
+
+TEST_CASE("from the violated pair the walk finds the side that is less deep, past facets in one plane") {
+  const Shape<3> block = block_of(cube);
+  for (const double angle : {0.0, 1e-12, 0.3}) {
+    for (const Vector<3>& axis : {y_axis, z_axis}) {
+      for (const double sign : {-1.0, 1.0}) {
+        const Shape<3> other = block_of(turned(cube, angle, axis));
+        const PairMemory<3> through_side{PairMemory<3>::separated, touching_through(block, x_axis).pair};
+        const Met met = meet(block, other, 0.5 * x_axis + 0.9 * sign * axis, through_side);
+        CHECK(met.contact.normal.isApprox(sign * axis));
+        CHECK(met.contact.type == ContactType::face_face);
+      }
+    }
+  }
+}
+
+TEST_CASE("edges that are parallel but for rounding are never across a side") {
+  Random random(23);
+  for (int i = 0; i < 20; ++i) {
+    // Prisms along one direction, whichever it is.
+    const Eigen::Matrix3d turn = random_rotation(random);
+    const Shape<3> shape_a = block_of(turned(prism(regular_polygon(5, 1), 1), turn));
+    const Shape<3> shape_b = block_of(turned(prism(regular_polygon(6, 0.7, 0.2), 2), turn));
+    const Outline<3>&a = shape_a.outline(), &b = shape_b.outline();
+    for (int f = 0; f < a.face_count(); ++f) {
+      Pair pair{Pair::face_vertex, f, 0};
+      refresh(a, b, Vector<3>::Zero(), pair);
+      for_each_side(a, b, pair, [&](const FacetSide& side) {
+        const Facet facet = facet_across(a, b, side, a.normal(f));
+        if (facet.pair.kind != Pair::edge_edge) return;
+        const Vector<3> along_a = edge_vector(a, facet.pair.a), along_b = edge_vector(b, facet.pair.b);
+        CHECK(cross_product(along_a, along_b).norm() > 0.01);
+      });
+    }
+  }
+}
+
+TEST_CASE("the walk ends at a pair less deep than all its neighbours") {
+  Random random(17);
+  for (int i = 0; i < 20; ++i) {
+    const Shape<3> shape_a = random_block(random, 12), shape_b = random_block(random, 12);
+    const Outline<3>&a = shape_a.outline(), &b = shape_b.outline();
+    const Vector<3> to_b(random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4));
+    const Separation<3> least = pair_of_largest_gap(a, b, to_b);
+    REQUIRE(least.gap < 0);
+    for (int f = 0; f < a.face_count(); ++f) {
+      Pair start{Pair::face_vertex, f, 0};
+      const double gap_at_start = refresh(a, b, to_b, start);
+      PairMemory<3> memory{PairMemory<3>::separated, start};
+      remember_contact(a, b, to_b, least.pair, memory);
+      const double gap = refresh(a, b, to_b, memory.pair);
+      CHECK(gap >= gap_at_start);
+      for_each_side(a, b, memory.pair, [&](const FacetSide& side) {
+        Pair neighbour = facet_across(a, b, side, normal_of(a, b, memory.pair)).pair;
+        CHECK(refresh(a, b, to_b, neighbour) <= gap);
+      });
+    }
+  }
+}
+
+TEST_CASE("in space, the violated pair is tried first, and left when it no longer holds") {
+  const Shape<3> block = block_of(cube), other = block_of(tip);
+  const Met apart = meet(block, other, {0, 0, 1.6});
+  REQUIRE(apart.memory.state == PairMemory<3>::separated);
+  PairMemory<3> memory = apart.memory;
+  CHECK(still_separated(block.outline(), other.outline(), {0.1, 0.1, 1.55}, memory));
+  CHECK(memory.pair == apart.memory.pair);
+  CHECK_FALSE(still_separated(block.outline(), other.outline(), {1, 0, 0}, memory));
+  // Two vertices prove as much along the line between them.
+  memory = {PairMemory<3>::separated, {Pair::vertex_vertex, 0, 0}};
+  const Vector<3> to_corner(0.8, 0.8, 1.6);
+  refresh(block.outline(), other.outline(), to_corner, memory.pair);
+  CHECK(still_separated(block.outline(), other.outline(), to_corner, memory));
+  CHECK(block.outline().vertex(memory.pair.a).isApprox(Vector<3>(0.5, 0.5, 0.5)));
+  CHECK(other.outline().vertex(memory.pair.b).isApprox(Vector<3>(0, 0, -1)));
+  // No facet to walk from: the least depth stands in.
+  const Met met = meet(block, other, {0.25, 0.125, 1.4}, memory);
+  CHECK(met.contact.normal == z_axis);
+}

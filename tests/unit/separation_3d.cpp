@@ -1,0 +1,178 @@
+#include "detect/separation_3d.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "catch.h"
+#include "polyhedra.h"
+
+using namespace halfspace;
+using namespace halfspace::test;
+
+namespace {
+
+Vector<3> edge_of(const Outline<3>& block, int edge) {
+  return block.vertex(block.topology->edge_end[edge]) - block.vertex(block.topology->edge_start[edge]);
+}
+
+/// Gap along a direction from a to b, by its definition.
+double gap_along(const Vector<3>& direction, const Outline<3>& a, const Outline<3>& b,
+                 const Vector<3>& to_b) {
+  double nearest_of_b = HUGE_VAL, farthest_of_a = -HUGE_VAL;
+  for (int v = 0; v < b.vertex_count(); ++v)
+    nearest_of_b = std::min(nearest_of_b, direction.dot(b.vertex(v) + to_b));
+  for (int v = 0; v < a.vertex_count(); ++v)
+    farthest_of_a = std::max(farthest_of_a, direction.dot(a.vertex(v)));
+  return nearest_of_b - farthest_of_a;
+}
+
+/// Largest gap along any normal that a facet of the Minkowski difference can have: those of all faces, and
+/// both normals of every two edges. Positive just when the blocks are apart, else the least depth.
+double largest_gap(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b) {
+  double largest = -HUGE_VAL;
+  const auto judge = [&](const Vector<3>& direction) {
+    largest = std::max(largest, gap_along(direction, a, b, to_b));
+  };
+  for (int f = 0; f < a.face_count(); ++f) judge(a.normal(f));
+  for (int f = 0; f < b.face_count(); ++f) judge(-b.normal(f));
+  for (int i = 0; i < a.topology->edge_count; ++i) {
+    for (int j = 0; j < b.topology->edge_count; ++j) {
+      const Vector<3> across = cross_product(edge_of(a, i), edge_of(b, j));
+      const double sine = across.norm() / (edge_of(a, i).norm() * edge_of(b, j).norm());
+      if (sine < 1e-9) continue;
+      judge(across.normalized());
+      judge(-across.normalized());
+    }
+  }
+  return largest;
+}
+
+/// The features of a pair, from its indices alone, give the normal and the gap that were found.
+void check_features(const Separation<3>& found, const Outline<3>& a, const Outline<3>& b,
+                    const Vector<3>& to_b) {
+  const PotentialPair<3>& pair = found.pair;
+  CHECK(std::abs(found.normal.norm() - 1) < 1e-14);
+  CHECK(found.gap == Approx(gap_along(found.normal, a, b, to_b)).margin(1e-14));
+  switch (pair.kind) {
+    case PotentialPair<3>::face_vertex:
+      CHECK(found.normal == a.normal(pair.a));
+      CHECK(found.gap == Approx(found.normal.dot(b.vertex(pair.b) + to_b) - a.offset[pair.a]).margin(1e-14));
+      break;
+    case PotentialPair<3>::vertex_face:
+      CHECK(found.normal == -b.normal(pair.b));
+      CHECK(found.gap == Approx(found.normal.dot(to_b - a.vertex(pair.a)) - b.offset[pair.b]).margin(1e-14));
+      break;
+    case PotentialPair<3>::edge_edge: {
+      CHECK(std::abs(found.normal.dot(edge_of(a, pair.a))) < 1e-12);
+      CHECK(std::abs(found.normal.dot(edge_of(b, pair.b))) < 1e-12);
+      const Vector<3> p = a.vertex(a.topology->edge_start[pair.a]);
+      const Vector<3> q = b.vertex(b.topology->edge_start[pair.b]) + to_b;
+      CHECK(found.gap == Approx(found.normal.dot(q - p)).margin(1e-12));
+      break;
+    }
+    case PotentialPair<3>::vertex_vertex:
+      CHECK(found.gap > 0);
+      CHECK(found.gap == Approx(found.normal.dot(b.vertex(pair.b) + to_b - a.vertex(pair.a))).margin(1e-14));
+      break;
+  }
+}
+
+Separation<3> by_descent(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b) {
+  return find_separation_by_descent(MinkowskiDifference<NoTurn>(a, b, to_b, NoTurn()));
+}
+
+Shape<3> random_shape(Random& random, int points) {
+  return shape_of(hull_of(random_cloud(random, points, 0.3, 1)));
+}
+
+}  // namespace
+
+TEST_CASE("in space, both searches find the verdict and the least depth of their definition") {
+  Random random(1);
+  int apart = 0, kinds[4] = {};
+  for (int round = 0; round < 300; ++round) {
+    const Shape<3> shape_a = random_shape(random, random.integer(4, 12));
+    const Shape<3> shape_b = random_shape(random, random.integer(4, 12));
+    const Outline<3>&a = shape_a.outline(), &b = shape_b.outline();
+    const Vector<3> to_b = random.uniform(0, 2) * random_direction(random);
+    const double expected = largest_gap(a, b, to_b);
+    apart += expected > 0;
+    const Separation<3> all = find_separation_by_all(a, b, to_b), descent = by_descent(a, b, to_b);
+    for (const Separation<3>& found : {all, descent}) {
+      CAPTURE(round, found.pair.kind, expected);
+      CHECK((found.gap > 0) == (expected > 0));
+      if (expected <= 0) CHECK(found.gap == Approx(expected).margin(1e-14));
+      check_features(found, a, b, to_b);
+    }
+    ++kinds[all.pair.kind];
+  }
+  CHECK(apart > 50);
+  CHECK(apart < 250);
+  for (const int kind :
+       {PotentialPair<3>::face_vertex, PotentialPair<3>::vertex_face, PotentialPair<3>::edge_edge})
+    CHECK(kinds[kind] > 20);
+}
+
+TEST_CASE("in space, large blocks are judged right by descent") {
+  Random random(2);
+  for (int round = 0; round < 10; ++round) {
+    const Shape<3> shape_a = shape_of(hull_of(random_cloud(random, 60, 0.99, 1)));
+    const Shape<3> shape_b = shape_of(hull_of(random_cloud(random, 60, 0.99, 1)));
+    const Vector<3> to_b = random.uniform(1, 2.1) * random_direction(random);
+    const double expected = largest_gap(shape_a.outline(), shape_b.outline(), to_b);
+    const Separation<3> found = by_descent(shape_a.outline(), shape_b.outline(), to_b);
+    CHECK((found.gap > 0) == (expected > 0));
+    if (expected <= 0) CHECK(found.gap == Approx(expected).margin(1e-14));
+    check_features(found, shape_a.outline(), shape_b.outline(), to_b);
+  }
+}
+
+TEST_CASE("cubes stacked face on face touch without overlap, and overlap by what they are pushed together") {
+  const Shape<3> cube = shape_of(completed(box({1, 1, 1})));
+  const Outline<3>& outline = cube.outline();
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double depth : {0.0, 0x1p-30, 0.25}) {
+      const Vector<3> to_b = (1 - depth) * Vector<3>::Unit(axis);
+      for (const Separation<3>& found :
+           {find_separation_by_all(outline, outline, to_b), by_descent(outline, outline, to_b)}) {
+        CHECK(found.gap == -depth);
+        CHECK(found.normal == Vector<3>::Unit(axis));
+        CHECK(found.pair.kind != PotentialPair<3>::edge_edge);
+      }
+    }
+  }
+}
+
+TEST_CASE("blocks with one centroid overlap by the least distance between their faces") {
+  const Shape<3> shape = shape_of(completed(box({1, 2, 3})));
+  const Outline<3>& outline = shape.outline();
+  CHECK(find_separation_by_all(outline, outline, {0, 0, 0}).gap == -1);
+  CHECK(by_descent(outline, outline, {0, 0, 0}).gap == -1);
+}
+
+TEST_CASE("in space, scaling by powers of two scales the gap, bit for bit") {
+  Random random(3);
+  for (int round = 0; round < 30; ++round) {
+    const Cloud cloud_a = random_cloud(random, 10, 0.3, 1), cloud_b = random_cloud(random, 10, 0.3, 1);
+    const Vector<3> to_b = random.uniform(0, 1.5) * random_direction(random);
+    const auto scaled = [](Cloud cloud, double factor) {
+      for (Vector<3>& p : cloud) p *= factor;
+      return cloud;
+    };
+    const auto found_at = [&](int exponent) {
+      const double factor = std::ldexp(1.0, exponent);
+      const Shape<3> a = shape_of(hull_of(scaled(cloud_a, factor))),
+                     b = shape_of(hull_of(scaled(cloud_b, factor)));
+      return std::pair(find_separation_by_all(a.outline(), b.outline(), factor * to_b),
+                       by_descent(a.outline(), b.outline(), factor * to_b));
+    };
+    const auto [all, descent] = found_at(0);
+    for (const int exponent : {-100, 7, 100}) {
+      const auto [all_scaled, descent_scaled] = found_at(exponent);
+      CHECK(all_scaled.gap == std::ldexp(all.gap, exponent));
+      CHECK(all_scaled.pair == all.pair);
+      CHECK(descent_scaled.gap == std::ldexp(descent.gap, exponent));
+      CHECK(descent_scaled.pair == descent.pair);
+    }
+  }
+}
