@@ -151,5 +151,6 @@ Separation<3> find_separation_by_descent(MinkowskiDifference<Turn> difference) {
 }
 
 template Separation<3> find_separation_by_descent(MinkowskiDifference<NoTurn>);
+template Separation<3> find_separation_by_descent(MinkowskiDifference<Rotation<3>>);
 
 }  // namespace halfspace

@@ -2,6 +2,7 @@
 
 #include "detect/contact.h"
 #include "detect/descent.h"
+#include "detect/turned_polyhedron.h"
 #include "geometry/outline.h"
 
 namespace halfspace {
@@ -20,6 +21,14 @@ inline Separation<3> find_separation(const Outline<3>& a, const Outline<3>& b, c
   return by_all_combinations(a, b)
              ? find_separation_by_all(a, b, to_b)
              : find_separation_by_descent(MinkowskiDifference<NoTurn>(a, b, to_b, NoTurn()));
+}
+
+/// The same for blocks each in a frame of its own, seen from that of a, into which `b_in_a` turns that of b.
+inline Separation<3> find_separation(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
+                                     const Rotation<3>& b_in_a) {
+  return by_all_combinations(a, b)
+             ? find_separation_by_all(a, TurnedPolyhedron(b, b_in_a).outline(), to_b)
+             : find_separation_by_descent(MinkowskiDifference<Rotation<3>>(a, b, to_b, b_in_a));
 }
 
 }  // namespace halfspace

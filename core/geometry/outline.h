@@ -78,7 +78,7 @@ struct Outline<3> {
   int face_count() const { return topology->face_count; }
   Vector<3> vertex(int i) const { return {x[i], y[i], z[i]}; }
   Vector<3> normal(int f) const { return {nx[f], ny[f], nz[f]}; }
-  static int padded(int count) { return (count + 3) & ~3; }
+  static constexpr int padded(int count) { return (count + 3) & ~3; }
 };
 
 }  // namespace halfspace

@@ -67,4 +67,47 @@ class Rotation<2> {
   }
 };
 
+/// In space: the columns of its matrix are where it takes the axes.
+template <>
+class Rotation<3> {
+ public:
+  Rotation() = default;
+
+  /// From a quaternion x, y, z, w that is of unit length to rounding or nearly so: what it is off is taken
+  /// out.
+  static Rotation from_quaternion(const double q[4]) {
+    const double x = q[0], y = q[1], z = q[2], w = q[3];
+    const double inverse = 1 / (x * x + y * y + z * z + w * w);
+    const double twice = 2 * inverse;
+    Rotation rotation;
+    rotation.columns_[0] = {(w * w + x * x - y * y - z * z) * inverse, twice * (x * y + w * z),
+                            twice * (x * z - w * y)};
+    rotation.columns_[1] = {twice * (x * y - w * z), (w * w - x * x + y * y - z * z) * inverse,
+                            twice * (y * z + w * x)};
+    rotation.columns_[2] = {twice * (x * z + w * y), twice * (y * z - w * x),
+                            (w * w - x * x - y * y + z * z) * inverse};
+    return rotation;
+  }
+
+  Vector<3> operator*(const Vector<3>& v) const {
+    return v.x() * columns_[0] + v.y() * columns_[1] + v.z() * columns_[2];
+  }
+
+  Rotation operator*(const Rotation& r) const {
+    Rotation product;
+    for (int i = 0; i < 3; ++i) product.columns_[i] = *this * r.columns_[i];
+    return product;
+  }
+
+  Rotation inverse() const {
+    Rotation transposed;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) transposed.columns_[i][j] = columns_[j][i];
+    return transposed;
+  }
+
+ private:
+  Vector<3> columns_[3] = {Vector<3>::UnitX(), Vector<3>::UnitY(), Vector<3>::UnitZ()};
+};
+
 }  // namespace halfspace

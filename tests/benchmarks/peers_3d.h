@@ -1,7 +1,7 @@
 #pragma once
 
 // Other people's engines on pairs of convex polyhedra, each in double and with its own shapes and poses:
-// libccd, FCL, Bullet and ODE.
+// libccd, FCL, Bullet and ODE; and libhalfspace itself.
 
 #include <memory>
 #include <vector>
@@ -52,6 +52,9 @@ struct NamedPeer {
   std::unique_ptr<Peer> (*make)(const PairSet3& set);
 };
 
+/// libhalfspace's search for the separation or the least depth, without a cache.
+std::unique_ptr<Peer> make_halfspace(const PairSet3& set);
+
 /// libccd with support functions of our own: a loop over the vertices, or from 64 vertices on a climb over
 /// neighbours; its default tolerances, and at most 100 iterations.
 std::unique_ptr<Peer> make_ccd_mpr(const PairSet3& set);
@@ -69,8 +72,13 @@ std::unique_ptr<Peer> make_bullet(const PairSet3& set);
 std::unique_ptr<Peer> make_ode(const PairSet3& set);
 
 inline constexpr NamedPeer all_peers[] = {
-    {"ccd MPR", make_ccd_mpr}, {"ccd GJK", make_ccd_gjk}, {"FCL ccd", make_fcl_ccd},
-    {"FCL own", make_fcl_own}, {"Bullet", make_bullet},   {"ODE", make_ode},
+    {"halfspace", make_halfspace},
+    {"ccd MPR", make_ccd_mpr},
+    {"ccd GJK", make_ccd_gjk},
+    {"FCL ccd", make_fcl_ccd},
+    {"FCL own", make_fcl_own},
+    {"Bullet", make_bullet},
+    {"ODE", make_ode},
 };
 
 }  // namespace halfspace_benchmark
