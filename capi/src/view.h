@@ -58,17 +58,17 @@ void require_turn_view(const View& view, const char* name) {
   }
 }
 
-inline double read_finite_turn(const hs_view& view, std::int64_t i, const char* name) {
+inline Angular<2> read_finite_turn(const hs_view& view, std::int64_t i, const char* name) {
   const double turn = *at(view.z, view.stride, i);
   if (!std::isfinite(turn)) {
     refuse(HS_ERROR_ARGUMENT, "%s[%lld].z is %g; it must be finite", name, static_cast<long long>(i), turn);
   }
-  return turn;
+  return Angular<2>(turn);
 }
 
-inline void write_turn(const hs_mutable_view& view, std::int64_t i, double turn) {
+inline void write_turn(const hs_mutable_view& view, std::int64_t i, const Angular<2>& turn) {
   write_point(view, i, {0, 0});
-  *at(view.z, view.stride, i) = turn;
+  *at(view.z, view.stride, i) = turn[0];
 }
 
 /// HS_OK, or the note that `count` entries did not fit.

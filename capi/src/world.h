@@ -56,10 +56,10 @@ inline Vector<2> read_finite_vector(const double* values, const char* name) {
 }
 
 /// The z of a spin or torque.
-inline double read_finite_turn(const double* values, const char* name) {
+inline Angular<2> read_finite_turn(const double* values, const char* name) {
   require_pointer(values, name);
   if (!std::isfinite(values[2])) refuse(HS_ERROR_ARGUMENT, "%s[2] is %g; it must be finite", name, values[2]);
-  return values[2];
+  return Angular<2>(values[2]);
 }
 
 }  // namespace halfspace::capi

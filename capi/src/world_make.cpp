@@ -166,11 +166,11 @@ hs_status hs_world_add_block(hs_world* world, const hs_shape* shape, const hs_bl
     require_material(*world, known.material, "def.material");
     const Pose2 pose = read_pose(&known.pose, "def.pose");
     const Vector<2> velocity = read_finite_vector(known.velocity, "def.velocity");
-    const double spin = read_finite_turn(known.angular_velocity, "def.angular_velocity");
-    if (known.kind == HS_BLOCK_FIXED && (velocity != Vector<2>::Zero() || spin != 0)) {
+    const Angular<2> spin = read_finite_turn(known.angular_velocity, "def.angular_velocity");
+    if (known.kind == HS_BLOCK_FIXED && (velocity != Vector<2>::Zero() || spin[0] != 0)) {
       refuse(HS_ERROR_ARGUMENT,
              "def.velocity is (%g, %g), def.angular_velocity[2] is %g; a fixed block has none", velocity.x(),
-             velocity.y(), spin);
+             velocity.y(), spin[0]);
     }
     if (known.reserved != 0) refuse(HS_ERROR_ARGUMENT, "def.reserved is %d; it must be 0", known.reserved);
     World<2>& w = world->world;

@@ -32,9 +32,9 @@ hs_status hs_world_get_block_state(const hs_world* world, hs_block block, hs_blo
     write_pose(all.position[s], all.rotation[s], out.pose);
     out.angle = all.angle[s];
     write_vector(all.velocity[s], out.velocity);
-    out.angular_velocity[2] = all.spin[s];
+    out.angular_velocity[2] = all.spin[s][0];
     write_vector(all.force[s], out.force);
-    out.torque[2] = all.torque[s];
+    out.torque[2] = all.torque[s][0];
     out.mass = all.mass[s];
     *state = out;
     return HS_OK;
@@ -74,7 +74,7 @@ hs_status hs_world_set_velocity(hs_world* world, hs_block block, const double ve
     require_pointer(world, "world");
     const std::int32_t slot = slot_of(world->world.blocks(), block, "block");
     const Vector<2> v = read_finite_vector(velocity, "velocity");
-    const double spin = read_finite_turn(angular_velocity, "angular_velocity");
+    const Angular<2> spin = read_finite_turn(angular_velocity, "angular_velocity");
     if (world->world.blocks().kind[std::size_t(slot)] == BlockKind::fixed) {
       refuse(HS_ERROR_STATE, "block %#llx is fixed and takes no velocity",
              static_cast<unsigned long long>(block));
@@ -90,7 +90,7 @@ hs_status hs_world_set_applied_force(hs_world* world, hs_block block, const doub
     require_pointer(world, "world");
     const std::int32_t slot = slot_of(world->world.blocks(), block, "block");
     const Vector<2> f = read_finite_vector(force, "force");
-    const double t = read_finite_turn(torque, "torque");
+    const Angular<2> t = read_finite_turn(torque, "torque");
     if (world->world.blocks().kind[std::size_t(slot)] != BlockKind::rigid) {
       refuse(HS_ERROR_STATE, "block %#llx is not rigid: no force moves it",
              static_cast<unsigned long long>(block));
@@ -176,7 +176,7 @@ hs_status hs_world_set_velocities(hs_world* world, hs_view velocities, hs_view a
     }
     for_each_block(w.blocks(), [&](std::int64_t i, std::int32_t slot) {
       if (w.blocks().kind[std::size_t(slot)] == BlockKind::fixed) return;
-      const double spin = with_turns ? read_finite_turn(angular_velocities, i, "angular_velocities")
+      const Angular<2> spin = with_turns ? read_finite_turn(angular_velocities, i, "angular_velocities")
                                      : w.blocks().spin[std::size_t(slot)];
       w.set_velocity(slot, read_point(velocities, i), spin);
     });

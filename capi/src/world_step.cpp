@@ -158,7 +158,7 @@ hs_status hs_world_get_contacts(const hs_world* world, hs_contact* contacts, int
       write_vector(force.on_b(contact.normal), out.force);
       write_vector(force.point + origin, out.force_point);
       out.normal_force = force.normal_force;
-      out.shear_force = force.shear_force;
+      out.shear_force = force.shear[0];
     }
     if (count) *count = all;
     return fits(all, capacity);
@@ -174,7 +174,8 @@ hs_status hs_world_set_shear_force(hs_world* world, hs_block block_a, hs_block b
     const std::int32_t b = slot_of(w.blocks(), block_b, "block_b");
     require_detected(w);
     // Swapping the blocks turns normal, tangent and force on the second: the scalar stays.
-    if (!w.set_shear_force(contact_index(w, a, b), shear_force)) {
+    const std::size_t c = contact_index(w, a, b);
+    if (!w.set_shear_force(c, shear_force * perpendicular(w.contact(c).normal))) {
       refuse(HS_ERROR_STATE, "the law between block_a and block_b has no friction and no shear spring");
     }
     return HS_OK;

@@ -5,11 +5,30 @@
 namespace halfspace {
 namespace {
 
-constexpr int components = 5;
+double content_of(const Shape<2>& shape) { return shape.area(); }
+double content_of(const Shape<3>& shape) { return shape.volume(); }
+
+double largest_face_of(const Shape<2>& shape) { return shape.longest_edge(); }
+double largest_face_of(const Shape<3>& shape) { return shape.largest_face(); }
+
+Box<2> box_of(const Outline<2>& o) {
+  const auto [least_x, most_x] = std::minmax_element(o.x, o.x + o.count);
+  const auto [least_y, most_y] = std::minmax_element(o.y, o.y + o.count);
+  return {{*least_x, *least_y}, {*most_x, *most_y}};
+}
+
+Box<3> box_of(const Outline<3>& o) {
+  const int count = o.vertex_count();
+  const auto [least_x, most_x] = std::minmax_element(o.x, o.x + count);
+  const auto [least_y, most_y] = std::minmax_element(o.y, o.y + count);
+  const auto [least_z, most_z] = std::minmax_element(o.z, o.z + count);
+  return {{*least_x, *least_y, *least_z}, {*most_x, *most_y, *most_z}};
+}
 
 }  // namespace
 
-Blocks<2>::Blocks(Memory* memory)
+template <int D>
+Blocks<D>::Blocks(Memory* memory)
     : kind(memory),
       material(memory),
       generation(memory),
@@ -20,140 +39,117 @@ Blocks<2>::Blocks(Memory* memory)
       rotation(memory),
       angle(memory),
       spin(memory),
+      momentum(memory),
       torque(memory),
       applied_torque(memory),
       mass(memory),
       inertia(memory),
       radius(memory),
-      longest_edge(memory),
+      largest_face(memory),
       free_slots_(memory),
-      first_(memory),
-      vertex_count_(memory),
-      own_(memory),
-      turned_(memory) {}
+      outlines_(memory) {}
 
-void Blocks<2>::resize(std::size_t slots) {
+template <int D>
+void Blocks<D>::resize(std::size_t slots) {
   kind.resize(slots, BlockKind::none);
   material.resize(slots);
   generation.resize(slots);
-  position.resize(slots, Vector<2>::Zero());
-  velocity.resize(slots, Vector<2>::Zero());
-  force.resize(slots, Vector<2>::Zero());
-  applied_force.resize(slots, Vector<2>::Zero());
+  position.resize(slots, Vector<D>::Zero());
+  velocity.resize(slots, Vector<D>::Zero());
+  force.resize(slots, Vector<D>::Zero());
+  applied_force.resize(slots, Vector<D>::Zero());
   rotation.resize(slots);
-  angle.resize(slots);
-  spin.resize(slots);
-  torque.resize(slots);
-  applied_torque.resize(slots);
+  if constexpr (D == 2) angle.resize(slots);
+  spin.resize(slots, Angular<D>::Zero());
+  momentum.resize(slots, Angular<D>::Zero());
+  torque.resize(slots, Angular<D>::Zero());
+  applied_torque.resize(slots, Angular<D>::Zero());
   mass.resize(slots);
   inertia.resize(slots);
   radius.resize(slots);
-  longest_edge.resize(slots);
-  first_.resize(slots);
-  vertex_count_.resize(slots);
+  largest_face.resize(slots);
+  outlines_.resize(slots);
 }
 
-std::int32_t Blocks<2>::add(const Shape<2>& shape, BlockKind block_kind, std::int32_t block_material,
+template <int D>
+std::int32_t Blocks<D>::add(const Shape<D>& shape, BlockKind block_kind, std::int32_t block_material,
                             double density) {
   // All memory first: when there is none, nothing has changed.
-  const Outline<2> outline = shape.outline();
-  const std::size_t stride = std::size_t(Outline<2>::padded(outline.count));
-  const std::size_t first = own_.size();
   const bool appended = free_slots_.empty();
   const std::size_t slots = slot_count();
   const std::int32_t slot = appended ? std::int32_t(slots) : free_slots_.back();
+  const typename Outlines<D>::Taken outline = outlines_.take_in(shape);
   try {
-    own_.resize(first + components * stride);
-    turned_.resize(first + components * stride);
     if (appended) resize(slots + 1);
   } catch (...) {
-    own_.resize(first);
-    turned_.resize(first);
-    if (appended) resize(slots);
+    outlines_.undo(outline);
+    resize(slots);
     throw;
   }
 
   const std::size_t s = std::size_t(slot);
   if (!appended) free_slots_.pop_back();
-  first_[s] = std::int64_t(first);
-  vertex_count_[s] = outline.count;
-  const double* component_of_shape[components] = {outline.x, outline.y, outline.nx, outline.ny,
-                                                  outline.offset};
-  for (int k = 0; k < components; ++k) {
-    std::copy_n(component_of_shape[k], stride, own_.data() + first + std::size_t(k) * stride);
-  }
-  std::copy_n(outline.offset, stride, turned_.data() + first + 4 * stride);
-
+  outlines_.assign(slot, outline);
   ++generation[s];
   ++living_;
   kind[s] = block_kind;
   material[s] = block_material;
-  velocity[s] = force[s] = applied_force[s] = Vector<2>::Zero();
-  spin[s] = torque[s] = applied_torque[s] = angle[s] = 0;
-  mass[s] = density * shape.area();
-  inertia[s] = density * shape.polar_moment();
+  force[s] = applied_force[s] = Vector<D>::Zero();
+  torque[s] = applied_torque[s] = Angular<D>::Zero();
+  if constexpr (D == 2) angle[s] = 0;
+  mass[s] = density * content_of(shape);
+  inertia[s] = Inertia<D>::of(shape, density);
   radius[s] = shape.bounding_radius();
-  longest_edge[s] = shape.longest_edge();
-  place(slot, shape.centroid(), Rotation<2>());
+  largest_face[s] = largest_face_of(shape);
+  place(slot, shape.centroid(), Rotation<D>());
+  set_motion(slot, Vector<D>::Zero(), Angular<D>::Zero());
   return slot;
 }
 
-void Blocks<2>::remove(std::int32_t slot) {
+template <int D>
+void Blocks<D>::remove(std::int32_t slot) {
   free_slots_.push_back(slot);  // the one line that may fail comes first
-  drop_outline(slot);
+  outlines_.drop(slot);
   kind[std::size_t(slot)] = BlockKind::none;
   --living_;
 }
 
-/// Closes the gap that a removed block leaves in the outlines.
-void Blocks<2>::drop_outline(std::int32_t slot) {
-  const std::int64_t first = first_[std::size_t(slot)];
-  const std::int64_t length = components * Outline<2>::padded(vertex_count_[std::size_t(slot)]);
-  own_.erase(own_.begin() + first, own_.begin() + first + length);
-  turned_.erase(turned_.begin() + first, turned_.begin() + first + length);
-  for (std::int64_t& other : first_) {
-    if (other > first) other -= length;
-  }
-}
-
-void Blocks<2>::place(std::int32_t slot, const Vector<2>& to, const Rotation<2>& turned) {
-  position[std::size_t(slot)] = to;
-  rotation[std::size_t(slot)] = turned;
-  turn_outline(slot);
-}
-
-void Blocks<2>::turn_outline(std::int32_t slot) {
+template <int D>
+void Blocks<D>::place(std::int32_t slot, const Vector<D>& to, const Rotation<D>& turned) {
   const std::size_t s = std::size_t(slot);
-  const std::size_t stride = std::size_t(Outline<2>::padded(vertex_count_[s]));
-  const double* own = own_.data() + first_[s];
-  double* turned = turned_.data() + first_[s];
-  const double c = rotation[s].cosine, sn = rotation[s].sine;
-  // Vertices (components 0, 1), then normals (2, 3).
-  for (std::size_t xy = 0; xy < 4 * stride; xy += 2 * stride) {
-    const double* x = own + xy;
-    const double* y = x + stride;
-    double* out_x = turned + xy;
-    double* out_y = out_x + stride;
-    for (std::size_t i = 0; i < stride; ++i) {
-      out_x[i] = c * x[i] - sn * y[i];
-      out_y[i] = sn * x[i] + c * y[i];
-    }
-  }
+  position[s] = to;
+  rotation[s] = turned;
+  momentum[s] = inertia[s].momentum(spin[s], turned);
+  outlines_.turn(slot, turned);
 }
 
-Outline<2> Blocks<2>::outline(std::int32_t slot) const {
-  const int count = vertex_count_[std::size_t(slot)];
-  const int stride = Outline<2>::padded(count);
-  const double* p = turned_.data() + first_[std::size_t(slot)];
-  return {count, p, p + stride, p + 2 * stride, p + 3 * stride, p + 4 * stride};
+template <int D>
+void Blocks<D>::set_motion(std::int32_t slot, const Vector<D>& new_velocity, const Angular<D>& new_spin) {
+  const std::size_t s = std::size_t(slot);
+  velocity[s] = new_velocity;
+  spin[s] = new_spin;
+  momentum[s] = inertia[s].momentum(new_spin, rotation[s]);
 }
 
-Box<2> Blocks<2>::box(std::int32_t slot) const {
-  const Outline<2> o = outline(slot);
-  const auto [least_x, most_x] = std::minmax_element(o.x, o.x + o.count);
-  const auto [least_y, most_y] = std::minmax_element(o.y, o.y + o.count);
-  const Vector<2>& p = position[std::size_t(slot)];
-  return {p + Vector<2>(*least_x, *least_y), p + Vector<2>(*most_x, *most_y)};
+template <int D>
+void Blocks<D>::drift(std::int32_t slot, const Vector<D>& way, const Rotation<D>& turned) {
+  const std::size_t s = std::size_t(slot);
+  position[s] += way;
+  if (spin[s] == Angular<D>::Zero()) return;
+  rotation[s] = turned;
+  outlines_.turn(slot, turned);
+  // In space a body that turns freely keeps its momentum, not its spin; a prescribed one is told its spin.
+  if (D == 3 && kind[s] == BlockKind::rigid) spin[s] = inertia[s].spin(momentum[s], turned);
 }
+
+template <int D>
+Box<D> Blocks<D>::box(std::int32_t slot) const {
+  const Box<D> about_centroid = box_of(outline(slot));
+  const Vector<D>& p = position[std::size_t(slot)];
+  return {p + about_centroid.lower, p + about_centroid.upper};
+}
+
+template class Blocks<2>;
+template class Blocks<3>;
 
 }  // namespace halfspace

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "block/inertia.h"
+#include "block/outlines.h"
 #include "geometry/outline.h"
 #include "geometry/rotation.h"
 #include "geometry/shape.h"
@@ -16,10 +18,7 @@ enum class BlockKind : std::int32_t { none = -1, fixed = 0, prescribed = 1, rigi
 /// All blocks of a world, a component to an array. Slots of removed blocks are used again, under a new
 /// generation.
 template <int D>
-class Blocks;
-
-template <>
-class Blocks<2> {
+class Blocks {
  public:
   explicit Blocks(Memory* memory);
 
@@ -27,19 +26,26 @@ class Blocks<2> {
   bool lives(std::size_t slot) const { return kind[slot] != BlockKind::none; }
   std::int64_t count() const { return living_; }
 
-  std::int32_t add(const Shape<2>& shape, BlockKind block_kind, std::int32_t block_material, double density);
+  std::int32_t add(const Shape<D>& shape, BlockKind block_kind, std::int32_t block_material, double density);
   void remove(std::int32_t slot);
 
-  /// Puts a block somewhere and turns its outline.
-  void place(std::int32_t slot, const Vector<2>& to, const Rotation<2>& turned);
-  /// Turns the outline of a block whose rotation has changed.
-  void turn_outline(std::int32_t slot);
+  /// Puts a block somewhere and turns its outline. Its spin stays.
+  void place(std::int32_t slot, const Vector<D>& to, const Rotation<D>& turned);
+  void set_motion(std::int32_t slot, const Vector<D>& new_velocity, const Angular<D>& new_spin);
+  /// Changes velocity and angular momentum, and the spin with the latter.
+  void kick(std::size_t slot, const Vector<D>& velocity_change, const Angular<D>& momentum_change) {
+    velocity[slot] += velocity_change;
+    momentum[slot] += momentum_change;
+    spin[slot] = inertia[slot].spin(momentum[slot], rotation[slot]);
+  }
+  /// Moves a block that goes on under its own momentum.
+  void drift(std::int32_t slot, const Vector<D>& way, const Rotation<D>& turned);
 
-  Outline<2> outline(std::int32_t slot) const;
-  Box<2> box(std::int32_t slot) const;
+  Outline<D> outline(std::int32_t slot) const { return outlines_[slot]; }
+  Box<D> box(std::int32_t slot) const;
   double kinetic_energy(std::int32_t slot) const {
-    return 0.5 * (mass[std::size_t(slot)] * velocity[std::size_t(slot)].squaredNorm() +
-                  inertia[std::size_t(slot)] * spin[std::size_t(slot)] * spin[std::size_t(slot)]);
+    const std::size_t s = std::size_t(slot);
+    return 0.5 * (mass[s] * velocity[s].squaredNorm() + spin[s].dot(momentum[s]));
   }
 
   /// False for what no blocks can be, after reading a snapshot: nothing read from it can then lead out of the
@@ -49,38 +55,37 @@ class Blocks<2> {
   template <class Archive>
   void visit(Archive& archive) {
     archive(kind, material, generation, position, velocity, force, applied_force, rotation, angle, spin,
-            torque, applied_torque, mass, inertia, radius, longest_edge, free_slots_, first_, vertex_count_,
-            own_, turned_, living_);
+            momentum, torque, applied_torque, mass, inertia, radius, largest_face, free_slots_, outlines_,
+            living_);
   }
 
   Array<BlockKind> kind;
   Array<std::int32_t> material;
   Array<std::uint32_t> generation;
-  Array<Vector<2>> position;  // of the centroid
-  Array<Vector<2>> velocity;
-  Array<Vector<2>> force;  // of the contacts
-  Array<Vector<2>> applied_force;
-  Array<Rotation<2>> rotation;
-  Array<double> angle;  // turned in all
-  Array<double> spin;
-  Array<double> torque;  // of the contacts
-  Array<double> applied_torque;
+  Array<Vector<D>> position;  // of the centroid
+  Array<Vector<D>> velocity;
+  Array<Vector<D>> force;  // of the contacts
+  Array<Vector<D>> applied_force;
+  Array<Rotation<D>> rotation;
+  Array<double> angle;  // in the plane: turned in all
+  Array<Angular<D>> spin;
+  Array<Angular<D>> momentum;  // angular
+  Array<Angular<D>> torque;    // of the contacts
+  Array<Angular<D>> applied_torque;
   Array<double> mass;
-  Array<double> inertia;
-  Array<double> radius;  // of the bounding circle
-  Array<double> longest_edge;
+  Array<Inertia<D>> inertia;
+  Array<double> radius;        // of the bounding circle or sphere
+  Array<double> largest_face;  // its area; in the plane the length of the longest edge
 
  private:
   void resize(std::size_t slots);
-  void drop_outline(std::int32_t slot);
 
   Array<std::int32_t> free_slots_;
-  Array<std::int64_t> first_;  // of the block's components in own_ and turned_
-  Array<std::int32_t> vertex_count_;
-  // Per block x, y, nx, ny, offset, each padded: what one block needs lies together.
-  Array<double> own_;     // in the shape's frame
-  Array<double> turned_;  // in the world's orientation, about the centroid
+  Outlines<D> outlines_;
   std::int64_t living_ = 0;
 };
+
+extern template class Blocks<2>;
+extern template class Blocks<3>;
 
 }  // namespace halfspace

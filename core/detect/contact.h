@@ -50,15 +50,6 @@ struct PotentialPair<3> {
   friend bool operator==(const PotentialPair&, const PotentialPair&) = default;
 };
 
-/// What a pair of blocks remembers from one step to the next.
-template <int D>
-struct PairMemory {
-  enum State : std::int32_t { unknown = 0, separated = 1, touching = 2 };
-  State state = unknown;
-  /// Separated: the last violated pair, tried first. Touching: the pair through which the blocks met.
-  PotentialPair<D> pair;
-};
-
 /// A violated potential pair, or the pair of least depth when none is violated, and its gap.
 template <int D>
 struct Separation;
@@ -76,6 +67,35 @@ struct Separation<3> {
   double gap;
   PotentialPair<3> pair;
   Vector<3> normal;  // unit, from a to b
+};
+
+struct PairState {
+  enum State : std::int32_t { unknown = 0, separated = 1, touching = 2 };
+};
+
+/// What a pair of blocks remembers from one step to the next.
+template <int D>
+struct PairMemory;
+
+template <>
+struct PairMemory<2> {
+  using State = PairState::State;
+  using enum PairState::State;
+  State state = unknown;
+  /// Separated: the last violated pair, tried first. Touching: the pair through which the blocks met.
+  PotentialPair<2> pair;
+};
+
+/// In space the blocks may also be kept apart by a plane that no feature of theirs tells, so that it is
+/// remembered itself, in the orientation of the outlines. Of two vertices the pair says where to look first
+/// for what is deepest along its normal.
+template <>
+struct PairMemory<3> {
+  using State = PairState::State;
+  using enum PairState::State;
+  State state = unknown;
+  PotentialPair<3> pair;                 // as in the plane
+  Vector<3> normal = Vector<3>::Zero();  // separated: unit, from a to b
 };
 
 /// A contact between blocks a and b, relative to the centroid of a, or the proof that there is none.
@@ -102,7 +122,7 @@ struct Contact<2> {
 /// So many points of a contact region are kept at most. The overlap of two faces seldom has more corners; of
 /// one that has, those are kept that lie farthest in as many directions spread evenly round the contact
 /// plane.
-constexpr int most_region_points = 16;
+constexpr int most_region_points = 8;
 
 /// The contact plane is that of the face of `pair`; where edges or vertices meet it goes through the point
 /// given, which between two edges is the middle of their nearest points. Without initial values, as in the
@@ -112,7 +132,7 @@ struct Contact<3> {
   ContactType type;
   PotentialPair<3> pair;     // the contact plane; of a separated pair, the violated pair
   std::int32_t point_count;  // 0 when separated, and then only normal and gap follow
-  std::int32_t reserved;  // fills the gap before the next member, so that saved contacts hold no stray bytes
+  std::int32_t deepest;      // of the points
   double gap;             // of the pair, or of the deepest point of the region; > 0 proves the separation
   Vector<3> normal;       // unit, from a to b
   double area;            // of the contact region: 0 unless face-face
@@ -121,6 +141,10 @@ struct Contact<3> {
   double center_gap;      // there
   Vector<3> points[most_region_points];  // corners of the region, counter-clockwise about the normal
   double gaps[most_region_points];       // at the points
+  double shares[most_region_points];     // of the contact's stiffness at the points
+  /// How fast the sum of all shares would grow with the slope from the deepest point to each, but for their
+  /// being brought back to 1.
+  double share_rates[most_region_points];
 };
 
 }  // namespace halfspace

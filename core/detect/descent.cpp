@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "detect/potential_pairs_3d.h"
 #include "geometry/rotation.h"
 
 namespace halfspace {
@@ -15,22 +16,6 @@ Separation<3> between(const Corner& deepest, const Vector<3>& direction) {
   return {direction.dot(deepest.at) / length,
           {PotentialPair<3>::vertex_vertex, deepest.a, deepest.b},
           direction / length};
-}
-
-/// The face at a vertex that looks most along a direction.
-int face_along(const Outline<3>& block, int vertex, const Vector<3>& direction) {
-  const Topology& topology = *block.topology;
-  int best = -1;
-  double most = -HUGE_VAL;
-  for (int k = topology.first_of_vertex[vertex]; k < topology.first_of_vertex[vertex + 1]; ++k) {
-    const int face = topology.vertex_face[k];
-    const double along = block.normal(face).dot(direction);
-    if (along > most) {
-      most = along;
-      best = face;
-    }
-  }
-  return best;
 }
 
 /// The edge between two vertices, or -1.

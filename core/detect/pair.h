@@ -1,7 +1,9 @@
 #pragma once
 
 #include "detect/contact.h"
+#include "detect/pair_3d.h"
 #include "detect/separation.h"
+#include "detect/separation_3d.h"
 #include "geometry/outline.h"
 
 namespace halfspace {
@@ -25,11 +27,16 @@ inline double refresh(const Outline<2>& a, const Outline<2>& b, const Vector<2>&
   return refresh(a, b, placement_unturned(to_b), pair);
 }
 
-/// True when the remembered pair is still violated, which proves separation by itself (Wang et al. 2021, eq.
-/// 12).
-inline bool still_separated(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
-                            PairMemory<2>& memory) {
-  return memory.state == PairMemory<2>::separated && refresh(a, b, to_b, memory.pair) > 0;
+/// Gap of the pair that keeps two blocks apart.
+inline double refresh(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
+                      PairMemory<2>& memory) {
+  return refresh(a, b, to_b, memory.pair);
+}
+
+/// The pair through which blocks begin to meet that were separated at last (Wang et al. 2021, section 2.5).
+inline PotentialPair<2> initial_pair(const Outline<2>&, const Outline<2>&, const Vector<2>&,
+                                     const PairMemory<2>& memory) {
+  return memory.pair;
 }
 
 /// Walks around the Minkowski difference to the pair of least depth that is reached without passing a deeper
@@ -38,39 +45,54 @@ inline bool still_separated(const Outline<2>& a, const Outline<2>& b, const Vect
 PotentialPair<2> descend(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
                          const PotentialPair<2>& start);
 
-/// The pair through which blocks meet that are found to overlap: the last violated one, or a neighbour of it
-/// that is less deep; the one remembered when they touched before; without history the given one, of least
-/// depth (section 2.5). Remembers it, with its vertex brought up to date.
-inline void remember_contact(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
-                             const PotentialPair<2>& least_depth, PairMemory<2>& memory) {
-  if (memory.state == PairMemory<2>::separated) {
-    memory.pair = descend(a, b, to_b, memory.pair);
-  } else {
-    if (memory.state == PairMemory<2>::unknown) memory.pair = least_depth;
-    refresh(a, b, to_b, memory.pair);
-  }
-  memory.state = PairMemory<2>::touching;
-}
-
 /// Type, normal, gap and region of the contact at a potential pair, touching or not. `pair` is moved to the
 /// neighbouring one when the vertex has left the edge across its end.
 void describe_contact(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b, PotentialPair<2>& pair,
                       const DetectOptions& options, Contact<2>& contact);
 
+inline PairMemory<2> memory_of(const Separation<2>& separation) {
+  return {PairMemory<2>::separated, separation.pair};
+}
+
+// From here on the plane and space are alike. Outlines are in one orientation, each relative to its own
+// centroid; `to_b` leads from that of a to that of b.
+
+/// True when what is remembered still proves separation by itself (eqs. 12 and 31).
+template <int D>
+bool still_separated(const Outline<D>& a, const Outline<D>& b, const Vector<D>& to_b, PairMemory<D>& memory) {
+  return memory.state == PairMemory<D>::separated && refresh(a, b, to_b, memory) > 0;
+}
+
+/// The pair through which blocks meet that are found to overlap: the one through which they begin to, or
+/// what a walk from there reaches that is less deep; the one remembered when they touched before; without
+/// history the given one, of least depth (section 2.5). Remembers it, with its vertex brought up to date.
+template <int D>
+void remember_contact(const Outline<D>& a, const Outline<D>& b, const Vector<D>& to_b,
+                      const PotentialPair<D>& least_depth, PairMemory<D>& memory) {
+  if (memory.state == PairMemory<D>::separated) {
+    memory.pair = descend(a, b, to_b, initial_pair(a, b, to_b, memory));
+  } else {
+    if (memory.state == PairMemory<D>::unknown) memory.pair = least_depth;
+    refresh(a, b, to_b, memory.pair);
+  }
+  memory.state = PairMemory<D>::touching;
+}
+
 /// Describes the contact of two blocks that overlap.
-inline void describe_overlap(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
-                             const PotentialPair<2>& least_depth, const DetectOptions& options,
-                             PairMemory<2>& memory, Contact<2>& contact) {
+template <int D>
+void describe_overlap(const Outline<D>& a, const Outline<D>& b, const Vector<D>& to_b,
+                      const PotentialPair<D>& least_depth, const DetectOptions& options,
+                      PairMemory<D>& memory, Contact<D>& contact) {
   remember_contact(a, b, to_b, least_depth, memory);
   describe_contact(a, b, to_b, memory.pair, options, contact);
 }
 
 /// Judges all potential pairs of two blocks, and remembers the contact or the separation.
-inline void judge_pair(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
-                       PairMemory<2>& memory) {
-  const Separation<2> separation = find_separation(a, b, to_b);
+template <int D>
+void judge_pair(const Outline<D>& a, const Outline<D>& b, const Vector<D>& to_b, PairMemory<D>& memory) {
+  const Separation<D> separation = find_separation(a, b, to_b);
   if (separation.gap > 0) {
-    memory = {PairMemory<2>::separated, separation.pair};
+    memory = memory_of(separation);
   } else {
     remember_contact(a, b, to_b, separation.pair, memory);
   }

@@ -35,14 +35,6 @@ double refresh_edges(const Outline<3>& a, const Outline<3>& b, const Vector<3>& 
   return gap_along(a, b, to_b, normal, near_a, near_b);
 }
 
-double refresh_vertices(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
-                        PotentialPair<3>& pair) {
-  const Vector<3> between = (b.vertex(pair.b) - a.vertex(pair.a)) + to_b;
-  const double distance = between.norm();
-  if (distance == 0) return -HUGE_VAL;
-  return gap_along(a, b, to_b, between / distance, pair.a, pair.b);
-}
-
 /// Facets of the Minkowski difference in one plane, which they are when a face is parallel to an edge or a
 /// face of the other block, and the neighbour that is least deep. More than there is room for are left out,
 /// with what lies behind them.
@@ -94,13 +86,12 @@ class FacetsInOnePlane {
   double best_gap_ = -HUGE_VAL;
 };
 
-/// Walks over the Minkowski difference to the pair of least depth that is reached without passing a deeper
-/// one. So the contact keeps the side through which the blocks met, also when a thin block is overlapped past
-/// its middle.
+}  // namespace
+
 PotentialPair<3> descend(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
-                         PotentialPair<3> start) {
-  double best_gap = refresh(a, b, to_b, start);
+                         const PotentialPair<3>& start) {
   Facet best{start, normal_of(a, b, start)};
+  double best_gap = refresh(a, b, to_b, best.pair);
   for (int steps = a.topology->edge_count + b.topology->edge_count; steps > 0; --steps) {
     const FacetsInOnePlane plane(a, b, to_b, best);
     if (plane.gap_of_neighbour() <= best_gap) break;
@@ -110,37 +101,31 @@ PotentialPair<3> descend(const Outline<3>& a, const Outline<3>& b, const Vector<
   return best.pair;
 }
 
-}  // namespace
-
 double refresh(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, PotentialPair<3>& pair) {
   switch (pair.kind) {
     case PotentialPair<3>::face_vertex:
       return refresh_face(a, pair.a, b, to_b, pair.b);
     case PotentialPair<3>::vertex_face:
       return refresh_face(b, pair.b, a, -to_b, pair.a);
-    case PotentialPair<3>::edge_edge:
+    default:
       return refresh_edges(a, b, to_b, pair);
-    case PotentialPair<3>::vertex_vertex:
-      return refresh_vertices(a, b, to_b, pair);
   }
-  return -HUGE_VAL;
 }
 
-void remember_contact(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
-                      const PotentialPair<3>& least_depth, PairMemory<3>& memory) {
-  switch (memory.state) {
-    case PairMemory<3>::unknown:
-      memory.pair = least_depth;
-      break;
-    case PairMemory<3>::separated:
-      memory.pair = memory.pair.kind == PotentialPair<3>::vertex_vertex ? least_depth
-                                                                        : descend(a, b, to_b, memory.pair);
-      break;
-    case PairMemory<3>::touching:
-      refresh(a, b, to_b, memory.pair);
-      break;
-  }
-  memory.state = PairMemory<3>::touching;
+double refresh(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, PairMemory<3>& memory) {
+  PotentialPair<3>& pair = memory.pair;
+  return pair.kind == PotentialPair<3>::vertex_vertex ? gap_along(a, b, to_b, memory.normal, pair.a, pair.b)
+                                                      : refresh(a, b, to_b, pair);
+}
+
+PotentialPair<3> initial_pair(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
+                              const PairMemory<3>& memory) {
+  const PotentialPair<3>& pair = memory.pair;
+  if (pair.kind != PotentialPair<3>::vertex_vertex) return pair;
+  PotentialPair<3> of_a{PotentialPair<3>::face_vertex, face_along(a, pair.a, memory.normal), pair.b};
+  PotentialPair<3> of_b{PotentialPair<3>::vertex_face, pair.a, face_along(b, pair.b, -memory.normal)};
+  const double gap_of_a = refresh(a, b, to_b, of_a), gap_of_b = refresh(a, b, to_b, of_b);
+  return gap_of_a >= gap_of_b ? of_a : of_b;
 }
 
 }  // namespace halfspace

@@ -10,24 +10,24 @@ namespace halfspace {
 
 /// Gap of a potential pair along its normal, with the deepest vertex of a face's half-space brought up to
 /// date. Of two edges, the gap between what both blocks reach along edge_pair_normal(): however the blocks
-/// have turned, above 0 it proves separation. The same for two vertices along the line between them, except
-/// that each moves on to the vertex deepest along that line. -infinity where there is no such line, or the
-/// edges are parallel.
+/// have turned, above 0 it proves separation; -infinity where the edges are parallel. Not for two vertices.
 double refresh(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, PotentialPair<3>& pair);
 
-/// True when the remembered pair is still violated, which proves separation by itself (Wang et al. 2021, eq.
-/// 31).
-inline bool still_separated(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
-                            PairMemory<3>& memory) {
-  return memory.state == PairMemory<3>::separated && refresh(a, b, to_b, memory.pair) > 0;
-}
+/// Gap of what keeps two blocks apart: of the pair; or, when that is of two vertices, between what both
+/// blocks reach along the remembered normal.
+double refresh(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, PairMemory<3>& memory);
 
-/// The pair through which blocks meet that are found to overlap: from the last violated one, the pair of
-/// least depth that a walk over the Minkowski difference reaches without passing a deeper one; the one
-/// remembered when they touched before; without history, or when only a plane between two vertices is
-/// remembered, the given one, of least depth (section 2.5). Remembers it.
-void remember_contact(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
-                      const PotentialPair<3>& least_depth, PairMemory<3>& memory);
+/// The pair through which blocks begin to meet that were separated at last (Wang et al. 2021, section 2.5):
+/// the violated one; or, when only a plane is remembered, the less deep of those whose faces look most along
+/// it from either side.
+PotentialPair<3> initial_pair(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
+                              const PairMemory<3>& memory);
+
+/// Walks over the Minkowski difference to the pair of least depth that is reached without passing a deeper
+/// one. So the contact keeps the side through which the blocks met, also when a thin block is overlapped past
+/// its middle.
+PotentialPair<3> descend(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
+                         const PotentialPair<3>& start);
 
 /// Type, normal, gap and region of the contact at a potential pair, touching or not. The vertex of a face is
 /// the deepest one, as refresh() leaves it; not for two vertices.
@@ -40,12 +40,8 @@ void remember_contact(const Outline<3>& a, const Outline<3>& b, const Vector<3>&
 void describe_contact(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, PotentialPair<3>& pair,
                       const DetectOptions& options, Contact<3>& contact);
 
-/// Describes the contact of two blocks that overlap.
-inline void describe_overlap(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
-                             const PotentialPair<3>& least_depth, const DetectOptions& options,
-                             PairMemory<3>& memory, Contact<3>& contact) {
-  remember_contact(a, b, to_b, least_depth, memory);
-  describe_contact(a, b, to_b, memory.pair, options, contact);
+inline PairMemory<3> memory_of(const Separation<3>& separation) {
+  return {PairMemory<3>::separated, separation.pair, separation.normal};
 }
 
 }  // namespace halfspace

@@ -1,6 +1,7 @@
 #include "detect/potential_pairs_3d.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace halfspace {
@@ -23,6 +24,21 @@ PotentialPair<3> edge_pair(int owner, int edge, int edge_of_other) {
 }
 
 }  // namespace
+
+int face_along(const Outline<3>& block, int vertex, const Vector<3>& direction) {
+  const Topology& topology = *block.topology;
+  int best = -1;
+  double most = -HUGE_VAL;
+  for (int k = topology.first_of_vertex[vertex]; k < topology.first_of_vertex[vertex + 1]; ++k) {
+    const int face = topology.vertex_face[k];
+    const double along = block.normal(face).dot(direction);
+    if (along > most) {
+      most = along;
+      best = face;
+    }
+  }
+  return best;
+}
 
 bool is_outer_normal(const Outline<3>& block, int edge, const Vector<3>& normal) {
   const Topology& topology = *block.topology;

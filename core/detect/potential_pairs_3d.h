@@ -10,6 +10,9 @@ inline Vector<3> edge_vector(const Outline<3>& block, int edge) {
   return block.vertex(block.topology->edge_end[edge]) - block.vertex(block.topology->edge_start[edge]);
 }
 
+/// The face at a vertex that looks most along a direction.
+int face_along(const Outline<3>& block, int vertex, const Vector<3>& direction);
+
 /// True when a block lies behind the plane through one of its edges whose outer normal, at right angles to
 /// the edge, is given.
 bool is_outer_normal(const Outline<3>& block, int edge, const Vector<3>& normal);

@@ -6,6 +6,7 @@
 #include "detect/potential_pairs_3d.h"
 #include "detect/region_3d_overlap.h"
 #include "detect/region_3d_plane.h"
+#include "detect/region_3d_shares.h"
 
 namespace halfspace {
 namespace {
@@ -326,7 +327,7 @@ void describe_contact(const Outline<3>& a, const Outline<3>& b, const Vector<3>&
     pair = next;
   }
   contact.pair = pair;
-  contact.reserved = 0;
+  share_stiffness(options, contact);
 }
 
 }  // namespace halfspace

@@ -80,8 +80,8 @@ class FarthestPoints {
         height_[i] = height;
         point_[i] = p;
       }
-      constexpr double cosine = 0.92387953251128674, sine = 0.38268343236508977;  // of a sixteenth of a turn
-      static_assert(most_region_points == 16);
+      constexpr double cosine = 0.70710678118654757, sine = cosine;  // of an eighth of a turn
+      static_assert(most_region_points == 8);
       direction = {cosine * direction.x() - sine * direction.y(),
                    sine * direction.x() + cosine * direction.y()};
     }

@@ -3,27 +3,26 @@
 #include <algorithm>
 #include <cmath>
 
+#include "force/joint_face.h"
+#include "force/point_springs.h"
+
 namespace halfspace {
-namespace {
 
-Vector<2> middle_of(const Contact<2>& contact) {
-  return contact.point_count == 2 ? Vector<2>(0.5 * (contact.points[0] + contact.points[1]))
-                                  : contact.points[0];
-}
-
-}  // namespace
-
-double Spring::viscosity(double share_of_critical, double stiffness) const {
+template <int D>
+double Spring<D>::viscosity(double share_of_critical, double stiffness) const {
   return share_of_critical == 0 ? 0 : 2 * share_of_critical * std::sqrt(stiffness * reduced_mass_);
 }
 
 /// One spring at each point of the region, the contact's stiffness shared among them (eq. 36).
-Spring::NormalPart Spring::per_contact(const Contact<2>& contact, const PairMotion<2>& motion, bool bonded,
-                                       ContactEnergy& energy) const {
+template <int D>
+typename Spring<D>::NormalPart Spring<D>::per_contact(const Contact<D>& contact, const PairMotion<D>& motion,
+                                                      bool bonded, ContactEnergy& energy) const {
+  constexpr int most_points = sizeof contact.gaps / sizeof *contact.gaps;
   NormalPart normal;
   normal.stiffness = law_.normal_stiffness;
-  normal.width = contact.length;
-  Vector<2> weighted(0, 0);
+  normal.base = base_of(contact);
+  Vector<D> weighted = Vector<D>::Zero();
+  double depths[most_points] = {}, force_at[most_points] = {};
   for (int i = 0; i < contact.point_count; ++i) {
     const double depth = -contact.gaps[i];
     if (depth < 0 && !bonded) continue;
@@ -37,54 +36,52 @@ Spring::NormalPart Spring::per_contact(const Contact<2>& contact, const PairMoti
       energy.damping_loss -= viscous * opening * elapsed_;
     }
     energy.strain += 0.5 * elastic * depth;
-    // The energy of both springs, differentiated by the turn that moves stiffness from one to the other.
-    const double rate = i == 0 ? contact.share_rate : -contact.share_rate;
-    normal.couple -= 0.5 * law_.normal_stiffness * rate * depth * depth;
-    normal.force += elastic + viscous;
-    weighted += (elastic + viscous) * contact.points[i];
+    depths[i] = depth;
+    force_at[i] = elastic + viscous;
+    normal.force += force_at[i];
+    weighted += force_at[i] * contact.points[i];
   }
-  normal.center = middle_of(contact);
-  if (normal.force > 0 && !bonded) {
+  normal.couple = law_.normal_stiffness * couple_of_shares(contact, depths);
+  const bool has_center = normal.force > 0 && !bonded;
+  if (has_center) {
     normal.center = weighted / normal.force;
   } else {
     // A bond pulls at one end and pushes at the other: what has no centre has a couple.
-    const Vector<2> moment_arm = weighted - normal.force * normal.center;
-    normal.couple += cross(moment_arm, contact.normal);
+    normal.center = middle_of(contact);
+    const Vector<D> moment_arm = weighted - normal.force * normal.center;
+    normal.couple += moment(moment_arm, contact.normal);
+  }
+  if (D == 3 && contact.point_count > 1) {
+    for (int i = 0; i < contact.point_count; ++i)
+      force_at[i] = has_center ? force_at[i] / normal.force : contact.shares[i];
+    normal.twist_radius = twist_radius(contact, normal.center, force_at);
   }
   return normal;
 }
 
-/// An intact contact per area: the springs of the joint are spread over the faces that were one, and pull as
-/// well as push.
-Spring::NormalPart Spring::bonded_per_area(const Contact<2>& contact, ContactEnergy& energy) const {
+/// The stiffness per area times the overlap: the linear depth integrated over the region, moment included.
+/// The springs of an intact joint are spread over the faces that were one.
+template <int D>
+typename Spring<D>::NormalPart Spring<D>::per_area(const Contact<D>& contact, const Overlap<D>& overlap,
+                                                   const PairMotion<D>& motion, bool bonded,
+                                                   ContactEnergy& energy) const {
   NormalPart normal;
-  const double length = contact.length;
-  const double mean = 0.5 * (contact.gaps[0] + contact.gaps[1]);
-  const double difference = contact.gaps[1] - contact.gaps[0];
-  normal.width = length;
-  normal.stiffness = law_.normal_stiffness * length;
-  normal.center = middle_of(contact);
-  normal.force = -normal.stiffness * mean;
-  const Vector<2> along = contact.points[1] - contact.points[0];
-  normal.couple = -normal.stiffness * difference / 12 * cross(along, contact.normal);
-  energy.strain += 0.5 * normal.stiffness * (mean * mean + difference * difference / 12);
-  return normal;
-}
-
-/// The stiffness per area times the overlap area: the linear depth integrated over the region, moment
-/// included.
-Spring::NormalPart Spring::per_area(const Contact<2>& contact, const Overlap& overlap,
-                                    const PairMotion<2>& motion, bool bonded, ContactEnergy& energy) const {
-  NormalPart normal;
-  if (bonded && contact.point_count == 2) {
-    normal = bonded_per_area(contact, energy);
+  if (bonded && is_joint_face(contact)) {
+    const JointFace<D> face = joint_face(contact);
+    normal.base = face.base;
+    normal.center = face.center;
+    normal.twist_radius = face.twist_radius;
+    normal.force = law_.normal_stiffness * face.force;
+    normal.couple = law_.normal_stiffness * face.couple;
+    energy.strain += 0.5 * law_.normal_stiffness * face.depth_squared;
   } else {
-    normal.width = overlap.width;
-    normal.stiffness = law_.normal_stiffness * overlap.width;
+    normal.base = overlap.base;
     normal.center = overlap.center;
-    normal.force = law_.normal_stiffness * overlap.area;
+    normal.twist_radius = overlap.twist_radius;
+    normal.force = law_.normal_stiffness * overlap.content;
     energy.strain += 0.5 * law_.normal_stiffness * overlap.depth_squared;
   }
+  normal.stiffness = law_.normal_stiffness * normal.base;
   if (law_.normal_damping > 0) {
     const double opening = contact.normal.dot(motion.relative_at(normal.center));
     double viscous = -viscosity(law_.normal_damping, normal.stiffness) * opening;
@@ -95,65 +92,84 @@ Spring::NormalPart Spring::per_area(const Contact<2>& contact, const Overlap& ov
   return normal;
 }
 
-/// Incremental shear spring with Mohr-Coulomb's limit (eqs. 37-40). In the plane the tangent turns with the
-/// contact, and the scalar force with it.
-double Spring::shear_force(const NormalPart& normal, double slip_velocity, ShearSpring& shear, bool& bonded,
-                           ContactEnergy& energy) const {
+template <int D>
+typename Spring<D>::NormalPart Spring<D>::normal_part(const Contact<D>& contact, const Overlap<D>& overlap,
+                                                      const PairMotion<D>& motion, bool bonded,
+                                                      ContactEnergy& energy) const {
+  return law_.stiffness_kind == StiffnessKind::per_area ? per_area(contact, overlap, motion, bonded, energy)
+                                                        : per_contact(contact, motion, bonded, energy);
+}
+
+/// Incremental shear spring with Mohr-Coulomb's limit (eqs. 37-40).
+template <int D>
+Shear<D> Spring<D>::shear_force(const NormalPart& normal, const Contact<D>& contact,
+                                const PairMotion<D>& motion, ShearSpring<D>& spring, bool& bonded,
+                                ContactEnergy& energy) const {
   const bool per_area = law_.stiffness_kind == StiffnessKind::per_area;
-  const double stiffness = law_.shear_stiffness * (per_area ? normal.width : 1);
-  const double slip = slip_velocity * elapsed_;
+  const double stiffness = law_.shear_stiffness * (per_area ? normal.base : 1);
+  const Shear<D> velocity =
+      slip_velocity(motion.relative_at(normal.center), contact.normal, motion, normal.twist_radius);
+  const Shear<D> slip = elapsed_ * velocity;
   const double friction = std::max(normal.force, 0.0) * law_.tan_friction;
-  const double before = shear.force;
-  double force = before - stiffness * slip;
-  double limit = bonded ? friction + law_.cohesion * normal.width : friction;
-  if (std::abs(force) > limit && bonded) {
+  const Shear<D> before = carried(spring, contact.normal, motion, elapsed_);
+  Shear<D> force = before - stiffness * slip;
+  double limit = bonded ? friction + law_.cohesion * normal.base : friction;
+  const double wanted = force.norm();
+  if (wanted > limit && bonded) {
     bonded = false;
     limit = friction;
   }
-  const bool slides = std::abs(force) > limit;
-  if (slides) force = std::copysign(limit, force);
+  const bool slides = wanted > limit;
+  if (slides) force *= limit / wanted;
 
   // What motion put in and the spring does not hold is lost.
-  const auto energy_of = [&](double f) { return stiffness > 0 ? 0.5 * f * f / stiffness : 0; };
-  if (shear.energy == ShearSpring::preloaded) shear.energy = energy_of(before);
+  const auto energy_of = [&](const Shear<D>& f) {
+    return stiffness > 0 ? 0.5 * f.squaredNorm() / stiffness : 0;
+  };
+  if (spring.energy == preloaded) spring.energy = energy_of(before);
   const double stored = energy_of(force);
-  const double put_in = -0.5 * (before + force) * slip;
-  energy.friction_loss += put_in - (stored - shear.energy);
+  const double put_in = -0.5 * (before + force).dot(slip);
+  energy.friction_loss += put_in - (stored - spring.energy);
   energy.strain += stored;
-  shear = {force, stored};
+  remember(spring, force, stored, contact.normal);
 
   if (law_.shear_damping == 0 || slides) return force;
-  const double viscous = -viscosity(law_.shear_damping, stiffness) * slip_velocity;
-  const double total = std::clamp(force + viscous, -limit, limit);
-  energy.damping_loss -= (total - force) * slip;
+  Shear<D> total = force - viscosity(law_.shear_damping, stiffness) * velocity;
+  const double length = total.norm();
+  if (length > limit) total *= limit / length;
+  energy.damping_loss -= (total - force).dot(slip);
   return total;
 }
 
-PairLoad<2> Spring::evaluate(const Contact<2>& contact, const Overlap& overlap, const PairMotion<2>& motion,
-                             ShearSpring& shear, bool& bonded, ContactEnergy& energy) const {
-  const auto normal_part = [&] {
-    return law_.stiffness_kind == StiffnessKind::per_area ? per_area(contact, overlap, motion, bonded, energy)
-                                                          : per_contact(contact, motion, bonded, energy);
-  };
-  ContactEnergy before = energy;
-  NormalPart normal = normal_part();
-  if (bonded && -normal.force > law_.tensile_strength * normal.width) {
+template <int D>
+PairLoad<D> Spring<D>::evaluate(const Contact<D>& contact, const Overlap<D>& overlap,
+                                const PairMotion<D>& motion, ShearSpring<D>& spring, bool& bonded,
+                                ContactEnergy& energy) const {
+  const ContactEnergy before = energy;
+  NormalPart normal = normal_part(contact, overlap, motion, bonded, energy);
+  if (bonded && -normal.force > law_.tensile_strength * normal.base) {
     // Torn: what the bond held is lost, what is still compressed goes on without it.
     const double held = energy.strain - before.strain;
     bonded = false;
     energy = before;
-    normal = normal_part();
+    normal = normal_part(contact, overlap, motion, bonded, energy);
     energy.friction_loss += held - (energy.strain - before.strain);
   }
 
-  ContactForce<2> force{normal.center, normal.force, 0};
+  ContactForce<D> force;
+  force.point = normal.center;
+  force.normal_force = normal.force;
+  force.couple = normal.couple;
   if (law_.resists_shear()) {
-    const double slip_velocity = perpendicular(contact.normal).dot(motion.relative_at(normal.center));
-    force.shear_force = shear_force(normal, slip_velocity, shear, bonded, energy);
+    force.shear = shear_force(normal, contact, motion, spring, bonded, energy);
+    force.couple += twisting_moment(force.shear, contact.normal, normal.twist_radius);
   }
-  const Vector<2> on_b = force.on_b(contact.normal);
-  return {force, on_b, -cross(normal.center, on_b) - normal.couple,
-          cross(normal.center - motion.to_b, on_b) + normal.couple};
+  const Vector<D> on_b = force.on_b(contact.normal);
+  return {force, on_b, -moment(normal.center, on_b) - force.couple,
+          moment(normal.center - motion.to_b, on_b) + force.couple};
 }
+
+template class Spring<2>;
+template class Spring<3>;
 
 }  // namespace halfspace

@@ -42,6 +42,7 @@ Shape<3>::Shape(const Polyhedron& polyhedron, Memory* memory)
   measure(polyhedron);
   store(polyhedron);
   measure_edges();
+  measure_faces();
 }
 
 /// Exact moments by tetrahedra from the first vertex to the triangles of the other faces: all coordinates are
@@ -126,6 +127,19 @@ void Shape<3>::measure_edges() {
     const double length = edge.stableNorm();
     shortest_edge_ = std::min(shortest_edge_, length);
     longest_edge_ = std::max(longest_edge_, length);
+  }
+}
+
+void Shape<3>::measure_faces() {
+  const Topology& t = topology();
+  for (int f = 0; f < t.face_count; ++f) {
+    const std::int32_t* const loop = t.face_vertex + t.first_of_face[f];
+    const int corners = t.first_of_face[f + 1] - t.first_of_face[f];
+    const Vector<3> first = outline_.vertex(loop[0]);
+    Vector<3> twice_area = Vector<3>::Zero();
+    for (int i = 1; i + 1 < corners; ++i)
+      twice_area += cross_product(outline_.vertex(loop[i]) - first, outline_.vertex(loop[i + 1]) - first);
+    largest_face_ = std::max(largest_face_, 0.5 * twice_area.stableNorm());
   }
 }
 

@@ -60,6 +60,29 @@ std::int32_t HalfEdges::only_one(std::int32_t from, std::int32_t to) const {
   return found;
 }
 
+Topology topology_at(const std::int32_t* indices, std::int32_t vertices, std::int32_t edges,
+                     std::int32_t faces) {
+  const std::int32_t* next = indices;
+  const auto take = [&](std::int32_t count) {
+    const std::int32_t* const taken = next;
+    next += count;
+    return taken;
+  };
+  Topology topology{vertices, edges, faces};
+  topology.first_of_face = take(faces + 1);
+  topology.face_vertex = take(2 * edges);
+  topology.face_edge = take(2 * edges);
+  topology.edge_start = take(edges);
+  topology.edge_end = take(edges);
+  topology.edge_left = take(edges);
+  topology.edge_right = take(edges);
+  topology.first_of_vertex = take(vertices + 1);
+  topology.vertex_neighbour = take(2 * edges);
+  topology.vertex_edge = take(2 * edges);
+  topology.vertex_face = take(2 * edges);
+  return topology;
+}
+
 TopologyArrays::TopologyArrays(const Polyhedron& polyhedron, Memory* memory) : indices_(memory) {
   const HalfEdges half_edges(polyhedron);
   const std::int32_t vertices = polyhedron.vertex_count();
@@ -67,27 +90,21 @@ TopologyArrays::TopologyArrays(const Polyhedron& polyhedron, Memory* memory) : i
   const std::int32_t halves = half_edges.count();
   const std::int32_t edges = halves / 2;
 
-  indices_.resize(std::size_t(faces + 1 + 2 * halves + 4 * edges + vertices + 1 + 3 * halves));
-  std::int32_t* free_index = indices_.data();
-  const auto take = [&](std::int32_t count) {
-    std::int32_t* const taken = free_index;
-    free_index += count;
-    return taken;
-  };
-  std::int32_t* const first_of_face = take(faces + 1);
-  std::int32_t* const face_vertex = take(halves);
-  std::int32_t* const face_edge = take(halves);
-  std::int32_t* const edge_start = take(edges);
-  std::int32_t* const edge_end = take(edges);
-  std::int32_t* const edge_left = take(edges);
-  std::int32_t* const edge_right = take(edges);
-  std::int32_t* const first_of_vertex = take(vertices + 1);
-  std::int32_t* const vertex_neighbour = take(halves);
-  std::int32_t* const vertex_edge = take(halves);
-  std::int32_t* const vertex_face = take(halves);
+  indices_.resize(std::size_t(topology_length(vertices, edges, faces)));
+  view_ = topology_at(indices_.data(), vertices, edges, faces);
+  const auto own = [&](const std::int32_t* array) { return indices_.data() + (array - indices_.data()); };
+  std::int32_t* const face_edge = own(view_.face_edge);
+  std::int32_t* const edge_start = own(view_.edge_start);
+  std::int32_t* const edge_end = own(view_.edge_end);
+  std::int32_t* const edge_left = own(view_.edge_left);
+  std::int32_t* const edge_right = own(view_.edge_right);
+  std::int32_t* const first_of_vertex = own(view_.first_of_vertex);
+  std::int32_t* const vertex_neighbour = own(view_.vertex_neighbour);
+  std::int32_t* const vertex_edge = own(view_.vertex_edge);
+  std::int32_t* const vertex_face = own(view_.vertex_face);
 
-  std::copy(polyhedron.first_of_face.begin(), polyhedron.first_of_face.end(), first_of_face);
-  std::copy(polyhedron.face_vertices.begin(), polyhedron.face_vertices.end(), face_vertex);
+  std::copy(polyhedron.first_of_face.begin(), polyhedron.first_of_face.end(), own(view_.first_of_face));
+  std::copy(polyhedron.face_vertices.begin(), polyhedron.face_vertices.end(), own(view_.face_vertex));
 
   std::int32_t e = 0;
   for (std::int32_t h = 0; h < halves; ++h) {
@@ -116,9 +133,6 @@ TopologyArrays::TopologyArrays(const Polyhedron& polyhedron, Memory* memory) : i
     } while (h != first);
   }
   first_of_vertex[vertices] = k;
-
-  view_ = {vertices, edges,     faces,      first_of_face,   face_vertex,      face_edge,   edge_start,
-           edge_end, edge_left, edge_right, first_of_vertex, vertex_neighbour, vertex_edge, vertex_face};
 }
 
 }  // namespace halfspace

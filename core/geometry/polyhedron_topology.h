@@ -36,6 +36,16 @@ class HalfEdges {
   Array<std::int32_t> twin_;
 };
 
+/// The topology whose arrays lie one after the other from `indices` on, in the order in which Topology names
+/// them.
+Topology topology_at(const std::int32_t* indices, std::int32_t vertices, std::int32_t edges,
+                     std::int32_t faces);
+
+/// How many indices that are.
+inline std::int64_t topology_length(std::int64_t vertices, std::int64_t edges, std::int64_t faces) {
+  return (faces + 1) + 14 * edges + (vertices + 1);
+}
+
 /// Owns the arrays that a Topology points to.
 class TopologyArrays {
  public:

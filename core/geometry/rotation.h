@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/vector.h"
@@ -21,12 +22,21 @@ CosineAndSine<Number> cosine_and_sine(const Number& z, const Number& w, const Nu
   return {(w * w - z * z) * inverse, 2.0 * w * z * inverse};
 }
 
+/// Of an angle: by a polynomial instead of the C library's functions where the angle is as small as those of
+/// a time step, so that a run has the same bits wherever the arithmetic is IEEE.
+inline CosineAndSine<double> cosine_and_sine_of(double angle) {
+  constexpr double largest_for_the_series = 0.0625;  // the first neglected term is below 1e-18 there
+  if (std::abs(angle) > largest_for_the_series) return {std::cos(angle), std::sin(angle)};
+  const double q = angle * angle;
+  return {1 - q / 2 * (1 - q / 12 * (1 - q / 30 * (1 - q / 56 * (1 - q / 90)))),
+          angle * (1 - q / 6 * (1 - q / 20 * (1 - q / 42 * (1 - q / 72))))};
+}
+
 /// A turn about the origin.
 template <int D>
 class Rotation;
 
-/// In the plane: a unit complex number, cosine and sine. Kept as such, and advanced by a polynomial instead
-/// of the C library's sine, so that a run has the same bits wherever the arithmetic is IEEE.
+/// In the plane: a unit complex number, cosine and sine.
 template <>
 class Rotation<2> {
  public:
@@ -46,25 +56,21 @@ class Rotation<2> {
   Rotation inverse() const { return {cosine, -sine}; }
 
   /// This rotation followed by a further turn, brought back to unit length.
-  Rotation turned_by(double angle) const {
-    if (angle == 0) return *this;
-    const Rotation next = small_turn(angle) * *this;
+  Rotation turned_by(const Angular<2>& turn) const {
+    if (turn[0] == 0) return *this;
+    const auto [c, s] = cosine_and_sine_of(turn[0]);
+    const Rotation next = Rotation(c, s) * *this;
     // One Newton step of 1/sqrt(c^2 + s^2) at 1: the length is off by rounding only.
     const double correction = 1.5 - 0.5 * (next.cosine * next.cosine + next.sine * next.sine);
     return {next.cosine * correction, next.sine * correction};
   }
 
-  Rotation(double c = 1, double s = 0) : cosine(c), sine(s) {}
-
- private:
-  static Rotation small_turn(double angle) {
-    constexpr double largest_for_the_series = 0.0625;  // the first neglected term is below 1e-18 there
-    if (std::abs(angle) > largest_for_the_series) return from_angle(angle);
-    const double q = angle * angle;
-    const double s = angle * (1 - q / 6 * (1 - q / 20 * (1 - q / 42 * (1 - q / 72))));
-    const double c = 1 - q / 2 * (1 - q / 12 * (1 - q / 30 * (1 - q / 56 * (1 - q / 90))));
-    return {c, s};
+  /// No unit vector is turned to places farther apart by these two.
+  double farthest_from(const Rotation& other) const {
+    return std::abs(cosine - other.cosine) + std::abs(sine - other.sine);
   }
+
+  Rotation(double c = 1, double s = 0) : cosine(c), sine(s) {}
 };
 
 /// In space: the columns of its matrix are where it takes the axes.
@@ -104,6 +110,77 @@ class Rotation<3> {
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) transposed.columns_[i][j] = columns_[j][i];
     return transposed;
+  }
+
+  /// From where it takes the axes: right-handed unit vectors at right angles to each other.
+  static Rotation from_axes(const Vector<3>& x, const Vector<3>& y, const Vector<3>& z) {
+    Rotation rotation;
+    rotation.columns_[0] = x;
+    rotation.columns_[1] = y;
+    rotation.columns_[2] = z;
+    return rotation;
+  }
+
+  /// Where it takes axis k.
+  const Vector<3>& axis(int k) const { return columns_[k]; }
+
+  /// This rotation followed by a further turn: about the direction of `turn`, by its length.
+  Rotation turned_by(const Angular<3>& turn) const {
+    const double angle = turn.norm();
+    if (angle == 0) return *this;
+    const auto [c, s] = cosine_and_sine_of(angle);
+    const Vector<3> about = turn / angle;
+    Rotation next;
+    for (int i = 0; i < 3; ++i) {
+      const Vector<3>& v = columns_[i];
+      const Vector<3> along = about.dot(v) * about;
+      next.columns_[i] = along + c * (v - along) + s * cross_product(about, v);
+    }
+    return next.straightened();
+  }
+
+  /// Turns about where it takes axis k. Rounding is left in: see straightened().
+  void turn_about_own_axis(int k, double angle) {
+    const auto [c, s] = cosine_and_sine_of(angle);
+    Vector<3>&first = columns_[(k + 1) % 3], &second = columns_[(k + 2) % 3];
+    const Vector<3> turned = c * first + s * second;
+    second = c * second - s * first;
+    first = turned;
+  }
+
+  /// Of a rotation off by rounding, the one nearest to it: a Newton step of the polar decomposition.
+  Rotation straightened() const {
+    Eigen::Matrix3d m;
+    m << columns_[0], columns_[1], columns_[2];
+    const Eigen::Matrix3d gram = m.transpose().lazyProduct(m);
+    const Eigen::Matrix3d nearest = m.lazyProduct(1.5 * Eigen::Matrix3d::Identity() - 0.5 * gram);
+    return from_axes(nearest.col(0), nearest.col(1), nearest.col(2));
+  }
+
+  /// No unit vector is turned to places farther apart by these two.
+  double farthest_from(const Rotation& other) const {
+    return std::sqrt((columns_[0] - other.columns_[0]).squaredNorm() +
+                     (columns_[1] - other.columns_[1]).squaredNorm() +
+                     (columns_[2] - other.columns_[2]).squaredNorm());
+  }
+
+  /// As a unit quaternion x, y, z, w, the one with w >= 0 but for rounding. Of its four parts the largest is
+  /// found first, so that no digits cancel.
+  void write_quaternion(double q[4]) const {
+    const Vector<3>&x = columns_[0], &y = columns_[1], &z = columns_[2];
+    // Four times the square of each part.
+    const double squares[] = {1 + x.x() - y.y() - z.z(), 1 - x.x() + y.y() - z.z(), 1 - x.x() - y.y() + z.z(),
+                              1 + x.x() + y.y() + z.z()};
+    const double xy = x.y() + y.x(), yz = y.z() + z.y(), zx = z.x() + x.z();
+    const double wx = y.z() - z.y(), wy = z.x() - x.z(), wz = x.y() - y.x();
+    const double products[4][4] = {{squares[0], xy, zx, wx},
+                                   {xy, squares[1], yz, wy},
+                                   {zx, yz, squares[2], wz},
+                                   {wx, wy, wz, squares[3]}};
+    const int largest = int(std::max_element(squares, squares + 4) - squares);
+    const double scale = 0.5 / std::sqrt(squares[largest]);
+    const double sign = products[largest][3] < 0 ? -1 : 1;
+    for (int k = 0; k < 4; ++k) q[k] = sign * scale * products[largest][k];
   }
 
  private:

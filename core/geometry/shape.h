@@ -74,11 +74,14 @@ class Shape<3> {
   double bounding_radius() const { return bounding_radius_; }
   double shortest_edge() const { return shortest_edge_; }
   double longest_edge() const { return longest_edge_; }
+  /// Area.
+  double largest_face() const { return largest_face_; }
 
  private:
   void measure(const Polyhedron& polyhedron);
   void store(const Polyhedron& polyhedron);
   void measure_edges();
+  void measure_faces();
 
   double volume_ = 0;
   Vector<3> centroid_ = Vector<3>::Zero();
@@ -86,6 +89,7 @@ class Shape<3> {
   double bounding_radius_ = 0;
   double shortest_edge_ = 0;
   double longest_edge_ = 0;
+  double largest_face_ = 0;
   TopologyArrays topology_;
   Array<double> components_;  // x, y, z, then nx, ny, nz, offset, each padded
   Outline<3> outline_;        // into components_ and topology_

@@ -44,4 +44,18 @@ inline Vector<3> cross_product(const Vector<3>& a, const Vector<3>& b) {
 /// The vector turned by a right angle counter-clockwise.
 inline Vector<2> perpendicular(const Vector<2>& v) { return {-v.y(), v.x()}; }
 
+/// Angular velocity, angular momentum or torque: a single number in the plane, counter-clockwise.
+template <int D>
+using Angular = Vector<D == 2 ? 1 : 3>;
+
+/// Moment of a force that acts at the end of an arm.
+inline Angular<2> moment(const Vector<2>& arm, const Vector<2>& force) {
+  return Angular<2>(cross(arm, force));
+}
+inline Angular<3> moment(const Vector<3>& arm, const Vector<3>& force) { return cross_product(arm, force); }
+
+/// Velocity that a spin gives the end of an arm.
+inline Vector<2> swept(const Angular<2>& spin, const Vector<2>& arm) { return spin[0] * perpendicular(arm); }
+inline Vector<3> swept(const Angular<3>& spin, const Vector<3>& arm) { return cross_product(spin, arm); }
+
 }  // namespace halfspace

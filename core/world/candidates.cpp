@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "detect/separation.h"
+#include "detect/separation_3d.h"
 
 namespace halfspace {
 namespace {
@@ -110,11 +111,11 @@ void Candidates<D>::carry_over(bool with_shear) {
   const std::size_t most = std::max(room_, sorted_.size() + std::size_t(bonded));
   refit(next_pairs_, most);
   refit(next_shear_, with_shear ? most : 0);
-  const auto keep = [&](const Candidate<D>& pair, const ShearSpring& shear) {
+  const auto keep = [&](const Candidate<D>& pair, const ShearSpring<D>& shear) {
     next_pairs_.push_back(pair);
     if (with_shear) next_shear_.push_back(shear);
   };
-  const auto shear_of = [&](std::size_t old) { return shear_.empty() ? ShearSpring{} : shear_[old]; };
+  const auto shear_of = [&](std::size_t old) { return shear_.empty() ? ShearSpring<D>{} : shear_[old]; };
 
   std::size_t old = 0;
   const auto keep_bonded = [&] {
@@ -171,5 +172,6 @@ void Candidates<D>::forget(std::int32_t slot) {
 }
 
 template class Candidates<2>;
+template class Candidates<3>;
 
 }  // namespace halfspace

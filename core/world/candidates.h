@@ -6,7 +6,7 @@
 
 #include "block/blocks.h"
 #include "detect/contact.h"
-#include "force/spring.h"
+#include "force/shear_spring.h"
 #include "neighbor/neighbor_search.h"
 
 namespace halfspace {
@@ -56,7 +56,7 @@ class Candidates {
   Array<Candidate<D>>& pairs() { return pairs_; }
   const Array<Candidate<D>>& pairs() const { return pairs_; }
   /// One per pair; none at all when no law resists shear.
-  std::span<ShearSpring> shear() { return shear_; }
+  std::span<ShearSpring<D>> shear() { return shear_; }
   /// Pairs that all lists of pairs have room for: some to spare, so that a settled heap whose pairs come and
   /// go asks for no memory.
   std::size_t room() const { return std::max(room_, next_pairs_.size()); }
@@ -73,10 +73,8 @@ class Candidates {
  private:
   /// How far a block's farthest point can have moved since the search.
   double moved(const Blocks<D>& blocks, std::size_t slot) const {
-    const Rotation<D>& now = blocks.rotation[slot];
-    const Rotation<D>& then = reference_rotation_[slot];
     return (blocks.position[slot] - reference_position_[slot]).norm() +
-           blocks.radius[slot] * (std::abs(now.cosine - then.cosine) + std::abs(now.sine - then.sine));
+           blocks.radius[slot] * blocks.rotation[slot].farthest_from(reference_rotation_[slot]);
   }
 
   void choose_skins(const Blocks<D>& blocks, double relative_skin);
@@ -86,7 +84,7 @@ class Candidates {
   void carry_over(bool with_shear);
 
   Array<Candidate<D>> pairs_;
-  Array<ShearSpring> shear_;
+  Array<ShearSpring<D>> shear_;
   Array<Vector<D>> reference_position_;
   Array<Rotation<D>> reference_rotation_;
   Array<double> skin_;
@@ -103,9 +101,10 @@ class Candidates {
   Array<BlockPair> sorted_;
   Array<std::uint32_t> first_of_block_;
   Array<Candidate<D>> next_pairs_;
-  Array<ShearSpring> next_shear_;
+  Array<ShearSpring<D>> next_shear_;
 };
 
 extern template class Candidates<2>;
+extern template class Candidates<3>;
 
 }  // namespace halfspace

@@ -39,7 +39,7 @@ void World<D>::make_bonds() {
 template <int D>
 void World<D>::release_shear(std::size_t candidate) {
   if (candidates_.shear().empty()) return;
-  ShearSpring& shear = candidates_.shear()[candidate];
+  ShearSpring<D>& shear = candidates_.shear()[candidate];
   if (shear.energy > 0) ledger_.friction_loss += shear.energy;
   shear = {};
 }
@@ -126,7 +126,7 @@ template <int D>
 void World<D>::evaluate_forces(double elapsed) {
   if (!detected_ && candidates_.used_up()) renew_candidates();
   std::fill(blocks_.force.begin(), blocks_.force.end(), Vector<D>::Zero());
-  std::fill(blocks_.torque.begin(), blocks_.torque.end(), 0.0);
+  std::fill(blocks_.torque.begin(), blocks_.torque.end(), Angular<D>::Zero());
   ContactEnergy energy;
   if (detected_) {
     forces_.clear();
@@ -141,5 +141,6 @@ void World<D>::evaluate_forces(double elapsed) {
 }
 
 template class World<2>;
+template class World<3>;
 
 }  // namespace halfspace

@@ -16,7 +16,8 @@ World<D>::World(const WorldSettings<D>& settings, Memory* memory)
       forces_(memory),
       contacts_of_(memory),
       acceleration_(memory),
-      angular_acceleration_(memory) {}
+      momentum_rate_(memory),
+      next_rotation_(memory) {}
 
 /// Every change of the world from outside: what it does to the energy is booked as outer work by prepare().
 template <int D>
@@ -81,31 +82,32 @@ void World<D>::set_pose(std::int32_t slot, const Vector<D>& position, const Rota
 }
 
 template <int D>
-void World<D>::set_velocity(std::int32_t slot, const Vector<D>& velocity, double spin) {
-  blocks_.velocity[std::size_t(slot)] = velocity;
-  blocks_.spin[std::size_t(slot)] = spin;
+void World<D>::set_velocity(std::int32_t slot, const Vector<D>& velocity, const Angular<D>& spin) {
+  blocks_.set_motion(slot, velocity, spin);
   edit();
 }
 
 template <int D>
-void World<D>::set_applied_force(std::int32_t slot, const Vector<D>& force, double torque) {
+void World<D>::set_applied_force(std::int32_t slot, const Vector<D>& force, const Angular<D>& torque) {
   blocks_.applied_force[std::size_t(slot)] = force;
   blocks_.applied_torque[std::size_t(slot)] = torque;
   if (!edited_) accelerate(std::size_t(slot));  // the next step begins under this force
 }
 
 template <int D>
-bool World<D>::set_shear_force(std::size_t contact, double force) {
-  const Candidate<D>& pair = candidate_of(contact);
+bool World<D>::set_shear_force(std::size_t which, const Vector<D>& force) {
+  const Candidate<D>& pair = candidate_of(which);
   const SpringLaw& law =
       laws_.between(blocks_.material[std::size_t(pair.a)], blocks_.material[std::size_t(pair.b)]);
   if (!law.resists_shear()) return false;
   // The energy is known at the next evaluation, which knows the stiffness.
-  candidates_.shear()[touching_[contact]] = {force, ShearSpring::preloaded};
+  const Vector<D> normal = contact(which).normal;
+  remember(candidates_.shear()[touching_[which]], shear_of(force, normal), preloaded, normal);
   edit();
   return true;
 }
 
 template class World<2>;
+template class World<3>;
 
 }  // namespace halfspace

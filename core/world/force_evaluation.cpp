@@ -19,14 +19,14 @@ void World<D>::load_blocks(std::size_t candidate, const Contact<D>& contact, dou
   const SpringLaw& law = laws_.between(blocks_.material[a], blocks_.material[b]);
   const PairMotion<D> motion{blocks_.velocity[b] - blocks_.velocity[a],
                              blocks_.position[b] - blocks_.position[a], blocks_.spin[a], blocks_.spin[b]};
-  Overlap overlap;
+  Overlap<D> overlap;
   if (law.stiffness_kind == StiffnessKind::per_area) {
     overlap = measure_overlap(blocks_.outline(pair.a), blocks_.outline(pair.b), motion.to_b, contact.pair);
   }
   const bool is_damped = law.normal_damping > 0 || law.shear_damping > 0;
-  const Spring spring(law, is_damped ? reduced_mass(a, b) : 0, elapsed);
-  ShearSpring no_shear;
-  ShearSpring& shear = candidates_.shear().empty() ? no_shear : candidates_.shear()[candidate];
+  const Spring<D> spring(law, is_damped ? reduced_mass(a, b) : 0, elapsed);
+  ShearSpring<D> no_shear;
+  ShearSpring<D>& shear = candidates_.shear().empty() ? no_shear : candidates_.shear()[candidate];
   bool bonded = pair.bonded;
   const PairLoad<D> load = spring.evaluate(contact, overlap, motion, shear, bonded, energy);
   pair.bonded = bonded;
@@ -39,5 +39,6 @@ void World<D>::load_blocks(std::size_t candidate, const Contact<D>& contact, dou
 }
 
 template class World<2>;
+template class World<3>;
 
 }  // namespace halfspace

@@ -17,25 +17,24 @@ bool LawTable::is_consistent() const {
          std::all_of(law_of_pair_.begin(), law_of_pair_.end(), names_a_law);
 }
 
-bool Blocks<2>::is_consistent(std::int32_t material_count) const {
+template <int D>
+bool Blocks<D>::is_consistent(std::int32_t material_count) const {
   const std::size_t slots = slot_count();
   const std::size_t sizes[] = {
-      material.size(),       generation.size(),   position.size(), velocity.size(), force.size(),
-      applied_force.size(),  rotation.size(),     angle.size(),    spin.size(),     torque.size(),
-      applied_torque.size(), mass.size(),         inertia.size(),  radius.size(),   longest_edge.size(),
-      first_.size(),         vertex_count_.size()};
+      material.size(), generation.size(), position.size(),      velocity.size(),
+      force.size(),    rotation.size(),   applied_force.size(), spin.size(),
+      momentum.size(), torque.size(),     mass.size(),          applied_torque.size(),
+      inertia.size(),  radius.size(),     largest_face.size(),  outlines_.slot_count()};
   if (std::any_of(std::begin(sizes), std::end(sizes), [&](std::size_t size) { return size != slots; }))
     return false;
-  if (own_.size() != turned_.size()) return false;
+  if (angle.size() != (D == 2 ? slots : 0) || !outlines_.is_consistent()) return false;
   std::int64_t living = 0;
   for (std::size_t i = 0; i < slots; ++i) {
     if (kind[i] == BlockKind::none) continue;
     ++living;
     if (kind[i] < BlockKind::fixed || kind[i] > BlockKind::rigid) return false;
     if (material[i] < 0 || material[i] >= material_count) return false;
-    const std::int64_t count = vertex_count_[i], first = first_[i];
-    const std::int64_t length = 5 * (count + (count & 1));
-    if (count < 3 || first < 0 || first > std::int64_t(own_.size()) - length) return false;
+    if (!outlines_.is_consistent(i)) return false;
   }
   const auto is_free = [&](std::int32_t slot) {
     return slot >= 0 && std::size_t(slot) < slots && !lives(std::size_t(slot));
@@ -43,6 +42,34 @@ bool Blocks<2>::is_consistent(std::int32_t material_count) const {
   return living == living_ && std::int64_t(free_slots_.size()) == std::int64_t(slots) - living &&
          std::all_of(free_slots_.begin(), free_slots_.end(), is_free);
 }
+
+namespace {
+
+bool is_below(std::int32_t index, std::int32_t count) { return index >= 0 && index < count; }
+
+bool names_features(const PotentialPair<2>& pair, const Outline<2>& a, const Outline<2>& b) {
+  if (pair.owner != 0 && pair.owner != 1) return false;
+  return is_below(pair.edge, (pair.owner == 0 ? a : b).count) &&
+         is_below(pair.vertex, (pair.owner == 0 ? b : a).count);
+}
+
+bool names_features(const PotentialPair<3>& pair, const Outline<3>& a, const Outline<3>& b) {
+  using Pair = PotentialPair<3>;
+  const Topology &of_a = *a.topology, &of_b = *b.topology;
+  switch (pair.kind) {
+    case Pair::face_vertex:
+      return is_below(pair.a, of_a.face_count) && is_below(pair.b, of_b.vertex_count);
+    case Pair::vertex_face:
+      return is_below(pair.a, of_a.vertex_count) && is_below(pair.b, of_b.face_count);
+    case Pair::edge_edge:
+      return is_below(pair.a, of_a.edge_count) && is_below(pair.b, of_b.edge_count);
+    case Pair::vertex_vertex:
+      return is_below(pair.a, of_a.vertex_count) && is_below(pair.b, of_b.vertex_count);
+  }
+  return false;
+}
+
+}  // namespace
 
 template <int D>
 bool Candidates<D>::is_consistent(const Blocks<D>& blocks) const {
@@ -58,11 +85,7 @@ bool Candidates<D>::is_consistent(const Blocks<D>& blocks) const {
     if (!lives(pair.a) || !lives(pair.b) || pair.a >= pair.b) return false;
     const PairMemory<D>& memory = pair.memory;
     if (memory.state < PairMemory<D>::unknown || memory.state > PairMemory<D>::touching) return false;
-    if (memory.pair.owner != 0 && memory.pair.owner != 1) return false;
-    const int of_owner = blocks.outline(memory.pair.owner == 0 ? pair.a : pair.b).count;
-    const int of_other = blocks.outline(memory.pair.owner == 0 ? pair.b : pair.a).count;
-    return memory.pair.edge >= 0 && memory.pair.edge < of_owner && memory.pair.vertex >= 0 &&
-           memory.pair.vertex < of_other;
+    return names_features(memory.pair, blocks.outline(pair.a), blocks.outline(pair.b));
   });
 }
 
@@ -72,15 +95,19 @@ bool World<D>::is_consistent() const {
   if (!blocks_.is_consistent(material_count()) || !candidates_.is_consistent(blocks_)) return false;
   const std::size_t slots = blocks_.slot_count();
   if (fresh_.size() > slots || (any_fresh_ && fresh_.size() != slots)) return false;
-  if (!edited_ && (acceleration_.size() != slots || angular_acceleration_.size() != slots)) return false;
-  if (acceleration_.size() > slots || angular_acceleration_.size() > slots) return false;
+  if (!edited_ && (acceleration_.size() != slots || momentum_rate_.size() != slots)) return false;
+  if (acceleration_.size() > slots || momentum_rate_.size() > slots) return false;
   if (!forces_.empty() && forces_.size() != touching_.size()) return false;
   if (!(time_step_ >= 0) || !std::isfinite(time_step_)) return false;
   const auto names_a_pair = [&](std::uint32_t candidate) { return candidate < candidates_.pairs().size(); };
   return std::all_of(touching_.begin(), touching_.end(), names_a_pair);
 }
 
+template bool Blocks<2>::is_consistent(std::int32_t) const;
+template bool Blocks<3>::is_consistent(std::int32_t) const;
 template bool Candidates<2>::is_consistent(const Blocks<2>&) const;
+template bool Candidates<3>::is_consistent(const Blocks<3>&) const;
 template bool World<2>::is_consistent() const;
+template bool World<3>::is_consistent() const;
 
 }  // namespace halfspace

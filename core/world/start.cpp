@@ -13,7 +13,7 @@ typename World<D>::Hardest World<D>::hardest_contact(std::size_t slot) const {
     const SpringLaw& law = laws_.between(blocks_.material[slot], other);
     const bool per_area = law.stiffness_kind == StiffnessKind::per_area;
     const double spring = std::max(law.normal_stiffness, law.shear_stiffness);
-    const double stiffness = per_area ? spring * blocks_.longest_edge[slot] : spring;
+    const double stiffness = per_area ? spring * blocks_.largest_face[slot] : spring;
     const double share = std::max(law.normal_damping, law.shear_damping);
     hardest.stiffness = std::max(hardest.stiffness, stiffness);
     hardest.viscosity = std::max(hardest.viscosity, 2 * share * std::sqrt(stiffness * blocks_.mass[slot]));
@@ -37,7 +37,8 @@ double World<D>::stable_time_step() {
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
     if (blocks_.kind[i] != BlockKind::rigid || material_count() == 0) continue;
     const double contacts = std::max(contacts_of_[i], least_contacts);
-    const double mobility = 1 / blocks_.mass[i] + blocks_.radius[i] * blocks_.radius[i] / blocks_.inertia[i];
+    const double mobility =
+        1 / blocks_.mass[i] + blocks_.radius[i] * blocks_.radius[i] / blocks_.inertia[i].least_moment();
     const Hardest hardest = hardest_contact(i);
     const double omega_squared = 2 * contacts * hardest.stiffness * mobility;
     const double gamma = 2 * contacts * hardest.viscosity * mobility;
@@ -82,5 +83,6 @@ void World<D>::start_ledger() {
 }
 
 template class World<2>;
+template class World<3>;
 
 }  // namespace halfspace

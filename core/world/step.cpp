@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "block/free_turn.h"
 #include "world/world.h"
 
 namespace halfspace {
@@ -30,10 +31,11 @@ void World<D>::accelerate(std::size_t i) {
   auto [force, torque] = drive(i);
   if (settings_.local_damping > 0) {
     for (int k = 0; k < D; ++k) force[k] = damped(force[k], blocks_.velocity[i][k], settings_.local_damping);
-    torque = damped(torque, blocks_.spin[i], settings_.local_damping);
+    for (int k = 0; k < torque.size(); ++k)
+      torque[k] = damped(torque[k], blocks_.spin[i][k], settings_.local_damping);
   }
   acceleration_[i] = force / blocks_.mass[i] - settings_.mass_damping * blocks_.velocity[i];
-  angular_acceleration_[i] = torque / blocks_.inertia[i] - settings_.mass_damping * blocks_.spin[i];
+  momentum_rate_[i] = torque - settings_.mass_damping * blocks_.momentum[i];
 }
 
 /// Plans the coming step: false when a block would pass its own radius in it, or when one is not finite: out
@@ -42,16 +44,23 @@ void World<D>::accelerate(std::size_t i) {
 template <int D>
 bool World<D>::plan_motion() {
   const double half = 0.5 * time_step_;
+  next_rotation_.resize(blocks_.slot_count());
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
     const bool rigid = blocks_.kind[i] == BlockKind::rigid;
     if (!rigid && blocks_.kind[i] != BlockKind::prescribed) continue;
     Vector<D> velocity = blocks_.velocity[i];
-    double spin = blocks_.spin[i];
+    Angular<D> spin = blocks_.spin[i];
     if (rigid) {
       velocity += half * acceleration_[i];
-      spin += half * angular_acceleration_[i];
+      const Angular<D> momentum = blocks_.momentum[i] + half * momentum_rate_[i];
+      spin = blocks_.inertia[i].spin(momentum, blocks_.rotation[i]);
+      next_rotation_[i] = turned_freely(blocks_.rotation[i], blocks_.inertia[i], momentum, time_step_);
+    } else {
+      next_rotation_[i] = blocks_.rotation[i].turned_by(time_step_ * spin);
     }
-    const double motion = time_step_ * (velocity.norm() + blocks_.radius[i] * std::abs(spin));
+    const double turn =
+        std::max(time_step_ * spin.norm(), next_rotation_[i].farthest_from(blocks_.rotation[i]));
+    const double motion = time_step_ * velocity.norm() + blocks_.radius[i] * turn;
     if (!(motion <= blocks_.radius[i])) return false;
     candidates_.plan(blocks_, i, motion);
   }
@@ -65,29 +74,24 @@ void World<D>::kick_and_drift() {
   const double half = 0.5 * time_step_;
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
     if (blocks_.kind[i] == BlockKind::rigid) {
-      blocks_.velocity[i] += half * acceleration_[i];
-      blocks_.spin[i] += half * angular_acceleration_[i];
+      blocks_.kick(i, half * acceleration_[i], half * momentum_rate_[i]);
     } else if (blocks_.kind[i] != BlockKind::prescribed) {
       continue;
     }
-    blocks_.position[i] += time_step_ * blocks_.velocity[i];
-    const double turn = time_step_ * blocks_.spin[i];
-    if (turn != 0) {
-      blocks_.angle[i] += turn;
-      blocks_.rotation[i] = blocks_.rotation[i].turned_by(turn);
-      blocks_.turn_outline(std::int32_t(i));
-    }
+    if constexpr (D == 2) blocks_.angle[i] += time_step_ * blocks_.spin[i][0];
+    blocks_.drift(std::int32_t(i), time_step_ * blocks_.velocity[i], next_rotation_[i]);
   }
 }
 
 /// A block's energies, and the rates at which prescribed motion and damping change the world's. `opposed` is
 /// the velocity that damping was formed with.
 template <int D>
-void World<D>::take_stock(std::size_t i, const Vector<D>& opposed, double opposed_spin, Stock& stock) const {
+void World<D>::take_stock(std::size_t i, const Vector<D>& opposed, const Angular<D>& opposed_spin,
+                          Stock& stock) const {
   const Vector<D>& velocity = blocks_.velocity[i];
-  const double spin = blocks_.spin[i];
+  const Angular<D>& spin = blocks_.spin[i];
   if (blocks_.kind[i] == BlockKind::prescribed) {
-    stock.power.prescribed -= blocks_.force[i].dot(velocity) + blocks_.torque[i] * spin;
+    stock.power.prescribed -= blocks_.force[i].dot(velocity) + blocks_.torque[i].dot(spin);
   }
   if (blocks_.kind[i] != BlockKind::rigid) return;
   const double mass = blocks_.mass[i];
@@ -95,13 +99,14 @@ void World<D>::take_stock(std::size_t i, const Vector<D>& opposed, double oppose
   stock.gravity -= mass * settings_.gravity.dot(blocks_.position[i]);
   if (settings_.local_damping > 0) {
     const auto [force, torque] = drive(i);
-    double power = damped_power(torque, opposed_spin, spin);
+    double power = 0;
+    for (int k = 0; k < torque.size(); ++k) power += damped_power(torque[k], opposed_spin[k], spin[k]);
     for (int k = 0; k < D; ++k) power += damped_power(force[k], opposed[k], velocity[k]);
     stock.power.local_damping += settings_.local_damping * power;
   }
   if (settings_.mass_damping > 0) {
     stock.power.mass_damping +=
-        settings_.mass_damping * (mass * opposed.dot(velocity) + blocks_.inertia[i] * opposed_spin * spin);
+        settings_.mass_damping * (mass * opposed.dot(velocity) + opposed_spin.dot(blocks_.momentum[i]));
   }
 }
 
@@ -114,13 +119,12 @@ void World<D>::kick_and_book() {
   double applied_power = 0;
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
     const Vector<D> middle_velocity = blocks_.velocity[i];
-    const double middle_spin = blocks_.spin[i];
+    const Angular<D> middle_spin = blocks_.spin[i];
     if (blocks_.kind[i] == BlockKind::rigid) {
       accelerate(i);
       applied_power +=
-          blocks_.applied_force[i].dot(middle_velocity) + blocks_.applied_torque[i] * middle_spin;
-      blocks_.velocity[i] += half * acceleration_[i];
-      blocks_.spin[i] += half * angular_acceleration_[i];
+          blocks_.applied_force[i].dot(middle_velocity) + blocks_.applied_torque[i].dot(middle_spin);
+      blocks_.kick(i, half * acceleration_[i], half * momentum_rate_[i]);
     }
     take_stock(i, middle_velocity, middle_spin, stock);
   }
@@ -147,7 +151,7 @@ StepResult World<D>::prepare() {
   if (!edited_) return StepResult::ok;
   if (!choose_time_step()) return StepResult::no_time_step;
   acceleration_.resize(blocks_.slot_count(), Vector<D>::Zero());
-  angular_acceleration_.resize(blocks_.slot_count());
+  momentum_rate_.resize(blocks_.slot_count(), Angular<D>::Zero());
   evaluate_forces(0);
   start_ledger();
   edited_ = false;
@@ -174,5 +178,6 @@ StepResult World<D>::step() {
 }
 
 template class World<2>;
+template class World<3>;
 
 }  // namespace halfspace

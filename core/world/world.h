@@ -47,8 +47,8 @@ class World {
                          const Vector<D>& position, const Rotation<D>& rotation);
   void remove_block(std::int32_t slot);
   void set_pose(std::int32_t slot, const Vector<D>& position, const Rotation<D>& rotation);
-  void set_velocity(std::int32_t slot, const Vector<D>& velocity, double spin);
-  void set_applied_force(std::int32_t slot, const Vector<D>& force, double torque);
+  void set_velocity(std::int32_t slot, const Vector<D>& velocity, const Angular<D>& spin);
+  void set_applied_force(std::int32_t slot, const Vector<D>& force, const Angular<D>& torque);
 
   // Stages.
   /// Neighbour search, when motion has used the list up, and detection.
@@ -78,8 +78,9 @@ class World {
   double time_step() const { return time_step_; }
   /// Largest stable step by Gershgorin's bound, infinite when nothing can touch.
   double stable_time_step();
-  /// Sets the shear spring of a contact in force on b. False when it has none.
-  bool set_shear_force(std::size_t contact, double force);
+  /// Sets the shear spring of a contact in force on b, of which what lies in the contact plane counts. False
+  /// when it has none.
+  bool set_shear_force(std::size_t contact, const Vector<D>& force);
 
   /// False for what no world can be, after reading a snapshot: a damaged one is refused and not run.
   bool is_consistent() const;
@@ -87,15 +88,15 @@ class World {
   template <class Archive>
   void visit(Archive& archive) {
     archive(settings_, density_, fresh_, any_fresh_, laws_, blocks_, candidates_, touching_, forces_,
-            acceleration_, angular_acceleration_, ledger_, noise_energy_, residual_before_edit_, power_,
-            epoch_time_, epoch_step_, time_step_, steps_, detected_, edited_);
+            acceleration_, momentum_rate_, ledger_, noise_energy_, residual_before_edit_, power_, epoch_time_,
+            epoch_step_, time_step_, steps_, detected_, edited_);
   }
 
  private:
   /// What drives a block, before damping.
   struct Drive {
     Vector<D> force;
-    double torque;
+    Angular<D> torque;
   };
 
   /// Rates at which prescribed motion puts energy in and damping takes it out.
@@ -134,7 +135,8 @@ class World {
   void renew_candidates();
   void kick_and_drift();
   void kick_and_book();
-  void take_stock(std::size_t slot, const Vector<D>& opposed, double opposed_spin, Stock& stock) const;
+  void take_stock(std::size_t slot, const Vector<D>& opposed, const Angular<D>& opposed_spin,
+                  Stock& stock) const;
   double reduced_mass(std::size_t a, std::size_t b) const;
   Hardest hardest_contact(std::size_t slot) const;
   bool makes_energy() const;
@@ -148,11 +150,12 @@ class World {
   LawTable laws_;
   Blocks<D> blocks_;
   Candidates<D> candidates_;
-  Array<std::uint32_t> touching_;    // the candidate of each contact
-  Array<ContactForce<D>> forces_;    // of each contact
-  Array<std::int32_t> contacts_of_;  // each block, when the stable step is asked for
-  Array<Vector<D>> acceleration_;    // of each block, from the last forces
-  Array<double> angular_acceleration_;
+  Array<std::uint32_t> touching_;     // the candidate of each contact
+  Array<ContactForce<D>> forces_;     // of each contact
+  Array<std::int32_t> contacts_of_;   // each block, when the stable step is asked for
+  Array<Vector<D>> acceleration_;     // of each block, from the last forces
+  Array<Angular<D>> momentum_rate_;   // of the angular momentum, likewise
+  Array<Rotation<D>> next_rotation_;  // planned for the coming step
   Ledger ledger_;
   double noise_energy_ = 0;  // of the whole, below which energy made by the numbers is not judged
   double residual_before_edit_ = 0;
@@ -166,5 +169,6 @@ class World {
 };
 
 extern template class World<2>;
+extern template class World<3>;
 
 }  // namespace halfspace

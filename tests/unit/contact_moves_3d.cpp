@@ -21,7 +21,7 @@ TEST_CASE(
   for (int i = 0; i < 60; ++i) {
     const Shape<3> a = random_block(random, random.integer(4, 24)),
                    b = random_block(random, random.integer(4, 24));
-    const Vector<3> to_b(random.uniform(-0.8, 0.8), random.uniform(-0.8, 0.8), random.uniform(-0.8, 0.8));
+    const Vector<3> to_b = random_vector(random, -0.8, 0.8);
     const Separation<3> least = pair_of_largest_gap(a.outline(), b.outline(), to_b);
     if (least.gap > 0) continue;
     Pair pair = least.pair;
@@ -171,7 +171,7 @@ TEST_CASE("the walk ends at a pair less deep than all its neighbours") {
   for (int i = 0; i < 20; ++i) {
     const Shape<3> shape_a = random_block(random, 12), shape_b = random_block(random, 12);
     const Outline<3>&a = shape_a.outline(), &b = shape_b.outline();
-    const Vector<3> to_b(random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4));
+    const Vector<3> to_b = random_vector(random, -0.4, 0.4);
     const Separation<3> least = pair_of_largest_gap(a, b, to_b);
     REQUIRE(least.gap < 0);
     for (int f = 0; f < a.face_count(); ++f) {
@@ -197,14 +197,42 @@ TEST_CASE("in space, the violated pair is tried first, and left when it no longe
   CHECK(still_separated(block.outline(), other.outline(), {0.1, 0.1, 1.55}, memory));
   CHECK(memory.pair == apart.memory.pair);
   CHECK_FALSE(still_separated(block.outline(), other.outline(), {1, 0, 0}, memory));
-  // Two vertices prove as much along the line between them.
-  memory = {PairMemory<3>::separated, {Pair::vertex_vertex, 0, 0}};
-  const Vector<3> to_corner(0.8, 0.8, 1.6);
-  refresh(block.outline(), other.outline(), to_corner, memory.pair);
-  CHECK(still_separated(block.outline(), other.outline(), to_corner, memory));
-  CHECK(block.outline().vertex(memory.pair.a).isApprox(Vector<3>(0.5, 0.5, 0.5)));
-  CHECK(other.outline().vertex(memory.pair.b).isApprox(Vector<3>(0, 0, -1)));
-  // No facet to walk from: the least depth stands in.
-  const Met met = meet(block, other, {0.25, 0.125, 1.4}, memory);
-  CHECK(met.contact.normal == z_axis);
+}
+
+TEST_CASE(
+    "a plane between blocks is kept until it no longer holds, and finds the vertices deepest along it") {
+  const Shape<3> block = block_of(cube), other = block_of(tip);
+  const Outline<3>&a = block.outline(), &b = other.outline();
+  const Vector<3> diagonal = Vector<3>(1, 1, 1).normalized();
+  PairMemory<3> memory{PairMemory<3>::separated, {Pair::vertex_vertex, 0, 0}, diagonal};
+  // Along it the cube reaches 1.5 / sqrt(3) and the tip 1 / sqrt(3).
+  const Vector<3> apart = 2.51 / std::sqrt(3) * diagonal, together = 2.49 / std::sqrt(3) * diagonal;
+  CHECK(still_separated(a, b, apart, memory));
+  CHECK(a.vertex(memory.pair.a).isApprox(Vector<3>(0.5, 0.5, 0.5)));
+  CHECK(b.vertex(memory.pair.b).isApprox(Vector<3>(0, 0, -1)));
+  CHECK(memory.normal == diagonal);
+  CHECK_FALSE(still_separated(a, b, together, memory));
+  // From there the blocks meet through a face that looks along the plane.
+  CHECK(normal_of(a, b, initial_pair(a, b, together, memory)).dot(diagonal) > 0.57);
+}
+
+TEST_CASE("a fast block of many vertices that is all but through a thin plate keeps the side it came from") {
+  Random random(31);
+  const Shape<3> plate = block_of(prism(rectangle(10, 10), 0.1));
+  for (int i = 0; i < 100; ++i) {
+    const Shape<3> block = random_block(random, 60);
+    const Outline<3>&a = plate.outline(), &b = block.outline();
+    const auto [lowest, highest] = std::minmax_element(b.z, b.z + b.vertex_count());
+    const double x = random.uniform(-3, 3), y = random.uniform(-3, 3);
+    PairMemory<3> memory, none;
+    judge_pair(a, b, Vector<3>(x, y, 0.05 - *lowest + 0.03), memory);
+    REQUIRE(memory.state == PairMemory<3>::separated);
+    const Vector<3> within(x, y, -0.05 - *highest + 0.03);
+    judge_pair(a, b, within, memory);
+    REQUIRE(memory.state == PairMemory<3>::touching);
+    CHECK(normal_of(a, b, memory.pair).z() > 0.9);
+    // Without its history it is pushed on.
+    judge_pair(a, b, within, none);
+    CHECK(normal_of(a, b, none.pair).z() < -0.9);
+  }
 }

@@ -84,7 +84,7 @@ Met meet(const Shape<3>& a, const Shape<3>& b, const Vector<3>& to_b, const Pair
   Met met{{}, memory};
   const Separation<3> found = pair_of_largest_gap(a.outline(), b.outline(), to_b);
   if (found.gap > 0) {
-    met.memory = {PairMemory<3>::separated, found.pair};
+    met.memory = memory_of(found);
   } else {
     describe_overlap(a.outline(), b.outline(), to_b, found.pair, options, met.memory, met.contact);
   }
@@ -104,7 +104,7 @@ PairMemory<3> swapped(const PairMemory<3>& memory) {
   const Pair::Kind kind = p.kind == Pair::face_vertex   ? Pair::vertex_face
                           : p.kind == Pair::vertex_face ? Pair::face_vertex
                                                         : p.kind;
-  return {memory.state, {kind, p.b, p.a}};
+  return {memory.state, {kind, p.b, p.a}, -memory.normal};
 }
 
 void check_by_definition(const Shape<3>& a, const Shape<3>& b, const Vector<3>& to_b, const Contact<3>& c) {

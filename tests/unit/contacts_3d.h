@@ -2,8 +2,7 @@
 
 #include <vector>
 
-#include "detect/pair_3d.h"
-#include "detect/separation.h"
+#include "detect/pair.h"
 #include "polyhedra.h"
 
 namespace halfspace::test {

@@ -43,7 +43,7 @@ TEST_CASE("no pair is lost at any ratio of sizes") {
       std::vector<Box<2>> boxes;
       for (int i = 0; i < 300; ++i) {
         const double size = std::pow(smallest, random.uniform(0, 1));
-        const Vector<2> lower(random.uniform(-5, 5), random.uniform(-5, 5));
+        const Vector<2> lower = {random.uniform(-5, 5), random.uniform(-5, 5)};
         const double slender = random.uniform(0, 1);
         boxes.push_back({lower, lower + size * Vector<2>(1, slender)});
       }

@@ -32,9 +32,9 @@ TEST_CASE("aligned faces: area, width and centre of the overlap are exact") {
   const Shape<2> square = shape_of(rectangle(2, 2));
   const Vector<2> to_b(1.75, 0.5);
   const Separation<2> s = find_separation(square.outline(), square.outline(), to_b);
-  const Overlap overlap = measure_overlap(square.outline(), square.outline(), to_b, s.pair);
-  CHECK(overlap.area == Approx(0.25 * 1.5).epsilon(1e-15));
-  CHECK(overlap.width == Approx(1.5).epsilon(1e-15));
+  const Overlap<2> overlap = measure_overlap(square.outline(), square.outline(), to_b, s.pair);
+  CHECK(overlap.content == Approx(0.25 * 1.5).epsilon(1e-15));
+  CHECK(overlap.base == Approx(1.5).epsilon(1e-15));
   CHECK(overlap.depth_squared == Approx(0.25 * 0.25 * 1.5).epsilon(1e-15));
   CHECK(overlap.center.isApprox(Vector<2>(1, 0.25), 1e-15));
 }
@@ -44,9 +44,9 @@ TEST_CASE("a corner behind an edge: half its depth times its width") {
   const Shape<2> diamond = shape_of({{1, 0}, {0, 1}, {-1, 0}, {0, -1}});
   const Vector<2> to_b(1.9, 0.2);
   const Separation<2> s = find_separation(square.outline(), diamond.outline(), to_b);
-  const Overlap overlap = measure_overlap(square.outline(), diamond.outline(), to_b, s.pair);
-  CHECK(overlap.area == Approx(0.01).epsilon(1e-13));
-  CHECK(overlap.width == Approx(0.2).epsilon(1e-13));
+  const Overlap<2> overlap = measure_overlap(square.outline(), diamond.outline(), to_b, s.pair);
+  CHECK(overlap.content == Approx(0.01).epsilon(1e-13));
+  CHECK(overlap.base == Approx(0.2).epsilon(1e-13));
   CHECK(overlap.depth_squared == Approx(0.2 * 0.01 / 3).epsilon(1e-13));
   CHECK(overlap.center.isApprox(Vector<2>(1, 0.2), 1e-13));
 }
@@ -62,7 +62,7 @@ TEST_CASE("shallow overlaps of random polygons agree with cutting") {
     const Separation<2> s = find_separation(a.outline(), b.outline(), to_b);
     if (s.gap > 0 || s.gap < -0.1) continue;
     const bool a_owns = s.pair.owner == 0;
-    const double area = measure_overlap(a.outline(), b.outline(), to_b, s.pair).area;
+    const double area = measure_overlap(a.outline(), b.outline(), to_b, s.pair).content;
     const double expected =
         a_owns ? area_by_cutting(a, b, to_b, s.pair.edge) : area_by_cutting(b, a, -to_b, s.pair.edge);
     // Cutting rounds its new corners to the ulp of a unit coordinate.

@@ -54,7 +54,7 @@ TEST_CASE("a hull holds all its points and is a valid polygon") {
   for (int round = 0; round < 200; ++round) {
     Points points;
     for (int i = random.integer(3, 60); i > 0; --i)
-      points.emplace_back(random.uniform(-1, 1), random.uniform(-1, 1));
+      points.push_back({random.uniform(-1, 1), random.uniform(-1, 1)});
     const Array<Vector<2>> hull = convex_hull(points, std::pmr::get_default_resource());
     REQUIRE(check_polygon(hull).fault == Fault::none);
     for (std::size_t e = 0; e < hull.size(); ++e) {
@@ -76,7 +76,7 @@ TEST_CASE("the parts of a cut make up the whole and share their new vertices") {
     const Points whole = random_polygon(random, 20, 1);
     const double angle = random.uniform(0, 2 * std::numbers::pi);
     const Vector<2> normal(std::cos(angle), std::sin(angle));
-    const Vector<2> point(random.uniform(-0.6, 0.6), random.uniform(-0.6, 0.6));
+    const Vector<2> point = {random.uniform(-0.6, 0.6), random.uniform(-0.6, 0.6)};
     const PolygonParts parts = cut_polygon(whole, point, normal, std::pmr::get_default_resource());
     double area = 0;
     for (const auto* part : {&parts.behind, &parts.ahead}) {

@@ -97,7 +97,7 @@ TEST_CASE("separation by all combinations and by the merge both find the largest
     for (int round = 0; round < 200; ++round) {
       const Shape<2> a = shape_of(draw());
       const Shape<2> b = shape_of(draw());
-      const Vector<2> to_b(random.uniform(-2, 2), random.uniform(-2, 2));
+      const Vector<2> to_b = {random.uniform(-2, 2), random.uniform(-2, 2)};
       const Separation<2> found = find_separation(a.outline(), b.outline(), to_b);
       const double largest = largest_gap_by_definition(a.outline(), b.outline(), to_b);
       CHECK((found.gap > 0) == (largest > 0));

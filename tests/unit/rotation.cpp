@@ -10,7 +10,7 @@ TEST_CASE("small turns add up to the angle and stay of unit length") {
   Rotation<2> rotation;
   const double step = 1e-3;
   const int count = 1000000;
-  for (int i = 0; i < count; ++i) rotation = rotation.turned_by(step);
+  for (int i = 0; i < count; ++i) rotation = rotation.turned_by(Angular<2>(step));
   const Rotation<2> exact = Rotation<2>::from_angle(step * count);
   CHECK(rotation.cosine * rotation.cosine + rotation.sine * rotation.sine == Approx(1).epsilon(1e-15));
   CHECK(std::abs(rotation.cosine - exact.cosine) < count * 0x1p-53);
@@ -20,8 +20,8 @@ TEST_CASE("small turns add up to the angle and stay of unit length") {
 TEST_CASE("a turn and its opposite mirror each other bit for bit") {
   Rotation<2> left, right;
   for (int i = 1; i < 1000; ++i) {
-    left = left.turned_by(1e-4 * i);
-    right = right.turned_by(-1e-4 * i);
+    left = left.turned_by(Angular<2>(1e-4 * i));
+    right = right.turned_by(Angular<2>(-1e-4 * i));
     CHECK(left.cosine == right.cosine);
     CHECK(left.sine == -right.sine);
   }

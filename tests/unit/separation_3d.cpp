@@ -94,7 +94,8 @@ TEST_CASE("in space, both searches find the verdict and the least depth of their
     const Shape<3> shape_a = random_shape(random, random.integer(4, 12));
     const Shape<3> shape_b = random_shape(random, random.integer(4, 12));
     const Outline<3>&a = shape_a.outline(), &b = shape_b.outline();
-    const Vector<3> to_b = random.uniform(0, 2) * random_direction(random);
+    const Vector<3> direction = random_direction(random);
+    const Vector<3> to_b = random.uniform(0, 2) * direction;
     const double expected = largest_gap(a, b, to_b);
     apart += expected > 0;
     const Separation<3> all = find_separation_by_all(a, b, to_b), descent = by_descent(a, b, to_b);
@@ -118,7 +119,8 @@ TEST_CASE("in space, large blocks are judged right by descent") {
   for (int round = 0; round < 10; ++round) {
     const Shape<3> shape_a = shape_of(hull_of(random_cloud(random, 60, 0.99, 1)));
     const Shape<3> shape_b = shape_of(hull_of(random_cloud(random, 60, 0.99, 1)));
-    const Vector<3> to_b = random.uniform(1, 2.1) * random_direction(random);
+    const Vector<3> direction = random_direction(random);
+    const Vector<3> to_b = random.uniform(1, 2.1) * direction;
     const double expected = largest_gap(shape_a.outline(), shape_b.outline(), to_b);
     const Separation<3> found = by_descent(shape_a.outline(), shape_b.outline(), to_b);
     CHECK((found.gap > 0) == (expected > 0));
@@ -154,7 +156,8 @@ TEST_CASE("in space, scaling by powers of two scales the gap, bit for bit") {
   Random random(3);
   for (int round = 0; round < 30; ++round) {
     const Cloud cloud_a = random_cloud(random, 10, 0.3, 1), cloud_b = random_cloud(random, 10, 0.3, 1);
-    const Vector<3> to_b = random.uniform(0, 1.5) * random_direction(random);
+    const Vector<3> direction = random_direction(random);
+    const Vector<3> to_b = random.uniform(0, 1.5) * direction;
     const auto scaled = [](Cloud cloud, double factor) {
       for (Vector<3>& p : cloud) p *= factor;
       return cloud;

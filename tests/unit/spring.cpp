@@ -11,8 +11,8 @@ namespace {
 /// Block b, 2 wide, lies on block a with an overlap: an edge-edge contact with its normal up.
 struct OnTop {
   Contact<2> contact;
-  PairMotion<2> motion{{0, 0}, {0, 2}, 0, 0};
-  ShearSpring shear;
+  PairMotion<2> motion{{0, 0}, {0, 2}, Angular<2>(0), Angular<2>(0)};
+  ShearSpring<2> shear;
   bool bonded = false;
   ContactEnergy energy;
 
@@ -30,7 +30,7 @@ struct OnTop {
 
   PairLoad<2> press(const SpringLaw& law, double elapsed) {
     energy = {};
-    return Spring(law, 1, elapsed).evaluate(contact, Overlap(), motion, shear, bonded, energy);
+    return Spring<2>(law, 1, elapsed).evaluate(contact, Overlap<2>(), motion, shear, bonded, energy);
   }
 };
 
@@ -57,11 +57,11 @@ TEST_CASE("shear grows with slip, up to Mohr-Coulomb, and sliding loses force ti
   law.tan_friction = 0.5;
   OnTop block(0.01);
   block.motion.velocity = {1, 0};  // b slips to the right; the tangent of an upward normal points left
-  CHECK(block.press(law, 0.01).contact.shear_force == Approx(100 * 0.01));
+  CHECK(block.press(law, 0.01).contact.shear[0] == Approx(100 * 0.01));
   CHECK(block.energy.friction_loss == Approx(0).margin(1e-15));
   CHECK(block.press(law, 0.01).force.x() == Approx(-2));
   const PairLoad<2> sliding = block.press(law, 1.0);
-  CHECK(sliding.contact.shear_force == Approx(5));
+  CHECK(sliding.contact.shear[0] == Approx(5));
   CHECK(sliding.force.isApprox(Vector<2>(-5, 10)));
   // From 2 to 5 the spring took 0.03 of the slip at a mean of 3.5; the rest slid.
   block.press(law, 1.0);
@@ -77,9 +77,9 @@ TEST_CASE("an intact contact holds cohesion and tension until it fails, then fri
     OnTop block(0.01);
     block.bonded = true;
     block.motion.velocity = {1, 0};
-    CHECK(block.press(law, 0.10).contact.shear_force == Approx(10));  // below 5 + 6
+    CHECK(block.press(law, 0.10).contact.shear[0] == Approx(10));  // below 5 + 6
     CHECK(block.bonded);
-    CHECK(block.press(law, 0.02).contact.shear_force == Approx(5));
+    CHECK(block.press(law, 0.02).contact.shear[0] == Approx(5));
     CHECK_FALSE(block.bonded);
   }
   SECTION("tension") {
@@ -114,6 +114,6 @@ TEST_CASE("action and reaction: the torques about any one point cancel") {
   block.contact.gaps[1] = -0.02;
   block.motion.velocity = {0.001, 0};
   const PairLoad<2> f = block.press(law, 1);
-  CHECK(f.torque_on_a + f.torque_on_b + cross(block.motion.to_b, f.force) == Approx(0).margin(1e-15));
+  CHECK((f.torque_on_a + f.torque_on_b + moment(block.motion.to_b, f.force))[0] == Approx(0).margin(1e-15));
   CHECK(f.contact.point.x() == Approx((-1 * 5 + 1 * 10) / 15.0));
 }

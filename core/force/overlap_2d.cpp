@@ -1,6 +1,6 @@
-#include "force/overlap.h"
-
 #include <algorithm>
+
+#include "force/overlap.h"
 
 namespace halfspace {
 namespace {
@@ -46,8 +46,8 @@ struct Profile {
 
 }  // namespace
 
-Overlap measure_overlap(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
-                        const PotentialPair<2>& pair) {
+Overlap<2> measure_overlap(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
+                           const PotentialPair<2>& pair) {
   const bool a_owns = pair.owner == 0;
   const Outline<2>& owner = a_owns ? a : b;
   const Outline<2>& other = a_owns ? b : a;
@@ -81,11 +81,11 @@ Overlap measure_overlap(const Outline<2>& a, const Outline<2>& b, const Vector<2
   const Profile towards_end = walk([&](int v) { return other.previous(v); }, 1);
   const double area = towards_start.area + towards_end.area;
 
-  Overlap overlap;
+  Overlap<2> overlap;
   if (area > 0) {
-    overlap.area = area;
+    overlap.content = area;
     overlap.depth_squared = towards_start.depth_squared + towards_end.depth_squared;
-    overlap.width =
+    overlap.base =
         std::max(towards_start.last, towards_end.last) - std::min(towards_start.first, towards_end.first);
     overlap.center = middle + (towards_start.moment + towards_end.moment) / area * tangent;
     if (!a_owns) overlap.center += to_b;

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "geometry/rotation.h"
+#include "geometry/shape.h"
+#include "geometry/vector.h"
+
+namespace halfspace {
+
+/// How a block resists turning about its centroid.
+template <int D>
+struct Inertia;
+
+template <>
+struct Inertia<2> {
+  double moment = 0;
+
+  static Inertia of(const Shape<2>& shape, double density) { return {density * shape.polar_moment()}; }
+
+  Angular<2> momentum(const Angular<2>& spin, const Rotation<2>&) const { return moment * spin; }
+  Angular<2> spin(const Angular<2>& momentum, const Rotation<2>&) const { return momentum / moment; }
+  double least_moment() const { return moment; }
+};
+
+template <>
+struct Inertia<3> {
+  Vector<3> moments = Vector<3>::Zero();  // principal
+  Rotation<3> axes;                       // of these, in the shape's frame
+
+  static Inertia of(const Shape<3>& shape, double density);
+
+  Angular<3> momentum(const Angular<3>& spin, const Rotation<3>& rotation) const {
+    const Rotation<3> turned = rotation * axes;
+    return turned * Vector<3>(moments.cwiseProduct(turned.inverse() * spin));
+  }
+  Angular<3> spin(const Angular<3>& momentum, const Rotation<3>& rotation) const {
+    const Rotation<3> turned = rotation * axes;
+    return turned * Vector<3>((turned.inverse() * momentum).cwiseQuotient(moments));
+  }
+  double least_moment() const { return moments.minCoeff(); }
+};
+
+}  // namespace halfspace

@@ -1,0 +1,182 @@
+#include "block/outlines.h"
+
+#include <algorithm>
+
+namespace halfspace {
+namespace {
+
+/// How many doubles the vertices and the half-spaces of an outline take.
+struct Extent {
+  std::size_t vertices;    // of each coordinate
+  std::size_t halfspaces;  // of each component of a normal, and of the offset
+  int dimension;
+
+  std::size_t offset() const { return std::size_t(dimension) * (vertices + halfspaces); }
+  std::size_t length() const { return offset() + halfspaces; }
+};
+
+Extent extent_of(int vertex_count) {
+  const std::size_t padded = std::size_t(Outline<2>::padded(vertex_count));
+  return {padded, padded, 2};
+}
+
+Extent extent_of(const Topology& topology) {
+  return {std::size_t(Outline<3>::padded(topology.vertex_count)),
+          std::size_t(Outline<3>::padded(topology.face_count)), 3};
+}
+
+Extent extent_of(const Outline<2>& outline) { return extent_of(outline.count); }
+Extent extent_of(const Outline<3>& outline) { return extent_of(*outline.topology); }
+
+void copy_components(const Outline<2>& outline, double* to) {
+  const Extent extent = extent_of(outline);
+  for (const double* component : {outline.x, outline.y, outline.nx, outline.ny, outline.offset})
+    to = std::copy_n(component, extent.vertices, to);
+}
+
+void copy_components(const Outline<3>& outline, double* to) {
+  const Extent extent = extent_of(outline);
+  for (const double* component : {outline.x, outline.y, outline.z})
+    to = std::copy_n(component, extent.vertices, to);
+  for (const double* component : {outline.nx, outline.ny, outline.nz, outline.offset})
+    to = std::copy_n(component, extent.halfspaces, to);
+}
+
+/// Vectors whose components lie in arrays of `count` one after the other.
+void turn_vectors(const Rotation<2>& rotation, const double* own, std::size_t count, double* turned) {
+  const double c = rotation.cosine, s = rotation.sine;
+  const double *x = own, *y = own + count;
+  double *out_x = turned, *out_y = turned + count;
+  for (std::size_t i = 0; i < count; ++i) {
+    out_x[i] = c * x[i] - s * y[i];
+    out_y[i] = s * x[i] + c * y[i];
+  }
+}
+
+void turn_vectors(const Rotation<3>& rotation, const double* own, std::size_t count, double* turned) {
+  const Vector<3> to_x = rotation.axis(0), to_y = rotation.axis(1), to_z = rotation.axis(2);
+  const double *x = own, *y = own + count, *z = own + 2 * count;
+  for (int k = 0; k < 3; ++k) {
+    double* out = turned + std::size_t(k) * count;
+    for (std::size_t i = 0; i < count; ++i) out[i] = to_x[k] * x[i] + to_y[k] * y[i] + to_z[k] * z[i];
+  }
+}
+
+}  // namespace
+
+template <>
+std::size_t Outlines<2>::length(std::int32_t form) const {
+  return extent_of(form).length();
+}
+
+template <>
+std::size_t Outlines<3>::length(std::int32_t form) const {
+  return extent_of(topologies_[form]).length();
+}
+
+template <int D>
+typename Outlines<D>::Taken Outlines<D>::take_in(const Shape<D>& shape) {
+  const Outline<D>& outline = shape.outline();
+  const Extent extent = extent_of(outline);
+  const std::size_t first = own_.size();
+  Taken taken{std::int64_t(first), 0};
+  try {
+    own_.resize(first + extent.length());
+    turned_.resize(first + extent.length());
+    if constexpr (D == 2) {
+      taken.form = outline.count;
+    } else {
+      taken.form = topologies_.add(*outline.topology);
+    }
+  } catch (...) {
+    own_.resize(first);
+    turned_.resize(first);
+    throw;
+  }
+  copy_components(outline, own_.data() + first);
+  std::copy_n(outline.offset, extent.halfspaces, turned_.data() + first + extent.offset());
+  return taken;
+}
+
+template <int D>
+void Outlines<D>::assign(std::int32_t slot, const Taken& taken) {
+  first_[std::size_t(slot)] = taken.first;
+  form_[std::size_t(slot)] = taken.form;
+}
+
+template <int D>
+void Outlines<D>::undo(const Taken& taken) {
+  own_.resize(std::size_t(taken.first));
+  turned_.resize(std::size_t(taken.first));
+  if constexpr (D == 3) topologies_.release(taken.form);
+}
+
+template <int D>
+void Outlines<D>::drop(std::int32_t slot) {
+  const std::int64_t first = first_[std::size_t(slot)];
+  const std::int64_t past = first + std::int64_t(length(form_[std::size_t(slot)]));
+  own_.erase(own_.begin() + first, own_.begin() + past);
+  turned_.erase(turned_.begin() + first, turned_.begin() + past);
+  for (std::int64_t& other : first_) {
+    if (other > first) other -= past - first;
+  }
+  if constexpr (D == 3) topologies_.release(form_[std::size_t(slot)]);
+}
+
+template <int D>
+void Outlines<D>::turn(std::int32_t slot, const Rotation<D>& rotation) {
+  const std::size_t s = std::size_t(slot);
+  const Extent extent = [&] {
+    if constexpr (D == 2) {
+      return extent_of(form_[s]);
+    } else {
+      return extent_of(topologies_[form_[s]]);
+    }
+  }();
+  const double* own = own_.data() + first_[s];
+  double* turned = turned_.data() + first_[s];
+  const std::size_t normals = D * extent.vertices;
+  turn_vectors(rotation, own, extent.vertices, turned);
+  turn_vectors(rotation, own + normals, extent.halfspaces, turned + normals);
+}
+
+template <>
+Outline<2> Outlines<2>::operator[](std::int32_t slot) const {
+  const int count = form_[std::size_t(slot)];
+  const std::size_t n = extent_of(count).vertices;
+  const double* p = turned_.data() + first_[std::size_t(slot)];
+  return {count, p, p + n, p + 2 * n, p + 3 * n, p + 4 * n};
+}
+
+template <>
+Outline<3> Outlines<3>::operator[](std::int32_t slot) const {
+  const Topology& topology = topologies_[form_[std::size_t(slot)]];
+  const Extent extent = extent_of(topology);
+  const std::size_t v = extent.vertices, f = extent.halfspaces;
+  const double* p = turned_.data() + first_[std::size_t(slot)];
+  const double* n = p + 3 * v;
+  return {&topology, p, p + v, p + 2 * v, n, n + f, n + 2 * f, n + 3 * f};
+}
+
+template <int D>
+bool Outlines<D>::is_consistent() const {
+  if (form_.size() != first_.size() || own_.size() != turned_.size()) return false;
+  if constexpr (D == 3) return topologies_.is_consistent();
+  return true;
+}
+
+template <int D>
+bool Outlines<D>::is_consistent(std::size_t slot) const {
+  const std::int32_t form = form_[slot];
+  if constexpr (D == 2) {
+    if (form < 3 || std::size_t(form) > own_.size()) return false;
+  } else {
+    if (!topologies_.has(form)) return false;
+  }
+  return first_[slot] >= 0 && first_[slot] <= std::int64_t(own_.size()) - std::int64_t(length(form));
+}
+
+template class Outlines<2>;
+template class Outlines<3>;
+
+}  // namespace halfspace

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+
+#include "block/topologies.h"
+#include "geometry/outline.h"
+#include "geometry/rotation.h"
+#include "geometry/shape.h"
+#include "geometry/vector.h"
+
+namespace halfspace {
+
+/// The outlines of a world's blocks, each in its shape's frame and turned as its block is, about the
+/// centroid. What one block needs lies together. Blocks are known by their slots.
+template <int D>
+class Outlines {
+ public:
+  explicit Outlines(Memory* memory)
+      : first_(memory), form_(memory), own_(memory), turned_(memory), topologies_(memory) {}
+
+  void resize(std::size_t slots) {
+    first_.resize(slots);
+    form_.resize(slots);
+  }
+  std::size_t slot_count() const { return first_.size(); }
+
+  /// A shape's outline for a new block, without a slot yet.
+  struct Taken {
+    std::int64_t first;
+    std::int32_t form;
+  };
+  Taken take_in(const Shape<D>& shape);
+  void assign(std::int32_t slot, const Taken& taken);
+  void undo(const Taken& taken);
+  /// Closes the gap that a removed block leaves.
+  void drop(std::int32_t slot);
+
+  void turn(std::int32_t slot, const Rotation<D>& rotation);
+  /// Valid until a block is added or removed.
+  Outline<D> operator[](std::int32_t slot) const;
+
+  /// False for what cannot be, after reading a snapshot.
+  bool is_consistent() const;
+  bool is_consistent(std::size_t slot) const;
+
+  template <class Archive>
+  void visit(Archive& archive) {
+    archive(first_, form_, own_, turned_);
+    if constexpr (D == 3) archive(topologies_);
+  }
+
+ private:
+  struct NoTopologies {
+    explicit NoTopologies(Memory*) {}
+  };
+
+  std::size_t length(std::int32_t form) const;
+
+  Array<std::int64_t> first_;  // of the block's components in own_ and turned_
+  Array<std::int32_t> form_;   // in the plane how many vertices, in space which topology
+  // Per block x, y, nx, ny, offset, or x, y, z, nx, ny, nz, offset, each padded.
+  Array<double> own_;
+  Array<double> turned_;
+  [[no_unique_address]] std::conditional_t<D == 3, Topologies, NoTopologies> topologies_;
+};
+
+template <>
+Outline<2> Outlines<2>::operator[](std::int32_t slot) const;
+template <>
+Outline<3> Outlines<3>::operator[](std::int32_t slot) const;
+template <>
+std::size_t Outlines<2>::length(std::int32_t form) const;
+template <>
+std::size_t Outlines<3>::length(std::int32_t form) const;
+
+}  // namespace halfspace

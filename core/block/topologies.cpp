@@ -1,0 +1,142 @@
+#include "block/topologies.h"
+
+#include <algorithm>
+
+#include "geometry/polyhedron_topology.h"
+
+namespace halfspace {
+namespace {
+
+/// FNV-1a over the arrays, which lie one after the other.
+std::uint64_t hash_of(const std::int32_t* indices, std::int64_t length) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (std::int64_t i = 0; i < length; ++i) hash = (hash ^ std::uint64_t(indices[i])) * 0x100000001b3u;
+  return hash;
+}
+
+}  // namespace
+
+std::int64_t Topologies::Kept::length() const { return topology_length(vertices, edges, faces); }
+
+std::int32_t Topologies::find(std::uint64_t hash, const Topology& topology, std::int64_t length) const {
+  const auto precedes = [&](std::int32_t which, std::uint64_t h) {
+    return kept_[std::size_t(which)].hash < h;
+  };
+  for (auto i = std::lower_bound(by_hash_.begin(), by_hash_.end(), hash, precedes);
+       i != by_hash_.end() && kept_[std::size_t(*i)].hash == hash; ++i) {
+    const Kept& kept = kept_[std::size_t(*i)];
+    if (kept.length() == length &&
+        std::equal(topology.first_of_face, topology.first_of_face + length, indices_.data() + kept.first))
+      return *i;
+  }
+  return -1;
+}
+
+/// Views and order of what is kept.
+void Topologies::find_anew() {
+  views_.clear();
+  by_hash_.clear();
+  for (const Kept& kept : kept_) {
+    if (kept.users > 0 && !lies_within(kept)) {
+      views_.clear();
+      return;
+    }
+    views_.push_back(kept.users > 0
+                         ? topology_at(indices_.data() + kept.first, kept.vertices, kept.edges, kept.faces)
+                         : Topology());
+  }
+  for (std::size_t i = 0; i < kept_.size(); ++i) {
+    if (kept_[i].users > 0) by_hash_.push_back(std::int32_t(i));
+  }
+  std::sort(by_hash_.begin(), by_hash_.end(), [&](std::int32_t i, std::int32_t j) {
+    const std::uint64_t a = kept_[std::size_t(i)].hash, b = kept_[std::size_t(j)].hash;
+    return a < b || (a == b && i < j);
+  });
+}
+
+std::int32_t Topologies::add(const Topology& topology) {
+  const std::int64_t length =
+      topology_length(topology.vertex_count, topology.edge_count, topology.face_count);
+  const std::uint64_t hash = hash_of(topology.first_of_face, length);
+  if (const std::int32_t known = find(hash, topology, length); known >= 0) {
+    ++kept_[std::size_t(known)].users;
+    return known;
+  }
+  // All memory first: when there is none, nothing has changed.
+  const bool all_in_use = by_hash_.size() == kept_.size();
+  const auto unused =
+      all_in_use ? kept_.end()
+                 : std::find_if(kept_.begin(), kept_.end(), [](const Kept& kept) { return kept.users == 0; });
+  const std::size_t which = std::size_t(unused - kept_.begin());
+  const std::size_t first = indices_.size(), count = std::max(kept_.size(), which + 1);
+  make_room_for_one(kept_);
+  make_room_for_one(views_);
+  make_room_for_one(by_hash_);
+  const std::int32_t* const before = indices_.data();
+  indices_.insert(indices_.end(), topology.first_of_face, topology.first_of_face + length);
+
+  kept_.resize(count);
+  views_.resize(count);
+  kept_[which] = {
+      std::int64_t(first), topology.vertex_count, topology.edge_count, topology.face_count, 1, hash};
+  if (indices_.data() == before) {
+    views_[which] =
+        topology_at(indices_.data() + first, topology.vertex_count, topology.edge_count, topology.face_count);
+    const auto precedes = [&](std::uint64_t h, std::int32_t other) {
+      return h < kept_[std::size_t(other)].hash;
+    };
+    by_hash_.insert(std::upper_bound(by_hash_.begin(), by_hash_.end(), hash, precedes), std::int32_t(which));
+  } else {
+    find_anew();
+  }
+  return std::int32_t(which);
+}
+
+void Topologies::release(std::int32_t which) {
+  Kept& released = kept_[std::size_t(which)];
+  if (--released.users > 0) return;
+  const auto first = indices_.begin() + released.first;
+  indices_.erase(first, first + released.length());
+  for (Kept& kept : kept_) {
+    if (kept.first > released.first) kept.first -= released.length();
+  }
+  released = {};
+  find_anew();
+}
+
+bool Topologies::lies_within(const Kept& kept) const {
+  const std::int64_t all = std::int64_t(indices_.size());
+  const auto is_count = [&](std::int32_t count, std::int32_t least) {
+    return count >= least && count <= all;
+  };
+  return is_count(kept.vertices, 4) && is_count(kept.edges, 6) && is_count(kept.faces, 4) &&
+         kept.first >= 0 && kept.first <= all - kept.length();
+}
+
+bool Topologies::leads_nowhere_else(const Topology& t) const {
+  const auto all_below = [](const std::int32_t* array, std::int64_t length, std::int32_t count) {
+    return std::all_of(array, array + length, [count](std::int32_t i) { return i >= 0 && i < count; });
+  };
+  const auto splits = [](const std::int32_t* first, std::int32_t lists, std::int32_t entries) {
+    return first[0] == 0 && first[lists] == entries && std::is_sorted(first, first + lists + 1);
+  };
+  const std::int32_t halves = 2 * t.edge_count;
+  return splits(t.first_of_face, t.face_count, halves) && splits(t.first_of_vertex, t.vertex_count, halves) &&
+         all_below(t.face_vertex, halves, t.vertex_count) && all_below(t.face_edge, halves, t.edge_count) &&
+         all_below(t.edge_start, t.edge_count, t.vertex_count) &&
+         all_below(t.edge_end, t.edge_count, t.vertex_count) &&
+         all_below(t.edge_left, t.edge_count, t.face_count) &&
+         all_below(t.edge_right, t.edge_count, t.face_count) &&
+         all_below(t.vertex_neighbour, halves, t.vertex_count) &&
+         all_below(t.vertex_edge, halves, t.edge_count) && all_below(t.vertex_face, halves, t.face_count);
+}
+
+bool Topologies::is_consistent() const {
+  if (views_.size() != kept_.size()) return false;
+  for (std::size_t i = 0; i < kept_.size(); ++i) {
+    if (kept_[i].users < 0 || (kept_[i].users > 0 && !leads_nowhere_else(views_[i]))) return false;
+  }
+  return true;
+}
+
+}  // namespace halfspace

@@ -1,0 +1,88 @@
+#pragma once
+
+#include "force/pair_motion.h"
+#include "geometry/vector.h"
+
+namespace halfspace {
+
+/// Shear of a contact, as a force on b or as a slip of b's material against a's: in the plane its component
+/// along the tangent perpendicular(normal). In space a vector in the contact plane, and as a fourth component
+/// the twist about the normal, taken at the radius of gyration of the contact's pressure: a twist is a slip
+/// there, and a twisting moment a force there. So one stiffness and one limit of friction hold for both
+/// together, the latter an ellipsoid (Howe and Cutkosky 1996).
+template <int D>
+using Shear = Vector<D == 2 ? 1 : 4>;
+
+/// What a sliding contact remembers.
+template <int D>
+struct ShearSpring;
+
+/// Marks a force set from outside, whose energy the next evaluation finds without booking a loss.
+constexpr double preloaded = -1;
+
+template <>
+struct ShearSpring<2> {
+  Shear<2> force = Shear<2>::Zero();
+  double energy = 0;  // stored
+};
+
+template <>
+struct ShearSpring<3> {
+  Shear<3> force = Shear<3>::Zero();
+  double energy = 0;                     // stored
+  Vector<3> normal = Vector<3>::Zero();  // of the contact plane that the force lies in
+};
+
+/// The force remembered, brought into the present contact plane. In the plane the tangent turns with the
+/// contact, and the scalar force with it.
+inline Shear<2> carried(const ShearSpring<2>& spring, const Vector<2>&, const PairMotion<2>&, double) {
+  return spring.force;
+}
+
+/// In space the force turns as the normal does, by the least rotation, and with the mean spin of both blocks
+/// about it.
+Shear<3> carried(const ShearSpring<3>& spring, const Vector<3>& normal, const PairMotion<3>& motion,
+                 double elapsed);
+
+inline void remember(ShearSpring<2>& spring, const Shear<2>& force, double energy, const Vector<2>&) {
+  spring = {force, energy};
+}
+inline void remember(ShearSpring<3>& spring, const Shear<3>& force, double energy, const Vector<3>& normal) {
+  spring = {force, energy, normal};
+}
+
+/// Slip velocity at a point whose material has the given velocity of b against a.
+inline Shear<2> slip_velocity(const Vector<2>& velocity, const Vector<2>& normal, const PairMotion<2>&,
+                              double) {
+  return Shear<2>(perpendicular(normal).dot(velocity));
+}
+inline Shear<3> slip_velocity(const Vector<3>& velocity, const Vector<3>& normal, const PairMotion<3>& motion,
+                              double twist_radius) {
+  Shear<3> slip;
+  slip << velocity - normal.dot(velocity) * normal, twist_radius * normal.dot(motion.spin_b - motion.spin_a);
+  return slip;
+}
+
+/// The force in the contact plane that a shear is.
+inline Vector<2> shear_vector(const Shear<2>& shear, const Vector<2>& normal) {
+  return shear[0] * perpendicular(normal);
+}
+inline Vector<3> shear_vector(const Shear<3>& shear, const Vector<3>&) { return shear.head<3>(); }
+
+/// The other way round: of a force on b, what lies in the contact plane.
+inline Shear<2> shear_of(const Vector<2>& force, const Vector<2>& normal) {
+  return Shear<2>(perpendicular(normal).dot(force));
+}
+inline Shear<3> shear_of(const Vector<3>& force, const Vector<3>& normal) {
+  Shear<3> shear;
+  shear << force - normal.dot(force) * normal, 0;
+  return shear;
+}
+
+/// The moment on b about the normal.
+inline Angular<2> twisting_moment(const Shear<2>&, const Vector<2>&, double) { return Angular<2>::Zero(); }
+inline Angular<3> twisting_moment(const Shear<3>& shear, const Vector<3>& normal, double twist_radius) {
+  return twist_radius * shear[3] * normal;
+}
+
+}  // namespace halfspace
