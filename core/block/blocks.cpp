@@ -5,9 +5,6 @@
 namespace halfspace {
 namespace {
 
-double content_of(const Shape<2>& shape) { return shape.area(); }
-double content_of(const Shape<3>& shape) { return shape.volume(); }
-
 double largest_face_of(const Shape<2>& shape) { return shape.longest_edge(); }
 double largest_face_of(const Shape<3>& shape) { return shape.largest_face(); }
 
@@ -97,7 +94,7 @@ std::int32_t Blocks<D>::add(const Shape<D>& shape, BlockKind block_kind, std::in
   force[s] = applied_force[s] = Vector<D>::Zero();
   torque[s] = applied_torque[s] = Angular<D>::Zero();
   if constexpr (D == 2) angle[s] = 0;
-  mass[s] = density * content_of(shape);
+  mass[s] = mass_of(shape, density);
   inertia[s] = Inertia<D>::of(shape, density);
   radius[s] = shape.bounding_radius();
   largest_face[s] = largest_face_of(shape);

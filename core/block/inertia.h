@@ -6,6 +6,9 @@
 
 namespace halfspace {
 
+inline double mass_of(const Shape<2>& shape, double density) { return density * shape.area(); }
+inline double mass_of(const Shape<3>& shape, double density) { return density * shape.volume(); }
+
 /// How a block resists turning about its centroid.
 template <int D>
 struct Inertia;

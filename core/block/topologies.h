@@ -28,7 +28,7 @@ class Topologies {
   template <class Archive>
   void visit(Archive& archive) {
     archive(indices_, kept_);
-    find_anew();
+    if constexpr (Archive::reads) find_anew();
   }
 
  private:

@@ -195,18 +195,25 @@ void describe_vertex_edge(const FaceVertex& f, const Vector<3>& normal_across, c
   describe_point(ContactType::vertex_edge, point, contact);
 }
 
+/// The region of a face and what is parallel to it of the other block at the vertex: a face, or else an edge.
+/// False when there is none.
+bool describe_region(const FaceVertex& f, const Facing& edge, const DetectOptions& options,
+                     Contact<3>& contact) {
+  contact.normal = f.normal;
+  contact.gap = f.gap;
+  const Facing face = facing_face(f);
+  return (face.sine < options.parallel_angle && describe_face_face(f, face.index, contact)) ||
+         (edge.sine < options.parallel_angle && describe_edge_face(f, edge.index, contact));
+}
+
 /// Of a face of a and a vertex of b. Returns the pair, or the neighbouring one when the foot of the vertex
 /// lies outside the face: then this is the contact at the edge or vertex of the face that it lies beyond.
 PotentialPair<3> describe_face_vertex(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
                                       const PotentialPair<3>& pair, const DetectOptions& options,
                                       Contact<3>& contact) {
   const FaceVertex f(a, b, to_b, pair.a, pair.b);
-  contact.normal = f.normal;
-  contact.gap = f.gap;
-  const Facing face = facing_face(f);
-  if (face.sine < options.parallel_angle && describe_face_face(f, face.index, contact)) return pair;
   const Facing edge = facing_edge(f);
-  if (edge.sine < options.parallel_angle && describe_edge_face(f, edge.index, contact)) return pair;
+  if (describe_region(f, edge, options, contact)) return pair;
 
   const double facing_length = (b.vertex(edge.index) - b.vertex(f.vertex)).norm();
   const Place place = place_of_foot(f, facing_length, options);
@@ -273,24 +280,48 @@ PotentialPair<3> describe_edge_edge(const Outline<3>& a, const Outline<3>& b, co
   return facet_across(a, b, side, contact.normal).pair;
 }
 
-/// Of the faces at two edges, that of least depth, with the vertex deepest behind it.
-PotentialPair<3> least_deep_face_at(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
-                                    const PotentialPair<3>& edges) {
-  using Pair = PotentialPair<3>;
-  const Topology &of_a = *a.topology, &of_b = *b.topology;
-  Pair faces[] = {{Pair::face_vertex, of_a.edge_left[edges.a], of_b.edge_start[edges.b]},
-                  {Pair::face_vertex, of_a.edge_right[edges.a], of_b.edge_start[edges.b]},
-                  {Pair::vertex_face, of_a.edge_start[edges.a], of_b.edge_left[edges.b]},
-                  {Pair::vertex_face, of_a.edge_start[edges.a], of_b.edge_right[edges.b]}};
-  Pair best;
-  double best_gap = -HUGE_VAL;
-  for (Pair& pair : faces) {
-    const double gap = refresh(a, b, to_b, pair);
-    if (gap <= best_gap) continue;
-    best = pair;
-    best_gap = gap;
+/// The faces at two edges, each with the vertex deepest behind it.
+struct FacesAtEdges {
+  PotentialPair<3> pair[4];
+  double gap[4];
+
+  FacesAtEdges(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
+               const PotentialPair<3>& edges) {
+    using Pair = PotentialPair<3>;
+    const Topology &of_a = *a.topology, &of_b = *b.topology;
+    pair[0] = {Pair::face_vertex, of_a.edge_left[edges.a], of_b.edge_start[edges.b]};
+    pair[1] = {Pair::face_vertex, of_a.edge_right[edges.a], of_b.edge_start[edges.b]};
+    pair[2] = {Pair::vertex_face, of_a.edge_start[edges.a], of_b.edge_left[edges.b]};
+    pair[3] = {Pair::vertex_face, of_a.edge_start[edges.a], of_b.edge_right[edges.b]};
+    for (int i = 0; i < 4; ++i) gap[i] = refresh(a, b, to_b, pair[i]);
   }
-  return best;
+
+  const PotentialPair<3>& least_deep() const { return pair[std::max_element(gap, gap + 4) - gap]; }
+};
+
+/// Two edges that cross nearly in the plane of a face, as they do where a face comes down on another one
+/// askew, touch as the face does if it has a region. Returns its pair then, or that of the edges.
+PotentialPair<3> describe_edges_in_face(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
+                                        const PotentialPair<3>& edges, const DetectOptions& options,
+                                        Contact<3>& contact) {
+  const Vector<3> normal = edge_pair_normal(a, edges.a, b, edges.b);
+  const auto sine_to = [&](const PotentialPair<3>& face) {
+    const Vector<3> of_face = normal_of(a, b, face);
+    return of_face.dot(normal) > 0 ? cross_product(of_face, normal).norm() : 1;
+  };
+  const FacesAtEdges faces(a, b, to_b, edges);
+  const PotentialPair<3>& face = *std::min_element(
+      faces.pair, faces.pair + 4,
+      [&](const PotentialPair<3>& p, const PotentialPair<3>& q) { return sine_to(p) < sine_to(q); });
+  if (sine_to(face) >= options.parallel_angle) return edges;
+  const auto is_region = [&](const FaceVertex& f) {
+    return describe_region(f, facing_edge(f), options, contact);
+  };
+  if (face.kind == PotentialPair<3>::face_vertex)
+    return is_region(FaceVertex(a, b, to_b, face.a, face.b)) ? face : edges;
+  if (!is_region(FaceVertex(b, a, -to_b, face.b, face.a))) return edges;
+  turn_round(to_b, contact);
+  return face;
 }
 
 /// Returns the pair, or the one to move on to.
@@ -306,8 +337,10 @@ PotentialPair<3> describe_at(const Outline<3>& a, const Outline<3>& b, const Vec
       turn_round(to_b, contact);
       return next;
     }
-    default:
-      return describe_edge_edge(a, b, to_b, pair, contact);
+    default: {
+      const PotentialPair<3> face = describe_edges_in_face(a, b, to_b, pair, options, contact);
+      return face == pair ? describe_edge_edge(a, b, to_b, pair, contact) : face;
+    }
   }
 }
 
@@ -318,7 +351,7 @@ void describe_contact(const Outline<3>& a, const Outline<3>& b, const Vector<3>&
   PotentialPair<3> last = pair;
   for (int moves = a.topology->edge_count + b.topology->edge_count;; --moves) {
     if (pair.kind == PotentialPair<3>::edge_edge && !is_edge_pair(a, pair.a, b, pair.b))
-      pair = least_deep_face_at(a, b, to_b, pair);
+      pair = FacesAtEdges(a, b, to_b, pair).least_deep();
     const PotentialPair<3> next = describe_at(a, b, to_b, pair, options, contact);
     // A vertex of separated blocks may lie beyond the edge between two facets on the way from either: it
     // stays.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <type_traits>
 
 #include "block/blocks.h"
 #include "detect/contact.h"
@@ -17,7 +18,8 @@ struct Candidate {
   std::int32_t a;
   std::int32_t b;
   PairMemory<D> memory;
-  std::int32_t bonded = 0;
+  /// As wide as leaves no gap behind it, so that saved candidates hold no stray bytes.
+  std::conditional_t<D == 2, std::int32_t, std::int64_t> bonded = 0;
 };
 
 /// The neighbour list: all pairs that can touch before some block has moved by more than its skin. Sorted by

@@ -15,7 +15,7 @@ namespace halfspace {
 namespace snapshot {
 
 constexpr std::uint64_t magic = 0x31'77'70'73'66'6c'61'68;  // "halfspw1"
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t version = 2;
 
 /// FNV-1a: tells a damaged file from a good one.
 inline std::uint64_t checksum(std::span<const std::byte> bytes) {
@@ -27,6 +27,8 @@ inline std::uint64_t checksum(std::span<const std::byte> bytes) {
 /// Appends to bytes; without any it only counts.
 class Writer {
  public:
+  static constexpr bool reads = false;
+
   explicit Writer(std::byte* out) : out_(out) {}
 
   template <class... Members>
@@ -69,6 +71,8 @@ class Writer {
 /// Takes from bytes; `failed()` when they end too early.
 class Reader {
  public:
+  static constexpr bool reads = true;
+
   explicit Reader(std::span<const std::byte> bytes) : bytes_(bytes) {}
 
   template <class... Members>

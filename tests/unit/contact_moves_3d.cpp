@@ -27,8 +27,18 @@ TEST_CASE(
     Pair pair = least.pair;
     Contact<3> contact;
     describe_contact(a.outline(), b.outline(), to_b, pair, {}, contact);
-    CHECK(pair == least.pair);
-    CHECK(contact.gap == Approx(least.gap).margin(1e-15));
+    const bool edges_in_face = least.pair.kind == Pair::edge_edge && pair.kind != Pair::edge_edge;
+    if (edges_in_face) {
+      // Nearly parallel to a face: its region stands in. Unit normals sin(angle) apart differ by that much,
+      // and so do the gaps of blocks within 2 of each other.
+      const Vector<3> normal = normal_of(a.outline(), b.outline(), pair);
+      CHECK((normal - least.normal).norm() < 1.0001 * DetectOptions().parallel_angle);
+      CHECK((contact.type == ContactType::face_face || contact.type == ContactType::edge_face));
+      CHECK(contact.gap >= least.gap - 2 * 1.0001 * DetectOptions().parallel_angle);
+    } else {
+      CHECK(pair == least.pair);
+      CHECK(contact.gap == Approx(least.gap).margin(1e-15));
+    }
     check_by_definition(a, b, to_b, contact);
     for (int f = 0; f < a.face_count(); ++f) {
       Pair start{Pair::face_vertex, f, 0};
