@@ -33,6 +33,20 @@ inline void require_count(std::int64_t count, const char* name) {
     refuse(HS_ERROR_ARGUMENT, "%s is %lld; it must be >= 0", name, static_cast<long long>(count));
 }
 
+/// A point in words, "(1, 2)".
+struct PointText {
+  template <int D>
+  explicit PointText(const Eigen::Matrix<double, D, 1>& p) {
+    int length = 0;
+    for (int i = 0; i < D; ++i)
+      length += std::snprintf(characters + length, sizeof characters - std::size_t(length), "%s%.17g",
+                              i == 0 ? "(" : ", ", p[i]);
+    std::snprintf(characters + length, sizeof characters - std::size_t(length), ")");
+  }
+
+  char characters[96];
+};
+
 /// The defaults of a definition, given next to the functions that read it.
 template <class Definition>
 Definition default_definition();
@@ -64,23 +78,25 @@ hs_status write_definition(Definition* def, std::size_t size) {
   return HS_OK;
 }
 
-struct Pose2 {
-  Vector<2> position;
-  Rotation<2> rotation;
+template <int D>
+struct Pose {
+  Vector<D> position;
+  Rotation<D> rotation;
 };
+using Pose2 = Pose<2>;
 
 /// Says which part of a pose is wrong. Only called when one is.
-[[noreturn]] inline void refuse_pose(const hs_pose& pose, const char* name) {
-  for (int i = 0; i < 2; ++i) {
+template <int D>
+[[noreturn]] void refuse_pose(const hs_pose& pose, const char* name) {
+  for (int i = 0; i < D; ++i) {
     const double p = pose.position[i];
     if (!(std::abs(p) <= 1e75)) {
       refuse(HS_ERROR_ARGUMENT, "%s->position[%d] is %g; it must be finite and at most 1e75", name, i, p);
     }
   }
   const double* q = pose.rotation;
-  refuse(HS_ERROR_ARGUMENT,
-         "%s->rotation is (%.9g, %.9g, %.9g, %.9g); it must be a unit quaternion that turns about z", name,
-         q[0], q[1], q[2], q[3]);
+  refuse(HS_ERROR_ARGUMENT, "%s->rotation is (%.9g, %.9g, %.9g, %.9g); it must be a unit quaternion%s", name,
+         q[0], q[1], q[2], q[3], D == 2 ? " that turns about z" : "");
 }
 
 /// Quaternions about z as turns, and by how much their squared lengths are off 1. Number is a double, or
@@ -122,7 +138,16 @@ inline bool turn_exactly_about_z(const hs_pose& a, const hs_pose& b) {
 /// False also for NaN.
 inline bool is_tolerable(TwoLanes fault) { return fault[0] <= largest_fault && fault[1] <= largest_fault; }
 
-inline Pose2 read_pose(const hs_pose* pose, const char* name) {
+/// By how much a quaternion's squared length is off 1.
+inline double fault_of_quaternion(const double q[4]) {
+  return magnitude(1.0 - ((q[0] * q[0] + q[1] * q[1]) + (q[2] * q[2] + q[3] * q[3])));
+}
+
+template <int D = 2>
+Pose<D> read_pose(const hs_pose* pose, const char* name);
+
+template <>
+inline Pose<2> read_pose(const hs_pose* pose, const char* name) {
   require_pointer(pose, name);
   const double x = pose->position[0], y = pose->position[1];
   const double* q = pose->rotation;
@@ -130,8 +155,22 @@ inline Pose2 read_pose(const hs_pose* pose, const char* name) {
   const double off_axis = q[0] * q[0] + q[1] * q[1];
   // One comparison for all, false for NaN.
   const double far_off = weight_far_off * (std::abs(x) + std::abs(y));
-  if (!((about_z.fault + weight_off_axis * off_axis) + far_off <= largest_fault)) refuse_pose(*pose, name);
+  if (!((about_z.fault + weight_off_axis * off_axis) + far_off <= largest_fault)) refuse_pose<2>(*pose, name);
   return {{x, y}, {about_z.turn.cosine, about_z.turn.sine}};
+}
+
+template <>
+inline Pose<3> read_pose(const hs_pose* pose, const char* name) {
+  require_pointer(pose, name);
+  const double *p = pose->position, *q = pose->rotation;
+  const double far_off = weight_far_off * (std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2]));
+  if (!(fault_of_quaternion(q) + far_off <= largest_fault)) refuse_pose<3>(*pose, name);
+  return {{p[0], p[1], p[2]}, Rotation<3>::from_quaternion(q)};
+}
+
+inline void write_pose(const Vector<3>& position, const Rotation<3>& rotation, hs_pose& pose) {
+  for (int i = 0; i < 3; ++i) pose.position[i] = position[i];
+  rotation.write_quaternion(pose.rotation);
 }
 
 inline void write_pose(const Vector<2>& position, const Rotation<2>& rotation, hs_pose& pose) {
@@ -143,10 +182,21 @@ inline void write_pose(const Vector<2>& position, const Rotation<2>& rotation, h
   pose = {{position.x(), position.y(), 0}, {0, 0, z, w}};
 }
 
-inline void write_vector(const Vector<2>& v, double out[3]) {
+/// The third component, 0 in the plane.
+template <class Vector>
+double z_of(const Eigen::MatrixBase<Vector>& v) {
+  if constexpr (Vector::SizeAtCompileTime == 2) {
+    return 0;
+  } else {
+    return v.z();
+  }
+}
+
+template <class Vector>
+void write_vector(const Eigen::MatrixBase<Vector>& v, double out[3]) {
   out[0] = v.x();
   out[1] = v.y();
-  out[2] = 0;
+  out[2] = z_of(v);
 }
 
 }  // namespace halfspace::capi

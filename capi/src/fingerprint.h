@@ -8,17 +8,35 @@
 namespace halfspace::capi {
 
 /// A number that tells shapes apart, the same in every process. Odd.
-inline std::uint64_t fingerprint_of(const Outline<2>& outline) {
-  std::uint64_t hash = std::uint64_t(outline.count);
-  const auto mix = [&](double value) {
-    hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 0x9e3779b97f4a7c15;  // 2^64 / golden ratio
-    hash ^= hash >> 32;
-  };
-  for (int i = 0; i < outline.count; ++i) {
-    mix(outline.x[i]);
-    mix(outline.y[i]);
+class Fingerprint {
+ public:
+  void mix(std::uint64_t bits) {
+    hash_ = (hash_ ^ bits) * 0x9e3779b97f4a7c15;  // 2^64 / golden ratio
+    hash_ ^= hash_ >> 32;
   }
-  return hash | 1;
+  void mix(const double* values, int count) {
+    for (int i = 0; i < count; ++i) mix(std::bit_cast<std::uint64_t>(values[i]));
+  }
+  std::uint64_t value() const { return hash_ | 1; }
+
+ private:
+  std::uint64_t hash_ = 0;
+};
+
+inline std::uint64_t fingerprint_of(const Outline<2>& outline) {
+  Fingerprint fingerprint;
+  for (const double* component : {outline.x, outline.y}) fingerprint.mix(component, outline.count);
+  return fingerprint.value();
+}
+
+/// Its faces belong to it: a pair is known by their numbers.
+inline std::uint64_t fingerprint_of(const Outline<3>& outline) {
+  Fingerprint fingerprint;
+  for (const double* component : {outline.x, outline.y, outline.z})
+    fingerprint.mix(component, outline.vertex_count());
+  const Topology& topology = *outline.topology;
+  for (int k = 0; k < 2 * topology.edge_count; ++k) fingerprint.mix(std::uint64_t(topology.face_vertex[k]));
+  return fingerprint.value();
 }
 
 }  // namespace halfspace::capi

@@ -9,6 +9,7 @@
 #include "geometry/two_lanes.h"
 #include "halfspace/contact.h"
 #include "halfspace/pair.h"
+#include "pair_cache.h"
 #include "posed_pair.h"
 
 namespace halfspace::capi {
@@ -18,49 +19,66 @@ inline std::uint64_t fingerprint_of(const hs_shape& a, const hs_shape& b) {
   return a.fingerprint + 2 * b.fingerprint;
 }
 
-/// The remembered pair, not checked. Without a branch, as its owner is as good as random.
-inline PotentialPair<2> pair_in(const hs_pair_cache& cache, int edges_of_a) {
-  const std::int32_t owner = cache.edge >= edges_of_a;
-  return {owner, cache.edge - owner * edges_of_a, cache.vertex};
+/// Is there a proof, and of these shapes?
+template <int D>
+inline bool is_proven(const PosedPair<D>& posed, const hs_pair_cache& cache) {
+  return cache.state == PairMemory<D>::separated && cache.shapes == fingerprint_of(posed.a, posed.b);
+}
+
+/// How far a unit vector leads from a's centroid to b's.
+template <int D>
+inline double distance_along(const double normal[3], const PosedPair<D>& posed) {
+  const double *a = posed.at_a.position, *b = posed.at_b.position;
+  const TwoLanes along = (two_at(b) - two_at(a)) * two_at(normal);
+  return D == 2 ? along[0] + along[1] : along[0] + along[1] + (b[2] - a[2]) * normal[2];
 }
 
 /// Along the normal of a separated pair the centroids are farther apart than the shapes reach together. That
 /// the cache keeps.
-inline void keep_proof(const PosedPair& posed, const hs_contact& separated, hs_pair_cache& proof) {
-  const auto& [a, at_a, b, at_b] = posed;
-  const TwoLanes along = (two_at(at_b.position) - two_at(at_a.position)) * two_at(separated.normal);
-  proof.shapes = fingerprint_of(a, b);
-  proof.reach = (along[0] + along[1]) - separated.gap;
+template <int D>
+inline void keep_proof(const PosedPair<D>& posed, const hs_contact& separated, hs_pair_cache& proof) {
+  proof.shapes = fingerprint_of(posed.a, posed.b);
+  proof.reach = distance_along(separated.normal, posed) - separated.gap;
   std::copy_n(separated.normal, 3, proof.normal);
-  std::copy_n(at_a.rotation, 4, proof.rotation_a);
-  std::copy_n(at_b.rotation, 4, proof.rotation_b);
+  std::copy_n(posed.at_a.rotation, 4, proof.rotation_a);
+  std::copy_n(posed.at_b.rotation, 4, proof.rotation_b);
 }
 
 /// What the poses leave of the gap, at least. A block that turns by an angle moves none of its points by more
 /// than 2 R sin(angle / 2), and its quaternion by 2 sin(angle / 4): the reach grows by at most 2 R times the
 /// latter, here summed over the components, and by a little more as quaternions may be off unit length.
 /// Translation counts as it is.
-inline double gap_left(const PosedPair& posed, const hs_pair_cache& proof) {
-  const auto& [a, at_a, b, at_b] = posed;
-  const TwoLanes along = (two_at(at_b.position) - two_at(at_a.position)) * two_at(proof.normal);
-  const TwoLanes turned = sums(magnitude(two_at(at_a.rotation + 2) - two_at(proof.rotation_a + 2)),
-                               magnitude(two_at(at_b.rotation + 2) - two_at(proof.rotation_b + 2)));
-  const TwoLanes moved = turned * TwoLanes{a.shape.bounding_radius(), b.shape.bounding_radius()};
+template <int D>
+inline double gap_left(const PosedPair<D>& posed, const hs_pair_cache& proof) {
+  const double *a = posed.at_a.rotation, *b = posed.at_b.rotation;
+  TwoLanes turned = sums(magnitude(two_at(a + 2) - two_at(proof.rotation_a + 2)),
+                         magnitude(two_at(b + 2) - two_at(proof.rotation_b + 2)));
+  if (D == 3)
+    turned += sums(magnitude(two_at(a) - two_at(proof.rotation_a)),
+                   magnitude(two_at(b) - two_at(proof.rotation_b)));
+  const TwoLanes moved = turned * TwoLanes{posed.a.shape.bounding_radius(), posed.b.shape.bounding_radius()};
   constexpr double points_per_quaternion = 2 * (1 + largest_fault);
-  return ((along[0] + along[1]) - proof.reach) - points_per_quaternion * (moved[0] + moved[1]);
+  return (distance_along(proof.normal, posed) - proof.reach) - points_per_quaternion * (moved[0] + moved[1]);
+}
+
+/// Are both quaternions of unit length, as far as they have to be? False also for NaN.
+template <int D>
+inline bool turns_are_tolerable(const hs_pose& a, const hs_pose& b) {
+  if constexpr (D == 2) return is_tolerable(turns_about_z(a, b).fault);
+  return is_tolerable(TwoLanes{fault_of_quaternion(a.rotation), fault_of_quaternion(b.rotation)});
 }
 
 /// The answer when the pair is still proven to be separated. Poses that are to be refused prove nothing, nor
-/// do those that are not finite, or whose quaternions turn about z but for rounding.
-inline bool answer_by_proof(const PosedPair& posed, const hs_pair_cache& proof, hs_contact& out) {
-  if (proof.state != PairMemory<2>::separated || proof.shapes != fingerprint_of(posed.a, posed.b))
-    return false;
-  if (!turn_exactly_about_z(posed.at_a, posed.at_b)) return false;
+/// do those that are not finite, or in 2D whose quaternions turn about z but for rounding.
+template <int D>
+[[gnu::always_inline]] inline bool answer_by_proof(const PosedPair<D>& posed, const hs_pair_cache& proof,
+                                                   hs_contact& out) {
+  if (!is_proven(posed, proof)) return false;
+  if (D == 2 && !turn_exactly_about_z(posed.at_a, posed.at_b)) return false;
   const double gap = gap_left(posed, proof);
   if (!(gap > 0 && gap < HUGE_VAL)) return false;
-  if (!is_tolerable(turns_about_z(posed.at_a, posed.at_b).fault)) return false;
-  const PotentialPair<2> pair = pair_in(proof, posed.a.shape.vertex_count());
-  write_separation(pair, {proof.normal[0], proof.normal[1]}, gap, out);
+  if (!turns_are_tolerable<D>(posed.at_a, posed.at_b)) return false;
+  write_separation<D>(pair_in(proof), Vector<D>(proof.normal), gap, out);
   return true;
 }
 

@@ -1,13 +1,8 @@
 #include "shape.h"
 
-#include <span>
+#include <algorithm>
 
 #include "check.h"
-#include "geometry/polygon_check.h"
-#include "geometry/polygon_clean.h"
-#include "geometry/polygon_cut.h"
-#include "geometry/polygon_hull.h"
-#include "guard.h"
 #include "view.h"
 
 using namespace halfspace;
@@ -15,151 +10,65 @@ using namespace halfspace::capi;
 
 namespace {
 
-using Points = Array<Vector<2>>;
+// What both dimensions have, under one name each. In the plane the edges stand for the faces.
 
-Points read_points(hs_context* context, const hs_view& view, const char* name) {
-  require_view(view, name);
-  Points points(&context->memory);
-  points.reserve(std::size_t(view.count));
-  for (std::int64_t i = 0; i < view.count; ++i) points.push_back(read_point(view, i));
-  return points;
+int number_of_faces(const Shape<2>& s) { return s.vertex_count(); }
+int number_of_faces(const Shape<3>& s) { return s.face_count(); }
+
+int number_of_edges(const Shape<2>& s) { return s.vertex_count(); }
+int number_of_edges(const Shape<3>& s) { return s.edge_count(); }
+
+/// The vertices of all faces one face after the other: where those of a face begin, and the one at a place.
+int begin_of_face(const Shape<2>&, int face) { return 2 * face; }
+int begin_of_face(const Shape<3>& s, int face) { return s.topology().first_of_face[face]; }
+int face_vertex(const Shape<2>& s, int place) { return (place + 1) / 2 % s.vertex_count(); }
+int face_vertex(const Shape<3>& s, int place) { return s.topology().face_vertex[place]; }
+
+int edge_start(const Shape<2>&, int edge) { return edge; }
+int edge_start(const Shape<3>& s, int edge) { return s.topology().edge_start[edge]; }
+int edge_end(const Shape<2>& s, int edge) { return s.outline().next(edge); }
+int edge_end(const Shape<3>& s, int edge) { return s.topology().edge_end[edge]; }
+
+double volume(const Shape<2>& s) { return s.area(); }
+double volume(const Shape<3>& s) { return s.volume(); }
+
+void write_second_moment(const Shape<2>& s, double out[6]) {
+  out[0] = s.second_moment()[0];
+  out[1] = s.second_moment()[1];
+  out[3] = s.second_moment()[2];
+}
+void write_second_moment(const Shape<3>& s, double out[6]) { std::copy_n(s.second_moment().data(), 6, out); }
+
+template <int D>
+hs_shape_properties properties_of(const Shape<D>& s) {
+  hs_shape_properties p{};
+  p.dimension = D;
+  p.vertex_count = s.vertex_count();
+  p.edge_count = number_of_edges(s);
+  p.face_count = number_of_faces(s);
+  p.volume = volume(s);
+  write_vector(s.centroid(), p.centroid);
+  write_second_moment(s, p.second_moment);
+  p.bounding_radius = s.bounding_radius();
+  p.shortest_edge = s.shortest_edge();
+  return p;
 }
 
-Points read_finite_points(hs_context* context, const hs_view& view, const char* name) {
-  require_view(view, name);
-  Points points(&context->memory);
-  points.reserve(std::size_t(view.count));
-  for (std::int64_t i = 0; i < view.count; ++i) points.push_back(read_finite_point(view, i, name));
-  return points;
-}
-
-[[noreturn]] void refuse_polygon(const FaultReport& report, const char* name, const Points& points) {
-  if (report.vertex < 0) {
-    refuse(HS_ERROR_GEOMETRY, "%s (%zu points) %s", name, points.size(), fault_text(report.fault));
-  }
-  const Vector<2>& p = points[std::size_t(report.vertex)];
-  refuse(HS_ERROR_GEOMETRY, "%s[%lld] = (%.17g, %.17g) %s", name, static_cast<long long>(report.vertex),
-         p.x(), p.y(), fault_text(report.fault));
-}
-
-hs_shape* make_shape(hs_context* context, const Points& points, const char* name) {
-  const FaultReport report = check_polygon(points);
-  if (report.fault != Fault::none) refuse_polygon(report, name, points);
-  return create<hs_shape>(context, context, std::span(points));
-}
-
-/// Vertices in the coordinates that the shape was made from.
-Points vertices_of(const hs_shape& s) {
-  const Outline<2> outline = s.shape.outline();
-  Points points(&s.context->memory);
-  points.reserve(std::size_t(outline.count));
-  for (int i = 0; i < outline.count; ++i) points.push_back(outline.vertex(i) + s.shape.centroid());
-  return points;
+/// Calls write(i) for as many of `count` entries as fit.
+template <class Write>
+hs_status write_all(std::int64_t count, std::int64_t capacity, Write write) {
+  const int written = int(std::min(count, capacity));
+  for (int i = 0; i < written; ++i) write(i);
+  return fits(count, capacity);
 }
 
 }  // namespace
-
-hs_status hs_polygon_check(hs_context* context, hs_view vertices, hs_fault* fault) {
-  return guarded(context, __func__, [&] {
-    require_pointer(context, "context");
-    require_pointer(fault, "fault");
-    const Points points = read_points(context, vertices, "vertices");
-    const FaultReport report = check_polygon(points);
-    *fault = {std::int32_t(report.fault), 0, report.vertex};
-    return HS_OK;
-  });
-}
-
-hs_status hs_polygon_create(hs_context* context, hs_view vertices, hs_shape** shape) {
-  return guarded(context, __func__, [&] {
-    require_pointer(context, "context");
-    require_pointer(shape, "shape");
-    *shape = make_shape(context, read_points(context, vertices, "vertices"), "vertices");
-    return HS_OK;
-  });
-}
-
-hs_status hs_polygon_create_hull(hs_context* context, hs_view points, hs_shape** shape) {
-  return guarded(context, __func__, [&] {
-    require_pointer(context, "context");
-    require_pointer(shape, "shape");
-    const Points given = read_finite_points(context, points, "points");
-    const Points hull = convex_hull(given, &context->memory);
-    if (hull.size() < 3) refuse_polygon({Fault::zero_area, -1}, "points", given);
-    *shape = make_shape(context, hull, "hull of points");
-    return HS_OK;
-  });
-}
-
-hs_status hs_polygon_clean(hs_context* context, hs_view vertices, double tolerance, hs_mutable_view cleaned,
-                           int64_t* count, hs_clean_report* report) {
-  return guarded(context, __func__, [&] {
-    require_pointer(context, "context");
-    require_pointer(count, "count");
-    require(tolerance >= 0 && std::isfinite(tolerance), tolerance, "tolerance", "finite and >= 0");
-    require_view(cleaned, "cleaned");
-    CleanReport changes;
-    const Points given = read_finite_points(context, vertices, "vertices");
-    const Points kept = clean_polygon(given, tolerance, changes, &context->memory);
-    *count = std::int64_t(kept.size());
-    const std::int64_t written = std::min(*count, cleaned.count);
-    for (std::int64_t i = 0; i < written; ++i) write_point(cleaned, i, kept[std::size_t(i)]);
-    if (report) *report = {changes.welded, changes.straightened, changes.reversed, 0};
-    return fits(*count, cleaned.count);
-  });
-}
-
-hs_status hs_shape_cut(const hs_shape* shape, const double point[3], const double normal[3],
-                       hs_shape** behind, hs_shape** ahead) {
-  hs_context* context = shape ? shape->context : nullptr;
-  return guarded(context, __func__, [&] {
-    require_pointer(shape, "shape");
-    require_pointer(point, "point");
-    require_pointer(normal, "normal");
-    require_pointer(behind, "behind");
-    require_pointer(ahead, "ahead");
-    for (int i = 0; i < 2; ++i) {
-      require_finite(point[i], "point");
-      require_finite(normal[i], "normal");
-    }
-    if (normal[0] == 0 && normal[1] == 0)
-      refuse(HS_ERROR_ARGUMENT, "normal is (0, 0); it must have a direction");
-    const PolygonParts parts =
-        cut_polygon(vertices_of(*shape), {point[0], point[1]}, {normal[0], normal[1]}, &context->memory);
-    const auto part = [&](const Points& vertices, const char* name) {
-      return vertices.empty() ? nullptr : make_shape(context, vertices, name);
-    };
-    hs_shape* first = part(parts.behind, "part behind");
-    hs_shape* second = nullptr;
-    try {
-      second = part(parts.ahead, "part ahead");
-    } catch (...) {
-      hs_shape_destroy(first);
-      throw;
-    }
-    *behind = first;
-    *ahead = second;
-    return HS_OK;
-  });
-}
 
 hs_status hs_shape_get_properties(const hs_shape* shape, hs_shape_properties* properties) {
   return guarded(shape ? shape->context : nullptr, __func__, [&] {
     require_pointer(shape, "shape");
     require_pointer(properties, "properties");
-    const Shape<2>& s = shape->shape;
-    hs_shape_properties p{};
-    p.dimension = 2;
-    p.vertex_count = s.vertex_count();
-    p.face_count = s.vertex_count();
-    p.volume = s.area();
-    write_vector(s.centroid(), p.centroid);
-    p.second_moment[0] = s.second_moment()[0];
-    p.second_moment[1] = s.second_moment()[1];
-    p.second_moment[3] = s.second_moment()[2];
-    p.bounding_radius = s.bounding_radius();
-    p.shortest_edge = s.shortest_edge();
-    *properties = p;
+    *properties = visit(*shape, [](const auto& handle) { return properties_of(handle.shape); });
     return HS_OK;
   });
 }
@@ -167,14 +76,53 @@ hs_status hs_shape_get_properties(const hs_shape* shape, hs_shape_properties* pr
 hs_status hs_shape_get_vertices(const hs_shape* shape, hs_mutable_view vertices, int64_t* count) {
   return guarded(shape ? shape->context : nullptr, __func__, [&] {
     require_pointer(shape, "shape");
-    require_view(vertices, "vertices");
-    const Outline<2> outline = shape->shape.outline();
-    const std::int64_t written = std::min<std::int64_t>(outline.count, vertices.count);
-    for (std::int64_t i = 0; i < written; ++i) {
-      write_point(vertices, i, outline.vertex(int(i)) + shape->shape.centroid());
-    }
-    if (count) *count = outline.count;
-    return fits(outline.count, vertices.count);
+    return visit(*shape, [&]<int D>(const ShapeHandle<D>& handle) {
+      require_view<D>(vertices, "vertices");
+      const Shape<D>& s = handle.shape;
+      if (count) *count = s.vertex_count();
+      return write_all(s.vertex_count(), vertices.count,
+                       [&](int i) { write_point(vertices, i, s.outline().vertex(i) + s.centroid()); });
+    });
+  });
+}
+
+hs_status hs_shape_get_faces(const hs_shape* shape, int32_t* first_of_face, int64_t face_capacity,
+                             int32_t* face_vertices, int64_t vertex_capacity, int64_t* face_count,
+                             int64_t* vertex_count) {
+  return guarded(shape ? shape->context : nullptr, __func__, [&] {
+    require_pointer(shape, "shape");
+    require_count(face_capacity, "face_capacity");
+    require_count(vertex_capacity, "vertex_capacity");
+    if (face_capacity > 0) require_pointer(first_of_face, "first_of_face");
+    if (vertex_capacity > 0) require_pointer(face_vertices, "face_vertices");
+    return visit(*shape, [&](const auto& handle) {
+      const auto& s = handle.shape;
+      const std::int64_t faces = number_of_faces(s), vertices = 2 * number_of_edges(s);
+      if (face_count) *face_count = faces;
+      if (vertex_count) *vertex_count = vertices;
+      const hs_status of_faces =
+          write_all(faces + 1, face_capacity, [&](int f) { first_of_face[f] = begin_of_face(s, f); });
+      const hs_status of_vertices =
+          write_all(vertices, vertex_capacity, [&](int k) { face_vertices[k] = face_vertex(s, k); });
+      return std::max(of_faces, of_vertices);
+    });
+  });
+}
+
+hs_status hs_shape_get_edges(const hs_shape* shape, int32_t* edge_vertices, int64_t capacity,
+                             int64_t* count) {
+  return guarded(shape ? shape->context : nullptr, __func__, [&] {
+    require_pointer(shape, "shape");
+    require_count(capacity, "capacity");
+    if (capacity > 0) require_pointer(edge_vertices, "edge_vertices");
+    return visit(*shape, [&](const auto& handle) {
+      const auto& s = handle.shape;
+      if (count) *count = number_of_edges(s);
+      return write_all(number_of_edges(s), capacity, [&](int e) {
+        edge_vertices[2 * e] = edge_start(s, e);
+        edge_vertices[2 * e + 1] = edge_end(s, e);
+      });
+    });
   });
 }
 
@@ -182,18 +130,24 @@ hs_status hs_shape_get_halfspaces(const hs_shape* shape, hs_mutable_view normals
                                   int64_t* count) {
   return guarded(shape ? shape->context : nullptr, __func__, [&] {
     require_pointer(shape, "shape");
-    require_view(normals, "normals");
-    const Outline<2> outline = shape->shape.outline();
-    const std::int64_t written = std::min<std::int64_t>(outline.count, normals.count);
-    for (std::int64_t i = 0; i < written; ++i) {
-      write_point(normals, i, outline.normal(int(i)));
-      if (offsets) offsets[i] = outline.offset[i];
-    }
-    if (count) *count = outline.count;
-    return fits(outline.count, normals.count);
+    return visit(*shape, [&]<int D>(const ShapeHandle<D>& handle) {
+      require_view<D>(normals, "normals");
+      const Shape<D>& s = handle.shape;
+      const Outline<D>& outline = s.outline();
+      if (count) *count = number_of_faces(s);
+      return write_all(number_of_faces(s), normals.count, [&](int i) {
+        write_point(normals, i, outline.normal(i));
+        if (offsets) offsets[i] = outline.offset[i];
+      });
+    });
   });
 }
 
 void hs_shape_destroy(hs_shape* shape) {
-  if (shape) destroy(shape->context, shape);
+  if (!shape) return;
+  if (shape->dimension() == 2) {
+    destroy(shape->context, static_cast<ShapeHandle<2>*>(shape));
+  } else {
+    destroy(shape->context, static_cast<ShapeHandle<3>*>(shape));
+  }
 }

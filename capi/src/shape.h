@@ -3,15 +3,43 @@
 #include "context.h"
 #include "fingerprint.h"
 #include "geometry/shape.h"
+#include "guard.h"
 #include "halfspace/shape.h"
 
+/// What shapes of either dimension have. The shape itself follows, see ShapeHandle.
 struct hs_shape {
-  template <class Source>
-  hs_shape(hs_context* owner, const Source& source) : context(owner), shape(source, &owner->memory) {
-    fingerprint = halfspace::capi::fingerprint_of(shape.outline());
-  }
+  int dimension() const { return polygon_vertices > 0 ? 2 : 3; }
 
   hs_context* context;
   std::uint64_t fingerprint;
-  halfspace::Shape<2> shape;
+  std::int32_t polygon_vertices;  // 0 of a polyhedron
 };
+
+namespace halfspace::capi {
+
+/// A shape behind its handle.
+template <int D>
+struct ShapeHandle : hs_shape {
+  template <class Source>
+  ShapeHandle(hs_context* owner, const Source& source)
+      : hs_shape{owner, 0, 0}, shape(source, &owner->memory) {
+    fingerprint = fingerprint_of(shape.outline());
+    if (D == 2) polygon_vertices = shape.vertex_count();
+  }
+
+  Shape<D> shape;
+};
+
+/// Of a handle whose dimension is D.
+template <int D>
+const ShapeHandle<D>& as(const hs_shape& handle) {
+  return static_cast<const ShapeHandle<D>&>(handle);
+}
+
+/// Calls use(handle) with the handle as what it is.
+template <class Use>
+auto visit(const hs_shape& handle, Use&& use) {
+  return handle.dimension() == 2 ? use(as<2>(handle)) : use(as<3>(handle));
+}
+
+}  // namespace halfspace::capi

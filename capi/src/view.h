@@ -4,12 +4,13 @@
 #include <cstring>
 
 #include "check.h"
+#include "context.h"
 #include "geometry/vector.h"
 #include "halfspace/view.h"
 
 namespace halfspace::capi {
 
-template <class View>
+template <int D = 2, class View>
 void require_view(const View& view, const char* name) {
   if (view.count < 0) {
     refuse(HS_ERROR_ARGUMENT, "%s.count is %lld; it must be >= 0", name, static_cast<long long>(view.count));
@@ -17,6 +18,7 @@ void require_view(const View& view, const char* name) {
   if (view.count == 0) return;
   if (!view.x) refuse(HS_ERROR_ARGUMENT, "%s.x is NULL", name);
   if (!view.y) refuse(HS_ERROR_ARGUMENT, "%s.y is NULL", name);
+  if (D == 3 && !view.z) refuse(HS_ERROR_ARGUMENT, "%s.z is NULL", name);
   const bool overlaps = view.count > 1 && view.stride == 0;
   if (view.stride % std::int64_t(sizeof(double)) != 0 || overlaps) {
     refuse(HS_ERROR_ARGUMENT, "%s.stride is %lld; it must be a multiple of 8 bytes and not 0", name,
@@ -30,45 +32,48 @@ Component* at(Component* first, std::int64_t stride, std::int64_t i) {
   return first + i * (stride / std::int64_t(sizeof(double)));
 }
 
-inline Vector<2> read_point(const hs_view& view, std::int64_t i) {
-  return {*at(view.x, view.stride, i), *at(view.y, view.stride, i)};
+template <int D = 2>
+Vector<D> read_point(const hs_view& view, std::int64_t i) {
+  if constexpr (D == 2) {
+    return {*at(view.x, view.stride, i), *at(view.y, view.stride, i)};
+  } else {
+    return {*at(view.x, view.stride, i), *at(view.y, view.stride, i), *at(view.z, view.stride, i)};
+  }
 }
 
-inline Vector<2> read_finite_point(const hs_view& view, std::int64_t i, const char* name) {
-  const Vector<2> p = read_point(view, i);
+template <int D = 2>
+Vector<D> read_finite_point(const hs_view& view, std::int64_t i, const char* name) {
+  const Vector<D> p = read_point<D>(view, i);
   if (!p.allFinite()) {
-    refuse(HS_ERROR_ARGUMENT, "%s[%lld] is (%g, %g); it must be finite", name, static_cast<long long>(i),
-           p.x(), p.y());
+    refuse(HS_ERROR_ARGUMENT, "%s[%lld] is %s; it must be finite", name, static_cast<long long>(i),
+           PointText(p).characters);
   }
   return p;
 }
 
-inline void write_point(const hs_mutable_view& view, std::int64_t i, const Vector<2>& p) {
+template <int D>
+Array<Vector<D>> read_points(hs_context* context, const hs_view& view, const char* name) {
+  require_view<D>(view, name);
+  Array<Vector<D>> points(&context->memory);
+  points.reserve(std::size_t(view.count));
+  for (std::int64_t i = 0; i < view.count; ++i) points.push_back(read_point<D>(view, i));
+  return points;
+}
+
+template <int D>
+Array<Vector<D>> read_finite_points(hs_context* context, const hs_view& view, const char* name) {
+  require_view<D>(view, name);
+  Array<Vector<D>> points(&context->memory);
+  points.reserve(std::size_t(view.count));
+  for (std::int64_t i = 0; i < view.count; ++i) points.push_back(read_finite_point<D>(view, i, name));
+  return points;
+}
+
+template <class Vector>
+void write_point(const hs_mutable_view& view, std::int64_t i, const Eigen::MatrixBase<Vector>& p) {
   *at(view.x, view.stride, i) = p.x();
   *at(view.y, view.stride, i) = p.y();
-  if (view.z) *at(view.z, view.stride, i) = 0;
-}
-
-/// A view of spins or torques: in 2D its z alone counts.
-template <class View>
-void require_turn_view(const View& view, const char* name) {
-  if (view.count != 0) {
-    require_view(view, name);
-    if (!view.z) refuse(HS_ERROR_ARGUMENT, "%s.z is NULL", name);
-  }
-}
-
-inline Angular<2> read_finite_turn(const hs_view& view, std::int64_t i, const char* name) {
-  const double turn = *at(view.z, view.stride, i);
-  if (!std::isfinite(turn)) {
-    refuse(HS_ERROR_ARGUMENT, "%s[%lld].z is %g; it must be finite", name, static_cast<long long>(i), turn);
-  }
-  return Angular<2>(turn);
-}
-
-inline void write_turn(const hs_mutable_view& view, std::int64_t i, const Angular<2>& turn) {
-  write_point(view, i, {0, 0});
-  *at(view.z, view.stride, i) = turn[0];
+  if (view.z) *at(view.z, view.stride, i) = z_of(p);
 }
 
 /// HS_OK, or the note that `count` entries did not fit.

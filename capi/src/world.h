@@ -1,32 +1,64 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 
+#include "angular.h"
 #include "check.h"
 #include "context.h"
 #include "guard.h"
 #include "halfspace/world.h"
 #include "world/world.h"
 
+/// What worlds of either dimension have. The world itself follows, see WorldHandle.
 struct hs_world {
-  hs_world(hs_context* owner, const halfspace::WorldSettings<2>& settings)
-      : context(owner), world(settings, &owner->memory) {}
-
   hs_context* context;
-  halfspace::World<2> world;
+  std::int32_t dimension;
 };
 
 namespace halfspace::capi {
 
+/// A world behind its handle.
+template <int D>
+struct WorldHandle : hs_world {
+  WorldHandle(hs_context* owner, const WorldSettings<D>& settings)
+      : hs_world{owner, D}, world(settings, &owner->memory) {}
+
+  World<D> world;
+};
+
 inline hs_context* context_of(const hs_world* world) { return world ? world->context : nullptr; }
 
+/// Calls use(world) with the World<2> or World<3> that the handle is.
+template <class Use>
+auto visit(hs_world& handle, Use&& use) {
+  return handle.dimension == 2 ? use(static_cast<WorldHandle<2>&>(handle).world)
+                               : use(static_cast<WorldHandle<3>&>(handle).world);
+}
+template <class Use>
+auto visit(const hs_world& handle, Use&& use) {
+  return handle.dimension == 2 ? use(static_cast<const WorldHandle<2>&>(handle).world)
+                               : use(static_cast<const WorldHandle<3>&>(handle).world);
+}
+
+/// The body of an entry point: guarded, with the world as what it is.
+template <class Handle, class Use>
+hs_status with_world(Handle* world, const char* function, Use&& use) {
+  return guarded(context_of(world), function, [&] {
+    require_pointer(world, "world");
+    return visit(*world, use);
+  });
+}
+
 /// Ids carry the slot, from 1 so that 0 is no block, and the slot's generation.
-inline hs_block id_of(const Blocks<2>& blocks, std::size_t slot) {
+template <int D>
+hs_block id_of(const Blocks<D>& blocks, std::size_t slot) {
   return (std::uint64_t(blocks.generation[slot]) << 32) | (slot + 1);
 }
 
 /// The slot of a living block.
-inline std::int32_t slot_of(const Blocks<2>& blocks, hs_block id, const char* name) {
+template <int D>
+std::int32_t slot_of(const Blocks<D>& blocks, hs_block id, const char* name) {
   const std::uint64_t slot = (id & 0xffffffffu) - 1;
   if (slot >= blocks.slot_count() || !blocks.lives(std::size_t(slot)) ||
       id_of(blocks, std::size_t(slot)) != id) {
@@ -37,29 +69,24 @@ inline std::int32_t slot_of(const Blocks<2>& blocks, hs_block id, const char* na
 }
 
 /// Visits the living blocks in the order of the block arrays.
-template <class Visitor>
-void for_each_block(const Blocks<2>& blocks, Visitor&& visit) {
+template <int D, class Visitor>
+void for_each_block(const Blocks<D>& blocks, Visitor&& visit) {
   std::int64_t i = 0;
   for (std::size_t slot = 0; slot < blocks.slot_count(); ++slot) {
     if (blocks.lives(slot)) visit(i++, std::int32_t(slot));
   }
 }
 
-inline Vector<2> read_finite_vector(const double* values, const char* name) {
+template <int D>
+Vector<D> read_finite_vector(const double* values, const char* name) {
   require_pointer(values, name);
-  for (int i = 0; i < 2; ++i) {
-    if (!std::isfinite(values[i])) {
+  Vector<D> vector;
+  for (int i = 0; i < D; ++i) {
+    if (!std::isfinite(values[i]))
       refuse(HS_ERROR_ARGUMENT, "%s[%d] is %g; it must be finite", name, i, values[i]);
-    }
+    vector[i] = values[i];
   }
-  return {values[0], values[1]};
-}
-
-/// The z of a spin or torque.
-inline Angular<2> read_finite_turn(const double* values, const char* name) {
-  require_pointer(values, name);
-  if (!std::isfinite(values[2])) refuse(HS_ERROR_ARGUMENT, "%s[2] is %g; it must be finite", name, values[2]);
-  return Angular<2>(values[2]);
+  return vector;
 }
 
 }  // namespace halfspace::capi

@@ -13,7 +13,7 @@ namespace halfspace::capi {
 
 template <>
 hs_world_def default_definition() {
-  const WorldSettings<2> defaults;
+  const WorldSettings<2> defaults;  // but for the gravity those of either dimension
   hs_world_def def{};
   def.dimension = 2;
   def.gravity[1] = -9.81;
@@ -43,12 +43,11 @@ hs_block_def default_definition() {
 
 namespace {
 
-WorldSettings<2> read_settings(const hs_world_def& def) {
-  if (def.dimension != 2)
-    refuse(HS_ERROR_ARGUMENT, "def.dimension is %d; this version knows 2", def.dimension);
+template <int D>
+WorldSettings<D> read_settings(const hs_world_def& def) {
   const auto positive_or_zero = [](double v) { return v >= 0 && std::isfinite(v); };
-  WorldSettings<2> settings;
-  settings.gravity = read_finite_vector(def.gravity, "def.gravity");
+  WorldSettings<D> settings;
+  settings.gravity = read_finite_vector<D>(def.gravity, "def.gravity");
   settings.time_step =
       require(positive_or_zero(def.time_step), def.time_step, "def.time_step", "finite and >= 0");
   settings.safety =
@@ -90,11 +89,31 @@ SpringLaw read_law(const hs_law_def* given) {
   return law;
 }
 
-void require_material(const hs_world& world, std::int32_t material, const char* name) {
-  if (material < 0 || material >= world.world.material_count()) {
-    refuse(HS_ERROR_STALE_ID, "%s is %d; the world has %d materials", name, material,
-           world.world.material_count());
+template <int D>
+void require_material(const World<D>& world, std::int32_t material, const char* name) {
+  if (material < 0 || material >= world.material_count()) {
+    refuse(HS_ERROR_STALE_ID, "%s is %d; the world has %d materials", name, material, world.material_count());
   }
+}
+
+/// The shape of a block for a world of D dimensions.
+template <int D>
+const Shape<D>& require_shape(const hs_shape* shape, const char* name) {
+  require_pointer(shape, name);
+  if (shape->dimension() != D)
+    refuse(HS_ERROR_ARGUMENT, "%s has dimension %d; the world has %d", name, shape->dimension(), D);
+  return as<D>(*shape).shape;
+}
+
+/// Of the inertia the least principal moment.
+template <int D>
+void require_mass(const Shape<D>& shape, double density) {
+  const double mass = mass_of(shape, density), inertia = Inertia<D>::of(shape, density).least_moment();
+  if (mass > 0 && inertia > 0 && std::isfinite(mass) && std::isfinite(inertia)) return;
+  refuse(
+      HS_ERROR_ARGUMENT,
+      "shape and def.material give a mass of %g and a moment of inertia of %g; both must be finite and > 0",
+      mass, inertia);
 }
 
 }  // namespace
@@ -108,7 +127,9 @@ hs_status hs_block_def_init(hs_block_def* def, size_t size, const hs_shape* shap
   constexpr std::size_t up_to_pose = offsetof(hs_block_def, pose) + sizeof(hs_pose);
   if (!shape || size < up_to_pose) return HS_ERROR_ARGUMENT;
   const hs_status status = write_definition(def, size);
-  if (status == HS_OK) write_pose(shape->shape.centroid(), Rotation<2>(), def->pose);
+  if (status == HS_OK) {
+    visit(*shape, [&](const auto& handle) { write_vector(handle.shape.centroid(), def->pose.position); });
+  }
   return status;
 }
 
@@ -116,74 +137,75 @@ hs_status hs_world_create(hs_context* context, const hs_world_def* def, hs_world
   return guarded(context, __func__, [&] {
     require_pointer(context, "context");
     require_pointer(world, "world");
-    *world = create<hs_world>(context, context, read_settings(read_definition(def, "def")));
+    const hs_world_def known = read_definition(def, "def");
+    if (known.dimension == 2) {
+      *world = create<WorldHandle<2>>(context, context, read_settings<2>(known));
+    } else if (known.dimension == 3) {
+      *world = create<WorldHandle<3>>(context, context, read_settings<3>(known));
+    } else {
+      refuse(HS_ERROR_ARGUMENT, "def.dimension is %d; it must be 2 or 3", known.dimension);
+    }
     return HS_OK;
   });
 }
 
 void hs_world_destroy(hs_world* world) {
-  if (world) destroy(world->context, world);
+  if (!world) return;
+  if (world->dimension == 2) {
+    destroy(world->context, static_cast<WorldHandle<2>*>(world));
+  } else {
+    destroy(world->context, static_cast<WorldHandle<3>*>(world));
+  }
 }
 
 hs_status hs_world_add_material(hs_world* world, double density, int32_t* material) {
-  return guarded(context_of(world), __func__, [&] {
-    require_pointer(world, "world");
+  return with_world(world, __func__, [&]<int D>(World<D>& w) {
     require_pointer(material, "material");
     require(density > 0 && std::isfinite(density), density, "density", "finite and > 0");
-    *material = world->world.add_material(density);
+    *material = w.add_material(density);
     return HS_OK;
   });
 }
 
 hs_status hs_world_set_default_law(hs_world* world, const hs_law_def* law) {
-  return guarded(context_of(world), __func__, [&] {
-    require_pointer(world, "world");
-    world->world.set_default_law(read_law(law));
+  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    w.set_default_law(read_law(law));
     return HS_OK;
   });
 }
 
 hs_status hs_world_set_law(hs_world* world, int32_t material_a, int32_t material_b, const hs_law_def* law) {
-  return guarded(context_of(world), __func__, [&] {
-    require_pointer(world, "world");
-    require_material(*world, material_a, "material_a");
-    require_material(*world, material_b, "material_b");
-    world->world.set_law(material_a, material_b, read_law(law));
+  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    require_material(w, material_a, "material_a");
+    require_material(w, material_b, "material_b");
+    w.set_law(material_a, material_b, read_law(law));
     return HS_OK;
   });
 }
 
 hs_status hs_world_add_block(hs_world* world, const hs_shape* shape, const hs_block_def* def,
                              hs_block* block) {
-  return guarded(context_of(world), __func__, [&] {
-    require_pointer(world, "world");
-    require_pointer(shape, "shape");
+  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    const Shape<D>& form = require_shape<D>(shape, "shape");
     require_pointer(block, "block");
     const hs_block_def known = read_definition(def, "def");
     if (known.kind < HS_BLOCK_FIXED || known.kind > HS_BLOCK_RIGID) {
       refuse(HS_ERROR_ARGUMENT, "def.kind is %d; it must be an HS_BLOCK_ value", known.kind);
     }
-    require_material(*world, known.material, "def.material");
-    const Pose2 pose = read_pose(&known.pose, "def.pose");
-    const Vector<2> velocity = read_finite_vector(known.velocity, "def.velocity");
-    const Angular<2> spin = read_finite_turn(known.angular_velocity, "def.angular_velocity");
-    if (known.kind == HS_BLOCK_FIXED && (velocity != Vector<2>::Zero() || spin[0] != 0)) {
+    require_material(w, known.material, "def.material");
+    const Pose<D> pose = read_pose<D>(&known.pose, "def.pose");
+    const Vector<D> velocity = read_finite_vector<D>(known.velocity, "def.velocity");
+    const Angular<D> spin = read_finite_angular<D>(known.angular_velocity, "def.angular_velocity");
+    if (known.kind == HS_BLOCK_FIXED && (velocity != Vector<D>::Zero() || spin != Angular<D>::Zero())) {
       refuse(HS_ERROR_ARGUMENT,
-             "def.velocity is (%g, %g), def.angular_velocity[2] is %g; a fixed block has none", velocity.x(),
-             velocity.y(), spin[0]);
+             "def.velocity is %s, def.angular_velocity is (%g, %g, %g); a fixed block has none",
+             PointText(velocity).characters, known.angular_velocity[0], known.angular_velocity[1],
+             known.angular_velocity[2]);
     }
     if (known.reserved != 0) refuse(HS_ERROR_ARGUMENT, "def.reserved is %d; it must be 0", known.reserved);
-    World<2>& w = world->world;
-    const double density = w.density(known.material);
-    const double mass = density * shape->shape.area(), inertia = density * shape->shape.polar_moment();
-    if (!(mass > 0 && inertia > 0 && std::isfinite(mass) && std::isfinite(inertia))) {
-      refuse(HS_ERROR_ARGUMENT,
-             "shape and def.material give a mass of %g and a moment of inertia of %g; both must be finite "
-             "and > 0",
-             mass, inertia);
-    }
+    require_mass(form, w.density(known.material));
     const std::int32_t slot =
-        w.add_block(shape->shape, BlockKind(known.kind), known.material, pose.position, pose.rotation);
+        w.add_block(form, BlockKind(known.kind), known.material, pose.position, pose.rotation);
     w.set_velocity(slot, velocity, spin);
     *block = id_of(w.blocks(), std::size_t(slot));
     return HS_OK;
@@ -191,9 +213,8 @@ hs_status hs_world_add_block(hs_world* world, const hs_shape* shape, const hs_bl
 }
 
 hs_status hs_world_remove_block(hs_world* world, hs_block block) {
-  return guarded(context_of(world), __func__, [&] {
-    require_pointer(world, "world");
-    world->world.remove_block(slot_of(world->world.blocks(), block, "block"));
+  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    w.remove_block(slot_of(w.blocks(), block, "block"));
     return HS_OK;
   });
 }

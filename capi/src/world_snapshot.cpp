@@ -14,27 +14,48 @@ struct Header {
   std::uint64_t checksum = 0;
 };
 
-std::size_t state_size(World<2>& world) {
+/// One visit() serves reading and writing.
+template <int D>
+World<D>& visitable(const World<D>& world) {
+  return const_cast<World<D>&>(world);
+}
+
+template <int D>
+std::size_t state_size(const World<D>& world) {
   snapshot::Writer counter(nullptr);
-  world.visit(counter);
+  visitable(world).visit(counter);
   return counter.size();
+}
+
+template <int D>
+hs_world* restore(hs_context* context, std::span<const std::byte> state) {
+  WorldHandle<D>* restored = create<WorldHandle<D>>(context, context, WorldSettings<D>());
+  try {
+    snapshot::Reader reader(state);
+    restored->world.visit(reader);
+    if (reader.failed() || !reader.at_end() || !restored->world.is_consistent())
+      refuse(HS_ERROR_FORMAT, "bytes do not hold what a snapshot holds");
+  } catch (...) {
+    hs_world_destroy(restored);
+    throw;
+  }
+  return restored;
 }
 
 }  // namespace
 
 hs_status hs_world_save(const hs_world* world, void* bytes, size_t capacity, size_t* count) {
-  return guarded(context_of(world), __func__, [&] {
-    require_pointer(world, "world");
+  return with_world(world, __func__, [&]<int D>(const World<D>& w) {
     require_pointer(count, "count");
     if (capacity > 0) require_pointer(bytes, "bytes");
-    World<2>& w = const_cast<World<2>&>(world->world);  // one visit() serves reading and writing
     const std::size_t size = state_size(w);
     *count = sizeof(Header) + size;
     if (*count > capacity) return HS_NOTE_TRUNCATED;
     std::byte* state = static_cast<std::byte*>(bytes) + sizeof(Header);
     snapshot::Writer writer(state);
-    w.visit(writer);
+    visitable(w).visit(writer);
     Header header;
+    header.dimension = D;
     header.size = size;
     header.checksum = snapshot::checksum({state, size});
     std::memcpy(bytes, &header, sizeof header);
@@ -51,12 +72,11 @@ hs_status hs_world_restore(hs_context* context, const void* bytes, size_t count,
     if (count < sizeof header)
       refuse(HS_ERROR_FORMAT, "count is %zu; a snapshot has at least %zu bytes", count, sizeof header);
     std::memcpy(&header, bytes, sizeof header);
-    const Header expected;
-    if (header.magic != expected.magic) refuse(HS_ERROR_FORMAT, "bytes do not begin as a snapshot does");
-    if (header.version != expected.version || header.dimension != expected.dimension) {
+    if (header.magic != snapshot::magic) refuse(HS_ERROR_FORMAT, "bytes do not begin as a snapshot does");
+    if (header.version != snapshot::version || (header.dimension != 2 && header.dimension != 3)) {
       refuse(HS_ERROR_FORMAT,
-             "snapshot has version %u and dimension %u; this library reads version %u, dimension %u",
-             header.version, header.dimension, expected.version, expected.dimension);
+             "snapshot has version %u and dimension %u; this library reads version %u, dimension 2 or 3",
+             header.version, header.dimension, snapshot::version);
     }
     const std::span<const std::byte> state(static_cast<const std::byte*>(bytes) + sizeof header,
                                            count - sizeof header);
@@ -66,18 +86,7 @@ hs_status hs_world_restore(hs_context* context, const void* bytes, size_t count,
     }
     if (header.checksum != snapshot::checksum(state))
       refuse(HS_ERROR_FORMAT, "bytes are damaged: the checksum differs");
-
-    hs_world* restored = create<hs_world>(context, context, WorldSettings<2>());
-    try {
-      snapshot::Reader reader(state);
-      restored->world.visit(reader);
-      if (reader.failed() || !reader.at_end() || !restored->world.is_consistent())
-        refuse(HS_ERROR_FORMAT, "bytes do not hold what a snapshot holds");
-    } catch (...) {
-      hs_world_destroy(restored);
-      throw;
-    }
-    *world = restored;
+    *world = header.dimension == 2 ? restore<2>(context, state) : restore<3>(context, state);
     return HS_OK;
   });
 }

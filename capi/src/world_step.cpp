@@ -23,13 +23,15 @@ hs_energy energy_of(const Ledger& ledger) {
           ledger.residual()};
 }
 
-double largest_overlap(const World<2>& world) {
+template <int D>
+double largest_overlap(const World<D>& world) {
   double overlap = 0;
   for (std::size_t c = 0; c < world.contact_count(); ++c) overlap = std::max(overlap, -world.contact(c).gap);
   return overlap;
 }
 
-double largest_speed(const Blocks<2>& blocks) {
+template <int D>
+double largest_speed(const Blocks<D>& blocks) {
   double squared = 0;
   for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
     if (blocks.kind[i] == BlockKind::rigid) squared = std::max(squared, blocks.velocity[i].squaredNorm());
@@ -37,19 +39,21 @@ double largest_speed(const Blocks<2>& blocks) {
   return std::sqrt(squared);
 }
 
-void require_detected(const World<2>& world) {
+template <int D>
+void require_detected(const World<D>& world) {
   if (!world.is_detected()) {
     refuse(HS_ERROR_STATE, "poses, blocks or laws have changed; call hs_world_detect() first");
   }
 }
 
 /// Contacts are sorted as their pairs are.
-std::size_t contact_index(const World<2>& world, std::int32_t a, std::int32_t b) {
+template <int D>
+std::size_t contact_index(const World<D>& world, std::int32_t a, std::int32_t b) {
   const auto wanted = std::minmax(a, b);
   std::size_t first = 0, last = world.contact_count();
   while (first < last) {
     const std::size_t middle = first + (last - first) / 2;
-    const Candidate<2>& pair = world.candidate_of(middle);
+    const Candidate<D>& pair = world.candidate_of(middle);
     if (std::pair(pair.a, pair.b) < std::pair(wanted.first, wanted.second)) {
       first = middle + 1;
     } else {
@@ -62,30 +66,39 @@ std::size_t contact_index(const World<2>& world, std::int32_t a, std::int32_t b)
   return first;
 }
 
+/// What the contact does to its blocks, as far as forces have been evaluated.
+template <int D>
+void write_force(const ContactForce<D>& force, const Vector<D>& normal, const Vector<D>& origin,
+                 hs_contact& out) {
+  write_vector(force.on_b(normal), out.force);
+  write_vector(Vector<D>(force.point + origin), out.force_point);
+  out.normal_force = force.normal_force;
+  write_vector(shear_vector(force.shear, normal), out.shear_force);
+  write_angular(force.couple, out.torque);
+  if constexpr (D == 3) out.twist = force.couple.dot(normal);
+}
+
 }  // namespace
 
 hs_status hs_world_detect(hs_world* world, int64_t* touching) {
-  return guarded(context_of(world), __func__, [&] {
-    require_pointer(world, "world");
-    world->world.detect();
-    if (touching) *touching = std::int64_t(world->world.contact_count());
+  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    w.detect();
+    if (touching) *touching = std::int64_t(w.contact_count());
     return HS_OK;
   });
 }
 
 hs_status hs_world_forces(hs_world* world, double elapsed, hs_mutable_view forces, hs_mutable_view torques) {
-  return guarded(context_of(world), __func__, [&] {
-    require_pointer(world, "world");
+  return with_world(world, __func__, [&]<int D>(World<D>& w) {
     require(elapsed >= 0 && std::isfinite(elapsed), elapsed, "elapsed", "finite and >= 0");
-    require_view(forces, "forces");
-    require_turn_view(torques, "torques");
-    World<2>& w = world->world;
+    require_view<D>(forces, "forces");
+    require_angular_view<D>(torques, "torques");
     require_detected(w);
     w.evaluate_forces_for_host(elapsed);
-    const Blocks<2>& all = w.blocks();
+    const Blocks<D>& all = w.blocks();
     for_each_block(all, [&](std::int64_t i, std::int32_t slot) {
       if (i < forces.count) write_point(forces, i, all.force[std::size_t(slot)]);
-      if (i < torques.count) write_turn(torques, i, all.torque[std::size_t(slot)]);
+      if (i < torques.count) write_angular(torques, i, all.torque[std::size_t(slot)]);
     });
     const bool all_turns = torques.count == 0 || torques.count >= all.count();
     return all_turns ? fits(all.count(), forces.count) : HS_NOTE_TRUNCATED;
@@ -93,10 +106,8 @@ hs_status hs_world_forces(hs_world* world, double elapsed, hs_mutable_view force
 }
 
 hs_status hs_world_step(hs_world* world, int64_t steps) {
-  return guarded(context_of(world), __func__, [&] {
-    require_pointer(world, "world");
+  return with_world(world, __func__, [&]<int D>(World<D>& w) {
     require_count(steps, "steps");
-    World<2>& w = world->world;
     for (std::int64_t i = 0; i < steps; ++i) {
       const StepResult result = w.step();
       if (result == StepResult::no_time_step) {
@@ -113,10 +124,8 @@ hs_status hs_world_step(hs_world* world, int64_t steps) {
 }
 
 hs_status hs_world_get_report(hs_world* world, hs_world_report* report) {
-  return guarded(context_of(world), __func__, [&] {
-    require_pointer(world, "world");
+  return with_world(world, __func__, [&]<int D>(World<D>& w) {
     require_pointer(report, "report");
-    World<2>& w = world->world;
     w.prepare();  // energies and the time step of a world that has been changed
     const double stable = w.stable_time_step();
     *report = {w.steps(),
@@ -136,46 +145,38 @@ hs_status hs_world_get_report(hs_world* world, hs_world_report* report) {
 
 hs_status hs_world_get_contacts(const hs_world* world, hs_contact* contacts, int64_t capacity,
                                 int64_t* count) {
-  return guarded(context_of(world), __func__, [&] {
-    require_pointer(world, "world");
+  return with_world(world, __func__, [&]<int D>(const World<D>& w) {
     require_count(capacity, "capacity");
     if (capacity > 0) require_pointer(contacts, "contacts");
-    const World<2>& w = world->world;
-    const Blocks<2>& blocks = w.blocks();
+    const Blocks<D>& blocks = w.blocks();
     const std::int64_t all = std::int64_t(w.contact_count());
     for (std::int64_t i = 0; i < std::min(all, capacity); ++i) {
       const std::size_t c = std::size_t(i);
-      const Candidate<2>& pair = w.candidate_of(c);
-      const Vector<2>& origin = blocks.position[std::size_t(pair.a)];
+      const Candidate<D>& pair = w.candidate_of(c);
+      const Vector<D>& origin = blocks.position[std::size_t(pair.a)];
       hs_contact& out = contacts[i];
       out = {};
-      const Contact<2> contact = w.contact(c);
-      write_contact(contact, Rotation<2>(), origin, out);
+      const Contact<D> contact = w.contact(c);
+      write_contact(contact, Rotation<D>(), origin, out);
       out.block_a = id_of(blocks, std::size_t(pair.a));
       out.block_b = id_of(blocks, std::size_t(pair.b));
       if (c >= w.contact_forces().size()) continue;  // detected, but forces not evaluated yet
-      const ContactForce<2>& force = w.contact_forces()[c];
-      write_vector(force.on_b(contact.normal), out.force);
-      write_vector(force.point + origin, out.force_point);
-      out.normal_force = force.normal_force;
-      out.shear_force = force.shear[0];
+      write_force(w.contact_forces()[c], contact.normal, origin, out);
     }
     if (count) *count = all;
     return fits(all, capacity);
   });
 }
 
-hs_status hs_world_set_shear_force(hs_world* world, hs_block block_a, hs_block block_b, double shear_force) {
-  return guarded(context_of(world), __func__, [&] {
-    require_pointer(world, "world");
-    require_finite(shear_force, "shear_force");
-    World<2>& w = world->world;
+hs_status hs_world_set_shear_force(hs_world* world, hs_block block_a, hs_block block_b,
+                                   const double shear_force[3]) {
+  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    const Vector<D> on_second = read_finite_vector<D>(shear_force, "shear_force");
     const std::int32_t a = slot_of(w.blocks(), block_a, "block_a");
     const std::int32_t b = slot_of(w.blocks(), block_b, "block_b");
     require_detected(w);
-    // Swapping the blocks turns normal, tangent and force on the second: the scalar stays.
-    const std::size_t c = contact_index(w, a, b);
-    if (!w.set_shear_force(c, shear_force * perpendicular(w.contact(c).normal))) {
+    // The contact is from the lower slot to the higher.
+    if (!w.set_shear_force(contact_index(w, a, b), a < b ? on_second : Vector<D>(-on_second))) {
       refuse(HS_ERROR_STATE, "the law between block_a and block_b has no friction and no shear spring");
     }
     return HS_OK;

@@ -6,15 +6,26 @@
 
 namespace halfspace {
 
-/// The outline of a block of up to most_edges_in_set edges turned into another frame, on the stack.
+/// The outline of a block turned into another frame, in memory of its own: on the stack for blocks of up to
+/// most_edges_in_set edges.
 class TurnedPolyhedron {
  public:
-  TurnedPolyhedron(const Outline<3>& given, const Rotation<3>& rotation) {
+  TurnedPolyhedron(const Outline<3>& given, const Rotation<3>& rotation,
+                   Memory* memory = std::pmr::null_memory_resource())
+      : memory_(memory) {
     const int vertices = Outline<3>::padded(given.vertex_count());
     const int faces = Outline<3>::padded(given.face_count());
-    for (int v = 0; v < vertices; ++v) put(rotation * given.vertex(v), v, x_, y_, z_);
-    for (int f = 0; f < faces; ++f) put(rotation * given.normal(f), f, nx_, ny_, nz_);
-    outline_ = {given.topology, x_, y_, z_, nx_, ny_, nz_, given.offset};
+    count_ = 3 * (vertices + faces);
+    components_ =
+        count_ <= most_inline ? inline_ : static_cast<double*>(memory_->allocate(bytes(), alignof(double)));
+    double *const x = components_, *const y = x + vertices, *const z = y + vertices;
+    double *const nx = z + vertices, *const ny = nx + faces, *const nz = ny + faces;
+    for (int v = 0; v < vertices; ++v) put(rotation * given.vertex(v), v, x, y, z);
+    for (int f = 0; f < faces; ++f) put(rotation * given.normal(f), f, nx, ny, nz);
+    outline_ = {given.topology, x, y, z, nx, ny, nz, given.offset};
+  }
+  ~TurnedPolyhedron() {
+    if (components_ != inline_) memory_->deallocate(components_, bytes(), alignof(double));
   }
   TurnedPolyhedron(const TurnedPolyhedron&) = delete;  // the outline points into it
   TurnedPolyhedron& operator=(const TurnedPolyhedron&) = delete;
@@ -22,17 +33,20 @@ class TurnedPolyhedron {
   const Outline<3>& outline() const { return outline_; }
 
  private:
-  /// A polyhedron has at least three edges for every two vertices, and for every two faces.
-  static constexpr int most = Outline<3>::padded(2 * most_edges_in_set / 3);
+  /// Vertices and faces are two more than the edges (Euler), each padded.
+  static constexpr int most_inline = 3 * (most_edges_in_set + 2 + 2 * 3);
 
   static void put(const Vector<3>& v, int i, double* x, double* y, double* z) {
     x[i] = v.x();
     y[i] = v.y();
     z[i] = v.z();
   }
+  std::size_t bytes() const { return std::size_t(count_) * sizeof(double); }
 
-  double x_[most], y_[most], z_[most];
-  double nx_[most], ny_[most], nz_[most];
+  Memory* memory_;
+  int count_;
+  double* components_;
+  double inline_[most_inline];
   Outline<3> outline_;
 };
 

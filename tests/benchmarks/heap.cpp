@@ -107,7 +107,8 @@ std::vector<ShearSpring> springs_of(const hs_world* world, hs_context* context, 
   require_ok(hs_world_get_contacts(world, contacts.data(), count, nullptr), context);
   std::vector<ShearSpring> springs;
   for (const hs_contact& c : contacts)
-    springs.push_back({part.at(c.block_a), part.at(c.block_b), c.shear_force});
+    springs.push_back(
+        {part.at(c.block_a), part.at(c.block_b), {c.shear_force[0], c.shear_force[1], c.shear_force[2]}});
   return springs;
 }
 

@@ -21,7 +21,7 @@ struct Grain {
 struct ShearSpring {
   int a = 0;
   int b = 0;
-  double force = 0;
+  double force[3] = {};  // on b
 };
 enum Wall { floor_wall = -1, left_wall = -2, right_wall = -3 };
 

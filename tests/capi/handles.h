@@ -79,6 +79,21 @@ inline Points box(double x0, double y0, double x1, double y1) {
   return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
 }
 
+/// The pair of a contact in 2D: whose edge, 0 block a, 1 block b; which; and the other's vertex.
+struct EdgeAndVertex {
+  int owner, edge, vertex;
+};
+
+inline EdgeAndVertex edge_and_vertex(const hs_contact& c) {
+  return c.pair_kind == HS_PAIR_FACE_VERTEX ? EdgeAndVertex{0, c.feature_a, c.feature_b}
+                                            : EdgeAndVertex{1, c.feature_b, c.feature_a};
+}
+
+/// In 2D, along the tangent (-n.y, n.x).
+inline double shear_along_tangent(const hs_contact& c) {
+  return c.normal[0] * c.shear_force[1] - c.normal[1] * c.shear_force[0];
+}
+
 inline hs_pose pose_at(double x, double y, double z = 0, double w = 1) { return {{x, y, 0}, {0, 0, z, w}}; }
 
 }  // namespace halfspace_test

@@ -40,11 +40,13 @@ struct PairCall {
   }
 };
 
-hs_pair_cache cache_of(std::int32_t state, std::int32_t edge, std::int32_t vertex) {
+hs_pair_cache cache_of(std::int32_t state, std::int32_t kind, std::int32_t feature_a,
+                       std::int32_t feature_b) {
   hs_pair_cache cache{};
   cache.state = state;
-  cache.edge = edge;
-  cache.vertex = vertex;
+  cache.pair_kind = kind;
+  cache.feature_a = feature_a;
+  cache.feature_b = feature_b;
   return cache;
 }
 
@@ -77,10 +79,12 @@ const std::vector<Spoiled> spoiled_inputs = {
     {"struct_size", "4294967295", [](PairCall& c) { c.options.struct_size = 0xffffffffu; }},
     {"state", "3", [](PairCall& c) { c.caches[0].state = 3; }},
     {"state", "-1", [](PairCall& c) { c.caches[0].state = -1; }},
-    {"edge", "8", [](PairCall& c) { c.caches[0] = cache_of(1, 8, 0); }},
-    {"edge", "-1", [](PairCall& c) { c.caches[0] = cache_of(2, -1, 0); }},
-    {"vertex", "4", [](PairCall& c) { c.caches[0] = cache_of(1, 0, 4); }},
-    {"vertex", "-2", [](PairCall& c) { c.caches[0] = cache_of(2, 0, -2); }},
+    {"pair_kind", "2", [](PairCall& c) { c.caches[0] = cache_of(1, HS_PAIR_EDGE_EDGE, 0, 0); }},
+    {"pair_kind", "-1", [](PairCall& c) { c.caches[0] = cache_of(2, -1, 0, 0); }},
+    {"feature_a", "4", [](PairCall& c) { c.caches[0] = cache_of(1, HS_PAIR_FACE_VERTEX, 4, 0); }},
+    {"feature_a", "-1", [](PairCall& c) { c.caches[0] = cache_of(2, HS_PAIR_VERTEX_FACE, -1, 0); }},
+    {"feature_b", "4", [](PairCall& c) { c.caches[0] = cache_of(1, HS_PAIR_VERTEX_FACE, 0, 4); }},
+    {"feature_b", "-2", [](PairCall& c) { c.caches[0] = cache_of(2, HS_PAIR_FACE_VERTEX, 0, -2); }},
 };
 
 }  // namespace

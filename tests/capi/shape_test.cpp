@@ -46,10 +46,11 @@ TEST_CASE("what is wrong with a polygon is said, and it is not made") {
   const Context context = make_context();
   for (const Faulty& f : faulty_polygons) {
     INFO(f.what);
-    hs_fault fault{-1, -1, -2};
+    hs_fault fault{-1, -1, -2, -2};
     REQUIRE(hs_polygon_check(context.get(), view_of(f.vertices), &fault) == HS_OK);
     CHECK(fault.kind == f.kind);
     if (f.kind != HS_FAULT_SELF_CROSSING) CHECK(fault.vertex == f.vertex);
+    CHECK(fault.face == -1);
     CHECK(fault.reserved == 0);
     hs_shape* shape = no_shape;
     CHECK(hs_polygon_create(context.get(), view_of(f.vertices), &shape) == HS_ERROR_GEOMETRY);
@@ -58,7 +59,7 @@ TEST_CASE("what is wrong with a polygon is said, and it is not made") {
     CHECK(text.find("hs_polygon_create: vertices") == 0);
     if (fault.vertex >= 0) CHECK(text.find("[" + std::to_string(fault.vertex) + "]") != std::string::npos);
   }
-  hs_fault fault{-1, -1, -2};
+  hs_fault fault{-1, -1, -2, -2};
   for (Points good : {triangle, Points{{0, 1}, {1, 0}, {0, 0}}}) {  // either order
     REQUIRE(hs_polygon_check(context.get(), view_of(good), &fault) == HS_OK);
     CHECK(fault.kind == HS_FAULT_NONE);

@@ -47,7 +47,7 @@ TEST_CASE("hs_world_create refuses every bad setting") {
       {"struct_size", "0", [](D& d) { d.struct_size = 0; }},
       {"struct_size", "3", [](D& d) { d.struct_size = 3; }},
       {"struct_size", "4294967295", [](D& d) { d.struct_size = 0xffffffffu; }},
-      {"dimension", "3", [](D& d) { d.dimension = 3; }},
+      {"dimension", "4", [](D& d) { d.dimension = 4; }},
       {"dimension", "-1", [](D& d) { d.dimension = -1; }},
       {"gravity[0]", "nan", [](D& d) { d.gravity[0] = nan; }},
       {"gravity[1]", "inf", [](D& d) { d.gravity[1] = inf; }},
@@ -272,9 +272,9 @@ TEST_CASE("a stale or invented id is refused by every function that takes one") 
     stale("hs_world_set_applied_force", "block",
           [&] { return hs_world_set_applied_force(w, bad, zero, zero); });
     stale("hs_world_set_shear_force", "block_a",
-          [&] { return hs_world_set_shear_force(w, bad, s.floor, 1); });
+          [&] { return hs_world_set_shear_force(w, bad, s.floor, zero); });
     stale("hs_world_set_shear_force", "block_b",
-          [&] { return hs_world_set_shear_force(w, s.floor, bad, 1); });
+          [&] { return hs_world_set_shear_force(w, s.floor, bad, zero); });
   }
   CHECK(hs_world_get_block_state(w, successor, &state) == HS_OK);
 }
@@ -374,20 +374,22 @@ TEST_CASE("stages, steps, reports and contacts refuse bad input") {
   check_unchanged(s, "hs_world_get_contacts",
                   {{"contacts", "NULL", [&] { return hs_world_get_contacts(w, nullptr, 1, nullptr); }},
                    {"capacity", "-1", [&] { return hs_world_get_contacts(w, &contact, -1, nullptr); }}});
-  check_unchanged(
-      s, "hs_world_set_shear_force",
-      {{"shear_force", "nan", [&] { return hs_world_set_shear_force(w, s.floor, s.box_on_floor, nan); }},
-       {"shear_force", "inf", [&] { return hs_world_set_shear_force(w, s.floor, s.box_on_floor, inf); }},
-       {"contact", "", [&] { return hs_world_set_shear_force(w, s.floor, s.box_away, 1); },
-        HS_ERROR_STALE_ID},
-       {"contact", "", [&] { return hs_world_set_shear_force(w, s.floor, s.floor, 1); }, HS_ERROR_STALE_ID}});
+  check_unchanged(s, "hs_world_set_shear_force",
+                  {{"shear_force[1]", "nan",
+                    [&] { return hs_world_set_shear_force(w, s.floor, s.box_on_floor, not_a_number); }},
+                   {"shear_force[0]", "inf",
+                    [&] { return hs_world_set_shear_force(w, s.floor, s.box_on_floor, infinite); }},
+                   {"contact", "", [&] { return hs_world_set_shear_force(w, s.floor, s.box_away, zero); },
+                    HS_ERROR_STALE_ID},
+                   {"contact", "", [&] { return hs_world_set_shear_force(w, s.floor, s.floor, zero); },
+                    HS_ERROR_STALE_ID}});
   hs_world_report report;
   CHECK(hs_world_detect(nullptr, nullptr) == HS_ERROR_ARGUMENT);
   CHECK(hs_world_forces(nullptr, 0, forces, none) == HS_ERROR_ARGUMENT);
   CHECK(hs_world_step(nullptr, 1) == HS_ERROR_ARGUMENT);
   CHECK(hs_world_get_report(nullptr, &report) == HS_ERROR_ARGUMENT);
   CHECK(hs_world_get_contacts(nullptr, nullptr, 0, nullptr) == HS_ERROR_ARGUMENT);
-  CHECK(hs_world_set_shear_force(nullptr, 1, 2, 0) == HS_ERROR_ARGUMENT);
+  CHECK(hs_world_set_shear_force(nullptr, 1, 2, zero) == HS_ERROR_ARGUMENT);
 }
 
 TEST_CASE("a world that cannot derive a time step says so, and is none the worse") {

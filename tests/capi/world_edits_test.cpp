@@ -100,7 +100,8 @@ TEST_CASE("a shear force needs contacts that belong to the present laws") {
   require_ok(hs_world_step(c.world.get(), 1), c.context.get());
   const hs_law_def law = law_def(1e9, 0.5);
   require_ok(hs_world_set_default_law(c.world.get(), &law), c.context.get());
-  CHECK(hs_world_set_shear_force(c.world.get(), c.wall, c.block, 1) == HS_ERROR_STATE);
+  const double force[3] = {1, 0, 0};
+  CHECK(hs_world_set_shear_force(c.world.get(), c.wall, c.block, force) == HS_ERROR_STATE);
 }
 
 TEST_CASE("forces asked for by a host are booked as outer work") {

@@ -69,10 +69,11 @@ TEST_CASE("forces sum to nothing over a pair, and each is what its contacts say"
     // Normal and shear force are the force's components. Unit normals and four products: 16 roundings.
     const double normal = c.force[0] * c.normal[0] + c.force[1] * c.normal[1];
     const double shear = -c.force[0] * c.normal[1] + c.force[1] * c.normal[0];
-    const double bound = 16 * 0x1p-53 * (std::abs(c.normal_force) + std::abs(c.shear_force));
+    const double given = shear_along_tangent(c);
+    const double bound = 16 * 0x1p-53 * (std::abs(c.normal_force) + std::abs(given));
     CHECK(std::abs(normal - c.normal_force) <= bound);
-    CHECK(std::abs(shear - c.shear_force) <= bound);
-    CHECK(std::abs(c.shear_force) <= std::tan(0.4) * c.normal_force * (1 + 8 * 0x1p-53));
+    CHECK(std::abs(shear - given) <= bound);
+    CHECK(std::abs(given) <= std::tan(0.4) * c.normal_force * (1 + 8 * 0x1p-53));
   }
   REQUIRE(largest > 0);
   // Sums of at most 40 terms, in another order.
@@ -156,13 +157,16 @@ TEST_CASE("a shear spring can be preloaded from either side") {
     REQUIRE(hs_world_detect(w, nullptr) == HS_OK);
     const double preload = 1234.5;
     const hs_block a = swapped ? s.box_on_floor : s.floor, b = swapped ? s.floor : s.box_on_floor;
-    REQUIRE(hs_world_set_shear_force(w, a, b, preload) == HS_OK);
+    // Along the tangent (-n.y, n.x) of the normal from a to b, up or down.
+    const double along_tangent[3] = {swapped ? preload : -preload, 0, 0};
+    REQUIRE(hs_world_set_shear_force(w, a, b, along_tangent) == HS_OK);
     const Forces f = evaluate(w, 0, 3);
     const std::vector<hs_contact> contacts = contacts_of(w);
     REQUIRE(contacts.size() == 1);
     const hs_contact& c = contacts[0];
-    // Stored as a displacement: one division and one product.
-    CHECK(std::abs(c.shear_force - preload) <= 4 * 0x1p-53 * preload);
+    // Turned into a vector and back, along the unit tangent twice: two products, a sum and the length's
+    // own 2 roundings each time.
+    CHECK(std::abs(shear_along_tangent(c) - preload) <= 8 * 0x1p-53 * preload);
     // Normal up from the floor to the box, tangent (-n.y, n.x) = (-1, 0): the box is pushed to the left.
     CHECK(c.normal[1] == Approx(1));
     CHECK(f.force[3] == Approx(-preload).epsilon(1e-12));

@@ -46,12 +46,11 @@ TEST_CASE("a warm cache gives the cold verdict") {
 
 TEST_CASE("no cache content, however stale, changes the verdict") {
   for_each_scene(300, 1100, [](const Scene& s, Random& random) {
-    const std::uint64_t edges = s.polygons.a.size() + s.polygons.b.size();
     hs_pair_cache cache{};
     cache.state = 1 + std::int32_t(random() % 2);
-    cache.edge = std::int32_t(random() % edges);
-    const bool a_owns = std::size_t(cache.edge) < s.polygons.a.size();
-    cache.vertex = std::int32_t(random() % (a_owns ? s.polygons.b : s.polygons.a).size());
+    cache.pair_kind = std::int32_t(random() % 2);
+    cache.feature_a = std::int32_t(random() % s.polygons.a.size());
+    cache.feature_b = std::int32_t(random() % s.polygons.b.size());
     const hs_contact warm = detect(s, &cache);
     check_against_cold(s, warm, detect(s));
   });

@@ -56,8 +56,9 @@ double longest_edge(const Points& vertices) {
 }
 
 double edge_length(const Scene& s, const hs_contact& c) {
-  const Points& owner = c.edge_owner == 0 ? s.polygons.a : s.polygons.b;
-  const Point p = owner[std::size_t(c.edge)], q = owner[(std::size_t(c.edge) + 1) % owner.size()];
+  const EdgeAndVertex pair = edge_and_vertex(c);
+  const Points& owner = pair.owner == 0 ? s.polygons.a : s.polygons.b;
+  const Point p = owner[std::size_t(pair.edge)], q = owner[(std::size_t(pair.edge) + 1) % owner.size()];
   return std::hypot(p.x - q.x, p.y - q.y);
 }
 
@@ -67,15 +68,16 @@ double aside(const Scene& s, const hs_contact& c) {
 }
 
 void check_indices(const Scene& s, const hs_contact& c) {
-  const bool a_owns = c.edge_owner == 0;
+  const EdgeAndVertex pair = edge_and_vertex(c);
+  const bool a_owns = pair.owner == 0;
   const std::size_t edges = (a_owns ? s.polygons.a : s.polygons.b).size();
   const std::size_t vertices = (a_owns ? s.polygons.b : s.polygons.a).size();
-  CHECK((c.edge_owner == 0 || c.edge_owner == 1));
-  CHECK((c.edge >= 0 && std::size_t(c.edge) < edges));
+  CHECK((c.pair_kind == HS_PAIR_FACE_VERTEX || c.pair_kind == HS_PAIR_VERTEX_FACE));
+  CHECK((pair.edge >= 0 && std::size_t(pair.edge) < edges));
   if (c.type == HS_CONTACT_NONE) {
-    CHECK(c.vertex == -1);
+    CHECK(pair.vertex == -1);
   } else {
-    CHECK((c.vertex >= 0 && std::size_t(c.vertex) < vertices));
+    CHECK((pair.vertex >= 0 && std::size_t(pair.vertex) < vertices));
   }
   const int points = c.type == HS_CONTACT_NONE ? 0 : c.type == HS_CONTACT_EDGE_EDGE ? 2 : 1;
   CHECK(c.point_count == points);
@@ -99,6 +101,11 @@ void check_invariants(const Scene& s, const hs_contact& c) {
   } else {
     CHECK(c.area == 0);
   }
+
+  // Of unit thickness; and the centroid of one point or two.
+  CHECK(c.length == c.area);
+  if (c.point_count == 1) CHECK((c.center[0] == c.points[0][0] && c.center_gap == c.gaps[0]));
+  if (c.point_count == 2) CHECK(c.center_gap == (c.gaps[0] + c.gaps[1]) / 2);
 
   const std::vector<LongPoint> a = outline_of(s.placed_a()), b = outline_of(s.placed_b());
   double magnitude = 0;

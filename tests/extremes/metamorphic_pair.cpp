@@ -49,8 +49,9 @@ TEST_CASE("swapping the blocks turns the normal and keeps the gap") {
     if (unturned)
       CHECK(touches(forward) ==
             touches(backward));  // the same frame both times: the same operations, up to sign
-    const bool same_pair = touches(forward) && touches(backward) && forward.edge == backward.edge &&
-                           forward.vertex == backward.vertex && forward.edge_owner == 1 - backward.edge_owner;
+    const bool same_pair = touches(forward) && touches(backward) &&
+                           forward.pair_kind == 1 - backward.pair_kind &&
+                           forward.feature_a == backward.feature_b && forward.feature_b == backward.feature_a;
     if (!same_pair) return;  // two pairs of the same depth: either may be named
     CHECK(forward.type == backward.type);
     if (unturned) {
@@ -129,12 +130,15 @@ TEST_CASE("moving both blocks 1e8 sizes away changes no bit") {
     const hs_pose pose_a = on_grid(s.poses.a), pose_b = on_grid(s.poses.b);
     const hs_contact here = detect(s.a.get(), pose_a, s.b.get(), pose_b);
     hs_contact there = detect(s.a.get(), moved(pose_a), s.b.get(), moved(pose_b));
-    for (int i = 0; i < here.point_count; ++i) {
-      // Only where the points are said to be is rounded, to doubles of that size.
-      CHECK(std::abs(there.points[i][0] - away - here.points[i][0]) <= away * 0x1p-52);
-      CHECK(std::abs(there.points[i][1] + away - here.points[i][1]) <= away * 0x1p-52);
-    }
+    // Only where the points are said to be is rounded, to doubles of that size.
+    const auto check_moved = [&](const double* from, const double* to) {
+      CHECK(std::abs(to[0] - away - from[0]) <= away * 0x1p-52);
+      CHECK(std::abs(to[1] + away - from[1]) <= away * 0x1p-52);
+    };
+    for (int i = 0; i < here.point_count; ++i) check_moved(here.points[i], there.points[i]);
+    if (touches(here)) check_moved(here.center, there.center);
     std::memcpy(there.points, here.points, sizeof there.points);
+    std::memcpy(there.center, here.center, sizeof there.center);
     std::memcpy(there.force_point, here.force_point, sizeof there.force_point);
     CHECK(same_bytes(here, there));
   });
@@ -160,11 +164,16 @@ TEST_CASE("scaling by 2^k scales the answer bit for bit, k = -100..100") {
       hs_contact expected = plain;
       expected.gap = std::ldexp(plain.gap, k);
       expected.area = std::ldexp(plain.area, k);  // length times unit thickness
+      expected.length = std::ldexp(plain.length, k);
+      expected.center_gap = std::ldexp(plain.center_gap, k);
       for (int i = 0; i < 2; ++i) {
         expected.gaps[i] = std::ldexp(plain.gaps[i], k);
         for (int d = 0; d < 3; ++d) expected.points[i][d] = std::ldexp(plain.points[i][d], k);
       }
-      for (int d = 0; d < 3; ++d) expected.force_point[d] = std::ldexp(plain.force_point[d], k);
+      for (int d = 0; d < 3; ++d) {
+        expected.center[d] = std::ldexp(plain.center[d], k);
+        expected.force_point[d] = std::ldexp(plain.force_point[d], k);
+      }
       INFO(name_of(s.family) << ", k = " << k);
       CHECK(same_bytes(found, expected));
 

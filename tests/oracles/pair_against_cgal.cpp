@@ -54,16 +54,18 @@ void print_polygon(const char* name, const PlacedPolygon& p) {
 
 void print_failure(const char* what, const PlacedPolygon& a, const PlacedPolygon& b,
                    const hs_contact& contact, long double exact) {
+  const EdgeAndVertex pair = edge_and_vertex(contact);
   std::printf("%s: type %d gap %.17g edge %d of %d vertex %d, exact %.20Lg\n", what, contact.type,
-              contact.gap, contact.edge, contact.edge_owner, contact.vertex, exact);
+              contact.gap, pair.edge, pair.owner, pair.vertex, exact);
   print_polygon("a", a);
   print_polygon("b", b);
 }
 
 /// Exact gap of the edge that a contact names.
 long double gap_of_named_edge(const hs_contact& contact, const PlacedPolygon& a, const PlacedPolygon& b) {
-  const std::size_t edge = std::size_t(contact.edge);
-  return contact.edge_owner == 0 ? gap_of_edge(a, edge, b) : gap_of_edge(b, edge, a);
+  const EdgeAndVertex pair = edge_and_vertex(contact);
+  const std::size_t edge = std::size_t(pair.edge);
+  return pair.owner == 0 ? gap_of_edge(a, edge, b) : gap_of_edge(b, edge, a);
 }
 
 /// How far the contact's gap is from what it stands for. Separated, or a vertex on an edge: the gap of the

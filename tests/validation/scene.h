@@ -2,10 +2,12 @@
 
 // A world of the C API with its context, for tests that say what stands where and look at what comes of it.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 #include "capi/handles.h"
+#include "catch.h"
 
 namespace halfspace_test {
 
@@ -84,10 +86,18 @@ class Scene {
     check(hs_world_set_velocity(world(), block, v, w));
   }
 
-  /// Detects, and sets the force of a shear spring on the second block along the tangent.
+  /// Detects, and sets the force of a shear spring on the second block along the tangent, counter-clockwise
+  /// of the normal from a to b.
   void preload_shear(hs_block a, hs_block b, double force) {
     check(hs_world_detect(world(), nullptr));
-    check(hs_world_set_shear_force(world(), a, b, force));
+    const std::vector<hs_contact> all = contacts();
+    const auto between = std::find_if(all.begin(), all.end(), [&](const hs_contact& contact) {
+      return std::minmax(contact.block_a, contact.block_b) == std::minmax(a, b);
+    });
+    REQUIRE(between != all.end());
+    const double sign = between->block_a == a ? force : -force;
+    const double on_b[3] = {-sign * between->normal[1], sign * between->normal[0], 0};
+    check(hs_world_set_shear_force(world(), a, b, on_b));
   }
 
   hs_block_state state(hs_block block) const {
@@ -134,7 +144,7 @@ class Scene {
     return vertices;
   }
 
- private:
+ protected:
   hs_block place(const hs_shape* shape, const hs_pose* pose, const Start& start, int32_t material) {
     hs_block_def def;
     check(hs_block_def_init(&def, sizeof def, shape));
@@ -149,6 +159,7 @@ class Scene {
     return block;
   }
 
+ private:
   Context context_;
   World world_;
 };

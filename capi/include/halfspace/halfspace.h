@@ -5,7 +5,7 @@
  *  - Units: SI or any consistent set. Angles in radians. Right-handed axes.
  *  - Quaternions are x, y, z, w. In 2D only z and w are used and must describe a turn about z.
  *  - A normal points from block a to block b; a gap below 0 is an overlap.
- *  - Vertices come back counter-clockwise. Indices start at 0.
+ *  - Vertices come back counter-clockwise; in 3D those of a face, seen from outside. Indices start at 0.
  *  - In 2D every z component that goes in is ignored and every one that comes out is 0; areas are
  *    lengths times unit thickness, volumes are areas times unit thickness.
  *  - A function that can fail returns ::hs_status and gives its results through pointers. On an error

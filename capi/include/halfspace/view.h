@@ -2,7 +2,8 @@
  *  @brief Borrowed strided arrays of points, and poses.
  *
  *  A view never owns memory; the library reads or writes it during the call only. Component pointers with
- *  one byte stride describe C arrays [n][3], Fortran x(3,n) and x(n,3), separate x, y, z arrays and slices alike.
+ *  one byte stride describe C arrays [n][3], Fortran x(3,n) and x(n,3), separate x, y, z arrays and slices
+ *  alike.
  */
 #ifndef HALFSPACE_VIEW_H
 #define HALFSPACE_VIEW_H
@@ -17,7 +18,7 @@ extern "C" {
 typedef struct hs_view {
   const double *x; /**< first x component; not NULL unless count is 0 */
   const double *y; /**< first y component; not NULL unless count is 0 */
-  const double *z; /**< first z component; may be NULL in 2D */
+  const double *z; /**< first z component; may be NULL in 2D only */
   int64_t stride;  /**< bytes from one point to the next, a multiple of sizeof(double); may be negative */
   int64_t count;   /**< number of points, >= 0 */
 } hs_view;
@@ -26,7 +27,7 @@ typedef struct hs_view {
 typedef struct hs_mutable_view {
   double *x;      /**< first x component; not NULL unless count is 0 */
   double *y;      /**< first y component; not NULL unless count is 0 */
-  double *z;      /**< first z component; may be NULL in 2D, else set to 0 there */
+  double *z;      /**< first z component; may be NULL in 2D only, else is set to 0 there */
   int64_t stride; /**< bytes from one point to the next, a multiple of sizeof(double); may be negative */
   int64_t count;  /**< capacity in points, >= 0 */
 } hs_mutable_view;

@@ -33,8 +33,8 @@ enum {
 /** How a world is made. Fill it with hs_world_def_init(). */
 typedef struct hs_world_def {
   uint32_t struct_size;  /**< set by hs_world_def_init() */
-  int32_t dimension;     /**< 2 */
-  double gravity[3];     /**< acceleration; default 0, -9.81, 0 */
+  int32_t dimension;     /**< 2 (default) or 3 */
+  double gravity[3];     /**< acceleration; default 0, -9.81, 0, also in 3D */
   double time_step;      /**< > 0, or 0 (default): safety times the stable time step, found when the first step begins and
                               again after each change of the world from outside */
   double safety;         /**< (0, 1]; default 0.5 */
@@ -235,10 +235,11 @@ HS_API hs_status hs_world_get_contacts(const hs_world *world, hs_contact *contac
 /** @brief Preloads the shear spring of a contact, e.g. to start from equilibrium.
  *  @param world after hs_world_detect() or a step
  *  @param block_a,block_b the pair, either order
- *  @param shear_force on block_b along (-n.y, n.x), n the normal from block_a to block_b; finite
+ *  @param shear_force on block_b, 3 finite values; what lies in the contact plane counts
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID if the two are not in contact, or HS_ERROR_STATE before detection at these
  *  poses and laws, or when their law has neither friction nor cohesion */
-HS_API hs_status hs_world_set_shear_force(hs_world *world, hs_block block_a, hs_block block_b, double shear_force);
+HS_API hs_status hs_world_set_shear_force(hs_world *world, hs_block block_a, hs_block block_b,
+                                          const double shear_force[3]);
 
 /** @brief Saves the whole state of motion and contact. A restored world goes on bit for bit.
  *  @param world not NULL @param bytes receives it; may be NULL if capacity is 0 @param capacity in bytes

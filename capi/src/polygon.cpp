@@ -1,0 +1,87 @@
+#include "polygon.h"
+
+#include <span>
+
+#include "check.h"
+#include "geometry/polygon_check.h"
+#include "geometry/polygon_clean.h"
+#include "geometry/polygon_hull.h"
+#include "guard.h"
+#include "shape.h"
+#include "view.h"
+
+using namespace halfspace;
+using namespace halfspace::capi;
+
+namespace halfspace::capi {
+namespace {
+
+using Points = Array<Vector<2>>;
+
+[[noreturn]] void refuse_polygon(const FaultReport& report, const char* name, const Points& points) {
+  if (report.vertex < 0) {
+    refuse(HS_ERROR_GEOMETRY, "%s (%zu points) %s", name, points.size(), fault_text(report.fault));
+  }
+  refuse(HS_ERROR_GEOMETRY, "%s[%lld] = %s %s", name, static_cast<long long>(report.vertex),
+         PointText(points[std::size_t(report.vertex)]).characters, fault_text(report.fault));
+}
+
+}  // namespace
+
+hs_shape* make_polygon(hs_context* context, const Points& vertices, const char* name) {
+  const FaultReport report = check_polygon(vertices);
+  if (report.fault != Fault::none) refuse_polygon(report, name, vertices);
+  return create<ShapeHandle<2>>(context, context, std::span(vertices));
+}
+
+}  // namespace halfspace::capi
+
+hs_status hs_polygon_check(hs_context* context, hs_view vertices, hs_fault* fault) {
+  return guarded(context, __func__, [&] {
+    require_pointer(context, "context");
+    require_pointer(fault, "fault");
+    const Points points = read_points<2>(context, vertices, "vertices");
+    const FaultReport report = check_polygon(points);
+    *fault = {std::int32_t(report.fault), 0, report.vertex, -1};
+    return HS_OK;
+  });
+}
+
+hs_status hs_polygon_create(hs_context* context, hs_view vertices, hs_shape** shape) {
+  return guarded(context, __func__, [&] {
+    require_pointer(context, "context");
+    require_pointer(shape, "shape");
+    *shape = make_polygon(context, read_points<2>(context, vertices, "vertices"), "vertices");
+    return HS_OK;
+  });
+}
+
+hs_status hs_polygon_create_hull(hs_context* context, hs_view points, hs_shape** shape) {
+  return guarded(context, __func__, [&] {
+    require_pointer(context, "context");
+    require_pointer(shape, "shape");
+    const Points given = read_finite_points<2>(context, points, "points");
+    const Points hull = convex_hull(given, &context->memory);
+    if (hull.size() < 3) refuse_polygon({Fault::zero_area, -1}, "points", given);
+    *shape = make_polygon(context, hull, "hull of points");
+    return HS_OK;
+  });
+}
+
+hs_status hs_polygon_clean(hs_context* context, hs_view vertices, double tolerance, hs_mutable_view cleaned,
+                           int64_t* count, hs_clean_report* report) {
+  return guarded(context, __func__, [&] {
+    require_pointer(context, "context");
+    require_pointer(count, "count");
+    require(tolerance >= 0 && std::isfinite(tolerance), tolerance, "tolerance", "finite and >= 0");
+    require_view(cleaned, "cleaned");
+    CleanReport changes;
+    const Points given = read_finite_points<2>(context, vertices, "vertices");
+    const Points kept = clean_polygon(given, tolerance, changes, &context->memory);
+    *count = std::int64_t(kept.size());
+    const std::int64_t written = std::min(*count, cleaned.count);
+    for (std::int64_t i = 0; i < written; ++i) write_point(cleaned, i, kept[std::size_t(i)]);
+    if (report) *report = {changes.welded, changes.straightened, changes.reversed, 0};
+    return fits(*count, cleaned.count);
+  });
+}

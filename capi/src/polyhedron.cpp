@@ -1,0 +1,147 @@
+#include "geometry/polyhedron.h"
+
+#include <limits>
+
+#include "check.h"
+#include "geometry/polyhedron_check.h"
+#include "geometry/polyhedron_halfspaces.h"
+#include "geometry/polyhedron_hull.h"
+#include "guard.h"
+#include "shape.h"
+#include "view.h"
+
+using namespace halfspace;
+using namespace halfspace::capi;
+
+namespace {
+
+using Points = Array<Vector<3>>;
+
+/// What a polyhedron is made of is numbered by 32 bits, also while it is made: a hull has up to six corners
+/// of facets to a point.
+constexpr std::int64_t most_points = std::int64_t(1) << 26;
+
+void require_numbered(std::int64_t count, const char* name) {
+  require_count(count, name);
+  if (count > most_points)
+    refuse(HS_ERROR_ARGUMENT, "%s is %lld; it must be at most 2^26", name, static_cast<long long>(count));
+}
+
+/// Vertices and loops as the host has them.
+Polyhedron read_polyhedron(hs_context* context, const hs_view& vertices, const std::int32_t* face_sizes,
+                           std::int64_t face_count, const std::int32_t* face_vertices) {
+  require_numbered(vertices.count, "vertices.count");
+  require_numbered(face_count, "face_count");
+  if (face_count > 0) require_pointer(face_sizes, "face_sizes");
+  std::int64_t total = 0;
+  for (std::int64_t f = 0; f < face_count; ++f) {
+    if (face_sizes[f] < 0) {
+      refuse(HS_ERROR_ARGUMENT, "face_sizes[%lld] is %d; it must be >= 0", static_cast<long long>(f),
+             face_sizes[f]);
+    }
+    total += face_sizes[f];
+  }
+  require_numbered(total, "the sum of face_sizes");
+  if (total > 0) require_pointer(face_vertices, "face_vertices");
+
+  Polyhedron polyhedron(&context->memory);
+  polyhedron.vertices = read_points<3>(context, vertices, "vertices");
+  polyhedron.face_vertices.assign(face_vertices, face_vertices + total);
+  polyhedron.first_of_face.reserve(std::size_t(face_count) + 1);
+  for (std::int64_t f = 0; f < face_count; ++f)
+    polyhedron.first_of_face.push_back(polyhedron.first_of_face.back() + face_sizes[f]);
+  return polyhedron;
+}
+
+[[noreturn]] void refuse_polyhedron(const PolyhedronFault& report, const Points& vertices) {
+  const char* const text = fault_text(report.fault);
+  const auto vertex = static_cast<long long>(report.vertex), face = static_cast<long long>(report.face);
+  if (report.face >= 0 && report.vertex >= 0)
+    refuse(HS_ERROR_GEOMETRY, "face %lld %s: vertices[%lld]", face, text, vertex);
+  if (report.face >= 0) refuse(HS_ERROR_GEOMETRY, "face %lld %s", face, text);
+  if (report.vertex < 0) refuse(HS_ERROR_GEOMETRY, "vertices (%zu points) %s", vertices.size(), text);
+  refuse(HS_ERROR_GEOMETRY, "vertices[%lld] = %s %s", vertex,
+         PointText(vertices[std::size_t(report.vertex)]).characters, text);
+}
+
+/// Only points out of range are faulty each by itself; what else is wrong concerns the whole.
+[[noreturn]] void refuse_hull(const PolyhedronFault& report, const Points& points) {
+  const char* const text = fault_text(report.fault);
+  if (report.fault != Fault::out_of_range || report.vertex < 0)
+    refuse(HS_ERROR_GEOMETRY, "hull of points (%zu points) %s", points.size(), text);
+  refuse(HS_ERROR_GEOMETRY, "points[%lld] = %s %s", static_cast<long long>(report.vertex),
+         PointText(points[std::size_t(report.vertex)]).characters, text);
+}
+
+[[noreturn]] void refuse_halfspaces(const PolyhedronFault& report, const Array<Halfspace>& halfspaces) {
+  const char* const text = fault_text(report.fault);
+  const bool is_one = report.fault == Fault::out_of_range || report.fault == Fault::no_direction;
+  if (!is_one || report.face < 0)
+    refuse(HS_ERROR_GEOMETRY, "normals and offsets (%zu half-spaces) %s", halfspaces.size(), text);
+  const Halfspace& faulty = halfspaces[std::size_t(report.face)];
+  refuse(HS_ERROR_GEOMETRY, "half-space %lld, normal %s and offset %.17g, %s",
+         static_cast<long long>(report.face), PointText(faulty.normal).characters, faulty.offset, text);
+}
+
+}  // namespace
+
+hs_status hs_polyhedron_check(hs_context* context, hs_view vertices, const int32_t* face_sizes,
+                              int64_t face_count, const int32_t* face_vertices, hs_fault* fault) {
+  return guarded(context, __func__, [&] {
+    require_pointer(context, "context");
+    require_pointer(fault, "fault");
+    Polyhedron polyhedron = read_polyhedron(context, vertices, face_sizes, face_count, face_vertices);
+    const PolyhedronFault report = complete_polyhedron(polyhedron);
+    *fault = {std::int32_t(report.fault), 0, report.vertex, report.face};
+    return HS_OK;
+  });
+}
+
+hs_status hs_polyhedron_create(hs_context* context, hs_view vertices, const int32_t* face_sizes,
+                               int64_t face_count, const int32_t* face_vertices, hs_shape** shape) {
+  return guarded(context, __func__, [&] {
+    require_pointer(context, "context");
+    require_pointer(shape, "shape");
+    Polyhedron polyhedron = read_polyhedron(context, vertices, face_sizes, face_count, face_vertices);
+    const PolyhedronFault report = complete_polyhedron(polyhedron);
+    if (report.fault != Fault::none) refuse_polyhedron(report, polyhedron.vertices);
+    *shape = create<ShapeHandle<3>>(context, context, polyhedron);
+    return HS_OK;
+  });
+}
+
+hs_status hs_polyhedron_create_hull(hs_context* context, hs_view points, hs_shape** shape) {
+  return guarded(context, __func__, [&] {
+    require_pointer(context, "context");
+    require_pointer(shape, "shape");
+    require_numbered(points.count, "points.count");
+    const Points given = read_finite_points<3>(context, points, "points");
+    Polyhedron hull(&context->memory);
+    const PolyhedronFault report = convex_hull(given, hull);
+    if (report.fault != Fault::none) refuse_hull(report, given);
+    *shape = create<ShapeHandle<3>>(context, context, hull);
+    return HS_OK;
+  });
+}
+
+hs_status hs_polyhedron_create_from_halfspaces(hs_context* context, hs_view normals, const double* offsets,
+                                               hs_shape** shape) {
+  return guarded(context, __func__, [&] {
+    require_pointer(context, "context");
+    require_pointer(shape, "shape");
+    require_numbered(normals.count, "normals.count");
+    require_view<3>(normals, "normals");
+    if (normals.count > 0) require_pointer(offsets, "offsets");
+    Array<Halfspace> halfspaces(&context->memory);
+    halfspaces.reserve(std::size_t(normals.count));
+    for (std::int64_t i = 0; i < normals.count; ++i)
+      halfspaces.push_back({read_point<3>(normals, i), offsets[i]});
+
+    Polyhedron polyhedron(&context->memory);
+    std::int64_t redundant = 0;  // the host sees it by the number of faces
+    const PolyhedronFault report = polyhedron_from_halfspaces(halfspaces, polyhedron, redundant);
+    if (report.fault != Fault::none) refuse_halfspaces(report, halfspaces);
+    *shape = create<ShapeHandle<3>>(context, context, polyhedron);
+    return HS_OK;
+  });
+}

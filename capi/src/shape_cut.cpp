@@ -1,0 +1,88 @@
+#include "check.h"
+#include "geometry/polygon_cut.h"
+#include "geometry/polyhedron_cut.h"
+#include "guard.h"
+#include "polygon.h"
+#include "shape.h"
+
+using namespace halfspace;
+using namespace halfspace::capi;
+
+namespace {
+
+/// A plane, in 2D a line, through a point.
+template <int D>
+struct Plane {
+  Vector<D> point;
+  Vector<D> normal;
+};
+
+template <int D>
+Plane<D> read_plane(const double* point, const double* normal) {
+  Plane<D> plane;
+  for (int i = 0; i < D; ++i) {
+    plane.point[i] = require_finite(point[i], "point");
+    plane.normal[i] = require_finite(normal[i], "normal");
+  }
+  if (plane.normal.isZero(0)) {
+    refuse(HS_ERROR_ARGUMENT, "normal is %s; it must have a direction", PointText(plane.normal).characters);
+  }
+  return plane;
+}
+
+struct Parts {
+  hs_shape* behind = nullptr;
+  hs_shape* ahead = nullptr;
+};
+
+/// Makes both parts or, when there is no memory for the second or it is faulty, none.
+template <class Part, class Make>
+Parts make_parts(const Part& behind, const Part& ahead, Make make) {
+  Parts parts;
+  parts.behind = make(behind, "part behind");
+  try {
+    parts.ahead = make(ahead, "part ahead");
+  } catch (...) {
+    hs_shape_destroy(parts.behind);
+    throw;
+  }
+  return parts;
+}
+
+Parts cut(const ShapeHandle<2>& whole, const Plane<2>& line) {
+  const Outline<2>& outline = whole.shape.outline();
+  Array<Vector<2>> vertices(&whole.context->memory);
+  vertices.reserve(std::size_t(outline.count));
+  for (int i = 0; i < outline.count; ++i) vertices.push_back(outline.vertex(i) + whole.shape.centroid());
+  const PolygonParts parts = cut_polygon(vertices, line.point, line.normal, &whole.context->memory);
+  return make_parts(parts.behind, parts.ahead, [&](const Array<Vector<2>>& part, const char* name) {
+    return part.empty() ? nullptr : make_polygon(whole.context, part, name);
+  });
+}
+
+Parts cut(const ShapeHandle<3>& whole, const Plane<3>& plane) {
+  Memory* const memory = &whole.context->memory;
+  const PolyhedronParts parts =
+      cut_polyhedron(polyhedron_of(whole.shape, memory), plane.point, plane.normal, memory);
+  return make_parts(parts.behind, parts.ahead, [&](const Polyhedron& part, const char*) -> hs_shape* {
+    return part.is_empty() ? nullptr : create<ShapeHandle<3>>(whole.context, whole.context, part);
+  });
+}
+
+}  // namespace
+
+hs_status hs_shape_cut(const hs_shape* shape, const double point[3], const double normal[3],
+                       hs_shape** behind, hs_shape** ahead) {
+  return guarded(shape ? shape->context : nullptr, __func__, [&] {
+    require_pointer(shape, "shape");
+    require_pointer(point, "point");
+    require_pointer(normal, "normal");
+    require_pointer(behind, "behind");
+    require_pointer(ahead, "ahead");
+    const Parts parts = visit(
+        *shape, [&]<int D>(const ShapeHandle<D>& whole) { return cut(whole, read_plane<D>(point, normal)); });
+    *behind = parts.behind;
+    *ahead = parts.ahead;
+    return HS_OK;
+  });
+}
