@@ -86,16 +86,19 @@ struct PairMemory<2> {
   PotentialPair<2> pair;
 };
 
-/// In space the blocks may also be kept apart by a plane that no feature of theirs tells, so that it is
-/// remembered itself, in the orientation of the outlines. Of two vertices the pair says where to look first
-/// for what is deepest along its normal.
+/// In space a search costs more, so that its proof is remembered as well: what is asked first is whether it
+/// still holds. Separated blocks may have a plane between them that no feature of theirs tells; then the pair
+/// is of two vertices, and says where to look first for what is deepest along the plane's normal.
 template <>
 struct PairMemory<3> {
   using State = PairState::State;
   using enum PairState::State;
   State state = unknown;
-  PotentialPair<3> pair;                 // as in the plane
-  Vector<3> normal = Vector<3>::Zero();  // separated: unit, from a to b
+  PotentialPair<3> pair;  // as in the plane
+  /// In the orientation of the outlines. Separated: the unit normal, from a to b, of a plane between the
+  /// blocks. Touching: a point of both, seen from the centroid of a. Checked before it is believed: any value
+  /// will do.
+  Vector<3> proof = Vector<3>::Zero();
 };
 
 /// A contact between blocks a and b, relative to the centroid of a, or the proof that there is none.

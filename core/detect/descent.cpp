@@ -26,89 +26,135 @@ int edge_between(const Topology& topology, int from, int to) {
   return -1;
 }
 
-/// The edge that the corners of a facet have on one block when they have two vertices there.
-template <class VertexOf>
-int edge_of_facet(const Topology& topology, const Corner* c, VertexOf vertex_of) {
-  const int first = vertex_of(c[0]);
-  const int second = vertex_of(c[1]) != first ? vertex_of(c[1]) : vertex_of(c[2]);
-  return second == first ? -1 : edge_between(topology, first, second);
+/// A face of block a and the vertex of b that is deepest behind it.
+template <class Turn>
+Separation<3> at_face_of_a(const MinkowskiDifference<Turn>& difference, const Corner& near,
+                           const Vector<3>& along) {
+  const Outline<3>& a = difference.a();
+  const int face = face_along(a, near.a, along);
+  const Vector<3> normal = a.normal(face);
+  const int vertex = deepest(difference.b(), difference.in_frame_of_b(normal), near.b).vertex;
+  return {normal.dot(difference.vertex_of_b(vertex)) - a.offset[face],
+          {PotentialPair<3>::face_vertex, face, vertex},
+          normal};
 }
 
-/// The potential pair whose facet of the Minkowski difference holds three corners, seen along its `normal`
-/// from a to b: a face of either block at the vertices found, or an edge of each; the one of largest gap.
+/// A face of block b and the vertex of a that is deepest behind it.
 template <class Turn>
-Separation<3> pair_at(MinkowskiDifference<Turn>& difference, const Corner* c, const Vector<3>& normal,
+Separation<3> at_face_of_b(const MinkowskiDifference<Turn>& difference, const Corner& near,
+                           const Vector<3>& along) {
+  const Outline<3>&a = difference.a(), &b = difference.b();
+  const int face = face_along(b, near.b, difference.in_frame_of_b(-along));
+  const Vector<3> normal = -difference.normal_of_b(face);
+  const int vertex = deepest(a, -normal, near.a).vertex;
+  return {normal.dot(difference.to_b() - a.vertex(vertex)) - b.offset[face],
+          {PotentialPair<3>::vertex_face, vertex, face},
+          normal};
+}
+
+/// Two edges, out of a as `along` is. -infinity when they are parallel.
+template <class Turn>
+Separation<3> at_edges(const MinkowskiDifference<Turn>& difference, const Corner& near, int edge_of_a,
+                       int edge_of_b, const Vector<3>& along) {
+  const PotentialPair<3> pair{PotentialPair<3>::edge_edge, edge_of_a, edge_of_b};
+  const Vector<3> across = cross_product(edge_vector(difference.a(), edge_of_a),
+                                         difference.from_frame_of_b(edge_vector(difference.b(), edge_of_b)));
+  const double length = across.norm();
+  if (length == 0) return {-HUGE_VAL, pair, along};
+  const Vector<3> normal = across / (across.dot(along) < 0 ? -length : length);
+  return {normal.dot(difference.deepest_along(normal, near).at), pair, normal};
+}
+
+/// The vertices of one block that a facet's corners have: one, those of an edge, or three of a face.
+struct FacetVertices {
+  int first;
+  int second;  // another than the first, if there is one
+  int count;
+
+  FacetVertices(int i, int j, int k)
+      : first(i), second(j != i ? j : k), count(1 + (j != i) + (k != i && k != j)) {}
+};
+
+/// Do both faces at an edge look elsewhere? If not, the face may lie in the plane and comes first.
+bool is_sharp(const Outline<3>& block, int edge, const Vector<3>& along) {
+  constexpr double in_plane = 1 - 1e-9;  // cosine of an angle far above rounding, far below one that matters
+  const Topology& topology = *block.topology;
+  return block.normal(topology.edge_left[edge]).dot(along) < in_plane &&
+         block.normal(topology.edge_right[edge]).dot(along) < in_plane;
+}
+
+/// The potential pair whose facet of the Minkowski difference holds three corners: a face of either block at
+/// the vertices found, or an edge of each; where they share a plane, the one of largest gap.
+template <class Turn>
+Separation<3> pair_at(const MinkowskiDifference<Turn>& difference, const ExpandingPolytope::Facet& facet,
                       double rounding) {
   const Outline<3>&a = difference.a(), &b = difference.b();
-  const int face_of_a = face_along(a, c[0].a, normal);
-  const Vector<3> normal_a = a.normal(face_of_a);
-  const Corner behind_a = difference.deepest_along(normal_a);
-  Separation<3> best{normal_a.dot(difference.vertex_of_b(behind_a.b)) - a.offset[face_of_a],
-                     {PotentialPair<3>::face_vertex, face_of_a, behind_a.b},
-                     normal_a};
+  const Corner &c = *facet.corner[0], &d = *facet.corner[1], &e = *facet.corner[2];
+  const Vector<3> along = -facet.normal;
+  const auto is_as_deep = [&](const Separation<3>& found) { return found.gap >= -facet.offset - rounding; };
 
-  const int face_of_b = face_along(b, c[0].b, difference.in_frame_of_b(-normal));
-  const Vector<3> normal_b = -difference.normal_of_b(face_of_b);
-  const Corner behind_b = difference.deepest_along(normal_b);
-  const double gap_b = normal_b.dot(difference.to_b() - a.vertex(behind_b.a)) - b.offset[face_of_b];
-  if (gap_b > best.gap) best = {gap_b, {PotentialPair<3>::vertex_face, behind_b.a, face_of_b}, normal_b};
+  // As a rule the corners tell which features they are of.
+  const FacetVertices of_a(c.a, d.a, e.a), of_b(c.b, d.b, e.b);
+  if (of_b.count == 1) {
+    const Separation<3> face_of_a = at_face_of_a(difference, c, along);
+    if (is_as_deep(face_of_a)) return face_of_a;
+  }
+  if (of_a.count == 1) {
+    const Separation<3> face_of_b = at_face_of_b(difference, c, along);
+    if (is_as_deep(face_of_b)) return face_of_b;
+  }
+  const int edge_of_a = of_a.count == 1 ? -1 : edge_between(*a.topology, of_a.first, of_a.second);
+  const int edge_of_b = of_b.count == 1 ? -1 : edge_between(*b.topology, of_b.first, of_b.second);
+  Separation<3> edges{-HUGE_VAL, {}, along};
+  if (edge_of_a >= 0 && edge_of_b >= 0) {
+    edges = at_edges(difference, c, edge_of_a, edge_of_b, along);
+    if (is_sharp(a, edge_of_a, along) && is_sharp(b, edge_of_b, difference.in_frame_of_b(-along)) &&
+        is_as_deep(edges))
+      return edges;
+  }
 
-  const int edge_of_a = edge_of_facet(*a.topology, c, [](const Corner& corner) { return corner.a; });
-  const int edge_of_b = edge_of_facet(*b.topology, c, [](const Corner& corner) { return corner.b; });
-  if (edge_of_a < 0 || edge_of_b < 0) return best;
-  const Vector<3> along_a =
-      a.vertex(a.topology->edge_end[edge_of_a]) - a.vertex(a.topology->edge_start[edge_of_a]);
-  const Vector<3> along_b = difference.vertex_of_b(b.topology->edge_end[edge_of_b]) -
-                            difference.vertex_of_b(b.topology->edge_start[edge_of_b]);
-  Vector<3> across = cross_product(along_a, along_b);
-  const double length = across.norm();
-  if (length == 0) return best;
-  across /= across.dot(normal) < 0 ? -length : length;
-  const double gap = across.dot(difference.deepest_along(across).at);
-  if (gap > best.gap + rounding) best = {gap, {PotentialPair<3>::edge_edge, edge_of_a, edge_of_b}, across};
-  return best;
+  // Where a face is parallel to a feature of the other block, several share the plane.
+  const Separation<3> face_of_a = at_face_of_a(difference, c, along);
+  const Separation<3> face_of_b = at_face_of_b(difference, c, along);
+  const Separation<3>& face = face_of_b.gap > face_of_a.gap ? face_of_b : face_of_a;
+  return edges.gap > face.gap + rounding ? edges : face;
 }
 
-/// Grows a simplex that holds the origin on its boundary into a tetrahedron. False when the difference is
+/// Grows a simplex that holds the origin on its boundary into a tetrahedron, as long as the difference is not
 /// flat.
 template <class Turn>
-bool complete(MinkowskiDifference<Turn>& difference, Simplex& simplex) {
+void complete(const MinkowskiDifference<Turn>& difference, Simplex& simplex) {
+  const Vector<3> first = simplex.corner[0].at;
   const auto take = [&](const Vector<3>& direction) {
     for (const double sense : {1.0, -1.0}) {
-      const Corner c = difference.deepest_along(sense * direction);
-      if (direction.dot(c.at - simplex.corner[0].at) == 0 || simplex.has(c)) continue;
+      const Corner c = difference.deepest_along(sense * direction, simplex.corner[0]);
+      if (direction.dot(c.at - first) == 0 || simplex.has(c)) continue;
       simplex.corner[simplex.count++] = c;
       return true;
     }
     return false;
   };
-  const auto from_first = [&](int i) { return Vector<3>(simplex.corner[i].at - simplex.corner[0].at); };
-  const auto least_axis = [](const Vector<3>& v) {
-    int axis = 0;
-    v.cwiseAbs().minCoeff(&axis);
-    return Vector<3>(Vector<3>::Unit(axis));
-  };
-  if (simplex.count == 1 && !take({1, 0, 0}) && !take({0, 1, 0})) return false;
+  const auto from_first = [&](int i) { return Vector<3>(simplex.corner[i].at - first); };
+  if (simplex.count == 1 && !take({1, 0, 0})) take({0, 1, 0});
   if (simplex.count == 2) {
-    const Vector<3> along = from_first(1), first = cross_product(along, least_axis(along));
-    if (!take(first) && !take(cross_product(along, first))) return false;
+    const Vector<3> along = from_first(1);
+    int least = 0;
+    along.cwiseAbs().minCoeff(&least);
+    const Vector<3> across = cross_product(along, Vector<3>::Unit(least));
+    if (!take(across)) take(cross_product(along, across));
   }
-  return simplex.count == 4 || take(cross_product(from_first(1), from_first(2)));
+  if (simplex.count == 3) take(cross_product(from_first(1), from_first(2)));
 }
 
 /// Of blocks that overlap.
 template <class Turn>
-Separation<3> least_depth(MinkowskiDifference<Turn>& difference, const Simplex& around_origin) {
+Separation<3> least_depth(const MinkowskiDifference<Turn>& difference, const Simplex& around_origin) {
   ExpandingPolytope polytope(around_origin.corner);
   for (;;) {
-    const ExpandingPolytope::Facet& facet = polytope.nearest();
-    const Corner c = difference.deepest_along(-facet.normal);
+    const ExpandingPolytope::Facet facet = polytope.nearest();
+    const Corner c = difference.deepest_along(-facet.normal, *facet.corner[0]);
     const bool is_facet = facet.normal.dot(c.at) - facet.offset <= polytope.rounding();
-    if (is_facet || !polytope.has_room()) {
-      const Corner corners[] = {polytope.corner(facet.corner[0]), polytope.corner(facet.corner[1]),
-                                polytope.corner(facet.corner[2])};
-      return pair_at(difference, corners, -facet.normal, polytope.rounding());
-    }
+    if (is_facet || !polytope.has_room()) return pair_at(difference, facet, polytope.rounding());
     polytope.expand(c);
   }
 }
@@ -116,13 +162,13 @@ Separation<3> least_depth(MinkowskiDifference<Turn>& difference, const Simplex& 
 }  // namespace
 
 template <class Turn>
-Separation<3> find_separation_by_descent(MinkowskiDifference<Turn> difference) {
+Separation<3> find_separation_by_descent(const MinkowskiDifference<Turn>& difference) {
   Simplex simplex;
   Vector<3> direction = difference.to_b();
   if (direction == Vector<3>::Zero()) direction = {1, 0, 0};
   double distance = HUGE_VAL;
-  while (simplex.count < 4) {
-    const Corner c = difference.deepest_along(direction);
+  Corner c = difference.deepest_along(direction);
+  for (;;) {
     if (direction.dot(c.at) > 0) return between(c, direction);
     // What has been found before brings the simplex no nearer: it touches the origin, to rounding.
     if (simplex.has(c)) break;
@@ -130,12 +176,13 @@ Separation<3> find_separation_by_descent(MinkowskiDifference<Turn> difference) {
     direction = simplex.nearest;
     const double before = std::exchange(distance, direction.squaredNorm());
     if (!(distance > 0 && distance < before)) break;
+    c = difference.deepest_along(direction, c);
   }
   if (simplex.count < 4) complete(difference, simplex);
   return least_depth(difference, simplex);
 }
 
-template Separation<3> find_separation_by_descent(MinkowskiDifference<NoTurn>);
-template Separation<3> find_separation_by_descent(MinkowskiDifference<Rotation<3>>);
+template Separation<3> find_separation_by_descent(const MinkowskiDifference<NoTurn>&);
+template Separation<3> find_separation_by_descent(const MinkowskiDifference<Rotation<3>>&);
 
 }  // namespace halfspace

@@ -12,6 +12,6 @@ namespace halfspace {
 /// found behind a plane (Gilbert, Johnson and Keerthi 1988); from there a polytope expands to the nearest
 /// facet.
 template <class Turn>
-Separation<3> find_separation_by_descent(MinkowskiDifference<Turn> difference);
+Separation<3> find_separation_by_descent(const MinkowskiDifference<Turn>& difference);
 
 }  // namespace halfspace

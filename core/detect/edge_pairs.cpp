@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 
+#include "detect/potential_pairs_3d.h"
 #include "detect/support.h"
 
 namespace halfspace {
@@ -17,10 +18,9 @@ struct EdgeDirections {
   double z[most_edges_in_set];
 
   explicit EdgeDirections(const Outline<3>& block) {
-    const Topology& topology = *block.topology;
-    const int count = topology.edge_count;
+    const int count = block.topology->edge_count;
     for (int e = 0; e < count; ++e) {
-      const Vector<3> direction = block.vertex(topology.edge_end[e]) - block.vertex(topology.edge_start[e]);
+      const Vector<3> direction = edge_vector(block, e);
       x[e] = direction.x();
       y[e] = direction.y();
       z[e] = direction.z();
@@ -40,7 +40,9 @@ struct CrossingEdges {
 
   /// The sign of each (edge, face) is computed once.
   CrossingEdges(const Outline<3>& block, const EdgeDirections& others, int other_count) {
-    EdgeSet descending[2 * most_edges_in_set];  // the other's edges, along each face's normal: F <= 2/3 E
+    constexpr int most_faces =
+        2 * most_edges_in_set / 3;   // each has three edges at least, each edge two faces
+    EdgeSet descending[most_faces];  // the other's edges, along each face's normal
     const Topology& topology = *block.topology;
     for (int f = 0; f < topology.face_count; ++f) {
       const TwoLanes nx = both(block.nx[f]), ny = both(block.ny[f]), nz = both(block.nz[f]);

@@ -28,29 +28,30 @@ class MinkowskiDifference {
   MinkowskiDifference(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, const Turn& b_in_a)
       : a_(a), b_(b), to_b_(to_b), b_in_a_(b_in_a), a_in_b_(b_in_a.inverse()) {}
 
-  /// The corner that lies deepest along a direction.
-  Corner deepest_along(const Vector<3>& direction) {
-    vertex_of_a_ = deepest(a_, -direction, vertex_of_a_).vertex;
-    vertex_of_b_ = deepest(b_, a_in_b_ * direction, vertex_of_b_).vertex;
-    return {(b_in_a_ * b_.vertex(vertex_of_b_) + to_b_) - a_.vertex(vertex_of_a_), vertex_of_a_,
-            vertex_of_b_};
+  /// The corner that lies deepest along a direction; `near` is where to look first.
+  Corner deepest_along(const Vector<3>& direction) const {
+    return corner_of(deepest(a_, -direction).vertex, deepest(b_, in_frame_of_b(direction)).vertex);
   }
-
+  Corner deepest_along(const Vector<3>& direction, const Corner& near) const {
+    return corner_of(deepest(a_, -direction, near.a).vertex,
+                     deepest(b_, in_frame_of_b(direction), near.b).vertex);
+  }
   const Outline<3>& a() const { return a_; }
   const Outline<3>& b() const { return b_; }
   const Vector<3>& to_b() const { return to_b_; }
   Vector<3> normal_of_b(int face) const { return b_in_a_ * b_.normal(face); }
+  Vector<3> from_frame_of_b(const Vector<3>& direction) const { return b_in_a_ * direction; }
   Vector<3> in_frame_of_b(const Vector<3>& direction) const { return a_in_b_ * direction; }
   Vector<3> vertex_of_b(int vertex) const { return b_in_a_ * b_.vertex(vertex) + to_b_; }
 
  private:
+  Corner corner_of(int of_a, int of_b) const { return {vertex_of_b(of_b) - a_.vertex(of_a), of_a, of_b}; }
+
   const Outline<3>& a_;
   const Outline<3>& b_;
   Vector<3> to_b_;
   Turn b_in_a_;
   Turn a_in_b_;
-  int vertex_of_a_ = 0;  // found last: near the next
-  int vertex_of_b_ = 0;
 };
 
 }  // namespace halfspace

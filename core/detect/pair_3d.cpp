@@ -35,6 +35,17 @@ double refresh_edges(const Outline<3>& a, const Outline<3>& b, const Vector<3>& 
   return gap_along(a, b, to_b, normal, near_a, near_b);
 }
 
+/// Is a point inside a block, or on its surface?
+bool contains(const Outline<3>& block, const Vector<3>& p) {
+  const TwoLanes x = both(p.x()), y = both(p.y()), z = both(p.z());
+  auto is_behind = both(0) <= both(0);
+  for (int f = 0; f < block.face_count(); f += 2) {
+    const TwoLanes height = two_at(block.nx + f) * x + two_at(block.ny + f) * y + two_at(block.nz + f) * z;
+    is_behind &= height <= two_at(block.offset + f);
+  }
+  return is_behind[0] && is_behind[1];
+}
+
 /// Facets of the Minkowski difference in one plane, which they are when a face is parallel to an edge or a
 /// face of the other block, and the neighbour that is least deep. More than there is room for are left out,
 /// with what lies behind them.
@@ -114,16 +125,22 @@ double refresh(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, 
 
 double refresh(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, PairMemory<3>& memory) {
   PotentialPair<3>& pair = memory.pair;
-  return pair.kind == PotentialPair<3>::vertex_vertex ? gap_along(a, b, to_b, memory.normal, pair.a, pair.b)
+  return pair.kind == PotentialPair<3>::vertex_vertex ? gap_along(a, b, to_b, memory.proof, pair.a, pair.b)
                                                       : refresh(a, b, to_b, pair);
+}
+
+bool still_touching(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
+                    const PairMemory<3>& memory) {
+  return memory.state == PairMemory<3>::touching && contains(a, memory.proof) &&
+         contains(b, memory.proof - to_b);
 }
 
 PotentialPair<3> initial_pair(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
                               const PairMemory<3>& memory) {
   const PotentialPair<3>& pair = memory.pair;
   if (pair.kind != PotentialPair<3>::vertex_vertex) return pair;
-  PotentialPair<3> of_a{PotentialPair<3>::face_vertex, face_along(a, pair.a, memory.normal), pair.b};
-  PotentialPair<3> of_b{PotentialPair<3>::vertex_face, pair.a, face_along(b, pair.b, -memory.normal)};
+  PotentialPair<3> of_a{PotentialPair<3>::face_vertex, face_along(a, pair.a, memory.proof), pair.b};
+  PotentialPair<3> of_b{PotentialPair<3>::vertex_face, pair.a, face_along(b, pair.b, -memory.proof)};
   const double gap_of_a = refresh(a, b, to_b, of_a), gap_of_b = refresh(a, b, to_b, of_b);
   return gap_of_a >= gap_of_b ? of_a : of_b;
 }

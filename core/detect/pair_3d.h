@@ -17,6 +17,20 @@ double refresh(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, 
 /// blocks reach along the remembered normal.
 double refresh(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, PairMemory<3>& memory);
 
+/// True when blocks that touched still have the remembered point in common.
+bool still_touching(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
+                    const PairMemory<3>& memory);
+
+/// Remembers the point in the middle of a contact, half its depth in either block.
+inline void remember_proof(const Contact<3>& contact, PairMemory<3>& memory) {
+  // The center lies on the plane of the face, or between two edges already.
+  const double share = contact.pair.kind == PotentialPair<3>::face_vertex   ? 0.5
+                       : contact.pair.kind == PotentialPair<3>::vertex_face ? -0.5
+                                                                            : 0;
+  if (memory.state == PairMemory<3>::touching)
+    memory.proof = contact.center + share * contact.center_gap * contact.normal;
+}
+
 /// The pair through which blocks begin to meet that were separated at last (Wang et al. 2021, section 2.5):
 /// the violated one; or, when only a plane is remembered, the less deep of those whose faces look most along
 /// it from either side.

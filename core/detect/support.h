@@ -36,14 +36,22 @@ inline Support deepest_among_all(const Outline<3>& block, const Vector<3>& direc
           std::min(int(least.index[0]), block.vertex_count() - 1)};  // padding repeats the last
 }
 
-/// The same for a block of many vertices, by a walk over its edges from a vertex near it.
+/// The same for a block of many vertices, by a walk over its edges from a vertex near it; or from the deepest
+/// of some that are spread over the block.
 Support walk_to_deepest(const Outline<3>& block, const Vector<3>& direction, int hint);
+Support walk_to_deepest(const Outline<3>& block, const Vector<3>& direction);
 
-/// The same, by whichever is faster (tests/benchmarks, bench_pairs_3d); `hint` is where to look first.
+/// Up to this many vertices, to look at all is faster than to walk (tests/benchmarks, bench_pairs_3d).
+constexpr int few_vertices = 48;
+
+/// The same, by whichever is faster; `hint` is where to look first.
 inline Support deepest(const Outline<3>& block, const Vector<3>& direction, int hint) {
-  constexpr int few = 48;
-  return block.vertex_count() <= few ? deepest_among_all(block, direction)
-                                     : walk_to_deepest(block, direction, hint);
+  return block.vertex_count() <= few_vertices ? deepest_among_all(block, direction)
+                                              : walk_to_deepest(block, direction, hint);
+}
+inline Support deepest(const Outline<3>& block, const Vector<3>& direction) {
+  return block.vertex_count() <= few_vertices ? deepest_among_all(block, direction)
+                                              : walk_to_deepest(block, direction);
 }
 
 }  // namespace halfspace

@@ -3,6 +3,7 @@
 #include "detect/edge_pairs.h"
 #include "geometry/outline.h"
 #include "geometry/rotation.h"
+#include "geometry/two_lanes.h"
 
 namespace halfspace {
 
@@ -20,8 +21,8 @@ class TurnedPolyhedron {
         count_ <= most_inline ? inline_ : static_cast<double*>(memory_->allocate(bytes(), alignof(double)));
     double *const x = components_, *const y = x + vertices, *const z = y + vertices;
     double *const nx = z + vertices, *const ny = nx + faces, *const nz = ny + faces;
-    for (int v = 0; v < vertices; ++v) put(rotation * given.vertex(v), v, x, y, z);
-    for (int f = 0; f < faces; ++f) put(rotation * given.normal(f), f, nx, ny, nz);
+    turn(rotation, given.x, given.y, given.z, vertices, x, y, z);
+    turn(rotation, given.nx, given.ny, given.nz, faces, nx, ny, nz);
     outline_ = {given.topology, x, y, z, nx, ny, nz, given.offset};
   }
   ~TurnedPolyhedron() {
@@ -36,10 +37,20 @@ class TurnedPolyhedron {
   /// Vertices and faces are two more than the edges (Euler), each padded.
   static constexpr int most_inline = 3 * (most_edges_in_set + 2 + 2 * 3);
 
-  static void put(const Vector<3>& v, int i, double* x, double* y, double* z) {
-    x[i] = v.x();
-    y[i] = v.y();
-    z[i] = v.z();
+  /// Two at a time, as Rotation does one.
+  static void turn(const Rotation<3>& rotation, const double* x, const double* y, const double* z, int count,
+                   double* turned_x, double* turned_y, double* turned_z) {
+    const Vector<3> axes[] = {rotation * Vector<3>::UnitX(), rotation * Vector<3>::UnitY(),
+                              rotation * Vector<3>::UnitZ()};
+    for (int i = 0; i < count; i += 2) {
+      const TwoLanes px = two_at(x + i), py = two_at(y + i), pz = two_at(z + i);
+      const auto component = [&](int c) {
+        return px * both(axes[0][c]) + py * both(axes[1][c]) + pz * both(axes[2][c]);
+      };
+      put_two_at(turned_x + i, component(0));
+      put_two_at(turned_y + i, component(1));
+      put_two_at(turned_z + i, component(2));
+    }
   }
   std::size_t bytes() const { return std::size_t(count_) * sizeof(double); }
 

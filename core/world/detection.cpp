@@ -59,7 +59,7 @@ bool World<D>::find_contact(std::size_t k, Contact<D>& contact) {
     if (before == PairMemory<D>::touching) release_shear(k);
     return false;
   }
-  describe_contact(a, b, to_b, memory.pair, settings_.detect, contact);
+  describe_contact(a, b, to_b, memory, settings_.detect, contact);
   if (before == PairMemory<D>::unknown && contact.gap == 0) {
     // Neatly stacked: the strict form of inclusion holds at first sight, so that an initial contact pair is
     // left behind (eq. 11).

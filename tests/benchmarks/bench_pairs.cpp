@@ -6,17 +6,15 @@
 
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <deque>
 #include <stdexcept>
 
 #include "convex_pairs.h"
+#include "pair_sets.h"
 #include "timing.h"
 
 namespace halfspace_benchmark {
 namespace {
-
-constexpr int passes = 7;
 
 struct HalfspacePair {
   const hs_shape* a;
@@ -129,11 +127,6 @@ class Contestant {
   int wrong_ = 0;
 };
 
-struct Sizes {
-  int pairs;
-  int shapes;
-};
-
 void run(int vertices, const GapSet& gap, const Sizes& sizes, hs_context* context, Random& random) {
   Arena arena(draw_pairs(sizes.pairs, sizes.shapes, vertices, gap, random), context);
   Contestant cold(arena.halfspace, touches_cold, arena.truth);
@@ -170,12 +163,8 @@ void run_all(const Sizes& sizes) {
 
 int main(int argc, char** argv) {
   using namespace halfspace_benchmark;
-  const int shapes = std::atoi(option_value(argc, argv, "--shapes", "64").data());
-  if (shapes < 1) {
-    std::fprintf(stderr, "bench_pairs: --shapes must be followed by a number of shapes, 1 or more\n");
-    return 2;
-  }
-  const Sizes sizes{has_option(argc, argv, "--quick") ? 128 : 4096, shapes};
+  const Sizes sizes = read_sizes(argc, argv, "bench_pairs");
+  if (sizes.shapes < 1) return 2;
   std::printf("libhalfspace %s, Box2D " BOX2D_VERSION "; %d pairs of %d shapes a set, %d passes, core %d\n",
               hs_version(), sizes.pairs, sizes.shapes, passes, pin_to_this_core());
   try {

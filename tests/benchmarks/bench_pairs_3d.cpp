@@ -1,17 +1,23 @@
-// Verdict and depth of one pair of polyhedra by the engines of peers_3d.h. README.md says what is timed and
-// how to read the figures.
+// Verdict and depth of one pair of polyhedra by the engines of peers_3d.h, and what a pair's memory saves
+// from step to step. README.md says what is timed and how to read the figures.
 
 #include <cstdio>
-#include <cstdlib>
 #include <stdexcept>
 
 #include "benchmarks/convex_pairs_3d.h"
-#include "timing.h"
+#include "benchmarks/stepped_pairs_3d.h"
+#include "benchmarks/timing.h"
 
 namespace halfspace_benchmark {
 namespace {
 
-constexpr int passes = 7;
+/// All of them, and libhalfspace once more with the contact described.
+constexpr NamedPeer timed_peers[] = {
+    {"halfspace", make_halfspace}, {"with contact", make_halfspace_contact},
+    {"ccd MPR", make_ccd_mpr},     {"ccd GJK", make_ccd_gjk},
+    {"FCL ccd", make_fcl_ccd},     {"FCL own", make_fcl_own},
+    {"Bullet", make_bullet},       {"ODE", make_ode},
+};
 
 /// One engine on a set: its verdicts judged once, its time taken pass by pass.
 class Contestant {
@@ -45,15 +51,10 @@ class Contestant {
   int wrong_ = 0;
 };
 
-struct Sizes {
-  int pairs;
-  int shapes;
-};
-
-void run(int vertices, const GapSet3& gap, const Sizes& sizes, Random& random) {
+void run(int vertices, const GapSet& gap, const Sizes& sizes, Random& random) {
   const PairSet3 set = draw_pairs_3d(sizes.pairs, sizes.shapes, vertices, gap, random);
   std::vector<Contestant> contestants;
-  for (const NamedPeer& peer : all_peers) contestants.emplace_back(peer, set, gap.separation <= 0);
+  for (const NamedPeer& peer : timed_peers) contestants.emplace_back(peer, set, gap.separation <= 0);
   for (int pass = 0; pass < passes; ++pass) {
     for (Contestant& contestant : contestants) contestant.time_pass(random);
   }
@@ -64,15 +65,42 @@ void run(int vertices, const GapSet3& gap, const Sizes& sizes, Random& random) {
   std::fflush(stdout);
 }
 
-void run_all(const Sizes& sizes) {
+void run_all_peers(const Sizes& sizes) {
   Random random(1);
   std::printf("%15s", "ns");
-  for (const NamedPeer& peer : all_peers) std::printf("%16s %5s", peer.name, "");
+  for (const NamedPeer& peer : timed_peers) std::printf("%16s %5s", peer.name, "");
   std::printf("\n%8s %-6s", "vertices", "set");
-  for (std::size_t i = 0; i < std::size(all_peers); ++i) std::printf("%8s %7s %5s", "min", "median", "wrong");
+  for (std::size_t i = 0; i < std::size(timed_peers); ++i)
+    std::printf("%8s %7s %5s", "min", "median", "wrong");
   std::printf("\n");
   for (const int vertices : {4, 8, 12, 32, 128}) {
-    for (const GapSet3& gap : gap_sets_3d) run(vertices, gap, sizes, random);
+    for (const GapSet& gap : gap_sets) run(vertices, gap, sizes, random);
+  }
+}
+
+void run_all_steps(int steps) {
+  constexpr int pairs = 256, shapes = 64;
+  constexpr double motion = 1e-4 * size_3d, turn = 1e-4;
+  Random random(1);
+  std::printf("\n%d pairs, half of them near and half touching at the start, %d steps of %g and %g rad: ns\n",
+              pairs, steps, motion, turn);
+  std::printf("%8s %9s %9s %9s %6s %9s %6s %12s\n", "vertices", "touching", "no memory", "memory", "ratio",
+              "contact", "ratio", "differences");
+  for (const int vertices : {4, 8, 12, 32, 128}) {
+    PairSet3 set = draw_pairs_3d(pairs / 2, shapes, vertices, gap_sets[1], random);
+    const PairSet3 touching = draw_pairs_3d(pairs / 2, shapes, vertices, gap_sets[2], random);
+    for (PolyhedraAt at : touching.pairs) {
+      at.a += int(set.polyhedra.size());
+      at.b += int(set.polyhedra.size());
+      set.pairs.push_back(at);
+    }
+    set.polyhedra.insert(set.polyhedra.end(), touching.polyhedra.begin(), touching.polyhedra.end());
+    const StepTimes t = time_steps(set, steps, motion, turn, random);
+    const double contacts = t.touching * t.contact;
+    std::printf("%8d %9.2f %9.0f %9.0f %6.1f %9.0f %6.1f %12ld\n", vertices, t.touching, t.without_memory,
+                t.with_memory, t.without_memory / t.with_memory, t.contact,
+                (t.without_memory + contacts) / (t.with_memory + contacts), t.differences);
+    std::fflush(stdout);
   }
 }
 
@@ -81,16 +109,13 @@ void run_all(const Sizes& sizes) {
 
 int main(int argc, char** argv) {
   using namespace halfspace_benchmark;
-  const int shapes = std::atoi(option_value(argc, argv, "--shapes", "64").data());
-  if (shapes < 1) {
-    std::fprintf(stderr, "bench_pairs_3d: --shapes must be followed by a number of shapes, 1 or more\n");
-    return 2;
-  }
-  const Sizes sizes{has_option(argc, argv, "--quick") ? 128 : 4096, shapes};
+  const Sizes sizes = read_sizes(argc, argv, "bench_pairs_3d");
+  if (sizes.shapes < 1) return 2;
   std::printf("libhalfspace %s; %d pairs of %d shapes a set, %d passes, core %d\n", hs_version(), sizes.pairs,
               sizes.shapes, passes, pin_to_this_core());
   try {
-    run_all(sizes);
+    run_all_peers(sizes);
+    run_all_steps(has_option(argc, argv, "--quick") ? 5 : 100);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "bench_pairs_3d: %s\n", error.what());
     return 1;

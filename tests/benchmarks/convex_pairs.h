@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "pair_sets.h"
 #include "random_polygon.h"
 
 namespace halfspace_benchmark {
@@ -12,12 +13,6 @@ namespace halfspace_benchmark {
 /// changed; at this size the skins of a pair are 2 % of the smallest gap below, so that both engines judge
 /// the same geometry.
 inline constexpr double size = 1000;
-
-struct GapSet {
-  const char* name;
-  double separation;  ///< share of the size; < 0 is overlap
-};
-inline constexpr GapSet gap_sets[] = {{"far", 0.1}, {"near", 1e-3}, {"touch", -1e-3}, {"deep", -0.2}};
 
 /// Position and turn of a polygon, rounded to float: both engines are given the same numbers.
 struct Placement {

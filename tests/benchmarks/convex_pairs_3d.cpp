@@ -73,7 +73,7 @@ PolyhedraAt draw_pair(const PairSet3& set, double wanted, Random& random) {
 
 }  // namespace
 
-PairSet3 draw_pairs_3d(int pair_count, int polyhedron_count, int vertices, const GapSet3& gap,
+PairSet3 draw_pairs_3d(int pair_count, int polyhedron_count, int vertices, const GapSet& gap,
                        Random& random) {
   PairSet3 set;
   for (int i = 0; i < polyhedron_count; ++i) set.polyhedra.push_back(draw_polyhedron(vertices, random));

@@ -1,40 +1,62 @@
-#include <memory_resource>
-#include <stdexcept>
-
+#include "benchmarks/halfspace_block.h"
 #include "benchmarks/peer_of.h"
+#include "detect/pair.h"
 #include "detect/separation_3d.h"
-#include "geometry/polyhedron_hull.h"
-#include "geometry/shape.h"
 
 namespace halfspace_benchmark {
 namespace {
 
 using halfspace::Rotation;
-using halfspace::Shape;
 using halfspace::Vector;
+using Block = HalfspaceBlock;
 
-/// A shape, and where its centroid is seen from what a pose puts at its position.
-struct Block {
-  explicit Block(const Polyhedron& polyhedron)
-      : shape(hull_of(polyhedron), std::pmr::get_default_resource()),
-        centroid(shape.centroid() - centre_of(polyhedron)) {}
+/// Two blocks, each in its own frame, seen from that of a.
+struct Seen {
+  const halfspace::Outline<3>& a;
+  const halfspace::Outline<3>& b;
+  Rotation<3> b_in_a;
+  Vector<3> to_b;
 
-  static Vector<3> centre_of(const Polyhedron& p) { return {p.centre.x, p.centre.y, p.centre.z}; }
-
-  static halfspace::Polyhedron hull_of(const Polyhedron& polyhedron) {
-    std::vector<Vector<3>> points;
-    for (const auto& p : polyhedron.vertices) points.push_back({p.x, p.y, p.z});
-    halfspace::Polyhedron hull(std::pmr::get_default_resource());
-    if (halfspace::convex_hull(points, hull).fault != halfspace::Fault::none)
-      throw std::runtime_error("no hull of one of the polyhedra");
-    return hull;
+  Seen(const Block& block_a, const hs_pose& at_a, const Block& block_b, const hs_pose& at_b)
+      : a(block_a.shape.outline()), b(block_b.shape.outline()) {
+    const Rotation<3> into_a = Rotation<3>::from_quaternion(at_a.rotation).inverse();
+    b_in_a = into_a * Rotation<3>::from_quaternion(at_b.rotation);
+    const double *from = at_a.position, *to = at_b.position;
+    const Vector<3> apart(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
+    to_b = into_a * apart + (b_in_a * block_b.centroid - block_a.centroid);
   }
-
-  Shape<3> shape;
-  Vector<3> centroid;
 };
 
-/// The core itself, as there is no way to it through the C API yet.
+/// The verdict, and the least depth of blocks that overlap.
+Answer search(const Seen& seen) {
+  const halfspace::Separation<3> found = halfspace::find_separation(seen.a, seen.b, seen.to_b, seen.b_in_a);
+  return {found.gap <= 0, -found.gap, false};
+}
+
+Answer described(const Seen& seen, const halfspace::Outline<3>& turned_b,
+                 const halfspace::Separation<3>& found) {
+  if (found.gap > 0) return {false, -found.gap, false};
+  halfspace::PotentialPair<3> pair = found.pair;
+  halfspace::Contact<3> contact;
+  describe_contact(seen.a, turned_b, seen.to_b, pair, {}, contact);
+  return {true, -contact.gap, false};
+}
+
+/// The contact as well, with its type and region: what the others' answers hold of it is a point. Blocks of
+/// few features are turned before the search, which would do it anyway.
+Answer search_and_describe(const Seen& seen) {
+  if (by_all_combinations(seen.a, seen.b)) {
+    const halfspace::TurnedPolyhedron b(seen.b, seen.b_in_a);
+    return described(seen, b.outline(), find_separation_by_all(seen.a, b.outline(), seen.to_b));
+  }
+  const halfspace::Separation<3> found = find_separation(seen.a, seen.b, seen.to_b, seen.b_in_a);
+  if (found.gap > 0) return {false, -found.gap, false};
+  const halfspace::TurnedPolyhedron b(seen.b, seen.b_in_a, std::pmr::get_default_resource());
+  return described(seen, b.outline(), found);
+}
+
+/// The core itself, without a memory.
+template <Answer answer_of(const Seen&)>
 struct Halfspace {
   struct Pair {
     const Block* a;
@@ -50,16 +72,7 @@ struct Halfspace {
           {blocks[std::size_t(pair.a)].get(), blocks[std::size_t(pair.b)].get(), pair.at_a, pair.at_b});
   }
 
-  Answer answer(const Pair& pair) const {
-    const Rotation<3> into_a = Rotation<3>::from_quaternion(pair.at_a.rotation).inverse();
-    const Rotation<3> b_in_a = into_a * Rotation<3>::from_quaternion(pair.at_b.rotation);
-    const double *from = pair.at_a.position, *to = pair.at_b.position;
-    const Vector<3> apart(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
-    const Vector<3> to_b = into_a * apart + (b_in_a * pair.b->centroid - pair.a->centroid);
-    const auto found =
-        halfspace::find_separation(pair.a->shape.outline(), pair.b->shape.outline(), to_b, b_in_a);
-    return {found.gap <= 0, -found.gap, false};
-  }
+  Answer answer(const Pair& pair) const { return answer_of(Seen(*pair.a, pair.at_a, *pair.b, pair.at_b)); }
 
   std::vector<Pair> pairs;
   std::vector<std::unique_ptr<Block>> blocks;
@@ -67,6 +80,11 @@ struct Halfspace {
 
 }  // namespace
 
-std::unique_ptr<Peer> make_halfspace(const PairSet3& set) { return std::make_unique<PeerOf<Halfspace>>(set); }
+std::unique_ptr<Peer> make_halfspace(const PairSet3& set) {
+  return std::make_unique<PeerOf<Halfspace<search>>>(set);
+}
+std::unique_ptr<Peer> make_halfspace_contact(const PairSet3& set) {
+  return std::make_unique<PeerOf<Halfspace<search_and_describe>>>(set);
+}
 
 }  // namespace halfspace_benchmark

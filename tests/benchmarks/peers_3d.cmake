@@ -22,7 +22,8 @@ target_link_libraries(polyhedra_3d PUBLIC halfspace::halfspace PRIVATE CGAL::CGA
 
 add_library(peers_3d STATIC
   ${tests}/benchmarks/peer_libccd.cpp ${tests}/benchmarks/peer_fcl.cpp ${tests}/benchmarks/peer_bullet.cpp
-  ${tests}/benchmarks/peer_ode.cpp ${tests}/benchmarks/peer_halfspace.cpp)
+  ${tests}/benchmarks/peer_ode.cpp ${tests}/benchmarks/peer_halfspace.cpp
+  ${tests}/benchmarks/stepped_pairs_3d.cpp)
 target_link_libraries(peers_3d
   PUBLIC polyhedra_3d
   PRIVATE halfspace_core ccd fcl PkgConfig::bullet PkgConfig::ode Eigen3::Eigen)

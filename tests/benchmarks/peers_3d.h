@@ -52,8 +52,10 @@ struct NamedPeer {
   std::unique_ptr<Peer> (*make)(const PairSet3& set);
 };
 
-/// libhalfspace's search for the separation or the least depth, without a cache.
+/// libhalfspace's search for the separation or the least depth, without a memory; and with the contact
+/// described: its type, plane and region.
 std::unique_ptr<Peer> make_halfspace(const PairSet3& set);
+std::unique_ptr<Peer> make_halfspace_contact(const PairSet3& set);
 
 /// libccd with support functions of our own: a loop over the vertices, or from 64 vertices on a climb over
 /// neighbours; its default tolerances, and at most 100 iterations.

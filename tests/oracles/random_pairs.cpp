@@ -8,16 +8,13 @@
 #include <iterator>
 #include <limits>
 
+#include "oracles/random_gap.h"
+
 namespace halfspace_test {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 constexpr double pi = 3.14159265358979323846;
-
-double uniform(Random& random, double from, double to) {
-  return std::uniform_real_distribution<double>(from, to)(random);
-}
-int whole(Random& random, int from, int to) { return std::uniform_int_distribution<int>(from, to)(random); }
 
 /// Exact on the doubles given, so the result is strictly convex as it stands.
 Points exact_hull(const Points& points) {
@@ -43,19 +40,20 @@ Points scaled_and_turned(Points points, double along, double across, double angl
 
 Points triangle(Random& random) {
   Points points;
-  for (int i = 0; i < 3; ++i) points.push_back({uniform(random, -1, 1), uniform(random, -1, 1)});
+  for (int i = 0; i < 3; ++i)
+    points.push_back({uniform_between(random, -1, 1), uniform_between(random, -1, 1)});
   return exact_hull(points);
 }
 
 Points random_box(Random& random) {
-  const double w = uniform(random, 0.1, 1);
-  const double h = uniform(random, 0.1, 1);
+  const double w = uniform_between(random, 0.1, 1);
+  const double h = uniform_between(random, 0.1, 1);
   return box(-w, -h, w, h);
 }
 
 Points regular(Random& random) {
-  const int n = whole(random, 3, 40);
-  const double phase = uniform(random, 0, 2 * pi);
+  const int n = whole_between(random, 3, 40);
+  const double phase = uniform_between(random, 0, 2 * pi);
   Points points;
   for (int i = 0; i < n; ++i)
     points.push_back({std::cos(phase + 2 * pi * i / n), std::sin(phase + 2 * pi * i / n)});
@@ -63,24 +61,25 @@ Points regular(Random& random) {
 }
 
 Points random_hull(Random& random) {
-  const int n = whole(random, 3, 40);
+  const int n = whole_between(random, 3, 40);
   Points points;
   for (int i = 0; i < n; ++i) {
-    const double angle = uniform(random, 0, 2 * pi);
+    const double angle = uniform_between(random, 0, 2 * pi);
     points.push_back({std::cos(angle), std::sin(angle)});
   }
-  return scaled_and_turned(exact_hull(points), 1, uniform(random, 0.3, 1), uniform(random, 0, 2 * pi));
+  return scaled_and_turned(exact_hull(points), 1, uniform_between(random, 0.3, 1),
+                           uniform_between(random, 0, 2 * pi));
 }
 
 Points sliver(Random& random) {
-  return exact_hull(scaled_and_turned(random_hull(random), 1, 1e-6, uniform(random, 0, 2 * pi)));
+  return exact_hull(scaled_and_turned(random_hull(random), 1, 1e-6, uniform_between(random, 0, 2 * pi)));
 }
 
 /// A polygon with one corner cut off by an edge of length 1e-8.
 Points with_short_edge(Random& random) {
   Points points = random_hull(random);
   const std::size_t n = points.size();
-  const std::size_t corner = std::size_t(whole(random, 0, int(n) - 1));
+  const std::size_t corner = std::size_t(whole_between(random, 0, int(n) - 1));
   const Point here = points[corner];
   const auto towards = [&](const Point& p) {
     const double share = 0.7e-8 / std::hypot(p.x - here.x, p.y - here.y);
@@ -95,7 +94,7 @@ Points with_short_edge(Random& random) {
 
 /// Boxes on a grid of 1/16 moved by (x, y): one on the other, a common side, no rounding anywhere.
 PolygonPair stacked(double x, double y, Random& random) {
-  const auto grid = [&](int from, int to) { return whole(random, from, to) / 16.0; };
+  const auto grid = [&](int from, int to) { return whole_between(random, from, to) / 16.0; };
   const double top = grid(1, 32);
   const double shift = grid(-32, 32);
   return {box(x - grid(1, 32), y - grid(1, 32), x + grid(1, 32), y + top),
@@ -104,16 +103,16 @@ PolygonPair stacked(double x, double y, Random& random) {
 
 /// Two polygons on either side of a common edge, both with the same two vertices.
 PolygonPair neighbours(Random& random) {
-  const Point p{uniform(random, -1, 1), uniform(random, -1, 1)};
-  const double angle = uniform(random, 0, 2 * pi);
-  const double length = uniform(random, 0.1, 1);
+  const Point p{uniform_between(random, -1, 1), uniform_between(random, -1, 1)};
+  const double angle = uniform_between(random, 0, 2 * pi);
+  const double length = uniform_between(random, 0.1, 1);
   const Point q{p.x + length * std::cos(angle), p.y + length * std::sin(angle)};
   const auto beside = [&](double side) {
     Points points{p, q};
-    const int more = whole(random, 1, 6);
+    const int more = whole_between(random, 1, 6);
     for (int i = 0; i < more; ++i) {
-      const double along = uniform(random, 0, 1);
-      const double away = side * uniform(random, 0.05, 1);
+      const double along = uniform_between(random, 0, 1);
+      const double away = side * uniform_between(random, 0.05, 1);
       points.push_back(
           {p.x + along * (q.x - p.x) - away * (q.y - p.y), p.y + along * (q.y - p.y) + away * (q.x - p.x)});
     }
@@ -125,10 +124,10 @@ PolygonPair neighbours(Random& random) {
 /// A polygon with a vertex at `tip`, all of it within `spread` of the direction `heading`.
 Points fan_from(Point tip, double heading, double spread, Random& random) {
   Points points{tip};
-  const int more = whole(random, 2, 10);
+  const int more = whole_between(random, 2, 10);
   for (int k = 0; k < more; ++k) {
-    const double angle = heading + uniform(random, -spread, spread);
-    const double r = uniform(random, 0.1, 1);
+    const double angle = heading + uniform_between(random, -spread, spread);
+    const double r = uniform_between(random, 0.1, 1);
     points.push_back({tip.x + r * std::cos(angle), tip.y + r * std::sin(angle)});
   }
   return exact_hull(points);
@@ -137,10 +136,10 @@ Points fan_from(Point tip, double heading, double spread, Random& random) {
 /// A vertex of b on an edge of a, as near as doubles allow.
 PolygonPair vertex_on_edge(Random& random) {
   const Points a = random_hull(random);
-  const std::size_t i = std::size_t(whole(random, 0, int(a.size()) - 1));
+  const std::size_t i = std::size_t(whole_between(random, 0, int(a.size()) - 1));
   const Point p = a[i];
   const Point q = a[(i + 1) % a.size()];
-  const double t = whole(random, 0, 2) == 0 ? 0.5 : uniform(random, 0.01, 0.99);
+  const double t = whole_between(random, 0, 2) == 0 ? 0.5 : uniform_between(random, 0.01, 0.99);
   const Point on{p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
   return {a, fan_from(on, std::atan2(p.x - q.x, q.y - p.y), 1.4, random)};
 }
@@ -149,7 +148,7 @@ PolygonPair vertex_on_edge(Random& random) {
 PolygonPair vertex_on_vertex(Random& random) {
   const Points a = random_hull(random);
   const std::size_t n = a.size();
-  const std::size_t i = std::size_t(whole(random, 0, int(n) - 1));
+  const std::size_t i = std::size_t(whole_between(random, 0, int(n) - 1));
   const Point before = a[(i + n - 1) % n], here = a[i], after = a[(i + 1) % n];
   const auto heading_of_normal = [](Point p, Point q) { return std::atan2(p.x - q.x, q.y - p.y); };
   const double from = heading_of_normal(before, here);
@@ -163,7 +162,7 @@ hs_pose where_it_was_made(const hs_shape* shape) {
 }
 
 hs_pose turned_at_random(double x, double y, Random& random) {
-  const double half = whole(random, 0, 3) == 0 ? 0 : uniform(random, -pi, pi);
+  const double half = whole_between(random, 0, 3) == 0 ? 0 : uniform_between(random, -pi, pi);
   return pose_at(x, y, std::sin(half), std::cos(half));
 }
 
@@ -194,24 +193,6 @@ double distance_for_gap(const Points& a, const Points& b, Point direction, doubl
   add_edges_of(a, b, 1);
   add_edges_of(b, a, -1);
   return distance;
-}
-
-double draw_gap(double size, Random& random) {
-  switch (whole(random, 0, 5)) {
-    case 0:
-      return 0.1 * size;  // far
-    case 1:
-      return 1e-3 * size;  // near
-    case 2:
-      return whole(random, -30, 30) * std::numeric_limits<double>::epsilon() * size;  // grazing
-    case 3:
-      return (whole(random, 0, 1) ? 1 : -1) * std::pow(10, uniform(random, -15, -3)) *
-             size;  // any order of magnitude
-    case 4:
-      return -1e-3 * size;  // touching
-    default:
-      return -0.2 * size;  // deep
-  }
 }
 
 }  // namespace
@@ -263,7 +244,7 @@ PolygonPair draw_polygons(Family family, Random& random) {
     case Family::regular:
       return {regular(random), regular(random)};
     case Family::slivers:
-      return {sliver(random), whole(random, 0, 1) ? sliver(random) : random_hull(random)};
+      return {sliver(random), whole_between(random, 0, 1) ? sliver(random) : random_hull(random)};
     case Family::short_edges:
       return {with_short_edge(random), with_short_edge(random)};
     case Family::stacked_boxes:
@@ -290,8 +271,8 @@ PosePair draw_poses(Family family, const PolygonPair& polygons, const hs_shape* 
   if (is_placed_by_vertices(family)) return {where_it_was_made(a), where_it_was_made(b)};
 
   const double reach = family == Family::far_from_origin ? 1e8 : 1;
-  const Point origin{uniform(random, -reach, reach), uniform(random, -reach, reach)};
-  const double angle = uniform(random, 0, 2 * pi);
+  const Point origin{uniform_between(random, -reach, reach), uniform_between(random, -reach, reach)};
+  const double angle = uniform_between(random, 0, 2 * pi);
   const Point direction{std::cos(angle), std::sin(angle)};
   const hs_pose pose_a = turned_at_random(origin.x, origin.y, random);
   hs_pose pose_b = turned_at_random(0, 0, random);

@@ -10,8 +10,6 @@
 namespace halfspace_test {
 namespace {
 
-int whole(Random3& random, int from, int to) { return std::uniform_int_distribution<int>(from, to)(random); }
-
 /// The hull of what `draw` returns, drawn again if that is flat.
 template <class Draw>
 Polyhedron solid_hull(Draw draw) {
@@ -44,13 +42,15 @@ Points3 random_points(int count, Random3& random) {
   return points;
 }
 
-Polyhedron random_hull(Random3& random) { return convex_hull(random_points(whole(random, 5, 32), random)); }
+Polyhedron random_hull(Random3& random) {
+  return convex_hull(random_points(whole_between(random, 5, 32), random));
+}
 
 /// A million times as long as thick: a plate or a needle, at any angle to the axes.
 Polyhedron sliver(Random3& random) {
   return solid_hull([&] {
-    Points3 points = random_points(whole(random, 4, 32), random);
-    const double width = whole(random, 0, 1) ? 1 : 1e-6;
+    Points3 points = random_points(whole_between(random, 4, 32), random);
+    const double width = whole_between(random, 0, 1) ? 1 : 1e-6;
     const hs_pose any_turn = turned_at_random({}, random);
     for (Point3& p : points) p = turned(any_turn, {p.x, width * p.y, 1e-6 * p.z});
     return points;
@@ -60,7 +60,7 @@ Polyhedron sliver(Random3& random) {
 /// One vertex replaced by one on each of its edges, 1e-8 away.
 Polyhedron with_short_edges(Random3& random) {
   const Polyhedron whole_one = random_hull(random);
-  const int corner = whole(random, 0, int(whole_one.vertices.size()) - 1);
+  const int corner = whole_between(random, 0, int(whole_one.vertices.size()) - 1);
   return solid_hull([&] {
     Points3 points;
     for (std::size_t i = 0; i < whole_one.vertices.size(); ++i) {
@@ -78,7 +78,7 @@ Polyhedron with_short_edges(Random3& random) {
 
 /// Boxes on a grid of 1/16 about a place, one on the other, with no rounding anywhere.
 PolyhedronPair stacked(double place, Random3& random) {
-  const auto grid = [&](int from, int to) { return whole(random, from, to) / 16.0; };
+  const auto grid = [&](int from, int to) { return whole_between(random, from, to) / 16.0; };
   const Point3 low{place - grid(1, 32), place - grid(1, 32), place - grid(1, 32)};
   const Point3 high{place + grid(1, 32), place + grid(1, 32), place + grid(1, 32)};
   const Point3 low_on_it{place + grid(-32, 32), place + grid(-32, 32), high.z};
@@ -90,7 +90,7 @@ PolyhedronPair stacked(double place, Random3& random) {
 Polyhedron fan_from(const Points3& kept, const Point3& heading, double least_cosine, Random3& random) {
   return solid_hull([&] {
     Points3 points = kept;
-    const int more = whole(random, 3, 12);
+    const int more = whole_between(random, 3, 12);
     while (int(points.size()) < more + int(kept.size())) {
       const Point3 direction = random_direction(random);
       if (dot(direction, heading) >= least_cosine)
@@ -117,7 +117,7 @@ PolyhedronPair neighbours(Random3& random) {
 /// A vertex of b on a face of a, as near as doubles allow.
 PolyhedronPair vertex_on_face(Random3& random) {
   const Polyhedron a = random_hull(random);
-  const std::size_t f = std::size_t(whole(random, 0, int(a.faces.size()) - 1));
+  const std::size_t f = std::size_t(whole_between(random, 0, int(a.faces.size()) - 1));
   Point3 on_face{};
   double sum = 0;
   for (const int v : a.faces[f]) {
@@ -131,7 +131,7 @@ PolyhedronPair vertex_on_face(Random3& random) {
 /// An edge of b across an edge of a, as near as doubles allow.
 PolyhedronPair edge_on_edge(Random3& random) {
   const Polyhedron a = random_hull(random);
-  const Polyhedron::Edge edge = a.edges[std::size_t(whole(random, 0, int(a.edges.size()) - 1))];
+  const Polyhedron::Edge edge = a.edges[std::size_t(whole_between(random, 0, int(a.edges.size()) - 1))];
   const Point3 from = a.vertices[std::size_t(edge.from)], to = a.vertices[std::size_t(edge.to)];
   const Point3 crossing = from + uniform_between(random, 0.1, 0.9) * (to - from);
   const Point3 outward =
@@ -145,7 +145,7 @@ PolyhedronPair edge_on_edge(Random3& random) {
 /// A vertex of b at a vertex of a, exactly.
 PolyhedronPair vertex_on_vertex(Random3& random) {
   const Polyhedron a = random_hull(random);
-  const int vertex = whole(random, 0, int(a.vertices.size()) - 1);
+  const int vertex = whole_between(random, 0, int(a.vertices.size()) - 1);
   Point3 outward{};
   for (std::size_t f = 0; f < a.faces.size(); ++f) {
     if (std::count(a.faces[f].begin(), a.faces[f].end(), vertex)) outward = outward + normal_of_face(a, f);
@@ -157,24 +157,6 @@ Polyhedron times(double factor, Polyhedron p) {
   for (Point3& v : p.vertices) v = factor * v;
   p = convex_hull(p.vertices);
   return p;
-}
-
-double draw_gap(double size, Random3& random) {
-  switch (whole(random, 0, 5)) {
-    case 0:
-      return 0.1 * size;  // far
-    case 1:
-      return 1e-3 * size;  // near
-    case 2:
-      return whole(random, -30, 30) * std::numeric_limits<double>::epsilon() * size;  // grazing
-    case 3:
-      return (whole(random, 0, 1) ? 1 : -1) * std::pow(10, uniform_between(random, -15, -3)) *
-             size;  // any order of magnitude
-    case 4:
-      return -1e-3 * size;  // touching
-    default:
-      return -0.2 * size;  // deep
-  }
 }
 
 hs_pose where_it_was_made(const Polyhedron& p) {
@@ -229,7 +211,7 @@ PolyhedronPair draw_polyhedra(Family3 family, Random3& random) {
     case Family3::hulls_128:
       return {round_polyhedron(128, 1, random), round_polyhedron(128, 1, random)};
     case Family3::slivers:
-      return {sliver(random), whole(random, 0, 1) ? sliver(random) : random_hull(random)};
+      return {sliver(random), whole_between(random, 0, 1) ? sliver(random) : random_hull(random)};
     case Family3::short_edges:
       return {with_short_edges(random), with_short_edges(random)};
     case Family3::stacked_boxes:

@@ -5,14 +5,11 @@
 #include <random>
 
 #include "oracles/polyhedron_3d.h"
+#include "oracles/random_gap.h"
 
 namespace halfspace_test {
 
 using Random3 = std::mt19937_64;
-
-inline double uniform_between(Random3& random, double from, double to) {
-  return std::uniform_real_distribution<double>(from, to)(random);
-}
 
 /// Uniform on the unit sphere.
 Point3 random_direction(Random3& random);

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include "catch.h"
@@ -220,7 +222,7 @@ TEST_CASE(
   CHECK(still_separated(a, b, apart, memory));
   CHECK(a.vertex(memory.pair.a).isApprox(Vector<3>(0.5, 0.5, 0.5)));
   CHECK(b.vertex(memory.pair.b).isApprox(Vector<3>(0, 0, -1)));
-  CHECK(memory.normal == diagonal);
+  CHECK(memory.proof == diagonal);
   CHECK_FALSE(still_separated(a, b, together, memory));
   // From there the blocks meet through a face that looks along the plane.
   CHECK(normal_of(a, b, initial_pair(a, b, together, memory)).dot(diagonal) > 0.57);
@@ -244,5 +246,52 @@ TEST_CASE("a fast block of many vertices that is all but through a thin plate ke
     // Without its history it is pushed on.
     judge_pair(a, b, within, none);
     CHECK(normal_of(a, b, none.pair).z() < -0.9);
+  }
+}
+
+TEST_CASE("what is remembered saves searches along a motion, and never changes the verdict") {
+  Random random(41);
+  int steps = 0, proven = 0, changes = 0;
+  for (int i = 0; i < 100; ++i) {
+    const Cloud points = random_cloud(random, random.integer(4, 40), 0.6, 1);
+    const Shape<3> shape_a = random_block(random, random.integer(4, 40));
+    const Vector<3> axis = random_direction(random), from = random.uniform(1, 2) * axis;
+    const Vector<3> path = 0.4 * random_direction(random);
+    PairMemory<3> memory;
+    for (double time = 0; time < 1; time += 0.02) {
+      const Shape<3> shape_b = block_of(turned(points, 0.2 * time, axis));
+      const Outline<3>&a = shape_a.outline(), &b = shape_b.outline();
+      const Vector<3> to_b = from + time * path;
+      const PairMemory<3>::State before = memory.state;
+      const bool is_proven = still_separated(a, b, to_b, memory) || still_touching(a, b, to_b, memory);
+      if (!still_separated(a, b, to_b, memory)) judge_pair(a, b, to_b, memory);
+      CHECK((memory.state == PairMemory<3>::separated) == (find_separation(a, b, to_b).gap > 0));
+      ++steps;
+      proven += is_proven;
+      changes += time > 0 && memory.state != before;
+      if (is_proven) CHECK(memory.state == before);
+      if (memory.state == PairMemory<3>::separated) continue;
+      Contact<3> contact;
+      describe_contact(a, b, to_b, memory, {}, contact);
+    }
+  }
+  CHECK(changes > 10);
+  CHECK(proven > 0.9 * steps);
+}
+
+TEST_CASE("no memory, whatever it holds, makes blocks touch or lie apart that do not") {
+  const Shape<3> block = block_of(cube);
+  const Outline<3>& o = block.outline();
+  const double nothing = std::numeric_limits<double>::quiet_NaN();
+  for (const Vector<3>& proof :
+       {Vector<3>(0, 0, 0), Vector<3>(0.5, 0, 0), Vector<3>(nothing, 0, 0), Vector<3>(HUGE_VAL, 0, 0)}) {
+    for (const auto state : {PairMemory<3>::separated, PairMemory<3>::touching}) {
+      for (const double x : {0.75, 1.25}) {
+        PairMemory<3> memory{state, {Pair::vertex_vertex, 0, 0}, proof};
+        if (state == PairMemory<3>::touching) memory.pair = {Pair::face_vertex, 0, 0};
+        if (!still_separated(o, o, {x, 0.1, 0.2}, memory)) judge_pair(o, o, {x, 0.1, 0.2}, memory);
+        CHECK((memory.state == PairMemory<3>::touching) == (x < 1));
+      }
+    }
   }
 }

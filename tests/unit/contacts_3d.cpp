@@ -104,7 +104,7 @@ PairMemory<3> swapped(const PairMemory<3>& memory) {
   const Pair::Kind kind = p.kind == Pair::face_vertex   ? Pair::vertex_face
                           : p.kind == Pair::vertex_face ? Pair::face_vertex
                                                         : p.kind;
-  return {memory.state, {kind, p.b, p.a}, -memory.normal};
+  return {memory.state, {kind, p.b, p.a}, -memory.proof};
 }
 
 void check_by_definition(const Shape<3>& a, const Shape<3>& b, const Vector<3>& to_b, const Contact<3>& c) {

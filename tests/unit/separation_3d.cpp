@@ -4,16 +4,13 @@
 #include <cmath>
 
 #include "catch.h"
+#include "detect/potential_pairs_3d.h"
 #include "polyhedra.h"
 
 using namespace halfspace;
 using namespace halfspace::test;
 
 namespace {
-
-Vector<3> edge_of(const Outline<3>& block, int edge) {
-  return block.vertex(block.topology->edge_end[edge]) - block.vertex(block.topology->edge_start[edge]);
-}
 
 /// Gap along a direction from a to b, by its definition.
 double gap_along(const Vector<3>& direction, const Outline<3>& a, const Outline<3>& b,
@@ -37,8 +34,8 @@ double largest_gap(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to
   for (int f = 0; f < b.face_count(); ++f) judge(-b.normal(f));
   for (int i = 0; i < a.topology->edge_count; ++i) {
     for (int j = 0; j < b.topology->edge_count; ++j) {
-      const Vector<3> across = cross_product(edge_of(a, i), edge_of(b, j));
-      const double sine = across.norm() / (edge_of(a, i).norm() * edge_of(b, j).norm());
+      const Vector<3> across = cross_product(edge_vector(a, i), edge_vector(b, j));
+      const double sine = across.norm() / (edge_vector(a, i).norm() * edge_vector(b, j).norm());
       if (sine < 1e-9) continue;
       judge(across.normalized());
       judge(-across.normalized());
@@ -63,8 +60,8 @@ void check_features(const Separation<3>& found, const Outline<3>& a, const Outli
       CHECK(found.gap == Approx(found.normal.dot(to_b - a.vertex(pair.a)) - b.offset[pair.b]).margin(1e-14));
       break;
     case PotentialPair<3>::edge_edge: {
-      CHECK(std::abs(found.normal.dot(edge_of(a, pair.a))) < 1e-12);
-      CHECK(std::abs(found.normal.dot(edge_of(b, pair.b))) < 1e-12);
+      CHECK(std::abs(found.normal.dot(edge_vector(a, pair.a))) < 1e-12);
+      CHECK(std::abs(found.normal.dot(edge_vector(b, pair.b))) < 1e-12);
       const Vector<3> p = a.vertex(a.topology->edge_start[pair.a]);
       const Vector<3> q = b.vertex(b.topology->edge_start[pair.b]) + to_b;
       CHECK(found.gap == Approx(found.normal.dot(q - p)).margin(1e-12));

@@ -1,0 +1,114 @@
+#include "benchmarks/stepped_pairs_3d.h"
+
+#include <cmath>
+#include <deque>
+#include <memory_resource>
+#include <optional>
+
+#include "benchmarks/halfspace_block.h"
+#include "benchmarks/timing.h"
+#include "detect/pair.h"
+
+namespace halfspace_benchmark {
+namespace {
+
+using halfspace::PairMemory;
+using halfspace::Rotation;
+using halfspace::TurnedPolyhedron;
+using halfspace::Vector;
+
+Vector<3> draw_direction(Random& random) {
+  const auto d = halfspace_test::random_direction(random);
+  return {d.x, d.y, d.z};
+}
+
+class SteppedPair {
+ public:
+  SteppedPair(const HalfspaceBlock& a, const HalfspaceBlock& b, const PolyhedraAt& at, Random& random)
+      : block_of_b_(b),
+        rotation_of_a_(Rotation<3>::from_quaternion(at.at_a.rotation)),
+        rotation_of_b_(Rotation<3>::from_quaternion(at.at_b.rotation)),
+        path_(draw_direction(random)),
+        axis_(draw_direction(random)),
+        a_(a.shape.outline(), rotation_of_a_, std::pmr::get_default_resource()) {
+    const double *from = at.at_a.position, *to = at.at_b.position;
+    position_ = Vector<3>(to[0] - from[0], to[1] - from[1], to[2] - from[2]) - rotation_of_a_ * a.centroid;
+  }
+  SteppedPair(const SteppedPair&) = delete;
+  SteppedPair& operator=(const SteppedPair&) = delete;
+
+  void move_to(double motion, double turn) {
+    const Vector<3> half = std::sin(turn / 2) * axis_;
+    const double quaternion[] = {half.x(), half.y(), half.z(), std::cos(turn / 2)};
+    const Rotation<3> rotation = Rotation<3>::from_quaternion(quaternion) * rotation_of_b_;
+    b_.emplace(block_of_b_.shape.outline(), rotation, std::pmr::get_default_resource());
+    to_b_ = position_ + motion * path_ + rotation * block_of_b_.centroid;
+  }
+
+  bool judge_without_memory() const {
+    PairMemory<3> memory;
+    judge_pair(a_.outline(), b_->outline(), to_b_, memory);
+    return memory.state == PairMemory<3>::touching;
+  }
+  bool judge() {
+    if (!still_separated(a_.outline(), b_->outline(), to_b_, memory_))
+      judge_pair(a_.outline(), b_->outline(), to_b_, memory_);
+    return is_touching();
+  }
+  bool is_touching() const { return memory_.state == PairMemory<3>::touching; }
+  void describe(halfspace::Contact<3>& contact) {
+    describe_contact(a_.outline(), b_->outline(), to_b_, memory_, {}, contact);
+  }
+
+ private:
+  const HalfspaceBlock& block_of_b_;
+  Rotation<3> rotation_of_a_;
+  Rotation<3> rotation_of_b_;
+  Vector<3> path_;
+  Vector<3> axis_;
+  Vector<3> position_;
+  TurnedPolyhedron a_;
+  std::optional<TurnedPolyhedron> b_;
+  Vector<3> to_b_;
+  PairMemory<3> memory_;
+};
+
+}  // namespace
+
+StepTimes time_steps(const PairSet3& set, int steps, double motion, double turn, Random& random) {
+  std::deque<HalfspaceBlock> blocks;
+  for (const Polyhedron& p : set.polyhedra) blocks.emplace_back(p);
+  std::deque<SteppedPair> pairs;
+  for (const PolyhedraAt& at : set.pairs)
+    pairs.emplace_back(blocks[std::size_t(at.a)], blocks[std::size_t(at.b)], at, random);
+
+  double without_memory = 0, with_memory = 0, described = 0;
+  long contacts = 0, differences = 0;
+  halfspace::Contact<3> contact;
+  for (int step = 0; step <= steps; ++step) {
+    for (SteppedPair& pair : pairs) pair.move_to(step * motion, step * turn);
+    long touching_without = 0, touching = 0;
+    const double cold = seconds_of([&] {
+      for (const SteppedPair& pair : pairs) touching_without += pair.judge_without_memory();
+    });
+    const double coherent = seconds_of([&] {
+      for (SteppedPair& pair : pairs) touching += pair.judge();
+    });
+    const double description = seconds_of([&] {
+      for (SteppedPair& pair : pairs) {
+        if (pair.is_touching()) pair.describe(contact);
+      }
+    });
+    differences += std::abs(touching_without - touching);
+    if (step == 0) continue;  // nothing is remembered yet
+    without_memory += cold;
+    with_memory += coherent;
+    described += description;
+    contacts += touching;
+  }
+  const double judged = double(steps) * double(pairs.size());
+  return {1e9 * without_memory / judged, 1e9 * with_memory / judged, 1e9 * described / double(contacts),
+          double(contacts) / judged, differences};
+}
+
+}  // namespace halfspace_benchmark
