@@ -13,16 +13,21 @@ using NamedPair = PotentialPair<3>;
 
 inline const NamedPair& named(const PotentialPair<3>& pair) { return pair; }
 
-// Which block owns the edge or face is as good as random: tables and arithmetic instead of branches.
+// Which block owns the edge or face is as good as random: arithmetic instead of branches.
+
+inline std::int32_t selected(bool second, std::int32_t one, std::int32_t other) {
+  return one ^ ((one ^ other) & -std::int32_t(second));
+}
 
 inline NamedPair named(const PotentialPair<2>& pair) {
-  const std::int32_t features[] = {pair.edge, pair.vertex};
-  return {NamedPair::Kind(pair.owner), features[pair.owner], features[1 - pair.owner]};
+  const bool b_owns = pair.owner == 1;
+  return {NamedPair::Kind(pair.owner), selected(b_owns, pair.edge, pair.vertex),
+          selected(b_owns, pair.vertex, pair.edge)};
 }
 
 inline PotentialPair<2> in_plane(const NamedPair& pair) {
-  const std::int32_t features[] = {pair.a, pair.b};
-  return {pair.kind, features[pair.kind], features[1 - pair.kind]};
+  const bool b_owns = pair.kind == NamedPair::vertex_face;
+  return {pair.kind, selected(b_owns, pair.a, pair.b), selected(b_owns, pair.b, pair.a)};
 }
 
 /// A pair as the proof of separation: a face is all of it, which vertex is deepest does not matter. None is

@@ -198,18 +198,19 @@ hs_status hs_pair_detect(const hs_shape* shape_a, const hs_pose* pose_a, const h
                          const hs_pose* pose_b, const hs_pair_options* options, hs_pair_cache* cache,
                          hs_contact* contact) {
   if (!options && shape_a && pose_a && shape_b && pose_b && contact) {
-    const int m = shape_a->polygon_vertices, n = shape_b->polygon_vertices;
+    const std::int64_t m = shape_a->polygon_vertices, n = shape_b->polygon_vertices;
     const auto polygons = [&] { return posed_as<2>(*shape_a, *pose_a, *shape_b, *pose_b); };
     if (cache) {
-      if (m == 0 || n == 0) return detect_in_space(shape_a, pose_a, shape_b, pose_b, cache, contact);
+      if (shape_a->dimension() == 3 || shape_b->dimension() == 3)
+        return detect_in_space(shape_a, pose_a, shape_b, pose_b, cache, contact);
       if (answer_by_proof(polygons(), *cache, *contact)) return HS_OK;
     } else if (m == 3 && n == 3) {
       return detect_cold<3>(polygons(), contact);
-    } else if (m > 0 && n > 0) {
-      const ShapeHandle<2>&a = as<2>(*shape_a), &b = as<2>(*shape_b);
-      if (m <= 4 && n <= 4) return detect_cold_by_call<4>(a, *pose_a, b, *pose_b, contact);
-      if (by_all_combinations(a.shape.outline(), b.shape.outline()))
-        return detect_cold_by_call<most_combinations>(a, *pose_a, b, *pose_b, contact);
+    } else if (m <= 4 && n <= 4) {
+      return detect_cold_by_call<4>(as<2>(*shape_a), *pose_a, as<2>(*shape_b), *pose_b, contact);
+    } else if (m * n <= most_combinations) {
+      return detect_cold_by_call<most_combinations>(as<2>(*shape_a), *pose_a, as<2>(*shape_b), *pose_b,
+                                                    contact);
     }
   }
   return detect_guarded(shape_a, pose_a, shape_b, pose_b, options, cache, contact);

@@ -25,7 +25,7 @@ PosedPair<D> posed_as(const hs_shape& a, const hs_pose& at_a, const hs_shape& b,
 }
 
 inline bool are_polyhedra(const hs_shape& a, const hs_shape& b) {
-  return a.polygon_vertices == 0 && b.polygon_vertices == 0;
+  return a.dimension() == 3 && b.dimension() == 3;
 }
 
 inline void require_one_dimension(const hs_shape& a, const char* name_a, const hs_shape& b,

@@ -8,11 +8,14 @@
 
 /// What shapes of either dimension have. The shape itself follows, see ShapeHandle.
 struct hs_shape {
-  int dimension() const { return polygon_vertices > 0 ? 2 : 3; }
+  int dimension() const { return polygon_vertices < no_polygon ? 2 : 3; }
+
+  /// Beyond any limit to the vertices of polygons, so that a comparison with one tells polyhedra as well.
+  static constexpr std::int32_t no_polygon = INT32_MAX;
 
   hs_context* context;
   std::uint64_t fingerprint;
-  std::int32_t polygon_vertices;  // 0 of a polyhedron
+  std::int32_t polygon_vertices;
 };
 
 namespace halfspace::capi {
@@ -22,7 +25,7 @@ template <int D>
 struct ShapeHandle : hs_shape {
   template <class Source>
   ShapeHandle(hs_context* owner, const Source& source)
-      : hs_shape{owner, 0, 0}, shape(source, &owner->memory) {
+      : hs_shape{owner, 0, no_polygon}, shape(source, &owner->memory) {
     fingerprint = fingerprint_of(shape.outline());
     if (D == 2) polygon_vertices = shape.vertex_count();
   }

@@ -89,6 +89,16 @@ inline EdgeAndVertex edge_and_vertex(const hs_contact& c) {
                                             : EdgeAndVertex{1, c.feature_b, c.feature_a};
 }
 
+inline hs_pair_cache cache_of(std::int32_t state, std::int32_t kind, std::int32_t feature_a,
+                              std::int32_t feature_b) {
+  hs_pair_cache cache{};
+  cache.state = state;
+  cache.pair_kind = kind;
+  cache.feature_a = feature_a;
+  cache.feature_b = feature_b;
+  return cache;
+}
+
 /// In 2D, along the tangent (-n.y, n.x).
 inline double shear_along_tangent(const hs_contact& c) {
   return c.normal[0] * c.shear_force[1] - c.normal[1] * c.shear_force[0];

@@ -7,6 +7,7 @@
 #include <map>
 #include <new>
 
+#include "capi/polyhedra.h"
 #include "capi/world_fixture.h"
 #include "catch.h"
 
@@ -104,6 +105,47 @@ void survive(Call call, long& failures) {
   if (status < 0) throw std::runtime_error(hs_status_string(status));
 }
 
+/// Everything in space that allocates, once.
+void tour_of_polyhedra(hs_context* c, long& failures) {
+  Random random(1);
+  const Points3 points = round_points(random, 60);  // more edges than fit on a stack
+  hs_shape* made[6] = {};
+  survive([&] { return hs_polyhedron_create_hull(c, view_of(points), &made[0]); }, failures);
+  const Shape round(made[0]);
+  const Solid solid = cube();
+  survive([&] { return create_polyhedron(c, solid, &made[1]); }, failures);
+  const Shape box(made[1]);
+  const Halfspaces planes = halfspaces_of(box.get());
+  survive(
+      [&] {
+        return hs_polyhedron_create_from_halfspaces(c, view_of(planes.normals), planes.offsets.data(),
+                                                    &made[2]);
+      },
+      failures);
+  const Shape common(made[2]);
+  hs_fault fault;
+  survive(
+      [&] {
+        return hs_polyhedron_check(c, view_of(solid.vertices), solid.faces.sizes.data(), 6,
+                                   solid.faces.vertices.data(), &fault);
+      },
+      failures);
+  const double origin[3] = {0.1, 0, 0}, normal[3] = {1, 2, 3};
+  survive([&] { return hs_shape_cut(round.get(), origin, normal, &made[3], &made[4]); }, failures);
+  const Shape parts[2] = {Shape(made[3]), Shape(made[4])};
+
+  const hs_pose poses[2] = {pose_at({0, 0, 0}), pose_at({0.5, 0.2, 0}, {1, 2, 3}, 0.7)};
+  const hs_shape* shapes[2] = {box.get(), round.get()};
+  const std::int32_t pairs[2] = {0, 1};
+  hs_contact contact;
+  survive(
+      [&] { return hs_pair_detect(shapes[0], &poses[0], shapes[1], &poses[1], nullptr, nullptr, &contact); },
+      failures);
+  if (contact.type == HS_CONTACT_NONE) throw std::runtime_error("apart: nothing was asked for");
+  survive([&] { return hs_pairs_detect(c, shapes, poses, 2, pairs, 1, nullptr, nullptr, &contact, nullptr); },
+          failures);
+}
+
 /// Everything that allocates, once; returns the world's state at the end.
 std::vector<unsigned char> tour(Ledger& ledger, long& failures) {
   const hs_context_def def = ledger.definition();
@@ -138,6 +180,8 @@ std::vector<unsigned char> tour(Ledger& ledger, long& failures) {
       failures);
   survive([&] { return hs_pairs_detect(c, shapes, poses, 2, pairs, 1, nullptr, nullptr, &contact, nullptr); },
           failures);
+
+  tour_of_polyhedra(c, failures);
 
   const hs_world_def settings = world_def();
   hs_world* w = nullptr;

@@ -40,16 +40,6 @@ struct PairCall {
   }
 };
 
-hs_pair_cache cache_of(std::int32_t state, std::int32_t kind, std::int32_t feature_a,
-                       std::int32_t feature_b) {
-  hs_pair_cache cache{};
-  cache.state = state;
-  cache.pair_kind = kind;
-  cache.feature_a = feature_a;
-  cache.feature_b = feature_b;
-  return cache;
-}
-
 /// Both calls with one thing spoiled: refused by both, and nothing is written.
 struct Spoiled {
   std::string argument;

@@ -4,6 +4,7 @@
 #include <limits>
 #include <string>
 
+#include "capi/polyhedra.h"
 #include "capi/refusals.h"
 
 namespace halfspace_test {
@@ -43,6 +44,17 @@ hs_mutable_view write_view(const Layout& l, std::vector<double>& memory, std::in
 
 std::size_t at(std::size_t first, std::int64_t stride, std::int64_t i) {
   return std::size_t(std::int64_t(first) + i * stride);
+}
+
+std::vector<double> laid_out(const Layout& l, const Points3& points) {
+  std::vector<double> memory(l.size, guard);
+  for (std::int64_t i = 0; i < n; ++i) {
+    const Point3& p = points[std::size_t(i)];
+    memory[at(l.x, l.stride, i)] = p.x;
+    memory[at(l.y, l.stride, i)] = p.y;
+    memory[at(l.z, l.stride, i)] = p.z;
+  }
+  return memory;
 }
 
 std::vector<double> laid_out(const Layout& l) {
@@ -107,6 +119,52 @@ TEST_CASE("vertices and half-spaces arrive in every layout, z is 0, nothing else
                               memory[at(l.y, l.stride, i)] * (expected[std::size_t(v)].y - p.centroid[1]);
         CHECK(std::abs(height - offsets[std::size_t(i)]) <= 16 * 8 * 0x1p-53);
       }
+    }
+  }
+}
+
+TEST_CASE("a polyhedron is the same from every layout, and its vertices and normals arrive in each") {
+  const Context context = make_context();
+  const Points3 corners = {{0.1, 0.2, 0.3}, {3.3, -0.4, 0.1}, {4.5, 1.6, -0.2}, {2.7, 3.8, 0}, {1.9, 1.1, 2}};
+  const Shape plain = make_hull(context.get(), corners);
+  const hs_shape_properties expected = properties_of(plain.get());
+  REQUIRE(expected.vertex_count == n);
+  const Points3 vertices = vertices_3d_of(plain.get());
+  const Halfspaces planes = halfspaces_of(plain.get());
+  for (const Layout& l : layouts) {
+    if (l.z == l.size) continue;  // in space z must be there
+    INFO(l.name);
+    const std::vector<double> memory = laid_out(l, corners);
+    hs_shape* made = nullptr;
+    REQUIRE(hs_polyhedron_create_hull(context.get(), read_view(l, memory), &made) == HS_OK);
+    const Shape shape(made);
+    const hs_shape_properties got = properties_of(shape.get());
+    CHECK(std::memcmp(&got, &expected, sizeof got) == 0);
+
+    for (std::int64_t capacity : {n, n - 2, std::int64_t(0)}) {
+      INFO("capacity " << capacity);
+      std::vector<double> out(l.size, guard), normals(l.size, guard), offsets(n, guard);
+      std::int64_t count = -1;
+      CHECK(hs_shape_get_vertices(shape.get(), write_view(l, out, capacity), &count) ==
+            (capacity < n ? HS_NOTE_TRUNCATED : HS_OK));
+      CHECK(count == n);
+      const hs_status status =
+          hs_shape_get_halfspaces(shape.get(), write_view(l, normals, capacity), offsets.data(), &count);
+      CHECK(status == (capacity < expected.face_count ? HS_NOTE_TRUNCATED : HS_OK));
+      CHECK(count == expected.face_count);
+      std::vector<double> wanted(l.size, guard), wanted_normals(l.size, guard);
+      const auto put = [&](std::vector<double>& to, std::int64_t i, const Point3& p) {
+        to[at(l.x, l.stride, i)] = p.x;
+        to[at(l.y, l.stride, i)] = p.y;
+        to[at(l.z, l.stride, i)] = p.z;
+      };
+      for (std::int64_t i = 0; i < capacity; ++i) {
+        put(wanted, i, vertices[std::size_t(i)]);
+        put(wanted_normals, i, planes.normals[std::size_t(i)]);
+        CHECK(offsets[std::size_t(i)] == planes.offsets[std::size_t(i)]);
+      }
+      CHECK(out == wanted);
+      CHECK(normals == wanted_normals);
     }
   }
 }

@@ -145,7 +145,7 @@ HS_API hs_status hs_polyhedron_create(hs_context *context, hs_view vertices, con
                                       int64_t face_count, const int32_t *face_vertices, hs_shape **shape);
 
 /** @brief Makes the convex hull of points as a polyhedron, with whole faces: what is in one plane to rounding
- *  is one face.
+ *  is one face. While it works, it takes memory from malloc as well, for qhull.
  *  @param context owner of the allocator
  *  @param points any order, inner and repeated points allowed; at most 2^26
  *  @param shape receives the shape, whose vertices are points, in their order
@@ -154,7 +154,7 @@ HS_API hs_status hs_polyhedron_create(hs_context *context, hs_view vertices, con
 HS_API hs_status hs_polyhedron_create_hull(hs_context *context, hs_view points, hs_shape **shape);
 
 /** @brief Makes the polyhedron that half-spaces have in common. A half-space that cuts nothing off but
- *  rounding makes no face, so that the shape's face_count may be below their number.
+ *  rounding makes no face, so that the shape's face_count may be below their number. Memory as for the hull.
  *  @param context owner of the allocator
  *  @param normals outer normals, of any length but 0: p is inside when dot(normal, p) <= offset; at most 2^26
  *  @param offsets one per normal
