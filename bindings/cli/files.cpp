@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -28,6 +29,13 @@ void remove_earlier_run(const fs::path& path) {
 }
 
 }  // namespace
+
+std::string content_of(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string content{std::istreambuf_iterator<char>(stream), {}};
+  if (!stream.is_open() || stream.bad()) throw std::runtime_error("cannot read " + file);
+  return content;
+}
 
 OutputDirectory::OutputDirectory(fs::path path, bool force) : path_(std::move(path)) {
   try {

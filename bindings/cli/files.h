@@ -6,6 +6,9 @@
 
 namespace halfspace::cli {
 
+/// All bytes of a file. @throws std::runtime_error if it cannot be read
+std::string content_of(const std::string& file);
+
 /// The directory of one run. A file in it is either whole or not there: it is written under another name and
 /// renamed.
 class OutputDirectory {

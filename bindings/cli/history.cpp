@@ -3,6 +3,23 @@
 #include "text.h"
 
 namespace halfspace::cli {
+namespace {
+
+std::vector<const char*> columns_of_block(int dimension) {
+  if (dimension == 2) return {".x", ".y", ".angle", ".vx", ".vy", ".angular_velocity"};
+  return {".x", ".y", ".z", ".qx", ".qy", ".qz", ".qw", ".vx", ".vy", ".vz", ".wx", ".wy", ".wz"};
+}
+
+std::vector<double> motion_of_block(const hs_block_state& state, int dimension) {
+  const auto& [x, y, z] = state.pose.position;
+  const auto& [vx, vy, vz] = state.velocity;
+  const auto& [wx, wy, wz] = state.angular_velocity;
+  if (dimension == 2) return {x, y, state.angle, vx, vy, wz};
+  const auto& [qx, qy, qz, qw] = state.pose.rotation;
+  return {x, y, z, qx, qy, qz, qw, vx, vy, vz, wx, wy, wz};
+}
+
+}  // namespace
 
 History::History(const Plan& plan) {
   text_ =
@@ -10,9 +27,8 @@ History::History(const Plan& plan) {
       "damping_loss,"
       "local_damping_loss,mass_damping_loss,outer_work,residual";
   for (std::size_t block : plan.tracked) {
-    for (const char* column : {".x", ".y", ".angle", ".vx", ".vy", ".angular_velocity"}) {
+    for (const char* column : columns_of_block(plan.dimension))
       text_ += ',' + plan.blocks[block].name + column;
-    }
   }
   text_ += '\n';
 }
@@ -29,11 +45,8 @@ void History::add(const Model& model) {
     text_ += ',' + shortest(value);
   }
   for (std::size_t block : model.plan().tracked) {
-    const hs_block_state state = model.state_of(block);
-    for (double value : {state.pose.position[0], state.pose.position[1], state.angle, state.velocity[0],
-                         state.velocity[1], state.angular_velocity[2]}) {
+    for (double value : motion_of_block(model.state_of(block), model.plan().dimension))
       text_ += ',' + shortest(value);
-    }
   }
   text_ += '\n';
 }

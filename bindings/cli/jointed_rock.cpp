@@ -5,32 +5,29 @@
 #include <utility>
 
 #include "random.h"
+#include "vector.h"
 
 namespace halfspace::cli {
 namespace {
 
-void cut_by_joint(const Context& context, Point point, Point normal, std::vector<Shape>& blocks) {
-  const double point3[] = {point[0], point[1], 0};
-  const double normal3[] = {normal[0], normal[1], 0};
+void cut_by_joint(const Context& context, const Point& normal, double offset, std::vector<Shape>& blocks) {
+  const Point point = times(offset, normal);
   std::vector<Shape> pieces;
   pieces.reserve(blocks.size());
   for (Shape& block : blocks) {
-    hs_shape* behind = nullptr;
-    hs_shape* ahead = nullptr;
-    require(context, hs_shape_cut(block.get(), point3, normal3, &behind, &ahead));
-    if (behind) pieces.emplace_back(behind);
-    if (ahead) pieces.emplace_back(ahead);
+    auto [behind, ahead] = cut(context, block, point, normal);
+    if (behind) pieces.push_back(std::move(behind));
+    if (ahead) pieces.push_back(std::move(ahead));
   }
   blocks = std::move(pieces);
 }
 
 void cut_by_set(const Context& context, const JointSet& set, const std::vector<Point>& region,
                 std::vector<Shape>& blocks) {
-  const Point normal = joint_normal(set);
   double nearest = std::numeric_limits<double>::infinity();
   double farthest = -nearest;
   for (const Point& p : region) {
-    const double offset = p[0] * normal[0] + p[1] * normal[1];
+    const double offset = dot(set.normal, p);
     nearest = std::min(nearest, offset);
     farthest = std::max(farthest, offset);
   }
@@ -39,8 +36,7 @@ void cut_by_set(const Context& context, const JointSet& set, const std::vector<P
   const auto last = static_cast<std::int64_t>(std::ceil((farthest - set.offset) / set.spacing)) + 1;
   for (std::int64_t k = first; k <= last; ++k) {
     const double offset = joint_offset(set, k);
-    if (offset <= nearest || offset >= farthest) continue;
-    cut_by_joint(context, {offset * normal[0], offset * normal[1]}, normal, blocks);
+    if (offset > nearest && offset < farthest) cut_by_joint(context, set.normal, offset, blocks);
   }
 }
 
@@ -54,21 +50,27 @@ double joint_offset(const JointSet& set, std::int64_t k) {
   return set.offset + set.spacing * (static_cast<double>(k) + deviation);
 }
 
-Point joint_normal(const JointSet& set) { return {std::sin(set.dip), std::cos(set.dip)}; }
+Point joint_normal(double dip) { return {std::sin(dip), std::cos(dip), 0}; }
 
-JointedBlocks cut_jointed_rock(const Context& context, const JointedRock& rock) {
-  std::vector<Shape> blocks;
-  blocks.push_back(make_polygon(context, rock.region));
-  for (const JointSet& set : rock.joint_sets) cut_by_set(context, set, rock.region, blocks);
+Point joint_normal(double dip, double dip_direction) {
+  return {std::sin(dip) * std::sin(dip_direction), std::sin(dip) * std::cos(dip_direction), std::cos(dip)};
+}
 
+JointedBlocks cut_jointed_rock(const Context& context, const JointedRock& rock, std::vector<Shape> regions) {
   JointedBlocks result;
-  for (Shape& block : blocks) {
-    const double area = properties_of(context, block).volume;
-    if (area >= rock.smallest_area) {
-      result.blocks.push_back(std::move(block));
-    } else {
-      ++result.left_out;
-      result.area_left_out += area;
+  for (Shape& region : regions) {
+    const std::vector<Point> corners = vertices_of(context, region);
+    std::vector<Shape> blocks;
+    blocks.push_back(std::move(region));
+    for (const JointSet& set : rock.joint_sets) cut_by_set(context, set, corners, blocks);
+    for (Shape& block : blocks) {
+      const double size = properties_of(context, block).volume;
+      if (size >= rock.smallest_size) {
+        result.blocks.push_back(std::move(block));
+      } else {
+        ++result.left_out;
+        result.size_left_out += size;
+      }
     }
   }
   return result;

@@ -10,20 +10,23 @@ namespace halfspace::cli {
 /// What the joints made of a region.
 struct JointedBlocks {
   std::vector<Shape> blocks;  ///< in the order of the cuts, which is fixed by the scene
-  int left_out = 0;           ///< blocks smaller than the smallest area
-  double area_left_out = 0;   ///< of all those together
+  int left_out = 0;           ///< blocks smaller than the smallest size
+  double size_left_out = 0;   ///< of all those together
 };
 
 /// Where joint k of a set lies: its distance from the origin along the joints' normal. It depends on the set
 /// and k only, so the same joints run through neighbouring regions.
 double joint_offset(const JointSet& set, std::int64_t k);
 
-/// Unit normal of the joints of a set, upwards for dips below 90 degrees.
-Point joint_normal(const JointSet& set);
+/// Unit normal of joints that dip so many radians below the horizontal towards +x, in 2D. Upwards for dips
+/// below a right angle.
+Point joint_normal(double dip);
+/// The same in 3D for joints that dip towards a direction, clockwise from +y (north) seen from above.
+Point joint_normal(double dip, double dip_direction);
 
-/// Cuts a convex region by all joints of all sets. Every piece is cut by the same line, so neighbouring
-/// blocks share their vertices, to rounding.
-/// @throws LibraryError if the region is not a convex polygon
-JointedBlocks cut_jointed_rock(const Context& context, const JointedRock& rock);
+/// Cuts convex regions by all joints of all sets. Every piece is cut by the same line or plane, so
+/// neighbouring blocks share their vertices, to rounding.
+/// @throws LibraryError if a part is too small to compute with
+JointedBlocks cut_jointed_rock(const Context& context, const JointedRock& rock, std::vector<Shape> regions);
 
 }  // namespace halfspace::cli

@@ -151,25 +151,32 @@ int Keys::word(std::string_view key, std::initializer_list<std::string_view> all
 }
 
 std::optional<Point> Keys::point_of(const toml::node& node, const std::string& path) {
-  const toml::array* pair = node.as_array();
-  if (!pair || pair->size() != 2) {
-    faults_->add(place_of(node), path, "not a point: " + shown(node) + "; allowed: [x, y]");
+  const toml::array* components = node.as_array();
+  const auto count = static_cast<std::size_t>(dimension_);
+  if (!components || components->size() != count) {
+    faults_->add(place_of(node), path, "not a point: " + shown(node) + "; allowed: " + point_form());
     return {};
   }
-  const std::optional<double> x = finite_number((*pair)[0], path);
-  const std::optional<double> y = finite_number((*pair)[1], path);
-  if (!x || !y) return {};
-  return Point{*x, *y};
+  Point point{};
+  bool whole = true;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::optional<double> component = finite_number((*components)[i], path);
+    if (component) point[i] = *component;
+    whole = whole && component;
+  }
+  return whole ? std::optional(point) : std::nullopt;
 }
 
 Point Keys::point(std::string_view key, std::optional<Point> fallback) {
-  const toml::node* node = find(key, "[x, y]", !fallback);
+  const toml::node* node = find(key, point_form(), !fallback);
   return (node ? point_of(*node, path(key)) : fallback).value_or(Point{});
 }
 
 std::vector<Point> Keys::points(std::string_view key, std::size_t fewest,
                                 std::optional<std::vector<Point>> fallback) {
-  const std::string allowed = "[[x, y], [x, y], ...] with " + std::to_string(fewest) + " points or more";
+  const std::string form = point_form();
+  const std::string allowed =
+      '[' + form + ", " + form + ", ...] with " + std::to_string(fewest) + " points or more";
   const toml::node* node = find(key, allowed, !fallback);
   if (!node) return fallback.value_or(std::vector<Point>{});
   const toml::array* list = node->as_array();
@@ -207,6 +214,41 @@ std::vector<double> Keys::rising_numbers(std::string_view key, Range range) {
   return numbers;
 }
 
+std::optional<std::vector<int>> Keys::loop_of(const toml::node& node, std::size_t count) {
+  const toml::array* list = node.as_array();
+  if (!list || list->size() < 3) return {};
+  std::vector<int> loop;
+  for (const toml::node& item : *list) {
+    const toml::value<std::int64_t>* index = item.as_integer();
+    if (!index || index->get() < 0 || static_cast<std::uint64_t>(index->get()) >= count) return {};
+    loop.push_back(static_cast<int>(index->get()));
+  }
+  return loop;
+}
+
+std::vector<std::vector<int>> Keys::loops(std::string_view key, std::size_t count) {
+  const std::string allowed =
+      "lists of three or more whole numbers, at least 0, below " + std::to_string(count);
+  const toml::node* node = find(key, allowed, false);
+  if (!node) return {};
+  const toml::array* list = node->as_array();
+  if (!list) {
+    fault(key, "not a list: " + shown(*node) + "; allowed: " + allowed);
+    return {};
+  }
+  std::vector<std::vector<int>> loops;
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    std::optional<std::vector<int>> loop = loop_of((*list)[i], count);
+    if (loop) {
+      loops.push_back(std::move(*loop));
+    } else {
+      faults_->add(place_of((*list)[i]), path(key) + '[' + std::to_string(i) + ']',
+                   "not a face: " + shown((*list)[i]) + "; allowed: " + allowed);
+    }
+  }
+  return loops.size() == list->size() ? loops : std::vector<std::vector<int>>{};
+}
+
 std::vector<std::string> Keys::texts(std::string_view key, std::vector<Place>& places,
                                      std::optional<std::vector<std::string>> fallback) {
   const toml::node* node = find(key, "[\"text\", ...]", !fallback);
@@ -236,7 +278,9 @@ std::string Keys::header(std::string_view key) const {
 Keys Keys::table(std::string_view key, bool is_required) {
   const toml::node* node = find(key, "a table " + header(key), is_required);
   if (node && !node->is_table()) fault(key, "not a table: " + shown(*node) + "; allowed: " + header(key));
-  return Keys(node && node->is_table() ? *node->as_table() : no_keys, path(key), *faults_);
+  Keys keys(node && node->is_table() ? *node->as_table() : no_keys, path(key), *faults_);
+  keys.set_dimension(dimension_);
+  return keys;
 }
 
 std::vector<Keys> Keys::tables(std::string_view key, bool is_required) {
@@ -252,6 +296,7 @@ std::vector<Keys> Keys::tables(std::string_view key, bool is_required) {
   std::vector<Keys> members;
   for (std::size_t i = 0; i < list->size(); ++i) {
     members.emplace_back(*(*list)[i].as_table(), path(key) + '[' + std::to_string(i) + ']', *faults_);
+    members.back().set_dimension(dimension_);
   }
   return members;
 }

@@ -36,8 +36,12 @@ inline Range at_least(double low) { return {.low = low}; }
 /// that reading goes on and every fault of a file is found in one pass. Call finish() after the last key.
 class Keys {
  public:
-  /// An empty path is the top of the file.
+  /// An empty path is the top of the file. Points have two components.
   Keys(const toml::table& table, std::string path, Faults& faults);
+
+  /// Points in this table, and in the tables asked from it from now on, have so many components.
+  void set_dimension(int dimension) { dimension_ = dimension; }
+  int dimension() const { return dimension_; }
 
   double number(std::string_view key, Range range, std::optional<double> fallback);
   std::int64_t integer(std::string_view key, std::int64_t low, std::int64_t high,
@@ -51,6 +55,8 @@ class Keys {
                             std::optional<std::vector<Point>> fallback);
   /// Each within the range and larger than the one before; none by default.
   std::vector<double> rising_numbers(std::string_view key, Range range);
+  /// Lists of indices, each with three or more of them, 0 <= index < count; none by default.
+  std::vector<std::vector<int>> loops(std::string_view key, std::size_t count);
   std::vector<std::string> texts(std::string_view key, std::vector<Place>& places,
                                  std::optional<std::vector<std::string>> fallback);
 
@@ -73,11 +79,14 @@ class Keys {
   std::string header(std::string_view key) const;
   const toml::node* find(std::string_view key, std::string_view what, bool is_required);
   std::optional<double> finite_number(const toml::node& node, const std::string& path);
+  const char* point_form() const { return dimension_ == 3 ? "[x, y, z]" : "[x, y]"; }
+  std::optional<std::vector<int>> loop_of(const toml::node& node, std::size_t count);
   std::optional<Point> point_of(const toml::node& node, const std::string& path);
   static Place place_of(const toml::node& node);
 
   const toml::table* table_;
   std::string path_;
+  int dimension_ = 2;
   Faults* faults_;
   std::vector<std::string_view> asked_;
 };

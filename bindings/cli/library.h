@@ -14,6 +14,8 @@ namespace halfspace::cli {
 class LibraryError : public std::runtime_error {
  public:
   LibraryError(hs_status status, const std::string& text) : std::runtime_error(text), status(status) {}
+  /// The text without the name of the function.
+  std::string reason() const;
   hs_status status;
 };
 
@@ -36,8 +38,38 @@ Context make_context();
 hs_view view_of(const std::vector<Point>& points);
 hs_mutable_view view_of(std::vector<Point>& points);
 
+/// What lies against the normal: dot(normal, p) <= offset.
+struct HalfSpace {
+  Point normal{};  ///< unit length
+  double offset = 0;
+};
+
+/// Faces as the library takes them: the lengths of their loops, and all loops one after the other.
+struct FaceList {
+  explicit FaceList(const std::vector<std::vector<int>>& loops);
+  int64_t count() const { return static_cast<int64_t>(sizes.size()); }
+
+  std::vector<int32_t> sizes;
+  std::vector<int32_t> vertices;
+};
+
 Shape make_polygon(const Context& context, const std::vector<Point>& vertices);
+Shape make_polyhedron(const Context& context, const std::vector<Point>& vertices, const FaceList& faces);
+Shape make_hull(const Context& context, const std::vector<Point>& points);
+
+/// The parts of a shape against a plane's normal and along it (a line's in 2D); none where the plane does not
+/// cut.
+struct CutShape {
+  Shape behind;
+  Shape ahead;
+};
+CutShape cut(const Context& context, const Shape& shape, const Point& point, const Point& normal);
+
 hs_shape_properties properties_of(const Context& context, const Shape& shape);
 std::vector<Point> vertices_of(const Context& context, const Shape& shape);
+/// The centroid is their origin.
+std::vector<HalfSpace> halfspaces_of(const Context& context, const Shape& shape);
+/// A polyhedron's faces as loops of vertices, counter-clockwise seen from outside.
+std::vector<std::vector<int>> faces_of(const Context& context, const Shape& shape);
 
 }  // namespace halfspace::cli

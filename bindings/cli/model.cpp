@@ -4,13 +4,37 @@
 #include <cmath>
 #include <utility>
 
+#include "vector.h"
+
 namespace halfspace::cli {
 namespace {
 
+/// The quaternion of a turn by an axis times an angle.
+std::array<double, 4> quaternion_of(const Point& turn) {
+  const double angle = length(turn);
+  if (angle == 0) return {0, 0, 0, 1};
+  const Point along = times(std::sin(angle / 2) / angle, turn);
+  return {along[0], along[1], along[2], std::cos(angle / 2)};
+}
+
+/// p turned by a quaternion q = (v, w): p + 2 w (v x p) + 2 v x (v x p).
+Point turned(const std::array<double, 4>& q, const Point& p) {
+  const Point v = point_of(q.data());
+  const Point once = cross(v, p);
+  return plus(p, times(2, plus(times(q[3], once), cross(v, once))));
+}
+
+/// Moves a pose from where the shape was given to where the scene puts it.
+void place(hs_pose& pose, const Placing& placing) {
+  const std::array<double, 4> rotation = quaternion_of(placing.rotation);
+  const Point centroid = plus(turned(rotation, point_of(pose.position)), placing.shift);
+  std::copy(centroid.begin(), centroid.end(), pose.position);
+  std::copy(rotation.begin(), rotation.end(), pose.rotation);  // shapes are given unturned
+}
+
 void set_velocity(hs_block_def& def, const Motion& motion) {
-  def.velocity[0] = motion.velocity[0];
-  def.velocity[1] = motion.velocity[1];
-  def.angular_velocity[2] = motion.angular_velocity;
+  std::copy(motion.velocity.begin(), motion.velocity.end(), def.velocity);
+  std::copy(motion.angular_velocity.begin(), motion.angular_velocity.end(), def.angular_velocity);
 }
 
 }  // namespace
@@ -31,6 +55,7 @@ Model::Model(const Context& context, const Scene& scene, Plan plan)
     require(context, hs_block_def_init(&def, sizeof def, planned.shape.get()));
     def.kind = planned.kind;
     def.material = planned.material;
+    place(def.pose, planned.placing);
     if (planned.motion.start == 0) set_velocity(def, planned.motion);
     hs_block block = 0;
     require(context, hs_world_add_block(world, planned.shape.get(), &def, &block));
@@ -66,13 +91,12 @@ void Model::set_due_motions() {
     if (block.kind != HS_BLOCK_PRESCRIBED) continue;
     const bool moves = reached(block.motion.start) && !reached(block.motion.stop);
     const Point velocity = moves ? block.motion.velocity : Point{};
-    const double spin = moves ? block.motion.angular_velocity : 0;
+    const Point spin = moves ? block.motion.angular_velocity : Point{};
     const hs_block_state now = state_of(i);
-    if (now.velocity[0] == velocity[0] && now.velocity[1] == velocity[1] && now.angular_velocity[2] == spin)
+    if (std::equal(velocity.begin(), velocity.end(), now.velocity) &&
+        std::equal(spin.begin(), spin.end(), now.angular_velocity))
       continue;
-    const double velocity3[] = {velocity[0], velocity[1], 0};
-    const double spin3[] = {0, 0, spin};
-    require(context_, hs_world_set_velocity(world_.get(), blocks_[i], velocity3, spin3));
+    require(context_, hs_world_set_velocity(world_.get(), blocks_[i], velocity.data(), spin.data()));
   }
 }
 

@@ -1,91 +1,65 @@
 #include "plan.h"
 
 #include <map>
+#include <numeric>
 #include <set>
 #include <utility>
 
+#include "checked_shape.h"
 #include "jointed_rock.h"
 #include "keys.h"
-#include "text.h"
 #include "triangulation.h"
+#include "voronoi.h"
 
 namespace halfspace::cli {
 namespace {
-
-const char* describe(int fault) {
-  switch (fault) {
-    case HS_FAULT_TOO_FEW_VERTICES:
-      return "fewer than 3 vertices";
-    case HS_FAULT_NOT_FINITE:
-      return "a coordinate too large or too small to compute with";
-    case HS_FAULT_REPEATED_VERTEX:
-      return "the same place as its neighbour";
-    case HS_FAULT_COLLINEAR_VERTEX:
-      return "on the line of its neighbours";
-    case HS_FAULT_NOT_CONVEX:
-      return "a corner that turns inwards";
-    case HS_FAULT_SELF_CROSSING:
-      return "the outline crosses itself or winds more than once";
-    case HS_FAULT_ZERO_AREA:
-      return "all vertices on one line";
-    default:
-      return "not a polygon";
-  }
-}
-
-/// A convex outline can be given as a block or as a region; what is wrong with it is told at its place in the
-/// file.
-bool is_convex(const Context& context, const std::vector<Point>& vertices, Place place,
-               const std::string& key, Faults& faults) {
-  hs_fault fault{};
-  require(context, hs_polygon_check(context.get(), view_of(vertices), &fault));
-  if (fault.kind == HS_FAULT_NONE) return true;
-  std::string text;
-  if (fault.vertex >= 0) {
-    const Point vertex = vertices[static_cast<std::size_t>(fault.vertex)];
-    text = "vertex " + std::to_string(fault.vertex) + " [" + shortest(vertex[0]) + ", " +
-           shortest(vertex[1]) + "]: ";
-  }
-  faults.add(place, key, text + describe(fault.kind) + "; allowed: the corners of a convex polygon in order");
-  return false;
-}
 
 /// Adds blocks one by one. Once there is a fault the plan will not be used, and only what can still be wrong
 /// is checked.
 class Planner {
  public:
-  Planner(const Context& context, Faults& faults) : context_(context), faults_(faults) {}
+  Planner(const Context& context, int dimension, Faults& faults)
+      : context_(context), faults_(faults), shapes_(context, dimension, faults) {
+    plan_.dimension = dimension;
+  }
 
   void add(const Block& block) {
     const Making& making = block.making;
     claim(making);
-    if (block.vertices.empty() ||  // a fault already
-        !is_convex(context_, block.vertices, block.vertices_place, making.key + ".vertices", faults_)) {
-      misshapen_.insert(making.name);
+    std::vector<Shape> shapes = shapes_.of(block);
+    if (shapes.empty()) without_blocks_.push_back(making.name);
+    if (shapes.size() == 1) {
+      add(making.name, making, std::move(shapes[0]), block.placing, block.motion);
       return;
     }
-    add(making.name, making, make_polygon(context_, block.vertices), block.motion);
+    for (std::size_t i = 0; i < shapes.size(); ++i)
+      add(member(making, i), making, std::move(shapes[i]), block.placing, block.motion);
   }
 
   void add(const JointedRock& rock) {
-    const Making& making = rock.making;
-    claim(making);
-    if (!rock.region.empty())
-      is_convex(context_, rock.region, rock.region_place, making.key + ".region", faults_);
-    if (!may_generate(making)) return;
-    JointedBlocks cut = cut_jointed_rock(context_, rock);
-    for (std::size_t i = 0; i < cut.blocks.size(); ++i) add_member(making, i, std::move(cut.blocks[i]));
+    claim(rock.making);
+    std::vector<Shape> regions;
+    for (const Region& region : rock.regions) regions.push_back(shapes_.of(region));
+    if (!may_generate(rock.making)) return;
+    JointedBlocks cut = cut_jointed_rock(context_, rock, std::move(regions));
+    add_members(rock.making, std::move(cut.blocks));
     plan_.left_out += cut.left_out;
-    plan_.area_left_out += cut.area_left_out;
+    plan_.size_left_out += cut.size_left_out;
+  }
+
+  void add(const Voronoi& voronoi) {
+    claim(voronoi.making);
+    const Shape region = shapes_.of(voronoi.region);
+    if (may_generate(voronoi.making)) add_members(voronoi.making, voronoi_blocks(context_, voronoi, region));
   }
 
   void add(const Triangulated& region) {
     claim(region.making);
     if (!may_generate(region.making)) return;
-    const std::vector<Triangle> triangles = triangulate(region);
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-      add_member(region.making, i, make_polygon(context_, {triangles[i].begin(), triangles[i].end()}));
-    }
+    std::vector<Shape> shapes;
+    for (const Triangle& triangle : triangulate(region))
+      shapes.push_back(make_polygon(context_, {triangle.begin(), triangle.end()}));
+    add_members(region.making, std::move(shapes));
   }
 
   void track(const std::string& name, Place place) {
@@ -94,9 +68,8 @@ class Planner {
       plan_.tracked.push_back(found->second);
       return;
     }
-    if (misshapen_.contains(name)) return;
-    for (const std::string& generator : not_generated_) {
-      if (name.starts_with(generator + '.')) return;
+    for (const std::string& maker : without_blocks_) {
+      if (name == maker || name.starts_with(maker + '.')) return;  // told already
     }
     std::vector<std::string_view> names;
     for (const auto& [known, index] : index_of_) names.push_back(known);
@@ -111,7 +84,7 @@ class Planner {
   /// Generators need whole settings.
   bool may_generate(const Making& making) {
     if (faults_.none()) return true;
-    not_generated_.push_back(making.name);
+    without_blocks_.push_back(making.name);
     return false;
   }
 
@@ -120,13 +93,29 @@ class Planner {
     if (!making.name.empty() && !claimed_.insert(making.name).second) told_twice(making, making.name);
   }
 
-  void add(const std::string& name, const Making& making, Shape shape, const Motion& motion) {
+  void add(const std::string& name, const Making& making, Shape shape, const Placing& placing,
+           const Motion& motion) {
     if (!index_of_.emplace(name, plan_.blocks.size()).second) told_twice(making, name);
-    plan_.blocks.push_back({name, making.material, making.kind, std::move(shape), motion});
+    std::vector<std::vector<int>> faces = outside_of(shape);
+    plan_.blocks.push_back(
+        {name, making.material, making.kind, std::move(shape), std::move(faces), placing, motion});
   }
 
-  void add_member(const Making& making, std::size_t index, Shape shape) {
-    add(making.name + '.' + std::to_string(index), making, std::move(shape), {});
+  void add_members(const Making& making, std::vector<Shape> shapes) {
+    for (std::size_t i = 0; i < shapes.size(); ++i)
+      add(member(making, i), making, std::move(shapes[i]), {}, {});
+  }
+
+  static std::string member(const Making& making, std::size_t index) {
+    return making.name + '.' + std::to_string(index);
+  }
+
+  /// What is to be drawn of a shape.
+  std::vector<std::vector<int>> outside_of(const Shape& shape) const {
+    if (plan_.dimension == 3) return faces_of(context_, shape);
+    std::vector<int> outline(static_cast<std::size_t>(properties_of(context_, shape).vertex_count));
+    std::iota(outline.begin(), outline.end(), 0);
+    return {outline};
   }
 
   void told_twice(const Making& making, const std::string& name) {
@@ -135,20 +124,21 @@ class Planner {
 
   const Context& context_;
   Faults& faults_;
+  CheckedShapes shapes_;
   Plan plan_;
   std::map<std::string, std::size_t> index_of_;
   std::set<std::string> claimed_;
-  std::set<std::string> misshapen_;
-  std::vector<std::string> not_generated_;
+  std::vector<std::string> without_blocks_;  ///< because of faults
 };
 
 }  // namespace
 
 Plan plan_blocks(const Context& context, const Scene& scene, Faults& faults) {
-  Planner planner(context, faults);
+  Planner planner(context, scene.world.dimension, faults);
   for (const Block& block : scene.blocks) planner.add(block);
   for (const JointedRock& rock : scene.jointed_rocks) planner.add(rock);
   for (const Triangulated& region : scene.triangulated) planner.add(region);
+  for (const Voronoi& voronoi : scene.voronoi) planner.add(voronoi);
   for (std::size_t i = 0; i < scene.output.tracked.size(); ++i) {
     planner.track(scene.output.tracked[i], scene.output.tracked_places[i]);
   }

@@ -14,15 +14,18 @@ struct PlannedBlock {
   int material = 0;
   int kind = HS_BLOCK_RIGID;
   Shape shape;
+  std::vector<std::vector<int>> faces;  ///< loops of vertices; in 2D one, the block itself
+  Placing placing;
   Motion motion;
 };
 
 /// All blocks of a scene, generators included, in the order of the file.
 struct Plan {
+  int dimension = 2;
   std::vector<PlannedBlock> blocks;
   std::vector<std::size_t> tracked;  ///< indices of the blocks whose motion goes into the history
   int left_out = 0;                  ///< blocks too small to be kept
-  double area_left_out = 0;
+  double size_left_out = 0;          ///< of all those together
 };
 
 /// Makes the shapes of a scene. Bad shapes and unknown names go to the faults.

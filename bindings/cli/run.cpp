@@ -8,7 +8,7 @@
 
 #include "history.h"
 #include "model.h"
-#include "picture.h"
+#include "picture/picture.h"
 #include "progress.h"
 #include "summary.h"
 #include "text.h"
@@ -75,7 +75,7 @@ class Recorder {
       : scene_(scene),
         model_(model),
         directory_(directory),
-        series_(directory),
+        series_(model.plan(), directory),
         history_(model.plan()),
         start_(model.frame()) {
     record_frame();
@@ -118,12 +118,12 @@ class Recorder {
     save_history();
     const Frame end = model_.frame();
     const Stage stage = stage_for(scene_, start_, end);
-    directory_.write("first.svg", picture(stage, scene_, start_, start_));
+    directory_.write("first.svg", picture(stage, scene_, model_.plan(), start_, start_));
     for (std::size_t i = 0; i < pictured_.size(); ++i) {
       directory_.write("at_" + shortest(scene_.output.picture_times[i]) + "s.svg",
-                       picture(stage, scene_, start_, pictured_[i]));
+                       picture(stage, scene_, model_.plan(), start_, pictured_[i]));
     }
-    directory_.write("last.svg", picture(stage, scene_, start_, end));
+    directory_.write("last.svg", picture(stage, scene_, model_.plan(), start_, end));
     return end;
   }
 

@@ -12,7 +12,11 @@
 
 namespace halfspace::cli {
 
-using Point = std::array<double, 2>;
+/// A point or vector; in 2D its last component is 0.
+using Point = std::array<double, 3>;
+
+/// The axis that points upwards where gravity is not said otherwise: y in 2D, z in 3D.
+constexpr std::size_t up_axis(int dimension) { return dimension == 3 ? 2 : 1; }
 
 struct Material {
   std::string name;
@@ -30,7 +34,7 @@ struct PairLaw {
 /// stop.
 struct Motion {
   Point velocity{};
-  double angular_velocity = 0;  ///< rad/s
+  Point angular_velocity{};  ///< rad/s; 2D: the last component
   double start = 0;
   double stop = std::numeric_limits<double>::infinity();
 };
@@ -44,28 +48,45 @@ struct Making {
   int kind = HS_BLOCK_RIGID;
 };
 
+/// Where a block is put, from where its vertices are given.
+struct Placing {
+  Point rotation{};  ///< about the origin: axis times angle, rad
+  Point shift{};     ///< after that
+};
+
+/// A block given by its vertices, or the blocks of a file.
 struct Block {
   Making making;
-  std::vector<Point> vertices;
-  Place vertices_place;
+  std::vector<Point> vertices;          ///< 2D: in order; 3D without faces: points whose hull it is
+  std::vector<std::vector<int>> faces;  ///< 3D: loops of vertices
+  Place shape_place;                    ///< of vertices or file
+  std::string file;                     ///< instead of vertices: path, from where the command runs
+  double scale = 1;                     ///< length in m of one unit of the file
+  Placing placing;
   Motion motion;
+};
+
+/// A convex part of space: in 2D a polygon, its vertices in order; in 3D the hull of points.
+struct Region {
+  std::vector<Point> points;
+  std::string key;  ///< path in the file and
+  Place place;      ///< where it stands, for faults
 };
 
 /// Parallel joints, each through the whole region.
 struct JointSet {
-  double dip = 0;  ///< rad below the horizontal, towards +x
+  Point normal{0, 1, 0};  ///< unit length
   double spacing = 1;
   double offset = 0;  ///< of joint 0 from the origin, along the joints' normal
   double spread = 0;  ///< random deviation of each spacing, share of the spacing
   std::uint64_t seed = 0;
 };
 
-/// A convex region cut by joint sets.
+/// Convex regions cut by joint sets.
 struct JointedRock {
   Making making;
-  std::vector<Point> region;
-  Place region_place;
-  double smallest_area = 0;
+  std::vector<Region> regions;
+  double smallest_size = 0;  ///< area in 2D, volume in 3D
   std::vector<JointSet> joint_sets;
 };
 
@@ -79,6 +100,15 @@ struct Triangulated {
   std::uint64_t seed = 0;
 };
 
+/// A convex region divided among sites: each block is what lies nearer to its site than to all others.
+struct Voronoi {
+  Making making;
+  Region region;
+  std::int64_t count = 2;
+  std::int64_t relaxation = 0;  ///< how often every site is moved to the centroid of its block
+  std::uint64_t seed = 0;
+};
+
 enum class Colour { displacement, speed, layer, material };
 
 struct Output {
@@ -89,11 +119,14 @@ struct Output {
   Colour colour = Colour::displacement;
   int layers = 6;
   std::vector<double> picture_times;           ///< rising; pictures beside those of the first and last moment
-  std::optional<std::array<Point, 2>> window;  ///< lower left, upper right
+  std::optional<std::array<Point, 2>> window;  ///< lowest and highest corner
+  double azimuth = 0;  ///< rad; 3D: direction from which the camera looks, clockwise from +y seen from above
+  double elevation = 0;  ///< rad above the horizontal
 };
 
 /// A scene file, checked as far as it can be without making blocks.
 struct Scene {
+  std::string folder;  ///< of the scene file; the names of other files are relative to it
   std::string title;
   hs_world_def world{};
   double duration = 0;
@@ -104,6 +137,7 @@ struct Scene {
   std::vector<Block> blocks;
   std::vector<JointedRock> jointed_rocks;
   std::vector<Triangulated> triangulated;
+  std::vector<Voronoi> voronoi;
   Output output;
 };
 

@@ -13,9 +13,17 @@ std::string line(std::string name, const std::string& value) {
   return name + value + '\n';
 }
 
+/// Horizontal bounds of all rigid blocks.
 struct Extent {
-  double left = INFINITY;
-  double right = -INFINITY;
+  double low[2] = {INFINITY, INFINITY};
+  double high[2] = {-INFINITY, -INFINITY};
+
+  bool holds(const double position[3], std::size_t axes) const {
+    for (std::size_t axis = 0; axis < axes; ++axis) {
+      if (position[axis] < low[axis] || position[axis] > high[axis]) return false;
+    }
+    return true;
+  }
 };
 
 Extent extent_of(const Frame& frame) {
@@ -23,8 +31,10 @@ Extent extent_of(const Frame& frame) {
   for (const BlockFrame& block : frame.blocks) {
     if (block.state.kind != HS_BLOCK_RIGID) continue;
     for (const Point& p : block.vertices) {
-      extent.left = std::min(extent.left, p[0]);
-      extent.right = std::max(extent.right, p[0]);
+      for (std::size_t axis : {0, 1}) {
+        extent.low[axis] = std::min(extent.low[axis], p[axis]);
+        extent.high[axis] = std::max(extent.high[axis], p[axis]);
+      }
     }
   }
   return extent;
@@ -38,7 +48,7 @@ std::string blocks_text(const Plan& plan) {
                      std::to_string(counts[HS_BLOCK_PRESCRIBED]) + " prescribed)";
   if (plan.left_out > 0) {
     text += "; " + std::to_string(plan.left_out) + " left out as too small, " +
-            rounded(plan.area_left_out, 3) + " m2 in all";
+            rounded(plan.size_left_out, 3) + (plan.dimension == 3 ? " m3 in all" : " m2 in all");
   }
   return text;
 }
@@ -69,19 +79,34 @@ std::string energy_text(const hs_energy& energy) {
   return text;
 }
 
+std::string run_out_text(const RunOut& reach, int dimension) {
+  const auto metres = [](double length) { return decimals(length, 2) + " m "; };
+  std::string text =
+      metres(reach.forwards[0]) + "to the right, " + metres(reach.backwards[0]) + "to the left";
+  if (dimension == 3) {
+    text = metres(reach.forwards[0]) + "towards +x, " + metres(reach.backwards[0]) + "towards -x, " +
+           metres(reach.forwards[1]) + "towards +y, " + metres(reach.backwards[1]) + "towards -y";
+  }
+  return text + "; " + decimals(100 * reach.moved_out, 1) + " % of the mass beyond its first extent";
+}
+
 }  // namespace
 
-RunOut run_out(const Frame& start, const Frame& end) {
+RunOut run_out(const Frame& start, const Frame& end, int dimension) {
+  const std::size_t horizontal_axes = dimension == 3 ? 2 : 1;
   const Extent first = extent_of(start);
   const Extent last = extent_of(end);
-  if (!(first.left <= first.right)) return {};  // no rigid block
-  RunOut result{.right = last.right - first.right, .left = first.left - last.left};
+  if (!(first.low[0] <= first.high[0])) return {};  // no rigid block
+  RunOut result;
+  for (std::size_t axis = 0; axis < horizontal_axes; ++axis) {
+    result.forwards[axis] = last.high[axis] - first.high[axis];
+    result.backwards[axis] = first.low[axis] - last.low[axis];
+  }
   double mass = 0;
   for (const BlockFrame& block : end.blocks) {
     if (block.state.kind != HS_BLOCK_RIGID) continue;
-    const double x = block.state.pose.position[0];
     mass += block.state.mass;
-    if (x < first.left || x > first.right) result.moved_out += block.state.mass;
+    if (!first.holds(block.state.pose.position, horizontal_axes)) result.moved_out += block.state.mass;
   }
   result.moved_out /= mass;
   return result;
@@ -90,7 +115,7 @@ RunOut run_out(const Frame& start, const Frame& end) {
 std::string summary(const Scene& scene, const Model& model, const Frame& start, const Frame& end,
                     Outcome outcome) {
   const hs_world_report& report = model.report();
-  const RunOut reach = run_out(start, end);
+  const RunOut reach = run_out(start, end, scene.world.dimension);
   return line("scene", scene.title) + line("outcome", describe(outcome)) +
          line("blocks", blocks_text(model.plan())) +
          line("simulated", rounded(report.time, 6) + " s in " + std::to_string(report.steps) + " steps of " +
@@ -100,9 +125,7 @@ std::string summary(const Scene& scene, const Model& model, const Frame& start, 
                               rounded(report.largest_overlap, 3) + " m, fastest block " +
                               rounded(report.largest_speed, 3) + " m/s") +
          line("energy residual", energy_text(report.energy)) +
-         line("run-out", decimals(reach.right, 2) + " m to the right, " + decimals(reach.left, 2) +
-                             " m to the left; " + decimals(100 * reach.moved_out, 1) +
-                             " % of the mass beyond its first extent");
+         line("run-out", run_out_text(reach, scene.world.dimension));
 }
 
 std::string timings(const hs_world_report& report, double seconds) {

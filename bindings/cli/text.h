@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <charconv>
 #include <string>
 
@@ -23,6 +24,13 @@ inline std::string decimals(double value, int count) {
   char buffer[400];  // the largest double has 309 digits before the point
   return std::string(
       buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, count).ptr);
+}
+
+/// A point as scene files have it: [x, y] or [x, y, z].
+inline std::string described(const std::array<double, 3>& point, int dimension = 3) {
+  std::string text = '[' + shortest(point[0]) + ", " + shortest(point[1]);
+  if (dimension == 3) text += ", " + shortest(point[2]);
+  return text + ']';
 }
 
 }  // namespace halfspace::cli

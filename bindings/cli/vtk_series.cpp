@@ -34,45 +34,64 @@ class Appended {
   std::string bytes_;
 };
 
-void append_vector(std::vector<double>& values, double x, double y) {
-  values.insert(values.end(), {x, y, 0.0});
+/// One value or vector for each cell.
+struct CellArray {
+  void add(const double* components) { values.insert(values.end(), components, components + count); }
+
+  const char* name;
+  int count;  ///< of components
+  std::vector<double> values = {};
+};
+
+/// What 2D and 3D tell differently: how a block is turned and turns.
+void add_turning(const hs_block_state& state, CellArray& turned, CellArray& spin) {
+  turned.add(turned.count == 1 ? &state.angle : state.pose.rotation);
+  spin.add(spin.count == 1 ? &state.angular_velocity[2] : state.angular_velocity);
 }
 
-std::string cell_data(const Frame& frame, const Frame& start, Appended& data) {
+std::string cell_data(const Plan& plan, const Frame& frame, const Frame& start, Appended& data) {
+  const bool in_plane = plan.dimension == 2;
   std::vector<std::int64_t> block;
   std::vector<std::int32_t> kind, material;
-  std::vector<double> velocity, displacement, angle, spin, force;
+  CellArray velocity{"velocity", 3}, displacement{"displacement", 3}, force{"contact_force", 3};
+  CellArray turned = in_plane ? CellArray{"angle", 1} : CellArray{"rotation", 4};
+  CellArray spin{"angular_velocity", in_plane ? 1 : 3};
   for (std::size_t i = 0; i < frame.blocks.size(); ++i) {
     const hs_block_state& now = frame.blocks[i].state;
     const hs_block_state& then = start.blocks[i].state;
-    block.push_back(static_cast<std::int64_t>(i));
-    kind.push_back(now.kind);
-    material.push_back(now.material);
-    append_vector(velocity, now.velocity[0], now.velocity[1]);
-    append_vector(displacement, now.pose.position[0] - then.pose.position[0],
-                  now.pose.position[1] - then.pose.position[1]);
-    angle.push_back(now.angle);
-    spin.push_back(now.angular_velocity[2]);
-    append_vector(force, now.force[0], now.force[1]);
+    double moved[3];
+    for (int axis = 0; axis < 3; ++axis) moved[axis] = now.pose.position[axis] - then.pose.position[axis];
+    for (std::size_t face = 0; face < plan.blocks[i].faces.size(); ++face) {
+      block.push_back(static_cast<std::int64_t>(i));
+      kind.push_back(now.kind);
+      material.push_back(now.material);
+      velocity.add(now.velocity);
+      displacement.add(moved);
+      add_turning(now, turned, spin);
+      force.add(now.force);
+    }
   }
-  return "<CellData>\n" + data.add("Int64", "block", 1, block) + data.add("Int32", "kind", 1, kind) +
-         data.add("Int32", "material", 1, material) + data.add("Float64", "velocity", 3, velocity) +
-         data.add("Float64", "displacement", 3, displacement) + data.add("Float64", "angle", 1, angle) +
-         data.add("Float64", "angular_velocity", 1, spin) + data.add("Float64", "contact_force", 3, force) +
-         "</CellData>\n";
+  std::string text = "<CellData>\n";
+  text += data.add("Int64", "block", 1, block);
+  text += data.add("Int32", "kind", 1, kind);
+  text += data.add("Int32", "material", 1, material);
+  for (const CellArray* array : {&velocity, &displacement, &turned, &spin, &force})
+    text += data.add("Float64", array->name, array->count, array->values);
+  return text + "</CellData>\n";
 }
 
 }  // namespace
 
-std::string vtk_polygons(const Frame& frame, const Frame& start) {
+std::string vtk_polygons(const Plan& plan, const Frame& frame, const Frame& start) {
   std::vector<double> points;
   std::vector<std::int64_t> connectivity, offsets;
-  for (const BlockFrame& block : frame.blocks) {
-    for (const Point& p : block.vertices) {
-      connectivity.push_back(static_cast<std::int64_t>(connectivity.size()));
-      append_vector(points, p[0], p[1]);
+  for (std::size_t i = 0; i < frame.blocks.size(); ++i) {
+    const std::size_t first = points.size() / 3;
+    for (const Point& p : frame.blocks[i].vertices) points.insert(points.end(), p.begin(), p.end());
+    for (const std::vector<int>& face : plan.blocks[i].faces) {
+      for (int vertex : face) connectivity.push_back(static_cast<std::int64_t>(first) + vertex);
+      offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
     }
-    offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
   }
   Appended data;
   const char* order = std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
@@ -81,9 +100,9 @@ std::string vtk_polygons(const Frame& frame, const Frame& start) {
       order + "\" header_type=\"UInt64\">\n<PolyData>\n<FieldData>\n";
   text += "<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">" +
           shortest(frame.time) + "</DataArray>\n</FieldData>\n";
-  text += "<Piece NumberOfPoints=\"" + std::to_string(connectivity.size()) + "\" NumberOfPolys=\"" +
+  text += "<Piece NumberOfPoints=\"" + std::to_string(points.size() / 3) + "\" NumberOfPolys=\"" +
           std::to_string(offsets.size()) + "\">\n";
-  text += cell_data(frame, start, data);
+  text += cell_data(plan, frame, start, data);
   text += "<Points>\n" + data.add("Float64", "points", 3, points) + "</Points>\n";
   text += "<Polys>\n" + data.add("Int64", "connectivity", 1, connectivity) +
           data.add("Int64", "offsets", 1, offsets) + "</Polys>\n";
@@ -95,7 +114,7 @@ std::string vtk_polygons(const Frame& frame, const Frame& start) {
 void VtkSeries::add(const Frame& frame, const Frame& start) {
   char name[32];
   std::snprintf(name, sizeof name, "frames/frame_%04d.vtp", count_++);
-  directory_.write(name, vtk_polygons(frame, start));
+  directory_.write(name, vtk_polygons(plan_, frame, start));
   entries_ += "<DataSet timestep=\"" + shortest(frame.time) + "\" part=\"0\" file=\"" + name + "\"/>\n";
   directory_.write("run.pvd",
                    "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n" +

@@ -8,16 +8,18 @@
 
 namespace halfspace::cli {
 
-/// One frame as VTK XML PolyData: a polygon per block, with its motion as cell data.
-std::string vtk_polygons(const Frame& frame, const Frame& start);
+/// One frame as VTK XML PolyData: the faces of each block (in 2D the block itself is the one), with its
+/// motion as cell data.
+std::string vtk_polygons(const Plan& plan, const Frame& frame, const Frame& start);
 
 /// The frames of a run for ParaView: frames/frame_0000.vtp, ... and run.pvd, which gives their times.
 class VtkSeries {
  public:
-  explicit VtkSeries(OutputDirectory& directory) : directory_(directory) {}
+  VtkSeries(const Plan& plan, OutputDirectory& directory) : plan_(plan), directory_(directory) {}
   void add(const Frame& frame, const Frame& start);
 
  private:
+  const Plan& plan_;
   OutputDirectory& directory_;
   std::string entries_;
   int count_ = 0;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "block/tiling.h"
+
 namespace halfspace {
 namespace {
 
@@ -158,22 +160,45 @@ Outline<3> Outlines<3>::operator[](std::int32_t slot) const {
   return {&topology, p, p + v, p + 2 * v, n, n + f, n + 2 * f, n + 3 * f};
 }
 
-template <int D>
-bool Outlines<D>::is_consistent() const {
-  if (form_.size() != first_.size() || own_.size() != turned_.size()) return false;
-  if constexpr (D == 3) return topologies_.is_consistent();
+template <>
+bool Outlines<2>::is_form(std::int32_t form) const {
+  return form >= 3 && std::size_t(form) <= own_.size();
+}
+
+template <>
+bool Outlines<3>::is_form(std::int32_t form) const {
+  return topologies_.has(form);
+}
+
+template <>
+bool Outlines<2>::counts_users(std::span<const std::int32_t>) const {
+  return true;
+}
+
+/// A topology that fewer had than do would go while it is needed.
+template <>
+bool Outlines<3>::counts_users(std::span<const std::int32_t> living) const {
+  Array<std::int32_t> users(topologies_.size(), 0, form_.get_allocator());
+  for (const std::int32_t slot : living) ++users[std::size_t(form_[std::size_t(slot)])];
+  for (std::size_t i = 0; i < users.size(); ++i) {
+    if (users[i] != topologies_.users(std::int32_t(i))) return false;
+  }
   return true;
 }
 
 template <int D>
-bool Outlines<D>::is_consistent(std::size_t slot) const {
-  const std::int32_t form = form_[slot];
-  if constexpr (D == 2) {
-    if (form < 3 || std::size_t(form) > own_.size()) return false;
-  } else {
-    if (!topologies_.has(form)) return false;
+bool Outlines<D>::is_consistent(std::span<const std::int32_t> living) const {
+  if (form_.size() != first_.size() || own_.size() != turned_.size()) return false;
+  if constexpr (D == 3) {
+    if (!topologies_.is_consistent()) return false;
   }
-  return first_[slot] >= 0 && first_[slot] <= std::int64_t(own_.size()) - std::int64_t(length(form));
+  Array<Range> ranges(first_.get_allocator().resource());
+  for (const std::int32_t slot : living) {
+    const std::int32_t form = form_[std::size_t(slot)];
+    if (!is_form(form)) return false;
+    ranges.push_back({first_[std::size_t(slot)], std::int64_t(length(form))});
+  }
+  return fill_without_gap(ranges, own_.size()) && counts_users(living);
 }
 
 template class Outlines<2>;

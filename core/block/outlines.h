@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <type_traits>
 
 #include "block/topologies.h"
@@ -40,9 +41,8 @@ class Outlines {
   /// Valid until a block is added or removed.
   Outline<D> operator[](std::int32_t slot) const;
 
-  /// False for what cannot be, after reading a snapshot.
-  bool is_consistent() const;
-  bool is_consistent(std::size_t slot) const;
+  /// False for what cannot be, after reading a snapshot, when the blocks of these slots live.
+  bool is_consistent(std::span<const std::int32_t> living) const;
 
   template <class Archive>
   void visit(Archive& archive) {
@@ -55,6 +55,8 @@ class Outlines {
     explicit NoTopologies(Memory*) {}
   };
 
+  bool is_form(std::int32_t form) const;
+  bool counts_users(std::span<const std::int32_t> living) const;
   std::size_t length(std::int32_t form) const;
 
   Array<std::int64_t> first_;  // of the block's components in own_ and turned_
@@ -69,6 +71,14 @@ template <>
 Outline<2> Outlines<2>::operator[](std::int32_t slot) const;
 template <>
 Outline<3> Outlines<3>::operator[](std::int32_t slot) const;
+template <>
+bool Outlines<2>::is_form(std::int32_t form) const;
+template <>
+bool Outlines<3>::is_form(std::int32_t form) const;
+template <>
+bool Outlines<2>::counts_users(std::span<const std::int32_t> living) const;
+template <>
+bool Outlines<3>::counts_users(std::span<const std::int32_t> living) const;
 template <>
 std::size_t Outlines<2>::length(std::int32_t form) const;
 template <>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "block/tiling.h"
 #include "geometry/polyhedron_topology.h"
 
 namespace halfspace {
@@ -117,8 +118,11 @@ bool Topologies::leads_nowhere_else(const Topology& t) const {
   const auto all_below = [](const std::int32_t* array, std::int64_t length, std::int32_t count) {
     return std::all_of(array, array + length, [count](std::int32_t i) { return i >= 0 && i < count; });
   };
+  // A face has at least three corners, and three faces meet at a vertex.
   const auto splits = [](const std::int32_t* first, std::int32_t lists, std::int32_t entries) {
-    return first[0] == 0 && first[lists] == entries && std::is_sorted(first, first + lists + 1);
+    const auto is_short = [](std::int64_t begin, std::int64_t end) { return end - begin < 3; };
+    return first[0] == 0 && first[lists] == entries &&
+           std::adjacent_find(first, first + lists + 1, is_short) == first + lists + 1;
   };
   const std::int32_t halves = 2 * t.edge_count;
   return splits(t.first_of_face, t.face_count, halves) && splits(t.first_of_vertex, t.vertex_count, halves) &&
@@ -133,10 +137,12 @@ bool Topologies::leads_nowhere_else(const Topology& t) const {
 
 bool Topologies::is_consistent() const {
   if (views_.size() != kept_.size()) return false;
+  Array<Range> ranges(kept_.get_allocator().resource());
   for (std::size_t i = 0; i < kept_.size(); ++i) {
     if (kept_[i].users < 0 || (kept_[i].users > 0 && !leads_nowhere_else(views_[i]))) return false;
+    if (kept_[i].users > 0) ranges.push_back({kept_[i].first, kept_[i].length()});
   }
-  return true;
+  return fill_without_gap(ranges, indices_.size());
 }
 
 }  // namespace halfspace

@@ -21,9 +21,13 @@ class Topologies {
 
   /// False for what cannot be, after reading a snapshot: no topology read from it leads out of its arrays.
   bool is_consistent() const;
-  bool has(std::int32_t which) const {
-    return which >= 0 && std::size_t(which) < kept_.size() && kept_[std::size_t(which)].users > 0;
+  bool has(std::int32_t which) const { return users(which) > 0; }
+  /// How many blocks have it.
+  std::int32_t users(std::int32_t which) const {
+    return which >= 0 && std::size_t(which) < kept_.size() ? kept_[std::size_t(which)].users : 0;
   }
+  /// All there are are below this.
+  std::size_t size() const { return kept_.size(); }
 
   template <class Archive>
   void visit(Archive& archive) {

@@ -27,7 +27,7 @@ PotentialPair<3> edge_pair(int owner, int edge, int edge_of_other) {
 
 int face_along(const Outline<3>& block, int vertex, const Vector<3>& direction) {
   const Topology& topology = *block.topology;
-  int best = -1;
+  int best = topology.vertex_face[topology.first_of_vertex[vertex]];
   double most = -HUGE_VAL;
   for (int k = topology.first_of_vertex[vertex]; k < topology.first_of_vertex[vertex + 1]; ++k) {
     const int face = topology.vertex_face[k];

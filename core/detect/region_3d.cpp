@@ -48,7 +48,7 @@ struct Facing {
 
 Facing facing_face(const FaceVertex& f) {
   const Topology& topology = *f.other.topology;
-  int best = -1;
+  int best = topology.vertex_face[topology.first_of_vertex[f.vertex]];
   double most_opposed = HUGE_VAL;
   for (int k = topology.first_of_vertex[f.vertex]; k < topology.first_of_vertex[f.vertex + 1]; ++k) {
     const double cosine = f.other.normal(topology.vertex_face[k]).dot(f.normal);
@@ -62,7 +62,7 @@ Facing facing_face(const FaceVertex& f) {
 /// Of edges, by the neighbour at the far end.
 Facing facing_edge(const FaceVertex& f) {
   const Topology& topology = *f.other.topology;
-  Facing best{-1, HUGE_VAL};
+  Facing best{topology.vertex_neighbour[topology.first_of_vertex[f.vertex]], HUGE_VAL};
   for (int k = topology.first_of_vertex[f.vertex]; k < topology.first_of_vertex[f.vertex + 1]; ++k) {
     const Vector<3> along = f.other.vertex(topology.vertex_neighbour[k]) - f.other.vertex(f.vertex);
     const double sine = std::abs(f.normal.dot(along)) / along.norm();
@@ -184,15 +184,29 @@ void describe_vertex_vertex(const FaceVertex& f, int vertex_of_owner, Contact<3>
   describe_point(ContactType::vertex_vertex, point, contact);
 }
 
+/// The point of the face's border at a share of the length of the edge that the foot lies by.
+Vector<3> point_of_border(const FaceVertex& f, const Place& place, double share) {
+  const Vector<3> start = f.owner.vertex(f.polygon.vertex(place.corner));
+  const Vector<3> end = f.owner.vertex(f.polygon.vertex(f.polygon.next(place.corner)));
+  return start + share * (end - start);
+}
+
 /// A vertex meets an edge: the normal is that of the sum of both half-spaces' normals (section 2.5).
 void describe_vertex_edge(const FaceVertex& f, const Vector<3>& normal_across, const Place& place,
                           Contact<3>& contact) {
-  const Vector<3> start = f.owner.vertex(f.polygon.vertex(place.corner));
-  const Vector<3> end = f.owner.vertex(f.polygon.vertex(f.polygon.next(place.corner)));
-  const Vector<3> point = start + place.along / place.length * (end - start);
+  const Vector<3> point = point_of_border(f, place, place.along / place.length);
   contact.normal = (f.normal + normal_across).normalized();
   contact.gap = contact.normal.dot((f.other.vertex(f.vertex) - point) + f.to_other);
   describe_point(ContactType::vertex_edge, point, contact);
+}
+
+/// The foot of the vertex lies outside the face: the contact is at the border then, with the face's own
+/// normal and gap. A normal between two faces would find a depth between points that lie apart.
+void describe_border(const FaceVertex& f, const Place& place, Contact<3>& contact) {
+  const double share = place.along / place.length;
+  const bool at_corner = share <= 0 || share >= 1;
+  describe_point(at_corner ? ContactType::vertex_vertex : ContactType::vertex_edge,
+                 point_of_border(f, place, std::clamp(share, 0.0, 1.0)), contact);
 }
 
 /// The region of a face and what is parallel to it of the other block at the vertex: a face, or else an edge.
@@ -224,6 +238,12 @@ PotentialPair<3> describe_face_vertex(const Outline<3>& a, const Outline<3>& b, 
   const int edge_of_face = a.topology->face_edge[a.topology->first_of_face[f.face] + place.corner];
   const Facet across =
       facet_across(a, b, side_along(*a.topology, 0, f.face, edge_of_face, f.vertex), f.normal);
+  if (place.beyond > place.zone) {
+    // What stands in until the pair has moved, or where it cannot move on: between blocks that touch with
+    // faces in one plane that only meet at their borders.
+    describe_border(f, place, contact);
+    return across.pair;
+  }
   if (place.along <= place.zone) {
     describe_vertex_vertex(f, f.polygon.vertex(place.corner), contact);
   } else if (place.along >= place.length - place.zone) {
@@ -231,7 +251,7 @@ PotentialPair<3> describe_face_vertex(const Outline<3>& a, const Outline<3>& b, 
   } else {
     describe_vertex_edge(f, across.normal, place, contact);
   }
-  return place.beyond > place.zone ? across.pair : pair;
+  return pair;
 }
 
 PotentialPair<3> swapped(const PotentialPair<3>& pair) {

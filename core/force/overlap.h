@@ -21,9 +21,21 @@ struct Overlap {
 Overlap<2> measure_overlap(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
                            const PotentialPair<2>& pair);
 
-/// The same in space, over a face. Between two edges: the depth between the planes of the faces at both, over
-/// the quadrilateral that they have in common. Cost grows with the number of faces.
+/// What two blocks have in common, seen along a contact's normal: the depth is that from the one's surface to
+/// the other's, so that the content is the volume of their intersection. The centre lies on the contact
+/// plane, which goes through `point`. Cost grows with the number of faces, and with the product of those that
+/// reach behind the other block's foremost point.
 Overlap<3> measure_overlap(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
-                           const PotentialPair<3>& pair);
+                           const Vector<3>& normal, const Vector<3>& point);
+
+/// The overlap that a contact's force follows from.
+inline Overlap<2> overlap_of(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
+                             const Contact<2>& contact) {
+  return measure_overlap(a, b, to_b, contact.pair);
+}
+inline Overlap<3> overlap_of(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
+                             const Contact<3>& contact) {
+  return measure_overlap(a, b, to_b, contact.normal, contact.center);
+}
 
 }  // namespace halfspace

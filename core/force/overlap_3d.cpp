@@ -2,21 +2,19 @@
 #include <cmath>
 #include <utility>
 
-#include "detect/potential_pairs_3d.h"
 #include "detect/region_3d_plane.h"
 #include "force/overlap.h"
 
 namespace halfspace {
 namespace {
 
-/// A point of a block's surface over the contact plane, and how deep it lies behind it.
+/// A point of a's surface, seen along the contact's normal, and how far a face of b lies beneath it.
 struct DepthPoint {
   Vector<2> foot;
   double depth;
 };
 
-/// What is summed over triangles on which the depth is linear. Faces that look away from the plane take off
-/// what those that face it have put under them too much: their triangles run the other way round.
+/// What is summed over triangles on which the depth is linear.
 struct DepthSums {
   double volume = 0;
   double depth_squared = 0;
@@ -24,8 +22,8 @@ struct DepthSums {
   Vector<2> moment{0, 0};
   double polar_moment = 0;
 
-  void add(const DepthPoint& p, const DepthPoint& q, const DepthPoint& r) {
-    const double area = 0.5 * cross(q.foot - p.foot, r.foot - p.foot);
+  void add(const DepthPoint& p, const DepthPoint& q, const DepthPoint& r, double sign) {
+    const double area = 0.5 * sign * cross(q.foot - p.foot, r.foot - p.foot);
     const double sum = p.depth + q.depth + r.depth;
     volume += area / 3 * sum;
     depth_squared += area / 6 *
@@ -49,18 +47,6 @@ struct DepthSums {
                      2 * (2 * u.dot(v) + v.dot(w) + 2 * w.dot(u)));
   }
 };
-
-Overlap<3> overlap_of(const DepthSums& sums, const PlaneFrame& plane) {
-  Overlap<3> overlap;
-  if (!(sums.volume > 0)) return overlap;
-  const Vector<2> center = sums.moment / sums.volume;
-  overlap.content = sums.volume;
-  overlap.depth_squared = sums.depth_squared;
-  overlap.base = std::max(sums.base, 0.0);
-  overlap.center = plane.at(center);
-  overlap.twist_radius = std::sqrt(std::max(sums.polar_moment / sums.volume - center.squaredNorm(), 0.0));
-  return overlap;
-}
 
 /// Calls `visit(from, to)` for the pieces of a fan that a convex polygon of many corners is cut into: each
 /// has the first corner and those from `from` to `to`.
@@ -96,8 +82,8 @@ class DepthPolygon {
     *this = kept;
   }
 
-  void add_to(DepthSums& sums) const {
-    for (int i = 1; i + 1 < count_; ++i) sums.add(corner_[0], corner_[i], corner_[i + 1]);
+  void add_to(DepthSums& sums, double sign) const {
+    for (int i = 1; i + 1 < count_; ++i) sums.add(corner_[0], corner_[i], corner_[i + 1], sign);
   }
 
  private:
@@ -106,143 +92,156 @@ class DepthPolygon {
   DepthPoint corner_[room];
 };
 
-/// Depth of the other block behind a face, seen from the block that owns the face.
-class FaceDepth {
- public:
-  FaceDepth(const Outline<3>& owner, int face, const Outline<3>& other, const Vector<3>& to_other)
-      : owner_(owner),
-        face_(face),
-        other_(other),
-        to_other_(to_other),
-        plane_(owner.normal(face),
-               owner.vertex(owner.topology->face_vertex[owner.topology->first_of_face[face]])),
-        polygon_(plane_, owner, face, Vector<3>::Zero()) {}
+/// Extent of a face, or of a block, seen along the normal: on the contact plane, and above it.
+struct Extent {
+  Vector<3> lower{HUGE_VAL, HUGE_VAL, HUGE_VAL};
+  Vector<3> upper{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
 
-  Overlap<3> measure() const {
-    DepthSums sums;
-    for (int f = 0; f < other_.face_count(); ++f) {
-      if (reaches_behind(f)) add_face(f, sums);
+  void include(const Vector<3>& p) {
+    lower = lower.cwiseMin(p);
+    upper = upper.cwiseMax(p);
+  }
+  /// Can something of this lie over something of the other?
+  bool may_cover(const Extent& other) const {
+    return upper.z() > other.lower.z() && lower.x() < other.upper.x() && other.lower.x() < upper.x() &&
+           lower.y() < other.upper.y() && other.lower.y() < upper.y();
+  }
+};
+
+/// A block seen along the normal of a plane: two coordinates on it, and the height. Those of the first
+/// vertices are kept; of larger blocks the others are made as they are asked for.
+class SeenBlock {
+ public:
+  SeenBlock(const PlaneFrame& plane, const Outline<3>& block, const Vector<3>& shift)
+      : plane_(plane), block_(block), shift_(shift) {
+    for (int v = 0; v < block.vertex_count(); ++v) {
+      const Vector<3> p = make(v);
+      if (v < most_kept) kept_[v] = p;
+      extent_.include(p);
     }
-    // Faces that face the plane are seen from behind: clockwise.
-    sums.volume = -sums.volume;
-    sums.depth_squared = -sums.depth_squared;
-    sums.base = -sums.base;
-    sums.moment = -sums.moment;
-    sums.polar_moment = -sums.polar_moment;
-    return overlap_of(sums, plane_);
+  }
+
+  const Topology& topology() const { return *block_.topology; }
+  Vector<3> vertex(int v) const { return v < most_kept ? kept_[v] : make(v); }
+  const Extent& extent() const { return extent_; }
+  Extent extent_of(int face) const {
+    const Topology& t = topology();
+    Extent extent;
+    for (int k = t.first_of_face[face]; k < t.first_of_face[face + 1]; ++k)
+      extent.include(vertex(t.face_vertex[k]));
+    return extent;
+  }
+  /// Outer normal in these coordinates.
+  Vector<3> normal(int face) const {
+    const Vector<3> n = block_.normal(face);
+    return {plane_.along.dot(n), plane_.across.dot(n), plane_.normal.dot(n)};
+  }
+  double offset(int face, const Vector<3>& n) const {
+    return n.dot(vertex(topology().face_vertex[topology().first_of_face[face]]));
   }
 
  private:
-  DepthPoint at(int vertex) const {
-    const Vector<3> p = other_.vertex(vertex) + to_other_;
-    return {plane_.foot_of(p), owner_.offset[face_] - plane_.normal.dot(p)};
+  Vector<3> make(int v) const {
+    const Vector<3> p = block_.vertex(v) + shift_ - plane_.origin;
+    return {plane_.along.dot(p), plane_.across.dot(p), plane_.normal.dot(p)};
   }
 
-  bool reaches_behind(int f) const {
-    const Topology& t = *other_.topology;
-    return std::any_of(t.face_vertex + t.first_of_face[f], t.face_vertex + t.first_of_face[f + 1],
-                       [&](int v) { return at(v).depth > 0; });
+  static constexpr int most_kept = 64;
+  const PlaneFrame& plane_;
+  const Outline<3>& block_;
+  Vector<3> shift_;
+  Vector<3> kept_[most_kept];
+  Extent extent_;
+};
+
+/// A face seen so: its corners counter-clockwise whether it looks up or down, and the height of its plane.
+class SeenFace {
+ public:
+  SeenFace(const SeenBlock& block, int face)
+      : block_(block),
+        first_(block.topology().first_of_face[face]),
+        count_(block.topology().first_of_face[face + 1] - first_) {
+    const Vector<3> normal = block.normal(face);
+    constexpr double upright = 1e-9;  // the cosine: what a steeper face covers is less than rounding
+    if (std::abs(normal.z()) <= upright) return;
+    looks_ = normal.z() > 0 ? 1 : -1;
+    slope_ = -normal.head<2>() / normal.z();
+    at_origin_ = block.offset(face, normal) / normal.z();
   }
 
-  /// Pieces of the face, each cut by the plane and by the sides of each piece of the owner's face.
-  void add_face(int f, DepthSums& sums) const {
-    const Topology& t = *other_.topology;
-    const int first = t.first_of_face[f];
-    for_each_piece(t.first_of_face[f + 1] - first, [&](int from, int to) {
-      DepthPolygon behind;
-      behind.add(at(t.face_vertex[first]));
-      for (int i = from; i <= to; ++i) behind.add(at(t.face_vertex[first + i]));
-      behind.cut([](const DepthPoint& p) { return -p.depth; });
-      if (!behind.is_empty())
-        for_each_piece(polygon_.count(), [&](int begin, int end) { add_part(behind, begin, end, sums); });
+  double looks() const { return looks_; }  // 1 up, -1 down, 0 neither
+  int count() const { return count_; }
+  Vector<2> corner(int i) const {
+    const int k = looks_ > 0 ? i : count_ - 1 - i;
+    return block_.vertex(block_.topology().face_vertex[first_ + k]).head<2>();
+  }
+  double height(const Vector<2>& foot) const { return at_origin_ + slope_.dot(foot); }
+
+ private:
+  const SeenBlock& block_;
+  int first_;
+  int count_;
+  double looks_ = 0;
+  double at_origin_ = 0;
+  Vector<2> slope_{0, 0};
+};
+
+/// Adds the depth of a face of b beneath one of a, where they lie over one another. Along a line through both
+/// blocks, from the upper and lower side of each, the length that they have in common is
+/// (upper a - lower b) - (upper a - upper b) - (lower a - lower b) + (lower a - upper b), each only as far as
+/// above 0; and half the same sum of squares is its integral over the way by which b has come down on a. So
+/// the force is the energy's derivative.
+void add_between(const SeenFace& of_a, const SeenFace& of_b, DepthSums& sums) {
+  const double sign = -of_a.looks() * of_b.looks();
+  const auto point = [&](const Vector<2>& foot) {
+    return DepthPoint{foot, of_a.height(foot) - of_b.height(foot)};
+  };
+  for_each_piece(of_a.count(), [&](int from, int to) {
+    DepthPolygon above;
+    above.add(point(of_a.corner(0)));
+    for (int i = from; i <= to; ++i) above.add(point(of_a.corner(i)));
+    above.cut([](const DepthPoint& p) { return -p.depth; });
+    if (above.is_empty()) return;
+    for_each_piece(of_b.count(), [&](int begin, int end) {
+      DepthPolygon part = above;
+      Vector<2> corner = of_b.corner(0);
+      const auto cut_by_side_to = [&](const Vector<2>& next) {
+        const HalfPlane side(std::exchange(corner, next), next, 0);
+        if (!part.is_empty()) part.cut([&](const DepthPoint& p) { return side.height(p.foot); });
+      };
+      for (int i = begin; i <= end; ++i) cut_by_side_to(of_b.corner(i));
+      cut_by_side_to(of_b.corner(0));
+      part.add_to(sums, sign);
     });
-  }
-
-  void add_part(DepthPolygon part, int begin, int end, DepthSums& sums) const {
-    Vector<2> corner = polygon_.corner(0);
-    const auto cut_by_side_to = [&](const Vector<2>& next) {
-      const HalfPlane side(std::exchange(corner, next), next, 0);
-      part.cut([&](const DepthPoint& p) { return side.height(p.foot); });
-    };
-    for (int i = begin; i <= end; ++i) cut_by_side_to(polygon_.corner(i));
-    cut_by_side_to(polygon_.corner(0));
-    part.add_to(sums);
-  }
-
-  const Outline<3>& owner_;
-  int face_;
-  const Outline<3>& other_;
-  Vector<3> to_other_;
-  PlaneFrame plane_;
-  FlatFace polygon_;
-};
-
-/// How far the other edge's direction runs through a wedge before its surface is reached, both ways from the
-/// point where it is `depth` deep along `normal`, and no farther than the edge itself.
-struct Chord {
-  double ahead;
-  double back;
-};
-
-Chord chord_through(const Outline<3>& wedge, int edge, const Vector<3>& outward, double depth,
-                    const Vector<3>& along, double to_end, double to_start) {
-  Chord chord{to_end, to_start};
-  for (const int face : {wedge.topology->edge_left[edge], wedge.topology->edge_right[edge]}) {
-    const Vector<3> normal = wedge.normal(face);
-    const double climb = normal.dot(along), height = depth * normal.dot(outward);
-    if (climb > 0) chord.ahead = std::min(chord.ahead, height / climb);
-    if (climb < 0) chord.back = std::min(chord.back, height / -climb);
-  }
-  return chord;
-}
-
-/// Of two edges: from the crossing, where it is deepest, the depth falls to nothing along each edge either
-/// way, and linearly between.
-Overlap<3> between_edges(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
-                         const PotentialPair<3>& pair) {
-  const Vector<3> normal = edge_pair_normal(a, pair.a, b, pair.b);
-  const Vector<3> start_a = a.vertex(a.topology->edge_start[pair.a]);
-  const Vector<3> start_b = b.vertex(b.topology->edge_start[pair.b]) + to_b;
-  const Vector<3> edge_a = edge_vector(a, pair.a), edge_b = edge_vector(b, pair.b);
-  const double depth = normal.dot(start_a - start_b);
-  const Vector<3> across = cross_product(edge_a, edge_b);
-  const double squared = across.squaredNorm();
-  if (!(depth > 0) || squared == 0) return {};
-  const double s = std::clamp(cross_product(start_b - start_a, edge_b).dot(across) / squared, 0.0, 1.0);
-  const double t = std::clamp(cross_product(start_b - start_a, edge_a).dot(across) / squared, 0.0, 1.0);
-  const double length_a = edge_a.norm(), length_b = edge_b.norm();
-  const Vector<3> along_a = edge_a / length_a, along_b = edge_b / length_b;
-  const Chord of_a = chord_through(b, pair.b, -normal, depth, along_a, (1 - s) * length_a, s * length_a);
-  const Chord of_b = chord_through(a, pair.a, normal, depth, along_b, (1 - t) * length_b, t * length_b);
-
-  const Vector<3> middle = start_a + s * edge_a - 0.5 * depth * normal;
-  const PlaneFrame plane(normal, middle);
-  const DepthPoint peak{{0, 0}, depth};
-  DepthPoint rim[] = {{plane.in_plane(of_a.ahead * along_a), 0},
-                      {plane.in_plane(of_b.ahead * along_b), 0},
-                      {plane.in_plane(-of_a.back * along_a), 0},
-                      {plane.in_plane(-of_b.back * along_b), 0}};
-  if (cross(rim[0].foot, rim[1].foot) < 0 || cross(rim[1].foot, rim[2].foot) < 0) std::swap(rim[1], rim[3]);
-  DepthSums sums;
-  for (int i = 0; i < 4; ++i) sums.add(peak, rim[i], rim[(i + 1) % 4]);
-  return overlap_of(sums, plane);
+  });
 }
 
 }  // namespace
 
 Overlap<3> measure_overlap(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
-                           const PotentialPair<3>& pair) {
-  switch (pair.kind) {
-    case PotentialPair<3>::face_vertex:
-      return FaceDepth(a, pair.a, b, to_b).measure();
-    case PotentialPair<3>::vertex_face: {
-      Overlap<3> overlap = FaceDepth(b, pair.b, a, -to_b).measure();
-      overlap.center += to_b;
-      return overlap;
+                           const Vector<3>& normal, const Vector<3>& point) {
+  const PlaneFrame plane(normal, point);
+  const SeenBlock seen_a(plane, a, Vector<3>::Zero()), seen_b(plane, b, to_b);
+  DepthSums sums;
+  for (int i = 0; i < a.face_count(); ++i) {
+    const Extent extent = seen_a.extent_of(i);
+    const SeenFace of_a(seen_a, i);
+    if (of_a.looks() == 0 || !extent.may_cover(seen_b.extent())) continue;
+    for (int j = 0; j < b.face_count(); ++j) {
+      if (!extent.may_cover(seen_b.extent_of(j))) continue;
+      const SeenFace of_b(seen_b, j);
+      if (of_b.looks() != 0) add_between(of_a, of_b, sums);
     }
-    default:
-      return between_edges(a, b, to_b, pair);
   }
+  Overlap<3> overlap;
+  if (!(sums.volume > 0)) return overlap;
+  const Vector<2> center = sums.moment / sums.volume;
+  overlap.content = sums.volume;
+  overlap.depth_squared = sums.depth_squared;
+  overlap.base = std::max(sums.base, 0.0);
+  overlap.center = plane.at(center);
+  overlap.twist_radius = std::sqrt(std::max(sums.polar_moment / sums.volume - center.squaredNorm(), 0.0));
+  return overlap;
 }
 
 }  // namespace halfspace

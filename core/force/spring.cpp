@@ -100,31 +100,47 @@ typename Spring<D>::NormalPart Spring<D>::normal_part(const Contact<D>& contact,
                                                         : per_contact(contact, motion, bonded, energy);
 }
 
+template <int D>
+typename Spring<D>::ShearTrial Spring<D>::shear_trial(const NormalPart& normal, const Contact<D>& contact,
+                                                      const PairMotion<D>& motion,
+                                                      const ShearSpring<D>& spring) const {
+  ShearTrial trial;
+  if (!law_.resists_shear()) return trial;
+  const bool per_area = law_.stiffness_kind == StiffnessKind::per_area;
+  trial.stiffness = law_.shear_stiffness * (per_area ? normal.base : 1);
+  trial.velocity =
+      slip_velocity(motion.relative_at(normal.center), contact.normal, motion, normal.twist_radius);
+  trial.before = carried(spring, contact.normal, motion, elapsed_);
+  trial.force = trial.before - trial.stiffness * (elapsed_ * trial.velocity);
+  return trial;
+}
+
+template <int D>
+double Spring<D>::shear_limit(const NormalPart& normal, bool bonded) const {
+  const double friction = std::max(normal.force, 0.0) * law_.tan_friction;
+  return bonded ? friction + law_.cohesion * normal.base : friction;
+}
+
+template <int D>
+bool Spring<D>::holds(const NormalPart& normal, const ShearTrial& trial) const {
+  return -normal.force <= law_.tensile_strength * normal.base &&
+         trial.force.norm() <= shear_limit(normal, true);
+}
+
 /// Incremental shear spring with Mohr-Coulomb's limit (eqs. 37-40).
 template <int D>
-Shear<D> Spring<D>::shear_force(const NormalPart& normal, const Contact<D>& contact,
-                                const PairMotion<D>& motion, ShearSpring<D>& spring, bool& bonded,
-                                ContactEnergy& energy) const {
-  const bool per_area = law_.stiffness_kind == StiffnessKind::per_area;
-  const double stiffness = law_.shear_stiffness * (per_area ? normal.base : 1);
-  const Shear<D> velocity =
-      slip_velocity(motion.relative_at(normal.center), contact.normal, motion, normal.twist_radius);
+Shear<D> Spring<D>::shear_force(const NormalPart& normal, const ShearTrial& trial, const Contact<D>& contact,
+                                ShearSpring<D>& spring, bool bonded, ContactEnergy& energy) const {
+  const auto& [stiffness, velocity, before, stuck] = trial;
   const Shear<D> slip = elapsed_ * velocity;
-  const double friction = std::max(normal.force, 0.0) * law_.tan_friction;
-  const Shear<D> before = carried(spring, contact.normal, motion, elapsed_);
-  Shear<D> force = before - stiffness * slip;
-  double limit = bonded ? friction + law_.cohesion * normal.base : friction;
-  const double wanted = force.norm();
-  if (wanted > limit && bonded) {
-    bonded = false;
-    limit = friction;
-  }
+  const double limit = shear_limit(normal, bonded), wanted = stuck.norm();
+  Shear<D> force = stuck;
   const bool slides = wanted > limit;
   if (slides) force *= limit / wanted;
 
   // What motion put in and the spring does not hold is lost.
   const auto energy_of = [&](const Shear<D>& f) {
-    return stiffness > 0 ? 0.5 * f.squaredNorm() / stiffness : 0;
+    return trial.stiffness > 0 ? 0.5 * f.squaredNorm() / trial.stiffness : 0;
   };
   if (spring.energy == preloaded) spring.energy = energy_of(before);
   const double stored = energy_of(force);
@@ -147,13 +163,15 @@ PairLoad<D> Spring<D>::evaluate(const Contact<D>& contact, const Overlap<D>& ove
                                 ContactEnergy& energy) const {
   const ContactEnergy before = energy;
   NormalPart normal = normal_part(contact, overlap, motion, bonded, energy);
-  if (bonded && -normal.force > law_.tensile_strength * normal.base) {
-    // Torn: what the bond held is lost, what is still compressed goes on without it.
+  ShearTrial trial = shear_trial(normal, contact, motion, spring);
+  if (bonded && !holds(normal, trial)) {
+    // Torn or sheared off: what the bond held is lost, what is still compressed goes on without it.
     const double held = energy.strain - before.strain;
     bonded = false;
     energy = before;
     normal = normal_part(contact, overlap, motion, bonded, energy);
     energy.friction_loss += held - (energy.strain - before.strain);
+    trial = shear_trial(normal, contact, motion, spring);
   }
 
   ContactForce<D> force;
@@ -161,7 +179,7 @@ PairLoad<D> Spring<D>::evaluate(const Contact<D>& contact, const Overlap<D>& ove
   force.normal_force = normal.force;
   force.couple = normal.couple;
   if (law_.resists_shear()) {
-    force.shear = shear_force(normal, contact, motion, spring, bonded, energy);
+    force.shear = shear_force(normal, trial, contact, spring, bonded, energy);
     force.couple += twisting_moment(force.shear, contact.normal, normal.twist_radius);
   }
   const Vector<D> on_b = force.on_b(contact.normal);

@@ -59,14 +59,26 @@ class Spring {
     Vector<D> center = Vector<D>::Zero();
   };
 
+  /// What the shear spring would be if the contact neither slid nor broke.
+  struct ShearTrial {
+    double stiffness = 0;
+    Shear<D> velocity = Shear<D>::Zero();
+    Shear<D> before = Shear<D>::Zero();
+    Shear<D> force = Shear<D>::Zero();
+  };
+
   NormalPart normal_part(const Contact<D>& contact, const Overlap<D>& overlap, const PairMotion<D>& motion,
                          bool bonded, ContactEnergy& energy) const;
   NormalPart per_contact(const Contact<D>& contact, const PairMotion<D>& motion, bool bonded,
                          ContactEnergy& energy) const;
   NormalPart per_area(const Contact<D>& contact, const Overlap<D>& overlap, const PairMotion<D>& motion,
                       bool bonded, ContactEnergy& energy) const;
-  Shear<D> shear_force(const NormalPart& normal, const Contact<D>& contact, const PairMotion<D>& motion,
-                       ShearSpring<D>& spring, bool& bonded, ContactEnergy& energy) const;
+  ShearTrial shear_trial(const NormalPart& normal, const Contact<D>& contact, const PairMotion<D>& motion,
+                         const ShearSpring<D>& spring) const;
+  double shear_limit(const NormalPart& normal, bool bonded) const;
+  bool holds(const NormalPart& normal, const ShearTrial& trial) const;
+  Shear<D> shear_force(const NormalPart& normal, const ShearTrial& trial, const Contact<D>& contact,
+                       ShearSpring<D>& spring, bool bonded, ContactEnergy& energy) const;
   double viscosity(double share_of_critical, double stiffness) const;
 
   const SpringLaw& law_;

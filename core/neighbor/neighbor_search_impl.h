@@ -19,7 +19,8 @@ template <int D>
 std::int64_t NeighborSearch<D>::cell_index(double coordinate, double cell_size) {
   // Beyond this the cells of a far-off block run together: slower there, but no pair is lost.
   constexpr double farthest = 0x1p60;
-  return std::int64_t(std::floor(std::clamp(coordinate / cell_size, -farthest, farthest)));
+  // In this order what is not a number, which only a damaged snapshot holds, counts as far off too.
+  return std::int64_t(std::floor(std::max(std::min(farthest, coordinate / cell_size), -farthest)));
 }
 
 template <int D>
@@ -87,7 +88,8 @@ void NeighborSearch<D>::search(std::span<const Box<D>> boxes, IsMember is_member
       std::int64_t first[D], last[D];
       for (int k = 0; k < D; ++k) {
         first[k] = cell_index(box.lower[k] - 0.5 * size, size);
-        last[k] = cell_index(box.upper[k] + 0.5 * size, size);
+        // No farther, though a damaged snapshot says so.
+        last[k] = std::min(cell_index(box.upper[k] + 0.5 * size, size), first[k] + 2);
         wanted.index[k] = first[k];
       }
       for (bool more = true; more;) {

@@ -27,20 +27,19 @@ bool Blocks<D>::is_consistent(std::int32_t material_count) const {
       inertia.size(),  radius.size(),     largest_face.size(),  outlines_.slot_count()};
   if (std::any_of(std::begin(sizes), std::end(sizes), [&](std::size_t size) { return size != slots; }))
     return false;
-  if (angle.size() != (D == 2 ? slots : 0) || !outlines_.is_consistent()) return false;
-  std::int64_t living = 0;
+  if (angle.size() != (D == 2 ? slots : 0)) return false;
+  Array<std::int32_t> living(kind.get_allocator().resource());
   for (std::size_t i = 0; i < slots; ++i) {
     if (kind[i] == BlockKind::none) continue;
-    ++living;
+    living.push_back(std::int32_t(i));
     if (kind[i] < BlockKind::fixed || kind[i] > BlockKind::rigid) return false;
     if (material[i] < 0 || material[i] >= material_count) return false;
-    if (!outlines_.is_consistent(i)) return false;
   }
   const auto is_free = [&](std::int32_t slot) {
     return slot >= 0 && std::size_t(slot) < slots && !lives(std::size_t(slot));
   };
-  return living == living_ && std::int64_t(free_slots_.size()) == std::int64_t(slots) - living &&
-         std::all_of(free_slots_.begin(), free_slots_.end(), is_free);
+  return std::int64_t(living.size()) == living_ && free_slots_.size() == slots - living.size() &&
+         std::all_of(free_slots_.begin(), free_slots_.end(), is_free) && outlines_.is_consistent(living);
 }
 
 namespace {
@@ -99,6 +98,7 @@ bool World<D>::is_consistent() const {
   if (acceleration_.size() > slots || momentum_rate_.size() > slots) return false;
   if (!forces_.empty() && forces_.size() != touching_.size()) return false;
   if (!(time_step_ >= 0) || !std::isfinite(time_step_)) return false;
+  if (epoch_step_ < 0 || steps_ < epoch_step_) return false;
   const auto names_a_pair = [&](std::uint32_t candidate) { return candidate < candidates_.pairs().size(); };
   return std::all_of(touching_.begin(), touching_.end(), names_a_pair);
 }

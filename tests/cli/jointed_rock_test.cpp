@@ -25,12 +25,18 @@ constexpr double area_rounding = 2200 * rounding;
 
 JointedRock collapse_rock() {
   JointedRock rock;
-  rock.region = {{0, 0}, {20, 0}, {20, 50}, {0, 50}};
-  rock.joint_sets = {{.dip = 80 * degree, .spacing = 1.5}, {.dip = 40 * degree, .spacing = 2.5}};
+  rock.joint_sets = {{.normal = joint_normal(80 * degree), .spacing = 1.5},
+                     {.normal = joint_normal(40 * degree), .spacing = 2.5}};
   return rock;
 }
 
-double along(Point p, Point normal) { return p[0] * normal[0] + p[1] * normal[1]; }
+JointedBlocks cut_rectangle(const Context& context, const JointedRock& rock) {
+  std::vector<Shape> regions;
+  regions.push_back(make_polygon(context, {{0, 0}, {20, 0}, {20, 50}, {0, 50}}));
+  return cut_jointed_rock(context, rock, std::move(regions));
+}
+
+double along(Point p, Point normal) { return p[0] * normal[0] + p[1] * normal[1] + p[2] * normal[2]; }
 
 bool on_border(Point p) { return std::min({p[0], 20 - p[0], p[1], 50 - p[1]}) < rounding; }
 
@@ -40,7 +46,7 @@ TEST_CASE("blocks of a jointed rock fill the region") {
   const Context context = make_context();
   JointedRock rock = collapse_rock();
   rock.joint_sets[0].spread = GENERATE(0.0, 0.7);
-  const JointedBlocks cut = cut_jointed_rock(context, rock);
+  const JointedBlocks cut = cut_rectangle(context, rock);
   double area = 0;
   for (const Shape& block : cut.blocks) area += properties_of(context, block).volume;
   std::cout << cut.blocks.size() << " blocks, area off by " << std::abs(area - 1000) << " m2, allowed "
@@ -54,10 +60,10 @@ TEST_CASE("every joint separates the blocks, and blocks are no wider than the sp
   JointedRock rock = collapse_rock();
   rock.joint_sets[0].spread = 0.5;
   rock.joint_sets[0].seed = 3;
-  const JointedBlocks cut = cut_jointed_rock(context, rock);
+  const JointedBlocks cut = cut_rectangle(context, rock);
   double worst = 0;
   for (const JointSet& set : rock.joint_sets) {
-    const Point normal = joint_normal(set);
+    const Point normal = set.normal;
     for (const Shape& block : cut.blocks) {
       double low = INFINITY, high = -INFINITY;
       for (Point p : vertices_of(context, block)) {
@@ -79,7 +85,7 @@ TEST_CASE("every joint separates the blocks, and blocks are no wider than the sp
 
 TEST_CASE("neighbouring blocks share their vertices") {
   const Context context = make_context();
-  const JointedBlocks cut = cut_jointed_rock(context, collapse_rock());
+  const JointedBlocks cut = cut_rectangle(context, collapse_rock());
   std::vector<Point> vertices;
   for (const Shape& block : cut.blocks) {
     for (Point p : vertices_of(context, block)) vertices.push_back(p);
@@ -105,13 +111,12 @@ TEST_CASE("neighbouring blocks share their vertices") {
 }
 
 TEST_CASE("dip is measured downwards towards +x") {
-  const JointSet set{.dip = 30 * degree};
-  const Point normal = joint_normal(set);
+  const Point normal = joint_normal(30 * degree);
   const Point downdip{std::cos(30 * degree), -std::sin(30 * degree)};
   CHECK(std::abs(along(downdip, normal)) <
         1e-16);  // the products of both terms are equal to a rounding of 0.43
   CHECK(normal[1] > 0);
-  CHECK(joint_normal({.dip = -30 * degree})[0] < 0);
+  CHECK(joint_normal(-30 * degree)[0] < 0);
 }
 
 TEST_CASE("a spacing deviates by no more than its spread, and on average not at all") {
@@ -138,10 +143,10 @@ TEST_CASE("a spacing deviates by no more than its spread, and on average not at 
 TEST_CASE("blocks below the smallest area are left out and told") {
   const Context context = make_context();
   JointedRock rock = collapse_rock();
-  const std::size_t all = cut_jointed_rock(context, rock).blocks.size();
-  rock.smallest_area = 0.1;
-  const JointedBlocks cut = cut_jointed_rock(context, rock);
-  double area = cut.area_left_out;
+  const std::size_t all = cut_rectangle(context, rock).blocks.size();
+  rock.smallest_size = 0.1;
+  const JointedBlocks cut = cut_rectangle(context, rock);
+  double area = cut.size_left_out;
   for (const Shape& block : cut.blocks) {
     CHECK(properties_of(context, block).volume >= 0.1);
     area += properties_of(context, block).volume;

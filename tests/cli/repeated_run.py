@@ -3,7 +3,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from command import EXAMPLES, halfspace, main
+from command import EXAMPLES, SCENES, halfspace, main
 
 
 def files_of(directory):
@@ -11,6 +11,18 @@ def files_of(directory):
 
 
 class RepeatedRun(unittest.TestCase):
+    def test_identical_bytes_in_space(self):
+        with tempfile.TemporaryDirectory() as directory:
+            runs = []
+            for name in ("once", "again"):
+                answer = halfspace("run", SCENES / "cells_fall.toml", "-o", Path(directory, name))
+                self.assertEqual(answer.returncode, 0, answer.stderr)
+                runs.append(files_of(Path(directory, name)))
+            self.assertEqual(*runs)
+            contacts = int(runs[0]["history.csv"].decode().splitlines()[-1].split(",")[2])
+            print(f"{len(runs[0])} files, {contacts} contacts at the end: identical")
+            self.assertGreater(contacts, 30)
+
     def test_identical_bytes(self):
         with tempfile.TemporaryDirectory() as directory:
             # The collapse with irregular joints, for as long as it takes to get many contacts.

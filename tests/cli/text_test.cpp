@@ -3,8 +3,8 @@
 #include <cstdlib>
 
 #include "catch.h"
+#include "picture/svg.h"
 #include "progress.h"
-#include "svg.h"
 
 using namespace halfspace::cli;
 

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "scene.h"
 
@@ -13,16 +14,14 @@ double even_step(double length, int count);
 /// The decimals that tell multiples of a step apart.
 int decimals_for(double step);
 
-/// A colour from 0 (blue) to 1 (yellow), of rising lightness, so that it reads in grey and by colour-blind
-/// eyes.
-std::string ramp_colour(double share);
-
 /// A drawing in pixels, y downwards.
 class Svg {
  public:
   Svg(double width, double height);
 
   void rectangle(Point corner, double width, double height, std::string_view style);
+  /// A PNG image in base64, stretched over a rectangle.
+  void image(Point corner, double width, double height, std::string_view png);
   void line(Point from, Point to, std::string_view style);
   void polygon(const std::vector<Point>& vertices, std::string_view style);
   /// Anchor: start, middle or end.

@@ -1,8 +1,7 @@
-#include "svg.h"
+#include "picture/svg.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "text.h"
 
@@ -49,22 +48,6 @@ double even_step(double length, int count) {
 
 int decimals_for(double step) { return std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9))); }
 
-std::string ramp_colour(double share) {
-  static constexpr double stops[][3] = {
-      {72, 92, 158}, {52, 138, 178}, {72, 180, 150}, {160, 210, 110}, {252, 226, 100}};
-  constexpr int last = 4;
-  const double place = last * std::clamp(share, 0.0, 1.0);
-  const int below = std::min(static_cast<int>(place), last - 1);
-  const double part = place - below;
-  char text[8];
-  int rgb[3];
-  for (int i = 0; i < 3; ++i) {
-    rgb[i] = static_cast<int>(std::lround((1 - part) * stops[below][i] + part * stops[below + 1][i]));
-  }
-  std::snprintf(text, sizeof text, "#%02x%02x%02x", rgb[0] & 255, rgb[1] & 255, rgb[2] & 255);
-  return text;
-}
-
 Svg::Svg(double width, double height) {
   const std::string w = pixels(width);
   const std::string h = pixels(height);
@@ -75,6 +58,11 @@ Svg::Svg(double width, double height) {
 
 void Svg::rectangle(Point corner, double width, double height, std::string_view style) {
   text_ += box(corner, width, height) + " " + std::string(style) + "/>\n";
+}
+
+void Svg::image(Point corner, double width, double height, std::string_view png) {
+  text_ += "<image" + position("x", "y", corner) + " width=\"" + pixels(width) + "\" height=\"" +
+           pixels(height) + "\" href=\"data:image/png;base64," + std::string(png) + "\"/>\n";
 }
 
 void Svg::line(Point from, Point to, std::string_view style) {

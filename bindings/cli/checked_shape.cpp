@@ -1,0 +1,104 @@
+#include "checked_shape.h"
+
+#include <filesystem>
+#include <utility>
+
+#include "mesh/convex_solid.h"
+#include "mesh/mesh_fault.h"
+#include "mesh/solid.h"
+#include "text.h"
+
+namespace halfspace::cli {
+namespace {
+
+const char* describe(int fault) {
+  switch (fault) {
+    case HS_FAULT_TOO_FEW_VERTICES:
+      return "fewer than 3 vertices";
+    case HS_FAULT_NOT_FINITE:
+      return "a coordinate too large or too small to compute with";
+    case HS_FAULT_REPEATED_VERTEX:
+      return "the same place as its neighbour";
+    case HS_FAULT_COLLINEAR_VERTEX:
+      return "on the line of its neighbours";
+    case HS_FAULT_NOT_CONVEX:
+      return "a corner that turns inwards";
+    case HS_FAULT_SELF_CROSSING:
+      return "the outline crosses itself or winds more than once";
+    case HS_FAULT_ZERO_AREA:
+      return "all vertices on one line";
+    default:
+      return "not a polygon";
+  }
+}
+
+}  // namespace
+
+Shape CheckedShapes::polygon(const std::vector<Point>& vertices, const std::string& key, Place place) {
+  hs_fault fault{};
+  require(context_, hs_polygon_check(context_.get(), view_of(vertices), &fault));
+  if (fault.kind == HS_FAULT_NONE) return make_polygon(context_, vertices);
+  std::string text;
+  if (fault.vertex >= 0) {
+    text = "vertex " + std::to_string(fault.vertex) + ' ' +
+           described(vertices[static_cast<std::size_t>(fault.vertex)], 2) + ": ";
+  }
+  faults_.add(place, key,
+              text + describe(fault.kind) + "; allowed: the corners of a convex polygon in order");
+  return nullptr;
+}
+
+Shape CheckedShapes::polyhedron(const std::vector<Point>& vertices,
+                                const std::vector<std::vector<int>>& faces, const std::string& key,
+                                Place place) {
+  try {
+    return faces.empty() ? make_hull(context_, vertices)
+                         : make_polyhedron(context_, vertices, FaceList(faces));
+  } catch (const LibraryError& error) {
+    if (error.status != HS_ERROR_GEOMETRY) throw;
+    faults_.add(place, key,
+                error.reason() + "; allowed: " +
+                    (faces.empty() ? "points that are not all in one plane"
+                                   : "the corners and whole faces of a convex polyhedron"));
+    return nullptr;
+  }
+}
+
+std::vector<Shape> CheckedShapes::from_file(const Block& block) {
+  const auto fault = [&](const std::string& text) {
+    faults_.add(block.shape_place, block.making.key + ".file", text);
+  };
+  if (!std::filesystem::is_regular_file(block.file)) {
+    fault("no such file: " + block.file + "; allowed: a file, named from the folder of the scene");
+    return {};
+  }
+  std::vector<Shape> shapes;
+  try {
+    for (const Solid& solid : read_solids(block.file)) {
+      shapes.push_back(make_convex(context_, solid, block.scale));
+    }
+  } catch (const MeshFault& error) {
+    fault(error.what());
+    return {};
+  }
+  return shapes;
+}
+
+std::vector<Shape> CheckedShapes::of(const Block& block) {
+  if (!block.file.empty()) return from_file(block);
+  if (block.vertices.empty()) return {};  // a fault already
+  const std::string key = block.making.key + ".vertices";
+  Shape shape = dimension_ == 2 ? polygon(block.vertices, key, block.shape_place)
+                                : polyhedron(block.vertices, block.faces, key, block.shape_place);
+  std::vector<Shape> shapes;
+  if (shape) shapes.push_back(std::move(shape));
+  return shapes;
+}
+
+Shape CheckedShapes::of(const Region& region) {
+  if (region.points.empty()) return nullptr;  // a fault already
+  return dimension_ == 2 ? polygon(region.points, region.key, region.place)
+                         : polyhedron(region.points, {}, region.key, region.place);
+}
+
+}  // namespace halfspace::cli

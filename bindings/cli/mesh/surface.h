@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mesh/solid.h"
+
+namespace halfspace::cli {
+
+/// Faces as a file lists them, of one or more solids.
+struct Surface {
+  struct Face {
+    std::vector<int> vertices;
+    int object;  ///< faces of different objects never belong together
+    int number;  ///< for faults: the line it is on, or its number in a binary file
+  };
+
+  std::string file;
+  std::string separator = ":";  ///< between file and number
+  std::vector<Point> vertices;
+  std::vector<Face> faces;
+
+  std::string place(const Face& face) const { return file + separator + std::to_string(face.number); }
+};
+
+/// Wavefront OBJ: v, f and o (a new object); what concerns looks only is skipped.
+Surface read_obj(const std::string& name, const std::string& content);
+
+/// Object File Format: OFF, counts, vertices, faces; colours are skipped.
+Surface read_off(const std::string& name, const std::string& content);
+
+/// STL, text or binary. Corners at the very same place are one vertex, for the format has no other way to
+/// say so; each `solid` of a text is an object.
+Surface read_stl(const std::string& name, const std::string& content);
+
+/// The connected parts of a surface, in the order of their first faces. Faces belong together when they share
+/// an edge. @throws MeshFault where it is not closed
+std::vector<Solid> solids_of(const Surface& surface);
+
+}  // namespace halfspace::cli

@@ -1,0 +1,61 @@
+#include <cmath>
+
+#include "picture/plot.h"
+#include "text.h"
+
+namespace halfspace::cli {
+namespace {
+
+void draw_blocks(Svg& svg, const Plot& plot, const Frame& start, const Frame& frame) {
+  const std::string pen =
+      " stroke-width=\"" + decimals(outline_width(plot, frame), 2) + "\" stroke-linejoin=\"round\"";
+  svg.begin_clip(plot.corner(), plot.width, plot.height);
+  for (std::size_t i = 0; i < frame.blocks.size(); ++i) {
+    const BlockFrame& block = frame.blocks[i];
+    std::vector<Point> outline_points;
+    for (const Point& p : block.vertices) outline_points.push_back(plot.at(p));
+    const char* stroke = "#8a867e";
+    if (block.state.kind == HS_BLOCK_PRESCRIBED) stroke = "#6f6b64";
+    if (block.state.kind == HS_BLOCK_RIGID) stroke = "#1b1b1b";
+    const std::string fill = hex(colour_of(plot.stage, start.blocks[i], block));
+    svg.polygon(outline_points, "fill=\"" + fill + "\" stroke=\"" + stroke + '"' + pen);
+  }
+  svg.end_clip();
+}
+
+void draw_axis(Svg& svg, const Plot& plot, int axis) {
+  const double low = plot.stage.lower_left[axis];
+  const double high = plot.stage.upper_right[axis];
+  const double length = plot.scale * (high - low);
+  const double step = even_step(high - low, std::max(2, static_cast<int>(length / 75)));
+  const int digits = decimals_for(step);
+  for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) {
+    const double value = k * step;
+    const std::string text = decimals(value + 0.0, digits);
+    if (axis == 0) {
+      const double x = plot.at({value, 0})[0];
+      svg.line({x, plot.bottom()}, {x, plot.bottom() + 5}, "stroke=\"#222\"");
+      svg.label({x, plot.bottom() + 20}, text, 13, "middle");
+    } else {
+      const double y = plot.at({0, value})[1];
+      svg.line({left_margin - 5, y}, {left_margin, y}, "stroke=\"#222\"");
+      svg.label({left_margin - 9, y + 4.5}, text, 13, "end");
+    }
+  }
+  if (axis == 0) {
+    svg.label({left_margin + plot.width / 2, plot.bottom() + 44}, "x (m)", 14, "middle");
+  } else {
+    svg.label({left_margin - 50, top_margin + plot.height / 2}, "y (m)", 14, "middle", -90);
+  }
+}
+
+}  // namespace
+
+void draw_in_plane(Svg& svg, const Plot& plot, const Frame& start, const Frame& frame) {
+  draw_blocks(svg, plot, start, frame);
+  svg.rectangle(plot.corner(), plot.width, plot.height, "fill=\"none\" stroke=\"#222\"");
+  draw_axis(svg, plot, 0);
+  draw_axis(svg, plot, 1);
+}
+
+}  // namespace halfspace::cli

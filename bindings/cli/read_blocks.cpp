@@ -1,0 +1,197 @@
+#include "read_blocks.h"
+
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "jointed_rock.h"
+#include "read_values.h"
+
+namespace halfspace::cli {
+namespace {
+
+constexpr std::int64_t most_blocks = 10'000'000;  ///< of one generator
+
+std::uint64_t read_seed(Keys& keys) {
+  return static_cast<std::uint64_t>(keys.integer("seed", 0, std::numeric_limits<std::int64_t>::max(), 0));
+}
+
+Making read_making(Keys& keys, const Scene& scene, bool may_be_prescribed) {
+  Making making{.name = read_name(keys), .key = keys.path("name"), .place = keys.place("name")};
+  making.key.resize(making.key.size() - std::string_view(".name").size());
+  const std::string material = keys.text("material", required);
+  if (keys.has("material")) making.material = material_index(keys, "material", material, scene);
+  static constexpr int kinds[] = {HS_BLOCK_RIGID, HS_BLOCK_FIXED, HS_BLOCK_PRESCRIBED};
+  making.kind = kinds[may_be_prescribed ? keys.word("kind", {"rigid", "fixed", "prescribed"}, 0)
+                                        : keys.word("kind", {"rigid", "fixed"}, 0)];
+  return making;
+}
+
+Motion read_motion(Keys& keys, int kind) {
+  Motion motion;
+  motion.velocity = keys.point("velocity", Point{});
+  motion.angular_velocity = rotation(keys, "angular_velocity");
+  motion.start = keys.number("start", at_least(0), motion.start);
+  motion.stop = keys.number("stop", above(motion.start), motion.stop);
+  for (const char* key : {"velocity", "angular_velocity"}) {
+    if (kind == HS_BLOCK_FIXED && keys.has(key)) {
+      keys.fault(key, "a fixed block does not move; allowed: with kind = \"rigid\" or \"prescribed\"");
+    }
+  }
+  for (const char* key : {"start", "stop"}) {
+    if (kind != HS_BLOCK_PRESCRIBED && keys.has(key)) {
+      keys.fault(key, "only a prescribed motion starts and stops; allowed: with kind = \"prescribed\"");
+    }
+  }
+  return motion;
+}
+
+void read_file(Keys& keys, const Scene& scene, Block& block) {
+  block.file = (std::filesystem::path(scene.folder) / keys.text("file", required)).string();
+  block.scale = keys.number("scale", above(0), block.scale);
+  block.shape_place = keys.place("file");
+}
+
+void read_vertices(Keys& keys, Block& block) {
+  const std::size_t fewest = keys.dimension() == 3 ? 4 : 3;
+  block.vertices = keys.points("vertices", fewest, required);
+  block.shape_place = keys.place("vertices");
+  if (keys.dimension() == 2) return;
+  // Of vertices with a fault of their own it is not known how many there should be.
+  block.faces =
+      keys.loops("faces", block.vertices.empty() ? std::numeric_limits<int>::max() : block.vertices.size());
+}
+
+void read_blocks(std::vector<Keys> tables, Scene& scene) {
+  for (Keys& keys : tables) {
+    Block block;
+    block.making = read_making(keys, scene, true);
+    if (keys.dimension() == 3 && keys.has("file")) {
+      read_file(keys, scene, block);
+    } else {
+      read_vertices(keys, block);
+    }
+    block.placing = {.rotation = rotation(keys, "rotation"), .shift = keys.point("shift", Point{})};
+    block.motion = read_motion(keys, block.making.kind);
+    scene.blocks.push_back(std::move(block));
+    keys.finish();
+  }
+}
+
+/// The corners of a box: counter-clockwise in 2D.
+std::vector<Point> corners_of_box(const Point& low, const Point& high, int dimension) {
+  std::vector<Point> corners;
+  for (double z : {low[2], high[2]}) {
+    corners.insert(corners.end(),
+                   {{low[0], low[1], z}, {high[0], low[1], z}, {high[0], high[1], z}, {low[0], high[1], z}});
+    if (dimension == 2) break;
+  }
+  return corners;
+}
+
+Region read_region(Keys& keys) {
+  if (!keys.has("box")) {
+    const std::size_t fewest = keys.dimension() == 3 ? 4 : 3;
+    std::vector<Point> points = keys.points("region", fewest, required);
+    return {std::move(points), keys.path("region"), keys.place("region")};
+  }
+  Region region{{}, keys.path("box"), keys.place("box")};
+  const std::vector<Point> box = keys.points("box", 2, required);
+  if (box.size() == 2 && spans(box[0], box[1], keys.dimension())) {
+    region.points = corners_of_box(box[0], box[1], keys.dimension());
+  } else if (!box.empty()) {
+    keys.fault("box", "not a box; allowed: two points, [lowest corner, highest corner]");
+  }
+  return region;
+}
+
+JointSet read_joint_set(Keys& keys) {
+  JointSet set;
+  if (keys.dimension() == 2) {
+    set.normal = joint_normal(degrees(keys, "dip", {.low = -90, .high = 90, .with_low = false}, required));
+  } else {
+    const double dip = degrees(keys, "dip", {.low = 0, .high = 90}, required);
+    const double direction = degrees(keys, "dip_direction", {.low = -360, .high = 360}, required);
+    set.normal = joint_normal(dip, direction);
+  }
+  set.spacing = keys.number("spacing", above(0), required);
+  set.offset = keys.number("offset", any_number(), set.offset);
+  set.spread = keys.number("spread", {.low = 0, .high = 1, .with_high = false}, set.spread);
+  set.seed = read_seed(keys);
+  keys.finish();
+  return set;
+}
+
+void read_jointed_rocks(std::vector<Keys> tables, Scene& scene) {
+  for (Keys& keys : tables) {
+    JointedRock rock;
+    rock.making = read_making(keys, scene, false);
+    if (keys.has("part")) {
+      for (Keys& part : keys.tables("part", true)) {
+        rock.regions.push_back(read_region(part));
+        part.finish();
+      }
+    } else {
+      rock.regions.push_back(read_region(keys));
+    }
+    const char* smallest = keys.dimension() == 3 ? "smallest_volume" : "smallest_area";
+    rock.smallest_size = keys.number(smallest, at_least(0), rock.smallest_size);
+    for (Keys& set : keys.tables("joint_set", true)) rock.joint_sets.push_back(read_joint_set(set));
+    scene.jointed_rocks.push_back(std::move(rock));
+    keys.finish();
+  }
+}
+
+void read_triangulated(std::vector<Keys> tables, Scene& scene) {
+  for (Keys& keys : tables) {
+    Triangulated region;
+    region.making = read_making(keys, scene, false);
+    region.lower_left = keys.point("lower_left", required);
+    region.upper_right = keys.point("upper_right", required);
+    region.count = keys.integer("count", 2, most_blocks, required);
+    region.jitter = keys.number("jitter", {.low = 0, .high = 0.25, .with_high = false}, 0.2);
+    region.seed = read_seed(keys);
+    if (region.count % 2 != 0) {
+      keys.fault("count", "odd: " + std::to_string(region.count) + "; allowed: an even number of triangles");
+    }
+    if (keys.has("lower_left") && keys.has("upper_right") &&
+        !spans(region.lower_left, region.upper_right, 2)) {
+      keys.fault("upper_right",
+                 "not above and to the right of lower_left; allowed: a rectangle with an area");
+    }
+    scene.triangulated.push_back(std::move(region));
+    keys.finish();
+  }
+}
+
+void read_voronoi(std::vector<Keys> tables, Scene& scene) {
+  constexpr std::int64_t most_rounds = 10'000;
+  for (Keys& keys : tables) {
+    Voronoi voronoi;
+    voronoi.making = read_making(keys, scene, false);
+    voronoi.region = read_region(keys);
+    voronoi.count = keys.integer("count", 2, most_blocks, required);
+    voronoi.relaxation = keys.integer("relaxation", 0, most_rounds, voronoi.relaxation);
+    voronoi.seed = read_seed(keys);
+    scene.voronoi.push_back(std::move(voronoi));
+    keys.finish();
+  }
+}
+
+}  // namespace
+
+bool read_blocks(Keys& top, Scene& scene) {
+  read_blocks(top.tables("block", false), scene);
+  read_jointed_rocks(top.tables("jointed_rock", false), scene);
+  if (top.dimension() == 2) {
+    read_triangulated(top.tables("triangulated", false), scene);
+  } else {
+    read_voronoi(top.tables("voronoi", false), scene);
+  }
+  return !scene.blocks.empty() || !scene.jointed_rocks.empty() || !scene.triangulated.empty() ||
+         !scene.voronoi.empty();
+}
+
+}  // namespace halfspace::cli

@@ -1,0 +1,51 @@
+#include "read_values.h"
+
+#include <algorithm>
+
+namespace halfspace::cli {
+
+double degrees(Keys& keys, std::string_view key, Range range, std::optional<double> fallback) {
+  return degree * keys.number(key, range, fallback);
+}
+
+Point rotation(Keys& keys, std::string_view key) {
+  Point turn{};
+  if (keys.dimension() == 2) {
+    turn[2] = keys.number(key, any_number(), 0.0);
+  } else {
+    turn = keys.point(key, Point{});
+  }
+  for (double& component : turn) component *= degree;
+  return turn;
+}
+
+std::string read_name(Keys& keys) {
+  const std::string name = keys.text("name", required);
+  const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-' || c == '.';
+  });
+  if (keys.has("name") && (name.empty() || !plain)) {
+    keys.fault("name", "not a name: \"" + name + "\"; allowed: letters, digits, '_', '-' and '.'");
+  }
+  return name;
+}
+
+int material_index(Keys& keys, std::string_view key, const std::string& name, const Scene& scene) {
+  std::vector<std::string_view> names;
+  for (const Material& material : scene.materials) names.push_back(material.name);
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found != names.end()) return static_cast<int>(found - names.begin());
+  keys.fault(key, "no such material: \"" + name + '"' + suggestion(name, names) +
+                      "; allowed: the name of a [[material]]");
+  return 0;
+}
+
+bool spans(const Point& low, const Point& high, int dimension) {
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis) {
+    if (!(high[axis] > low[axis])) return false;
+  }
+  return true;
+}
+
+}  // namespace halfspace::cli

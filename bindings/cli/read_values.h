@@ -1,0 +1,29 @@
+#pragma once
+
+#include <numbers>
+#include <string>
+#include <string_view>
+
+#include "keys.h"
+#include "scene.h"
+
+namespace halfspace::cli {
+
+inline constexpr double degree = std::numbers::pi / 180;
+
+/// An angle, in degrees in the file and in radians here.
+double degrees(Keys& keys, std::string_view key, Range range, std::optional<double> fallback);
+
+/// A turn or a spin, in degrees: about the normal of the plane in 2D, a vector in 3D; none by default.
+Point rotation(Keys& keys, std::string_view key);
+
+/// The key `name`. Names become columns of a table, so they are kept to what needs no quotes.
+std::string read_name(Keys& keys);
+
+/// The index of a material that a key names; 0 and a fault if there is none.
+int material_index(Keys& keys, std::string_view key, const std::string& name, const Scene& scene);
+
+/// Does a box with these corners have a size in every direction?
+bool spans(const Point& low, const Point& high, int dimension);
+
+}  // namespace halfspace::cli

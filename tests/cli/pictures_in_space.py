@@ -1,0 +1,84 @@
+"""Pictures of a scene in space: a drawing around an image, which VTK's PNG reader reads."""
+import base64
+import tempfile
+import unittest
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+import vtk
+from vtk.util.numpy_support import vtk_to_numpy
+
+from command import SCENES, halfspace, main
+
+SPACE = "{http://www.w3.org/2000/svg}"
+
+
+def pixels_of(image_element, directory):
+    """Rows from below, as VTK has them."""
+    head, data = image_element.get("href").split(",")
+    assert head == "data:image/png;base64"
+    path = Path(directory, "image.png")
+    path.write_bytes(base64.b64decode(data, validate=True))
+    reader = vtk.vtkPNGReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    width, height, _ = reader.GetOutput().GetDimensions()
+    return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(height, width, 3)
+
+
+class PicturesInSpace(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        temporary = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(temporary.cleanup)
+        text = (SCENES / "falling_block_in_space.toml").read_text()
+        scene = Path(temporary.name, "scene.toml")
+        # Straight from the south, at the falling block and what is below it: 1 m is 80 pixels of the drawing, 160 of the image.
+        scene.write_text(text + "[output.picture]\nwindow = [[-4, -1, -1], [5, 2, 7]]\nazimuth = 180\nelevation = 0\n")
+        scene.with_name("tetrahedron.off").write_text((SCENES / "tetrahedron.off").read_text())
+        answer = halfspace("run", scene, "-o", Path(temporary.name, "out"))
+        assert answer.returncode == 0, answer.stderr
+        cls.roots = {name: ElementTree.parse(Path(temporary.name, "out", name)).getroot()
+                     for name in ("first.svg", "last.svg")}
+        cls.pixels = {name: pixels_of(root.find(SPACE + "image"), temporary.name) for name, root in cls.roots.items()}
+
+    def test_title_time_scale_axes_and_colours_are_told(self):
+        for name, time in (("first.svg", "t = 0.000 s"), ("last.svg", "t = 0.500 s")):
+            texts = [element.text for element in self.roots[name].iter(SPACE + "text")]
+            for text in ("A block falls onto a plate, in space", time, "displacement (m)", "x", "y", "z", "2 m"):
+                self.assertIn(text, texts)
+
+    def test_the_window_is_the_same(self):
+        first, last = (self.roots[name].find(SPACE + "image") for name in ("first.svg", "last.svg"))
+        for key in ("x", "y", "width", "height"):
+            self.assertEqual(first.get(key), last.get(key))
+        self.assertEqual((first.get("width"), first.get("height")), ("720.00", "640.00"))
+        for pixels in self.pixels.values():
+            self.assertEqual(pixels.shape, (1280, 1440, 3))
+
+    def test_blocks_are_where_they_are_and_the_rest_is_white(self):
+        first = self.pixels["first.svg"]
+
+        def at(x, z):
+            return list(first[round(160 * (z + 1)), round(160 * (x + 4))])
+
+        self.assertEqual(at(-3.5, 3), [255, 255, 255])
+        self.assertEqual(at(0.5, 6.2), [255, 255, 255])
+        red, green, blue = at(0.5, 5)  # nothing has moved yet: the blue end of the colours, shaded
+        self.assertLess(red, green)
+        self.assertLess(green, blue)
+        red, green, blue = at(0.5, -0.5)  # the plate is grey
+        self.assertLess(max(red, green, blue) - min(red, green, blue), 12)
+        for x, z in ((0, 5), (1, 5), (0.5, 4), (0.5, 6)):  # there are dark lines at the edges
+            row, column = round(160 * (z + 1)), round(160 * (x + 4))
+            self.assertLess(first[row - 2:row + 3, column - 2:column + 3].max(axis=2).min(), 60)
+
+    def test_the_fall_is_seen(self):
+        # After 0.5 s the upper face is at 6 + 0.25 - 9.81 / 8 = 5.02 m.
+        last = self.pixels["last.svg"]
+        self.assertEqual(list(last[round(160 * 6.5), round(160 * 4.6)]), [255, 255, 255])
+        self.assertNotEqual(list(last[round(160 * 5.5), round(160 * 4.6)]), [255, 255, 255])
+
+
+if __name__ == "__main__":
+    main()

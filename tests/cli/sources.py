@@ -1,0 +1,84 @@
+"""Files of blocks and regions in a scene, as `halfspace check` counts them. What the readers make of them is tested with the command's parts."""
+import tempfile
+import unittest
+from pathlib import Path
+
+from command import halfspace, main
+
+HEAD = """
+[world]
+duration = 1
+[[material]]
+name = "rock"
+density = 2700
+[default_law]
+stiffness = "per contact"
+normal_stiffness = 1e8
+shear_stiffness = 1e8
+"""
+TETRAHEDRON = "OFF 4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"
+TWO_SOLIDS = TETRAHEDRON.replace("4 4 6", "8 8 12").replace(
+    "\n3 0 2 1", "\n2 0 0\n3 0 0\n2 1 0\n2 0 1\n3 0 2 1", 1) + "3 4 6 5\n3 4 5 7\n3 5 6 7\n3 6 4 7\n"
+
+
+class Sources(unittest.TestCase):
+    def check(self, scene, **files):
+        with tempfile.TemporaryDirectory() as directory:
+            folder = Path(directory, "scene")
+            folder.mkdir()
+            for name, content in files.items():
+                Path(folder, name.replace("_", ".")).write_text(content)
+            head = "dimension = 3\n" + HEAD
+            if scene.startswith("dimension = 2\n"):
+                head, scene = "dimension = 2\n" + HEAD, scene.removeprefix("dimension = 2\n")
+            Path(folder, "scene.toml").write_text(head + scene)
+            return halfspace("check", "scene/scene.toml", cwd=directory)  # files are relative to the scene
+
+    def check_count(self, count, scene, **files):
+        answer = self.check(scene, **files)
+        self.assertEqual((answer.returncode, answer.stderr), (0, ""))
+        self.assertIn(f"no faults, {count} blocks", answer.stdout)
+
+    BLOCK = '[[block]]\nname = "rock"\nmaterial = "rock"\nfile = "rocks.off"\n'
+
+    def test_a_file_of_one_block_has_its_name(self):
+        self.check_count(1, self.BLOCK + '[output]\ntracked = ["rock"]\n', rocks_off=TETRAHEDRON)
+
+    def test_blocks_of_a_file_are_numbered(self):
+        self.check_count(2, self.BLOCK + '[output]\ntracked = ["rock.0", "rock.1"]\n', rocks_off=TWO_SOLIDS)
+        answer = self.check(self.BLOCK + '[output]\ntracked = ["rock"]\n', rocks_off=TWO_SOLIDS)
+        self.assertIn('no such block: "rock"', answer.stderr)
+
+    def test_a_faulty_file_is_told_once_with_its_line(self):
+        scene = self.BLOCK + '[output]\ntracked = ["rock.0"]\n'
+        answer = self.check(scene, rocks_off=TETRAHEDRON.replace("0 1 0", "0 1 O"))
+        self.assertIn('block[0].file: rocks.off:4: not a finite number: "O"', answer.stderr)
+        self.assertIn("1 fault in", answer.stderr)
+
+    def test_regions_are_boxes_hulls_and_parts(self):
+        joints = "[[jointed_rock.joint_set]]\ndip = 90\ndip_direction = 90\nspacing = 1\n"
+        rock = '[[jointed_rock]]\nname = "slope"\nmaterial = "rock"\n'
+        self.check_count(4, rock + "box = [[-0.5, 0, 0], [2.5, 1, 1]]\n" + joints)
+        self.check_count(2, rock + "region = [[0.5, 0, 0], [1.5, 0, 0], [0.5, 1, 0], [0.5, 0, 1]]\n" + joints)
+        parts = "[[jointed_rock.part]]\nbox = [[0.5, 0, 0], [1.5, 1, 1]]\n"
+        parts += "[[jointed_rock.part]]\nbox = [[0.5, 0, 1], [2.5, 1, 2]]\n"
+        self.check_count(2 + 3, rock + parts + joints)
+        answer = self.check(rock + "box = [[0, 0, 0], [1, 1, 1]]\n" + parts + joints)
+        self.assertIn("jointed_rock[0].box: unknown key", answer.stderr)
+
+    def test_regions_in_the_plane_are_boxes_polygons_and_parts(self):
+        joints = "[[jointed_rock.joint_set]]\ndip = 90\nspacing = 1\n"
+        rock = 'dimension = 2\n[[jointed_rock]]\nname = "slope"\nmaterial = "rock"\n'
+        self.check_count(4, rock + "box = [[-0.5, 0], [2.5, 1]]\n" + joints)
+        self.check_count(2, rock + "region = [[0.5, 0], [1.5, 0], [0.5, 1]]\n" + joints)
+        parts = "[[jointed_rock.part]]\nbox = [[0.5, 0], [1.5, 1]]\n"
+        parts += "[[jointed_rock.part]]\nregion = [[0.5, 1], [2.5, 1], [2.5, 2]]\n"
+        self.check_count(2 + 3, rock + parts + joints)
+
+    def test_cells_fill_a_region(self):
+        self.check_count(25, '[[voronoi]]\nname = "cell"\nmaterial = "rock"\ncount = 25\nrelaxation = 3\n'
+                             "box = [[0, 0, 0], [1, 2, 3]]\n")
+
+
+if __name__ == "__main__":
+    main()
