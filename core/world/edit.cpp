@@ -36,19 +36,22 @@ std::int32_t World<D>::add_material(double density) {
 }
 
 template <int D>
-void World<D>::set_default_law(const SpringLaw& law) {
-  laws_.set_default(law);
+void World<D>::change_laws() {
   candidates_.expire();  // shear springs may be needed now
   forget_contacts();
   edit();
 }
 
 template <int D>
+void World<D>::set_default_law(const SpringLaw& law) {
+  laws_.set_default(law);
+  change_laws();
+}
+
+template <int D>
 void World<D>::set_law(std::int32_t a, std::int32_t b, const SpringLaw& law) {
   laws_.set(a, b, law);
-  candidates_.expire();
-  forget_contacts();
-  edit();
+  change_laws();
 }
 
 template <int D>

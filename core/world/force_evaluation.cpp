@@ -21,7 +21,8 @@ void World<D>::load_blocks(std::size_t candidate, const Contact<D>& contact, dou
                              blocks_.position[b] - blocks_.position[a], blocks_.spin[a], blocks_.spin[b]};
   Overlap<D> overlap;
   if (law.stiffness_kind == StiffnessKind::per_area) {
-    overlap = overlap_of(blocks_.outline(pair.a), blocks_.outline(pair.b), motion.to_b, contact);
+    const Posed at = posed(pair);
+    overlap = overlap_of(at.a, at.b, at.to_b, contact);
   }
   const bool is_damped = law.normal_damping > 0 || law.shear_damping > 0;
   const Spring<D> spring(law, is_damped ? reduced_mass(a, b) : 0, elapsed);
