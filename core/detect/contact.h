@@ -96,8 +96,8 @@ struct PairMemory<3> {
   State state = unknown;
   PotentialPair<3> pair;  // as in the plane
   /// In the orientation of the outlines. Separated: the unit normal, from a to b, of a plane between the
-  /// blocks. Touching: a point of both, seen from the centroid of a. Checked before it is believed: any value
-  /// will do.
+  /// blocks. Touching at a face: a point of both, seen from the centroid of a. Checked before it is believed:
+  /// any value will do.
   Vector<3> proof = Vector<3>::Zero();
 };
 
@@ -136,12 +136,12 @@ struct Contact<3> {
   PotentialPair<3> pair;     // the contact plane; of a separated pair, the violated pair
   std::int32_t point_count;  // 0 when separated, and then only normal and gap follow
   std::int32_t deepest;      // of the points
-  double gap;             // of the pair, or of the deepest point of the region; > 0 proves the separation
-  Vector<3> normal;       // unit, from a to b
-  double area;            // of the contact region: 0 unless face-face
-  double length;          // of the contact region: 0 unless edge-face
-  Vector<3> center;       // centroid of the contact region, on the contact plane
-  double center_gap;      // there
+  double gap;                // of the pair, or of the deepest point of the region; > 0 proves the separation
+  Vector<3> normal;          // unit, from a to b
+  double area;               // of the contact region: 0 unless face-face
+  double length;             // of the contact region: 0 unless edge-face
+  Vector<3> center;          // centroid of the contact region, on the contact plane
+  double center_gap;         // there
   Vector<3> points[most_region_points];  // corners of the region, counter-clockwise about the normal
   double gaps[most_region_points];       // at the points
   double shares[most_region_points];     // of the contact's stiffness at the points

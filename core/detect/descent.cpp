@@ -52,16 +52,14 @@ Separation<3> at_face_of_b(const MinkowskiDifference<Turn>& difference, const Co
           normal};
 }
 
-/// Two edges, out of a as `along` is. -infinity when they are parallel.
+/// An edge of each block. The gap is -infinity when they are parallel.
 template <class Turn>
 Separation<3> at_edges(const MinkowskiDifference<Turn>& difference, const Corner& near, int edge_of_a,
-                       int edge_of_b, const Vector<3>& along) {
+                       int edge_of_b) {
   const PotentialPair<3> pair{PotentialPair<3>::edge_edge, edge_of_a, edge_of_b};
-  const Vector<3> across = cross_product(edge_vector(difference.a(), edge_of_a),
-                                         difference.from_frame_of_b(edge_vector(difference.b(), edge_of_b)));
-  const double length = across.norm();
-  if (length == 0) return {-HUGE_VAL, pair, along};
-  const Vector<3> normal = across / (across.dot(along) < 0 ? -length : length);
+  const Vector<3> along_b = difference.from_frame_of_b(edge_vector(difference.b(), edge_of_b));
+  const Vector<3> normal = edge_pair_normal(difference.a(), edge_of_a, along_b);
+  if (normal == Vector<3>::Zero()) return {-HUGE_VAL, pair, normal};
   return {normal.dot(difference.deepest_along(normal, near).at), pair, normal};
 }
 
@@ -107,7 +105,7 @@ Separation<3> pair_at(const MinkowskiDifference<Turn>& difference, const Expandi
   const int edge_of_b = of_b.count == 1 ? -1 : edge_between(*b.topology, of_b.first, of_b.second);
   Separation<3> edges{-HUGE_VAL, {}, along};
   if (edge_of_a >= 0 && edge_of_b >= 0) {
-    edges = at_edges(difference, c, edge_of_a, edge_of_b, along);
+    edges = at_edges(difference, c, edge_of_a, edge_of_b);
     if (is_sharp(a, edge_of_a, along) && is_sharp(b, edge_of_b, difference.in_frame_of_b(-along)) &&
         is_as_deep(edges))
       return edges;

@@ -1,5 +1,6 @@
 #include "detect/edge_pairs.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -62,40 +63,107 @@ struct CrossingEdges {
   }
 };
 
+struct EdgePair {
+  std::int16_t a;
+  std::int16_t b;
+};
+
+/// Lists the pairs in which each edge is among those that cross the other. Returns their number.
+int list_pairs(const EdgeSet* across_a, int count_a, const EdgeSet* across_b, EdgePair* pairs) {
+  int count = 0;
+  for (int i = 0; i < count_a; ++i) {
+    for (EdgeSet left = across_a[i]; left != 0; left &= left - 1) {
+      const int j = std::countr_zero(left);
+      pairs[count] = {std::int16_t(i), std::int16_t(j)};
+      count += int(across_b[j] >> i & 1);  // without a branch: as good as random
+    }
+  }
+  return count;
+}
+
+/// The edge-edge pairs of two blocks and their gaps: how far the edge of b lies before that of a.
+class JudgedPairs {
+ public:
+  JudgedPairs(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b)
+      : a_(a), b_(b), to_b_(to_b), edges_of_a_(a), edges_of_b_(b) {
+    const int count_a = a.topology->edge_count, count_b = b.topology->edge_count;
+    const CrossingEdges across_a(a, edges_of_b_, count_b), across_b(b, edges_of_a_, count_a);
+    rising_ = list_pairs(across_a.rising, count_a, across_b.rising, pairs_);
+    count_ = rising_ + list_pairs(across_a.falling, count_a, across_b.falling, pairs_ + rising_);
+    for (int k = 0; k < count_; k += 2) judge_two(k, std::min(k + 1, count_ - 1));
+  }
+
+  /// Of largest gap; -1 when there is none left.
+  int largest() const {
+    int best = -1;
+    double gap = -HUGE_VAL;
+    for (int k = 0; k < count_; ++k) {
+      best = gaps_[k] > gap ? k : best;
+      gap = std::max(gap, gaps_[k]);
+    }
+    return best;
+  }
+  double gap(int k) const { return gaps_[k]; }
+  void drop(int k) { gaps_[k] = -HUGE_VAL; }
+
+  /// The normal of edges that are all but parallel is rounded as much as they are. What both blocks reach
+  /// along it is a proof all the same.
+  Separation<3> proven(int k) const {
+    const EdgePair pair = pairs_[k];
+    const Vector<3> unit = sense(k) * cross_product(edges_of_a_[pair.a], edges_of_b_[pair.b]).normalized();
+    const double gap =
+        (deepest_among_all(b_, unit).height + deepest_among_all(a_, -unit).height) + unit.dot(to_b_);
+    return {gap, {PotentialPair<3>::edge_edge, pair.a, pair.b}, unit};
+  }
+
+ private:
+  /// Out of a is a x b where both rise, b x a where both fall.
+  double sense(int k) const { return k < rising_ ? 1 : -1; }
+
+  void judge_two(int k, int l) {
+    const EdgePair p = pairs_[k], q = pairs_[l];
+    const EdgeDirections &of_a = edges_of_a_, &of_b = edges_of_b_;
+    const int p_a = a_.topology->edge_start[p.a], q_a = a_.topology->edge_start[q.a];
+    const int p_b = b_.topology->edge_start[p.b], q_b = b_.topology->edge_start[q.b];
+    const TwoLanes ax = {of_a.x[p.a], of_a.x[q.a]}, ay = {of_a.y[p.a], of_a.y[q.a]},
+                   az = {of_a.z[p.a], of_a.z[q.a]};
+    const TwoLanes bx = {of_b.x[p.b], of_b.x[q.b]}, by = {of_b.y[p.b], of_b.y[q.b]},
+                   bz = {of_b.z[p.b], of_b.z[q.b]};
+    const TwoLanes nx = ay * bz - az * by, ny = az * bx - ax * bz, nz = ax * by - ay * bx;
+    const TwoLanes from_a_to_b =
+        nx * ((TwoLanes{b_.x[p_b], b_.x[q_b]} + both(to_b_.x())) - TwoLanes{a_.x[p_a], a_.x[q_a]}) +
+        ny * ((TwoLanes{b_.y[p_b], b_.y[q_b]} + both(to_b_.y())) - TwoLanes{a_.y[p_a], a_.y[q_a]}) +
+        nz * ((TwoLanes{b_.z[p_b], b_.z[q_b]} + both(to_b_.z())) - TwoLanes{a_.z[p_a], a_.z[q_a]});
+    const TwoLanes square = nx * nx + ny * ny + nz * nz;
+    const TwoLanes length = {std::sqrt(square[0]), std::sqrt(square[1])};
+    const TwoLanes gap =
+        square > both(0) ? TwoLanes{sense(k), sense(l)} * from_a_to_b / length : both(-HUGE_VAL);
+    gaps_[k] = gap[0];
+    gaps_[l] = gap[1];
+  }
+
+  static constexpr int most_pairs = most_edges_in_set * most_edges_in_set;
+  const Outline<3>& a_;
+  const Outline<3>& b_;
+  const Vector<3>& to_b_;
+  EdgeDirections edges_of_a_;
+  EdgeDirections edges_of_b_;
+  int rising_ = 0;
+  int count_ = 0;
+  EdgePair pairs_[most_pairs + 1];
+  double gaps_[most_pairs];
+};
+
 }  // namespace
 
 /// By the four signs of edge direction and face normal (THEORY section 2): edges a and b make a facet of the
 /// Minkowski difference when b crosses between the faces of a and a between those of b, in the same sense.
 void judge_edge_pairs(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, Separation<3>& best) {
-  const EdgeDirections edges_of_a(a), edges_of_b(b);
-  const int count_a = a.topology->edge_count, count_b = b.topology->edge_count;
-  const CrossingEdges across_a(a, edges_of_b, count_b), across_b(b, edges_of_a, count_a);
-
-  /// Outward of a is a x b where both rise, b x a where both fall. True when the pair is violated.
-  const auto judge = [&](int i, int j, double sense) {
-    const Vector<3> normal = cross_product(edges_of_a[i], sense * edges_of_b[j]);
-    const Vector<3> across =
-        (b.vertex(b.topology->edge_start[j]) + to_b) - a.vertex(a.topology->edge_start[i]);
-    const double length = normal.norm();
-    if (!(normal.dot(across) > best.gap * length)) return false;
-    // The normal of edges that are all but parallel is rounded as much as they are: what both blocks reach
-    // along it is a proof all the same.
-    const Vector<3> unit = normal / length;
-    const double gap =
-        (deepest_among_all(b, unit).height + deepest_among_all(a, -unit).height) + unit.dot(to_b);
-    if (gap > best.gap) best = {gap, {PotentialPair<3>::edge_edge, i, j}, unit};
-    return best.gap > 0;
-  };
-  for (int i = 0; i < count_a; ++i) {
-    const EdgeSet self = EdgeSet(1) << i;
-    for (EdgeSet left = across_a.falling[i]; left != 0; left &= left - 1) {
-      const int j = std::countr_zero(left);
-      if ((across_b.falling[j] & self) && judge(i, j, -1)) return;
-    }
-    for (EdgeSet left = across_a.rising[i]; left != 0; left &= left - 1) {
-      const int j = std::countr_zero(left);
-      if ((across_b.rising[j] & self) && judge(i, j, 1)) return;
-    }
+  JudgedPairs pairs(a, b, to_b);
+  for (int k = pairs.largest(); k >= 0 && pairs.gap(k) > best.gap; k = pairs.largest()) {
+    const Separation<3> proven = pairs.proven(k);
+    if (proven.gap > best.gap) best = proven;
+    pairs.drop(k);
   }
 }
 

@@ -11,8 +11,8 @@ namespace halfspace {
 constexpr int most_edges_in_set = 64;
 
 /// Judges the edge-edge potential contact pairs of two blocks in one orientation, each of up to
-/// most_edges_in_set edges (Wang et al. 2021, eqs. 23-30). Of these `best` becomes the one of largest gap, or
-/// the first that is violated, if that gap is larger than the one it has.
+/// most_edges_in_set edges (Wang et al. 2021, eqs. 23-30). Of these `best` becomes the one of largest gap, if
+/// that is larger than the one it has.
 void judge_edge_pairs(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, Separation<3>& best);
 
 }  // namespace halfspace

@@ -40,10 +40,10 @@ inline PotentialPair<2> initial_pair(const Outline<2>&, const Outline<2>&, const
 }
 
 /// In the plane a search is as fast as a proof of contact.
-inline bool still_touching(const Outline<2>&, const Outline<2>&, const Vector<2>&, const PairMemory<2>&) {
+inline bool still_touching(const Outline<2>&, const Outline<2>&, const Vector<2>&, PairMemory<2>&) {
   return false;
 }
-inline void remember_proof(const Contact<2>&, PairMemory<2>&) {}
+inline void remember_proof(const Contact<2>&, const Vector<2>&, PairMemory<2>&) {}
 
 /// Walks around the Minkowski difference to the pair of least depth that is reached without passing a deeper
 /// one. So the contact keeps the side through which the blocks met, also when a thin block is overlapped past
@@ -84,13 +84,13 @@ void remember_contact(const Outline<D>& a, const Outline<D>& b, const Vector<D>&
   memory.state = PairMemory<D>::touching;
 }
 
-/// Type, normal, gap and region of the contact at the remembered pair. In space, a point of the region is
-/// remembered as well: by it the next step will know sooner that the blocks are still in contact.
+/// Type, normal, gap and region of the contact at the remembered pair. In space, a point of both blocks is
+/// remembered as well, by which the next step may know sooner that they are still in contact.
 template <int D>
 void describe_contact(const Outline<D>& a, const Outline<D>& b, const Vector<D>& to_b, PairMemory<D>& memory,
                       const DetectOptions& options, Contact<D>& contact) {
   describe_contact(a, b, to_b, memory.pair, options, contact);
-  remember_proof(contact, memory);
+  if (memory.state == PairMemory<D>::touching) remember_proof(contact, to_b, memory);
 }
 
 /// Describes the contact of two blocks that overlap.
@@ -106,10 +106,7 @@ void describe_overlap(const Outline<D>& a, const Outline<D>& b, const Vector<D>&
 /// or the separation.
 template <int D>
 void judge_pair(const Outline<D>& a, const Outline<D>& b, const Vector<D>& to_b, PairMemory<D>& memory) {
-  if (still_touching(a, b, to_b, memory)) {
-    refresh(a, b, to_b, memory.pair);
-    return;
-  }
+  if (still_touching(a, b, to_b, memory)) return;
   const Separation<D> separation = find_separation(a, b, to_b);
   if (separation.gap > 0) {
     memory = memory_of(separation);

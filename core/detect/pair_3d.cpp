@@ -35,17 +35,6 @@ double refresh_edges(const Outline<3>& a, const Outline<3>& b, const Vector<3>& 
   return gap_along(a, b, to_b, normal, near_a, near_b);
 }
 
-/// Is a point inside a block, or on its surface?
-bool contains(const Outline<3>& block, const Vector<3>& p) {
-  const TwoLanes x = both(p.x()), y = both(p.y()), z = both(p.z());
-  auto is_behind = both(0) <= both(0);
-  for (int f = 0; f < block.face_count(); f += 2) {
-    const TwoLanes height = two_at(block.nx + f) * x + two_at(block.ny + f) * y + two_at(block.nz + f) * z;
-    is_behind &= height <= two_at(block.offset + f);
-  }
-  return is_behind[0] && is_behind[1];
-}
-
 /// Facets of the Minkowski difference in one plane, which they are when a face is parallel to an edge or a
 /// face of the other block, and the neighbour that is least deep. More than there is room for are left out,
 /// with what lies behind them.
@@ -125,14 +114,16 @@ double refresh(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, 
 
 double refresh(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, PairMemory<3>& memory) {
   PotentialPair<3>& pair = memory.pair;
-  return pair.kind == PotentialPair<3>::vertex_vertex ? gap_along(a, b, to_b, memory.proof, pair.a, pair.b)
-                                                      : refresh(a, b, to_b, pair);
-}
-
-bool still_touching(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
-                    const PairMemory<3>& memory) {
-  return memory.state == PairMemory<3>::touching && contains(a, memory.proof) &&
-         contains(b, memory.proof - to_b);
+  switch (pair.kind) {
+    case PotentialPair<3>::edge_edge: {
+      std::int32_t near_a = a.topology->edge_start[pair.a], near_b = b.topology->edge_start[pair.b];
+      return gap_along(a, b, to_b, memory.proof, near_a, near_b);
+    }
+    case PotentialPair<3>::vertex_vertex:
+      return gap_along(a, b, to_b, memory.proof, pair.a, pair.b);
+    default:
+      return refresh(a, b, to_b, pair);
+  }
 }
 
 PotentialPair<3> initial_pair(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,

@@ -13,23 +13,17 @@ namespace halfspace {
 /// have turned, above 0 it proves separation; -infinity where the edges are parallel. Not for two vertices.
 double refresh(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, PotentialPair<3>& pair);
 
-/// Gap of what keeps two blocks apart: of the pair; or, when that is of two vertices, between what both
-/// blocks reach along the remembered normal.
+/// Gap of what keeps two blocks apart: of a face and a vertex; or, of two edges or vertices, between what
+/// both blocks reach along the remembered normal.
 double refresh(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, PairMemory<3>& memory);
 
-/// True when blocks that touched still have the remembered point in common.
-bool still_touching(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
-                    const PairMemory<3>& memory);
+/// True when blocks that touched are easily seen to touch still: where the remembered pair is, or at the
+/// remembered point. The vertex of a face is brought up to date.
+bool still_touching(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, PairMemory<3>& memory);
 
-/// Remembers the point in the middle of a contact, half its depth in either block.
-inline void remember_proof(const Contact<3>& contact, PairMemory<3>& memory) {
-  // The center lies on the plane of the face, or between two edges already.
-  const double share = contact.pair.kind == PotentialPair<3>::face_vertex   ? 0.5
-                       : contact.pair.kind == PotentialPair<3>::vertex_face ? -0.5
-                                                                            : 0;
-  if (memory.state == PairMemory<3>::touching)
-    memory.proof = contact.center + share * contact.center_gap * contact.normal;
-}
+/// Remembers a point of both blocks in the middle of a contact at a face, half as deep as that is. Edges need
+/// none.
+void remember_proof(const Contact<3>& contact, const Vector<3>& to_b, PairMemory<3>& memory);
 
 /// The pair through which blocks begin to meet that were separated at last (Wang et al. 2021, section 2.5):
 /// the violated one; or, when only a plane is remembered, the less deep of those whose faces look most along

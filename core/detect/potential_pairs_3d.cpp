@@ -49,8 +49,8 @@ bool is_outer_normal(const Outline<3>& block, int edge, const Vector<3>& normal)
   return normal.dot(into_left) <= 0 && normal.dot(into_right) <= 0;
 }
 
-Vector<3> edge_pair_normal(const Outline<3>& a, int edge_of_a, const Outline<3>& b, int edge_of_b) {
-  const Vector<3> across = cross_product(edge_vector(a, edge_of_a), edge_vector(b, edge_of_b));
+Vector<3> edge_pair_normal(const Outline<3>& a, int edge_of_a, const Vector<3>& along_b) {
+  const Vector<3> across = cross_product(edge_vector(a, edge_of_a), along_b);
   const double length = across.norm();
   if (length == 0) return Vector<3>::Zero();
   const Vector<3> outward =

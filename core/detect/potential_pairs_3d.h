@@ -18,8 +18,12 @@ int face_along(const Outline<3>& block, int vertex, const Vector<3>& direction);
 bool is_outer_normal(const Outline<3>& block, int edge, const Vector<3>& normal);
 
 /// Unit vector at right angles to an edge of each block, out of a as the faces at a's edge are: of an
-/// edge-edge potential pair the normal from a to b. Zero when the edges are exactly parallel.
-Vector<3> edge_pair_normal(const Outline<3>& a, int edge_of_a, const Outline<3>& b, int edge_of_b);
+/// edge-edge potential pair the normal from a to b. Zero when the edges are exactly parallel. Of b's edge the
+/// vector along it is enough.
+Vector<3> edge_pair_normal(const Outline<3>& a, int edge_of_a, const Vector<3>& along_b);
+inline Vector<3> edge_pair_normal(const Outline<3>& a, int edge_of_a, const Outline<3>& b, int edge_of_b) {
+  return edge_pair_normal(a, edge_of_a, edge_vector(b, edge_of_b));
+}
 
 /// True when an edge of each block are a potential contact pair (Wang et al. 2021, eqs. 23-26): both blocks
 /// lie on their own sides of edge_pair_normal(). Of edges parallel to rounding, it tells whether that normal,

@@ -275,7 +275,8 @@ void turn_round(const Vector<3>& to_b, Contact<3>& contact) {
 /// pair, or the neighbouring one when one of these points lies beyond an end of its edge: then this is the
 /// contact at the end.
 PotentialPair<3> describe_edge_edge(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
-                                    const PotentialPair<3>& pair, Contact<3>& contact) {
+                                    const PotentialPair<3>& pair, const Vector<3>& normal,
+                                    Contact<3>& contact) {
   const int start_of_a = a.topology->edge_start[pair.a], start_of_b = b.topology->edge_start[pair.b];
   const Vector<3> along_a = edge_vector(a, pair.a), along_b = edge_vector(b, pair.b);
   const Vector<3> across = cross_product(along_a, along_b);
@@ -286,8 +287,8 @@ PotentialPair<3> describe_edge_edge(const Outline<3>& a, const Outline<3>& b, co
   const double t = cross_product(between, along_a).dot(unit) / length;
   const Vector<3> on_a = a.vertex(start_of_a) + std::clamp(s, 0.0, 1.0) * along_a;
   const Vector<3> on_b = (b.vertex(start_of_b) + to_b) + std::clamp(t, 0.0, 1.0) * along_b;
-  contact.normal = edge_pair_normal(a, pair.a, b, pair.b);
-  contact.gap = contact.normal.dot(between);
+  contact.normal = normal;
+  contact.gap = normal.dot(between);
   describe_point(ContactType::edge_edge, 0.5 * (on_a + on_b), contact);
 
   const double beyond_a = std::max(-s, s - 1) * along_a.norm(),
@@ -300,40 +301,57 @@ PotentialPair<3> describe_edge_edge(const Outline<3>& a, const Outline<3>& b, co
   return facet_across(a, b, side, contact.normal).pair;
 }
 
-/// The faces at two edges, each with the vertex deepest behind it.
+/// The faces at two edges. Their vertices are only where to look for the deepest ones.
 struct FacesAtEdges {
   PotentialPair<3> pair[4];
-  double gap[4];
 
-  FacesAtEdges(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
-               const PotentialPair<3>& edges) {
+  FacesAtEdges(const Outline<3>& a, const Outline<3>& b, const PotentialPair<3>& edges) {
     using Pair = PotentialPair<3>;
     const Topology &of_a = *a.topology, &of_b = *b.topology;
     pair[0] = {Pair::face_vertex, of_a.edge_left[edges.a], of_b.edge_start[edges.b]};
     pair[1] = {Pair::face_vertex, of_a.edge_right[edges.a], of_b.edge_start[edges.b]};
     pair[2] = {Pair::vertex_face, of_a.edge_start[edges.a], of_b.edge_left[edges.b]};
     pair[3] = {Pair::vertex_face, of_a.edge_start[edges.a], of_b.edge_right[edges.b]};
-    for (int i = 0; i < 4; ++i) gap[i] = refresh(a, b, to_b, pair[i]);
   }
 
-  const PotentialPair<3>& least_deep() const { return pair[std::max_element(gap, gap + 4) - gap]; }
+  /// That of least depth, with its vertex brought up to date.
+  PotentialPair<3> least_deep(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b) {
+    int best = 0;
+    double best_gap = -HUGE_VAL;
+    for (int i = 0; i < 4; ++i) {
+      const double gap = refresh(a, b, to_b, pair[i]);
+      if (gap <= best_gap) continue;
+      best = i;
+      best_gap = gap;
+    }
+    return pair[best];
+  }
+
+  /// That nearest to parallel with a plane, if it is within an angle of it; nullptr else.
+  PotentialPair<3>* parallel_to(const Vector<3>& normal, double angle, const Outline<3>& a,
+                                const Outline<3>& b) {
+    PotentialPair<3>* best = nullptr;
+    for (PotentialPair<3>& face : pair) {
+      const Vector<3> of_face = normal_of(a, b, face);
+      const double sine = cross_product(of_face, normal).norm();
+      if (sine >= angle || of_face.dot(normal) <= 0) continue;
+      best = &face;
+      angle = sine;
+    }
+    return best;
+  }
 };
 
 /// Two edges that cross nearly in the plane of a face, as they do where a face comes down on another one
 /// askew, touch as the face does if it has a region. Returns its pair then, or that of the edges.
 PotentialPair<3> describe_edges_in_face(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
-                                        const PotentialPair<3>& edges, const DetectOptions& options,
-                                        Contact<3>& contact) {
-  const Vector<3> normal = edge_pair_normal(a, edges.a, b, edges.b);
-  const auto sine_to = [&](const PotentialPair<3>& face) {
-    const Vector<3> of_face = normal_of(a, b, face);
-    return of_face.dot(normal) > 0 ? cross_product(of_face, normal).norm() : 1;
-  };
-  const FacesAtEdges faces(a, b, to_b, edges);
-  const PotentialPair<3>& face = *std::min_element(
-      faces.pair, faces.pair + 4,
-      [&](const PotentialPair<3>& p, const PotentialPair<3>& q) { return sine_to(p) < sine_to(q); });
-  if (sine_to(face) >= options.parallel_angle) return edges;
+                                        const PotentialPair<3>& edges, const Vector<3>& normal,
+                                        const DetectOptions& options, Contact<3>& contact) {
+  FacesAtEdges faces(a, b, edges);
+  PotentialPair<3>* const found = faces.parallel_to(normal, options.parallel_angle, a, b);
+  if (!found) return edges;
+  PotentialPair<3>& face = *found;
+  refresh(a, b, to_b, face);
   const auto is_region = [&](const FaceVertex& f) {
     return describe_region(f, facing_edge(f), options, contact);
   };
@@ -358,8 +376,9 @@ PotentialPair<3> describe_at(const Outline<3>& a, const Outline<3>& b, const Vec
       return next;
     }
     default: {
-      const PotentialPair<3> face = describe_edges_in_face(a, b, to_b, pair, options, contact);
-      return face == pair ? describe_edge_edge(a, b, to_b, pair, contact) : face;
+      const Vector<3> normal = edge_pair_normal(a, pair.a, b, pair.b);
+      const PotentialPair<3> face = describe_edges_in_face(a, b, to_b, pair, normal, options, contact);
+      return face == pair ? describe_edge_edge(a, b, to_b, pair, normal, contact) : face;
     }
   }
 }
@@ -371,7 +390,7 @@ void describe_contact(const Outline<3>& a, const Outline<3>& b, const Vector<3>&
   PotentialPair<3> last = pair;
   for (int moves = a.topology->edge_count + b.topology->edge_count;; --moves) {
     if (pair.kind == PotentialPair<3>::edge_edge && !is_edge_pair(a, pair.a, b, pair.b))
-      pair = FacesAtEdges(a, b, to_b, pair).least_deep();
+      pair = FacesAtEdges(a, b, pair).least_deep(a, b, to_b);
     const PotentialPair<3> next = describe_at(a, b, to_b, pair, options, contact);
     // A vertex of separated blocks may lie beyond the edge between two facets on the way from either: it
     // stays.

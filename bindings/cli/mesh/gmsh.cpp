@@ -75,7 +75,8 @@ class Reader {
     const std::size_t count = lines_.count(0);
     for (std::size_t i = 0; i < count; ++i) {
       lines_.next("a node");
-      add_node(lines_.integer(0), lines_.point(1));
+      const std::int64_t tag = lines_.integer(0);  // first: the fault told is the first on the line
+      add_node(tag, lines_.point(1));
     }
   }
 
@@ -105,7 +106,8 @@ class Reader {
     const std::size_t count = lines_.count(0);
     for (std::size_t i = 0; i < count; ++i) {
       lines_.next("an element");
-      add_element(lines_.integer(1), 3 + lines_.count(2));
+      const std::int64_t kind = lines_.integer(1);
+      add_element(kind, 3 + lines_.count(2));
     }
   }
 
