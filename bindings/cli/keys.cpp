@@ -193,15 +193,18 @@ std::vector<Point> Keys::points(std::string_view key, std::size_t fewest,
   return points.size() == list->size() ? points : std::vector<Point>{};
 }
 
+const toml::array* Keys::list_at(std::string_view key, const std::string& allowed) {
+  const toml::node* node = find(key, allowed, false);
+  if (!node) return nullptr;
+  const toml::array* list = node->as_array();
+  if (!list) fault(key, "not a list: " + shown(*node) + "; allowed: " + allowed);
+  return list;
+}
+
 std::vector<double> Keys::rising_numbers(std::string_view key, Range range) {
   const std::string allowed = "a list of rising numbers, each " + range.describe();
-  const toml::node* node = find(key, allowed, false);
-  if (!node) return {};
-  const toml::array* list = node->as_array();
-  if (!list) {
-    fault(key, "not a list: " + shown(*node) + "; allowed: " + allowed);
-    return {};
-  }
+  const toml::array* list = list_at(key, allowed);
+  if (!list) return {};
   std::vector<double> numbers;
   for (const toml::node& item : *list) {
     const std::optional<double> value = finite_number(item, path(key));
@@ -229,13 +232,8 @@ std::optional<std::vector<int>> Keys::loop_of(const toml::node& node, std::size_
 std::vector<std::vector<int>> Keys::loops(std::string_view key, std::size_t count) {
   const std::string allowed =
       "lists of three or more whole numbers, at least 0, below " + std::to_string(count);
-  const toml::node* node = find(key, allowed, false);
-  if (!node) return {};
-  const toml::array* list = node->as_array();
-  if (!list) {
-    fault(key, "not a list: " + shown(*node) + "; allowed: " + allowed);
-    return {};
-  }
+  const toml::array* list = list_at(key, allowed);
+  if (!list) return {};
   std::vector<std::vector<int>> loops;
   for (std::size_t i = 0; i < list->size(); ++i) {
     std::optional<std::vector<int>> loop = loop_of((*list)[i], count);

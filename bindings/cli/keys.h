@@ -78,6 +78,8 @@ class Keys {
   /// How a table is headed in the file: its path without indices, in brackets.
   std::string header(std::string_view key) const;
   const toml::node* find(std::string_view key, std::string_view what, bool is_required);
+  /// Of a key that may be left out; nullptr without it, or when it is no list, which is told.
+  const toml::array* list_at(std::string_view key, const std::string& allowed);
   std::optional<double> finite_number(const toml::node& node, const std::string& path);
   const char* point_form() const { return dimension_ == 3 ? "[x, y, z]" : "[x, y]"; }
   std::optional<std::vector<int>> loop_of(const toml::node& node, std::size_t count);

@@ -132,11 +132,10 @@ template <int D>
 void Blocks<D>::drift(std::int32_t slot, const Vector<D>& way, const Rotation<D>& turned) {
   const std::size_t s = std::size_t(slot);
   position[s] += way;
+  if (kind[s] == BlockKind::rigid) spin[s] = inertia[s].spin(momentum[s], turned);
   if (spin[s] == Angular<D>::Zero()) return;
   rotation[s] = turned;
   outlines_.turn(slot, turned);
-  // In space a body that turns freely keeps its momentum, not its spin; a prescribed one is told its spin.
-  if (D == 3 && kind[s] == BlockKind::rigid) spin[s] = inertia[s].spin(momentum[s], turned);
 }
 
 template <int D>

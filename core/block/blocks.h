@@ -32,13 +32,17 @@ class Blocks {
   /// Puts a block somewhere and turns its outline. Its spin stays.
   void place(std::int32_t slot, const Vector<D>& to, const Rotation<D>& turned);
   void set_motion(std::int32_t slot, const Vector<D>& new_velocity, const Angular<D>& new_spin);
-  /// Changes velocity and angular momentum, and the spin with the latter.
-  void kick(std::size_t slot, const Vector<D>& velocity_change, const Angular<D>& momentum_change) {
+  /// Changes velocity and angular momentum. The spin follows where the block drifts on.
+  void push(std::size_t slot, const Vector<D>& velocity_change, const Angular<D>& momentum_change) {
     velocity[slot] += velocity_change;
     momentum[slot] += momentum_change;
+  }
+  /// The same for a block that stays where it is, its spin included.
+  void kick(std::size_t slot, const Vector<D>& velocity_change, const Angular<D>& momentum_change) {
+    push(slot, velocity_change, momentum_change);
     spin[slot] = inertia[slot].spin(momentum[slot], rotation[slot]);
   }
-  /// Moves a block that goes on under its own momentum.
+  /// Moves a block: a rigid one goes on under its own momentum, which stays while in space its spin changes.
   void drift(std::int32_t slot, const Vector<D>& way, const Rotation<D>& turned);
 
   Outline<D> outline(std::int32_t slot) const { return outlines_[slot]; }

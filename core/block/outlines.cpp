@@ -128,13 +128,7 @@ void Outlines<D>::drop(std::int32_t slot) {
 template <int D>
 void Outlines<D>::turn(std::int32_t slot, const Rotation<D>& rotation) {
   const std::size_t s = std::size_t(slot);
-  const Extent extent = [&] {
-    if constexpr (D == 2) {
-      return extent_of(form_[s]);
-    } else {
-      return extent_of(topologies_[form_[s]]);
-    }
-  }();
+  const Extent extent = extent_of((*this)[slot]);
   const double* own = own_.data() + first_[s];
   double* turned = turned_.data() + first_[s];
   const std::size_t normals = D * extent.vertices;

@@ -132,18 +132,16 @@ class SeenBlock {
     return extent;
   }
   /// Outer normal in these coordinates.
-  Vector<3> normal(int face) const {
-    const Vector<3> n = block_.normal(face);
-    return {plane_.along.dot(n), plane_.across.dot(n), plane_.normal.dot(n)};
-  }
+  Vector<3> normal(int face) const { return seen(block_.normal(face)); }
   double offset(int face, const Vector<3>& n) const {
     return n.dot(vertex(topology().face_vertex[topology().first_of_face[face]]));
   }
 
  private:
-  Vector<3> make(int v) const {
-    const Vector<3> p = block_.vertex(v) + shift_ - plane_.origin;
-    return {plane_.along.dot(p), plane_.across.dot(p), plane_.normal.dot(p)};
+  Vector<3> make(int v) const { return seen(block_.vertex(v) + shift_ - plane_.origin); }
+
+  Vector<3> seen(const Vector<3>& v) const {
+    return {plane_.along.dot(v), plane_.across.dot(v), plane_.normal.dot(v)};
   }
 
   static constexpr int most_kept = 64;
@@ -225,8 +223,9 @@ Overlap<3> measure_overlap(const Outline<3>& a, const Outline<3>& b, const Vecto
   DepthSums sums;
   for (int i = 0; i < a.face_count(); ++i) {
     const Extent extent = seen_a.extent_of(i);
+    if (!extent.may_cover(seen_b.extent())) continue;
     const SeenFace of_a(seen_a, i);
-    if (of_a.looks() == 0 || !extent.may_cover(seen_b.extent())) continue;
+    if (of_a.looks() == 0) continue;
     for (int j = 0; j < b.face_count(); ++j) {
       if (!extent.may_cover(seen_b.extent_of(j))) continue;
       const SeenFace of_b(seen_b, j);

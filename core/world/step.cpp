@@ -74,12 +74,12 @@ void World<D>::kick_and_drift() {
   const double half = 0.5 * time_step_;
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
     if (blocks_.kind[i] == BlockKind::rigid) {
-      blocks_.kick(i, half * acceleration_[i], half * momentum_rate_[i]);
+      blocks_.push(i, half * acceleration_[i], half * momentum_rate_[i]);
     } else if (blocks_.kind[i] != BlockKind::prescribed) {
       continue;
     }
-    if constexpr (D == 2) blocks_.angle[i] += time_step_ * blocks_.spin[i][0];
     blocks_.drift(std::int32_t(i), time_step_ * blocks_.velocity[i], next_rotation_[i]);
+    if constexpr (D == 2) blocks_.angle[i] += time_step_ * blocks_.spin[i][0];
   }
 }
 
