@@ -68,7 +68,7 @@ CutShape cut(const Context& context, const Shape& shape, const Point& point, con
 
 hs_shape_properties properties_of(const Context& context, const Shape& shape) {
   hs_shape_properties properties;
-  require(context, hs_shape_get_properties(shape.get(), &properties));
+  require(context, hs_shape_get_properties(shape.get(), &properties, sizeof properties));
   return properties;
 }
 

@@ -100,7 +100,9 @@ void Model::set_due_motions() {
   }
 }
 
-void Model::update_report() { require(context_, hs_world_get_report(world_.get(), &report_)); }
+void Model::update_report() {
+  require(context_, hs_world_get_report(world_.get(), &report_, sizeof report_));
+}
 
 hs_block_state Model::state_of(std::size_t block) const {
   hs_block_state state;

@@ -18,9 +18,9 @@ struct EntryName {
 
 }  // namespace
 
-hs_status hs_pairs_detect(hs_context* context, const hs_shape* const* shapes, const hs_pose* poses,
-                          int64_t body_count, const int32_t* pairs, int64_t pair_count,
-                          const hs_pair_options* options, hs_pair_cache* caches, hs_contact* contacts,
+hs_status hs_pairs_detect(hs_context* context, const hs_shape* const shapes[], const hs_pose poses[],
+                          int64_t body_count, const int32_t pairs[], int64_t pair_count,
+                          const hs_pair_options* options, hs_pair_cache caches[], hs_contact contacts[],
                           int64_t* touching) {
   return guarded(context, __func__, [&] {
     require_pointer(context, "context");

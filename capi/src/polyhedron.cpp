@@ -85,8 +85,8 @@ Polyhedron read_polyhedron(hs_context* context, const hs_view& vertices, const s
 
 }  // namespace
 
-hs_status hs_polyhedron_check(hs_context* context, hs_view vertices, const int32_t* face_sizes,
-                              int64_t face_count, const int32_t* face_vertices, hs_fault* fault) {
+hs_status hs_polyhedron_check(hs_context* context, hs_view vertices, const int32_t face_sizes[],
+                              int64_t face_count, const int32_t face_vertices[], hs_fault* fault) {
   return guarded(context, __func__, [&] {
     require_pointer(context, "context");
     require_pointer(fault, "fault");
@@ -97,8 +97,8 @@ hs_status hs_polyhedron_check(hs_context* context, hs_view vertices, const int32
   });
 }
 
-hs_status hs_polyhedron_create(hs_context* context, hs_view vertices, const int32_t* face_sizes,
-                               int64_t face_count, const int32_t* face_vertices, hs_shape** shape) {
+hs_status hs_polyhedron_create(hs_context* context, hs_view vertices, const int32_t face_sizes[],
+                               int64_t face_count, const int32_t face_vertices[], hs_shape** shape) {
   return guarded(context, __func__, [&] {
     require_pointer(context, "context");
     require_pointer(shape, "shape");
@@ -124,7 +124,7 @@ hs_status hs_polyhedron_create_hull(hs_context* context, hs_view points, hs_shap
   });
 }
 
-hs_status hs_polyhedron_create_from_halfspaces(hs_context* context, hs_view normals, const double* offsets,
+hs_status hs_polyhedron_create_from_halfspaces(hs_context* context, hs_view normals, const double offsets[],
                                                hs_shape** shape) {
   return guarded(context, __func__, [&] {
     require_pointer(context, "context");

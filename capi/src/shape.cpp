@@ -1,6 +1,7 @@
 #include "shape.h"
 
 #include <algorithm>
+#include <cstddef>
 
 #include "check.h"
 #include "view.h"
@@ -64,11 +65,13 @@ hs_status write_all(std::int64_t count, std::int64_t capacity, Write write) {
 
 }  // namespace
 
-hs_status hs_shape_get_properties(const hs_shape* shape, hs_shape_properties* properties) {
+hs_status hs_shape_get_properties(const hs_shape* shape, hs_shape_properties* properties, size_t size) {
   return guarded(shape ? shape->context : nullptr, __func__, [&] {
     require_pointer(shape, "shape");
     require_pointer(properties, "properties");
-    *properties = visit(*shape, [](const auto& handle) { return properties_of(handle.shape); });
+    require_report_size(size, offsetof(hs_shape_properties, shortest_edge) + sizeof(double));
+    write_sized(visit(*shape, [](const auto& handle) { return properties_of(handle.shape); }), properties,
+                size);
     return HS_OK;
   });
 }
@@ -86,8 +89,8 @@ hs_status hs_shape_get_vertices(const hs_shape* shape, hs_mutable_view vertices,
   });
 }
 
-hs_status hs_shape_get_faces(const hs_shape* shape, int32_t* first_of_face, int64_t face_capacity,
-                             int32_t* face_vertices, int64_t vertex_capacity, int64_t* face_count,
+hs_status hs_shape_get_faces(const hs_shape* shape, int32_t first_of_face[], int64_t face_capacity,
+                             int32_t face_vertices[], int64_t vertex_capacity, int64_t* face_count,
                              int64_t* vertex_count) {
   return guarded(shape ? shape->context : nullptr, __func__, [&] {
     require_pointer(shape, "shape");
@@ -109,7 +112,7 @@ hs_status hs_shape_get_faces(const hs_shape* shape, int32_t* first_of_face, int6
   });
 }
 
-hs_status hs_shape_get_edges(const hs_shape* shape, int32_t* edge_vertices, int64_t capacity,
+hs_status hs_shape_get_edges(const hs_shape* shape, int32_t edge_vertices[], int64_t capacity,
                              int64_t* count) {
   return guarded(shape ? shape->context : nullptr, __func__, [&] {
     require_pointer(shape, "shape");
@@ -126,7 +129,7 @@ hs_status hs_shape_get_edges(const hs_shape* shape, int32_t* edge_vertices, int6
   });
 }
 
-hs_status hs_shape_get_halfspaces(const hs_shape* shape, hs_mutable_view normals, double* offsets,
+hs_status hs_shape_get_halfspaces(const hs_shape* shape, hs_mutable_view normals, double offsets[],
                                   int64_t* count) {
   return guarded(shape ? shape->context : nullptr, __func__, [&] {
     require_pointer(shape, "shape");

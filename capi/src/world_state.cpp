@@ -13,7 +13,7 @@ std::int64_t vertex_count_of(const Outline<3>& outline) { return outline.vertex_
 
 }  // namespace
 
-hs_status hs_world_get_blocks(const hs_world* world, hs_block* blocks, int64_t capacity, int64_t* count) {
+hs_status hs_world_get_blocks(const hs_world* world, hs_block blocks[], int64_t capacity, int64_t* count) {
   return with_world(world, __func__, [&]<int D>(const World<D>& w) {
     require_count(capacity, "capacity");
     if (capacity > 0) require_pointer(blocks, "blocks");
@@ -100,7 +100,7 @@ hs_status hs_world_set_applied_force(hs_world* world, hs_block block, const doub
   });
 }
 
-hs_status hs_world_get_poses(const hs_world* world, hs_pose* poses, int64_t capacity, int64_t* count) {
+hs_status hs_world_get_poses(const hs_world* world, hs_pose poses[], int64_t capacity, int64_t* count) {
   return with_world(world, __func__, [&]<int D>(const World<D>& w) {
     require_count(capacity, "capacity");
     if (capacity > 0) require_pointer(poses, "poses");
@@ -114,7 +114,7 @@ hs_status hs_world_get_poses(const hs_world* world, hs_pose* poses, int64_t capa
   });
 }
 
-hs_status hs_world_set_poses(hs_world* world, const hs_pose* poses, int64_t count) {
+hs_status hs_world_set_poses(hs_world* world, const hs_pose poses[], int64_t count) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     if (count != w.blocks().count()) {
       refuse(HS_ERROR_ARGUMENT, "count is %lld; the world has %lld blocks", static_cast<long long>(count),

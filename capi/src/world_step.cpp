@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 #include "contact.h"
@@ -123,27 +124,29 @@ hs_status hs_world_step(hs_world* world, int64_t steps) {
   });
 }
 
-hs_status hs_world_get_report(hs_world* world, hs_world_report* report) {
+hs_status hs_world_get_report(hs_world* world, hs_world_report* report, size_t size) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     require_pointer(report, "report");
+    require_report_size(size, offsetof(hs_world_report, energy) + sizeof(hs_energy));
     w.prepare();  // energies and the time step of a world that has been changed
     const double stable = w.stable_time_step();
-    *report = {w.steps(),
-               w.time(),
-               w.time_step(),
-               std::isfinite(stable) ? stable : 0,
-               w.blocks().count(),
-               std::int64_t(w.candidates().pairs().size()),
-               std::int64_t(w.contact_count()),
-               w.candidates().builds(),
-               largest_overlap(w),
-               largest_speed(w.blocks()),
-               energy_of(w.ledger())};
+    const hs_world_report ours = {w.steps(),
+                                  w.time(),
+                                  w.time_step(),
+                                  std::isfinite(stable) ? stable : 0,
+                                  w.blocks().count(),
+                                  std::int64_t(w.candidates().pairs().size()),
+                                  std::int64_t(w.contact_count()),
+                                  w.candidates().builds(),
+                                  largest_overlap(w),
+                                  largest_speed(w.blocks()),
+                                  energy_of(w.ledger())};
+    write_sized(ours, report, size);
     return HS_OK;
   });
 }
 
-hs_status hs_world_get_contacts(const hs_world* world, hs_contact* contacts, int64_t capacity,
+hs_status hs_world_get_contacts(const hs_world* world, hs_contact contacts[], int64_t capacity,
                                 int64_t* count) {
   return with_world(world, __func__, [&]<int D>(const World<D>& w) {
     require_count(capacity, "capacity");

@@ -131,7 +131,7 @@ struct Heap {
 
   hs_world_report report() const {
     hs_world_report report;
-    check(hs_world_get_report(world.get(), &report));
+    check(hs_world_get_report(world.get(), &report, sizeof report));
     return report;
   }
 };

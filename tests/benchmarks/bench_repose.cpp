@@ -119,7 +119,7 @@ class Repose {
 
   hs_world_report report() const {
     hs_world_report report;
-    require_ok(hs_world_get_report(world_.get(), &report), context_);
+    require_ok(hs_world_get_report(world_.get(), &report, sizeof report), context_);
     return report;
   }
 

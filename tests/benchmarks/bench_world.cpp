@@ -30,7 +30,7 @@ Plan quick_plan(bool random_order) { return {10, 10, {1, 10}, 1, 1e4, 1000, 2, r
 
 hs_world_report report_of(hs_world* world, hs_context* context) {
   hs_world_report report;
-  require_ok(hs_world_get_report(world, &report), context);
+  require_ok(hs_world_get_report(world, &report, sizeof report), context);
   return report;
 }
 

@@ -162,7 +162,7 @@ Bin settle_bin(int columns, int rows, double most_time, Random& random) {
   hs_world_report report;
   do {
     require_ok(hs_world_step(world.get(), 500), context.get());
-    require_ok(hs_world_get_report(world.get(), &report), context.get());
+    require_ok(hs_world_get_report(world.get(), &report, sizeof report), context.get());
   } while (report.time < most_time && report.largest_speed > 1e-3);
   bin.settling_time = report.time;
   bin.largest_speed = report.largest_speed;

@@ -1,14 +1,27 @@
-// Every definition that the library fills, and the sizes by which it knows which version of the struct a
-// caller has.
+// Every definition and report that the library fills, and the sizes by which it knows which version of the
+// struct a caller has.
 
 #include <cstring>
 #include <vector>
 
-#include "capi/handles.h"
-#include "catch.h"
+#include "capi/refusals.h"
+#include "capi/world_fixture.h"
 
 namespace halfspace_test {
 namespace {
+
+/// A caller from the future has a longer struct: what this library does not know is zero, nothing behind it
+/// is touched. Returns what it knows.
+template <class Struct, class Fill>
+Struct filled_longer(Fill fill) {
+  std::vector<unsigned char> longer(sizeof(Struct) + 64, 0xee);
+  REQUIRE(fill(reinterpret_cast<Struct*>(longer.data()), sizeof(Struct) + 32) == HS_OK);
+  for (std::size_t i = sizeof(Struct); i < sizeof(Struct) + 32; ++i) CHECK(int(longer[i]) == 0);
+  for (std::size_t i = sizeof(Struct) + 32; i < longer.size(); ++i) CHECK(int(longer[i]) == 0xee);
+  Struct known;
+  std::memcpy(&known, longer.data(), sizeof known);
+  return known;
+}
 
 /// Checks hs_..._init(def, size) for a struct that begins with struct_size.
 template <class Def, class Init>
@@ -24,16 +37,31 @@ void check_init(Init init) {
   }
   REQUIRE(init(&def, sizeof def) == HS_OK);
   CHECK(def.struct_size == sizeof(Def));
+  CHECK(filled_longer<Def>(init).struct_size == sizeof(Def) + 32);
+}
 
-  // A caller from the future has a longer struct: what this library does not know is zero, nothing behind it
-  // is touched.
-  std::vector<unsigned char> longer(sizeof(Def) + 64, 0xee);
-  REQUIRE(init(reinterpret_cast<Def*>(longer.data()), sizeof(Def) + 32) == HS_OK);
-  Def known;
-  std::memcpy(&known, longer.data(), sizeof known);
-  CHECK(known.struct_size == sizeof(Def) + 32);
-  for (std::size_t i = sizeof(Def); i < sizeof(Def) + 32; ++i) CHECK(int(longer[i]) == 0);
-  for (std::size_t i = sizeof(Def) + 32; i < longer.size(); ++i) CHECK(int(longer[i]) == 0xee);
+/// Checks a getter of a report. Its first version was of the size given: no caller has a smaller one.
+template <class Report, class Get>
+void check_report(hs_context* context, const char* function, std::size_t first_version, Get get) {
+  Report report;
+  std::memset(&report, 0xee, sizeof report);
+  const Report untouched = report;
+  std::vector<Refusal> refusals;
+  for (std::size_t size : {std::size_t(0), std::size_t(8), first_version - 1, std::size_t(1) << 17})
+    refusals.push_back({"size", std::to_string(size), [&, size] { return get(&report, size); }});
+  check_refusals(context, function, refusals);
+  CHECK(std::memcmp(&report, &untouched, sizeof report) == 0);
+
+  REQUIRE(get(&report, sizeof report) == HS_OK);
+  CHECK(std::memcmp(&report, &untouched, sizeof report) != 0);
+  const Report of_longer = filled_longer<Report>(get);
+  CHECK(std::memcmp(&report, &of_longer, sizeof report) == 0);
+
+  // A caller of the first version gets that, and nothing behind it is touched.
+  Report first = untouched, expected = untouched;
+  std::memcpy(static_cast<void*>(&expected), &report, first_version);
+  REQUIRE(get(&first, first_version) == HS_OK);
+  CHECK(std::memcmp(&first, &expected, sizeof first) == 0);
 }
 
 }  // namespace
@@ -54,6 +82,23 @@ TEST_CASE("hs_block_def_init") {
   CHECK(def.pose.position[0] == 3);
   CHECK(def.pose.position[1] == 3);
   CHECK(def.pose.rotation[3] == 1);
+}
+
+TEST_CASE("hs_shape_get_properties: sizes of its report") {
+  const Context context = make_context();
+  const Shape shape = make_shape(context.get(), box(1, 2, 5, 4));
+  check_report<hs_shape_properties>(context.get(), "hs_shape_get_properties", 128,
+                                    [&](hs_shape_properties* properties, std::size_t size) {
+                                      return hs_shape_get_properties(shape.get(), properties, size);
+                                    });
+}
+
+TEST_CASE("hs_world_get_report: sizes of its report") {
+  const TwoBoxes scene;
+  check_report<hs_world_report>(scene.context.get(), "hs_world_get_report", 152,
+                                [&](hs_world_report* report, std::size_t size) {
+                                  return hs_world_get_report(scene.world.get(), report, size);
+                                });
 }
 
 TEST_CASE("the defaults are those the headers state") {

@@ -64,7 +64,8 @@ inline Shape make_shape(hs_context* context, const Points& vertices) {
 
 inline hs_shape_properties properties_of(const hs_shape* shape) {
   hs_shape_properties properties{};
-  if (hs_shape_get_properties(shape, &properties) != HS_OK) throw std::runtime_error("no properties");
+  if (hs_shape_get_properties(shape, &properties, sizeof properties) != HS_OK)
+    throw std::runtime_error("no properties");
   return properties;
 }
 

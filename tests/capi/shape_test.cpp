@@ -76,7 +76,7 @@ TEST_CASE("shape functions refuse what is missing") {
   CHECK(hs_polygon_check(nullptr, v, &fault) == HS_ERROR_ARGUMENT);
   CHECK(hs_polygon_create(nullptr, v, &shape) == HS_ERROR_ARGUMENT);
   CHECK(hs_polygon_create_hull(nullptr, v, &shape) == HS_ERROR_ARGUMENT);
-  CHECK(hs_shape_get_properties(nullptr, nullptr) == HS_ERROR_ARGUMENT);
+  CHECK(hs_shape_get_properties(nullptr, nullptr, 0) == HS_ERROR_ARGUMENT);
   CHECK(hs_shape_get_vertices(nullptr, {}, nullptr) == HS_ERROR_ARGUMENT);
   CHECK(hs_shape_get_halfspaces(nullptr, {}, nullptr, nullptr) == HS_ERROR_ARGUMENT);
   CHECK(shape == no_shape);
@@ -87,8 +87,10 @@ TEST_CASE("shape functions refuse what is missing") {
                  {{"shape", "NULL", [&] { return hs_polygon_create(c, v, nullptr); }}});
   check_refusals(c, "hs_polygon_create_hull",
                  {{"shape", "NULL", [&] { return hs_polygon_create_hull(c, v, nullptr); }}});
-  check_refusals(c, "hs_shape_get_properties",
-                 {{"properties", "NULL", [&] { return hs_shape_get_properties(made.get(), nullptr); }}});
+  const auto nowhere = [&] {
+    return hs_shape_get_properties(made.get(), nullptr, sizeof(hs_shape_properties));
+  };
+  check_refusals(c, "hs_shape_get_properties", {{"properties", "NULL", nowhere}});
 }
 
 TEST_CASE("a hull is refused for what is no number and for what has no area") {

@@ -369,8 +369,9 @@ TEST_CASE("stages, steps, reports and contacts refuse bad input") {
                       return hs_world_forces(w, 0, forces, {f, f, nullptr, 8, 3});
                     }}});
   check_unchanged(s, "hs_world_step", {{"steps", "-1", [&] { return hs_world_step(w, -1); }}});
-  check_unchanged(s, "hs_world_get_report",
-                  {{"report", "NULL", [&] { return hs_world_get_report(w, nullptr); }}});
+  check_unchanged(
+      s, "hs_world_get_report",
+      {{"report", "NULL", [&] { return hs_world_get_report(w, nullptr, sizeof(hs_world_report)); }}});
   check_unchanged(s, "hs_world_get_contacts",
                   {{"contacts", "NULL", [&] { return hs_world_get_contacts(w, nullptr, 1, nullptr); }},
                    {"capacity", "-1", [&] { return hs_world_get_contacts(w, &contact, -1, nullptr); }}});
@@ -387,7 +388,7 @@ TEST_CASE("stages, steps, reports and contacts refuse bad input") {
   CHECK(hs_world_detect(nullptr, nullptr) == HS_ERROR_ARGUMENT);
   CHECK(hs_world_forces(nullptr, 0, forces, none) == HS_ERROR_ARGUMENT);
   CHECK(hs_world_step(nullptr, 1) == HS_ERROR_ARGUMENT);
-  CHECK(hs_world_get_report(nullptr, &report) == HS_ERROR_ARGUMENT);
+  CHECK(hs_world_get_report(nullptr, &report, sizeof report) == HS_ERROR_ARGUMENT);
   CHECK(hs_world_get_contacts(nullptr, nullptr, 0, nullptr) == HS_ERROR_ARGUMENT);
   CHECK(hs_world_set_shear_force(nullptr, 1, 2, zero) == HS_ERROR_ARGUMENT);
 }

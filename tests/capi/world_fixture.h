@@ -53,7 +53,7 @@ inline std::vector<unsigned char> saved(const hs_world* world) {
 
 inline hs_world_report report_of(hs_world* world) {
   hs_world_report report{};
-  if (hs_world_get_report(world, &report) != HS_OK) throw std::runtime_error("no report");
+  if (hs_world_get_report(world, &report, sizeof report) != HS_OK) throw std::runtime_error("no report");
   return report;
 }
 

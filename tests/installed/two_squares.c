@@ -55,7 +55,7 @@ int main(void) {
   block_def.pose = apart;
   DO(hs_world_add_block(world, square, &block_def, &block));
   DO(hs_world_step(world, 10));
-  DO(hs_world_get_report(world, &report));
+  DO(hs_world_get_report(world, &report, sizeof report));
   DO(hs_world_get_block_state(world, block, &state));
   EXPECT(report.steps == 10);
   EXPECT(report.block_count == 2);

@@ -117,7 +117,7 @@ class Scene {
 
   hs_world_report report() const {
     hs_world_report report;
-    check(hs_world_get_report(world(), &report));
+    check(hs_world_get_report(world(), &report, sizeof report));
     return report;
   }
   hs_energy energy() const { return report().energy; }

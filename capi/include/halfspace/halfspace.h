@@ -10,6 +10,10 @@
  *    lengths times unit thickness, volumes are areas times unit thickness.
  *  - A function that can fail returns ::hs_status and gives its results through pointers. On an error
  *    nothing is changed; hs_context_last_error() names the function, the argument and its value.
+ *  - A parameter declared as `x[]` is an array; one declared as `*x` is one value, struct or handle.
+ *  - Definitions (hs_..._def, hs_pair_options) and reports (hs_shape_properties, hs_world_report) go with
+ *    their size as the caller was compiled, and later versions may append to them. All other structs are
+ *    fixed for the life of a soname.
  *  - Thread rule: a context and everything made from it belong to one thread at a time. Different contexts
  *    share nothing and may be used at the same time.
  */

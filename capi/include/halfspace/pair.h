@@ -57,9 +57,9 @@ HS_API hs_status hs_pair_options_init(hs_pair_options *options, size_t size);
  *  @param shape_a,shape_b the shapes, both of one dimension; the same one twice is legal
  *  @param pose_a,pose_b where they are
  *  @param options NULL for the defaults
- *  @param cache NULL, or the pair's memory from the last call: makes the answer faster and, in contact, keeps
- *         the plane through which the pair met. Updated.
- *  @param contact receives type, pair, normal, gap, and of a contact its region
+ *  @param[in,out] cache NULL, or the pair's memory from the last call: makes the answer faster and, in
+ *         contact, keeps the plane through which the pair met
+ *  @param[in,out] contact receives type, pair, normal, gap, and of a contact its region; the rest stays
  *  @return HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY (polygons of more than 32 vertices, polyhedra
  *          of more than 64 edges) */
 HS_API hs_status hs_pair_detect(const hs_shape *shape_a, const hs_pose *pose_a, const hs_shape *shape_b,
@@ -74,15 +74,16 @@ HS_API hs_status hs_pair_detect(const hs_shape *shape_a, const hs_pose *pose_a, 
  *  @param pairs body indices a, b of each pair, 2 * pair_count values
  *  @param pair_count number of pairs, >= 0
  *  @param options NULL for the defaults
- *  @param caches NULL, or one per pair
- *  @param contacts receives one per pair, in the order of the pairs, separated ones with HS_CONTACT_NONE
+ *  @param[in,out] caches NULL, or one per pair
+ *  @param[in,out] contacts receives one per pair, in the order of the pairs, separated ones with
+ *         HS_CONTACT_NONE
  *  @param touching receives the number of pairs in contact; may be NULL
  *  @return HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY; then the pairs before the failing one have
  *          been written */
-HS_API hs_status hs_pairs_detect(hs_context *context, const hs_shape *const *shapes, const hs_pose *poses,
-                                 int64_t body_count, const int32_t *pairs, int64_t pair_count,
-                                 const hs_pair_options *options, hs_pair_cache *caches, hs_contact *contacts,
-                                 int64_t *touching);
+HS_API hs_status hs_pairs_detect(hs_context *context, const hs_shape *const shapes[], const hs_pose poses[],
+                                 int64_t body_count, const int32_t pairs[], int64_t pair_count,
+                                 const hs_pair_options *options, hs_pair_cache caches[],
+                                 hs_contact contacts[], int64_t *touching);
 
 #ifdef __cplusplus
 }

@@ -7,6 +7,9 @@
 #ifndef HALFSPACE_SHAPE_H
 #define HALFSPACE_SHAPE_H
 
+#include <stddef.h>
+#include <stdint.h>
+
 #include "halfspace/context.h"
 #include "halfspace/status.h"
 #include "halfspace/view.h"
@@ -61,7 +64,7 @@ typedef struct hs_fault {
   int64_t face;     /**< index of the offending face in the caller's list, -1 if there is none */
 } hs_fault;
 
-/** Geometry and mass per unit density. */
+/** Geometry and mass per unit density. Later versions may append to it. */
 typedef struct hs_shape_properties {
   int32_t dimension;        /**< 2 or 3 */
   int32_t reserved;         /**< 0 */
@@ -130,8 +133,8 @@ HS_API hs_status hs_polygon_clean(hs_context *context, hs_view vertices, double 
  *         sizes add up to
  *  @param fault receives the first fault, or HS_FAULT_NONE
  *  @return HS_OK (also when there is a fault), HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY */
-HS_API hs_status hs_polyhedron_check(hs_context *context, hs_view vertices, const int32_t *face_sizes,
-                                     int64_t face_count, const int32_t *face_vertices, hs_fault *fault);
+HS_API hs_status hs_polyhedron_check(hs_context *context, hs_view vertices, const int32_t face_sizes[],
+                                     int64_t face_count, const int32_t face_vertices[], hs_fault *fault);
 
 /** @brief Makes a convex polyhedron. Nothing is welded, merged or repaired: faulty input is refused with its
  *  reason. Faces may have any number of vertices, all in one plane to rounding; two neighbours in one plane
@@ -141,8 +144,8 @@ HS_API hs_status hs_polyhedron_check(hs_context *context, hs_view vertices, cons
  *  @param shape receives the shape, its vertices and faces in the order given; end it with hs_shape_destroy()
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (the text names fault, face and vertex) or
  *          HS_ERROR_OUT_OF_MEMORY */
-HS_API hs_status hs_polyhedron_create(hs_context *context, hs_view vertices, const int32_t *face_sizes,
-                                      int64_t face_count, const int32_t *face_vertices, hs_shape **shape);
+HS_API hs_status hs_polyhedron_create(hs_context *context, hs_view vertices, const int32_t face_sizes[],
+                                      int64_t face_count, const int32_t face_vertices[], hs_shape **shape);
 
 /** @brief Makes the convex hull of points as a polyhedron, with whole faces: what is in one plane to rounding
  *  is one face. While it works, it takes memory from malloc as well, for qhull.
@@ -162,18 +165,17 @@ HS_API hs_status hs_polyhedron_create_hull(hs_context *context, hs_view points, 
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (the text says what keeps them from bounding a region,
  *          or names the half-space that is faulty) or HS_ERROR_OUT_OF_MEMORY */
 HS_API hs_status hs_polyhedron_create_from_halfspaces(hs_context *context, hs_view normals,
-                                                      const double *offsets, hs_shape **shape);
+                                                      const double offsets[], hs_shape **shape);
 
 /** @brief Cuts a shape by a plane (a line in 2D) into two.
  *  Coordinates are those the shape was made from, and so are those of the parts. In 3D the new face is the
- *  last of either part.
+ *  last of either part. A part that the plane touches only to rounding is none, in 3D also one so thin that
+ *  rounding leaves no valid polyhedron of it; the other part is then a copy of the whole.
  *  @param shape what to cut; it stays as it is
  *  @param point a point of the plane, 3 values; the nearer to the shape, the smaller the rounding
  *  @param normal the plane's normal, 3 values, any length but 0
  *  @param behind receives the part against the normal, or NULL if there is none
  *  @param ahead receives the part along the normal, or NULL if there is none
- *  A part that the plane touches only to rounding is none, in 3D also one so thin that rounding leaves no
- *  valid polyhedron of it; the other part is then a copy of the whole.
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (2D: a part too small to compute with) or
  *          HS_ERROR_OUT_OF_MEMORY */
 HS_API hs_status hs_shape_cut(const hs_shape *shape, const double point[3], const double normal[3],
@@ -181,9 +183,10 @@ HS_API hs_status hs_shape_cut(const hs_shape *shape, const double point[3], cons
 
 /** @brief Geometry and mass properties.
  *  @param shape not NULL
- *  @param properties receives them
+ *  @param properties receives them; what this library does not know of a longer struct is 0
+ *  @param size sizeof(hs_shape_properties) as the caller was compiled
  *  @return HS_OK or HS_ERROR_ARGUMENT */
-HS_API hs_status hs_shape_get_properties(const hs_shape *shape, hs_shape_properties *properties);
+HS_API hs_status hs_shape_get_properties(const hs_shape *shape, hs_shape_properties *properties, size_t size);
 
 /** @brief The vertices in the coordinates the shape was made from; in 2D counter-clockwise.
  *  @param shape not NULL
@@ -203,8 +206,8 @@ HS_API hs_status hs_shape_get_vertices(const hs_shape *shape, hs_mutable_view ve
  *  @param face_count receives the number of faces; may be NULL
  *  @param vertex_count receives the length of all lists, 2 * hs_shape_properties.edge_count; may be NULL
  *  @return HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT */
-HS_API hs_status hs_shape_get_faces(const hs_shape *shape, int32_t *first_of_face, int64_t face_capacity,
-                                    int32_t *face_vertices, int64_t vertex_capacity, int64_t *face_count,
+HS_API hs_status hs_shape_get_faces(const hs_shape *shape, int32_t first_of_face[], int64_t face_capacity,
+                                    int32_t face_vertices[], int64_t vertex_capacity, int64_t *face_count,
                                     int64_t *vertex_count);
 
 /** @brief The edges by which HS_PAIR_EDGE_EDGE names them: the vertices at their two ends.
@@ -213,7 +216,7 @@ HS_API hs_status hs_shape_get_faces(const hs_shape *shape, int32_t *first_of_fac
  *  @param capacity in edges
  *  @param count receives the number of edges; may be NULL
  *  @return HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT */
-HS_API hs_status hs_shape_get_edges(const hs_shape *shape, int32_t *edge_vertices, int64_t capacity,
+HS_API hs_status hs_shape_get_edges(const hs_shape *shape, int32_t edge_vertices[], int64_t capacity,
                                     int64_t *count);
 
 /** @brief The half-spaces: p is inside when dot(normal, p) <= offset, with outer unit normals.
@@ -224,7 +227,7 @@ HS_API hs_status hs_shape_get_edges(const hs_shape *shape, int32_t *edge_vertice
  *  @param offsets receives the offsets, normals.count values; may be NULL
  *  @param count receives the number of half-spaces; may be NULL
  *  @return HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT */
-HS_API hs_status hs_shape_get_halfspaces(const hs_shape *shape, hs_mutable_view normals, double *offsets,
+HS_API hs_status hs_shape_get_halfspaces(const hs_shape *shape, hs_mutable_view normals, double offsets[],
                                          int64_t *count);
 
 /** @brief Ends a shape. Blocks made from it keep their own copy.

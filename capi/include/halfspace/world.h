@@ -83,7 +83,7 @@ typedef struct hs_energy {
   double residual;        /**< all but outer_work, minus outer_work: what the numbers themselves made or lost */
 } hs_energy;
 
-/** The state of a world in numbers. */
+/** The state of a world in numbers. Later versions may append to it. */
 typedef struct hs_world_report {
   int64_t steps;             /**< done so far */
   double time;               /**< passed so far */
@@ -149,7 +149,7 @@ HS_API hs_status hs_world_remove_block(hs_world *world, hs_block block);
  *  @param world not NULL @param blocks receives them; may be NULL if capacity is 0 @param capacity in ids
  *  @param count receives the number of blocks; may be NULL
  *  @return HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT */
-HS_API hs_status hs_world_get_blocks(const hs_world *world, hs_block *blocks, int64_t capacity, int64_t *count);
+HS_API hs_status hs_world_get_blocks(const hs_world *world, hs_block blocks[], int64_t capacity, int64_t *count);
 
 /** @brief One block's motion.
  *  @param world not NULL @param block id @param state receives it
@@ -178,14 +178,14 @@ HS_API hs_status hs_world_set_velocity(hs_world *world, hs_block block, const do
 HS_API hs_status hs_world_set_applied_force(hs_world *world, hs_block block, const double force[3], const double torque[3]);
 
 /** @brief Bulk: poses of all blocks, in the order of hs_world_get_blocks().
- *  @param world not NULL @param poses hs_pose array @param capacity in poses @param count receives the number; may be NULL
+ *  @param world not NULL @param poses receives them; may be NULL if capacity is 0 @param capacity in poses @param count receives the number; may be NULL
  *  @return HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT */
-HS_API hs_status hs_world_get_poses(const hs_world *world, hs_pose *poses, int64_t capacity, int64_t *count);
+HS_API hs_status hs_world_get_poses(const hs_world *world, hs_pose poses[], int64_t capacity, int64_t *count);
 
 /** @brief Bulk: sets the poses of all blocks, in the order of hs_world_get_blocks().
  *  @param world not NULL @param poses one per block @param count must be the number of blocks
  *  @return HS_OK or HS_ERROR_ARGUMENT, then no block has moved */
-HS_API hs_status hs_world_set_poses(hs_world *world, const hs_pose *poses, int64_t count);
+HS_API hs_status hs_world_set_poses(hs_world *world, const hs_pose poses[], int64_t count);
 
 /** @brief Bulk: velocities and angular velocities of all blocks, in the order of hs_world_get_blocks().
  *  @param world not NULL @param velocities receives them; its count is the capacity
@@ -221,16 +221,17 @@ HS_API hs_status hs_world_step(hs_world *world, int64_t steps);
 
 /** @brief Time, time step, counts, energies. After a change of the world it detects and evaluates forces first, as a step would; that
  *  leaves no trace in the run. Without a time step the energies are those of before the change.
- *  @param world not NULL @param report receives them
+ *  @param world not NULL @param report receives them; what this library does not know of a longer struct is 0
+ *  @param size sizeof(hs_world_report) as the caller was compiled
  *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY */
-HS_API hs_status hs_world_get_report(hs_world *world, hs_world_report *report);
+HS_API hs_status hs_world_get_report(hs_world *world, hs_world_report *report, size_t size);
 
 /** @brief The contacts of the last detection, sorted by block index, a before b; none after a change of poses, blocks or laws. Forces
  *  are 0 until they are evaluated.
  *  @param world not NULL @param contacts receives them; may be NULL if capacity is 0 @param capacity in contacts
  *  @param count receives their number; may be NULL
  *  @return HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT */
-HS_API hs_status hs_world_get_contacts(const hs_world *world, hs_contact *contacts, int64_t capacity, int64_t *count);
+HS_API hs_status hs_world_get_contacts(const hs_world *world, hs_contact contacts[], int64_t capacity, int64_t *count);
 
 /** @brief Preloads the shear spring of a contact, e.g. to start from equilibrium.
  *  @param world after hs_world_detect() or a step

@@ -1,0 +1,122 @@
+"""Raw Python: ctypes structures, constants, and the types of all functions."""
+from prose import wrapped
+
+TYPES = {"int32_t": "c_int32", "uint32_t": "c_uint32", "int64_t": "c_int64", "uint64_t": "c_uint64",
+         "size_t": "c_size_t", "double": "c_double"}
+LONGEST_LINE = 110
+
+HEAD = '''\
+# Generated {generated}.
+"""The C interface of libhalfspace {version} as it is, for ctypes. Names and conventions are those of C.
+
+Arrays are passed as addresses or ctypes arrays, single structs and numbers by byref(); None is NULL."""
+from ctypes import (
+    CFUNCTYPE,
+    POINTER,
+    Structure,
+    c_char_p,
+    c_double,
+    c_int32,
+    c_int64,
+    c_size_t,
+    c_uint32,
+    c_uint64,
+    c_void_p,
+)
+'''
+
+
+def write(api):
+    lines = HEAD.format_map(api).splitlines()
+    for parts in (aliases, constants, callbacks, handles, structs, declare):
+        lines += ["", *parts(api)]
+    return "\n".join(lines) + "\n"
+
+
+def aliases(api):
+    lines = []
+    for alias in api["aliases"]:
+        lines += [*wrapped(alias["comment"], "# "), f"{alias['name']} = {TYPES[alias['type']]}"]
+    return lines
+
+
+def constants(api):
+    lines = ["# Status codes."]
+    for code in api["status_codes"]:
+        lines += with_comment(f"{code['name']} = {code['value']}", code["text"])
+    for group in api["constants"]:
+        lines += ["", *wrapped(group["comment"], "# ")]
+        for each in group["constants"]:
+            lines += with_comment(f"{each['name']} = {each['value']}", each["comment"])
+    return lines
+
+
+def callbacks(api):
+    lines = []
+    for callback in api["callbacks"]:
+        types = ", ".join(map(type_of, [callback["result"], *callback["parameters"]]))
+        lines += [*wrapped(callback["comment"], "# "), f"{callback['name']} = CFUNCTYPE({types})"]
+    return lines
+
+
+def handles(api):
+    lines = []
+    for handle in api["handles"]:
+        lines += ["", *begun_class(handle), ""]
+    return lines[:-1]
+
+
+def structs(api):
+    lines = []
+    for struct in api["structs"]:
+        lines += ["", *begun_class(struct), "", "    _fields_ = ["]
+        for field in struct["fields"]:
+            lines += with_comment(f"        (\"{field['name']}\", {field_type(field)}),", field["comment"])
+        lines += ["    ]", ""]
+    return lines[:-1]
+
+
+def begun_class(described):
+    lines = wrapped(described["comment"] + '"""', '    """', "    ")
+    return [f"class {described['name']}(Structure):", *lines]
+
+
+def field_type(field):
+    declared = type_of(field)
+    for count in reversed(field["dimensions"]):
+        declared = f"{declared} * {count}"
+    return declared
+
+
+def declare(api):
+    lines = ["", "def declare(library):",
+             '    """Says which types the functions of a loaded library take and return."""']
+    for function in api["functions"]:
+        called = f"library.{function['name']}"
+        lines += [*wrapped(function["comment"], "    # "), f"    {called}.argtypes = ["]
+        lines += [f"        {type_of(parameter)},  # {parameter['name']}" for parameter in function["parameters"]]
+        lines += ["    ]", f"    {called}.restype = {type_of(function['result'])}", ""]
+        if not function["parameters"]:
+            lines[-4:-2] = [lines[-4] + "]"]
+    return lines[:-1]
+
+
+def type_of(described):
+    """The ctypes type of a field, parameter or result, but for the dimensions of a field."""
+    kind, declared = described["kind"], TYPES.get(described["of"], described["of"])
+    if kind in ("value", "callback"):
+        return declared
+    if kind in ("pointer", "handle"):
+        return f"POINTER({declared})"
+    if kind == "new_handle":
+        return f"POINTER(POINTER({declared}))"
+    return {"string": "c_char_p", "nothing": "None"}.get(kind, "c_void_p")
+
+
+def with_comment(code, comment):
+    """Behind the code if there is room, else above it."""
+    behind = f"{code}  # {comment}"
+    if len(behind) <= LONGEST_LINE:
+        return [behind]
+    indent = code[:len(code) - len(code.lstrip())]
+    return [*wrapped(comment, indent + "# "), code]
