@@ -4,16 +4,24 @@
 
 #include "block/inertia.h"
 #include "block/outlines.h"
+#include "geometry/box.h"
 #include "geometry/outline.h"
 #include "geometry/rotation.h"
 #include "geometry/shape.h"
 #include "geometry/vector.h"
-#include "neighbor/neighbor_search.h"
 
 namespace halfspace {
 
 /// How a block moves. The values are those of the C API; `none` marks a free slot.
 enum class BlockKind : std::int32_t { none = -1, fixed = 0, prescribed = 1, rigid = 2 };
+
+/// Two blocks where they are: their outlines, and the way from a's centroid to b's.
+template <int D>
+struct PlacedBlocks {
+  Outline<D> a;
+  Outline<D> b;
+  Vector<D> to_b;
+};
 
 /// All blocks of a world, a component to an array. Slots of removed blocks are used again, under a new
 /// generation.
@@ -46,6 +54,9 @@ class Blocks {
   void drift(std::int32_t slot, const Vector<D>& way, const Rotation<D>& turned);
 
   Outline<D> outline(std::int32_t slot) const { return outlines_[slot]; }
+  PlacedBlocks<D> placed(std::int32_t a, std::int32_t b) const {
+    return {outline(a), outline(b), position[std::size_t(b)] - position[std::size_t(a)]};
+  }
   Box<D> box(std::int32_t slot) const;
   double kinetic_energy(std::int32_t slot) const {
     const std::size_t s = std::size_t(slot);

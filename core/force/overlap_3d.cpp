@@ -4,6 +4,7 @@
 
 #include "detect/region_3d_plane.h"
 #include "force/overlap.h"
+#include "geometry/box.h"
 
 namespace halfspace {
 namespace {
@@ -92,21 +93,12 @@ class DepthPolygon {
   DepthPoint corner_[room];
 };
 
-/// Extent of a face, or of a block, seen along the normal: on the contact plane, and above it.
-struct Extent {
-  Vector<3> lower{HUGE_VAL, HUGE_VAL, HUGE_VAL};
-  Vector<3> upper{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-
-  void include(const Vector<3>& p) {
-    lower = lower.cwiseMin(p);
-    upper = upper.cwiseMax(p);
-  }
-  /// Can something of this lie over something of the other?
-  bool may_cover(const Extent& other) const {
-    return upper.z() > other.lower.z() && lower.x() < other.upper.x() && other.lower.x() < upper.x() &&
-           lower.y() < other.upper.y() && other.lower.y() < upper.y();
-  }
-};
+/// Can something in one box lie over something in another, seen along the normal?
+bool may_cover(const Box<3>& over, const Box<3>& under) {
+  return over.upper.z() > under.lower.z() && over.lower.x() < under.upper.x() &&
+         under.lower.x() < over.upper.x() && over.lower.y() < under.upper.y() &&
+         under.lower.y() < over.upper.y();
+}
 
 /// A block seen along the normal of a plane: two coordinates on it, and the height. Those of the first
 /// vertices are kept; of larger blocks the others are made as they are asked for.
@@ -117,19 +109,19 @@ class SeenBlock {
     for (int v = 0; v < block.vertex_count(); ++v) {
       const Vector<3> p = make(v);
       if (v < most_kept) kept_[v] = p;
-      extent_.include(p);
+      box_.include(p);
     }
   }
 
   const Topology& topology() const { return *block_.topology; }
   Vector<3> vertex(int v) const { return v < most_kept ? kept_[v] : make(v); }
-  const Extent& extent() const { return extent_; }
-  Extent extent_of(int face) const {
+  const Box<3>& box() const { return box_; }
+  Box<3> box_of(int face) const {
     const Topology& t = topology();
-    Extent extent;
+    Box<3> box;
     for (int k = t.first_of_face[face]; k < t.first_of_face[face + 1]; ++k)
-      extent.include(vertex(t.face_vertex[k]));
-    return extent;
+      box.include(vertex(t.face_vertex[k]));
+    return box;
   }
   /// Outer normal in these coordinates.
   Vector<3> normal(int face) const { return seen(block_.normal(face)); }
@@ -149,7 +141,7 @@ class SeenBlock {
   const Outline<3>& block_;
   Vector<3> shift_;
   Vector<3> kept_[most_kept];
-  Extent extent_;
+  Box<3> box_;
 };
 
 /// A face seen so: its corners counter-clockwise whether it looks up or down, and the height of its plane.
@@ -222,12 +214,12 @@ Overlap<3> measure_overlap(const Outline<3>& a, const Outline<3>& b, const Vecto
   const SeenBlock seen_a(plane, a, Vector<3>::Zero()), seen_b(plane, b, to_b);
   DepthSums sums;
   for (int i = 0; i < a.face_count(); ++i) {
-    const Extent extent = seen_a.extent_of(i);
-    if (!extent.may_cover(seen_b.extent())) continue;
+    const Box<3> box = seen_a.box_of(i);
+    if (!may_cover(box, seen_b.box())) continue;
     const SeenFace of_a(seen_a, i);
     if (of_a.looks() == 0) continue;
     for (int j = 0; j < b.face_count(); ++j) {
-      if (!extent.may_cover(seen_b.extent_of(j))) continue;
+      if (!may_cover(box, seen_b.box_of(j))) continue;
       const SeenFace of_b(seen_b, j);
       if (of_b.looks() != 0) add_between(of_a, of_b, sums);
     }

@@ -1,9 +1,9 @@
 #include "geometry/polygon_check.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/box.h"
 #include "geometry/orientation.h"
 
 namespace halfspace {
@@ -110,9 +110,9 @@ FaultReport check_polygon(std::span<const Vector<2>> vertices) {
   if (const FaultReport r = first_not_finite(vertices); r.fault != Fault::none) return r;
   if (const FaultReport r = first_repeated(vertices); r.fault != Fault::none) return r;
 
-  Eigen::AlignedBox<double, 2> box;
-  for (const Vector<2>& v : vertices) box.extend(v);
-  if (box.sizes().maxCoeff() < smallest_extent) return {Fault::not_finite, -1};
+  Box<2> box;
+  for (const Vector<2>& v : vertices) box.include(v);
+  if (box.extent() < smallest_extent) return {Fault::not_finite, -1};
   if (all_on_one_line(vertices)) return {Fault::zero_area, -1};
 
   const FaultReport wrong_turn = first_wrong_turn(vertices);

@@ -1,10 +1,10 @@
 #include "geometry/polyhedron_check.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "geometry/box.h"
 #include "geometry/polyhedron_surface.h"
 #include "geometry/polyhedron_topology.h"
 #include "geometry/precise.h"
@@ -41,13 +41,13 @@ Heights heights_of_loop(const Polyhedron& p, std::int32_t face, const Vector<3>&
 }
 
 PolyhedronFault first_out_of_range(std::span<const Vector<3>> points) {
-  Eigen::AlignedBox<double, 3> box;
+  Box<3> box;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!points[i].allFinite() || points[i].cwiseAbs().maxCoeff() > largest_allowed)
       return {Fault::out_of_range, std::int64_t(i), -1};
-    box.extend(points[i]);
+    box.include(points[i]);
   }
-  if (box.sizes().maxCoeff() < smallest_extent) return {Fault::out_of_range, -1, -1};
+  if (box.extent() < smallest_extent) return {Fault::out_of_range, -1, -1};
   return {};
 }
 

@@ -1,9 +1,9 @@
 #include "geometry/polyhedron_hull.h"
 
-#include <Eigen/Geometry>
 #include <cmath>
 #include <utility>
 
+#include "geometry/box.h"
 #include "geometry/polyhedron_simplify.h"
 #include "geometry/quickhull.h"
 
@@ -15,10 +15,10 @@ namespace {
 class Normalized {
  public:
   Normalized(std::span<const Vector<3>> points, Memory* memory) : coordinates_(memory) {
-    Eigen::AlignedBox<double, 3> box;
-    for (const Vector<3>& p : points) box.extend(p);
+    Box<3> box;
+    for (const Vector<3>& p : points) box.include(p);
     const Vector<3> center = box.center();
-    std::frexp(box.sizes().maxCoeff(), &exponent_);
+    std::frexp(box.extent(), &exponent_);
     coordinates_.reserve(3 * points.size());
     for (const Vector<3>& p : points) {
       for (int axis = 0; axis < 3; ++axis) {

@@ -3,21 +3,9 @@
 #include <cstdint>
 #include <span>
 
-#include "geometry/vector.h"
+#include "geometry/box.h"
 
 namespace halfspace {
-
-/// An axis-aligned box.
-template <int D>
-struct Box {
-  Vector<D> lower;
-  Vector<D> upper;
-
-  double extent() const { return (upper - lower).maxCoeff(); }
-  bool overlaps(const Box& other) const {
-    return (lower.array() <= other.upper.array()).all() && (other.lower.array() <= upper.array()).all();
-  }
-};
 
 /// Two blocks that may touch, a < b.
 struct BlockPair {

@@ -39,7 +39,8 @@ typename NeighborSearch<D>::Cell NeighborSearch<D>::cell_of(const Box<D>& box, s
   cell.level = level_of(box);
   cell.block = std::int32_t(block);
   const double size = std::ldexp(1.0, cell.level);
-  for (int k = 0; k < D; ++k) cell.index[k] = cell_index(0.5 * (box.lower[k] + box.upper[k]), size);
+  const Vector<D> center = box.center();
+  for (int k = 0; k < D; ++k) cell.index[k] = cell_index(center[k], size);
   return cell;
 }
 

@@ -6,15 +6,6 @@
 #include "detect/separation_3d.h"
 
 namespace halfspace {
-namespace {
-
-template <int D>
-Separation<D> separation_of(const Blocks<D>& blocks, const BlockPair& pair) {
-  return find_separation(blocks.outline(pair.a), blocks.outline(pair.b),
-                         blocks.position[std::size_t(pair.b)] - blocks.position[std::size_t(pair.a)]);
-}
-
-}  // namespace
 
 template <int D>
 Candidates<D>::Candidates(Memory* memory)
@@ -62,7 +53,9 @@ template <int D>
 bool Candidates<D>::may_touch(const Blocks<D>& blocks, const BlockPair& pair) const {
   const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
   const bool one_moves_freely = blocks.kind[a] == BlockKind::rigid || blocks.kind[b] == BlockKind::rigid;
-  return one_moves_freely && separation_of(blocks, pair).gap <= skin_[a] + skin_[b];
+  if (!one_moves_freely) return false;
+  const PlacedBlocks<D> at = blocks.placed(pair.a, pair.b);
+  return find_separation(at.a, at.b, at.to_b).gap <= skin_[a] + skin_[b];
 }
 
 template <int D>

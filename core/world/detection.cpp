@@ -22,7 +22,7 @@ void World<D>::make_bonds() {
       const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
       const bool is_fresh = fresh_[a] || fresh_[b];
       if (!is_fresh || !laws_.between(blocks_.material[a], blocks_.material[b]).bonds()) continue;
-      const Posed at = posed(pair);
+      const PlacedBlocks<D> at = blocks_.placed(pair.a, pair.b);
       Contact<D> contact;
       describe_contact(at.a, at.b, at.to_b, pair.memory.pair, settings_.detect, contact);
       pair.bonded = std::abs(contact.gap) <= bond_reach * std::min(blocks_.radius[a], blocks_.radius[b]);
@@ -48,7 +48,7 @@ template <int D>
 bool World<D>::find_contact(std::size_t k, Contact<D>& contact) {
   Candidate<D>& pair = candidates_.pairs()[k];
   PairMemory<D>& memory = pair.memory;
-  const auto [a, b, to_b] = posed(pair);
+  const auto [a, b, to_b] = blocks_.placed(pair.a, pair.b);
   const typename PairMemory<D>::State before = memory.state;
 
   if (!still_separated(a, b, to_b, memory)) judge_pair(a, b, to_b, memory);
@@ -69,7 +69,7 @@ bool World<D>::find_contact(std::size_t k, Contact<D>& contact) {
 template <int D>
 Contact<D> World<D>::contact(std::size_t c) const {
   const Candidate<D>& pair = candidate_of(c);
-  const Posed at = posed(pair);
+  const PlacedBlocks<D> at = blocks_.placed(pair.a, pair.b);
   PotentialPair<D> found = pair.memory.pair;
   Contact<D> contact;
   describe_contact(at.a, at.b, at.to_b, found, settings_.detect, contact);

@@ -21,7 +21,7 @@ void World<D>::load_blocks(std::size_t candidate, const Contact<D>& contact, dou
                              blocks_.position[b] - blocks_.position[a], blocks_.spin[a], blocks_.spin[b]};
   Overlap<D> overlap;
   if (law.stiffness_kind == StiffnessKind::per_area) {
-    const Posed at = posed(pair);
+    const PlacedBlocks<D> at = blocks_.placed(pair.a, pair.b);
     overlap = overlap_of(at.a, at.b, at.to_b, contact);
   }
   const bool is_damped = law.normal_damping > 0 || law.shear_damping > 0;

@@ -53,8 +53,9 @@ bool World<D>::plan_motion() {
     if (rigid) {
       velocity += half * acceleration_[i];
       const Angular<D> momentum = blocks_.momentum[i] + half * momentum_rate_[i];
-      spin = blocks_.inertia[i].spin(momentum, blocks_.rotation[i]);
-      next_rotation_[i] = turned_freely(blocks_.rotation[i], blocks_.inertia[i], momentum, time_step_);
+      const auto onward = turned_freely(blocks_.rotation[i], blocks_.inertia[i], momentum, time_step_);
+      spin = onward.spin;
+      next_rotation_[i] = onward.rotation;
     } else {
       next_rotation_[i] = blocks_.rotation[i].turned_by(time_step_ * spin);
     }

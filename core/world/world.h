@@ -119,17 +119,6 @@ class World {
     double viscosity = 0;
   };
 
-  /// The blocks of a pair where they are: their outlines, and the way from a's centroid to b's.
-  struct Posed {
-    Outline<D> a;
-    Outline<D> b;
-    Vector<D> to_b;
-  };
-  Posed posed(const Candidate<D>& pair) const {
-    return {blocks_.outline(pair.a), blocks_.outline(pair.b),
-            blocks_.position[std::size_t(pair.b)] - blocks_.position[std::size_t(pair.a)]};
-  }
-
   void edit();
   void change_laws();
   bool find_contact(std::size_t k, Contact<D>& contact);

@@ -1,9 +1,11 @@
-// Verdict and depth of one pair of polyhedra by the engines of peers_3d.h, and what a pair's memory saves
-// from step to step. README.md says what is timed and how to read the figures.
+// Verdict and depth of one pair of polyhedra by the engines of peers_3d.h, what a cache saves when the
+// library is called about pairs that stay apart, and what a pair's memory saves from step to step. README.md
+// says what is timed and how to read the figures.
 
 #include <cstdio>
 #include <stdexcept>
 
+#include "benchmarks/called_pairs_3d.h"
 #include "benchmarks/convex_pairs_3d.h"
 #include "benchmarks/stepped_pairs_3d.h"
 #include "benchmarks/timing.h"
@@ -18,6 +20,8 @@ constexpr NamedPeer timed_peers[] = {
     {"FCL ccd", make_fcl_ccd},     {"FCL own", make_fcl_own},
     {"Bullet", make_bullet},       {"ODE", make_ode},
 };
+
+constexpr int all_vertex_counts[] = {4, 8, 12, 32, 128};
 
 /// One engine on a set: its verdicts judged once, its time taken pass by pass.
 class Contestant {
@@ -51,18 +55,23 @@ class Contestant {
   int wrong_ = 0;
 };
 
-void run(int vertices, const GapSet& gap, const Sizes& sizes, Random& random) {
+/// Each of the peers on one set, in turn in every pass.
+template <std::size_t count>
+std::vector<Contestant> contest(const NamedPeer (&peers)[count], int vertices, const GapSet& gap,
+                                const Sizes& sizes, Random& random) {
   const PairSet3 set = draw_pairs_3d(sizes.pairs, sizes.shapes, vertices, gap, random);
   std::vector<Contestant> contestants;
-  for (const NamedPeer& peer : timed_peers) contestants.emplace_back(peer, set, gap.separation <= 0);
+  for (const NamedPeer& peer : peers) contestants.emplace_back(peer, set, gap.separation <= 0);
   for (int pass = 0; pass < passes; ++pass) {
     for (Contestant& contestant : contestants) contestant.time_pass(random);
   }
+  return contestants;
+}
+
+void print_row(int vertices, const GapSet& gap, const std::vector<Contestant>& contestants) {
   std::printf("%8d %-6s", vertices, gap.name);
   for (const Contestant& c : contestants)
-    std::printf("%8.0f %7.0f %5d", c.minimum_ns(), c.median_ns(), c.wrong());
-  std::printf("\n");
-  std::fflush(stdout);
+    std::printf("%8.1f %7.1f %5d", c.minimum_ns(), c.median_ns(), c.wrong());
 }
 
 void run_all_peers(const Sizes& sizes) {
@@ -73,8 +82,29 @@ void run_all_peers(const Sizes& sizes) {
   for (std::size_t i = 0; i < std::size(timed_peers); ++i)
     std::printf("%8s %7s %5s", "min", "median", "wrong");
   std::printf("\n");
-  for (const int vertices : {4, 8, 12, 32, 128}) {
-    for (const GapSet& gap : gap_sets) run(vertices, gap, sizes, random);
+  for (const int vertices : all_vertex_counts) {
+    for (const GapSet& gap : gap_sets) {
+      print_row(vertices, gap, contest(timed_peers, vertices, gap, sizes, random));
+      std::printf("\n");
+      std::fflush(stdout);
+    }
+  }
+}
+
+void run_all_calls(const Sizes& sizes) {
+  constexpr NamedPeer called[] = {{"cold", make_called_cold}, {"warm", make_called_warm}};
+  Random random(1);
+  std::printf("\npairs apart, through the C API, ns\n");
+  std::printf("%15s%8s %7s %5s%8s %7s %5s %7s\n", "", "cold", "", "", "warm", "", "", "");
+  std::printf("%8s %-6s%8s %7s %5s%8s %7s %5s %7s\n", "vertices", "set", "min", "median", "wrong", "min",
+              "median", "wrong", "ratio");
+  for (const int vertices : all_vertex_counts) {
+    for (const GapSet& gap : {gap_sets[0], gap_sets[1]}) {
+      const std::vector<Contestant> contestants = contest(called, vertices, gap, sizes, random);
+      print_row(vertices, gap, contestants);
+      std::printf(" %7.1f\n", contestants[0].minimum_ns() / contestants[1].minimum_ns());
+      std::fflush(stdout);
+    }
   }
 }
 
@@ -86,7 +116,7 @@ void run_all_steps(int steps) {
               pairs, steps, motion, turn);
   std::printf("%8s %9s %9s %9s %6s %9s %6s %12s\n", "vertices", "touching", "no memory", "memory", "ratio",
               "contact", "ratio", "differences");
-  for (const int vertices : {4, 8, 12, 32, 128}) {
+  for (const int vertices : all_vertex_counts) {
     PairSet3 set = draw_pairs_3d(pairs / 2, shapes, vertices, gap_sets[1], random);
     const PairSet3 touching = draw_pairs_3d(pairs / 2, shapes, vertices, gap_sets[2], random);
     for (PolyhedraAt at : touching.pairs) {
@@ -115,6 +145,7 @@ int main(int argc, char** argv) {
               sizes.shapes, passes, pin_to_this_core());
   try {
     run_all_peers(sizes);
+    run_all_calls(sizes);
     run_all_steps(has_option(argc, argv, "--quick") ? 5 : 100);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "bench_pairs_3d: %s\n", error.what());

@@ -18,9 +18,13 @@ struct Shape {
 };
 
 /// A face so small that the sign of ODE's check of its sense of rotation is lost in rounding is left out: ODE
-/// would print a complaint. Built with libccd, as in Debian, its collider reads the points alone.
+/// would print a complaint. Built with libccd, as in Debian, its collider reads the points alone. Of a sliver
+/// all faces may be left out; but ODE ends the program when it is given no address of planes, so that there
+/// is always room for some.
 Shape shape_of(const Polyhedron& polyhedron) {
   Shape shape;
+  shape.planes.reserve(4 * polyhedron.faces.size());
+  shape.polygons.reserve(polyhedron.faces.size() + 2 * polyhedron.edges.size());
   const halfspace_test::Points3 local = halfspace_test::local_vertices(polyhedron);
   const auto vertex = [&](int i) { return local[std::size_t(i)]; };
   for (const Point3& v : local) shape.points.insert(shape.points.end(), {v.x, v.y, v.z});

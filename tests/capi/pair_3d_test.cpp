@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
-#include "capi/polyhedra.h"
-#include "capi/refusals.h"
+#include "capi/pair_calls.h"
 
 namespace halfspace_test {
 namespace {
@@ -17,47 +15,7 @@ constexpr double pi = 3.14159265358979323846;
 
 const Point3 x_axis = {1, 0, 0}, y_axis = {0, 1, 0}, z_axis = {0, 0, 1};
 
-/// A pair of cubes in contact, and every argument of both calls within reach of a test that spoils one.
-struct PairCall {
-  Context context = make_context();
-  Shape solid = make_polyhedron(context.get(), cube(2));
-  Shape flat = make_shape(context.get(), box(-1, -1, 1, 1));
-  const hs_shape* shapes[2] = {solid.get(), solid.get()};
-  hs_pose poses[2] = {pose_at({0, 0, 0}), pose_at({1.5, 0, 0}, x_axis, 0.3)};
-  std::int32_t pairs[4] = {0, 1, 1, 0};
-  hs_pair_options options{};
-  hs_pair_cache caches[2] = {};
-  hs_contact contacts[2];
-  std::int64_t touching = -5;
-
-  PairCall() {
-    require_ok(hs_pair_options_init(&options, sizeof options), context.get());
-    std::memset(static_cast<void*>(contacts), 0xee, sizeof contacts);
-  }
-  hs_status single() {
-    return hs_pair_detect(shapes[0], &poses[0], shapes[1], &poses[1], &options, &caches[0], &contacts[0]);
-  }
-  hs_status batch() {
-    return hs_pairs_detect(context.get(), shapes, poses, 2, pairs, 2, &options, caches, contacts, &touching);
-  }
-  bool is_untouched() const {
-    PairCall fresh;
-    return std::memcmp(contacts, fresh.contacts, sizeof contacts) == 0 && touching == fresh.touching;
-  }
-  /// A cache that holds a proof for these two shapes.
-  hs_pair_cache proven() {
-    hs_pair_cache cache{};
-    detect_pair(shapes[0], pose_at({0, 0, 0}), shapes[1], pose_at({0, 0, 9}), &cache);
-    return cache;
-  }
-};
-
-/// Both calls with one thing spoiled: refused by both, and nothing is written.
-struct Spoiled {
-  std::string argument;
-  std::string value;
-  std::function<void(PairCall&)> spoil;
-};
+PairCall two_cubes() { return PairCall(&PairCall::solid, 0.3); }
 
 const std::vector<Spoiled> spoiled_inputs = {
     {"position[0]", "nan", [](PairCall& c) { c.poses[1].position[0] = nan; }},
@@ -87,46 +45,34 @@ const std::vector<Spoiled> spoiled_inputs = {
     {"feature_b", "-3", [](PairCall& c) { c.caches[0] = cache_of(1, HS_PAIR_VERTEX_VERTEX, 0, -3); }},
     {"normal", "nan",
      [](PairCall& c) {
-       c.caches[0] = c.proven();
-       c.caches[0].normal[1] = nan;
+       detect_pair(c.shapes[0], pose_at(0, 0), c.shapes[1], pose_at({0, 0, 9}), &c.caches[0]);
+       c.caches[0].normal[1] = nan;  // of a proof
      }},
     {"has dimension 3", " 2;",
      [](PairCall& c) {
-       c.shapes[1] = c.flat.get();
+       c.shapes[1] = c.square.get();
        c.poses[1] = pose_at(1.5, 0);
      }},
-    {"has dimension 2", " 3;", [](PairCall& c) { c.shapes[0] = c.flat.get(); }},
+    {"has dimension 2", " 3;", [](PairCall& c) { c.shapes[0] = c.square.get(); }},
 };
 
 }  // namespace
 
 TEST_CASE("in space, both forms of detection refuse the same bad input and write nothing") {
-  for (const Spoiled& s : spoiled_inputs) {
-    PairCall call;
-    s.spoil(call);
-    hs_pair_cache before[2];
-    std::memcpy(before, call.caches, sizeof before);
-    check_refusals(call.context.get(), "hs_pair_detect",
-                   {{s.argument, s.value, [&] { return call.single(); }}});
-    check_refusals(call.context.get(), "hs_pairs_detect",
-                   {{s.argument, s.value, [&] { return call.batch(); }}});
-    INFO(s.argument << " = " << s.value);
-    CHECK(call.is_untouched());
-    CHECK(std::memcmp(before, call.caches, sizeof before) == 0);
-  }
+  for (const Spoiled& s : spoiled_inputs) check_both_forms_refuse(s, two_cubes());
 }
 
 TEST_CASE("shapes of two dimensions are refused by name, also without options") {
-  PairCall c;
+  PairCall c = two_cubes();
   hs_pair_cache empty{};
   for (hs_pair_cache* cache : {static_cast<hs_pair_cache*>(nullptr), &empty}) {
     const auto single = [&] {
-      return hs_pair_detect(c.flat.get(), &c.poses[0], c.solid.get(), &c.poses[0], nullptr, cache,
+      return hs_pair_detect(c.square.get(), &c.poses[0], c.solid.get(), &c.poses[0], nullptr, cache,
                             c.contacts);
     };
     check_refusals(c.context.get(), "hs_pair_detect", {{"shape_a has dimension 2", "shape_b 3", single}});
   }
-  c.shapes[1] = c.flat.get();
+  c.shapes[1] = c.square.get();
   c.poses[1] = pose_at(1.5, 0);
   check_refusals(c.context.get(), "hs_pairs_detect",
                  {{"shapes[0] has dimension 3", "shapes[1] 2", [&] { return c.batch(); }}});
@@ -135,35 +81,12 @@ TEST_CASE("shapes of two dimensions are refused by name, also without options") 
 
 TEST_CASE("in space, a proof of separation lets no bad pose through and is of its two shapes") {
   for (const Spoiled& s : spoiled_inputs) {
-    const bool is_pose = s.argument == "rotation" || s.argument.substr(0, 8) == "position";
-    if (!is_pose || s.value == "1e+80") continue;  // a proof reaches as far as numbers do
-    PairCall call;
-    call.poses[1] = pose_at({0, 4, 0});
-    REQUIRE(call.batch() == HS_OK);
-    REQUIRE(call.touching == 0);
-    REQUIRE(call.caches[0].shapes != 0);
-    const hs_pair_cache before = call.caches[0];
-    s.spoil(call);
-    INFO(s.argument << " = " << s.value);
-    CHECK(call.single() == HS_ERROR_ARGUMENT);
-    CHECK(call.batch() == HS_ERROR_ARGUMENT);
-    CHECK(std::memcmp(&before, &call.caches[0], sizeof before) == 0);
+    if (!s.is_pose() || s.value == "1e+80") continue;  // a proof reaches as far as numbers do
+    check_proof_lets_no_bad_pose_through(s, two_cubes(), pose_at(0, 4));
   }
-  PairCall call;
+  PairCall call = two_cubes();
   const Shape wide = make_polyhedron(call.context.get(), box_3d({-4, -1, -1}, {4, 1, 1}));
-  call.poses[1] = pose_at({4, 0, 0});
-  REQUIRE(call.single() == HS_OK);
-  REQUIRE(call.contacts[0].type == HS_CONTACT_NONE);
-  call.shapes[1] = wide.get();
-  REQUIRE(call.single() == HS_OK);
-  CHECK(call.contacts[0].type != HS_CONTACT_NONE);
-  call.poses[1] = pose_at({8, 0, 0});
-  REQUIRE(call.single() == HS_OK);
-  REQUIRE(call.contacts[0].type == HS_CONTACT_NONE);
-  std::swap(call.shapes[0], call.shapes[1]);  // the wide one still reaches the place of the other
-  call.poses[1] = pose_at({4.5, 0, 0});
-  REQUIRE(call.single() == HS_OK);
-  CHECK(call.contacts[0].type != HS_CONTACT_NONE);
+  check_proof_is_of_its_shapes_in_their_order(call, wide.get());
 }
 
 TEST_CASE("two cubes meet face to face, however they lie") {

@@ -1,10 +1,9 @@
 // halfspace/pair.h: what is refused.
 
 #include <cmath>
-#include <cstring>
 #include <limits>
 
-#include "capi/refusals.h"
+#include "capi/pair_calls.h"
 
 namespace halfspace_test {
 namespace {
@@ -12,40 +11,7 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double inf = std::numeric_limits<double>::infinity();
 
-/// A pair in contact, and every argument of both calls within reach of a test that spoils one.
-struct PairCall {
-  Context context = make_context();
-  Shape square = make_shape(context.get(), box(-1, -1, 1, 1));
-  const hs_shape* shapes[2] = {square.get(), square.get()};
-  hs_pose poses[2] = {pose_at(0, 0), pose_at(1.5, 0)};
-  std::int32_t pairs[4] = {0, 1, 1, 0};
-  hs_pair_options options{};
-  hs_pair_cache caches[2] = {};
-  hs_contact contacts[2];
-  std::int64_t touching = -5;
-
-  PairCall() {
-    require_ok(hs_pair_options_init(&options, sizeof options), context.get());
-    std::memset(static_cast<void*>(contacts), 0xee, sizeof contacts);
-  }
-  hs_status single() {
-    return hs_pair_detect(shapes[0], &poses[0], shapes[1], &poses[1], &options, &caches[0], &contacts[0]);
-  }
-  hs_status batch() {
-    return hs_pairs_detect(context.get(), shapes, poses, 2, pairs, 2, &options, caches, contacts, &touching);
-  }
-  bool is_untouched() const {
-    PairCall fresh;
-    return std::memcmp(contacts, fresh.contacts, sizeof contacts) == 0 && touching == fresh.touching;
-  }
-};
-
-/// Both calls with one thing spoiled: refused by both, and nothing is written.
-struct Spoiled {
-  std::string argument;
-  std::string value;
-  std::function<void(PairCall&)> spoil;
-};
+PairCall two_squares() { return PairCall(&PairCall::square); }
 
 const std::vector<Spoiled> spoiled_inputs = {
     {"position[0]", "nan", [](PairCall& c) { c.poses[1].position[0] = nan; }},
@@ -80,58 +46,23 @@ const std::vector<Spoiled> spoiled_inputs = {
 }  // namespace
 
 TEST_CASE("both forms of detection refuse the same bad input and write nothing") {
-  for (const Spoiled& s : spoiled_inputs) {
-    PairCall call;
-    s.spoil(call);
-    hs_pair_cache before[2];
-    std::memcpy(before, call.caches, sizeof before);
-    check_refusals(call.context.get(), "hs_pair_detect",
-                   {{s.argument, s.value, [&] { return call.single(); }}});
-    check_refusals(call.context.get(), "hs_pairs_detect",
-                   {{s.argument, s.value, [&] { return call.batch(); }}});
-    INFO(s.argument << " = " << s.value);
-    CHECK(call.is_untouched());
-    CHECK(std::memcmp(before, call.caches, sizeof before) == 0);
-  }
+  for (const Spoiled& s : spoiled_inputs) check_both_forms_refuse(s, two_squares());
 }
 
 TEST_CASE("a proof of separation in the cache lets no bad pose through") {
   for (const Spoiled& s : spoiled_inputs) {
-    if (s.argument != "rotation" && s.argument.substr(0, 8) != "position") continue;
-    PairCall call;
-    call.poses[1] = pose_at(4, 0);
-    REQUIRE(call.batch() == HS_OK);
-    REQUIRE(call.touching == 0);
-    REQUIRE(call.caches[0].shapes != 0);
-    const hs_pair_cache before = call.caches[0];
-    s.spoil(call);
-    INFO(s.argument << " = " << s.value);
-    CHECK(call.single() == HS_ERROR_ARGUMENT);
-    CHECK(call.batch() == HS_ERROR_ARGUMENT);
-    CHECK(std::memcmp(&before, &call.caches[0], sizeof before) == 0);
+    if (s.is_pose()) check_proof_lets_no_bad_pose_through(s, two_squares(), pose_at(4, 0));
   }
 }
 
 TEST_CASE("a proof of separation is of its two shapes in their order") {
-  PairCall call;
+  PairCall call = two_squares();
   const Shape wide = make_shape(call.context.get(), box(-4, -1, 4, 1));
-  call.poses[1] = pose_at(4, 0);
-  REQUIRE(call.single() == HS_OK);
-  REQUIRE(call.contacts[0].type == HS_CONTACT_NONE);
-  call.shapes[1] = wide.get();
-  REQUIRE(call.single() == HS_OK);
-  CHECK(call.contacts[0].type != HS_CONTACT_NONE);
-  call.poses[1] = pose_at(8, 0);
-  REQUIRE(call.single() == HS_OK);
-  REQUIRE(call.contacts[0].type == HS_CONTACT_NONE);
-  std::swap(call.shapes[0], call.shapes[1]);  // the wide one still reaches the place of the other
-  call.poses[1] = pose_at(4.5, 0);
-  REQUIRE(call.single() == HS_OK);
-  CHECK(call.contacts[0].type != HS_CONTACT_NONE);
+  check_proof_is_of_its_shapes_in_their_order(call, wide.get());
 }
 
 TEST_CASE("hs_pair_detect refuses what is missing") {
-  PairCall c;
+  PairCall c = two_squares();
   const hs_shape* s = c.square.get();
   const hs_pose* p = c.poses;
   hs_contact* out = c.contacts;
@@ -147,7 +78,7 @@ TEST_CASE("hs_pair_detect refuses what is missing") {
 }
 
 TEST_CASE("hs_pairs_detect refuses what is missing or out of range") {
-  PairCall c;
+  PairCall c = two_squares();
   hs_context* context = c.context.get();
   const auto call = [&](const hs_shape* const* shapes, const hs_pose* poses, std::int64_t bodies,
                         const std::int32_t* pairs, std::int64_t count, hs_contact* contacts) {
@@ -181,7 +112,7 @@ TEST_CASE("hs_pairs_detect refuses what is missing or out of range") {
 }
 
 TEST_CASE("positions as large as doubles go give a finite answer or a refusal, never NaN") {
-  PairCall c;
+  PairCall c = two_squares();
   for (double far : {1e100, 1e160, 1e300, 1.7e308}) {
     c.poses[0] = pose_at(-far, 0);
     c.poses[1] = pose_at(far, -far, 0.6, 0.8);

@@ -12,6 +12,9 @@
 
 namespace halfspace_test {
 
+/// A value that a refused call must leave alone.
+inline hs_shape* const no_shape = reinterpret_cast<hs_shape*>(0x10);
+
 struct Refusal {
   std::string argument;
   std::string value;

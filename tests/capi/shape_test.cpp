@@ -14,8 +14,6 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double inf = std::numeric_limits<double>::infinity();
 const Points triangle = {{0, 0}, {1, 0}, {0, 1}};
 
-hs_shape* const no_shape = reinterpret_cast<hs_shape*>(0x10);  // a value that a refused call must leave alone
-
 struct Faulty {
   const char* what;
   std::int32_t kind;

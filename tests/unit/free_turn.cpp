@@ -55,7 +55,8 @@ Eigen::Matrix3d turned_by_runge_kutta(Eigen::Matrix3d turn, const Inertia<3>& in
 
 Rotation<3> turned_in_steps(Rotation<3> rotation, const Inertia<3>& inertia, const Vector<3>& momentum,
                             double duration, int steps) {
-  for (int i = 0; i < steps; ++i) rotation = turned_freely(rotation, inertia, momentum, duration / steps);
+  for (int i = 0; i < steps; ++i)
+    rotation = turned_freely(rotation, inertia, momentum, duration / steps).rotation;
   return rotation;
 }
 
@@ -73,7 +74,7 @@ TEST_CASE("a wing nut about its middle axis flips over and over, and keeps energ
   double along_middle = 1;
   std::vector<double> flips;
   for (int i = 0; i < 1000000; ++i) {
-    rotation = turned_freely(rotation, inertia, momentum, step);
+    rotation = turned_freely(rotation, inertia, momentum, step).rotation;
     const Vector<3> own = along_principal_axes(rotation, inertia, momentum);
     worst_energy = std::max(worst_energy, std::abs(energy(rotation, inertia, momentum) - before));
     worst_momentum = std::max(worst_momentum, std::abs(own.norm() - momentum.norm()));
@@ -163,10 +164,11 @@ TEST_CASE("about a principal axis, and in the plane, the spin stays and the turn
     const Vector<3> spin = 0.7 * inertia.axes.axis(k);
     const Vector<3> momentum = inertia.momentum(spin, Rotation<3>());
     const Eigen::Matrix3d expected = Eigen::AngleAxisd(0.7 * 0.5, spin.normalized()).toRotationMatrix();
-    CHECK((matrix_of(turned_freely(Rotation<3>(), inertia, momentum, 0.5)) - expected).norm() < 1e-14);
+    CHECK((matrix_of(turned_freely(Rotation<3>(), inertia, momentum, 0.5).rotation) - expected).norm() <
+          1e-14);
   }
   const Inertia<2> flat{3};
-  const Rotation<2> turned = turned_freely(Rotation<2>(), flat, Angular<2>(6), 0.25);
+  const Rotation<2> turned = turned_freely(Rotation<2>(), flat, Angular<2>(6), 0.25).rotation;
   CHECK(turned.cosine == Approx(std::cos(0.5)).epsilon(1e-15));
   CHECK(turned.sine == Approx(std::sin(0.5)).epsilon(1e-15));
 }
