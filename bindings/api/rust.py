@@ -1,4 +1,6 @@
 """Raw Rust: constants, structs and extern "C" functions of the crate halfspace-sys."""
+import re
+
 from prose import grouped, wrapped
 
 TYPES = {"int32_t": "i32", "uint32_t": "u32", "int64_t": "i64", "uint64_t": "u64", "size_t": "usize",
@@ -113,7 +115,7 @@ def function_comment(function, indent):
         lines += paragraph
     for comment, names in grouped(function["parameters"]):
         item = f"- {', '.join(f'`{each}`' for each in names)}: {comment}"
-        lines += wrapped(escaped(item), indent + "/// ", indent + "///   ")
+        lines += map(unquoted, wrapped(escaped(item), indent + "/// ", indent + "///   "))
     if function["result"]["comment"]:
         lines += paragraph + documented("Returns " + function["result"]["comment"], indent)
     return lines
@@ -147,9 +149,14 @@ def name(described):
 
 
 def documented(comment, indent=""):
-    return wrapped(escaped(comment), indent + "/// ")
+    return [unquoted(line) for line in wrapped(escaped(comment), indent + "/// ")]
 
 
 def escaped(comment):
     """Brackets are intervals and indices, not links."""
     return comment.replace("[", r"\[").replace("]", r"\]")
+
+
+def unquoted(line):
+    """A > that begins a line is a comparison, not a quotation."""
+    return re.sub(r"(/// +)>", r"\1\\>", line, count=1)

@@ -245,9 +245,9 @@ pub struct hs_law_def {
     pub struct_size: u32,
     /// HS_STIFFNESS_PER_CONTACT (default) or HS_STIFFNESS_PER_AREA
     pub stiffness_kind: i32,
-    /// > 0; N/m or Pa/m; default 1e9
+    /// \> 0; N/m or Pa/m; default 1e9
     pub normal_stiffness: f64,
-    /// >= 0; N/m or Pa/m; default 1e9
+    /// \>= 0; N/m or Pa/m; default 1e9
     pub shear_stiffness: f64,
     /// rad, \[0, pi/2); default 0
     pub friction_angle: f64,
@@ -330,9 +330,9 @@ pub struct hs_shape_properties {
     pub dimension: i32,
     /// 0
     pub reserved: i32,
-    /// >= 3; in 3D >= 4
+    /// \>= 3; in 3D >= 4
     pub vertex_count: i64,
-    /// >= 3; in 3D >= 6
+    /// \>= 3; in 3D >= 6
     pub edge_count: i64,
     /// half-spaces: edges in 2D, faces in 3D
     pub face_count: i64,
@@ -426,7 +426,7 @@ pub struct hs_world_def {
     pub dimension: i32,
     /// acceleration; default 0, -9.81, 0, also in 3D
     pub gravity: [f64; 3],
-    /// > 0, or 0 (default): safety times the stable time step, found when the first step begins and again
+    /// \> 0, or 0 (default): safety times the stable time step, found when the first step begins and again
     /// after each change of the world from outside
     pub time_step: f64,
     /// (0, 1\]; default 0.5

@@ -1,0 +1,177 @@
+! What a call through the modules costs over the same call from C: step, detection and forces of 1e5 blocks, and one
+! pair. Passes alternate, and the least time of each counts. Prints ratios; no timing decides. --quick: a small world.
+program bench_overhead
+  use halfspace
+  use, intrinsic :: iso_c_binding, only: c_double, c_int64_t, c_ptr
+  use, intrinsic :: iso_fortran_env, only: dp => real64
+  implicit none
+
+  interface
+    function thread_seconds() bind(c)
+      import
+      real(c_double) :: thread_seconds
+    end function thread_seconds
+
+    function c_step(world, steps) bind(c)
+      import
+      type(c_ptr), value :: world
+      integer(c_int64_t), value :: steps
+      real(c_double) :: c_step
+    end function c_step
+
+    function c_detect(world) bind(c)
+      import
+      type(c_ptr), value :: world
+      real(c_double) :: c_detect
+    end function c_detect
+
+    function c_forces(world, forces, torques, count) bind(c)
+      import
+      type(c_ptr), value :: world
+      real(c_double), intent(inout) :: forces(3, *), torques(3, *)
+      integer(c_int64_t), value :: count
+      real(c_double) :: c_forces
+    end function c_forces
+
+    function c_pairs(shape, pose_a, pose_b, calls) bind(c)
+      import
+      type(c_ptr), value :: shape
+      type(halfspace_pose), intent(in) :: pose_a, pose_b
+      integer(c_int64_t), value :: calls
+      real(c_double) :: c_pairs
+    end function c_pairs
+  end interface
+
+  type(halfspace_shape) :: square
+  integer :: columns, rows, passes, pair_calls
+  character(20) :: option
+
+  columns = 1000
+  rows = 100
+  passes = 40
+  pair_calls = 200000
+  call get_command_argument(1, option)
+  if (option == '--quick') then
+    columns = 10
+    rows = 10
+    passes = 2
+    pair_calls = 1000
+  end if
+
+  call square%create_polygon(reshape([real(dp) :: -0.5, -0.5, 0.5, -0.5, 0.5, 0.5, -0.5, 0.5], [2, 4]))
+  call compare_world()
+  call compare_pairs()
+
+contains
+
+  ! Columns of squares on one floor.
+  subroutine make_world(world)
+    type(halfspace_world), intent(inout) :: world
+    type(halfspace_shape) :: floor
+    integer :: row, column, stone
+    real(dp) :: corners(2, 4)
+    corners(1, :) = 2 * columns * [real(dp) :: -1, 1, 1, -1]
+    corners(2, :) = [real(dp) :: -1, -1, 0, 0]
+    call floor%create_polygon(corners)
+    call world%create(time_step=1e-4_dp)
+    call world%set_law(halfspace_law(normal_stiffness=1e8_dp, shear_stiffness=1e8_dp, friction_angle=0.5_dp))
+    call world%add_material(2000.0_dp, stone)
+    call world%add_block(floor, kind=HS_BLOCK_FIXED)
+    do column = 1, columns
+      do row = 1, rows
+        call world%add_block(square, pose=halfspace_pose(1.25_dp * column, 0.999_dp * row - 0.5_dp))
+      end do
+    end do
+  end subroutine make_world
+
+  subroutine compare_world()
+    type(halfspace_world) :: world
+    type(halfspace_pose), allocatable :: poses(:)
+    real(dp), allocatable :: force(:,:), torque(:,:)
+    real(dp) :: in_c(3), in_fortran(3)
+    integer :: pass, n
+    call make_world(world)
+    n = int(world%block_count())
+    allocate (poses(n), force(3, n), torque(3, n))
+    in_c = huge(in_c)
+    in_fortran = huge(in_fortran)
+    ! Which language goes first changes, as the first leaves the caches to the second.
+    do pass = 1, passes
+      if (mod(pass, 2) == 0) in_c = min(in_c, pass_in_c(world, poses, force, torque))
+      in_fortran = min(in_fortran, pass_in_fortran(world, poses, force, torque))
+      if (mod(pass, 2) == 1) in_c = min(in_c, pass_in_c(world, poses, force, torque))
+    end do
+    print '(i0, " blocks")', n
+    call tell('step', in_c(1), in_fortran(1))
+    call tell('detect', in_c(2), in_fortran(2))
+    call tell('forces', in_c(3), in_fortran(3))
+  end subroutine compare_world
+
+  !> Seconds of a step, of detection at poses set anew, and of forces.
+  function pass_in_fortran(world, poses, force, torque) result(seconds)
+    type(halfspace_world), intent(inout) :: world
+    type(halfspace_pose), intent(inout) :: poses(:)
+    real(dp), intent(inout) :: force(:,:), torque(:,:)
+    real(dp) :: seconds(3), start
+    integer(c_int64_t) :: touching
+    start = thread_seconds()
+    call world%step(1)
+    seconds(1) = thread_seconds() - start
+    call world%poses(poses)
+    call world%set_poses(poses)
+    start = thread_seconds()
+    call world%detect(touching)
+    seconds(2) = thread_seconds() - start
+    start = thread_seconds()
+    call world%forces(0.0_dp, force, torque)
+    seconds(3) = thread_seconds() - start
+  end function pass_in_fortran
+
+  function pass_in_c(world, poses, force, torque) result(seconds)
+    type(halfspace_world), intent(inout) :: world
+    type(halfspace_pose), intent(inout) :: poses(:)
+    real(dp), intent(inout) :: force(:,:), torque(:,:)
+    real(dp) :: seconds(3)
+    seconds(1) = c_step(world%c_handle(), 1_c_int64_t)
+    call world%poses(poses)
+    call world%set_poses(poses)
+    seconds(2) = c_detect(world%c_handle())
+    seconds(3) = c_forces(world%c_handle(), force, torque, size(poses, kind=c_int64_t))
+  end function pass_in_c
+
+  subroutine tell(what, in_c, in_fortran)
+    character(*), intent(in) :: what
+    real(dp), intent(in) :: in_c, in_fortran
+    print '(a8, "  C ", f9.3, " ms  Fortran ", f9.3, " ms  ratio ", f7.4)', what, 1e3_dp * in_c, 1e3_dp * in_fortran, &
+      in_fortran / in_c
+  end subroutine tell
+
+  subroutine compare_pairs()
+    call compare_pair('apart, by the proof in the cache', halfspace_pose(0.0_dp, 2.0_dp))
+    call compare_pair('in contact', halfspace_pose(0.25_dp, 0.875_dp))
+  end subroutine compare_pairs
+
+  subroutine compare_pair(what, upper)
+    character(*), intent(in) :: what
+    type(halfspace_pose), intent(in) :: upper
+    type(halfspace_pose) :: lower
+    type(halfspace_contact) :: contact
+    type(halfspace_pair_cache) :: cache
+    real(dp) :: in_c, in_fortran, start
+    integer :: pass, call_number
+    lower = halfspace_pose(0.0_dp, 0.0_dp)
+    in_c = huge(in_c)
+    in_fortran = huge(in_fortran)
+    do pass = 1, passes
+      in_c = min(in_c, c_pairs(square%c_handle(), lower, upper, int(pair_calls, c_int64_t)))
+      start = thread_seconds()
+      do call_number = 1, pair_calls
+        call halfspace_detect_pair(square, lower, square, upper, contact, cache)
+      end do
+      in_fortran = min(in_fortran, thread_seconds() - start)
+    end do
+    print '("one pair, ", a, ": C ", f6.1, " ns  Fortran ", f6.1, " ns  over C ", f6.1, " ns")', what, &
+      1e9_dp * in_c / pair_calls, 1e9_dp * in_fortran / pair_calls, 1e9_dp * (in_fortran - in_c) / pair_calls
+  end subroutine compare_pair
+
+end program bench_overhead

@@ -1,0 +1,92 @@
+!> What is wrong with the vertices of a shape, without making it, and cleaning up a polygon's on request.
+module halfspace_checks
+  use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t, c_loc
+  use halfspace_c, halfspace_clean_report => hs_clean_report, halfspace_fault => hs_fault
+  use halfspace_contexts, only: halfspace_context, own_or_given
+  use halfspace_errors, only: conclude
+  use halfspace_handles, only: shared_handle
+  use halfspace_shapes, only: list_from_0
+  use halfspace_views, only: are_points, mutable_view, view
+  implicit none
+  private
+  public :: halfspace_clean_report, halfspace_fault
+  public :: halfspace_check_polygon, halfspace_check_polyhedron, halfspace_clean_polygon
+
+contains
+
+  !> The first fault of a polygon's vertices: fault%kind is HS_FAULT_NONE if there is none, fault%vertex is
+  !! counted from 1, and 0 if it is the whole.
+  subroutine halfspace_check_polygon(vertices, fault, rows, context, stat, errmsg)
+    real(c_double), intent(in), target :: vertices(:,:)  !< clockwise or counter-clockwise
+    type(halfspace_fault), intent(out) :: fault
+    logical, intent(in), optional :: rows
+    type(halfspace_context), intent(in), optional :: context
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(shared_handle) :: owner
+    integer(c_int32_t) :: status
+    if (.not. are_points(vertices, 'vertices', rows, stat, errmsg)) return
+    if (.not. own_or_given(context, owner, stat, errmsg)) return
+    status = hs_polygon_check(owner%object(), view(vertices, rows), fault)
+    if (status == HS_OK) call count_from_1(fault)
+    call conclude(status, owner%context(), stat, errmsg)
+  end subroutine halfspace_check_polygon
+
+  !> The first fault of a polyhedron's vertices and faces, both counted from 1.
+  subroutine halfspace_check_polyhedron(vertices, face_sizes, face_vertices, fault, rows, context, stat, errmsg)
+    real(c_double), intent(in), target :: vertices(:,:)
+    integer(c_int32_t), intent(in), target, contiguous :: face_sizes(:)
+    integer(c_int32_t), intent(in) :: face_vertices(:)  !< as for halfspace_shape's create_polyhedron()
+    type(halfspace_fault), intent(out) :: fault
+    logical, intent(in), optional :: rows
+    type(halfspace_context), intent(in), optional :: context
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(shared_handle) :: owner
+    integer(c_int32_t) :: status
+    integer(c_int32_t), allocatable, target :: from_0(:)
+    if (.not. are_points(vertices, 'vertices', rows, stat, errmsg)) return
+    if (.not. list_from_0(face_sizes, face_vertices, from_0, stat, errmsg)) return
+    if (.not. own_or_given(context, owner, stat, errmsg)) return
+    status = hs_polyhedron_check(owner%object(), view(vertices, rows), c_loc(face_sizes), &
+                                 size(face_sizes, kind=c_int64_t), c_loc(from_0), fault)
+    if (status == HS_OK) call count_from_1(fault)
+    call conclude(status, owner%context(), stat, errmsg)
+  end subroutine halfspace_check_polyhedron
+
+  elemental subroutine count_from_1(fault)
+    type(halfspace_fault), intent(inout) :: fault
+    fault%vertex = fault%vertex + 1
+    fault%face = fault%face + 1
+  end subroutine count_from_1
+
+  !> Drops repeated vertices and vertices on the line of their neighbours, and turns the order
+  !! counter-clockwise. It never moves a vertex.
+  subroutine halfspace_clean_polygon(vertices, tolerance, cleaned, report, rows, context, stat, errmsg)
+    real(c_double), intent(in), target :: vertices(:,:)  !< as found, in outline order
+    real(c_double), intent(in) :: tolerance  !< distance, >= 0; 0 drops exact repetitions and what is straight to rounding
+    real(c_double), intent(inout), allocatable :: cleaned(:,:)  !< receives the vertices that remain, (2,n)
+    type(halfspace_clean_report), intent(out), target, optional :: report
+    logical, intent(in), optional :: rows  !< layout of `vertices`
+    type(halfspace_context), intent(in), optional :: context
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(shared_handle) :: owner
+    integer(c_int32_t) :: status
+    integer(c_int64_t) :: count
+    type(hs_view) :: found
+    type(halfspace_clean_report), target :: changes
+    real(c_double), allocatable, target :: remaining(:,:)
+    if (.not. are_points(vertices, 'vertices', rows, stat, errmsg)) return
+    if (.not. own_or_given(context, owner, stat, errmsg)) return
+    found = view(vertices, rows)
+    allocate (remaining(2, found%count))
+    status = hs_polygon_clean(owner%object(), found, tolerance, mutable_view(remaining), count, c_loc(changes))
+    if (status == HS_OK) then
+      cleaned = remaining(:, :count)
+      if (present(report)) report = changes
+    end if
+    call conclude(status, owner%context(), stat, errmsg)
+  end subroutine halfspace_clean_polygon
+
+end module halfspace_checks

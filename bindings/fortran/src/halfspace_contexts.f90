@@ -1,0 +1,160 @@
+!> The context: allocator and text of the last error. Shapes and worlds that are given none make their own.
+module halfspace_contexts
+  use, intrinsic :: iso_c_binding, only: c_f_pointer, c_funloc, c_int32_t, c_loc, c_ptr, c_size_t, c_sizeof
+  use halfspace_c
+  use halfspace_errors, only: conclude, refuse, text_at
+  use halfspace_handles, only: shared_handle
+  implicit none
+  private
+  public :: halfspace_allocator, halfspace_context, halfspace_version, own_or_given
+
+  !> Where a context's memory comes from. Extend it, and pass a target to halfspace_context's create(); it
+  !! must be there until the context and all made from it have ended. Its procedures must not call the library.
+  type, abstract :: halfspace_allocator
+  contains
+    procedure(allocate_memory), deferred :: allocate
+    procedure(release_memory), deferred :: release
+  end type halfspace_allocator
+
+  abstract interface
+    !> Memory aligned to `alignment` bytes, or c_null_ptr if there is none.
+    type(c_ptr) function allocate_memory(self, bytes, alignment)
+      import :: c_ptr, c_size_t, halfspace_allocator
+      class(halfspace_allocator), intent(inout) :: self
+      integer(c_size_t), intent(in) :: bytes, alignment
+    end function allocate_memory
+
+    !> Takes back what allocate() gave, with the same sizes.
+    subroutine release_memory(self, memory, bytes, alignment)
+      import :: c_ptr, c_size_t, halfspace_allocator
+      class(halfspace_allocator), intent(inout) :: self
+      type(c_ptr), intent(in) :: memory
+      integer(c_size_t), intent(in) :: bytes, alignment
+    end subroutine release_memory
+  end interface
+
+  !> Everything made from one context belongs to one thread at a time; different contexts share nothing.
+  !! Assignment shares: all copies are the same context, which ends with the last of them and of what was made
+  !! from it.
+  type :: halfspace_context
+    private
+    type(shared_handle) :: handle
+  contains
+    procedure :: create
+    procedure :: destroy
+    procedure :: last_error
+    procedure :: c_handle
+    procedure, private :: share
+    generic :: assignment(=) => share
+  end type halfspace_context
+
+  !> What C passes back to the two procedures below.
+  type :: allocator_link
+    class(halfspace_allocator), pointer :: allocator => null()
+  end type allocator_link
+
+contains
+
+  !> Makes a context; what it was before is dropped.
+  subroutine create(self, allocator, stat, errmsg)
+    class(halfspace_context), intent(inout) :: self
+    class(halfspace_allocator), intent(inout), target, optional :: allocator  !< default: the C library's
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(allocator_link), pointer :: link
+    type(hs_context_def), target :: def
+    type(c_ptr) :: object
+    class(*), pointer :: companion
+    integer(c_int32_t) :: status
+    nullify (companion)
+    status = hs_context_def_init(def, c_sizeof(def))
+    if (present(allocator)) then
+      allocate (link)
+      link%allocator => allocator
+      companion => link
+      def%allocate = c_funloc(allocate_through)
+      def%release = c_funloc(release_through)
+      def%user = c_loc(link)
+    end if
+    status = hs_context_create(c_loc(def), object)
+    if (status == HS_OK) then
+      call self%handle%take(object, hs_context_destroy, companion=companion)
+      call conclude(status, self%handle%context(), stat, errmsg)
+    else
+      if (associated(companion)) deallocate (companion)
+      call refuse('hs_context_create: '//text_at(hs_status_string(status)), stat, errmsg, status)
+    end if
+  end subroutine create
+
+  function allocate_through(bytes, alignment, user) bind(c, name='') result(memory)
+    integer(c_size_t), value :: bytes, alignment
+    type(c_ptr), value :: user
+    type(c_ptr) :: memory
+    type(allocator_link), pointer :: link
+    call c_f_pointer(user, link)
+    memory = link%allocator%allocate(bytes, alignment)
+  end function allocate_through
+
+  subroutine release_through(memory, bytes, alignment, user) bind(c, name='')
+    type(c_ptr), value :: memory
+    integer(c_size_t), value :: bytes, alignment
+    type(c_ptr), value :: user
+    type(allocator_link), pointer :: link
+    call c_f_pointer(user, link)
+    call link%allocator%release(memory, bytes, alignment)
+  end subroutine release_through
+
+  !> Gives up this reference now instead of at the end of the scope.
+  impure elemental subroutine destroy(self)
+    class(halfspace_context), intent(inout) :: self
+    call self%handle%drop()
+  end subroutine destroy
+
+  !> What went wrong last in this context; empty if nothing has.
+  function last_error(self) result(text)
+    class(halfspace_context), intent(in) :: self
+    character(:), allocatable :: text
+    text = text_at(hs_context_last_error(self%handle%object()))
+  end function last_error
+
+  !> For calls of halfspace_c; the object stays the owner.
+  type(c_ptr) function c_handle(self)
+    class(halfspace_context), intent(in) :: self
+    c_handle = self%handle%object()
+  end function c_handle
+
+  impure elemental subroutine share(self, other)
+    class(halfspace_context), intent(inout) :: self
+    class(halfspace_context), intent(in) :: other
+    self%handle = other%handle
+  end subroutine share
+
+  !> The context given, or a new one; with success, .true.
+  logical function own_or_given(context, handle, stat, errmsg)
+    type(halfspace_context), intent(in), optional :: context
+    type(shared_handle), intent(inout) :: handle
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(halfspace_context) :: own
+    integer :: status
+    own_or_given = .true.
+    if (present(context)) then
+      handle = context%handle
+    else if (present(stat)) then
+      call own%create(stat=status, errmsg=errmsg)
+      own_or_given = status == HS_OK
+      if (.not. own_or_given) stat = status
+      handle = own%handle
+    else
+      call own%create()
+      handle = own%handle
+    end if
+  end function own_or_given
+
+  !> Of the library at run time, for example '0.1.0'.
+  function halfspace_version() result(version)
+    character(:), allocatable :: version
+    version = text_at(hs_version())
+  end function halfspace_version
+
+end module halfspace_contexts

@@ -1,0 +1,71 @@
+!> Poses and contact laws: the structs of the C interface, with constructors.
+module halfspace_definitions
+  use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_sizeof
+  use halfspace_c, only: hs_law_def_init, HS_OK, halfspace_law => hs_law_def, halfspace_pose => hs_pose
+  implicit none
+  private
+  public :: halfspace_law, halfspace_pose, halfspace_angle
+
+  !> In the plane, halfspace_pose(x, y) or halfspace_pose(x, y, angle), the latter also of arrays; in space,
+  !! halfspace_pose(position, rotation) with a unit quaternion x, y, z, w.
+  interface halfspace_pose
+    module procedure pose_in_plane, pose_in_space
+  end interface
+
+  !> halfspace_law(normal_stiffness=1e8_c_double, friction_angle=...): what is not given is the library's default.
+  interface halfspace_law
+    module procedure law
+  end interface
+
+contains
+
+  elemental function pose_in_plane(x, y, angle) result(pose)
+    real(c_double), intent(in) :: x, y  !< of the centroid
+    real(c_double), intent(in), optional :: angle  !< turned about z, rad
+    type(halfspace_pose) :: pose
+    pose%position = [x, y, 0.0_c_double]
+    pose%rotation = [0.0_c_double, 0.0_c_double, 0.0_c_double, 1.0_c_double]
+    if (present(angle)) pose%rotation(3:4) = [sin(angle / 2), cos(angle / 2)]
+  end function pose_in_plane
+
+  pure function pose_in_space(position, rotation) result(pose)
+    real(c_double), intent(in) :: position(3)  !< of the centroid
+    real(c_double), intent(in) :: rotation(4)  !< unit quaternion x, y, z, w
+    type(halfspace_pose) :: pose
+    pose%position = position
+    pose%rotation = rotation
+  end function pose_in_space
+
+  !> How far a pose in the plane is turned, rad, from -pi to pi.
+  elemental real(c_double) function halfspace_angle(pose) result(angle)
+    type(halfspace_pose), intent(in) :: pose
+    real(c_double) :: z, w
+    z = pose%rotation(3)
+    w = pose%rotation(4)
+    angle = 2 * atan2(sign(1.0_c_double, w) * z, abs(w))
+  end function halfspace_angle
+
+  function law(normal_stiffness, shear_stiffness, friction_angle, cohesion, tensile_strength, normal_damping, &
+               shear_damping, stiffness_kind)
+    real(c_double), intent(in), optional :: normal_stiffness  !< > 0; N/m or Pa/m
+    real(c_double), intent(in), optional :: shear_stiffness  !< >= 0; N/m or Pa/m
+    real(c_double), intent(in), optional :: friction_angle  !< rad, [0, pi/2)
+    real(c_double), intent(in), optional :: cohesion  !< Pa, >= 0
+    real(c_double), intent(in), optional :: tensile_strength  !< Pa, >= 0
+    real(c_double), intent(in), optional :: normal_damping  !< share of critical viscous damping, >= 0
+    real(c_double), intent(in), optional :: shear_damping  !< share of critical viscous damping, >= 0
+    integer(c_int32_t), intent(in), optional :: stiffness_kind  !< HS_STIFFNESS_PER_CONTACT or _PER_AREA
+    type(halfspace_law) :: law
+    ! A law that could not be filled keeps size 0, and is refused where it is used.
+    if (hs_law_def_init(law, c_sizeof(law)) /= HS_OK) return
+    if (present(normal_stiffness)) law%normal_stiffness = normal_stiffness
+    if (present(shear_stiffness)) law%shear_stiffness = shear_stiffness
+    if (present(friction_angle)) law%friction_angle = friction_angle
+    if (present(cohesion)) law%cohesion = cohesion
+    if (present(tensile_strength)) law%tensile_strength = tensile_strength
+    if (present(normal_damping)) law%normal_damping = normal_damping
+    if (present(shear_damping)) law%shear_damping = shear_damping
+    if (present(stiffness_kind)) law%stiffness_kind = stiffness_kind
+  end function law
+
+end module halfspace_definitions

@@ -1,0 +1,332 @@
+!> Convex shapes: making, cutting, mass properties, half-spaces.
+!!
+!! A shape is immutable and may be used by any number of blocks. Its own frame has the centroid at the origin;
+!! halfspace_shape_properties%centroid says where that was in the coordinates it was made from.
+!!
+!! Points are columns, x(2,n) or x(3,n); with rows = .true. they are rows, x(n,2) or x(n,3). Sections of arrays
+!! are read where they are. A shape that is given no context makes one of its own.
+module halfspace_shapes
+  use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t, c_loc, c_null_ptr, c_ptr, c_associated, c_sizeof
+  use halfspace_c, halfspace_shape_properties => hs_shape_properties
+  use halfspace_contexts, only: halfspace_context, own_or_given
+  use halfspace_errors, only: conclude, refuse
+  use halfspace_handles, only: shared_handle
+  use halfspace_views, only: address_of, are_points, is_vector, mutable_view, three_of, view
+  implicit none
+  private
+  public :: halfspace_shape, halfspace_shape_properties, context_of, handles_of, list_from_0
+
+  !> Assignment shares: all copies are the same shape, which ends with the last of them.
+  type :: halfspace_shape
+    private
+    type(shared_handle) :: handle
+  contains
+    procedure :: create_polygon
+    procedure :: create_polygon_hull
+    procedure :: create_polyhedron
+    procedure :: create_polyhedron_hull
+    procedure :: create_from_halfspaces
+    procedure :: cut
+    procedure :: destroy
+    procedure :: exists
+    procedure :: properties
+    procedure :: vertices
+    procedure :: faces
+    procedure :: edges
+    procedure :: halfspaces
+    procedure :: c_handle
+    procedure, private :: share
+    generic :: assignment(=) => share
+  end type halfspace_shape
+
+  abstract interface
+    function shape_of_points(context, points, shape) bind(c)
+      import :: c_int32_t, c_ptr, hs_view
+      type(c_ptr), value :: context
+      type(hs_view), value :: points
+      type(c_ptr), intent(out) :: shape
+      integer(c_int32_t) :: shape_of_points
+    end function shape_of_points
+  end interface
+
+contains
+
+  !> Makes a convex polygon. Nothing is repaired: faulty input is refused with its reason.
+  subroutine create_polygon(self, vertices, rows, context, stat, errmsg)
+    class(halfspace_shape), intent(inout) :: self
+    real(c_double), intent(in), target :: vertices(:,:)  !< 3 or more, clockwise or counter-clockwise
+    logical, intent(in), optional :: rows
+    type(halfspace_context), intent(in), optional :: context
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call create(self, hs_polygon_create, vertices, 'vertices', rows, context, stat, errmsg)
+  end subroutine create_polygon
+
+  !> Makes the convex hull of points as a polygon.
+  subroutine create_polygon_hull(self, points, rows, context, stat, errmsg)
+    class(halfspace_shape), intent(inout) :: self
+    real(c_double), intent(in), target :: points(:,:)  !< any order, inner and repeated points allowed
+    logical, intent(in), optional :: rows
+    type(halfspace_context), intent(in), optional :: context
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call create(self, hs_polygon_create_hull, points, 'points', rows, context, stat, errmsg)
+  end subroutine create_polygon_hull
+
+  !> Makes the convex hull of points as a polyhedron: what is in one plane to rounding is one face.
+  subroutine create_polyhedron_hull(self, points, rows, context, stat, errmsg)
+    class(halfspace_shape), intent(inout) :: self
+    real(c_double), intent(in), target :: points(:,:)  !< any order, inner and repeated points allowed
+    logical, intent(in), optional :: rows
+    type(halfspace_context), intent(in), optional :: context
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call create(self, hs_polyhedron_create_hull, points, 'points', rows, context, stat, errmsg)
+  end subroutine create_polyhedron_hull
+
+  subroutine create(self, from_points, points, name, rows, context, stat, errmsg)
+    class(halfspace_shape), intent(inout) :: self
+    procedure(shape_of_points) :: from_points
+    real(c_double), intent(in), target :: points(:,:)
+    character(*), intent(in) :: name
+    logical, intent(in), optional :: rows
+    type(halfspace_context), intent(in), optional :: context
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(shared_handle) :: owner
+    type(c_ptr) :: object
+    integer(c_int32_t) :: status
+    if (.not. are_points(points, name, rows, stat, errmsg)) return
+    if (.not. own_or_given(context, owner, stat, errmsg)) return
+    status = from_points(owner%object(), view(points, rows), object)
+    if (status == HS_OK) call self%handle%take(object, hs_shape_destroy, owner)
+    call conclude(status, owner%context(), stat, errmsg)
+  end subroutine create
+
+  !> Makes a convex polyhedron. Nothing is repaired: faulty input is refused with its reason, which counts
+  !! vertices and faces from 0.
+  subroutine create_polyhedron(self, vertices, face_sizes, face_vertices, rows, context, stat, errmsg)
+    class(halfspace_shape), intent(inout) :: self
+    real(c_double), intent(in), target :: vertices(:,:)
+    integer(c_int32_t), intent(in), target, contiguous :: face_sizes(:)  !< number of vertices of each face
+    !> The faces one after the other, their vertices counted from 1, in the order of their outlines: all faces
+    !! counter-clockwise seen from outside, or all clockwise.
+    integer(c_int32_t), intent(in) :: face_vertices(:)
+    logical, intent(in), optional :: rows
+    type(halfspace_context), intent(in), optional :: context
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(shared_handle) :: owner
+    type(c_ptr) :: object
+    integer(c_int32_t) :: status
+    integer(c_int32_t), allocatable, target :: from_0(:)
+    if (.not. are_points(vertices, 'vertices', rows, stat, errmsg)) return
+    if (.not. list_from_0(face_sizes, face_vertices, from_0, stat, errmsg)) return
+    if (.not. own_or_given(context, owner, stat, errmsg)) return
+    status = hs_polyhedron_create(owner%object(), view(vertices, rows), c_loc(face_sizes), &
+                                  size(face_sizes, kind=c_int64_t), c_loc(from_0), object)
+    if (status == HS_OK) call self%handle%take(object, hs_shape_destroy, owner)
+    call conclude(status, owner%context(), stat, errmsg)
+  end subroutine create_polyhedron
+
+  !> The lists of a polyhedron's faces as C counts. They must be as long as their sizes say, as C cannot know.
+  logical function list_from_0(face_sizes, face_vertices, from_0, stat, errmsg)
+    integer(c_int32_t), intent(in) :: face_sizes(:), face_vertices(:)
+    integer(c_int32_t), allocatable, intent(out) :: from_0(:)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    character(100) :: text
+    list_from_0 = size(face_vertices, kind=c_int64_t) == sum(int(max(face_sizes, 0), c_int64_t))
+    if (list_from_0) then
+      from_0 = face_vertices - 1
+    else
+      write (text, '("face_vertices: has ", i0, " values, not the sum of face_sizes, ", i0)') &
+        size(face_vertices), sum(int(max(face_sizes, 0), c_int64_t))
+      call refuse(trim(text), stat, errmsg)
+    end if
+  end function list_from_0
+
+  !> Makes the polyhedron that half-spaces have in common. One that cuts nothing off but rounding makes no face.
+  subroutine create_from_halfspaces(self, normals, offsets, rows, context, stat, errmsg)
+    class(halfspace_shape), intent(inout) :: self
+    !> Outer normals, of any length but 0: p is inside when dot_product(normal, p) <= offset.
+    real(c_double), intent(in), target :: normals(:,:)
+    real(c_double), intent(in), target, contiguous :: offsets(:)  !< one per normal
+    logical, intent(in), optional :: rows
+    type(halfspace_context), intent(in), optional :: context
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(shared_handle) :: owner
+    type(c_ptr) :: object
+    integer(c_int32_t) :: status
+    type(hs_view) :: directions
+    character(80) :: text
+    if (.not. are_points(normals, 'normals', rows, stat, errmsg)) return
+    directions = view(normals, rows)
+    if (directions%count /= size(offsets)) then
+      write (text, '("offsets: has ", i0, " values; there are ", i0, " normals")') size(offsets), directions%count
+      call refuse(trim(text), stat, errmsg)
+      return
+    end if
+    if (.not. own_or_given(context, owner, stat, errmsg)) return
+    status = hs_polyhedron_create_from_halfspaces(owner%object(), directions, c_loc(offsets), object)
+    if (status == HS_OK) call self%handle%take(object, hs_shape_destroy, owner)
+    call conclude(status, owner%context(), stat, errmsg)
+  end subroutine create_from_halfspaces
+
+  !> Cuts a shape by a plane, in 2D by a line. Coordinates are those the shape was made from. A part that there
+  !! is not does not exist() afterwards.
+  subroutine cut(self, point, normal, behind, ahead, stat, errmsg)
+    class(halfspace_shape), intent(in) :: self
+    real(c_double), intent(in) :: point(:)  !< of the plane, 3 values (2D: or 2)
+    real(c_double), intent(in) :: normal(:)  !< any length but 0
+    type(halfspace_shape), intent(inout) :: behind  !< the part against the normal
+    type(halfspace_shape), intent(inout) :: ahead  !< the part along the normal
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(shared_handle) :: whole
+    type(c_ptr) :: object_behind, object_ahead
+    integer(c_int32_t) :: status
+    if (.not. is_vector(point, 'point', 2, stat, errmsg)) return
+    if (.not. is_vector(normal, 'normal', 2, stat, errmsg)) return
+    whole = self%handle  ! it must outlive the call, also when a part takes its place
+    status = hs_shape_cut(whole%object(), three_of(point), three_of(normal), object_behind, object_ahead)
+    if (status == HS_OK) then
+      call become(behind, object_behind, whole)
+      call become(ahead, object_ahead, whole)
+    end if
+    call conclude(status, whole%context(), stat, errmsg)
+  end subroutine cut
+
+  subroutine become(self, object, sibling)
+    type(halfspace_shape), intent(inout) :: self
+    type(c_ptr), intent(in) :: object
+    type(shared_handle), intent(in) :: sibling
+    if (c_associated(object)) then
+      call self%handle%take(object, hs_shape_destroy, sibling)
+    else
+      call self%handle%drop()
+    end if
+  end subroutine become
+
+  !> Gives up this reference now instead of at the end of the scope.
+  impure elemental subroutine destroy(self)
+    class(halfspace_shape), intent(inout) :: self
+    call self%handle%drop()
+  end subroutine destroy
+
+  !> Is there a shape?
+  elemental logical function exists(self)
+    class(halfspace_shape), intent(in) :: self
+    exists = self%handle%owns()
+  end function exists
+
+  !> Geometry and mass per unit density.
+  subroutine properties(self, values, stat, errmsg)
+    class(halfspace_shape), intent(in) :: self
+    type(halfspace_shape_properties), intent(out) :: values
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call conclude(hs_shape_get_properties(self%handle%object(), values, c_sizeof(values)), self%handle%context(), stat, errmsg)
+  end subroutine properties
+
+  !> The vertices in the coordinates the shape was made from; in 2D counter-clockwise.
+  subroutine vertices(self, points, rows, count, stat, errmsg)
+    class(halfspace_shape), intent(in) :: self
+    real(c_double), intent(inout), target :: points(:,:)
+    logical, intent(in), optional :: rows
+    integer(c_int64_t), intent(out), target, optional :: count  !< number of vertices, also when they do not fit
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    if (.not. are_points(points, 'points', rows, stat, errmsg)) return
+    call conclude(hs_shape_get_vertices(self%handle%object(), mutable_view(points, rows), address_of(count)), &
+                  self%handle%context(), stat, errmsg)
+  end subroutine vertices
+
+  !> The half-spaces: p is inside when dot_product(normal, p) <= offset. Half-space i belongs to face i, that of
+  !! a polygon to the edge from vertex i to vertex i + 1. The frame is the shape's own.
+  subroutine halfspaces(self, normals, offsets, rows, count, stat, errmsg)
+    class(halfspace_shape), intent(in) :: self
+    real(c_double), intent(inout), target :: normals(:,:)  !< outer unit normals
+    real(c_double), intent(inout), target, contiguous :: offsets(:)  !< as many as there is room for normals
+    logical, intent(in), optional :: rows
+    integer(c_int64_t), intent(out), target, optional :: count  !< number of half-spaces, also when they do not fit
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(hs_mutable_view) :: room
+    if (.not. are_points(normals, 'normals', rows, stat, errmsg)) return
+    room = mutable_view(normals, rows)
+    room%count = min(room%count, size(offsets, kind=c_int64_t))
+    call conclude(hs_shape_get_halfspaces(self%handle%object(), room, c_loc(offsets), address_of(count)), &
+                  self%handle%context(), stat, errmsg)
+  end subroutine halfspaces
+
+  !> The faces as lists of vertices counted from 1, counter-clockwise seen from outside; in 2D each edge with its
+  !! two ends. Face f has the vertices face_vertices(first_of_face(f) : first_of_face(f + 1) - 1).
+  subroutine faces(self, first_of_face, face_vertices, stat, errmsg)
+    class(halfspace_shape), intent(in) :: self
+    integer(c_int32_t), intent(inout), allocatable, target :: first_of_face(:), face_vertices(:)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    integer(c_int64_t), target :: face_count, vertex_count
+    integer(c_int32_t), allocatable, target :: first(:), listed(:)
+    integer(c_int32_t) :: status
+    status = hs_shape_get_faces(self%handle%object(), c_null_ptr, 0_c_int64_t, c_null_ptr, 0_c_int64_t, &
+                                c_loc(face_count), c_loc(vertex_count))
+    if (status >= HS_OK) then
+      allocate (first(face_count + 1), listed(vertex_count))
+      status = hs_shape_get_faces(self%handle%object(), c_loc(first), face_count + 1, c_loc(listed), vertex_count, &
+                                  c_null_ptr, c_null_ptr)
+      first_of_face = first + 1
+      face_vertices = listed + 1
+    end if
+    call conclude(status, self%handle%context(), stat, errmsg)
+  end subroutine faces
+
+  !> The edges by which HS_PAIR_EDGE_EDGE names them: column e has the vertices at the ends of edge e.
+  subroutine edges(self, edge_vertices, stat, errmsg)
+    class(halfspace_shape), intent(in) :: self
+    integer(c_int32_t), intent(inout), allocatable :: edge_vertices(:,:)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    integer(c_int64_t), target :: count
+    integer(c_int32_t), allocatable, target :: ends(:,:)
+    integer(c_int32_t) :: status
+    status = hs_shape_get_edges(self%handle%object(), c_null_ptr, 0_c_int64_t, c_loc(count))
+    if (status >= HS_OK) then
+      allocate (ends(2, count))
+      status = hs_shape_get_edges(self%handle%object(), c_loc(ends), count, c_null_ptr)
+      edge_vertices = ends + 1
+    end if
+    call conclude(status, self%handle%context(), stat, errmsg)
+  end subroutine edges
+
+  !> For calls of halfspace_c; the object stays the owner.
+  type(c_ptr) function c_handle(self)
+    class(halfspace_shape), intent(in) :: self
+    c_handle = self%handle%object()
+  end function c_handle
+
+  !> The C handles of many shapes, for the time of one call; they may come from an array constructor.
+  function handles_of(shapes) result(handles)
+    type(halfspace_shape), intent(in) :: shapes(:)
+    type(c_ptr) :: handles(size(shapes))
+    integer :: i
+    do i = 1, size(shapes)
+      handles(i) = shapes(i)%handle%lent_object()
+    end do
+  end function handles_of
+
+  !> The C context that a shape was made from.
+  type(c_ptr) function context_of(shape)
+    type(halfspace_shape), intent(in) :: shape
+    context_of = shape%handle%lent_context()
+  end function context_of
+
+  impure elemental subroutine share(self, other)
+    class(halfspace_shape), intent(inout) :: self
+    class(halfspace_shape), intent(in) :: other
+    self%handle = other%handle
+  end subroutine share
+
+end module halfspace_shapes

@@ -1,0 +1,331 @@
+!> A world: blocks, materials, laws, and time. Used whole (step) or stage by stage (detect, forces), by hosts
+!! that integrate themselves.
+!!
+!! Bulk arrays have one entry per block, in the order of blocks(). Points and vectors are columns, x(2,n) or
+!! x(3,n); with rows = .true. they are rows, x(n,2) or x(n,3). Sections of arrays are read and written where they
+!! are. Angular velocities and torques have three components, in the plane of which z alone counts.
+module halfspace_worlds
+  use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t, c_int8_t, c_loc, c_null_ptr, c_ptr, c_size_t, c_sizeof
+  use halfspace_c, halfspace_block_state => hs_block_state, halfspace_energy => hs_energy, &
+    halfspace_world_report => hs_world_report
+  use halfspace_contacts, only: halfspace_block, halfspace_contact
+  use halfspace_contexts, only: halfspace_context
+  use halfspace_definitions, only: halfspace_law, halfspace_pose
+  use halfspace_handles, only: shared_handle
+  use halfspace_shapes, only: halfspace_shape
+  implicit none
+  private
+  public :: halfspace_block_state, halfspace_energy, halfspace_world, halfspace_world_report
+
+  !> Assignment shares: all copies are the same world, which ends with the last of them. To have a second one,
+  !! restore() what save() gave.
+  type :: halfspace_world
+    private
+    type(shared_handle) :: handle
+  contains
+    procedure :: create
+    procedure :: restore
+    procedure :: destroy
+    procedure :: exists
+    procedure :: add_material
+    procedure, private :: set_default_law
+    procedure, private :: set_law_between
+    generic :: set_law => set_default_law, set_law_between
+    procedure :: add_block
+    procedure :: remove_block
+    procedure :: blocks
+    procedure :: block_count
+    procedure :: block_state
+    procedure :: block_vertices
+    procedure :: set_pose
+    procedure :: set_velocity
+    procedure :: set_applied_force
+    procedure :: poses
+    procedure :: set_poses
+    procedure :: velocities
+    procedure :: set_velocities
+    procedure :: detect
+    procedure :: forces
+    procedure :: step
+    procedure :: report
+    procedure :: contacts
+    procedure :: set_shear_force
+    procedure :: save => save_state
+    procedure :: c_handle
+    procedure, private :: share
+    generic :: assignment(=) => share
+  end type halfspace_world
+
+  ! What a world is made of: halfspace_worlds_make.f90.
+  interface
+
+    !> Makes an empty world; what it was before is dropped. What is not given is the library's default.
+    module subroutine create(self, dimension, gravity, time_step, safety, local_damping, mass_damping, skin, &
+                             parallel_angle, vertex_zone, context, stat, errmsg)
+      class(halfspace_world), intent(inout) :: self
+      integer, intent(in), optional :: dimension  !< 2 (default) or 3
+      real(c_double), intent(in), optional :: gravity(:)  !< acceleration; default 0, -9.81, 0
+      real(c_double), intent(in), optional :: time_step  !< > 0; default: safety times the stable time step
+      real(c_double), intent(in), optional :: safety  !< (0, 1]; default 0.5
+      real(c_double), intent(in), optional :: local_damping  !< [0, 1): share of the force
+      real(c_double), intent(in), optional :: mass_damping  !< 1/s, >= 0
+      real(c_double), intent(in), optional :: skin  !< reach of the neighbour list, share of a block's size; default 0.1
+      real(c_double), intent(in), optional :: parallel_angle  !< rad, [0, 0.5]; default 0.01
+      real(c_double), intent(in), optional :: vertex_zone  !< [0, 0.5]; default 1e-6
+      type(halfspace_context), intent(in), optional :: context
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine create
+
+    !> Adds a material of some density.
+    module subroutine add_material(self, density, material, stat, errmsg)
+      class(halfspace_world), intent(inout) :: self
+      real(c_double), intent(in) :: density  !< > 0
+      integer(c_int32_t), intent(out) :: material  !< its index, counted from 1
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine add_material
+
+    !> Sets the law of all pairs of materials that have none of their own.
+    module subroutine set_default_law(self, law, stat, errmsg)
+      class(halfspace_world), intent(inout) :: self
+      type(halfspace_law), intent(in) :: law
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_default_law
+
+    !> Sets the law between two materials, in either order.
+    module subroutine set_law_between(self, law, material_a, material_b, stat, errmsg)
+      class(halfspace_world), intent(inout) :: self
+      type(halfspace_law), intent(in) :: law
+      integer(c_int32_t), intent(in) :: material_a, material_b
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_law_between
+
+    !> Adds a block. The world copies the shape.
+    module subroutine add_block(self, shape, block, kind, material, pose, velocity, angular_velocity, stat, errmsg)
+      class(halfspace_world), intent(inout) :: self
+      type(halfspace_shape), intent(in) :: shape
+      type(halfspace_block), intent(out), optional :: block  !< its name
+      integer(c_int32_t), intent(in), optional :: kind  !< HS_BLOCK_RIGID (default), HS_BLOCK_FIXED or HS_BLOCK_PRESCRIBED
+      integer(c_int32_t), intent(in), optional :: material  !< from add_material(); default 1, the first
+      type(halfspace_pose), intent(in), optional :: pose  !< default: where the shape's vertices were given
+      real(c_double), intent(in), optional :: velocity(:)  !< of the centroid, 3 values (2D: or 2); default 0
+      real(c_double), intent(in), optional :: angular_velocity(:)  !< rad/s, 3 values (2D: or 1, about z); default 0
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine add_block
+
+    !> Removes a block; its name becomes stale. The cost grows with the size of the world.
+    module subroutine remove_block(self, block, stat, errmsg)
+      class(halfspace_world), intent(inout) :: self
+      type(halfspace_block), intent(in) :: block
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine remove_block
+
+    !> Makes a world from saved bytes, with its blocks, their names, materials and laws. It goes on bit for bit.
+    module subroutine restore(self, bytes, context, stat, errmsg)
+      class(halfspace_world), intent(inout) :: self
+      integer(c_int8_t), intent(in), target, contiguous :: bytes(:)  !< from save()
+      type(halfspace_context), intent(in), optional :: context
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine restore
+
+    !> Saves the whole state of motion and contact.
+    module subroutine save_state(self, bytes, stat, errmsg)
+      class(halfspace_world), intent(in) :: self
+      integer(c_int8_t), intent(inout), allocatable, target :: bytes(:)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine save_state
+
+    !> Gives up this reference now instead of at the end of the scope.
+    impure elemental module subroutine destroy(self)
+      class(halfspace_world), intent(inout) :: self
+    end subroutine destroy
+
+    !> Is there a world?
+    elemental module function exists(self)
+      class(halfspace_world), intent(in) :: self
+      logical :: exists
+    end function exists
+
+    !> For calls of halfspace_c; the object stays the owner.
+    module function c_handle(self)
+      class(halfspace_world), intent(in) :: self
+      type(c_ptr) :: c_handle
+    end function c_handle
+
+    impure elemental module subroutine share(self, other)
+      class(halfspace_world), intent(inout) :: self
+      class(halfspace_world), intent(in) :: other
+    end subroutine share
+
+  end interface
+
+  ! Where the blocks are and how they move: halfspace_worlds_motion.f90.
+  interface
+
+    !> The names of all blocks.
+    module subroutine blocks(self, names, stat, errmsg)
+      class(halfspace_world), intent(in) :: self
+      type(halfspace_block), intent(inout), allocatable, target :: names(:)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine blocks
+
+    !> Number of living blocks; 0 if there is no world.
+    module function block_count(self) result(count)
+      class(halfspace_world), intent(in) :: self
+      integer(c_int64_t) :: count
+    end function block_count
+
+    !> One block's motion; its material is counted from 1.
+    module subroutine block_state(self, block, state, stat, errmsg)
+      class(halfspace_world), intent(in) :: self
+      type(halfspace_block), intent(in) :: block
+      type(halfspace_block_state), intent(out) :: state
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine block_state
+
+    !> One block's vertices where they are now, in 2D counter-clockwise.
+    module subroutine block_vertices(self, block, points, rows, count, stat, errmsg)
+      class(halfspace_world), intent(in) :: self
+      type(halfspace_block), intent(in) :: block
+      real(c_double), intent(inout), target :: points(:,:)
+      logical, intent(in), optional :: rows
+      integer(c_int64_t), intent(out), target, optional :: count  !< number of vertices, also when they do not fit
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine block_vertices
+
+    !> Puts a block elsewhere.
+    module subroutine set_pose(self, block, pose, stat, errmsg)
+      class(halfspace_world), intent(inout) :: self
+      type(halfspace_block), intent(in) :: block
+      type(halfspace_pose), intent(in) :: pose
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_pose
+
+    !> Sets a block's velocity; a fixed block takes none.
+    module subroutine set_velocity(self, block, velocity, angular_velocity, stat, errmsg)
+      class(halfspace_world), intent(inout) :: self
+      type(halfspace_block), intent(in) :: block
+      real(c_double), intent(in) :: velocity(:)  !< of the centroid, 3 values (2D: or 2)
+      real(c_double), intent(in), optional :: angular_velocity(:)  !< rad/s, 3 values (2D: or 1, about z); default 0
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_velocity
+
+    !> Sets the force and torque that act on a rigid block from outside until set again.
+    module subroutine set_applied_force(self, block, force, torque, stat, errmsg)
+      class(halfspace_world), intent(inout) :: self
+      type(halfspace_block), intent(in) :: block
+      real(c_double), intent(in) :: force(:)  !< at the centroid, 3 values (2D: or 2)
+      real(c_double), intent(in), optional :: torque(:)  !< about the centroid, 3 values (2D: or 1, about z); default 0
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_applied_force
+
+    !> Poses of all blocks.
+    module subroutine poses(self, values, stat, errmsg)
+      class(halfspace_world), intent(in) :: self
+      type(halfspace_pose), intent(inout), target, contiguous :: values(:)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine poses
+
+    !> Sets the poses of all blocks; after an error, none has moved.
+    module subroutine set_poses(self, values, stat, errmsg)
+      class(halfspace_world), intent(inout) :: self
+      type(halfspace_pose), intent(in), target, contiguous :: values(:)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_poses
+
+    !> Velocities of all blocks.
+    module subroutine velocities(self, linear, angular, rows, stat, errmsg)
+      class(halfspace_world), intent(in) :: self
+      real(c_double), intent(inout), target :: linear(:,:)
+      real(c_double), intent(inout), target, optional :: angular(:,:)
+      logical, intent(in), optional :: rows  !< layout of both
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine velocities
+
+    !> Sets the velocities of all blocks; entries of fixed blocks are ignored. Without `angular`, spins stay.
+    module subroutine set_velocities(self, linear, angular, rows, stat, errmsg)
+      class(halfspace_world), intent(inout) :: self
+      real(c_double), intent(in), target :: linear(:,:)
+      real(c_double), intent(in), target, optional :: angular(:,:)
+      logical, intent(in), optional :: rows  !< layout of both
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_velocities
+
+  end interface
+
+  ! Stages, steps and what they give: halfspace_worlds_stages.f90.
+  interface
+
+    !> Stage: neighbour search and detection at the present poses.
+    module subroutine detect(self, touching, stat, errmsg)
+      class(halfspace_world), intent(inout) :: self
+      integer(c_int64_t), intent(out), target, optional :: touching  !< number of pairs in contact
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine detect
+
+    !> Stage: contact forces at the present poses and velocities, after detect().
+    module subroutine forces(self, elapsed, force, torque, rows, stat, errmsg)
+      class(halfspace_world), intent(inout) :: self
+      real(c_double), intent(in) :: elapsed  !< time since the last call, >= 0: shear springs grow by velocity times this
+      real(c_double), intent(inout), target :: force(:,:)  !< on each block
+      real(c_double), intent(inout), target, optional :: torque(:,:)  !< about each centroid
+      logical, intent(in), optional :: rows  !< layout of both
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine forces
+
+    !> Steps the world. After HS_ERROR_UNSTABLE it stays at the last good step, and can be read or saved.
+    module subroutine step(self, steps, stat, errmsg)
+      class(halfspace_world), intent(inout) :: self
+      integer, intent(in), optional :: steps  !< >= 0; default 1
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine step
+
+    !> Time, time step, counts, energies. After a change of the world it detects and evaluates forces first.
+    module subroutine report(self, values, stat, errmsg)
+      class(halfspace_world), intent(inout) :: self
+      type(halfspace_world_report), intent(out) :: values
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine report
+
+    !> The contacts of the last detection, sorted by block, a before b; none after a change of poses, blocks or
+    !! laws. Memory is allocated only when their number has changed.
+    module subroutine contacts(self, list, stat, errmsg)
+      class(halfspace_world), intent(in) :: self
+      type(halfspace_contact), intent(inout), allocatable, target :: list(:)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine contacts
+
+    !> Preloads the shear spring of a contact, for example to start from equilibrium. After detect() or step().
+    module subroutine set_shear_force(self, block_a, block_b, shear_force, stat, errmsg)
+      class(halfspace_world), intent(inout) :: self
+      type(halfspace_block), intent(in) :: block_a, block_b
+      real(c_double), intent(in) :: shear_force(:)  !< on block_b, 3 values (2D: or 2); what lies in the contact plane counts
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_shear_force
+
+  end interface
+
+end module halfspace_worlds

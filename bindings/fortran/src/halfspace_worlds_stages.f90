@@ -1,0 +1,58 @@
+!> Stages, steps and what they give.
+submodule(halfspace_worlds) halfspace_worlds_stages
+  use halfspace_contacts, only: count_features_from_1, id_of
+  use halfspace_errors, only: conclude
+  use halfspace_views, only: address_of, are_points, is_vector, mutable_view, three_of
+  implicit none
+
+contains
+
+  module procedure detect
+    call conclude(hs_world_detect(self%handle%object(), address_of(touching)), self%handle%context(), stat, errmsg)
+  end procedure detect
+
+  module procedure forces
+    type(hs_mutable_view) :: torques
+    if (.not. are_points(force, 'force', rows, stat, errmsg)) return
+    if (present(torque)) then
+      if (.not. are_points(torque, 'torque', rows, stat, errmsg)) return
+      torques = mutable_view(torque, rows)
+    end if
+    call conclude(hs_world_forces(self%handle%object(), elapsed, mutable_view(force, rows), torques), &
+                  self%handle%context(), stat, errmsg)
+  end procedure forces
+
+  module procedure step
+    integer(c_int64_t) :: wanted
+    wanted = 1
+    if (present(steps)) wanted = steps
+    call conclude(hs_world_step(self%handle%object(), wanted), self%handle%context(), stat, errmsg)
+  end procedure step
+
+  module procedure report
+    call conclude(hs_world_get_report(self%handle%object(), values, c_sizeof(values)), self%handle%context(), &
+                  stat, errmsg)
+  end procedure report
+
+  module procedure contacts
+    integer(c_int64_t), target :: count
+    integer(c_int32_t) :: status
+    status = hs_world_get_contacts(self%handle%object(), c_null_ptr, 0_c_int64_t, c_loc(count))
+    if (status >= HS_OK) then
+      if (allocated(list)) then
+        if (size(list, kind=c_int64_t) /= count) deallocate (list)
+      end if
+      if (.not. allocated(list)) allocate (list(count))
+      status = hs_world_get_contacts(self%handle%object(), c_loc(list), count, c_null_ptr)
+      call count_features_from_1(list)
+    end if
+    call conclude(status, self%handle%context(), stat, errmsg)
+  end procedure contacts
+
+  module procedure set_shear_force
+    if (.not. is_vector(shear_force, 'shear_force', 2, stat, errmsg)) return
+    call conclude(hs_world_set_shear_force(self%handle%object(), id_of(block_a), id_of(block_b), &
+                                           three_of(shear_force)), self%handle%context(), stat, errmsg)
+  end procedure set_shear_force
+
+end submodule halfspace_worlds_stages

@@ -1,0 +1,278 @@
+! Who owns what: everything that was allocated is released when the last owner goes, in whichever order; copies
+! made by assignment share; copies made behind the modules' back are refused and release nothing.
+module counting
+  use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_null_ptr, c_ptr, c_size_t
+  use halfspace, only: halfspace_allocator
+  implicit none
+
+  type, extends(halfspace_allocator) :: counting_allocator
+    integer :: requests = 0
+    integer :: living = 0
+    integer(c_size_t) :: bytes = 0
+    integer :: most_requests = huge(0)
+  contains
+    procedure :: allocate => allocate_counted
+    procedure :: release => release_counted
+  end type counting_allocator
+
+  interface
+    function aligned_alloc(alignment, size) bind(c)
+      import
+      integer(c_size_t), value :: alignment, size
+      type(c_ptr) :: aligned_alloc
+    end function aligned_alloc
+
+    subroutine free(memory) bind(c)
+      import
+      type(c_ptr), value :: memory
+    end subroutine free
+  end interface
+
+contains
+
+  type(c_ptr) function allocate_counted(self, bytes, alignment) result(memory)
+    class(counting_allocator), intent(inout) :: self
+    integer(c_size_t), intent(in) :: bytes, alignment
+    memory = c_null_ptr
+    self%requests = self%requests + 1
+    if (self%requests > self%most_requests) return
+    memory = aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment)
+    if (.not. c_associated(memory)) return
+    self%living = self%living + 1
+    self%bytes = self%bytes + bytes
+  end function allocate_counted
+
+  subroutine release_counted(self, memory, bytes, alignment)
+    class(counting_allocator), intent(inout) :: self
+    type(c_ptr), intent(in) :: memory
+    integer(c_size_t), intent(in) :: bytes, alignment
+    if (alignment < 1) error stop 'alignment'
+    call free(memory)
+    self%living = self%living - 1
+    self%bytes = self%bytes - bytes
+  end subroutine release_counted
+
+end module counting
+
+program test_ownership
+  use checking
+  use counting
+  use halfspace
+  use, intrinsic :: iso_fortran_env, only: real64
+  implicit none
+
+  real(real64), parameter :: corners(2, 4) = reshape([real(real64) :: 0, 0, 1, 0, 1, 1, 0, 1], [2, 4])
+
+  type :: model
+    type(halfspace_shape) :: shape
+    integer :: number = 0
+  end type model
+
+  type(counting_allocator), target :: memory
+
+  call end_of_scope()
+  call expect_nothing_left('end of scope')
+  call assignment_shares()
+  call expect_nothing_left('assignment')
+  call arrays_share()
+  call expect_nothing_left('arrays')
+  call created_again()
+  call expect_nothing_left('created again')
+  call parts_of_a_cut()
+  call expect_nothing_left('parts of a cut')
+  call allocatables()
+  call expect_nothing_left('allocatables')
+  call foreign_copies()
+  call expect_nothing_left('foreign copies')
+  call nested_copies()
+  call expect_nothing_left('nested copies')
+  call failed_allocations()
+  call finish()
+
+contains
+
+  subroutine expect_nothing_left(after)
+    character(*), intent(in) :: after
+    call expect(memory%requests > 0, 'the allocator was asked: '//after)
+    call expect(memory%living == 0 .and. memory%bytes == 0, 'all memory is released: '//after)
+    memory = counting_allocator()
+  end subroutine expect_nothing_left
+
+  subroutine make_square(shape, context)
+    type(halfspace_shape), intent(inout) :: shape
+    type(halfspace_context), intent(in) :: context
+    call shape%create_polygon(corners, context=context)
+  end subroutine make_square
+
+  ! The context comes first and last: compilers finalize in whichever order they like.
+  subroutine end_of_scope()
+    type(halfspace_context) :: context
+    type(halfspace_world) :: world
+    type(halfspace_shape) :: shape
+    type(halfspace_context) :: again
+    integer :: material
+    call context%create(memory)
+    again = context
+    call make_square(shape, context)
+    call world%create(context=again)
+    call world%add_material(1.0_real64, material)
+    call world%add_block(shape)
+    call context%destroy()
+    call expect(world%block_count() == 1, 'the world lives on without the context')
+    call world%step(3)
+  end subroutine end_of_scope
+
+  subroutine assignment_shares()
+    type(halfspace_context) :: context
+    type(halfspace_shape) :: a, b
+    type(halfspace_world) :: world, same
+    type(halfspace_shape_properties) :: properties
+    integer :: material
+    call context%create(memory)
+    call make_square(a, context)
+    b = a
+    call a%destroy()
+    call expect(.not. a%exists() .and. b%exists(), 'a copy outlives the original')
+    b = b
+    call b%properties(properties)
+    call expect(properties%vertex_count == 4, 'the copy has the shape')
+    a = b
+    call world%create(context=context)
+    same = world
+    call same%add_material(1.0_real64, material)
+    call same%add_block(b)
+    call expect(world%block_count() == 1, 'both names are the same world')
+    call make_square(a, context)
+  end subroutine assignment_shares
+
+  subroutine arrays_share()
+    type(halfspace_context) :: context
+    type(halfspace_shape) :: a(3), b(2), square
+    integer :: i
+    call context%create(memory)
+    do i = 1, 3
+      call make_square(a(i), context)
+    end do
+    b = a(2:3)
+    call a(2)%destroy()
+    call expect(b(1)%exists(), 'an element of a copy outlives the original')
+    call make_square(square, context)
+    a(1:2) = [square, b(1)]
+    call b%destroy()
+    call expect(all(a%exists()), 'elements of an array constructor are shared')
+  end subroutine arrays_share
+
+  subroutine created_again()
+    type(halfspace_context) :: context
+    type(halfspace_shape) :: shape
+    integer :: i, living
+    call context%create(memory)
+    call make_square(shape, context)
+    living = memory%living
+    do i = 1, 5
+      call make_square(shape, context)
+    end do
+    call expect(memory%living == living, 'creating again ends what was there')
+    call context%create(memory)
+    call expect(shape%exists(), 'the shape keeps the context it was made from')
+  end subroutine created_again
+
+  subroutine parts_of_a_cut()
+    type(halfspace_context) :: context
+    type(halfspace_shape) :: whole, left, right
+    call context%create(memory)
+    call make_square(whole, context)
+    call context%destroy()
+    call whole%cut([0.25_real64, 0.0_real64], [1.0_real64, 0.0_real64], left, right)
+    call whole%destroy()
+    call expect(left%exists() .and. right%exists(), 'both parts live without the whole')
+    whole = right
+    call whole%cut([2.0_real64, 0.0_real64], [1.0_real64, 0.0_real64], left, right)
+    call expect(left%exists() .and. .not. right%exists(), 'there is no part beyond the shape')
+  end subroutine parts_of_a_cut
+
+  subroutine allocatables()
+    type(halfspace_context) :: context
+    type(halfspace_shape), allocatable :: list(:), longer(:)
+    type(halfspace_shape), pointer :: one
+    call context%create(memory)
+    allocate (list(1), longer(2), one)
+    call make_square(list(1), context)
+    call make_square(one, context)
+    longer(:1) = list
+    longer(2) = one
+    deallocate (one)
+    call move_alloc(longer, list)
+    call expect(all(list%exists()), 'elements survive a move')
+  end subroutine allocatables
+
+  ! allocate(source=) copies bit by bit.
+  subroutine foreign_copies()
+    type(halfspace_context) :: context
+    type(halfspace_shape) :: square
+    type(halfspace_shape), allocatable :: copy
+    type(halfspace_shape_properties) :: properties
+    integer :: stat
+    character(100) :: text
+    call context%create(memory)
+    call make_square(square, context)
+    allocate (copy, source=square)
+    call copy%properties(properties, stat, text)
+    call expect(.not. copy%exists() .and. stat == HS_ERROR_ARGUMENT, 'a copy by source= is refused')
+    call expect_text(text, 'copy that no assignment has made')
+    deallocate (copy)
+    call expect(square%exists(), 'the original stays')
+  end subroutine foreign_copies
+
+  ! gfortran 12 copies the components of other types bit by bit, too; other compilers assign them. Both are safe.
+  subroutine nested_copies()
+    type(halfspace_context) :: context
+    type(model) :: a, b, c
+    call context%create(memory)
+    call make_square(a%shape, context)
+    b = a
+    call expect(a%shape%exists(), 'the original stays')
+    c%shape = a%shape
+    call expect(c%shape%exists(), 'a component is shared')
+  end subroutine nested_copies
+
+  ! The allocator fails at the n-th request, for every n.
+  subroutine failed_allocations()
+    integer :: n, stat
+    character(200) :: text
+    logical :: done
+    done = .false.
+    do n = 0, 1000
+      memory = counting_allocator(most_requests=n)
+      call build(stat, text)
+      call expect(memory%living == 0, 'nothing is left after a failed allocation')
+      done = stat == HS_OK
+      if (done) exit
+      call expect(stat == HS_ERROR_OUT_OF_MEMORY, 'out of memory: '//trim(text))
+    end do
+    call expect(done .and. n > 3, 'it works in the end')
+  end subroutine failed_allocations
+
+  subroutine build(stat, text)
+    integer, intent(out) :: stat
+    character(*), intent(inout) :: text
+    type(halfspace_context) :: context
+    type(halfspace_shape) :: shape, left, right
+    type(halfspace_world) :: world
+    integer :: material
+    call context%create(memory, stat=stat, errmsg=text)
+    if (stat /= HS_OK) return
+    call shape%create_polygon(corners, context=context, stat=stat, errmsg=text)
+    if (stat /= HS_OK) return
+    call shape%cut([0.5_real64, 0.0_real64], [1.0_real64, 0.0_real64], left, right, stat, text)
+    if (stat /= HS_OK) return
+    call world%create(context=context, stat=stat, errmsg=text)
+    if (stat /= HS_OK) return
+    call world%add_material(1.0_real64, material, stat, text)
+    if (stat /= HS_OK) return
+    call world%add_block(left, stat=stat, errmsg=text)
+    if (stat /= HS_OK) return
+    call world%step(1, stat, text)
+  end subroutine build
+
+end program test_ownership

@@ -1,0 +1,72 @@
+"""Contacts between convex blocks: detection by half-space inclusion, contact force, time stepping.
+
+Conventions: SI or any consistent units; angles in radians; right-handed axes; quaternions x, y, z, w; a
+normal points from a to b; a gap below 0 is an overlap; indices start at 0; in 2D the thickness is 1.
+
+Examples
+--------
+>>> import halfspace as hs
+>>> square = hs.Shape.rectangle(1, 1)
+>>> print(hs.pair_detect(square, (0, 0), square, (0.25, 0.875)).gap)
+-0.125
+"""
+from ._arrays import BLOCK_STATE, CONTACT, PAIR_CACHE, SHAPE_PROPERTIES, WORLD_REPORT, pose
+from ._library import status_text, version
+from .constants import BlockKind, ContactType, Fault, PairKind, StiffnessKind
+from .context import Context, default_context
+from .errors import (
+    ArgumentError,
+    ClosedError,
+    FormatError,
+    GeometryError,
+    HalfspaceError,
+    InternalError,
+    OutOfMemoryError,
+    StaleIdError,
+    StateError,
+    UnstableError,
+)
+from .law import Law
+from .pair import PairCache, pair_caches, pair_detect, pairs_detect
+from .shape import Shape, check_polygon, check_polyhedron, clean_polygon
+from .world import World
+
+__version__ = version()
+
+__all__ = [
+    "BLOCK_STATE",
+    "CONTACT",
+    "PAIR_CACHE",
+    "SHAPE_PROPERTIES",
+    "WORLD_REPORT",
+    "ArgumentError",
+    "BlockKind",
+    "ClosedError",
+    "ContactType",
+    "Context",
+    "Fault",
+    "FormatError",
+    "GeometryError",
+    "HalfspaceError",
+    "InternalError",
+    "Law",
+    "OutOfMemoryError",
+    "PairCache",
+    "PairKind",
+    "Shape",
+    "StaleIdError",
+    "StateError",
+    "StiffnessKind",
+    "UnstableError",
+    "World",
+    "check_polygon",
+    "check_polyhedron",
+    "clean_polygon",
+    "default_context",
+    "pair_caches",
+    "pair_detect",
+    "pairs_detect",
+    "pose",
+    "status_text",
+    "version",
+]

@@ -1,0 +1,60 @@
+"""Finds the shared library and loads it.
+
+Looked at in this order: the file named by the environment variable HALFSPACE_LIBRARY; the library bundled in
+this package; the one installed in the same prefix; the one the system's loader finds."""
+import ctypes
+import os
+import pathlib
+from typing import Iterator
+
+from . import _raw
+
+_NAME = "libhalfspace.so.0"  # the soname: the interface that _raw.py describes
+_PACKAGE = pathlib.Path(__file__).resolve().parent
+
+
+def _candidates() -> Iterator[str]:
+    yield from map(str, _PACKAGE.glob(_NAME))
+    # PREFIX/lib/python3/dist-packages/halfspace or PREFIX/lib/python3.11/site-packages/halfspace
+    if len(_PACKAGE.parents) > 2 and _PACKAGE.parents[2].name.startswith("lib"):
+        beside = _PACKAGE.parents[2]
+        yield from sorted(map(str, (*beside.glob(_NAME), *beside.glob("*/" + _NAME))))
+    yield _NAME
+
+
+def _open(path: str) -> ctypes.CDLL:
+    # What a bundled library needs lies beside it, where the loader does not look by itself.
+    if pathlib.Path(path).parent == _PACKAGE:
+        for needed in sorted(_PACKAGE.glob("*.so*")):
+            if needed.name != _NAME:
+                ctypes.CDLL(str(needed))
+    return ctypes.CDLL(path)
+
+
+def _load() -> ctypes.CDLL:
+    chosen = os.environ.get("HALFSPACE_LIBRARY")
+    failures = []
+    for path in [chosen] if chosen else _candidates():
+        try:
+            found = _open(path)
+            _raw.declare(found)  # type: ignore[no-untyped-call]
+            return found
+        except OSError as error:
+            failures.append(str(error))
+        except AttributeError as error:  # a function that this package needs is not there
+            raise ImportError(f"halfspace: {path} is of another version: {error}") from error
+    where = "HALFSPACE_LIBRARY" if chosen else "the package, its prefix and the system"
+    raise ImportError(f"halfspace: no shared library in {where}:\n  " + "\n  ".join(failures))
+
+
+library = _load()
+
+
+def version() -> str:
+    """The version of the shared library, e.g. ``"0.1.0"``."""
+    return str(library.hs_version(), "ascii")
+
+
+def status_text(status: int) -> str:
+    """The fixed text of a status code, also of an unknown one."""
+    return str(library.hs_status_string(status), "ascii")

@@ -1,0 +1,131 @@
+"""What all blocks of a world have, as arrays."""
+import ctypes
+from typing import Any, Callable, Optional, Tuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._arrays import mutable_view_of, turns_view_of, view_of
+from ._library import library
+from .context import Context, Handle
+
+Floats = NDArray[np.float64]
+
+
+class BlockArrays(Handle):
+    """A world's blocks in bulk, in the order of `blocks`.
+
+    In 2D vectors have 2 components, angular velocities and torques 1; in 3D both have 3.
+    """
+
+    def __init__(
+        self, context: Context, pointer: Any, destroy: Callable[[Any], None], dimension: int
+    ) -> None:
+        super().__init__(context, pointer, destroy)
+        self._dimension = dimension
+        self._turns = np.empty((0, 3))  # angular velocities or torques of 2D on their way out
+
+    @property
+    def dimension(self) -> int:
+        """2 or 3."""
+        return self._dimension
+
+    def __len__(self) -> int:
+        count = ctypes.c_int64()
+        self._call(library.hs_world_get_blocks, None, 0, ctypes.byref(count))
+        return count.value
+
+    @property
+    def blocks(self) -> NDArray[np.uint64]:
+        """The ids of all blocks, in the order of the arrays below."""
+        blocks = np.empty(len(self), np.uint64)
+        self._call(library.hs_world_get_blocks, blocks.ctypes.data, len(blocks), None)
+        return blocks
+
+    @property
+    def poses(self) -> Floats:
+        """Positions and quaternions of all blocks, shape (n, 7). Assign such an array to put them
+        elsewhere."""
+        return self.get_poses()
+
+    @poses.setter
+    def poses(self, poses: ArrayLike) -> None:
+        array = np.ascontiguousarray(poses, np.float64)
+        if array.ndim != 2 or array.shape[1] != 7:
+            raise ValueError(f"poses has the shape {array.shape}; it must be (n, 7)")
+        self._call(library.hs_world_set_poses, array.ctypes.data, len(array))
+
+    def get_poses(self, out: Optional[Floats] = None) -> Floats:
+        """As `poses`, into an array of the caller's if one is given: C-contiguous, float64, shape (n, 7)."""
+        array = np.empty((len(self), 7)) if out is None else out
+        if (
+            array.dtype != np.float64
+            or array.shape[1:] != (7,)
+            or not array.flags.carray
+            or len(array) < len(self)
+        ):
+            raise ValueError(
+                f"out must be a contiguous, writeable array of float64 of the shape ({len(self)}, 7)"
+            )
+        self._call(library.hs_world_get_poses, array.ctypes.data, len(array), None)
+        return array
+
+    @property
+    def positions(self) -> Floats:
+        """Centroids of all blocks, shape (n, dimension)."""
+        return self.get_poses()[:, : self.dimension]
+
+    @property
+    def velocities(self) -> Floats:
+        """Of all centroids, shape (n, dimension). Assign such an array to set them; fixed blocks take
+        none."""
+        return self.get_velocities()[0]
+
+    @velocities.setter
+    def velocities(self, velocities: ArrayLike) -> None:
+        self.set_velocities(velocities, self.angular_velocities)
+
+    @property
+    def angular_velocities(self) -> Floats:
+        """Of all blocks: shape (n,) in 2D, (n, 3) in 3D. Assign such an array to set them."""
+        return self.get_velocities()[1]
+
+    @angular_velocities.setter
+    def angular_velocities(self, angular_velocities: ArrayLike) -> None:
+        self.set_velocities(self.velocities, angular_velocities)
+
+    def set_velocities(self, velocities: ArrayLike, angular_velocities: ArrayLike) -> None:
+        """Sets both for all blocks; strided arrays of float64 are used without a copy."""
+        view = view_of(velocities, self.dimension, "velocities")
+        turns = turns_view_of(angular_velocities, self.dimension, "angular_velocities")
+        self._call(library.hs_world_set_velocities, view, turns)
+
+    def get_velocities(
+        self, out: Optional[Floats] = None, angular_out: Optional[Floats] = None
+    ) -> Tuple[Floats, Floats]:
+        """Velocities and angular velocities, into arrays of the caller's if given; they may be strided."""
+        return self._vectors_and_turns(library.hs_world_get_velocities, (), out, angular_out)
+
+    def _vectors_and_turns(
+        self, function: Any, before: Tuple[Any, ...], out: Optional[Floats], turns_out: Optional[Floats]
+    ) -> Tuple[Floats, Floats]:
+        count, flat = len(self), self.dimension == 2
+        vectors = np.empty((count, self.dimension)) if out is None else out
+        turns = np.empty(count if flat else (count, 3)) if turns_out is None else turns_out
+        for array, name in ((vectors, "out"), (turns, "angular_out or torques_out")):
+            if len(array) != count:
+                raise ValueError(f"{name} has the length {len(array)}; the world has {count} blocks")
+        written = turns
+        if flat and turns.ndim == 1:
+            if len(self._turns) != count:
+                self._turns = np.empty((count, 3))
+            written = self._turns
+        self._call(
+            function,
+            *before,
+            mutable_view_of(vectors, self.dimension, "out"),
+            mutable_view_of(written, 3, "turns"),
+        )
+        if written is not turns:
+            turns[:] = written[:, 2]
+        return vectors, turns

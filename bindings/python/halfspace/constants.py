@@ -1,0 +1,72 @@
+"""The library's constants as enumerations."""
+from enum import IntEnum
+
+from . import _raw
+
+
+class ContactType(IntEnum):
+    """How two blocks touch (`contact["type"]`)."""
+
+    NONE = _raw.HS_CONTACT_NONE
+    VERTEX_VERTEX = _raw.HS_CONTACT_VERTEX_VERTEX
+    VERTEX_EDGE = _raw.HS_CONTACT_VERTEX_EDGE
+    EDGE_EDGE = _raw.HS_CONTACT_EDGE_EDGE
+    EDGE_FACE = _raw.HS_CONTACT_EDGE_FACE
+    FACE_FACE = _raw.HS_CONTACT_FACE_FACE
+    VERTEX_FACE = _raw.HS_CONTACT_VERTEX_FACE
+
+
+class PairKind(IntEnum):
+    """Which features make the pair behind a contact or its absence (`contact["pair_kind"]`)."""
+
+    FACE_VERTEX = _raw.HS_PAIR_FACE_VERTEX
+    VERTEX_FACE = _raw.HS_PAIR_VERTEX_FACE
+    EDGE_EDGE = _raw.HS_PAIR_EDGE_EDGE
+    VERTEX_VERTEX = _raw.HS_PAIR_VERTEX_VERTEX
+
+
+class BlockKind(IntEnum):
+    """How a block moves."""
+
+    FIXED = _raw.HS_BLOCK_FIXED
+    PRESCRIBED = _raw.HS_BLOCK_PRESCRIBED
+    RIGID = _raw.HS_BLOCK_RIGID
+
+
+class StiffnessKind(IntEnum):
+    """What a law's stiffnesses refer to: the whole contact (N/m) or its area (Pa/m)."""
+
+    PER_CONTACT = _raw.HS_STIFFNESS_PER_CONTACT
+    PER_AREA = _raw.HS_STIFFNESS_PER_AREA
+
+
+class Fault(IntEnum):
+    """What can be wrong with what a shape is to be made from (`fault["kind"]`)."""
+
+    NONE = _raw.HS_FAULT_NONE
+    TOO_FEW_VERTICES = _raw.HS_FAULT_TOO_FEW_VERTICES
+    NOT_FINITE = _raw.HS_FAULT_NOT_FINITE
+    REPEATED_VERTEX = _raw.HS_FAULT_REPEATED_VERTEX
+    COLLINEAR_VERTEX = _raw.HS_FAULT_COLLINEAR_VERTEX
+    NOT_CONVEX = _raw.HS_FAULT_NOT_CONVEX
+    SELF_CROSSING = _raw.HS_FAULT_SELF_CROSSING
+    ZERO_AREA = _raw.HS_FAULT_ZERO_AREA
+    FEWER_THAN_FOUR = _raw.HS_FAULT_FEWER_THAN_FOUR
+    FACE_TOO_SHORT = _raw.HS_FAULT_FACE_TOO_SHORT
+    NO_SUCH_VERTEX = _raw.HS_FAULT_NO_SUCH_VERTEX
+    VERTEX_TWICE_IN_FACE = _raw.HS_FAULT_VERTEX_TWICE_IN_FACE
+    UNUSED_VERTEX = _raw.HS_FAULT_UNUSED_VERTEX
+    UNMATCHED_EDGE = _raw.HS_FAULT_UNMATCHED_EDGE
+    VERTEX_INSIDE_EDGE = _raw.HS_FAULT_VERTEX_INSIDE_EDGE
+    NOT_ONE_SURFACE = _raw.HS_FAULT_NOT_ONE_SURFACE
+    OUT_OF_RANGE = _raw.HS_FAULT_OUT_OF_RANGE
+    COINCIDING_VERTICES = _raw.HS_FAULT_COINCIDING_VERTICES
+    ZERO_VOLUME = _raw.HS_FAULT_ZERO_VOLUME
+    FACE_WITHOUT_AREA = _raw.HS_FAULT_FACE_WITHOUT_AREA
+    FACE_NOT_PLANE = _raw.HS_FAULT_FACE_NOT_PLANE
+    VERTEX_OUTSIDE_FACE = _raw.HS_FAULT_VERTEX_OUTSIDE_FACE
+    COPLANAR_FACES = _raw.HS_FAULT_COPLANAR_FACES
+    HULL_FAILED = _raw.HS_FAULT_HULL_FAILED
+    NO_DIRECTION = _raw.HS_FAULT_NO_DIRECTION
+    UNBOUNDED = _raw.HS_FAULT_UNBOUNDED
+    NO_COMMON_POINT = _raw.HS_FAULT_NO_COMMON_POINT

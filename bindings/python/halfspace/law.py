@@ -1,0 +1,48 @@
+"""Contact laws."""
+import ctypes
+import dataclasses
+
+from . import _raw
+from ._library import library
+from .constants import StiffnessKind
+
+
+@dataclasses.dataclass(frozen=True)
+class Law:
+    """Penalty spring with Mohr-Coulomb friction between two materials.
+
+    Attributes
+    ----------
+    normal_stiffness, shear_stiffness : float
+        N/m, or Pa/m when the stiffness is per area; > 0 and >= 0.
+    friction_angle : float
+        rad, from 0 to below pi/2.
+    cohesion, tensile_strength : float
+        Pa, >= 0; of contacts that exist when a block's first step begins, until they fail.
+    normal_damping, shear_damping : float
+        Share of critical viscous damping, >= 0.
+    stiffness_kind : StiffnessKind
+        What the stiffnesses refer to: the whole contact or its area.
+
+    Examples
+    --------
+    >>> rock = Law(normal_stiffness=1e7, shear_stiffness=5e6, friction_angle=0.5)
+    >>> rock.cohesion
+    0.0
+    """
+
+    normal_stiffness: float = 1e9
+    shear_stiffness: float = 1e9
+    friction_angle: float = 0.0
+    cohesion: float = 0.0
+    tensile_strength: float = 0.0
+    normal_damping: float = 0.0
+    shear_damping: float = 0.0
+    stiffness_kind: StiffnessKind = StiffnessKind.PER_CONTACT
+
+    def _as_struct(self) -> _raw.hs_law_def:
+        struct = _raw.hs_law_def()
+        library.hs_law_def_init(ctypes.byref(struct), ctypes.sizeof(struct))
+        for field in dataclasses.fields(self):
+            setattr(struct, field.name, getattr(self, field.name))
+        return struct

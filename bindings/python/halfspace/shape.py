@@ -1,0 +1,300 @@
+"""Convex polygons and polyhedra."""
+import ctypes
+from typing import Any, Callable, List, Optional, Sequence, Tuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _raw
+from ._arrays import (
+    CLEAN_REPORT,
+    FAULT,
+    SHAPE_PROPERTIES,
+    empty_record,
+    indices,
+    mutable_view_of,
+    vector,
+    view_of,
+)
+from ._library import library
+from .context import Context, Handle, default_context
+
+
+class Shape(Handle):
+    """An immutable convex polygon (2D) or polyhedron (3D), for any number of blocks.
+
+    Make one with `polygon`, `polyhedron`, `hull`, `from_halfspaces`, `rectangle` or `box`. Faulty input is
+    refused with its reason (`GeometryError`); nothing is repaired. Arrays of float64 go in without a copy,
+    however they are strided.
+
+    Examples
+    --------
+    >>> square = Shape.polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
+    >>> square.volume, square.centroid
+    (1.0, array([0.5, 0.5]))
+    """
+
+    def __init__(self, context: Context, pointer: Any) -> None:
+        super().__init__(context, pointer, library.hs_shape_destroy)
+        self._properties: Any = None
+
+    @classmethod
+    def _make(cls, context: Optional[Context], create: Callable[..., int], *arguments: Any) -> "Shape":
+        owner = context or default_context()
+        pointer = ctypes.POINTER(_raw.hs_shape)()
+        owner._alive.call(create, owner._alive.pointer, *arguments, ctypes.byref(pointer))
+        return cls(owner, pointer)
+
+    @classmethod
+    def polygon(cls, vertices: ArrayLike, *, context: Optional[Context] = None) -> "Shape":
+        """A convex polygon.
+
+        Parameters
+        ----------
+        vertices : array_like, shape (n, 2)
+            Its corners, clockwise or counter-clockwise, 3 or more.
+        context : Context, optional
+            The owner; the default context if there is none given.
+
+        Raises
+        ------
+        GeometryError
+            The text names fault and vertex.
+        """
+        return cls._make(context, library.hs_polygon_create, view_of(vertices, 2, "vertices"))
+
+    @classmethod
+    def polyhedron(
+        cls, vertices: ArrayLike, faces: Sequence[Sequence[int]], *, context: Optional[Context] = None
+    ) -> "Shape":
+        """A convex polyhedron.
+
+        Parameters
+        ----------
+        vertices : array_like, shape (n, 3)
+            Its corners.
+        faces : sequence of sequences of int
+            The vertices of each face, all faces counter-clockwise seen from outside, or all clockwise. A face
+            may have any number of vertices; two neighbours must not lie in one plane.
+        """
+        sizes, corners = _flattened(faces)
+        view = view_of(vertices, 3, "vertices")
+        return cls._make(
+            context, library.hs_polyhedron_create, view, sizes.ctypes.data, len(sizes), corners.ctypes.data
+        )
+
+    @classmethod
+    def hull(cls, points: ArrayLike, *, context: Optional[Context] = None) -> "Shape":
+        """The convex hull of points: a polygon of (n, 2), a polyhedron of (n, 3). Points inside and repeated
+        ones are allowed."""
+        array = np.asarray(points, np.float64)
+        if array.ndim == 2 and array.shape[1] == 3:
+            return cls._make(context, library.hs_polyhedron_create_hull, view_of(array, 3, "points"))
+        return cls._make(context, library.hs_polygon_create_hull, view_of(array, 2, "points"))
+
+    @classmethod
+    def from_halfspaces(
+        cls, normals: ArrayLike, offsets: ArrayLike, *, context: Optional[Context] = None
+    ) -> "Shape":
+        """The polyhedron of all points p with ``normals @ p <= offsets``.
+
+        Parameters
+        ----------
+        normals : array_like, shape (n, 3)
+            Outer normals of any length but 0.
+        offsets : array_like, shape (n,)
+            One for each normal.
+        """
+        view = view_of(normals, 3, "normals")
+        limits = np.ascontiguousarray(offsets, np.float64)
+        if limits.shape != (view.count,):
+            raise ValueError(f"offsets has the shape {limits.shape}; there are {view.count} normals")
+        return cls._make(context, library.hs_polyhedron_create_from_halfspaces, view, limits.ctypes.data)
+
+    @classmethod
+    def rectangle(cls, width: float, height: float, *, context: Optional[Context] = None) -> "Shape":
+        """A rectangle about the origin."""
+        x, y = 0.5 * width, 0.5 * height
+        return cls.polygon([(-x, -y), (x, -y), (x, y), (-x, y)], context=context)
+
+    @classmethod
+    def box(cls, width: float, depth: float, height: float, *, context: Optional[Context] = None) -> "Shape":
+        """A cuboid about the origin, with edges along x, y and z."""
+        signs = [(i, j, k) for k in (-0.5, 0.5) for j in (-0.5, 0.5) for i in (-0.5, 0.5)]
+        faces = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (1, 3, 7, 5), (3, 2, 6, 7), (2, 0, 4, 6)]
+        return cls.polyhedron(np.multiply(signs, (width, depth, height)), faces, context=context)
+
+    def __repr__(self) -> str:
+        if self.closed:
+            return "<halfspace.Shape, closed>"
+        kind = "polygon" if self.dimension == 2 else "polyhedron"
+        return f"<halfspace.Shape: {kind} of {self.properties.vertex_count} vertices, volume {self.volume:g}>"
+
+    @property
+    def properties(self) -> Any:
+        """Geometry and mass per unit density: a record with the fields of ``hs_shape_properties``."""
+        if self._properties is None:
+            array, address = empty_record(SHAPE_PROPERTIES)
+            pointer = _raw.hs_shape_properties.from_address(address)
+            self._call(library.hs_shape_get_properties, ctypes.byref(pointer), array.nbytes)
+            array.flags.writeable = False
+            self._properties = array[0]
+        return self._properties
+
+    @property
+    def dimension(self) -> int:
+        """2 or 3."""
+        return int(self.properties.dimension)
+
+    @property
+    def volume(self) -> float:
+        """In 2D the area, as the thickness is 1."""
+        return float(self.properties.volume)
+
+    @property
+    def centroid(self) -> NDArray[np.float64]:
+        """In the coordinates it was made from; shape (dimension,)."""
+        return np.array(self.properties.centroid[: self.dimension])
+
+    @property
+    def vertices(self) -> NDArray[np.float64]:
+        """In the coordinates it was made from, shape (n, dimension); those of a polygon counter-clockwise."""
+        array = np.empty((self.properties.vertex_count, self.dimension))
+        self._call(library.hs_shape_get_vertices, mutable_view_of(array, self.dimension, "vertices"), None)
+        return array
+
+    @property
+    def faces(self) -> List[NDArray[np.int32]]:
+        """The vertices of each face, counter-clockwise seen from outside; in 2D each edge with its two
+        ends."""
+        faces, corners = self.properties.face_count, 2 * self.properties.edge_count
+        first, vertices = np.empty(faces + 1, np.int32), np.empty(corners, np.int32)
+        self._call(
+            library.hs_shape_get_faces,
+            first.ctypes.data,
+            faces + 1,
+            vertices.ctypes.data,
+            corners,
+            None,
+            None,
+        )
+        return np.split(vertices, first[1:-1])
+
+    @property
+    def edges(self) -> NDArray[np.int32]:
+        """The vertices at both ends of each edge, shape (n, 2), as contacts name edges."""
+        array = np.empty((self.properties.edge_count, 2), np.int32)
+        self._call(library.hs_shape_get_edges, array.ctypes.data, len(array), None)
+        return array
+
+    @property
+    def halfspaces(self) -> Tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Outer unit normals (n, dimension) and offsets (n,): p is inside when ``normals @ p <= offsets``.
+        The centroid is at the origin here."""
+        count = self.properties.face_count
+        normals, offsets = np.empty((count, self.dimension)), np.empty(count)
+        view = mutable_view_of(normals, self.dimension, "normals")
+        self._call(library.hs_shape_get_halfspaces, view, offsets.ctypes.data, None)
+        return normals, offsets
+
+    def cut(self, point: ArrayLike, normal: ArrayLike) -> Tuple[Optional["Shape"], Optional["Shape"]]:
+        """Cuts by a plane (a line in 2D); the shape stays as it is.
+
+        Parameters
+        ----------
+        point : array_like
+            A point of the plane, in the coordinates the shape was made from.
+        normal : array_like
+            The plane's normal, any length but 0.
+
+        Returns
+        -------
+        behind, ahead : Shape or None
+            The part against the normal and the part along it; None where there is none.
+        """
+        parts = ctypes.POINTER(_raw.hs_shape)(), ctypes.POINTER(_raw.hs_shape)()
+        self._call(
+            library.hs_shape_cut, vector(point, "point"), vector(normal, "normal"), *map(ctypes.byref, parts)
+        )
+        behind, ahead = (Shape(self.context, part) if part else None for part in parts)
+        return behind, ahead
+
+
+def _flattened(faces: Sequence[Sequence[int]]) -> Tuple[NDArray[np.int32], NDArray[np.int32]]:
+    lists = [indices(face, f"faces[{i}]") for i, face in enumerate(faces)]
+    sizes = np.array([len(face) for face in lists], np.int32)
+    return sizes, np.concatenate(lists) if lists else np.empty(0, np.int32)
+
+
+def check_polygon(vertices: ArrayLike, *, context: Optional[Context] = None) -> Any:
+    """Says what is wrong with a polygon's vertices.
+
+    Returns
+    -------
+    numpy.record
+        `kind` (a `Fault`, 0 if there is none) and `vertex`, -1 if it is the whole.
+    """
+    keeper = (context or default_context())._alive
+    array, address = empty_record(FAULT)
+    keeper.call(
+        library.hs_polygon_check,
+        keeper.pointer,
+        view_of(vertices, 2, "vertices"),
+        _raw.hs_fault.from_address(address),
+    )
+    return array[0]
+
+
+def check_polyhedron(
+    vertices: ArrayLike, faces: Sequence[Sequence[int]], *, context: Optional[Context] = None
+) -> Any:
+    """Says what is wrong with a polyhedron's vertices and faces, as `check_polygon` does, with the `face`."""
+    keeper = (context or default_context())._alive
+    sizes, corners = _flattened(faces)
+    array, address = empty_record(FAULT)
+    keeper.call(
+        library.hs_polyhedron_check,
+        keeper.pointer,
+        view_of(vertices, 3, "vertices"),
+        sizes.ctypes.data,
+        len(sizes),
+        corners.ctypes.data,
+        _raw.hs_fault.from_address(address),
+    )
+    return array[0]
+
+
+def clean_polygon(
+    vertices: ArrayLike, tolerance: float = 0.0, *, context: Optional[Context] = None
+) -> Tuple[NDArray[np.float64], Any]:
+    """Drops repeated vertices and vertices on the line of their neighbours, and turns the order
+    counter-clockwise.
+
+    Parameters
+    ----------
+    vertices : array_like, shape (n, 2)
+        In the order of the outline.
+    tolerance : float
+        Distance, >= 0; with 0 only exact repetitions go, and what is straight to rounding.
+
+    Returns
+    -------
+    vertices : numpy.ndarray, shape (m, 2)
+        What remains; no vertex is moved.
+    report : numpy.record
+        `welded`, `straightened` and `reversed`.
+    """
+    keeper = (context or default_context())._alive
+    view = view_of(vertices, 2, "vertices")
+    cleaned, count = np.empty((view.count, 2)), ctypes.c_int64()
+    array, address = empty_record(CLEAN_REPORT)
+    keeper.call(
+        library.hs_polygon_clean,
+        keeper.pointer,
+        view,
+        tolerance,
+        mutable_view_of(cleaned, 2, "cleaned"),
+        ctypes.byref(count),
+        _raw.hs_clean_report.from_address(address),
+    )
+    return cleaned[: count.value], array[0]

@@ -1,0 +1,373 @@
+"""A world of blocks: stepped by the library, or stage by stage by a host."""
+import ctypes
+import operator
+import time
+from typing import Any, Optional, Tuple, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _raw
+from ._arrays import (
+    BLOCK_STATE,
+    CONTACT,
+    WORLD_REPORT,
+    as_pose,
+    empty_record,
+    index,
+    mutable_view_of,
+    no_view,
+    pose,
+    turn_vector,
+    vector,
+)
+from ._library import library
+from .block_arrays import BlockArrays, Floats
+from .constants import BlockKind
+from .context import Context, default_context
+from .errors import ArgumentError
+from .law import Law
+from .shape import Shape
+
+_FIRST_PORTION = 16  # steps
+
+
+class World(BlockArrays):
+    """Blocks, materials, laws and time.
+
+    Bulk arrays are in the order of `blocks`; in 2D vectors have 2 components, angular velocities and torques
+    1, in 3D 3 and 3.
+
+    Parameters
+    ----------
+    dimension : int
+        2 or 3.
+    gravity : array_like
+        Acceleration; (0, -9.81, 0) by default, also in 3D.
+    time_step : float
+        0 (default) finds one: `safety` times the stable time step.
+    safety : float
+        (0, 1]; 0.5 by default.
+    local_damping : float
+        [0, 1): force against each velocity component, share of the force.
+    mass_damping : float
+        1/s, >= 0: force -mass_damping * mass * velocity.
+    skin : float
+        Reach of the neighbour list, share of a block's size, (0, 1]; 0.1 by default.
+    parallel_angle, vertex_zone : float
+        As for `pair_detect`.
+    law : Law, optional
+        Between all materials that have none of their own.
+    context : Context, optional
+        The owner; the default context if there is none given.
+
+    Examples
+    --------
+    >>> world = World(law=Law(normal_stiffness=1e7))
+    >>> stone = world.add_material(density=2000)
+    >>> floor = world.add_block(Shape.rectangle(4, 1), (0, -0.5), kind=BlockKind.FIXED)
+    >>> block = world.add_block(Shape.rectangle(1, 1), (0, 1))
+    >>> world.step(1000)
+    >>> world.state(block).velocity[1] < 0
+    True
+    """
+
+    def __init__(
+        self,
+        dimension: int = 2,
+        *,
+        gravity: Optional[ArrayLike] = None,
+        time_step: Optional[float] = None,
+        safety: Optional[float] = None,
+        local_damping: Optional[float] = None,
+        mass_damping: Optional[float] = None,
+        skin: Optional[float] = None,
+        parallel_angle: Optional[float] = None,
+        vertex_zone: Optional[float] = None,
+        law: Optional[Law] = None,
+        context: Optional[Context] = None,
+    ) -> None:
+        definition = _raw.hs_world_def()
+        library.hs_world_def_init(ctypes.byref(definition), ctypes.sizeof(definition))
+        definition.dimension = index(dimension, "dimension")
+        if gravity is not None:
+            definition.gravity = vector(gravity, "gravity")
+        settings = dict(
+            time_step=time_step,
+            safety=safety,
+            local_damping=local_damping,
+            mass_damping=mass_damping,
+            skin=skin,
+            parallel_angle=parallel_angle,
+            vertex_zone=vertex_zone,
+        )
+        for name, value in settings.items():
+            if value is not None:
+                setattr(definition, name, value)
+        owner = context or default_context()
+        pointer = ctypes.POINTER(_raw.hs_world)()
+        owner._alive.call(library.hs_world_create, owner._alive.pointer, definition, ctypes.byref(pointer))
+        self._own(owner, pointer, dimension)
+        if law is not None:
+            self.set_default_law(law)
+
+    def _own(self, owner: Context, pointer: Any, dimension: int) -> None:
+        super().__init__(owner, pointer, library.hs_world_destroy, dimension)
+
+    @classmethod
+    def restore(
+        cls, snapshot: Union[bytes, bytearray, memoryview], *, context: Optional[Context] = None
+    ) -> "World":
+        """The world that `save` has saved, with its blocks, ids, materials and laws. It goes on bit for
+        bit."""
+        owner = context or default_context()
+        stored = np.frombuffer(snapshot, np.uint8)
+        pointer = ctypes.POINTER(_raw.hs_world)()
+        owner._alive.call(
+            library.hs_world_restore,
+            owner._alive.pointer,
+            stored.ctypes.data,
+            stored.nbytes,
+            ctypes.byref(pointer),
+        )
+        world = cls.__new__(cls)
+        world._own(owner, pointer, 2)
+        # Room without a third component is refused in 3D.
+        try:
+            room = np.empty((1, 2))
+            world._call(library.hs_world_get_velocities, mutable_view_of(room, 2, "velocities"), no_view())
+        except ArgumentError:
+            world._dimension = 3
+        return world
+
+    def save(self) -> bytes:
+        """The whole state of motion and contact."""
+        count = ctypes.c_size_t()
+        self._call(library.hs_world_save, None, 0, ctypes.byref(count))
+        stored = np.empty(count.value, np.uint8)
+        self._call(library.hs_world_save, stored.ctypes.data, stored.nbytes, ctypes.byref(count))
+        return stored.tobytes()
+
+    def __reduce__(self) -> Tuple[Any, ...]:  # copy.copy(world) and pickle
+        return World.restore, (self.save(),)
+
+    def __bool__(self) -> bool:
+        return True
+
+    def __repr__(self) -> str:
+        return (
+            "<halfspace.World, closed>"
+            if self.closed
+            else f"<halfspace.World, {self.dimension}D: {len(self)} blocks>"
+        )
+
+    # ---- materials and laws ----
+
+    def add_material(self, density: float) -> int:
+        """Adds a material (density > 0) and returns its index."""
+        material = ctypes.c_int32()
+        self._call(library.hs_world_add_material, density, ctypes.byref(material))
+        return material.value
+
+    def set_default_law(self, law: Law) -> None:
+        """Sets the law of all pairs of materials that have none of their own."""
+        self._call(library.hs_world_set_default_law, law._as_struct())
+
+    def set_law(self, material_a: int, material_b: int, law: Law) -> None:
+        """Sets the law between two materials, in either order; the same one twice is legal."""
+        self._call(
+            library.hs_world_set_law,
+            index(material_a, "material_a"),
+            index(material_b, "material_b"),
+            law._as_struct(),
+        )
+
+    # ---- blocks ----
+
+    def add_block(
+        self,
+        shape: Shape,
+        position: Optional[ArrayLike] = None,
+        angle: Optional[float] = None,
+        *,
+        rotation: Optional[ArrayLike] = None,
+        kind: BlockKind = BlockKind.RIGID,
+        material: int = 0,
+        velocity: Optional[ArrayLike] = None,
+        angular_velocity: Optional[ArrayLike] = None,
+    ) -> int:
+        """Adds a block, which gets a copy of the shape.
+
+        Parameters
+        ----------
+        shape : Shape
+            Of the world's dimension.
+        position : array_like, optional
+            Where its centroid is to be; by default where the shape's vertices were given.
+        angle : float, optional
+            Turn about z, rad.
+        rotation : array_like, optional
+            Instead of an angle: unit quaternion x, y, z, w.
+        kind : BlockKind
+            Rigid, fixed or prescribed.
+        material : int
+            From `add_material`.
+        velocity : array_like, optional
+            Of the centroid.
+        angular_velocity : float or array_like, optional
+            rad/s; a number is about z.
+
+        Returns
+        -------
+        int
+            The block's id (64 bits, unsigned). That of a removed block never names another.
+        """
+        definition = _raw.hs_block_def()
+        library.hs_block_def_init(ctypes.byref(definition), ctypes.sizeof(definition), shape._alive)
+        definition.kind, definition.material = index(kind, "kind"), index(material, "material")
+        if position is not None or angle is not None or rotation is not None:
+            centroid = definition.pose.position[:] if position is None else position
+            definition.pose = as_pose(pose(centroid, angle, rotation=rotation), "pose")
+        if velocity is not None:
+            definition.velocity = vector(velocity, "velocity")
+        if angular_velocity is not None:
+            definition.angular_velocity = turn_vector(angular_velocity, "angular_velocity")
+        block = ctypes.c_uint64()
+        self._call(library.hs_world_add_block, shape._alive, definition, ctypes.byref(block))
+        return block.value
+
+    def remove_block(self, block: int) -> None:
+        """Removes a block; its id becomes stale."""
+        self._call(library.hs_world_remove_block, block)
+
+    def state(self, block: int) -> Any:
+        """One block's motion: a record with the fields of ``hs_block_state``."""
+        array, address = empty_record(BLOCK_STATE)
+        self._call(library.hs_world_get_block_state, block, _raw.hs_block_state.from_address(address))
+        return array[0]
+
+    def block_vertices(self, block: int) -> Floats:
+        """One block's vertices where they are now, shape (n, dimension)."""
+        count, room = ctypes.c_int64(), np.empty((16, self.dimension))
+        while True:
+            view = mutable_view_of(room, self.dimension, "vertices")
+            self._call(library.hs_world_get_block_vertices, block, view, ctypes.byref(count))
+            if count.value <= len(room):
+                return room[: count.value]
+            room = np.empty((count.value, self.dimension))
+
+    def set_pose(
+        self,
+        block: int,
+        position: ArrayLike,
+        angle: Optional[float] = None,
+        *,
+        rotation: Optional[ArrayLike] = None,
+    ) -> None:
+        """Puts a block elsewhere: a position with a turn about z or a quaternion."""
+        place = position if np.size(position) == 7 else pose(position, angle, rotation=rotation)
+        self._call(library.hs_world_set_pose, block, as_pose(place, "pose"))
+
+    def set_velocity(self, block: int, velocity: ArrayLike, angular_velocity: ArrayLike = 0.0) -> None:
+        """Sets a block's velocity and angular velocity (a number is about z)."""
+        turn = turn_vector(angular_velocity, "angular_velocity")
+        self._call(library.hs_world_set_velocity, block, vector(velocity, "velocity"), turn)
+
+    def set_applied_force(self, block: int, force: ArrayLike, torque: ArrayLike = 0.0) -> None:
+        """Sets the force at the centroid and the torque that act on a rigid block until set again."""
+        self._call(
+            library.hs_world_set_applied_force, block, vector(force, "force"), turn_vector(torque, "torque")
+        )
+
+    # ---- stages and steps ----
+
+    def detect(self) -> int:
+        """Stage: neighbour search and detection at the present poses. Returns the number of pairs in
+        contact."""
+        touching = ctypes.c_int64()
+        self._call(library.hs_world_detect, ctypes.byref(touching))
+        return touching.value
+
+    def forces(
+        self, elapsed: float, out: Optional[Floats] = None, torques_out: Optional[Floats] = None
+    ) -> Tuple[Floats, Floats]:
+        """Stage: contact forces at the present poses and velocities, after `detect`.
+
+        Parameters
+        ----------
+        elapsed : float
+            Time since the last call, >= 0: shear springs grow by velocity times this.
+        out : numpy.ndarray, optional
+            Where the forces go, shape (n, dimension), float64; may be strided.
+        torques_out : numpy.ndarray, optional
+            Where the torques go, shape (n,) in 2D, else (n, 3).
+
+        Returns
+        -------
+        forces, torques : numpy.ndarray
+            On each block; torques about its centroid.
+        """
+        return self._vectors_and_turns(library.hs_world_forces, (elapsed,), out, torques_out)
+
+    def step(self, steps: int = 1) -> None:
+        """Steps the world by velocity Verlet. A long run can be interrupted (Ctrl-C) and stays at a whole
+        step then.
+
+        Raises
+        ------
+        UnstableError
+            The time step is too large. The world stays at the last good step.
+        """
+        # In portions of about a tenth of a second, between which Python looks for signals. A step does not
+        # know in which portion it is made.
+        left, portion = operator.index(steps), _FIRST_PORTION
+        while left > portion:
+            start = time.perf_counter()
+            self._call(library.hs_world_step, portion)
+            left -= portion
+            portion = max(1, int(portion * min(2.0, 0.1 / (time.perf_counter() - start))))
+        self._call(library.hs_world_step, left)
+
+    def contacts(self) -> NDArray[Any]:
+        """The contacts of the last detection, a structured array of `CONTACT`, sorted by block index, a
+        before b."""
+        count = ctypes.c_int64()
+        self._call(library.hs_world_get_contacts, None, 0, ctypes.byref(count))
+        contacts = np.zeros(count.value, CONTACT)
+        self._call(library.hs_world_get_contacts, contacts.ctypes.data, len(contacts), None)
+        return contacts
+
+    def set_shear_force(self, block_a: int, block_b: int, shear_force: ArrayLike) -> None:
+        """Preloads the shear spring of a contact with a force on `block_b`, e.g. to start from
+        equilibrium."""
+        self._call(library.hs_world_set_shear_force, block_a, block_b, vector(shear_force, "shear_force"))
+
+    @property
+    def report(self) -> Any:
+        """Time, time step, counts and energies: a record with the fields of ``hs_world_report``."""
+        array, address = empty_record(WORLD_REPORT)
+        self._call(library.hs_world_get_report, _raw.hs_world_report.from_address(address), array.nbytes)
+        return array[0]
+
+    @property
+    def energy(self) -> Any:
+        """Where the energy is and where it went: a record with the fields of ``hs_energy``."""
+        return self.report.energy
+
+    @property
+    def time(self) -> float:
+        """Passed so far."""
+        return float(self.report.time)
+
+    # ---- pictures ----
+
+    def plot(self, ax: Any = None, *, contacts: bool = True) -> Any:
+        """Draws a 2D world with matplotlib; returns the axes. See `halfspace.plot.plot_world`."""
+        from .plot import plot_world
+
+        return plot_world(self, ax, contacts=contacts)
+
+    def _repr_png_(self) -> Optional[bytes]:
+        from .plot import picture_of
+
+        return picture_of(self)

@@ -1,0 +1,161 @@
+"""Arrays go in as they lie in memory, without a copy, and come out into the caller's."""
+import tracemalloc
+
+import numpy as np
+import pytest
+
+import halfspace as hs
+from halfspace._arrays import indices, mutable_view_of, turns_view_of, view_of
+
+OUTLINE = np.array([(0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (0.0, 1.0)])
+
+
+def strided_versions(points):
+    """The same points as slices, transposes, parts of structs and backwards."""
+    count, width = points.shape
+    wide = np.zeros((2 * count, width + 3))
+    wide[::2, 1 : 1 + width] = points
+    struct = np.zeros(count, [("id", "i8"), ("x", "f8", (width,)), ("mass", "f8")])
+    struct["x"] = points
+    mirrored = np.ascontiguousarray(points[:, ::-1])
+    return {
+        "contiguous": points,
+        "Fortran order": np.asfortranarray(points),
+        "transpose of (d, n)": np.ascontiguousarray(points.T).T,
+        "every second row, inner columns": wide[::2, 1 : 1 + width],
+        "backwards": np.ascontiguousarray(points[::-1])[::-1],
+        "columns backwards": mirrored[:, ::-1],
+        "field of a structured array": struct["x"],
+    }
+
+
+@pytest.mark.parametrize("name", strided_versions(OUTLINE))
+def test_strided_input_is_not_copied(name):
+    array = strided_versions(OUTLINE)[name]
+    view = view_of(array, 2, "points")
+    assert view.array is array
+    assert view.count == 4
+    for i in range(4):
+        x = np.ctypeslib.as_array(view.x, (1,)).__array_interface__["data"][0] + i * view.stride
+        assert x == array[i, 0:1].__array_interface__["data"][0]
+    assert np.array_equal(hs.Shape.polygon(array).vertices, OUTLINE)
+
+
+def test_a_large_strided_array_takes_no_memory():
+    poses = np.zeros((100_000, 5))
+    poses[:, 0] = np.arange(100_000)
+    poses[:, 1] = poses[:, 0] % 2
+    points = poses[::2, 0:4:3]  # 50000 points of a stride of 80 bytes
+    tracemalloc.start()
+    view = view_of(points, 2, "points")
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert view.array is points
+    assert peak < 10_000  # a copy would take 800000 bytes
+
+
+@pytest.mark.parametrize(
+    "points",
+    [OUTLINE.tolist(), OUTLINE.astype(np.float32), OUTLINE.astype(">f8"), OUTLINE.astype(int)],
+    ids=["list", "float32", "big-endian", "int"],
+)
+def test_what_is_not_float64_is_converted(points):
+    assert hs.Shape.polygon(points).volume == 2
+
+
+def test_steps_that_are_not_whole_doubles_are_copied():
+    packed = np.zeros(4, [("x", "f8", (2,)), ("flag", "i4")])  # 20 bytes each
+    packed["x"] = OUTLINE
+    assert hs.Shape.polygon(packed["x"]).volume == 2
+
+
+def test_z_is_ignored_in_2d_and_needed_in_3d():
+    with_z = np.column_stack((OUTLINE, np.full(4, np.nan)))
+    assert hs.Shape.polygon(with_z).volume == 2
+    with pytest.raises(ValueError, match=r"points has the shape \(4, 4\); it must be \(n, 2\)"):
+        hs.Shape.hull(np.zeros((4, 4)))
+    with pytest.raises(ValueError, match=r"vertices has the shape \(4, 2\); it must be \(n, 3\)"):
+        hs.Shape.polyhedron(OUTLINE, [])
+
+
+def test_angular_velocities_in_2d_are_one_number_each(resting_world):
+    numbers = np.arange(8.0)[::4]
+    assert turns_view_of(numbers, 2, "turns").array.base is not None
+    resting_world.set_velocities(np.array([(9.0, 9.0), (1.0, 2.0)]), numbers)
+    assert np.array_equal(resting_world.angular_velocities, [0, 4])
+    assert np.array_equal(resting_world.velocities, [(0, 0), (1, 2)])
+    resting_world.angular_velocities = [0, 5]
+    assert resting_world.state(int(resting_world.blocks[1])).angular_velocity[2] == 5
+    assert np.array_equal(resting_world.velocities, [(0, 0), (1, 2)])
+
+
+def test_output_into_arrays_of_the_caller(resting_world):
+    resting_world.step(3000)
+    host = np.full((2, 6), np.nan, order="F")
+    torques = np.full(2, np.nan)
+    resting_world.detect()
+    forces, turned = resting_world.forces(0.0, host[:, 1:3], torques)
+    assert forces.base is host and turned is torques
+    assert host[1, 2] == pytest.approx(2000 * 9.81, rel=1e-3)
+    assert np.isnan(host[:, [0, 3, 4, 5]]).all() and np.isfinite(torques).all()
+    fresh, fresh_torques = resting_world.forces(0.0)
+    assert np.array_equal(fresh, forces) and np.array_equal(fresh_torques, torques)
+
+    poses = np.zeros((2, 7))
+    assert resting_world.get_poses(poses) is poses
+    assert np.array_equal(poses, resting_world.poses)
+    assert np.array_equal(poses[:, :2], resting_world.positions)
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        np.zeros((2, 2), np.float32),
+        np.broadcast_to(0.0, (2, 2)),
+        [[0, 0], [0, 0]],
+        np.zeros((2, 4)),
+        np.zeros((1, 2)),
+    ],
+    ids=["float32", "one number in all places", "list", "4 columns", "1 row"],
+)
+def test_output_that_cannot_be_written_is_refused(resting_world, wrong):
+    resting_world.detect()
+    with pytest.raises(ValueError):
+        resting_world.forces(0.0, wrong)
+
+
+def test_whole_numbers_are_whole_and_fit(resting_world, square):
+    corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+    with pytest.raises(ValueError, match=r"faces\[0\] must be whole numbers"):
+        hs.Shape.polyhedron(corners, [(0, 2, 1.5), (0, 1, 3), (0, 3, 2), (1, 2, 3)])
+    with pytest.raises(ValueError, match="pairs must be whole numbers of 32 bits"):
+        hs.pairs_detect([square] * 2, [hs.pose((0, 0))] * 2, [(0, 2**32 + 1)])
+    with pytest.raises(ValueError, match="material is 4294967296"):
+        resting_world.add_block(square, material=2**32)
+    with pytest.raises(TypeError):
+        resting_world.step(1e6)
+    pairs = np.zeros((1, 2), np.int32)
+    assert indices(pairs, "pairs") is pairs
+
+
+def test_an_output_view_points_to_the_array():
+    array = np.zeros((3, 3), order="F")
+    view = mutable_view_of(array, 3, "out")
+    view.z[0] = 7
+    assert array[0, 2] == 7
+
+
+def test_structured_arrays_match_the_header():
+    assert hs.CONTACT.itemsize == 488
+    assert np.zeros(2, hs.CONTACT)["points"].shape == (2, 8, 3)
+    assert hs.CONTACT.fields["normal"][1] == 40
+    assert hs.PAIR_CACHE.itemsize == 120
+
+
+def test_ids_are_unsigned_64_bit_numbers(resting_world):
+    blocks = resting_world.blocks
+    assert blocks.dtype == np.uint64 and len(blocks) == 2
+    resting_world.step(200)
+    contact = resting_world.contacts()[0]
+    assert contact.block_a == blocks[0] and contact.block_b == blocks[1]
+    assert resting_world.state(contact.block_b).mass == pytest.approx(2000)

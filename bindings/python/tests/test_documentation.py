@@ -1,0 +1,40 @@
+"""What the README and the docstrings show works."""
+import doctest
+import pathlib
+import re
+
+import pytest
+
+import halfspace
+from halfspace import context, law, pair, shape, world
+
+README = pathlib.Path(__file__).parents[1] / "README.md"
+
+
+@pytest.mark.parametrize("module", [halfspace, halfspace._arrays, context, law, pair, shape, world])
+def test_examples_in_docstrings(module):
+    names = {name: getattr(halfspace, name) for name in halfspace.__all__}
+    result = doctest.testmod(module, extraglobs=names)
+    assert result.attempted > 0 and result.failed == 0
+
+
+@pytest.mark.skipif(not README.exists(), reason="the wheel is tested without the source tree")
+def test_programs_in_the_readme(capsys):
+    pytest.importorskip("matplotlib").use("Agg")
+    names = {}
+    for program in re.findall(r"```python\n(.*?)```", README.read_text(encoding="utf-8"), re.DOTALL):
+        exec(program, names)
+    assert names["contact"].gap == -0.125
+    assert "EDGE_EDGE -0.125" in capsys.readouterr().out
+
+
+def test_everything_public_is_documented():
+    for name in halfspace.__all__:
+        member = getattr(halfspace, name)
+        if isinstance(member, type):
+            assert member.__doc__, name
+            for attribute, value in vars(member).items():
+                if not attribute.startswith("_") and (
+                    callable(value) or isinstance(value, (property, classmethod))
+                ):
+                    assert getattr(member, attribute).__doc__, f"{name}.{attribute}"

@@ -1,0 +1,65 @@
+"""Pictures are made, show what they should, and are not needed."""
+import subprocess
+import sys
+
+import pytest
+
+import halfspace as hs
+
+matplotlib = pytest.importorskip("matplotlib")
+matplotlib.use("Agg")
+
+
+@pytest.fixture
+def axes():
+    from matplotlib.figure import Figure
+
+    return Figure().add_subplot()
+
+
+def test_a_world_with_its_contacts(resting_world, axes):
+    resting_world.step(500)
+    assert resting_world.plot(axes) is axes
+    blocks, contacts = axes.collections
+    assert len(blocks.get_paths()) == 2 and len(contacts.get_segments()) == 1
+    (lower, upper) = contacts.get_segments()[0]
+    assert lower[0] == pytest.approx(upper[0], abs=1e-3) and lower[1] < 0 < upper[1]
+    left, right = axes.get_xlim()
+    assert left <= -2 and right >= 2
+    axes.figure.canvas.draw()
+
+
+def test_without_contacts(resting_world, axes):
+    resting_world.step(500)
+    resting_world.plot(axes, contacts=False)
+    assert len(axes.collections) == 1
+
+
+def test_a_pair(square, axes):
+    from halfspace.plot import plot_pair
+
+    place = hs.pose((0.25, 0.9), 0.005)
+    contact = hs.pair_detect(square, (0, 0), square, place)
+    assert contact.point_count == 2
+    plot_pair(square, (0, 0), square, place, contact, axes)
+    axes.figure.canvas.draw()
+
+
+def test_a_notebook_shows_a_world(resting_world):
+    assert resting_world._repr_png_()[:8] == b"\x89PNG\r\n\x1a\n"
+    assert hs.World()._repr_png_() is None
+    assert hs.World(3)._repr_png_() is None
+
+
+def test_only_2d_is_drawn(axes):
+    with pytest.raises(ValueError, match="dimension 2"):
+        hs.World(3).plot(axes)
+
+
+def test_matplotlib_is_optional():
+    program = (
+        "import sys; sys.modules['matplotlib'] = None\n"
+        "import halfspace as hs; w = hs.World(); w.add_material(1); w.add_block(hs.Shape.rectangle(1, 1))\n"
+        "assert w._repr_png_() is None"
+    )
+    subprocess.run([sys.executable, "-c", program], check=True)

@@ -1,0 +1,156 @@
+//! The context: memory and the text of the last error.
+
+use std::alloc::{alloc, dealloc, Layout};
+use std::ffi::CStr;
+use std::mem::{size_of, MaybeUninit};
+use std::os::raw::c_void;
+use std::ptr::{self, NonNull};
+use std::rc::Rc;
+
+use halfspace_sys as sys;
+
+use crate::error::{Error, ErrorKind};
+use crate::Result;
+
+/// Where shapes and worlds are made. It lives as long as anything made from it; a clone is one more
+/// handle to the same context.
+///
+/// A context and everything made from it belong to one thread at a time, so that neither is
+/// [`Send`] or [`Sync`]; see [`Family`](crate::Family) for the way to another thread.
+///
+/// ```compile_fail,E0277
+/// fn needs_send<T: Send>() {}
+/// needs_send::<halfspace::Context>();
+/// ```
+/// ```compile_fail,E0277
+/// fn needs_sync<T: Sync>() {}
+/// needs_sync::<halfspace::Context>();
+/// ```
+#[derive(Clone, Debug)]
+pub struct Context {
+    owner: Rc<Owner>,
+}
+
+impl Context {
+    /// A context that takes its memory from the C library.
+    pub fn new() -> Result<Self> {
+        // SAFETY: NULL stands for the defaults.
+        unsafe { Self::create(ptr::null()) }
+    }
+
+    /// A context that takes its memory from the global allocator of the Rust program.
+    pub fn with_global_allocator() -> Result<Self> {
+        let mut def = MaybeUninit::<sys::hs_context_def>::zeroed();
+        // SAFETY: the definition has the size given, and all zero is a valid one.
+        let mut def = unsafe {
+            sys::hs_context_def_init(def.as_mut_ptr(), size_of::<sys::hs_context_def>());
+            def.assume_init()
+        };
+        def.allocate = Some(allocate);
+        def.release = Some(release);
+        // SAFETY: both functions are set and may be called at any time from any thread.
+        unsafe { Self::create(&def) }
+    }
+
+    /// # Safety
+    /// The definition is NULL or valid, with functions that may be called from any thread.
+    unsafe fn create(def: *const sys::hs_context_def) -> Result<Self> {
+        let mut handle = ptr::null_mut();
+        // SAFETY: promised by the caller.
+        let status = unsafe { sys::hs_context_create(def, &mut handle) };
+        match NonNull::new(handle) {
+            Some(handle) => Ok(Self {
+                owner: Rc::new(Owner(handle)),
+            }),
+            None => Err(Error::new(ErrorKind::from_raw(status), "")),
+        }
+    }
+
+    pub(crate) fn of(owner: &Rc<Owner>) -> Self {
+        Self {
+            owner: Rc::clone(owner),
+        }
+    }
+
+    pub(crate) fn owner(&self) -> &Rc<Owner> {
+        &self.owner
+    }
+
+    pub(crate) fn handle(&self) -> *mut sys::hs_context {
+        self.owner.0.as_ptr()
+    }
+}
+
+/// Ends the context when the last that was made from it is gone.
+/// Public only as far as the sealed trait of families shows it, which is not outside of the crate.
+#[derive(Debug)]
+pub struct Owner(NonNull<sys::hs_context>);
+
+impl Owner {
+    /// The status of a call as a result; notes are no errors.
+    #[inline]
+    pub(crate) fn check(&self, status: sys::hs_status) -> Result<()> {
+        if status >= sys::HS_OK {
+            Ok(())
+        } else {
+            Err(self.last_error(status))
+        }
+    }
+
+    /// Of a getter that has no reason to fail: its arguments are this crate's own.
+    #[track_caller]
+    pub(crate) fn expect(&self, status: sys::hs_status) {
+        if let Err(error) = self.check(status) {
+            panic!("a getter of libhalfspace failed: {error}");
+        }
+    }
+
+    #[cold]
+    fn last_error(&self, status: sys::hs_status) -> Error {
+        // SAFETY: the context lives, and its text stays until the next failing call.
+        let text = unsafe { CStr::from_ptr(sys::hs_context_last_error(self.0.as_ptr())) };
+        Error::new(
+            ErrorKind::from_raw(status),
+            text.to_str().unwrap_or_default(),
+        )
+    }
+}
+
+impl Drop for Owner {
+    fn drop(&mut self) {
+        // SAFETY: every shape and world holds its owner and is destroyed before it lets go.
+        unsafe { sys::hs_context_destroy(self.0.as_ptr()) }
+    }
+}
+
+/// The version of the library at run time.
+///
+/// ```
+/// println!("libhalfspace {}", halfspace::version());
+/// ```
+pub fn version() -> &'static str {
+    // SAFETY: a static string, allowed any time.
+    unsafe { CStr::from_ptr(sys::hs_version()) }
+        .to_str()
+        .unwrap_or_default()
+}
+
+unsafe extern "C" fn allocate(bytes: usize, alignment: usize, _: *mut c_void) -> *mut c_void {
+    match layout(bytes, alignment) {
+        // SAFETY: the layout's size is above 0.
+        Some(layout) => unsafe { alloc(layout).cast() },
+        None => ptr::null_mut(),
+    }
+}
+
+unsafe extern "C" fn release(memory: *mut c_void, bytes: usize, alignment: usize, _: *mut c_void) {
+    if let Some(layout) = layout(bytes, alignment) {
+        // SAFETY: the library gives back what it was given, with the same size and alignment.
+        unsafe { dealloc(memory.cast(), layout) }
+    }
+}
+
+/// Rust's allocators are never asked for nothing.
+fn layout(bytes: usize, alignment: usize) -> Option<Layout> {
+    Layout::from_size_align(bytes.max(1), alignment).ok()
+}

@@ -1,0 +1,144 @@
+//! The way to another thread.
+
+use std::collections::BTreeMap;
+use std::fmt;
+use std::rc::Rc;
+
+use crate::context::{Context, Owner};
+use crate::shape::Shape;
+use crate::world::World;
+
+/// A context with everything that was made from it, ready to go to another thread.
+///
+/// A context and what was made from it belong to one thread at a time, so they can move only
+/// together. A family holds them all: nothing of its contexts is left outside, which
+/// [`Family::gather`] checks by counting. Inside nothing can be used; [`Family::into_inner`] gives
+/// the members back, wherever the family is by then.
+///
+/// ```
+/// use halfspace::{BlockDef, Context, Family, Shape, World, WorldDef};
+///
+/// let context = Context::new()?;
+/// let square = Shape::polygon(&context, &[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])?;
+/// let mut world = World::new(&context, &WorldDef::in_plane().time_step(1e-3))?;
+/// let stone = world.add_material(2000.0)?;
+/// world.add_block(&square, &BlockDef::rigid(stone))?;
+/// drop(square); // the world has its own copy
+///
+/// let family = Family::gather((context, world)).expect("nothing is left outside");
+/// let steps = std::thread::spawn(move || {
+///     let (_context, mut world) = family.into_inner();
+///     world.step(100)?;
+///     Ok::<_, halfspace::Error>(world.report()?.steps)
+/// });
+/// assert_eq!(steps.join().unwrap()?, 100);
+/// # Ok::<(), halfspace::Error>(())
+/// ```
+///
+/// A reference to a family lets no member out, which could leave a copy of a handle behind:
+///
+/// ```compile_fail,E0599
+/// # let context = halfspace::Context::new().unwrap();
+/// let family = halfspace::Family::gather(context).unwrap();
+/// let left_behind = family.clone();
+/// ```
+pub struct Family<T: Members> {
+    members: T,
+}
+
+// SAFETY: the members are all that there is of their contexts, so no other thread has anything that
+// shares with them: neither the reference counts nor what is behind the handles. The library keeps
+// nothing by thread, and the allocators of a context may be called from any.
+unsafe impl<T: Members> Send for Family<T> {}
+
+impl<T: Members> Family<T> {
+    /// Gathers members of one or more contexts. Gives them back if a handle to one of their
+    /// contexts, or something made from it, is not among them.
+    pub fn gather(members: T) -> Result<Self, T> {
+        let mut seen = BTreeMap::<*const Owner, (usize, usize)>::new();
+        members.visit(&mut |owner| {
+            seen.entry(Rc::as_ptr(owner))
+                .or_insert((0, Rc::strong_count(owner)))
+                .0 += 1;
+        });
+        if seen
+            .values()
+            .all(|(gathered, existing)| gathered == existing)
+        {
+            Ok(Self { members })
+        } else {
+            Err(members)
+        }
+    }
+
+    /// The members, from now on of this thread.
+    pub fn into_inner(self) -> T {
+        self.members
+    }
+}
+
+impl<T: Members> fmt::Debug for Family<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Family").finish_non_exhaustive()
+    }
+}
+
+/// What a [`Family`] can be gathered from: [`Context`], [`Shape`], [`World`], and vectors, options
+/// and tuples of them. No other type can implement it.
+pub trait Members: sealed::Members {}
+
+impl<T: sealed::Members> Members for T {}
+
+mod sealed {
+    use super::{Owner, Rc};
+
+    /// Implemented for types that hold nothing but handles, and show all of them.
+    pub trait Members {
+        fn visit(&self, visitor: &mut dyn FnMut(&Rc<Owner>));
+    }
+}
+
+impl sealed::Members for Context {
+    fn visit(&self, visitor: &mut dyn FnMut(&Rc<Owner>)) {
+        visitor(self.owner());
+    }
+}
+
+impl sealed::Members for Shape {
+    fn visit(&self, visitor: &mut dyn FnMut(&Rc<Owner>)) {
+        visitor(self.owner());
+    }
+}
+
+impl sealed::Members for World {
+    fn visit(&self, visitor: &mut dyn FnMut(&Rc<Owner>)) {
+        visitor(self.owner());
+    }
+}
+
+impl<T: sealed::Members> sealed::Members for Vec<T> {
+    fn visit(&self, visitor: &mut dyn FnMut(&Rc<Owner>)) {
+        self.iter().for_each(|member| member.visit(visitor));
+    }
+}
+
+impl<T: sealed::Members> sealed::Members for Option<T> {
+    fn visit(&self, visitor: &mut dyn FnMut(&Rc<Owner>)) {
+        self.iter().for_each(|member| member.visit(visitor));
+    }
+}
+
+impl<A: sealed::Members, B: sealed::Members> sealed::Members for (A, B) {
+    fn visit(&self, visitor: &mut dyn FnMut(&Rc<Owner>)) {
+        self.0.visit(visitor);
+        self.1.visit(visitor);
+    }
+}
+
+impl<A: sealed::Members, B: sealed::Members, C: sealed::Members> sealed::Members for (A, B, C) {
+    fn visit(&self, visitor: &mut dyn FnMut(&Rc<Owner>)) {
+        self.0.visit(visitor);
+        self.1.visit(visitor);
+        self.2.visit(visitor);
+    }
+}

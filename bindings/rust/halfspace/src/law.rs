@@ -1,0 +1,68 @@
+//! Contact laws between materials.
+
+use std::mem::{size_of, MaybeUninit};
+
+use halfspace_sys as sys;
+
+use crate::constants::setters;
+
+/// Penalty spring with Mohr-Coulomb friction (Wang et al. 2021, section 3).
+///
+/// ```
+/// use halfspace::Law;
+/// let friction_angle = 15f64.to_radians();
+/// let joint = Law::default().normal_stiffness(1e10).friction_angle(friction_angle);
+/// ```
+#[derive(Clone, Copy, Debug)]
+#[must_use]
+pub struct Law {
+    raw: sys::hs_law_def,
+}
+
+impl Law {
+    setters! {
+        /// Above 0; N/m, or Pa/m of [`Law::per_area`]; by default 1e9.
+        normal_stiffness: f64,
+        /// At least 0; N/m, or Pa/m of [`Law::per_area`]; by default 1e9.
+        shear_stiffness: f64,
+        /// In radians, at least 0 and below pi/2; by default 0.
+        friction_angle: f64,
+        /// Pa, at least 0; of contacts that exist when a block's first step begins, until they
+        /// fail; by default 0.
+        cohesion: f64,
+        /// Pa, at least 0; likewise; by default 0.
+        tensile_strength: f64,
+        /// Share of critical viscous damping, at least 0; by default 0.
+        normal_damping: f64,
+        /// Share of critical viscous damping, at least 0; by default 0.
+        shear_damping: f64,
+    }
+
+    /// The stiffnesses are of the whole contact, shared over the points of its region: the default.
+    pub fn per_contact(mut self) -> Self {
+        self.raw.stiffness_kind = sys::HS_STIFFNESS_PER_CONTACT;
+        self
+    }
+
+    /// The normal force is the stiffness times the overlap area behind the contact plane.
+    pub fn per_area(mut self) -> Self {
+        self.raw.stiffness_kind = sys::HS_STIFFNESS_PER_AREA;
+        self
+    }
+
+    pub(crate) fn raw(&self) -> *const sys::hs_law_def {
+        &self.raw
+    }
+}
+
+impl Default for Law {
+    fn default() -> Self {
+        let mut raw = MaybeUninit::<sys::hs_law_def>::zeroed();
+        // SAFETY: the size is that of the struct, for which all zero is valid.
+        let raw = unsafe {
+            sys::hs_law_def_init(raw.as_mut_ptr(), size_of::<sys::hs_law_def>());
+            raw.assume_init()
+        };
+        Self { raw }
+    }
+}

@@ -1,0 +1,115 @@
+//! Finds the contacts between convex polygons or polyhedra, computes the contact forces and moves
+//! the blocks in time: the safe Rust layer of libhalfspace. Use all of it or only the stage that
+//! your program lacks.
+//!
+//! One pair of shapes, where you say they are:
+//!
+//! ```
+//! use halfspace::{detect, ContactType, Context, Pose, Shape};
+//!
+//! let context = Context::new()?;
+//! let square = Shape::polygon(&context, &[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])?;
+//! let (lower, upper) = (Pose::default(), Pose::in_plane(0.25, 0.875, 0.0));
+//!
+//! let contact = detect(square.at(&lower), square.at(&upper))?;
+//! assert_eq!(contact.kind(), ContactType::EdgeEdge);
+//! assert_eq!((contact.gap(), contact.normal(), contact.area()), (-0.125, [0.0, 1.0, 0.0], 0.75));
+//! # Ok::<(), halfspace::Error>(())
+//! ```
+//!
+//! A whole [`World`], stepped by the library:
+//!
+//! ```
+//! use halfspace::{BlockDef, Context, Law, Pose, Shape, World, WorldDef};
+//!
+//! let context = Context::new()?;
+//! let square = Shape::polygon(&context, &[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])?;
+//!
+//! let mut world = World::new(&context, &WorldDef::in_plane().local_damping(0.2))?;
+//! let law = Law::default().normal_stiffness(1e7).shear_stiffness(1e7).friction_angle(0.5);
+//! world.set_default_law(&law)?;
+//! let stone = world.add_material(2000.0)?;
+//! world.add_block(&square, &BlockDef::fixed(stone))?;
+//! let above = Pose::in_plane(0.5, 1.75, 0.0);
+//! let upper = world.add_block(&square, &BlockDef::rigid(stone).at(above))?;
+//!
+//! world.step(1000)?;
+//! assert!(world.block_state(upper)?.pose.position[1] < 1.75);
+//! # Ok::<(), halfspace::Error>(())
+//! ```
+//!
+//! A host with its own integrator sets poses and velocities, calls [`World::detect`] and
+//! [`World::forces`], and moves its bodies itself: see the example `own_integrator`.
+//!
+//! # Conventions
+//! SI or any consistent set of units, angles in radians, right-handed axes, quaternions x, y, z, w.
+//! A normal points from block a to block b; a gap below 0 is an overlap. Indices start at 0. In the
+//! plane every z that goes in is ignored and every one that comes out is 0, and areas and volumes
+//! are per unit thickness.
+//!
+//! # Arrays
+//! Points are taken and given as they lie in your memory, without a copy: `&[[f64; 2]]` or `&[[f64;
+//! 3]]`, and through [`View`] and [`ViewMut`] separate arrays of x, y and z, fields of your own
+//! structs, or any strided array.
+//!
+//! # Errors
+//! What can fail gives a [`Result`] whose [`Error`] carries the library's own text: function,
+//! argument, value. A call that failed has changed nothing. What cannot fail gives its value.
+//!
+//! # Threads
+//! A context and everything made from it belong to one thread at a time; different contexts share
+//! nothing. So [`Context`], [`Shape`] and [`World`] are neither [`Send`] nor [`Sync`]. Make a
+//! context in every thread, or hand a context over to another thread together with all that was
+//! made from it, as a [`Family`].
+//!
+//! ```compile_fail,E0277
+//! # let context = halfspace::Context::new().unwrap();
+//! let shape = halfspace::Shape::polygon(&context, &[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]).unwrap();
+//! std::thread::spawn(move || shape.properties()); // its context stays behind
+//! ```
+//! ```compile_fail,E0277
+//! # let context = halfspace::Context::new().unwrap();
+//! let world = halfspace::World::new(&context, &halfspace::WorldDef::in_plane()).unwrap();
+//! std::thread::scope(|scope| scope.spawn(|| world.block_count()).join()); // in two threads
+//! ```
+#![warn(missing_docs, unsafe_op_in_unsafe_fn)]
+
+mod block;
+mod constants;
+mod contact;
+mod context;
+mod error;
+mod family;
+mod law;
+mod mutable_view;
+mod pair;
+mod pose;
+mod report;
+mod shape;
+mod shape_input;
+mod view;
+mod world;
+mod world_arrays;
+
+pub use block::{Block, BlockDef, BlockKind, BlockState, Material};
+pub use contact::{Contact, ContactType, PairKind};
+pub use context::{version, Context};
+pub use error::{Error, ErrorKind};
+pub use family::{Family, Members};
+pub use law::Law;
+pub use mutable_view::ViewMut;
+pub use pair::{detect, Bodies, Detector, PairCache, Placed};
+pub use pose::Pose;
+pub use report::{Energy, Report};
+pub use shape::{Cut, HalfSpace, Shape, ShapeProperties};
+pub use shape_input::{Cleaned, Fault, FaultKind};
+pub use view::{Point, View};
+pub use world::{World, WorldDef};
+
+/// What a call of this crate gives that can fail.
+pub type Result<T, E = Error> = std::result::Result<T, E>;
+
+/// The programs in the README compile and run.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+struct Readme;

@@ -1,0 +1,90 @@
+//! The state of a world in numbers.
+
+use halfspace_sys as sys;
+
+/// Where the energy is and where it went since the world was made, in J, in the plane per unit
+/// thickness. Adding or removing blocks and setting a motion are booked as outer work.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct Energy {
+    /// Now.
+    pub kinetic: f64,
+    /// Potential, zero at the origin, now.
+    pub gravity: f64,
+    /// In the contact springs, now.
+    pub strain: f64,
+    /// By sliding and by breaking bonds, so far.
+    pub friction_loss: f64,
+    /// By viscous contact damping, so far.
+    pub contact_damping_loss: f64,
+    /// By local damping, so far.
+    pub local_damping_loss: f64,
+    /// By mass-proportional damping, so far.
+    pub mass_damping_loss: f64,
+    /// By prescribed blocks, applied forces and edits, so far.
+    pub outer_work: f64,
+    /// All but the outer work, minus the outer work: what the numbers themselves made or lost.
+    pub residual: f64,
+}
+
+/// The state of a world in numbers.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct Report {
+    /// Done so far.
+    pub steps: u64,
+    /// Passed so far.
+    pub time: f64,
+    /// In use.
+    pub time_step: f64,
+    /// Safe bound from stiffness, viscosity and mass; 0 without rigid blocks.
+    pub stable_time_step: f64,
+    /// Living blocks.
+    pub block_count: usize,
+    /// Pairs in the neighbour list.
+    pub candidate_count: usize,
+    /// Pairs in contact.
+    pub contact_count: usize,
+    /// How often the neighbour list was built.
+    pub list_builds: u64,
+    /// Of the last detection.
+    pub largest_overlap: f64,
+    /// Of all rigid blocks now.
+    pub largest_speed: f64,
+    /// The ledger.
+    pub energy: Energy,
+}
+
+impl From<sys::hs_energy> for Energy {
+    fn from(raw: sys::hs_energy) -> Self {
+        Self {
+            kinetic: raw.kinetic,
+            gravity: raw.gravity,
+            strain: raw.strain,
+            friction_loss: raw.friction_loss,
+            contact_damping_loss: raw.contact_damping_loss,
+            local_damping_loss: raw.local_damping_loss,
+            mass_damping_loss: raw.mass_damping_loss,
+            outer_work: raw.outer_work,
+            residual: raw.residual,
+        }
+    }
+}
+
+impl From<sys::hs_world_report> for Report {
+    fn from(raw: sys::hs_world_report) -> Self {
+        Self {
+            steps: raw.steps as u64,
+            time: raw.time,
+            time_step: raw.time_step,
+            stable_time_step: raw.stable_time_step,
+            block_count: raw.block_count as usize,
+            candidate_count: raw.candidate_count as usize,
+            contact_count: raw.contact_count as usize,
+            list_builds: raw.list_builds as u64,
+            largest_overlap: raw.largest_overlap,
+            largest_speed: raw.largest_speed,
+            energy: raw.energy.into(),
+        }
+    }
+}

@@ -1,0 +1,290 @@
+//! The shapes, the world and the settings of a case, and the statements that call the library.
+
+use std::collections::HashMap;
+
+use halfspace::{
+    Block, BlockDef, BlockKind, Contact, Context, Detector, HalfSpace, Law, Material, Pose, Result,
+    Shape, ViewMut, World, WorldDef,
+};
+
+use crate::constants;
+use crate::expect;
+use crate::words::Words;
+
+/// All that a case has made.
+pub struct Scene {
+    context: Context,
+    title: String,
+    faces: Vec<Vec<usize>>,
+    shapes: HashMap<String, Shape>,
+    poses: HashMap<String, Pose>,
+    detector: Detector,
+    contact: Contact,
+    world: Option<World>,
+    blocks: HashMap<String, Block>,
+}
+
+impl Scene {
+    pub fn new() -> Self {
+        Self {
+            context: Context::new().expect("a context"),
+            title: String::new(),
+            faces: Vec::new(),
+            shapes: HashMap::new(),
+            poses: HashMap::new(),
+            detector: Detector::default(),
+            contact: Contact::default(),
+            world: None,
+            blocks: HashMap::new(),
+        }
+    }
+
+    pub fn title(&self) -> &str {
+        &self.title
+    }
+
+    /// Calls the library, or looks at what came of it; an expectation that is not met panics.
+    pub fn carry_out(&mut self, words: &Words) -> Result<()> {
+        match words.first() {
+            "case" => {
+                *self = Self {
+                    title: words.text_from(1),
+                    ..Self::new()
+                }
+            }
+            "faces" => self.faces = read_faces(&words.numbers_from(1)),
+            "shape" => self.make_shape(words)?,
+            "cut" => self.cut(words)?,
+            "options" => self.set_options(words),
+            "pose" => {
+                self.poses.insert(words.word(1).to_owned(), pose(words, 2));
+            }
+            "pair" => self.detect_pair(words)?,
+            "world" => self.world = Some(World::new(&self.context, &world_def(words))?),
+            "restore" => drop(World::restore(&self.context, &bytes(words))?),
+            "expect" => self.expect(words)?,
+            _ => self.change_world(words)?,
+        }
+        Ok(())
+    }
+
+    fn make_shape(&mut self, words: &Words) -> Result<()> {
+        let context = &self.context;
+        let shape = match words.word(2) {
+            "polygon" => Shape::polygon(context, &words.points_from::<2>(3))?,
+            "polygon_hull" => Shape::polygon_hull(context, &words.points_from::<2>(3))?,
+            "polyhedron" => Shape::polyhedron(context, &words.points_from::<3>(3), &self.faces)?,
+            "polyhedron_hull" => Shape::polyhedron_hull(context, &words.points_from::<3>(3))?,
+            "halfspaces" => Shape::polyhedron_from_halfspaces(context, &halfspaces(words))?,
+            kind => panic!("{kind} is no kind of shape"),
+        };
+        self.shapes.insert(words.word(1).to_owned(), shape);
+        Ok(())
+    }
+
+    fn cut(&mut self, words: &Words) -> Result<()> {
+        let parts = self
+            .shape(words.word(1))
+            .cut(words.vector(2), words.vector(5))?;
+        self.shapes.insert(
+            words.word(8).to_owned(),
+            parts.behind.expect("a part behind"),
+        );
+        self.shapes
+            .insert(words.word(9).to_owned(), parts.ahead.expect("a part ahead"));
+        Ok(())
+    }
+
+    fn set_options(&mut self, words: &Words) {
+        for (field, values) in words.fields_from(1) {
+            self.detector = match field {
+                "parallel_angle" => self.detector.parallel_angle(values[0]),
+                "vertex_zone" => self.detector.vertex_zone(values[0]),
+                _ => panic!("{field} is no option"),
+            };
+        }
+    }
+
+    fn detect_pair(&mut self, words: &Words) -> Result<()> {
+        let pose_of = |name| self.poses.get(name).copied().unwrap_or_default();
+        let (a, b) = (words.word(1), words.word(2));
+        let (at_a, at_b) = (pose_of(a), pose_of(b));
+        self.contact = self
+            .detector
+            .detect(self.shape(a).at(&at_a), self.shape(b).at(&at_b))?;
+        Ok(())
+    }
+
+    /// Statements that need the case's world.
+    fn change_world(&mut self, words: &Words) -> Result<()> {
+        let world = self.world.as_mut().expect("a world");
+        let block = |i| {
+            *self
+                .blocks
+                .get(words.word(i))
+                .expect("a block of that name")
+        };
+        match words.first() {
+            "material" => {
+                world.add_material(words.number(1))?;
+            }
+            "default_law" => world.set_default_law(&law(words, 1))?,
+            "law" => {
+                let material = |i| Material::from_index(words.whole(i));
+                world.set_law(material(1), material(2), &law(words, 3))?;
+            }
+            "block" => {
+                let shape = self
+                    .shapes
+                    .get(words.word(2))
+                    .expect("a shape of that name");
+                let block = world.add_block(shape, &block_def(words))?;
+                self.blocks.insert(words.word(1).to_owned(), block);
+            }
+            "set_pose" => world.set_pose(block(1), &pose(words, 2))?,
+            "velocity" => world.set_velocity(block(1), words.vector(2), words.vector(5))?,
+            "applied_force" => {
+                world.set_applied_force(block(1), words.vector(2), words.vector(5))?
+            }
+            "remove" => world.remove_block(block(1))?,
+            "detect" => {
+                world.detect()?;
+            }
+            "forces" => world.forces(words.number(1), ViewMut::none(), ViewMut::none())?,
+            "step" => world.step(words.number(1) as u64)?,
+            "reopen" => {
+                let bytes = world.save();
+                self.world = Some(World::restore(&self.context, &bytes)?);
+            }
+            statement => panic!("{statement} is no statement"),
+        }
+        if let ("detect" | "forces" | "step", Some(world)) = (words.first(), &self.world) {
+            self.contact = world.contacts().first().copied().unwrap_or(self.contact);
+        }
+        Ok(())
+    }
+
+    fn expect(&mut self, words: &Words) -> Result<()> {
+        let outcome = match words.word(1) {
+            "shape" => {
+                let properties = self.shape(words.word(2)).properties();
+                expect::values(&expect::of_shape(&properties, words.word(3)), words.from(4))
+            }
+            "contact" => expect::values(
+                &expect::of_contact(&self.contact, words.word(2)),
+                words.from(3),
+            ),
+            "block" => {
+                let block = *self
+                    .blocks
+                    .get(words.word(2))
+                    .expect("a block of that name");
+                let state = self.world().block_state(block)?;
+                expect::values(&expect::of_block(&state, words.word(3)), words.from(4))
+            }
+            "report" => expect::values(
+                &expect::of_report(&self.world().report()?, words.word(2)),
+                words.from(3),
+            ),
+            "energy" => expect::values(
+                &expect::of_energy(&self.world().report()?.energy, words.word(2)),
+                words.from(3),
+            ),
+            "hash" => expect::hash(&self.world().poses(), words.word(2)),
+            subject => panic!("{subject} is nothing to look at"),
+        };
+        if let Err(why) = outcome {
+            panic!("case {}: {words}: {why}", self.title);
+        }
+        Ok(())
+    }
+
+    fn shape(&self, name: &str) -> &Shape {
+        self.shapes.get(name).expect("a shape of that name")
+    }
+
+    fn world(&mut self) -> &mut World {
+        self.world.as_mut().expect("a world")
+    }
+}
+
+fn pose(words: &Words, i: usize) -> Pose {
+    Pose {
+        position: words.vector(i),
+        rotation: words.quaternion(i + 3),
+    }
+}
+
+/// The number of a face's vertices, then their indices, face by face.
+fn read_faces(numbers: &[f64]) -> Vec<Vec<usize>> {
+    let mut faces = Vec::new();
+    let mut rest = numbers.iter().map(|&number| number as usize);
+    while let Some(size) = rest.next() {
+        faces.push(rest.by_ref().take(size).collect());
+    }
+    faces
+}
+
+fn halfspaces(words: &Words) -> Vec<HalfSpace> {
+    let numbers = words.numbers_from(3);
+    numbers
+        .chunks_exact(4)
+        .map(|n| HalfSpace {
+            normal: [n[0], n[1], n[2]],
+            offset: n[3],
+        })
+        .collect()
+}
+
+fn bytes(words: &Words) -> Vec<u8> {
+    words
+        .numbers_from(1)
+        .into_iter()
+        .map(|number| number as u8)
+        .collect()
+}
+
+fn world_def(words: &Words) -> WorldDef {
+    let fields = words.fields_from(1);
+    let dimension = fields
+        .iter()
+        .find(|(field, _)| *field == "dimension")
+        .map_or(2, |(_, values)| values[0] as i32);
+    fields.iter().fold(
+        WorldDef::of_dimension(dimension),
+        |def, (field, values)| match *field {
+            "dimension" => def,
+            "time_step" => def.time_step(values[0]),
+            "gravity" => def.gravity([values[0], values[1], values[2]]),
+            "safety" => def.safety(values[0]),
+            field => panic!("{field} is not a field of worlds that cases use"),
+        },
+    )
+}
+
+fn law(words: &Words, i: usize) -> Law {
+    words
+        .fields_from(i)
+        .iter()
+        .fold(Law::default(), |law, (field, values)| match *field {
+            "stiffness_kind" if values[0] == f64::from(halfspace_sys::HS_STIFFNESS_PER_AREA) => {
+                law.per_area()
+            }
+            "stiffness_kind" => law.per_contact(),
+            "normal_stiffness" => law.normal_stiffness(values[0]),
+            "shear_stiffness" => law.shear_stiffness(values[0]),
+            "friction_angle" => law.friction_angle(values[0]),
+            "normal_damping" => law.normal_damping(values[0]),
+            field => panic!("{field} is not a field of laws that cases use"),
+        })
+}
+
+fn block_def(words: &Words) -> BlockDef {
+    let material = Material::from_index(words.whole(4));
+    let def = match constants::block_kind(words.word(3)) {
+        BlockKind::Fixed => BlockDef::fixed(material),
+        BlockKind::Prescribed => BlockDef::prescribed(material),
+        _ => BlockDef::rigid(material),
+    };
+    def.at(pose(words, 5))
+}

@@ -1,0 +1,101 @@
+//! Shapes: what Rust adds to what the shared cases look at.
+
+use halfspace::{Context, FaultKind, Result, Shape};
+
+const CUBE: [[f64; 3]; 8] = [
+    [0.0, 0.0, 0.0],
+    [2.0, 0.0, 0.0],
+    [2.0, 2.0, 0.0],
+    [0.0, 2.0, 0.0],
+    [0.0, 0.0, 2.0],
+    [2.0, 0.0, 2.0],
+    [2.0, 2.0, 2.0],
+    [0.0, 2.0, 2.0],
+];
+
+const FACES: [[usize; 4]; 6] = [
+    [0, 3, 2, 1],
+    [4, 5, 6, 7],
+    [0, 1, 5, 4],
+    [1, 2, 6, 5],
+    [2, 3, 7, 6],
+    [3, 0, 4, 7],
+];
+
+#[test]
+fn a_polyhedron_gives_back_what_it_was_made_from() -> Result<()> {
+    let cube = Shape::polyhedron(&Context::new()?, &CUBE, &FACES)?;
+    assert_eq!(cube.vertices(), CUBE);
+    assert_eq!(cube.faces(), FACES);
+    let edges = cube.edges();
+    assert_eq!(edges.len(), 12);
+    assert!(edges
+        .iter()
+        .all(|&[start, end]| start.abs_diff(end) != 2 && start != end && start < 8 && end < 8));
+    Ok(())
+}
+
+#[test]
+fn half_spaces_make_the_same_polyhedron() -> Result<()> {
+    let context = Context::new()?;
+    let cube = Shape::polyhedron(&context, &CUBE, &FACES)?;
+    let halfspaces = cube.halfspaces();
+    assert!(halfspaces.iter().all(|halfspace| halfspace.offset == 1.0));
+    let centered = Shape::polyhedron_from_halfspaces(&context, &halfspaces)?;
+    assert_eq!(centered.properties().volume, 8.0);
+    assert_eq!(centered.properties().centroid, [0.0; 3]);
+    Ok(())
+}
+
+#[test]
+fn a_plane_beside_a_shape_leaves_it_whole() -> Result<()> {
+    let cube = Shape::polyhedron(&Context::new()?, &CUBE, &FACES)?;
+    let parts = cube.cut([3.0, 0.0, 0.0], [1.0, 0.0, 0.0])?;
+    assert!(parts.ahead.is_none());
+    assert_eq!(parts.behind.expect("the whole").vertices(), CUBE);
+    Ok(())
+}
+
+#[test]
+fn faults_name_vertex_and_face() -> Result<()> {
+    let context = Context::new()?;
+    assert_eq!(context.check_polyhedron(&CUBE, &FACES)?, None);
+    let mut dented = CUBE;
+    dented[6] = [1.9, 2.0, 2.0];
+    let fault = context
+        .check_polyhedron(&dented, &FACES)?
+        .expect("a face is not plane");
+    assert_eq!(fault.kind, FaultKind::FaceNotPlane);
+    assert!(FACES[fault.face.expect("a face")].contains(&6));
+    assert_eq!(
+        context
+            .check_polygon(&[[0.0, 0.0], [1.0, 0.0]])?
+            .expect("too few")
+            .vertex,
+        None
+    );
+    Ok(())
+}
+
+#[test]
+fn a_polygon_is_cleaned_up() -> Result<()> {
+    let clockwise = [
+        [0.0, 0.0],
+        [0.0, 1.0],
+        [0.0, 1.0],
+        [1.0, 1.0],
+        [1.0, 0.5],
+        [1.0, 0.0],
+    ];
+    let cleaned = Context::new()?.clean_polygon(&clockwise, 0.0)?;
+    assert_eq!(
+        (cleaned.welded, cleaned.straightened, cleaned.reversed),
+        (1, 1, true)
+    );
+    assert_eq!(cleaned.vertices.len(), 4);
+    assert!(cleaned
+        .vertices
+        .iter()
+        .all(|vertex| clockwise.contains(vertex)));
+    Ok(())
+}
