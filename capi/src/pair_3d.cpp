@@ -1,7 +1,6 @@
 #include "contact.h"
 #include "detect/minkowski_difference.h"
 #include "detect/pair.h"
-#include "detect/turned_polyhedron.h"
 #include "detection.h"
 #include "pair_cache.h"
 
@@ -85,9 +84,8 @@ void judge(const PosedPair<3>& posed, const DetectOptions& options, hs_pair_cach
   if (found.gap > 0)
     return answer_separated(found.pair, at.frame_of_a * found.normal, found.gap, posed, cache, out);
 
-  const TurnedPolyhedron turned(b, at.b_in_a, &posed.a.context->memory);
   Contact<3> contact;
-  describe_overlap(a, turned.outline(), at.to_b, found.pair, options, memory, contact);
+  describe_overlap<3>(a, {b, at.b_in_a}, at.to_b, found.pair, options, memory, contact);
   write_contact(contact, at.frame_of_a, Vector<3>(posed.at_a.position), out);
   if (cache) write_cache(memory.state, memory.pair, *cache);
 }

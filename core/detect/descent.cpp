@@ -3,7 +3,10 @@
 #include <cmath>
 #include <utility>
 
+#include "detect/expanding_polytope.h"
+#include "detect/pair_3d.h"
 #include "detect/potential_pairs_3d.h"
+#include "detect/simplex.h"
 #include "geometry/rotation.h"
 
 namespace halfspace {
@@ -83,11 +86,13 @@ bool is_sharp(const Outline<3>& block, int edge, const Vector<3>& along) {
 
 /// The potential pair whose facet of the Minkowski difference holds three corners: a face of either block at
 /// the vertices found, or an edge of each; where they share a plane, the one of largest gap.
-template <class Turn>
-Separation<3> pair_at(const MinkowskiDifference<Turn>& difference, const ExpandingPolytope::Facet& facet,
-                      double rounding) {
+template <class Turn, class Polytope>
+Separation<3> pair_at(const MinkowskiDifference<Turn>& difference, const PolytopeFacet& facet,
+                      const Polytope& polytope) {
   const Outline<3>&a = difference.a(), &b = difference.b();
-  const Corner &c = *facet.corner[0], &d = *facet.corner[1], &e = *facet.corner[2];
+  const Corner c = polytope.corner_of_nearest(0), d = polytope.corner_of_nearest(1),
+               e = polytope.corner_of_nearest(2);
+  const double rounding = polytope.rounding();
   const Vector<3> along = -facet.normal;
   const auto is_as_deep = [&](const Separation<3>& found) { return found.gap >= -facet.offset - rounding; };
 
@@ -144,16 +149,65 @@ void complete(const MinkowskiDifference<Turn>& difference, Simplex& simplex) {
   if (simplex.count == 3) take(cross_product(from_first(1), from_first(2)));
 }
 
-/// Of blocks that overlap.
-template <class Turn>
-Separation<3> least_depth(const MinkowskiDifference<Turn>& difference, const Simplex& around_origin) {
-  ExpandingPolytope polytope(around_origin.corner);
+/// Moves a simplex towards the origin until that is found behind a plane: then there is none inside the
+/// simplex. Else it ends as a tetrahedron around the origin.
+template <class Four, class Turn>
+[[gnu::always_inline]] inline bool is_behind_plane(const MinkowskiDifference<Turn>& difference,
+                                                   Separation<3>& plane, Simplex& simplex) {
+  Vector<3> direction = difference.to_b();
+  if (direction == Vector<3>::Zero()) direction = {1, 0, 0};
+  double distance = HUGE_VAL;
+  Corner c = difference.template deepest_along<Four>(direction);
   for (;;) {
-    const ExpandingPolytope::Facet facet = polytope.nearest();
-    const Corner c = difference.deepest_along(-facet.normal, *facet.corner[0]);
+    if (direction.dot(c.at) > 0) {
+      plane = between(c, direction);
+      return true;
+    }
+    // What has been found before brings the simplex no nearer: it touches the origin, to rounding.
+    if (simplex.has(c)) break;
+    simplex.add(c);
+    direction = simplex.nearest;
+    const double before = std::exchange(distance, direction.squaredNorm());
+    if (!(distance > 0 && distance < before)) break;
+    c = difference.template deepest_along<Four>(direction, c);
+  }
+  if (simplex.count < 4) complete(difference, simplex);
+  return false;
+}
+
+/// The least deep pair next to the one found, and next to that. The normals are those of the blocks' own
+/// features here; the polytope's are of triangles, which may be slivers: where rounding turns these, the
+/// facet nearest to the origin is only near to the one that is.
+template <class Turn>
+Separation<3> refined(const MinkowskiDifference<Turn>& difference, const Separation<3>& found) {
+  const SeenOutline a = difference.a(), b = difference.seen_b();
+  Separation<3> best = found;
+  for (int moves = a.topology->edge_count + b.topology->edge_count; moves > 0; --moves) {
+    const Separation<3> here = best;
+    for_each_side(a, b, here.pair, [&](const FacetSide& side) {
+      PotentialPair<3> pair = facet_across(a, b, side, here.normal).pair;
+      const double gap = refresh(a, b, difference.to_b(), pair);
+      if (gap > best.gap) best = {gap, pair, normal_of(a, b, pair)};
+    });
+    if (best.pair == here.pair) break;
+  }
+  return best;
+}
+
+/// Of blocks between which no plane was found. Where rounding has hidden it, the gap found is above 0.
+template <class Four, class Turn>
+[[gnu::always_inline]] inline Separation<3> least_depth(const MinkowskiDifference<Turn>& difference,
+                                                        const Simplex& around_origin) {
+  ExpandingPolytope<Four> polytope(around_origin.corner);
+  for (;;) {
+    const PolytopeFacet facet = polytope.nearest();
+    const Corner c = difference.template deepest_along<Four>(-facet.normal, polytope.corner_of_nearest(0));
     const bool is_facet = facet.normal.dot(c.at) - facet.offset <= polytope.rounding();
-    if (is_facet || !polytope.has_room()) return pair_at(difference, facet, polytope.rounding());
-    polytope.expand(c);
+    if (is_facet || !polytope.expand(c)) {
+      const Separation<3> found = pair_at(difference, facet, polytope);
+      constexpr double may_hide_the_verdict = 1e8;  // of a sliver, times the rounding of its corners
+      return found.gap > -may_hide_the_verdict * polytope.rounding() ? refined(difference, found) : found;
+    }
   }
 }
 
@@ -161,23 +215,11 @@ Separation<3> least_depth(const MinkowskiDifference<Turn>& difference, const Sim
 
 template <class Turn>
 Separation<3> find_separation_by_descent(const MinkowskiDifference<Turn>& difference) {
-  Simplex simplex;
-  Vector<3> direction = difference.to_b();
-  if (direction == Vector<3>::Zero()) direction = {1, 0, 0};
-  double distance = HUGE_VAL;
-  Corner c = difference.deepest_along(direction);
-  for (;;) {
-    if (direction.dot(c.at) > 0) return between(c, direction);
-    // What has been found before brings the simplex no nearer: it touches the origin, to rounding.
-    if (simplex.has(c)) break;
-    simplex.add(c);
-    direction = simplex.nearest;
-    const double before = std::exchange(distance, direction.squaredNorm());
-    if (!(distance > 0 && distance < before)) break;
-    c = difference.deepest_along(direction, c);
-  }
-  if (simplex.count < 4) complete(difference, simplex);
-  return least_depth(difference, simplex);
+  return with_widest_lanes([&]<class Four>() {
+    Separation<3> plane;
+    Simplex simplex;
+    return is_behind_plane<Four>(difference, plane, simplex) ? plane : least_depth<Four>(difference, simplex);
+  });
 }
 
 template Separation<3> find_separation_by_descent(const MinkowskiDifference<NoTurn>&);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "detect/contact.h"
-#include "detect/expanding_polytope.h"
 #include "detect/minkowski_difference.h"
 
 namespace halfspace {

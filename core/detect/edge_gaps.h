@@ -85,7 +85,7 @@ template <int pairs, class Blocks, class Lanes>
 
 /// The larger of each lane of two pairs of edges that follow one another.
 inline IndexedLanes larger_of_two(const std::array<TwoLanes, 2>& gaps, TwoLanes first_edges) {
-  return larger({gaps[0], first_edges}, {gaps[1], first_edges + both(2)});
+  return larger(IndexedLanes{gaps[0], first_edges}, IndexedLanes{gaps[1], first_edges + both(2)});
 }
 
 /// The largest gap among the edges of `owner`. Of the other's arrays only the vertices are read.
@@ -100,8 +100,8 @@ template <class Lanes>
     edge += both(4);
     largest = larger(largest, larger_of_two(gaps_at<2>(e, blocks, at), edge));
   }
-  if (e < owner.count) largest = larger(largest, {gaps_at<1>(e, blocks, at)[0], edge + both(4)});
-  return larger(largest, {exchanged(largest.value), exchanged(largest.index)});
+  if (e < owner.count) largest = larger(largest, IndexedLanes{gaps_at<1>(e, blocks, at)[0], edge + both(4)});
+  return larger(largest, IndexedLanes{exchanged(largest.value), exchanged(largest.index)});
 }
 
 /// The largest gap of each of two triangles, both side by side: no lane is lost on padding, and there is no
@@ -110,8 +110,8 @@ template <class Lanes>
 [[gnu::always_inline]] inline IndexedLanes largest_gap_of_each(const Outline<2>& a, const Outline<2>& b,
                                                                const Placement<Lanes>& at) {
   const EdgesOfTriangles blocks{a, b};
-  return larger(larger({gaps_at<1>(0, blocks, at)[0], both(0.0)}, {gaps_at<1>(1, blocks, at)[0], both(1.0)}),
-                {gaps_at<1>(2, blocks, at)[0], both(2.0)});
+  const auto gaps_of = [&](int e) { return IndexedLanes{gaps_at<1>(e, blocks, at)[0], both(e)}; };
+  return larger(larger(gaps_of(0), gaps_of(1)), gaps_of(2));
 }
 
 }  // namespace halfspace

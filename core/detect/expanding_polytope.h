@@ -1,36 +1,50 @@
 #pragma once
 
+#include <algorithm>
+#include <bit>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 
+#include "detect/indexed_lanes.h"
 #include "detect/simplex.h"
 
 namespace halfspace {
 
+/// The plane of a facet.
+struct PolytopeFacet {
+  Vector<3> normal;  // outer, unit
+  double offset;     // from the origin
+};
+
 /// A polytope of corners of a Minkowski difference around the origin, that grows towards the facet nearest to
 /// the origin (van den Bergen 2003, section 4.3.8): the blocks' potential contact pair of least depth.
+///
+/// Inlined by force, so that it works in lanes as wide as those of the search that it is part of.
+template <class Four>
 class ExpandingPolytope {
  public:
-  struct Facet {
-    const Corner* corner[3];
-    Vector<3> normal;  // outer, unit
-    double offset;     // from the origin
-  };
-
   /// From a tetrahedron around the origin.
-  explicit ExpandingPolytope(const Corner* tetrahedron);
+  [[gnu::always_inline]] explicit ExpandingPolytope(const Corner* tetrahedron);
 
   /// The facet nearest to the origin.
-  Facet nearest() const;
+  [[gnu::always_inline]] PolytopeFacet nearest() const {
+    return {{nx_[nearest_], ny_[nearest_], nz_[nearest_]}, offset_[nearest_]};
+  }
+  /// One of its three corners.
+  Corner corner_of_nearest(int i) const {
+    const int c = triangles_[nearest_][i];
+    return {{at_[c][0], at_[c][1], at_[c][2]}, vertex_of_a_[c], vertex_of_b_[c]};
+  }
   /// Below this a distance is rounding.
   double rounding() const { return rounding_; }
-  /// True when there is room for one more corner.
-  bool has_room() const { return corner_count_ < most_corners; }
-  /// Takes in a corner that lies outside.
-  void expand(const Corner& c);
+  /// Takes in a corner. False when it lies outside of no facet, to rounding, or there is no room for it.
+  [[gnu::always_inline]] bool expand(const Corner& c);
 
  private:
   static constexpr int most_corners = 128;
-  static constexpr int most_facets = 2 * most_corners;  // by Euler's formula, and two to spare
+  static constexpr int most_facets = 2 * most_corners;  // by Euler's formula, and four to spare
+  static constexpr int lanes = 4;
 
   /// The corners of a facet, counter-clockwise seen from outside. In one word: what has just been written
   /// part by part is slow to read as a whole.
@@ -47,22 +61,187 @@ class ExpandingPolytope {
     int from;
     int to;
   };
+  /// A facet, and how far its plane is from the origin.
+  struct Distance {
+    double offset;
+    int facet;
+  };
+  /// The facets that a point lies beyond, and which of the others is nearest to the origin.
+  struct Visible {
+    std::uint64_t bits[most_facets / 64];
+    int words;
+    Distance nearest_other;
 
-  void add_corner(const Corner& c);
-  void put_two(const Triangle& first, int first_place, const Triangle& second, int second_place);
-  void forget_facet(int f);
-  int find_visible(const Vector<3>& from, int* visible);
-  int find_horizon(const int* visible, int visible_count, Edge* horizon);
+    bool has(int f) const { return bits[f / 64] >> f % 64 & 1; }
+  };
+  /// Where new facets go, and the edges that they take in with the new corner.
+  struct Horizon {
+    int count = 0;
+    Edge edges[3 * most_facets + lanes];
+    int place_count = 0;
+    int places[most_facets + lanes];
+  };
 
-  Corner corners_[most_corners];
-  std::uint64_t edges_from_[most_corners][2];  // where find_horizon() ticks off edges: all 0 in between
+  void put_corner(int i, const Corner& c) {
+    at_[i][0] = c.at.x();
+    at_[i][1] = c.at.y();
+    at_[i][2] = c.at.z();
+    vertex_of_a_[i] = c.a;
+    vertex_of_b_[i] = c.b;
+  }
+  [[gnu::always_inline]] void find_visible(const Vector<3>& from, Visible& visible);
+  [[gnu::always_inline]] void find_horizon(const Visible& visible, Horizon& horizon) const;
+  [[gnu::always_inline]] void put_fan(const Edge* edges, int count, int tip, const int* places,
+                                      Distance& nearest);
+  [[gnu::always_inline]] void forget_four_facets(int first);
+
+  double at_[most_corners][4];  // three, and one so that no corner straddles lines of the cache
+  int vertex_of_a_[most_corners], vertex_of_b_[most_corners];
   Triangle triangles_[most_facets];
-  // Planes of the facets, read two at a time.
-  double nx_[most_facets], ny_[most_facets], nz_[most_facets], offset_[most_facets];
+  // Planes of the facets, read four at a time.
+  double nx_[most_facets + lanes], ny_[most_facets + lanes], nz_[most_facets + lanes],
+      offset_[most_facets + lanes];
+  // Of each edge of the surface, by its ends, the facet that has it on its left.
+  std::uint8_t facet_at_[most_corners][most_corners];
   int corner_count_ = 0;
   int facet_count_ = 0;
   int nearest_ = 0;
   double rounding_ = 0;
 };
+
+template <class Four>
+inline ExpandingPolytope<Four>::ExpandingPolytope(const Corner* tetrahedron) {
+  double size = 0;
+  for (int i = 0; i < 4; ++i) size = std::max(size, tetrahedron[i].at.cwiseAbs().maxCoeff());
+  rounding_ = 8 * std::numeric_limits<double>::epsilon() * size;
+  // Counter-clockwise seen from outside when corner 3 is behind the plane of the others.
+  const Vector<3> base = tetrahedron[0].at;
+  const double volume =
+      cross_product(Vector<3>(tetrahedron[1].at - base), Vector<3>(tetrahedron[2].at - base))
+          .dot(tetrahedron[3].at - base);
+  put_corner(0, tetrahedron[0]);
+  put_corner(1, tetrahedron[volume > 0 ? 2 : 1]);
+  put_corner(2, tetrahedron[volume > 0 ? 1 : 2]);
+  put_corner(3, tetrahedron[3]);
+  corner_count_ = 4;
+  facet_count_ = 4;
+  forget_four_facets(4);
+  const Edge below[] = {{1, 0}, {2, 1}, {0, 2}, {0, 2}}, first[] = {{0, 1}, {0, 1}, {0, 1}, {0, 1}};
+  const int places[] = {0, 1, 2, 3};
+  Distance nearest{HUGE_VAL, 0};
+  put_fan(below, 3, 3, places, nearest);
+  put_fan(first, 1, 2, places + 3, nearest);
+  nearest_ = nearest.facet;
+}
+
+/// Facets between edges and a tip, four at a time.
+template <class Four>
+inline void ExpandingPolytope<Four>::put_fan(const Edge* edges, int count, int tip, const int* places,
+                                             Distance& nearest) {
+  const Four zero = all_four<Four>(0), apex_x = all_four<Four>(at_[tip][0]),
+             apex_y = all_four<Four>(at_[tip][1]), apex_z = all_four<Four>(at_[tip][2]);
+  for (int first = 0; first < count; first += lanes) {
+    const auto ends = [&](int Edge::*end, int c) __attribute__((always_inline)) {
+      const auto at = [&](int lane) { return at_[edges[first + lane].*end][c]; };
+      return four_of<Four>(at(0), at(1), at(2), at(3));
+    };
+    const Four from_x = ends(&Edge::from, 0) - apex_x, to_x = ends(&Edge::to, 0) - apex_x;
+    const Four from_y = ends(&Edge::from, 1) - apex_y, to_y = ends(&Edge::to, 1) - apex_y;
+    const Four from_z = ends(&Edge::from, 2) - apex_z, to_z = ends(&Edge::to, 2) - apex_z;
+    Four nx = from_y * to_z - from_z * to_y, ny = from_z * to_x - from_x * to_z,
+         nz = from_x * to_y - from_y * to_x;
+    const Four square = nx * nx + ny * ny + nz * nz;
+    // Three corners on a line span no plane: never the nearest, and nothing lies beyond it.
+    const Four inverse = where_less(zero, square, all_four<Four>(1) / square_roots(square), zero);
+    nx = nx * inverse;
+    ny = ny * inverse;
+    nz = nz * inverse;
+    const Four offset =
+        where_less(zero, square, nx * apex_x + ny * apex_y + nz * apex_z, all_four<Four>(HUGE_VAL));
+    for (int lane = 0; lane < lanes && first + lane < count; ++lane) {
+      const auto [start, end] = edges[first + lane];
+      const int f = places[first + lane];
+      triangles_[f] = Triangle(start, end, tip);
+      facet_at_[start][end] = facet_at_[end][tip] = facet_at_[tip][start] = std::uint8_t(f);
+      nx_[f] = nx[lane];
+      ny_[f] = ny[lane];
+      nz_[f] = nz[lane];
+      offset_[f] = offset[lane];
+      nearest = offset[lane] < nearest.offset ? Distance{offset[lane], f} : nearest;
+    }
+  }
+}
+
+/// Never the nearest from now on, and nothing lies beyond them.
+template <class Four>
+inline void ExpandingPolytope<Four>::forget_four_facets(int first) {
+  put_four_at(nx_ + first, all_four<Four>(0));
+  put_four_at(ny_ + first, all_four<Four>(0));
+  put_four_at(nz_ + first, all_four<Four>(0));
+  put_four_at(offset_ + first, all_four<Four>(HUGE_VAL));
+}
+
+/// Which facets they are is as good as random: no branches.
+template <class Four>
+inline void ExpandingPolytope<Four>::find_visible(const Vector<3>& from, Visible& visible) {
+  const Four x = all_four<Four>(from.x()), y = all_four<Four>(from.y()), z = all_four<Four>(from.z());
+  const Four never = all_four<Four>(HUGE_VAL);
+  Four index = four_of<Four>(0, 1, 2, 3);
+  Indexed<Four> least = {never, index};
+  visible.words = 0;
+  for (int word = 0; word < facet_count_; word += 64) {
+    std::uint64_t bits = 0;
+    for (int f = word; f < std::min(word + 64, facet_count_); f += lanes) {
+      const Four offset = four_at<Four>(offset_ + f);
+      const Four height =
+          four_at<Four>(nx_ + f) * x + four_at<Four>(ny_ + f) * y + four_at<Four>(nz_ + f) * z;
+      const Four clearance = (offset + all_four<Four>(rounding_)) - height;
+      bits |= std::uint64_t(signs_of_four(clearance)) << f % 64;
+      least = smaller(least, {where_less(clearance, all_four<Four>(0), never, offset), index});
+      index = index + all_four<Four>(lanes);
+    }
+    visible.bits[visible.words++] = bits;
+  }
+  const IndexedLanes nearest = smallest(least);
+  visible.nearest_other = {nearest.value[0], int(nearest.index[0])};
+}
+
+/// The horizon are the edges of visible facets whose other facet is not visible.
+template <class Four>
+inline void ExpandingPolytope<Four>::find_horizon(const Visible& visible, Horizon& horizon) const {
+  for (int word = 0; word < visible.words; ++word) {
+    for (std::uint64_t left = visible.bits[word]; left != 0; left &= left - 1) {
+      const int f = 64 * word + std::countr_zero(left);
+      horizon.places[horizon.place_count++] = f;
+      const Triangle t = triangles_[f];
+      for (const Edge& e : {Edge{t[0], t[1]}, Edge{t[1], t[2]}, Edge{t[2], t[0]}}) {
+        horizon.edges[horizon.count] = e;
+        horizon.count += !visible.has(facet_at_[e.to][e.from]);
+      }
+    }
+  }
+}
+
+/// The visible facets make room for those between the horizon and the new corner.
+template <class Four>
+inline bool ExpandingPolytope<Four>::expand(const Corner& c) {
+  Visible visible;
+  find_visible(c.at, visible);
+  Horizon horizon;
+  find_horizon(visible, horizon);
+  const int added = horizon.count - horizon.place_count;
+  // As long as rounding does not tear the surface, a corner adds two facets, and there are facets enough for
+  // all corners.
+  if (horizon.count == 0 || added < 0 || facet_count_ + added > most_facets || corner_count_ == most_corners)
+    return false;
+  for (int i = 0; i < added; ++i) horizon.places[horizon.place_count++] = facet_count_++;
+  forget_four_facets(facet_count_);
+  for (int i = 0; i < lanes; ++i) horizon.edges[horizon.count + i] = horizon.edges[0];
+  const int tip = corner_count_++;
+  put_corner(tip, c);
+  put_fan(horizon.edges, horizon.count, tip, horizon.places, visible.nearest_other);
+  nearest_ = visible.nearest_other.facet;
+  return true;
+}
 
 }  // namespace halfspace

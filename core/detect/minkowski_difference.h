@@ -1,6 +1,6 @@
 #pragma once
 
-#include "detect/support.h"
+#include "detect/seen_outline.h"
 
 namespace halfspace {
 
@@ -29,16 +29,27 @@ class MinkowskiDifference {
       : a_(a), b_(b), to_b_(to_b), b_in_a_(b_in_a), a_in_b_(b_in_a.inverse()) {}
 
   /// The corner that lies deepest along a direction; `near` is where to look first.
-  Corner deepest_along(const Vector<3>& direction) const {
-    return corner_of(deepest(a_, -direction).vertex, deepest(b_, in_frame_of_b(direction)).vertex);
+  template <class Four = TwiceTwoLanes>
+  [[gnu::always_inline]] Corner deepest_along(const Vector<3>& direction) const {
+    return corner_of(deepest<Four>(a_, -direction).vertex,
+                     deepest<Four>(b_, in_frame_of_b(direction)).vertex);
   }
-  Corner deepest_along(const Vector<3>& direction, const Corner& near) const {
-    return corner_of(deepest(a_, -direction, near.a).vertex,
-                     deepest(b_, in_frame_of_b(direction), near.b).vertex);
+  template <class Four = TwiceTwoLanes>
+  [[gnu::always_inline]] Corner deepest_along(const Vector<3>& direction, const Corner& near) const {
+    return corner_of(deepest<Four>(a_, -direction, near.a).vertex,
+                     deepest<Four>(b_, in_frame_of_b(direction), near.b).vertex);
   }
   const Outline<3>& a() const { return a_; }
   const Outline<3>& b() const { return b_; }
   const Vector<3>& to_b() const { return to_b_; }
+  /// Block b seen from the frame of a.
+  SeenOutline seen_b() const {
+    if constexpr (std::is_same_v<Turn, NoTurn>) {
+      return b_;
+    } else {
+      return {b_, b_in_a_};
+    }
+  }
   Vector<3> normal_of_b(int face) const { return b_in_a_ * b_.normal(face); }
   Vector<3> from_frame_of_b(const Vector<3>& direction) const { return b_in_a_ * direction; }
   Vector<3> in_frame_of_b(const Vector<3>& direction) const { return a_in_b_ * direction; }

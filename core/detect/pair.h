@@ -73,7 +73,7 @@ bool still_separated(const Outline<D>& a, const Outline<D>& b, const Vector<D>& 
 /// what a walk from there reaches that is less deep; the one remembered when they touched before; without
 /// history the given one, of least depth (section 2.5). Remembers it, with its vertex brought up to date.
 template <int D>
-void remember_contact(const Outline<D>& a, const Outline<D>& b, const Vector<D>& to_b,
+void remember_contact(const Seen<D>& a, const Seen<D>& b, const Vector<D>& to_b,
                       const PotentialPair<D>& least_depth, PairMemory<D>& memory) {
   if (memory.state == PairMemory<D>::separated) {
     memory.pair = descend(a, b, to_b, initial_pair(a, b, to_b, memory));
@@ -87,7 +87,7 @@ void remember_contact(const Outline<D>& a, const Outline<D>& b, const Vector<D>&
 /// Type, normal, gap and region of the contact at the remembered pair. In space, a point of both blocks is
 /// remembered as well, by which the next step may know sooner that they are still in contact.
 template <int D>
-void describe_contact(const Outline<D>& a, const Outline<D>& b, const Vector<D>& to_b, PairMemory<D>& memory,
+void describe_contact(const Seen<D>& a, const Seen<D>& b, const Vector<D>& to_b, PairMemory<D>& memory,
                       const DetectOptions& options, Contact<D>& contact) {
   describe_contact(a, b, to_b, memory.pair, options, contact);
   if (memory.state == PairMemory<D>::touching) remember_proof(contact, to_b, memory);
@@ -95,7 +95,7 @@ void describe_contact(const Outline<D>& a, const Outline<D>& b, const Vector<D>&
 
 /// Describes the contact of two blocks that overlap.
 template <int D>
-void describe_overlap(const Outline<D>& a, const Outline<D>& b, const Vector<D>& to_b,
+void describe_overlap(const Seen<D>& a, const Seen<D>& b, const Vector<D>& to_b,
                       const PotentialPair<D>& least_depth, const DetectOptions& options,
                       PairMemory<D>& memory, Contact<D>& contact) {
   remember_contact(a, b, to_b, least_depth, memory);

@@ -4,30 +4,29 @@
 #include <cmath>
 
 #include "detect/potential_pairs_3d.h"
-#include "detect/support.h"
 
 namespace halfspace {
 namespace {
 
 /// A face of `owner` and the other's deepest vertex.
-double refresh_face(const Outline<3>& owner, int face, const Outline<3>& other, const Vector<3>& to_other,
+double refresh_face(const SeenOutline& owner, int face, const SeenOutline& other, const Vector<3>& to_other,
                     std::int32_t& vertex) {
   const Vector<3> normal = owner.normal(face);
-  const Support support = deepest(other, normal, vertex);
+  const Support support = other.deepest(normal, vertex);
   vertex = support.vertex;
   return (support.height + normal.dot(to_other)) - owner.offset[face];
 }
 
 /// Between what both blocks reach along a direction.
-double gap_along(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, const Vector<3>& normal,
+double gap_along(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b, const Vector<3>& normal,
                  std::int32_t& vertex_of_a, std::int32_t& vertex_of_b) {
-  const Support of_a = deepest(a, -normal, vertex_of_a), of_b = deepest(b, normal, vertex_of_b);
+  const Support of_a = a.deepest(-normal, vertex_of_a), of_b = b.deepest(normal, vertex_of_b);
   vertex_of_a = of_a.vertex;
   vertex_of_b = of_b.vertex;
   return (of_b.height + of_a.height) + normal.dot(to_b);
 }
 
-double refresh_edges(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
+double refresh_edges(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
                      const PotentialPair<3>& pair) {
   const Vector<3> normal = edge_pair_normal(a, pair.a, b, pair.b);
   if (normal == Vector<3>::Zero()) return -HUGE_VAL;
@@ -40,7 +39,7 @@ double refresh_edges(const Outline<3>& a, const Outline<3>& b, const Vector<3>& 
 /// with what lies behind them.
 class FacetsInOnePlane {
  public:
-  FacetsInOnePlane(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, const Facet& first)
+  FacetsInOnePlane(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b, const Facet& first)
       : a_(a), b_(b), to_b_(to_b), best_(first) {
     add(first);
     // The list grows while it is gone through.
@@ -77,8 +76,8 @@ class FacetsInOnePlane {
   }
 
   static constexpr int room = 64;
-  const Outline<3>& a_;
-  const Outline<3>& b_;
+  const SeenOutline& a_;
+  const SeenOutline& b_;
   const Vector<3>& to_b_;
   int count_ = 0;
   Facet facet_[room];
@@ -88,7 +87,7 @@ class FacetsInOnePlane {
 
 }  // namespace
 
-PotentialPair<3> descend(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
+PotentialPair<3> descend(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
                          const PotentialPair<3>& start) {
   Facet best{start, normal_of(a, b, start)};
   double best_gap = refresh(a, b, to_b, best.pair);
@@ -101,7 +100,7 @@ PotentialPair<3> descend(const Outline<3>& a, const Outline<3>& b, const Vector<
   return best.pair;
 }
 
-double refresh(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, PotentialPair<3>& pair) {
+double refresh(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b, PotentialPair<3>& pair) {
   switch (pair.kind) {
     case PotentialPair<3>::face_vertex:
       return refresh_face(a, pair.a, b, to_b, pair.b);
@@ -112,7 +111,7 @@ double refresh(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, 
   }
 }
 
-double refresh(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, PairMemory<3>& memory) {
+double refresh(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b, PairMemory<3>& memory) {
   PotentialPair<3>& pair = memory.pair;
   switch (pair.kind) {
     case PotentialPair<3>::edge_edge: {
@@ -126,7 +125,7 @@ double refresh(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, 
   }
 }
 
-PotentialPair<3> initial_pair(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
+PotentialPair<3> initial_pair(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
                               const PairMemory<3>& memory) {
   const PotentialPair<3>& pair = memory.pair;
   if (pair.kind != PotentialPair<3>::vertex_vertex) return pair;

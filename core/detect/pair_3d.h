@@ -1,7 +1,7 @@
 #pragma once
 
 #include "detect/contact.h"
-#include "geometry/outline.h"
+#include "detect/seen_outline.h"
 
 namespace halfspace {
 
@@ -11,11 +11,11 @@ namespace halfspace {
 /// Gap of a potential pair along its normal, with the deepest vertex of a face's half-space brought up to
 /// date. Of two edges, the gap between what both blocks reach along edge_pair_normal(): however the blocks
 /// have turned, above 0 it proves separation; -infinity where the edges are parallel. Not for two vertices.
-double refresh(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, PotentialPair<3>& pair);
+double refresh(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b, PotentialPair<3>& pair);
 
 /// Gap of what keeps two blocks apart: of a face and a vertex; or, of two edges or vertices, between what
 /// both blocks reach along the remembered normal.
-double refresh(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, PairMemory<3>& memory);
+double refresh(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b, PairMemory<3>& memory);
 
 /// True when blocks that touched are easily seen to touch still: where the remembered pair is, or at the
 /// remembered point. The vertex of a face is brought up to date.
@@ -28,13 +28,13 @@ void remember_proof(const Contact<3>& contact, const Vector<3>& to_b, PairMemory
 /// The pair through which blocks begin to meet that were separated at last (Wang et al. 2021, section 2.5):
 /// the violated one; or, when only a plane is remembered, the less deep of those whose faces look most along
 /// it from either side.
-PotentialPair<3> initial_pair(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
+PotentialPair<3> initial_pair(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
                               const PairMemory<3>& memory);
 
 /// Walks over the Minkowski difference to the pair of least depth that is reached without passing a deeper
 /// one. So the contact keeps the side through which the blocks met, also when a thin block is overlapped past
 /// its middle.
-PotentialPair<3> descend(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
+PotentialPair<3> descend(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
                          const PotentialPair<3>& start);
 
 /// Type, normal, gap and region of the contact at a potential pair, touching or not. The vertex of a face is
@@ -45,8 +45,8 @@ PotentialPair<3> descend(const Outline<3>& a, const Outline<3>& b, const Vector<
 /// faces. Of blocks that overlap each move takes it to a lesser depth, so that they come to an end by
 /// themselves. In any case there are no more of them than both blocks have edges, nor one straight back: then
 /// the edge or end that the contact point lies beyond stands in.
-void describe_contact(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, PotentialPair<3>& pair,
-                      const DetectOptions& options, Contact<3>& contact);
+void describe_contact(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
+                      PotentialPair<3>& pair, const DetectOptions& options, Contact<3>& contact);
 
 inline PairMemory<3> memory_of(const Separation<3>& separation) {
   return {PairMemory<3>::separated, separation.pair, separation.normal};

@@ -25,7 +25,7 @@ PotentialPair<3> edge_pair(int owner, int edge, int edge_of_other) {
 
 }  // namespace
 
-int face_along(const Outline<3>& block, int vertex, const Vector<3>& direction) {
+int face_along(const SeenOutline& block, int vertex, const Vector<3>& direction) {
   const Topology& topology = *block.topology;
   int best = topology.vertex_face[topology.first_of_vertex[vertex]];
   double most = -HUGE_VAL;
@@ -40,7 +40,7 @@ int face_along(const Outline<3>& block, int vertex, const Vector<3>& direction) 
   return best;
 }
 
-bool is_outer_normal(const Outline<3>& block, int edge, const Vector<3>& normal) {
+bool is_outer_normal(const SeenOutline& block, int edge, const Vector<3>& normal) {
   const Topology& topology = *block.topology;
   const Vector<3> along = edge_vector(block, edge);
   // Both point from the edge into its face.
@@ -49,7 +49,7 @@ bool is_outer_normal(const Outline<3>& block, int edge, const Vector<3>& normal)
   return normal.dot(into_left) <= 0 && normal.dot(into_right) <= 0;
 }
 
-Vector<3> edge_pair_normal(const Outline<3>& a, int edge_of_a, const Vector<3>& along_b) {
+Vector<3> edge_pair_normal(const SeenOutline& a, int edge_of_a, const Vector<3>& along_b) {
   const Vector<3> across = cross_product(edge_vector(a, edge_of_a), along_b);
   const double length = across.norm();
   if (length == 0) return Vector<3>::Zero();
@@ -58,8 +58,8 @@ Vector<3> edge_pair_normal(const Outline<3>& a, int edge_of_a, const Vector<3>& 
   return across / (across.dot(outward) < 0 ? -length : length);
 }
 
-bool is_edge_pair(const Outline<3>& a, int edge_of_a, const Outline<3>& b, int edge_of_b) {
-  const Vector<3> normal = edge_pair_normal(a, edge_of_a, b, edge_of_b);
+bool is_edge_pair(const SeenOutline& a, int edge_of_a, const SeenOutline& b, int edge_of_b,
+                  const Vector<3>& normal) {
   return normal != Vector<3>::Zero() && is_outer_normal(a, edge_of_a, normal) &&
          is_outer_normal(b, edge_of_b, -normal);
 }
@@ -69,8 +69,8 @@ FacetSide side_along(const Topology& owner_topology, int owner, int face, int ed
   return {owner, edge, left == face ? owner_topology.edge_right[edge] : left, vertex};
 }
 
-FacetSide side_at_end(const Outline<3>& owner_block, int owner, int edge, const Outline<3>& other, int ending,
-                      int vertex) {
+FacetSide side_at_end(const SeenOutline& owner_block, int owner, int edge, const SeenOutline& other,
+                      int ending, int vertex) {
   const Topology& topology = *other.topology;
   const int start = topology.edge_start[ending], end = topology.edge_end[ending];
   const Vector<3> to_other_end = other.vertex(vertex == start ? end : start) - other.vertex(vertex);
@@ -81,9 +81,10 @@ FacetSide side_at_end(const Outline<3>& owner_block, int owner, int edge, const 
   return {owner, edge, turns_left ? left : right, vertex};
 }
 
-Facet facet_across(const Outline<3>& a, const Outline<3>& b, const FacetSide& side, const Vector<3>& normal) {
-  const Outline<3>& owner = side.owner == 0 ? a : b;
-  const Outline<3>& other = side.owner == 0 ? b : a;
+Facet facet_across(const SeenOutline& a, const SeenOutline& b, const FacetSide& side,
+                   const Vector<3>& normal) {
+  const SeenOutline& owner = side.owner == 0 ? a : b;
+  const SeenOutline& other = side.owner == 0 ? b : a;
   const Topology& topology = *other.topology;
   const Vector<3> from = side.owner == 0 ? normal : Vector<3>(-normal);
   const Vector<3> to = owner.normal(side.towards);

@@ -1,37 +1,41 @@
 #pragma once
 
 #include "detect/contact.h"
-#include "geometry/outline.h"
+#include "detect/seen_outline.h"
 
 namespace halfspace {
 
 /// From the start of an edge to its end.
-inline Vector<3> edge_vector(const Outline<3>& block, int edge) {
+inline Vector<3> edge_vector(const SeenOutline& block, int edge) {
   return block.vertex(block.topology->edge_end[edge]) - block.vertex(block.topology->edge_start[edge]);
 }
 
 /// The face at a vertex that looks most along a direction.
-int face_along(const Outline<3>& block, int vertex, const Vector<3>& direction);
+int face_along(const SeenOutline& block, int vertex, const Vector<3>& direction);
 
 /// True when a block lies behind the plane through one of its edges whose outer normal, at right angles to
 /// the edge, is given.
-bool is_outer_normal(const Outline<3>& block, int edge, const Vector<3>& normal);
+bool is_outer_normal(const SeenOutline& block, int edge, const Vector<3>& normal);
 
 /// Unit vector at right angles to an edge of each block, out of a as the faces at a's edge are: of an
 /// edge-edge potential pair the normal from a to b. Zero when the edges are exactly parallel. Of b's edge the
 /// vector along it is enough.
-Vector<3> edge_pair_normal(const Outline<3>& a, int edge_of_a, const Vector<3>& along_b);
-inline Vector<3> edge_pair_normal(const Outline<3>& a, int edge_of_a, const Outline<3>& b, int edge_of_b) {
+Vector<3> edge_pair_normal(const SeenOutline& a, int edge_of_a, const Vector<3>& along_b);
+inline Vector<3> edge_pair_normal(const SeenOutline& a, int edge_of_a, const SeenOutline& b, int edge_of_b) {
   return edge_pair_normal(a, edge_of_a, edge_vector(b, edge_of_b));
 }
 
 /// True when an edge of each block are a potential contact pair (Wang et al. 2021, eqs. 23-26): both blocks
-/// lie on their own sides of edge_pair_normal(). Of edges parallel to rounding, it tells whether that normal,
-/// as rounded, can serve.
-bool is_edge_pair(const Outline<3>& a, int edge_of_a, const Outline<3>& b, int edge_of_b);
+/// lie on their own sides of edge_pair_normal(), which is given. Of edges parallel to rounding, it tells
+/// whether that normal, as rounded, can serve.
+bool is_edge_pair(const SeenOutline& a, int edge_of_a, const SeenOutline& b, int edge_of_b,
+                  const Vector<3>& normal);
+inline bool is_edge_pair(const SeenOutline& a, int edge_of_a, const SeenOutline& b, int edge_of_b) {
+  return is_edge_pair(a, edge_of_a, b, edge_of_b, edge_pair_normal(a, edge_of_a, b, edge_of_b));
+}
 
 /// Unit normal of a potential pair's half-space, turned so that it points from a to b. Not for two vertices.
-inline Vector<3> normal_of(const Outline<3>& a, const Outline<3>& b, const PotentialPair<3>& pair) {
+inline Vector<3> normal_of(const SeenOutline& a, const SeenOutline& b, const PotentialPair<3>& pair) {
   if (pair.kind == PotentialPair<3>::face_vertex) return a.normal(pair.a);
   if (pair.kind == PotentialPair<3>::vertex_face) return -b.normal(pair.b);
   return edge_pair_normal(a, pair.a, b, pair.b);
@@ -51,8 +55,8 @@ FacetSide side_along(const Topology& owner_topology, int owner, int face, int ed
 
 /// Of the facet of an edge of each block, that at an end of one, `ending`, which belongs to the block that is
 /// not `owner`.
-FacetSide side_at_end(const Outline<3>& owner_block, int owner, int edge, const Outline<3>& other, int ending,
-                      int vertex);
+FacetSide side_at_end(const SeenOutline& owner_block, int owner, int edge, const SeenOutline& other,
+                      int ending, int vertex);
 
 /// A potential pair and its unit normal from a to b.
 struct Facet {
@@ -62,11 +66,13 @@ struct Facet {
 
 /// The facet on the other side, of one whose unit normal from a to b is given. The normal turns about the
 /// side's edge until another edge at the vertex comes to lie in the plane, or else until the face does.
-Facet facet_across(const Outline<3>& a, const Outline<3>& b, const FacetSide& side, const Vector<3>& normal);
+Facet facet_across(const SeenOutline& a, const SeenOutline& b, const FacetSide& side,
+                   const Vector<3>& normal);
 
 /// Visits the sides of a facet. Of a pair of two edges parallel to rounding they need not all be there.
 template <class Visitor>
-void for_each_side(const Outline<3>& a, const Outline<3>& b, const PotentialPair<3>& pair, Visitor&& visit) {
+void for_each_side(const SeenOutline& a, const SeenOutline& b, const PotentialPair<3>& pair,
+                   Visitor&& visit) {
   if (pair.kind == PotentialPair<3>::edge_edge) {
     const Topology &of_a = *a.topology, &of_b = *b.topology;
     visit(side_at_end(a, 0, pair.a, b, pair.b, of_b.edge_start[pair.b]));

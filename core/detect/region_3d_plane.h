@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/outline.h"
+#include "detect/seen_outline.h"
 
 namespace halfspace {
 
@@ -35,7 +35,7 @@ struct PlaneFrame {
 /// corners are made as they are asked for, so that there is no limit to their number.
 class FlatFace {
  public:
-  FlatFace(const PlaneFrame& plane, const Outline<3>& block, int face, const Vector<3>& to_block)
+  FlatFace(const PlaneFrame& plane, const SeenOutline& block, int face, const Vector<3>& to_block)
       : plane_(plane),
         block_(block),
         shift_(to_block),
@@ -54,7 +54,7 @@ class FlatFace {
 
  private:
   const PlaneFrame& plane_;
-  const Outline<3>& block_;
+  const SeenOutline& block_;
   Vector<3> shift_;
   int first_;
   int count_;

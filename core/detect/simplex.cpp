@@ -1,61 +1,51 @@
 #include "detect/simplex.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace halfspace {
 namespace {
 
-/// The face of a simplex on which the point nearest to the origin lies.
+/// The face of a simplex on which the point nearest to the origin lies: its newest corner, and those of the
+/// others that it has besides. The newest is always one: it lies beyond the plane, square to the way to the
+/// origin, that the others lie on or behind.
 struct Nearest {
-  int corner[3];
-  int count;
+  int other[3];
+  int count;  // of the others
   Vector<3> point;
 };
 
-Nearest at_corner(const Corner* c, int i) { return {{i, 0, 0}, 1, c[i].at}; }
-
-Nearest on_segment(const Corner* c, int i, int j) {
-  const Vector<3>&p = c[i].at, &q = c[j].at;
-  const Vector<3> along = q - p;
-  const double t = -p.dot(along), whole = along.squaredNorm();
-  if (!(t > 0)) return at_corner(c, i);
-  if (t >= whole) return at_corner(c, j);
-  return {{i, j, 0}, 2, p + (t / whole) * along};
+/// On the segment from the newest corner to another one.
+Nearest on_segment(const Vector<3>& newest, const Vector<3>& to, double towards_origin, int other) {
+  const double share = std::min(1.0, towards_origin / to.squaredNorm());
+  return {{other}, 1, newest + share * to};
 }
 
-/// By the regions of corners, edges and inside, told apart by signs (Ericson 2005, section 5.1.5).
-Nearest on_triangle(const Corner* c, int i, int j, int k) {
-  const Vector<3>&p = c[i].at, &q = c[j].at, &r = c[k].at;
-  const Vector<3> pq = q - p, pr = r - p;
-  const double p1 = -pq.dot(p), p2 = -pr.dot(p);
-  if (p1 <= 0 && p2 <= 0) return at_corner(c, i);
-  const double q1 = -pq.dot(q), q2 = -pr.dot(q);
-  if (q1 >= 0 && q2 <= q1) return at_corner(c, j);
-  const double at_r = p1 * q2 - q1 * p2;
-  if (at_r <= 0 && p1 >= 0 && q1 <= 0) return on_segment(c, i, j);
-  const double r1 = -pq.dot(r), r2 = -pr.dot(r);
-  if (r2 >= 0 && r1 <= r2) return at_corner(c, k);
-  const double at_q = r1 * p2 - p1 * r2;
-  if (at_q <= 0 && p2 >= 0 && r2 <= 0) return on_segment(c, i, k);
-  const double at_p = q1 * r2 - r1 * q2;
-  if (at_p <= 0 && q2 - q1 >= 0 && r1 - r2 >= 0) return on_segment(c, j, k);
-  const double sum = at_p + at_q + at_r;
-  return {{i, j, k}, 3, p + (at_q / sum) * pq + (at_r / sum) * pr};
+/// On the triangle with two others: at the newest corner, on a side that goes out from it, or inside, told
+/// apart by signs (Ericson 2005, section 5.1.5).
+Nearest on_triangle(const Vector<3>& newest, const Vector<3>& to_i, const Vector<3>& to_j, int i, int j) {
+  const double along_i = -to_i.dot(newest), along_j = -to_j.dot(newest);
+  if (along_i <= 0 && along_j <= 0) return {{}, 0, newest};
+  const double ii = to_i.squaredNorm(), ij = to_i.dot(to_j), jj = to_j.squaredNorm();
+  const double share_i = along_i * jj - along_j * ij, share_j = along_j * ii - along_i * ij;
+  if (share_j <= 0 && along_i > 0) return on_segment(newest, to_i, along_i, i);
+  if (share_i <= 0 && along_j > 0) return on_segment(newest, to_j, along_j, j);
+  const double whole = ii * jj - ij * ij;
+  return {{i, j}, 2, newest + (share_i / whole) * to_i + (share_j / whole) * to_j};
 }
 
-/// Count 4 when the origin is inside. It was nearest to the first three corners, and the last one lies beyond
-/// it: what is nearest now has the last one among its corners.
-Nearest in_tetrahedron(const Corner* c) {
-  const Vector<3>& last = c[3].at;
-  const Vector<3> to[] = {c[0].at - last, c[1].at - last, c[2].at - last};
-  Nearest best{{}, 4, Vector<3>::Zero()};
+/// On the tetrahedron with all three others, or the origin if that is inside.
+Nearest in_tetrahedron(const Vector<3>& newest, const Vector<3>* to) {
+  const Vector<3> normal[] = {cross_product(to[0], to[1]), cross_product(to[1], to[2]),
+                              cross_product(to[2], to[0])};
+  const double volume = normal[0].dot(to[2]);  // six times it: how far each face's fourth corner is
+  Nearest best{{0, 1, 2}, 3, Vector<3>::Zero()};
   double least = HUGE_VAL;
   for (int i = 0; i < 3; ++i) {
-    const int j = i == 2 ? 0 : i + 1, opposite = i == 0 ? 2 : i - 1;
-    const Vector<3> normal = cross_product(to[i], to[j]);
-    const double origin = -normal.dot(last), inside = normal.dot(to[opposite]);
-    if ((origin > 0 && inside > 0) || (origin < 0 && inside < 0)) continue;
-    const Nearest candidate = on_triangle(c, i, j, 3);
+    const double origin = -normal[i].dot(newest);
+    if ((origin > 0 && volume > 0) || (origin < 0 && volume < 0)) continue;
+    const int j = i == 2 ? 0 : i + 1;
+    const Nearest candidate = on_triangle(newest, to[i], to[j], i, j);
     const double distance = candidate.point.squaredNorm();
     if (distance < least) {
       least = distance;
@@ -67,20 +57,21 @@ Nearest in_tetrahedron(const Corner* c) {
 
 }  // namespace
 
-void Simplex::keep(const int* kept, int kept_count) {
-  const Corner all[4] = {corner[0], corner[1], corner[2], corner[3]};
-  for (int i = 0; i < kept_count; ++i) corner[i] = all[kept[i]];
-  count = kept_count;
-}
-
 void Simplex::add(const Corner& c) {
-  corner[count++] = c;
-  Nearest found = at_corner(corner, 0);
-  if (count == 2) found = on_segment(corner, 0, 1);
-  if (count == 3) found = on_triangle(corner, 0, 1, 2);
-  if (count == 4) found = in_tetrahedron(corner);
+  Vector<3> to[3];
+  for (int i = 0; i < count; ++i) to[i] = corner[i].at - c.at;
+  Nearest found{{}, 0, c.at};
+  if (count == 1) {
+    const double along = -to[0].dot(c.at);
+    if (along > 0) found = on_segment(c.at, to[0], along, 0);
+  }
+  if (count == 2) found = on_triangle(c.at, to[0], to[1], 0, 1);
+  if (count == 3) found = in_tetrahedron(c.at, to);
   nearest = found.point;
-  if (found.count < 4) keep(found.corner, found.count);
+  const Corner others[] = {corner[found.other[0]], corner[found.other[1]], corner[found.other[2]]};
+  std::copy_n(others, 3, corner);
+  corner[found.count] = c;
+  count = found.count + 1;
 }
 
 }  // namespace halfspace

@@ -19,9 +19,6 @@ struct Simplex {
   /// Takes one more, and drops those that the point nearest to the origin does not need. Four remain when the
   /// origin is inside.
   void add(const Corner& c);
-
- private:
-  void keep(const int* kept, int kept_count);
 };
 
 }  // namespace halfspace

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "detect/indexed_lanes.h"
+#include "geometry/gauss_map.h"
 #include "geometry/outline.h"
 
 namespace halfspace {
@@ -14,24 +16,21 @@ struct Support {
 };
 
 /// The vertex that lies deepest along a direction: with an outer normal of the other block's half-space it
-/// forms a potential contact pair (Wang et al. 2021, eq. 17). Two vertices at a time, and selections instead
+/// forms a potential contact pair (Wang et al. 2021, eq. 17). Four vertices at a time, and selections instead
 /// of branches: which vertex it is is as good as random.
-inline Support deepest_among_all(const Outline<3>& block, const Vector<3>& direction) {
-  const TwoLanes nx = both(direction.x()), ny = both(direction.y()), nz = both(direction.z());
-  const auto heights_at = [&](int v) {
-    return nx * two_at(block.x + v) + ny * two_at(block.y + v) + nz * two_at(block.z + v);
-  };
-  // Padded to a multiple of four: two chains of comparisons, neither of which waits for the other.
-  TwoLanes even_index = {0, 1}, odd_index = {2, 3};
-  IndexedLanes even = {heights_at(0), even_index}, odd = {heights_at(2), odd_index};
-  for (int v = 4; v < block.vertex_count(); v += 4) {
-    even_index += both(4);
-    odd_index += both(4);
-    even = smaller(even, {heights_at(v), even_index});
-    odd = smaller(odd, {heights_at(v + 2), odd_index});
+template <class Four = TwiceTwoLanes>
+[[gnu::always_inline]] inline Support deepest_among_all(const Outline<3>& block, const Vector<3>& direction) {
+  const Four nx = all_four<Four>(direction.x()), ny = all_four<Four>(direction.y()),
+             nz = all_four<Four>(direction.z());
+  Four index = four_of<Four>(0, 1, 2, 3);
+  Indexed<Four> deepest = {all_four<Four>(HUGE_VAL), index};
+  for (int v = 0; v < block.vertex_count(); v += 4) {
+    const Four height =
+        nx * four_at<Four>(block.x + v) + ny * four_at<Four>(block.y + v) + nz * four_at<Four>(block.z + v);
+    deepest = smaller(deepest, {height, index});
+    index = index + all_four<Four>(4);
   }
-  const IndexedLanes deepest = smaller(even, odd);
-  const IndexedLanes least = smaller(deepest, {exchanged(deepest.value), exchanged(deepest.index)});
+  const IndexedLanes least = smallest(deepest);
   return {least.value[0],
           std::min(int(least.index[0]), block.vertex_count() - 1)};  // padding repeats the last
 }
@@ -41,17 +40,27 @@ inline Support deepest_among_all(const Outline<3>& block, const Vector<3>& direc
 Support walk_to_deepest(const Outline<3>& block, const Vector<3>& direction, int hint);
 Support walk_to_deepest(const Outline<3>& block, const Vector<3>& direction);
 
-/// Up to this many vertices, to look at all is faster than to walk (tests/benchmarks, bench_pairs_3d).
-constexpr int few_vertices = 48;
+/// The same for a block that has a map of what is deepest.
+[[gnu::always_inline]] inline Support deepest_on_map(const Outline<3>& block, const Vector<3>& direction) {
+  Support deepest{HUGE_VAL, 0};
+  for (const int v : block.gauss_map->candidates(direction)) {
+    const double height =
+        direction.x() * block.x[v] + direction.y() * block.y[v] + direction.z() * block.z[v];
+    deepest = {std::min(height, deepest.height), height < deepest.height ? v : deepest.vertex};
+  }
+  return deepest;
+}
 
 /// The same, by whichever is faster; `hint` is where to look first.
-inline Support deepest(const Outline<3>& block, const Vector<3>& direction, int hint) {
-  return block.vertex_count() <= few_vertices ? deepest_among_all(block, direction)
-                                              : walk_to_deepest(block, direction, hint);
+template <class Four = TwiceTwoLanes>
+[[gnu::always_inline]] inline Support deepest(const Outline<3>& block, const Vector<3>& direction, int hint) {
+  if (block.vertex_count() <= few_vertices) return deepest_among_all<Four>(block, direction);
+  return block.gauss_map ? deepest_on_map(block, direction) : walk_to_deepest(block, direction, hint);
 }
-inline Support deepest(const Outline<3>& block, const Vector<3>& direction) {
-  return block.vertex_count() <= few_vertices ? deepest_among_all(block, direction)
-                                              : walk_to_deepest(block, direction);
+template <class Four = TwiceTwoLanes>
+[[gnu::always_inline]] inline Support deepest(const Outline<3>& block, const Vector<3>& direction) {
+  if (block.vertex_count() <= few_vertices) return deepest_among_all<Four>(block, direction);
+  return block.gauss_map ? deepest_on_map(block, direction) : walk_to_deepest(block, direction);
 }
 
 }  // namespace halfspace

@@ -23,7 +23,7 @@ class TurnedPolyhedron {
     double *const nx = z + vertices, *const ny = nx + faces, *const nz = ny + faces;
     turn(rotation, given.x, given.y, given.z, vertices, x, y, z);
     turn(rotation, given.nx, given.ny, given.nz, faces, nx, ny, nz);
-    outline_ = {given.topology, x, y, z, nx, ny, nz, given.offset};
+    outline_ = {given.topology, x, y, z, nx, ny, nz, given.offset, nullptr};
   }
   ~TurnedPolyhedron() {
     if (components_ != inline_) memory_->deallocate(components_, bytes(), alignof(double));

@@ -6,6 +6,8 @@
 
 namespace halfspace {
 
+class GaussMap;
+
 /// A convex shape as detection reads it: plain component arrays, relative to the centroid, in some
 /// orientation.
 template <int D>
@@ -73,6 +75,8 @@ struct Outline<3> {
   const double* ny = nullptr;
   const double* nz = nullptr;
   const double* offset = nullptr;
+  /// Of a shape of many vertices in its own orientation; of others there is none.
+  const GaussMap* gauss_map = nullptr;
 
   int vertex_count() const { return topology->vertex_count; }
   int face_count() const { return topology->face_count; }

@@ -41,6 +41,7 @@ Shape<3>::Shape(const Polyhedron& polyhedron, Memory* memory)
     : topology_(polyhedron, memory), components_(memory) {
   measure(polyhedron);
   store(polyhedron);
+  if (vertex_count() > few_vertices) outline_.gauss_map = &gauss_map_.emplace(outline_, memory);
   measure_edges();
   measure_faces();
 }
@@ -89,7 +90,7 @@ void Shape<3>::store(const Polyhedron& polyhedron) {
   double* ny = nx + face_stride;
   double* nz = ny + face_stride;
   double* offset = nz + face_stride;
-  outline_ = {&topology_.view(), x, y, z, nx, ny, nz, offset};
+  outline_ = {&topology_.view(), x, y, z, nx, ny, nz, offset, nullptr};
 
   for (int i = 0; i < vertex_stride; ++i) {
     // Relative to the centroid as it is reported, rounding included: the difference of near numbers is exact,

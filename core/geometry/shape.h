@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
+#include "geometry/gauss_map.h"
 #include "geometry/outline.h"
 #include "geometry/polyhedron.h"
 #include "geometry/polyhedron_topology.h"
@@ -92,7 +94,8 @@ class Shape<3> {
   double largest_face_ = 0;
   TopologyArrays topology_;
   Array<double> components_;  // x, y, z, then nx, ny, nz, offset, each padded
-  Outline<3> outline_;        // into components_ and topology_
+  std::optional<GaussMap> gauss_map_;  // of many vertices
+  Outline<3> outline_;                 // into components_, topology_ and gauss_map_
 };
 
 /// The polyhedron that a shape was made from, in the coordinates that it was made from, to rounding.

@@ -33,12 +33,11 @@ Answer search(const Seen& seen) {
   return {found.gap <= 0, -found.gap, false};
 }
 
-Answer described(const Seen& seen, const halfspace::Outline<3>& turned_b,
-                 const halfspace::Separation<3>& found) {
+Answer described(const Seen& seen, const halfspace::SeenOutline& b, const halfspace::Separation<3>& found) {
   if (found.gap > 0) return {false, -found.gap, false};
   halfspace::PotentialPair<3> pair = found.pair;
   halfspace::Contact<3> contact;
-  describe_contact(seen.a, turned_b, seen.to_b, pair, {}, contact);
+  describe_contact(seen.a, b, seen.to_b, pair, {}, contact);
   return {true, -contact.gap, false};
 }
 
@@ -50,9 +49,7 @@ Answer search_and_describe(const Seen& seen) {
     return described(seen, b.outline(), find_separation_by_all(seen.a, b.outline(), seen.to_b));
   }
   const halfspace::Separation<3> found = find_separation(seen.a, seen.b, seen.to_b, seen.b_in_a);
-  if (found.gap > 0) return {false, -found.gap, false};
-  const halfspace::TurnedPolyhedron b(seen.b, seen.b_in_a, std::pmr::get_default_resource());
-  return described(seen, b.outline(), found);
+  return described(seen, {seen.b, seen.b_in_a}, found);
 }
 
 /// The core itself, without a memory.

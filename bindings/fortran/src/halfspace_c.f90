@@ -579,8 +579,7 @@ module halfspace_c
     end function hs_pair_options_init
 
     !> Are two shapes in contact, and how?
-    !! Returns HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY (polygons of more than 32 vertices,
-    !! polyhedra of more than 64 edges)
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY (polygons of more than 32 vertices)
     function hs_pair_detect(shape_a, pose_a, shape_b, pose_b, options, cache, contact) bind(c)
       import
       type(c_ptr), value :: shape_a  !< the shapes, both of one dimension; the same one twice is legal

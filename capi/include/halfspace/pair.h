@@ -60,8 +60,7 @@ HS_API hs_status hs_pair_options_init(hs_pair_options *options, size_t size);
  *  @param[in,out] cache NULL, or the pair's memory from the last call: makes the answer faster and, in
  *         contact, keeps the plane through which the pair met
  *  @param[in,out] contact receives type, pair, normal, gap, and of a contact its region; the rest stays
- *  @return HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY (polygons of more than 32 vertices, polyhedra
- *          of more than 64 edges) */
+ *  @return HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY (polygons of more than 32 vertices) */
 HS_API hs_status hs_pair_detect(const hs_shape *shape_a, const hs_pose *pose_a, const hs_shape *shape_b,
                                 const hs_pose *pose_b, const hs_pair_options *options, hs_pair_cache *cache,
                                 hs_contact *contact);

@@ -858,8 +858,7 @@ extern "C" {
     ///   keeps the plane through which the pair met
     /// - `contact`: receives type, pair, normal, gap, and of a contact its region; the rest stays
     ///
-    /// Returns HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY (polygons of more than 32 vertices,
-    /// polyhedra of more than 64 edges)
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY (polygons of more than 32 vertices)
     pub fn hs_pair_detect(
         shape_a: *const hs_shape,
         pose_a: *const hs_pose,

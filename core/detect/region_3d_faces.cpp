@@ -1,0 +1,264 @@
+#include "detect/region_3d_faces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "detect/potential_pairs_3d.h"
+#include "detect/region_3d_overlap.h"
+#include "detect/region_3d_plane.h"
+
+namespace halfspace {
+namespace {
+
+/// A face and a vertex behind or before it, seen from the block that owns the face. The plane's origin is the
+/// foot of the vertex.
+struct FaceVertex {
+  const SeenOutline& owner;
+  const SeenOutline& other;
+  Vector<3> to_other;
+  int face;
+  int vertex;
+  Vector<3> normal = owner.normal(face);
+  double gap = (normal.dot(other.vertex(vertex)) + normal.dot(to_other)) - owner.offset[face];
+  PlaneFrame plane = PlaneFrame(normal, (other.vertex(vertex) + to_other) - gap * normal);
+  FlatFace polygon = FlatFace(plane, owner, face, Vector<3>::Zero());
+
+  FaceVertex(const SeenOutline& owner_of_face, const SeenOutline& owner_of_vertex,
+             const Vector<3>& to_vertex_owner, int f, int v)
+      : owner(owner_of_face), other(owner_of_vertex), to_other(to_vertex_owner), face(f), vertex(v) {}
+  FaceVertex(const FaceVertex&) = delete;  // the polygon refers to the plane
+  FaceVertex& operator=(const FaceVertex&) = delete;
+
+  /// How far rounding may put points near the face off in its plane: a few units of what was subtracted.
+  double rounding() const {
+    double reach = to_other.cwiseAbs().maxCoeff();
+    for (int i = 0; i < polygon.count(); ++i)
+      reach = std::max(reach, owner.vertex(polygon.vertex(i)).cwiseAbs().maxCoeff());
+    return 16 * std::numeric_limits<double>::epsilon() * reach;
+  }
+};
+
+/// What of the other block, at the vertex, is nearest to parallel with the plane, and the sine of the angle
+/// between.
+struct Facing {
+  int index;
+  double sine;
+};
+
+Facing facing_face(const FaceVertex& f) {
+  const Topology& topology = *f.other.topology;
+  int best = topology.vertex_face[topology.first_of_vertex[f.vertex]];
+  double most_opposed = HUGE_VAL;
+  for (int k = topology.first_of_vertex[f.vertex]; k < topology.first_of_vertex[f.vertex + 1]; ++k) {
+    const double cosine = f.other.normal(topology.vertex_face[k]).dot(f.normal);
+    if (cosine >= most_opposed) continue;
+    most_opposed = cosine;
+    best = topology.vertex_face[k];
+  }
+  return {best, most_opposed < 0 ? cross_product(f.other.normal(best), f.normal).norm() : 1};
+}
+
+/// Of edges, by the neighbour at the far end.
+Facing facing_edge(const FaceVertex& f) {
+  const Topology& topology = *f.other.topology;
+  const Vector<3> vertex = f.other.vertex(f.vertex);
+  Facing best{topology.vertex_neighbour[topology.first_of_vertex[f.vertex]], HUGE_VAL};
+  for (int k = topology.first_of_vertex[f.vertex]; k < topology.first_of_vertex[f.vertex + 1]; ++k) {
+    const Vector<3> along = f.other.vertex(topology.vertex_neighbour[k]) - vertex;
+    const double climb = f.normal.dot(along), square = climb * climb / along.squaredNorm();
+    best = square < best.sine ? Facing{topology.vertex_neighbour[k], square} : best;
+  }
+  return {best.index, std::sqrt(best.sine)};
+}
+
+/// False when the faces do not overlap.
+bool describe_face_face(const FaceVertex& f, int facing, Contact<3>& contact) {
+  const Vector<3> normal = f.other.normal(facing);
+  // Over the plane the facing face is linear, and it goes through the vertex before the origin.
+  const Vector<2> slope = f.plane.in_plane(normal) / -normal.dot(f.normal);
+  const FaceOverlap overlap =
+      overlap_of(FlatFace(f.plane, f.other, facing, f.to_other), f.polygon, slope, f.rounding());
+  if (overlap.area == 0) return false;
+  contact.type = ContactType::face_face;
+  contact.area = overlap.area;
+  contact.length = 0;
+  contact.gap = f.gap + overlap.lowest;
+  contact.center = f.plane.at(overlap.centroid);
+  contact.center_gap = f.gap + slope.dot(overlap.centroid);
+  contact.point_count = overlap.count;
+  for (int i = 0; i < overlap.count; ++i) {
+    contact.points[i] = f.plane.at(overlap.corner[i]);
+    contact.gaps[i] = f.gap + slope.dot(overlap.corner[i]);
+  }
+  return true;
+}
+
+/// False when the edge does not pass over the face.
+bool describe_edge_face(const FaceVertex& f, int far_vertex, Contact<3>& contact) {
+  const Vector<3> along = f.other.vertex(far_vertex) - f.other.vertex(f.vertex);
+  const Vector<2> end = f.plane.in_plane(along);
+  const SegmentPart part = part_over(f.polygon, Vector<2>::Zero(), end, f.rounding());
+  if (part.from >= part.to) return false;
+  const double climb = f.normal.dot(along);
+  contact.type = ContactType::edge_face;
+  contact.area = 0;
+  contact.length = (part.to - part.from) * end.norm();
+  contact.point_count = 2;
+  const double shares[] = {part.from, part.to};
+  for (int i = 0; i < 2; ++i) {
+    contact.points[i] = f.plane.at(shares[i] * end);
+    contact.gaps[i] = f.gap + shares[i] * climb;
+  }
+  contact.gap = std::min(contact.gaps[0], contact.gaps[1]);
+  contact.center = 0.5 * (contact.points[0] + contact.points[1]);
+  contact.center_gap = 0.5 * (contact.gaps[0] + contact.gaps[1]);
+  return true;
+}
+
+/// Where the foot of the vertex lies by the edge of the face that it is nearest to, or farthest beyond.
+struct Place {
+  int corner = 0;             // the edge goes from this corner of the face
+  double beyond = -HUGE_VAL;  // distance from the edge, outward
+  double zone = 0;            // so near counts as on it
+  double along = 0;           // from the corner
+  double length = 0;          // of the edge
+};
+
+/// `facing_length` is that of the other block's edge that faces the face: on a long plate a share of the
+/// plate's own length would swallow whole grains.
+Place place_of_foot(const FaceVertex& f, double facing_length, const DetectOptions& options) {
+  Place place;
+  for (int i = 0; i < f.polygon.count(); ++i) {
+    const Vector<2> start = f.polygon.corner(i), edge = f.polygon.corner(f.polygon.next(i)) - start;
+    const double length = edge.norm();
+    const double beyond = cross(edge, start) / length;  // of the origin
+    const double zone = options.vertex_zone * std::min(length, facing_length);
+    if (beyond - zone <= place.beyond - place.zone) continue;
+    place = {i, beyond, zone, -edge.dot(start) / length, length};
+  }
+  return place;
+}
+
+/// A vertex of each block meet: the normal is that of the sum of the normals of all potential pairs whose
+/// facets of the Minkowski difference come together there, `f` one of them (section 2.5).
+void describe_vertex_vertex(const FaceVertex& f, int vertex_of_owner, Contact<3>& contact) {
+  const Topology &of_owner = *f.owner.topology, &of_other = *f.other.topology;
+  const auto is_deepest = [](const SeenOutline& block, int vertex, const Vector<3>& normal) {
+    const Topology& t = *block.topology;
+    return std::all_of(
+        t.vertex_neighbour + t.first_of_vertex[vertex], t.vertex_neighbour + t.first_of_vertex[vertex + 1],
+        [&](int neighbour) { return normal.dot(block.vertex(neighbour) - block.vertex(vertex)) >= 0; });
+  };
+  Vector<3> of_faces = f.normal;
+  for (int k = of_owner.first_of_vertex[vertex_of_owner]; k < of_owner.first_of_vertex[vertex_of_owner + 1];
+       ++k) {
+    const int face = of_owner.vertex_face[k];
+    if (face != f.face && is_deepest(f.other, f.vertex, f.owner.normal(face)))
+      of_faces += f.owner.normal(face);
+  }
+  Vector<3> of_faces_of_other = Vector<3>::Zero();
+  for (int k = of_other.first_of_vertex[f.vertex]; k < of_other.first_of_vertex[f.vertex + 1]; ++k) {
+    const Vector<3> normal = f.other.normal(of_other.vertex_face[k]);
+    if (is_deepest(f.owner, vertex_of_owner, normal)) of_faces_of_other -= normal;
+  }
+  Vector<3> of_edges = Vector<3>::Zero();
+  for (int k = of_owner.first_of_vertex[vertex_of_owner]; k < of_owner.first_of_vertex[vertex_of_owner + 1];
+       ++k) {
+    for (int j = of_other.first_of_vertex[f.vertex]; j < of_other.first_of_vertex[f.vertex + 1]; ++j) {
+      const int edge = of_owner.vertex_edge[k], edge_of_other = of_other.vertex_edge[j];
+      if (is_edge_pair(f.owner, edge, f.other, edge_of_other))
+        of_edges += edge_pair_normal(f.owner, edge, f.other, edge_of_other);
+    }
+  }
+  const Vector<3> point = f.owner.vertex(vertex_of_owner);
+  contact.normal = (of_faces + of_faces_of_other + of_edges).normalized();
+  contact.gap = contact.normal.dot((f.other.vertex(f.vertex) - point) + f.to_other);
+  describe_point(ContactType::vertex_vertex, point, contact);
+}
+
+/// The point of the face's border at a share of the length of the edge that the foot lies by.
+Vector<3> point_of_border(const FaceVertex& f, const Place& place, double share) {
+  const Vector<3> start = f.owner.vertex(f.polygon.vertex(place.corner));
+  const Vector<3> end = f.owner.vertex(f.polygon.vertex(f.polygon.next(place.corner)));
+  return start + share * (end - start);
+}
+
+/// A vertex meets an edge: the normal is that of the sum of both half-spaces' normals (section 2.5).
+void describe_vertex_edge(const FaceVertex& f, const Vector<3>& normal_across, const Place& place,
+                          Contact<3>& contact) {
+  const Vector<3> point = point_of_border(f, place, place.along / place.length);
+  contact.normal = (f.normal + normal_across).normalized();
+  contact.gap = contact.normal.dot((f.other.vertex(f.vertex) - point) + f.to_other);
+  describe_point(ContactType::vertex_edge, point, contact);
+}
+
+/// The foot of the vertex lies outside the face: the contact is at the border then, with the face's own
+/// normal and gap. A normal between two faces would find a depth between points that lie apart.
+void describe_border(const FaceVertex& f, const Place& place, Contact<3>& contact) {
+  const double share = place.along / place.length;
+  const bool at_corner = share <= 0 || share >= 1;
+  describe_point(at_corner ? ContactType::vertex_vertex : ContactType::vertex_edge,
+                 point_of_border(f, place, std::clamp(share, 0.0, 1.0)), contact);
+}
+
+/// The region of a face and what is parallel to it of the other block at the vertex: a face, or else an edge.
+/// False when there is none.
+bool describe_region(const FaceVertex& f, const Facing& edge, const DetectOptions& options,
+                     Contact<3>& contact) {
+  contact.normal = f.normal;
+  contact.gap = f.gap;
+  const Facing face = facing_face(f);
+  return (face.sine < options.parallel_angle && describe_face_face(f, face.index, contact)) ||
+         (edge.sine < options.parallel_angle && describe_edge_face(f, edge.index, contact));
+}
+
+}  // namespace
+
+void describe_point(ContactType type, const Vector<3>& point, Contact<3>& contact) {
+  contact.type = type;
+  contact.area = contact.length = 0;
+  contact.point_count = 1;
+  contact.center = contact.points[0] = point;
+  contact.center_gap = contact.gaps[0] = contact.gap;
+}
+
+bool describe_face_region(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
+                          const PotentialPair<3>& pair, const DetectOptions& options, Contact<3>& contact) {
+  const FaceVertex f(a, b, to_b, pair.a, pair.b);
+  return describe_region(f, facing_edge(f), options, contact);
+}
+
+PotentialPair<3> describe_face_vertex(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
+                                      const PotentialPair<3>& pair, const DetectOptions& options,
+                                      Contact<3>& contact) {
+  const FaceVertex f(a, b, to_b, pair.a, pair.b);
+  const Facing edge = facing_edge(f);
+  if (describe_region(f, edge, options, contact)) return pair;
+
+  const double facing_length = (b.vertex(edge.index) - b.vertex(f.vertex)).norm();
+  const Place place = place_of_foot(f, facing_length, options);
+  if (place.beyond < -place.zone) {
+    describe_point(ContactType::vertex_face, f.plane.origin, contact);
+    return pair;
+  }
+  const int edge_of_face = a.topology->face_edge[a.topology->first_of_face[f.face] + place.corner];
+  const Facet across =
+      facet_across(a, b, side_along(*a.topology, 0, f.face, edge_of_face, f.vertex), f.normal);
+  if (place.beyond > place.zone) {
+    // What stands in until the pair has moved, or where it cannot move on: between blocks that touch with
+    // faces in one plane that only meet at their borders.
+    describe_border(f, place, contact);
+    return across.pair;
+  }
+  if (place.along <= place.zone) {
+    describe_vertex_vertex(f, f.polygon.vertex(place.corner), contact);
+  } else if (place.along >= place.length - place.zone) {
+    describe_vertex_vertex(f, f.polygon.vertex(f.polygon.next(place.corner)), contact);
+  } else {
+    describe_vertex_edge(f, across.normal, place, contact);
+  }
+  return pair;
+}
+
+}  // namespace halfspace

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <type_traits>
+
+#include "detect/support.h"
+#include "geometry/outline.h"
+#include "geometry/rotation.h"
+
+namespace halfspace {
+
+/// A polyhedron's outline as it is seen from another frame: its vertices and normals are turned as they are
+/// asked for. A contact has few of them, and blocks may have many.
+class SeenOutline {
+ public:
+  /// In its own frame.
+  SeenOutline(const Outline<3>& outline) : SeenOutline(outline, nullptr) {}
+  /// From the frame into which `rotation` turns; it is read as long as this is.
+  SeenOutline(const Outline<3>& outline, const Rotation<3>& rotation) : SeenOutline(outline, &rotation) {}
+
+  Vector<3> vertex(int i) const { return turned(outline_->vertex(i)); }
+  Vector<3> normal(int f) const { return turned(outline_->normal(f)); }
+
+  /// The vertex that lies deepest along a direction; `hint` is where to look first.
+  Support deepest(const Vector<3>& direction, int hint) const {
+    return halfspace::deepest(*outline_, rotation_ ? rotation_->inverse() * direction : direction, hint);
+  }
+
+  const Topology* topology;
+  const double* offset;
+
+ private:
+  SeenOutline(const Outline<3>& outline, const Rotation<3>* rotation)
+      : topology(outline.topology), offset(outline.offset), outline_(&outline), rotation_(rotation) {}
+  Vector<3> turned(const Vector<3>& v) const { return rotation_ ? *rotation_ * v : v; }
+
+  const Outline<3>* outline_;
+  const Rotation<3>* rotation_;
+};
+
+/// As what a contact is described from: in the plane, blocks are turned as a whole.
+template <int D>
+using Seen = std::conditional_t<D == 3, SeenOutline, Outline<2>>;
+
+}  // namespace halfspace

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "geometry/vector.h"
+
+namespace halfspace {
+
+template <int D>
+struct Outline;
+
+/// Up to this many vertices, to look at all for the deepest is faster than anything else (tests/benchmarks,
+/// bench_pairs_3d).
+constexpr int few_vertices = 48;
+
+/// For every direction, the few vertices of a polyhedron of many that one of them lies deepest along it. The
+/// faces of a cube about the origin are divided into cells; to a cell belongs what lies deepest along some
+/// direction through it: the Gauss map of the polyhedron, on a raster. In the orientation of the outline that
+/// it was made for.
+class GaussMap {
+ public:
+  /// With a quarter as many cells to a face of the cube as there are vertices: more would be slower to read
+  /// from memory than they save.
+  GaussMap(const Outline<3>& outline, Memory* memory);
+
+  /// Of any direction but zero.
+  std::span<const std::int32_t> candidates(const Vector<3>& direction) const {
+    const std::size_t cell = std::size_t(cell_of(direction));
+    const std::int32_t first = first_of_cell_[cell];
+    return {vertices_.data() + first, std::size_t(first_of_cell_[cell + 1] - first)};
+  }
+
+ private:
+  int cell_of(const Vector<3>& direction) const {
+    const double x = std::abs(direction.x()), y = std::abs(direction.y()), z = std::abs(direction.z());
+    const int axis = x >= y ? (x >= z ? 0 : 2) : (y >= z ? 1 : 2);
+    const int u = axis == 0 ? 1 : 0, v = axis == 2 ? 1 : 2;
+    const double scale = 0.5 * cells_ / std::max(std::max(x, y), z);
+    const auto along = [&](int c) { return std::min(int(direction[c] * scale + 0.5 * cells_), cells_ - 1); };
+    const int side = 2 * axis + (direction[axis] < 0 ? 1 : 0);
+    return (side * cells_ + along(u)) * cells_ + along(v);
+  }
+
+  int cells_ = 0;  // along an edge of the cube
+  Array<std::int32_t> first_of_cell_;
+  Array<std::int32_t> vertices_;
+};
+
+}  // namespace halfspace

@@ -1,0 +1,62 @@
+#include "geometry/four_lanes.h"
+
+#include <vector>
+
+#include "catch.h"
+#include "detect/expanding_polytope.h"
+#include "detect/support.h"
+#include "polyhedra.h"
+
+using namespace halfspace;
+using namespace halfspace::test;
+
+namespace {
+
+/// Of what was found with either make of lanes; empty where the processor has no AVX2.
+template <class Work>
+void check_same_with_both(const Work& work) {
+  const auto by_two = work.template operator()<TwiceTwoLanes>();
+#ifdef __x86_64__
+  if (__builtin_cpu_supports("avx2")) CHECK(with_avx2(work) == by_two);
+#endif
+}
+
+/// The depths that a polytope comes to as it takes in points.
+template <class Four>
+[[gnu::always_inline]] inline std::vector<double> depths(const Cloud& points) {
+  std::vector<double> depths;
+  Corner first[4];
+  for (int i = 0; i < 4; ++i) first[i] = {points[std::size_t(i)], i, i};
+  ExpandingPolytope<Four> polytope(first);
+  for (int i = 4; i < int(points.size()); ++i) {
+    polytope.expand({points[std::size_t(i)], i, i});
+    depths.push_back(polytope.nearest().offset);
+    for (int c = 0; c < 3; ++c) depths.push_back(polytope.nearest().normal[c]);
+  }
+  return depths;
+}
+
+}  // namespace
+
+TEST_CASE("the deepest vertex is the same whatever the lanes") {
+  Random random(1);
+  for (const int points : {4, 5, 12, 48}) {
+    const Shape<3> shape = shape_of(hull_of(random_cloud(random, points, 0.9, 1)));
+    for (int i = 0; i < 100; ++i) {
+      const Vector<3> direction = random_direction(random);
+      check_same_with_both([&]<class Four>() {
+        const Support deepest = deepest_among_all<Four>(shape.outline(), direction);
+        return std::pair(deepest.height, deepest.vertex);
+      });
+    }
+  }
+}
+
+TEST_CASE("a polytope expands to the same bits whatever the lanes") {
+  Random random(2);
+  for (int round = 0; round < 20; ++round) {
+    Cloud points = {{-0.1, -0.1, -0.1}, {0.3, 0, 0}, {0, 0.3, 0}, {0, 0, 0.3}};
+    for (const Vector<3>& p : random_cloud(random, 40, 0.5, 1)) points.push_back(p);
+    check_same_with_both([&]<class Four>() { return depths<Four>(points); });
+  }
+}
