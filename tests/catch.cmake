@@ -13,17 +13,17 @@ else()
   target_link_libraries(halfspace_catch INTERFACE halfspace_catch_main)
 endif()
 
-# halfspace_add_test(name [SLOW] SOURCES a.cpp b.cpp LIBRARIES halfspace_core)
+# halfspace_add_test(name [LABEL label] SOURCES a.cpp b.cpp LIBRARIES halfspace_core)
 #
 # One Catch2 executable; each of its cases becomes a CTest test called "name:case". Sources may include
-# "catch.h" and everything else relative to tests/. SLOW puts the CTest label slow on all its cases: they run
-# in release, not with clang or sanitizers.
+# "catch.h" and everything else relative to tests/. LABEL puts a CTest label on all its cases: those with the label
+# slow run in release, not with clang or sanitizers; those with the label threads run with the thread sanitizer.
 function(halfspace_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "SLOW" "" "SOURCES;LIBRARIES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "LABEL" "SOURCES;LIBRARIES")
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} halfspace_catch)
-  if(arg_SLOW)
-    set(label PROPERTIES LABELS slow)
+  if(arg_LABEL)
+    set(label PROPERTIES LABELS ${arg_LABEL})
   endif()
   catch_discover_tests(${name} TEST_PREFIX "${name}:" ${label})
 endfunction()

@@ -130,7 +130,9 @@ hs_status hs_world_get_report(hs_world* world, hs_world_report* report, size_t s
     require_report_size(size, offsetof(hs_world_report, energy) + sizeof(hs_energy));
     w.prepare();  // energies and the time step of a world that has been changed
     const double stable = w.stable_time_step();
-    const hs_world_report ours = {w.steps(),
+    const hs_world_report ours = {D,
+                                  0,
+                                  w.steps(),
                                   w.time(),
                                   w.time_step(),
                                   std::isfinite(stable) ? stable : 0,

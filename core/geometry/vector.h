@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstddef>
 #include <memory_resource>
 #include <vector>
@@ -21,14 +22,14 @@ void make_room_for_one(Array<T>& array) {
   if (array.capacity() == array.size()) array.reserve(2 * array.size() + 1);
 }
 
-/// Capacity near `room` for an array whose entries are not needed any more: more when it is short, less when
-/// most would lie idle.
+/// Capacity near `room`: more when it is short, less when most would lie idle. Entries stay, also when there
+/// is no memory.
 template <class T>
 void refit(Array<T>& array, std::size_t room) {
-  array.clear();
   if (array.capacity() >= room && array.capacity() <= room + room / 4) return;
   Array<T> fitting(array.get_allocator());
-  fitting.reserve(room);
+  fitting.reserve(std::max(room, array.size()));
+  fitting.assign(array.begin(), array.end());
   array.swap(fitting);
 }
 

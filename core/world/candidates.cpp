@@ -68,6 +68,7 @@ void Candidates<D>::search(const Blocks<D>& blocks) {
     boxes_[i].lower.array() -= skin_[i];
     boxes_[i].upper.array() += skin_[i];
   }
+  found_.clear();
   refit(found_, room_);
   search_.search(
       std::span<const Box<D>>(boxes_), [&](std::size_t i) { return blocks.lives(i); },
@@ -84,6 +85,7 @@ void Candidates<D>::sort_found(std::size_t slots) {
   first_of_block_.assign(slots + 1, 0);
   for (const BlockPair& pair : found_) ++first_of_block_[std::size_t(pair.a) + 1];
   for (std::size_t i = 0; i < slots; ++i) first_of_block_[i + 1] += first_of_block_[i];
+  sorted_.clear();
   refit(sorted_, room_);
   sorted_.resize(found_.size());
   for (const BlockPair& pair : found_) sorted_[first_of_block_[std::size_t(pair.a)]++] = pair;
@@ -102,6 +104,8 @@ void Candidates<D>::carry_over(bool with_shear) {
   const auto bonded =
       std::count_if(pairs_.begin(), pairs_.end(), [](const Candidate<D>& pair) { return pair.bonded; });
   const std::size_t most = std::max(room_, sorted_.size() + std::size_t(bonded));
+  next_pairs_.clear();
+  next_shear_.clear();
   refit(next_pairs_, most);
   refit(next_shear_, with_shear ? most : 0);
   const auto keep = [&](const Candidate<D>& pair, const ShearSpring<D>& shear) {

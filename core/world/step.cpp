@@ -150,9 +150,15 @@ bool World<D>::makes_energy() const {
 template <int D>
 StepResult World<D>::prepare() {
   if (!edited_) return StepResult::ok;
+  // Memory of blocks is taken first, that of pairs by detection: contacts are found only when there is all of
+  // it.
+  const std::size_t slots = blocks_.slot_count();
+  contacts_of_.reserve(slots);
+  acceleration_.reserve(slots);
+  momentum_rate_.reserve(slots);
   if (!choose_time_step()) return StepResult::no_time_step;
-  acceleration_.resize(blocks_.slot_count(), Vector<D>::Zero());
-  momentum_rate_.resize(blocks_.slot_count(), Angular<D>::Zero());
+  acceleration_.resize(slots, Vector<D>::Zero());
+  momentum_rate_.resize(slots, Angular<D>::Zero());
   evaluate_forces(0);
   start_ledger();
   edited_ = false;

@@ -95,7 +95,7 @@ TEST_CASE("hs_shape_get_properties: sizes of its report") {
 
 TEST_CASE("hs_world_get_report: sizes of its report") {
   const TwoBoxes scene;
-  check_report<hs_world_report>(scene.context.get(), "hs_world_get_report", 152,
+  check_report<hs_world_report>(scene.context.get(), "hs_world_get_report", 160,
                                 [&](hs_world_report* report, std::size_t size) {
                                   return hs_world_get_report(scene.world.get(), report, size);
                                 });

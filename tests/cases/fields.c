@@ -57,9 +57,12 @@ const Field block_fields[] = {{"position", FIELD_DOUBLE, 3, offsetof(hs_block_st
                               NUMBER(hs_block_state, mass),
                               END_OF_TABLE};
 
-const Field report_fields[] = {INT64(hs_world_report, steps), NUMBER(hs_world_report, time),
+const Field report_fields[] = {INT32(hs_world_report, dimension),
+                               INT64(hs_world_report, steps),
+                               NUMBER(hs_world_report, time),
                                INT64(hs_world_report, contact_count),
-                               NUMBER(hs_world_report, largest_overlap), END_OF_TABLE};
+                               NUMBER(hs_world_report, largest_overlap),
+                               END_OF_TABLE};
 
 const Field energy_fields[] = {NUMBER(hs_energy, kinetic),
                                NUMBER(hs_energy, gravity),

@@ -288,6 +288,8 @@ module halfspace_c
 
   !> The state of a world in numbers. Later versions may append to it.
   type, bind(c) :: hs_world_report
+    integer(c_int32_t) :: dimension = 0  !< 2 or 3
+    integer(c_int32_t) :: reserved = 0  !< 0
     integer(c_int64_t) :: steps = 0  !< done so far
     real(c_double) :: time = 0.0_c_double  !< passed so far
     real(c_double) :: time_step = 0.0_c_double  !< in use
@@ -657,7 +659,7 @@ module halfspace_c
     end function hs_world_set_default_law
 
     !> Sets the law between two materials (either order).
-    !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID or HS_ERROR_OUT_OF_MEMORY
     function hs_world_set_law(world, material_a, material_b, law) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
@@ -689,7 +691,7 @@ module halfspace_c
     end function hs_world_add_block
 
     !> Removes a block; its id becomes stale. The cost grows with the size of the world.
-    !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID or HS_ERROR_OUT_OF_MEMORY
     function hs_world_remove_block(world, block) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
@@ -823,9 +825,9 @@ module halfspace_c
     end function hs_world_forces
 
     !> Steps the world.
-    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_OUT_OF_MEMORY, HS_ERROR_STATE (no time step given and none
-    !! can be derived), or HS_ERROR_UNSTABLE: the world stays at the last good step and can be read, saved or
-    !! restored
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (no time step given and none can be derived), or
+    !! HS_ERROR_OUT_OF_MEMORY or HS_ERROR_UNSTABLE: the world stays at the last good step and can be read,
+    !! saved or restored
     function hs_world_step(world, steps) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL

@@ -190,6 +190,7 @@ contains
     type(halfspace_world_report) :: r
     call s%world%report(r)
     select case (field)
+    case ('dimension'); values = [real(r%dimension, real64)]
     case ('steps'); values = [real(r%steps, real64)]
     case ('time'); values = [r%time]
     case ('contact_count'); values = [real(r%contact_count, real64)]

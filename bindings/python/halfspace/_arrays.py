@@ -99,11 +99,6 @@ def turns_view_of(turns: ArrayLike, dimension: int, name: str) -> Any:
     )
 
 
-def no_view() -> Any:
-    """What the library is not asked for."""
-    return _raw.hs_mutable_view()
-
-
 def vector(values: ArrayLike, name: str) -> Any:
     """Three doubles for C; two are completed by z = 0."""
     array = np.asarray(values, np.float64)

@@ -371,6 +371,8 @@ class hs_world_report(Structure):
     """The state of a world in numbers. Later versions may append to it."""
 
     _fields_ = [
+        ("dimension", c_int32),  # 2 or 3
+        ("reserved", c_int32),  # 0
         ("steps", c_int64),  # done so far
         ("time", c_double),  # passed so far
         ("time_step", c_double),  # in use

@@ -16,7 +16,6 @@ from ._arrays import (
     empty_record,
     index,
     mutable_view_of,
-    no_view,
     pose,
     turn_vector,
     vector,
@@ -25,7 +24,6 @@ from ._library import library
 from .block_arrays import BlockArrays, Floats
 from .constants import BlockKind
 from .context import Context, default_context
-from .errors import ArgumentError
 from .law import Law
 from .shape import Shape
 
@@ -131,13 +129,8 @@ class World(BlockArrays):
             ctypes.byref(pointer),
         )
         world = cls.__new__(cls)
-        world._own(owner, pointer, 2)
-        # Room without a third component is refused in 3D.
-        try:
-            room = np.empty((1, 2))
-            world._call(library.hs_world_get_velocities, mutable_view_of(room, 2, "velocities"), no_view())
-        except ArgumentError:
-            world._dimension = 3
+        world._own(owner, pointer, 0)  # to be asked for
+        world._dimension = int(world.report.dimension)
         return world
 
     def save(self) -> bytes:

@@ -85,6 +85,8 @@ typedef struct hs_energy {
 
 /** The state of a world in numbers. Later versions may append to it. */
 typedef struct hs_world_report {
+  int32_t dimension;         /**< 2 or 3 */
+  int32_t reserved;          /**< 0 */
   int64_t steps;             /**< done so far */
   double time;               /**< passed so far */
   double time_step;          /**< in use */
@@ -126,7 +128,7 @@ HS_API hs_status hs_world_set_default_law(hs_world *world, const hs_law_def *law
 
 /** @brief Sets the law between two materials (either order).
  *  @param world not NULL @param material_a,material_b indices; the same one twice is legal @param law not NULL
- *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID */
+ *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID or HS_ERROR_OUT_OF_MEMORY */
 HS_API hs_status hs_world_set_law(hs_world *world, int32_t material_a, int32_t material_b, const hs_law_def *law);
 
 /** @brief Fills a block definition with its defaults for a shape.
@@ -142,7 +144,7 @@ HS_API hs_status hs_world_add_block(hs_world *world, const hs_shape *shape, cons
 
 /** @brief Removes a block; its id becomes stale. The cost grows with the size of the world.
  *  @param world not NULL @param block id
- *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID */
+ *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID or HS_ERROR_OUT_OF_MEMORY */
 HS_API hs_status hs_world_remove_block(hs_world *world, hs_block block);
 
 /** @brief The ids of all blocks in the order of the block arrays below.
@@ -215,7 +217,7 @@ HS_API hs_status hs_world_forces(hs_world *world, double elapsed, hs_mutable_vie
 /** @brief Steps the world.
  *  @param world not NULL
  *  @param steps >= 0
- *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_OUT_OF_MEMORY, HS_ERROR_STATE (no time step given and none can be derived), or
+ *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (no time step given and none can be derived), or HS_ERROR_OUT_OF_MEMORY or
  *  HS_ERROR_UNSTABLE: the world stays at the last good step and can be read, saved or restored */
 HS_API hs_status hs_world_step(hs_world *world, int64_t steps);
 

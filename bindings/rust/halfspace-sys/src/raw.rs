@@ -520,6 +520,10 @@ const _: () = assert!(std::mem::size_of::<hs_energy>() == 72);
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_world_report {
+    /// 2 or 3
+    pub dimension: i32,
+    /// 0
+    pub reserved: i32,
     /// done so far
     pub steps: i64,
     /// passed so far
@@ -543,7 +547,7 @@ pub struct hs_world_report {
     /// the ledger
     pub energy: hs_energy,
 }
-const _: () = assert!(std::mem::size_of::<hs_world_report>() == 152);
+const _: () = assert!(std::mem::size_of::<hs_world_report>() == 160);
 
 extern "C" {
     /// The fixed text of a status code.
@@ -948,7 +952,7 @@ extern "C" {
     /// - `world`, `law`: not NULL
     /// - `material_a`, `material_b`: indices; the same one twice is legal
     ///
-    /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID or HS_ERROR_OUT_OF_MEMORY
     pub fn hs_world_set_law(
         world: *mut hs_world,
         material_a: i32,
@@ -987,7 +991,7 @@ extern "C" {
     /// - `world`: not NULL
     /// - `block`: id
     ///
-    /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID or HS_ERROR_OUT_OF_MEMORY
     pub fn hs_world_remove_block(world: *mut hs_world, block: hs_block) -> hs_status;
 
     /// The ids of all blocks in the order of the block arrays below.
@@ -1154,9 +1158,9 @@ extern "C" {
     /// - `world`: not NULL
     /// - `steps`: >= 0
     ///
-    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_OUT_OF_MEMORY, HS_ERROR_STATE (no time step given and none
-    /// can be derived), or HS_ERROR_UNSTABLE: the world stays at the last good step and can be read, saved or
-    /// restored
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (no time step given and none can be derived), or
+    /// HS_ERROR_OUT_OF_MEMORY or HS_ERROR_UNSTABLE: the world stays at the last good step and can be read,
+    /// saved or restored
     pub fn hs_world_step(world: *mut hs_world, steps: i64) -> hs_status;
 
     /// Time, time step, counts, energies. After a change of the world it detects and evaluates forces first,

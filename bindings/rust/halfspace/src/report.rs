@@ -31,6 +31,8 @@ pub struct Energy {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Report {
+    /// 2 or 3.
+    pub dimension: usize,
     /// Done so far.
     pub steps: u64,
     /// Passed so far.
@@ -74,6 +76,7 @@ impl From<sys::hs_energy> for Energy {
 impl From<sys::hs_world_report> for Report {
     fn from(raw: sys::hs_world_report) -> Self {
         Self {
+            dimension: raw.dimension as usize,
             steps: raw.steps as u64,
             time: raw.time,
             time_step: raw.time_step,

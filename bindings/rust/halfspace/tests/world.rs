@@ -81,6 +81,7 @@ fn a_restored_world_goes_on_bit_for_bit() -> Result<()> {
     world.step(50)?;
     let mut restored = World::restore(&Context::new()?, &world.save())?;
     assert_eq!(restored.block_count(), 3);
+    assert_eq!(restored.report()?.dimension, 2);
     world.step(50)?;
     restored.step(50)?;
     assert_eq!(world.poses(), restored.poses());

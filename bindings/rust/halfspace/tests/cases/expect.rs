@@ -100,6 +100,7 @@ pub fn of_block(block: &BlockState, field: &str) -> Vec<f64> {
 
 pub fn of_report(report: &Report, field: &str) -> Vec<f64> {
     match field {
+        "dimension" => vec![report.dimension as f64],
         "steps" => vec![report.steps as f64],
         "time" => vec![report.time],
         "contact_count" => vec![report.contact_count as f64],

@@ -1,0 +1,229 @@
+/* Sizes, offsets and values that programs compiled with version 0.1 of the headers rely on, on machines with 64-bit pointers.
+ * Written once, by write_layout, when that version was frozen. Do not regenerate it, and do not mend it: where it does not
+ * compile, a program that is already linked breaks. Definitions and reports may have grown since; nothing else may. */
+#include <halfspace/halfspace.h>
+#include <stddef.h>
+
+#define FIELD(type, field, offset, size) \
+  _Static_assert(offsetof(type, field) == offset && sizeof(((type *)0)->field) == size, #type "." #field)
+
+
+_Static_assert(sizeof(hs_context_def) >= 32, "hs_context_def");
+FIELD(hs_context_def, struct_size, 0, 4);
+FIELD(hs_context_def, reserved, 4, 4);
+FIELD(hs_context_def, allocate, 8, 8);
+FIELD(hs_context_def, release, 16, 8);
+FIELD(hs_context_def, user, 24, 8);
+
+_Static_assert(sizeof(hs_contact) == 488, "hs_contact");
+FIELD(hs_contact, block_a, 0, 8);
+FIELD(hs_contact, block_b, 8, 8);
+FIELD(hs_contact, type, 16, 4);
+FIELD(hs_contact, point_count, 20, 4);
+FIELD(hs_contact, pair_kind, 24, 4);
+FIELD(hs_contact, feature_a, 28, 4);
+FIELD(hs_contact, feature_b, 32, 4);
+FIELD(hs_contact, reserved, 36, 4);
+FIELD(hs_contact, normal, 40, 24);
+FIELD(hs_contact, gap, 64, 8);
+FIELD(hs_contact, area, 72, 8);
+FIELD(hs_contact, length, 80, 8);
+FIELD(hs_contact, center, 88, 24);
+FIELD(hs_contact, center_gap, 112, 8);
+FIELD(hs_contact, points, 120, 192);
+FIELD(hs_contact, gaps, 312, 64);
+FIELD(hs_contact, force, 376, 24);
+FIELD(hs_contact, torque, 400, 24);
+FIELD(hs_contact, force_point, 424, 24);
+FIELD(hs_contact, normal_force, 448, 8);
+FIELD(hs_contact, shear_force, 456, 24);
+FIELD(hs_contact, twist, 480, 8);
+
+_Static_assert(sizeof(hs_law_def) >= 64, "hs_law_def");
+FIELD(hs_law_def, struct_size, 0, 4);
+FIELD(hs_law_def, stiffness_kind, 4, 4);
+FIELD(hs_law_def, normal_stiffness, 8, 8);
+FIELD(hs_law_def, shear_stiffness, 16, 8);
+FIELD(hs_law_def, friction_angle, 24, 8);
+FIELD(hs_law_def, cohesion, 32, 8);
+FIELD(hs_law_def, tensile_strength, 40, 8);
+FIELD(hs_law_def, normal_damping, 48, 8);
+FIELD(hs_law_def, shear_damping, 56, 8);
+
+_Static_assert(sizeof(hs_view) == 40, "hs_view");
+FIELD(hs_view, x, 0, 8);
+FIELD(hs_view, y, 8, 8);
+FIELD(hs_view, z, 16, 8);
+FIELD(hs_view, stride, 24, 8);
+FIELD(hs_view, count, 32, 8);
+
+_Static_assert(sizeof(hs_mutable_view) == 40, "hs_mutable_view");
+FIELD(hs_mutable_view, x, 0, 8);
+FIELD(hs_mutable_view, y, 8, 8);
+FIELD(hs_mutable_view, z, 16, 8);
+FIELD(hs_mutable_view, stride, 24, 8);
+FIELD(hs_mutable_view, count, 32, 8);
+
+_Static_assert(sizeof(hs_pose) == 56, "hs_pose");
+FIELD(hs_pose, position, 0, 24);
+FIELD(hs_pose, rotation, 24, 32);
+
+_Static_assert(sizeof(hs_fault) == 24, "hs_fault");
+FIELD(hs_fault, kind, 0, 4);
+FIELD(hs_fault, reserved, 4, 4);
+FIELD(hs_fault, vertex, 8, 8);
+FIELD(hs_fault, face, 16, 8);
+
+_Static_assert(sizeof(hs_shape_properties) >= 128, "hs_shape_properties");
+FIELD(hs_shape_properties, dimension, 0, 4);
+FIELD(hs_shape_properties, reserved, 4, 4);
+FIELD(hs_shape_properties, vertex_count, 8, 8);
+FIELD(hs_shape_properties, edge_count, 16, 8);
+FIELD(hs_shape_properties, face_count, 24, 8);
+FIELD(hs_shape_properties, volume, 32, 8);
+FIELD(hs_shape_properties, centroid, 40, 24);
+FIELD(hs_shape_properties, second_moment, 64, 48);
+FIELD(hs_shape_properties, bounding_radius, 112, 8);
+FIELD(hs_shape_properties, shortest_edge, 120, 8);
+
+_Static_assert(sizeof(hs_clean_report) == 24, "hs_clean_report");
+FIELD(hs_clean_report, welded, 0, 8);
+FIELD(hs_clean_report, straightened, 8, 8);
+FIELD(hs_clean_report, reversed, 16, 4);
+FIELD(hs_clean_report, reserved, 20, 4);
+
+_Static_assert(sizeof(hs_pair_cache) == 120, "hs_pair_cache");
+FIELD(hs_pair_cache, state, 0, 4);
+FIELD(hs_pair_cache, pair_kind, 4, 4);
+FIELD(hs_pair_cache, feature_a, 8, 4);
+FIELD(hs_pair_cache, feature_b, 12, 4);
+FIELD(hs_pair_cache, shapes, 16, 8);
+FIELD(hs_pair_cache, reach, 24, 8);
+FIELD(hs_pair_cache, normal, 32, 24);
+FIELD(hs_pair_cache, rotation_a, 56, 32);
+FIELD(hs_pair_cache, rotation_b, 88, 32);
+
+_Static_assert(sizeof(hs_pair_options) >= 24, "hs_pair_options");
+FIELD(hs_pair_options, struct_size, 0, 4);
+FIELD(hs_pair_options, reserved, 4, 4);
+FIELD(hs_pair_options, parallel_angle, 8, 8);
+FIELD(hs_pair_options, vertex_zone, 16, 8);
+
+_Static_assert(sizeof(hs_world_def) >= 88, "hs_world_def");
+FIELD(hs_world_def, struct_size, 0, 4);
+FIELD(hs_world_def, dimension, 4, 4);
+FIELD(hs_world_def, gravity, 8, 24);
+FIELD(hs_world_def, time_step, 32, 8);
+FIELD(hs_world_def, safety, 40, 8);
+FIELD(hs_world_def, local_damping, 48, 8);
+FIELD(hs_world_def, mass_damping, 56, 8);
+FIELD(hs_world_def, skin, 64, 8);
+FIELD(hs_world_def, parallel_angle, 72, 8);
+FIELD(hs_world_def, vertex_zone, 80, 8);
+
+_Static_assert(sizeof(hs_block_def) >= 120, "hs_block_def");
+FIELD(hs_block_def, struct_size, 0, 4);
+FIELD(hs_block_def, kind, 4, 4);
+FIELD(hs_block_def, material, 8, 4);
+FIELD(hs_block_def, reserved, 12, 4);
+FIELD(hs_block_def, pose, 16, 56);
+FIELD(hs_block_def, velocity, 72, 24);
+FIELD(hs_block_def, angular_velocity, 96, 24);
+
+_Static_assert(sizeof(hs_block_state) == 176, "hs_block_state");
+FIELD(hs_block_state, kind, 0, 4);
+FIELD(hs_block_state, material, 4, 4);
+FIELD(hs_block_state, pose, 8, 56);
+FIELD(hs_block_state, angle, 64, 8);
+FIELD(hs_block_state, velocity, 72, 24);
+FIELD(hs_block_state, angular_velocity, 96, 24);
+FIELD(hs_block_state, force, 120, 24);
+FIELD(hs_block_state, torque, 144, 24);
+FIELD(hs_block_state, mass, 168, 8);
+
+_Static_assert(sizeof(hs_energy) == 72, "hs_energy");
+FIELD(hs_energy, kinetic, 0, 8);
+FIELD(hs_energy, gravity, 8, 8);
+FIELD(hs_energy, strain, 16, 8);
+FIELD(hs_energy, friction_loss, 24, 8);
+FIELD(hs_energy, contact_damping_loss, 32, 8);
+FIELD(hs_energy, local_damping_loss, 40, 8);
+FIELD(hs_energy, mass_damping_loss, 48, 8);
+FIELD(hs_energy, outer_work, 56, 8);
+FIELD(hs_energy, residual, 64, 8);
+
+_Static_assert(sizeof(hs_world_report) >= 160, "hs_world_report");
+FIELD(hs_world_report, dimension, 0, 4);
+FIELD(hs_world_report, reserved, 4, 4);
+FIELD(hs_world_report, steps, 8, 8);
+FIELD(hs_world_report, time, 16, 8);
+FIELD(hs_world_report, time_step, 24, 8);
+FIELD(hs_world_report, stable_time_step, 32, 8);
+FIELD(hs_world_report, block_count, 40, 8);
+FIELD(hs_world_report, candidate_count, 48, 8);
+FIELD(hs_world_report, contact_count, 56, 8);
+FIELD(hs_world_report, list_builds, 64, 8);
+FIELD(hs_world_report, largest_overlap, 72, 8);
+FIELD(hs_world_report, largest_speed, 80, 8);
+FIELD(hs_world_report, energy, 88, 72);
+
+_Static_assert(HS_OK == 0, "HS_OK");
+_Static_assert(HS_NOTE_TRUNCATED == 1, "HS_NOTE_TRUNCATED");
+_Static_assert(HS_ERROR_ARGUMENT == -1, "HS_ERROR_ARGUMENT");
+_Static_assert(HS_ERROR_GEOMETRY == -2, "HS_ERROR_GEOMETRY");
+_Static_assert(HS_ERROR_STALE_ID == -3, "HS_ERROR_STALE_ID");
+_Static_assert(HS_ERROR_OUT_OF_MEMORY == -4, "HS_ERROR_OUT_OF_MEMORY");
+_Static_assert(HS_ERROR_STATE == -5, "HS_ERROR_STATE");
+_Static_assert(HS_ERROR_UNSTABLE == -6, "HS_ERROR_UNSTABLE");
+_Static_assert(HS_ERROR_FORMAT == -7, "HS_ERROR_FORMAT");
+_Static_assert(HS_ERROR_INTERNAL == -8, "HS_ERROR_INTERNAL");
+
+_Static_assert(HS_CONTACT_NONE == 0, "HS_CONTACT_NONE");
+_Static_assert(HS_CONTACT_VERTEX_VERTEX == 1, "HS_CONTACT_VERTEX_VERTEX");
+_Static_assert(HS_CONTACT_VERTEX_EDGE == 2, "HS_CONTACT_VERTEX_EDGE");
+_Static_assert(HS_CONTACT_EDGE_EDGE == 3, "HS_CONTACT_EDGE_EDGE");
+_Static_assert(HS_CONTACT_EDGE_FACE == 4, "HS_CONTACT_EDGE_FACE");
+_Static_assert(HS_CONTACT_FACE_FACE == 5, "HS_CONTACT_FACE_FACE");
+_Static_assert(HS_CONTACT_VERTEX_FACE == 6, "HS_CONTACT_VERTEX_FACE");
+
+_Static_assert(HS_PAIR_FACE_VERTEX == 0, "HS_PAIR_FACE_VERTEX");
+_Static_assert(HS_PAIR_VERTEX_FACE == 1, "HS_PAIR_VERTEX_FACE");
+_Static_assert(HS_PAIR_EDGE_EDGE == 2, "HS_PAIR_EDGE_EDGE");
+_Static_assert(HS_PAIR_VERTEX_VERTEX == 3, "HS_PAIR_VERTEX_VERTEX");
+
+_Static_assert(HS_CONTACT_POINTS == 8, "HS_CONTACT_POINTS");
+
+_Static_assert(HS_STIFFNESS_PER_CONTACT == 0, "HS_STIFFNESS_PER_CONTACT");
+_Static_assert(HS_STIFFNESS_PER_AREA == 1, "HS_STIFFNESS_PER_AREA");
+
+_Static_assert(HS_FAULT_NONE == 0, "HS_FAULT_NONE");
+_Static_assert(HS_FAULT_TOO_FEW_VERTICES == 1, "HS_FAULT_TOO_FEW_VERTICES");
+_Static_assert(HS_FAULT_NOT_FINITE == 2, "HS_FAULT_NOT_FINITE");
+_Static_assert(HS_FAULT_REPEATED_VERTEX == 3, "HS_FAULT_REPEATED_VERTEX");
+_Static_assert(HS_FAULT_COLLINEAR_VERTEX == 4, "HS_FAULT_COLLINEAR_VERTEX");
+_Static_assert(HS_FAULT_NOT_CONVEX == 5, "HS_FAULT_NOT_CONVEX");
+_Static_assert(HS_FAULT_SELF_CROSSING == 6, "HS_FAULT_SELF_CROSSING");
+_Static_assert(HS_FAULT_ZERO_AREA == 7, "HS_FAULT_ZERO_AREA");
+_Static_assert(HS_FAULT_FEWER_THAN_FOUR == 8, "HS_FAULT_FEWER_THAN_FOUR");
+_Static_assert(HS_FAULT_FACE_TOO_SHORT == 9, "HS_FAULT_FACE_TOO_SHORT");
+_Static_assert(HS_FAULT_NO_SUCH_VERTEX == 10, "HS_FAULT_NO_SUCH_VERTEX");
+_Static_assert(HS_FAULT_VERTEX_TWICE_IN_FACE == 11, "HS_FAULT_VERTEX_TWICE_IN_FACE");
+_Static_assert(HS_FAULT_UNUSED_VERTEX == 12, "HS_FAULT_UNUSED_VERTEX");
+_Static_assert(HS_FAULT_UNMATCHED_EDGE == 13, "HS_FAULT_UNMATCHED_EDGE");
+_Static_assert(HS_FAULT_VERTEX_INSIDE_EDGE == 14, "HS_FAULT_VERTEX_INSIDE_EDGE");
+_Static_assert(HS_FAULT_NOT_ONE_SURFACE == 15, "HS_FAULT_NOT_ONE_SURFACE");
+_Static_assert(HS_FAULT_OUT_OF_RANGE == 16, "HS_FAULT_OUT_OF_RANGE");
+_Static_assert(HS_FAULT_COINCIDING_VERTICES == 17, "HS_FAULT_COINCIDING_VERTICES");
+_Static_assert(HS_FAULT_ZERO_VOLUME == 18, "HS_FAULT_ZERO_VOLUME");
+_Static_assert(HS_FAULT_FACE_WITHOUT_AREA == 19, "HS_FAULT_FACE_WITHOUT_AREA");
+_Static_assert(HS_FAULT_FACE_NOT_PLANE == 20, "HS_FAULT_FACE_NOT_PLANE");
+_Static_assert(HS_FAULT_VERTEX_OUTSIDE_FACE == 21, "HS_FAULT_VERTEX_OUTSIDE_FACE");
+_Static_assert(HS_FAULT_COPLANAR_FACES == 22, "HS_FAULT_COPLANAR_FACES");
+_Static_assert(HS_FAULT_HULL_FAILED == 23, "HS_FAULT_HULL_FAILED");
+_Static_assert(HS_FAULT_NO_DIRECTION == 24, "HS_FAULT_NO_DIRECTION");
+_Static_assert(HS_FAULT_UNBOUNDED == 25, "HS_FAULT_UNBOUNDED");
+_Static_assert(HS_FAULT_NO_COMMON_POINT == 26, "HS_FAULT_NO_COMMON_POINT");
+
+_Static_assert(HS_BLOCK_FIXED == 0, "HS_BLOCK_FIXED");
+_Static_assert(HS_BLOCK_PRESCRIBED == 1, "HS_BLOCK_PRESCRIBED");
+_Static_assert(HS_BLOCK_RIGID == 2, "HS_BLOCK_RIGID");

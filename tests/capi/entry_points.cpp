@@ -1,0 +1,277 @@
+#include "capi/entry_points.h"
+
+namespace halfspace_test {
+namespace {
+
+constexpr double nowhere[3] = {0, 0, 0}, aslant[3] = {1, 2, 0};
+
+hs_mutable_view room(Scene& s, int which) {
+  double(*v)[3] = s.written.vectors[which];
+  return {&v[0][0], &v[0][1], &v[0][2], sizeof v[0], 128};
+}
+
+/// Calls make(&handle) and keeps what it made.
+template <class Owner, class Make>
+hs_status keep(Owner& owner, Make make) {
+  auto* const untouched = reinterpret_cast<typename Owner::pointer>(0x10);
+  typename Owner::pointer made = untouched;
+  const hs_status status = make(&made);
+  if (status == HS_OK) owner.reset(made);
+  if (status != HS_OK && made != untouched) throw std::runtime_error("a failed call wrote a handle");
+  return status;
+}
+
+template <class Def, class Init>
+hs_status fill(Init init) {
+  Def def;
+  return init(&def, sizeof def);
+}
+
+hs_block_def block_def(Scene& s) {
+  hs_block_def def;
+  require_ok(hs_block_def_init(&def, sizeof def, s.round.get()), s.context.get());
+  def.pose.position[1] = 2.5;
+  return def;
+}
+
+void detect(Scene& s) { require_ok(hs_world_detect(s.world.get(), nullptr), s.context.get()); }
+
+/// Contacts and forces are known, and the next step takes the upper block so far that it uses the neighbour
+/// list up.
+void throw_upper(Scene& s) {
+  const double up[3] = {0, 20, 0};
+  require_ok(hs_world_set_velocity(s.world.get(), s.upper, up, nowhere), s.context.get());
+  report_of(s.world.get());
+}
+
+hs_status cut(Scene& s) {
+  return keep(s.made.shapes[0], [&](hs_shape** behind) {
+    return keep(s.made.shapes[1], [&](hs_shape** ahead) {
+      return hs_shape_cut(s.round.get(), nowhere, aslant, behind, ahead);
+    });
+  });
+}
+
+hs_status detect_pairs(Scene& s) {
+  const hs_shape* shapes[2] = {s.box.get(), s.round.get()};
+  const std::int32_t pairs[2] = {0, 1};
+  return hs_pairs_detect(s.context.get(), shapes, s.poses, 2, pairs, 1, nullptr, nullptr, &s.written.contact,
+                         &s.written.counts[0]);
+}
+
+hs_status check_polyhedron(Scene& s) {
+  return hs_polyhedron_check(s.context.get(), view_of(s.solid.vertices), s.solid.faces.sizes.data(), 6,
+                             s.solid.faces.vertices.data(), &s.written.fault);
+}
+
+hs_status create_from_halfspaces(Scene& s) {
+  return keep(s.made.shapes[0], [&](hs_shape** shape) {
+    return hs_polyhedron_create_from_halfspaces(s.context.get(), view_of(s.halfspaces.normals),
+                                                s.halfspaces.offsets.data(), shape);
+  });
+}
+
+/// The first coordinates of the points, as a polygon.
+hs_view polygon(Scene& s) {
+  return {&s.points[0].x, &s.points[0].y, nullptr, sizeof(Point3), std::int64_t(s.points.size())};
+}
+
+}  // namespace
+
+Scene::Scene(int d) : dimension(d) {
+  hs_context* c = context.get();
+  hs_shape* made_round = nullptr;
+  if (d == 2) {
+    for (int i = 0; i < 50; ++i) points.push_back({std::cos(0.1256 * i), std::sin(0.1256 * i), 0});
+    require_ok(hs_polygon_create(c, polygon(*this), &made_round), c);
+    box = make_shape(c, halfspace_test::box(-0.5, -0.5, 0.5, 0.5));
+  } else {
+    Random random(1);
+    points = round_points(random, 60);
+    require_ok(hs_polyhedron_create_hull(c, view_of(points), &made_round), c);
+    box = make_polyhedron(c, solid);
+  }
+  round.reset(made_round);
+  halfspaces = halfspaces_of(make_polyhedron(c, solid).get());
+
+  hs_world_def settings = world_def();
+  settings.dimension = d;
+  world = make_world(c, settings);
+  std::int32_t material = -1;
+  require_ok(hs_world_add_material(world.get(), 1000, &material), c);
+  const hs_law_def law = law_def(1e7, 0.5);
+  require_ok(hs_world_set_default_law(world.get(), &law), c);
+  hs_block_def def;
+  require_ok(hs_block_def_init(&def, sizeof def, box.get()), c);
+  def.kind = HS_BLOCK_FIXED;
+  poses[0] = def.pose;
+  require_ok(hs_world_add_block(world.get(), box.get(), &def, &lower), c);
+  def.kind = HS_BLOCK_RIGID;
+  def.pose.position[0] = 0.1;
+  def.pose.position[1] = 1.4;
+  poses[1] = def.pose;
+  require_ok(hs_world_add_block(world.get(), round.get(), &def, &upper), c);
+  snapshot = saved(world.get());
+
+  std::memset(static_cast<void*>(&written), 0xee, sizeof written);
+  made.context = make_context(&context_def);
+  made.shapes[0] = make_shape(c, halfspace_test::box(0, 0, 1, 1));
+  made.world = make_world(c, settings);
+}
+
+std::vector<EntryPoint> entry_points() {
+  using S = Scene&;
+  return {
+      {"hs_status_string", false, [](S) { return hs_status_string(HS_OK) ? HS_OK : HS_ERROR_INTERNAL; }},
+      {"hs_version", false, [](S) { return hs_version() ? HS_OK : HS_ERROR_INTERNAL; }},
+      {"hs_context_last_error", false,
+       [](S s) { return hs_context_last_error(s.context.get()) ? HS_OK : HS_ERROR_INTERNAL; }},
+
+      {"hs_context_def_init", false, [](S) { return fill<hs_context_def>(hs_context_def_init); }},
+      {"hs_law_def_init", false, [](S) { return fill<hs_law_def>(hs_law_def_init); }},
+      {"hs_pair_options_init", false, [](S) { return fill<hs_pair_options>(hs_pair_options_init); }},
+      {"hs_world_def_init", false, [](S) { return fill<hs_world_def>(hs_world_def_init); }},
+      {"hs_block_def_init", false, [](S s) { return block_def(s), HS_OK; }},
+
+      {"hs_context_create", true,
+       [](S s) {
+         return keep(s.made.context, [&](hs_context** c) { return hs_context_create(&s.context_def, c); });
+       }},
+      {"hs_context_destroy", false, [](S s) { return s.made.context.reset(), HS_OK; }},
+      {"hs_shape_destroy", false, [](S s) { return s.made.shapes[0].reset(), HS_OK; }},
+      {"hs_world_destroy", false, [](S s) { return s.made.world.reset(), HS_OK; }},
+
+      {"hs_polygon_check", true,
+       [](S s) { return hs_polygon_check(s.context.get(), polygon(s), &s.written.fault); }},
+      {"hs_polygon_create", true,
+       [](S s) {
+         const Points corners = halfspace_test::box(0, 0, 2, 1);
+         return keep(s.made.shapes[0], [&](hs_shape** shape) {
+           return hs_polygon_create(s.context.get(), view_of(corners), shape);
+         });
+       }},
+      {"hs_polygon_create_hull", true,
+       [](S s) {
+         return keep(s.made.shapes[0], [&](hs_shape** shape) {
+           return hs_polygon_create_hull(s.context.get(), polygon(s), shape);
+         });
+       }},
+      {"hs_polygon_clean", true,
+       [](S s) {
+         return hs_polygon_clean(s.context.get(), polygon(s), 0, room(s, 0), &s.written.counts[0],
+                                 &s.written.cleaning);
+       }},
+      {"hs_polyhedron_check", true, check_polyhedron},
+      {"hs_polyhedron_create", true,
+       [](S s) {
+         return keep(s.made.shapes[0],
+                     [&](hs_shape** shape) { return create_polyhedron(s.context.get(), s.solid, shape); });
+       }},
+      {"hs_polyhedron_create_hull", true,
+       [](S s) {
+         return keep(s.made.shapes[0], [&](hs_shape** shape) {
+           return hs_polyhedron_create_hull(s.context.get(), view_of(s.solid.vertices), shape);
+         });
+       }},
+      {"hs_polyhedron_create_from_halfspaces", true, create_from_halfspaces},
+      {"hs_shape_cut", true, cut},
+
+      {"hs_shape_get_properties", false,
+       [](S s) {
+         return hs_shape_get_properties(s.round.get(), &s.written.properties, sizeof s.written.properties);
+       }},
+      {"hs_shape_get_vertices", false,
+       [](S s) { return hs_shape_get_vertices(s.round.get(), room(s, 0), &s.written.counts[0]); }},
+      {"hs_shape_get_faces", false,
+       [](S s) {
+         return hs_shape_get_faces(s.round.get(), s.written.indices[0], 512, s.written.indices[1], 512,
+                                   &s.written.counts[0], &s.written.counts[1]);
+       }},
+      {"hs_shape_get_edges", false,
+       [](S s) {
+         return hs_shape_get_edges(s.round.get(), s.written.indices[0], 256, &s.written.counts[0]);
+       }},
+      {"hs_shape_get_halfspaces", false,
+       [](S s) { return hs_shape_get_halfspaces(s.round.get(), room(s, 0), nullptr, &s.written.counts[0]); }},
+
+      {"hs_pair_detect", true,
+       [](S s) {
+         return hs_pair_detect(s.box.get(), &s.poses[0], s.round.get(), &s.poses[1], nullptr, nullptr,
+                               &s.written.contact);
+       }},
+      {"hs_pairs_detect", true, detect_pairs},
+
+      {"hs_world_create", true,
+       [](S s) {
+         hs_world_def def = world_def();
+         def.dimension = s.dimension;
+         return keep(s.made.world,
+                     [&](hs_world** world) { return hs_world_create(s.context.get(), &def, world); });
+       }},
+      {"hs_world_add_material", true,
+       [](S s) { return hs_world_add_material(s.world.get(), 2000, &s.written.indices[0][0]); }},
+      {"hs_world_set_default_law", false,
+       [](S s) {
+         const hs_law_def law = law_def(2e7, 0.1);
+         return hs_world_set_default_law(s.world.get(), &law);
+       }},
+      {"hs_world_set_law", true,
+       [](S s) {
+         const hs_law_def law = law_def(2e7, 0.1);
+         return hs_world_set_law(s.world.get(), 0, 0, &law);
+       }},
+      {"hs_world_add_block", true,
+       [](S s) {
+         const hs_block_def def = block_def(s);
+         return hs_world_add_block(s.world.get(), s.round.get(), &def, &s.written.blocks[0]);
+       }},
+      {"hs_world_remove_block", true, [](S s) { return hs_world_remove_block(s.world.get(), s.lower); }},
+      {"hs_world_get_blocks", false,
+       [](S s) { return hs_world_get_blocks(s.world.get(), s.written.blocks, 4, &s.written.counts[0]); }},
+      {"hs_world_get_block_state", false,
+       [](S s) { return hs_world_get_block_state(s.world.get(), s.upper, &s.written.state); }},
+      {"hs_world_get_block_vertices", false,
+       [](S s) {
+         return hs_world_get_block_vertices(s.world.get(), s.upper, room(s, 0), &s.written.counts[0]);
+       }},
+      {"hs_world_set_pose", false,
+       [](S s) { return hs_world_set_pose(s.world.get(), s.upper, &s.poses[0]); }},
+      {"hs_world_set_velocity", false,
+       [](S s) { return hs_world_set_velocity(s.world.get(), s.upper, aslant, nowhere); }},
+      {"hs_world_set_applied_force", false,
+       [](S s) { return hs_world_set_applied_force(s.world.get(), s.upper, aslant, nowhere); }},
+      {"hs_world_get_poses", false,
+       [](S s) { return hs_world_get_poses(s.world.get(), s.written.poses, 4, &s.written.counts[0]); }},
+      {"hs_world_set_poses", false, [](S s) { return hs_world_set_poses(s.world.get(), s.poses, 2); }},
+      {"hs_world_get_velocities", false,
+       [](S s) { return hs_world_get_velocities(s.world.get(), room(s, 0), room(s, 1)); }},
+      {"hs_world_set_velocities", false,
+       [](S s) {
+         const Points3 velocities = {{0, 0, 0}, {1, 2, 0}};
+         return hs_world_set_velocities(s.world.get(), view_of(velocities), {});
+       }},
+      {"hs_world_detect", true, [](S s) { return hs_world_detect(s.world.get(), &s.written.counts[0]); }},
+      {"hs_world_forces", false,
+       [](S s) { return hs_world_forces(s.world.get(), 0, room(s, 0), room(s, 1)); }, detect},
+      {"hs_world_step", true, [](S s) { return hs_world_step(s.world.get(), 1); }, throw_upper},
+      {"hs_world_get_report", true,
+       [](S s) { return hs_world_get_report(s.world.get(), &s.written.report, sizeof s.written.report); }},
+      {"hs_world_get_contacts", false,
+       [](S s) { return hs_world_get_contacts(s.world.get(), &s.written.contact, 1, &s.written.counts[0]); },
+       detect},
+      {"hs_world_set_shear_force", false,
+       [](S s) { return hs_world_set_shear_force(s.world.get(), s.lower, s.upper, aslant); }, detect},
+      {"hs_world_save", false,
+       [](S s) {
+         return hs_world_save(s.world.get(), s.snapshot.data(), s.snapshot.size(), &s.written.size);
+       }},
+      {"hs_world_restore", true,
+       [](S s) {
+         return keep(s.made.world, [&](hs_world** world) {
+           return hs_world_restore(s.context.get(), s.snapshot.data(), s.snapshot.size(), world);
+         });
+       }},
+  };
+}
+
+}  // namespace halfspace_test

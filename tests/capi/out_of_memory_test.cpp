@@ -1,0 +1,106 @@
+// Every function of the C API, with each of its allocations failing in turn.
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "capi/entry_points.h"
+#include "catch.h"
+
+namespace halfspace_test {
+namespace {
+
+template <class T>
+void append(std::vector<unsigned char>& bytes, const T* values, std::size_t count) {
+  const auto* first = reinterpret_cast<const unsigned char*>(values);
+  bytes.insert(bytes.end(), first, first + count * sizeof(T));
+}
+
+/// What a caller can read of a scene without changing it. Contacts are written whole, states have no padding.
+std::vector<unsigned char> seen(const Scene& scene) {
+  const hs_world* world = scene.world.get();
+  std::vector<unsigned char> bytes;
+  append(bytes, &scene.written, 1);
+  const std::vector<hs_contact> contacts = contacts_of(world);
+  append(bytes, contacts.data(), contacts.size());
+  hs_block blocks[8];
+  std::int64_t count = 0;
+  if (hs_world_get_blocks(world, blocks, 8, &count) != HS_OK) throw std::runtime_error("no blocks");
+  append(bytes, blocks, std::size_t(count));
+  for (std::int64_t i = 0; i < count; ++i) {
+    const hs_block_state state = state_of(world, blocks[i]);
+    append(bytes, &state, 1);
+  }
+  return bytes;
+}
+
+/// All that a call has led to: what is written and the whole state of the world, what it keeps to itself
+/// included.
+using Ending = std::pair<std::vector<unsigned char>, std::vector<unsigned char>>;
+Ending ending(const Scene& scene) { return {seen(scene), saved(scene.world.get())}; }
+
+std::unique_ptr<Scene> scene_for(const EntryPoint& entry, int dimension) {
+  auto scene = std::make_unique<Scene>(dimension);
+  if (entry.arrange) entry.arrange(*scene);
+  return scene;
+}
+
+void check_all_is_given_back(std::unique_ptr<Scene> scene) {
+  scene->made = {};
+  scene->world.reset();
+  scene->round.reset();
+  scene->box.reset();
+  scene->context.reset();
+  CHECK(scene->ledger.bytes_in_use() == 0);
+  CHECK(scene->ledger.mismatches == 0);
+}
+
+/// Fails allocation n of a call, if it comes to that: then nothing may have changed, and the next try does
+/// what the call does undisturbed. Was there an allocation n?
+bool survives_failure(const EntryPoint& entry, int dimension, long n, const Ending& expected) {
+  std::unique_ptr<Scene> scene = scene_for(entry, dimension);
+  const std::vector<unsigned char> before = seen(*scene);
+  scene->ledger.fail_at = scene->ledger.allocations + n;
+  const hs_status status = entry.call(*scene);
+  const bool failed = scene->ledger.allocations > scene->ledger.fail_at;
+  CHECK(status == (failed ? HS_ERROR_OUT_OF_MEMORY : HS_OK));
+  if (failed) {
+    const bool unchanged = seen(*scene) == before;
+    CHECK(unchanged);
+    CHECK(entry.call(*scene) == HS_OK);
+  }
+  const bool ends_the_same = ending(*scene) == expected;
+  CHECK(ends_the_same);
+  check_all_is_given_back(std::move(scene));
+  return failed;
+}
+
+}  // namespace
+
+TEST_CASE("every exported function is among the entry points") {
+  std::vector<std::string> called;
+  for (const EntryPoint& entry : entry_points()) called.push_back(entry.name);
+  std::sort(called.begin(), called.end());
+  std::ifstream ledger(HALFSPACE_SYMBOLS);
+  const std::vector<std::string> exported{std::istream_iterator<std::string>(ledger),
+                                          std::istream_iterator<std::string>()};
+  CHECK(called == exported);
+}
+
+TEST_CASE("any allocation of any function may fail") {
+  const int dimension = GENERATE(2, 3);
+  for (const EntryPoint& entry : entry_points()) {
+    const std::unique_ptr<Scene> undisturbed = scene_for(entry, dimension);
+    REQUIRE(entry.call(*undisturbed) == HS_OK);
+    const Ending expected = ending(*undisturbed);
+    long n = 0;
+    for (bool failed = true; failed; ++n) {
+      INFO(entry.name << " in " << dimension << "D, allocation " << n << " fails");
+      failed = survives_failure(entry, dimension, n, expected);
+    }
+    INFO(entry.name << " in " << dimension << "D: " << n - 1 << " allocations");
+    CHECK((n > 1) == entry.allocates);
+  }
+}
+
+}  // namespace halfspace_test
