@@ -155,7 +155,7 @@ template <class Four, class Turn>
 [[gnu::always_inline]] inline bool is_behind_plane(const MinkowskiDifference<Turn>& difference,
                                                    Separation<3>& plane, Simplex& simplex) {
   Vector<3> direction = difference.to_b();
-  if (direction == Vector<3>::Zero()) direction = {1, 0, 0};
+  if (direction.squaredNorm() == 0) direction = {1, 0, 0};  // too short to have a length
   double distance = HUGE_VAL;
   Corner c = difference.template deepest_along<Four>(direction);
   for (;;) {
@@ -194,7 +194,7 @@ Separation<3> refined(const MinkowskiDifference<Turn>& difference, const Separat
   return best;
 }
 
-/// Of blocks between which no plane was found. Where rounding has hidden it, the gap found is above 0.
+/// Of blocks between which no plane was found. Where rounding has hidden it, the gap found may be above 0.
 template <class Four, class Turn>
 [[gnu::always_inline]] inline Separation<3> least_depth(const MinkowskiDifference<Turn>& difference,
                                                         const Simplex& around_origin) {
@@ -205,8 +205,9 @@ template <class Four, class Turn>
     const bool is_facet = facet.normal.dot(c.at) - facet.offset <= polytope.rounding();
     if (is_facet || !polytope.expand(c)) {
       const Separation<3> found = pair_at(difference, facet, polytope);
-      constexpr double may_hide_the_verdict = 1e8;  // of a sliver, times the rounding of its corners
-      return found.gap > -may_hide_the_verdict * polytope.rounding() ? refined(difference, found) : found;
+      constexpr double may_be_turned = 1e8;  // how far a sliver's plane may be off, in its corners' rounding
+      const bool is_final = is_facet && found.gap <= -may_be_turned * polytope.rounding();
+      return is_final ? found : refined(difference, found);
     }
   }
 }

@@ -91,8 +91,10 @@ class ExpandingPolytope {
   }
   [[gnu::always_inline]] void find_visible(const Vector<3>& from, Visible& visible);
   [[gnu::always_inline]] void find_horizon(const Visible& visible, Horizon& horizon) const;
+  bool is_closed(const Horizon& horizon) const;
   [[gnu::always_inline]] void put_fan(const Edge* edges, int count, int tip, const int* places,
                                       Distance& nearest);
+  void forget_facet(int f);
   [[gnu::always_inline]] void forget_four_facets(int first);
 
   double at_[most_corners][4];  // three, and one so that no corner straddles lines of the cache
@@ -172,7 +174,14 @@ inline void ExpandingPolytope<Four>::put_fan(const Edge* edges, int count, int t
   }
 }
 
-/// Never the nearest from now on, and nothing lies beyond them.
+/// Never the nearest from now on, and nothing lies beyond it.
+template <class Four>
+inline void ExpandingPolytope<Four>::forget_facet(int f) {
+  nx_[f] = ny_[f] = nz_[f] = 0;
+  offset_[f] = HUGE_VAL;
+}
+
+/// Places in which there is no facet yet.
 template <class Four>
 inline void ExpandingPolytope<Four>::forget_four_facets(int first) {
   put_four_at(nx_ + first, all_four<Four>(0));
@@ -222,6 +231,20 @@ inline void ExpandingPolytope<Four>::find_horizon(const Visible& visible, Horizo
   }
 }
 
+/// Rounding may tear the surface: then edges do not follow one another around it.
+template <class Four>
+inline bool ExpandingPolytope<Four>::is_closed(const Horizon& horizon) const {
+  std::uint64_t starts[most_corners / 64] = {}, ends[most_corners / 64] = {};
+  bool is_pinched = false;
+  for (int i = 0; i < horizon.count; ++i) {
+    const auto [from, to] = horizon.edges[i];
+    is_pinched |= starts[from / 64] >> from % 64 & 1;
+    starts[from / 64] |= std::uint64_t(1) << from % 64;
+    ends[to / 64] |= std::uint64_t(1) << to % 64;
+  }
+  return !is_pinched && std::equal(starts, starts + most_corners / 64, ends);
+}
+
 /// The visible facets make room for those between the horizon and the new corner.
 template <class Four>
 inline bool ExpandingPolytope<Four>::expand(const Corner& c) {
@@ -230,10 +253,11 @@ inline bool ExpandingPolytope<Four>::expand(const Corner& c) {
   Horizon horizon;
   find_horizon(visible, horizon);
   const int added = horizon.count - horizon.place_count;
-  // As long as rounding does not tear the surface, a corner adds two facets, and there are facets enough for
-  // all corners.
-  if (horizon.count == 0 || added < 0 || facet_count_ + added > most_facets || corner_count_ == most_corners)
+  if (horizon.count == 0 || !is_closed(horizon) || corner_count_ == most_corners ||
+      facet_count_ + added > most_facets)
     return false;
+  // One corner adds two facets; one that swallows others leaves places over.
+  for (int i = horizon.count; i < horizon.place_count; ++i) forget_facet(horizon.places[i]);
   for (int i = 0; i < added; ++i) horizon.places[horizon.place_count++] = facet_count_++;
   forget_four_facets(facet_count_);
   for (int i = 0; i < lanes; ++i) horizon.edges[horizon.count + i] = horizon.edges[0];

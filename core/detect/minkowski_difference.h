@@ -1,5 +1,7 @@
 #pragma once
 
+#include <type_traits>
+
 #include "detect/seen_outline.h"
 
 namespace halfspace {

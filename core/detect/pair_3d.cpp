@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "detect/potential_pairs_3d.h"
+#include "detect/support.h"
 
 namespace halfspace {
 namespace {

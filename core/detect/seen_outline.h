@@ -12,10 +12,11 @@ namespace halfspace {
 /// asked for. A contact has few of them, and blocks may have many.
 class SeenOutline {
  public:
-  /// In its own frame.
+  /// In its own frame. The outline must live as long.
   SeenOutline(const Outline<3>& outline) : SeenOutline(outline, nullptr) {}
-  /// From the frame into which `rotation` turns; it is read as long as this is.
+  /// From the frame into which `rotation` turns, which must live as long, too.
   SeenOutline(const Outline<3>& outline, const Rotation<3>& rotation) : SeenOutline(outline, &rotation) {}
+  SeenOutline(const Outline<3>& outline, Rotation<3>&& rotation) = delete;
 
   Vector<3> vertex(int i) const { return turned(outline_->vertex(i)); }
   Vector<3> normal(int f) const { return turned(outline_->normal(f)); }

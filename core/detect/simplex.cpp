@@ -68,8 +68,9 @@ void Simplex::add(const Corner& c) {
   if (count == 2) found = on_triangle(c.at, to[0], to[1], 0, 1);
   if (count == 3) found = in_tetrahedron(c.at, to);
   nearest = found.point;
-  const Corner others[] = {corner[found.other[0]], corner[found.other[1]], corner[found.other[2]]};
-  std::copy_n(others, 3, corner);
+  Corner others[3];
+  for (int i = 0; i < found.count; ++i) others[i] = corner[found.other[i]];
+  std::copy_n(others, found.count, corner);
   corner[found.count] = c;
   count = found.count + 1;
 }

@@ -82,11 +82,13 @@ template <class Four>
   return signs(low_half(a)) | signs(high_half(a)) << 2;
 }
 
+#ifdef __x86_64__
 /// Does what it is given compiled for AVX2, with what it calls inlined.
 template <class Work>
 [[gnu::target("avx2"), gnu::flatten]] inline auto with_avx2(const Work& work) {
   return work.template operator()<FourLanes>();
 }
+#endif
 
 /// Does work, a function template of the make of lanes, with the one that suits the processor.
 template <class Work>

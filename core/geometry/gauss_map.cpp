@@ -1,5 +1,9 @@
 #include "geometry/gauss_map.h"
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include "geometry/outline.h"
 
 namespace halfspace {

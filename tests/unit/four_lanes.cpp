@@ -12,7 +12,7 @@ using namespace halfspace::test;
 
 namespace {
 
-/// Of what was found with either make of lanes; empty where the processor has no AVX2.
+/// What is found with either make of lanes. Checks nothing where the processor has no AVX2.
 template <class Work>
 void check_same_with_both(const Work& work) {
   const auto by_two = work.template operator()<TwiceTwoLanes>();

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "catch.h"
+#include "detect/separation_3d.h"
 #include "detect/support.h"
 #include "polyhedra.h"
 
@@ -68,6 +70,35 @@ TEST_CASE("a Gauss map knows the deepest vertex along any direction") {
   for (const double height : {1e-3, 1.0, 1e3}) {
     INFO("a prism " << height << " high");
     check_map(prism(40, height), random);
+  }
+}
+
+TEST_CASE("a Gauss map has candidates for what is no direction") {
+  Random random(3);
+  for (const int points : {200, 300}) {  // an odd and an even number of cells
+    const Shape<3> shape = shape_of(hull_of(random_cloud(random, points, 0.99, 1)));
+    const GaussMap map(shape.outline(), std::pmr::get_default_resource());
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    for (const double length : {0.0, 5e-324, 1e-310, infinite, std::numeric_limits<double>::quiet_NaN()}) {
+      for (int axis = 0; axis < 3; ++axis) {
+        for (const double sign : {1.0, -1.0}) {
+          const auto candidates = map.candidates(sign * length * Vector<3>::Unit(axis));
+          REQUIRE_FALSE(candidates.empty());
+          CHECK(candidates[0] < shape.vertex_count());
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("blocks of many vertices all but in one place overlap") {
+  Random random(4);
+  const Shape<3> shape = shape_of(hull_of(random_cloud(random, 300, 0.99, 1)));
+  for (const double distance : {0.0, 5e-324, 1e-310, 1e-200}) {
+    const Separation<3> found =
+        find_separation(shape.outline(), shape.outline(), distance * Vector<3>::UnitX(), Rotation<3>());
+    CHECK(found.gap < -1);
+    CHECK(found.gap > -2);
   }
 }
 
