@@ -88,10 +88,11 @@ class ExpandingPolytope {
     at_[i][2] = c.at.z();
     vertex_of_a_[i] = c.a;
     vertex_of_b_[i] = c.b;
+    last_horizon_[i] = i;
   }
   [[gnu::always_inline]] void find_visible(const Vector<3>& from, Visible& visible);
   [[gnu::always_inline]] void find_horizon(const Visible& visible, Horizon& horizon) const;
-  bool is_closed(const Horizon& horizon) const;
+  bool is_pinched(const Horizon& horizon);
   [[gnu::always_inline]] void put_fan(const Edge* edges, int count, int tip, const int* places,
                                       Distance& nearest);
   void forget_facet(int f);
@@ -99,6 +100,7 @@ class ExpandingPolytope {
 
   double at_[most_corners][4];  // three, and one so that no corner straddles lines of the cache
   int vertex_of_a_[most_corners], vertex_of_b_[most_corners];
+  int last_horizon_[most_corners];  // that a corner was on: that of the corner of this index
   Triangle triangles_[most_facets];
   // Planes of the facets, read four at a time.
   double nx_[most_facets + lanes], ny_[most_facets + lanes], nz_[most_facets + lanes],
@@ -231,18 +233,17 @@ inline void ExpandingPolytope<Four>::find_horizon(const Visible& visible, Horizo
   }
 }
 
-/// Rounding may tear the surface: then edges do not follow one another around it.
+/// Rounding may tear the surface: then the horizon comes to a corner twice, and edges would have more than
+/// two facets.
 template <class Four>
-inline bool ExpandingPolytope<Four>::is_closed(const Horizon& horizon) const {
-  std::uint64_t starts[most_corners / 64] = {}, ends[most_corners / 64] = {};
+inline bool ExpandingPolytope<Four>::is_pinched(const Horizon& horizon) {
   bool is_pinched = false;
   for (int i = 0; i < horizon.count; ++i) {
-    const auto [from, to] = horizon.edges[i];
-    is_pinched |= starts[from / 64] >> from % 64 & 1;
-    starts[from / 64] |= std::uint64_t(1) << from % 64;
-    ends[to / 64] |= std::uint64_t(1) << to % 64;
+    int& last = last_horizon_[horizon.edges[i].from];
+    is_pinched |= last == corner_count_;
+    last = corner_count_;
   }
-  return !is_pinched && std::equal(starts, starts + most_corners / 64, ends);
+  return is_pinched;
 }
 
 /// The visible facets make room for those between the horizon and the new corner.
@@ -253,7 +254,7 @@ inline bool ExpandingPolytope<Four>::expand(const Corner& c) {
   Horizon horizon;
   find_horizon(visible, horizon);
   const int added = horizon.count - horizon.place_count;
-  if (horizon.count == 0 || !is_closed(horizon) || corner_count_ == most_corners ||
+  if (horizon.count == 0 || is_pinched(horizon) || corner_count_ == most_corners ||
       facet_count_ + added > most_facets)
     return false;
   // One corner adds two facets; one that swallows others leaves places over.
