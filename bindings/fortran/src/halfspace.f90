@@ -5,7 +5,8 @@
 !! - Everything is counted from 1: vertices, faces, edges, materials, bodies. Texts of errors come from the library
 !!   and count from 0.
 !! - stat= receives 0, a note > 0 (HS_NOTE_TRUNCATED) or an error < 0, and errmsg= its text, as with allocate.
-!!   Without stat=, both stop the program with the text. After an error nothing has changed.
+!!   Without stat=, both stop the program with the text. After an error nothing has changed but the contacts of
+!!   halfspace_detect_pairs().
 !! - halfspace_context, halfspace_shape and halfspace_world own what they name and end it when the last copy goes
 !!   out of scope. Assignment shares.
 !! - A context and everything made from it belong to one thread at a time.

@@ -3,7 +3,7 @@ module halfspace_checks
   use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t, c_loc
   use halfspace_c, halfspace_clean_report => hs_clean_report, halfspace_fault => hs_fault
   use halfspace_contexts, only: halfspace_context, own_or_given
-  use halfspace_errors, only: conclude
+  use halfspace_errors, only: conclude, had_memory
   use halfspace_handles, only: shared_handle
   use halfspace_shapes, only: list_from_0
   use halfspace_views, only: are_points, mutable_view, view
@@ -77,13 +77,19 @@ contains
     type(hs_view) :: found
     type(halfspace_clean_report), target :: changes
     real(c_double), allocatable, target :: remaining(:,:)
+    real(c_double), allocatable :: kept(:,:)
+    integer :: failure
     if (.not. are_points(vertices, 'vertices', rows, stat, errmsg)) return
     if (.not. own_or_given(context, owner, stat, errmsg)) return
     found = view(vertices, rows)
-    allocate (remaining(2, found%count))
+    allocate (remaining(2, found%count), stat=failure)
+    if (.not. had_memory(failure, stat, errmsg)) return
     status = hs_polygon_clean(owner%object(), found, tolerance, mutable_view(remaining), count, c_loc(changes))
     if (status == HS_OK) then
-      cleaned = remaining(:, :count)
+      allocate (kept(2, count), stat=failure)
+      if (.not. had_memory(failure, stat, errmsg)) return
+      kept = remaining(:, :count)
+      call move_alloc(kept, cleaned)
       if (present(report)) report = changes
     end if
     call conclude(status, owner%context(), stat, errmsg)

@@ -2,7 +2,7 @@
 module halfspace_contexts
   use, intrinsic :: iso_c_binding, only: c_f_pointer, c_funloc, c_int32_t, c_loc, c_ptr, c_size_t, c_sizeof
   use halfspace_c
-  use halfspace_errors, only: conclude, refuse, text_at
+  use halfspace_errors, only: conclude, had_memory, refuse, text_at
   use halfspace_handles, only: shared_handle
   implicit none
   private
@@ -66,10 +66,12 @@ contains
     type(c_ptr) :: object
     class(*), pointer :: companion
     integer(c_int32_t) :: status
+    integer :: failure
     nullify (companion)
     status = hs_context_def_init(def, c_sizeof(def))
     if (present(allocator)) then
-      allocate (link)
+      allocate (link, stat=failure)
+      if (.not. had_memory(failure, stat, errmsg)) return
       link%allocator => allocator
       companion => link
       def%allocate = c_funloc(allocate_through)
@@ -78,7 +80,7 @@ contains
     end if
     status = hs_context_create(c_loc(def), object)
     if (status == HS_OK) then
-      call self%handle%take(object, hs_context_destroy, companion=companion)
+      if (.not. self%handle%takes(object, hs_context_destroy, companion=companion, stat=stat, errmsg=errmsg)) return
       call conclude(status, self%handle%context(), stat, errmsg)
     else
       if (associated(companion)) deallocate (companion)

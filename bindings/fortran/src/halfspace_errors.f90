@@ -3,10 +3,10 @@
 module halfspace_errors
   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_int32_t, c_ptr, c_size_t
   use, intrinsic :: iso_fortran_env, only: error_unit
-  use halfspace_c, only: hs_context_last_error, hs_status_string, HS_ERROR_ARGUMENT, HS_OK
+  use halfspace_c, only: hs_context_last_error, hs_status_string, HS_ERROR_ARGUMENT, HS_ERROR_OUT_OF_MEMORY, HS_OK
   implicit none
   private
-  public :: conclude, refuse, text_at
+  public :: conclude, had_memory, refuse, text_at
 
   interface
     function strlen(text) bind(c)
@@ -40,6 +40,15 @@ contains
     if (present(stat)) stat = refusal
     call tell(refusal, text, present(stat), errmsg)
   end subroutine refuse
+
+  !> Did allocate with stat=failure find memory? If not, the call ends here.
+  logical function had_memory(failure, stat, errmsg)
+    integer, intent(in) :: failure
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    had_memory = failure == 0
+    if (.not. had_memory) call refuse('there is no memory for the result', stat, errmsg, HS_ERROR_OUT_OF_MEMORY)
+  end function had_memory
 
   subroutine tell(status, text, handled, errmsg)
     integer(c_int32_t), intent(in) :: status

@@ -1,8 +1,9 @@
 !> Owners of C objects. All copies of an owner name one object, which ends with the last of them; a context
 !! ends after everything that was made from it, in whichever order the compiler finalizes.
 module halfspace_handles
-  use, intrinsic :: iso_c_binding, only: c_intptr_t, c_loc, c_null_ptr, c_ptr
+  use, intrinsic :: iso_c_binding, only: c_associated, c_intptr_t, c_loc, c_null_ptr, c_ptr
   use halfspace_c, only: hs_shape_destroy
+  use halfspace_errors, only: had_memory
   implicit none
   private
   public :: shared_handle
@@ -24,7 +25,7 @@ module halfspace_handles
     !! no reference, and knows it by its place.
     integer(c_intptr_t) :: home = 0
   contains
-    procedure :: take
+    procedure :: takes
     procedure :: drop
     procedure :: owns
     procedure :: object
@@ -38,24 +39,45 @@ module halfspace_handles
 
 contains
 
-  !> Becomes the first owner of an object.
-  subroutine take(self, object, destroy, origin, companion)
+  !> Becomes the first owner of an object, and holds nothing if that is NULL. Without memory to keep account of it,
+  !! the object and its companion are ended, and self stays what it was.
+  logical function takes(self, object, destroy, origin, companion, stat, errmsg)
     class(shared_handle), intent(inout) :: self
     type(c_ptr), intent(in) :: object
     procedure(hs_shape_destroy) :: destroy
     type(shared_handle), intent(in), optional :: origin  !< the object's context, or another object made from it
     class(*), pointer, intent(in), optional :: companion
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(object_record), pointer :: record
+    class(*), pointer :: unwanted
+    integer :: failure
+    takes = .true.
+    if (.not. c_associated(object)) then
+      call self%drop()
+      return
+    end if
+    allocate (record, stat=failure)
+    if (failure /= 0) then
+      call destroy(object)
+      nullify (unwanted)
+      if (present(companion)) unwanted => companion
+      if (associated(unwanted)) deallocate (unwanted)
+      takes = had_memory(failure, stat, errmsg)
+      return
+    end if
+    record%object = object
+    record%destroy => destroy
+    if (present(companion)) record%companion => companion
+    if (present(origin)) then
+      record%context => origin%record
+      if (associated(origin%record%context)) record%context => origin%record%context
+      record%context%references = record%context%references + 1
+    end if
     call self%drop()
-    allocate (self%record)
+    self%record => record
     self%home = place_of(self)
-    self%record%object = object
-    self%record%destroy => destroy
-    if (present(companion)) self%record%companion => companion
-    if (.not. present(origin)) return
-    self%record%context => origin%record
-    if (associated(origin%record%context)) self%record%context => origin%record%context
-    self%record%context%references = self%record%context%references + 1
-  end subroutine take
+  end function takes
 
   !> Holds nothing afterwards.
   impure elemental subroutine drop(self)
@@ -112,10 +134,12 @@ contains
   impure elemental subroutine share(self, other)
     class(shared_handle), intent(inout) :: self
     class(shared_handle), intent(in) :: other
-    if (associated(other%record)) other%record%references = other%record%references + 1
+    type(object_record), pointer :: record
+    record => other%record  ! both may be one handle, which drop() empties
+    if (associated(record)) record%references = record%references + 1
     call self%drop()
-    self%record => other%record
-    if (associated(other%record)) self%home = place_of(self)
+    self%record => record
+    if (associated(record)) self%home = place_of(self)
   end subroutine share
 
   impure elemental subroutine finish(self)

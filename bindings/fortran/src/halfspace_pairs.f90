@@ -5,8 +5,8 @@ module halfspace_pairs
   use halfspace_c
   use halfspace_contacts, only: count_features_from_1, halfspace_contact
   use halfspace_definitions, only: halfspace_pose
-  use halfspace_errors, only: conclude, refuse
-  use halfspace_shapes, only: context_of, halfspace_shape, handles_of
+  use halfspace_errors, only: conclude, had_memory, refuse
+  use halfspace_shapes, only: context_of, halfspace_shape, handle_of
   use halfspace_views, only: address_of
   implicit none
   private
@@ -42,7 +42,7 @@ contains
     real(c_double), intent(in), optional :: vertex_zone  !< [0, 0.5]: how near its end an edge is a vertex
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    type(c_ptr) :: memory
+    type(c_ptr) :: context, memory
     type(hs_pair_options), target :: options
     integer(c_int32_t) :: status
     memory = c_null_ptr
@@ -53,7 +53,9 @@ contains
       call count_features_from_1(contact)
       if (present(stat)) stat = status
     else
-      call conclude(status, context_of(shape_a), stat, errmsg)
+      context = c_null_ptr
+      if (shape_a%exists()) context = context_of(shape_a)
+      call conclude(status, context, stat, errmsg)
     end if
   end subroutine halfspace_detect_pair
 
@@ -74,6 +76,7 @@ contains
     type(hs_pair_options), target :: options
     type(c_ptr) :: context, memory
     integer(c_int32_t) :: status
+    integer :: failure
     if (.not. fit(size(shapes), size(poses), pairs, size(contacts), stat, errmsg)) return
     memory = c_null_ptr
     if (present(caches)) then
@@ -88,7 +91,9 @@ contains
     status = HS_OK
     if (size(shapes) > 0) then
       context = context_of(shapes(1))
-      handles = handles_of(shapes)
+      allocate (handles(size(shapes)), from_0(2, size(contacts)), stat=failure)
+      if (.not. had_memory(failure, stat, errmsg)) return
+      handles = handle_of(shapes)
       from_0 = pairs - 1
       status = hs_pairs_detect(context, c_loc(handles), c_loc(poses), size(shapes, kind=c_int64_t), c_loc(from_0), &
                                size(contacts, kind=c_int64_t), options_of(options, parallel_angle, vertex_zone), &
@@ -98,14 +103,15 @@ contains
     call conclude(status, context, stat, errmsg)
   end subroutine halfspace_detect_pairs
 
-  !> Are the arrays of one length each for bodies and pairs?
+  !> Are the arrays of one length each for bodies and pairs, and are there bodies if there are pairs?
   logical function fit(shape_count, pose_count, pairs, contact_count, stat, errmsg)
     integer, intent(in) :: shape_count, pose_count, contact_count
     integer(c_int32_t), intent(in) :: pairs(:,:)
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     character(120) :: text
-    fit = pose_count == shape_count .and. size(pairs, 1) == 2 .and. size(pairs, 2) == contact_count
+    fit = pose_count == shape_count .and. size(pairs, 1) == 2 .and. size(pairs, 2) == contact_count &
+      .and. (shape_count > 0 .or. contact_count == 0)
     if (fit) return
     write (text, '("there are ", i0, " shapes and ", i0, " poses, ", i0, " x ", i0, " pairs and ", i0, " contacts")') &
       shape_count, pose_count, shape(pairs), contact_count

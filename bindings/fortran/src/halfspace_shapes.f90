@@ -6,15 +6,15 @@
 !! Points are columns, x(2,n) or x(3,n); with rows = .true. they are rows, x(n,2) or x(n,3). Sections of arrays
 !! are read where they are. A shape that is given no context makes one of its own.
 module halfspace_shapes
-  use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t, c_loc, c_null_ptr, c_ptr, c_associated, c_sizeof
+  use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t, c_loc, c_null_ptr, c_ptr, c_sizeof
   use halfspace_c, halfspace_shape_properties => hs_shape_properties
   use halfspace_contexts, only: halfspace_context, own_or_given
-  use halfspace_errors, only: conclude, refuse
+  use halfspace_errors, only: conclude, had_memory, refuse
   use halfspace_handles, only: shared_handle
   use halfspace_views, only: address_of, are_points, is_vector, mutable_view, three_of, view
   implicit none
   private
-  public :: halfspace_shape, halfspace_shape_properties, context_of, handles_of, list_from_0
+  public :: halfspace_shape, halfspace_shape_properties, context_of, handle_of, list_from_0
 
   !> Assignment shares: all copies are the same shape, which ends with the last of them.
   type :: halfspace_shape
@@ -99,7 +99,9 @@ contains
     if (.not. are_points(points, name, rows, stat, errmsg)) return
     if (.not. own_or_given(context, owner, stat, errmsg)) return
     status = from_points(owner%object(), view(points, rows), object)
-    if (status == HS_OK) call self%handle%take(object, hs_shape_destroy, owner)
+    if (status == HS_OK) then
+      if (.not. self%handle%takes(object, hs_shape_destroy, owner, stat=stat, errmsg=errmsg)) return
+    end if
     call conclude(status, owner%context(), stat, errmsg)
   end subroutine create
 
@@ -125,7 +127,9 @@ contains
     if (.not. own_or_given(context, owner, stat, errmsg)) return
     status = hs_polyhedron_create(owner%object(), view(vertices, rows), c_loc(face_sizes), &
                                   size(face_sizes, kind=c_int64_t), c_loc(from_0), object)
-    if (status == HS_OK) call self%handle%take(object, hs_shape_destroy, owner)
+    if (status == HS_OK) then
+      if (.not. self%handle%takes(object, hs_shape_destroy, owner, stat=stat, errmsg=errmsg)) return
+    end if
     call conclude(status, owner%context(), stat, errmsg)
   end subroutine create_polyhedron
 
@@ -135,10 +139,13 @@ contains
     integer(c_int32_t), allocatable, intent(out) :: from_0(:)
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
+    integer :: failure
     character(100) :: text
     list_from_0 = size(face_vertices, kind=c_int64_t) == sum(int(max(face_sizes, 0), c_int64_t))
     if (list_from_0) then
-      from_0 = face_vertices - 1
+      allocate (from_0(size(face_vertices)), stat=failure)
+      list_from_0 = had_memory(failure, stat, errmsg)
+      if (list_from_0) from_0 = face_vertices - 1
     else
       write (text, '("face_vertices: has ", i0, " values, not the sum of face_sizes, ", i0)') &
         size(face_vertices), sum(int(max(face_sizes, 0), c_int64_t))
@@ -170,7 +177,9 @@ contains
     end if
     if (.not. own_or_given(context, owner, stat, errmsg)) return
     status = hs_polyhedron_create_from_halfspaces(owner%object(), directions, c_loc(offsets), object)
-    if (status == HS_OK) call self%handle%take(object, hs_shape_destroy, owner)
+    if (status == HS_OK) then
+      if (.not. self%handle%takes(object, hs_shape_destroy, owner, stat=stat, errmsg=errmsg)) return
+    end if
     call conclude(status, owner%context(), stat, errmsg)
   end subroutine create_from_halfspaces
 
@@ -184,7 +193,7 @@ contains
     type(halfspace_shape), intent(inout) :: ahead  !< the part along the normal
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    type(shared_handle) :: whole
+    type(shared_handle) :: whole, part_behind, part_ahead
     type(c_ptr) :: object_behind, object_ahead
     integer(c_int32_t) :: status
     if (.not. is_vector(point, 'point', 2, stat, errmsg)) return
@@ -192,22 +201,16 @@ contains
     whole = self%handle  ! it must outlive the call, also when a part takes its place
     status = hs_shape_cut(whole%object(), three_of(point), three_of(normal), object_behind, object_ahead)
     if (status == HS_OK) then
-      call become(behind, object_behind, whole)
-      call become(ahead, object_ahead, whole)
+      if (.not. part_behind%takes(object_behind, hs_shape_destroy, whole, stat=stat, errmsg=errmsg)) then
+        call hs_shape_destroy(object_ahead)
+        return
+      end if
+      if (.not. part_ahead%takes(object_ahead, hs_shape_destroy, whole, stat=stat, errmsg=errmsg)) return
+      behind%handle = part_behind
+      ahead%handle = part_ahead
     end if
     call conclude(status, whole%context(), stat, errmsg)
   end subroutine cut
-
-  subroutine become(self, object, sibling)
-    type(halfspace_shape), intent(inout) :: self
-    type(c_ptr), intent(in) :: object
-    type(shared_handle), intent(in) :: sibling
-    if (c_associated(object)) then
-      call self%handle%take(object, hs_shape_destroy, sibling)
-    else
-      call self%handle%drop()
-    end if
-  end subroutine become
 
   !> Gives up this reference now instead of at the end of the scope.
   impure elemental subroutine destroy(self)
@@ -271,14 +274,18 @@ contains
     integer(c_int64_t), target :: face_count, vertex_count
     integer(c_int32_t), allocatable, target :: first(:), listed(:)
     integer(c_int32_t) :: status
+    integer :: failure
     status = hs_shape_get_faces(self%handle%object(), c_null_ptr, 0_c_int64_t, c_null_ptr, 0_c_int64_t, &
                                 c_loc(face_count), c_loc(vertex_count))
     if (status >= HS_OK) then
-      allocate (first(face_count + 1), listed(vertex_count))
+      allocate (first(face_count + 1), listed(vertex_count), stat=failure)
+      if (.not. had_memory(failure, stat, errmsg)) return
       status = hs_shape_get_faces(self%handle%object(), c_loc(first), face_count + 1, c_loc(listed), vertex_count, &
                                   c_null_ptr, c_null_ptr)
-      first_of_face = first + 1
-      face_vertices = listed + 1
+      first = first + 1
+      listed = listed + 1
+      call move_alloc(first, first_of_face)
+      call move_alloc(listed, face_vertices)
     end if
     call conclude(status, self%handle%context(), stat, errmsg)
   end subroutine faces
@@ -292,11 +299,14 @@ contains
     integer(c_int64_t), target :: count
     integer(c_int32_t), allocatable, target :: ends(:,:)
     integer(c_int32_t) :: status
+    integer :: failure
     status = hs_shape_get_edges(self%handle%object(), c_null_ptr, 0_c_int64_t, c_loc(count))
     if (status >= HS_OK) then
-      allocate (ends(2, count))
+      allocate (ends(2, count), stat=failure)
+      if (.not. had_memory(failure, stat, errmsg)) return
       status = hs_shape_get_edges(self%handle%object(), c_loc(ends), count, c_null_ptr)
-      edge_vertices = ends + 1
+      ends = ends + 1
+      call move_alloc(ends, edge_vertices)
     end if
     call conclude(status, self%handle%context(), stat, errmsg)
   end subroutine edges
@@ -307,15 +317,11 @@ contains
     c_handle = self%handle%object()
   end function c_handle
 
-  !> The C handles of many shapes, for the time of one call; they may come from an array constructor.
-  function handles_of(shapes) result(handles)
-    type(halfspace_shape), intent(in) :: shapes(:)
-    type(c_ptr) :: handles(size(shapes))
-    integer :: i
-    do i = 1, size(shapes)
-      handles(i) = shapes(i)%handle%lent_object()
-    end do
-  end function handles_of
+  !> The C handle of a shape, for the time of one call; it may come from an array constructor.
+  impure elemental type(c_ptr) function handle_of(shape)
+    type(halfspace_shape), intent(in) :: shape
+    handle_of = shape%handle%lent_object()
+  end function handle_of
 
   !> The C context that a shape was made from.
   type(c_ptr) function context_of(shape)

@@ -2,7 +2,7 @@
 submodule(halfspace_worlds) halfspace_worlds_make
   use halfspace_contacts, only: id_of
   use halfspace_contexts, only: own_or_given
-  use halfspace_errors, only: conclude
+  use halfspace_errors, only: conclude, had_memory
   use halfspace_views, only: is_vector, three_of
   implicit none
 
@@ -28,7 +28,9 @@ contains
     if (present(parallel_angle)) def%parallel_angle = parallel_angle
     if (present(vertex_zone)) def%vertex_zone = vertex_zone
     status = hs_world_create(owner%object(), def, object)
-    if (status == HS_OK) call self%handle%take(object, hs_world_destroy, owner)
+    if (status == HS_OK) then
+      if (.not. self%handle%takes(object, hs_world_destroy, owner, stat=stat, errmsg=errmsg)) return
+    end if
     call conclude(status, owner%context(), stat, errmsg)
   end procedure create
 
@@ -76,13 +78,16 @@ contains
 
   module procedure save_state
     integer(c_size_t) :: needed, written
+    integer(c_int8_t), allocatable, target :: saved(:)
     integer(c_int32_t) :: status
+    integer :: failure
     needed = 0
     status = hs_world_save(self%handle%object(), c_null_ptr, 0_c_size_t, needed)
     if (status >= HS_OK) then
-      if (allocated(bytes)) deallocate (bytes)
-      allocate (bytes(needed))
-      status = hs_world_save(self%handle%object(), c_loc(bytes), needed, written)
+      allocate (saved(needed), stat=failure)
+      if (.not. had_memory(failure, stat, errmsg)) return
+      status = hs_world_save(self%handle%object(), c_loc(saved), needed, written)
+      if (status == HS_OK) call move_alloc(saved, bytes)
     end if
     call conclude(status, self%handle%context(), stat, errmsg)
   end procedure save_state
@@ -93,7 +98,9 @@ contains
     integer(c_int32_t) :: status
     if (.not. own_or_given(context, owner, stat, errmsg)) return
     status = hs_world_restore(owner%object(), c_loc(bytes), size(bytes, kind=c_size_t), object)
-    if (status == HS_OK) call self%handle%take(object, hs_world_destroy, owner)
+    if (status == HS_OK) then
+      if (.not. self%handle%takes(object, hs_world_destroy, owner, stat=stat, errmsg=errmsg)) return
+    end if
     call conclude(status, owner%context(), stat, errmsg)
   end procedure restore
 

@@ -1,7 +1,7 @@
 !> Where the blocks are and how they move.
 submodule(halfspace_worlds) halfspace_worlds_motion
   use halfspace_contacts, only: id_of
-  use halfspace_errors, only: conclude
+  use halfspace_errors, only: conclude, had_memory
   use halfspace_views, only: address_of, are_points, is_vector, mutable_view, three_of, view
   implicit none
 
@@ -9,12 +9,15 @@ contains
 
   module procedure blocks
     integer(c_int64_t), target :: count
+    type(halfspace_block), allocatable, target :: found(:)
     integer(c_int32_t) :: status
+    integer :: failure
     status = hs_world_get_blocks(self%handle%object(), c_null_ptr, 0_c_int64_t, c_loc(count))
     if (status >= HS_OK) then
-      if (allocated(names)) deallocate (names)
-      allocate (names(count))
-      status = hs_world_get_blocks(self%handle%object(), c_loc(names), count, c_null_ptr)
+      allocate (found(count), stat=failure)
+      if (.not. had_memory(failure, stat, errmsg)) return
+      status = hs_world_get_blocks(self%handle%object(), c_loc(found), count, c_null_ptr)
+      if (status == HS_OK) call move_alloc(found, names)
     end if
     call conclude(status, self%handle%context(), stat, errmsg)
   end procedure blocks

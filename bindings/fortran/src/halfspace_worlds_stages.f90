@@ -1,7 +1,7 @@
 !> Stages, steps and what they give.
 submodule(halfspace_worlds) halfspace_worlds_stages
   use halfspace_contacts, only: count_features_from_1, id_of
-  use halfspace_errors, only: conclude
+  use halfspace_errors, only: conclude, had_memory
   use halfspace_views, only: address_of, are_points, is_vector, mutable_view, three_of
   implicit none
 
@@ -36,13 +36,19 @@ contains
 
   module procedure contacts
     integer(c_int64_t), target :: count
+    type(halfspace_contact), allocatable, target :: longer_or_shorter(:)
+    logical :: fits
     integer(c_int32_t) :: status
+    integer :: failure
     status = hs_world_get_contacts(self%handle%object(), c_null_ptr, 0_c_int64_t, c_loc(count))
     if (status >= HS_OK) then
-      if (allocated(list)) then
-        if (size(list, kind=c_int64_t) /= count) deallocate (list)
+      fits = .false.
+      if (allocated(list)) fits = size(list, kind=c_int64_t) == count
+      if (.not. fits) then
+        allocate (longer_or_shorter(count), stat=failure)
+        if (.not. had_memory(failure, stat, errmsg)) return
+        call move_alloc(longer_or_shorter, list)
       end if
-      if (.not. allocated(list)) allocate (list(count))
       status = hs_world_get_contacts(self%handle%object(), c_loc(list), count, c_null_ptr)
       call count_features_from_1(list)
     end if

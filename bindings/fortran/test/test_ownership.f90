@@ -1,7 +1,7 @@
 ! Who owns what: everything that was allocated is released when the last owner goes, in whichever order; copies
 ! made by assignment share; copies made behind the modules' back are refused and release nothing.
 module counting
-  use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_null_ptr, c_ptr, c_size_t
+  use, intrinsic :: iso_c_binding, only: c_associated, c_null_ptr, c_ptr, c_size_t
   use halfspace, only: halfspace_allocator
   implicit none
 
@@ -15,7 +15,19 @@ module counting
     procedure :: release => release_counted
   end type counting_allocator
 
+  !> Requests of allocate statements, which the linker leads here. Smaller ones are the compiler's: gfortran 12
+  !! takes up to 16 bytes to finalize, and does not look whether it got them.
+  integer(c_size_t), parameter :: least_bytes = 24
+  integer :: statements = 0
+  integer :: refused_statement = 0  !< the one that finds no memory
+
   interface
+    function real_malloc(bytes) bind(c, name='__real_malloc')
+      import
+      integer(c_size_t), value :: bytes
+      type(c_ptr) :: real_malloc
+    end function real_malloc
+
     function aligned_alloc(alignment, size) bind(c)
       import
       integer(c_size_t), value :: alignment, size
@@ -29,6 +41,17 @@ module counting
   end interface
 
 contains
+
+  function wrapped_malloc(bytes) bind(c, name='__wrap_malloc') result(memory)
+    integer(c_size_t), value :: bytes
+    type(c_ptr) :: memory
+    if (bytes >= least_bytes) statements = statements + 1
+    if (bytes >= least_bytes .and. statements == refused_statement) then
+      memory = c_null_ptr
+    else
+      memory = real_malloc(bytes)
+    end if
+  end function wrapped_malloc
 
   type(c_ptr) function allocate_counted(self, bytes, alignment) result(memory)
     class(counting_allocator), intent(inout) :: self
@@ -58,10 +81,12 @@ program test_ownership
   use checking
   use counting
   use halfspace
-  use, intrinsic :: iso_fortran_env, only: real64
+  use, intrinsic :: iso_fortran_env, only: int8, int32, real64
   implicit none
 
   real(real64), parameter :: corners(2, 4) = reshape([real(real64) :: 0, 0, 1, 0, 1, 1, 0, 1], [2, 4])
+  real(real64), parameter :: tetrahedron_corners(3, 4) = reshape([real(real64) :: 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1], [3, 4])
+  integer(int32), parameter :: tetrahedron_faces(12) = [1, 3, 2, 1, 2, 4, 1, 4, 3, 2, 3, 4]
 
   type :: model
     type(halfspace_shape) :: shape
@@ -74,6 +99,8 @@ program test_ownership
   call expect_nothing_left('end of scope')
   call assignment_shares()
   call expect_nothing_left('assignment')
+  call assigned_to_itself()
+  call expect_nothing_left('assigned to itself')
   call arrays_share()
   call expect_nothing_left('arrays')
   call created_again()
@@ -87,6 +114,7 @@ program test_ownership
   call nested_copies()
   call expect_nothing_left('nested copies')
   call failed_allocations()
+  call failed_statements()
   call finish()
 
 contains
@@ -144,6 +172,29 @@ contains
     call expect(world%block_count() == 1, 'both names are the same world')
     call make_square(a, context)
   end subroutine assignment_shares
+
+  subroutine assigned_to_itself()
+    type(halfspace_context) :: context
+    type(halfspace_shape), target :: list(2)
+    type(halfspace_shape), pointer :: one, same
+    type(model), target :: whole
+    type(model), pointer :: part
+    integer :: i
+    call context%create(memory)
+    do i = 1, 2
+      call make_square(list(i), context)
+    end do
+    one => list(1)
+    same => list(1)
+    one = same
+    call expect(list(1)%exists(), 'through two pointers')
+    list = list
+    call expect(all(list%exists()), 'elements of an array')
+    call make_square(whole%shape, context)
+    part => whole
+    part%shape = whole%shape
+    call expect(whole%shape%exists(), 'a component')
+  end subroutine assigned_to_itself
 
   subroutine arrays_share()
     type(halfspace_context) :: context
@@ -253,13 +304,43 @@ contains
     call expect(done .and. n > 3, 'it works in the end')
   end subroutine failed_allocations
 
+  ! Likewise for the modules' own memory, which is no allocator's but the language's.
+  subroutine failed_statements()
+    integer :: n, stat
+    character(200) :: text
+    do n = 1, 1000
+      memory = counting_allocator()
+      statements = 0
+      refused_statement = n
+      call build(stat, text)
+      refused_statement = 0
+      call expect(memory%living == 0, 'nothing is left after a failed statement')
+      if (stat == HS_OK) exit
+      call expect(stat == HS_ERROR_OUT_OF_MEMORY .and. text == 'there is no memory for the result', &
+                  'out of memory: '//trim(text))
+    end do
+    call expect(stat == HS_OK .and. n > 15, 'it works in the end')
+  end subroutine failed_statements
+
   subroutine build(stat, text)
     integer, intent(out) :: stat
     character(*), intent(inout) :: text
     type(halfspace_context) :: context
     type(halfspace_shape) :: shape, left, right
-    type(halfspace_world) :: world
-    integer :: material
+    type(halfspace_world) :: world, restored
+    type(halfspace_contact), allocatable :: contacts(:)
+    type(halfspace_contact) :: found(3)
+    type(halfspace_block), allocatable :: blocks(:)
+    type(halfspace_pose) :: poses(3)
+    type(halfspace_shape) :: shapes(3), tetrahedron
+    integer(int32), parameter :: pairs(2, 3) = reshape([1, 2, 2, 3, 3, 1], [2, 3])
+    integer(int32), allocatable :: first_of_face(:), face_vertices(:), edges(:,:)
+    integer(int8), allocatable :: bytes(:)
+    real(real64), allocatable :: cleaned(:,:)
+    integer :: material, i
+    do i = 1, 3  ! each half a square wide, and a little into the next
+      poses(i) = halfspace_pose(0.4375_real64 * i, 0.0_real64)
+    end do
     call context%create(memory, stat=stat, errmsg=text)
     if (stat /= HS_OK) return
     call shape%create_polygon(corners, context=context, stat=stat, errmsg=text)
@@ -270,9 +351,31 @@ contains
     if (stat /= HS_OK) return
     call world%add_material(1.0_real64, material, stat, text)
     if (stat /= HS_OK) return
-    call world%add_block(left, stat=stat, errmsg=text)
-    if (stat /= HS_OK) return
+    do i = 1, 3
+      call world%add_block(left, pose=poses(i), stat=stat, errmsg=text)
+      if (stat /= HS_OK) return
+    end do
     call world%step(1, stat, text)
+    if (stat /= HS_OK) return
+    call world%contacts(contacts, stat, text)
+    if (stat /= HS_OK) return
+    call world%blocks(blocks, stat, text)
+    if (stat /= HS_OK) return
+    call world%save(bytes, stat, text)
+    if (stat /= HS_OK) return
+    call restored%restore(bytes, context, stat, text)
+    if (stat /= HS_OK) return
+    call shape%faces(first_of_face, face_vertices, stat, text)
+    if (stat /= HS_OK) return
+    call shape%edges(edges, stat, text)
+    if (stat /= HS_OK) return
+    call halfspace_clean_polygon(corners, 0.0_real64, cleaned, context=context, stat=stat, errmsg=text)
+    if (stat /= HS_OK) return
+    shapes = left
+    call halfspace_detect_pairs(shapes, poses, pairs, found, stat=stat, errmsg=text)
+    if (stat /= HS_OK) return
+    call tetrahedron%create_polyhedron(tetrahedron_corners, [3, 3, 3, 3], tetrahedron_faces, context=context, &
+                                       stat=stat, errmsg=text)
   end subroutine build
 
 end program test_ownership

@@ -14,6 +14,7 @@ program test_pairs
   call options()
   call many_pairs()
   call wrong_numbers_are_refused()
+  call missing_shapes_are_refused()
   call layout()
   call finish()
 
@@ -100,7 +101,7 @@ contains
   end subroutine many_pairs
 
   subroutine wrong_numbers_are_refused()
-    type(halfspace_shape) :: square, nothing
+    type(halfspace_shape) :: square
     type(halfspace_pose) :: poses(2)
     type(halfspace_contact) :: contacts(2)
     type(halfspace_pair_cache) :: caches(1)
@@ -117,10 +118,35 @@ contains
     call expect_text(text, 'there are 1 shapes and 2 poses')
     call halfspace_detect_pairs([square, square], poses, pairs, contacts, caches, stat=stat, errmsg=text)
     call expect_text(text, 'caches: there must be one per pair')
-    call halfspace_detect_pair(square, poses(1), nothing, poses(2), contacts(1), stat=stat, errmsg=text)
+    contacts%feature_a = 7
+    call halfspace_detect_pairs([halfspace_shape ::], poses(:0), pairs, contacts, stat=stat, errmsg=text)
+    call expect(stat == HS_ERROR_ARGUMENT .and. all(contacts%feature_a == 7), 'pairs of no bodies')
+    call expect_text(text, 'there are 0 shapes and 0 poses, 2 x 2 pairs')
+  end subroutine wrong_numbers_are_refused
+
+  ! Shape a would lend its context for the text, but it must not be looked for where there is no shape any more.
+  subroutine missing_shapes_are_refused()
+    type(halfspace_shape) :: square, nothing
+    type(halfspace_shape), allocatable :: copy
+    type(halfspace_pose) :: poses(2)
+    type(halfspace_contact) :: contact
+    integer :: stat
+    character(200) :: text
+    poses = halfspace_pose(0.0_real64, 0.0_real64)
+    call square%create_polygon(corners)
+    call halfspace_detect_pair(square, poses(1), nothing, poses(2), contact, stat=stat, errmsg=text)
     call expect(stat == HS_ERROR_ARGUMENT, 'a shape that was not created')
     call expect_text(text, 'hs_pair_detect: shape_b is NULL')
-  end subroutine wrong_numbers_are_refused
+    call halfspace_detect_pair(nothing, poses(1), square, poses(2), contact, stat=stat, errmsg=text)
+    call expect(stat == HS_ERROR_ARGUMENT, 'the first was not created')
+    call expect_text(text, 'was not created')
+    allocate (copy, source=square)
+    call square%destroy()
+    call square%create_polygon(corners)
+    call halfspace_detect_pair(copy, poses(1), square, poses(2), contact, stat=stat, errmsg=text)
+    call expect(stat == HS_ERROR_ARGUMENT, 'a copy by source= after the end of its original')
+    call expect_text(text, 'copy that no assignment has made')
+  end subroutine missing_shapes_are_refused
 
   !> Every component where C has it.
   subroutine layout()

@@ -73,15 +73,17 @@ def view_of(points: ArrayLike, dimension: int, name: str) -> Any:
     return _view(_raw.hs_view, array if _fits(array) else array.copy())
 
 
+def require_output(array: Any, name: str) -> None:
+    """An array that results are written into is one of float64 that can be written."""
+    if not isinstance(array, np.ndarray) or array.dtype != np.float64 or not array.flags.writeable:
+        raise ValueError(f"{name} must be a writeable array of float64")
+
+
 def mutable_view_of(array: NDArray[np.float64], dimension: int, name: str) -> Any:
-    """An array that the library writes into; it must be one of float64 that can be written as it is."""
-    if (
-        not isinstance(array, np.ndarray)
-        or array.dtype != np.float64
-        or not array.flags.writeable
-        or not _fits(array)
-    ):
-        raise ValueError(f"{name} must be a writeable array of float64 with a step of whole numbers")
+    """An array that the library writes into, as it is."""
+    require_output(array, name)
+    if not _fits(array):
+        raise ValueError(f"{name} must have a step of whole numbers of float64")
     return _view(_raw.hs_mutable_view, _as_points(array, (2, 3) if dimension == 2 else (3,), name))
 
 
@@ -110,6 +112,8 @@ def vector(values: ArrayLike, name: str) -> Any:
 def turn_vector(values: ArrayLike, name: str) -> Any:
     """Angular velocity or torque: one number is about z."""
     array = np.asarray(values, np.float64)
+    if array.shape not in ((), (3,)):
+        raise ValueError(f"{name} has the shape {array.shape}; it must be one number, about z, or 3")
     return vector((0, 0, array.item()) if array.ndim == 0 else array, name)
 
 
@@ -127,6 +131,14 @@ def index(value: SupportsIndex, name: str) -> int:
     number = operator.index(value)
     if not -(2**31) <= number < 2**31:
         raise ValueError(f"{name} is {number}; it must be a whole number of 32 bits")
+    return number
+
+
+def block_id(value: SupportsIndex, name: str) -> int:
+    """A block's id, for the same reason."""
+    number = operator.index(value)
+    if not 0 <= number < 2**64:
+        raise ValueError(f"{name} is {number}; it must be a whole number of 64 bits without a sign")
     return number
 
 

@@ -5,11 +5,13 @@ from typing import Any, Callable, Optional, Tuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import mutable_view_of, turns_view_of, view_of
+from ._arrays import mutable_view_of, require_output, turns_view_of, view_of
 from ._library import library
-from .context import Context, Handle
+from .context import Context, Handle, held
 
 Floats = NDArray[np.float64]
+
+_TURNS_OUT = "angular_out or torques_out"
 
 
 class BlockArrays(Handle):
@@ -38,8 +40,9 @@ class BlockArrays(Handle):
     @property
     def blocks(self) -> NDArray[np.uint64]:
         """The ids of all blocks, in the order of the arrays below."""
-        blocks = np.empty(len(self), np.uint64)
-        self._call(library.hs_world_get_blocks, blocks.ctypes.data, len(blocks), None)
+        with held(self):
+            blocks = np.empty(len(self), np.uint64)
+            self._call(library.hs_world_get_blocks, blocks.ctypes.data, len(blocks), None)
         return blocks
 
     @property
@@ -57,17 +60,19 @@ class BlockArrays(Handle):
 
     def get_poses(self, out: Optional[Floats] = None) -> Floats:
         """As `poses`, into an array of the caller's if one is given: C-contiguous, float64, shape (n, 7)."""
-        array = np.empty((len(self), 7)) if out is None else out
-        if (
-            array.dtype != np.float64
-            or array.shape[1:] != (7,)
-            or not array.flags.carray
-            or len(array) < len(self)
-        ):
-            raise ValueError(
-                f"out must be a contiguous, writeable array of float64 of the shape ({len(self)}, 7)"
-            )
-        self._call(library.hs_world_get_poses, array.ctypes.data, len(array), None)
+        with held(self):
+            count = len(self)
+            array = np.empty((count, 7)) if out is None else out
+            if (
+                array.dtype != np.float64
+                or array.shape[1:] != (7,)
+                or not array.flags.carray
+                or len(array) < count
+            ):
+                raise ValueError(
+                    f"out must be a contiguous, writeable array of float64 of the shape ({count}, 7)"
+                )
+            self._call(library.hs_world_get_poses, array.ctypes.data, len(array), None)
         return array
 
     @property
@@ -83,7 +88,8 @@ class BlockArrays(Handle):
 
     @velocities.setter
     def velocities(self, velocities: ArrayLike) -> None:
-        self.set_velocities(velocities, self.angular_velocities)
+        with held(self):
+            self.set_velocities(velocities, self.angular_velocities)
 
     @property
     def angular_velocities(self) -> Floats:
@@ -92,7 +98,8 @@ class BlockArrays(Handle):
 
     @angular_velocities.setter
     def angular_velocities(self, angular_velocities: ArrayLike) -> None:
-        self.set_velocities(self.velocities, angular_velocities)
+        with held(self):
+            self.set_velocities(self.velocities, angular_velocities)
 
     def set_velocities(self, velocities: ArrayLike, angular_velocities: ArrayLike) -> None:
         """Sets both for all blocks; strided arrays of float64 are used without a copy."""
@@ -109,23 +116,25 @@ class BlockArrays(Handle):
     def _vectors_and_turns(
         self, function: Any, before: Tuple[Any, ...], out: Optional[Floats], turns_out: Optional[Floats]
     ) -> Tuple[Floats, Floats]:
-        count, flat = len(self), self.dimension == 2
-        vectors = np.empty((count, self.dimension)) if out is None else out
-        turns = np.empty(count if flat else (count, 3)) if turns_out is None else turns_out
-        for array, name in ((vectors, "out"), (turns, "angular_out or torques_out")):
-            if len(array) != count:
-                raise ValueError(f"{name} has the length {len(array)}; the world has {count} blocks")
-        written = turns
-        if flat and turns.ndim == 1:
-            if len(self._turns) != count:
-                self._turns = np.empty((count, 3))
-            written = self._turns
-        self._call(
-            function,
-            *before,
-            mutable_view_of(vectors, self.dimension, "out"),
-            mutable_view_of(written, 3, "turns"),
-        )
-        if written is not turns:
-            turns[:] = written[:, 2]
+        with held(self):
+            count, flat = len(self), self.dimension == 2
+            vectors = np.empty((count, self.dimension)) if out is None else out
+            turns = np.empty(count if flat else (count, 3)) if turns_out is None else turns_out
+            for array, name in ((vectors, "out"), (turns, _TURNS_OUT)):
+                require_output(array, name)
+                if len(array) != count:
+                    raise ValueError(f"{name} has the length {len(array)}; the world has {count} blocks")
+            written = turns
+            if flat and turns.ndim == 1:
+                if len(self._turns) != count:
+                    self._turns = np.empty((count, 3))
+                written = self._turns
+            self._call(
+                function,
+                *before,
+                mutable_view_of(vectors, self.dimension, "out"),
+                mutable_view_of(written, 3, _TURNS_OUT),
+            )
+            if written is not turns:
+                turns[:] = written[:, 2]
         return vectors, turns

@@ -1,8 +1,9 @@
 """The context, and how handles live and end."""
+import contextlib
 import ctypes
 import threading
 import weakref
-from typing import Any, Callable, List, Optional, Tuple, TypeVar
+from typing import Any, Callable, ContextManager, Iterable, Iterator, List, Optional, Tuple, TypeVar
 
 from . import _raw
 from ._library import library
@@ -18,9 +19,12 @@ def _end_all(abandoned: _Abandoned) -> None:
         destroy(pointer)
 
 
-def _destroy_context(pointer: Any, abandoned: _Abandoned) -> None:
-    _end_all(abandoned)
-    library.hs_context_destroy(pointer)
+def _destroy_context(pointer: Any, lock: Any, abandoned: _Abandoned) -> None:
+    # At the end of the interpreter a thread may still be in a call: then the system takes the memory back.
+    if lock.acquire(blocking=False):
+        _end_all(abandoned)
+        library.hs_context_destroy(pointer)
+        lock.release()
 
 
 class _Keeper:
@@ -28,8 +32,8 @@ class _Keeper:
     of these holds it.
 
     The library may be in one call at a time per context, and ctypes lets other Python threads run during a
-    call: hence the lock. A handle that the garbage collector drops while another thread is in a call is set
-    aside and ended by the next call.
+    call: hence the lock. A handle that is closed or dropped while another thread is in a call is set aside
+    and ended after that call or a later one.
     """
 
     def __init__(self) -> None:
@@ -39,15 +43,19 @@ class _Keeper:
         status = library.hs_context_create(None, ctypes.byref(self.pointer))
         if status < 0:
             raise error_of(status, library.hs_context_last_error(None).decode())
-        weakref.finalize(self, _destroy_context, self.pointer, self._abandoned)
+        self._finalizer = weakref.finalize(self, _destroy_context, self.pointer, self.lock, self._abandoned)
 
     def call(self, function: Callable[..., int], *arguments: Any) -> int:
         """Calls a fallible function; raises when it fails."""
         with self.lock:
-            _end_all(self._abandoned)
-            status = function(*arguments)
-            if status < 0:
-                raise error_of(status, library.hs_context_last_error(self.pointer).decode())
+            if not self._finalizer.alive:  # the interpreter ends
+                raise ClosedError("the context is closed")
+            try:
+                status = function(*arguments)
+                if status < 0:
+                    raise error_of(status, library.hs_context_last_error(self.pointer).decode())
+            finally:
+                _end_all(self._abandoned)  # no sooner: an argument may be one that was set aside since
         return status
 
     def end(self, destroy: Callable[[Any], None], pointer: Any) -> None:
@@ -99,9 +107,13 @@ class Context:
 
     def close(self) -> None:
         """Ends everything made from this context, and the context. A second call does nothing."""
-        for handle in list(self._handles):
-            handle.close()
-        self._keeper = None
+        keeper = self._keeper
+        if keeper is None:
+            return
+        with keeper.lock:  # another thread may be making a handle
+            for handle in list(self._handles):
+                handle.close()
+            self._keeper = None
 
     @property
     def _alive(self) -> _Keeper:
@@ -126,7 +138,10 @@ _AnyHandle = TypeVar("_AnyHandle", bound="Handle")
 
 class Handle:
     """Something of the library's that ends with `close()`, with a `with` block, or when it is no longer
-    used."""
+    used.
+
+    Who makes one holds the context's lock from the call that gives the pointer: a context that another thread
+    closes in between would not end it."""
 
     def __init__(self, context: Context, pointer: Any, destroy: Callable[[Any], None]) -> None:
         self._keeper = context._alive
@@ -158,10 +173,27 @@ class Handle:
 
     @property
     def _alive(self) -> Any:
-        if self._pointer is None:
+        if self._pointer is None or not self._finalizer.alive:  # closed, or ended with the interpreter
             raise ClosedError(f"the {type(self).__name__.lower()} is closed")
         return self._pointer
 
     def _call(self, function: Callable[..., int], *arguments: Any) -> int:
         with self._keeper.lock:  # from the look at the pointer to its last use: another thread may close it
             return self._keeper.call(function, self._alive, *arguments)
+
+
+def held(*handles: Handle) -> ContextManager[Any]:
+    """For a `with` block in which no other thread calls the library on these handles or ends them: from the
+    look at a pointer to its last use, or for several calls that belong together."""
+    keepers = {handle._keeper for handle in handles}
+    if len(keepers) == 1:
+        return keepers.pop().lock
+    return _all_held(keepers)
+
+
+@contextlib.contextmanager
+def _all_held(keepers: Iterable[_Keeper]) -> Iterator[None]:
+    with contextlib.ExitStack() as stack:
+        for keeper in sorted(keepers, key=id):  # one order for all threads, so that none waits for another
+            stack.enter_context(keeper.lock)
+        yield

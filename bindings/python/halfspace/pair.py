@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _raw
 from ._arrays import CONTACT, PAIR_CACHE, as_pose, empty_record, indices
 from ._library import library
+from .context import held
 from .shape import Shape
 
 
@@ -85,15 +86,18 @@ def pair_detect(
     -0.125 0.75
     """
     array, address = empty_record(CONTACT)
-    shape_a._call(
-        library.hs_pair_detect,
-        as_pose(pose_a, "pose_a"),
-        shape_b._alive,
-        as_pose(pose_b, "pose_b"),
-        _options(parallel_angle, vertex_zone),
-        None if cache is None else cache._struct,
-        _raw.hs_contact.from_address(address),
-    )
+    place_a, place_b = as_pose(pose_a, "pose_a"), as_pose(pose_b, "pose_b")
+    options = _options(parallel_angle, vertex_zone)
+    with held(shape_a, shape_b):
+        shape_a._call(
+            library.hs_pair_detect,
+            place_a,
+            shape_b._alive,
+            place_b,
+            options,
+            None if cache is None else cache._struct,
+            _raw.hs_contact.from_address(address),
+        )
     return array[0]
 
 
@@ -134,9 +138,10 @@ def pairs_detect(
     numpy.ndarray
         One contact for each pair, separated ones with `type` 0.
     """
+    owners = tuple(shapes)  # the same ones throughout, whatever the sequence does
     places = np.ascontiguousarray(poses, np.float64)
-    if places.shape != (len(shapes), 7):
-        raise ValueError(f"poses has the shape {places.shape}; it must be ({len(shapes)}, 7)")
+    if places.shape != (len(owners), 7):
+        raise ValueError(f"poses has the shape {places.shape}; it must be ({len(owners)}, 7)")
     bodies = indices(pairs, "pairs")
     if bodies.ndim != 2 or bodies.shape[1] != 2:
         raise ValueError(f"pairs has the shape {bodies.shape}; it must be (n, 2)")
@@ -146,23 +151,27 @@ def pairs_detect(
             array.dtype != dtype or array.shape != (len(bodies),) or not array.flags.carray
         ):
             raise ValueError(f"{name} must be a contiguous, writeable array of {len(bodies)} such structs")
-    if len(shapes) == 0:
+    if len(owners) == 0:
+        if len(bodies) > 0:
+            raise ValueError("pairs: there are no bodies")
         return contacts
-    handles = (ctypes.c_void_p * len(shapes))(
-        *(ctypes.cast(shape._alive, ctypes.c_void_p).value for shape in shapes)
-    )
-    keeper = shapes[0]._keeper
-    keeper.call(
-        library.hs_pairs_detect,
-        keeper.pointer,
-        handles,
-        places.ctypes.data,
-        len(shapes),
-        bodies.ctypes.data,
-        len(bodies),
-        _options(parallel_angle, vertex_zone),
-        None if caches is None else caches.ctypes.data,
-        contacts.ctypes.data,
-        None,
-    )
+    options = _options(parallel_angle, vertex_zone)
+    with held(*owners):
+        handles = (ctypes.c_void_p * len(owners))(
+            *(ctypes.cast(shape._alive, ctypes.c_void_p).value for shape in owners)
+        )
+        keeper = owners[0]._keeper
+        keeper.call(
+            library.hs_pairs_detect,
+            keeper.pointer,
+            handles,
+            places.ctypes.data,
+            len(owners),
+            bodies.ctypes.data,
+            len(bodies),
+            options,
+            None if caches is None else caches.ctypes.data,
+            contacts.ctypes.data,
+            None,
+        )
     return contacts

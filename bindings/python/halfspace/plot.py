@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .constants import BlockKind
+from .context import held
 
 if TYPE_CHECKING:
     from .shape import Shape
@@ -47,12 +48,13 @@ def plot_world(world: "World", ax: Any = None, *, contacts: bool = True) -> Any:
     ax = _axes(ax)
     from matplotlib.collections import LineCollection, PolyCollection
 
-    blocks = world.blocks
-    outlines = [world.block_vertices(block) for block in blocks]
-    colours = [_RIGID if world.state(block).kind == BlockKind.RIGID else _FIXED for block in blocks]
+    with held(world):
+        blocks = world.blocks
+        outlines = [world.block_vertices(block) for block in blocks]
+        colours = [_RIGID if world.state(block).kind == BlockKind.RIGID else _FIXED for block in blocks]
+        touching = world.contacts()
     ax.add_collection(PolyCollection(outlines, facecolors=colours, edgecolors=_OUTLINE, linewidths=0.6))
     if contacts:
-        touching = world.contacts()
         size = np.linalg.norm(touching["force"], axis=1)
         touching, size = touching[size > 0], size[size > 0]
         if len(touching) > 0:

@@ -17,7 +17,7 @@ from ._arrays import (
     view_of,
 )
 from ._library import library
-from .context import Context, Handle, default_context
+from .context import Context, Handle, default_context, held
 
 
 class Shape(Handle):
@@ -42,8 +42,10 @@ class Shape(Handle):
     def _make(cls, context: Optional[Context], create: Callable[..., int], *arguments: Any) -> "Shape":
         owner = context or default_context()
         pointer = ctypes.POINTER(_raw.hs_shape)()
-        owner._alive.call(create, owner._alive.pointer, *arguments, ctypes.byref(pointer))
-        return cls(owner, pointer)
+        keeper = owner._alive
+        with keeper.lock:
+            owner._alive.call(create, keeper.pointer, *arguments, ctypes.byref(pointer))
+            return cls(owner, pointer)
 
     @classmethod
     def polygon(cls, vertices: ArrayLike, *, context: Optional[Context] = None) -> "Shape":
@@ -213,10 +215,10 @@ class Shape(Handle):
             The part against the normal and the part along it; None where there is none.
         """
         parts = ctypes.POINTER(_raw.hs_shape)(), ctypes.POINTER(_raw.hs_shape)()
-        self._call(
-            library.hs_shape_cut, vector(point, "point"), vector(normal, "normal"), *map(ctypes.byref, parts)
-        )
-        behind, ahead = (Shape(self.context, part) if part else None for part in parts)
+        through, along = vector(point, "point"), vector(normal, "normal")
+        with held(self):
+            self._call(library.hs_shape_cut, through, along, *map(ctypes.byref, parts))
+            behind, ahead = (Shape(self.context, part) if part else None for part in parts)
         return behind, ahead
 
 

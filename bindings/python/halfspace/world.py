@@ -2,7 +2,7 @@
 import ctypes
 import operator
 import time
-from typing import Any, Optional, Tuple, Union
+from typing import Any, Callable, Dict, Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,6 +13,7 @@ from ._arrays import (
     CONTACT,
     WORLD_REPORT,
     as_pose,
+    block_id,
     empty_record,
     index,
     mutable_view_of,
@@ -23,7 +24,7 @@ from ._arrays import (
 from ._library import library
 from .block_arrays import BlockArrays, Floats
 from .constants import BlockKind
-from .context import Context, default_context
+from .context import Context, default_context, held
 from .law import Law
 from .shape import Shape
 
@@ -102,15 +103,19 @@ class World(BlockArrays):
         for name, value in settings.items():
             if value is not None:
                 setattr(definition, name, value)
-        owner = context or default_context()
-        pointer = ctypes.POINTER(_raw.hs_world)()
-        owner._alive.call(library.hs_world_create, owner._alive.pointer, definition, ctypes.byref(pointer))
-        self._own(owner, pointer, dimension)
+        self._make(context, dimension, library.hs_world_create, definition)
         if law is not None:
             self.set_default_law(law)
 
-    def _own(self, owner: Context, pointer: Any, dimension: int) -> None:
-        super().__init__(owner, pointer, library.hs_world_destroy, dimension)
+    def _make(
+        self, context: Optional[Context], dimension: int, create: Callable[..., int], *arguments: Any
+    ) -> None:
+        owner = context or default_context()
+        pointer = ctypes.POINTER(_raw.hs_world)()
+        keeper = owner._alive
+        with keeper.lock:
+            owner._alive.call(create, keeper.pointer, *arguments, ctypes.byref(pointer))
+            super().__init__(owner, pointer, library.hs_world_destroy, dimension)
 
     @classmethod
     def restore(
@@ -118,31 +123,29 @@ class World(BlockArrays):
     ) -> "World":
         """The world that `save` has saved, with its blocks, ids, materials and laws. It goes on bit for
         bit."""
-        owner = context or default_context()
         stored = np.frombuffer(snapshot, np.uint8)
-        pointer = ctypes.POINTER(_raw.hs_world)()
-        owner._alive.call(
-            library.hs_world_restore,
-            owner._alive.pointer,
-            stored.ctypes.data,
-            stored.nbytes,
-            ctypes.byref(pointer),
-        )
         world = cls.__new__(cls)
-        world._own(owner, pointer, 0)  # to be asked for
-        world._dimension = int(world.report.dimension)
+        world._make(context, 0, library.hs_world_restore, stored.ctypes.data, stored.nbytes)
+        world._dimension = int(world.report.dimension)  # the snapshot's
         return world
 
     def save(self) -> bytes:
         """The whole state of motion and contact."""
         count = ctypes.c_size_t()
-        self._call(library.hs_world_save, None, 0, ctypes.byref(count))
-        stored = np.empty(count.value, np.uint8)
-        self._call(library.hs_world_save, stored.ctypes.data, stored.nbytes, ctypes.byref(count))
+        with held(self):
+            self._call(library.hs_world_save, None, 0, ctypes.byref(count))
+            stored = np.empty(count.value, np.uint8)
+            self._call(library.hs_world_save, stored.ctypes.data, stored.nbytes, ctypes.byref(count))
         return stored.tobytes()
 
-    def __reduce__(self) -> Tuple[Any, ...]:  # copy.copy(world) and pickle
+    def __reduce__(self) -> Tuple[Any, ...]:  # pickle, which knows no context
         return World.restore, (self.save(),)
+
+    def __copy__(self) -> "World":
+        return World.restore(self.save(), context=self.context)
+
+    def __deepcopy__(self, _: Dict[int, Any]) -> "World":
+        return self.__copy__()
 
     def __bool__(self) -> bool:
         return True
@@ -216,7 +219,8 @@ class World(BlockArrays):
             The block's id (64 bits, unsigned). That of a removed block never names another.
         """
         definition = _raw.hs_block_def()
-        library.hs_block_def_init(ctypes.byref(definition), ctypes.sizeof(definition), shape._alive)
+        with held(shape):
+            library.hs_block_def_init(ctypes.byref(definition), ctypes.sizeof(definition), shape._alive)
         definition.kind, definition.material = index(kind, "kind"), index(material, "material")
         if position is not None or angle is not None or rotation is not None:
             centroid = definition.pose.position[:] if position is None else position
@@ -226,25 +230,27 @@ class World(BlockArrays):
         if angular_velocity is not None:
             definition.angular_velocity = turn_vector(angular_velocity, "angular_velocity")
         block = ctypes.c_uint64()
-        self._call(library.hs_world_add_block, shape._alive, definition, ctypes.byref(block))
+        with held(self, shape):
+            self._call(library.hs_world_add_block, shape._alive, definition, ctypes.byref(block))
         return block.value
 
     def remove_block(self, block: int) -> None:
         """Removes a block; its id becomes stale."""
-        self._call(library.hs_world_remove_block, block)
+        self._call(library.hs_world_remove_block, block_id(block, "block"))
 
     def state(self, block: int) -> Any:
         """One block's motion: a record with the fields of ``hs_block_state``."""
         array, address = empty_record(BLOCK_STATE)
-        self._call(library.hs_world_get_block_state, block, _raw.hs_block_state.from_address(address))
+        state = _raw.hs_block_state.from_address(address)
+        self._call(library.hs_world_get_block_state, block_id(block, "block"), state)
         return array[0]
 
     def block_vertices(self, block: int) -> Floats:
         """One block's vertices where they are now, shape (n, dimension)."""
-        count, room = ctypes.c_int64(), np.empty((16, self.dimension))
+        named, count, room = block_id(block, "block"), ctypes.c_int64(), np.empty((16, self.dimension))
         while True:
             view = mutable_view_of(room, self.dimension, "vertices")
-            self._call(library.hs_world_get_block_vertices, block, view, ctypes.byref(count))
+            self._call(library.hs_world_get_block_vertices, named, view, ctypes.byref(count))
             if count.value <= len(room):
                 return room[: count.value]
             room = np.empty((count.value, self.dimension))
@@ -257,19 +263,28 @@ class World(BlockArrays):
         *,
         rotation: Optional[ArrayLike] = None,
     ) -> None:
-        """Puts a block elsewhere: a position with a turn about z or a quaternion."""
-        place = position if np.size(position) == 7 else pose(position, angle, rotation=rotation)
-        self._call(library.hs_world_set_pose, block, as_pose(place, "pose"))
+        """Puts a block elsewhere: a position with a turn about z or a quaternion, or 7 numbers as from
+        `pose`."""
+        whole = np.size(position) == 7
+        if whole and (angle is not None or rotation is not None):
+            raise ValueError("position has 7 numbers, the last 4 of them a rotation: give no other")
+        place = position if whole else pose(position, angle, rotation=rotation)
+        self._call(library.hs_world_set_pose, block_id(block, "block"), as_pose(place, "pose"))
 
     def set_velocity(self, block: int, velocity: ArrayLike, angular_velocity: ArrayLike = 0.0) -> None:
         """Sets a block's velocity and angular velocity (a number is about z)."""
         turn = turn_vector(angular_velocity, "angular_velocity")
-        self._call(library.hs_world_set_velocity, block, vector(velocity, "velocity"), turn)
+        self._call(
+            library.hs_world_set_velocity, block_id(block, "block"), vector(velocity, "velocity"), turn
+        )
 
     def set_applied_force(self, block: int, force: ArrayLike, torque: ArrayLike = 0.0) -> None:
         """Sets the force at the centroid and the torque that act on a rigid block until set again."""
         self._call(
-            library.hs_world_set_applied_force, block, vector(force, "force"), turn_vector(torque, "torque")
+            library.hs_world_set_applied_force,
+            block_id(block, "block"),
+            vector(force, "force"),
+            turn_vector(torque, "torque"),
         )
 
     # ---- stages and steps ----
@@ -325,15 +340,21 @@ class World(BlockArrays):
         """The contacts of the last detection, a structured array of `CONTACT`, sorted by block index, a
         before b."""
         count = ctypes.c_int64()
-        self._call(library.hs_world_get_contacts, None, 0, ctypes.byref(count))
-        contacts = np.zeros(count.value, CONTACT)
-        self._call(library.hs_world_get_contacts, contacts.ctypes.data, len(contacts), None)
+        with held(self):
+            self._call(library.hs_world_get_contacts, None, 0, ctypes.byref(count))
+            contacts = np.zeros(count.value, CONTACT)
+            self._call(library.hs_world_get_contacts, contacts.ctypes.data, len(contacts), None)
         return contacts
 
     def set_shear_force(self, block_a: int, block_b: int, shear_force: ArrayLike) -> None:
         """Preloads the shear spring of a contact with a force on `block_b`, e.g. to start from
         equilibrium."""
-        self._call(library.hs_world_set_shear_force, block_a, block_b, vector(shear_force, "shear_force"))
+        self._call(
+            library.hs_world_set_shear_force,
+            block_id(block_a, "block_a"),
+            block_id(block_b, "block_b"),
+            vector(shear_force, "shear_force"),
+        )
 
     @property
     def report(self) -> Any:

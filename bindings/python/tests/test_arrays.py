@@ -124,6 +124,51 @@ def test_output_that_cannot_be_written_is_refused(resting_world, wrong):
         resting_world.forces(0.0, wrong)
 
 
+@pytest.mark.parametrize(
+    "wrong",
+    [np.zeros(2, np.float32), np.zeros(2, int), np.broadcast_to(0.0, 2), [0.0, 0.0], np.zeros(1)],
+    ids=["float32", "int", "read-only", "list", "1 number"],
+)
+def test_torques_that_cannot_be_written_are_refused_before_the_call(resting_world, wrong):
+    resting_world.step(200)  # in contact: a call would let the springs grow
+    resting_world.set_velocities([(0, 0), (1, 0)], [0, 0])
+    resting_world.detect()
+    before = resting_world.save()
+    with pytest.raises(ValueError, match="torques_out"):
+        resting_world.forces(1e-3, None, wrong)
+    assert resting_world.save() == before
+
+
+@pytest.mark.parametrize("wrong", [(1, 2), (1, 2, 3, 4), [5], [[1, 2, 3]]])
+def test_a_turn_is_one_number_or_three(resting_world, square, wrong):
+    block = int(resting_world.blocks[1])
+    with pytest.raises(ValueError, match="angular_velocity has the shape"):
+        resting_world.set_velocity(block, (0, 0), wrong)
+    with pytest.raises(ValueError, match="torque has the shape"):
+        resting_world.set_applied_force(block, (0, 0), wrong)
+    with pytest.raises(ValueError, match="angular_velocity has the shape"):
+        resting_world.add_block(square, angular_velocity=wrong)
+
+
+@pytest.mark.parametrize("add", [-(2**64), 2**64])
+def test_a_number_of_more_than_64_bits_names_no_block(resting_world, add):
+    floor, block = map(int, resting_world.blocks)
+    resting_world.step(200)
+    wrong = block + add  # the same 64 bits
+    for use in (
+        resting_world.remove_block,
+        resting_world.state,
+        resting_world.block_vertices,
+        lambda block: resting_world.set_pose(block, (0, 0)),
+        lambda block: resting_world.set_velocity(block, (0, 0)),
+        lambda block: resting_world.set_applied_force(block, (0, 0)),
+        lambda block: resting_world.set_shear_force(floor, block, (0, 0)),
+        lambda block: resting_world.set_shear_force(block, floor, (0, 0)),
+    ):
+        with pytest.raises(ValueError, match=f"is {wrong}; it must be a whole number of 64 bits"):
+            use(wrong)
+
+
 def test_whole_numbers_are_whole_and_fit(resting_world, square):
     corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
     with pytest.raises(ValueError, match=r"faces\[0\] must be whole numbers"):

@@ -9,6 +9,7 @@ import halfspace
 from halfspace import context, law, pair, shape, world
 
 README = pathlib.Path(__file__).parents[1] / "README.md"
+SYMBOLS = pathlib.Path(__file__).parents[1] / "../../capi/symbols.txt"
 
 
 @pytest.mark.parametrize("module", [halfspace, halfspace._arrays, context, law, pair, shape, world])
@@ -26,6 +27,16 @@ def test_programs_in_the_readme(capsys):
         exec(program, names)
     assert names["contact"].gap == -0.125
     assert "EDGE_EDGE -0.125" in capsys.readouterr().out
+
+
+@pytest.mark.skipif(not SYMBOLS.exists(), reason="the wheel is tested without the source tree")
+def test_every_function_of_the_library_is_reached():
+    sources = pathlib.Path(halfspace.__file__).parent.glob("*.py")
+    text = "".join(each.read_text(encoding="utf-8") for each in sources if each.name != "_raw.py")
+    called = set(re.findall(r"\blibrary\.(hs_\w+)", text))
+    # It sets the allocator of a context: here memory is the library's own affair.
+    needless = {"hs_context_def_init"}
+    assert set(SYMBOLS.read_text(encoding="ascii").split()) - called == needless
 
 
 def test_everything_public_is_documented():

@@ -153,6 +153,45 @@ def test_a_library_that_cannot_be_used_is_an_import_error(path, text):
     assert "ImportError" in run.stderr and text in run.stderr and path in run.stderr
 
 
+def test_what_ended_with_the_interpreter_says_so():
+    program = """
+import atexit
+
+def late():  # registered first, called last
+    for use in (lambda: shape.vertices, lambda: world.step(), lambda: hs.Shape.rectangle(1, 1)):
+        try:
+            use()
+        except hs.ClosedError as error:
+            print(error)
+
+atexit.register(late)
+import halfspace as hs
+shape, world = hs.Shape.rectangle(1, 1), hs.World()
+"""
+    run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    assert (run.returncode, run.stderr) == (0, "")
+    assert run.stdout.split("\n")[:3] == [f"the {name} is closed" for name in ("shape", "world", "context")]
+
+
+def test_the_interpreter_may_end_during_a_call():
+    program = """
+import threading, halfspace as hs
+world, stepping = hs.World(time_step=1e-3), threading.Event()
+world.add_material(1)
+for i in range(400):
+    world.add_block(hs.Shape.rectangle(1, 1), (i, 0))
+
+def run():
+    stepping.set()
+    world.step(10**9)
+
+threading.Thread(target=run, daemon=True).start()
+stepping.wait()
+"""
+    run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60)
+    assert run.returncode == 0, run.stderr
+
+
 def test_the_end_of_the_interpreter_is_quiet():
     program = "import halfspace as hs; s = hs.Shape.box(1, 1, 1); w = hs.World(3); w.add_material(1); w.add_block(s)"
     run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)

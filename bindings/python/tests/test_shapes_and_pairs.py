@@ -102,6 +102,8 @@ def test_many_pairs_are_what_single_pairs_are(square):
     with pytest.raises(hs.ArgumentError, match=r"pairs\[1\] is 99; there are 40 bodies"):
         hs.pairs_detect(shapes, poses, [(0, 99)])
     assert len(hs.pairs_detect([], np.empty((0, 7)), np.empty((0, 2)))) == 0
+    with pytest.raises(ValueError, match="pairs: there are no bodies"):
+        hs.pairs_detect([], np.empty((0, 7)), [(0, 1)])
 
 
 def test_laws_have_the_defaults_of_the_library():

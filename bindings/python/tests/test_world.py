@@ -54,6 +54,15 @@ def test_a_snapshot_goes_on_bit_for_bit(dimension):
         hs.World.restore(damaged)
 
 
+def test_a_copy_is_in_the_same_context():
+    with hs.Context() as context:
+        world = hs.World(context=context)
+        copies = copy.copy(world), copy.deepcopy([world])[0]
+        assert all(other.context is context and other is not world for other in copies)
+        assert pickle.loads(pickle.dumps(world)).context is hs.default_context()
+    assert all(other.closed for other in copies)
+
+
 def test_stages_are_what_a_step_does(resting_world):
     """Velocity Verlet by hand, in the order of the library's own step."""
     world, twin = resting_world, copy.copy(resting_world)
@@ -106,6 +115,10 @@ def test_setting_poses(resting_world):
     assert np.array_equal(resting_world.positions[1], [3.125, 3.51])
     resting_world.set_pose(int(resting_world.blocks[1]), (1, 2), 0.5)
     assert resting_world.poses[1, 5] == pytest.approx(np.sin(0.25))
+    block = int(resting_world.blocks[1])
+    for twice in (dict(angle=0.5), dict(rotation=(0, 0, 0, 1))):
+        with pytest.raises(ValueError, match="position has 7 numbers"):
+            resting_world.set_pose(block, hs.pose((1, 2)), **twice)
     with pytest.raises(ValueError, match=r"poses has the shape \(2, 3\)"):
         resting_world.poses = poses[:, :3]
     with pytest.raises(hs.ArgumentError, match="count is 1; the world has 2 blocks"):

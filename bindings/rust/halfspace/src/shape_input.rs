@@ -191,17 +191,20 @@ impl FaceLists {
         let narrow = |value: usize| {
             i32::try_from(value).map_err(|_| Error::argument("faces: an index is above 2^31 - 1"))
         };
-        let faces = faces.iter().map(AsRef::as_ref);
-        Ok(Self {
-            sizes: faces
-                .clone()
-                .map(|face| narrow(face.len()))
-                .collect::<Result<_>>()?,
-            vertices: faces
-                .flatten()
-                .map(|&vertex| narrow(vertex))
-                .collect::<Result<_>>()?,
-        })
+        let mut lists = Self {
+            sizes: Vec::with_capacity(faces.len()),
+            vertices: Vec::new(),
+        };
+        for face in faces {
+            // Asked once: nothing binds as_ref() to the same answer twice, and the library trusts the
+            // sizes to add up to the number of vertices.
+            let face = face.as_ref();
+            lists.sizes.push(narrow(face.len())?);
+            for &vertex in face {
+                lists.vertices.push(narrow(vertex)?);
+            }
+        }
+        Ok(lists)
     }
 
     /// The lists that `first` and `vertices` of hs_shape_get_faces() describe.

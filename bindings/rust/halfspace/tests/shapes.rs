@@ -1,5 +1,7 @@
 //! Shapes: what Rust adds to what the shared cases look at.
 
+use std::cell::Cell;
+
 use halfspace::{Context, FaultKind, Result, Shape};
 
 const CUBE: [[f64; 3]; 8] = [
@@ -74,6 +76,35 @@ fn faults_name_vertex_and_face() -> Result<()> {
             .vertex,
         None
     );
+    Ok(())
+}
+
+/// A face that answers by turns with none of its vertices and with all.
+struct Fickle {
+    vertices: [usize; 4],
+    asked: Cell<usize>,
+}
+
+impl AsRef<[usize]> for Fickle {
+    fn as_ref(&self) -> &[usize] {
+        self.asked.set(self.asked.get() + 1);
+        &self.vertices[..if self.asked.get() % 2 == 0 { 4 } else { 0 }]
+    }
+}
+
+/// Sizes from one answer and vertices from the next would send the library past the vertices' end.
+#[test]
+fn faces_are_asked_once() -> Result<()> {
+    let context = Context::new()?;
+    for (asked, fault) in [(0, Some(FaultKind::FaceTooShort)), (1, None)] {
+        let faces = FACES.map(|vertices| Fickle {
+            vertices,
+            asked: Cell::new(asked),
+        });
+        let found = context.check_polyhedron(&CUBE, &faces)?;
+        assert_eq!(found.map(|found| found.kind), fault);
+        assert!(faces.iter().all(|face| face.asked.get() == asked + 1));
+    }
     Ok(())
 }
 
