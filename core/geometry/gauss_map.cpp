@@ -95,7 +95,7 @@ GaussMap::GaussMap(const Outline<3>& outline, Memory* memory)
     }
   }
   first_of_cell_.push_back(std::int32_t(vertices_.size()));
-  vertices_.shrink_to_fit();
+  refit(vertices_, vertices_.size());
 }
 
 }  // namespace halfspace

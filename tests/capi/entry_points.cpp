@@ -122,150 +122,155 @@ Scene::Scene(int d) : dimension(d) {
 std::vector<EntryPoint> entry_points() {
   using S = Scene&;
   return {
-      {"hs_status_string", false, [](S) { return hs_status_string(HS_OK) ? HS_OK : HS_ERROR_INTERNAL; }},
-      {"hs_version", false, [](S) { return hs_version() ? HS_OK : HS_ERROR_INTERNAL; }},
-      {"hs_context_last_error", false,
+      {"hs_status_string", Allocates::never,
+       [](S) { return hs_status_string(HS_OK) ? HS_OK : HS_ERROR_INTERNAL; }},
+      {"hs_version", Allocates::never, [](S) { return hs_version() ? HS_OK : HS_ERROR_INTERNAL; }},
+      {"hs_context_last_error", Allocates::never,
        [](S s) { return hs_context_last_error(s.context.get()) ? HS_OK : HS_ERROR_INTERNAL; }},
 
-      {"hs_context_def_init", false, [](S) { return fill<hs_context_def>(hs_context_def_init); }},
-      {"hs_law_def_init", false, [](S) { return fill<hs_law_def>(hs_law_def_init); }},
-      {"hs_pair_options_init", false, [](S) { return fill<hs_pair_options>(hs_pair_options_init); }},
-      {"hs_world_def_init", false, [](S) { return fill<hs_world_def>(hs_world_def_init); }},
-      {"hs_block_def_init", false, [](S s) { return block_def(s), HS_OK; }},
+      {"hs_context_def_init", Allocates::never, [](S) { return fill<hs_context_def>(hs_context_def_init); }},
+      {"hs_law_def_init", Allocates::never, [](S) { return fill<hs_law_def>(hs_law_def_init); }},
+      {"hs_pair_options_init", Allocates::never,
+       [](S) { return fill<hs_pair_options>(hs_pair_options_init); }},
+      {"hs_world_def_init", Allocates::never, [](S) { return fill<hs_world_def>(hs_world_def_init); }},
+      {"hs_block_def_init", Allocates::never, [](S s) { return block_def(s), HS_OK; }},
 
-      {"hs_context_create", true,
+      {"hs_context_create", Allocates::always,
        [](S s) {
          return keep(s.made.context, [&](hs_context** c) { return hs_context_create(&s.context_def, c); });
        }},
-      {"hs_context_destroy", false, [](S s) { return s.made.context.reset(), HS_OK; }},
-      {"hs_shape_destroy", false, [](S s) { return s.made.shapes[0].reset(), HS_OK; }},
-      {"hs_world_destroy", false, [](S s) { return s.made.world.reset(), HS_OK; }},
+      {"hs_context_destroy", Allocates::never, [](S s) { return s.made.context.reset(), HS_OK; }},
+      {"hs_shape_destroy", Allocates::never, [](S s) { return s.made.shapes[0].reset(), HS_OK; }},
+      {"hs_world_destroy", Allocates::never, [](S s) { return s.made.world.reset(), HS_OK; }},
 
-      {"hs_polygon_check", true,
+      {"hs_polygon_check", Allocates::always,
        [](S s) { return hs_polygon_check(s.context.get(), polygon(s), &s.written.fault); }},
-      {"hs_polygon_create", true,
+      {"hs_polygon_create", Allocates::always,
        [](S s) {
          const Points corners = halfspace_test::box(0, 0, 2, 1);
          return keep(s.made.shapes[0], [&](hs_shape** shape) {
            return hs_polygon_create(s.context.get(), view_of(corners), shape);
          });
        }},
-      {"hs_polygon_create_hull", true,
+      {"hs_polygon_create_hull", Allocates::always,
        [](S s) {
          return keep(s.made.shapes[0], [&](hs_shape** shape) {
            return hs_polygon_create_hull(s.context.get(), polygon(s), shape);
          });
        }},
-      {"hs_polygon_clean", true,
+      {"hs_polygon_clean", Allocates::always,
        [](S s) {
          return hs_polygon_clean(s.context.get(), polygon(s), 0, room(s, 0), &s.written.counts[0],
                                  &s.written.cleaning);
        }},
-      {"hs_polyhedron_check", true, check_polyhedron},
-      {"hs_polyhedron_create", true,
+      {"hs_polyhedron_check", Allocates::always, check_polyhedron},
+      {"hs_polyhedron_create", Allocates::always,
        [](S s) {
          return keep(s.made.shapes[0],
                      [&](hs_shape** shape) { return create_polyhedron(s.context.get(), s.solid, shape); });
        }},
-      {"hs_polyhedron_create_hull", true,
+      {"hs_polyhedron_create_hull", Allocates::always,
        [](S s) {
          return keep(s.made.shapes[0], [&](hs_shape** shape) {
            return hs_polyhedron_create_hull(s.context.get(), view_of(s.solid.vertices), shape);
          });
        }},
-      {"hs_polyhedron_create_from_halfspaces", true, create_from_halfspaces},
-      {"hs_shape_cut", true, cut},
+      {"hs_polyhedron_create_from_halfspaces", Allocates::always, create_from_halfspaces},
+      {"hs_shape_cut", Allocates::always, cut},
 
-      {"hs_shape_get_properties", false,
+      {"hs_shape_get_properties", Allocates::never,
        [](S s) {
          return hs_shape_get_properties(s.round.get(), &s.written.properties, sizeof s.written.properties);
        }},
-      {"hs_shape_get_vertices", false,
+      {"hs_shape_get_vertices", Allocates::never,
        [](S s) { return hs_shape_get_vertices(s.round.get(), room(s, 0), &s.written.counts[0]); }},
-      {"hs_shape_get_faces", false,
+      {"hs_shape_get_faces", Allocates::never,
        [](S s) {
          return hs_shape_get_faces(s.round.get(), s.written.indices[0], 512, s.written.indices[1], 512,
                                    &s.written.counts[0], &s.written.counts[1]);
        }},
-      {"hs_shape_get_edges", false,
+      {"hs_shape_get_edges", Allocates::never,
        [](S s) {
          return hs_shape_get_edges(s.round.get(), s.written.indices[0], 256, &s.written.counts[0]);
        }},
-      {"hs_shape_get_halfspaces", false,
+      {"hs_shape_get_halfspaces", Allocates::never,
        [](S s) { return hs_shape_get_halfspaces(s.round.get(), room(s, 0), nullptr, &s.written.counts[0]); }},
 
-      {"hs_pair_detect", true,
+      {"hs_pair_detect", Allocates::in_the_plane,
        [](S s) {
          return hs_pair_detect(s.box.get(), &s.poses[0], s.round.get(), &s.poses[1], nullptr, nullptr,
                                &s.written.contact);
        }},
-      {"hs_pairs_detect", true, detect_pairs},
+      {"hs_pairs_detect", Allocates::in_the_plane, detect_pairs},
 
-      {"hs_world_create", true,
+      {"hs_world_create", Allocates::always,
        [](S s) {
          hs_world_def def = world_def();
          def.dimension = s.dimension;
          return keep(s.made.world,
                      [&](hs_world** world) { return hs_world_create(s.context.get(), &def, world); });
        }},
-      {"hs_world_add_material", true,
+      {"hs_world_add_material", Allocates::always,
        [](S s) { return hs_world_add_material(s.world.get(), 2000, &s.written.indices[0][0]); }},
-      {"hs_world_set_default_law", false,
+      {"hs_world_set_default_law", Allocates::never,
        [](S s) {
          const hs_law_def law = law_def(2e7, 0.1);
          return hs_world_set_default_law(s.world.get(), &law);
        }},
-      {"hs_world_set_law", true,
+      {"hs_world_set_law", Allocates::always,
        [](S s) {
          const hs_law_def law = law_def(2e7, 0.1);
          return hs_world_set_law(s.world.get(), 0, 0, &law);
        }},
-      {"hs_world_add_block", true,
+      {"hs_world_add_block", Allocates::always,
        [](S s) {
          const hs_block_def def = block_def(s);
          return hs_world_add_block(s.world.get(), s.round.get(), &def, &s.written.blocks[0]);
        }},
-      {"hs_world_remove_block", true, [](S s) { return hs_world_remove_block(s.world.get(), s.lower); }},
-      {"hs_world_get_blocks", false,
+      {"hs_world_remove_block", Allocates::always,
+       [](S s) { return hs_world_remove_block(s.world.get(), s.lower); }},
+      {"hs_world_get_blocks", Allocates::never,
        [](S s) { return hs_world_get_blocks(s.world.get(), s.written.blocks, 4, &s.written.counts[0]); }},
-      {"hs_world_get_block_state", false,
+      {"hs_world_get_block_state", Allocates::never,
        [](S s) { return hs_world_get_block_state(s.world.get(), s.upper, &s.written.state); }},
-      {"hs_world_get_block_vertices", false,
+      {"hs_world_get_block_vertices", Allocates::never,
        [](S s) {
          return hs_world_get_block_vertices(s.world.get(), s.upper, room(s, 0), &s.written.counts[0]);
        }},
-      {"hs_world_set_pose", false,
+      {"hs_world_set_pose", Allocates::never,
        [](S s) { return hs_world_set_pose(s.world.get(), s.upper, &s.poses[0]); }},
-      {"hs_world_set_velocity", false,
+      {"hs_world_set_velocity", Allocates::never,
        [](S s) { return hs_world_set_velocity(s.world.get(), s.upper, aslant, nowhere); }},
-      {"hs_world_set_applied_force", false,
+      {"hs_world_set_applied_force", Allocates::never,
        [](S s) { return hs_world_set_applied_force(s.world.get(), s.upper, aslant, nowhere); }},
-      {"hs_world_get_poses", false,
+      {"hs_world_get_poses", Allocates::never,
        [](S s) { return hs_world_get_poses(s.world.get(), s.written.poses, 4, &s.written.counts[0]); }},
-      {"hs_world_set_poses", false, [](S s) { return hs_world_set_poses(s.world.get(), s.poses, 2); }},
-      {"hs_world_get_velocities", false,
+      {"hs_world_set_poses", Allocates::never,
+       [](S s) { return hs_world_set_poses(s.world.get(), s.poses, 2); }},
+      {"hs_world_get_velocities", Allocates::never,
        [](S s) { return hs_world_get_velocities(s.world.get(), room(s, 0), room(s, 1)); }},
-      {"hs_world_set_velocities", false,
+      {"hs_world_set_velocities", Allocates::never,
        [](S s) {
          const Points3 velocities = {{0, 0, 0}, {1, 2, 0}};
          return hs_world_set_velocities(s.world.get(), view_of(velocities), {});
        }},
-      {"hs_world_detect", true, [](S s) { return hs_world_detect(s.world.get(), &s.written.counts[0]); }},
-      {"hs_world_forces", false,
+      {"hs_world_detect", Allocates::always,
+       [](S s) { return hs_world_detect(s.world.get(), &s.written.counts[0]); }},
+      {"hs_world_forces", Allocates::never,
        [](S s) { return hs_world_forces(s.world.get(), 0, room(s, 0), room(s, 1)); }, detect},
-      {"hs_world_step", true, [](S s) { return hs_world_step(s.world.get(), 1); }, throw_upper},
-      {"hs_world_get_report", true,
+      {"hs_world_step", Allocates::always, [](S s) { return hs_world_step(s.world.get(), 1); }, throw_upper},
+      {"hs_world_get_report", Allocates::always,
        [](S s) { return hs_world_get_report(s.world.get(), &s.written.report, sizeof s.written.report); }},
-      {"hs_world_get_contacts", false,
+      {"hs_world_get_contacts", Allocates::never,
        [](S s) { return hs_world_get_contacts(s.world.get(), &s.written.contact, 1, &s.written.counts[0]); },
        detect},
-      {"hs_world_set_shear_force", false,
+      {"hs_world_set_shear_force", Allocates::never,
        [](S s) { return hs_world_set_shear_force(s.world.get(), s.lower, s.upper, aslant); }, detect},
-      {"hs_world_save", false,
+      {"hs_world_save", Allocates::never,
        [](S s) {
          return hs_world_save(s.world.get(), s.snapshot.data(), s.snapshot.size(), &s.written.size);
        }},
-      {"hs_world_restore", true,
+      {"hs_world_restore", Allocates::always,
        [](S s) {
          return keep(s.made.world, [&](hs_world** world) {
            return hs_world_restore(s.context.get(), s.snapshot.data(), s.snapshot.size(), world);

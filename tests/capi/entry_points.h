@@ -55,9 +55,12 @@ struct Scene {
   Made made;
 };
 
+/// When a call takes memory.
+enum class Allocates { never, in_the_plane, always };
+
 struct EntryPoint {
   std::string name;
-  bool allocates;
+  Allocates allocates;
   std::function<hs_status(Scene&)> call;
   void (*arrange)(Scene&) = nullptr;  // what must have happened before
 };
