@@ -175,9 +175,9 @@ template <class Four, class Turn>
   return false;
 }
 
-/// The least deep pair next to the one found, and next to that. The normals are those of the blocks' own
-/// features here; the polytope's are of triangles, which may be slivers: where rounding turns these, the
-/// facet nearest to the origin is only near to the one that is.
+/// The least deep pair next to the one found, and next to that: for when the polytope is no proof. Its
+/// normals are those of triangles, which may be slivers that rounding turns, and it has room for so many
+/// corners only; the normals here are those of the blocks' own features.
 template <class Turn>
 Separation<3> refined(const MinkowskiDifference<Turn>& difference, const Separation<3>& found) {
   const SeenOutline a = difference.a(), b = difference.seen_b();

@@ -167,8 +167,8 @@ void describe_vertex_vertex(const FaceVertex& f, int vertex_of_owner, Contact<3>
        ++k) {
     for (int j = of_other.first_of_vertex[f.vertex]; j < of_other.first_of_vertex[f.vertex + 1]; ++j) {
       const int edge = of_owner.vertex_edge[k], edge_of_other = of_other.vertex_edge[j];
-      if (is_edge_pair(f.owner, edge, f.other, edge_of_other))
-        of_edges += edge_pair_normal(f.owner, edge, f.other, edge_of_other);
+      const Vector<3> normal = edge_pair_normal(f.owner, edge, f.other, edge_of_other);
+      if (is_edge_pair(f.owner, edge, f.other, edge_of_other, normal)) of_edges += normal;
     }
   }
   const Vector<3> point = f.owner.vertex(vertex_of_owner);

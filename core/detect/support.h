@@ -4,16 +4,11 @@
 #include <cmath>
 
 #include "detect/indexed_lanes.h"
+#include "geometry/deepest_vertex.h"
 #include "geometry/gauss_map.h"
 #include "geometry/outline.h"
 
 namespace halfspace {
-
-/// A vertex of a polyhedron and how far it lies along some direction.
-struct Support {
-  double height;
-  int vertex;
-};
 
 /// The vertex that lies deepest along a direction: with an outer normal of the other block's half-space it
 /// forms a potential contact pair (Wang et al. 2021, eq. 17). Four vertices at a time, and selections instead
@@ -34,11 +29,6 @@ template <class Four = TwiceTwoLanes>
   return {least.value[0],
           std::min(int(least.index[0]), block.vertex_count() - 1)};  // padding repeats the last
 }
-
-/// The same for a block of many vertices, by a walk over its edges from a vertex near it; or from the deepest
-/// of some that are spread over the block.
-Support walk_to_deepest(const Outline<3>& block, const Vector<3>& direction, int hint);
-Support walk_to_deepest(const Outline<3>& block, const Vector<3>& direction);
 
 /// The same for a block that has a map of what is deepest.
 [[gnu::always_inline]] inline Support deepest_on_map(const Outline<3>& block, const Vector<3>& direction) {

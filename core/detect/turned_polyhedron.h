@@ -7,26 +7,17 @@
 
 namespace halfspace {
 
-/// The outline of a block turned into another frame, in memory of its own: on the stack for blocks of up to
-/// most_edges_in_set edges.
+/// The outline of a block of up to most_edges_in_set edges turned into another frame, in memory of its own.
 class TurnedPolyhedron {
  public:
-  TurnedPolyhedron(const Outline<3>& given, const Rotation<3>& rotation,
-                   Memory* memory = std::pmr::null_memory_resource())
-      : memory_(memory) {
+  TurnedPolyhedron(const Outline<3>& given, const Rotation<3>& rotation) {
     const int vertices = Outline<3>::padded(given.vertex_count());
     const int faces = Outline<3>::padded(given.face_count());
-    count_ = 3 * (vertices + faces);
-    components_ =
-        count_ <= most_inline ? inline_ : static_cast<double*>(memory_->allocate(bytes(), alignof(double)));
     double *const x = components_, *const y = x + vertices, *const z = y + vertices;
     double *const nx = z + vertices, *const ny = nx + faces, *const nz = ny + faces;
     turn(rotation, given.x, given.y, given.z, vertices, x, y, z);
     turn(rotation, given.nx, given.ny, given.nz, faces, nx, ny, nz);
     outline_ = {given.topology, x, y, z, nx, ny, nz, given.offset, nullptr};
-  }
-  ~TurnedPolyhedron() {
-    if (components_ != inline_) memory_->deallocate(components_, bytes(), alignof(double));
   }
   TurnedPolyhedron(const TurnedPolyhedron&) = delete;  // the outline points into it
   TurnedPolyhedron& operator=(const TurnedPolyhedron&) = delete;
@@ -35,7 +26,7 @@ class TurnedPolyhedron {
 
  private:
   /// Vertices and faces are two more than the edges (Euler), each padded.
-  static constexpr int most_inline = 3 * (most_edges_in_set + 2 + 2 * 3);
+  static constexpr int most_components = 3 * (most_edges_in_set + 2 + 2 * 3);
 
   /// Two at a time, as Rotation does one.
   static void turn(const Rotation<3>& rotation, const double* x, const double* y, const double* z, int count,
@@ -52,12 +43,8 @@ class TurnedPolyhedron {
       put_two_at(turned_z + i, component(2));
     }
   }
-  std::size_t bytes() const { return std::size_t(count_) * sizeof(double); }
 
-  Memory* memory_;
-  int count_;
-  double* components_;
-  double inline_[most_inline];
+  double components_[most_components];
   Outline<3> outline_;
 };
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "geometry/outline.h"
+#include "geometry/deepest_vertex.h"
 
 namespace halfspace {
 namespace {
@@ -34,7 +34,7 @@ class Search {
   /// turns, what lies deepest moves on from a vertex to a neighbour.
   void append_candidates(const Cell& cell, int cell_index, Array<std::int32_t>& vertices) {
     const std::size_t first = vertices.size();
-    start_ = walk_to_deepest(cell.corner[0], start_);
+    start_ = walk_to_deepest(outline_, cell.corner[0], start_).vertex;
     vertices.push_back(start_);
     seen_in_[std::size_t(start_)] = cell_index;
     for (std::size_t i = first; i < vertices.size(); ++i) {
@@ -50,19 +50,6 @@ class Search {
     const Topology& t = *outline_.topology;
     return {t.vertex_neighbour + t.first_of_vertex[vertex],
             t.vertex_neighbour + t.first_of_vertex[vertex + 1]};
-  }
-
-  /// Heights over a convex surface have one minimum.
-  std::int32_t walk_to_deepest(const Vector<3>& direction, std::int32_t vertex) const {
-    for (;;) {
-      std::int32_t deepest = vertex;
-      for (const std::int32_t neighbour : neighbours(vertex)) {
-        if (direction.dot(outline_.vertex(neighbour)) < direction.dot(outline_.vertex(deepest)))
-          deepest = neighbour;
-      }
-      if (deepest == vertex) return vertex;
-      vertex = deepest;
-    }
   }
 
   /// No neighbour lies deeper along all directions through the cell: along all of its corners.

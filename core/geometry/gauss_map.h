@@ -12,10 +12,6 @@ namespace halfspace {
 template <int D>
 struct Outline;
 
-/// Up to this many vertices, to look at all for the deepest is faster than anything else (tests/benchmarks,
-/// bench_pairs_3d).
-constexpr int few_vertices = 48;
-
 /// For every direction, a few vertices of a polyhedron of many: the one that lies deepest along it is among
 /// them. The faces of a cube about the origin are divided into cells; to a cell belongs what lies deepest
 /// along some direction through it: the Gauss map of the polyhedron, on a raster. In the orientation of the

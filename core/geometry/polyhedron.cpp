@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/deepest_vertex.h"
 #include "geometry/precise.h"
 #include "geometry/shape.h"
 

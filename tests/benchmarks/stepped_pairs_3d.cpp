@@ -3,10 +3,10 @@
 #include <cmath>
 #include <deque>
 #include <memory_resource>
-#include <optional>
 
 #include "benchmarks/halfspace_block.h"
 #include "benchmarks/timing.h"
+#include "block/outlines.h"
 #include "detect/pair.h"
 
 namespace halfspace_benchmark {
@@ -14,7 +14,6 @@ namespace {
 
 using halfspace::PairMemory;
 using halfspace::Rotation;
-using halfspace::TurnedPolyhedron;
 using halfspace::Vector;
 
 Vector<3> draw_direction(Random& random) {
@@ -25,12 +24,17 @@ Vector<3> draw_direction(Random& random) {
 class SteppedPair {
  public:
   SteppedPair(const HalfspaceBlock& a, const HalfspaceBlock& b, const PolyhedraAt& at, Random& random)
-      : block_of_b_(b),
+      : centroid_of_b_(b.centroid),
         rotation_of_a_(Rotation<3>::from_quaternion(at.at_a.rotation)),
         rotation_of_b_(Rotation<3>::from_quaternion(at.at_b.rotation)),
         path_(draw_direction(random)),
-        axis_(draw_direction(random)),
-        a_(a.shape.outline(), rotation_of_a_, std::pmr::get_default_resource()) {
+        axis_(draw_direction(random)) {
+    outlines_.resize(2);
+    outlines_.assign(0, outlines_.take_in(a.shape));
+    outlines_.assign(1, outlines_.take_in(b.shape));
+    outlines_.turn(0, rotation_of_a_);
+    a_ = outlines_[0];
+    b_ = outlines_[1];
     const double *from = at.at_a.position, *to = at.at_b.position;
     position_ = Vector<3>(to[0] - from[0], to[1] - from[1], to[2] - from[2]) - rotation_of_a_ * a.centroid;
   }
@@ -41,34 +45,32 @@ class SteppedPair {
     const Vector<3> half = std::sin(turn / 2) * axis_;
     const double quaternion[] = {half.x(), half.y(), half.z(), std::cos(turn / 2)};
     const Rotation<3> rotation = Rotation<3>::from_quaternion(quaternion) * rotation_of_b_;
-    b_.emplace(block_of_b_.shape.outline(), rotation, std::pmr::get_default_resource());
-    to_b_ = position_ + motion * path_ + rotation * block_of_b_.centroid;
+    outlines_.turn(1, rotation);
+    to_b_ = position_ + motion * path_ + rotation * centroid_of_b_;
   }
 
   bool judge_without_memory() const {
     PairMemory<3> memory;
-    judge_pair(a_.outline(), b_->outline(), to_b_, memory);
+    judge_pair(a_, b_, to_b_, memory);
     return memory.state == PairMemory<3>::touching;
   }
   bool judge() {
-    if (!still_separated(a_.outline(), b_->outline(), to_b_, memory_))
-      judge_pair(a_.outline(), b_->outline(), to_b_, memory_);
+    if (!still_separated(a_, b_, to_b_, memory_)) judge_pair(a_, b_, to_b_, memory_);
     return is_touching();
   }
   bool is_touching() const { return memory_.state == PairMemory<3>::touching; }
-  void describe(halfspace::Contact<3>& contact) {
-    describe_contact(a_.outline(), b_->outline(), to_b_, memory_, {}, contact);
-  }
+  void describe(halfspace::Contact<3>& contact) { describe_contact(a_, b_, to_b_, memory_, {}, contact); }
 
  private:
-  const HalfspaceBlock& block_of_b_;
+  Vector<3> centroid_of_b_;
   Rotation<3> rotation_of_a_;
   Rotation<3> rotation_of_b_;
   Vector<3> path_;
   Vector<3> axis_;
   Vector<3> position_;
-  TurnedPolyhedron a_;
-  std::optional<TurnedPolyhedron> b_;
+  halfspace::Outlines<3> outlines_{std::pmr::get_default_resource()};
+  halfspace::Outline<3> a_;  // into outlines_, as both blocks are turned there
+  halfspace::Outline<3> b_;
   Vector<3> to_b_;
   PairMemory<3> memory_;
 };

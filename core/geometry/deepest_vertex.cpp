@@ -1,4 +1,6 @@
-#include "detect/support.h"
+#include "geometry/deepest_vertex.h"
+
+#include <algorithm>
 
 namespace halfspace {
 namespace {
