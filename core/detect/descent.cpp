@@ -1,6 +1,7 @@
 #include "detect/descent.h"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "detect/expanding_polytope.h"
@@ -29,41 +30,58 @@ int edge_between(const Topology& topology, int from, int to) {
   return -1;
 }
 
-/// A face of block a and the vertex of b that is deepest behind it.
+/// A facet of the polytope in the end.
+struct FoundFacet {
+  Vector<3> normal;  // unit, from a to b
+  Corner corner;     // one of its three
+  bool is_proven;    // no corner of the difference lies deeper
+
+  /// Deepest along a unit normal, too, when that is the facet's own but for rounding.
+  bool is_corner_deepest_along(const Vector<3>& other) const {
+    constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
+    return is_proven && (other - normal).squaredNorm() <= rounding * rounding;
+  }
+};
+
+/// A face of block a at the facet, and the vertex of b that is deepest behind it.
 template <class Turn>
-Separation<3> at_face_of_a(const MinkowskiDifference<Turn>& difference, const Corner& near,
-                           const Vector<3>& along) {
-  const Outline<3>& a = difference.a();
-  const int face = face_along(a, near.a, along);
+Separation<3> at_face_of_a(const MinkowskiDifference<Turn>& difference, const FoundFacet& facet) {
+  const Outline<3>&a = difference.a(), &b = difference.b();
+  const Corner& near = facet.corner;
+  const int face = face_along(a, near.a, facet.normal);
   const Vector<3> normal = a.normal(face);
-  const int vertex = deepest(difference.b(), difference.in_frame_of_b(normal), near.b).vertex;
+  const int vertex = facet.is_corner_deepest_along(normal)
+                         ? near.b
+                         : deepest(b, difference.in_frame_of_b(normal), near.b).vertex;
   return {normal.dot(difference.vertex_of_b(vertex)) - a.offset[face],
           {PotentialPair<3>::face_vertex, face, vertex},
           normal};
 }
 
-/// A face of block b and the vertex of a that is deepest behind it.
+/// A face of block b at the facet, and the vertex of a that is deepest behind it.
 template <class Turn>
-Separation<3> at_face_of_b(const MinkowskiDifference<Turn>& difference, const Corner& near,
-                           const Vector<3>& along) {
+Separation<3> at_face_of_b(const MinkowskiDifference<Turn>& difference, const FoundFacet& facet) {
   const Outline<3>&a = difference.a(), &b = difference.b();
-  const int face = face_along(b, near.b, difference.in_frame_of_b(-along));
+  const Corner& near = facet.corner;
+  const int face = face_along(b, near.b, difference.in_frame_of_b(-facet.normal));
   const Vector<3> normal = -difference.normal_of_b(face);
-  const int vertex = deepest(a, -normal, near.a).vertex;
+  const int vertex = facet.is_corner_deepest_along(normal) ? near.a : deepest(a, -normal, near.a).vertex;
   return {normal.dot(difference.to_b() - a.vertex(vertex)) - b.offset[face],
           {PotentialPair<3>::vertex_face, vertex, face},
           normal};
 }
 
-/// An edge of each block. The gap is -infinity when they are parallel.
+/// An edge of each block at the facet. The gap is -infinity when they are parallel.
 template <class Turn>
-Separation<3> at_edges(const MinkowskiDifference<Turn>& difference, const Corner& near, int edge_of_a,
+Separation<3> at_edges(const MinkowskiDifference<Turn>& difference, const FoundFacet& facet, int edge_of_a,
                        int edge_of_b) {
   const PotentialPair<3> pair{PotentialPair<3>::edge_edge, edge_of_a, edge_of_b};
   const Vector<3> along_b = difference.from_frame_of_b(edge_vector(difference.b(), edge_of_b));
   const Vector<3> normal = edge_pair_normal(difference.a(), edge_of_a, along_b);
   if (normal == Vector<3>::Zero()) return {-HUGE_VAL, pair, normal};
-  return {normal.dot(difference.deepest_along(normal, near).at), pair, normal};
+  const Corner deepest =
+      facet.is_corner_deepest_along(normal) ? facet.corner : difference.deepest_along(normal, facet.corner);
+  return {normal.dot(deepest.at), pair, normal};
 }
 
 /// The vertices of one block that a facet's corners have: one, those of an edge, or three of a face.
@@ -87,38 +105,38 @@ bool is_sharp(const Outline<3>& block, int edge, const Vector<3>& along) {
 /// The potential pair whose facet of the Minkowski difference holds three corners: a face of either block at
 /// the vertices found, or an edge of each; where they share a plane, the one of largest gap.
 template <class Turn, class Polytope>
-Separation<3> pair_at(const MinkowskiDifference<Turn>& difference, const PolytopeFacet& facet,
-                      const Polytope& polytope) {
+Separation<3> pair_at(const MinkowskiDifference<Turn>& difference, const Polytope& polytope, bool is_proven) {
   const Outline<3>&a = difference.a(), &b = difference.b();
   const Corner c = polytope.corner_of_nearest(0), d = polytope.corner_of_nearest(1),
                e = polytope.corner_of_nearest(2);
+  const PolytopeFacet nearest = polytope.nearest();
+  const FoundFacet facet{-nearest.normal, c, is_proven};
   const double rounding = polytope.rounding();
-  const Vector<3> along = -facet.normal;
-  const auto is_as_deep = [&](const Separation<3>& found) { return found.gap >= -facet.offset - rounding; };
+  const auto is_as_deep = [&](const Separation<3>& found) { return found.gap >= -nearest.offset - rounding; };
 
   // As a rule the corners tell which features they are of.
   const FacetVertices of_a(c.a, d.a, e.a), of_b(c.b, d.b, e.b);
   if (of_b.count == 1) {
-    const Separation<3> face_of_a = at_face_of_a(difference, c, along);
+    const Separation<3> face_of_a = at_face_of_a(difference, facet);
     if (is_as_deep(face_of_a)) return face_of_a;
   }
   if (of_a.count == 1) {
-    const Separation<3> face_of_b = at_face_of_b(difference, c, along);
+    const Separation<3> face_of_b = at_face_of_b(difference, facet);
     if (is_as_deep(face_of_b)) return face_of_b;
   }
   const int edge_of_a = of_a.count == 1 ? -1 : edge_between(*a.topology, of_a.first, of_a.second);
   const int edge_of_b = of_b.count == 1 ? -1 : edge_between(*b.topology, of_b.first, of_b.second);
-  Separation<3> edges{-HUGE_VAL, {}, along};
+  Separation<3> edges{-HUGE_VAL, {}, facet.normal};
   if (edge_of_a >= 0 && edge_of_b >= 0) {
-    edges = at_edges(difference, c, edge_of_a, edge_of_b);
-    if (is_sharp(a, edge_of_a, along) && is_sharp(b, edge_of_b, difference.in_frame_of_b(-along)) &&
-        is_as_deep(edges))
+    edges = at_edges(difference, facet, edge_of_a, edge_of_b);
+    if (is_sharp(a, edge_of_a, facet.normal) &&
+        is_sharp(b, edge_of_b, difference.in_frame_of_b(-facet.normal)) && is_as_deep(edges))
       return edges;
   }
 
   // Where a face is parallel to a feature of the other block, several share the plane.
-  const Separation<3> face_of_a = at_face_of_a(difference, c, along);
-  const Separation<3> face_of_b = at_face_of_b(difference, c, along);
+  const Separation<3> face_of_a = at_face_of_a(difference, facet);
+  const Separation<3> face_of_b = at_face_of_b(difference, facet);
   const Separation<3>& face = face_of_b.gap > face_of_a.gap ? face_of_b : face_of_a;
   return edges.gap > face.gap + rounding ? edges : face;
 }
@@ -200,11 +218,11 @@ template <class Four, class Turn>
                                                         const Simplex& around_origin) {
   ExpandingPolytope<Four> polytope(around_origin.corner);
   for (;;) {
-    const PolytopeFacet facet = polytope.nearest();
-    const Corner c = difference.template deepest_along<Four>(-facet.normal, polytope.corner_of_nearest(0));
-    const bool is_facet = facet.normal.dot(c.at) - facet.offset <= polytope.rounding();
+    const Corner c =
+        difference.template deepest_along<Four>(-polytope.normal_of_nearest(), polytope.corner_of_nearest(0));
+    const bool is_facet = polytope.is_behind_nearest(c.at);
     if (is_facet || !polytope.expand(c)) {
-      const Separation<3> found = pair_at(difference, facet, polytope);
+      const Separation<3> found = pair_at(difference, polytope, is_facet);
       constexpr double may_be_turned = 1e8;  // how far a sliver's plane may be off, in its corners' rounding
       const bool is_final = is_facet && found.gap <= -may_be_turned * polytope.rounding();
       return is_final ? found : refined(difference, found);

@@ -27,9 +27,14 @@ class ExpandingPolytope {
   /// From a tetrahedron around the origin.
   [[gnu::always_inline]] explicit ExpandingPolytope(const Corner* tetrahedron);
 
-  /// The facet nearest to the origin.
-  [[gnu::always_inline]] PolytopeFacet nearest() const {
-    return {{nx_[nearest_], ny_[nearest_], nz_[nearest_]}, offset_[nearest_]};
+  /// Outer normal of the facet nearest to the origin, of any length.
+  Vector<3> normal_of_nearest() const { return {nx_[nearest_], ny_[nearest_], nz_[nearest_]}; }
+  /// False when a point lies outside of the nearest facet by more than rounding.
+  bool is_behind_nearest(const Vector<3>& p) const { return normal_of_nearest().dot(p) <= limit_[nearest_]; }
+  /// The plane of the nearest facet.
+  PolytopeFacet nearest() const {
+    const Vector<3> normal = normal_of_nearest().normalized();
+    return {normal, normal.dot(corner_of_nearest(0).at)};
   }
   /// One of its three corners.
   Corner corner_of_nearest(int i) const {
@@ -61,9 +66,9 @@ class ExpandingPolytope {
     int from;
     int to;
   };
-  /// A facet, and how far its plane is from the origin.
+  /// A facet, and the square of its plane's distance from the origin.
   struct Distance {
-    double offset;
+    double square;  // < 0 where rounding has left the origin outside
     int facet;
   };
   /// The facets that a point lies beyond, and which of the others is nearest to the origin.
@@ -102,9 +107,10 @@ class ExpandingPolytope {
   int vertex_of_a_[most_corners], vertex_of_b_[most_corners];
   int last_horizon_[most_corners];  // that a corner was on: that of the corner of this index
   Triangle triangles_[most_facets];
-  // Planes of the facets, read four at a time.
+  // Of the facets, read four at a time: normals of any length, the height along them up to which a point is
+  // not outside, and the squares of the distances. No facet waits for the root that its length would take.
   double nx_[most_facets + lanes], ny_[most_facets + lanes], nz_[most_facets + lanes],
-      offset_[most_facets + lanes];
+      limit_[most_facets + lanes], distance_square_[most_facets + lanes];
   // Of each edge of the surface, by its ends, the facet that has it on its left.
   std::uint8_t facet_at_[most_corners][most_corners];
   int corner_count_ = 0;
@@ -152,16 +158,14 @@ inline void ExpandingPolytope<Four>::put_fan(const Edge* edges, int count, int t
     const Four from_x = ends(&Edge::from, 0) - apex_x, to_x = ends(&Edge::to, 0) - apex_x;
     const Four from_y = ends(&Edge::from, 1) - apex_y, to_y = ends(&Edge::to, 1) - apex_y;
     const Four from_z = ends(&Edge::from, 2) - apex_z, to_z = ends(&Edge::to, 2) - apex_z;
-    Four nx = from_y * to_z - from_z * to_y, ny = from_z * to_x - from_x * to_z,
-         nz = from_x * to_y - from_y * to_x;
-    const Four square = nx * nx + ny * ny + nz * nz;
+    const Four nx = from_y * to_z - from_z * to_y, ny = from_z * to_x - from_x * to_z,
+               nz = from_x * to_y - from_y * to_x;
+    const Four square = nx * nx + ny * ny + nz * nz, height = nx * apex_x + ny * apex_y + nz * apex_z;
+    const Four limit = height + all_four<Four>(rounding_) * square_roots(square);
     // Three corners on a line span no plane: never the nearest, and nothing lies beyond it.
-    const Four inverse = where_less(zero, square, all_four<Four>(1) / square_roots(square), zero);
-    nx = nx * inverse;
-    ny = ny * inverse;
-    nz = nz * inverse;
-    const Four offset =
-        where_less(zero, square, nx * apex_x + ny * apex_y + nz * apex_z, all_four<Four>(HUGE_VAL));
+    const Four distance_square =
+        where_less(zero, square, height / square * where_less(height, zero, zero - height, height),
+                   all_four<Four>(HUGE_VAL));
     for (int lane = 0; lane < lanes && first + lane < count; ++lane) {
       const auto [start, end] = edges[first + lane];
       const int f = places[first + lane];
@@ -170,8 +174,9 @@ inline void ExpandingPolytope<Four>::put_fan(const Edge* edges, int count, int t
       nx_[f] = nx[lane];
       ny_[f] = ny[lane];
       nz_[f] = nz[lane];
-      offset_[f] = offset[lane];
-      nearest = offset[lane] < nearest.offset ? Distance{offset[lane], f} : nearest;
+      limit_[f] = limit[lane];
+      distance_square_[f] = distance_square[lane];
+      nearest = distance_square[lane] < nearest.square ? Distance{distance_square[lane], f} : nearest;
     }
   }
 }
@@ -179,8 +184,8 @@ inline void ExpandingPolytope<Four>::put_fan(const Edge* edges, int count, int t
 /// Never the nearest from now on, and nothing lies beyond it.
 template <class Four>
 inline void ExpandingPolytope<Four>::forget_facet(int f) {
-  nx_[f] = ny_[f] = nz_[f] = 0;
-  offset_[f] = HUGE_VAL;
+  nx_[f] = ny_[f] = nz_[f] = limit_[f] = 0;
+  distance_square_[f] = HUGE_VAL;
 }
 
 /// Places in which there is no facet yet.
@@ -189,7 +194,8 @@ inline void ExpandingPolytope<Four>::forget_four_facets(int first) {
   put_four_at(nx_ + first, all_four<Four>(0));
   put_four_at(ny_ + first, all_four<Four>(0));
   put_four_at(nz_ + first, all_four<Four>(0));
-  put_four_at(offset_ + first, all_four<Four>(HUGE_VAL));
+  put_four_at(limit_ + first, all_four<Four>(0));
+  put_four_at(distance_square_ + first, all_four<Four>(HUGE_VAL));
 }
 
 /// Which facets they are is as good as random: no branches.
@@ -203,12 +209,13 @@ inline void ExpandingPolytope<Four>::find_visible(const Vector<3>& from, Visible
   for (int word = 0; word < facet_count_; word += 64) {
     std::uint64_t bits = 0;
     for (int f = word; f < std::min(word + 64, facet_count_); f += lanes) {
-      const Four offset = four_at<Four>(offset_ + f);
       const Four height =
           four_at<Four>(nx_ + f) * x + four_at<Four>(ny_ + f) * y + four_at<Four>(nz_ + f) * z;
-      const Four clearance = (offset + all_four<Four>(rounding_)) - height;
+      const Four clearance = four_at<Four>(limit_ + f) - height;
       bits |= std::uint64_t(signs_of_four(clearance)) << f % 64;
-      least = smaller(least, {where_less(clearance, all_four<Four>(0), never, offset), index});
+      least = smaller(
+          least,
+          {where_less(clearance, all_four<Four>(0), never, four_at<Four>(distance_square_ + f)), index});
       index = index + all_four<Four>(lanes);
     }
     visible.bits[visible.words++] = bits;

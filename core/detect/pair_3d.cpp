@@ -13,7 +13,7 @@ namespace {
 double refresh_face(const SeenOutline& owner, int face, const SeenOutline& other, const Vector<3>& to_other,
                     std::int32_t& vertex) {
   const Vector<3> normal = owner.normal(face);
-  const Support support = other.deepest(normal, vertex);
+  const Support support = other.deepest_near(normal, vertex);
   vertex = support.vertex;
   return (support.height + normal.dot(to_other)) - owner.offset[face];
 }
@@ -21,7 +21,7 @@ double refresh_face(const SeenOutline& owner, int face, const SeenOutline& other
 /// Between what both blocks reach along a direction.
 double gap_along(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b, const Vector<3>& normal,
                  std::int32_t& vertex_of_a, std::int32_t& vertex_of_b) {
-  const Support of_a = a.deepest(-normal, vertex_of_a), of_b = b.deepest(normal, vertex_of_b);
+  const Support of_a = a.deepest_near(-normal, vertex_of_a), of_b = b.deepest_near(normal, vertex_of_b);
   vertex_of_a = of_a.vertex;
   vertex_of_b = of_b.vertex;
   return (of_b.height + of_a.height) + normal.dot(to_b);

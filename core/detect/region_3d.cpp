@@ -46,9 +46,9 @@ PotentialPair<3> describe_edge_edge(const SeenOutline& a, const SeenOutline& b, 
   contact.gap = normal.dot(between);
   describe_point(ContactType::edge_edge, 0.5 * (on_a + on_b), contact);
 
-  const double beyond_a = std::max(-s, s - 1) * along_a.norm(),
-               beyond_b = std::max(-t, t - 1) * along_b.norm();
-  if (std::max(beyond_a, beyond_b) <= 0) return pair;
+  const double share_beyond_a = std::max(-s, s - 1), share_beyond_b = std::max(-t, t - 1);
+  if (std::max(share_beyond_a, share_beyond_b) <= 0) return pair;
+  const double beyond_a = share_beyond_a * along_a.norm(), beyond_b = share_beyond_b * along_b.norm();
   const FacetSide side =
       beyond_a >= beyond_b
           ? side_at_end(b, 1, pair.b, a, pair.a, s < 0 ? start_of_a : a.topology->edge_end[pair.a])

@@ -21,9 +21,10 @@ class SeenOutline {
   Vector<3> vertex(int i) const { return turned(outline_->vertex(i)); }
   Vector<3> normal(int f) const { return turned(outline_->normal(f)); }
 
-  /// The vertex that lies deepest along a direction; `hint` is where to look first.
-  Support deepest(const Vector<3>& direction, int hint) const {
-    return halfspace::deepest(*outline_, rotation_ ? rotation_->inverse() * direction : direction, hint);
+  /// The vertex that lies deepest along a direction, of which one near it is known.
+  Support deepest_near(const Vector<3>& direction, int vertex) const {
+    return halfspace::deepest_near(*outline_, rotation_ ? rotation_->inverse() * direction : direction,
+                                   vertex);
   }
 
   const Topology* topology;

@@ -12,7 +12,7 @@ struct Support {
 
 /// Up to this many vertices, to look at all for the deepest is faster than anything else (tests/benchmarks,
 /// bench_pairs_3d).
-constexpr int few_vertices = 48;
+constexpr int few_vertices = 128;
 
 /// The vertex of a block of many that lies deepest along a direction, by a walk over its edges from a vertex
 /// near it; or from the deepest of some that are spread over the block.

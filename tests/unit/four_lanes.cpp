@@ -40,7 +40,7 @@ template <class Four>
 
 TEST_CASE("the deepest vertex is the same whatever the lanes") {
   Random random(1);
-  for (const int points : {4, 5, 12, 48}) {
+  for (const int points : {4, 5, 8, 9, 12, 48, 128}) {
     const Shape<3> shape = shape_of(hull_of(random_cloud(random, points, 0.9, 1)));
     for (int i = 0; i < 100; ++i) {
       const Vector<3> direction = random_direction(random);
