@@ -1,11 +1,13 @@
 # Debian packages, by cpack; the preset `packages` has the paths of Debian. Files belong to a package by the COMPONENT they are installed with.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME libhalfspace)
-set(CPACK_PACKAGE_CONTACT "libhalfspace authors <libhalfspace@localhost>")
+# An address that nobody has: who gives the packages to others puts theirs here, by cpack -D CPACK_PACKAGE_CONTACT=...
+set(CPACK_PACKAGE_CONTACT "libhalfspace authors <libhalfspace@halfspace.invalid>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/capi)  # this library is in no package yet
@@ -14,37 +16,47 @@ set(CPACK_HALFSPACE_LICENCE ${PROJECT_SOURCE_DIR}/LICENSE)
 set(CPACK_HALFSPACE_CHANGES ${PROJECT_SOURCE_DIR}/CHANGELOG.md)
 set(CPACK_COMPONENTS_ALL)
 
-# halfspace_package(COMPONENT NAME name SECTION section CONTENT what [DEPENDS a, b] [SHARED_LIBRARIES] [ANY_MACHINE])
-# SHARED_LIBRARIES: what its programs are linked to goes to what it depends on.
+# halfspace_package(COMPONENT NAME name SECTION section CONTENT what [DEPENDS a, b] [COMPILED_IN c d] [SHARED_LIBRARIES] [ANY_MACHINE])
+# COMPILED_IN: Debian packages whose headers leave code in its binaries. SHARED_LIBRARIES: what its programs are linked to goes to what it
+# depends on.
 macro(halfspace_package component)
-  cmake_parse_arguments(package "SHARED_LIBRARIES;ANY_MACHINE" "NAME;SECTION;CONTENT;DEPENDS" "" ${ARGN})
+  cmake_parse_arguments(package "SHARED_LIBRARIES;ANY_MACHINE" "NAME;SECTION;CONTENT;DEPENDS" "COMPILED_IN" ${ARGN})
   string(TOUPPER ${component} COMPONENT)
   list(APPEND CPACK_COMPONENTS_ALL ${component})
   set(CPACK_DEBIAN_${COMPONENT}_PACKAGE_NAME ${package_NAME})
   set(CPACK_DEBIAN_${COMPONENT}_PACKAGE_SECTION ${package_SECTION})
   set(CPACK_DEBIAN_${COMPONENT}_PACKAGE_DEPENDS "${package_DEPENDS}")
   set(CPACK_DEBIAN_${COMPONENT}_PACKAGE_SHLIBDEPS ${package_SHARED_LIBRARIES})
-  set(CPACK_COMPONENT_${COMPONENT}_DESCRIPTION "${PROJECT_DESCRIPTION}: ${package_CONTENT}")
+  set(CPACK_COMPONENT_${COMPONENT}_DESCRIPTION "\
+libhalfspace finds the contacts between convex polygons or polyhedra, computes
+the contact forces and moves the blocks in time.
+
+This package holds ${package_CONTENT}.")
+  set(CPACK_HALFSPACE_${COMPONENT}_COMPILED_IN ${package_COMPILED_IN})
   if(package_ANY_MACHINE)
     set(CPACK_DEBIAN_${COMPONENT}_PACKAGE_ARCHITECTURE all)
   endif()
 endmacro()
 
 set(library libhalfspace${PROJECT_VERSION_MAJOR})
-halfspace_package(library NAME ${library} SECTION libs CONTENT "the shared library" SHARED_LIBRARIES)
-set(this_library "${library} (= ${PROJECT_VERSION})")
+halfspace_package(library NAME ${library} SECTION libs CONTENT "the shared library" COMPILED_IN libeigen3-dev SHARED_LIBRARIES)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/triggers)
+set(this_library "${library} (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
 halfspace_package(development NAME libhalfspace-dev SECTION libdevel DEPENDS "${this_library}, libqhull-dev"
-  CONTENT "headers, static library, Fortran modules and Rust crates")
+  CONTENT "headers, the static library, Fortran modules and\nRust crates" COMPILED_IN libeigen3-dev)
 if(HALFSPACE_BUILD_CLI)
   halfspace_package(tools NAME halfspace-tools SECTION science DEPENDS "${this_library}" SHARED_LIBRARIES
-    CONTENT "the command halfspace, which runs scene files")
+    CONTENT "the command halfspace, which runs scene files" COMPILED_IN libcli11-dev libtomlplusplus-dev)
 endif()
 if(HALFSPACE_BUILD_PYTHON)
   halfspace_package(python NAME python3-halfspace SECTION python ANY_MACHINE
     DEPENDS "${library} (>= ${PROJECT_VERSION}), python3 (>= 3.9), python3-numpy" CONTENT "the Python package")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS python3-matplotlib)
+  # Byte code comes and goes with the package.
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/bindings/python/debian/postinst
+    ${PROJECT_SOURCE_DIR}/bindings/python/debian/prerm)
 endif()
 if(HALFSPACE_BUILD_DOCS)
-  halfspace_package(documentation NAME libhalfspace-doc SECTION doc ANY_MACHINE CONTENT "guide, examples and reference")
+  halfspace_package(documentation NAME libhalfspace-doc SECTION doc ANY_MACHINE CONTENT "the guide, examples and the reference")
 endif()
 include(CPack)

@@ -99,15 +99,10 @@ void Candidates<D>::sort_found(std::size_t slots) {
 
 /// Both lists are sorted: one merge. A bonded pair stays even if its boxes have parted.
 template <int D>
-void Candidates<D>::carry_over(bool with_shear) {
+void Candidates<D>::carry_over(bool with_shear) noexcept {
   const auto precedes = [](const auto& p, const auto& q) { return p.a < q.a || (p.a == q.a && p.b < q.b); };
-  const auto bonded =
-      std::count_if(pairs_.begin(), pairs_.end(), [](const Candidate<D>& pair) { return pair.bonded; });
-  const std::size_t most = std::max(room_, sorted_.size() + std::size_t(bonded));
   next_pairs_.clear();
   next_shear_.clear();
-  refit(next_pairs_, most);
-  refit(next_shear_, with_shear ? most : 0);
   const auto keep = [&](const Candidate<D>& pair, const ShearSpring<D>& shear) {
     next_pairs_.push_back(pair);
     if (with_shear) next_shear_.push_back(shear);
@@ -139,11 +134,16 @@ void Candidates<D>::search_again(const Blocks<D>& blocks, double relative_skin, 
   sort_found(blocks.slot_count());
   reference_position_.resize(blocks.slot_count(), Vector<D>::Zero());
   reference_rotation_.resize(blocks.slot_count());
-  carry_over(with_shear);
+  const auto bonded =
+      std::count_if(pairs_.begin(), pairs_.end(), [](const Candidate<D>& pair) { return pair.bonded; });
+  const std::size_t most = std::max(room_, sorted_.size() + std::size_t(bonded));
+  refit(next_pairs_, most);
+  refit(next_shear_, with_shear ? most : 0);
 }
 
 template <int D>
-void Candidates<D>::renew(const Blocks<D>& blocks) noexcept {
+void Candidates<D>::renew(const Blocks<D>& blocks, bool with_shear) noexcept {
+  carry_over(with_shear);
   pairs_.swap(next_pairs_);
   shear_.swap(next_shear_);
   for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
@@ -152,6 +152,18 @@ void Candidates<D>::renew(const Blocks<D>& blocks) noexcept {
   }
   used_up_ = false;
   ++builds_;
+}
+
+template <int D>
+void Candidates<D>::remember_pairs() {
+  next_pairs_ = pairs_;
+  next_shear_ = shear_;
+}
+
+template <int D>
+void Candidates<D>::recall_pairs() noexcept {
+  pairs_.swap(next_pairs_);
+  shear_.swap(next_shear_);
 }
 
 template <int D>

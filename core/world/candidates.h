@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <tuple>
 #include <type_traits>
 
 #include "block/blocks.h"
@@ -45,12 +46,18 @@ class Candidates {
     if (!is_listed || !(moved(blocks, slot) <= skin_[slot])) used_up_ = true;
   }
 
-  /// Searches again and prepares the new list, for which all memory is taken here: the list in use stays as
-  /// it is. Pairs that stay keep their memory; `relative_skin` is the skin as a share of a block's size;
-  /// `with_shear` says whether any law needs a shear spring.
+  /// Searches again and takes all memory that the new list needs: the pairs in use stay as they are, and as
+  /// remembered. `relative_skin` is the skin as a share of a block's size; `with_shear` says whether any law
+  /// needs a shear spring.
   void search_again(const Blocks<D>& blocks, double relative_skin, bool with_shear);
-  /// Takes the new list into use.
-  void renew(const Blocks<D>& blocks) noexcept;
+  /// Takes the new list into use. Pairs that stay keep their memory.
+  void renew(const Blocks<D>& blocks, bool with_shear) noexcept;
+
+  /// Keeps a copy of the pairs and their springs, until the list is renewed.
+  void remember_pairs();
+  void recall_pairs() noexcept;
+  /// The skins and whether they are used up: what a search has written to that runs out of memory.
+  auto skins() { return std::tie(skin_, used_up_); }
 
   /// Drops the pairs of a block that is removed.
   void forget(std::int32_t slot);
@@ -61,7 +68,7 @@ class Candidates {
   std::span<ShearSpring<D>> shear() { return shear_; }
   /// Pairs that all lists of pairs have room for: some to spare, so that a settled heap whose pairs come and
   /// go asks for no memory.
-  std::size_t room() const { return std::max(room_, next_pairs_.size()); }
+  std::size_t room() const { return std::max(pairs_.capacity(), next_pairs_.capacity()); }
   std::int64_t builds() const { return builds_; }
 
   /// False for what no list can be, after reading a snapshot.
@@ -83,7 +90,7 @@ class Candidates {
   bool may_touch(const Blocks<D>& blocks, const BlockPair& pair) const;
   void search(const Blocks<D>& blocks);
   void sort_found(std::size_t slots);
-  void carry_over(bool with_shear);
+  void carry_over(bool with_shear) noexcept;
 
   Array<Candidate<D>> pairs_;
   Array<ShearSpring<D>> shear_;
@@ -94,7 +101,7 @@ class Candidates {
   std::int32_t used_up_ = 1;
   std::int64_t builds_ = 0;
 
-  // Working memory of rebuild(), kept so that it allocates nothing in a steady run.
+  // Working memory of the search, kept so that it allocates nothing in a steady run.
   NeighborSearch<D> search_;
   Array<Box<D>> boxes_;
   Array<double> sizes_;

@@ -77,14 +77,14 @@ Contact<D> World<D>::contact(std::size_t c) const {
 }
 
 /// With room for a contact at every candidate: detection then asks for no memory. When there is none, nothing
-/// has changed, and the contacts known are still those of the list in use.
+/// has changed: the contacts known are still those of the list in use, and there is still room for all of it.
 template <int D>
 void World<D>::renew_candidates() {
   const bool with_shear = laws_.any([](const SpringLaw& law) { return law.resists_shear(); });
   candidates_.search_again(blocks_, settings_.skin, with_shear);
   refit(touching_, candidates_.room());
   refit(forces_, candidates_.room());
-  candidates_.renew(blocks_);
+  candidates_.renew(blocks_, with_shear);
   forget_contacts();
 }
 

@@ -1,5 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <new>
+#include <utility>
 
 #include "block/free_turn.h"
 #include "world/world.h"
@@ -14,6 +17,12 @@ double damped(double force, double velocity, double share) {
 /// Rate of what local damping takes when it opposes one velocity and the block has another by now.
 double damped_power(double force, double opposed, double velocity) {
   return opposed == 0 ? 0 : std::abs(force) * (opposed > 0 ? velocity : -velocity);
+}
+
+/// Of what a tuple refers to, with arrays in the given memory.
+template <class... T>
+std::tuple<T...> copies_of(const std::tuple<T&...>& originals, Memory* memory) {
+  return {std::allocator_arg, std::pmr::polymorphic_allocator<std::byte>(memory), originals};
 }
 
 }  // namespace
@@ -171,10 +180,9 @@ void World<D>::evaluate_forces_for_host(double elapsed) {
   evaluate_forces(elapsed);
 }
 
+/// From where forces are known to where they are known again.
 template <int D>
-StepResult World<D>::step() {
-  if (any_fresh_) make_bonds();
-  if (const StepResult result = prepare(); result != StepResult::ok) return result;
+StepResult World<D>::move() {
   if (makes_energy() || !plan_motion()) return StepResult::unstable;
   kick_and_drift();
   detected_ = false;
@@ -182,6 +190,30 @@ StepResult World<D>::step() {
   kick_and_book();
   ++steps_;
   return StepResult::ok;
+}
+
+template <int D>
+StepResult World<D>::prepare_and_move() {
+  if (any_fresh_) make_bonds();
+  const StepResult result = prepare();
+  return result == StepResult::ok ? move() : result;
+}
+
+/// Of a changed world the contacts are found and bonds made before it shows how much memory the motion takes:
+/// when there is too little, what was known before is put back.
+template <int D>
+StepResult World<D>::step() {
+  if (!edited_ && !any_fresh_) return move();
+  if (!detected_ && candidates_.used_up()) renew_candidates();
+  candidates_.remember_pairs();
+  const auto before = copies_of(preparation(), touching_.get_allocator().resource());
+  try {
+    return prepare_and_move();
+  } catch (const std::bad_alloc&) {
+    candidates_.recall_pairs();
+    preparation() = before;  // no array has become shorter than it was, so that this takes no memory
+    throw;
+  }
 }
 
 template class World<2>;

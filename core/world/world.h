@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <tuple>
 
 #include "block/blocks.h"
 #include "detect/contact.h"
@@ -119,6 +120,14 @@ class World {
     double viscosity = 0;
   };
 
+  /// All that a step of a changed world writes to before it moves the blocks, but for the pairs.
+  auto preparation() {
+    return std::tuple_cat(candidates_.skins(),
+                          std::tie(touching_, forces_, blocks_.force, blocks_.torque, fresh_, any_fresh_,
+                                   ledger_, noise_energy_, residual_before_edit_, power_, epoch_time_,
+                                   epoch_step_, time_step_, detected_, edited_));
+  }
+
   void edit();
   void change_laws();
   bool find_contact(std::size_t k, Contact<D>& contact);
@@ -133,6 +142,8 @@ class World {
   bool choose_time_step();
   void start_ledger();
   bool plan_motion();
+  StepResult prepare_and_move();
+  StepResult move();
   void renew_candidates();
   void kick_and_drift();
   void kick_and_book();

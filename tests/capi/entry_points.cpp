@@ -36,13 +36,51 @@ hs_block_def block_def(Scene& s) {
 
 void detect(Scene& s) { require_ok(hs_world_detect(s.world.get(), nullptr), s.context.get()); }
 
-/// Contacts and forces are known, and the next step takes the upper block so far that it uses the neighbour
-/// list up.
-void throw_upper(Scene& s) {
-  const double up[3] = {0, 20, 0};
+void set_upward_velocity(Scene& s, double velocity) {
+  const double up[3] = {0, velocity, 0};
   require_ok(hs_world_set_velocity(s.world.get(), s.upper, up, nowhere), s.context.get());
+}
+
+/// The next step takes the upper block so far, towards another, that it uses the neighbour list up and has
+/// more pairs in the next.
+void throw_upper(Scene& s) {
+  set_upward_velocity(s, 0.4 / report_of(s.world.get()).time_step);
+  hs_block_def def;
+  require_ok(hs_block_def_init(&def, sizeof def, s.box.get()), s.context.get());
+  def.kind = HS_BLOCK_FIXED;
+  def.pose.position[1] = 3.25;
+  hs_block target = 0;
+  require_ok(hs_world_add_block(s.world.get(), s.box.get(), &def, &target), s.context.get());
+}
+
+/// Contacts and forces are known as well.
+void throw_upper_prepared(Scene& s) {
+  throw_upper(s);
   report_of(s.world.get());
 }
+
+void throw_upper_detected(Scene& s) {
+  throw_upper(s);
+  detect(s);
+}
+
+/// Forces are known, but of before the change.
+void throw_upper_a_little_faster(Scene& s) {
+  throw_upper_prepared(s);
+  set_upward_velocity(s, 0.41 / report_of(s.world.get()).time_step);
+}
+
+/// The blocks stick together where they meet, once their first step begins.
+void throw_upper_glued(Scene& s) {
+  hs_law_def law = law_def(1e7, 0.5);
+  law.cohesion = law.tensile_strength = 1e5;
+  require_ok(hs_world_set_default_law(s.world.get(), &law), s.context.get());
+  const hs_pose touching = {{0, 1.5, 0}, {0, 0, 0, 1}};
+  require_ok(hs_world_set_pose(s.world.get(), s.upper, &touching), s.context.get());
+  throw_upper_prepared(s);
+}
+
+hs_status step(Scene& s) { return hs_world_step(s.world.get(), 1); }
 
 hs_status cut(Scene& s) {
   return keep(s.made.shapes[0], [&](hs_shape** behind) {
@@ -258,7 +296,7 @@ std::vector<EntryPoint> entry_points() {
        [](S s) { return hs_world_detect(s.world.get(), &s.written.counts[0]); }},
       {"hs_world_forces", Allocates::never,
        [](S s) { return hs_world_forces(s.world.get(), 0, room(s, 0), room(s, 1)); }, detect},
-      {"hs_world_step", Allocates::always, [](S s) { return hs_world_step(s.world.get(), 1); }, throw_upper},
+      {"hs_world_step", Allocates::always, step, throw_upper_prepared},
       {"hs_world_get_report", Allocates::always,
        [](S s) { return hs_world_get_report(s.world.get(), &s.written.report, sizeof s.written.report); }},
       {"hs_world_get_contacts", Allocates::never,
@@ -277,6 +315,13 @@ std::vector<EntryPoint> entry_points() {
          });
        }},
   };
+}
+
+std::vector<EntryPoint> steps_of_changed_worlds() {
+  return {{"a step, nothing known", Allocates::always, step, throw_upper},
+          {"a step, contacts known", Allocates::always, step, throw_upper_detected},
+          {"a step, forces known", Allocates::always, step, throw_upper_a_little_faster},
+          {"a step that makes bonds", Allocates::always, step, throw_upper_glued}};
 }
 
 }  // namespace halfspace_test

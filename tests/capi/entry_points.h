@@ -67,4 +67,7 @@ struct EntryPoint {
 
 std::vector<EntryPoint> entry_points();
 
+/// A step after changes that leave different things known: contacts, forces, bonds.
+std::vector<EntryPoint> steps_of_changed_worlds();
+
 }  // namespace halfspace_test

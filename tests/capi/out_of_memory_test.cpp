@@ -75,6 +75,22 @@ bool survives_failure(const EntryPoint& entry, int dimension, long n, const Endi
   return failed;
 }
 
+/// Fails each allocation of a call in turn.
+void survive_every_failure(const EntryPoint& entry, int dimension) {
+  const std::unique_ptr<Scene> undisturbed = scene_for(entry, dimension);
+  REQUIRE(entry.call(*undisturbed) == HS_OK);
+  const Ending expected = ending(*undisturbed);
+  long n = 0;
+  for (bool failed = true; failed; ++n) {
+    INFO(entry.name << " in " << dimension << "D, allocation " << n << " fails");
+    failed = survives_failure(entry, dimension, n, expected);
+  }
+  INFO(entry.name << " in " << dimension << "D: " << n - 1 << " allocations");
+  const bool allocates =
+      entry.allocates == Allocates::always || (entry.allocates == Allocates::in_the_plane && dimension == 2);
+  CHECK((n > 1) == allocates);
+}
+
 }  // namespace
 
 TEST_CASE("every exported function is among the entry points") {
@@ -89,20 +105,12 @@ TEST_CASE("every exported function is among the entry points") {
 
 TEST_CASE("any allocation of any function may fail") {
   const int dimension = GENERATE(2, 3);
-  for (const EntryPoint& entry : entry_points()) {
-    const std::unique_ptr<Scene> undisturbed = scene_for(entry, dimension);
-    REQUIRE(entry.call(*undisturbed) == HS_OK);
-    const Ending expected = ending(*undisturbed);
-    long n = 0;
-    for (bool failed = true; failed; ++n) {
-      INFO(entry.name << " in " << dimension << "D, allocation " << n << " fails");
-      failed = survives_failure(entry, dimension, n, expected);
-    }
-    INFO(entry.name << " in " << dimension << "D: " << n - 1 << " allocations");
-    const bool allocates = entry.allocates == Allocates::always ||
-                           (entry.allocates == Allocates::in_the_plane && dimension == 2);
-    CHECK((n > 1) == allocates);
-  }
+  for (const EntryPoint& entry : entry_points()) survive_every_failure(entry, dimension);
+}
+
+TEST_CASE("any allocation of a step from a changed world may fail") {
+  const int dimension = GENERATE(2, 3);
+  for (const EntryPoint& entry : steps_of_changed_worlds()) survive_every_failure(entry, dimension);
 }
 
 }  // namespace halfspace_test

@@ -2,6 +2,8 @@
 ! pair. Passes alternate, and the least time of each counts. Prints ratios; no timing decides. --quick: a small world.
 program bench_overhead
   use halfspace
+  use halfspace_c, only: hs_mutable_view
+  use halfspace_views, only: mutable_view
   use, intrinsic :: iso_c_binding, only: c_double, c_int64_t, c_ptr
   use, intrinsic :: iso_fortran_env, only: dp => real64
   implicit none
@@ -12,34 +14,38 @@ program bench_overhead
       real(c_double) :: thread_seconds
     end function thread_seconds
 
-    function c_step(world, steps) bind(c)
+    function seconds_of_step(world, calls) bind(c)
       import
       type(c_ptr), value :: world
-      integer(c_int64_t), value :: steps
-      real(c_double) :: c_step
-    end function c_step
+      integer(c_int64_t), value :: calls
+      real(c_double) :: seconds_of_step
+    end function seconds_of_step
 
-    function c_detect(world) bind(c)
+    function seconds_of_detect(world, calls, poses, count) bind(c)
       import
       type(c_ptr), value :: world
-      real(c_double) :: c_detect
-    end function c_detect
+      integer(c_int64_t), value :: calls, count
+      type(halfspace_pose), intent(in) :: poses(*)
+      real(c_double) :: seconds_of_detect
+    end function seconds_of_detect
 
-    function c_forces(world, forces, torques, count) bind(c)
+    function seconds_of_forces(world, calls, forces, torques) bind(c)
       import
       type(c_ptr), value :: world
-      real(c_double), intent(inout) :: forces(3, *), torques(3, *)
-      integer(c_int64_t), value :: count
-      real(c_double) :: c_forces
-    end function c_forces
+      integer(c_int64_t), value :: calls
+      type(hs_mutable_view), value :: forces, torques
+      real(c_double) :: seconds_of_forces
+    end function seconds_of_forces
 
-    function c_pairs(shape, pose_a, pose_b, calls) bind(c)
+    function seconds_of_pairs(shape, lower, uppers, count, cache, contact) bind(c)
       import
       type(c_ptr), value :: shape
-      type(halfspace_pose), intent(in) :: pose_a, pose_b
-      integer(c_int64_t), value :: calls
-      real(c_double) :: c_pairs
-    end function c_pairs
+      type(halfspace_pose), intent(in) :: lower, uppers(*)
+      integer(c_int64_t), value :: count
+      type(halfspace_pair_cache), intent(inout) :: cache
+      type(halfspace_contact), intent(inout) :: contact
+      real(c_double) :: seconds_of_pairs
+    end function seconds_of_pairs
   end interface
 
   type(halfspace_shape) :: square
@@ -49,7 +55,7 @@ program bench_overhead
   columns = 1000
   rows = 100
   passes = 40
-  pair_calls = 200000
+  pair_calls = 10000
   call get_command_argument(1, option)
   if (option == '--quick') then
     columns = 10
@@ -93,6 +99,7 @@ contains
     call make_world(world)
     n = int(world%block_count())
     allocate (poses(n), force(3, n), torque(3, n))
+    call world%poses(poses)
     in_c = huge(in_c)
     in_fortran = huge(in_fortran)
     ! Which language goes first changes, as the first leaves the caches to the second.
@@ -107,20 +114,18 @@ contains
     call tell('forces', in_c(3), in_fortran(3))
   end subroutine compare_world
 
-  !> Seconds of a step, of detection at poses set anew, and of forces.
+  !> Seconds of a step, of setting poses and detection there, and of forces.
   function pass_in_fortran(world, poses, force, torque) result(seconds)
     type(halfspace_world), intent(inout) :: world
     type(halfspace_pose), intent(inout) :: poses(:)
     real(dp), intent(inout) :: force(:,:), torque(:,:)
     real(dp) :: seconds(3), start
-    integer(c_int64_t) :: touching
     start = thread_seconds()
     call world%step(1)
     seconds(1) = thread_seconds() - start
-    call world%poses(poses)
-    call world%set_poses(poses)
     start = thread_seconds()
-    call world%detect(touching)
+    call world%set_poses(poses)
+    call world%detect()
     seconds(2) = thread_seconds() - start
     start = thread_seconds()
     call world%forces(0.0_dp, force, torque)
@@ -132,11 +137,9 @@ contains
     type(halfspace_pose), intent(inout) :: poses(:)
     real(dp), intent(inout) :: force(:,:), torque(:,:)
     real(dp) :: seconds(3)
-    seconds(1) = c_step(world%c_handle(), 1_c_int64_t)
-    call world%poses(poses)
-    call world%set_poses(poses)
-    seconds(2) = c_detect(world%c_handle())
-    seconds(3) = c_forces(world%c_handle(), force, torque, size(poses, kind=c_int64_t))
+    seconds(1) = seconds_of_step(world%c_handle(), 1_c_int64_t)
+    seconds(2) = seconds_of_detect(world%c_handle(), 1_c_int64_t, poses, size(poses, kind=c_int64_t))
+    seconds(3) = seconds_of_forces(world%c_handle(), 1_c_int64_t, mutable_view(force), mutable_view(torque))
   end function pass_in_c
 
   subroutine tell(what, in_c, in_fortran)
@@ -154,19 +157,21 @@ contains
   subroutine compare_pair(what, upper)
     character(*), intent(in) :: what
     type(halfspace_pose), intent(in) :: upper
-    type(halfspace_pose) :: lower
+    type(halfspace_pose) :: lower, uppers(pair_calls)
     type(halfspace_contact) :: contact
-    type(halfspace_pair_cache) :: cache
+    type(halfspace_pair_cache) :: cache, cache_in_c
     real(dp) :: in_c, in_fortran, start
     integer :: pass, call_number
     lower = halfspace_pose(0.0_dp, 0.0_dp)
+    uppers = upper
     in_c = huge(in_c)
     in_fortran = huge(in_fortran)
     do pass = 1, passes
-      in_c = min(in_c, c_pairs(square%c_handle(), lower, upper, int(pair_calls, c_int64_t)))
+      in_c = min(in_c, &
+        seconds_of_pairs(square%c_handle(), lower, uppers, int(pair_calls, c_int64_t), cache_in_c, contact))
       start = thread_seconds()
       do call_number = 1, pair_calls
-        call halfspace_detect_pair(square, lower, square, upper, contact, cache)
+        call halfspace_detect_pair(square, lower, square, uppers(call_number), contact, cache)
       end do
       in_fortran = min(in_fortran, thread_seconds() - start)
     end do

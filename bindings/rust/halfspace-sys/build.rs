@@ -1,28 +1,35 @@
-//! Finds libhalfspace: where HALFSPACE_LIB_DIR says, else where pkg-config says.
+//! Finds libhalfspace: where HALFSPACE_LIB_DIR says, else where pkg-config says. HALFSPACE_STATIC=1 puts it into the
+//! program, with what pkg-config says it needs.
 
 use std::env;
 use std::path::Path;
 use std::process::{exit, Command};
 
 const LIB_DIR: &str = "HALFSPACE_LIB_DIR";
+const STATIC: &str = "HALFSPACE_STATIC";
 const NEEDED: &str = "halfspace >= 0.1";
 
 fn main() {
     println!("cargo:rerun-if-changed=build.rs");
     for variable in [
         LIB_DIR,
+        STATIC,
         "PKG_CONFIG",
         "PKG_CONFIG_PATH",
         "PKG_CONFIG_LIBDIR",
     ] {
         println!("cargo:rerun-if-env-changed={variable}");
     }
+    let is_static = matches!(env::var(STATIC), Ok(value) if value != "0");
     let found = match env::var(LIB_DIR) {
+        Ok(_) if is_static => Err(format!(
+            "{STATIC} takes pkg-config, which knows what the archive needs; unset {LIB_DIR}"
+        )),
         Ok(directory) => named_by_the_user(&directory),
-        Err(_) => known_to_pkg_config(),
+        Err(_) => known_to_pkg_config(is_static),
     };
     match found {
-        Ok(directories) => link(&directories),
+        Ok(flags) => link(&flags, is_static),
         Err(reason) => {
             eprintln!("libhalfspace was not found: {reason}");
             eprintln!("Install it, or set {LIB_DIR} to the folder of libhalfspace.so,");
@@ -32,10 +39,13 @@ fn main() {
     }
 }
 
-fn named_by_the_user(directory: &str) -> Result<Vec<String>, String> {
+/// As the linker of C takes them: -L and a folder, -l and a library.
+type Flags = Vec<String>;
+
+fn named_by_the_user(directory: &str) -> Result<Flags, String> {
     let library = Path::new(directory).join("libhalfspace.so");
     if library.exists() {
-        Ok(vec![directory.to_owned()])
+        Ok(vec![format!("-L{directory}"), "-lhalfspace".to_owned()])
     } else {
         Err(format!(
             "{LIB_DIR} is {directory}, but there is no {}",
@@ -45,30 +55,35 @@ fn named_by_the_user(directory: &str) -> Result<Vec<String>, String> {
 }
 
 /// Asks the program itself, which takes no crate.
-fn known_to_pkg_config() -> Result<Vec<String>, String> {
+fn known_to_pkg_config(is_static: bool) -> Result<Flags, String> {
     let program = env::var("PKG_CONFIG").unwrap_or_else(|_| "pkg-config".to_owned());
     let answer = Command::new(&program)
         // A folder that the linker would search by itself is named as well, to be searched first.
         .env("PKG_CONFIG_ALLOW_SYSTEM_LIBS", "1")
-        .args(["--print-errors", "--libs-only-L", NEEDED])
+        .args(is_static.then_some("--static"))
+        .args(["--print-errors", "--libs", NEEDED])
         .output()
         .map_err(|error| format!("{program} does not run: {error}"))?;
     if !answer.status.success() {
         return Err(String::from_utf8_lossy(&answer.stderr).trim().to_owned());
     }
     let flags = String::from_utf8_lossy(&answer.stdout);
-    Ok(flags
-        .split_whitespace()
-        .filter_map(|flag| flag.strip_prefix("-L"))
-        .map(str::to_owned)
-        .collect())
+    Ok(flags.split_whitespace().map(str::to_owned).collect())
 }
 
-fn link(directories: &[String]) {
-    for directory in directories {
-        println!("cargo:rustc-link-search=native={directory}");
-        // For build scripts of crates that stand on this one: DEP_HALFSPACE_LIB_DIR.
-        println!("cargo:lib_dir={directory}");
+fn link(flags: &[String], is_static: bool) {
+    for flag in flags {
+        if let Some(directory) = flag.strip_prefix("-L") {
+            println!("cargo:rustc-link-search=native={directory}");
+            // For build scripts of crates that stand on this one: DEP_HALFSPACE_LIB_DIR.
+            println!("cargo:lib_dir={directory}");
+        } else if let Some(library) = flag.strip_prefix("-l") {
+            let kind = if is_static && library == "halfspace" {
+                "static"
+            } else {
+                "dylib"
+            };
+            println!("cargo:rustc-link-lib={kind}={library}");
+        }
     }
-    println!("cargo:rustc-link-lib=dylib=halfspace");
 }

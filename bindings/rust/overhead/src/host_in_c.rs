@@ -5,7 +5,10 @@ use std::ptr;
 use halfspace::Pose;
 use halfspace_sys as sys;
 
-use crate::c_calls::{c_contacts, c_detect, c_forces, c_poses, c_step, require_ok};
+use crate::calls_in_c::{
+    require_ok, seconds_of_contacts, seconds_of_detect, seconds_of_forces, seconds_of_poses,
+    seconds_of_step,
+};
 
 /// A world with the arrays of its host.
 pub struct HostInC {
@@ -43,43 +46,38 @@ impl HostInC {
             torques: none,
             contacts: vec![sys::hs_contact::default(); touching as usize],
         };
-        host.get_poses();
+        host.get_poses(1);
         host
     }
 
     /// Poses that are set again, though the same, are detected anew.
-    pub fn detect(&mut self) {
+    pub fn detect(&mut self, calls: i64) {
+        let (poses, count) = (self.poses.as_ptr(), self.poses.len() as i64);
         // SAFETY: see above.
-        require_ok(unsafe { c_detect(self.world, self.poses.as_ptr(), self.poses.len() as i64) });
+        unsafe { seconds_of_detect(self.world, calls, poses, count) };
     }
 
-    pub fn forces(&mut self) {
+    pub fn forces(&mut self, calls: i64) {
         let (forces, torques) = (view_of(&mut self.forces), view_of(&mut self.torques));
         // SAFETY: see above.
-        require_ok(unsafe { c_forces(self.world, forces, torques) });
+        unsafe { seconds_of_forces(self.world, calls, forces, torques) };
     }
 
-    pub fn get_poses(&mut self) {
+    pub fn get_poses(&mut self, calls: i64) {
+        let (poses, count) = (self.poses.as_mut_ptr(), self.poses.len() as i64);
         // SAFETY: see above.
-        require_ok(unsafe {
-            c_poses(self.world, self.poses.as_mut_ptr(), self.poses.len() as i64)
-        });
+        unsafe { seconds_of_poses(self.world, calls, poses, count) };
     }
 
-    pub fn get_contacts(&mut self) {
+    pub fn get_contacts(&mut self, calls: i64) {
+        let (contacts, capacity) = (self.contacts.as_mut_ptr(), self.contacts.len() as i64);
         // SAFETY: see above.
-        require_ok(unsafe {
-            c_contacts(
-                self.world,
-                self.contacts.as_mut_ptr(),
-                self.contacts.len() as i64,
-            )
-        });
+        unsafe { seconds_of_contacts(self.world, calls, contacts, capacity) };
     }
 
-    pub fn step(&mut self) {
+    pub fn step(&mut self, calls: i64) {
         // SAFETY: see above.
-        require_ok(unsafe { c_step(self.world) });
+        unsafe { seconds_of_step(self.world, calls) };
     }
 
     pub fn poses_are(&self, others: &[Pose]) -> bool {

@@ -1,7 +1,7 @@
 //! What a call through the crate `halfspace` costs over the same call from C, both in this process,
 //! in turns. `--quick` only shows that it runs.
 
-mod c_calls;
+mod calls_in_c;
 mod host_in_c;
 mod pairs;
 mod timing;

@@ -5,7 +5,7 @@ use std::ptr;
 use halfspace::{detect, Contact, Context, Detector, PairCache, Pose, Result, Shape};
 use halfspace_sys as sys;
 
-use crate::c_calls::{c_detect_pairs, c_detect_pairs_cached, require_ok};
+use crate::calls_in_c::{require_ok, seconds_of_pairs};
 use crate::timing::medians;
 
 static SQUARE: [[f64; 2]; 4] = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]];
@@ -42,13 +42,8 @@ fn cold(name: &str, passes: usize, uppers: &[Pose]) -> Result<()> {
         [
             // SAFETY: the square lives, and there are as many poses as said.
             &mut || unsafe {
-                require_ok(c_detect_pairs(
-                    raw.shape,
-                    raw_lower,
-                    raw_uppers,
-                    CALLS as i64,
-                    of_c,
-                ))
+                let cache = ptr::null_mut();
+                seconds_of_pairs(raw.shape, raw_lower, raw_uppers, CALLS as i64, cache, of_c);
             },
             &mut || {
                 for i in 0..CALLS {
@@ -107,14 +102,14 @@ fn cached(name: &str, passes: usize, uppers: &[Pose]) -> Result<()> {
             // SAFETY: the square lives, and there are as many poses as said.
             &mut || unsafe {
                 let (cache, contact) = (&mut of_c.0, &mut of_c.1);
-                require_ok(c_detect_pairs_cached(
+                seconds_of_pairs(
                     raw.shape,
                     raw_lower,
                     raw_uppers,
                     CALLS as i64,
                     cache,
                     contact,
-                ));
+                );
             },
             &mut || {
                 for i in 0..CALLS {

@@ -1,6 +1,6 @@
 //! Passes in turns: what disturbs the machine for a while disturbs all alike.
 
-use crate::c_calls::c_thread_seconds;
+use crate::calls_in_c::thread_seconds;
 
 /// The median of repeated passes of each work, in processor seconds of this thread.
 pub fn medians<const N: usize>(passes: usize, works: [&mut dyn FnMut(); N]) -> [f64; N] {
@@ -19,8 +19,8 @@ pub fn medians<const N: usize>(passes: usize, works: [&mut dyn FnMut(); N]) -> [
 
 fn seconds_of(work: &mut dyn FnMut()) -> f64 {
     // SAFETY: it takes nothing and reads a clock.
-    let start = unsafe { c_thread_seconds() };
+    let start = unsafe { thread_seconds() };
     work();
     // SAFETY: likewise.
-    unsafe { c_thread_seconds() - start }
+    unsafe { thread_seconds() - start }
 }

@@ -8,7 +8,7 @@ use crate::timing::medians;
 /// A world of side x side blocks; each pass makes so many calls of each kind. In Rust no call does
 /// anything for every block but the library's own work: what a call costs over C in a small world
 /// is what it costs in a large one.
-pub fn run(side: usize, passes: usize, calls: usize) -> Result<()> {
+pub fn run(side: usize, passes: usize, calls: i64) -> Result<()> {
     let bytes = grid(side)?.save();
     // All are restored, so that what they hold lies alike in memory.
     let mut in_c = HostInC::restore(&bytes);
@@ -20,10 +20,11 @@ pub fn run(side: usize, passes: usize, calls: usize) -> Result<()> {
         host.contacts.len()
     );
 
-    let mut compare = |name, of_c: fn(&mut HostInC), of_rust: fn(&mut Host) -> Result<()>| {
+    type InC = fn(&mut HostInC, i64);
+    let mut compare = |name, of_c: InC, of_rust: fn(&mut Host) -> Result<()>| {
         let works: [&mut dyn FnMut(); 3] = [
-            &mut || (0..calls).for_each(|_| of_c(&mut in_c)),
-            &mut || (0..calls).for_each(|_| of_c(&mut again)),
+            &mut || of_c(&mut in_c, calls),
+            &mut || of_c(&mut again, calls),
             &mut || (0..calls).for_each(|_| of_rust(&mut host).expect("a host that works")),
         ];
         let [c, again, safe] = medians(passes, works).map(|seconds| 1e6 * seconds / calls as f64);
