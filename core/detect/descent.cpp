@@ -33,10 +33,11 @@ int edge_between(const Topology& topology, int from, int to) {
 /// A facet of the polytope in the end.
 struct FoundFacet {
   Vector<3> normal;  // unit, from a to b
-  Corner corner;     // one of its three
+  Corner corner;     // the one that its plane goes through
   bool is_proven;    // no corner of the difference lies deeper
 
-  /// Deepest along a unit normal, too, when that is the facet's own but for rounding.
+  /// Deepest along a unit normal, too, when that is the facet's own but for rounding: any other corner is
+  /// deeper by no more than this share of the difference's size.
   bool is_corner_deepest_along(const Vector<3>& other) const {
     constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
     return is_proven && (other - normal).squaredNorm() <= rounding * rounding;
@@ -110,7 +111,7 @@ Separation<3> pair_at(const MinkowskiDifference<Turn>& difference, const Polytop
   const Corner c = polytope.corner_of_nearest(0), d = polytope.corner_of_nearest(1),
                e = polytope.corner_of_nearest(2);
   const PolytopeFacet nearest = polytope.nearest();
-  const FoundFacet facet{-nearest.normal, c, is_proven};
+  const FoundFacet facet{-nearest.normal, e, is_proven};
   const double rounding = polytope.rounding();
   const auto is_as_deep = [&](const Separation<3>& found) { return found.gap >= -nearest.offset - rounding; };
 

@@ -34,7 +34,7 @@ class ExpandingPolytope {
   /// The plane of the nearest facet.
   PolytopeFacet nearest() const {
     const Vector<3> normal = normal_of_nearest().normalized();
-    return {normal, normal.dot(corner_of_nearest(0).at)};
+    return {normal, normal.dot(corner_of_nearest(2).at)};  // the tip, as in its limit
   }
   /// One of its three corners.
   Corner corner_of_nearest(int i) const {
@@ -108,7 +108,7 @@ class ExpandingPolytope {
   int last_horizon_[most_corners];  // that a corner was on: that of the corner of this index
   Triangle triangles_[most_facets];
   // Of the facets, read four at a time: normals of any length, the height along them up to which a point is
-  // not outside, and the squares of the distances. No facet waits for the root that its length would take.
+  // not outside, and the squares of the distances. Which one is nearest does not wait for a root.
   double nx_[most_facets + lanes], ny_[most_facets + lanes], nz_[most_facets + lanes],
       limit_[most_facets + lanes], distance_square_[most_facets + lanes];
   // Of each edge of the surface, by its ends, the facet that has it on its left.

@@ -65,8 +65,8 @@ template <class Four = TwiceTwoLanes>
 /// The same where a vertex is known that is near it.
 [[gnu::always_inline]] inline Support deepest_near(const Outline<3>& block, const Vector<3>& direction,
                                                    int vertex) {
-  constexpr int few_to_walk = 48;  // up to these, to look at all is faster (bench_pairs_3d, stepped pairs)
-  if (block.vertex_count() <= few_to_walk) return deepest_among_all(block, direction);
+  constexpr int too_few_to_walk = 48;  // bench_pairs_3d, stepped pairs
+  if (block.vertex_count() <= too_few_to_walk) return deepest_among_all(block, direction);
   return walk_to_deepest(block, direction, vertex);
 }
 

@@ -10,8 +10,8 @@ struct Support {
   int vertex;
 };
 
-/// Up to this many vertices, to look at all for the deepest is faster than anything else (tests/benchmarks,
-/// bench_pairs_3d).
+/// Up to this many vertices, to look at all for the deepest is faster than anything else that knows no vertex
+/// near it (tests/benchmarks, bench_pairs_3d).
 constexpr int few_vertices = 128;
 
 /// The vertex of a block of many that lies deepest along a direction, by a walk over its edges from a vertex

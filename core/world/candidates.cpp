@@ -39,8 +39,6 @@ void Candidates<D>::choose_skins(const Blocks<D>& blocks, double relative_skin) 
     std::nth_element(sizes_.begin(), middle, sizes_.end());
     typical = *middle;
   }
-  skin_.resize(blocks.slot_count());
-  planned_.resize(blocks.slot_count());
   for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
     const bool moves = blocks.kind[i] == BlockKind::rigid || blocks.kind[i] == BlockKind::prescribed;
     skin_[i] = moves ? std::max(relative_skin * 2 * std::min(blocks.radius[i], typical), planned_[i]) : 0;
@@ -127,13 +125,25 @@ void Candidates<D>::carry_over(bool with_shear) noexcept {
   while (old < pairs_.size()) keep_bonded();
 }
 
+/// All of one length whenever memory runs out.
+template <int D>
+void Candidates<D>::resize(std::size_t slots) {
+  skin_.reserve(slots);
+  planned_.reserve(slots);
+  reference_position_.reserve(slots);
+  reference_rotation_.reserve(slots);
+  skin_.resize(slots);
+  planned_.resize(slots);
+  reference_position_.resize(slots, Vector<D>::Zero());
+  reference_rotation_.resize(slots);
+}
+
 template <int D>
 void Candidates<D>::search_again(const Blocks<D>& blocks, double relative_skin, bool with_shear) {
+  resize(blocks.slot_count());
   choose_skins(blocks, relative_skin);
   search(blocks);
   sort_found(blocks.slot_count());
-  reference_position_.resize(blocks.slot_count(), Vector<D>::Zero());
-  reference_rotation_.resize(blocks.slot_count());
   const auto bonded =
       std::count_if(pairs_.begin(), pairs_.end(), [](const Candidate<D>& pair) { return pair.bonded; });
   const std::size_t most = std::max(room_, sorted_.size() + std::size_t(bonded));

@@ -66,8 +66,8 @@ class Candidates {
   const Array<Candidate<D>>& pairs() const { return pairs_; }
   /// One per pair; none at all when no law resists shear.
   std::span<ShearSpring<D>> shear() { return shear_; }
-  /// Pairs that all lists of pairs have room for: some to spare, so that a settled heap whose pairs come and
-  /// go asks for no memory.
+  /// What lists of contacts need room for: all pairs, and some to spare, so that a settled heap whose pairs
+  /// come and go asks for no memory.
   std::size_t room() const { return std::max(pairs_.capacity(), next_pairs_.capacity()); }
   std::int64_t builds() const { return builds_; }
 
@@ -88,6 +88,7 @@ class Candidates {
 
   void choose_skins(const Blocks<D>& blocks, double relative_skin);
   bool may_touch(const Blocks<D>& blocks, const BlockPair& pair) const;
+  void resize(std::size_t slots);
   void search(const Blocks<D>& blocks);
   void sort_found(std::size_t slots);
   void carry_over(bool with_shear) noexcept;

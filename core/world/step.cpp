@@ -211,7 +211,7 @@ StepResult World<D>::step() {
     return prepare_and_move();
   } catch (const std::bad_alloc&) {
     candidates_.recall_pairs();
-    preparation() = before;  // no array has become shorter than it was, so that this takes no memory
+    preparation() = before;  // every array has room for what it held: this takes no memory
     throw;
   }
 }

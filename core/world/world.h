@@ -57,7 +57,8 @@ class World {
   bool is_detected() const { return detected_; }
   /// Contact forces into the blocks; shear springs grow over `elapsed`.
   void evaluate_forces_for_host(double elapsed);
-  /// One step of velocity Verlet; on failure the world is as it was before.
+  /// One step of velocity Verlet. When memory runs out the world is as it was before; when the motion is not
+  /// stable no block has moved.
   StepResult step();
   /// Brings time step, contacts, forces and ledger up to date after changes.
   StepResult prepare();
@@ -91,6 +92,10 @@ class World {
     archive(settings_, density_, fresh_, any_fresh_, laws_, blocks_, candidates_, touching_, forces_,
             acceleration_, momentum_rate_, ledger_, noise_energy_, residual_before_edit_, power_, epoch_time_,
             epoch_step_, time_step_, steps_, detected_, edited_);
+    if constexpr (Archive::reads) {  // steps find contacts until the next search, and ask for no memory
+      touching_.reserve(candidates_.room());
+      forces_.reserve(candidates_.room());
+    }
   }
 
  private:
@@ -120,7 +125,8 @@ class World {
     double viscosity = 0;
   };
 
-  /// All that a step of a changed world writes to before it moves the blocks, but for the pairs.
+  /// All that a step of a changed world writes to before it moves the blocks, but for the pairs and what is
+  /// worked out anew from the rest.
   auto preparation() {
     return std::tuple_cat(candidates_.skins(),
                           std::tie(touching_, forces_, blocks_.force, blocks_.torque, fresh_, any_fresh_,

@@ -48,7 +48,7 @@ void survive(Call call, long& failures) {
 /// Everything in space that allocates, once.
 void tour_of_polyhedra(hs_context* c, long& failures) {
   Random random(1);
-  const Points3 points = round_points(random, 60);  // more edges than fit on a stack
+  const Points3 points = round_points(random, 200);  // more edges than fit on a stack, and a Gauss map
   hs_shape* made[6] = {};
   survive([&] { return hs_polyhedron_create_hull(c, view_of(points), &made[0]); }, failures);
   const Shape round(made[0]);
