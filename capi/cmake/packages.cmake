@@ -43,7 +43,10 @@ halfspace_package(library NAME ${library} SECTION libs CONTENT "the shared libra
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/triggers)
 set(this_library "${library} (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
 halfspace_package(development NAME libhalfspace-dev SECTION libdevel DEPENDS "${this_library}, libqhull-dev"
-  CONTENT "headers, the static library, Fortran modules and\nRust crates" COMPILED_IN libeigen3-dev)
+  CONTENT "headers, the static library, Fortran modules,\nRust crates and the Box2D adapter" COMPILED_IN libeigen3-dev)
+if(HALFSPACE_BUILD_BOX2D)
+  set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS libbox2d-dev)
+endif()
 if(HALFSPACE_BUILD_CLI)
   halfspace_package(tools NAME halfspace-tools SECTION science DEPENDS "${this_library}" SHARED_LIBRARIES
     CONTENT "the command halfspace, which runs scene files" COMPILED_IN libcli11-dev libtomlplusplus-dev)

@@ -18,8 +18,8 @@ namespace halfspace::capi {
 
 template <>
 hs_pair_options default_definition() {
-  const DetectOptions defaults;
-  return {0, 0, defaults.parallel_angle, defaults.vertex_zone};
+  const PairOptions defaults;
+  return {0, 0, defaults.parallel_angle, defaults.vertex_zone, defaults.margin, 0, 0};
 }
 
 DetectOptions read_detect_options(double parallel_angle, double vertex_zone) {
@@ -29,10 +29,20 @@ DetectOptions read_detect_options(double parallel_angle, double vertex_zone) {
   return {parallel_angle, vertex_zone};
 }
 
-DetectOptions read_options(const hs_pair_options* options) {
+PairOptions read_options(const hs_pair_options* options) {
   if (!options) return {};
   const hs_pair_options known = read_definition(options, "options");
-  return read_detect_options(known.parallel_angle, known.vertex_zone);
+  require(known.margin >= 0 && known.margin <= 1e75, known.margin, "margin", "from 0 to 1e75");
+  require(known.without_region == 0 || known.without_region == 1, known.without_region, "without_region",
+          "0 or 1");
+  return {read_detect_options(known.parallel_angle, known.vertex_zone), known.margin,
+          known.without_region == 0};
+}
+
+void require_for(int dimension, const PairOptions& options) {
+  if (dimension == 2) return;
+  require(options.margin == 0, options.margin, "margin", "0 for polyhedra");
+  require(options.with_region, 1, "without_region", "0 for polyhedra");
 }
 
 namespace {
@@ -58,6 +68,15 @@ PairMemory<2> read_cache(const hs_pair_cache& cache, const Outline<2>& a, const 
   keep_proof(posed, out, *cache);
 }
 
+/// A contact without its region: the pair of largest gap, whose vertex is looked for only now.
+void answer_pair(const Separation<2>& largest, const PosedPair<2>& posed, const Placement<Turns>& at,
+                 const Turns& turns, hs_pair_cache* cache, hs_contact& out) {
+  PotentialPair<2> pair = largest.pair;
+  const double gap = refresh(posed.a.shape.outline(), posed.b.shape.outline(), at, pair);
+  write_pair<2>(ContactType::vertex_edge, 0, named(pair), normal_from_a_to_b(pair, posed, turns), gap, out);
+  if (cache) write_cache(PairMemory<2>::unknown, named(pair), *cache);
+}
+
 void answer_overlap(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
                     const Rotation<2>& rotation_of_a, const hs_pose& at_a,
                     const PotentialPair<2>& least_depth, const DetectOptions& options, PairMemory<2>& memory,
@@ -71,7 +90,7 @@ void answer_overlap(const Outline<2>& a, const Outline<2>& b, const Vector<2>& t
 }  // namespace
 
 /// Each block in its own frame as long as that will do.
-void judge(const PosedPair<2>& posed, const DetectOptions& options, hs_pair_cache* cache, hs_contact& out) {
+void judge(const PosedPair<2>& posed, const PairOptions& options, hs_pair_cache* cache, hs_contact& out) {
   const Turns turns = read_turns(posed.at_a, posed.at_b);
   const Placement<Turns> at = placement_of(turns, posed.at_a, posed.at_b);
   const Outline<2>& a = posed.a.shape.outline();
@@ -80,20 +99,22 @@ void judge(const PosedPair<2>& posed, const DetectOptions& options, hs_pair_cach
   if (cache) memory = read_cache(*cache, a, b);
   if (memory.state == PairMemory<2>::separated) {
     const double gap = refresh(a, b, at, memory.pair);
-    if (gap > 0) return answer_separated({gap, memory.pair}, posed, turns, cache, out);
+    if (gap > options.margin) return answer_separated({gap, memory.pair}, posed, turns, cache, out);
   }
   Separation<2> found;
   const bool by_all = by_all_combinations(a, b);
   if (by_all) {
-    found = find_separation_by_all(a, b, at);
-    if (found.gap > 0) return answer_separated(found, posed, turns, cache, out);
+    found = find_separation_by_all(a, b, at, options.margin);
+    if (found.gap > options.margin) return answer_separated(found, posed, turns, cache, out);
+    if (!options.with_region) return answer_pair(found, posed, at, turns, cache, out);
   }
   const Vector<2> to_b = only(at.to_other, 0);
   const Rotation<2> b_in_a = only(at.into_other, 1);
   const TurnedOutline turned(b, b_in_a, &posed.a.context->memory);
   if (!by_all) {
-    found = find_separation_by_merge(a, turned.outline(), to_b);
-    if (found.gap > 0) return answer_separated(found, posed, turns, cache, out);
+    found = find_separation_by_merge(a, turned.outline(), to_b, options.margin);
+    if (found.gap > options.margin) return answer_separated(found, posed, turns, cache, out);
+    if (!options.with_region) return answer_pair(found, posed, at, turns, cache, out);
   }
   answer_overlap(a, turned.outline(), to_b, only(turns, 0), posed.at_a, found.pair, options, memory, cache,
                  out);
@@ -120,7 +141,8 @@ namespace {
     require_pointer(pose_b, "pose_b");
     require_pointer(contact, "contact");
     require_one_dimension(*shape_a, "shape_a", *shape_b, "shape_b");
-    const DetectOptions known = read_options(options);
+    const PairOptions known = read_options(options);
+    require_for(shape_a->dimension(), known);
     visit(*shape_a, *pose_a, *shape_b, *pose_b,
           [&](const auto& posed) { detect(posed, known, cache, *contact); });
     return HS_OK;

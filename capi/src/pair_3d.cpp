@@ -68,7 +68,7 @@ void answer_separated(const NamedPair& pair, const Vector<3>& normal, double gap
 
 }  // namespace
 
-void judge(const PosedPair<3>& posed, const DetectOptions& options, hs_pair_cache* cache, hs_contact& out) {
+void judge(const PosedPair<3>& posed, const PairOptions& options, hs_pair_cache* cache, hs_contact& out) {
   const PlacementInSpace at = read_placement(posed.at_a, posed.at_b);
   const Outline<3>& a = posed.a.shape.outline();
   const Outline<3>& b = posed.b.shape.outline();

@@ -34,7 +34,7 @@ hs_status hs_pairs_detect(hs_context* context, const hs_shape* const shapes[], c
       require_pointer(pairs, "pairs");
       require_pointer(contacts, "contacts");
     }
-    const DetectOptions known = read_options(options);
+    const PairOptions known = read_options(options);
 
     // All input is judged before anything is written.
     for (std::int64_t i = 0; i < body_count; ++i) {
@@ -57,6 +57,7 @@ hs_status hs_pairs_detect(hs_context* context, const hs_shape* const shapes[], c
       const std::int32_t a = pairs[2 * i], b = pairs[2 * i + 1];
       require_one_dimension(*shapes[a], EntryName("shapes", a).characters, *shapes[b],
                             EntryName("shapes", b).characters);
+      require_for(shapes[a]->dimension(), known);
       visit_pair(i, [&](const auto& posed) { require_readable(posed, cache_of(i)); });
     }
 

@@ -68,15 +68,16 @@ inline bool turns_are_tolerable(const hs_pose& a, const hs_pose& b) {
   return is_tolerable(TwoLanes{fault_of_quaternion(a.rotation), fault_of_quaternion(b.rotation)});
 }
 
-/// The answer when the pair is still proven to be separated. Poses that are to be refused prove nothing, nor
-/// do those that are not finite, or in 2D whose quaternions turn about z but for rounding.
+/// The answer when the pair is still proven to be separated by more than the margin. Poses that are to be
+/// refused prove nothing, nor do those that are not finite, or in 2D whose quaternions turn about z but for
+/// rounding.
 template <int D>
 [[gnu::always_inline]] inline bool answer_by_proof(const PosedPair<D>& posed, const hs_pair_cache& proof,
-                                                   hs_contact& out) {
+                                                   hs_contact& out, double margin = 0) {
   if (!is_proven(posed, proof)) return false;
   if (D == 2 && !turn_exactly_about_z(posed.at_a, posed.at_b)) return false;
   const double gap = gap_left(posed, proof);
-  if (!(gap > 0 && gap < HUGE_VAL)) return false;
+  if (!(gap > margin && gap < HUGE_VAL)) return false;
   if (!turns_are_tolerable<D>(posed.at_a, posed.at_b)) return false;
   write_separation<D>(pair_in(proof), Vector<D>(proof.normal), gap, out);
   return true;

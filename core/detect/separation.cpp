@@ -20,13 +20,14 @@ int walk_to_deepest_vertex(const Outline<2>& block, const Vector<2>& normal, int
   return least < 0 ? deepest : deepest_vertex(block, normal);
 }
 
-Separation<2> find_separation_by_merge(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b) {
+Separation<2> find_separation_by_merge(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
+                                       double margin) {
   Separation<2> best{-HUGE_VAL, {}};
   for_each_potential_pair(a, b, [&](const PotentialPair<2>& pair) {
     const double gap = pair.owner == 0 ? edge_gap(a, pair.edge, b, pair.vertex, to_b)
                                        : edge_gap(b, pair.edge, a, pair.vertex, -to_b);
     if (gap > best.gap) best = {gap, pair};
-    return best.gap <= 0;
+    return best.gap <= margin;
   });
   return best;
 }

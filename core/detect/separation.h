@@ -69,8 +69,9 @@ inline bool by_all_combinations(const Outline<2>& a, const Outline<2>& b) {
   return std::int64_t(a.count) * b.count <= most_combinations;
 }
 
-/// The largest of all gaps, or the first above 0, by the merge of sorted normals.
-Separation<2> find_separation_by_merge(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b);
+/// The largest of all gaps, or the first above the margin, by the merge of sorted normals.
+Separation<2> find_separation_by_merge(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
+                                       double margin = 0);
 
 /// The larger of both blocks' gaps. Without a branch: who owns it is as good as random.
 inline Separation<2> larger_of_each(const IndexedLanes& each) {
@@ -81,14 +82,15 @@ inline Separation<2> larger_of_each(const IndexedLanes& each) {
 }
 
 /// Judges all potential contact pairs (eqs. 12-16); but of other blocks than triangles, stops at the first
-/// block that has a violated one. For blocks within most_combinations.
+/// block that has one whose gap is above the margin. For blocks within most_combinations.
 template <class Lanes>
 [[gnu::always_inline]] inline Separation<2> find_separation_by_all(const Outline<2>& a, const Outline<2>& b,
-                                                                   const Placement<Lanes>& at) {
+                                                                   const Placement<Lanes>& at,
+                                                                   double margin = 0) {
   if (a.count == 3 && b.count == 3) return larger_of_each(largest_gap_of_each(a, b, at));
   const Placement<Lanes> seen_from_a = {both(at.into_other, 0), both(at.to_other, 0)};
   const IndexedLanes of_a = largest_gap(a, b, seen_from_a);
-  if (of_a.value[0] > 0) return {of_a.value[0], {0, int(of_a.index[0]), 0}};
+  if (of_a.value[0] > margin) return {of_a.value[0], {0, int(of_a.index[0]), 0}};
   const Placement<Lanes> seen_from_b = {both(at.into_other, 1), both(at.to_other, 1)};
   const IndexedLanes of_b = largest_gap(b, a, seen_from_b);
   return larger_of_each({firsts(of_a.value, of_b.value), firsts(of_a.index, of_b.index)});

@@ -106,6 +106,8 @@ TEST_CASE("the defaults are those the headers state") {
   REQUIRE(hs_pair_options_init(&options, sizeof options) == HS_OK);
   CHECK(options.parallel_angle == 0.01);
   CHECK(options.vertex_zone == 1e-6);
+  CHECK(options.margin == 0);
+  CHECK(options.without_region == 0);
 
   hs_law_def law;
   REQUIRE(hs_law_def_init(&law, sizeof law) == HS_OK);

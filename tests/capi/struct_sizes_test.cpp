@@ -101,12 +101,14 @@ struct TiltedPair {
     hs_pair_options options = defaults();
     options.parallel_angle = 0.2;
     options.vertex_zone = 0.4;
+    options.margin = 1;
     return options;
   }
 };
 
 const std::vector<std::size_t> ends_of_option_fields = {offsetof(hs_pair_options, parallel_angle),
-                                                        offsetof(hs_pair_options, vertex_zone)};
+                                                        offsetof(hs_pair_options, vertex_zone),
+                                                        offsetof(hs_pair_options, margin)};
 
 }  // namespace
 

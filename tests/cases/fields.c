@@ -20,7 +20,8 @@ const Field law_def_fields[] = {INT32(hs_law_def, stiffness_kind),   NUMBER(hs_l
                                 NUMBER(hs_law_def, normal_damping),  END_OF_TABLE};
 
 const Field pair_options_fields[] = {NUMBER(hs_pair_options, parallel_angle),
-                                     NUMBER(hs_pair_options, vertex_zone), END_OF_TABLE};
+                                     NUMBER(hs_pair_options, vertex_zone), NUMBER(hs_pair_options, margin),
+                                     INT32(hs_pair_options, without_region), END_OF_TABLE};
 
 const Field shape_fields[] = {INT32(hs_shape_properties, dimension),
                               INT64(hs_shape_properties, vertex_count),

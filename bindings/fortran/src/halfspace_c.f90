@@ -93,8 +93,8 @@ module halfspace_c
 
   !> One contact, or the proof that there is none. Points are in the frame of the poses given, directions in
   !! its orientation. Detection of single pairs leaves what has no meaning there as it was: ids, forces,
-  !! torque and twist always; `area` and all that follows it when the blocks are separated; points and gaps
-  !! past `point_count`.
+  !! torque and twist always; `area` and all that follows it when the blocks are separated or no region was
+  !! asked for; points and gaps past `point_count`.
   type, bind(c) :: hs_contact
     integer(c_int64_t) :: block_a = 0  !< id, in a world
     integer(c_int64_t) :: block_b = 0  !< id, in a world
@@ -202,10 +202,11 @@ module halfspace_c
   !! freely, also to another process.
   !!
   !! While separated it also holds a proof: along `normal` the two centroids were farther apart than the
-  !! shapes reach together. A call whose blocks have moved and turned by less than the gap since answers from
-  !! the proof alone, without a look at the shapes; its contact has the proof's pair and normal, and as gap
-  !! what is left of the gap after the most that the motion can have taken. The proof is of the two shapes
-  !! that it was found for; with others it is not used.
+  !! shapes reach together. A call whose blocks have moved and turned by less than the gap, or by less than
+  !! what of it is beyond hs_pair_options.margin, since answers from the proof alone, without a look at the
+  !! shapes; its contact has the proof's pair and normal, and as gap what is left of the gap after the most
+  !! that the motion can have taken. The proof is of the two shapes that it was found for; with others it is
+  !! not used.
   type, bind(c) :: hs_pair_cache
     integer(c_int32_t) :: state = 0  !< 0 unknown, 1 separated, 2 in contact
     integer(c_int32_t) :: pair_kind = 0  !< of the remembered pair: an HS_PAIR_ value
@@ -230,6 +231,15 @@ module halfspace_c
     !> how near the end of an edge (3D: the border of a face) a vertex meets what is there: share of the
     !! shorter of the two edges that face each other; [0, 0.5]; default 1e-6
     real(c_double) :: vertex_zone = 0.0_c_double
+    !> polygons are separated only when a gap exceeds it, and in contact otherwise; for hosts whose blocks
+    !! wear a skin. The gaps of a contact may be above 0 then, of one at a corner above the margin. m, [0,
+    !! 1e75], polyhedra 0; default 0
+    real(c_double) :: margin = 0.0_c_double
+    !> 1: a contact between polygons is the pair of largest gap and no more, for hosts that make their own
+    !! points: its type is HS_CONTACT_VERTEX_EDGE, it has no points, `area` and what follows stay as they
+    !! were, and the cache remembers nothing of it; polyhedra 0; default 0
+    integer(c_int32_t) :: without_region = 0
+    integer(c_int32_t) :: reserved_2 = 0  !< 0
   end type hs_pair_options
 
   !> How a world is made. Fill it with hs_world_def_init().

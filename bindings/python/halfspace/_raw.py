@@ -125,8 +125,8 @@ class hs_context_def(Structure):
 class hs_contact(Structure):
     """One contact, or the proof that there is none. Points are in the frame of the poses given, directions in
     its orientation. Detection of single pairs leaves what has no meaning there as it was: ids, forces, torque
-    and twist always; `area` and all that follows it when the blocks are separated; points and gaps past
-    `point_count`."""
+    and twist always; `area` and all that follows it when the blocks are separated or no region was asked for;
+    points and gaps past `point_count`."""
 
     _fields_ = [
         ("block_a", c_uint64),  # id, in a world
@@ -264,10 +264,10 @@ class hs_pair_cache(Structure):
     also to another process.
 
     While separated it also holds a proof: along `normal` the two centroids were farther apart than the shapes
-    reach together. A call whose blocks have moved and turned by less than the gap since answers from the
-    proof alone, without a look at the shapes; its contact has the proof's pair and normal, and as gap what is
-    left of the gap after the most that the motion can have taken. The proof is of the two shapes that it was
-    found for; with others it is not used."""
+    reach together. A call whose blocks have moved and turned by less than the gap, or by less than what of it
+    is beyond hs_pair_options.margin, since answers from the proof alone, without a look at the shapes; its
+    contact has the proof's pair and normal, and as gap what is left of the gap after the most that the motion
+    can have taken. The proof is of the two shapes that it was found for; with others it is not used."""
 
     _fields_ = [
         ("state", c_int32),  # 0 unknown, 1 separated, 2 in contact
@@ -296,6 +296,15 @@ class hs_pair_options(Structure):
         # how near the end of an edge (3D: the border of a face) a vertex meets what is there: share of the
         # shorter of the two edges that face each other; [0, 0.5]; default 1e-6
         ("vertex_zone", c_double),
+        # polygons are separated only when a gap exceeds it, and in contact otherwise; for hosts whose blocks
+        # wear a skin. The gaps of a contact may be above 0 then, of one at a corner above the margin. m, [0,
+        # 1e75], polyhedra 0; default 0
+        ("margin", c_double),
+        # 1: a contact between polygons is the pair of largest gap and no more, for hosts that make their own
+        # points: its type is HS_CONTACT_VERTEX_EDGE, it has no points, `area` and what follows stay as they
+        # were, and the cache remembers nothing of it; polyhedra 0; default 0
+        ("without_region", c_int32),
+        ("reserved_2", c_int32),  # 0
     ]
 
 

@@ -35,7 +35,7 @@ enum { HS_CONTACT_POINTS = 8 };
 
 /** One contact, or the proof that there is none. Points are in the frame of the poses given, directions in
  *  its orientation. Detection of single pairs leaves what has no meaning there as it was: ids, forces, torque
- *  and twist always; `area` and all that follows it when the blocks are separated; points and gaps past
+ *  and twist always; `area` and all that follows it when the blocks are separated or no region was asked for; points and gaps past
  *  `point_count`. */
 typedef struct hs_contact {
   uint64_t block_a;    /**< id, in a world */

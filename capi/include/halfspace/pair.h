@@ -19,10 +19,10 @@ extern "C" {
  *  another process.
  *
  *  While separated it also holds a proof: along `normal` the two centroids were farther apart than the shapes
- *  reach together. A call whose blocks have moved and turned by less than the gap since answers from the
- *  proof alone, without a look at the shapes; its contact has the proof's pair and normal, and as gap what is
- *  left of the gap after the most that the motion can have taken. The proof is of the two shapes that it was
- *  found for; with others it is not used. */
+ *  reach together. A call whose blocks have moved and turned by less than the gap, or by less than what of it
+ *  is beyond hs_pair_options.margin, since answers from the proof alone, without a look at the shapes; its
+ *  contact has the proof's pair and normal, and as gap what is left of the gap after the most that the motion
+ *  can have taken. The proof is of the two shapes that it was found for; with others it is not used. */
 typedef struct hs_pair_cache {
   int32_t state;        /**< 0 unknown, 1 separated, 2 in contact */
   int32_t pair_kind;    /**< of the remembered pair: an HS_PAIR_ value */
@@ -45,6 +45,14 @@ typedef struct hs_pair_options {
   double vertex_zone;    /**< how near the end of an edge (3D: the border of a face) a vertex meets what is
                               there: share of the shorter of the two edges that face each other; [0, 0.5];
                               default 1e-6 */
+  double margin;         /**< polygons are separated only when a gap exceeds it, and in contact otherwise; for
+                              hosts whose blocks wear a skin. The gaps of a contact may be above 0 then, of one
+                              at a corner above the margin. m, [0, 1e75], polyhedra 0; default 0 */
+  int32_t without_region; /**< 1: a contact between polygons is the pair of largest gap and no more, for hosts
+                              that make their own points: its type is HS_CONTACT_VERTEX_EDGE, it has no points,
+                              `area` and what follows stay as they were, and the cache remembers nothing of
+                              it; polyhedra 0; default 0 */
+  int32_t reserved_2;     /**< 0 */
 } hs_pair_options;
 
 /** @brief Fills detection options with their defaults.

@@ -183,8 +183,8 @@ const _: () = assert!(std::mem::size_of::<hs_context_def>() == 32);
 
 /// One contact, or the proof that there is none. Points are in the frame of the poses given, directions in
 /// its orientation. Detection of single pairs leaves what has no meaning there as it was: ids, forces, torque
-/// and twist always; `area` and all that follows it when the blocks are separated; points and gaps past
-/// `point_count`.
+/// and twist always; `area` and all that follows it when the blocks are separated or no region was asked for;
+/// points and gaps past `point_count`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_contact {
@@ -370,10 +370,10 @@ const _: () = assert!(std::mem::size_of::<hs_clean_report>() == 24);
 /// another process.
 ///
 /// While separated it also holds a proof: along `normal` the two centroids were farther apart than the shapes
-/// reach together. A call whose blocks have moved and turned by less than the gap since answers from the
-/// proof alone, without a look at the shapes; its contact has the proof's pair and normal, and as gap what is
-/// left of the gap after the most that the motion can have taken. The proof is of the two shapes that it was
-/// found for; with others it is not used.
+/// reach together. A call whose blocks have moved and turned by less than the gap, or by less than what of it
+/// is beyond hs_pair_options.margin, since answers from the proof alone, without a look at the shapes; its
+/// contact has the proof's pair and normal, and as gap what is left of the gap after the most that the motion
+/// can have taken. The proof is of the two shapes that it was found for; with others it is not used.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_pair_cache {
@@ -413,8 +413,18 @@ pub struct hs_pair_options {
     /// how near the end of an edge (3D: the border of a face) a vertex meets what is there: share of the
     /// shorter of the two edges that face each other; \[0, 0.5\]; default 1e-6
     pub vertex_zone: f64,
+    /// polygons are separated only when a gap exceeds it, and in contact otherwise; for hosts whose blocks
+    /// wear a skin. The gaps of a contact may be above 0 then, of one at a corner above the margin. m, \[0,
+    /// 1e75\], polyhedra 0; default 0
+    pub margin: f64,
+    /// 1: a contact between polygons is the pair of largest gap and no more, for hosts that make their own
+    /// points: its type is HS_CONTACT_VERTEX_EDGE, it has no points, `area` and what follows stay as they
+    /// were, and the cache remembers nothing of it; polyhedra 0; default 0
+    pub without_region: i32,
+    /// 0
+    pub reserved_2: i32,
 }
-const _: () = assert!(std::mem::size_of::<hs_pair_options>() == 24);
+const _: () = assert!(std::mem::size_of::<hs_pair_options>() == 40);
 
 /// How a world is made. Fill it with hs_world_def_init().
 #[repr(C)]

@@ -1,0 +1,113 @@
+#include "installation.h"
+
+#include <chrono>
+#include <stdexcept>
+
+#include "contact.h"
+#include "registration.h"
+
+namespace halfspace::box2d {
+namespace {
+
+/// Seconds that `work` takes.
+template <class Work>
+double seconds_of(Work&& work) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  work();
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+const b2PolygonShape& polygon_of(const b2Fixture& fixture) {
+  return static_cast<const b2PolygonShape&>(*fixture.GetShape());
+}
+
+Context make_context() {
+  hs_context* context = nullptr;
+  if (hs_context_create(nullptr, &context) != HS_OK) throw std::bad_alloc();
+  return Context(context);
+}
+
+}  // namespace
+
+NarrowPhase::Installation::Installation(b2World& world, Options options)
+    : world_(world), options_(std::move(options)), context_(make_context()), polygons_(*context_) {
+  if (world.IsLocked()) throw std::logic_error("a narrow phase cannot begin while its world steps");
+  if (!fits_in_place_of_box2d())
+    throw std::runtime_error("this Box2D keeps its contacts in another manner than 2.4");
+  if (!enter(world, *this)) throw std::logic_error("the world has a narrow phase already");
+  for (b2Contact* contact = world.GetContactList(); contact; contact = contact->GetNext()) {
+    if (is_of_polygons(*contact)) PolygonContact::install(*contact, *this);
+  }
+}
+
+NarrowPhase::Installation::~Installation() {
+  withdraw(world_);
+  for (b2Contact* contact = world_.GetContactList(); contact; contact = contact->GetNext()) {
+    if (auto* judged = dynamic_cast<PolygonContact*>(contact)) judged->leave();
+  }
+}
+
+NarrowPhase::Installation::Geometry NarrowPhase::Installation::geometry_of(b2Fixture& fixture) {
+  const FixtureGeometry chosen = options_.geometry_of ? options_.geometry_of(fixture) : FixtureGeometry();
+  if (chosen.left_to_box2d) return {};
+  if (chosen.shape) return {polygons_.polygon_of(*chosen.shape), true};
+  return {polygons_.polygon_of(polygon_of(fixture)), false};
+}
+
+JudgedPair* NarrowPhase::Installation::begin(b2Fixture& a, b2Fixture& b) noexcept {
+  try {
+    Geometry of_a = geometry_of(a), of_b = geometry_of(b);
+    if (!of_a.polygon || !of_b.polygon) return nullptr;
+    const b2PolygonShape &shape_a = polygon_of(a), &shape_b = polygon_of(b);
+    auto* pair = std::pmr::polymorphic_allocator<>(&pairs_).new_object<JudgedPair>(
+        PolygonPair(std::move(of_a.polygon), std::move(of_b.polygon), shape_a.m_radius + shape_b.m_radius),
+        *this);
+    if (options_.compare && !of_a.is_attached && !of_b.is_attached) {
+      pair->compared[0] = &shape_a;
+      pair->compared[1] = &shape_b;
+    }
+    return pair;
+  } catch (...) {
+    return nullptr;
+  }
+}
+
+void NarrowPhase::Installation::end(JudgedPair* pair) noexcept {
+  std::pmr::polymorphic_allocator<>(&pairs_).delete_object(pair);
+}
+
+bool NarrowPhase::Installation::collide(JudgedPair& pair, const b2Transform& at_a, const b2Transform& at_b,
+                                        b2Manifold& manifold) {
+  const bool known = pair.compared[0] ? collide_and_compare(pair, at_a, at_b, manifold)
+                                      : pair.polygons.collide(at_a, at_b, manifold);
+  statistics.refused += !known;
+  statistics.pairs += known;
+  statistics.touching += known && manifold.pointCount > 0;
+  return known;
+}
+
+bool NarrowPhase::Installation::collide_and_compare(JudgedPair& pair, const b2Transform& at_a,
+                                                    const b2Transform& at_b, b2Manifold& manifold) {
+  bool known = false;
+  const double seconds = seconds_of([&] { known = pair.polygons.collide(at_a, at_b, manifold); });
+  if (!known) return false;
+  b2Manifold of_box2d;
+  statistics.box2d_seconds +=
+      seconds_of([&] { b2CollidePolygons(&of_box2d, pair.compared[0], at_a, pair.compared[1], at_b); });
+  statistics.seconds += seconds;
+  ++statistics.compared;
+  statistics.disagreements += (manifold.pointCount > 0) != (of_box2d.pointCount > 0);
+  return true;
+}
+
+void NarrowPhase::Installation::refresh(b2Fixture& fixture) {
+  if (world_.IsLocked()) throw std::logic_error("a fixture cannot be refreshed while its world steps");
+  for (b2ContactEdge* edge = fixture.GetBody()->GetContactList(); edge; edge = edge->next) {
+    b2Contact& contact = *edge->contact;
+    const bool concerned = contact.GetFixtureA() == &fixture || contact.GetFixtureB() == &fixture;
+    if (concerned && is_of_polygons(contact)) PolygonContact::install(contact, *this);
+  }
+}
+
+}  // namespace halfspace::box2d

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <box2d/b2_fixture.h>
+#include <box2d/b2_polygon_shape.h>
+
+#include <halfspace/box2d.hpp>
+#include <memory_resource>
+#include <utility>
+
+#include "polygon.h"
+#include "polygon_pair.h"
+
+namespace halfspace::box2d {
+
+/// What a contact has while the narrow phase judges it.
+struct JudgedPair {
+  JudgedPair(PolygonPair pair, NarrowPhase::Installation& judge)
+      : polygons(std::move(pair)), installation(judge) {}
+
+  PolygonPair polygons;
+  NarrowPhase::Installation& installation;
+  const b2PolygonShape* compared[2] = {};  // with Box2D's narrow phase, or NULL
+};
+
+/// What the contacts of one world share.
+class NarrowPhase::Installation {
+ public:
+  Installation(b2World& world, Options options);
+  ~Installation();
+
+  /// For a new contact. Null when the pair is Box2D's: left to it, of a shape that the library refuses, or
+  /// without memory.
+  JudgedPair* begin(b2Fixture& a, b2Fixture& b) noexcept;
+  void end(JudgedPair* pair) noexcept;
+
+  /// False when the manifold has to come from Box2D.
+  bool collide(JudgedPair& pair, const b2Transform& at_a, const b2Transform& at_b, b2Manifold& manifold);
+
+  /// Asks anew about the contacts of a fixture.
+  void refresh(b2Fixture& fixture);
+
+  Statistics statistics;
+
+ private:
+  struct Geometry {
+    std::shared_ptr<const Polygon> polygon;  // null: left to Box2D
+    bool is_attached = false;
+  };
+  Geometry geometry_of(b2Fixture& fixture);
+  bool collide_and_compare(JudgedPair& pair, const b2Transform& at_a, const b2Transform& at_b,
+                           b2Manifold& manifold);
+
+  b2World& world_;
+  Options options_;
+  Context context_;
+  Polygons polygons_;
+  std::pmr::unsynchronized_pool_resource pairs_;  // gone through in every step: side by side
+};
+
+}  // namespace halfspace::box2d

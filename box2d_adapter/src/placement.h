@@ -1,0 +1,50 @@
+#pragma once
+
+#include <halfspace/view.h>
+
+#include <cmath>
+
+#include "polygon.h"
+#include "vector.h"
+
+namespace halfspace::box2d {
+
+/// Box2D's turn in double. Its cosine and sine are rounded to float, so that their length is off 1 by 2^-23
+/// at most, and one step of Newton's method for 1 / sqrt(length^2) leaves less than rounding of it.
+inline Turn turn_of(const b2Rot& q) {
+  const double c = q.c, s = q.s;
+  const double factor = 1.5 - 0.5 * (c * c + s * s);
+  return {factor * c, factor * s};
+}
+
+/// Where polygon b is in the frame of polygon a: its centroid from that of a, and how it is turned.
+struct Placement {
+  Turn turn;
+  Vector shift;
+};
+
+/// Seen from a from the start, positions lose no digits far from the origin of the world.
+inline Placement placement_of(const Polygon& a, const b2Transform& at_a, const Polygon& b,
+                              const b2Transform& at_b) {
+  const Turn into_a = turn_of(at_a.q).inverse();
+  const Turn turn = into_a * turn_of(at_b.q);
+  const Vector to_b{double(at_b.p.x) - double(at_a.p.x), double(at_b.p.y) - double(at_a.p.y)};
+  return {turn, into_a * to_b + (turn * b.centroid() - a.centroid())};
+}
+
+/// The same seen from b.
+inline Placement inverse(const Placement& at) {
+  const Turn back = at.turn.inverse();
+  return {back, -(back * at.shift)};
+}
+
+/// The same for the library: its quaternion is the turn by half the angle, the bisector of the turn and of no
+/// turn. Where these are nearly opposed, the bisector is taken a quarter turn on, where nothing cancels.
+inline hs_pose pose_of(const Placement& at) {
+  const auto& [c, s] = at.turn;
+  const double w = c >= 0 ? 1 + c : s, z = c >= 0 ? s : 1 - c;
+  const double to_unit = 1 / std::sqrt(w * w + z * z);
+  return {{at.shift.x, at.shift.y, 0}, {0, 0, to_unit * z, to_unit * w}};
+}
+
+}  // namespace halfspace::box2d

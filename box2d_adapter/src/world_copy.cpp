@@ -1,0 +1,188 @@
+#include <cmath>
+#include <halfspace/box2d_world.hpp>
+#include <map>
+#include <new>
+#include <stdexcept>
+#include <unordered_map>
+#include <vector>
+
+#include "placement.h"
+#include "polygon.h"
+
+namespace halfspace::box2d {
+namespace {
+
+struct DestroyWorld {
+  void operator()(hs_world* world) const { hs_world_destroy(world); }
+};
+
+/// What a block is made of: its own density and friction.
+struct Material {
+  double density;
+  float friction;
+  auto operator<=>(const Material&) const = default;
+};
+
+bool takes_part(const b2Fixture& fixture) {
+  return fixture.GetType() == b2Shape::e_polygon && !fixture.IsSensor();
+}
+
+/// Rigid blocks are of one shape.
+bool can_be_taken(const b2Body& body) {
+  if (!body.IsEnabled()) return false;
+  if (body.GetType() != b2_dynamicBody) return true;
+  const b2Fixture* only = body.GetFixtureList();
+  return only && !only->GetNext() && takes_part(*only);
+}
+
+std::int32_t kind_of(const b2Body& body) {
+  switch (body.GetType()) {
+    case b2_staticBody:
+      return HS_BLOCK_FIXED;
+    case b2_kinematicBody:
+      return HS_BLOCK_PRESCRIBED;
+    default:
+      return HS_BLOCK_RIGID;
+  }
+}
+
+}  // namespace
+
+class WorldCopy::Blocks {
+ public:
+  Blocks(b2World& source, const hs_law_def& law) : law_(law) {
+    hs_context* context = nullptr;
+    if (hs_context_create(nullptr, &context) != HS_OK) throw std::bad_alloc();
+    context_.reset(context);
+    polygons_ = std::make_unique<Polygons>(*context);
+    hs_world_def def;
+    require_ok(hs_world_def_init(&def, sizeof def));
+    def.gravity[0] = source.GetGravity().x;
+    def.gravity[1] = source.GetGravity().y;
+    hs_world* world = nullptr;
+    require_ok(hs_world_create(context, &def, &world));
+    world_.reset(world);
+    for (b2Body* body = source.GetBodyList(); body; body = body->GetNext()) {
+      if (can_be_taken(*body)) {
+        add(*body);
+      } else {
+        left_out += body->GetType() == b2_dynamicBody;
+      }
+    }
+    set_laws();
+  }
+
+  void write_back() {
+    for (const Rigid& rigid : rigid_) {
+      hs_block_state state;
+      require_ok(hs_world_get_block_state(world_.get(), rigid.block, &state));
+      move(*rigid.body, rigid.centroid, state);
+    }
+  }
+
+  hs_world* world() const { return world_.get(); }
+  hs_block block_of(const b2Fixture& fixture) const {
+    const auto found = blocks_.find(&fixture);
+    return found == blocks_.end() ? 0 : found->second;
+  }
+
+  std::int64_t left_out = 0;
+
+ private:
+  struct Rigid {
+    b2Body* body;
+    hs_block block;
+    Vector centroid;  // in the coordinates of the body
+  };
+
+  void require_ok(hs_status status) const {
+    if (status == HS_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
+    if (status < 0) throw std::invalid_argument(hs_context_last_error(context_.get()));
+  }
+
+  void add(b2Body& body) {
+    for (b2Fixture* fixture = body.GetFixtureList(); fixture; fixture = fixture->GetNext()) {
+      if (takes_part(*fixture)) add(body, *fixture);
+    }
+  }
+
+  void add(b2Body& body, b2Fixture& fixture) {
+    const auto polygon = polygons_->polygon_of(static_cast<const b2PolygonShape&>(*fixture.GetShape()));
+    if (!polygon) throw std::invalid_argument(hs_context_last_error(context_.get()));
+    const b2Transform& at = body.GetTransform();
+    const Turn turn = turn_of(at.q);
+    const Vector centroid = turn * polygon->centroid();
+    hs_block_def def;
+    require_ok(hs_block_def_init(&def, sizeof def, polygon->shape()));
+    def.kind = kind_of(body);
+    def.material = material_of(body, fixture, *polygon);
+    def.pose = pose_of({turn, Vector(at.p) + centroid});
+    const b2Vec2 velocity = body.GetLinearVelocityFromWorldPoint(rounded(Vector(at.p) + centroid));
+    def.velocity[0] = velocity.x;
+    def.velocity[1] = velocity.y;
+    def.angular_velocity[2] = body.GetAngularVelocity();
+    hs_block block = 0;
+    require_ok(hs_world_add_block(world_.get(), polygon->shape(), &def, &block));
+    blocks_.emplace(&fixture, block);
+    if (def.kind == HS_BLOCK_RIGID) rigid_.push_back({&body, block, polygon->centroid()});
+  }
+
+  /// Of the body's own mass, which need not be that of the fixture's density. That of other bodies is no
+  /// matter.
+  std::int32_t material_of(const b2Body& body, const b2Fixture& fixture, const Polygon& polygon) {
+    hs_shape_properties properties;
+    require_ok(hs_shape_get_properties(polygon.shape(), &properties, sizeof properties));
+    const double density = body.GetType() == b2_dynamicBody ? body.GetMass() / properties.volume : 1;
+    const Material material{density, fixture.GetFriction()};
+    const auto found = materials_.find(material);
+    if (found != materials_.end()) return found->second;
+    std::int32_t made = 0;
+    require_ok(hs_world_add_material(world_.get(), density, &made));
+    materials_.emplace(material, made);
+    return made;
+  }
+
+  void set_laws() {
+    for (const auto& [a, index_a] : materials_) {
+      for (const auto& [b, index_b] : materials_) {
+        law_.friction_angle = std::atan(b2MixFriction(a.friction, b.friction));
+        require_ok(hs_world_set_law(world_.get(), index_a, index_b, &law_));
+      }
+    }
+  }
+
+  static void move(b2Body& body, const Vector& centroid, const hs_block_state& state) {
+    const double z = state.pose.rotation[2], w = state.pose.rotation[3];
+    const Turn turn{w * w - z * z, 2 * z * w};
+    // From the angle that the body has, so that whole turns are kept.
+    const Turn since = turn * turn_of(b2Rot(body.GetAngle())).inverse();
+    const double angle = body.GetAngle() + std::atan2(since.sine, since.cosine);
+    const Vector at{state.pose.position[0], state.pose.position[1]};
+    body.SetTransform(rounded(at - turn * centroid), float(angle));
+    body.SetLinearVelocity({float(state.velocity[0]), float(state.velocity[1])});
+    body.SetAngularVelocity(float(state.angular_velocity[2]));
+  }
+
+  hs_law_def law_;
+  Context context_;
+  std::unique_ptr<Polygons> polygons_;
+  std::unique_ptr<hs_world, DestroyWorld> world_;
+  std::map<Material, std::int32_t> materials_;
+  std::unordered_map<const b2Fixture*, hs_block> blocks_;
+  std::vector<Rigid> rigid_;
+};
+
+WorldCopy::WorldCopy(b2World& source, const hs_law_def& law)
+    : blocks_(std::make_unique<Blocks>(source, law)) {}
+
+WorldCopy::~WorldCopy() = default;
+
+hs_world* WorldCopy::world() const { return blocks_->world(); }
+
+hs_block WorldCopy::block_of(const b2Fixture& fixture) const { return blocks_->block_of(fixture); }
+
+std::int64_t WorldCopy::bodies_left_out() const { return blocks_->left_out; }
+
+void WorldCopy::write_back() { blocks_->write_back(); }
+
+}  // namespace halfspace::box2d

@@ -1,0 +1,43 @@
+#pragma once
+
+// Pairs of Box2D polygons as posed, and what is true of them, in long double and apart from both engines.
+
+#include <box2d/box2d.h>
+
+#include <vector>
+
+#include "benchmarks/random_polygon.h"
+
+namespace halfspace_test {
+
+using halfspace_benchmark::Random;
+
+struct PosedPolygons {
+  b2PolygonShape a, b;
+  b2Vec2 at_a, at_b;
+  float angle_a = 0, angle_b = 0;
+
+  b2Transform transform_a() const { return {at_a, b2Rot(angle_a)}; }
+  b2Transform transform_b() const { return {at_b, b2Rot(angle_b)}; }
+};
+
+/// A face of either polygon and its gap: the least height of the other's vertices over it.
+struct FaceGap {
+  int owner;  // 0 a, 1 b
+  int edge;
+  long double gap;
+  long double beyond;  // how far the other's least high vertex is past the face's ends, below 0 between them
+};
+
+/// All faces, of a first. Vertices are the floats of the shapes, turned by the floats of the transforms after
+/// these have been brought to unit length.
+std::vector<FaceGap> face_gaps(const PosedPolygons& pair);
+
+/// The one of largest gap.
+FaceGap largest(const std::vector<FaceGap>& gaps);
+
+/// Random polygons of about 1 m and 3 to 8 vertices, so far apart as wanted but for the rounding of their
+/// positions to float; a is `from_origin` from the origin.
+PosedPolygons draw_polygons(double from_origin, double wanted_gap, Random& random);
+
+}  // namespace halfspace_test
