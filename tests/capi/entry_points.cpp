@@ -82,6 +82,26 @@ void throw_upper_glued(Scene& s) {
 
 hs_status step(Scene& s) { return hs_world_step(s.world.get(), 1); }
 
+/// Read from a snapshot, with a list but no contact: the upper block comes down on the lower in the next
+/// step.
+void throw_upper_down_restored(Scene& s) {
+  const hs_pose above = {{0, 1.501, 0}, {0, 0, 0, 1}};
+  require_ok(hs_world_set_pose(s.world.get(), s.upper, &above), s.context.get());
+  set_upward_velocity(s, -0.025 / report_of(s.world.get()).time_step);
+  report_of(s.world.get());
+  s.snapshot = saved(s.world.get());
+  s.world = restored(s.context.get(), s.snapshot);
+}
+
+hs_status step_into_contact(Scene& s) {
+  const hs_status status = step(s);
+  if (status != HS_OK) return status;
+  require_ok(hs_world_get_contacts(s.world.get(), &s.written.contact, 1, &s.written.counts[0]),
+             s.context.get());
+  if (s.written.counts[0] != 1) throw std::runtime_error("the blocks have not met");
+  return HS_OK;
+}
+
 hs_status cut(Scene& s) {
   return keep(s.made.shapes[0], [&](hs_shape** behind) {
     return keep(s.made.shapes[1], [&](hs_shape** ahead) {
@@ -321,7 +341,8 @@ std::vector<EntryPoint> steps_of_changed_worlds() {
   return {{"a step, nothing known", Allocates::always, step, throw_upper},
           {"a step, contacts known", Allocates::always, step, throw_upper_detected},
           {"a step, forces known", Allocates::always, step, throw_upper_a_little_faster},
-          {"a step that makes bonds", Allocates::always, step, throw_upper_glued}};
+          {"a step that makes bonds", Allocates::always, step, throw_upper_glued},
+          {"a step of a restored world", Allocates::always, step_into_contact, throw_upper_down_restored}};
 }
 
 }  // namespace halfspace_test

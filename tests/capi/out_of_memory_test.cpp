@@ -67,6 +67,8 @@ bool survives_failure(const EntryPoint& entry, int dimension, long n, const Endi
   if (failed) {
     const bool unchanged = seen(*scene) == before;
     CHECK(unchanged);
+    const hs_world* world = scene->world.get();
+    if (world) CHECK_NOTHROW(restored(scene->context.get(), saved(world)));
     CHECK(entry.call(*scene) == HS_OK);
   }
   const bool ends_the_same = ending(*scene) == expected;

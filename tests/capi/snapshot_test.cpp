@@ -15,12 +15,6 @@ constexpr double time_to_pile_up = 2;  // s: the highest block falls 7 m in 1.2 
 /// Not as a comparison of vectors, whose failure would print every byte.
 bool same(const std::vector<unsigned char>& a, const std::vector<unsigned char>& b) { return a == b; }
 
-World restored(hs_context* context, const std::vector<unsigned char>& bytes) {
-  hs_world* world = nullptr;
-  require_ok(hs_world_restore(context, bytes.data(), bytes.size(), &world), context);
-  return World(world);
-}
-
 }  // namespace
 
 TEST_CASE("a restored world goes on bit for bit in the middle of dense contact") {

@@ -51,6 +51,12 @@ inline std::vector<unsigned char> saved(const hs_world* world) {
   return bytes;
 }
 
+inline World restored(hs_context* context, const std::vector<unsigned char>& bytes) {
+  hs_world* world = nullptr;
+  require_ok(hs_world_restore(context, bytes.data(), bytes.size(), &world), context);
+  return World(world);
+}
+
 inline hs_world_report report_of(hs_world* world) {
   hs_world_report report{};
   if (hs_world_get_report(world, &report, sizeof report) != HS_OK) throw std::runtime_error("no report");
