@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <halfspace/box2d.hpp>
-#include <stdexcept>
 
 #include "polygon.h"
 
@@ -12,13 +11,6 @@ namespace {
 float rounded_up(double value) {
   const float nearest = float(value);
   return nearest < value ? std::nextafter(nearest, INFINITY) : nearest;
-}
-
-hs_shape_properties properties_of(const hs_shape& polygon) {
-  hs_shape_properties properties;
-  if (hs_shape_get_properties(&polygon, &properties, sizeof properties) != HS_OK || properties.dimension != 2)
-    throw std::invalid_argument("the shape of a fixture must be a polygon");
-  return properties;
 }
 
 }  // namespace
@@ -43,7 +35,7 @@ b2PolygonShape box_around(const hs_shape& shape) {
 }
 
 b2MassData mass_of(const hs_shape& shape, float density) {
-  const hs_shape_properties properties = properties_of(shape);
+  const hs_shape_properties properties = properties_of_polygon(shape);
   const Vector centroid{properties.centroid[0], properties.centroid[1]};
   const double polar = properties.second_moment[0] + properties.second_moment[1];
   b2MassData mass;

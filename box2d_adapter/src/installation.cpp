@@ -22,12 +22,6 @@ const b2PolygonShape& polygon_of(const b2Fixture& fixture) {
   return static_cast<const b2PolygonShape&>(*fixture.GetShape());
 }
 
-Context make_context() {
-  hs_context* context = nullptr;
-  if (hs_context_create(nullptr, &context) != HS_OK) throw std::bad_alloc();
-  return Context(context);
-}
-
 }  // namespace
 
 NarrowPhase::Installation::Installation(b2World& world, Options options)

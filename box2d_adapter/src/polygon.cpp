@@ -47,10 +47,21 @@ std::shared_ptr<const Polygon> shared(Known& known, const typename Known::key_ty
 
 }  // namespace
 
-Polygon::Polygon(const hs_shape& borrowed) : shape_(&borrowed) {
+Context make_context() {
+  hs_context* context = nullptr;
+  require_ok(hs_context_create(nullptr, &context));
+  return Context(context);
+}
+
+hs_shape_properties properties_of_polygon(const hs_shape& shape) {
   hs_shape_properties properties;
-  require_ok(hs_shape_get_properties(shape_, &properties, sizeof properties));
+  require_ok(hs_shape_get_properties(&shape, &properties, sizeof properties));
   if (properties.dimension != 2) throw std::invalid_argument("the shape of a fixture must be a polygon");
+  return properties;
+}
+
+Polygon::Polygon(const hs_shape& borrowed) : shape_(&borrowed) {
+  const hs_shape_properties properties = properties_of_polygon(borrowed);
   centroid_ = {properties.centroid[0], properties.centroid[1]};
   radius_ = properties.bounding_radius;
   corners_.resize(std::size_t(properties.vertex_count));

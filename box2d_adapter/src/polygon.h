@@ -22,6 +22,11 @@ struct DestroyShape {
 using Context = std::unique_ptr<hs_context, DestroyContext>;
 using Shape = std::unique_ptr<hs_shape, DestroyShape>;
 
+Context make_context();
+
+/// Throws std::invalid_argument when the shape is no polygon.
+hs_shape_properties properties_of_polygon(const hs_shape& shape);
+
 /// A shape of the library and what a manifold is made from. Vertices are counter-clockwise and relative to
 /// the centroid; edge i leads from vertex i to the next.
 class Polygon {

@@ -50,17 +50,13 @@ std::int32_t kind_of(const b2Body& body) {
 
 class WorldCopy::Blocks {
  public:
-  Blocks(b2World& source, const hs_law_def& law) : law_(law) {
-    hs_context* context = nullptr;
-    if (hs_context_create(nullptr, &context) != HS_OK) throw std::bad_alloc();
-    context_.reset(context);
-    polygons_ = std::make_unique<Polygons>(*context);
+  Blocks(b2World& source, const hs_law_def& law) : law_(law), context_(make_context()), polygons_(*context_) {
     hs_world_def def;
     require_ok(hs_world_def_init(&def, sizeof def));
     def.gravity[0] = source.GetGravity().x;
     def.gravity[1] = source.GetGravity().y;
     hs_world* world = nullptr;
-    require_ok(hs_world_create(context, &def, &world));
+    require_ok(hs_world_create(context_.get(), &def, &world));
     world_.reset(world);
     for (b2Body* body = source.GetBodyList(); body; body = body->GetNext()) {
       if (can_be_taken(*body)) {
@@ -107,7 +103,7 @@ class WorldCopy::Blocks {
   }
 
   void add(b2Body& body, b2Fixture& fixture) {
-    const auto polygon = polygons_->polygon_of(static_cast<const b2PolygonShape&>(*fixture.GetShape()));
+    const auto polygon = polygons_.polygon_of(static_cast<const b2PolygonShape&>(*fixture.GetShape()));
     if (!polygon) throw std::invalid_argument(hs_context_last_error(context_.get()));
     const b2Transform& at = body.GetTransform();
     const Turn turn = turn_of(at.q);
@@ -130,9 +126,8 @@ class WorldCopy::Blocks {
   /// Of the body's own mass, which need not be that of the fixture's density. That of other bodies is no
   /// matter.
   std::int32_t material_of(const b2Body& body, const b2Fixture& fixture, const Polygon& polygon) {
-    hs_shape_properties properties;
-    require_ok(hs_shape_get_properties(polygon.shape(), &properties, sizeof properties));
-    const double density = body.GetType() == b2_dynamicBody ? body.GetMass() / properties.volume : 1;
+    const bool is_dynamic = body.GetType() == b2_dynamicBody;
+    const double density = is_dynamic ? body.GetMass() / properties_of_polygon(*polygon.shape()).volume : 1;
     const Material material{density, fixture.GetFriction()};
     const auto found = materials_.find(material);
     if (found != materials_.end()) return found->second;
@@ -143,10 +138,10 @@ class WorldCopy::Blocks {
   }
 
   void set_laws() {
-    for (const auto& [a, index_a] : materials_) {
-      for (const auto& [b, index_b] : materials_) {
-        law_.friction_angle = std::atan(b2MixFriction(a.friction, b.friction));
-        require_ok(hs_world_set_law(world_.get(), index_a, index_b, &law_));
+    for (auto a = materials_.begin(); a != materials_.end(); ++a) {
+      for (auto b = a; b != materials_.end(); ++b) {
+        law_.friction_angle = std::atan(b2MixFriction(a->first.friction, b->first.friction));
+        require_ok(hs_world_set_law(world_.get(), a->second, b->second, &law_));
       }
     }
   }
@@ -165,7 +160,7 @@ class WorldCopy::Blocks {
 
   hs_law_def law_;
   Context context_;
-  std::unique_ptr<Polygons> polygons_;
+  Polygons polygons_;
   std::unique_ptr<hs_world, DestroyWorld> world_;
   std::map<Material, std::int32_t> materials_;
   std::unordered_map<const b2Fixture*, hs_block> blocks_;

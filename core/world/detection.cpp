@@ -111,16 +111,22 @@ void World<D>::find_contacts(OnContact on_contact) {
   detected_ = true;
 }
 
+/// For contacts that are to be found.
+template <int D>
+void World<D>::renew_used_up_candidates() {
+  if (!detected_ && candidates_.used_up()) renew_candidates();
+}
+
 template <int D>
 void World<D>::detect() {
   if (detected_) return;
-  if (candidates_.used_up()) renew_candidates();
+  renew_used_up_candidates();
   find_contacts([](std::size_t, const Contact<D>&) {});
 }
 
 template <int D>
 void World<D>::evaluate_forces(double elapsed) {
-  if (!detected_ && candidates_.used_up()) renew_candidates();
+  renew_used_up_candidates();
   std::fill(blocks_.force.begin(), blocks_.force.end(), Vector<D>::Zero());
   std::fill(blocks_.torque.begin(), blocks_.torque.end(), Angular<D>::Zero());
   ContactEnergy energy;

@@ -204,7 +204,7 @@ StepResult World<D>::prepare_and_move() {
 template <int D>
 StepResult World<D>::step() {
   if (!edited_ && !any_fresh_) return move();
-  if (!detected_ && candidates_.used_up()) renew_candidates();
+  renew_used_up_candidates();
   candidates_.remember_pairs();
   const auto before = copies_of(preparation(), touching_.get_allocator().resource());
   try {

@@ -151,6 +151,7 @@ class World {
   StepResult prepare_and_move();
   StepResult move();
   void renew_candidates();
+  void renew_used_up_candidates();
   void kick_and_drift();
   void kick_and_book();
   void take_stock(std::size_t slot, const Vector<D>& opposed, const Angular<D>& opposed_spin,

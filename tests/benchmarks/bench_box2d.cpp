@@ -101,7 +101,6 @@ void run(const Scene& scene, bool quick) {
 /// Verdicts on pairs about the reach of their skins, off by 1e-9 to 1e-2 m to either side.
 void count_wrong_verdicts(double from_origin, int pair_count) {
   using namespace halfspace_test;
-  const double radii = b2_polygonRadius + b2_polygonRadius;
   constexpr long double sure = 1e-13L;  // far above the rounding of the truth, far below that of floats
   Random random(1);
   int judged = 0, wrong = 0, wrong_of_box2d = 0;

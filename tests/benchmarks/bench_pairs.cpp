@@ -9,6 +9,7 @@
 #include <deque>
 #include <stdexcept>
 
+#include "box2d_polygon.h"
 #include "convex_pairs.h"
 #include "pair_sets.h"
 #include "timing.h"
@@ -42,14 +43,6 @@ hs_pose pose_of(const hs_shape* shape, const Placement& at) {
 
 b2Transform transform_of(const Placement& at) {
   return {{float(at.position.x), float(at.position.y)}, b2Rot(float(at.angle))};
-}
-
-b2PolygonShape box2d_shape(const Points& polygon) {
-  std::vector<b2Vec2> vertices;
-  for (const Point& p : polygon) vertices.push_back({float(p.x), float(p.y)});
-  b2PolygonShape shape;
-  shape.Set(vertices.data(), int32(vertices.size()));
-  return shape;
 }
 
 /// One set of pairs as both engines see it.

@@ -1,21 +1,9 @@
 #include "box2d_scenes.h"
 
-#include <vector>
-
-#include "random_polygon.h"
+#include "box2d_polygon.h"
 
 namespace halfspace_benchmark {
 namespace {
-
-b2PolygonShape random_shape(Random& random) {
-  const int count = std::uniform_int_distribution<int>(3, 8)(random);
-  std::vector<b2Vec2> vertices;
-  for (const Point& p : random_polygon(count, uniform(random, 0.25, 0.35), random))
-    vertices.push_back({float(p.x), float(p.y)});
-  b2PolygonShape shape;
-  shape.Set(vertices.data(), count);
-  return shape;
-}
 
 void add_block(b2World& world, const b2PolygonShape& shape, b2Vec2 at) {
   b2BodyDef body;
@@ -52,7 +40,8 @@ void add_drum(b2World& world) {
   }
   Random random(1);
   for (int i = 0; i < 300; ++i)
-    add_block(world, random_shape(random), {-6.f + 0.7f * float(i % 18), -6.f + 0.7f * float(i / 18)});
+    add_block(world, random_box2d_shape(0.25, 0.35, random),
+              {-6.f + 0.7f * float(i % 18), -6.f + 0.7f * float(i / 18)});
 }
 
 }  // namespace halfspace_benchmark

@@ -9,9 +9,6 @@
 namespace halfspace_test {
 namespace {
 
-constexpr double radii = b2_polygonRadius + b2_polygonRadius;
-constexpr double same_gap = 0.1f * b2_linearSlop;
-
 /// One contact, asked about its two polygons wherever they are.
 class Asked {
  public:
@@ -41,15 +38,7 @@ class Asked {
 /// How far the reference face of a manifold is behind the best.
 long double worse_by(const b2Manifold& manifold, const PosedPolygons& pair,
                      const std::vector<FaceGap>& gaps) {
-  const int owner = manifold.type == b2Manifold::e_faceA ? 0 : 1;
-  const b2PolygonShape& polygon = owner == 0 ? pair.a : pair.b;
-  const FaceGap* reference = nullptr;
-  for (const FaceGap& g : gaps) {
-    if (g.owner != owner) continue;
-    const auto likeness = [&](int edge) { return b2Dot(polygon.m_normals[edge], manifold.localNormal); };
-    if (!reference || likeness(g.edge) > likeness(reference->edge)) reference = &g;
-  }
-  return largest(gaps).gap - reference->gap;
+  return largest(gaps).gap - reference_of(manifold, pair, gaps).gap;
 }
 
 }  // namespace

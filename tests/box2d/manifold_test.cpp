@@ -9,27 +9,15 @@
 namespace halfspace_test {
 namespace {
 
-constexpr double radii = b2_polygonRadius + b2_polygonRadius;
-constexpr double same_gap = 0.1f * b2_linearSlop;  // Box2D's tolerance when it chooses between a and b
-
 /// Box2D works on coordinates of at most this size in these tests, in about eight operations that each round
 /// by half a unit in the last place.
 constexpr double farthest = 4;
 constexpr double rounding = 8 * farthest * 0x1p-24;
 
-/// The face that a manifold refers to, known by its normal.
-FaceGap reference_of(const b2Manifold& manifold, const PosedPolygons& pair,
-                     const std::vector<FaceGap>& gaps) {
-  const int owner = manifold.type == b2Manifold::e_faceA ? 0 : 1;
-  const b2PolygonShape& polygon = owner == 0 ? pair.a : pair.b;
-  const auto likeness = [&](int edge) { return b2Dot(polygon.m_normals[edge], manifold.localNormal); };
-  int edge = 0;
-  for (int i = 1; i < polygon.m_count; ++i) {
-    if (likeness(i) > likeness(edge)) edge = i;
-  }
-  CHECK((polygon.m_normals[edge] - manifold.localNormal).Length() <= 4 * 0x1p-24);
-  return *std::find_if(gaps.begin(), gaps.end(),
-                       [&](const FaceGap& g) { return g.owner == owner && g.edge == edge; });
+/// The local normal is that of the reference face, to a float.
+void check_normal(const b2Manifold& manifold, const PosedPolygons& pair, const FaceGap& reference) {
+  const b2PolygonShape& owner = reference.owner == 0 ? pair.a : pair.b;
+  CHECK((owner.m_normals[reference.edge] - manifold.localNormal).Length() <= 4 * 0x1p-24);
 }
 
 /// How much farther than along the face rounding moves the point where its strip cuts the incident edge.
@@ -107,6 +95,8 @@ void check_against_box2d(const PosedPolygons& pair, Tally& tally) {
   }
   ++tally.touching;
   const FaceGap of_ours = reference_of(ours, pair, gaps), of_box2d = reference_of(box2d, pair, gaps);
+  check_normal(ours, pair, of_ours);
+  check_normal(box2d, pair, of_box2d);
   CHECK(best.gap - of_ours.gap <= same_gap + 1e-12);
   if (of_ours.owner != of_box2d.owner || of_ours.edge != of_box2d.edge) {
     CHECK(best.gap - of_box2d.gap <= same_gap + rounding);

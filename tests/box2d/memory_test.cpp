@@ -1,33 +1,9 @@
-// A pair is judged without asking for memory.
-
-#include <cstdlib>
-#include <new>
+// A pair is judged without asking for memory: neither by the C++ allocator, which the adapter and Box2D use,
+// nor by the library's own, for which a Ledger stands in.
 
 #include "capi/ledger.h"
 #include "catch.h"
 #include "world_fixture.h"
-
-std::atomic<long> halfspace_test::calls_of_new = 0;
-using halfspace_test::calls_of_new;
-
-// The allocator of the adapter and of Box2D; the library has one of its own, for which a Ledger stands in.
-void* operator new(std::size_t bytes) {
-  ++calls_of_new;
-  if (void* memory = std::malloc(bytes ? bytes : 1)) return memory;
-  throw std::bad_alloc();
-}
-void* operator new[](std::size_t bytes) { return operator new(bytes); }
-void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
-  ++calls_of_new;
-  return std::malloc(bytes);
-}
-void* operator new[](std::size_t bytes, const std::nothrow_t& nothrow) noexcept {
-  return operator new(bytes, nothrow);
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete[](void* memory) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace halfspace_test {
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "benchmarks/box2d_polygon.h"
+
 namespace halfspace_test {
 namespace {
 
@@ -39,17 +41,6 @@ FaceGap gap_of(int owner, std::size_t edge, const std::vector<RealPoint>& of_own
   return {owner, int(edge), dot(normal, deepest), std::max(-s, s - length)};
 }
 
-b2PolygonShape draw_polygon(Random& random) {
-  const int count = std::uniform_int_distribution<int>(3, 8)(random);
-  std::vector<b2Vec2> vertices;
-  for (const Point& p :
-       halfspace_benchmark::random_polygon(count, halfspace_benchmark::uniform(random, 0.4, 0.6), random))
-    vertices.push_back({float(p.x), float(p.y)});
-  b2PolygonShape shape;
-  shape.Set(vertices.data(), count);
-  return shape;
-}
-
 }  // namespace
 
 std::vector<FaceGap> face_gaps(const PosedPolygons& pair) {
@@ -65,6 +56,17 @@ FaceGap largest(const std::vector<FaceGap>& gaps) {
   return *std::max_element(gaps.begin(), gaps.end(), less);
 }
 
+FaceGap reference_of(const b2Manifold& manifold, const PosedPolygons& pair,
+                     const std::vector<FaceGap>& gaps) {
+  const int owner = manifold.type == b2Manifold::e_faceA ? 0 : 1;
+  const b2PolygonShape& polygon = owner == 0 ? pair.a : pair.b;
+  const auto likeness = [&](const FaceGap& g) {
+    return g.owner == owner ? b2Dot(polygon.m_normals[g.edge], manifold.localNormal) : -2;
+  };
+  const auto less = [&](const FaceGap& p, const FaceGap& q) { return likeness(p) < likeness(q); };
+  return *std::max_element(gaps.begin(), gaps.end(), less);
+}
+
 PosedPolygons draw_polygons(double from_origin, double wanted_gap, Random& random) {
   using halfspace_benchmark::pi;
   using halfspace_benchmark::uniform;
@@ -73,8 +75,8 @@ PosedPolygons draw_polygons(double from_origin, double wanted_gap, Random& rando
     return Point{length * std::cos(angle), length * std::sin(angle)};
   };
   PosedPolygons pair;
-  pair.a = draw_polygon(random);
-  pair.b = draw_polygon(random);
+  pair.a = halfspace_benchmark::random_box2d_shape(0.4, 0.6, random);
+  pair.b = halfspace_benchmark::random_box2d_shape(0.4, 0.6, random);
   pair.angle_a = float(uniform(random, -pi, pi));
   pair.angle_b = float(uniform(random, -pi, pi));
   const Point place = direction(from_origin), way = direction(1);

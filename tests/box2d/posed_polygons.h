@@ -12,6 +12,11 @@ namespace halfspace_test {
 
 using halfspace_benchmark::Random;
 
+/// Two polygons touch within this, by their skins.
+constexpr double radii = b2_polygonRadius + b2_polygonRadius;
+/// Box2D's tolerance when it chooses between the faces of a and b.
+constexpr double same_gap = 0.1f * b2_linearSlop;
+
 struct PosedPolygons {
   b2PolygonShape a, b;
   b2Vec2 at_a, at_b;
@@ -35,6 +40,9 @@ std::vector<FaceGap> face_gaps(const PosedPolygons& pair);
 
 /// The one of largest gap.
 FaceGap largest(const std::vector<FaceGap>& gaps);
+
+/// The face that a manifold refers to, known by its normal.
+FaceGap reference_of(const b2Manifold& manifold, const PosedPolygons& pair, const std::vector<FaceGap>& gaps);
 
 /// Random polygons of about 1 m and 3 to 8 vertices, so far apart as wanted but for the rounding of their
 /// positions to float; a is `from_origin` from the origin.

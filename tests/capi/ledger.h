@@ -1,6 +1,6 @@
 #pragma once
 
-// A host's allocator for tests. Its user defines calls_of_new and counts the calls of operator new in it.
+// A host's allocator for tests; to be linked with calls_of_new.cpp, which counts those of operator new.
 
 #include <halfspace/halfspace.h>
 

@@ -1,35 +1,10 @@
 // The host's allocator: all memory goes through it, all comes back, a steady step asks for none, and failure
-// is survived.
-
-#include <cstdlib>
-#include <new>
+// is survived. The C++ allocator must not be used behind the host's back.
 
 #include "capi/ledger.h"
 #include "capi/polyhedra.h"
 #include "capi/world_fixture.h"
 #include "catch.h"
-
-std::atomic<long> halfspace_test::calls_of_new{0};
-using halfspace_test::calls_of_new;
-
-// The C++ allocator of the whole process, the library included: it must not be used behind the host's back.
-void* operator new(std::size_t bytes) {
-  ++calls_of_new;
-  if (void* memory = std::malloc(bytes ? bytes : 1)) return memory;
-  throw std::bad_alloc();
-}
-void* operator new[](std::size_t bytes) { return operator new(bytes); }
-void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
-  ++calls_of_new;
-  return std::malloc(bytes);
-}
-void* operator new[](std::size_t bytes, const std::nothrow_t& nothrow) noexcept {
-  return operator new(bytes, nothrow);
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete[](void* memory) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace halfspace_test {
 namespace {
