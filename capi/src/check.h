@@ -13,8 +13,26 @@
 
 namespace halfspace::capi {
 
-inline void require_pointer(const void* pointer, const char* name) {
-  if (!pointer) refuse(HS_ERROR_ARGUMENT, "%s is NULL", name);
+/// What a refusal calls an argument: "pose", or "poses[3]" for one of an array. Put into words only then.
+struct ArgumentName {
+  ArgumentName(const char* alone) : name(alone) {}
+  ArgumentName(const char* array, std::int64_t at) : name(array), index(at) {}
+
+  const char* name;
+  std::int64_t index = -1;
+};
+
+struct NameText {
+  explicit NameText(const ArgumentName& of) {
+    const auto index = static_cast<long long>(of.index);
+    std::snprintf(characters, sizeof characters, index < 0 ? "%s" : "%s[%lld]", of.name, index);
+  }
+
+  char characters[48];
+};
+
+inline void require_pointer(const void* pointer, const ArgumentName& name) {
+  if (!pointer) refuse(HS_ERROR_ARGUMENT, "%s is NULL", NameText(name).characters);
 }
 
 inline double require_finite(double value, const char* name) {
@@ -105,16 +123,18 @@ using Pose2 = Pose<2>;
 
 /// Says which part of a pose is wrong. Only called when one is.
 template <int D>
-[[noreturn]] void refuse_pose(const hs_pose& pose, const char* name) {
+[[noreturn]] void refuse_pose(const hs_pose& pose, const ArgumentName& argument) {
+  const NameText name(argument);
   for (int i = 0; i < D; ++i) {
     const double p = pose.position[i];
     if (!(std::abs(p) <= 1e75)) {
-      refuse(HS_ERROR_ARGUMENT, "%s->position[%d] is %g; it must be finite and at most 1e75", name, i, p);
+      refuse(HS_ERROR_ARGUMENT, "%s->position[%d] is %g; it must be finite and at most 1e75", name.characters,
+             i, p);
     }
   }
   const double* q = pose.rotation;
-  refuse(HS_ERROR_ARGUMENT, "%s->rotation is (%.9g, %.9g, %.9g, %.9g); it must be a unit quaternion%s", name,
-         q[0], q[1], q[2], q[3], D == 2 ? " that turns about z" : "");
+  refuse(HS_ERROR_ARGUMENT, "%s->rotation is (%.9g, %.9g, %.9g, %.9g); it must be a unit quaternion%s",
+         name.characters, q[0], q[1], q[2], q[3], D == 2 ? " that turns about z" : "");
 }
 
 /// Quaternions about z as turns, and by how much their squared lengths are off 1. Number is a double, or
@@ -162,10 +182,10 @@ inline double fault_of_quaternion(const double q[4]) {
 }
 
 template <int D = 2>
-Pose<D> read_pose(const hs_pose* pose, const char* name);
+Pose<D> read_pose(const hs_pose* pose, const ArgumentName& name);
 
 template <>
-inline Pose<2> read_pose(const hs_pose* pose, const char* name) {
+inline Pose<2> read_pose(const hs_pose* pose, const ArgumentName& name) {
   require_pointer(pose, name);
   const double x = pose->position[0], y = pose->position[1];
   const double* q = pose->rotation;
@@ -178,7 +198,7 @@ inline Pose<2> read_pose(const hs_pose* pose, const char* name) {
 }
 
 template <>
-inline Pose<3> read_pose(const hs_pose* pose, const char* name) {
+inline Pose<3> read_pose(const hs_pose* pose, const ArgumentName& name) {
   require_pointer(pose, name);
   const double *p = pose->position, *q = pose->rotation;
   const double far_off = weight_far_off * (std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2]));

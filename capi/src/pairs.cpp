@@ -5,19 +5,6 @@
 using namespace halfspace;
 using namespace halfspace::capi;
 
-namespace {
-
-/// "name[i]" for the text of a refusal.
-struct EntryName {
-  EntryName(const char* name, std::int64_t i) {
-    std::snprintf(characters, sizeof characters, "%s[%lld]", name, static_cast<long long>(i));
-  }
-
-  char characters[48];
-};
-
-}  // namespace
-
 hs_status hs_pairs_detect(hs_context* context, const hs_shape* const shapes[], const hs_pose poses[],
                           int64_t body_count, const int32_t pairs[], int64_t pair_count,
                           const hs_pair_options* options, hs_pair_cache caches[], hs_contact contacts[],
@@ -38,9 +25,8 @@ hs_status hs_pairs_detect(hs_context* context, const hs_shape* const shapes[], c
 
     // All input is judged before anything is written.
     for (std::int64_t i = 0; i < body_count; ++i) {
-      require_pointer(shapes[i], EntryName("shapes", i).characters);
-      visit(*shapes[i],
-            [&]<int D>(const ShapeHandle<D>&) { read_pose<D>(&poses[i], EntryName("poses", i).characters); });
+      require_pointer(shapes[i], {"shapes", i});
+      visit(*shapes[i], [&]<int D>(const ShapeHandle<D>&) { read_pose<D>(&poses[i], {"poses", i}); });
     }
     for (std::int64_t i = 0; i < 2 * pair_count; ++i) {
       if (pairs[i] < 0 || pairs[i] >= body_count) {
@@ -55,8 +41,7 @@ hs_status hs_pairs_detect(hs_context* context, const hs_shape* const shapes[], c
     const auto cache_of = [&](std::int64_t i) { return caches ? &caches[i] : nullptr; };
     for (std::int64_t i = 0; i < pair_count; ++i) {
       const std::int32_t a = pairs[2 * i], b = pairs[2 * i + 1];
-      require_one_dimension(*shapes[a], EntryName("shapes", a).characters, *shapes[b],
-                            EntryName("shapes", b).characters);
+      require_one_dimension(*shapes[a], {"shapes", a}, *shapes[b], {"shapes", b});
       require_for(shapes[a]->dimension(), known);
       visit_pair(i, [&](const auto& posed) { require_readable(posed, cache_of(i)); });
     }

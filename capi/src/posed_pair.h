@@ -28,11 +28,11 @@ inline bool are_polyhedra(const hs_shape& a, const hs_shape& b) {
   return a.dimension() == 3 && b.dimension() == 3;
 }
 
-inline void require_one_dimension(const hs_shape& a, const char* name_a, const hs_shape& b,
-                                  const char* name_b) {
+inline void require_one_dimension(const hs_shape& a, const ArgumentName& name_a, const hs_shape& b,
+                                  const ArgumentName& name_b) {
   if (a.dimension() != b.dimension()) {
-    refuse(HS_ERROR_ARGUMENT, "%s has dimension %d and %s %d; a pair must have one", name_a, a.dimension(),
-           name_b, b.dimension());
+    refuse(HS_ERROR_ARGUMENT, "%s has dimension %d and %s %d; a pair must have one",
+           NameText(name_a).characters, a.dimension(), NameText(name_b).characters, b.dimension());
   }
 }
 

@@ -121,11 +121,7 @@ hs_status hs_world_set_poses(hs_world* world, const hs_pose poses[], int64_t cou
              static_cast<long long>(w.blocks().count()));
     }
     if (count > 0) require_pointer(poses, "poses");
-    const auto read = [&](std::int64_t i) {
-      char name[48];
-      std::snprintf(name, sizeof name, "poses[%lld]", static_cast<long long>(i));
-      return read_pose<D>(&poses[i], name);
-    };
+    const auto read = [&](std::int64_t i) { return read_pose<D>(&poses[i], {"poses", i}); };
     for (std::int64_t i = 0; i < count; ++i) read(i);  // all are judged before any block moves
     for_each_block(w.blocks(), [&](std::int64_t i, std::int32_t slot) {
       const Pose<D> to = read(i);

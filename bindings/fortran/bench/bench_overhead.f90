@@ -1,5 +1,6 @@
-! What a call through the modules costs over the same call from C: step, detection and forces of 1e5 blocks, and one
-! pair. Passes alternate, and the least time of each counts. Prints ratios; no timing decides. --quick: a small world.
+! What a call through the modules costs over the same call from C: step, detection and forces of 4 blocks, where the
+! call itself is to be seen, and of 1e5, and one pair. Passes alternate, and the least time of each counts; C against
+! itself says what the ratio is worth. No timing decides. --quick: a smaller world.
 program bench_overhead
   use halfspace
   use halfspace_c, only: hs_mutable_view
@@ -49,29 +50,25 @@ program bench_overhead
   end interface
 
   type(halfspace_shape) :: square
-  integer :: columns, rows, passes, pair_calls
+  integer :: passes, pair_calls
+  logical :: quick
   character(20) :: option
 
-  columns = 1000
-  rows = 100
-  passes = 40
-  pair_calls = 10000
   call get_command_argument(1, option)
-  if (option == '--quick') then
-    columns = 10
-    rows = 10
-    passes = 2
-    pair_calls = 1000
-  end if
+  quick = option == '--quick'
+  passes = merge(2, 40, quick)
+  pair_calls = merge(1000, 10000, quick)
 
   call square%create_polygon(reshape([real(dp) :: -0.5, -0.5, 0.5, -0.5, 0.5, 0.5, -0.5, 0.5], [2, 4]))
-  call compare_world()
+  call compare_world(columns=2, rows=2, calls=merge(10, 20000, quick))
+  call compare_world(columns=merge(10, 1000, quick), rows=merge(10, 100, quick), calls=1)
   call compare_pairs()
 
 contains
 
   ! Columns of squares on one floor.
-  subroutine make_world(world)
+  subroutine make_world(columns, rows, world)
+    integer, intent(in) :: columns, rows
     type(halfspace_world), intent(inout) :: world
     type(halfspace_shape) :: floor
     integer :: row, column, stone
@@ -90,63 +87,79 @@ contains
     end do
   end subroutine make_world
 
-  subroutine compare_world()
+  !> Of a pass, which has so many calls of each kind.
+  subroutine compare_world(columns, rows, calls)
+    integer, intent(in) :: columns, rows, calls
     type(halfspace_world) :: world
     type(halfspace_pose), allocatable :: poses(:)
     real(dp), allocatable :: force(:,:), torque(:,:)
-    real(dp) :: in_c(3), in_fortran(3)
+    real(dp) :: in_c(3), in_c_again(3), in_fortran(3)
     integer :: pass, n
-    call make_world(world)
+    call make_world(columns, rows, world)
     n = int(world%block_count())
     allocate (poses(n), force(3, n), torque(3, n))
     call world%poses(poses)
     in_c = huge(in_c)
+    in_c_again = huge(in_c_again)
     in_fortran = huge(in_fortran)
-    ! Which language goes first changes, as the first leaves the caches to the second.
+    ! Which goes first changes, as the first leaves the caches to the next.
     do pass = 1, passes
-      if (mod(pass, 2) == 0) in_c = min(in_c, pass_in_c(world, poses, force, torque))
-      in_fortran = min(in_fortran, pass_in_fortran(world, poses, force, torque))
-      if (mod(pass, 2) == 1) in_c = min(in_c, pass_in_c(world, poses, force, torque))
+      if (mod(pass, 2) == 0) in_c = min(in_c, pass_in_c(world, calls, poses, force, torque))
+      in_fortran = min(in_fortran, pass_in_fortran(world, calls, poses, force, torque))
+      in_c_again = min(in_c_again, pass_in_c(world, calls, poses, force, torque))
+      if (mod(pass, 2) == 1) in_c = min(in_c, pass_in_c(world, calls, poses, force, torque))
     end do
-    print '(i0, " blocks")', n
-    call tell('step', in_c(1), in_fortran(1))
-    call tell('detect', in_c(2), in_fortran(2))
-    call tell('forces', in_c(3), in_fortran(3))
+    print '(i0, " blocks", t20, "C, us  C again / C  Fortran / C  over C, us")', n
+    call tell('step', in_c(1), in_c_again(1), in_fortran(1))
+    call tell('detect', in_c(2), in_c_again(2), in_fortran(2))
+    call tell('forces', in_c(3), in_c_again(3), in_fortran(3))
   end subroutine compare_world
 
   !> Seconds of a step, of setting poses and detection there, and of forces.
-  function pass_in_fortran(world, poses, force, torque) result(seconds)
+  function pass_in_fortran(world, calls, poses, force, torque) result(seconds)
     type(halfspace_world), intent(inout) :: world
-    type(halfspace_pose), intent(inout) :: poses(:)
+    integer, intent(in) :: calls
+    type(halfspace_pose), intent(inout), contiguous :: poses(:)
     real(dp), intent(inout) :: force(:,:), torque(:,:)
     real(dp) :: seconds(3), start
+    integer :: call_number
     start = thread_seconds()
-    call world%step(1)
-    seconds(1) = thread_seconds() - start
+    do call_number = 1, calls
+      call world%step(1)
+    end do
+    seconds(1) = (thread_seconds() - start) / calls
     start = thread_seconds()
-    call world%set_poses(poses)
-    call world%detect()
-    seconds(2) = thread_seconds() - start
+    do call_number = 1, calls
+      call world%set_poses(poses)
+      call world%detect()
+    end do
+    seconds(2) = (thread_seconds() - start) / calls
     start = thread_seconds()
-    call world%forces(0.0_dp, force, torque)
-    seconds(3) = thread_seconds() - start
+    do call_number = 1, calls
+      call world%forces(0.0_dp, force, torque)
+    end do
+    seconds(3) = (thread_seconds() - start) / calls
   end function pass_in_fortran
 
-  function pass_in_c(world, poses, force, torque) result(seconds)
+  function pass_in_c(world, calls, poses, force, torque) result(seconds)
     type(halfspace_world), intent(inout) :: world
-    type(halfspace_pose), intent(inout) :: poses(:)
+    integer, intent(in) :: calls
+    type(halfspace_pose), intent(inout), contiguous :: poses(:)
     real(dp), intent(inout) :: force(:,:), torque(:,:)
     real(dp) :: seconds(3)
-    seconds(1) = seconds_of_step(world%c_handle(), 1_c_int64_t)
-    seconds(2) = seconds_of_detect(world%c_handle(), 1_c_int64_t, poses, size(poses, kind=c_int64_t))
-    seconds(3) = seconds_of_forces(world%c_handle(), 1_c_int64_t, mutable_view(force), mutable_view(torque))
+    integer(c_int64_t) :: count
+    count = int(calls, c_int64_t)
+    seconds(1) = seconds_of_step(world%c_handle(), count)
+    seconds(2) = seconds_of_detect(world%c_handle(), count, poses, size(poses, kind=c_int64_t))
+    seconds(3) = seconds_of_forces(world%c_handle(), count, mutable_view(force), mutable_view(torque))
+    seconds = seconds / calls
   end function pass_in_c
 
-  subroutine tell(what, in_c, in_fortran)
+  subroutine tell(what, in_c, in_c_again, in_fortran)
     character(*), intent(in) :: what
-    real(dp), intent(in) :: in_c, in_fortran
-    print '(a8, "  C ", f9.3, " ms  Fortran ", f9.3, " ms  ratio ", f7.4)', what, 1e3_dp * in_c, 1e3_dp * in_fortran, &
-      in_fortran / in_c
+    real(dp), intent(in) :: in_c, in_c_again, in_fortran
+    print '(a8, f17.3, f13.4, f13.4, sp, f12.3)', what, 1e6_dp * in_c, in_c_again / in_c, in_fortran / in_c, &
+      1e6_dp * (in_fortran - in_c)
   end subroutine tell
 
   subroutine compare_pairs()
