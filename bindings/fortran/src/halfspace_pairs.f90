@@ -33,13 +33,15 @@ contains
 
   !> Are two shapes in contact, and how? contact%type is HS_CONTACT_NONE if they are apart.
   subroutine halfspace_detect_pair(shape_a, pose_a, shape_b, pose_b, contact, cache, parallel_angle, vertex_zone, &
-                                   stat, errmsg)
+                                   margin, without_region, stat, errmsg)
     type(halfspace_shape), intent(in) :: shape_a, shape_b  !< of one dimension; the same one twice is legal
     type(halfspace_pose), intent(in) :: pose_a, pose_b  !< where they are
     type(halfspace_contact), intent(inout) :: contact  !< receives type, pair, normal, gap, and of a contact its region
     type(halfspace_pair_cache), intent(inout), target, optional :: cache  !< the pair's memory from the last call
     real(c_double), intent(in), optional :: parallel_angle  !< rad, [0, 0.5]: closer to parallel shares a region
     real(c_double), intent(in), optional :: vertex_zone  !< [0, 0.5]: how near its end an edge is a vertex
+    real(c_double), intent(in), optional :: margin  !< m, [0, 1e75], in space 0: polygons whose gap is not above it touch
+    logical, intent(in), optional :: without_region  !< only the pair of largest gap, for hosts that make their own points
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     type(c_ptr) :: context, memory
@@ -48,7 +50,7 @@ contains
     memory = c_null_ptr
     if (present(cache)) memory = c_loc(cache)
     status = pair_detect(shape_a%c_handle(), pose_a, shape_b%c_handle(), pose_b, &
-                         options_of(options, parallel_angle, vertex_zone), memory, contact)
+                         options_of(options, parallel_angle, vertex_zone, margin, without_region), memory, contact)
     if (status == HS_OK) then  ! the way of most calls, which are many: no look for the context
       call count_features_from_1(contact)
       if (present(stat)) stat = status
@@ -61,14 +63,15 @@ contains
 
   !> Detects many pairs. After an error the contacts are undefined.
   subroutine halfspace_detect_pairs(shapes, poses, pairs, contacts, caches, touching, parallel_angle, vertex_zone, &
-                                    stat, errmsg)
+                                    margin, without_region, stat, errmsg)
     type(halfspace_shape), intent(in) :: shapes(:)  !< of the bodies; those of a pair are of one dimension
     type(halfspace_pose), intent(in), target, contiguous :: poses(:)  !< of the bodies
     integer(c_int32_t), intent(in) :: pairs(:,:)  !< pairs(1,i) and pairs(2,i) are the bodies of pair i, counted from 1
     type(halfspace_contact), intent(inout), target, contiguous :: contacts(:)  !< one per pair, in their order
     type(halfspace_pair_cache), intent(inout), target, contiguous, optional :: caches(:)  !< one per pair
     integer(c_int64_t), intent(out), target, optional :: touching  !< number of pairs in contact
-    real(c_double), intent(in), optional :: parallel_angle, vertex_zone  !< as for one pair
+    real(c_double), intent(in), optional :: parallel_angle, vertex_zone, margin  !< as for one pair
+    logical, intent(in), optional :: without_region  !< as for one pair
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     type(c_ptr), allocatable, target :: handles(:)
@@ -96,8 +99,9 @@ contains
       handles = handle_of(shapes)
       from_0 = pairs - 1
       status = hs_pairs_detect(context, c_loc(handles), c_loc(poses), size(shapes, kind=c_int64_t), c_loc(from_0), &
-                               size(contacts, kind=c_int64_t), options_of(options, parallel_angle, vertex_zone), &
-                               memory, c_loc(contacts), address_of(touching))
+                               size(contacts, kind=c_int64_t), &
+                               options_of(options, parallel_angle, vertex_zone, margin, without_region), memory, &
+                               c_loc(contacts), address_of(touching))
     end if
     if (status == HS_OK) call count_features_from_1(contacts)
     call conclude(status, context, stat, errmsg)
@@ -119,14 +123,17 @@ contains
   end function fit
 
   !> NULL, which stands for the defaults, or the options given.
-  type(c_ptr) function options_of(options, parallel_angle, vertex_zone) result(address)
+  type(c_ptr) function options_of(options, parallel_angle, vertex_zone, margin, without_region) result(address)
     type(hs_pair_options), intent(inout), target :: options
-    real(c_double), intent(in), optional :: parallel_angle, vertex_zone
+    real(c_double), intent(in), optional :: parallel_angle, vertex_zone, margin
+    logical, intent(in), optional :: without_region
     address = c_null_ptr
-    if (.not. (present(parallel_angle) .or. present(vertex_zone))) return
+    if (.not. (present(parallel_angle) .or. present(vertex_zone) .or. present(margin) .or. present(without_region))) return
     if (hs_pair_options_init(options, c_sizeof(options)) /= HS_OK) return
     if (present(parallel_angle)) options%parallel_angle = parallel_angle
     if (present(vertex_zone)) options%vertex_zone = vertex_zone
+    if (present(margin)) options%margin = margin
+    if (present(without_region)) options%without_region = merge(1, 0, without_region)
     address = c_loc(options)
   end function options_of
 

@@ -65,6 +65,13 @@ contains
     call halfspace_detect_pair(square, below, square, turned, contact, parallel_angle=2.0_real64, stat=stat, errmsg=text)
     call expect(stat == HS_ERROR_ARGUMENT, 'the angle is out of range')
     call expect_text(text, 'parallel_angle is 2')
+    turned = halfspace_pose(0.0_real64, 1.25_real64)
+    call halfspace_detect_pair(square, below, square, turned, contact)
+    call expect(contact%type == HS_CONTACT_NONE, 'apart')
+    call halfspace_detect_pair(square, below, square, turned, contact, margin=0.5_real64)
+    call expect(contact%type == HS_CONTACT_EDGE_EDGE .and. contact%gap == 0.25_real64, 'within the margin')
+    call halfspace_detect_pair(square, below, square, turned, contact, margin=0.5_real64, without_region=.true.)
+    call expect(contact%type == HS_CONTACT_VERTEX_EDGE .and. contact%point_count == 0, 'no region')
   end subroutine options
 
   subroutine many_pairs()

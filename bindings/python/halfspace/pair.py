@@ -32,8 +32,10 @@ class PairCache:
         self._struct = _raw.hs_pair_cache()
 
 
-def _options(parallel_angle: Optional[float], vertex_zone: Optional[float]) -> Any:
-    if parallel_angle is None and vertex_zone is None:
+def _options(
+    parallel_angle: Optional[float], vertex_zone: Optional[float], margin: float, without_region: bool
+) -> Any:
+    if parallel_angle is None and vertex_zone is None and margin == 0 and not without_region:
         return None
     options = _raw.hs_pair_options()
     library.hs_pair_options_init(ctypes.byref(options), ctypes.sizeof(options))
@@ -41,6 +43,8 @@ def _options(parallel_angle: Optional[float], vertex_zone: Optional[float]) -> A
         options.parallel_angle = parallel_angle
     if vertex_zone is not None:
         options.vertex_zone = vertex_zone
+    options.margin = margin
+    options.without_region = without_region
     return ctypes.byref(options)
 
 
@@ -53,6 +57,8 @@ def pair_detect(
     cache: Optional[PairCache] = None,
     parallel_angle: Optional[float] = None,
     vertex_zone: Optional[float] = None,
+    margin: float = 0.0,
+    without_region: bool = False,
 ) -> Any:
     """Are two shapes in contact, and how?
 
@@ -70,6 +76,12 @@ def pair_detect(
     vertex_zone : float, optional
         How near the end of an edge a vertex meets the end: share of the shorter edge, [0, 0.5], 1e-6 by
         default.
+    margin : float
+        Polygons are apart only when their gap exceeds it; for hosts whose blocks wear a skin. m, [0, 1e75],
+        in space 0.
+    without_region : bool
+        A contact between polygons is the pair of largest gap and no more, for hosts that make their own
+        points; in space False.
 
     Returns
     -------
@@ -87,7 +99,7 @@ def pair_detect(
     """
     array, address = empty_record(CONTACT)
     place_a, place_b = as_pose(pose_a, "pose_a"), as_pose(pose_b, "pose_b")
-    options = _options(parallel_angle, vertex_zone)
+    options = _options(parallel_angle, vertex_zone, margin, without_region)
     with held(shape_a, shape_b):
         shape_a._call(
             library.hs_pair_detect,
@@ -114,6 +126,8 @@ def pairs_detect(
     caches: Optional[NDArray[Any]] = None,
     parallel_angle: Optional[float] = None,
     vertex_zone: Optional[float] = None,
+    margin: float = 0.0,
+    without_region: bool = False,
     out: Optional[NDArray[Any]] = None,
 ) -> NDArray[Any]:
     """Detects many pairs in one call.
@@ -128,7 +142,7 @@ def pairs_detect(
         The bodies a and b of each pair; used without a copy if contiguous and int32.
     caches : numpy.ndarray, optional
         One memory for each pair, from `pair_caches`; brought up to date.
-    parallel_angle, vertex_zone : float, optional
+    parallel_angle, vertex_zone, margin, without_region
         As for `pair_detect`.
     out : numpy.ndarray, optional
         An array of `CONTACT` to write into, one for each pair. Fields without a meaning are left as they are.
@@ -155,7 +169,7 @@ def pairs_detect(
         if len(bodies) > 0:
             raise ValueError("pairs: there are no bodies")
         return contacts
-    options = _options(parallel_angle, vertex_zone)
+    options = _options(parallel_angle, vertex_zone, margin, without_region)
     with held(*owners):
         handles = (ctypes.c_void_p * len(owners))(
             *(ctypes.cast(shape._alive, ctypes.c_void_p).value for shape in owners)

@@ -81,6 +81,17 @@ def test_a_cache_gives_the_same_answers(square):
     assert "unknown" in repr(cache)
 
 
+def test_polygons_with_a_skin_touch_within_the_margin(square):
+    places = square, (0, 0), square, (0.25, 1.25)
+    assert hs.pair_detect(*places).type == 0
+    contact = hs.pair_detect(*places, margin=0.5)
+    assert (contact.type, contact.gap, contact.point_count) == (hs.ContactType.EDGE_EDGE, 0.25, 2)
+    bare = hs.pair_detect(*places, margin=0.5, without_region=True)
+    assert (bare.type, bare.gap, bare.point_count) == (hs.ContactType.VERTEX_EDGE, 0.25, 0)
+    with pytest.raises(hs.ArgumentError, match="margin is -1"):
+        hs.pair_detect(*places, margin=-1.0)
+
+
 def test_many_pairs_are_what_single_pairs_are(square):
     generator = np.random.default_rng(1)
     shapes = [square, hs.Shape.hull([(0, 0), (1, 0), (0.3, 0.9)])] * 20

@@ -87,6 +87,28 @@ impl Detector {
         }
     }
 
+    /// Polygons are apart only when their gap exceeds this, for hosts whose blocks wear a skin; 0 to
+    /// 1e75 m, by default 0, as it must be in space.
+    pub fn margin(self, margin: f64) -> Self {
+        Self {
+            options: Some(sys::hs_pair_options {
+                margin,
+                ..self.known_options()
+            }),
+        }
+    }
+
+    /// A contact between polygons is the pair of largest gap and no more, for hosts that make their
+    /// own points. Not in space.
+    pub fn without_region(self) -> Self {
+        Self {
+            options: Some(sys::hs_pair_options {
+                without_region: 1,
+                ..self.known_options()
+            }),
+        }
+    }
+
     /// Are two shapes in contact, and how?
     #[inline]
     pub fn detect(&self, a: Placed<'_>, b: Placed<'_>) -> Result<Contact> {

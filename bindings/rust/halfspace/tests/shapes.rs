@@ -2,7 +2,7 @@
 
 use std::cell::Cell;
 
-use halfspace::{Context, FaultKind, Result, Shape};
+use halfspace::{ContactType, Context, Detector, FaultKind, Pose, Result, Shape};
 
 const CUBE: [[f64; 3]; 8] = [
     [0.0, 0.0, 0.0],
@@ -128,5 +128,21 @@ fn a_polygon_is_cleaned_up() -> Result<()> {
         .vertices
         .iter()
         .all(|vertex| clockwise.contains(vertex)));
+    Ok(())
+}
+
+#[test]
+fn polygons_with_a_skin_touch_within_the_margin() -> Result<()> {
+    let context = Context::new()?;
+    let square = Shape::polygon(&context, &[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])?;
+    let (below, above) = (Pose::default(), Pose::at([0.25, 1.25, 0.0]));
+    let (a, b) = (square.at(&below), square.at(&above));
+    assert!(!halfspace::detect(a, b)?.is_touching());
+    let skinned = Detector::default().margin(0.5);
+    let contact = skinned.detect(a, b)?;
+    assert_eq!((contact.kind(), contact.gap()), (ContactType::EdgeEdge, 0.25));
+    let bare = skinned.without_region().detect(a, b)?;
+    assert_eq!((bare.kind(), bare.gap()), (ContactType::VertexEdge, 0.25));
+    assert!(bare.points().is_empty());
     Ok(())
 }
