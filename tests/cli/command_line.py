@@ -28,6 +28,15 @@ class CommandLine(unittest.TestCase):
         for word in ("--output", "--force", "scene"):
             self.assertIn(word, answer.stdout)
 
+    def test_manual(self):
+        manual = Path(__file__, "../../../bindings/cli/halfspace.1").resolve().read_text().replace("\\", "")
+        for words in ((), ("run",), ("check",)):
+            for option in re.findall(r"--\w+", halfspace(*words, "--help").stdout):
+                self.assertIn(option, manual)
+        scene = Path(self.temporary.name, "example.toml")
+        scene.write_text(re.search(r"(?s)\.nf\n(.*)\.fi", manual)[1])
+        self.assertEqual(halfspace("check", scene).returncode, 0)
+
     def test_version(self):
         answer = halfspace("--version")
         self.assertEqual((answer.returncode, answer.stderr), (0, ""))
