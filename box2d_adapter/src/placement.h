@@ -1,10 +1,10 @@
 #pragma once
 
+#include <box2d/b2_math.h>
 #include <halfspace/view.h>
 
 #include <cmath>
 
-#include "polygon.h"
 #include "vector.h"
 
 namespace halfspace::box2d {
@@ -24,12 +24,12 @@ struct Placement {
 };
 
 /// Seen from a from the start, positions lose no digits far from the origin of the world.
-inline Placement placement_of(const Polygon& a, const b2Transform& at_a, const Polygon& b,
+inline Placement placement_of(const Vector& centroid_a, const b2Transform& at_a, const Vector& centroid_b,
                               const b2Transform& at_b) {
   const Turn into_a = turn_of(at_a.q).inverse();
   const Turn turn = into_a * turn_of(at_b.q);
   const Vector to_b{double(at_b.p.x) - double(at_a.p.x), double(at_b.p.y) - double(at_a.p.y)};
-  return {turn, into_a * to_b + (turn * b.centroid() - a.centroid())};
+  return {turn, into_a * to_b + (turn * centroid_b - centroid_a)};
 }
 
 /// The same seen from b.

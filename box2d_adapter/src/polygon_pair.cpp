@@ -12,59 +12,82 @@ Face face_of(const hs_contact& contact) {
   return contact.pair_kind == HS_PAIR_FACE_VERTEX ? Face{0, contact.feature_a} : Face{1, contact.feature_b};
 }
 
+/// The other polygon's vertex that is least high over it.
+int deepest_of(const hs_contact& contact) {
+  return contact.pair_kind == HS_PAIR_FACE_VERTEX ? contact.feature_b : contact.feature_a;
+}
+
+hs_pair_options options_of_search() {
+  hs_pair_options options;
+  hs_pair_options_init(&options, sizeof options);
+  options.without_region = 1;
+  return options;
+}
+
 }  // namespace
 
 PolygonPair::PolygonPair(std::shared_ptr<const Polygon> a, std::shared_ptr<const Polygon> b, double radii)
-    : a_(std::move(a)), b_(std::move(b)), radii_(radii) {}
+    : centroid_a_(a->centroid()),
+      centroid_b_(b->centroid()),
+      radii_(radii),
+      a_(std::move(a)),
+      b_(std::move(b)) {}
+
+double PolygonPair::gap_at(const Face& face, const Placement& b_from_a) const {
+  const SeenFromFace seen(*a_, *b_, b_from_a, face);
+  return seen.gap(deepest_vertex(seen));
+}
 
 /// Polygons that begin to touch do so at a face of a if one is as good, as Box2D has it; later they stay at
 /// the face where they are. So a point keeps its id, and the impulse that goes with it, as long as it can.
-Face PolygonPair::preferred_to(const Face& largest, const Placement& b_from_a) const {
-  if (in_contact_) return reference_;
+Face PolygonPair::preferred_to(const Face& largest, int deepest, const Placement& b_from_a) const {
+  if (in_contact_) return face_;
   if (largest.owner == 0) return largest;
-  const SeenFromFace seen(*a_, *b_, b_from_a, largest);
-  return {0, incident_edge(seen, deepest_vertex(seen))};
+  return {0, incident_edge(SeenFromFace(*a_, *b_, b_from_a, largest), deepest)};
+}
+
+/// A look at one face is cheaper than a search over all, and what separates polygons mostly does so a step
+/// later as well.
+bool PolygonPair::is_known(const Placement& b_from_a) {
+  const double change = proof_.most_change(b_from_a);
+  if (in_contact_) return proof_.still_at_same_face(change, radii_);
+  if (proof_.still_separated(change, radii_)) return true;
+  const double gap = gap_at(face_, b_from_a);
+  if (gap > radii_) proof_ = SearchProof(*a_, *b_, b_from_a, gap);
+  return gap > radii_;
 }
 
 bool PolygonPair::search(const Placement& b_from_a) {
   const hs_pose here = {{0, 0, 0}, {0, 0, 0, 1}}, there = pose_of(b_from_a);
-  hs_pair_options options;
-  hs_pair_options_init(&options, sizeof options);
+  static const hs_pair_options without_margin = options_of_search();
+  hs_pair_options options = without_margin;
   options.margin = radii_;
-  options.without_region = 1;
   hs_contact found;
-  if (hs_pair_detect(a_->shape(), &here, b_->shape(), &there, &options, &cache_, &found) != HS_OK)
+  if (hs_pair_detect(a_->shape(), &here, b_->shape(), &there, &options, nullptr, &found) != HS_OK)
     return false;
-  const bool in_contact = found.type != HS_CONTACT_NONE;
-  double surplus = -1;
-  if (in_contact) {
-    const Face largest = face_of(found), preferred = preferred_to(largest, b_from_a);
-    surplus = same_gap;
-    reference_ = largest;
-    if (preferred != largest) {
-      const SeenFromFace seen(*a_, *b_, b_from_a, preferred);
-      const double worse_by = found.gap - seen.gap(deepest_vertex(seen));
-      if (worse_by <= same_gap) {
-        reference_ = preferred;
-        surplus = same_gap - worse_by;
-      }
-    }
+  const Face largest = face_of(found);
+  if (found.type == HS_CONTACT_NONE) {
+    face_ = largest;
+    proof_ = SearchProof(*a_, *b_, b_from_a, found.gap);
+    in_contact_ = false;
+    return true;
   }
-  in_contact_ = in_contact;
-  proof_ = SearchProof(*a_, *b_, b_from_a, found.gap, surplus);
+  const Face preferred = preferred_to(largest, deepest_of(found), b_from_a);
+  const double worse_by = preferred == largest ? 0 : found.gap - gap_at(preferred, b_from_a);
+  const bool is_as_good = worse_by <= same_gap;
+  face_ = is_as_good ? preferred : largest;
+  proof_ = SearchProof(*a_, *b_, b_from_a, found.gap, is_as_good ? same_gap - worse_by : same_gap);
+  in_contact_ = true;
   return true;
 }
 
 bool PolygonPair::collide(const b2Transform& at_a, const b2Transform& at_b, b2Manifold& manifold) {
-  const Placement b_from_a = placement_of(*a_, at_a, *b_, at_b);
-  const double change = proof_.most_change(b_from_a);
-  const bool still_separated = !in_contact_ && proof_.still_separated(change, radii_);
-  const bool known = still_separated || (in_contact_ && proof_.still_at_same_face(change, radii_));
-  if (!known && !search(b_from_a)) return false;
+  const Placement b_from_a = placement_of(centroid_a_, at_a, centroid_b_, at_b);
+  if (!is_known(b_from_a) && !search(b_from_a)) return false;
   manifold.pointCount = 0;
   if (!in_contact_) return true;
-  const SeenFromFace seen(*a_, *b_, b_from_a, reference_);
-  write_manifold(seen, reference_, deepest_vertex(seen), radii_, manifold);
+  const SeenFromFace seen(*a_, *b_, b_from_a, face_);
+  write_manifold(seen, face_, deepest_vertex(seen), radii_, manifold);
   return true;
 }
 

@@ -20,18 +20,21 @@ class PolygonPair {
   bool collide(const b2Transform& at_a, const b2Transform& at_b, b2Manifold& manifold);
 
  private:
+  /// Is what the last search has found still so, by the proof or by a look at the separating face?
+  bool is_known(const Placement& b_from_a);
   /// Asks the library, and finds the reference face if the polygons are in contact. False when it refuses.
   bool search(const Placement& b_from_a);
-  Face preferred_to(const Face& largest, const Placement& b_from_a) const;
+  double gap_at(const Face& face, const Placement& b_from_a) const;
+  Face preferred_to(const Face& largest, int deepest, const Placement& b_from_a) const;
 
-  // What is read in every step comes first.
+  // What is read in every step comes first: of a pair that stays apart, no polygon.
+  Vector centroid_a_, centroid_b_;
+  SearchProof proof_;
+  double radii_;
+  Face face_;  // the reference face of a pair in contact; else one that separates
+  bool in_contact_ = false;
   std::shared_ptr<const Polygon> a_;
   std::shared_ptr<const Polygon> b_;
-  double radii_;
-  bool in_contact_ = false;
-  Face reference_;  // while in contact
-  SearchProof proof_;
-  hs_pair_cache cache_{};
 };
 
 }  // namespace halfspace::box2d

@@ -12,10 +12,11 @@ class SearchProof {
  public:
   SearchProof() = default;
   /// `largest` is the largest gap of all faces, or one above the radii of the skins; `surplus` by how much
-  /// the reference face could be worse and still be taken, below 0 when there is none.
-  SearchProof(const Polygon& a, const Polygon& b, const Placement& b_from_a, double largest, double surplus)
+  /// the reference face of a contact could be worse and still be taken.
+  SearchProof(const Polygon& a, const Polygon& b, const Placement& b_from_a, double largest,
+              double surplus = -1)
       : at_(b_from_a),
-        reach_(a.radius() + b.radius() + std::sqrt(dot(b_from_a.shift, b_from_a.shift))),
+        reach_(a.radius() + b.radius() + std::abs(b_from_a.shift.x) + std::abs(b_from_a.shift.y)),
         largest_(largest),
         surplus_(surplus) {}
 
