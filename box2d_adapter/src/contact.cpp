@@ -42,6 +42,11 @@ bool is_of_polygons(b2Contact& contact) {
          contact.GetFixtureB()->GetType() == b2Shape::e_polygon;
 }
 
+JudgedPair* judged_pair_of(b2Contact& contact) {
+  const auto* own = dynamic_cast<PolygonContact*>(&contact);
+  return own ? own->pair() : nullptr;
+}
+
 bool fits_in_place_of_box2d() {
   b2BlockAllocator allocator;
   // What is freed is the first to be given out again from its list.

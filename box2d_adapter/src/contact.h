@@ -26,6 +26,9 @@ class PolygonContact final : public b2Contact {
 
   void Evaluate(b2Manifold* manifold, const b2Transform& at_a, const b2Transform& at_b) override;
 
+  /// Null when Box2D judges it.
+  JudgedPair* pair() const { return pair_; }
+
  private:
   explicit PolygonContact(const b2Contact& of_box2d) : b2Contact(of_box2d) {}
   PolygonContact(const PolygonContact&) = delete;
@@ -36,6 +39,9 @@ class PolygonContact final : public b2Contact {
 
 /// Is this a contact of two polygon fixtures?
 bool is_of_polygons(b2Contact& contact);
+
+/// The pair that half-spaces judge; null when Box2D judges the contact.
+JudgedPair* judged_pair_of(b2Contact& contact);
 
 /// Does Box2D's allocator take the memory of both kinds of contact from one list? Then one can take the place
 /// of the other.

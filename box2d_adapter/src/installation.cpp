@@ -67,6 +67,14 @@ JudgedPair* NarrowPhase::Installation::begin(b2Fixture& a, b2Fixture& b) noexcep
   }
 }
 
+std::shared_ptr<const Polygon> NarrowPhase::Installation::polygon_taken_for(b2Fixture& fixture) noexcept {
+  try {
+    return geometry_of(fixture).polygon;
+  } catch (...) {
+    return nullptr;
+  }
+}
+
 void NarrowPhase::Installation::end(JudgedPair* pair) noexcept {
   std::pmr::polymorphic_allocator<>(&pairs_).delete_object(pair);
 }

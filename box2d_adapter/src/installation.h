@@ -20,6 +20,7 @@ struct JudgedPair {
   PolygonPair polygons;
   NarrowPhase::Installation& installation;
   const b2PolygonShape* compared[2] = {};  // with Box2D's narrow phase, or NULL
+  bool let_through = false;                // by the host's listener, in force mode
 };
 
 /// What the contacts of one world share.
@@ -38,6 +39,10 @@ class NarrowPhase::Installation {
 
   /// Asks anew about the contacts of a fixture.
   void refresh(b2Fixture& fixture);
+
+  b2World& world() const { return world_; }
+  /// What a polygon fixture is taken for now. Null when it is Box2D's, as in begin().
+  std::shared_ptr<const Polygon> polygon_taken_for(b2Fixture& fixture) noexcept;
 
   Statistics statistics;
 

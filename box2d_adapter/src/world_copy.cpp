@@ -1,31 +1,15 @@
 #include <cmath>
 #include <halfspace/box2d_world.hpp>
-#include <map>
-#include <new>
 #include <stdexcept>
 #include <unordered_map>
 #include <vector>
 
+#include "block_world.h"
 #include "placement.h"
 #include "polygon.h"
 
 namespace halfspace::box2d {
 namespace {
-
-struct DestroyWorld {
-  void operator()(hs_world* world) const { hs_world_destroy(world); }
-};
-
-/// What a block is made of: its own density and friction.
-struct Material {
-  double density;
-  float friction;
-  auto operator<=>(const Material&) const = default;
-};
-
-bool takes_part(const b2Fixture& fixture) {
-  return fixture.GetType() == b2Shape::e_polygon && !fixture.IsSensor();
-}
 
 /// Rigid blocks are of one shape.
 bool can_be_taken(const b2Body& body) {
@@ -35,29 +19,12 @@ bool can_be_taken(const b2Body& body) {
   return only && !only->GetNext() && takes_part(*only);
 }
 
-std::int32_t kind_of(const b2Body& body) {
-  switch (body.GetType()) {
-    case b2_staticBody:
-      return HS_BLOCK_FIXED;
-    case b2_kinematicBody:
-      return HS_BLOCK_PRESCRIBED;
-    default:
-      return HS_BLOCK_RIGID;
-  }
-}
-
 }  // namespace
 
 class WorldCopy::Blocks {
  public:
-  Blocks(b2World& source, const hs_law_def& law) : law_(law), context_(make_context()), polygons_(*context_) {
-    hs_world_def def;
-    require_ok(hs_world_def_init(&def, sizeof def));
-    def.gravity[0] = source.GetGravity().x;
-    def.gravity[1] = source.GetGravity().y;
-    hs_world* world = nullptr;
-    require_ok(hs_world_create(context_.get(), &def, &world));
-    world_.reset(world);
+  Blocks(b2World& source, const hs_law_def& law)
+      : context_(make_context()), polygons_(*context_), world_(*context_, law, source.GetGravity()) {
     for (b2Body* body = source.GetBodyList(); body; body = body->GetNext()) {
       if (can_be_taken(*body)) {
         add(*body);
@@ -65,13 +32,12 @@ class WorldCopy::Blocks {
         left_out += body->GetType() == b2_dynamicBody;
       }
     }
-    set_laws();
   }
 
   void write_back() {
     for (const Rigid& rigid : rigid_) {
       hs_block_state state;
-      require_ok(hs_world_get_block_state(world_.get(), rigid.block, &state));
+      world_.require_ok(hs_world_get_block_state(world_.get(), rigid.block, &state));
       move(*rigid.body, rigid.centroid, state);
     }
   }
@@ -91,11 +57,6 @@ class WorldCopy::Blocks {
     Vector centroid;  // in the coordinates of the body
   };
 
-  void require_ok(hs_status status) const {
-    if (status == HS_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
-    if (status < 0) throw std::invalid_argument(hs_context_last_error(context_.get()));
-  }
-
   void add(b2Body& body) {
     for (b2Fixture* fixture = body.GetFixtureList(); fixture; fixture = fixture->GetNext()) {
       if (takes_part(*fixture)) add(body, *fixture);
@@ -109,41 +70,16 @@ class WorldCopy::Blocks {
     const Turn turn = turn_of(at.q);
     const Vector centroid = turn * polygon->centroid();
     hs_block_def def;
-    require_ok(hs_block_def_init(&def, sizeof def, polygon->shape()));
+    world_.require_ok(hs_block_def_init(&def, sizeof def, polygon->shape()));
     def.kind = kind_of(body);
-    def.material = material_of(body, fixture, *polygon);
     def.pose = pose_of({turn, Vector(at.p) + centroid});
     const b2Vec2 velocity = body.GetLinearVelocityFromWorldPoint(rounded(Vector(at.p) + centroid));
     def.velocity[0] = velocity.x;
     def.velocity[1] = velocity.y;
     def.angular_velocity[2] = body.GetAngularVelocity();
-    hs_block block = 0;
-    require_ok(hs_world_add_block(world_.get(), polygon->shape(), &def, &block));
+    const hs_block block = world_.add(*polygon, material_of(fixture, *polygon), def);
     blocks_.emplace(&fixture, block);
     if (def.kind == HS_BLOCK_RIGID) rigid_.push_back({&body, block, polygon->centroid()});
-  }
-
-  /// Of the body's own mass, which need not be that of the fixture's density. That of other bodies is no
-  /// matter.
-  std::int32_t material_of(const b2Body& body, const b2Fixture& fixture, const Polygon& polygon) {
-    const bool is_dynamic = body.GetType() == b2_dynamicBody;
-    const double density = is_dynamic ? body.GetMass() / properties_of_polygon(*polygon.shape()).volume : 1;
-    const Material material{density, fixture.GetFriction()};
-    const auto found = materials_.find(material);
-    if (found != materials_.end()) return found->second;
-    std::int32_t made = 0;
-    require_ok(hs_world_add_material(world_.get(), density, &made));
-    materials_.emplace(material, made);
-    return made;
-  }
-
-  void set_laws() {
-    for (auto a = materials_.begin(); a != materials_.end(); ++a) {
-      for (auto b = a; b != materials_.end(); ++b) {
-        law_.friction_angle = std::atan(b2MixFriction(a->first.friction, b->first.friction));
-        require_ok(hs_world_set_law(world_.get(), a->second, b->second, &law_));
-      }
-    }
   }
 
   static void move(b2Body& body, const Vector& centroid, const hs_block_state& state) {
@@ -158,11 +94,9 @@ class WorldCopy::Blocks {
     body.SetAngularVelocity(float(state.angular_velocity[2]));
   }
 
-  hs_law_def law_;
   Context context_;
   Polygons polygons_;
-  std::unique_ptr<hs_world, DestroyWorld> world_;
-  std::map<Material, std::int32_t> materials_;
+  BlockWorld world_;
   std::unordered_map<const b2Fixture*, hs_block> blocks_;
   std::vector<Rigid> rigid_;
 };

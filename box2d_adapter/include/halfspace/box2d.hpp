@@ -52,6 +52,8 @@ struct Statistics {
   double box2d_seconds = 0;        ///< of Box2D's, on the same
 };
 
+class ForceMode;  // box2d_force.hpp
+
 /// The half-space narrow phase in one world, from the constructor to the destructor. Contacts that exist when
 /// it begins are taken over with their impulses, so that a stack at rest stays so, and go on as Box2D's when
 /// it ends. Other worlds of the process see nothing of it.
@@ -79,6 +81,7 @@ class NarrowPhase {
   class Installation;
 
  private:
+  friend class ForceMode;
   std::unique_ptr<Installation> installation_;
 };
 

@@ -1,0 +1,84 @@
+#include "block_world.h"
+
+#include <box2d/b2_contact.h>
+
+#include <cmath>
+#include <new>
+#include <stdexcept>
+
+namespace halfspace::box2d {
+namespace {
+
+float mass_of(const b2Fixture& fixture) {
+  if (fixture.GetDensity() == 0) return 0;
+  b2MassData mass;
+  fixture.GetMassData(&mass);
+  return mass.mass;
+}
+
+}  // namespace
+
+bool takes_part(const b2Fixture& fixture) {
+  return fixture.GetType() == b2Shape::e_polygon && !fixture.IsSensor();
+}
+
+std::int32_t kind_of(const b2Body& body) {
+  if (body.GetType() == b2_staticBody) return HS_BLOCK_FIXED;
+  const bool is_pushed = body.GetType() == b2_dynamicBody && body.GetMass() > 0;
+  return is_pushed ? HS_BLOCK_RIGID : HS_BLOCK_PRESCRIBED;
+}
+
+Material material_of(const b2Fixture& fixture, const Polygon& polygon) {
+  const b2Body& body = *fixture.GetBody();
+  if (kind_of(body) != HS_BLOCK_RIGID) return {1, fixture.GetFriction()};
+  float of_all = 0;  // summed up as b2Body::ResetMassData() does
+  int fixtures = 0;
+  for (const b2Fixture* each = body.GetFixtureList(); each; each = each->GetNext()) {
+    of_all += mass_of(*each);
+    ++fixtures;
+  }
+  const float own = mass_of(fixture);
+  if (own > 0 && of_all == body.GetMass()) return {fixture.GetDensity(), fixture.GetFriction()};
+  const double share = own > 0 ? double(own) / of_all : 1. / fixtures;
+  return {share * body.GetMass() / properties_of_polygon(*polygon.shape()).volume, fixture.GetFriction()};
+}
+
+BlockWorld::BlockWorld(hs_context& context, const hs_law_def& law, const b2Vec2& gravity)
+    : context_(context), law_(law) {
+  hs_world_def def;
+  require_ok(hs_world_def_init(&def, sizeof def));
+  def.gravity[0] = gravity.x;
+  def.gravity[1] = gravity.y;
+  hs_world* world = nullptr;
+  require_ok(hs_world_create(&context_, &def, &world));
+  world_.reset(world);
+  require_ok(hs_world_set_default_law(world, &law_));
+}
+
+void BlockWorld::require_ok(hs_status status) const {
+  if (status == HS_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
+  if (status < 0) throw std::invalid_argument(hs_context_last_error(&context_));
+}
+
+hs_block BlockWorld::add(const Polygon& polygon, const Material& material, hs_block_def def) {
+  def.material = index_of(material);
+  hs_block block = 0;
+  require_ok(hs_world_add_block(world_.get(), polygon.shape(), &def, &block));
+  return block;
+}
+
+std::int32_t BlockWorld::index_of(const Material& material) {
+  const auto found = materials_.find(material);
+  if (found != materials_.end()) return found->second;
+  std::int32_t made = 0;
+  require_ok(hs_world_add_material(world_.get(), material.density, &made));
+  materials_.emplace(material, made);
+  for (const auto& [other, index] : materials_) {
+    hs_law_def law = law_;
+    law.friction_angle = std::atan(b2MixFriction(material.friction, other.friction));
+    require_ok(hs_world_set_law(world_.get(), made, index, &law));
+  }
+  return made;
+}
+
+}  // namespace halfspace::box2d

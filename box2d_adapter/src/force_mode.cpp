@@ -1,0 +1,104 @@
+#include <algorithm>
+#include <cmath>
+#include <halfspace/box2d_force.hpp>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+#include "contact.h"
+#include "mirror.h"
+#include "solver_veto.h"
+
+namespace halfspace::box2d {
+namespace {
+
+/// What the host applies to bodies stays in sub-steps, and goes after them if it goes after a step of Box2D.
+class KeptForces {
+ public:
+  explicit KeptForces(b2World& world) : world_(world), are_cleared_(world.GetAutoClearForces()) {
+    world.SetAutoClearForces(false);
+  }
+  ~KeptForces() {
+    world_.SetAutoClearForces(are_cleared_);
+    if (are_cleared_) world_.ClearForces();
+  }
+  KeptForces(const KeptForces&) = delete;
+  KeptForces& operator=(const KeptForces&) = delete;
+
+ private:
+  b2World& world_;
+  bool are_cleared_;
+};
+
+/// Contacts of sleeping bodies are not asked about when they wake, but a step later.
+void set_enabled(b2World& world, bool are_enabled) {
+  for (b2Contact* contact = world.GetContactList(); contact; contact = contact->GetNext()) {
+    if (judged_pair_of(*contact)) contact->SetEnabled(are_enabled);
+  }
+}
+
+void require_unlocked(const b2World& world) {
+  if (world.IsLocked()) throw std::logic_error("the world is locked");
+}
+
+void require_time_step(float time_step) {
+  if (!(time_step >= 0 && std::isfinite(time_step)))
+    throw std::invalid_argument("the time step must be finite and at least 0");
+}
+
+/// 0 is for a world in which nothing can touch.
+void require_stable(float sub_step, double stable) {
+  if (stable == 0 || sub_step <= stable) return;
+  std::ostringstream reason;
+  reason << "sub-steps of " << sub_step << " s are too long: stable are " << stable << " s";
+  throw std::invalid_argument(reason.str());
+}
+
+}  // namespace
+
+ForceMode::ForceMode(NarrowPhase& narrow_phase, const hs_law_def& law)
+    : world_(narrow_phase.installation_->world()) {
+  require_unlocked(world_);
+  mirror_ = std::make_unique<Mirror>(*narrow_phase.installation_, law);
+  set_enabled(world_, false);
+}
+
+ForceMode::~ForceMode() { set_enabled(world_, true); }
+
+void ForceMode::step(float time_step, int sub_steps, int velocity_iterations, int position_iterations) {
+  require_time_step(time_step);
+  if (sub_steps < 1) throw std::invalid_argument("there must be a sub-step");
+  const float sub_step = time_step / float(sub_steps);
+  require_stable(sub_step, stable_sub_step());
+  const KeptForces kept(world_);
+  for (int i = 0; i < sub_steps; ++i) {
+    if (mirror_->is_awake()) {
+      mirror_->evaluate();
+      mirror_->push(sub_step);
+    }
+    const SolverVeto veto(world_);
+    world_.Step(sub_step, velocity_iterations, position_iterations);
+    mirror_->carry_on(sub_step);
+  }
+}
+
+double ForceMode::stable_sub_step() {
+  require_unlocked(world_);
+  mirror_->follow();
+  mirror_->evaluate();
+  return mirror_->stable_sub_step();
+}
+
+int ForceMode::sub_steps_for(float time_step) {
+  require_time_step(time_step);
+  const double stable = stable_sub_step();
+  if (stable == 0) return 1;
+  const double wanted = std::ceil(time_step / (0.5 * stable));
+  return int(std::clamp(wanted, 1.0, double(std::numeric_limits<int>::max())));
+}
+
+const hs_world* ForceMode::world() const { return mirror_->world(); }
+
+hs_block ForceMode::block_of(const b2Fixture& fixture) const { return mirror_->block_of(fixture); }
+
+}  // namespace halfspace::box2d

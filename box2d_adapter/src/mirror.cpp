@@ -1,0 +1,105 @@
+#include "mirror.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace halfspace::box2d {
+
+ForceMode::Mirror::Mirror(NarrowPhase::Installation& narrow_phase, const hs_law_def& law)
+    : narrow_phase_(narrow_phase), context_(make_context()), world_(*context_, law, {0, 0}) {}
+
+/// What no force moves comes first: of two edges that are parallel the one of the first block is the contact
+/// plane, and a floor's does not tilt with its load.
+void ForceMode::Mirror::follow() {
+  for (auto& [fixture, known] : known_) known.is_there = false;
+  for (const bool are_moved : {false, true}) {
+    for (b2Body* body = narrow_phase_.world().GetBodyList(); body; body = body->GetNext()) {
+      const bool is_moved = body->GetType() == b2_dynamicBody;
+      if (body->IsEnabled() && is_moved == are_moved) find(*body);
+    }
+  }
+  remove_what_is_gone();
+  list_blocks();
+}
+
+/// In the order of blocks, not of the hash: later blocks take their slots.
+void ForceMode::Mirror::remove_what_is_gone() {
+  std::vector<std::pair<hs_block, const b2Fixture*>> gone;
+  for (const auto& [fixture, known] : known_) {
+    if (!known.is_there) gone.emplace_back(known.block, fixture);
+  }
+  std::sort(gone.begin(), gone.end());
+  for (const auto& [block, fixture] : gone) {
+    world_.require_ok(hs_world_remove_block(world_.get(), block));
+    known_.erase(fixture);
+  }
+}
+
+void ForceMode::Mirror::find(b2Body& body) {
+  for (b2Fixture* fixture = body.GetFixtureList(); fixture; fixture = fixture->GetNext()) {
+    if (takes_part(*fixture)) find(*fixture);
+  }
+}
+
+void ForceMode::Mirror::find(b2Fixture& fixture) {
+  auto polygon = narrow_phase_.polygon_taken_for(fixture);
+  if (!polygon) return;
+  const Material material = material_of(fixture, *polygon);
+  Known now{&fixture, std::move(polygon), material, kind_of(*fixture.GetBody())};
+  const auto found = known_.find(&fixture);
+  if (found == known_.end()) {
+    add(fixture, std::move(now));
+  } else if (found->second.is_same(now)) {
+    found->second.is_there = true;
+  } else {
+    world_.require_ok(hs_world_remove_block(world_.get(), found->second.block));
+    known_.erase(found);
+    add(fixture, std::move(now));
+  }
+}
+
+void ForceMode::Mirror::add(b2Fixture& fixture, Known known) {
+  hs_block_def def;
+  world_.require_ok(hs_block_def_init(&def, sizeof def, known.polygon->shape()));
+  def.kind = known.kind;
+  const auto added = known_.emplace(&fixture, std::move(known)).first;
+  try {
+    added->second.block = world_.add(*added->second.polygon, added->second.material, def);
+  } catch (...) {
+    known_.erase(added);
+    throw;
+  }
+}
+
+void ForceMode::Mirror::list_blocks() {
+  ids_.resize(known_.size());
+  world_.require_ok(hs_world_get_blocks(world_.get(), ids_.data(), std::int64_t(ids_.size()), nullptr));
+  index_of_block_.clear();
+  for (std::size_t i = 0; i < ids_.size(); ++i) index_of_block_.emplace(ids_[i], i);
+
+  std::vector<Body> before;
+  before.swap(bodies_);
+  const auto index_before = std::exchange(index_of_body_, {});
+  blocks_.resize(ids_.size());
+  for (const auto& [key, known] : known_) {
+    b2Body& body = *known.fixture->GetBody();
+    const auto [listed, is_new] = index_of_body_.emplace(&body, bodies_.size());
+    if (is_new) {
+      const auto old = index_before.find(&body);
+      bodies_.push_back(
+          {&body, old == index_before.end() ? ExactMotion(body) : before[old->second].motion, {}, {}});
+      bodies_.back().motion.follow(body);
+    }
+    const Vector arm = known.polygon->centroid() - Vector(body.GetLocalCenter());
+    blocks_[index_of_block_.at(known.block)] = {known.fixture, listed->second, arm};
+  }
+  poses_.resize(ids_.size());
+  motions_.resize(ids_.size());
+}
+
+hs_block ForceMode::Mirror::block_of(const b2Fixture& fixture) const {
+  const auto found = known_.find(&fixture);
+  return found == known_.end() ? 0 : found->second.block;
+}
+
+}  // namespace halfspace::box2d

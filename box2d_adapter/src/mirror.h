@@ -1,0 +1,95 @@
+#pragma once
+
+#include <halfspace/box2d_force.hpp>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include "block_world.h"
+#include "exact_motion.h"
+#include "installation.h"
+
+namespace halfspace::box2d {
+
+/// The polygon fixtures of a Box2D world as blocks of a world of the library, which finds their contacts and
+/// forces. Box2D moves the bodies.
+class ForceMode::Mirror {
+ public:
+  Mirror(NarrowPhase::Installation& narrow_phase, const hs_law_def& law);
+
+  /// Finds what the host has made, changed, moved or destroyed.
+  void follow();
+  /// Contacts and forces where the bodies are now.
+  void evaluate();
+  /// Lets the forces act on the bodies for a sub-step.
+  void push(float sub_step);
+  /// After Box2D has moved the bodies.
+  void carry_on(float sub_step);
+
+  bool is_awake() const;
+  double stable_sub_step() const;
+  const hs_world* world() const { return world_.get(); }
+  hs_block block_of(const b2Fixture& fixture) const;
+
+ private:
+  /// What a block was made of: when the fixture is another, so is the block.
+  struct Known {
+    b2Fixture* fixture;
+    std::shared_ptr<const Polygon> polygon;
+    Material material;
+    std::int32_t kind;
+    hs_block block = 0;
+    bool is_there = true;
+
+    bool is_same(const Known& other) const {
+      return polygon == other.polygon && material == other.material && kind == other.kind;
+    }
+  };
+
+  struct Body {
+    b2Body* body;
+    ExactMotion motion;
+    Turn turn;
+    Vector force;
+    double torque = 0;  // about the centre of mass
+  };
+
+  struct Block {
+    b2Fixture* fixture;
+    std::size_t body;
+    Vector arm;  // from the body's centre of mass to the centroid, in the coordinates of the body
+  };
+
+  /// As the library's views have it.
+  struct Motion {
+    double velocity[3];
+    double spin[3];
+  };
+
+  void find(b2Body& body);
+  void find(b2Fixture& fixture);
+  void add(b2Fixture& fixture, Known known);
+  void remove_what_is_gone();
+  void list_blocks();
+  void place();
+  void wake_and_load(const hs_contact& contact);
+  void load(const Block& block, const hs_contact& contact, double sign);
+
+  NarrowPhase::Installation& narrow_phase_;
+  Context context_;
+  BlockWorld world_;
+  std::unordered_map<const b2Fixture*, Known> known_;
+  double elapsed_ = 0;  // over which shear springs have to grow
+
+  std::vector<Body> bodies_;
+  std::unordered_map<const b2Body*, std::size_t> index_of_body_;
+  // In the order of the library's arrays.
+  std::vector<hs_block> ids_;
+  std::vector<Block> blocks_;
+  std::unordered_map<hs_block, std::size_t> index_of_block_;
+  std::vector<hs_pose> poses_;
+  std::vector<Motion> motions_;
+  std::vector<hs_contact> contacts_;
+};
+
+}  // namespace halfspace::box2d

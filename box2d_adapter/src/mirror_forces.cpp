@@ -1,0 +1,131 @@
+#include <cmath>
+
+#include "contact.h"
+#include "mirror.h"
+#include "placement.h"
+
+namespace halfspace::box2d {
+namespace {
+
+double cross(const Vector& a, const Vector& b) { return a.x * b.y - a.y * b.x; }
+
+bool is_active(const b2Body& body) { return body.IsAwake() && body.GetType() != b2_staticBody; }
+
+/// Faster than what Box2D takes for rest.
+bool is_moving(const b2Body& body) {
+  constexpr float linear = b2_linearSleepTolerance, angular = b2_angularSleepTolerance;
+  return is_active(body) && (body.GetLinearVelocity().LengthSquared() > linear * linear ||
+                             std::abs(body.GetAngularVelocity()) > angular);
+}
+
+/// One that moves wakes what it touches, as in an island of Box2D.
+void wake_each_other(b2Body& a, b2Body& b) {
+  const bool wakes_b = is_moving(a) && !b.IsAwake(), wakes_a = is_moving(b) && !a.IsAwake();
+  if (wakes_b) b.SetAwake(true);
+  if (wakes_a) a.SetAwake(true);
+}
+
+/// Box2D's word on whether two fixtures may touch, and the narrow phase's: filters, joints, parts of one
+/// body, and pairs that were left to Box2D have no such pair. Both bodies list the contact, so that the
+/// shorter list is enough.
+JudgedPair* judged_pair_between(b2Fixture& a, b2Fixture& b) {
+  const auto is_of_both = [&](b2Contact& contact) {
+    return (contact.GetFixtureA() == &a && contact.GetFixtureB() == &b) ||
+           (contact.GetFixtureA() == &b && contact.GetFixtureB() == &a);
+  };
+  const b2ContactEdge* of_a = a.GetBody()->GetContactList();
+  const b2ContactEdge* of_b = b.GetBody()->GetContactList();
+  for (; of_a && of_b; of_a = of_a->next, of_b = of_b->next) {
+    if (is_of_both(*of_a->contact)) return judged_pair_of(*of_a->contact);
+    if (is_of_both(*of_b->contact)) return judged_pair_of(*of_b->contact);
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+bool ForceMode::Mirror::is_awake() const {
+  for (const Body& body : bodies_) {
+    if (is_active(*body.body)) return true;
+  }
+  return false;
+}
+
+void ForceMode::Mirror::place() {
+  for (Body& body : bodies_) body.turn = {std::cos(body.motion.angle()), std::sin(body.motion.angle())};
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    const Body& body = bodies_[blocks_[i].body];
+    const Vector arm = body.turn * blocks_[i].arm;
+    const double spin = body.motion.spin();
+    const Vector velocity = body.motion.velocity() + spin * Vector{-arm.y, arm.x};
+    poses_[i] = pose_of({body.turn, body.motion.center() + arm});
+    motions_[i] = {{velocity.x, velocity.y, 0}, {0, 0, spin}};
+  }
+}
+
+void ForceMode::Mirror::evaluate() {
+  place();
+  const std::int64_t count = std::int64_t(blocks_.size());
+  const auto view_of = [&](double(Motion::*member)[3]) {
+    Motion& first = motions_[0];
+    double* of_first = first.*member;
+    return hs_view{of_first, of_first + 1, of_first + 2, sizeof(Motion), count};
+  };
+  hs_world* world = world_.get();
+  std::int64_t touching = 0;
+  contacts_.clear();
+  if (count == 0) return;
+  world_.require_ok(hs_world_set_poses(world, poses_.data(), count));
+  world_.require_ok(hs_world_set_velocities(world, view_of(&Motion::velocity), view_of(&Motion::spin)));
+  world_.require_ok(hs_world_detect(world, &touching));
+  contacts_.resize(std::size_t(touching));
+  world_.require_ok(hs_world_forces(world, elapsed_, {}, {}));
+  elapsed_ = 0;
+  world_.require_ok(hs_world_get_contacts(world, contacts_.data(), touching, nullptr));
+}
+
+void ForceMode::Mirror::push(float sub_step) {
+  for (Body& body : bodies_) {
+    body.force = {};
+    body.torque = 0;
+  }
+  for (const hs_contact& contact : contacts_) wake_and_load(contact);
+  const double h = sub_step;
+  for (Body& body : bodies_) body.motion.push(*body.body, h * body.force, h * body.torque);
+}
+
+void ForceMode::Mirror::wake_and_load(const hs_contact& contact) {
+  const Block& a = blocks_[index_of_block_.at(contact.block_a)];
+  const Block& b = blocks_[index_of_block_.at(contact.block_b)];
+  b2Body &body_a = *a.fixture->GetBody(), &body_b = *b.fixture->GetBody();
+  if (!is_active(body_a) && !is_active(body_b)) return;
+  const JudgedPair* pair = judged_pair_between(*a.fixture, *b.fixture);
+  if (!pair || pair->let_through) return;
+  wake_each_other(body_a, body_b);
+  load(a, contact, -1);
+  load(b, contact, 1);
+}
+
+void ForceMode::Mirror::load(const Block& block, const hs_contact& contact, double sign) {
+  Body& body = bodies_[block.body];
+  const Vector force{contact.force[0], contact.force[1]};
+  const Vector arm = Vector{contact.force_point[0], contact.force_point[1]} - body.motion.center();
+  body.force = body.force + sign * force;
+  body.torque += sign * (cross(arm, force) + contact.torque[2]);
+}
+
+void ForceMode::Mirror::carry_on(float sub_step) {
+  const Vector gravity(narrow_phase_.world().GetGravity());
+  for (Body& body : bodies_) {
+    if (body.body->GetType() != b2_staticBody) body.motion.carry_on(*body.body, sub_step, gravity);
+  }
+  elapsed_ = sub_step;
+}
+
+double ForceMode::Mirror::stable_sub_step() const {
+  hs_world_report report;
+  world_.require_ok(hs_world_get_report(world_.get(), &report, sizeof report));
+  return report.stable_time_step;
+}
+
+}  // namespace halfspace::box2d

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <box2d/b2_world.h>
+#include <box2d/b2_world_callbacks.h>
+
+#include "contact.h"
+
+namespace halfspace::box2d {
+
+/// Keeps Box2D's solver and its continuous collision from the pairs that half-spaces judge, as a host would:
+/// by a listener that disables their contacts, in front of the host's own. Touching, manifolds and all events
+/// but PostSolve are as ever.
+class SolverVeto : b2ContactListener {
+ public:
+  explicit SolverVeto(b2World& world) : world_(world), host_(listener()) { world.SetContactListener(this); }
+  ~SolverVeto() override {
+    const bool is_replaced = listener() != this;
+    if (!is_replaced) world_.SetContactListener(host_);
+  }
+  SolverVeto(const SolverVeto&) = delete;
+  SolverVeto& operator=(const SolverVeto&) = delete;
+
+ private:
+  b2ContactListener* listener() const { return world_.GetContactManager().m_contactListener; }
+
+  void BeginContact(b2Contact* contact) override {
+    if (host_) host_->BeginContact(contact);
+  }
+  void EndContact(b2Contact* contact) override {
+    if (host_) host_->EndContact(contact);
+  }
+  /// A host disables a contact to let a pair through: then it takes no force in the next sub-step.
+  void PreSolve(b2Contact* contact, const b2Manifold* before) override {
+    if (host_) host_->PreSolve(contact, before);
+    JudgedPair* pair = judged_pair_of(*contact);
+    if (!pair) return;
+    pair->let_through = !contact->IsEnabled();
+    contact->SetEnabled(false);
+  }
+  void PostSolve(b2Contact* contact, const b2ContactImpulse* impulse) override {
+    if (host_) host_->PostSolve(contact, impulse);
+  }
+
+  b2World& world_;
+  b2ContactListener* host_;
+};
+
+}  // namespace halfspace::box2d
