@@ -32,7 +32,7 @@ void PolygonContact::leave() {
 }
 
 void PolygonContact::Evaluate(b2Manifold* manifold, const b2Transform& at_a, const b2Transform& at_b) {
-  if (pair_ && pair_->installation.collide(*pair_, at_a, at_b, *manifold)) return;
+  if (pair_ && pair_->installation.collide(*pair_, *this, at_a, at_b, *manifold)) return;
   b2CollidePolygons(manifold, static_cast<const b2PolygonShape*>(m_fixtureA->GetShape()), at_a,
                     static_cast<const b2PolygonShape*>(m_fixtureB->GetShape()), at_b);
 }

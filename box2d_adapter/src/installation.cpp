@@ -1,5 +1,7 @@
 #include "installation.h"
 
+#include <box2d/b2_polygon_shape.h>
+
 #include <chrono>
 #include <stdexcept>
 
@@ -42,26 +44,19 @@ NarrowPhase::Installation::~Installation() {
   }
 }
 
-NarrowPhase::Installation::Geometry NarrowPhase::Installation::geometry_of(b2Fixture& fixture) {
+std::shared_ptr<const Polygon> NarrowPhase::Installation::geometry_of(b2Fixture& fixture) {
   const FixtureGeometry chosen = options_.geometry_of ? options_.geometry_of(fixture) : FixtureGeometry();
-  if (chosen.left_to_box2d) return {};
-  if (chosen.shape) return {polygons_.polygon_of(*chosen.shape), true};
-  return {polygons_.polygon_of(polygon_of(fixture)), false};
+  if (chosen.left_to_box2d) return nullptr;
+  return chosen.shape ? polygons_.polygon_of(*chosen.shape) : polygons_.polygon_of(polygon_of(fixture));
 }
 
 JudgedPair* NarrowPhase::Installation::begin(b2Fixture& a, b2Fixture& b) noexcept {
   try {
-    Geometry of_a = geometry_of(a), of_b = geometry_of(b);
-    if (!of_a.polygon || !of_b.polygon) return nullptr;
-    const b2PolygonShape &shape_a = polygon_of(a), &shape_b = polygon_of(b);
-    auto* pair = std::pmr::polymorphic_allocator<>(&pairs_).new_object<JudgedPair>(
-        PolygonPair(std::move(of_a.polygon), std::move(of_b.polygon), shape_a.m_radius + shape_b.m_radius),
-        *this);
-    if (options_.compare && !of_a.is_attached && !of_b.is_attached) {
-      pair->compared[0] = &shape_a;
-      pair->compared[1] = &shape_b;
-    }
-    return pair;
+    std::shared_ptr<const Polygon> of_a = geometry_of(a), of_b = geometry_of(b);
+    if (!of_a || !of_b) return nullptr;
+    const double radii = polygon_of(a).m_radius + polygon_of(b).m_radius;
+    return std::pmr::polymorphic_allocator<>(&pairs_).new_object<JudgedPair>(
+        PolygonPair(std::move(of_a), std::move(of_b), radii), *this);
   } catch (...) {
     return nullptr;
   }
@@ -69,7 +64,7 @@ JudgedPair* NarrowPhase::Installation::begin(b2Fixture& a, b2Fixture& b) noexcep
 
 std::shared_ptr<const Polygon> NarrowPhase::Installation::polygon_taken_for(b2Fixture& fixture) noexcept {
   try {
-    return geometry_of(fixture).polygon;
+    return geometry_of(fixture);
   } catch (...) {
     return nullptr;
   }
@@ -79,27 +74,31 @@ void NarrowPhase::Installation::end(JudgedPair* pair) noexcept {
   std::pmr::polymorphic_allocator<>(&pairs_).delete_object(pair);
 }
 
-bool NarrowPhase::Installation::collide(JudgedPair& pair, const b2Transform& at_a, const b2Transform& at_b,
-                                        b2Manifold& manifold) {
-  const bool known = pair.compared[0] ? collide_and_compare(pair, at_a, at_b, manifold)
-                                      : pair.polygons.collide(at_a, at_b, manifold);
+bool NarrowPhase::Installation::collide(JudgedPair& pair, b2Contact& contact, const b2Transform& at_a,
+                                        const b2Transform& at_b, b2Manifold& manifold) {
+  const bool known = options_.compared ? collide_and_compare(pair, contact, at_a, at_b, manifold)
+                                       : pair.polygons.collide(at_a, at_b, manifold);
   statistics.refused += !known;
   statistics.pairs += known;
   statistics.touching += known && manifold.pointCount > 0;
   return known;
 }
 
-bool NarrowPhase::Installation::collide_and_compare(JudgedPair& pair, const b2Transform& at_a,
-                                                    const b2Transform& at_b, b2Manifold& manifold) {
+bool NarrowPhase::Installation::collide_and_compare(JudgedPair& pair, b2Contact& contact,
+                                                    const b2Transform& at_a, const b2Transform& at_b,
+                                                    b2Manifold& manifold) {
   bool known = false;
   const double seconds = seconds_of([&] { known = pair.polygons.collide(at_a, at_b, manifold); });
   if (!known) return false;
+  b2Fixture &a = *contact.GetFixtureA(), &b = *contact.GetFixtureB();
   b2Manifold of_box2d;
-  statistics.box2d_seconds +=
-      seconds_of([&] { b2CollidePolygons(&of_box2d, pair.compared[0], at_a, pair.compared[1], at_b); });
+  const double box2d_seconds =
+      seconds_of([&] { b2CollidePolygons(&of_box2d, &polygon_of(a), at_a, &polygon_of(b), at_b); });
   statistics.seconds += seconds;
+  statistics.box2d_seconds += box2d_seconds;
   ++statistics.compared;
   statistics.disagreements += (manifold.pointCount > 0) != (of_box2d.pointCount > 0);
+  options_.compared({a, b, at_a, at_b, manifold, of_box2d, seconds, box2d_seconds});
   return true;
 }
 

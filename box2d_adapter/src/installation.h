@@ -1,7 +1,7 @@
 #pragma once
 
+#include <box2d/b2_contact.h>
 #include <box2d/b2_fixture.h>
-#include <box2d/b2_polygon_shape.h>
 
 #include <halfspace/box2d.hpp>
 #include <memory_resource>
@@ -19,8 +19,7 @@ struct JudgedPair {
 
   PolygonPair polygons;
   NarrowPhase::Installation& installation;
-  const b2PolygonShape* compared[2] = {};  // with Box2D's narrow phase, or NULL
-  bool let_through = false;                // by the host's listener, in force mode
+  bool let_through = false;  // by the host's listener, in force mode
 };
 
 /// What the contacts of one world share.
@@ -34,8 +33,9 @@ class NarrowPhase::Installation {
   JudgedPair* begin(b2Fixture& a, b2Fixture& b) noexcept;
   void end(JudgedPair* pair) noexcept;
 
-  /// False when the manifold has to come from Box2D.
-  bool collide(JudgedPair& pair, const b2Transform& at_a, const b2Transform& at_b, b2Manifold& manifold);
+  /// The pair is that of the contact. False when the manifold has to come from Box2D.
+  bool collide(JudgedPair& pair, b2Contact& contact, const b2Transform& at_a, const b2Transform& at_b,
+               b2Manifold& manifold);
 
   /// Asks anew about the contacts of a fixture.
   void refresh(b2Fixture& fixture);
@@ -47,13 +47,10 @@ class NarrowPhase::Installation {
   Statistics statistics;
 
  private:
-  struct Geometry {
-    std::shared_ptr<const Polygon> polygon;  // null: left to Box2D
-    bool is_attached = false;
-  };
-  Geometry geometry_of(b2Fixture& fixture);
-  bool collide_and_compare(JudgedPair& pair, const b2Transform& at_a, const b2Transform& at_b,
-                           b2Manifold& manifold);
+  /// Null when the fixture is left to Box2D.
+  std::shared_ptr<const Polygon> geometry_of(b2Fixture& fixture);
+  bool collide_and_compare(JudgedPair& pair, b2Contact& contact, const b2Transform& at_a,
+                           const b2Transform& at_b, b2Manifold& manifold);
 
   b2World& world_;
   Options options_;

@@ -289,18 +289,4 @@ TEST_CASE("vertices on a line, which Box2D keeps, do not matter") {
   CHECK(points_of(world).size() == 2);
 }
 
-TEST_CASE("comparing: Box2D is asked as well, and both are timed") {
-  b2World world({0, -10});
-  Options options;
-  options.compare = true;
-  const NarrowPhase narrow_phase(world, options);
-  add_stack(world, 5);
-  step(world, 60);
-  const Statistics& statistics = narrow_phase.statistics();
-  CHECK(statistics.compared == statistics.pairs);
-  CHECK(statistics.disagreements == 0);
-  CHECK(statistics.seconds > 0);
-  CHECK(statistics.box2d_seconds > 0);
-}
-
 }  // namespace halfspace_test

@@ -1,12 +1,13 @@
 #pragma once
 
-// Pairs of Box2D polygons as posed, and what is true of them, in long double and apart from both engines.
+// Pairs of Box2D polygons as posed.
 
 #include <box2d/box2d.h>
 
 #include <vector>
 
 #include "benchmarks/random_polygon.h"
+#include "face_gaps.h"
 
 namespace halfspace_test {
 
@@ -26,20 +27,8 @@ struct PosedPolygons {
   b2Transform transform_b() const { return {at_b, b2Rot(angle_b)}; }
 };
 
-/// A face of either polygon and its gap: the least height of the other's vertices over it.
-struct FaceGap {
-  int owner;  // 0 a, 1 b
-  int edge;
-  long double gap;
-  long double beyond;  // how far the other's least high vertex is past the face's ends, below 0 between them
-};
-
-/// All faces, of a first. Vertices are the floats of the shapes, turned by the floats of the transforms after
-/// these have been brought to unit length.
+/// As face_gaps() of the floats of the shapes.
 std::vector<FaceGap> face_gaps(const PosedPolygons& pair);
-
-/// The one of largest gap.
-FaceGap largest(const std::vector<FaceGap>& gaps);
 
 /// The face that a manifold refers to, known by its normal.
 FaceGap reference_of(const b2Manifold& manifold, const PosedPolygons& pair, const std::vector<FaceGap>& gaps);

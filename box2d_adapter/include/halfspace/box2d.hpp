@@ -30,14 +30,28 @@ struct FixtureGeometry {
   const hs_shape* shape = nullptr;
 };
 
+/// One pair as both narrow phases have judged it, at the same poses. All is borrowed for the call.
+struct Comparison {
+  b2Fixture& a;  ///< the contact's first fixture; its shape may have another polygon attached to it
+  b2Fixture& b;
+  const b2Transform& at_a;
+  const b2Transform& at_b;
+  const b2Manifold& halfspace;  ///< the one that drives the world. Of its points, impulses are not set yet
+  const b2Manifold& box2d;      ///< of the fixtures' own shapes, also where a polygon is attached
+  double seconds;               ///< of the half-space narrow phase, and of reading the clock once
+  double box2d_seconds;         ///< of Box2D's, likewise
+};
+
 struct Options {
   /// Asked when a contact is made, and in refresh(); empty: every fixture is taken for its own polygon. It
   /// must not change the world nor begin, refresh or end a narrow phase; what it throws leaves the pair to
   /// Box2D, as does a shape that is no polygon.
   std::function<FixtureGeometry(b2Fixture&)> geometry_of;
-  /// Runs Box2D's narrow phase as well on each pair that has no attached shape, to count disagreements and to
-  /// measure the time of both. Box2D's answer is not used.
-  bool compare = false;
+  /// When given, Box2D's narrow phase is run as well on each pair that the library answers, and both answers
+  /// and times are told; Box2D's is not used. Called while the world steps, by its thread: it must not change
+  /// the world, nor throw. An empty function costs nothing; one that does nothing leaves the counts in the
+  /// statistics.
+  std::function<void(const Comparison&)> compared;
 };
 
 /// What has happened since the narrow phase began, or since reset_statistics().
@@ -46,7 +60,7 @@ struct Statistics {
   std::int64_t touching = 0;       ///< of these, with one manifold point or two
   std::int64_t refused = 0;        ///< answered by Box2D as the library could not: a pose that is not finite, or
                                    ///< no memory. Pairs that are left to Box2D from the start are not counted
-  std::int64_t compared = 0;       ///< answered by both; this and the following only with Options::compare
+  std::int64_t compared = 0;       ///< answered by both; this and the following only where compared
   std::int64_t disagreements = 0;  ///< where one had manifold points and the other had none
   double seconds = 0;              ///< of the half-space narrow phase, on pairs compared
   double box2d_seconds = 0;        ///< of Box2D's, on the same
