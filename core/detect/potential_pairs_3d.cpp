@@ -40,30 +40,6 @@ int face_along(const SeenOutline& block, int vertex, const Vector<3>& direction)
   return best;
 }
 
-bool is_outer_normal(const SeenOutline& block, int edge, const Vector<3>& normal) {
-  const Topology& topology = *block.topology;
-  const Vector<3> along = edge_vector(block, edge);
-  // Both point from the edge into its face.
-  const Vector<3> into_left = cross_product(block.normal(topology.edge_left[edge]), along);
-  const Vector<3> into_right = cross_product(along, block.normal(topology.edge_right[edge]));
-  return normal.dot(into_left) <= 0 && normal.dot(into_right) <= 0;
-}
-
-Vector<3> edge_pair_normal(const SeenOutline& a, int edge_of_a, const Vector<3>& along_b) {
-  const Vector<3> across = cross_product(edge_vector(a, edge_of_a), along_b);
-  const double length = across.norm();
-  if (length == 0) return Vector<3>::Zero();
-  const Vector<3> outward =
-      a.normal(a.topology->edge_left[edge_of_a]) + a.normal(a.topology->edge_right[edge_of_a]);
-  return across / (across.dot(outward) < 0 ? -length : length);
-}
-
-bool is_edge_pair(const SeenOutline& a, int edge_of_a, const SeenOutline& b, int edge_of_b,
-                  const Vector<3>& normal) {
-  return normal != Vector<3>::Zero() && is_outer_normal(a, edge_of_a, normal) &&
-         is_outer_normal(b, edge_of_b, -normal);
-}
-
 FacetSide side_along(const Topology& owner_topology, int owner, int face, int edge, int vertex) {
   const int left = owner_topology.edge_left[edge];
   return {owner, edge, left == face ? owner_topology.edge_right[edge] : left, vertex};

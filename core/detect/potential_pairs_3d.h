@@ -13,25 +13,60 @@ inline Vector<3> edge_vector(const SeenOutline& block, int edge) {
 /// The face at a vertex that looks most along a direction.
 int face_along(const SeenOutline& block, int vertex, const Vector<3>& direction);
 
+/// An edge of a block and the outer normals of the faces at it: read once, and asked often.
+struct SeenEdge {
+  Vector<3> start;
+  Vector<3> along;  // from its start to its end
+  Vector<3> left;
+  Vector<3> right;
+
+  SeenEdge(const SeenOutline& block, int edge)
+      : start(block.vertex(block.topology->edge_start[edge])),
+        along(block.vertex(block.topology->edge_end[edge]) - start),
+        left(block.normal(block.topology->edge_left[edge])),
+        right(block.normal(block.topology->edge_right[edge])) {}
+};
+
 /// True when a block lies behind the plane through one of its edges whose outer normal, at right angles to
 /// the edge, is given.
-bool is_outer_normal(const SeenOutline& block, int edge, const Vector<3>& normal);
+inline bool is_outer_normal(const SeenEdge& edge, const Vector<3>& normal) {
+  // Both point from the edge into its face.
+  const Vector<3> into_left = cross_product(edge.left, edge.along);
+  const Vector<3> into_right = cross_product(edge.along, edge.right);
+  return normal.dot(into_left) <= 0 && normal.dot(into_right) <= 0;
+}
 
-/// Unit vector at right angles to an edge of each block, out of a as the faces at a's edge are: of an
-/// edge-edge potential pair the normal from a to b. Zero when the edges are exactly parallel. Of b's edge the
-/// vector along it is enough.
-Vector<3> edge_pair_normal(const SeenOutline& a, int edge_of_a, const Vector<3>& along_b);
+/// The parallelogram of an edge of each block. Its unit normal points out of a as the faces at a's edge do:
+/// of an edge-edge potential pair it is the normal from a to b. Its area is below 0 where the edge of a turns
+/// clockwise about it towards that of b. Zero when the edges are exactly parallel.
+struct Parallelogram {
+  Vector<3> normal;
+  double area;
+
+  Parallelogram(const SeenEdge& a, const Vector<3>& along_b) {
+    const Vector<3> across = cross_product(a.along, along_b);
+    const double length = across.norm();
+    area = across.dot(a.left + a.right) < 0 ? -length : length;
+    normal = length == 0 ? Vector<3>(Vector<3>::Zero()) : Vector<3>(across / area);
+  }
+};
+
+/// The normal alone.
+inline Vector<3> edge_pair_normal(const SeenOutline& a, int edge_of_a, const Vector<3>& along_b) {
+  return Parallelogram(SeenEdge(a, edge_of_a), along_b).normal;
+}
 inline Vector<3> edge_pair_normal(const SeenOutline& a, int edge_of_a, const SeenOutline& b, int edge_of_b) {
   return edge_pair_normal(a, edge_of_a, edge_vector(b, edge_of_b));
 }
 
 /// True when an edge of each block are a potential contact pair (Wang et al. 2021, eqs. 23-26): both blocks
-/// lie on their own sides of edge_pair_normal(), which is given. Of edges parallel to rounding, it tells
-/// whether that normal, as rounded, can serve.
-bool is_edge_pair(const SeenOutline& a, int edge_of_a, const SeenOutline& b, int edge_of_b,
-                  const Vector<3>& normal);
-inline bool is_edge_pair(const SeenOutline& a, int edge_of_a, const SeenOutline& b, int edge_of_b) {
-  return is_edge_pair(a, edge_of_a, b, edge_of_b, edge_pair_normal(a, edge_of_a, b, edge_of_b));
+/// lie on their own sides of the normal of their parallelogram, which is given. Of edges parallel to
+/// rounding, it tells whether that normal, as rounded, can serve.
+inline bool is_edge_pair(const SeenEdge& a, const SeenEdge& b, const Vector<3>& normal) {
+  return normal != Vector<3>::Zero() && is_outer_normal(a, normal) && is_outer_normal(b, -normal);
+}
+inline bool is_edge_pair(const SeenEdge& a, const SeenEdge& b) {
+  return is_edge_pair(a, b, Parallelogram(a, b.along).normal);
 }
 
 /// Unit normal of a potential pair's half-space, turned so that it points from a to b. Not for two vertices.

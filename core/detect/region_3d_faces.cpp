@@ -11,8 +11,7 @@
 namespace halfspace {
 namespace {
 
-/// A face and a vertex behind or before it, seen from the block that owns the face. The plane's origin is the
-/// foot of the vertex.
+/// A face and a vertex behind or before it, seen from the block that owns the face.
 struct FaceVertex {
   const SeenOutline& owner;
   const SeenOutline& other;
@@ -20,15 +19,19 @@ struct FaceVertex {
   int face;
   int vertex;
   Vector<3> normal = owner.normal(face);
-  double gap = (normal.dot(other.vertex(vertex)) + normal.dot(to_other)) - owner.offset[face];
-  PlaneFrame plane = PlaneFrame(normal, (other.vertex(vertex) + to_other) - gap * normal);
+  Vector<3> position = other.vertex(vertex);  // of the vertex, from its own block's centroid
+  double gap = (normal.dot(position) + normal.dot(to_other)) - owner.offset[face];
+  Vector<3> foot = (position + to_other) - gap * normal;  // of the vertex on the face's plane
+};
+
+/// The same in coordinates on the plane, whose origin is the foot of the vertex.
+struct FlatFaceVertex : FaceVertex {
+  PlaneFrame plane = PlaneFrame(normal, foot);
   FlatFace polygon = FlatFace(plane, owner, face, Vector<3>::Zero());
 
-  FaceVertex(const SeenOutline& owner_of_face, const SeenOutline& owner_of_vertex,
-             const Vector<3>& to_vertex_owner, int f, int v)
-      : owner(owner_of_face), other(owner_of_vertex), to_other(to_vertex_owner), face(f), vertex(v) {}
-  FaceVertex(const FaceVertex&) = delete;  // the polygon refers to the plane
-  FaceVertex& operator=(const FaceVertex&) = delete;
+  explicit FlatFaceVertex(const FaceVertex& f) : FaceVertex(f) {}
+  FlatFaceVertex(const FlatFaceVertex&) = delete;  // the polygon refers to the plane
+  FlatFaceVertex& operator=(const FlatFaceVertex&) = delete;
 
   /// How far rounding may put points near the face off in its plane: a few units of what was subtracted.
   double rounding() const {
@@ -38,6 +41,37 @@ struct FaceVertex {
     return 16 * std::numeric_limits<double>::epsilon() * reach;
   }
 };
+
+/// Do all edges at the vertex rise from the plane more steeply than what shares a region with it? Then so do
+/// the faces between them. By a margin far above rounding.
+bool rises_steeply(const FaceVertex& f, double parallel_angle) {
+  const Outline<3>& other = f.other.unturned();
+  const Topology& topology = *other.topology;
+  const Vector<3> normal = f.other.in_own_frame(f.normal), vertex = other.vertex(f.vertex);
+  const double steep = 1.001 * parallel_angle * parallel_angle;
+  for (int k = topology.first_of_vertex[f.vertex]; k < topology.first_of_vertex[f.vertex + 1]; ++k) {
+    const Vector<3> along = other.vertex(topology.vertex_neighbour[k]) - vertex;
+    const double climb = normal.dot(along);
+    if (climb * climb <= steep * along.squaredNorm()) return false;
+  }
+  return true;
+}
+
+/// Does the vertex lie over the face, farther from its border than what counts as on it? By a margin, too.
+bool is_well_inside(const FaceVertex& f, double vertex_zone) {
+  const Outline<3>& owner = f.owner.unturned();
+  const Topology& topology = *owner.topology;
+  const Vector<3> normal = owner.normal(f.face), foot = f.owner.in_own_frame(f.foot);
+  const int first = topology.first_of_face[f.face], end = topology.first_of_face[f.face + 1];
+  Vector<3> from = owner.vertex(topology.face_vertex[end - 1]);
+  for (int k = first; k < end; ++k) {
+    const Vector<3> to = owner.vertex(topology.face_vertex[k]), along = to - from;
+    const double inward = cross_product(along, foot - from).dot(normal);  // times the edge's length
+    if (inward <= 2 * vertex_zone * along.squaredNorm()) return false;
+    from = to;
+  }
+  return true;
+}
 
 /// What of the other block, at the vertex, is nearest to parallel with the plane, and the sine of the angle
 /// between.
@@ -62,10 +96,9 @@ Facing facing_face(const FaceVertex& f) {
 /// Of edges, by the neighbour at the far end.
 Facing facing_edge(const FaceVertex& f) {
   const Topology& topology = *f.other.topology;
-  const Vector<3> vertex = f.other.vertex(f.vertex);
   Facing best{topology.vertex_neighbour[topology.first_of_vertex[f.vertex]], HUGE_VAL};
   for (int k = topology.first_of_vertex[f.vertex]; k < topology.first_of_vertex[f.vertex + 1]; ++k) {
-    const Vector<3> along = f.other.vertex(topology.vertex_neighbour[k]) - vertex;
+    const Vector<3> along = f.other.vertex(topology.vertex_neighbour[k]) - f.position;
     const double climb = f.normal.dot(along), square = climb * climb / along.squaredNorm();
     best = square < best.sine ? Facing{topology.vertex_neighbour[k], square} : best;
   }
@@ -73,7 +106,7 @@ Facing facing_edge(const FaceVertex& f) {
 }
 
 /// False when the faces do not overlap.
-bool describe_face_face(const FaceVertex& f, int facing, Contact<3>& contact) {
+bool describe_face_face(const FlatFaceVertex& f, int facing, Contact<3>& contact) {
   const Vector<3> normal = f.other.normal(facing);
   // Over the plane the facing face is linear, and it goes through the vertex before the origin.
   const Vector<2> slope = f.plane.in_plane(normal) / -normal.dot(f.normal);
@@ -95,8 +128,8 @@ bool describe_face_face(const FaceVertex& f, int facing, Contact<3>& contact) {
 }
 
 /// False when the edge does not pass over the face.
-bool describe_edge_face(const FaceVertex& f, int far_vertex, Contact<3>& contact) {
-  const Vector<3> along = f.other.vertex(far_vertex) - f.other.vertex(f.vertex);
+bool describe_edge_face(const FlatFaceVertex& f, int far_vertex, Contact<3>& contact) {
+  const Vector<3> along = f.other.vertex(far_vertex) - f.position;
   const Vector<2> end = f.plane.in_plane(along);
   const SegmentPart part = part_over(f.polygon, Vector<2>::Zero(), end, f.rounding());
   if (part.from >= part.to) return false;
@@ -127,7 +160,7 @@ struct Place {
 
 /// `facing_length` is that of the other block's edge that faces the face: on a long plate a share of the
 /// plate's own length would swallow whole grains.
-Place place_of_foot(const FaceVertex& f, double facing_length, const DetectOptions& options) {
+Place place_of_foot(const FlatFaceVertex& f, double facing_length, const DetectOptions& options) {
   Place place;
   for (int i = 0; i < f.polygon.count(); ++i) {
     const Vector<2> start = f.polygon.corner(i), edge = f.polygon.corner(f.polygon.next(i)) - start;
@@ -165,37 +198,38 @@ void describe_vertex_vertex(const FaceVertex& f, int vertex_of_owner, Contact<3>
   Vector<3> of_edges = Vector<3>::Zero();
   for (int k = of_owner.first_of_vertex[vertex_of_owner]; k < of_owner.first_of_vertex[vertex_of_owner + 1];
        ++k) {
+    const SeenEdge edge(f.owner, of_owner.vertex_edge[k]);
     for (int j = of_other.first_of_vertex[f.vertex]; j < of_other.first_of_vertex[f.vertex + 1]; ++j) {
-      const int edge = of_owner.vertex_edge[k], edge_of_other = of_other.vertex_edge[j];
-      const Vector<3> normal = edge_pair_normal(f.owner, edge, f.other, edge_of_other);
-      if (is_edge_pair(f.owner, edge, f.other, edge_of_other, normal)) of_edges += normal;
+      const SeenEdge edge_of_other(f.other, of_other.vertex_edge[j]);
+      const Vector<3> normal = Parallelogram(edge, edge_of_other.along).normal;
+      if (is_edge_pair(edge, edge_of_other, normal)) of_edges += normal;
     }
   }
   const Vector<3> point = f.owner.vertex(vertex_of_owner);
   contact.normal = (of_faces + of_faces_of_other + of_edges).normalized();
-  contact.gap = contact.normal.dot((f.other.vertex(f.vertex) - point) + f.to_other);
+  contact.gap = contact.normal.dot((f.position - point) + f.to_other);
   describe_point(ContactType::vertex_vertex, point, contact);
 }
 
 /// The point of the face's border at a share of the length of the edge that the foot lies by.
-Vector<3> point_of_border(const FaceVertex& f, const Place& place, double share) {
+Vector<3> point_of_border(const FlatFaceVertex& f, const Place& place, double share) {
   const Vector<3> start = f.owner.vertex(f.polygon.vertex(place.corner));
   const Vector<3> end = f.owner.vertex(f.polygon.vertex(f.polygon.next(place.corner)));
   return start + share * (end - start);
 }
 
 /// A vertex meets an edge: the normal is that of the sum of both half-spaces' normals (section 2.5).
-void describe_vertex_edge(const FaceVertex& f, const Vector<3>& normal_across, const Place& place,
+void describe_vertex_edge(const FlatFaceVertex& f, const Vector<3>& normal_across, const Place& place,
                           Contact<3>& contact) {
   const Vector<3> point = point_of_border(f, place, place.along / place.length);
   contact.normal = (f.normal + normal_across).normalized();
-  contact.gap = contact.normal.dot((f.other.vertex(f.vertex) - point) + f.to_other);
+  contact.gap = contact.normal.dot((f.position - point) + f.to_other);
   describe_point(ContactType::vertex_edge, point, contact);
 }
 
 /// The foot of the vertex lies outside the face: the contact is at the border then, with the face's own
 /// normal and gap. A normal between two faces would find a depth between points that lie apart.
-void describe_border(const FaceVertex& f, const Place& place, Contact<3>& contact) {
+void describe_border(const FlatFaceVertex& f, const Place& place, Contact<3>& contact) {
   const double share = place.along / place.length;
   const bool at_corner = share <= 0 || share >= 1;
   describe_point(at_corner ? ContactType::vertex_vertex : ContactType::vertex_edge,
@@ -204,7 +238,7 @@ void describe_border(const FaceVertex& f, const Place& place, Contact<3>& contac
 
 /// The region of a face and what is parallel to it of the other block at the vertex: a face, or else an edge.
 /// False when there is none.
-bool describe_region(const FaceVertex& f, const Facing& edge, const DetectOptions& options,
+bool describe_region(const FlatFaceVertex& f, const Facing& edge, const DetectOptions& options,
                      Contact<3>& contact) {
   contact.normal = f.normal;
   contact.gap = f.gap;
@@ -225,21 +259,30 @@ void describe_point(ContactType type, const Vector<3>& point, Contact<3>& contac
 
 bool describe_face_region(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
                           const PotentialPair<3>& pair, const DetectOptions& options, Contact<3>& contact) {
-  const FaceVertex f(a, b, to_b, pair.a, pair.b);
+  const FlatFaceVertex f({a, b, to_b, pair.a, pair.b});
   return describe_region(f, facing_edge(f), options, contact);
 }
 
 PotentialPair<3> describe_face_vertex(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
                                       const PotentialPair<3>& pair, const DetectOptions& options,
                                       Contact<3>& contact) {
-  const FaceVertex f(a, b, to_b, pair.a, pair.b);
+  const FaceVertex seen{a, b, to_b, pair.a, pair.b};
+  // As a rule this is all.
+  if (rises_steeply(seen, options.parallel_angle) && is_well_inside(seen, options.vertex_zone)) {
+    contact.normal = seen.normal;
+    contact.gap = seen.gap;
+    describe_point(ContactType::vertex_face, seen.foot, contact);
+    return pair;
+  }
+
+  const FlatFaceVertex f(seen);
   const Facing edge = facing_edge(f);
   if (describe_region(f, edge, options, contact)) return pair;
 
-  const double facing_length = (b.vertex(edge.index) - b.vertex(f.vertex)).norm();
+  const double facing_length = (b.vertex(edge.index) - f.position).norm();
   const Place place = place_of_foot(f, facing_length, options);
   if (place.beyond < -place.zone) {
-    describe_point(ContactType::vertex_face, f.plane.origin, contact);
+    describe_point(ContactType::vertex_face, f.foot, contact);
     return pair;
   }
   const int edge_of_face = a.topology->face_edge[a.topology->first_of_face[f.face] + place.corner];

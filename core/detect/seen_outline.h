@@ -21,10 +21,13 @@ class SeenOutline {
   Vector<3> vertex(int i) const { return turned(outline_->vertex(i)); }
   Vector<3> normal(int f) const { return turned(outline_->normal(f)); }
 
+  /// In its own frame: to ask much about many of its features, turn the question instead of each of them.
+  const Outline<3>& unturned() const { return *outline_; }
+  Vector<3> in_own_frame(const Vector<3>& v) const { return rotation_ ? rotation_->inverse() * v : v; }
+
   /// The vertex that lies deepest along a direction, of which one near it is known.
   Support deepest_near(const Vector<3>& direction, int vertex) const {
-    return halfspace::deepest_near(*outline_, rotation_ ? rotation_->inverse() * direction : direction,
-                                   vertex);
+    return halfspace::deepest_near(*outline_, in_own_frame(direction), vertex);
   }
 
   const Topology* topology;

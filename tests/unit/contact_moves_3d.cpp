@@ -77,7 +77,8 @@ TEST_CASE("every facet of the Minkowski difference is across the sides of its ne
     // By definition: each face with the vertex deepest behind it, and the edges that pass eqs. 23 to 26.
     int expected = a.face_count() + b.face_count();
     for (int e = 0; e < a.topology->edge_count; ++e)
-      for (int h = 0; h < b.topology->edge_count; ++h) expected += is_edge_pair(a, e, b, h);
+      for (int h = 0; h < b.topology->edge_count; ++h)
+        expected += is_edge_pair(SeenEdge(a, e), SeenEdge(b, h));
     CHECK(int(found.size()) == expected);
     for (Pair pair : found) {
       const Pair before = pair;
@@ -112,7 +113,8 @@ TEST_CASE("edges that have ceased to be a potential pair lead on to one") {
   REQUIRE(met.contact.type == ContactType::edge_edge);
   // The upper block turns until its faces are level: the edge that was its lowest is not any more.
   const Shape<3> upper = turned_block(ridge, pi / 4, 1);
-  REQUIRE_FALSE(is_edge_pair(lower.outline(), met.memory.pair.a, upper.outline(), met.memory.pair.b));
+  REQUIRE_FALSE(is_edge_pair(SeenEdge(lower.outline(), met.memory.pair.a),
+                             SeenEdge(upper.outline(), met.memory.pair.b)));
   met = meet(lower, upper, {0.1, 0, 0.84}, met.memory);
   CHECK(met.contact.type == ContactType::edge_face);
   CHECK(met.contact.normal.isApprox(z_axis));
