@@ -29,6 +29,8 @@ std::int32_t kind_of(const b2Body& body) {
 }
 
 Material material_of(const b2Fixture& fixture, const Polygon& polygon) {
+  if (!b2IsValid(fixture.GetFriction()))
+    throw std::invalid_argument("the friction of a fixture must be finite");
   const b2Body& body = *fixture.GetBody();
   if (kind_of(body) != HS_BLOCK_RIGID) return {1, fixture.GetFriction()};
   float of_all = 0;  // summed up as b2Body::ResetMassData() does
@@ -72,12 +74,14 @@ std::int32_t BlockWorld::index_of(const Material& material) {
   if (found != materials_.end()) return found->second;
   std::int32_t made = 0;
   require_ok(hs_world_add_material(world_.get(), material.density, &made));
-  materials_.emplace(material, made);
-  for (const auto& [other, index] : materials_) {
+  const auto set_law = [&](const Material& other, std::int32_t index) {
     hs_law_def law = law_;
     law.friction_angle = std::atan(b2MixFriction(material.friction, other.friction));
     require_ok(hs_world_set_law(world_.get(), made, index, &law));
-  }
+  };
+  set_law(material, made);
+  for (const auto& [other, index] : materials_) set_law(other, index);
+  materials_.emplace(material, made);  // now that all of its laws are there
   return made;
 }
 

@@ -59,11 +59,17 @@ void require_stable(float sub_step, double stable) {
 ForceMode::ForceMode(NarrowPhase& narrow_phase, const hs_law_def& law)
     : world_(narrow_phase.installation_->world()) {
   require_unlocked(world_);
+  if (narrow_phase.installation_->has_force_mode)
+    throw std::logic_error("the narrow phase has a force mode already");
   mirror_ = std::make_unique<Mirror>(*narrow_phase.installation_, law);
   set_enabled(world_, false);
+  mirror_->narrow_phase().has_force_mode = true;
 }
 
-ForceMode::~ForceMode() { set_enabled(world_, true); }
+ForceMode::~ForceMode() {
+  mirror_->narrow_phase().has_force_mode = false;
+  set_enabled(world_, true);
+}
 
 void ForceMode::step(float time_step, int sub_steps, int velocity_iterations, int position_iterations) {
   require_time_step(time_step);

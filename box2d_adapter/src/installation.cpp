@@ -55,8 +55,10 @@ JudgedPair* NarrowPhase::Installation::begin(b2Fixture& a, b2Fixture& b) noexcep
     std::shared_ptr<const Polygon> of_a = geometry_of(a), of_b = geometry_of(b);
     if (!of_a || !of_b) return nullptr;
     const double radii = polygon_of(a).m_radius + polygon_of(b).m_radius;
-    return std::pmr::polymorphic_allocator<>(&pairs_).new_object<JudgedPair>(
+    auto* pair = std::pmr::polymorphic_allocator<>(&pairs_).new_object<JudgedPair>(
         PolygonPair(std::move(of_a), std::move(of_b), radii), *this);
+    ++pairs_begun_;
+    return pair;
   } catch (...) {
     return nullptr;
   }
@@ -64,6 +66,11 @@ JudgedPair* NarrowPhase::Installation::begin(b2Fixture& a, b2Fixture& b) noexcep
 
 std::shared_ptr<const Polygon> NarrowPhase::Installation::polygon_taken_for(b2Fixture& fixture) noexcept {
   try {
+    for (b2ContactEdge* edge = fixture.GetBody()->GetContactList(); edge; edge = edge->next) {
+      const JudgedPair* pair = judged_pair_of(*edge->contact);
+      if (pair && edge->contact->GetFixtureA() == &fixture) return pair->polygons.a();
+      if (pair && edge->contact->GetFixtureB() == &fixture) return pair->polygons.b();
+    }
     return geometry_of(fixture);
   } catch (...) {
     return nullptr;

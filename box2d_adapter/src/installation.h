@@ -19,7 +19,9 @@ struct JudgedPair {
 
   PolygonPair polygons;
   NarrowPhase::Installation& installation;
-  bool let_through = false;  // by the host's listener, in force mode
+  // In force mode:
+  bool let_through = false;  // by the host's listener
+  bool is_new = true;        // what was between the fixtures before, if there was anything, is over
 };
 
 /// What the contacts of one world share.
@@ -41,8 +43,12 @@ class NarrowPhase::Installation {
   void refresh(b2Fixture& fixture);
 
   b2World& world() const { return world_; }
-  /// What a polygon fixture is taken for now. Null when it is Box2D's, as in begin().
+  /// What a polygon fixture is taken for: in its contacts, or if it has none, what the host would have it be
+  /// in one now. Null when it is Box2D's.
   std::shared_ptr<const Polygon> polygon_taken_for(b2Fixture& fixture) noexcept;
+  std::int64_t pairs_begun() const { return pairs_begun_; }
+  /// Of force mode, of which there is one at a time.
+  bool has_force_mode = false;
 
   Statistics statistics;
 
@@ -56,6 +62,7 @@ class NarrowPhase::Installation {
   Options options_;
   Context context_;
   Polygons polygons_;
+  std::int64_t pairs_begun_ = 0;
   std::pmr::unsynchronized_pool_resource pairs_;  // gone through in every step: side by side
 };
 

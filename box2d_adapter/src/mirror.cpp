@@ -4,6 +4,23 @@
 #include <utility>
 
 namespace halfspace::box2d {
+namespace {
+
+/// One that is nowhere takes no forces, as its pairs take no manifold.
+bool is_somewhere(const b2Body& body) {
+  return body.IsEnabled() && body.GetPosition().IsValid() && body.GetLinearVelocity().IsValid() &&
+         b2IsValid(body.GetAngle()) && b2IsValid(body.GetAngularVelocity());
+}
+
+}  // namespace
+
+ForceMode::Mirror::Known::Known(b2Fixture& of, const std::shared_ptr<const Polygon>& taken_for)
+    : fixture(&of),
+      polygon(taken_for),
+      held(taken_for->is_borrowed() ? nullptr : taken_for),
+      centroid(taken_for->centroid()),
+      material(material_of(of, *taken_for)),
+      kind(kind_of(*of.GetBody())) {}
 
 ForceMode::Mirror::Mirror(NarrowPhase::Installation& narrow_phase, const hs_law_def& law)
     : narrow_phase_(narrow_phase), context_(make_context()), world_(*context_, law, {0, 0}) {}
@@ -15,11 +32,16 @@ void ForceMode::Mirror::follow() {
   for (const bool are_moved : {false, true}) {
     for (b2Body* body = narrow_phase_.world().GetBodyList(); body; body = body->GetNext()) {
       const bool is_moved = body->GetType() == b2_dynamicBody;
-      if (body->IsEnabled() && is_moved == are_moved) find(*body);
+      if (is_somewhere(*body) && is_moved == are_moved) find(*body);
     }
   }
   remove_what_is_gone();
   list_blocks();
+}
+
+bool ForceMode::Mirror::are_all_somewhere() const {
+  return std::all_of(bodies_.begin(), bodies_.end(),
+                     [](const Body& body) { return is_somewhere(*body.body); });
 }
 
 /// In the order of blocks, not of the hash: later blocks take their slots.
@@ -42,29 +64,28 @@ void ForceMode::Mirror::find(b2Body& body) {
 }
 
 void ForceMode::Mirror::find(b2Fixture& fixture) {
-  auto polygon = narrow_phase_.polygon_taken_for(fixture);
+  const auto polygon = narrow_phase_.polygon_taken_for(fixture);
   if (!polygon) return;
-  const Material material = material_of(fixture, *polygon);
-  Known now{&fixture, std::move(polygon), material, kind_of(*fixture.GetBody())};
+  Known now(fixture, polygon);
   const auto found = known_.find(&fixture);
   if (found == known_.end()) {
-    add(fixture, std::move(now));
+    add(*polygon, std::move(now));
   } else if (found->second.is_same(now)) {
     found->second.is_there = true;
   } else {
     world_.require_ok(hs_world_remove_block(world_.get(), found->second.block));
     known_.erase(found);
-    add(fixture, std::move(now));
+    add(*polygon, std::move(now));
   }
 }
 
-void ForceMode::Mirror::add(b2Fixture& fixture, Known known) {
+void ForceMode::Mirror::add(const Polygon& polygon, Known known) {
   hs_block_def def;
-  world_.require_ok(hs_block_def_init(&def, sizeof def, known.polygon->shape()));
+  world_.require_ok(hs_block_def_init(&def, sizeof def, polygon.shape()));
   def.kind = known.kind;
-  const auto added = known_.emplace(&fixture, std::move(known)).first;
+  const auto added = known_.emplace(known.fixture, std::move(known)).first;
   try {
-    added->second.block = world_.add(*added->second.polygon, added->second.material, def);
+    added->second.block = world_.add(polygon, added->second.material, def);
   } catch (...) {
     known_.erase(added);
     throw;
@@ -90,7 +111,7 @@ void ForceMode::Mirror::list_blocks() {
           {&body, old == index_before.end() ? ExactMotion(body) : before[old->second].motion, {}, {}});
       bodies_.back().motion.follow(body);
     }
-    const Vector arm = known.polygon->centroid() - Vector(body.GetLocalCenter());
+    const Vector arm = known.centroid - Vector(body.GetLocalCenter());
     blocks_[index_of_block_.at(known.block)] = {known.fixture, listed->second, arm};
   }
   poses_.resize(ids_.size());

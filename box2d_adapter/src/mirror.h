@@ -29,21 +29,27 @@ class ForceMode::Mirror {
   bool is_awake() const;
   double stable_sub_step() const;
   const hs_world* world() const { return world_.get(); }
+  NarrowPhase::Installation& narrow_phase() const { return narrow_phase_; }
   hs_block block_of(const b2Fixture& fixture) const;
 
  private:
-  /// What a block was made of: when the fixture is another, so is the block.
+  /// What a block was made of: when the fixture is another, so is the block. A polygon that the host has
+  /// attached is not held: it may end with its fixture, and another one be at the same address.
   struct Known {
+    Known(b2Fixture& of, const std::shared_ptr<const Polygon>& taken_for);
+
+    bool is_same(const Known& other) const {
+      return polygon.lock() == other.polygon.lock() && material == other.material && kind == other.kind;
+    }
+
     b2Fixture* fixture;
-    std::shared_ptr<const Polygon> polygon;
+    std::weak_ptr<const Polygon> polygon;
+    std::shared_ptr<const Polygon> held;
+    Vector centroid;
     Material material;
     std::int32_t kind;
     hs_block block = 0;
     bool is_there = true;
-
-    bool is_same(const Known& other) const {
-      return polygon == other.polygon && material == other.material && kind == other.kind;
-    }
   };
 
   struct Body {
@@ -68,18 +74,23 @@ class ForceMode::Mirror {
 
   void find(b2Body& body);
   void find(b2Fixture& fixture);
-  void add(b2Fixture& fixture, Known known);
+  void add(const Polygon& polygon, Known known);
   void remove_what_is_gone();
   void list_blocks();
+  bool are_all_somewhere() const;
   void place();
-  void wake_and_load(const hs_contact& contact);
+  void forget_what_is_over();
+  const Block& block(hs_block id) const { return blocks_[index_of_block_.at(id)]; }
+  JudgedPair* pair_of(const hs_contact& contact) const;
+  void load(const hs_contact& contact);
   void load(const Block& block, const hs_contact& contact, double sign);
 
   NarrowPhase::Installation& narrow_phase_;
   Context context_;
   BlockWorld world_;
   std::unordered_map<const b2Fixture*, Known> known_;
-  double elapsed_ = 0;  // over which shear springs have to grow
+  std::int64_t pairs_begun_ = 0;  // when last looked at
+  double elapsed_ = 0;            // over which shear springs have to grow
 
   std::vector<Body> bodies_;
   std::unordered_map<const b2Body*, std::size_t> index_of_body_;

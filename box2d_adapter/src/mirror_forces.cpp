@@ -64,6 +64,7 @@ void ForceMode::Mirror::place() {
 }
 
 void ForceMode::Mirror::evaluate() {
+  if (!are_all_somewhere()) follow();  // since the last sub-step
   place();
   const std::int64_t count = std::int64_t(blocks_.size());
   const auto view_of = [&](double(Motion::*member)[3]) {
@@ -79,31 +80,56 @@ void ForceMode::Mirror::evaluate() {
   world_.require_ok(hs_world_set_velocities(world, view_of(&Motion::velocity), view_of(&Motion::spin)));
   world_.require_ok(hs_world_detect(world, &touching));
   contacts_.resize(std::size_t(touching));
+  forget_what_is_over();
   world_.require_ok(hs_world_forces(world, elapsed_, {}, {}));
   elapsed_ = 0;
   world_.require_ok(hs_world_get_contacts(world, contacts_.data(), touching, nullptr));
 }
 
+/// A body that was made anew, or moved away and back, may have the block of before: the shear springs of its
+/// contacts are not those of before.
+void ForceMode::Mirror::forget_what_is_over() {
+  if (pairs_begun_ == narrow_phase_.pairs_begun()) return;
+  pairs_begun_ = narrow_phase_.pairs_begun();
+  world_.require_ok(
+      hs_world_get_contacts(world_.get(), contacts_.data(), std::int64_t(contacts_.size()), nullptr));
+  for (const hs_contact& contact : contacts_) {
+    JudgedPair* pair = judged_pair_between(*block(contact.block_a).fixture, *block(contact.block_b).fixture);
+    if (!pair || !pair->is_new) continue;
+    const double no_shear[3] = {};
+    const hs_status status =
+        hs_world_set_shear_force(world_.get(), contact.block_a, contact.block_b, no_shear);
+    if (status != HS_ERROR_STATE) world_.require_ok(status);  // which says that there is no shear spring
+    pair->is_new = false;
+  }
+}
+
+/// Who moves wakes what it touches before any force is found, so that a sleeper that wakes has its support.
 void ForceMode::Mirror::push(float sub_step) {
   for (Body& body : bodies_) {
     body.force = {};
     body.torque = 0;
   }
-  for (const hs_contact& contact : contacts_) wake_and_load(contact);
+  for (const hs_contact& contact : contacts_) {
+    if (const JudgedPair* pair = pair_of(contact); pair && !pair->let_through)
+      wake_each_other(*block(contact.block_a).fixture->GetBody(), *block(contact.block_b).fixture->GetBody());
+  }
+  for (const hs_contact& contact : contacts_) load(contact);
   const double h = sub_step;
   for (Body& body : bodies_) body.motion.push(*body.body, h * body.force, h * body.torque);
 }
 
-void ForceMode::Mirror::wake_and_load(const hs_contact& contact) {
-  const Block& a = blocks_[index_of_block_.at(contact.block_a)];
-  const Block& b = blocks_[index_of_block_.at(contact.block_b)];
-  b2Body &body_a = *a.fixture->GetBody(), &body_b = *b.fixture->GetBody();
-  if (!is_active(body_a) && !is_active(body_b)) return;
-  const JudgedPair* pair = judged_pair_between(*a.fixture, *b.fixture);
+/// Null between two that rest, too.
+JudgedPair* ForceMode::Mirror::pair_of(const hs_contact& contact) const {
+  b2Fixture &a = *block(contact.block_a).fixture, &b = *block(contact.block_b).fixture;
+  return is_active(*a.GetBody()) || is_active(*b.GetBody()) ? judged_pair_between(a, b) : nullptr;
+}
+
+void ForceMode::Mirror::load(const hs_contact& contact) {
+  const JudgedPair* pair = pair_of(contact);
   if (!pair || pair->let_through) return;
-  wake_each_other(body_a, body_b);
-  load(a, contact, -1);
-  load(b, contact, 1);
+  load(block(contact.block_a), contact, -1);
+  load(block(contact.block_b), contact, 1);
 }
 
 void ForceMode::Mirror::load(const Block& block, const hs_contact& contact, double sign) {

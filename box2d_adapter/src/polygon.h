@@ -35,6 +35,7 @@ class Polygon {
   explicit Polygon(Shape owned);
 
   const hs_shape* shape() const { return shape_; }
+  bool is_borrowed() const { return !owned_; }
   const Vector& centroid() const { return centroid_; }  // in the coordinates of the body
   double radius() const { return radius_; }             // of the farthest vertex from the centroid
   int count() const { return int(corners_.size()); }

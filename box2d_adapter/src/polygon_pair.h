@@ -16,6 +16,9 @@ class PolygonPair {
   /// In skins that reach `radii` together.
   PolygonPair(std::shared_ptr<const Polygon> a, std::shared_ptr<const Polygon> b, double radii);
 
+  const std::shared_ptr<const Polygon>& a() const { return a_; }
+  const std::shared_ptr<const Polygon>& b() const { return b_; }
+
   /// Writes the manifold. False, and nothing written, when the library refuses the poses.
   bool collide(const b2Transform& at_a, const b2Transform& at_b, b2Manifold& manifold);
 

@@ -11,6 +11,7 @@ namespace halfspace_test {
 namespace {
 
 using halfspace::box2d::ForceMode;
+using halfspace::box2d::Options;
 
 hs_contact only_contact_of(const ForceWorld& arena) {
   hs_contact contact{};
@@ -148,8 +149,40 @@ TEST_CASE("sub-steps that are not stable are refused, and nothing has moved") {
   CHECK_THROWS_AS(arena.forces->step(1 / 60.f, enough - 1, 8, 3), std::invalid_argument);
   CHECK_NOTHROW(arena.forces->step(1 / 60.f, enough, 8, 3));
   CHECK(arena.forces->sub_steps_for(1 / 60.f) >= 2 * (enough - 1));
-  hs_law_def wrong = law_of(-1, 0);
-  CHECK_THROWS_AS(ForceMode(*arena.narrow_phase, wrong), std::invalid_argument);
+}
+
+TEST_CASE("a law that the library refuses, and a second force mode, are refused") {
+  ForceWorld arena(law_of(1e5, 0.1));
+  CHECK_THROWS_AS(ForceMode(*arena.narrow_phase, law_of(1e5, 0.1)), std::logic_error);
+  arena.forces.reset();
+  CHECK_THROWS_AS(ForceMode(*arena.narrow_phase, law_of(-1, 0)), std::invalid_argument);
+  CHECK_NOTHROW(ForceMode(*arena.narrow_phase, law_of(1e5, 0.1)));
+}
+
+// Box2D gives the memory of what was destroyed to what is made next.
+TEST_CASE("a body made in the place of another has no shear of before") {
+  ForceWorld arena(law_of(1e5, 0.05), {2, -float(gravity)});
+  add_floor(arena.world);
+  b2Body& before = add_box(arena.world, {0, 0.5f});
+  arena.step(300);
+  CHECK(std::abs(only_contact_of(arena).shear_force[0]) > 1);
+  arena.world.DestroyBody(&before);
+  arena.world.SetGravity({0, -float(gravity)});
+  const b2Body& after = add_box(arena.world, {5, 0.4999f});  // as deep as it rests
+  REQUIRE(&after == &before);                                // else this tests nothing
+  arena.step();
+  CHECK(std::abs(after.GetLinearVelocity().x) < 1e-5f);
+}
+
+TEST_CASE("a body that has gone to infinity does not stop the others") {
+  ForceWorld arena(law_of(1e5, 0.5));
+  add_floor(arena.world);
+  b2Body& lost = add_box(arena.world, {5, 0.5f});
+  const b2Body& box = add_box(arena.world, {0, 0.5f});
+  arena.step(60);
+  lost.ApplyForceToCenter({INFINITY, 0}, true);
+  CHECK_NOTHROW(arena.step(60));
+  CHECK(box.GetPosition().y == Approx(0.5 - gravity / 1e5).epsilon(1e-6));
 }
 
 TEST_CASE("pairs that filters, joints or one body keep apart take no force") {
@@ -379,6 +412,36 @@ TEST_CASE("bodies and fixtures made, changed and destroyed are found") {
   arena.step(30);
   CHECK(arena.forces->block_of(grown) == 0);
   CHECK(second.GetPosition().y < 0.5f);
+}
+
+// The memory of what was destroyed is given to what is made next, here as well.
+TEST_CASE("a polygon attached to a new body is not that of the body before") {
+  const Context context = make_context();
+  const hs_shape* attached = nullptr;
+  ForceWorld arena(std::nullopt);
+  Options options;
+  options.geometry_of = [&](b2Fixture& fixture) {
+    const bool is_floor = fixture.GetBody()->GetType() == b2_staticBody;
+    return FixtureGeometry{false, is_floor ? nullptr : attached};
+  };
+  arena.narrow_phase.emplace(arena.world, options);
+  arena.forces.emplace(*arena.narrow_phase, law_of(1e5, 0.5));
+  add_floor(arena.world);
+  const auto add_body = [&](float y) -> b2Body& {
+    return *add_polygon(arena.world, halfspace::box2d::box_around(*attached), {0, y}).GetBody();
+  };
+  Shape tall = make_shape(context.get(), {{-0.5, -1}, {0.5, -1}, {0.5, 1}, {-0.5, 1}});
+  attached = tall.get();
+  b2Body& before = add_body(1);
+  arena.step(60);
+  CHECK(before.GetPosition().y == Approx(1).epsilon(1e-3));
+  arena.world.DestroyBody(&before);
+  tall.reset();
+  const Shape flat = make_shape(context.get(), {{-1, -0.25}, {1, -0.25}, {1, 0.25}, {-1, 0.25}});
+  REQUIRE(flat.get() == attached);  // else this tests nothing
+  const b2Body& after = add_body(0.25f);
+  arena.step(60);
+  CHECK(after.GetPosition().y == Approx(0.25).epsilon(1e-3));
 }
 
 TEST_CASE("a polygon of many vertices rests on its own side, with its own mass") {

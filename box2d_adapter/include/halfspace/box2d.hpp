@@ -24,9 +24,9 @@ struct FixtureGeometry {
   /// that it was made from; NULL for the fixture's own. Borrowed: it must live as long as the fixture, or
   /// until NarrowPhase::refresh() has been told of another, and its context and all made from that belong to
   /// the thread that steps the world. The fixture's own shape must hold this one (box_around() makes one that
-  /// does): it still serves the broad phase, continuous collision, ray casts, sensors and the mass, it is what
-  /// circles, edges, chains and fixtures left to Box2D meet, and what is left of it when the narrow phase
-  /// ends.
+  /// does): it still serves the broad phase, continuous collision, ray casts, sensors and the mass, it is
+  /// what circles, edges, chains and fixtures left to Box2D meet, and what is left of it when the narrow
+  /// phase ends.
   const hs_shape* shape = nullptr;
 };
 
@@ -43,9 +43,9 @@ struct Comparison {
 };
 
 struct Options {
-  /// Asked when a contact is made, and in refresh(); empty: every fixture is taken for its own polygon. It
-  /// must not change the world nor begin, refresh or end a narrow phase; what it throws leaves the pair to
-  /// Box2D, as does a shape that is no polygon.
+  /// Asked when a contact is made, in refresh(), and by force mode about fixtures without contacts; empty:
+  /// every fixture is taken for its own polygon. It must not change the world nor begin, refresh or end a
+  /// narrow phase; what it throws leaves the pair to Box2D, as does a shape that is no polygon.
   std::function<FixtureGeometry(b2Fixture&)> geometry_of;
   /// When given, Box2D's narrow phase is run as well on each pair that the library answers, and both answers
   /// and times are told; Box2D's is not used. Called while the world steps, by its thread: it must not change
@@ -56,11 +56,11 @@ struct Options {
 
 /// What has happened since the narrow phase began, or since reset_statistics().
 struct Statistics {
-  std::int64_t pairs = 0;          ///< asked about and answered by half-spaces, each time again
-  std::int64_t touching = 0;       ///< of these, with one manifold point or two
-  std::int64_t refused = 0;        ///< answered by Box2D as the library could not: a pose that is not finite, or
-                                   ///< no memory. Pairs that are left to Box2D from the start are not counted
-  std::int64_t compared = 0;       ///< answered by both; this and the following only where compared
+  std::int64_t pairs = 0;     ///< asked about and answered by half-spaces, each time again
+  std::int64_t touching = 0;  ///< of these, with one manifold point or two
+  std::int64_t refused = 0;   ///< answered by Box2D as the library could not: a pose that is not finite, or
+                              ///< no memory. Pairs that are left to Box2D from the start are not counted
+  std::int64_t compared = 0;  ///< answered by both; this and the following only where compared
   std::int64_t disagreements = 0;  ///< where one had manifold points and the other had none
   double seconds = 0;              ///< of the half-space narrow phase, on pairs compared
   double box2d_seconds = 0;        ///< of Box2D's, on the same

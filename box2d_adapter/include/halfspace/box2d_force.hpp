@@ -29,8 +29,9 @@ class ForceMode {
  public:
   /// `law` is that of all pairs but for the friction angle, that of Box2D's mixed friction, sqrt(f_a f_b).
   /// Stiffnesses are in N/m or Pa/m of a world that is 1 m thick. Cohesion and tensile strength have no
-  /// effect, as no bonds are made. Throws std::logic_error when the world is locked, std::bad_alloc, and
-  /// std::invalid_argument with the library's reason when it refuses the law.
+  /// effect, as no bonds are made. Throws std::logic_error when the world is locked or the narrow phase has a
+  /// force mode already, std::bad_alloc, and std::invalid_argument with the library's reason when it refuses
+  /// the law.
   ForceMode(NarrowPhase& narrow_phase, const hs_law_def& law);
   ~ForceMode();
   ForceMode(const ForceMode&) = delete;

@@ -18,8 +18,9 @@ namespace halfspace::box2d {
 /// body of one polygon fixture a rigid one of its mass. Two blocks rub with Box2D's mixed friction,
 /// sqrt(f_a f_b). Left out: dynamic bodies of several fixtures or of another shape, circles, edges and chains
 /// (a floor of these is not there), shapes attached to fixtures, sensors, disabled bodies, joints, fixed
-/// rotation, gravity scales, inertia and centres of mass that a host has set, damping of bodies, restitution (the law has damping instead), filters, and the skins: blocks that
-/// Box2D holds 1 to 2 cm apart have that far to go until they meet.
+/// rotation, gravity scales, inertia and centres of mass that a host has set, damping of bodies, restitution
+/// (the law has damping instead), filters, and the skins: blocks that Box2D holds 1 to 2 cm apart have that
+/// far to go until they meet.
 class WorldCopy {
  public:
   /// `law` is that of all pairs but for the friction angle. The Box2D world and its bodies must live as long
