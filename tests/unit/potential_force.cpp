@@ -136,7 +136,9 @@ TEST_CASE("force and moment are the gradient of the energy") {
   Random random(62);
   constexpr double step = 1e-4;
   for (int round = 0; round < 300; ++round) {
-    const auto [a, b, to_b] = draw_pair(random);
+    const Pair pair = draw_pair(random);
+    const Shape<2>&a = pair.a, &b = pair.b;
+    const Vector<2>& to_b = pair.to_b;
     const PotentialForce<2> found = force_between(a, b, to_b);
     const auto energy_at = [&](double x, double y, double turn) {
       // All of b turns about the centroid of a.
