@@ -57,15 +57,16 @@ WorldSettings<D> read_settings(const hs_world_def& def) {
   settings.mass_damping =
       require(positive_or_zero(def.mass_damping), def.mass_damping, "def.mass_damping", "finite and >= 0");
   settings.skin = require(def.skin > 0 && def.skin <= 1, def.skin, "def.skin", "above 0 and at most 1");
+  settings.potential_length = require(positive_or_zero(def.potential_length), def.potential_length,
+                                      "def.potential_length", "finite and >= 0");
   settings.detect = read_detect_options(def.parallel_angle, def.vertex_zone);
   return settings;
 }
 
-SpringLaw read_law(const hs_law_def* given) {
+SpringLaw read_law(const hs_law_def* given, int dimension) {
   const hs_law_def def = read_definition(given, "law");
-  if (def.stiffness_kind != HS_STIFFNESS_PER_CONTACT && def.stiffness_kind != HS_STIFFNESS_PER_AREA) {
-    refuse(HS_ERROR_ARGUMENT,
-           "law.stiffness_kind is %d; it must be HS_STIFFNESS_PER_CONTACT or HS_STIFFNESS_PER_AREA",
+  if (def.stiffness_kind < HS_STIFFNESS_PER_CONTACT || def.stiffness_kind > HS_STIFFNESS_POTENTIAL) {
+    refuse(HS_ERROR_ARGUMENT, "law.stiffness_kind is %d; it must be an HS_STIFFNESS_ value",
            def.stiffness_kind);
   }
   const auto at_least_zero = [](double value, const char* name) {
@@ -85,6 +86,13 @@ SpringLaw read_law(const hs_law_def* given) {
   if (law.shear_stiffness == 0 && (law.tan_friction > 0 || law.cohesion > 0)) {
     refuse(HS_ERROR_ARGUMENT,
            "law.shear_stiffness is 0; friction and cohesion act through it and need one above 0");
+  }
+  if (law.is_potential() && dimension == 3)
+    refuse(HS_ERROR_ARGUMENT, "law.stiffness_kind is HS_STIFFNESS_POTENTIAL; so far it is for 2D only");
+  if (law.is_potential() && law.bonds()) {
+    refuse(HS_ERROR_ARGUMENT,
+           "law.cohesion is %g, law.tensile_strength is %g; HS_STIFFNESS_POTENTIAL takes neither",
+           law.cohesion, law.tensile_strength);
   }
   return law;
 }
@@ -169,7 +177,7 @@ hs_status hs_world_add_material(hs_world* world, double density, int32_t* materi
 
 hs_status hs_world_set_default_law(hs_world* world, const hs_law_def* law) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
-    w.set_default_law(read_law(law));
+    w.set_default_law(read_law(law, D));
     return HS_OK;
   });
 }
@@ -178,7 +186,7 @@ hs_status hs_world_set_law(hs_world* world, int32_t material_a, int32_t material
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     require_material(w, material_a, "material_a");
     require_material(w, material_b, "material_b");
-    w.set_law(material_a, material_b, read_law(law));
+    w.set_law(material_a, material_b, read_law(law, D));
     return HS_OK;
   });
 }

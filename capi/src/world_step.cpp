@@ -142,7 +142,8 @@ hs_status hs_world_get_report(hs_world* world, hs_world_report* report, size_t s
                                   w.candidates().builds(),
                                   largest_overlap(w),
                                   largest_speed(w.blocks()),
-                                  energy_of(w.ledger())};
+                                  energy_of(w.ledger()),
+                                  w.knows_potential() ? w.potential_length() : 0};
     write_sized(ours, report, size);
     return HS_OK;
   });

@@ -10,6 +10,7 @@ void LawTable::set(std::int32_t a, std::int32_t b, const SpringLaw& law) {
   } else {
     own_[std::size_t(own)] = law;
   }
+  knows_potential_ |= law.is_potential();
 }
 
 }  // namespace halfspace

@@ -8,14 +8,15 @@
 namespace halfspace {
 
 /// What a stiffness refers to. The values are those of the C API.
-enum class StiffnessKind : std::int32_t { per_contact = 0, per_area = 1 };
+enum class StiffnessKind : std::int32_t { per_contact = 0, per_area = 1, potential = 2 };
 
-/// Penalty spring with Mohr-Coulomb friction (Wang et al. 2021, section 3).
+/// Penalty spring with Mohr-Coulomb friction (Wang et al. 2021, section 3), or the potential force with the
+/// same friction (Zheng et al. 2020, section 3).
 struct SpringLaw {
   StiffnessKind stiffness_kind = StiffnessKind::per_contact;
   std::int32_t reserved = 0;      // so that saved laws have no padding
-  double normal_stiffness = 1e9;  // N/m or Pa/m
-  double shear_stiffness = 1e9;   // N/m or Pa/m
+  double normal_stiffness = 1e9;  // N/m, Pa/m or, of potentials, Pa
+  double shear_stiffness = 1e9;   // N/m or Pa/m; of potentials N/m
   double tan_friction = 0;        // tangent of the friction angle
   double cohesion = 0;            // Pa, of intact contacts
   double tensile_strength = 0;    // Pa, of intact contacts
@@ -23,6 +24,7 @@ struct SpringLaw {
   double shear_damping = 0;       // share of critical
 
   bool resists_shear() const { return shear_stiffness > 0 && (tan_friction > 0 || bonds()); }
+  bool is_potential() const { return stiffness_kind == StiffnessKind::potential; }
   bool bonds() const { return cohesion > 0 || tensile_strength > 0; }
 };
 
@@ -38,13 +40,19 @@ class LawTable {
     law_of_pair_.resize(law_of_pair_.size() + std::size_t(material_count_) + 1, -1);
     ++material_count_;
   }
-  void set_default(const SpringLaw& law) { default_ = law; }
+  void set_default(const SpringLaw& law) {
+    default_ = law;
+    knows_potential_ |= law.is_potential();
+  }
   void set(std::int32_t a, std::int32_t b, const SpringLaw& law);
 
   const SpringLaw& between(std::int32_t a, std::int32_t b) const {
     const std::int32_t own = law_of_pair_[index(a, b)];
     return own < 0 ? default_ : own_[std::size_t(own)];
   }
+
+  /// True when a law of potentials has ever been set: known without going through all pairs.
+  bool knows_potential() const { return knows_potential_; }
 
   /// True when the condition holds for a law that some pair of materials has.
   template <class Condition>
@@ -60,7 +68,7 @@ class LawTable {
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(default_, own_, law_of_pair_, material_count_);
+    archive(default_, own_, law_of_pair_, material_count_, knows_potential_);
   }
 
  private:
@@ -74,6 +82,7 @@ class LawTable {
   Array<SpringLaw> own_;
   Array<std::int32_t> law_of_pair_;  // -1: default
   std::int32_t material_count_ = 0;
+  std::int32_t knows_potential_ = 0;
 };
 
 }  // namespace halfspace

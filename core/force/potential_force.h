@@ -8,14 +8,29 @@ namespace halfspace {
 /// section 3).
 template <int D>
 struct PotentialForce {
-  Vector<D> force = Vector<D>::Zero();     // on b, opposite on a
-  Angular<D> moment = Angular<D>::Zero();  // of it about the centroid of a
+  Vector<D> force = Vector<D>::Zero();  // on b, opposite on a
+  // Force times arm^T from the block's own centroid, summed over the forces on it: its moment, and how it is
+  // strained.
+  Tensor<D> virial_a = Tensor<D>::Zero();
+  Tensor<D> virial_b = Tensor<D>::Zero();
+  Vector<D> centroid = Vector<D>::Zero();  // of what the blocks have in common; relative to that of a
+  double content = 0;                      // area or volume of it
   double energy = 0;                       // falls along the force: that is its gradient
 };
 
 /// Room to work in. Once it has grown to the largest blocks it asks for no more memory.
-struct PotentialRoom {
+template <int D>
+struct PotentialRoom;
+
+template <>
+struct PotentialRoom<2> {
   explicit PotentialRoom(Memory* memory) : near(memory), intersection(memory), cell(memory), cut(memory) {}
+
+  /// So that two blocks of so many edges at most ask for no memory.
+  void reserve(std::size_t edges) {
+    near.reserve(edges);
+    for (Array<Vector<2>>* polygon : {&intersection, &cell, &cut}) polygon->reserve(3 * edges);
+  }
 
   Array<std::int32_t> near;  // edges that can be the nearest one to some point of the other block
   Array<Vector<2>> intersection;
@@ -27,9 +42,24 @@ struct PotentialRoom {
 /// is pushed down both. The paper integrates the potential over the outline of the intersection, piece by
 /// piece between demarcation points. By the divergence theorem that is the integral of its gradient over the
 /// intersection, and the gradient is constant where one edge is the nearest: area times normal, cell by cell.
-/// The moment acts at the cells' centroids, and the energy is area times depth there. Cost grows with the
-/// product of the numbers of edges; of cells there are but the few whose edges the other block reaches.
+/// The energy is area times depth at the cells' centroids. Cost grows with the product of the numbers of
+/// edges; of cells there are but the few whose edges the other block reaches.
+///
+/// Force and virials are the gradient of the energy by any affine motion of either block. When the block that
+/// a cell is pushed out of moves, the depth changes as its edge moves where the cell's centroid has its foot:
+/// the force on that block acts there. When the other one does, the cell moves, and as it is squeezed the
+/// energy in it falls: its virial has an isotropic part.
 PotentialForce<2> potential_force(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
-                                  PotentialRoom& room);
+                                  PotentialRoom<2>& room);
+
+template <>
+struct PotentialRoom<3> {
+  explicit PotentialRoom(Memory*) {}
+  void reserve(std::size_t) {}
+};
+inline PotentialForce<3> potential_force(const Outline<3>&, const Outline<3>&, const Vector<3>&,
+                                         PotentialRoom<3>&) {
+  return {};
+}
 
 }  // namespace halfspace

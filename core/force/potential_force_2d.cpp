@@ -44,28 +44,41 @@ AreaAndCentroid measure(const Array<Vector<2>>& polygon) {
   return sum;
 }
 
+/// What one block's potential does to the other one, and in return to its owner.
+struct FieldForce {
+  Vector<2> force = Vector<2>::Zero();  // on the other block
+  Tensor<2> virial_of_owner = Tensor<2>::Zero();
+  Tensor<2> virial_of_other = Tensor<2>::Zero();
+  double energy = 0;
+};
+
 /// A block whose potential pushes another one, which lies at `shift` from its centroid.
 class Field {
  public:
-  Field(const Outline<2>& owner, const Outline<2>& other, const Vector<2>& shift, PotentialRoom& room)
+  Field(const Outline<2>& owner, const Outline<2>& other, const Vector<2>& shift, PotentialRoom<2>& room)
       : owner_(owner), other_(other), shift_(shift), room_(room) {}
 
-  /// The moment is about the owner's centroid.
-  PotentialForce<2> force_on_other() {
+  FieldForce force_on_other() {
     find_near_edges();
     find_intersection();
-    PotentialForce<2> sum;
+    FieldForce sum;
     for (const std::int32_t edge : room_.near) {
       find_cell(edge);
       const auto [area, centroid] = measure(room_.cell);
       if (!(area > 0)) continue;
       const HalfPlane nearest = half_plane(edge);
-      sum.force += area * nearest.normal;
-      sum.moment[0] += area * cross(centroid, nearest.normal);
-      sum.energy += area * nearest.depth(centroid);
+      const double depth = nearest.depth(centroid), energy = area * depth;
+      const Vector<2> force = area * nearest.normal, foot = centroid + depth * nearest.normal;
+      sum.force += force;
+      sum.virial_of_owner -= force * foot.transpose();
+      sum.virial_of_other += force * (centroid - shift_).transpose() - energy * Tensor<2>::Identity();
+      sum.energy += energy;
     }
     return sum;
   }
+
+  /// After force_on_other().
+  AreaAndCentroid intersection() const { return measure(room_.intersection); }
 
  private:
   HalfPlane half_plane(int edge) const { return {owner_.normal(edge), owner_.offset[edge]}; }
@@ -110,19 +123,23 @@ class Field {
   const Outline<2>& owner_;
   const Outline<2>& other_;
   Vector<2> shift_;
-  PotentialRoom& room_;
+  PotentialRoom<2>& room_;
 };
 
 }  // namespace
 
 PotentialForce<2> potential_force(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
-                                  PotentialRoom& room) {
-  PotentialForce<2> sum = Field(a, b, to_b, room).force_on_other();
-  const PotentialForce<2> on_a = Field(b, a, -to_b, room).force_on_other();
-  sum.force -= on_a.force;
-  sum.moment -= on_a.moment + moment(to_b, on_a.force);
-  sum.energy += on_a.energy;
-  return sum;
+                                  PotentialRoom<2>& room) {
+  Field of_a(a, b, to_b, room);
+  const FieldForce by_a = of_a.force_on_other();
+  const auto [area, centroid] = of_a.intersection();
+  const FieldForce by_b = Field(b, a, -to_b, room).force_on_other();
+  return {by_a.force - by_b.force,
+          by_a.virial_of_owner + by_b.virial_of_other,
+          by_a.virial_of_other + by_b.virial_of_owner,
+          centroid,
+          area,
+          by_a.energy + by_b.energy};
 }
 
 }  // namespace halfspace

@@ -82,14 +82,20 @@ typename Spring<D>::NormalPart Spring<D>::per_area(const Contact<D>& contact, co
     energy.strain += 0.5 * law_.normal_stiffness * overlap.depth_squared;
   }
   normal.stiffness = law_.normal_stiffness * normal.base;
-  if (law_.normal_damping > 0) {
-    const double opening = contact.normal.dot(motion.relative_at(normal.center));
-    double viscous = -viscosity(law_.normal_damping, normal.stiffness) * opening;
-    if (!bonded) viscous = std::max(viscous, -normal.force);
-    energy.damping_loss -= viscous * opening * elapsed_;
-    normal.force += viscous;
-  }
+  damp(contact.normal, motion, bonded, normal, energy);
   return normal;
+}
+
+/// A dashpot beside the normal force, at its centre.
+template <int D>
+void Spring<D>::damp(const Vector<D>& direction, const PairMotion<D>& motion, bool bonded, NormalPart& normal,
+                     ContactEnergy& energy) const {
+  if (law_.normal_damping == 0) return;
+  const double opening = direction.dot(motion.relative_at(normal.center));
+  double viscous = -viscosity(law_.normal_damping, normal.stiffness) * opening;
+  if (!bonded) viscous = std::max(viscous, -normal.force);
+  energy.damping_loss -= viscous * opening * elapsed_;
+  normal.force += viscous;
 }
 
 template <int D>
@@ -101,16 +107,15 @@ typename Spring<D>::NormalPart Spring<D>::normal_part(const Contact<D>& contact,
 }
 
 template <int D>
-typename Spring<D>::ShearTrial Spring<D>::shear_trial(const NormalPart& normal, const Contact<D>& contact,
+typename Spring<D>::ShearTrial Spring<D>::shear_trial(const NormalPart& normal, const Vector<D>& direction,
                                                       const PairMotion<D>& motion,
                                                       const ShearSpring<D>& spring) const {
   ShearTrial trial;
   if (!law_.resists_shear()) return trial;
   const bool per_area = law_.stiffness_kind == StiffnessKind::per_area;
   trial.stiffness = law_.shear_stiffness * (per_area ? normal.base : 1);
-  trial.velocity =
-      slip_velocity(motion.relative_at(normal.center), contact.normal, motion, normal.twist_radius);
-  trial.before = carried(spring, contact.normal, motion, elapsed_);
+  trial.velocity = slip_velocity(motion.relative_at(normal.center), direction, motion, normal.twist_radius);
+  trial.before = carried(spring, direction, motion, elapsed_);
   trial.force = trial.before - trial.stiffness * (elapsed_ * trial.velocity);
   return trial;
 }
@@ -129,7 +134,7 @@ bool Spring<D>::holds(const NormalPart& normal, const ShearTrial& trial) const {
 
 /// Incremental shear spring with Mohr-Coulomb's limit (eqs. 37-40).
 template <int D>
-Shear<D> Spring<D>::shear_force(const NormalPart& normal, const ShearTrial& trial, const Contact<D>& contact,
+Shear<D> Spring<D>::shear_force(const NormalPart& normal, const ShearTrial& trial, const Vector<D>& direction,
                                 ShearSpring<D>& spring, bool bonded, ContactEnergy& energy) const {
   const auto& [stiffness, velocity, before, stuck] = trial;
   const Shear<D> slip = elapsed_ * velocity;
@@ -147,7 +152,7 @@ Shear<D> Spring<D>::shear_force(const NormalPart& normal, const ShearTrial& tria
   const double put_in = -0.5 * (before + force).dot(slip);
   energy.friction_loss += put_in - (stored - spring.energy);
   energy.strain += stored;
-  remember(spring, force, stored, contact.normal);
+  remember(spring, force, stored, direction);
 
   if (law_.shear_damping == 0 || slides) return force;
   Shear<D> total = force - viscosity(law_.shear_damping, stiffness) * velocity;
@@ -163,7 +168,7 @@ PairLoad<D> Spring<D>::evaluate(const Contact<D>& contact, const Overlap<D>& ove
                                 ContactEnergy& energy) const {
   const ContactEnergy before = energy;
   NormalPart normal = normal_part(contact, overlap, motion, bonded, energy);
-  ShearTrial trial = shear_trial(normal, contact, motion, spring);
+  ShearTrial trial = shear_trial(normal, contact.normal, motion, spring);
   if (bonded && !holds(normal, trial)) {
     // Torn or sheared off: what the bond held is lost, what is still compressed goes on without it.
     const double held = energy.strain - before.strain;
@@ -171,18 +176,41 @@ PairLoad<D> Spring<D>::evaluate(const Contact<D>& contact, const Overlap<D>& ove
     energy = before;
     normal = normal_part(contact, overlap, motion, bonded, energy);
     energy.friction_loss += held - (energy.strain - before.strain);
-    trial = shear_trial(normal, contact, motion, spring);
+    trial = shear_trial(normal, contact.normal, motion, spring);
   }
 
+  return load(normal, trial, contact.normal, motion, spring, bonded, energy);
+}
+
+template <int D>
+PairLoad<D> Spring<D>::evaluate(const Contact<D>& contact, const LineOfAction<D>& line,
+                                const PairMotion<D>& motion, ShearSpring<D>& spring,
+                                ContactEnergy& energy) const {
+  NormalPart normal{line.force, line.stiffness, line.base, 0, line.couple, line.loading_point};
+  normal.twist_radius = twist_radius(contact, normal.center, contact.shares);
+  energy.strain += line.energy;
+  damp(line.direction, motion, false, normal, energy);
+  const ShearTrial trial = shear_trial(normal, line.direction, motion, spring);
+  PairLoad<D> both = load(normal, trial, line.direction, motion, spring, false, energy);
+  both.contact.normal_force = contact.normal.dot(both.force);
+  both.contact.shear = shear_of(both.force, contact.normal);
+  return both;
+}
+
+/// The normal part with what friction and bond make of the trial.
+template <int D>
+PairLoad<D> Spring<D>::load(const NormalPart& normal, const ShearTrial& trial, const Vector<D>& direction,
+                            const PairMotion<D>& motion, ShearSpring<D>& spring, bool bonded,
+                            ContactEnergy& energy) const {
   ContactForce<D> force;
   force.point = normal.center;
   force.normal_force = normal.force;
   force.couple = normal.couple;
   if (law_.resists_shear()) {
-    force.shear = shear_force(normal, trial, contact, spring, bonded, energy);
-    force.couple += twisting_moment(force.shear, contact.normal, normal.twist_radius);
+    force.shear = shear_force(normal, trial, direction, spring, bonded, energy);
+    force.couple += twisting_moment(force.shear, direction, normal.twist_radius);
   }
-  const Vector<D> on_b = force.on_b(contact.normal);
+  const Vector<D> on_b = force.on_b(direction);
   return {force, on_b, -moment(normal.center, on_b) - force.couple,
           moment(normal.center - motion.to_b, on_b) + force.couple};
 }

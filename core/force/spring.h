@@ -2,6 +2,7 @@
 
 #include "detect/contact.h"
 #include "force/law.h"
+#include "force/line_of_action.h"
 #include "force/overlap.h"
 #include "force/pair_motion.h"
 #include "force/shear_spring.h"
@@ -37,8 +38,8 @@ struct ContactEnergy {
   double damping_loss = 0;
 };
 
-/// Penalty force of a contact (Wang et al. 2021, eqs. 36-40). Stateless but for the shear spring and the
-/// bond.
+/// Force of a contact: by penalty (Wang et al. 2021, eqs. 36-40) or by potentials. Stateless but for the
+/// shear spring and the bond.
 template <int D>
 class Spring {
  public:
@@ -48,6 +49,11 @@ class Spring {
 
   PairLoad<D> evaluate(const Contact<D>& contact, const Overlap<D>& overlap, const PairMotion<D>& motion,
                        ShearSpring<D>& spring, bool& bonded, ContactEnergy& energy) const;
+
+  /// By the potentials of both blocks. The shear spring is at the loading point and across the line of
+  /// action; what is told of the force is along the contact's normal and across it.
+  PairLoad<D> evaluate(const Contact<D>& contact, const LineOfAction<D>& line, const PairMotion<D>& motion,
+                       ShearSpring<D>& spring, ContactEnergy& energy) const;
 
  private:
   struct NormalPart {
@@ -73,12 +79,17 @@ class Spring {
                          ContactEnergy& energy) const;
   NormalPart per_area(const Contact<D>& contact, const Overlap<D>& overlap, const PairMotion<D>& motion,
                       bool bonded, ContactEnergy& energy) const;
-  ShearTrial shear_trial(const NormalPart& normal, const Contact<D>& contact, const PairMotion<D>& motion,
+  void damp(const Vector<D>& direction, const PairMotion<D>& motion, bool bonded, NormalPart& normal,
+            ContactEnergy& energy) const;
+  ShearTrial shear_trial(const NormalPart& normal, const Vector<D>& direction, const PairMotion<D>& motion,
                          const ShearSpring<D>& spring) const;
   double shear_limit(const NormalPart& normal, bool bonded) const;
   bool holds(const NormalPart& normal, const ShearTrial& trial) const;
-  Shear<D> shear_force(const NormalPart& normal, const ShearTrial& trial, const Contact<D>& contact,
+  Shear<D> shear_force(const NormalPart& normal, const ShearTrial& trial, const Vector<D>& direction,
                        ShearSpring<D>& spring, bool bonded, ContactEnergy& energy) const;
+  PairLoad<D> load(const NormalPart& normal, const ShearTrial& trial, const Vector<D>& direction,
+                   const PairMotion<D>& motion, ShearSpring<D>& spring, bool bonded,
+                   ContactEnergy& energy) const;
   double viscosity(double share_of_critical, double stiffness) const;
 
   const SpringLaw& law_;

@@ -25,6 +25,7 @@ struct Outline<2> {
   const double* ny = nullptr;
   const double* offset = nullptr;
 
+  int edge_count() const { return count; }
   Vector<2> vertex(int i) const { return {x[i], y[i]}; }
   Vector<2> normal(int i) const { return {nx[i], ny[i]}; }
   // Without branches: whether the first or last one is met is as good as random.
@@ -79,6 +80,7 @@ struct Outline<3> {
   const GaussMap* gauss_map = nullptr;
 
   int vertex_count() const { return topology->vertex_count; }
+  int edge_count() const { return topology->edge_count; }
   int face_count() const { return topology->face_count; }
   Vector<3> vertex(int i) const { return {x[i], y[i], z[i]}; }
   Vector<3> normal(int f) const { return {nx[f], ny[f], nz[f]}; }

@@ -12,6 +12,10 @@ namespace halfspace {
 template <int D>
 using Vector = Eigen::Matrix<double, D, 1>;
 
+/// What turns and stretches a vector.
+template <int D>
+using Tensor = Eigen::Matrix<double, D, D>;
+
 /// Contiguous storage that takes its memory from the caller's allocator.
 template <class T>
 using Array = std::pmr::vector<T>;
@@ -54,6 +58,12 @@ inline Angular<2> moment(const Vector<2>& arm, const Vector<2>& force) {
   return Angular<2>(cross(arm, force));
 }
 inline Angular<3> moment(const Vector<3>& arm, const Vector<3>& force) { return cross_product(arm, force); }
+
+/// Moment of all forces whose products force * arm^T are summed in a tensor.
+inline Angular<2> moment(const Tensor<2>& virial) { return Angular<2>(virial(1, 0) - virial(0, 1)); }
+inline Angular<3> moment(const Tensor<3>& virial) {
+  return {virial(2, 1) - virial(1, 2), virial(0, 2) - virial(2, 0), virial(1, 0) - virial(0, 1)};
+}
 
 /// Velocity that a spin gives the end of an arm.
 inline Vector<2> swept(const Angular<2>& spin, const Vector<2>& arm) { return spin[0] * perpendicular(arm); }

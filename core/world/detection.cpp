@@ -76,6 +76,15 @@ Contact<D> World<D>::contact(std::size_t c) const {
   return contact;
 }
 
+template <int D>
+std::size_t World<D>::most_edges() const {
+  int most = 0;
+  for (std::size_t slot = 0; slot < blocks_.slot_count(); ++slot) {
+    if (blocks_.lives(slot)) most = std::max(most, blocks_.outline(std::int32_t(slot)).edge_count());
+  }
+  return std::size_t(most);
+}
+
 /// With room for a contact at every candidate: detection then asks for no memory. When there is none, nothing
 /// has changed: the contacts known are still those of the list in use, and there is still room for all of it.
 template <int D>
@@ -84,6 +93,7 @@ void World<D>::renew_candidates() {
   candidates_.search_again(blocks_, settings_.skin, with_shear);
   refit(touching_, candidates_.room());
   refit(forces_, candidates_.room());
+  if (laws_.knows_potential()) potential_room_.reserve(most_edges());
   candidates_.renew(blocks_, with_shear);
   forget_contacts();
 }
@@ -129,14 +139,14 @@ void World<D>::evaluate_forces(double elapsed) {
   renew_used_up_candidates();
   std::fill(blocks_.force.begin(), blocks_.force.end(), Vector<D>::Zero());
   std::fill(blocks_.torque.begin(), blocks_.torque.end(), Angular<D>::Zero());
-  ContactEnergy energy;
+  Evaluation evaluation{elapsed, laws_.knows_potential() ? potential_length() : 0, {}};
   if (detected_) {
     forces_.clear();
-    for (std::size_t c = 0; c < touching_.size(); ++c) load_blocks(touching_[c], contact(c), elapsed, energy);
+    for (std::size_t c = 0; c < touching_.size(); ++c) load_blocks(touching_[c], contact(c), evaluation);
   } else {
-    find_contacts(
-        [&](std::size_t k, const Contact<D>& contact) { load_blocks(k, contact, elapsed, energy); });
+    find_contacts([&](std::size_t k, const Contact<D>& contact) { load_blocks(k, contact, evaluation); });
   }
+  const ContactEnergy& energy = evaluation.energy;
   ledger_.strain = energy.strain;
   ledger_.friction_loss += energy.friction_loss;
   ledger_.contact_damping_loss += energy.damping_loss;

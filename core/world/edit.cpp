@@ -14,6 +14,7 @@ World<D>::World(const WorldSettings<D>& settings, Memory* memory)
       candidates_(memory),
       touching_(memory),
       forces_(memory),
+      potential_room_(memory),
       contacts_of_(memory),
       acceleration_(memory),
       momentum_rate_(memory),

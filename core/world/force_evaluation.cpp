@@ -10,28 +10,76 @@ double World<D>::reduced_mass(std::size_t a, std::size_t b) const {
   return 1 / (inverse(a) + inverse(b));
 }
 
-/// Adds what a contact does to its two blocks.
+namespace {
+
+double edge_length(const Outline<2>& o, int i) { return (o.vertex(o.next(i)) - o.vertex(i)).norm(); }
+double edge_length(const Outline<3>& o, int i) {
+  return (o.vertex(o.topology->edge_end[i]) - o.vertex(o.topology->edge_start[i])).norm();
+}
+
+}  // namespace
+
 template <int D>
-void World<D>::load_blocks(std::size_t candidate, const Contact<D>& contact, double elapsed,
-                           ContactEnergy& energy) {
+double World<D>::mean_edge_length() const {
+  double sum = 0;
+  std::int64_t edges = 0;
+  for (std::size_t slot = 0; slot < blocks_.slot_count(); ++slot) {
+    if (!blocks_.lives(slot)) continue;
+    const Outline<D> outline = blocks_.outline(std::int32_t(slot));
+    for (int i = 0; i < outline.edge_count(); ++i) sum += edge_length(outline, i);
+    edges += outline.edge_count();
+  }
+  return sum / double(edges);
+}
+
+template <int D>
+double World<D>::potential_length() const {
+  if (settings_.potential_length > 0) return settings_.potential_length;
+  return fixed_length_ > 0 ? fixed_length_ : mean_edge_length();
+}
+
+/// Forces have been evaluated with it: from now on it stays, whatever becomes of the blocks.
+template <int D>
+void World<D>::fix_potential_length() {
+  if (laws_.knows_potential()) fixed_length_ = potential_length();
+}
+
+/// The force of a contact by the law of its materials.
+template <int D>
+PairLoad<D> World<D>::pair_load(std::size_t candidate, const Contact<D>& contact, Evaluation& evaluation) {
   Candidate<D>& pair = candidates_.pairs()[candidate];
   const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
   const SpringLaw& law = laws_.between(blocks_.material[a], blocks_.material[b]);
   const PairMotion<D> motion{blocks_.velocity[b] - blocks_.velocity[a],
                              blocks_.position[b] - blocks_.position[a], blocks_.spin[a], blocks_.spin[b]};
-  Overlap<D> overlap;
-  if (law.stiffness_kind == StiffnessKind::per_area) {
-    const PlacedBlocks<D> at = blocks_.placed(pair.a, pair.b);
-    overlap = overlap_of(at.a, at.b, at.to_b, contact);
-  }
   const bool is_damped = law.normal_damping > 0 || law.shear_damping > 0;
-  const Spring<D> spring(law, is_damped ? reduced_mass(a, b) : 0, elapsed);
+  const Spring<D> spring(law, is_damped ? reduced_mass(a, b) : 0, evaluation.elapsed);
   ShearSpring<D> no_shear;
   ShearSpring<D>& shear = candidates_.shear().empty() ? no_shear : candidates_.shear()[candidate];
-  bool bonded = pair.bonded;
-  const PairLoad<D> load = spring.evaluate(contact, overlap, motion, shear, bonded, energy);
-  pair.bonded = bonded;
 
+  const auto [outline_a, outline_b, to_b] = blocks_.placed(pair.a, pair.b);
+  if (law.is_potential()) {
+    pair.bonded = false;  // from another law: potentials hold nothing together
+    const PotentialForce<D> potential = potential_force(outline_a, outline_b, to_b, potential_room_);
+    const double stiffness = law.normal_stiffness / evaluation.potential_length;
+    return spring.evaluate(contact, line_of_action(potential, stiffness, contact.normal), motion, shear,
+                           evaluation.energy);
+  }
+  Overlap<D> overlap;
+  if (law.stiffness_kind == StiffnessKind::per_area)
+    overlap = overlap_of(outline_a, outline_b, to_b, contact);
+  bool bonded = pair.bonded;
+  const PairLoad<D> load = spring.evaluate(contact, overlap, motion, shear, bonded, evaluation.energy);
+  pair.bonded = bonded;
+  return load;
+}
+
+/// Adds what a contact does to its two blocks.
+template <int D>
+void World<D>::load_blocks(std::size_t candidate, const Contact<D>& contact, Evaluation& evaluation) {
+  const PairLoad<D> load = pair_load(candidate, contact, evaluation);
+  const Candidate<D>& pair = candidates_.pairs()[candidate];
+  const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
   blocks_.force[a] -= load.force;
   blocks_.force[b] += load.force;
   blocks_.torque[a] += load.torque_on_a;

@@ -1,19 +1,39 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "world/world.h"
 
 namespace halfspace {
+namespace {
+
+/// The largest area, in the plane the largest width, that blocks of this radius can share.
+template <int D>
+double largest_base(double radius) {
+  return D == 2 ? 2 * radius : std::numbers::pi * radius * radius;
+}
+
+}  // namespace
 
 /// The stiffest and the most viscous contact that a block can have.
 template <int D>
-typename World<D>::Hardest World<D>::hardest_contact(std::size_t slot) const {
+typename World<D>::Hardest World<D>::hardest_contact(std::size_t slot, double potential_length) const {
+  const auto stiffness_of = [&](const SpringLaw& law) {
+    const double spring = std::max(law.normal_stiffness, law.shear_stiffness);
+    switch (law.stiffness_kind) {
+      case StiffnessKind::per_area:
+        return spring * blocks_.largest_face[slot];
+      case StiffnessKind::potential:
+        return std::max(2 * law.normal_stiffness / potential_length * largest_base<D>(blocks_.radius[slot]),
+                        law.shear_stiffness);
+      default:
+        return spring;
+    }
+  };
   Hardest hardest;
   for (std::int32_t other = 0; other < material_count(); ++other) {
     const SpringLaw& law = laws_.between(blocks_.material[slot], other);
-    const bool per_area = law.stiffness_kind == StiffnessKind::per_area;
-    const double spring = std::max(law.normal_stiffness, law.shear_stiffness);
-    const double stiffness = per_area ? spring * blocks_.largest_face[slot] : spring;
+    const double stiffness = stiffness_of(law);
     const double share = std::max(law.normal_damping, law.shear_damping);
     hardest.stiffness = std::max(hardest.stiffness, stiffness);
     hardest.viscosity = std::max(hardest.viscosity, 2 * share * std::sqrt(stiffness * blocks_.mass[slot]));
@@ -33,13 +53,14 @@ double World<D>::stable_time_step() {
     ++contacts_of_[std::size_t(candidate_of(c).a)];
     ++contacts_of_[std::size_t(candidate_of(c).b)];
   }
+  const double length = laws_.knows_potential() ? potential_length() : 0;
   double stable = HUGE_VAL;
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
     if (blocks_.kind[i] != BlockKind::rigid || material_count() == 0) continue;
     const double contacts = std::max(contacts_of_[i], least_contacts);
     const double mobility =
         1 / blocks_.mass[i] + blocks_.radius[i] * blocks_.radius[i] / blocks_.inertia[i].least_moment();
-    const Hardest hardest = hardest_contact(i);
+    const Hardest hardest = hardest_contact(i, length);
     const double omega_squared = 2 * contacts * hardest.stiffness * mobility;
     const double gamma = 2 * contacts * hardest.viscosity * mobility;
     stable = std::min(stable, 4 / (gamma + std::sqrt(gamma * gamma + 4 * omega_squared)));

@@ -178,12 +178,14 @@ template <int D>
 void World<D>::evaluate_forces_for_host(double elapsed) {
   edit();  // springs and losses change outside the steps
   evaluate_forces(elapsed);
+  fix_potential_length();
 }
 
 /// From where forces are known to where they are known again.
 template <int D>
 StepResult World<D>::move() {
   if (makes_energy() || !plan_motion()) return StepResult::unstable;
+  fix_potential_length();
   kick_and_drift();
   detected_ = false;
   evaluate_forces(time_step_);

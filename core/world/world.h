@@ -7,6 +7,7 @@
 #include "block/blocks.h"
 #include "detect/contact.h"
 #include "force/law.h"
+#include "force/potential_force.h"
 #include "force/spring.h"
 #include "world/candidates.h"
 #include "world/ledger.h"
@@ -22,11 +23,13 @@ struct WorldSettings {
   double local_damping = 0;
   double mass_damping = 0;
   double skin = 0.1;
+  double potential_length =
+      0;  // H of potential laws; 0: mean length of the edges when the first step is done
   DetectOptions detect;
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(gravity, time_step, safety, local_damping, mass_damping, skin, detect);
+    archive(gravity, time_step, safety, local_damping, mass_damping, skin, potential_length, detect);
   }
 };
 
@@ -78,6 +81,9 @@ class World {
   double time() const { return epoch_time_ + double(steps_ - epoch_step_) * time_step_; }
   std::int64_t steps() const { return steps_; }
   double time_step() const { return time_step_; }
+  /// H of potential laws: one length for all blocks (Zheng et al. 2020, section 3.2).
+  double potential_length() const;
+  bool knows_potential() const { return laws_.knows_potential(); }
   /// Largest stable step by Gershgorin's bound, infinite when nothing can touch.
   double stable_time_step();
   /// Sets the shear spring of a contact in force on b, of which what lies in the contact plane counts. False
@@ -91,7 +97,7 @@ class World {
   void visit(Archive& archive) {
     archive(settings_, density_, fresh_, any_fresh_, laws_, blocks_, candidates_, touching_, forces_,
             acceleration_, momentum_rate_, ledger_, noise_energy_, residual_before_edit_, power_, epoch_time_,
-            epoch_step_, time_step_, steps_, detected_, edited_);
+            epoch_step_, time_step_, fixed_length_, steps_, detected_, edited_);
     if constexpr (Archive::reads) {  // steps find contacts until the next search, and ask for no memory
       touching_.reserve(candidates_.room());
       forces_.reserve(candidates_.room());
@@ -119,6 +125,13 @@ class World {
     Power power;
   };
 
+  /// What the forces of all contacts have in common, and what they sum up to.
+  struct Evaluation {
+    double elapsed;
+    double potential_length;
+    ContactEnergy energy;
+  };
+
   /// Of a contact.
   struct Hardest {
     double stiffness = 0;
@@ -139,7 +152,10 @@ class World {
   bool find_contact(std::size_t k, Contact<D>& contact);
   template <class OnContact>
   void find_contacts(OnContact on_contact);
-  void load_blocks(std::size_t candidate, const Contact<D>& contact, double elapsed, ContactEnergy& energy);
+  double mean_edge_length() const;
+  void fix_potential_length();
+  PairLoad<D> pair_load(std::size_t candidate, const Contact<D>& contact, Evaluation& evaluation);
+  void load_blocks(std::size_t candidate, const Contact<D>& contact, Evaluation& evaluation);
   void release_shear(std::size_t candidate);
   void make_bonds();
   void forget_contacts();
@@ -150,6 +166,7 @@ class World {
   bool plan_motion();
   StepResult prepare_and_move();
   StepResult move();
+  std::size_t most_edges() const;
   void renew_candidates();
   void renew_used_up_candidates();
   void kick_and_drift();
@@ -157,7 +174,7 @@ class World {
   void take_stock(std::size_t slot, const Vector<D>& opposed, const Angular<D>& opposed_spin,
                   Stock& stock) const;
   double reduced_mass(std::size_t a, std::size_t b) const;
-  Hardest hardest_contact(std::size_t slot) const;
+  Hardest hardest_contact(std::size_t slot, double potential_length) const;
   bool makes_energy() const;
   Drive drive(std::size_t slot) const;
   void accelerate(std::size_t slot);
@@ -171,6 +188,7 @@ class World {
   Candidates<D> candidates_;
   Array<std::uint32_t> touching_;     // the candidate of each contact
   Array<ContactForce<D>> forces_;     // of each contact
+  PotentialRoom<D> potential_room_;   // for the largest blocks, when a law is of potentials
   Array<std::int32_t> contacts_of_;   // each block, when the stable step is asked for
   Array<Vector<D>> acceleration_;     // of each block, from the last forces
   Array<Angular<D>> momentum_rate_;   // of the angular momentum, likewise
@@ -182,6 +200,7 @@ class World {
   double epoch_time_ = 0;  // when the time step was last chosen
   std::int64_t epoch_step_ = 0;
   double time_step_ = 0;
+  double fixed_length_ = 0;  // H, once the first forces have been used
   std::int64_t steps_ = 0;
   std::int32_t detected_ = 0;  // contacts belong to the present poses
   std::int32_t edited_ = 1;    // since the last step: forces, accelerations and ledger are of another state

@@ -8,3 +8,5 @@
 FIELD(hs_pair_options, margin, 24, 8);
 FIELD(hs_pair_options, without_region, 32, 4);
 FIELD(hs_pair_options, reserved_2, 36, 4);
+FIELD(hs_world_def, potential_length, 88, 8);
+FIELD(hs_world_report, potential_length, 160, 8);

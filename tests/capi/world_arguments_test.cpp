@@ -70,6 +70,8 @@ TEST_CASE("hs_world_create refuses every bad setting") {
       {"parallel_angle", "nan", [](D& d) { d.parallel_angle = nan; }},
       {"vertex_zone", "-0.5", [](D& d) { d.vertex_zone = -0.5; }},
       {"vertex_zone", "nan", [](D& d) { d.vertex_zone = nan; }},
+      {"potential_length", "-1", [](D& d) { d.potential_length = -1; }},
+      {"potential_length", "inf", [](D& d) { d.potential_length = inf; }},
   };
   for (const auto& s : spoiled) {
     hs_world_def def = world_def();
@@ -106,7 +108,7 @@ TEST_CASE("materials and laws refuse every bad number") {
   const std::vector<Spoiled<D>> spoiled = {
       {"struct_size", "0", [](D& d) { d.struct_size = 0; }},
       {"struct_size", "4294967295", [](D& d) { d.struct_size = 0xffffffffu; }},
-      {"stiffness_kind", "2", [](D& d) { d.stiffness_kind = 2; }},
+      {"stiffness_kind", "3", [](D& d) { d.stiffness_kind = 3; }},
       {"stiffness_kind", "-1", [](D& d) { d.stiffness_kind = -1; }},
       {"normal_stiffness", "0", [](D& d) { d.normal_stiffness = 0; }},
       {"normal_stiffness", "nan", [](D& d) { d.normal_stiffness = nan; }},
@@ -129,6 +131,9 @@ TEST_CASE("materials and laws refuse every bad number") {
       {"shear_damping", "-1", [](D& d) { d.shear_damping = -1; }},
       {"shear_damping", "nan", [](D& d) { d.shear_damping = nan; }},
       {"shear_damping", "inf", [](D& d) { d.shear_damping = inf; }},
+      {"cohesion", "5", [](D& d) { d.stiffness_kind = HS_STIFFNESS_POTENTIAL, d.cohesion = 5; }},
+      {"tensile_strength", "6",
+       [](D& d) { d.stiffness_kind = HS_STIFFNESS_POTENTIAL, d.tensile_strength = 6; }},
   };
   for (const auto& bad : spoiled) {
     hs_law_def law = law_def(1e6, 0.3);

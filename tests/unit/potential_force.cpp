@@ -14,7 +14,7 @@ using namespace halfspace::test;
 namespace {
 
 PotentialForce<2> force_between(const Shape<2>& a, const Shape<2>& b, const Vector<2>& to_b) {
-  PotentialRoom room(std::pmr::get_default_resource());
+  PotentialRoom<2> room(std::pmr::get_default_resource());
   return potential_force(a.outline(), b.outline(), to_b, room);
 }
 
@@ -89,7 +89,9 @@ TEST_CASE("aligned faces push with 2 (d b - d^2), and have stored d^2 b - 2/3 d^
     const PotentialForce<2> found = force_between(square, square, {0, 2 - depth});
     CHECK(found.force.y() == Approx(2 * (2 * depth - depth * depth)).epsilon(1e-9));
     CHECK(std::abs(found.force.x()) <= 1e-15);
-    CHECK(std::abs(found.moment[0]) <= 1e-15);
+    CHECK(std::abs(moment(found.virial_a)[0]) <= 1e-15);
+    CHECK(found.content == Approx(2 * depth).epsilon(1e-9));
+    CHECK((found.centroid - Vector<2>(0, 1 - depth / 2)).norm() <= 1e-15);
     CHECK(found.energy == Approx(2 * depth * depth - 2 * depth * depth * depth / 3).epsilon(1e-9));
   }
 }
@@ -99,7 +101,9 @@ TEST_CASE("force, moment and energy of separated blocks are 0") {
   for (const Vector<2>& to_b : {Vector<2>(0, 2.5), Vector<2>(-2.1, 0.3), Vector<2>(2.01, 2.01)}) {
     const PotentialForce<2> found = force_between(square, square, to_b);
     CHECK(found.force.isZero(0));
-    CHECK(found.moment.isZero(0));
+    CHECK(found.virial_a.isZero(0));
+    CHECK(found.virial_b.isZero(0));
+    CHECK(found.content == 0);
     CHECK(found.energy == 0);
   }
 }
@@ -127,7 +131,7 @@ TEST_CASE("force and moment are those of the paper's integral over the outline o
     // around 1.
     CHECK(std::abs(found.force.x() + expected.x()) <= 1e-13);
     CHECK(std::abs(found.force.y() + expected.y()) <= 1e-13);
-    CHECK(std::abs(found.moment[0] + expected.z()) <= 1e-13);
+    CHECK(std::abs(moment(found.virial_a)[0] - expected.z()) <= 1e-13);
   }
   CHECK(overlapping > 1000);
 }
@@ -156,7 +160,34 @@ TEST_CASE("force and moment are the gradient of the energy") {
     // its first one jumps by at most the length of the outline, that is by some 10.
     CHECK(std::abs(slope(1, 0, 0) + found.force.x()) <= 10 * step);
     CHECK(std::abs(slope(0, 1, 0) + found.force.y()) <= 10 * step);
-    CHECK(std::abs(slope(0, 0, 1) + found.moment[0]) <= 20 * step);
+    CHECK(std::abs(slope(0, 0, 1) - moment(found.virial_a)[0]) <= 20 * step);
+  }
+}
+
+TEST_CASE("force and virials are the gradient of the energy as either block is strained and turned") {
+  Random random(66);
+  constexpr double step = 1e-4;
+  for (int round = 0; round < 300; ++round) {
+    const Pair pair = draw_pair(random);
+    const auto random_tensor = [&] {
+      Tensor<2> rate;
+      for (double& component : rate.reshaped()) component = random.uniform(-1, 1);
+      return rate;
+    };
+    const Tensor<2> rate_a = random_tensor(), rate_b = random_tensor();
+    const auto energy_after = [&](double time) {
+      const auto strained = [&](const Shape<2>& shape, const Tensor<2>& rate) {
+        Points points;
+        for (const Vector<2>& p : placed(shape.outline(), {0, 0})) points.push_back(p + time * rate * p);
+        return shape_of(points);
+      };
+      return force_between(strained(pair.a, rate_a), strained(pair.b, rate_b), pair.to_b).energy;
+    };
+    const PotentialForce<2> found = force_between(pair.a, pair.b, pair.to_b);
+    const double power =
+        found.virial_a.cwiseProduct(rate_a).sum() + found.virial_b.cwiseProduct(rate_b).sum();
+    // As above, of points that move by up to 2.
+    CHECK(std::abs((energy_after(step) - energy_after(-step)) / (2 * step) + power) <= 40 * step);
   }
 }
 
@@ -166,7 +197,9 @@ TEST_CASE("seen from the other block the force is opposite") {
     const auto [a, b, to_b] = draw_pair(random);
     const PotentialForce<2> on_b = force_between(a, b, to_b), on_a = force_between(b, a, -to_b);
     CHECK((on_b.force + on_a.force).norm() <= 1e-15);
-    CHECK(std::abs(on_b.moment[0] + on_a.moment[0] + cross(to_b, on_a.force)) <= 1e-14);
+    CHECK((on_b.virial_a - on_a.virial_b).norm() <= 1e-14);
+    CHECK((on_b.virial_b - on_a.virial_a).norm() <= 1e-14);
+    CHECK(std::abs((moment(on_b.virial_a) + moment(on_b.virial_b))[0] + cross(to_b, on_b.force)) <= 1e-14);
     CHECK(on_b.energy == Approx(on_a.energy).margin(1e-15));
   }
 }
@@ -212,7 +245,8 @@ TEST_CASE("scaled by a power of two, forces grow with its square, to the bit") {
     const PotentialForce<2> small = force_between(shape_of(points_a), shape_of(points_b), to_b);
     const PotentialForce<2> large = force_between(scaled(points_a), scaled(points_b), 8 * to_b);
     CHECK(large.force == 64 * small.force);
-    CHECK(large.moment == 512 * small.moment);
+    CHECK(large.virial_a == 512 * small.virial_a);
+    CHECK(large.virial_b == 512 * small.virial_b);
     CHECK(large.energy == 512 * small.energy);
   }
 }

@@ -46,6 +46,10 @@ module halfspace_c
   integer(c_int32_t), parameter :: HS_STIFFNESS_PER_CONTACT = 0  !< N/m for the whole contact, shared over the points of its region
   !> Pa/m: the normal force is the stiffness times the overlap area behind the contact plane
   integer(c_int32_t), parameter :: HS_STIFFNESS_PER_AREA = 1
+  !> Pa: the potential force of Zheng et al. 2020, section 3. A point inside a block has its distance to the
+  !! nearest face as potential, times the stiffness over the world's `potential_length`; what two blocks share
+  !! is pushed down both. The force is the gradient of an energy, whichever way the blocks meet.
+  integer(c_int32_t), parameter :: HS_STIFFNESS_POTENTIAL = 2
 
   !> What can be wrong with what a shape is to be made from.
   integer(c_int32_t), parameter :: HS_FAULT_NONE = 0  !< a valid convex polygon or polyhedron
@@ -127,12 +131,18 @@ module halfspace_c
     real(c_double) :: twist = 0.0_c_double  !< 3D: torque about the normal, on block b
   end type hs_contact
 
-  !> Penalty spring with Mohr-Coulomb friction (Wang et al. 2021, section 3). Fill it with hs_law_def_init().
+  !> Normal force with Mohr-Coulomb friction: a penalty spring (Wang et al. 2021, section 3) or a potential.
+  !! Fill it with hs_law_def_init().
+  !!
+  !! The potential force acts along a line of its own, which between faces that meet squarely is the contact's
+  !! normal. Friction acts across that line, where it passes the centroid of what the blocks share. The normal
+  !! and shear forces that hs_contact tells are the parts of the whole force along and across the contact's
+  !! normal. Potentials hold nothing together: they take neither cohesion nor tensile strength.
   type, bind(c) :: hs_law_def
     integer(c_int32_t) :: struct_size = 0  !< set by hs_law_def_init()
-    integer(c_int32_t) :: stiffness_kind = 0  !< HS_STIFFNESS_PER_CONTACT (default) or HS_STIFFNESS_PER_AREA
-    real(c_double) :: normal_stiffness = 0.0_c_double  !< > 0; N/m or Pa/m; default 1e9
-    real(c_double) :: shear_stiffness = 0.0_c_double  !< >= 0; N/m or Pa/m; default 1e9
+    integer(c_int32_t) :: stiffness_kind = 0  !< an HS_STIFFNESS_ value; default HS_STIFFNESS_PER_CONTACT
+    real(c_double) :: normal_stiffness = 0.0_c_double  !< > 0; N/m, Pa/m or Pa; default 1e9
+    real(c_double) :: shear_stiffness = 0.0_c_double  !< >= 0; N/m or Pa/m, of potentials N/m; default 1e9
     real(c_double) :: friction_angle = 0.0_c_double  !< rad, [0, pi/2); default 0
     !> Pa, >= 0; of contacts that exist when a block's first step begins, until they fail; default 0
     real(c_double) :: cohesion = 0.0_c_double
@@ -256,6 +266,9 @@ module halfspace_c
     real(c_double) :: skin = 0.0_c_double  !< reach of the neighbour list, share of a block's size; (0, 1]; default 0.1
     real(c_double) :: parallel_angle = 0.0_c_double  !< see hs_pair_options
     real(c_double) :: vertex_zone = 0.0_c_double  !< see hs_pair_options
+    !> H of HS_STIFFNESS_POTENTIAL, m, > 0: one for all blocks; or 0 (default): the mean length of all blocks'
+    !! edges when forces are first used
+    real(c_double) :: potential_length = 0.0_c_double
   end type hs_world_def
 
   !> How a block is made. Fill it with hs_block_def_init().
@@ -311,6 +324,7 @@ module halfspace_c
     real(c_double) :: largest_overlap = 0.0_c_double  !< of the last detection
     real(c_double) :: largest_speed = 0.0_c_double  !< of all rigid blocks now
     type(hs_energy) :: energy  !< the ledger
+    real(c_double) :: potential_length = 0.0_c_double  !< in use; 0 without a law of potentials
   end type hs_world_report
 
   abstract interface

@@ -56,6 +56,10 @@ HS_CONTACT_POINTS = 8  #
 HS_STIFFNESS_PER_CONTACT = 0  # N/m for the whole contact, shared over the points of its region
 # Pa/m: the normal force is the stiffness times the overlap area behind the contact plane
 HS_STIFFNESS_PER_AREA = 1
+# Pa: the potential force of Zheng et al. 2020, section 3. A point inside a block has its distance to the
+# nearest face as potential, times the stiffness over the world's `potential_length`; what two blocks share is
+# pushed down both. The force is the gradient of an energy, whichever way the blocks meet.
+HS_STIFFNESS_POTENTIAL = 2
 
 # What can be wrong with what a shape is to be made from.
 HS_FAULT_NONE = 0  # a valid convex polygon or polyhedron
@@ -164,14 +168,19 @@ class hs_contact(Structure):
 
 
 class hs_law_def(Structure):
-    """Penalty spring with Mohr-Coulomb friction (Wang et al. 2021, section 3). Fill it with
-    hs_law_def_init()."""
+    """Normal force with Mohr-Coulomb friction: a penalty spring (Wang et al. 2021, section 3) or a potential.
+    Fill it with hs_law_def_init().
+
+    The potential force acts along a line of its own, which between faces that meet squarely is the contact's
+    normal. Friction acts across that line, where it passes the centroid of what the blocks share. The normal
+    and shear forces that hs_contact tells are the parts of the whole force along and across the contact's
+    normal. Potentials hold nothing together: they take neither cohesion nor tensile strength."""
 
     _fields_ = [
         ("struct_size", c_uint32),  # set by hs_law_def_init()
-        ("stiffness_kind", c_int32),  # HS_STIFFNESS_PER_CONTACT (default) or HS_STIFFNESS_PER_AREA
-        ("normal_stiffness", c_double),  # > 0; N/m or Pa/m; default 1e9
-        ("shear_stiffness", c_double),  # >= 0; N/m or Pa/m; default 1e9
+        ("stiffness_kind", c_int32),  # an HS_STIFFNESS_ value; default HS_STIFFNESS_PER_CONTACT
+        ("normal_stiffness", c_double),  # > 0; N/m, Pa/m or Pa; default 1e9
+        ("shear_stiffness", c_double),  # >= 0; N/m or Pa/m, of potentials N/m; default 1e9
         ("friction_angle", c_double),  # rad, [0, pi/2); default 0
         # Pa, >= 0; of contacts that exist when a block's first step begins, until they fail; default 0
         ("cohesion", c_double),
@@ -325,6 +334,9 @@ class hs_world_def(Structure):
         ("skin", c_double),  # reach of the neighbour list, share of a block's size; (0, 1]; default 0.1
         ("parallel_angle", c_double),  # see hs_pair_options
         ("vertex_zone", c_double),  # see hs_pair_options
+        # H of HS_STIFFNESS_POTENTIAL, m, > 0: one for all blocks; or 0 (default): the mean length of all
+        # blocks' edges when forces are first used
+        ("potential_length", c_double),
     ]
 
 
@@ -394,6 +406,7 @@ class hs_world_report(Structure):
         ("largest_overlap", c_double),  # of the last detection
         ("largest_speed", c_double),  # of all rigid blocks now
         ("energy", hs_energy),  # the ledger
+        ("potential_length", c_double),  # in use; 0 without a law of potentials
     ]
 
 

@@ -15,15 +15,24 @@ extern "C" {
 /** What a stiffness refers to. */
 enum {
   HS_STIFFNESS_PER_CONTACT = 0, /**< N/m for the whole contact, shared over the points of its region */
-  HS_STIFFNESS_PER_AREA = 1     /**< Pa/m: the normal force is the stiffness times the overlap area behind the contact plane */
+  HS_STIFFNESS_PER_AREA = 1,    /**< Pa/m: the normal force is the stiffness times the overlap area behind the contact plane */
+  HS_STIFFNESS_POTENTIAL = 2    /**< Pa: the potential force of Zheng et al. 2020, section 3. A point inside a block has its distance to the
+                                     nearest face as potential, times the stiffness over the world's `potential_length`; what two blocks
+                                     share is pushed down both. The force is the gradient of an energy, whichever way the blocks meet. */
 };
 
-/** Penalty spring with Mohr-Coulomb friction (Wang et al. 2021, section 3). Fill it with hs_law_def_init(). */
+/** Normal force with Mohr-Coulomb friction: a penalty spring (Wang et al. 2021, section 3) or a potential. Fill it with
+ *  hs_law_def_init().
+ *
+ *  The potential force acts along a line of its own, which between faces that meet squarely is the contact's normal. Friction acts across
+ *  that line, where it passes the centroid of what the blocks share. The normal and shear forces that hs_contact tells are the parts of
+ *  the whole force along and across the contact's normal. Potentials hold nothing together: they take neither cohesion nor tensile
+ *  strength. */
 typedef struct hs_law_def {
   uint32_t struct_size;     /**< set by hs_law_def_init() */
-  int32_t stiffness_kind;   /**< HS_STIFFNESS_PER_CONTACT (default) or HS_STIFFNESS_PER_AREA */
-  double normal_stiffness;  /**< > 0; N/m or Pa/m; default 1e9 */
-  double shear_stiffness;   /**< >= 0; N/m or Pa/m; default 1e9 */
+  int32_t stiffness_kind;   /**< an HS_STIFFNESS_ value; default HS_STIFFNESS_PER_CONTACT */
+  double normal_stiffness;  /**< > 0; N/m, Pa/m or Pa; default 1e9 */
+  double shear_stiffness;   /**< >= 0; N/m or Pa/m, of potentials N/m; default 1e9 */
   double friction_angle;    /**< rad, [0, pi/2); default 0 */
   double cohesion;          /**< Pa, >= 0; of contacts that exist when a block's first step begins, until they fail; default 0 */
   double tensile_strength;  /**< Pa, >= 0; likewise; default 0 */

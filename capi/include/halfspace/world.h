@@ -43,6 +43,8 @@ typedef struct hs_world_def {
   double skin;           /**< reach of the neighbour list, share of a block's size; (0, 1]; default 0.1 */
   double parallel_angle; /**< see hs_pair_options */
   double vertex_zone;    /**< see hs_pair_options */
+  double potential_length; /**< H of HS_STIFFNESS_POTENTIAL, m, > 0: one for all blocks; or 0 (default): the mean length of all blocks'
+                                edges when forces are first used */
 } hs_world_def;
 
 /** How a block is made. Fill it with hs_block_def_init(). */
@@ -98,6 +100,7 @@ typedef struct hs_world_report {
   double largest_overlap;    /**< of the last detection */
   double largest_speed;      /**< of all rigid blocks now */
   hs_energy energy;          /**< the ledger */
+  double potential_length;   /**< in use; 0 without a law of potentials */
 } hs_world_report;
 
 /** @brief Fills a world definition with its defaults. @param def to fill @param size sizeof(hs_world_def) as the caller was compiled

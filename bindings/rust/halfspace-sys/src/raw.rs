@@ -68,6 +68,10 @@ pub const HS_CONTACT_POINTS: i32 = 8;
 pub const HS_STIFFNESS_PER_CONTACT: i32 = 0;
 /// Pa/m: the normal force is the stiffness times the overlap area behind the contact plane
 pub const HS_STIFFNESS_PER_AREA: i32 = 1;
+/// Pa: the potential force of Zheng et al. 2020, section 3. A point inside a block has its distance to the
+/// nearest face as potential, times the stiffness over the world's `potential_length`; what two blocks share
+/// is pushed down both. The force is the gradient of an energy, whichever way the blocks meet.
+pub const HS_STIFFNESS_POTENTIAL: i32 = 2;
 
 // What can be wrong with what a shape is to be made from.
 /// a valid convex polygon or polyhedron
@@ -237,17 +241,23 @@ pub struct hs_contact {
 }
 const _: () = assert!(std::mem::size_of::<hs_contact>() == 488);
 
-/// Penalty spring with Mohr-Coulomb friction (Wang et al. 2021, section 3). Fill it with hs_law_def_init().
+/// Normal force with Mohr-Coulomb friction: a penalty spring (Wang et al. 2021, section 3) or a potential.
+/// Fill it with hs_law_def_init().
+///
+/// The potential force acts along a line of its own, which between faces that meet squarely is the contact's
+/// normal. Friction acts across that line, where it passes the centroid of what the blocks share. The normal
+/// and shear forces that hs_contact tells are the parts of the whole force along and across the contact's
+/// normal. Potentials hold nothing together: they take neither cohesion nor tensile strength.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_law_def {
     /// set by hs_law_def_init()
     pub struct_size: u32,
-    /// HS_STIFFNESS_PER_CONTACT (default) or HS_STIFFNESS_PER_AREA
+    /// an HS_STIFFNESS_ value; default HS_STIFFNESS_PER_CONTACT
     pub stiffness_kind: i32,
-    /// \> 0; N/m or Pa/m; default 1e9
+    /// \> 0; N/m, Pa/m or Pa; default 1e9
     pub normal_stiffness: f64,
-    /// \>= 0; N/m or Pa/m; default 1e9
+    /// \>= 0; N/m or Pa/m, of potentials N/m; default 1e9
     pub shear_stiffness: f64,
     /// rad, \[0, pi/2); default 0
     pub friction_angle: f64,
@@ -451,8 +461,11 @@ pub struct hs_world_def {
     pub parallel_angle: f64,
     /// see hs_pair_options
     pub vertex_zone: f64,
+    /// H of HS_STIFFNESS_POTENTIAL, m, > 0: one for all blocks; or 0 (default): the mean length of all
+    /// blocks' edges when forces are first used
+    pub potential_length: f64,
 }
-const _: () = assert!(std::mem::size_of::<hs_world_def>() == 88);
+const _: () = assert!(std::mem::size_of::<hs_world_def>() == 96);
 
 /// How a block is made. Fill it with hs_block_def_init().
 #[repr(C)]
@@ -556,8 +569,10 @@ pub struct hs_world_report {
     pub largest_speed: f64,
     /// the ledger
     pub energy: hs_energy,
+    /// in use; 0 without a law of potentials
+    pub potential_length: f64,
 }
-const _: () = assert!(std::mem::size_of::<hs_world_report>() == 160);
+const _: () = assert!(std::mem::size_of::<hs_world_report>() == 168);
 
 extern "C" {
     /// The fixed text of a status code.

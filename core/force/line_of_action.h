@@ -1,0 +1,52 @@
+#pragma once
+
+#include "force/potential_force.h"
+
+namespace halfspace {
+
+/// The potential force gathered into one that acts along a line (Zheng et al. 2020, section 3.3).
+template <int D>
+struct LineOfAction {
+  Vector<D> direction;                     // unit, of the force on b
+  double force = 0;                        // along it
+  Vector<D> loading_point;                 // on the line, nearest to the centroid of what the blocks share;
+                                           // relative to the centroid of a
+  Angular<D> couple = Angular<D>::Zero();  // on b, besides the force at that point
+  double energy = 0;                       // stored
+  double base = 0;       // length or area over which the blocks meet: exact for faces that do so squarely
+  double stiffness = 0;  // with which the force grows there with the depth
+};
+
+/// The way from a point to the line on which a force has this moment about the point. What of the moment is
+/// about the force itself no line has.
+inline Vector<2> way_to_line(const Vector<2>& force, const Angular<2>& moment) {
+  return -moment[0] / force.squaredNorm() * perpendicular(force);
+}
+inline Vector<3> way_to_line(const Vector<3>& force, const Vector<3>& moment) {
+  return cross_product(force, moment) / force.squaredNorm();
+}
+
+/// `stiffness` is k_n / H, `otherwise` the direction of no force at all. Where the forces all but cancel the
+/// line runs far from the blocks: then the force acts at the centroid, with a couple.
+template <int D>
+LineOfAction<D> line_of_action(const PotentialForce<D>& potential, double stiffness,
+                               const Vector<D>& otherwise) {
+  LineOfAction<D> line{otherwise, 0, potential.centroid};
+  if (!(potential.energy > 0)) return line;
+  line.energy = stiffness * potential.energy;
+  line.base = potential.content * (potential.content / potential.energy);
+  line.stiffness = 2 * stiffness * line.base;
+  const Vector<D> force = stiffness * potential.force;
+  line.force = force.norm();
+  line.couple = -stiffness * moment(potential.virial_a) - moment(potential.centroid, force);
+  if (!(line.force > 0)) return line;
+  line.direction = force / line.force;
+  const Vector<D> way = way_to_line(force, line.couple);
+  const double distance = way.norm();
+  if (!((D == 2 ? 1 : distance) * distance * distance <= potential.content)) return line;
+  line.loading_point += way;
+  line.couple -= moment(way, force);
+  return line;
+}
+
+}  // namespace halfspace
