@@ -78,6 +78,13 @@ void for_each_block(const Blocks<D>& blocks, Visitor&& visit) {
 }
 
 template <int D>
+void require_material(const World<D>& world, std::int32_t material, const char* name) {
+  if (material < 0 || material >= world.material_count()) {
+    refuse(HS_ERROR_STALE_ID, "%s is %d; the world has %d materials", name, material, world.material_count());
+  }
+}
+
+template <int D>
 Vector<D> read_finite_vector(const double* values, const char* name) {
   require_pointer(values, name);
   Vector<D> vector;

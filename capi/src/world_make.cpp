@@ -97,13 +97,6 @@ SpringLaw read_law(const hs_law_def* given, int dimension) {
   return law;
 }
 
-template <int D>
-void require_material(const World<D>& world, std::int32_t material, const char* name) {
-  if (material < 0 || material >= world.material_count()) {
-    refuse(HS_ERROR_STALE_ID, "%s is %d; the world has %d materials", name, material, world.material_count());
-  }
-}
-
 /// The shape of a block for a world of D dimensions.
 template <int D>
 const Shape<D>& require_shape(const hs_shape* shape, const char* name) {
@@ -197,7 +190,7 @@ hs_status hs_world_add_block(hs_world* world, const hs_shape* shape, const hs_bl
     const Shape<D>& form = require_shape<D>(shape, "shape");
     require_pointer(block, "block");
     const hs_block_def known = read_definition(def, "def");
-    if (known.kind < HS_BLOCK_FIXED || known.kind > HS_BLOCK_RIGID) {
+    if (known.kind < HS_BLOCK_FIXED || known.kind > HS_BLOCK_AFFINE) {
       refuse(HS_ERROR_ARGUMENT, "def.kind is %d; it must be an HS_BLOCK_ value", known.kind);
     }
     require_material(w, known.material, "def.material");
@@ -212,6 +205,10 @@ hs_status hs_world_add_block(hs_world* world, const hs_shape* shape, const hs_bl
     }
     if (known.reserved != 0) refuse(HS_ERROR_ARGUMENT, "def.reserved is %d; it must be 0", known.reserved);
     require_mass(form, w.density(known.material));
+    if (known.kind == HS_BLOCK_AFFINE && !w.elasticity(known.material).is_given()) {
+      refuse(HS_ERROR_STATE, "def.material is %d, which is not elastic: hs_world_set_elasticity() first",
+             known.material);
+    }
     const std::int32_t slot =
         w.add_block(form, BlockKind(known.kind), known.material, pose.position, pose.rotation);
     w.set_velocity(slot, velocity, spin);

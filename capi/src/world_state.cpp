@@ -91,8 +91,8 @@ hs_status hs_world_set_applied_force(hs_world* world, hs_block block, const doub
     const std::int32_t slot = slot_of(w.blocks(), block, "block");
     const Vector<D> f = read_finite_vector<D>(force, "force");
     const Angular<D> t = read_finite_angular<D>(torque, "torque");
-    if (w.blocks().kind[std::size_t(slot)] != BlockKind::rigid) {
-      refuse(HS_ERROR_STATE, "block %#llx is not rigid: no force moves it",
+    if (!w.blocks().moves_freely(std::size_t(slot))) {
+      refuse(HS_ERROR_STATE, "block %#llx is neither rigid nor affine: no force moves it",
              static_cast<unsigned long long>(block));
     }
     w.set_applied_force(slot, f, t);

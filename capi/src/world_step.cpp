@@ -35,7 +35,7 @@ template <int D>
 double largest_speed(const Blocks<D>& blocks) {
   double squared = 0;
   for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
-    if (blocks.kind[i] == BlockKind::rigid) squared = std::max(squared, blocks.velocity[i].squaredNorm());
+    if (blocks.moves_freely(i)) squared = std::max(squared, blocks.velocity[i].squaredNorm());
   }
   return std::sqrt(squared);
 }
@@ -113,7 +113,7 @@ hs_status hs_world_step(hs_world* world, int64_t steps) {
       const StepResult result = w.step();
       if (result == StepResult::no_time_step) {
         refuse(HS_ERROR_STATE,
-               "no time step was given, and without rigid blocks and a material none can be derived");
+               "no time step was given, and without blocks that move freely none can be derived");
       }
       if (result == StepResult::unstable) {
         refuse(HS_ERROR_UNSTABLE, "unstable at time %g (step %lld): time step %g, stable time step %g",
@@ -143,7 +143,9 @@ hs_status hs_world_get_report(hs_world* world, hs_world_report* report, size_t s
                                   largest_overlap(w),
                                   largest_speed(w.blocks()),
                                   energy_of(w.ledger()),
-                                  w.knows_potential() ? w.potential_length() : 0};
+                                  w.knows_potential() ? w.potential_length() : 0,
+                                  w.ledger().block_strain,
+                                  w.ledger().block_damping_loss};
     write_sized(ours, report, size);
     return HS_OK;
   });

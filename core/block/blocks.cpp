@@ -1,12 +1,27 @@
 #include "block/blocks.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
 
 namespace halfspace {
 namespace {
 
 double largest_face_of(const Shape<2>& shape) { return shape.longest_edge(); }
 double largest_face_of(const Shape<3>& shape) { return shape.largest_face(); }
+
+/// Of a block as it is given.
+template <int D>
+Deformation<D> undeformed(const Shape<D>& shape, double density, std::int32_t slot) {
+  Deformation<D> deformation;
+  deformation.slot = slot;
+  deformation.volume = mass_of(shape, 1);
+  deformation.mass_matrix = density * second_moment_of(shape);
+  deformation.inverse_mass_matrix = deformation.mass_matrix.inverse();
+  const Eigen::SelfAdjointEigenSolver<Tensor<D>> principal(deformation.mass_matrix, Eigen::EigenvaluesOnly);
+  deformation.least_moment = principal.eigenvalues()[0];
+  return deformation;
+}
 
 Box<2> box_of(const Outline<2>& o) {
   const auto [least_x, most_x] = std::minmax_element(o.x, o.x + o.count);
@@ -44,7 +59,8 @@ Blocks<D>::Blocks(Memory* memory)
       radius(memory),
       largest_face(memory),
       free_slots_(memory),
-      outlines_(memory) {}
+      outlines_(memory),
+      deformations_(memory) {}
 
 template <int D>
 void Blocks<D>::resize(std::size_t slots) {
@@ -78,6 +94,7 @@ std::int32_t Blocks<D>::add(const Shape<D>& shape, BlockKind block_kind, std::in
   const typename Outlines<D>::Taken outline = outlines_.take_in(shape);
   try {
     if (appended) resize(slots + 1);
+    if (block_kind == BlockKind::affine) deformations_.make_room(slots + 1);
   } catch (...) {
     outlines_.undo(outline);
     resize(slots);
@@ -98,6 +115,9 @@ std::int32_t Blocks<D>::add(const Shape<D>& shape, BlockKind block_kind, std::in
   inertia[s] = Inertia<D>::of(shape, density);
   radius[s] = shape.bounding_radius();
   largest_face[s] = largest_face_of(shape);
+  rotation[s] = Rotation<D>();
+  spin[s] = Angular<D>::Zero();
+  if (block_kind == BlockKind::affine) deformations_.add(undeformed(shape, density, slot));
   place(slot, shape.centroid(), Rotation<D>());
   set_motion(slot, Vector<D>::Zero(), Angular<D>::Zero());
   return slot;
@@ -107,6 +127,7 @@ template <int D>
 void Blocks<D>::remove(std::int32_t slot) {
   free_slots_.push_back(slot);  // the one line that may fail comes first
   outlines_.drop(slot);
+  if (is_affine(std::size_t(slot))) deformations_.remove(slot);
   kind[std::size_t(slot)] = BlockKind::none;
   --living_;
 }
@@ -115,6 +136,15 @@ template <int D>
 void Blocks<D>::place(std::int32_t slot, const Vector<D>& to, const Rotation<D>& turned) {
   const std::size_t s = std::size_t(slot);
   position[s] = to;
+  if (is_affine(s)) {
+    // Turned as a whole, its strain and strain rate with it.
+    const Deformation<D>& now = deformation(s);
+    const Tensor<D> turn = (turned * rotation[s].inverse()).tensor(), gradient = turn * now.gradient;
+    const Tensor<D> straining = now.rate - cross_tensor(spin[s]) * now.gradient;
+    deform(slot, gradient, cross_tensor(spin[s]) * gradient + turn * straining);
+    rotation[s] = turned;
+    return;
+  }
   rotation[s] = turned;
   momentum[s] = inertia[s].momentum(spin[s], turned);
   outlines_.turn(slot, turned);
@@ -124,6 +154,8 @@ template <int D>
 void Blocks<D>::set_motion(std::int32_t slot, const Vector<D>& new_velocity, const Angular<D>& new_spin) {
   const std::size_t s = std::size_t(slot);
   velocity[s] = new_velocity;
+  if (is_affine(s))
+    return deform(slot, deformation(s).gradient, cross_tensor(new_spin) * deformation(s).gradient);
   spin[s] = new_spin;
   momentum[s] = inertia[s].momentum(new_spin, rotation[s]);
 }
@@ -136,6 +168,38 @@ void Blocks<D>::drift(std::int32_t slot, const Vector<D>& way, const Rotation<D>
   if (spin[s] == Angular<D>::Zero()) return;
   rotation[s] = turned;
   outlines_.turn(slot, turned);
+}
+
+template <int D>
+void Blocks<D>::deform(std::int32_t slot, const Tensor<D>& gradient, const Tensor<D>& rate) {
+  const std::size_t s = std::size_t(slot);
+  deformation(s).gradient = gradient;
+  deformation(s).rate = rate;
+  rotation[s] = rotation_of(gradient);
+  outlines_.deform(slot, gradient);
+  renew_spin(s);
+}
+
+template <int D>
+void Blocks<D>::renew_spin(std::size_t slot) {
+  Deformation<D>& now = deformation(slot);
+  const Tensor<D> velocity_gradient = now.velocity_gradient();
+  now.strain_rate = 0.5 * (velocity_gradient + velocity_gradient.transpose());
+  spin[slot] = 0.5 * moment(velocity_gradient);
+  momentum[slot] = now.angular_momentum();
+}
+
+template <int D>
+void Blocks<D>::drift_affine(std::int32_t slot, const Vector<D>& way, double duration) {
+  const std::size_t s = std::size_t(slot);
+  const Rotation<D> before = rotation[s];
+  const Deformation<D>& now = deformation(s);
+  position[s] += way;
+  deform(slot, now.gradient + duration * now.rate, now.rate);
+  if constexpr (D == 2) {
+    const Rotation<2> turn = rotation[s] * before.inverse();
+    angle[s] += std::atan2(turn.sine, turn.cosine);
+  }
 }
 
 template <int D>

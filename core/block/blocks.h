@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "block/deformations.h"
+#include "block/face.h"
 #include "block/inertia.h"
 #include "block/outlines.h"
 #include "geometry/box.h"
@@ -13,7 +15,7 @@
 namespace halfspace {
 
 /// How a block moves. The values are those of the C API; `none` marks a free slot.
-enum class BlockKind : std::int32_t { none = -1, fixed = 0, prescribed = 1, rigid = 2 };
+enum class BlockKind : std::int32_t { none = -1, fixed = 0, prescribed = 1, rigid = 2, affine = 3 };
 
 /// Two blocks where they are: their outlines, and the way from a's centroid to b's.
 template <int D>
@@ -32,6 +34,9 @@ class Blocks {
 
   std::size_t slot_count() const { return kind.size(); }
   bool lives(std::size_t slot) const { return kind[slot] != BlockKind::none; }
+  /// By Newton's law.
+  bool moves_freely(std::size_t slot) const { return kind[slot] >= BlockKind::rigid; }
+  bool is_affine(std::size_t slot) const { return kind[slot] == BlockKind::affine; }
   std::int64_t count() const { return living_; }
 
   std::int32_t add(const Shape<D>& shape, BlockKind block_kind, std::int32_t block_material, double density);
@@ -50,17 +55,34 @@ class Blocks {
     push(slot, velocity_change, momentum_change);
     spin[slot] = inertia[slot].spin(momentum[slot], rotation[slot]);
   }
+  /// The same for the deformation of an affine block.
+  void strain(std::size_t slot, const Tensor<D>& rate_change) {
+    deformation(slot).rate += rate_change;
+    renew_spin(slot);
+  }
+  /// Moves an affine block, and turns and strains it at the present rate.
+  void drift_affine(std::int32_t slot, const Vector<D>& way, double duration);
   /// Moves a block: a rigid one goes on under its own momentum, which stays while in space its spin changes.
   void drift(std::int32_t slot, const Vector<D>& way, const Rotation<D>& turned);
 
   Outline<D> outline(std::int32_t slot) const { return outlines_[slot]; }
+  /// Of an affine block.
+  Deformation<D>& deformation(std::size_t slot) { return deformations_[slot]; }
+  const Deformation<D>& deformation(std::size_t slot) const { return deformations_[slot]; }
+  /// Of all affine blocks.
+  Deformations<D>& deformations() { return deformations_; }
+  const Deformations<D>& deformations() const { return deformations_; }
+  /// Sets how an affine block is turned and strained, and how fast.
+  void deform(std::int32_t slot, const Tensor<D>& gradient, const Tensor<D>& rate);
+  Face<D> undeformed_face(std::int32_t slot, int face) const { return face_of(outlines_.own(slot), face); }
   PlacedBlocks<D> placed(std::int32_t a, std::int32_t b) const {
     return {outline(a), outline(b), position[std::size_t(b)] - position[std::size_t(a)]};
   }
   Box<D> box(std::int32_t slot) const;
   double kinetic_energy(std::int32_t slot) const {
     const std::size_t s = std::size_t(slot);
-    return 0.5 * (mass[s] * velocity[s].squaredNorm() + spin[s].dot(momentum[s]));
+    const double turning = is_affine(s) ? deformation(s).kinetic_energy() : 0.5 * spin[s].dot(momentum[s]);
+    return 0.5 * mass[s] * velocity[s].squaredNorm() + turning;
   }
 
   /// False for what no blocks can be, after reading a snapshot: nothing read from it can then lead out of the
@@ -71,7 +93,7 @@ class Blocks {
   void visit(Archive& archive) {
     archive(kind, material, generation, position, velocity, force, applied_force, rotation, angle, spin,
             momentum, torque, applied_torque, mass, inertia, radius, largest_face, free_slots_, outlines_,
-            living_);
+            deformations_, living_);
   }
 
   Array<BlockKind> kind;
@@ -94,9 +116,11 @@ class Blocks {
 
  private:
   void resize(std::size_t slots);
+  void renew_spin(std::size_t slot);
 
   Array<std::int32_t> free_slots_;
   Outlines<D> outlines_;
+  Deformations<D> deformations_;
   std::int64_t living_ = 0;
 };
 

@@ -1,6 +1,8 @@
 #include "block/outlines.h"
 
+#include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 
 #include "block/tiling.h"
 
@@ -45,22 +47,22 @@ void copy_components(const Outline<3>& outline, double* to) {
 }
 
 /// Vectors whose components lie in arrays of `count` one after the other.
-void turn_vectors(const Rotation<2>& rotation, const double* own, std::size_t count, double* turned) {
-  const double c = rotation.cosine, s = rotation.sine;
+void map_vectors(const Tensor<2>& map, const double* own, std::size_t count, double* mapped) {
   const double *x = own, *y = own + count;
-  double *out_x = turned, *out_y = turned + count;
+  double *out_x = mapped, *out_y = mapped + count;
+  const double xx = map(0, 0), xy = map(0, 1), yx = map(1, 0), yy = map(1, 1);
   for (std::size_t i = 0; i < count; ++i) {
-    out_x[i] = c * x[i] - s * y[i];
-    out_y[i] = s * x[i] + c * y[i];
+    out_x[i] = xx * x[i] + xy * y[i];
+    out_y[i] = yx * x[i] + yy * y[i];
   }
 }
 
-void turn_vectors(const Rotation<3>& rotation, const double* own, std::size_t count, double* turned) {
-  const Vector<3> to_x = rotation.axis(0), to_y = rotation.axis(1), to_z = rotation.axis(2);
+void map_vectors(const Tensor<3>& map, const double* own, std::size_t count, double* mapped) {
   const double *x = own, *y = own + count, *z = own + 2 * count;
   for (int k = 0; k < 3; ++k) {
-    double* out = turned + std::size_t(k) * count;
-    for (std::size_t i = 0; i < count; ++i) out[i] = to_x[k] * x[i] + to_y[k] * y[i] + to_z[k] * z[i];
+    double* out = mapped + std::size_t(k) * count;
+    const double of_x = map(k, 0), of_y = map(k, 1), of_z = map(k, 2);
+    for (std::size_t i = 0; i < count; ++i) out[i] = of_x * x[i] + of_y * y[i] + of_z * z[i];
   }
 }
 
@@ -126,30 +128,53 @@ void Outlines<D>::drop(std::int32_t slot) {
 }
 
 template <int D>
-void Outlines<D>::turn(std::int32_t slot, const Rotation<D>& rotation) {
+void Outlines<D>::map(std::int32_t slot, const Tensor<D>& vertices, const Tensor<D>& normals) {
   const std::size_t s = std::size_t(slot);
   const Extent extent = extent_of((*this)[slot]);
   const double* own = own_.data() + first_[s];
   double* turned = turned_.data() + first_[s];
-  const std::size_t normals = D * extent.vertices;
-  turn_vectors(rotation, own, extent.vertices, turned);
-  turn_vectors(rotation, own + normals, extent.halfspaces, turned + normals);
+  const std::size_t to_normals = D * extent.vertices;
+  map_vectors(vertices, own, extent.vertices, turned);
+  map_vectors(normals, own + to_normals, extent.halfspaces, turned + to_normals);
+}
+
+template <int D>
+void Outlines<D>::turn(std::int32_t slot, const Rotation<D>& rotation) {
+  map(slot, rotation.tensor(), rotation.tensor());
+}
+
+template <int D>
+void Outlines<D>::deform(std::int32_t slot, const Tensor<D>& gradient) {
+  map(slot, gradient, gradient.inverse().transpose());
+  // Their lengths are not 1 any more, and the offsets are as many times too large.
+  const std::size_t s = std::size_t(slot);
+  const Extent extent = extent_of((*this)[slot]);
+  double* normals = turned_.data() + first_[s] + D * extent.vertices;
+  const double* own_offset = own_.data() + first_[s] + extent.offset();
+  double* offset = turned_.data() + first_[s] + extent.offset();
+  for (std::size_t i = 0; i < extent.halfspaces; ++i) {
+    Eigen::Map<Vector<D>, 0, Eigen::InnerStride<>> normal(
+        normals + i, Eigen::InnerStride<>(std::ptrdiff_t(extent.halfspaces)));
+    const double length = normal.norm();
+    normal /= length;
+    offset[i] = own_offset[i] / length;
+  }
 }
 
 template <>
-Outline<2> Outlines<2>::operator[](std::int32_t slot) const {
+Outline<2> Outlines<2>::seen_in(const Array<double>& components, std::int32_t slot) const {
   const int count = form_[std::size_t(slot)];
   const std::size_t n = extent_of(count).vertices;
-  const double* p = turned_.data() + first_[std::size_t(slot)];
+  const double* p = components.data() + first_[std::size_t(slot)];
   return {count, p, p + n, p + 2 * n, p + 3 * n, p + 4 * n};
 }
 
 template <>
-Outline<3> Outlines<3>::operator[](std::int32_t slot) const {
+Outline<3> Outlines<3>::seen_in(const Array<double>& components, std::int32_t slot) const {
   const Topology& topology = topologies_[form_[std::size_t(slot)]];
   const Extent extent = extent_of(topology);
   const std::size_t v = extent.vertices, f = extent.halfspaces;
-  const double* p = turned_.data() + first_[std::size_t(slot)];
+  const double* p = components.data() + first_[std::size_t(slot)];
   const double* n = p + 3 * v;
   return {&topology, p, p + v, p + 2 * v, n, n + f, n + 2 * f, n + 3 * f};
 }

@@ -38,8 +38,12 @@ class Outlines {
   void drop(std::int32_t slot);
 
   void turn(std::int32_t slot, const Rotation<D>& rotation);
+  /// Turns and strains: vertices by the gradient, half-spaces so that they stay those of the faces.
+  void deform(std::int32_t slot, const Tensor<D>& gradient);
   /// Valid until a block is added or removed.
-  Outline<D> operator[](std::int32_t slot) const;
+  Outline<D> operator[](std::int32_t slot) const { return seen_in(turned_, slot); }
+  /// In its shape's frame.
+  Outline<D> own(std::int32_t slot) const { return seen_in(own_, slot); }
 
   /// False for what cannot be, after reading a snapshot, when the blocks of these slots live.
   bool is_consistent(std::span<const std::int32_t> living) const;
@@ -55,6 +59,8 @@ class Outlines {
     explicit NoTopologies(Memory*) {}
   };
 
+  Outline<D> seen_in(const Array<double>& components, std::int32_t slot) const;
+  void map(std::int32_t slot, const Tensor<D>& vertices, const Tensor<D>& normals);
   bool is_form(std::int32_t form) const;
   bool counts_users(std::span<const std::int32_t> living) const;
   std::size_t length(std::int32_t form) const;
@@ -68,9 +74,9 @@ class Outlines {
 };
 
 template <>
-Outline<2> Outlines<2>::operator[](std::int32_t slot) const;
+Outline<2> Outlines<2>::seen_in(const Array<double>& components, std::int32_t slot) const;
 template <>
-Outline<3> Outlines<3>::operator[](std::int32_t slot) const;
+Outline<3> Outlines<3>::seen_in(const Array<double>& components, std::int32_t slot) const;
 template <>
 bool Outlines<2>::is_form(std::int32_t form) const;
 template <>

@@ -17,6 +17,12 @@ struct LineOfAction {
   double stiffness = 0;  // with which the force grows there with the depth
 };
 
+/// Of a force and a couple: force times arm^T, and what has the couple's moment but strains nothing.
+template <int D>
+Tensor<D> virial_of(const Vector<D>& force, const Vector<D>& arm, const Angular<D>& couple) {
+  return force * arm.transpose() + 0.5 * cross_tensor(couple);
+}
+
 /// The way from a point to the line on which a force has this moment about the point. What of the moment is
 /// about the force itself no line has.
 inline Vector<2> way_to_line(const Vector<2>& force, const Angular<2>& moment) {
@@ -47,6 +53,22 @@ LineOfAction<D> line_of_action(const PotentialForce<D>& potential, double stiffn
   line.loading_point += way;
   line.couple -= moment(way, force);
   return line;
+}
+
+/// What the virials have besides those of the force at the loading point and of the couple: it turns nothing
+/// and strains affine blocks.
+template <int D>
+struct Stretch {
+  Tensor<D> of_a = Tensor<D>::Zero();
+  Tensor<D> of_b = Tensor<D>::Zero();
+};
+
+template <int D>
+Stretch<D> stretch_besides(const LineOfAction<D>& line, const PotentialForce<D>& potential, double stiffness,
+                           const Vector<D>& to_b) {
+  const Vector<D> force = line.force * line.direction, arm_b = line.loading_point - to_b;
+  return {stiffness * potential.virial_a + virial_of<D>(force, line.loading_point, line.couple),
+          stiffness * potential.virial_b - virial_of<D>(force, arm_b, line.couple)};
 }
 
 }  // namespace halfspace

@@ -57,6 +57,7 @@ class Rotation<2> {
   }
 
   Rotation inverse() const { return {cosine, -sine}; }
+  Tensor<2> tensor() const { return Tensor<2>{{cosine, -sine}, {sine, cosine}}; }
 
   /// This rotation followed by a further turn, brought back to unit length.
   Rotation turned_by(const Angular<2>& turn) const {
@@ -115,6 +116,12 @@ class Rotation<3> {
     return transposed;
   }
 
+  Tensor<3> tensor() const {
+    Tensor<3> columns;
+    columns << columns_[0], columns_[1], columns_[2];
+    return columns;
+  }
+
   /// From where it takes the axes: right-handed unit vectors at right angles to each other.
   static Rotation from_axes(const Vector<3>& x, const Vector<3>& y, const Vector<3>& z) {
     Rotation rotation;
@@ -153,8 +160,7 @@ class Rotation<3> {
 
   /// Of a rotation off by rounding, the one nearest to it: a Newton step of the polar decomposition.
   Rotation straightened() const {
-    Eigen::Matrix3d m;
-    m << columns_[0], columns_[1], columns_[2];
+    const Tensor<3> m = tensor();
     const Eigen::Matrix3d gram = m.transpose().lazyProduct(m);
     const Eigen::Matrix3d nearest = m.lazyProduct(1.5 * Eigen::Matrix3d::Identity() - 0.5 * gram);
     return from_axes(nearest.col(0), nearest.col(1), nearest.col(2));

@@ -93,7 +93,7 @@ class Shape<3> {
   double longest_edge_ = 0;
   double largest_face_ = 0;
   TopologyArrays topology_;
-  Array<double> components_;  // x, y, z, then nx, ny, nz, offset, each padded
+  Array<double> components_;           // x, y, z, then nx, ny, nz, offset, each padded
   std::optional<GaussMap> gauss_map_;  // of many vertices
   Outline<3> outline_;                 // into components_, topology_ and gauss_map_
 };

@@ -13,6 +13,7 @@ Candidates<D>::Candidates(Memory* memory)
       shear_(memory),
       reference_position_(memory),
       reference_rotation_(memory),
+      reference_gradient_(memory),
       skin_(memory),
       planned_(memory),
       search_(memory),
@@ -31,7 +32,7 @@ template <int D>
 void Candidates<D>::choose_skins(const Blocks<D>& blocks, double relative_skin) {
   sizes_.clear();
   for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
-    if (blocks.kind[i] == BlockKind::rigid) sizes_.push_back(blocks.radius[i]);
+    if (blocks.moves_freely(i)) sizes_.push_back(blocks.radius[i]);
   }
   double typical = 0;
   if (!sizes_.empty()) {
@@ -40,7 +41,7 @@ void Candidates<D>::choose_skins(const Blocks<D>& blocks, double relative_skin) 
     typical = *middle;
   }
   for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
-    const bool moves = blocks.kind[i] == BlockKind::rigid || blocks.kind[i] == BlockKind::prescribed;
+    const bool moves = blocks.moves_freely(i) || blocks.kind[i] == BlockKind::prescribed;
     skin_[i] = moves ? std::max(relative_skin * 2 * std::min(blocks.radius[i], typical), planned_[i]) : 0;
   }
 }
@@ -50,8 +51,7 @@ void Candidates<D>::choose_skins(const Blocks<D>& blocks, double relative_skin) 
 template <int D>
 bool Candidates<D>::may_touch(const Blocks<D>& blocks, const BlockPair& pair) const {
   const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
-  const bool one_moves_freely = blocks.kind[a] == BlockKind::rigid || blocks.kind[b] == BlockKind::rigid;
-  if (!one_moves_freely) return false;
+  if (!blocks.moves_freely(a) && !blocks.moves_freely(b)) return false;
   const PlacedBlocks<D> at = blocks.placed(pair.a, pair.b);
   return find_separation(at.a, at.b, at.to_b).gap <= skin_[a] + skin_[b];
 }
@@ -127,11 +127,12 @@ void Candidates<D>::carry_over(bool with_shear) noexcept {
 
 /// All of one length whenever memory runs out.
 template <int D>
-void Candidates<D>::resize(std::size_t slots) {
+void Candidates<D>::resize(std::size_t slots, bool with_gradients) {
   skin_.reserve(slots);
   planned_.reserve(slots);
   reference_position_.reserve(slots);
   reference_rotation_.reserve(slots);
+  if (with_gradients) reference_gradient_.resize(slots, Tensor<D>::Identity());
   skin_.resize(slots);
   planned_.resize(slots);
   reference_position_.resize(slots, Vector<D>::Zero());
@@ -140,7 +141,7 @@ void Candidates<D>::resize(std::size_t slots) {
 
 template <int D>
 void Candidates<D>::search_again(const Blocks<D>& blocks, double relative_skin, bool with_shear) {
-  resize(blocks.slot_count());
+  resize(blocks.slot_count(), !blocks.deformations().empty());
   choose_skins(blocks, relative_skin);
   search(blocks);
   sort_found(blocks.slot_count());
@@ -160,6 +161,8 @@ void Candidates<D>::renew(const Blocks<D>& blocks, bool with_shear) noexcept {
     reference_position_[i] = blocks.position[i];
     reference_rotation_[i] = blocks.rotation[i];
   }
+  for (const Deformation<D>& deformation : blocks.deformations().all())
+    reference_gradient_[std::size_t(deformation.slot)] = deformation.gradient;
   used_up_ = false;
   ++builds_;
 }

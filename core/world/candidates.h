@@ -76,19 +76,23 @@ class Candidates {
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(pairs_, shear_, reference_position_, reference_rotation_, skin_, planned_, used_up_, builds_);
+    archive(pairs_, shear_, reference_position_, reference_rotation_, reference_gradient_, skin_, planned_,
+            used_up_, builds_);
   }
 
  private:
   /// How far a block's farthest point can have moved since the search.
   double moved(const Blocks<D>& blocks, std::size_t slot) const {
-    return (blocks.position[slot] - reference_position_[slot]).norm() +
-           blocks.radius[slot] * blocks.rotation[slot].farthest_from(reference_rotation_[slot]);
+    const double way = (blocks.position[slot] - reference_position_[slot]).norm();
+    if (!blocks.is_affine(slot))
+      return way + blocks.radius[slot] * blocks.rotation[slot].farthest_from(reference_rotation_[slot]);
+    if (slot >= reference_gradient_.size()) return HUGE_VAL;
+    return way + blocks.radius[slot] * (blocks.deformation(slot).gradient - reference_gradient_[slot]).norm();
   }
 
   void choose_skins(const Blocks<D>& blocks, double relative_skin);
   bool may_touch(const Blocks<D>& blocks, const BlockPair& pair) const;
-  void resize(std::size_t slots);
+  void resize(std::size_t slots, bool with_gradients);
   void search(const Blocks<D>& blocks);
   void sort_found(std::size_t slots);
   void carry_over(bool with_shear) noexcept;
@@ -97,6 +101,7 @@ class Candidates {
   Array<ShearSpring<D>> shear_;
   Array<Vector<D>> reference_position_;
   Array<Rotation<D>> reference_rotation_;
+  Array<Tensor<D>> reference_gradient_;  // of affine blocks, if there are any
   Array<double> skin_;
   Array<double> planned_;  // motion announced for the coming step
   std::int32_t used_up_ = 1;

@@ -139,7 +139,8 @@ void World<D>::evaluate_forces(double elapsed) {
   renew_used_up_candidates();
   std::fill(blocks_.force.begin(), blocks_.force.end(), Vector<D>::Zero());
   std::fill(blocks_.torque.begin(), blocks_.torque.end(), Angular<D>::Zero());
-  Evaluation evaluation{elapsed, laws_.knows_potential() ? potential_length() : 0, {}};
+  for (Deformation<D>& deformation : blocks_.deformations().all()) deformation.virial = Tensor<D>::Zero();
+  Evaluation evaluation{elapsed, laws_.knows_potential() ? potential_length() : 0, {}, {}};
   if (detected_) {
     forces_.clear();
     for (std::size_t c = 0; c < touching_.size(); ++c) load_blocks(touching_[c], contact(c), evaluation);

@@ -8,6 +8,7 @@ template <int D>
 World<D>::World(const WorldSettings<D>& settings, Memory* memory)
     : settings_(settings),
       density_(memory),
+      elasticity_(memory),
       fresh_(memory),
       laws_(memory),
       blocks_(memory),
@@ -30,8 +31,10 @@ void World<D>::edit() {
 template <int D>
 std::int32_t World<D>::add_material(double density) {
   make_room_for_one(density_);
+  make_room_for_one(elasticity_);
   laws_.add_material();
   density_.push_back(density);
+  elasticity_.push_back({});
   edit();
   return std::int32_t(density_.size()) - 1;
 }
@@ -88,6 +91,45 @@ void World<D>::set_pose(std::int32_t slot, const Vector<D>& position, const Rota
 template <int D>
 void World<D>::set_velocity(std::int32_t slot, const Vector<D>& velocity, const Angular<D>& spin) {
   blocks_.set_motion(slot, velocity, spin);
+  edit();
+}
+
+template <int D>
+void World<D>::set_elasticity(std::int32_t material, const Elasticity& elasticity) {
+  elasticity_[std::size_t(material)] = elasticity;
+  edit();
+}
+
+template <int D>
+void World<D>::set_deformation(std::int32_t slot, const Tensor<D>& gradient, const Tensor<D>& rate) {
+  blocks_.deform(slot, gradient, rate);
+  candidates_.note_placement(blocks_, std::size_t(slot));
+  forget_contacts();
+  edit();
+}
+
+template <int D>
+void World<D>::set_stress(std::int32_t slot, const Tensor<D>& stress) {
+  const std::size_t s = std::size_t(slot);
+  blocks_.deformation(s).set_stress(stress, elasticity_of(s));
+  edit();
+}
+
+template <int D>
+void World<D>::add_surface_load(std::int32_t slot, int face, const Vector<D>& traction) {
+  const Face<D> loaded = blocks_.undeformed_face(slot, face);
+  Deformation<D>& deformation = blocks_.deformation(std::size_t(slot));
+  const Vector<D> force = loaded.area * traction;
+  deformation.load_force += force;
+  deformation.load += force * loaded.centroid.transpose();
+  edit();
+}
+
+template <int D>
+void World<D>::clear_surface_loads(std::int32_t slot) {
+  Deformation<D>& deformation = blocks_.deformation(std::size_t(slot));
+  deformation.load_force = Vector<D>::Zero();
+  deformation.load = Tensor<D>::Zero();
   edit();
 }
 

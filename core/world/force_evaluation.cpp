@@ -1,12 +1,12 @@
+#include <utility>
+
 #include "world/world.h"
 
 namespace halfspace {
 
 template <int D>
 double World<D>::reduced_mass(std::size_t a, std::size_t b) const {
-  const auto inverse = [&](std::size_t i) {
-    return blocks_.kind[i] == BlockKind::rigid ? 1 / blocks_.mass[i] : 0;
-  };
+  const auto inverse = [&](std::size_t i) { return blocks_.moves_freely(i) ? 1 / blocks_.mass[i] : 0; };
   return 1 / (inverse(a) + inverse(b));
 }
 
@@ -44,14 +44,24 @@ void World<D>::fix_potential_length() {
   if (laws_.knows_potential()) fixed_length_ = potential_length();
 }
 
+/// How the blocks of a pair move against each other.
+template <int D>
+PairMotion<D> World<D>::motion_of(const Candidate<D>& pair) const {
+  const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
+  PairMotion<D> motion{blocks_.velocity[b] - blocks_.velocity[a], blocks_.position[b] - blocks_.position[a],
+                       blocks_.spin[a], blocks_.spin[b]};
+  if (blocks_.is_affine(a)) motion.strain_rate_a = &blocks_.deformation(a).strain_rate;
+  if (blocks_.is_affine(b)) motion.strain_rate_b = &blocks_.deformation(b).strain_rate;
+  return motion;
+}
+
 /// The force of a contact by the law of its materials.
 template <int D>
 PairLoad<D> World<D>::pair_load(std::size_t candidate, const Contact<D>& contact, Evaluation& evaluation) {
   Candidate<D>& pair = candidates_.pairs()[candidate];
   const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
   const SpringLaw& law = laws_.between(blocks_.material[a], blocks_.material[b]);
-  const PairMotion<D> motion{blocks_.velocity[b] - blocks_.velocity[a],
-                             blocks_.position[b] - blocks_.position[a], blocks_.spin[a], blocks_.spin[b]};
+  const PairMotion<D> motion = motion_of(pair);
   const bool is_damped = law.normal_damping > 0 || law.shear_damping > 0;
   const Spring<D> spring(law, is_damped ? reduced_mass(a, b) : 0, evaluation.elapsed);
   ShearSpring<D> no_shear;
@@ -62,8 +72,10 @@ PairLoad<D> World<D>::pair_load(std::size_t candidate, const Contact<D>& contact
     pair.bonded = false;  // from another law: potentials hold nothing together
     const PotentialForce<D> potential = potential_force(outline_a, outline_b, to_b, potential_room_);
     const double stiffness = law.normal_stiffness / evaluation.potential_length;
-    return spring.evaluate(contact, line_of_action(potential, stiffness, contact.normal), motion, shear,
-                           evaluation.energy);
+    const LineOfAction<D> line = line_of_action(potential, stiffness, contact.normal);
+    if (blocks_.is_affine(a) || blocks_.is_affine(b))
+      evaluation.stretch = stretch_besides(line, potential, stiffness, to_b);
+    return spring.evaluate(contact, line, motion, shear, evaluation.energy);
   }
   Overlap<D> overlap;
   if (law.stiffness_kind == StiffnessKind::per_area)
@@ -85,6 +97,22 @@ void World<D>::load_blocks(std::size_t candidate, const Contact<D>& contact, Eva
   blocks_.torque[a] += load.torque_on_a;
   blocks_.torque[b] += load.torque_on_b;
   forces_.push_back(load.contact);
+  if (blocks_.is_affine(a) || blocks_.is_affine(b)) strain_blocks(pair, load, evaluation);
+}
+
+/// Adds what a contact does to the strain of its blocks, where they have any.
+template <int D>
+void World<D>::strain_blocks(const Candidate<D>& pair, const PairLoad<D>& load, Evaluation& evaluation) {
+  const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
+  const Vector<D>& point = load.contact.point;
+  const Angular<D>& couple = load.contact.couple;
+  const Stretch<D> stretch = std::exchange(evaluation.stretch, {});
+  if (blocks_.is_affine(a))
+    blocks_.deformation(a).virial += stretch.of_a - virial_of<D>(load.force, point, couple);
+  if (blocks_.is_affine(b)) {
+    const Vector<D> arm = point - (blocks_.position[b] - blocks_.position[a]);
+    blocks_.deformation(b).virial += stretch.of_b + virial_of<D>(load.force, arm, couple);
+  }
 }
 
 template class World<2>;

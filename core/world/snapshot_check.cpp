@@ -32,14 +32,15 @@ bool Blocks<D>::is_consistent(std::int32_t material_count) const {
   for (std::size_t i = 0; i < slots; ++i) {
     if (kind[i] == BlockKind::none) continue;
     living.push_back(std::int32_t(i));
-    if (kind[i] < BlockKind::fixed || kind[i] > BlockKind::rigid) return false;
+    if (kind[i] < BlockKind::fixed || kind[i] > BlockKind::affine) return false;
     if (material[i] < 0 || material[i] >= material_count) return false;
   }
   const auto is_free = [&](std::int32_t slot) {
     return slot >= 0 && std::size_t(slot) < slots && !lives(std::size_t(slot));
   };
   return std::int64_t(living.size()) == living_ && free_slots_.size() == slots - living.size() &&
-         std::all_of(free_slots_.begin(), free_slots_.end(), is_free) && outlines_.is_consistent(living);
+         std::all_of(free_slots_.begin(), free_slots_.end(), is_free) && outlines_.is_consistent(living) &&
+         deformations_.is_consistent(slots, [&](std::size_t slot) { return is_affine(slot); });
 }
 
 namespace {
@@ -77,6 +78,7 @@ bool Candidates<D>::is_consistent(const Blocks<D>& blocks) const {
   if (listed > slots || planned_.size() != listed || (!used_up_ && listed != slots)) return false;
   if (reference_position_.size() != listed || reference_rotation_.size() != listed) return false;
   if (!shear_.empty() && shear_.size() != pairs_.size()) return false;
+  if (!reference_gradient_.empty() && reference_gradient_.size() > slots) return false;
   const auto lives = [&](std::int32_t slot) {
     return slot >= 0 && std::size_t(slot) < slots && blocks.lives(std::size_t(slot));
   };
@@ -91,6 +93,7 @@ bool Candidates<D>::is_consistent(const Blocks<D>& blocks) const {
 template <int D>
 bool World<D>::is_consistent() const {
   if (!laws_.is_consistent() || laws_.material_count() != material_count()) return false;
+  if (elasticity_.size() != density_.size()) return false;
   if (!blocks_.is_consistent(material_count()) || !candidates_.is_consistent(blocks_)) return false;
   const std::size_t slots = blocks_.slot_count();
   if (fresh_.size() > slots || (any_fresh_ && fresh_.size() != slots)) return false;

@@ -41,6 +41,13 @@ typename World<D>::Hardest World<D>::hardest_contact(std::size_t slot, double po
   return hardest;
 }
 
+/// Square of the largest frequency at which an affine block can vibrate by itself.
+template <int D>
+double World<D>::wave_of(std::size_t slot) const {
+  const Deformation<D>& deformation = blocks_.deformation(slot);
+  return deformation.volume * elasticity_of(slot).template largest_stiffness<D>() / deformation.least_moment;
+}
+
 /// Gershgorin: no frequency exceeds omega^2 = 2 sum_contacts K (1/m + r^2/I), with r at most the block's
 /// radius, and no decay gamma = 2 sum_contacts c (1/m + r^2/I). Dashpots read the velocity of half a step
 /// before, so that central differences are stable as long as dt^2 omega^2 + 2 dt gamma < 4. Blocks will meet
@@ -56,13 +63,20 @@ double World<D>::stable_time_step() {
   const double length = laws_.knows_potential() ? potential_length() : 0;
   double stable = HUGE_VAL;
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
-    if (blocks_.kind[i] != BlockKind::rigid || material_count() == 0) continue;
+    if (!blocks_.moves_freely(i)) continue;
     const double contacts = std::max(contacts_of_[i], least_contacts);
-    const double mobility =
-        1 / blocks_.mass[i] + blocks_.radius[i] * blocks_.radius[i] / blocks_.inertia[i].least_moment();
+    const bool is_affine = blocks_.is_affine(i);
+    const double least_moment =
+        is_affine ? blocks_.deformation(i).least_moment : blocks_.inertia[i].least_moment();
+    const double mobility = 1 / blocks_.mass[i] + blocks_.radius[i] * blocks_.radius[i] / least_moment;
     const Hardest hardest = hardest_contact(i, length);
-    const double omega_squared = 2 * contacts * hardest.stiffness * mobility;
-    const double gamma = 2 * contacts * hardest.viscosity * mobility;
+    double omega_squared = 2 * contacts * hardest.stiffness * mobility;
+    double gamma = 2 * contacts * hardest.viscosity * mobility;
+    if (is_affine) {
+      const double wave = wave_of(i);
+      omega_squared += wave;
+      gamma += elasticity_of(i).damping_time * wave;
+    }
     stable = std::min(stable, 4 / (gamma + std::sqrt(gamma * gamma + 4 * omega_squared)));
   }
   return stable;
@@ -90,16 +104,21 @@ void World<D>::start_ledger() {
   Stock stock;
   double weight_times_size = 0;
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
-    if (blocks_.kind[i] == BlockKind::rigid) {
+    if (blocks_.moves_freely(i)) {
       accelerate(i);
       weight_times_size += blocks_.mass[i] * settings_.gravity.norm() * blocks_.radius[i];
     }
-    take_stock(i, blocks_.velocity[i], blocks_.spin[i], stock);
+    if (blocks_.is_affine(i)) {
+      take_affine_stock(i, blocks_.velocity[i], blocks_.deformation(i).rate, stock);
+    } else {
+      take_stock(i, blocks_.velocity[i], blocks_.spin[i], stock);
+    }
   }
   ledger_.kinetic = stock.kinetic;
   ledger_.gravity = stock.gravity;
+  ledger_.block_strain = stock.block_strain;
   power_ = stock.power;
-  noise_energy_ = weight_times_size + ledger_.kinetic + ledger_.strain;
+  noise_energy_ = weight_times_size + ledger_.kinetic + ledger_.strain + ledger_.block_strain;
   ledger_.outer_work = ledger_.total() - residual_before_edit_;
 }
 

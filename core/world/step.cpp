@@ -5,19 +5,11 @@
 #include <utility>
 
 #include "block/free_turn.h"
+#include "world/local_damping.h"
 #include "world/world.h"
 
 namespace halfspace {
 namespace {
-
-double damped(double force, double velocity, double share) {
-  return velocity == 0 ? force : force - share * std::abs(force) * (velocity > 0 ? 1 : -1);
-}
-
-/// Rate of what local damping takes when it opposes one velocity and the block has another by now.
-double damped_power(double force, double opposed, double velocity) {
-  return opposed == 0 ? 0 : std::abs(force) * (opposed > 0 ? velocity : -velocity);
-}
 
 /// Of what a tuple refers to, with arrays in the given memory.
 template <class... T>
@@ -29,8 +21,10 @@ std::tuple<T...> copies_of(const std::tuple<T&...>& originals, Memory* memory) {
 
 template <int D>
 typename World<D>::Drive World<D>::drive(std::size_t i) const {
-  return {blocks_.force[i] + blocks_.applied_force[i] + blocks_.mass[i] * settings_.gravity,
-          blocks_.torque[i] + blocks_.applied_torque[i]};
+  Drive drive{blocks_.force[i] + blocks_.applied_force[i] + blocks_.mass[i] * settings_.gravity,
+              blocks_.torque[i] + blocks_.applied_torque[i]};
+  if (blocks_.is_affine(i)) drive.force += blocks_.deformation(i).load_force;
+  return drive;
 }
 
 /// Newton's law with local damping (Cundall's, against each component of the velocity) and mass-proportional
@@ -44,6 +38,7 @@ void World<D>::accelerate(std::size_t i) {
       torque[k] = damped(torque[k], blocks_.spin[i][k], settings_.local_damping);
   }
   acceleration_[i] = force / blocks_.mass[i] - settings_.mass_damping * blocks_.velocity[i];
+  if (blocks_.is_affine(i)) return accelerate_strain(i);
   momentum_rate_[i] = torque - settings_.mass_damping * blocks_.momentum[i];
 }
 
@@ -55,6 +50,10 @@ bool World<D>::plan_motion() {
   const double half = 0.5 * time_step_;
   next_rotation_.resize(blocks_.slot_count());
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
+    if (blocks_.is_affine(i)) {
+      if (!plan_affine(i)) return false;
+      continue;
+    }
     const bool rigid = blocks_.kind[i] == BlockKind::rigid;
     if (!rigid && blocks_.kind[i] != BlockKind::prescribed) continue;
     Vector<D> velocity = blocks_.velocity[i];
@@ -83,6 +82,12 @@ template <int D>
 void World<D>::kick_and_drift() {
   const double half = 0.5 * time_step_;
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
+    if (blocks_.is_affine(i)) {
+      blocks_.push(i, half * acceleration_[i], Angular<D>::Zero());
+      blocks_.strain(i, half * blocks_.deformation(i).acceleration);
+      blocks_.drift_affine(std::int32_t(i), time_step_ * blocks_.velocity[i], time_step_);
+      continue;
+    }
     if (blocks_.kind[i] == BlockKind::rigid) {
       blocks_.push(i, half * acceleration_[i], half * momentum_rate_[i]);
     } else if (blocks_.kind[i] != BlockKind::prescribed) {
@@ -128,6 +133,10 @@ void World<D>::kick_and_book() {
   Stock stock;
   double applied_power = 0;
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
+    if (blocks_.is_affine(i)) {
+      kick_and_book_affine(i, stock, applied_power);
+      continue;
+    }
     const Vector<D> middle_velocity = blocks_.velocity[i];
     const Angular<D> middle_spin = blocks_.spin[i];
     if (blocks_.kind[i] == BlockKind::rigid) {
@@ -140,8 +149,10 @@ void World<D>::kick_and_book() {
   }
   ledger_.kinetic = stock.kinetic;
   ledger_.gravity = stock.gravity;
+  ledger_.block_strain = stock.block_strain;
   ledger_.local_damping_loss += half * (power_.local_damping + stock.power.local_damping);
   ledger_.mass_damping_loss += half * (power_.mass_damping + stock.power.mass_damping);
+  ledger_.block_damping_loss += half * (power_.block_damping + stock.power.block_damping);
   ledger_.outer_work += time_step_ * applied_power + half * (power_.prescribed + stock.power.prescribed);
   power_ = stock.power;
 }
@@ -152,7 +163,7 @@ void World<D>::kick_and_book() {
 template <int D>
 bool World<D>::makes_energy() const {
   const double made = ledger_.residual();
-  const double present = ledger_.kinetic + ledger_.strain + ledger_.losses();
+  const double present = ledger_.kinetic + ledger_.strain + ledger_.block_strain + ledger_.losses();
   return !(made <= 0.995 * present || made <= noise_energy_);
 }
 

@@ -45,6 +45,8 @@ class World {
   std::int32_t add_material(double density);
   double density(std::int32_t material) const { return density_[std::size_t(material)]; }
   std::int32_t material_count() const { return std::int32_t(density_.size()); }
+  void set_elasticity(std::int32_t material, const Elasticity& elasticity);
+  const Elasticity& elasticity(std::int32_t material) const { return elasticity_[std::size_t(material)]; }
   void set_default_law(const SpringLaw& law);
   void set_law(std::int32_t a, std::int32_t b, const SpringLaw& law);
   std::int32_t add_block(const Shape<D>& shape, BlockKind kind, std::int32_t material,
@@ -52,6 +54,12 @@ class World {
   void remove_block(std::int32_t slot);
   void set_pose(std::int32_t slot, const Vector<D>& position, const Rotation<D>& rotation);
   void set_velocity(std::int32_t slot, const Vector<D>& velocity, const Angular<D>& spin);
+  /// Of an affine block.
+  void set_deformation(std::int32_t slot, const Tensor<D>& gradient, const Tensor<D>& rate);
+  void set_stress(std::int32_t slot, const Tensor<D>& stress);
+  /// Force per area of a face, in the plane of an edge, as the shape was given.
+  void add_surface_load(std::int32_t slot, int face, const Vector<D>& traction);
+  void clear_surface_loads(std::int32_t slot);
   void set_applied_force(std::int32_t slot, const Vector<D>& force, const Angular<D>& torque);
 
   // Stages.
@@ -95,9 +103,9 @@ class World {
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(settings_, density_, fresh_, any_fresh_, laws_, blocks_, candidates_, touching_, forces_,
-            acceleration_, momentum_rate_, ledger_, noise_energy_, residual_before_edit_, power_, epoch_time_,
-            epoch_step_, time_step_, fixed_length_, steps_, detected_, edited_);
+    archive(settings_, density_, elasticity_, fresh_, any_fresh_, laws_, blocks_, candidates_, touching_,
+            forces_, acceleration_, momentum_rate_, ledger_, noise_energy_, residual_before_edit_, power_,
+            epoch_time_, epoch_step_, time_step_, fixed_length_, steps_, detected_, edited_);
     if constexpr (Archive::reads) {  // steps find contacts until the next search, and ask for no memory
       touching_.reserve(candidates_.room());
       forces_.reserve(candidates_.room());
@@ -116,12 +124,14 @@ class World {
     double prescribed = 0;
     double local_damping = 0;
     double mass_damping = 0;
+    double block_damping = 0;
   };
 
   /// What is summed over the blocks.
   struct Stock {
     double kinetic = 0;
     double gravity = 0;
+    double block_strain = 0;
     Power power;
   };
 
@@ -130,6 +140,7 @@ class World {
     double elapsed;
     double potential_length;
     ContactEnergy energy;
+    Stretch<D> stretch;  // of the contact at hand, by a law of potentials
   };
 
   /// Of a contact.
@@ -154,8 +165,10 @@ class World {
   void find_contacts(OnContact on_contact);
   double mean_edge_length() const;
   void fix_potential_length();
+  PairMotion<D> motion_of(const Candidate<D>& pair) const;
   PairLoad<D> pair_load(std::size_t candidate, const Contact<D>& contact, Evaluation& evaluation);
   void load_blocks(std::size_t candidate, const Contact<D>& contact, Evaluation& evaluation);
+  void strain_blocks(const Candidate<D>& pair, const PairLoad<D>& load, Evaluation& evaluation);
   void release_shear(std::size_t candidate);
   void make_bonds();
   void forget_contacts();
@@ -175,13 +188,22 @@ class World {
                   Stock& stock) const;
   double reduced_mass(std::size_t a, std::size_t b) const;
   Hardest hardest_contact(std::size_t slot, double potential_length) const;
+  double wave_of(std::size_t slot) const;
   bool makes_energy() const;
   Drive drive(std::size_t slot) const;
   void accelerate(std::size_t slot);
+  Tensor<D> strain_drive(std::size_t slot) const;
+  void accelerate_strain(std::size_t slot);
+  bool plan_affine(std::size_t slot);
+  void take_affine_stock(std::size_t slot, const Vector<D>& opposed, const Tensor<D>& opposed_rate,
+                         Stock& stock) const;
+  void kick_and_book_affine(std::size_t slot, Stock& stock, double& applied_power);
+  const Elasticity& elasticity_of(std::size_t slot) const { return elasticity(blocks_.material[slot]); }
 
   WorldSettings<D> settings_;
   Array<double> density_;
-  Array<std::uint8_t> fresh_;  // of each block: its first step has not begun
+  Array<Elasticity> elasticity_;  // of each material
+  Array<std::uint8_t> fresh_;     // of each block: its first step has not begun
   std::int32_t any_fresh_ = 0;
   LawTable laws_;
   Blocks<D> blocks_;

@@ -10,3 +10,5 @@ FIELD(hs_pair_options, without_region, 32, 4);
 FIELD(hs_pair_options, reserved_2, 36, 4);
 FIELD(hs_world_def, potential_length, 88, 8);
 FIELD(hs_world_report, potential_length, 160, 8);
+FIELD(hs_world_report, block_strain_energy, 168, 8);
+FIELD(hs_world_report, block_damping_loss, 176, 8);

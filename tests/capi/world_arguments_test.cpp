@@ -162,7 +162,7 @@ TEST_CASE("hs_world_add_block refuses every bad definition") {
   const std::vector<Spoiled<D>> spoiled = {
       {"struct_size", "0", [](D& d) { d.struct_size = 0; }},
       {"struct_size", "4294967295", [](D& d) { d.struct_size = 0xffffffffu; }},
-      {"kind", "3", [](D& d) { d.kind = 3; }},
+      {"kind", "4", [](D& d) { d.kind = 4; }},
       {"kind", "-1", [](D& d) { d.kind = -1; }},
       {"material", "1", [](D& d) { d.material = 1; }, HS_ERROR_STALE_ID},
       {"material", "-1", [](D& d) { d.material = -1; }, HS_ERROR_STALE_ID},

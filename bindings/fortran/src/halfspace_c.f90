@@ -84,16 +84,11 @@ module halfspace_c
   integer(c_int32_t), parameter :: HS_BLOCK_FIXED = 0  !< never
   integer(c_int32_t), parameter :: HS_BLOCK_PRESCRIBED = 1  !< with the velocity and spin given, whatever the forces
   integer(c_int32_t), parameter :: HS_BLOCK_RIGID = 2  !< by Newton's law
+  integer(c_int32_t), parameter :: HS_BLOCK_AFFINE = 3  !< by Newton's law, and straining as a whole: see affine.h
 
-  !> How a context is made. Fill it with hs_context_def_init(), then change what you need.
-  type, bind(c) :: hs_context_def
-    integer(c_int32_t) :: struct_size = 0  !< set by hs_context_def_init()
-    integer(c_int32_t) :: reserved = 0  !< 0
-    !> Returns memory aligned to `alignment`, or NULL. NULL here means the C library's allocator.
-    type(c_funptr) :: allocate = c_null_funptr
-    type(c_funptr) :: release = c_null_funptr  !< Gives back what `allocate` returned. Set both or neither.
-    type(c_ptr) :: user = c_null_ptr  !< passed to both
-  end type hs_context_def
+  !> What 2D is a section of.
+  integer(c_int32_t), parameter :: HS_PLANE_STRAIN = 0  !< a body that cannot strain across the plane
+  integer(c_int32_t), parameter :: HS_PLANE_STRESS = 1  !< a sheet without stress across the plane
 
   !> One contact, or the proof that there is none. Points are in the frame of the poses given, directions in
   !! its orientation. Detection of single pairs leaves what has no meaning there as it was: ids, forces,
@@ -151,6 +146,16 @@ module halfspace_c
     real(c_double) :: shear_damping = 0.0_c_double  !< share of critical viscous damping, >= 0; default 0
   end type hs_law_def
 
+  !> How a context is made. Fill it with hs_context_def_init(), then change what you need.
+  type, bind(c) :: hs_context_def
+    integer(c_int32_t) :: struct_size = 0  !< set by hs_context_def_init()
+    integer(c_int32_t) :: reserved = 0  !< 0
+    !> Returns memory aligned to `alignment`, or NULL. NULL here means the C library's allocator.
+    type(c_funptr) :: allocate = c_null_funptr
+    type(c_funptr) :: release = c_null_funptr  !< Gives back what `allocate` returned. Set both or neither.
+    type(c_ptr) :: user = c_null_ptr  !< passed to both
+  end type hs_context_def
+
   !> Points to read. Point i is (x[i], y[i], z[i]), each pointer advanced by i * stride bytes.
   type, bind(c) :: hs_view
     type(c_ptr) :: x = c_null_ptr  !< first x component; not NULL unless count is 0
@@ -207,6 +212,105 @@ module halfspace_c
     integer(c_int32_t) :: reserved = 0  !< 0
   end type hs_clean_report
 
+  !> How a world is made. Fill it with hs_world_def_init().
+  type, bind(c) :: hs_world_def
+    integer(c_int32_t) :: struct_size = 0  !< set by hs_world_def_init()
+    integer(c_int32_t) :: dimension = 0  !< 2 (default) or 3
+    real(c_double) :: gravity(3) = 0.0_c_double  !< acceleration; default 0, -9.81, 0, also in 3D
+    !> > 0, or 0 (default): safety times the stable time step, found when the first step begins and again
+    !! after each change of the world from outside
+    real(c_double) :: time_step = 0.0_c_double
+    real(c_double) :: safety = 0.0_c_double  !< (0, 1]; default 0.5
+    real(c_double) :: local_damping = 0.0_c_double  !< [0, 1): force opposing each velocity component, share of the force; default 0
+    real(c_double) :: mass_damping = 0.0_c_double  !< 1/s, >= 0: force -mass_damping * mass * velocity; default 0
+    real(c_double) :: skin = 0.0_c_double  !< reach of the neighbour list, share of a block's size; (0, 1]; default 0.1
+    real(c_double) :: parallel_angle = 0.0_c_double  !< see hs_pair_options
+    real(c_double) :: vertex_zone = 0.0_c_double  !< see hs_pair_options
+    !> H of HS_STIFFNESS_POTENTIAL, m, > 0: one for all blocks; or 0 (default): the mean length of all blocks'
+    !! edges when forces are first used
+    real(c_double) :: potential_length = 0.0_c_double
+  end type hs_world_def
+
+  !> How a block is made. Fill it with hs_block_def_init().
+  type, bind(c) :: hs_block_def
+    integer(c_int32_t) :: struct_size = 0  !< set by hs_block_def_init()
+    integer(c_int32_t) :: kind = 0  !< an HS_BLOCK_ value; default HS_BLOCK_RIGID
+    integer(c_int32_t) :: material = 0  !< from hs_world_add_material()
+    integer(c_int32_t) :: reserved = 0  !< 0
+    type(hs_pose) :: pose  !< default: where the shape's vertices were given
+    real(c_double) :: velocity(3) = 0.0_c_double  !< of the centroid; default 0
+    real(c_double) :: angular_velocity(3) = 0.0_c_double  !< rad/s; 2D uses z; default 0
+  end type hs_block_def
+
+  !> A block's motion.
+  type, bind(c) :: hs_block_state
+    integer(c_int32_t) :: kind = 0  !< an HS_BLOCK_ value
+    integer(c_int32_t) :: material = 0  !< index
+    type(hs_pose) :: pose  !< of the centroid
+    real(c_double) :: angle = 0.0_c_double  !< 2D: turned by motion since the block was added, rad, unbounded
+    real(c_double) :: velocity(3) = 0.0_c_double  !< of the centroid
+    real(c_double) :: angular_velocity(3) = 0.0_c_double  !< 2D: z
+    real(c_double) :: force(3) = 0.0_c_double  !< contact force of the last force evaluation
+    real(c_double) :: torque(3) = 0.0_c_double  !< contact torque about the centroid, likewise
+    real(c_double) :: mass = 0.0_c_double  !< 2D: per unit thickness
+  end type hs_block_state
+
+  !> Where the energy is and where it went, since the world was made (J, in 2D per unit thickness). Adding or
+  !! removing blocks and setting a motion are booked as outer work.
+  type, bind(c) :: hs_energy
+    real(c_double) :: kinetic = 0.0_c_double  !< now
+    real(c_double) :: gravity = 0.0_c_double  !< potential, zero at the origin, now
+    real(c_double) :: strain = 0.0_c_double  !< in the contact springs, now
+    real(c_double) :: friction_loss = 0.0_c_double  !< by sliding and by breaking bonds, so far
+    real(c_double) :: contact_damping_loss = 0.0_c_double  !< by viscous contact damping, so far
+    real(c_double) :: local_damping_loss = 0.0_c_double  !< by local damping, so far
+    real(c_double) :: mass_damping_loss = 0.0_c_double  !< by mass-proportional damping, so far
+    real(c_double) :: outer_work = 0.0_c_double  !< by prescribed blocks, applied forces and edits, so far
+    real(c_double) :: residual = 0.0_c_double  !< all but outer_work, minus outer_work: what the numbers themselves made or lost
+  end type hs_energy
+
+  !> The state of a world in numbers. Later versions may append to it.
+  type, bind(c) :: hs_world_report
+    integer(c_int32_t) :: dimension = 0  !< 2 or 3
+    integer(c_int32_t) :: reserved = 0  !< 0
+    integer(c_int64_t) :: steps = 0  !< done so far
+    real(c_double) :: time = 0.0_c_double  !< passed so far
+    real(c_double) :: time_step = 0.0_c_double  !< in use
+    !> safe bound from stiffness, viscosity and mass; 0 without blocks that move freely
+    real(c_double) :: stable_time_step = 0.0_c_double
+    integer(c_int64_t) :: block_count = 0  !< living blocks
+    integer(c_int64_t) :: candidate_count = 0  !< pairs in the neighbour list
+    integer(c_int64_t) :: contact_count = 0  !< pairs in contact
+    integer(c_int64_t) :: list_builds = 0  !< how often the neighbour list was built
+    real(c_double) :: largest_overlap = 0.0_c_double  !< of the last detection
+    real(c_double) :: largest_speed = 0.0_c_double  !< of all blocks that move freely, now
+    type(hs_energy) :: energy  !< the ledger
+    real(c_double) :: potential_length = 0.0_c_double  !< in use; 0 without a law of potentials
+    real(c_double) :: block_strain_energy = 0.0_c_double  !< of affine blocks, now; counts in the residual
+    real(c_double) :: block_damping_loss = 0.0_c_double  !< in affine blocks, so far; counts in the residual
+  end type hs_world_report
+
+  !> Elasticity of a material. Fill it with hs_elasticity_def_init().
+  type, bind(c) :: hs_elasticity_def
+    integer(c_int32_t) :: struct_size = 0  !< set by hs_elasticity_def_init()
+    integer(c_int32_t) :: plane = 0  !< 2D: HS_PLANE_STRAIN (default) or HS_PLANE_STRESS; 3D: HS_PLANE_STRAIN
+    real(c_double) :: young_modulus = 0.0_c_double  !< Pa, > 0; default 1e9
+    real(c_double) :: poisson_ratio = 0.0_c_double  !< (-1, 0.5); default 0.25
+    !> s, >= 0: viscous stress is the elastic one of the strain rate times this (Rayleigh's beta); default 0
+    real(c_double) :: damping_time = 0.0_c_double
+  end type hs_elasticity_def
+
+  !> How a block is turned and strained.
+  type, bind(c) :: hs_deformation
+    !> from places in the shape's frame to places about the centroid; of other than affine blocks a rotation
+    real(c_double) :: gradient(9) = 0.0_c_double
+    real(c_double) :: rate(9) = 0.0_c_double  !< of the gradient, 1/s
+    !> Green's, from the shape as it was given, in the shape's frame; of other than affine blocks 0
+    real(c_double) :: strain(9) = 0.0_c_double
+    real(c_double) :: stress(9) = 0.0_c_double  !< Cauchy's, elastic, in space, Pa, tension > 0; of other than affine blocks 0
+    real(c_double) :: strain_energy = 0.0_c_double  !< J, in 2D per unit thickness; 0 without stress
+  end type hs_deformation
+
   !> What a pair remembers between calls: the last violated potential pair while separated, the initial
   !! contact pair while in contact (Wang et al. 2021, section 2.5). All zero is an empty cache. Copy it
   !! freely, also to another process.
@@ -252,81 +356,6 @@ module halfspace_c
     integer(c_int32_t) :: reserved_2 = 0  !< 0
   end type hs_pair_options
 
-  !> How a world is made. Fill it with hs_world_def_init().
-  type, bind(c) :: hs_world_def
-    integer(c_int32_t) :: struct_size = 0  !< set by hs_world_def_init()
-    integer(c_int32_t) :: dimension = 0  !< 2 (default) or 3
-    real(c_double) :: gravity(3) = 0.0_c_double  !< acceleration; default 0, -9.81, 0, also in 3D
-    !> > 0, or 0 (default): safety times the stable time step, found when the first step begins and again
-    !! after each change of the world from outside
-    real(c_double) :: time_step = 0.0_c_double
-    real(c_double) :: safety = 0.0_c_double  !< (0, 1]; default 0.5
-    real(c_double) :: local_damping = 0.0_c_double  !< [0, 1): force opposing each velocity component, share of the force; default 0
-    real(c_double) :: mass_damping = 0.0_c_double  !< 1/s, >= 0: force -mass_damping * mass * velocity; default 0
-    real(c_double) :: skin = 0.0_c_double  !< reach of the neighbour list, share of a block's size; (0, 1]; default 0.1
-    real(c_double) :: parallel_angle = 0.0_c_double  !< see hs_pair_options
-    real(c_double) :: vertex_zone = 0.0_c_double  !< see hs_pair_options
-    !> H of HS_STIFFNESS_POTENTIAL, m, > 0: one for all blocks; or 0 (default): the mean length of all blocks'
-    !! edges when forces are first used
-    real(c_double) :: potential_length = 0.0_c_double
-  end type hs_world_def
-
-  !> How a block is made. Fill it with hs_block_def_init().
-  type, bind(c) :: hs_block_def
-    integer(c_int32_t) :: struct_size = 0  !< set by hs_block_def_init()
-    integer(c_int32_t) :: kind = 0  !< HS_BLOCK_RIGID (default), HS_BLOCK_FIXED or HS_BLOCK_PRESCRIBED
-    integer(c_int32_t) :: material = 0  !< from hs_world_add_material()
-    integer(c_int32_t) :: reserved = 0  !< 0
-    type(hs_pose) :: pose  !< default: where the shape's vertices were given
-    real(c_double) :: velocity(3) = 0.0_c_double  !< of the centroid; default 0
-    real(c_double) :: angular_velocity(3) = 0.0_c_double  !< rad/s; 2D uses z; default 0
-  end type hs_block_def
-
-  !> A block's motion.
-  type, bind(c) :: hs_block_state
-    integer(c_int32_t) :: kind = 0  !< an HS_BLOCK_ value
-    integer(c_int32_t) :: material = 0  !< index
-    type(hs_pose) :: pose  !< of the centroid
-    real(c_double) :: angle = 0.0_c_double  !< 2D: turned by motion since the block was added, rad, unbounded
-    real(c_double) :: velocity(3) = 0.0_c_double  !< of the centroid
-    real(c_double) :: angular_velocity(3) = 0.0_c_double  !< 2D: z
-    real(c_double) :: force(3) = 0.0_c_double  !< contact force of the last force evaluation
-    real(c_double) :: torque(3) = 0.0_c_double  !< contact torque about the centroid, likewise
-    real(c_double) :: mass = 0.0_c_double  !< 2D: per unit thickness
-  end type hs_block_state
-
-  !> Where the energy is and where it went, since the world was made (J, in 2D per unit thickness). Adding or
-  !! removing blocks and setting a motion are booked as outer work.
-  type, bind(c) :: hs_energy
-    real(c_double) :: kinetic = 0.0_c_double  !< now
-    real(c_double) :: gravity = 0.0_c_double  !< potential, zero at the origin, now
-    real(c_double) :: strain = 0.0_c_double  !< in the contact springs, now
-    real(c_double) :: friction_loss = 0.0_c_double  !< by sliding and by breaking bonds, so far
-    real(c_double) :: contact_damping_loss = 0.0_c_double  !< by viscous contact damping, so far
-    real(c_double) :: local_damping_loss = 0.0_c_double  !< by local damping, so far
-    real(c_double) :: mass_damping_loss = 0.0_c_double  !< by mass-proportional damping, so far
-    real(c_double) :: outer_work = 0.0_c_double  !< by prescribed blocks, applied forces and edits, so far
-    real(c_double) :: residual = 0.0_c_double  !< all but outer_work, minus outer_work: what the numbers themselves made or lost
-  end type hs_energy
-
-  !> The state of a world in numbers. Later versions may append to it.
-  type, bind(c) :: hs_world_report
-    integer(c_int32_t) :: dimension = 0  !< 2 or 3
-    integer(c_int32_t) :: reserved = 0  !< 0
-    integer(c_int64_t) :: steps = 0  !< done so far
-    real(c_double) :: time = 0.0_c_double  !< passed so far
-    real(c_double) :: time_step = 0.0_c_double  !< in use
-    real(c_double) :: stable_time_step = 0.0_c_double  !< safe bound from stiffness, viscosity and mass; 0 without rigid blocks
-    integer(c_int64_t) :: block_count = 0  !< living blocks
-    integer(c_int64_t) :: candidate_count = 0  !< pairs in the neighbour list
-    integer(c_int64_t) :: contact_count = 0  !< pairs in contact
-    integer(c_int64_t) :: list_builds = 0  !< how often the neighbour list was built
-    real(c_double) :: largest_overlap = 0.0_c_double  !< of the last detection
-    real(c_double) :: largest_speed = 0.0_c_double  !< of all rigid blocks now
-    type(hs_energy) :: energy  !< the ledger
-    real(c_double) :: potential_length = 0.0_c_double  !< in use; 0 without a law of potentials
-  end type hs_world_report
-
   abstract interface
 
     !> Returns memory aligned to `alignment`, or NULL. NULL here means the C library's allocator.
@@ -366,6 +395,15 @@ module halfspace_c
       type(c_ptr) :: hs_version
     end function hs_version
 
+    !> Fills a law with its defaults.
+    !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
+    function hs_law_def_init(def, size) bind(c)
+      import
+      type(hs_law_def), intent(out) :: def  !< to fill
+      integer(c_size_t), value :: size  !< sizeof(hs_law_def) as the caller was compiled
+      integer(c_int32_t) :: hs_law_def_init
+    end function hs_law_def_init
+
     !> Fills a definition with its defaults.
     !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
     function hs_context_def_init(def, size) bind(c)
@@ -397,15 +435,6 @@ module halfspace_c
       type(c_ptr), value :: context  !< NULL gives the text for a missing context
       type(c_ptr) :: hs_context_last_error
     end function hs_context_last_error
-
-    !> Fills a law with its defaults.
-    !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
-    function hs_law_def_init(def, size) bind(c)
-      import
-      type(hs_law_def), intent(out) :: def  !< to fill
-      integer(c_size_t), value :: size  !< sizeof(hs_law_def) as the caller was compiled
-      integer(c_int32_t) :: hs_law_def_init
-    end function hs_law_def_init
 
     !> Says what is wrong with a polygon's vertices without making a shape.
     !! Returns HS_OK (also when there is a fault), HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
@@ -595,49 +624,6 @@ module halfspace_c
       type(c_ptr), value :: shape  !< may be NULL
     end subroutine hs_shape_destroy
 
-    !> Fills detection options with their defaults.
-    !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
-    function hs_pair_options_init(options, size) bind(c)
-      import
-      type(hs_pair_options), intent(out) :: options  !< to fill
-      integer(c_size_t), value :: size  !< sizeof(hs_pair_options) as the caller was compiled
-      integer(c_int32_t) :: hs_pair_options_init
-    end function hs_pair_options_init
-
-    !> Are two shapes in contact, and how?
-    !! Returns HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY (polygons of more than 32 vertices)
-    function hs_pair_detect(shape_a, pose_a, shape_b, pose_b, options, cache, contact) bind(c)
-      import
-      type(c_ptr), value :: shape_a  !< the shapes, both of one dimension; the same one twice is legal
-      type(hs_pose), intent(in) :: pose_a  !< where they are
-      type(c_ptr), value :: shape_b  !< the shapes, both of one dimension; the same one twice is legal
-      type(hs_pose), intent(in) :: pose_b  !< where they are
-      type(c_ptr), value :: options  !< NULL for the defaults
-      !> NULL, or the pair's memory from the last call: makes the answer faster and, in contact, keeps the
-      !! plane through which the pair met
-      type(c_ptr), value :: cache
-      type(hs_contact), intent(inout) :: contact  !< receives type, pair, normal, gap, and of a contact its region; the rest stays
-      integer(c_int32_t) :: hs_pair_detect
-    end function hs_pair_detect
-
-    !> Detects many pairs.
-    !! Returns HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY; then the pairs before the failing one have
-    !! been written
-    function hs_pairs_detect(context, shapes, poses, body_count, pairs, pair_count, options, caches, contacts, touching) bind(c)
-      import
-      type(c_ptr), value :: context  !< for the error text
-      type(c_ptr), value :: shapes  !< shapes of the bodies, body_count pointers; those of a pair are of one dimension
-      type(c_ptr), value :: poses  !< poses of the bodies, body_count
-      integer(c_int64_t), value :: body_count  !< number of bodies, >= 0
-      type(c_ptr), value :: pairs  !< body indices a, b of each pair, 2 * pair_count values
-      integer(c_int64_t), value :: pair_count  !< number of pairs, >= 0
-      type(c_ptr), value :: options  !< NULL for the defaults
-      type(c_ptr), value :: caches  !< NULL, or one per pair
-      type(c_ptr), value :: contacts  !< receives one per pair, in the order of the pairs, separated ones with HS_CONTACT_NONE
-      type(c_ptr), value :: touching  !< receives the number of pairs in contact; may be NULL
-      integer(c_int32_t) :: hs_pairs_detect
-    end function hs_pairs_detect
-
     !> Fills a world definition with its defaults.
     !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
     function hs_world_def_init(def, size) bind(c)
@@ -704,7 +690,8 @@ module halfspace_c
     end function hs_block_def_init
 
     !> Adds a block. The world copies the shape.
-    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID (material) or HS_ERROR_OUT_OF_MEMORY
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID (material), HS_ERROR_STATE (an affine block of a
+    !! material that is not elastic) or HS_ERROR_OUT_OF_MEMORY
     function hs_world_add_block(world, shape, def, block) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
@@ -776,8 +763,9 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_set_velocity
     end function hs_world_set_velocity
 
-    !> Sets the force and torque (3 values each) that act on a rigid block from outside until set again.
-    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless rigid
+    !> Sets the force and torque (3 values each) that act on a rigid or affine block from outside until set
+    !! again.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE for other kinds
     function hs_world_set_applied_force(world, block, force, torque) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
@@ -916,6 +904,133 @@ module halfspace_c
       type(c_ptr), intent(out) :: world  !< receives it
       integer(c_int32_t) :: hs_world_restore
     end function hs_world_restore
+
+    !> Fills an elasticity with its defaults.
+    !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
+    function hs_elasticity_def_init(def, size) bind(c)
+      import
+      type(hs_elasticity_def), intent(out) :: def  !< to fill
+      integer(c_size_t), value :: size  !< sizeof(hs_elasticity_def) as the caller was compiled
+      integer(c_int32_t) :: hs_elasticity_def_init
+    end function hs_elasticity_def_init
+
+    !> Makes a material elastic, for affine blocks; others do not read it. Blocks that have the material keep
+    !! their strain.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    function hs_world_set_elasticity(world, material, elasticity) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int32_t), value :: material  !< index
+      type(hs_elasticity_def), intent(in) :: elasticity  !< not NULL
+      integer(c_int32_t) :: hs_world_set_elasticity
+    end function hs_world_set_elasticity
+
+    !> How a block of any kind is turned and strained.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    function hs_world_get_deformation(world, block, deformation) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int64_t), value :: block  !< id
+      type(hs_deformation), intent(out) :: deformation  !< receives it
+      integer(c_int32_t) :: hs_world_get_deformation
+    end function hs_world_get_deformation
+
+    !> Bulk: how all blocks are turned and strained, in the order of hs_world_get_blocks().
+    !! Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
+    function hs_world_get_deformations(world, deformations, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      type(c_ptr), value :: deformations  !< receives them; may be NULL if capacity is 0
+      integer(c_int64_t), value :: capacity  !< in deformations
+      type(c_ptr), value :: count  !< receives the number of blocks; may be NULL
+      integer(c_int32_t) :: hs_world_get_deformations
+    end function hs_world_get_deformations
+
+    !> Turns and strains an affine block, and sets how fast it goes on. Its centroid and velocity stay.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine
+    function hs_world_set_deformation(world, block, gradient, rate) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int64_t), value :: block  !< id
+      real(c_double), intent(in) :: gradient(9)  !< 9 values with a determinant above 0
+      real(c_double), intent(in) :: rate(9)  !< of the gradient, 9 values, 1/s
+      integer(c_int32_t) :: hs_world_set_deformation
+    end function hs_world_set_deformation
+
+    !> Says how an affine block is stressed as it is now, e.g. in situ. What the block is strained by from now
+    !! on adds to that.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine
+    function hs_world_set_stress(world, block, stress) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int64_t), value :: block  !< id
+      real(c_double), intent(in) :: stress(9)  !< Cauchy's, 9 values, symmetric, Pa, tension > 0
+      integer(c_int32_t) :: hs_world_set_stress
+    end function hs_world_set_stress
+
+    !> Adds a load that acts on one face of an affine block from now on. It keeps its direction as the block
+    !! moves, and its size as the face is strained.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine
+    function hs_world_add_surface_load(world, block, face, traction) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int64_t), value :: block  !< id
+      integer(c_int32_t), value :: face  !< index, in 2D of the edge that starts at the vertex of that index
+      real(c_double), intent(in) :: traction(3)  !< force per area of the face as it was given, 3 values, Pa
+      integer(c_int32_t) :: hs_world_add_surface_load
+    end function hs_world_add_surface_load
+
+    !> Takes all surface loads off an affine block.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine
+    function hs_world_clear_surface_loads(world, block) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int64_t), value :: block  !< id
+      integer(c_int32_t) :: hs_world_clear_surface_loads
+    end function hs_world_clear_surface_loads
+
+    !> Fills detection options with their defaults.
+    !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
+    function hs_pair_options_init(options, size) bind(c)
+      import
+      type(hs_pair_options), intent(out) :: options  !< to fill
+      integer(c_size_t), value :: size  !< sizeof(hs_pair_options) as the caller was compiled
+      integer(c_int32_t) :: hs_pair_options_init
+    end function hs_pair_options_init
+
+    !> Are two shapes in contact, and how?
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY (polygons of more than 32 vertices)
+    function hs_pair_detect(shape_a, pose_a, shape_b, pose_b, options, cache, contact) bind(c)
+      import
+      type(c_ptr), value :: shape_a  !< the shapes, both of one dimension; the same one twice is legal
+      type(hs_pose), intent(in) :: pose_a  !< where they are
+      type(c_ptr), value :: shape_b  !< the shapes, both of one dimension; the same one twice is legal
+      type(hs_pose), intent(in) :: pose_b  !< where they are
+      type(c_ptr), value :: options  !< NULL for the defaults
+      !> NULL, or the pair's memory from the last call: makes the answer faster and, in contact, keeps the
+      !! plane through which the pair met
+      type(c_ptr), value :: cache
+      type(hs_contact), intent(inout) :: contact  !< receives type, pair, normal, gap, and of a contact its region; the rest stays
+      integer(c_int32_t) :: hs_pair_detect
+    end function hs_pair_detect
+
+    !> Detects many pairs.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY; then the pairs before the failing one have
+    !! been written
+    function hs_pairs_detect(context, shapes, poses, body_count, pairs, pair_count, options, caches, contacts, touching) bind(c)
+      import
+      type(c_ptr), value :: context  !< for the error text
+      type(c_ptr), value :: shapes  !< shapes of the bodies, body_count pointers; those of a pair are of one dimension
+      type(c_ptr), value :: poses  !< poses of the bodies, body_count
+      integer(c_int64_t), value :: body_count  !< number of bodies, >= 0
+      type(c_ptr), value :: pairs  !< body indices a, b of each pair, 2 * pair_count values
+      integer(c_int64_t), value :: pair_count  !< number of pairs, >= 0
+      type(c_ptr), value :: options  !< NULL for the defaults
+      type(c_ptr), value :: caches  !< NULL, or one per pair
+      type(c_ptr), value :: contacts  !< receives one per pair, in the order of the pairs, separated ones with HS_CONTACT_NONE
+      type(c_ptr), value :: touching  !< receives the number of pairs in contact; may be NULL
+      integer(c_int32_t) :: hs_pairs_detect
+    end function hs_pairs_detect
 
   end interface
 

@@ -94,6 +94,11 @@ HS_FAULT_NO_COMMON_POINT = 26  # half-spaces without a region, or with one flat 
 HS_BLOCK_FIXED = 0  # never
 HS_BLOCK_PRESCRIBED = 1  # with the velocity and spin given, whatever the forces
 HS_BLOCK_RIGID = 2  # by Newton's law
+HS_BLOCK_AFFINE = 3  # by Newton's law, and straining as a whole: see affine.h
+
+# What 2D is a section of.
+HS_PLANE_STRAIN = 0  # a body that cannot strain across the plane
+HS_PLANE_STRESS = 1  # a sheet without stress across the plane
 
 # Returns memory aligned to `alignment`, or NULL. NULL here means the C library's allocator.
 hs_context_def_allocate = CFUNCTYPE(c_void_p, c_size_t, c_size_t, c_void_p)
@@ -111,19 +116,6 @@ class hs_shape(Structure):
 
 class hs_world(Structure):
     """Opaque."""
-
-
-class hs_context_def(Structure):
-    """How a context is made. Fill it with hs_context_def_init(), then change what you need."""
-
-    _fields_ = [
-        ("struct_size", c_uint32),  # set by hs_context_def_init()
-        ("reserved", c_uint32),  # 0
-        # Returns memory aligned to `alignment`, or NULL. NULL here means the C library's allocator.
-        ("allocate", hs_context_def_allocate),
-        ("release", hs_context_def_release),  # Gives back what `allocate` returned. Set both or neither.
-        ("user", c_void_p),  # passed to both
-    ]
 
 
 class hs_contact(Structure):
@@ -187,6 +179,19 @@ class hs_law_def(Structure):
         ("tensile_strength", c_double),  # Pa, >= 0; likewise; default 0
         ("normal_damping", c_double),  # share of critical viscous damping, >= 0; default 0
         ("shear_damping", c_double),  # share of critical viscous damping, >= 0; default 0
+    ]
+
+
+class hs_context_def(Structure):
+    """How a context is made. Fill it with hs_context_def_init(), then change what you need."""
+
+    _fields_ = [
+        ("struct_size", c_uint32),  # set by hs_context_def_init()
+        ("reserved", c_uint32),  # 0
+        # Returns memory aligned to `alignment`, or NULL. NULL here means the C library's allocator.
+        ("allocate", hs_context_def_allocate),
+        ("release", hs_context_def_release),  # Gives back what `allocate` returned. Set both or neither.
+        ("user", c_void_p),  # passed to both
     ]
 
 
@@ -267,56 +272,6 @@ class hs_clean_report(Structure):
     ]
 
 
-class hs_pair_cache(Structure):
-    """What a pair remembers between calls: the last violated potential pair while separated, the initial
-    contact pair while in contact (Wang et al. 2021, section 2.5). All zero is an empty cache. Copy it freely,
-    also to another process.
-
-    While separated it also holds a proof: along `normal` the two centroids were farther apart than the shapes
-    reach together. A call whose blocks have moved and turned by less than the gap, or by less than what of it
-    is beyond hs_pair_options.margin, since answers from the proof alone, without a look at the shapes; its
-    contact has the proof's pair and normal, and as gap what is left of the gap after the most that the motion
-    can have taken. The proof is of the two shapes that it was found for; with others it is not used."""
-
-    _fields_ = [
-        ("state", c_int32),  # 0 unknown, 1 separated, 2 in contact
-        ("pair_kind", c_int32),  # of the remembered pair: an HS_PAIR_ value
-        # index of a's vertex, edge or face in it; a vertex of a separated pair is only where to look for the
-        # deepest one first
-        ("feature_a", c_int32),
-        ("feature_b", c_int32),  # index of b's, likewise
-        ("shapes", c_uint64),  # the proof: fingerprint of its shapes, 0 if there is none
-        ("reach", c_double),  # of both shapes together, along the normal, as they were turned then
-        ("normal", c_double * 3),  # unit, from a to b
-        ("rotation_a", c_double * 4),  # how a was turned then: quaternion x, y, z, w
-        ("rotation_b", c_double * 4),  # how b was turned then
-    ]
-
-
-class hs_pair_options(Structure):
-    """Settings of detection. Fill it with hs_pair_options_init()."""
-
-    _fields_ = [
-        ("struct_size", c_uint32),  # set by hs_pair_options_init()
-        ("reserved", c_uint32),  # 0
-        # edges (3D: faces, or an edge and a face) closer to parallel than this share a region; rad, [0, 0.5];
-        # default 0.01
-        ("parallel_angle", c_double),
-        # how near the end of an edge (3D: the border of a face) a vertex meets what is there: share of the
-        # shorter of the two edges that face each other; [0, 0.5]; default 1e-6
-        ("vertex_zone", c_double),
-        # polygons are separated only when a gap exceeds it, and in contact otherwise; for hosts whose blocks
-        # wear a skin. The gaps of a contact may be above 0 then, of one at a corner above the margin. m, [0,
-        # 1e75], polyhedra 0; default 0
-        ("margin", c_double),
-        # 1: a contact between polygons is the pair of largest gap and no more, for hosts that make their own
-        # points: its type is HS_CONTACT_VERTEX_EDGE, it has no points, `area` and what follows stay as they
-        # were, and the cache remembers nothing of it; polyhedra 0; default 0
-        ("without_region", c_int32),
-        ("reserved_2", c_int32),  # 0
-    ]
-
-
 class hs_world_def(Structure):
     """How a world is made. Fill it with hs_world_def_init()."""
 
@@ -345,7 +300,7 @@ class hs_block_def(Structure):
 
     _fields_ = [
         ("struct_size", c_uint32),  # set by hs_block_def_init()
-        ("kind", c_int32),  # HS_BLOCK_RIGID (default), HS_BLOCK_FIXED or HS_BLOCK_PRESCRIBED
+        ("kind", c_int32),  # an HS_BLOCK_ value; default HS_BLOCK_RIGID
         ("material", c_int32),  # from hs_world_add_material()
         ("reserved", c_int32),  # 0
         ("pose", hs_pose),  # default: where the shape's vertices were given
@@ -397,16 +352,98 @@ class hs_world_report(Structure):
         ("steps", c_int64),  # done so far
         ("time", c_double),  # passed so far
         ("time_step", c_double),  # in use
-        # safe bound from stiffness, viscosity and mass; 0 without rigid blocks
+        # safe bound from stiffness, viscosity and mass; 0 without blocks that move freely
         ("stable_time_step", c_double),
         ("block_count", c_int64),  # living blocks
         ("candidate_count", c_int64),  # pairs in the neighbour list
         ("contact_count", c_int64),  # pairs in contact
         ("list_builds", c_int64),  # how often the neighbour list was built
         ("largest_overlap", c_double),  # of the last detection
-        ("largest_speed", c_double),  # of all rigid blocks now
+        ("largest_speed", c_double),  # of all blocks that move freely, now
         ("energy", hs_energy),  # the ledger
         ("potential_length", c_double),  # in use; 0 without a law of potentials
+        ("block_strain_energy", c_double),  # of affine blocks, now; counts in the residual
+        ("block_damping_loss", c_double),  # in affine blocks, so far; counts in the residual
+    ]
+
+
+class hs_elasticity_def(Structure):
+    """Elasticity of a material. Fill it with hs_elasticity_def_init()."""
+
+    _fields_ = [
+        ("struct_size", c_uint32),  # set by hs_elasticity_def_init()
+        ("plane", c_int32),  # 2D: HS_PLANE_STRAIN (default) or HS_PLANE_STRESS; 3D: HS_PLANE_STRAIN
+        ("young_modulus", c_double),  # Pa, > 0; default 1e9
+        ("poisson_ratio", c_double),  # (-1, 0.5); default 0.25
+        # s, >= 0: viscous stress is the elastic one of the strain rate times this (Rayleigh's beta); default
+        # 0
+        ("damping_time", c_double),
+    ]
+
+
+class hs_deformation(Structure):
+    """How a block is turned and strained."""
+
+    _fields_ = [
+        # from places in the shape's frame to places about the centroid; of other than affine blocks a
+        # rotation
+        ("gradient", c_double * 9),
+        ("rate", c_double * 9),  # of the gradient, 1/s
+        # Green's, from the shape as it was given, in the shape's frame; of other than affine blocks 0
+        ("strain", c_double * 9),
+        # Cauchy's, elastic, in space, Pa, tension > 0; of other than affine blocks 0
+        ("stress", c_double * 9),
+        ("strain_energy", c_double),  # J, in 2D per unit thickness; 0 without stress
+    ]
+
+
+class hs_pair_cache(Structure):
+    """What a pair remembers between calls: the last violated potential pair while separated, the initial
+    contact pair while in contact (Wang et al. 2021, section 2.5). All zero is an empty cache. Copy it freely,
+    also to another process.
+
+    While separated it also holds a proof: along `normal` the two centroids were farther apart than the shapes
+    reach together. A call whose blocks have moved and turned by less than the gap, or by less than what of it
+    is beyond hs_pair_options.margin, since answers from the proof alone, without a look at the shapes; its
+    contact has the proof's pair and normal, and as gap what is left of the gap after the most that the motion
+    can have taken. The proof is of the two shapes that it was found for; with others it is not used."""
+
+    _fields_ = [
+        ("state", c_int32),  # 0 unknown, 1 separated, 2 in contact
+        ("pair_kind", c_int32),  # of the remembered pair: an HS_PAIR_ value
+        # index of a's vertex, edge or face in it; a vertex of a separated pair is only where to look for the
+        # deepest one first
+        ("feature_a", c_int32),
+        ("feature_b", c_int32),  # index of b's, likewise
+        ("shapes", c_uint64),  # the proof: fingerprint of its shapes, 0 if there is none
+        ("reach", c_double),  # of both shapes together, along the normal, as they were turned then
+        ("normal", c_double * 3),  # unit, from a to b
+        ("rotation_a", c_double * 4),  # how a was turned then: quaternion x, y, z, w
+        ("rotation_b", c_double * 4),  # how b was turned then
+    ]
+
+
+class hs_pair_options(Structure):
+    """Settings of detection. Fill it with hs_pair_options_init()."""
+
+    _fields_ = [
+        ("struct_size", c_uint32),  # set by hs_pair_options_init()
+        ("reserved", c_uint32),  # 0
+        # edges (3D: faces, or an edge and a face) closer to parallel than this share a region; rad, [0, 0.5];
+        # default 0.01
+        ("parallel_angle", c_double),
+        # how near the end of an edge (3D: the border of a face) a vertex meets what is there: share of the
+        # shorter of the two edges that face each other; [0, 0.5]; default 1e-6
+        ("vertex_zone", c_double),
+        # polygons are separated only when a gap exceeds it, and in contact otherwise; for hosts whose blocks
+        # wear a skin. The gaps of a contact may be above 0 then, of one at a corner above the margin. m, [0,
+        # 1e75], polyhedra 0; default 0
+        ("margin", c_double),
+        # 1: a contact between polygons is the pair of largest gap and no more, for hosts that make their own
+        # points: its type is HS_CONTACT_VERTEX_EDGE, it has no points, `area` and what follows stay as they
+        # were, and the cache remembers nothing of it; polyhedra 0; default 0
+        ("without_region", c_int32),
+        ("reserved_2", c_int32),  # 0
     ]
 
 
@@ -421,6 +458,13 @@ def declare(library):
     # The version of the library at run time, e.g. "0.1.0".
     library.hs_version.argtypes = []
     library.hs_version.restype = c_char_p
+
+    # Fills a law with its defaults.
+    library.hs_law_def_init.argtypes = [
+        POINTER(hs_law_def),  # def
+        c_size_t,  # size
+    ]
+    library.hs_law_def_init.restype = hs_status
 
     # Fills a definition with its defaults.
     library.hs_context_def_init.argtypes = [
@@ -447,13 +491,6 @@ def declare(library):
         POINTER(hs_context),  # context
     ]
     library.hs_context_last_error.restype = c_char_p
-
-    # Fills a law with its defaults.
-    library.hs_law_def_init.argtypes = [
-        POINTER(hs_law_def),  # def
-        c_size_t,  # size
-    ]
-    library.hs_law_def_init.restype = hs_status
 
     # Says what is wrong with a polygon's vertices without making a shape.
     library.hs_polygon_check.argtypes = [
@@ -604,40 +641,6 @@ def declare(library):
     ]
     library.hs_shape_destroy.restype = None
 
-    # Fills detection options with their defaults.
-    library.hs_pair_options_init.argtypes = [
-        POINTER(hs_pair_options),  # options
-        c_size_t,  # size
-    ]
-    library.hs_pair_options_init.restype = hs_status
-
-    # Are two shapes in contact, and how?
-    library.hs_pair_detect.argtypes = [
-        POINTER(hs_shape),  # shape_a
-        POINTER(hs_pose),  # pose_a
-        POINTER(hs_shape),  # shape_b
-        POINTER(hs_pose),  # pose_b
-        POINTER(hs_pair_options),  # options
-        POINTER(hs_pair_cache),  # cache
-        POINTER(hs_contact),  # contact
-    ]
-    library.hs_pair_detect.restype = hs_status
-
-    # Detects many pairs.
-    library.hs_pairs_detect.argtypes = [
-        POINTER(hs_context),  # context
-        c_void_p,  # shapes
-        c_void_p,  # poses
-        c_int64,  # body_count
-        c_void_p,  # pairs
-        c_int64,  # pair_count
-        POINTER(hs_pair_options),  # options
-        c_void_p,  # caches
-        c_void_p,  # contacts
-        POINTER(c_int64),  # touching
-    ]
-    library.hs_pairs_detect.restype = hs_status
-
     # Fills a world definition with its defaults.
     library.hs_world_def_init.argtypes = [
         POINTER(hs_world_def),  # def
@@ -750,7 +753,8 @@ def declare(library):
     ]
     library.hs_world_set_velocity.restype = hs_status
 
-    # Sets the force and torque (3 values each) that act on a rigid block from outside until set again.
+    # Sets the force and torque (3 values each) that act on a rigid or affine block from outside until set
+    # again.
     library.hs_world_set_applied_force.argtypes = [
         POINTER(hs_world),  # world
         hs_block,  # block
@@ -861,3 +865,105 @@ def declare(library):
         POINTER(POINTER(hs_world)),  # world
     ]
     library.hs_world_restore.restype = hs_status
+
+    # Fills an elasticity with its defaults.
+    library.hs_elasticity_def_init.argtypes = [
+        POINTER(hs_elasticity_def),  # def
+        c_size_t,  # size
+    ]
+    library.hs_elasticity_def_init.restype = hs_status
+
+    # Makes a material elastic, for affine blocks; others do not read it. Blocks that have the material keep
+    # their strain.
+    library.hs_world_set_elasticity.argtypes = [
+        POINTER(hs_world),  # world
+        c_int32,  # material
+        POINTER(hs_elasticity_def),  # elasticity
+    ]
+    library.hs_world_set_elasticity.restype = hs_status
+
+    # How a block of any kind is turned and strained.
+    library.hs_world_get_deformation.argtypes = [
+        POINTER(hs_world),  # world
+        hs_block,  # block
+        POINTER(hs_deformation),  # deformation
+    ]
+    library.hs_world_get_deformation.restype = hs_status
+
+    # Bulk: how all blocks are turned and strained, in the order of hs_world_get_blocks().
+    library.hs_world_get_deformations.argtypes = [
+        POINTER(hs_world),  # world
+        c_void_p,  # deformations
+        c_int64,  # capacity
+        POINTER(c_int64),  # count
+    ]
+    library.hs_world_get_deformations.restype = hs_status
+
+    # Turns and strains an affine block, and sets how fast it goes on. Its centroid and velocity stay.
+    library.hs_world_set_deformation.argtypes = [
+        POINTER(hs_world),  # world
+        hs_block,  # block
+        c_void_p,  # gradient
+        c_void_p,  # rate
+    ]
+    library.hs_world_set_deformation.restype = hs_status
+
+    # Says how an affine block is stressed as it is now, e.g. in situ. What the block is strained by from now
+    # on adds to that.
+    library.hs_world_set_stress.argtypes = [
+        POINTER(hs_world),  # world
+        hs_block,  # block
+        c_void_p,  # stress
+    ]
+    library.hs_world_set_stress.restype = hs_status
+
+    # Adds a load that acts on one face of an affine block from now on. It keeps its direction as the block
+    # moves, and its size as the face is strained.
+    library.hs_world_add_surface_load.argtypes = [
+        POINTER(hs_world),  # world
+        hs_block,  # block
+        c_int32,  # face
+        c_void_p,  # traction
+    ]
+    library.hs_world_add_surface_load.restype = hs_status
+
+    # Takes all surface loads off an affine block.
+    library.hs_world_clear_surface_loads.argtypes = [
+        POINTER(hs_world),  # world
+        hs_block,  # block
+    ]
+    library.hs_world_clear_surface_loads.restype = hs_status
+
+    # Fills detection options with their defaults.
+    library.hs_pair_options_init.argtypes = [
+        POINTER(hs_pair_options),  # options
+        c_size_t,  # size
+    ]
+    library.hs_pair_options_init.restype = hs_status
+
+    # Are two shapes in contact, and how?
+    library.hs_pair_detect.argtypes = [
+        POINTER(hs_shape),  # shape_a
+        POINTER(hs_pose),  # pose_a
+        POINTER(hs_shape),  # shape_b
+        POINTER(hs_pose),  # pose_b
+        POINTER(hs_pair_options),  # options
+        POINTER(hs_pair_cache),  # cache
+        POINTER(hs_contact),  # contact
+    ]
+    library.hs_pair_detect.restype = hs_status
+
+    # Detects many pairs.
+    library.hs_pairs_detect.argtypes = [
+        POINTER(hs_context),  # context
+        c_void_p,  # shapes
+        c_void_p,  # poses
+        c_int64,  # body_count
+        c_void_p,  # pairs
+        c_int64,  # pair_count
+        POINTER(hs_pair_options),  # options
+        c_void_p,  # caches
+        c_void_p,  # contacts
+        POINTER(c_int64),  # touching
+    ]
+    library.hs_pairs_detect.restype = hs_status

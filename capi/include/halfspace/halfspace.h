@@ -20,6 +20,7 @@
 #ifndef HALFSPACE_H
 #define HALFSPACE_H
 
+#include "halfspace/affine.h"
 #include "halfspace/context.h"
 #include "halfspace/contact.h"
 #include "halfspace/law.h"

@@ -27,7 +27,8 @@ typedef uint64_t hs_block;
 enum {
   HS_BLOCK_FIXED = 0,      /**< never */
   HS_BLOCK_PRESCRIBED = 1, /**< with the velocity and spin given, whatever the forces */
-  HS_BLOCK_RIGID = 2       /**< by Newton's law */
+  HS_BLOCK_RIGID = 2,      /**< by Newton's law */
+  HS_BLOCK_AFFINE = 3      /**< by Newton's law, and straining as a whole: see affine.h */
 };
 
 /** How a world is made. Fill it with hs_world_def_init(). */
@@ -50,7 +51,7 @@ typedef struct hs_world_def {
 /** How a block is made. Fill it with hs_block_def_init(). */
 typedef struct hs_block_def {
   uint32_t struct_size;       /**< set by hs_block_def_init() */
-  int32_t kind;               /**< HS_BLOCK_RIGID (default), HS_BLOCK_FIXED or HS_BLOCK_PRESCRIBED */
+  int32_t kind;               /**< an HS_BLOCK_ value; default HS_BLOCK_RIGID */
   int32_t material;           /**< from hs_world_add_material() */
   int32_t reserved;           /**< 0 */
   hs_pose pose;               /**< default: where the shape's vertices were given */
@@ -92,15 +93,17 @@ typedef struct hs_world_report {
   int64_t steps;             /**< done so far */
   double time;               /**< passed so far */
   double time_step;          /**< in use */
-  double stable_time_step;   /**< safe bound from stiffness, viscosity and mass; 0 without rigid blocks */
+  double stable_time_step;   /**< safe bound from stiffness, viscosity and mass; 0 without blocks that move freely */
   int64_t block_count;       /**< living blocks */
   int64_t candidate_count;   /**< pairs in the neighbour list */
   int64_t contact_count;     /**< pairs in contact */
   int64_t list_builds;       /**< how often the neighbour list was built */
   double largest_overlap;    /**< of the last detection */
-  double largest_speed;      /**< of all rigid blocks now */
+  double largest_speed;      /**< of all blocks that move freely, now */
   hs_energy energy;          /**< the ledger */
   double potential_length;   /**< in use; 0 without a law of potentials */
+  double block_strain_energy; /**< of affine blocks, now; counts in the residual */
+  double block_damping_loss; /**< in affine blocks, so far; counts in the residual */
 } hs_world_report;
 
 /** @brief Fills a world definition with its defaults. @param def to fill @param size sizeof(hs_world_def) as the caller was compiled
@@ -142,7 +145,8 @@ HS_API hs_status hs_block_def_init(hs_block_def *def, size_t size, const hs_shap
 
 /** @brief Adds a block. The world copies the shape.
  *  @param world not NULL @param shape not NULL @param def not NULL @param block receives its id
- *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID (material) or HS_ERROR_OUT_OF_MEMORY */
+ *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID (material), HS_ERROR_STATE (an affine block of a material that is not
+ *  elastic) or HS_ERROR_OUT_OF_MEMORY */
 HS_API hs_status hs_world_add_block(hs_world *world, const hs_shape *shape, const hs_block_def *def, hs_block *block);
 
 /** @brief Removes a block; its id becomes stale. The cost grows with the size of the world.
@@ -177,9 +181,9 @@ HS_API hs_status hs_world_set_pose(hs_world *world, hs_block block, const hs_pos
 HS_API hs_status hs_world_set_velocity(hs_world *world, hs_block block, const double velocity[3],
                                        const double angular_velocity[3]);
 
-/** @brief Sets the force and torque (3 values each) that act on a rigid block from outside until set again.
+/** @brief Sets the force and torque (3 values each) that act on a rigid or affine block from outside until set again.
  *  @param world not NULL @param block id @param force at the centroid @param torque about the centroid; 2D uses z
- *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless rigid */
+ *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE for other kinds */
 HS_API hs_status hs_world_set_applied_force(hs_world *world, hs_block block, const double force[3], const double torque[3]);
 
 /** @brief Bulk: poses of all blocks, in the order of hs_world_get_blocks().

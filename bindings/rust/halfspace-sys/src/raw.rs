@@ -136,6 +136,14 @@ pub const HS_BLOCK_FIXED: i32 = 0;
 pub const HS_BLOCK_PRESCRIBED: i32 = 1;
 /// by Newton's law
 pub const HS_BLOCK_RIGID: i32 = 2;
+/// by Newton's law, and straining as a whole: see affine.h
+pub const HS_BLOCK_AFFINE: i32 = 3;
+
+// What 2D is a section of.
+/// a body that cannot strain across the plane
+pub const HS_PLANE_STRAIN: i32 = 0;
+/// a sheet without stress across the plane
+pub const HS_PLANE_STRESS: i32 = 1;
 
 /// Opaque. Owns the allocator settings and the text of the last error.
 #[repr(C)]
@@ -167,23 +175,6 @@ pub type hs_context_def_allocate =
 /// Gives back what `allocate` returned. Set both or neither.
 pub type hs_context_def_release =
     unsafe extern "C" fn(memory: *mut c_void, bytes: usize, alignment: usize, user: *mut c_void);
-
-/// How a context is made. Fill it with hs_context_def_init(), then change what you need.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct hs_context_def {
-    /// set by hs_context_def_init()
-    pub struct_size: u32,
-    /// 0
-    pub reserved: u32,
-    /// Returns memory aligned to `alignment`, or NULL. NULL here means the C library's allocator.
-    pub allocate: Option<hs_context_def_allocate>,
-    /// Gives back what `allocate` returned. Set both or neither.
-    pub release: Option<hs_context_def_release>,
-    /// passed to both
-    pub user: *mut c_void,
-}
-const _: () = assert!(std::mem::size_of::<hs_context_def>() == 32);
 
 /// One contact, or the proof that there is none. Points are in the frame of the poses given, directions in
 /// its orientation. Detection of single pairs leaves what has no meaning there as it was: ids, forces, torque
@@ -271,6 +262,23 @@ pub struct hs_law_def {
     pub shear_damping: f64,
 }
 const _: () = assert!(std::mem::size_of::<hs_law_def>() == 64);
+
+/// How a context is made. Fill it with hs_context_def_init(), then change what you need.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct hs_context_def {
+    /// set by hs_context_def_init()
+    pub struct_size: u32,
+    /// 0
+    pub reserved: u32,
+    /// Returns memory aligned to `alignment`, or NULL. NULL here means the C library's allocator.
+    pub allocate: Option<hs_context_def_allocate>,
+    /// Gives back what `allocate` returned. Set both or neither.
+    pub release: Option<hs_context_def_release>,
+    /// passed to both
+    pub user: *mut c_void,
+}
+const _: () = assert!(std::mem::size_of::<hs_context_def>() == 32);
 
 /// Points to read. Point i is (x\[i\], y\[i\], z\[i\]), each pointer advanced by i * stride bytes.
 #[repr(C)]
@@ -375,67 +383,6 @@ pub struct hs_clean_report {
 }
 const _: () = assert!(std::mem::size_of::<hs_clean_report>() == 24);
 
-/// What a pair remembers between calls: the last violated potential pair while separated, the initial contact
-/// pair while in contact (Wang et al. 2021, section 2.5). All zero is an empty cache. Copy it freely, also to
-/// another process.
-///
-/// While separated it also holds a proof: along `normal` the two centroids were farther apart than the shapes
-/// reach together. A call whose blocks have moved and turned by less than the gap, or by less than what of it
-/// is beyond hs_pair_options.margin, since answers from the proof alone, without a look at the shapes; its
-/// contact has the proof's pair and normal, and as gap what is left of the gap after the most that the motion
-/// can have taken. The proof is of the two shapes that it was found for; with others it is not used.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default)]
-pub struct hs_pair_cache {
-    /// 0 unknown, 1 separated, 2 in contact
-    pub state: i32,
-    /// of the remembered pair: an HS_PAIR_ value
-    pub pair_kind: i32,
-    /// index of a's vertex, edge or face in it; a vertex of a separated pair is only where to look for the
-    /// deepest one first
-    pub feature_a: i32,
-    /// index of b's, likewise
-    pub feature_b: i32,
-    /// the proof: fingerprint of its shapes, 0 if there is none
-    pub shapes: u64,
-    /// of both shapes together, along the normal, as they were turned then
-    pub reach: f64,
-    /// unit, from a to b
-    pub normal: [f64; 3],
-    /// how a was turned then: quaternion x, y, z, w
-    pub rotation_a: [f64; 4],
-    /// how b was turned then
-    pub rotation_b: [f64; 4],
-}
-const _: () = assert!(std::mem::size_of::<hs_pair_cache>() == 120);
-
-/// Settings of detection. Fill it with hs_pair_options_init().
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default)]
-pub struct hs_pair_options {
-    /// set by hs_pair_options_init()
-    pub struct_size: u32,
-    /// 0
-    pub reserved: u32,
-    /// edges (3D: faces, or an edge and a face) closer to parallel than this share a region; rad, \[0, 0.5\];
-    /// default 0.01
-    pub parallel_angle: f64,
-    /// how near the end of an edge (3D: the border of a face) a vertex meets what is there: share of the
-    /// shorter of the two edges that face each other; \[0, 0.5\]; default 1e-6
-    pub vertex_zone: f64,
-    /// polygons are separated only when a gap exceeds it, and in contact otherwise; for hosts whose blocks
-    /// wear a skin. The gaps of a contact may be above 0 then, of one at a corner above the margin. m, \[0,
-    /// 1e75\], polyhedra 0; default 0
-    pub margin: f64,
-    /// 1: a contact between polygons is the pair of largest gap and no more, for hosts that make their own
-    /// points: its type is HS_CONTACT_VERTEX_EDGE, it has no points, `area` and what follows stay as they
-    /// were, and the cache remembers nothing of it; polyhedra 0; default 0
-    pub without_region: i32,
-    /// 0
-    pub reserved_2: i32,
-}
-const _: () = assert!(std::mem::size_of::<hs_pair_options>() == 40);
-
 /// How a world is made. Fill it with hs_world_def_init().
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
@@ -473,7 +420,7 @@ const _: () = assert!(std::mem::size_of::<hs_world_def>() == 96);
 pub struct hs_block_def {
     /// set by hs_block_def_init()
     pub struct_size: u32,
-    /// HS_BLOCK_RIGID (default), HS_BLOCK_FIXED or HS_BLOCK_PRESCRIBED
+    /// an HS_BLOCK_ value; default HS_BLOCK_RIGID
     pub kind: i32,
     /// from hs_world_add_material()
     pub material: i32,
@@ -553,7 +500,7 @@ pub struct hs_world_report {
     pub time: f64,
     /// in use
     pub time_step: f64,
-    /// safe bound from stiffness, viscosity and mass; 0 without rigid blocks
+    /// safe bound from stiffness, viscosity and mass; 0 without blocks that move freely
     pub stable_time_step: f64,
     /// living blocks
     pub block_count: i64,
@@ -565,14 +512,113 @@ pub struct hs_world_report {
     pub list_builds: i64,
     /// of the last detection
     pub largest_overlap: f64,
-    /// of all rigid blocks now
+    /// of all blocks that move freely, now
     pub largest_speed: f64,
     /// the ledger
     pub energy: hs_energy,
     /// in use; 0 without a law of potentials
     pub potential_length: f64,
+    /// of affine blocks, now; counts in the residual
+    pub block_strain_energy: f64,
+    /// in affine blocks, so far; counts in the residual
+    pub block_damping_loss: f64,
 }
-const _: () = assert!(std::mem::size_of::<hs_world_report>() == 168);
+const _: () = assert!(std::mem::size_of::<hs_world_report>() == 184);
+
+/// Elasticity of a material. Fill it with hs_elasticity_def_init().
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct hs_elasticity_def {
+    /// set by hs_elasticity_def_init()
+    pub struct_size: u32,
+    /// 2D: HS_PLANE_STRAIN (default) or HS_PLANE_STRESS; 3D: HS_PLANE_STRAIN
+    pub plane: i32,
+    /// Pa, > 0; default 1e9
+    pub young_modulus: f64,
+    /// (-1, 0.5); default 0.25
+    pub poisson_ratio: f64,
+    /// s, >= 0: viscous stress is the elastic one of the strain rate times this (Rayleigh's beta); default 0
+    pub damping_time: f64,
+}
+const _: () = assert!(std::mem::size_of::<hs_elasticity_def>() == 32);
+
+/// How a block is turned and strained.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct hs_deformation {
+    /// from places in the shape's frame to places about the centroid; of other than affine blocks a rotation
+    pub gradient: [f64; 9],
+    /// of the gradient, 1/s
+    pub rate: [f64; 9],
+    /// Green's, from the shape as it was given, in the shape's frame; of other than affine blocks 0
+    pub strain: [f64; 9],
+    /// Cauchy's, elastic, in space, Pa, tension > 0; of other than affine blocks 0
+    pub stress: [f64; 9],
+    /// J, in 2D per unit thickness; 0 without stress
+    pub strain_energy: f64,
+}
+const _: () = assert!(std::mem::size_of::<hs_deformation>() == 296);
+
+/// What a pair remembers between calls: the last violated potential pair while separated, the initial contact
+/// pair while in contact (Wang et al. 2021, section 2.5). All zero is an empty cache. Copy it freely, also to
+/// another process.
+///
+/// While separated it also holds a proof: along `normal` the two centroids were farther apart than the shapes
+/// reach together. A call whose blocks have moved and turned by less than the gap, or by less than what of it
+/// is beyond hs_pair_options.margin, since answers from the proof alone, without a look at the shapes; its
+/// contact has the proof's pair and normal, and as gap what is left of the gap after the most that the motion
+/// can have taken. The proof is of the two shapes that it was found for; with others it is not used.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct hs_pair_cache {
+    /// 0 unknown, 1 separated, 2 in contact
+    pub state: i32,
+    /// of the remembered pair: an HS_PAIR_ value
+    pub pair_kind: i32,
+    /// index of a's vertex, edge or face in it; a vertex of a separated pair is only where to look for the
+    /// deepest one first
+    pub feature_a: i32,
+    /// index of b's, likewise
+    pub feature_b: i32,
+    /// the proof: fingerprint of its shapes, 0 if there is none
+    pub shapes: u64,
+    /// of both shapes together, along the normal, as they were turned then
+    pub reach: f64,
+    /// unit, from a to b
+    pub normal: [f64; 3],
+    /// how a was turned then: quaternion x, y, z, w
+    pub rotation_a: [f64; 4],
+    /// how b was turned then
+    pub rotation_b: [f64; 4],
+}
+const _: () = assert!(std::mem::size_of::<hs_pair_cache>() == 120);
+
+/// Settings of detection. Fill it with hs_pair_options_init().
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct hs_pair_options {
+    /// set by hs_pair_options_init()
+    pub struct_size: u32,
+    /// 0
+    pub reserved: u32,
+    /// edges (3D: faces, or an edge and a face) closer to parallel than this share a region; rad, \[0, 0.5\];
+    /// default 0.01
+    pub parallel_angle: f64,
+    /// how near the end of an edge (3D: the border of a face) a vertex meets what is there: share of the
+    /// shorter of the two edges that face each other; \[0, 0.5\]; default 1e-6
+    pub vertex_zone: f64,
+    /// polygons are separated only when a gap exceeds it, and in contact otherwise; for hosts whose blocks
+    /// wear a skin. The gaps of a contact may be above 0 then, of one at a corner above the margin. m, \[0,
+    /// 1e75\], polyhedra 0; default 0
+    pub margin: f64,
+    /// 1: a contact between polygons is the pair of largest gap and no more, for hosts that make their own
+    /// points: its type is HS_CONTACT_VERTEX_EDGE, it has no points, `area` and what follows stay as they
+    /// were, and the cache remembers nothing of it; polyhedra 0; default 0
+    pub without_region: i32,
+    /// 0
+    pub reserved_2: i32,
+}
+const _: () = assert!(std::mem::size_of::<hs_pair_options>() == 40);
 
 extern "C" {
     /// The fixed text of a status code.
@@ -586,6 +632,14 @@ extern "C" {
     ///
     /// Returns a static string. Thread rule: any thread, any time.
     pub fn hs_version() -> *const c_char;
+
+    /// Fills a law with its defaults.
+    ///
+    /// - `def`: to fill
+    /// - `size`: sizeof(hs_law_def) as the caller was compiled
+    ///
+    /// Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
+    pub fn hs_law_def_init(def: *mut hs_law_def, size: usize) -> hs_status;
 
     /// Fills a definition with its defaults.
     ///
@@ -617,14 +671,6 @@ extern "C" {
     ///
     /// Returns a string owned by the context, valid until its next failing call; "" if nothing failed yet
     pub fn hs_context_last_error(context: *const hs_context) -> *const c_char;
-
-    /// Fills a law with its defaults.
-    ///
-    /// - `def`: to fill
-    /// - `size`: sizeof(hs_law_def) as the caller was compiled
-    ///
-    /// Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
-    pub fn hs_law_def_init(def: *mut hs_law_def, size: usize) -> hs_status;
 
     /// Says what is wrong with a polygon's vertices without making a shape.
     ///
@@ -870,62 +916,6 @@ extern "C" {
     /// - `shape`: may be NULL
     pub fn hs_shape_destroy(shape: *mut hs_shape);
 
-    /// Fills detection options with their defaults.
-    ///
-    /// - `options`: to fill
-    /// - `size`: sizeof(hs_pair_options) as the caller was compiled
-    ///
-    /// Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
-    pub fn hs_pair_options_init(options: *mut hs_pair_options, size: usize) -> hs_status;
-
-    /// Are two shapes in contact, and how?
-    ///
-    /// - `shape_a`, `shape_b`: the shapes, both of one dimension; the same one twice is legal
-    /// - `pose_a`, `pose_b`: where they are
-    /// - `options`: NULL for the defaults
-    /// - `cache`: NULL, or the pair's memory from the last call: makes the answer faster and, in contact,
-    ///   keeps the plane through which the pair met
-    /// - `contact`: receives type, pair, normal, gap, and of a contact its region; the rest stays
-    ///
-    /// Returns HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY (polygons of more than 32 vertices)
-    pub fn hs_pair_detect(
-        shape_a: *const hs_shape,
-        pose_a: *const hs_pose,
-        shape_b: *const hs_shape,
-        pose_b: *const hs_pose,
-        options: *const hs_pair_options,
-        cache: *mut hs_pair_cache,
-        contact: *mut hs_contact,
-    ) -> hs_status;
-
-    /// Detects many pairs.
-    ///
-    /// - `context`: for the error text
-    /// - `shapes`: shapes of the bodies, body_count pointers; those of a pair are of one dimension
-    /// - `poses`: poses of the bodies, body_count
-    /// - `body_count`: number of bodies, >= 0
-    /// - `pairs`: body indices a, b of each pair, 2 * pair_count values
-    /// - `pair_count`: number of pairs, >= 0
-    /// - `options`: NULL for the defaults
-    /// - `caches`: NULL, or one per pair
-    /// - `contacts`: receives one per pair, in the order of the pairs, separated ones with HS_CONTACT_NONE
-    /// - `touching`: receives the number of pairs in contact; may be NULL
-    ///
-    /// Returns HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY; then the pairs before the failing one
-    /// have been written
-    pub fn hs_pairs_detect(
-        context: *mut hs_context,
-        shapes: *const *const hs_shape,
-        poses: *const hs_pose,
-        body_count: i64,
-        pairs: *const i32,
-        pair_count: i64,
-        options: *const hs_pair_options,
-        caches: *mut hs_pair_cache,
-        contacts: *mut hs_contact,
-        touching: *mut i64,
-    ) -> hs_status;
-
     /// Fills a world definition with its defaults.
     ///
     /// - `def`: to fill
@@ -1003,7 +993,8 @@ extern "C" {
     /// - `world`, `shape`, `def`: not NULL
     /// - `block`: receives its id
     ///
-    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID (material) or HS_ERROR_OUT_OF_MEMORY
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID (material), HS_ERROR_STATE (an affine block of a
+    /// material that is not elastic) or HS_ERROR_OUT_OF_MEMORY
     pub fn hs_world_add_block(
         world: *mut hs_world,
         shape: *const hs_shape,
@@ -1090,14 +1081,15 @@ extern "C" {
         angular_velocity: *const [f64; 3],
     ) -> hs_status;
 
-    /// Sets the force and torque (3 values each) that act on a rigid block from outside until set again.
+    /// Sets the force and torque (3 values each) that act on a rigid or affine block from outside until set
+    /// again.
     ///
     /// - `world`: not NULL
     /// - `block`: id
     /// - `force`: at the centroid
     /// - `torque`: about the centroid; 2D uses z
     ///
-    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless rigid
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE for other kinds
     pub fn hs_world_set_applied_force(
         world: *mut hs_world,
         block: hs_block,
@@ -1262,5 +1254,163 @@ extern "C" {
         bytes: *const c_void,
         count: usize,
         world: *mut *mut hs_world,
+    ) -> hs_status;
+
+    /// Fills an elasticity with its defaults.
+    ///
+    /// - `def`: to fill
+    /// - `size`: sizeof(hs_elasticity_def) as the caller was compiled
+    ///
+    /// Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
+    pub fn hs_elasticity_def_init(def: *mut hs_elasticity_def, size: usize) -> hs_status;
+
+    /// Makes a material elastic, for affine blocks; others do not read it. Blocks that have the material keep
+    /// their strain.
+    ///
+    /// - `world`, `elasticity`: not NULL
+    /// - `material`: index
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    pub fn hs_world_set_elasticity(
+        world: *mut hs_world,
+        material: i32,
+        elasticity: *const hs_elasticity_def,
+    ) -> hs_status;
+
+    /// How a block of any kind is turned and strained.
+    ///
+    /// - `world`: not NULL
+    /// - `block`: id
+    /// - `deformation`: receives it
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    pub fn hs_world_get_deformation(
+        world: *const hs_world,
+        block: hs_block,
+        deformation: *mut hs_deformation,
+    ) -> hs_status;
+
+    /// Bulk: how all blocks are turned and strained, in the order of hs_world_get_blocks().
+    ///
+    /// - `world`: not NULL
+    /// - `deformations`: receives them; may be NULL if capacity is 0
+    /// - `capacity`: in deformations
+    /// - `count`: receives the number of blocks; may be NULL
+    ///
+    /// Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
+    pub fn hs_world_get_deformations(
+        world: *const hs_world,
+        deformations: *mut hs_deformation,
+        capacity: i64,
+        count: *mut i64,
+    ) -> hs_status;
+
+    /// Turns and strains an affine block, and sets how fast it goes on. Its centroid and velocity stay.
+    ///
+    /// - `world`: not NULL
+    /// - `block`: id
+    /// - `gradient`: 9 values with a determinant above 0
+    /// - `rate`: of the gradient, 9 values, 1/s
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine
+    pub fn hs_world_set_deformation(
+        world: *mut hs_world,
+        block: hs_block,
+        gradient: *const [f64; 9],
+        rate: *const [f64; 9],
+    ) -> hs_status;
+
+    /// Says how an affine block is stressed as it is now, e.g. in situ. What the block is strained by from
+    /// now on adds to that.
+    ///
+    /// - `world`: not NULL
+    /// - `block`: id
+    /// - `stress`: Cauchy's, 9 values, symmetric, Pa, tension > 0
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine
+    pub fn hs_world_set_stress(
+        world: *mut hs_world,
+        block: hs_block,
+        stress: *const [f64; 9],
+    ) -> hs_status;
+
+    /// Adds a load that acts on one face of an affine block from now on. It keeps its direction as the block
+    /// moves, and its size as the face is strained.
+    ///
+    /// - `world`: not NULL
+    /// - `block`: id
+    /// - `face`: index, in 2D of the edge that starts at the vertex of that index
+    /// - `traction`: force per area of the face as it was given, 3 values, Pa
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine
+    pub fn hs_world_add_surface_load(
+        world: *mut hs_world,
+        block: hs_block,
+        face: i32,
+        traction: *const [f64; 3],
+    ) -> hs_status;
+
+    /// Takes all surface loads off an affine block.
+    ///
+    /// - `world`: not NULL
+    /// - `block`: id
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine
+    pub fn hs_world_clear_surface_loads(world: *mut hs_world, block: hs_block) -> hs_status;
+
+    /// Fills detection options with their defaults.
+    ///
+    /// - `options`: to fill
+    /// - `size`: sizeof(hs_pair_options) as the caller was compiled
+    ///
+    /// Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
+    pub fn hs_pair_options_init(options: *mut hs_pair_options, size: usize) -> hs_status;
+
+    /// Are two shapes in contact, and how?
+    ///
+    /// - `shape_a`, `shape_b`: the shapes, both of one dimension; the same one twice is legal
+    /// - `pose_a`, `pose_b`: where they are
+    /// - `options`: NULL for the defaults
+    /// - `cache`: NULL, or the pair's memory from the last call: makes the answer faster and, in contact,
+    ///   keeps the plane through which the pair met
+    /// - `contact`: receives type, pair, normal, gap, and of a contact its region; the rest stays
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY (polygons of more than 32 vertices)
+    pub fn hs_pair_detect(
+        shape_a: *const hs_shape,
+        pose_a: *const hs_pose,
+        shape_b: *const hs_shape,
+        pose_b: *const hs_pose,
+        options: *const hs_pair_options,
+        cache: *mut hs_pair_cache,
+        contact: *mut hs_contact,
+    ) -> hs_status;
+
+    /// Detects many pairs.
+    ///
+    /// - `context`: for the error text
+    /// - `shapes`: shapes of the bodies, body_count pointers; those of a pair are of one dimension
+    /// - `poses`: poses of the bodies, body_count
+    /// - `body_count`: number of bodies, >= 0
+    /// - `pairs`: body indices a, b of each pair, 2 * pair_count values
+    /// - `pair_count`: number of pairs, >= 0
+    /// - `options`: NULL for the defaults
+    /// - `caches`: NULL, or one per pair
+    /// - `contacts`: receives one per pair, in the order of the pairs, separated ones with HS_CONTACT_NONE
+    /// - `touching`: receives the number of pairs in contact; may be NULL
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY; then the pairs before the failing one
+    /// have been written
+    pub fn hs_pairs_detect(
+        context: *mut hs_context,
+        shapes: *const *const hs_shape,
+        poses: *const hs_pose,
+        body_count: i64,
+        pairs: *const i32,
+        pair_count: i64,
+        options: *const hs_pair_options,
+        caches: *mut hs_pair_cache,
+        contacts: *mut hs_contact,
+        touching: *mut i64,
     ) -> hs_status;
 }

@@ -1,0 +1,171 @@
+#include <cmath>
+
+#include "halfspace/affine.h"
+#include "world.h"
+
+using namespace halfspace;
+using namespace halfspace::capi;
+
+namespace halfspace::capi {
+
+template <>
+hs_elasticity_def default_definition() {
+  hs_elasticity_def def{};
+  def.young_modulus = 1e9;
+  def.poisson_ratio = 0.25;
+  return def;
+}
+
+namespace {
+
+Elasticity read_elasticity(const hs_elasticity_def* given, int dimension) {
+  const hs_elasticity_def def = read_definition(given, "elasticity");
+  if (def.plane != HS_PLANE_STRAIN && !(dimension == 2 && def.plane == HS_PLANE_STRESS)) {
+    refuse(HS_ERROR_ARGUMENT, "elasticity.plane is %d; it must be %s", def.plane,
+           dimension == 2 ? "HS_PLANE_STRAIN or HS_PLANE_STRESS" : "HS_PLANE_STRAIN in 3D");
+  }
+  const double young = require(def.young_modulus > 0 && std::isfinite(def.young_modulus), def.young_modulus,
+                               "elasticity.young_modulus", "finite and > 0");
+  const double poisson = require(def.poisson_ratio > -1 && def.poisson_ratio < 0.5, def.poisson_ratio,
+                                 "elasticity.poisson_ratio", "above -1 and below 0.5");
+  Elasticity elasticity;
+  elasticity.lame = def.plane == HS_PLANE_STRESS ? young * poisson / (1 - poisson * poisson)
+                                                 : young * poisson / ((1 + poisson) * (1 - 2 * poisson));
+  elasticity.shear_modulus = young / (2 * (1 + poisson));
+  elasticity.damping_time = require(def.damping_time >= 0 && std::isfinite(def.damping_time),
+                                    def.damping_time, "elasticity.damping_time", "finite and >= 0");
+  return elasticity;
+}
+
+template <int D>
+Tensor<D> read_finite_tensor(const double* values, const char* name) {
+  require_pointer(values, name);
+  Tensor<D> tensor;
+  for (int row = 0; row < D; ++row) {
+    for (int column = 0; column < D; ++column) {
+      const int i = 3 * row + column;
+      if (!std::isfinite(values[i]))
+        refuse(HS_ERROR_ARGUMENT, "%s[%d] is %g; it must be finite", name, i, values[i]);
+      tensor(row, column) = values[i];
+    }
+  }
+  return tensor;
+}
+
+template <int D>
+void write_tensor(const Tensor<D>& tensor, double out[9]) {
+  for (int row = 0; row < D; ++row)
+    for (int column = 0; column < D; ++column) out[3 * row + column] = tensor(row, column);
+}
+
+template <int D>
+std::size_t affine_slot_of(const World<D>& world, hs_block block) {
+  const std::size_t slot = std::size_t(slot_of(world.blocks(), block, "block"));
+  if (!world.blocks().is_affine(slot))
+    refuse(HS_ERROR_STATE, "block %#llx is not affine", static_cast<unsigned long long>(block));
+  return slot;
+}
+
+template <int D>
+hs_deformation deformation_of(const World<D>& world, std::size_t slot) {
+  const Blocks<D>& blocks = world.blocks();
+  hs_deformation out{};
+  out.gradient[8] = 1;
+  if (!blocks.is_affine(slot)) {
+    const Tensor<D> rotation = blocks.rotation[slot].tensor();
+    write_tensor<D>(rotation, out.gradient);
+    write_tensor<D>(cross_tensor(blocks.spin[slot]) * rotation, out.rate);
+    return out;
+  }
+  const Deformation<D>& deformation = blocks.deformation(slot);
+  const Elasticity& elasticity = world.elasticity(blocks.material[slot]);
+  write_tensor<D>(deformation.gradient, out.gradient);
+  write_tensor<D>(deformation.rate, out.rate);
+  write_tensor<D>(deformation.strain(), out.strain);
+  write_tensor<D>(deformation.stress(elasticity), out.stress);
+  out.strain_energy = deformation.strain_energy(elasticity);
+  return out;
+}
+
+int face_count_of(const Outline<2>& outline) { return outline.count; }
+int face_count_of(const Outline<3>& outline) { return outline.face_count(); }
+
+}  // namespace
+}  // namespace halfspace::capi
+
+hs_status hs_elasticity_def_init(hs_elasticity_def* def, size_t size) { return write_definition(def, size); }
+
+hs_status hs_world_set_elasticity(hs_world* world, int32_t material, const hs_elasticity_def* elasticity) {
+  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    require_material(w, material, "material");
+    w.set_elasticity(material, read_elasticity(elasticity, D));
+    return HS_OK;
+  });
+}
+
+hs_status hs_world_get_deformation(const hs_world* world, hs_block block, hs_deformation* deformation) {
+  return with_world(world, __func__, [&]<int D>(const World<D>& w) {
+    require_pointer(deformation, "deformation");
+    *deformation = deformation_of(w, std::size_t(slot_of(w.blocks(), block, "block")));
+    return HS_OK;
+  });
+}
+
+hs_status hs_world_get_deformations(const hs_world* world, hs_deformation deformations[], int64_t capacity,
+                                    int64_t* count) {
+  return with_world(world, __func__, [&]<int D>(const World<D>& w) {
+    require_count(capacity, "capacity");
+    if (capacity > 0) require_pointer(deformations, "deformations");
+    for_each_block(w.blocks(), [&](std::int64_t i, std::int32_t slot) {
+      if (i < capacity) deformations[i] = deformation_of(w, std::size_t(slot));
+    });
+    if (count) *count = w.blocks().count();
+    return fits(w.blocks().count(), capacity);
+  });
+}
+
+hs_status hs_world_set_deformation(hs_world* world, hs_block block, const double gradient[9],
+                                   const double rate[9]) {
+  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    const std::size_t slot = affine_slot_of(w, block);
+    const Tensor<D> to = read_finite_tensor<D>(gradient, "gradient");
+    const Tensor<D> speed = read_finite_tensor<D>(rate, "rate");
+    require(to.determinant() > 0, to.determinant(), "the determinant of gradient", "> 0");
+    w.set_deformation(std::int32_t(slot), to, speed);
+    return HS_OK;
+  });
+}
+
+hs_status hs_world_set_stress(hs_world* world, hs_block block, const double stress[9]) {
+  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    const std::size_t slot = affine_slot_of(w, block);
+    const Tensor<D> wanted = read_finite_tensor<D>(stress, "stress");
+    for (int i = 0; i < D; ++i) {
+      for (int k = 0; k < i; ++k) {
+        if (wanted(i, k) != wanted(k, i)) {
+          refuse(HS_ERROR_ARGUMENT, "stress[%d] is %g, stress[%d] is %g; a stress is symmetric", 3 * k + i,
+                 wanted(k, i), 3 * i + k, wanted(i, k));
+        }
+      }
+    }
+    w.set_stress(std::int32_t(slot), wanted);
+    return HS_OK;
+  });
+}
+
+hs_status hs_world_add_surface_load(hs_world* world, hs_block block, int32_t face, const double traction[3]) {
+  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    const std::size_t slot = affine_slot_of(w, block);
+    const int faces = face_count_of(w.blocks().outline(std::int32_t(slot)));
+    if (face < 0 || face >= faces) refuse(HS_ERROR_ARGUMENT, "face is %d; the block has %d", face, faces);
+    w.add_surface_load(std::int32_t(slot), face, read_finite_vector<D>(traction, "traction"));
+    return HS_OK;
+  });
+}
+
+hs_status hs_world_clear_surface_loads(hs_world* world, hs_block block) {
+  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    w.clear_surface_loads(std::int32_t(affine_slot_of(w, block)));
+    return HS_OK;
+  });
+}

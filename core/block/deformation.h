@@ -1,0 +1,107 @@
+#pragma once
+
+#include <Eigen/LU>
+#include <cstdint>
+
+#include "block/elasticity.h"
+#include "geometry/rotation.h"
+#include "geometry/shape.h"
+#include "geometry/vector.h"
+
+namespace halfspace {
+
+/// Integral of r r^T over a shape, about its centroid.
+inline Tensor<2> second_moment_of(const Shape<2>& shape) {
+  const auto& m = shape.second_moment();
+  return Tensor<2>{{m[0], m[2]}, {m[2], m[1]}};
+}
+inline Tensor<3> second_moment_of(const Shape<3>& shape) {
+  const auto& m = shape.second_moment();
+  return Tensor<3>{{m[0], m[3], m[5]}, {m[3], m[1], m[4]}, {m[5], m[4], m[2]}};
+}
+
+/// How an affine block is turned and strained, and what does so. Its points are at gradient * X from its
+/// centroid, X their place in the shape's frame: with the centroid that is paper B's block of 6 unknowns
+/// (Zheng et al. 2020, section 2), in space of 12. The gradient itself takes the place of rotation and small
+/// strains, so that the mass matrix, density times integral of X X^T, is exact and never changes, and large
+/// rotations strain nothing.
+template <int D>
+struct Deformation {
+  std::int32_t slot = -1;  // of the block
+  std::int32_t reserved = 0;
+  double volume = 0;        // of the shape
+  double least_moment = 0;  // of the mass matrix
+  double reserved_2 = 0;
+  Tensor<D> gradient = Tensor<D>::Identity();
+  Tensor<D> rate = Tensor<D>::Zero();          // of the gradient
+  Tensor<D> acceleration = Tensor<D>::Zero();  // of the gradient
+  Tensor<D> mass_matrix = Tensor<D>::Identity();
+  Tensor<D> inverse_mass_matrix = Tensor<D>::Identity();
+  Tensor<D> prestrain = Tensor<D>::Zero();    // in the shape's frame: of the block as it is given
+  Vector<D> load_force = Vector<D>::Zero();   // of its surface: the resultant, and
+  Tensor<D> load = Tensor<D>::Zero();         // force times arm^T, arms in the shape's frame
+  Tensor<D> virial = Tensor<D>::Zero();       // of the contacts: force times arm^T
+  Tensor<D> strain_rate = Tensor<D>::Zero();  // in space
+
+  Tensor<D> velocity_gradient() const { return rate * gradient.inverse(); }
+  /// Green's, from the shape as it was given.
+  Tensor<D> strain() const { return 0.5 * (gradient.transpose() * gradient - Tensor<D>::Identity()); }
+  Tensor<D> rate_of_strain() const {
+    const Tensor<D> half = 0.5 * gradient.transpose() * rate;
+    return half + half.transpose();
+  }
+  /// Second Piola, elastic and viscous.
+  Tensor<D> inner_stress(const Elasticity& elasticity) const {
+    return elasticity.stress<D>(strain() + prestrain + elasticity.damping_time * rate_of_strain());
+  }
+  /// Cauchy's, elastic.
+  Tensor<D> stress(const Elasticity& elasticity) const {
+    return gradient * elasticity.stress<D>(strain() + prestrain) * gradient.transpose() /
+           gradient.determinant();
+  }
+  void set_stress(const Tensor<D>& wanted, const Elasticity& elasticity) {
+    const Tensor<D> back = gradient.inverse();
+    prestrain = elasticity.strain<D>(gradient.determinant() * back * wanted * back.transpose()) - strain();
+  }
+
+  Angular<D> spin() const { return 0.5 * moment(velocity_gradient()); }
+  Angular<D> angular_momentum() const { return moment(Tensor<D>(rate * mass_matrix * gradient.transpose())); }
+  /// Of all motion but the centroid's.
+  double kinetic_energy() const { return 0.5 * rate.cwiseProduct(rate * mass_matrix).sum(); }
+  double strain_energy(const Elasticity& elasticity) const {
+    const Tensor<D> whole = strain() + prestrain;
+    return 0.5 * volume * whole.cwiseProduct(elasticity.stress<D>(whole)).sum();
+  }
+  /// At which viscous stress takes energy.
+  double damping_power(const Elasticity& elasticity) const {
+    const Tensor<D> rate_now = rate_of_strain();
+    return volume * elasticity.damping_time * rate_now.cwiseProduct(elasticity.stress<D>(rate_now)).sum();
+  }
+
+  /// What accelerates the gradient, times the mass matrix. `torque` acts from outside.
+  Tensor<D> drive(const Angular<D>& torque, const Elasticity& elasticity) const {
+    const Tensor<D> outer = virial + 0.5 * cross_tensor(torque);
+    return outer * gradient.inverse().transpose() + load - volume * gradient * inner_stress(elasticity);
+  }
+};
+
+/// The rotation nearest to a gradient: what is left without its stretch.
+inline Rotation<2> rotation_of(const Tensor<2>& gradient) {
+  const double cosine = gradient(0, 0) + gradient(1, 1), sine = gradient(1, 0) - gradient(0, 1);
+  const double length = std::sqrt(cosine * cosine + sine * sine);
+  return {cosine / length, sine / length};
+}
+
+/// By Newton's iteration of the polar decomposition, which squares the stretch's distance from 1 in each
+/// round (Higham 1986).
+inline Rotation<3> rotation_of(const Tensor<3>& gradient) {
+  Tensor<3> turn = gradient;
+  for (double change = 1; change > 1e-9;) {
+    const Tensor<3> next = 0.5 * (turn + turn.inverse().transpose());
+    change = (next - turn).norm();
+    turn = next;
+  }
+  return Rotation<3>::from_axes(turn.col(0), turn.col(1), turn.col(2)).straightened();
+}
+
+}  // namespace halfspace

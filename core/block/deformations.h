@@ -1,0 +1,66 @@
+#pragma once
+
+#include "block/deformation.h"
+
+namespace halfspace {
+
+/// The deformations of a world's affine blocks, side by side. A world without any has none of it.
+template <int D>
+class Deformations {
+ public:
+  explicit Deformations(Memory* memory) : of_slot_(memory), all_(memory) {}
+
+  bool empty() const { return all_.empty(); }
+  Array<Deformation<D>>& all() { return all_; }
+  const Array<Deformation<D>>& all() const { return all_; }
+
+  /// So that the next block can be added without memory, whichever slot below `slots` it gets.
+  void make_room(std::size_t slots) {
+    make_room_for_one(all_);
+    of_slot_.reserve(slots);
+  }
+  void add(const Deformation<D>& deformation) {
+    const std::size_t slot = std::size_t(deformation.slot);
+    if (of_slot_.size() <= slot) of_slot_.resize(slot + 1, -1);
+    of_slot_[slot] = std::int32_t(all_.size());
+    all_.push_back(deformation);
+  }
+  /// The last one takes the place of the one removed.
+  void remove(std::int32_t slot) {
+    const std::int32_t here = of_slot_[std::size_t(slot)];
+    all_[std::size_t(here)] = all_.back();
+    of_slot_[std::size_t(all_.back().slot)] = here;
+    of_slot_[std::size_t(slot)] = -1;
+    all_.pop_back();
+  }
+  Deformation<D>& operator[](std::size_t slot) { return all_[std::size_t(of_slot_[slot])]; }
+  const Deformation<D>& operator[](std::size_t slot) const { return all_[std::size_t(of_slot_[slot])]; }
+
+  /// False for what cannot be, after reading a snapshot. So many blocks are affine: those for which
+  /// `is_affine(slot)`.
+  template <class IsAffine>
+  bool is_consistent(std::size_t slots, IsAffine is_affine) const {
+    if (of_slot_.size() > slots) return false;
+    std::size_t affine = 0;
+    for (std::size_t slot = 0; slot < slots; ++slot) {
+      if (!is_affine(slot)) continue;
+      ++affine;
+      if (slot >= of_slot_.size()) return false;
+      const std::int32_t here = of_slot_[slot];
+      if (here < 0 || std::size_t(here) >= all_.size() || all_[std::size_t(here)].slot != std::int32_t(slot))
+        return false;
+    }
+    return affine == all_.size();
+  }
+
+  template <class Archive>
+  void visit(Archive& archive) {
+    archive(of_slot_, all_);
+  }
+
+ private:
+  Array<std::int32_t> of_slot_;  // where in all_; short of the slots after the last affine block
+  Array<Deformation<D>> all_;
+};
+
+}  // namespace halfspace

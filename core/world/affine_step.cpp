@@ -1,0 +1,88 @@
+#include "world/local_damping.h"
+#include "world/world.h"
+
+// What a step does to affine blocks, beside what it does to all.
+
+namespace halfspace {
+
+template <int D>
+Tensor<D> World<D>::strain_drive(std::size_t i) const {
+  return blocks_.deformation(i).drive(blocks_.applied_torque[i], elasticity_of(i));
+}
+
+/// Newton's law for the gradient, with local damping against each of its components and mass-proportional
+/// damping.
+template <int D>
+void World<D>::accelerate_strain(std::size_t i) {
+  Deformation<D>& deformation = blocks_.deformation(i);
+  Tensor<D> drive = strain_drive(i);
+  if (settings_.local_damping > 0) {
+    drive = drive.binaryExpr(deformation.rate, [&](double force, double velocity) {
+      return damped(force, velocity, settings_.local_damping);
+    });
+  }
+  deformation.acceleration =
+      drive * deformation.inverse_mass_matrix - settings_.mass_damping * deformation.rate;
+}
+
+/// False when the block would pass its own radius in the coming step, or be turned inside out.
+template <int D>
+bool World<D>::plan_affine(std::size_t i) {
+  const double half = 0.5 * time_step_;
+  const Deformation<D>& deformation = blocks_.deformation(i);
+  const Vector<D> velocity = blocks_.velocity[i] + half * acceleration_[i];
+  const Tensor<D> change = time_step_ * (deformation.rate + half * deformation.acceleration);
+  const double motion = time_step_ * velocity.norm() + blocks_.radius[i] * change.norm();
+  if (!(motion <= blocks_.radius[i])) return false;
+  if (!((deformation.gradient + change).determinant() > 0)) return false;
+  candidates_.plan(blocks_, i, motion);
+  return true;
+}
+
+/// As take_stock(), of velocities and of the rate that damping was formed with.
+template <int D>
+void World<D>::take_affine_stock(std::size_t i, const Vector<D>& opposed, const Tensor<D>& opposed_rate,
+                                 Stock& stock) const {
+  const Deformation<D>& deformation = blocks_.deformation(i);
+  const Vector<D>& velocity = blocks_.velocity[i];
+  const double mass = blocks_.mass[i];
+  stock.kinetic += blocks_.kinetic_energy(std::int32_t(i));
+  stock.gravity -= mass * settings_.gravity.dot(blocks_.position[i]);
+  stock.block_strain += deformation.strain_energy(elasticity_of(i));
+  stock.power.block_damping += deformation.damping_power(elasticity_of(i));
+  if (settings_.local_damping > 0) {
+    const Vector<D> force = drive(i).force;
+    const Tensor<D> strain_force = strain_drive(i);
+    double power = 0;
+    for (int k = 0; k < D; ++k) power += damped_power(force[k], opposed[k], velocity[k]);
+    for (int k = 0; k < D * D; ++k)
+      power += damped_power(strain_force(k), opposed_rate(k), deformation.rate(k));
+    stock.power.local_damping += settings_.local_damping * power;
+  }
+  if (settings_.mass_damping > 0) {
+    const double power = mass * opposed.dot(velocity) +
+                         opposed_rate.cwiseProduct(deformation.rate * deformation.mass_matrix).sum();
+    stock.power.mass_damping += settings_.mass_damping * power;
+  }
+}
+
+/// Second half of a step.
+template <int D>
+void World<D>::kick_and_book_affine(std::size_t i, Stock& stock, double& applied_power) {
+  const double half = 0.5 * time_step_;
+  const Deformation<D>& deformation = blocks_.deformation(i);
+  const Vector<D> middle_velocity = blocks_.velocity[i];
+  const Tensor<D> middle_rate = deformation.rate;
+  accelerate(i);
+  applied_power +=
+      blocks_.applied_force[i].dot(middle_velocity) + blocks_.applied_torque[i].dot(blocks_.spin[i]) +
+      deformation.load_force.dot(middle_velocity) + deformation.load.cwiseProduct(middle_rate).sum();
+  blocks_.push(i, half * acceleration_[i], Angular<D>::Zero());
+  blocks_.strain(i, half * deformation.acceleration);
+  take_affine_stock(i, middle_velocity, middle_rate, stock);
+}
+
+template class World<2>;
+template class World<3>;
+
+}  // namespace halfspace
