@@ -28,6 +28,7 @@ ForceMode::Mirror::Mirror(NarrowPhase::Installation& narrow_phase, const hs_law_
 /// What no force moves comes first: of two edges that are parallel the one of the first block is the contact
 /// plane, and a floor's does not tilt with its load.
 void ForceMode::Mirror::follow() {
+  renewed_.clear();
   for (auto& [fixture, known] : known_) known.is_there = false;
   for (const bool are_moved : {false, true}) {
     for (b2Body* body = narrow_phase_.world().GetBodyList(); body; body = body->GetNext()) {
@@ -36,6 +37,7 @@ void ForceMode::Mirror::follow() {
     }
   }
   remove_what_is_gone();
+  keep_shear_of_renewed();
   list_blocks();
 }
 
@@ -73,9 +75,7 @@ void ForceMode::Mirror::find(b2Fixture& fixture) {
   } else if (found->second.is_same(now)) {
     found->second.is_there = true;
   } else {
-    world_.require_ok(hs_world_remove_block(world_.get(), found->second.block));
-    known_.erase(found);
-    add(*polygon, std::move(now));
+    renew(found->second, *polygon, std::move(now));
   }
 }
 
@@ -89,6 +89,33 @@ void ForceMode::Mirror::add(const Polygon& polygon, Known known) {
   } catch (...) {
     known_.erase(added);
     throw;
+  }
+}
+
+/// A block has its material and its kind for good: another one takes its place.
+void ForceMode::Mirror::renew(Known& before, const Polygon& polygon, Known now) {
+  const hs_block old = before.block;
+  const bool keeps_its_surface = before.is_of_same_polygon(now);
+  const b2Fixture* fixture = now.fixture;
+  world_.require_ok(hs_world_remove_block(world_.get(), old));
+  known_.erase(fixture);
+  add(polygon, std::move(now));
+  if (keeps_its_surface) renewed_.emplace(old, known_.at(fixture).block);
+}
+
+/// A block that gets another friction goes on with the shear of its contacts, of which no more is lost than
+/// the new friction cannot hold: else what has come to rest would set out anew. Taken from what was evaluated
+/// last, with what the dashpot had added.
+void ForceMode::Mirror::keep_shear_of_renewed() {
+  const auto now = [&](hs_block block) {
+    const auto found = renewed_.find(block);
+    return found == renewed_.end() ? block : found->second;
+  };
+  for (const hs_contact& contact : contacts_) {
+    const hs_block a = now(contact.block_a), b = now(contact.block_b);
+    if (a == contact.block_a && b == contact.block_b) continue;
+    const double* shear = contact.shear_force;
+    kept_shear_.push_back({a, b, {shear[0], shear[1], shear[2]}});
   }
 }
 

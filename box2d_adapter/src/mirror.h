@@ -38,8 +38,9 @@ class ForceMode::Mirror {
   struct Known {
     Known(b2Fixture& of, const std::shared_ptr<const Polygon>& taken_for);
 
+    bool is_of_same_polygon(const Known& other) const { return polygon.lock() == other.polygon.lock(); }
     bool is_same(const Known& other) const {
-      return polygon.lock() == other.polygon.lock() && material == other.material && kind == other.kind;
+      return is_of_same_polygon(other) && material == other.material && kind == other.kind;
     }
 
     b2Fixture* fixture;
@@ -66,6 +67,12 @@ class ForceMode::Mirror {
     Vector arm;  // from the body's centre of mass to the centroid, in the coordinates of the body
   };
 
+  /// The force of a shear spring on block b.
+  struct KeptShear {
+    hs_block a, b;
+    double force[3];
+  };
+
   /// As the library's views have it.
   struct Motion {
     double velocity[3];
@@ -75,10 +82,13 @@ class ForceMode::Mirror {
   void find(b2Body& body);
   void find(b2Fixture& fixture);
   void add(const Polygon& polygon, Known known);
+  void renew(Known& before, const Polygon& polygon, Known now);
+  void keep_shear_of_renewed();
   void remove_what_is_gone();
   void list_blocks();
   bool are_all_somewhere() const;
   void place();
+  void give_back_kept_shear();
   void forget_what_is_over();
   const Block& block(hs_block id) const { return blocks_[index_of_block_.at(id)]; }
   JudgedPair* pair_of(const hs_contact& contact) const;
@@ -89,6 +99,8 @@ class ForceMode::Mirror {
   Context context_;
   BlockWorld world_;
   std::unordered_map<const b2Fixture*, Known> known_;
+  std::unordered_map<hs_block, hs_block> renewed_;  // since follow() began, from the block before
+  std::vector<KeptShear> kept_shear_;
   std::int64_t pairs_begun_ = 0;  // when last looked at
   double elapsed_ = 0;            // over which shear springs have to grow
 

@@ -80,10 +80,20 @@ void ForceMode::Mirror::evaluate() {
   world_.require_ok(hs_world_set_velocities(world, view_of(&Motion::velocity), view_of(&Motion::spin)));
   world_.require_ok(hs_world_detect(world, &touching));
   contacts_.resize(std::size_t(touching));
+  give_back_kept_shear();
   forget_what_is_over();
   world_.require_ok(hs_world_forces(world, elapsed_, {}, {}));
   elapsed_ = 0;
   world_.require_ok(hs_world_get_contacts(world, contacts_.data(), touching, nullptr));
+}
+
+/// Where the blocks still touch, and their law has a shear spring.
+void ForceMode::Mirror::give_back_kept_shear() {
+  for (const KeptShear& kept : kept_shear_) {
+    const hs_status status = hs_world_set_shear_force(world_.get(), kept.a, kept.b, kept.force);
+    if (status != HS_ERROR_STALE_ID && status != HS_ERROR_STATE) world_.require_ok(status);
+  }
+  kept_shear_.clear();
 }
 
 /// A body that was made anew, or moved away and back, may have the block of before: the shear springs of its

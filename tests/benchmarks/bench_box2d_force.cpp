@@ -16,32 +16,51 @@ namespace {
 
 using namespace halfspace_test;
 
+constexpr double stiffnesses[] = {1e5, 1e6, 1e7};
+
+/// The end of a headline.
+void print_stiffnesses() {
+  for (const double stiffness : stiffnesses) std::printf("  %7.0e N/m", stiffness);
+  std::printf("\n");
+}
+
 void print_slides() {
   std::printf("slide of 1 s, relative error\n  %10s %11s", "slope", "Box2D");
-  const double stiffnesses[] = {1e5, 1e6, 1e7};
-  for (const double stiffness : stiffnesses) std::printf("  %7.0e N/m", stiffness);
+  print_stiffnesses();
   for (const double degrees : {15., 30., 45.}) {
     const double slope = degrees * pi / 180, friction = 0.2;
     const auto print_error = [&](const std::optional<hs_law_def>& law) {
       const Slide slide = slide_down(law, slope, friction);
       std::printf(" %11.1e", slide.distance / slide.expected - 1);
     };
-    std::printf("\n  %6.0f deg", degrees);
+    std::printf("  %6.0f deg", degrees);
     print_error({});
     for (const double stiffness : stiffnesses) print_error(law_of(stiffness, 1));
+    std::printf("\n");
   }
-  std::printf("\n");
+}
+
+constexpr float creep_slope = float(pi / 6);
+
+using Creep = double(const std::optional<hs_law_def>& law, int height, float slope, float friction);
+
+void print_creep(const char* begin, Creep& creep, float over_slope) {
+  const float friction = over_slope * std::tan(creep_slope);
+  for (const int height : {1, 3, 5}) {
+    std::printf("  %-10s %6d %20g %11.1e", begin, height, over_slope,
+                creep({}, height, creep_slope, friction));
+    for (const double stiffness : stiffnesses)
+      std::printf("  %11.1e", creep(law_of(stiffness, 1), height, creep_slope, friction));
+    std::printf("\n");
+  }
 }
 
 void print_creep() {
-  std::printf("creep in 5 s, m\n  %6s %22s %11s %11s\n", "boxes", "friction over slope", "Box2D", "forces");
-  for (const int height : {1, 3}) {
-    for (const float over : {1.f, 1.01f, 1.05f}) {
-      const float slope = float(pi / 6), friction = over * std::tan(slope);
-      std::printf("  %6d %22g %11.1e %11.1e\n", height, over, creep_of_stack({}, height, slope, friction),
-                  creep_of_stack(law_of(1e6, 1), height, slope, friction));
-    }
-  }
+  std::printf("creep in 5 s, m\n  %-10s %6s %20s %11s", "", "boxes", "friction over slope", "Box2D");
+  print_stiffnesses();
+  print_creep("let go", creep_let_go, 1);
+  print_creep("let go", creep_let_go, 1.01f);
+  print_creep("settled", creep_settled, 1);
 }
 
 void print_bounces() {

@@ -42,22 +42,40 @@ Slide slide_down(const std::optional<hs_law_def>& law, double slope, double fric
           b2Dot(velocity, turn.GetXAxis()) + 0.5 * acceleration * (1 + 1. / steps)};
 }
 
-double creep_of_stack(const std::optional<hs_law_def>& law, int height, float slope, float friction) {
-  ForceWorld arena(law);
-  arena.world.SetAllowSleeping(false);
-  const b2Rot turn(-slope);
-  add_polygon(arena.world, box_shape(50, 1), {0, 0}, -slope, b2_staticBody).SetFriction(friction);
-  const b2Body* top = nullptr;
+SlopedStack::SlopedStack(const std::optional<hs_law_def>& law, int height, float slope, float friction)
+    : arena_(law), turn_(-slope) {
+  arena_.world.SetAllowSleeping(false);
+  add_polygon(arena_.world, box_shape(50, 1), {0, 0}, -slope, b2_staticBody);
   for (int i = 0; i < height; ++i) {
-    const float above = 1.25f + arena.rest_gap() + float(i) * (0.5f + arena.rest_gap());
-    b2Fixture& box = add_polygon(arena.world, box_shape(1, 0.25f), above * turn.GetYAxis(), -slope);
-    box.SetFriction(friction);
-    top = box.GetBody();
+    const float above = 1.25f + arena_.rest_gap() + float(i) * (0.5f + arena_.rest_gap());
+    top_ = add_polygon(arena_.world, box_shape(1, 0.25f), above * turn_.GetYAxis(), -slope).GetBody();
   }
-  arena.step(30);
-  const b2Vec2 from = top->GetPosition();
-  arena.step(300);
-  return b2Dot(top->GetPosition() - from, turn.GetXAxis());
+  set_friction(friction);
+}
+
+void SlopedStack::set_friction(float friction) {
+  for (b2Body* body = arena_.world.GetBodyList(); body; body = body->GetNext())
+    body->GetFixtureList()->SetFriction(friction);
+  for (b2Contact* contact : contacts_of(arena_.world)) contact->ResetFriction();
+}
+
+double SlopedStack::slide(int steps) {
+  const b2Vec2 from = top_->GetPosition();
+  arena_.step(steps);
+  return b2Dot(top_->GetPosition() - from, turn_.GetXAxis());
+}
+
+double creep_let_go(const std::optional<hs_law_def>& law, int height, float slope, float friction) {
+  SlopedStack stack(law, height, slope, friction);
+  stack.slide(30);
+  return stack.slide(300);
+}
+
+double creep_settled(const std::optional<hs_law_def>& law, int height, float slope, float friction) {
+  SlopedStack stack(law, height, slope, 4 * friction);
+  stack.slide(300);
+  stack.set_friction(friction);
+  return stack.slide(300);
 }
 
 Bounce bounce_head_on(double stiffness, int sub_steps_over_needed, bool are_bullets) {

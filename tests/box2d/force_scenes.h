@@ -43,9 +43,26 @@ struct Slide {
 };
 Slide slide_down(const std::optional<hs_law_def>& law, double slope, double friction);
 
-/// How far the topmost of some boxes of 2 x 0.5 m on a slope goes down it in 5 s, half a second after they
-/// have been put there.
-double creep_of_stack(const std::optional<hs_law_def>& law, int height, float slope, float friction);
+/// Boxes of 2 x 0.5 m on each other on a slope.
+class SlopedStack {
+ public:
+  SlopedStack(const std::optional<hs_law_def>& law, int height, float slope, float friction);
+
+  /// Of all pairs.
+  void set_friction(float friction);
+  /// How far the topmost box goes down the slope in so many steps.
+  double slide(int steps);
+
+ private:
+  ForceWorld arena_;
+  b2Rot turn_;
+  const b2Body* top_ = nullptr;
+};
+
+/// How far the topmost box goes down in 5 s: half a second after the stack has been put there, ...
+double creep_let_go(const std::optional<hs_law_def>& law, int height, float slope, float friction);
+/// ... or once it has lain for 5 s with four times the friction, and that has fallen to what is given.
+double creep_settled(const std::optional<hs_law_def>& law, int height, float slope, float friction);
 
 /// The speed after an undamped head-on bounce of two blocks of 1 kg at 1 m/s each, and omega h.
 struct Bounce {
