@@ -10,6 +10,17 @@ std::vector<const char*> columns_of_block(int dimension) {
   return {".x", ".y", ".z", ".qx", ".qy", ".qz", ".qw", ".vx", ".vy", ".vz", ".wx", ".wy", ".wz"};
 }
 
+/// Which of the nine values of a stress are told, and as what.
+struct StressColumn {
+  const char* name;
+  std::size_t component;
+};
+
+std::vector<StressColumn> stress_columns(int dimension) {
+  if (dimension == 2) return {{".sxx", 0}, {".syy", 4}, {".sxy", 1}};
+  return {{".sxx", 0}, {".syy", 4}, {".szz", 8}, {".syz", 5}, {".szx", 2}, {".sxy", 1}};
+}
+
 std::vector<double> motion_of_block(const hs_block_state& state, int dimension) {
   const auto& [x, y, z] = state.pose.position;
   const auto& [vx, vy, vz] = state.velocity;
@@ -26,8 +37,12 @@ History::History(const Plan& plan) {
       "time,steps,contacts,largest_overlap,largest_speed,kinetic,gravity,strain,friction_loss,contact_"
       "damping_loss,"
       "local_damping_loss,mass_damping_loss,outer_work,residual";
+  if (plan.has_affine()) text_ += ",block_strain,block_damping_loss";
   for (std::size_t block : plan.tracked) {
     for (const char* column : columns_of_block(plan.dimension))
+      text_ += ',' + plan.blocks[block].name + column;
+    if (plan.blocks[block].kind != HS_BLOCK_AFFINE) continue;
+    for (const auto& [column, component] : stress_columns(plan.dimension))
       text_ += ',' + plan.blocks[block].name + column;
   }
   text_ += '\n';
@@ -44,9 +59,16 @@ void History::add(const Model& model) {
         energy.mass_damping_loss, energy.outer_work, energy.residual}) {
     text_ += ',' + shortest(value);
   }
-  for (std::size_t block : model.plan().tracked) {
-    for (double value : motion_of_block(model.state_of(block), model.plan().dimension))
+  const Plan& plan = model.plan();
+  if (plan.has_affine())
+    text_ += ',' + shortest(report.block_strain_energy) + ',' + shortest(report.block_damping_loss);
+  for (std::size_t block : plan.tracked) {
+    for (double value : motion_of_block(model.state_of(block), plan.dimension))
       text_ += ',' + shortest(value);
+    if (plan.blocks[block].kind != HS_BLOCK_AFFINE) continue;
+    const hs_deformation deformation = model.deformation_of(block);
+    for (const auto& [column, component] : stress_columns(plan.dimension))
+      text_ += ',' + shortest(deformation.stress[component]);
   }
   text_ += '\n';
 }

@@ -47,6 +47,7 @@ Model::Model(const Context& context, const Scene& scene, Plan plan)
   for (const Material& material : scene.materials) {
     int32_t index = 0;  // counted from 0 in order, as the scene does
     require(context, hs_world_add_material(world, material.density, &index));
+    if (material.elasticity) require(context, hs_world_set_elasticity(world, index, &*material.elasticity));
   }
   require(context, hs_world_set_default_law(world, &scene.default_law));
   for (const PairLaw& pair : scene.laws) require(context, hs_world_set_law(world, pair.a, pair.b, &pair.law));
@@ -59,6 +60,7 @@ Model::Model(const Context& context, const Scene& scene, Plan plan)
     if (planned.motion.start == 0) set_velocity(def, planned.motion);
     hs_block block = 0;
     require(context, hs_world_add_block(world, planned.shape.get(), &def, &block));
+    if (planned.stress) require(context, hs_world_set_stress(world, block, planned.stress->data()));
     blocks_.push_back(block);
   }
   update_report();
@@ -110,11 +112,18 @@ hs_block_state Model::state_of(std::size_t block) const {
   return state;
 }
 
+hs_deformation Model::deformation_of(std::size_t block) const {
+  hs_deformation deformation;
+  require(context_, hs_world_get_deformation(world_.get(), blocks_[block], &deformation));
+  return deformation;
+}
+
 Frame Model::frame() const {
   Frame frame{.time = report_.time, .blocks = std::vector<BlockFrame>(blocks_.size())};
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
     BlockFrame& block = frame.blocks[i];
     block.state = state_of(i);
+    if (block.state.kind == HS_BLOCK_AFFINE) block.deformation = deformation_of(i);
     block.vertices.resize(
         static_cast<std::size_t>(properties_of(context_, plan_.blocks[i].shape).vertex_count));
     require(context_,

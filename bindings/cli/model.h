@@ -11,7 +11,8 @@ namespace halfspace::cli {
 /// One block at one time.
 struct BlockFrame {
   hs_block_state state{};
-  std::vector<Point> vertices;  ///< counter-clockwise, where they are now
+  hs_deformation deformation{};  ///< of an affine block
+  std::vector<Point> vertices;   ///< counter-clockwise, where they are now
 };
 
 /// All blocks at one time, in the order of the plan.
@@ -36,6 +37,7 @@ class Model {
   const hs_world_report& report() const { return report_; }
   Frame frame() const;
   hs_block_state state_of(std::size_t block) const;
+  hs_deformation deformation_of(std::size_t block) const;
   const Plan& plan() const { return plan_; }
 
  private:

@@ -1,5 +1,6 @@
 #include "plan.h"
 
+#include <algorithm>
 #include <map>
 #include <numeric>
 #include <set>
@@ -97,8 +98,8 @@ class Planner {
            const Motion& motion) {
     if (!index_of_.emplace(name, plan_.blocks.size()).second) told_twice(making, name);
     std::vector<std::vector<int>> faces = outside_of(shape);
-    plan_.blocks.push_back(
-        {name, making.material, making.kind, std::move(shape), std::move(faces), placing, motion});
+    plan_.blocks.push_back({name, making.material, making.kind, making.stress, std::move(shape),
+                            std::move(faces), placing, motion});
   }
 
   void add_members(const Making& making, std::vector<Shape> shapes) {
@@ -132,6 +133,11 @@ class Planner {
 };
 
 }  // namespace
+
+bool Plan::has_affine() const {
+  return std::any_of(blocks.begin(), blocks.end(),
+                     [](const PlannedBlock& block) { return block.kind == HS_BLOCK_AFFINE; });
+}
 
 Plan plan_blocks(const Context& context, const Scene& scene, Faults& faults) {
   Planner planner(context, scene.world.dimension, faults);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@ struct PlannedBlock {
   std::string name;
   int material = 0;
   int kind = HS_BLOCK_RIGID;
+  std::optional<Tensor> stress;
   Shape shape;
   std::vector<std::vector<int>> faces;  ///< loops of vertices; in 2D one, the block itself
   Placing placing;
@@ -23,6 +25,9 @@ struct PlannedBlock {
 struct Plan {
   int dimension = 2;
   std::vector<PlannedBlock> blocks;
+  /// True when some block strains: then there are stresses to be told.
+  bool has_affine() const;
+
   std::vector<std::size_t> tracked;  ///< indices of the blocks whose motion goes into the history
   int left_out = 0;                  ///< blocks too small to be kept
   double size_left_out = 0;          ///< of all those together

@@ -18,14 +18,38 @@ std::uint64_t read_seed(Keys& keys) {
   return static_cast<std::uint64_t>(keys.integer("seed", 0, std::numeric_limits<std::int64_t>::max(), 0));
 }
 
+/// In 3D the shear stresses are those of yz, zx and xy.
+std::optional<Tensor> read_stress(Keys& keys, int kind) {
+  if (!keys.has("normal_stress") && !keys.has("shear_stress")) return std::nullopt;
+  const Point normal = keys.point("normal_stress", required);
+  Point shear{};
+  if (keys.dimension() == 2) {
+    shear[2] = keys.number("shear_stress", any_number(), 0.0);
+  } else {
+    shear = keys.point("shear_stress", shear);
+  }
+  if (kind != HS_BLOCK_AFFINE) {
+    keys.fault(keys.has("normal_stress") ? "normal_stress" : "shear_stress",
+               "no other block has a stress; allowed: with kind = \"affine\"");
+  }
+  return Tensor{normal[0], shear[2], shear[1], shear[2], normal[1], shear[0], shear[1], shear[0], normal[2]};
+}
+
 Making read_making(Keys& keys, const Scene& scene, bool may_be_prescribed) {
   Making making{.name = read_name(keys), .key = keys.path("name"), .place = keys.place("name")};
   making.key.resize(making.key.size() - std::string_view(".name").size());
   const std::string material = keys.text("material", required);
   if (keys.has("material")) making.material = material_index(keys, "material", material, scene);
-  static constexpr int kinds[] = {HS_BLOCK_RIGID, HS_BLOCK_FIXED, HS_BLOCK_PRESCRIBED};
-  making.kind = kinds[may_be_prescribed ? keys.word("kind", {"rigid", "fixed", "prescribed"}, 0)
-                                        : keys.word("kind", {"rigid", "fixed"}, 0)];
+  static constexpr int kinds[] = {HS_BLOCK_RIGID, HS_BLOCK_FIXED, HS_BLOCK_AFFINE, HS_BLOCK_PRESCRIBED};
+  making.kind = kinds[may_be_prescribed ? keys.word("kind", {"rigid", "fixed", "affine", "prescribed"}, 0)
+                                        : keys.word("kind", {"rigid", "fixed", "affine"}, 0)];
+  if (making.kind == HS_BLOCK_AFFINE && keys.has("material") &&
+      !scene.materials[static_cast<std::size_t>(making.material)].elasticity) {
+    keys.fault("kind",
+               "the material \"" + material +
+                   "\" is not elastic; allowed: with young_modulus and poisson_ratio in its [[material]]");
+  }
+  making.stress = read_stress(keys, making.kind);
   return making;
 }
 
@@ -37,7 +61,8 @@ Motion read_motion(Keys& keys, int kind) {
   motion.stop = keys.number("stop", above(motion.start), motion.stop);
   for (const char* key : {"velocity", "angular_velocity"}) {
     if (kind == HS_BLOCK_FIXED && keys.has(key)) {
-      keys.fault(key, "a fixed block does not move; allowed: with kind = \"rigid\" or \"prescribed\"");
+      keys.fault(key,
+                 "a fixed block does not move; allowed: with kind = \"rigid\", \"affine\" or \"prescribed\"");
     }
   }
   for (const char* key : {"start", "stop"}) {

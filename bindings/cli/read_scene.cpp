@@ -34,9 +34,24 @@ void read_world(Keys keys, Scene& scene) {
   keys.finish();
 }
 
+/// None when no key speaks of it.
+std::optional<hs_elasticity_def> read_elasticity(Keys& keys) {
+  const auto is_given = [&](const char* key) { return keys.has(key); };
+  const auto names = {"young_modulus", "poisson_ratio", "plane", "damping_time"};
+  if (std::none_of(names.begin(), names.end(), is_given)) return std::nullopt;
+  hs_elasticity_def elasticity;
+  hs_elasticity_def_init(&elasticity, sizeof elasticity);
+  elasticity.young_modulus = keys.number("young_modulus", above(0), required);
+  elasticity.poisson_ratio =
+      keys.number("poisson_ratio", {.low = -1, .high = 0.5, .with_low = false, .with_high = false}, required);
+  if (keys.dimension() == 2) elasticity.plane = keys.word("plane", {"strain", "stress"}, 0);
+  elasticity.damping_time = keys.number("damping_time", at_least(0), elasticity.damping_time);
+  return elasticity;
+}
+
 void read_materials(std::vector<Keys> tables, Scene& scene) {
   for (Keys& keys : tables) {
-    Material material{read_name(keys), keys.number("density", above(0), required)};
+    Material material{read_name(keys), keys.number("density", above(0), required), read_elasticity(keys)};
     const bool twice = std::any_of(scene.materials.begin(), scene.materials.end(),
                                    [&](const Material& other) { return other.name == material.name; });
     if (twice && !material.name.empty())
@@ -101,8 +116,8 @@ void read_output(Keys keys, Scene& scene) {
   output.history_interval = keys.number("history_interval", above(0), output.frame_interval);
   output.tracked = keys.texts("tracked", output.tracked_places, std::vector<std::string>{});
   Keys picture = keys.table("picture", false);
-  output.colour =
-      static_cast<Colour>(picture.word("colour", {"displacement", "speed", "layer", "material"}, 0));
+  output.colour = static_cast<Colour>(
+      picture.word("colour", {"displacement", "speed", "layer", "material", "mean_stress"}, 0));
   output.layers = static_cast<int>(picture.integer("layers", 1, 1000, output.layers));
   output.picture_times =
       picture.rising_numbers("times", {.low = 0, .high = scene.duration, .with_low = false});

@@ -21,7 +21,14 @@ constexpr std::size_t up_axis(int dimension) { return dimension == 3 ? 2 : 1; }
 struct Material {
   std::string name;
   double density = 0;
+  std::optional<hs_elasticity_def> elasticity;  ///< affine blocks need one
 };
+
+/// Does it move by Newton's law?
+constexpr bool moves_freely(int kind) { return kind == HS_BLOCK_RIGID || kind == HS_BLOCK_AFFINE; }
+
+/// A tensor as the C API has it, row by row.
+using Tensor = std::array<double, 9>;
 
 /// The law of one pair of materials, named by their indices.
 struct PairLaw {
@@ -46,6 +53,7 @@ struct Making {
   Place place;      ///< where the name stands, for faults
   int material = 0;
   int kind = HS_BLOCK_RIGID;
+  std::optional<Tensor> stress = {};  ///< of affine blocks at the start
 };
 
 /// Where a block is put, from where its vertices are given.
@@ -109,7 +117,7 @@ struct Voronoi {
   std::uint64_t seed = 0;
 };
 
-enum class Colour { displacement, speed, layer, material };
+enum class Colour { displacement, speed, layer, material, mean_stress };
 
 struct Output {
   double frame_interval = 0;

@@ -13,7 +13,7 @@ std::string line(std::string name, const std::string& value) {
   return name + value + '\n';
 }
 
-/// Horizontal bounds of all rigid blocks.
+/// Horizontal bounds of all blocks that move freely.
 struct Extent {
   double low[2] = {INFINITY, INFINITY};
   double high[2] = {-INFINITY, -INFINITY};
@@ -29,7 +29,7 @@ struct Extent {
 Extent extent_of(const Frame& frame) {
   Extent extent;
   for (const BlockFrame& block : frame.blocks) {
-    if (block.state.kind != HS_BLOCK_RIGID) continue;
+    if (!moves_freely(block.state.kind)) continue;
     for (const Point& p : block.vertices) {
       for (std::size_t axis : {0, 1}) {
         extent.low[axis] = std::min(extent.low[axis], p[axis]);
@@ -41,11 +41,13 @@ Extent extent_of(const Frame& frame) {
 }
 
 std::string blocks_text(const Plan& plan) {
-  int counts[3] = {};
+  int counts[4] = {};
   for (const PlannedBlock& block : plan.blocks) ++counts[block.kind];
   std::string text = std::to_string(plan.blocks.size()) + " (" + std::to_string(counts[HS_BLOCK_RIGID]) +
                      " rigid, " + std::to_string(counts[HS_BLOCK_FIXED]) + " fixed, " +
-                     std::to_string(counts[HS_BLOCK_PRESCRIBED]) + " prescribed)";
+                     std::to_string(counts[HS_BLOCK_PRESCRIBED]) + " prescribed";
+  if (counts[HS_BLOCK_AFFINE] > 0) text += ", " + std::to_string(counts[HS_BLOCK_AFFINE]) + " affine";
+  text += ')';
   if (plan.left_out > 0) {
     text += "; " + std::to_string(plan.left_out) + " left out as too small, " +
             rounded(plan.size_left_out, 3) + (plan.dimension == 3 ? " m3 in all" : " m2 in all");
@@ -67,10 +69,11 @@ const char* describe(Outcome outcome) {
   return "";
 }
 
-std::string energy_text(const hs_energy& energy) {
-  const double turned_over = energy.kinetic + energy.strain + energy.friction_loss +
-                             energy.contact_damping_loss + energy.local_damping_loss +
-                             energy.mass_damping_loss;
+std::string energy_text(const hs_world_report& report) {
+  const hs_energy& energy = report.energy;
+  const double turned_over = report.block_strain_energy + report.block_damping_loss + energy.kinetic +
+                             energy.strain + energy.friction_loss + energy.contact_damping_loss +
+                             energy.local_damping_loss + energy.mass_damping_loss;
   std::string text = rounded(energy.residual, 3) + " J";
   if (turned_over > 0) {
     text += ", " + rounded(energy.residual / turned_over, 2) + " of the " + rounded(turned_over, 4) +
@@ -96,7 +99,7 @@ RunOut run_out(const Frame& start, const Frame& end, int dimension) {
   const std::size_t horizontal_axes = dimension == 3 ? 2 : 1;
   const Extent first = extent_of(start);
   const Extent last = extent_of(end);
-  if (!(first.low[0] <= first.high[0])) return {};  // no rigid block
+  if (!(first.low[0] <= first.high[0])) return {};  // none moves freely
   RunOut result;
   for (std::size_t axis = 0; axis < horizontal_axes; ++axis) {
     result.forwards[axis] = last.high[axis] - first.high[axis];
@@ -104,7 +107,7 @@ RunOut run_out(const Frame& start, const Frame& end, int dimension) {
   }
   double mass = 0;
   for (const BlockFrame& block : end.blocks) {
-    if (block.state.kind != HS_BLOCK_RIGID) continue;
+    if (!moves_freely(block.state.kind)) continue;
     mass += block.state.mass;
     if (!first.holds(block.state.pose.position, horizontal_axes)) result.moved_out += block.state.mass;
   }
@@ -124,7 +127,7 @@ std::string summary(const Scene& scene, const Model& model, const Frame& start, 
          line("contacts", std::to_string(report.contact_count) + ", largest overlap " +
                               rounded(report.largest_overlap, 3) + " m, fastest block " +
                               rounded(report.largest_speed, 3) + " m/s") +
-         line("energy residual", energy_text(report.energy)) +
+         line("energy residual", energy_text(report)) +
          line("run-out", run_out_text(reach, scene.world.dimension));
 }
 

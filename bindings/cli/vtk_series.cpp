@@ -56,6 +56,7 @@ std::string cell_data(const Plan& plan, const Frame& frame, const Frame& start, 
   CellArray velocity{"velocity", 3}, displacement{"displacement", 3}, force{"contact_force", 3};
   CellArray turned = in_plane ? CellArray{"angle", 1} : CellArray{"rotation", 4};
   CellArray spin{"angular_velocity", in_plane ? 1 : 3};
+  CellArray stress{"stress", 9}, strain{"strain", 9};
   for (std::size_t i = 0; i < frame.blocks.size(); ++i) {
     const hs_block_state& now = frame.blocks[i].state;
     const hs_block_state& then = start.blocks[i].state;
@@ -69,6 +70,8 @@ std::string cell_data(const Plan& plan, const Frame& frame, const Frame& start, 
       displacement.add(moved);
       add_turning(now, turned, spin);
       force.add(now.force);
+      stress.add(frame.blocks[i].deformation.stress);
+      strain.add(frame.blocks[i].deformation.strain);
     }
   }
   std::string text = "<CellData>\n";
@@ -77,6 +80,10 @@ std::string cell_data(const Plan& plan, const Frame& frame, const Frame& start, 
   text += data.add("Int32", "material", 1, material);
   for (const CellArray* array : {&velocity, &displacement, &turned, &spin, &force})
     text += data.add("Float64", array->name, array->count, array->values);
+  if (plan.has_affine()) {
+    for (const CellArray* array : {&stress, &strain})
+      text += data.add("Float64", array->name, array->count, array->values);
+  }
   return text + "</CellData>\n";
 }
 

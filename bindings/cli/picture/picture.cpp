@@ -51,6 +51,7 @@ void draw_colours(Svg& svg, const Plot& plot, const Scene& scene) {
   }
   const char* meaning = "displacement (m)";
   if (stage.colour == Colour::speed) meaning = "speed (m/s)";
+  if (stage.colour == Colour::mean_stress) meaning = "mean stress (MPa)";
   if (stage.colour == Colour::layer) meaning = "height at start (m)";
   svg.label({x + 74, top_margin + height / 2}, meaning, 13, "middle", -90);
 }

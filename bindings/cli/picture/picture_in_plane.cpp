@@ -16,7 +16,7 @@ void draw_blocks(Svg& svg, const Plot& plot, const Frame& start, const Frame& fr
     for (const Point& p : block.vertices) outline_points.push_back(plot.at(p));
     const char* stroke = "#8a867e";
     if (block.state.kind == HS_BLOCK_PRESCRIBED) stroke = "#6f6b64";
-    if (block.state.kind == HS_BLOCK_RIGID) stroke = "#1b1b1b";
+    if (moves_freely(block.state.kind)) stroke = "#1b1b1b";
     const std::string fill = hex(colour_of(plot.stage, start.blocks[i], block));
     svg.polygon(outline_points, "fill=\"" + fill + "\" stroke=\"" + stroke + '"' + pen);
   }

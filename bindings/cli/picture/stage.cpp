@@ -10,6 +10,11 @@ double distance(const double a[3], const double b[3]) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
+double mean_stress(const hs_deformation& deformation, int dimension) {
+  const double* stress = deformation.stress;
+  return (stress[0] + stress[4] + stress[8]) / dimension;
+}
+
 /// The value that a block's colour shows.
 double value_of(const Stage& stage, const BlockFrame& then, const BlockFrame& now) {
   static constexpr double rest[3] = {};
@@ -22,6 +27,8 @@ double value_of(const Stage& stage, const BlockFrame& then, const BlockFrame& no
       return then.state.pose.position[up_axis(stage.dimension)];
     case Colour::material:
       return now.state.material;
+    case Colour::mean_stress:
+      return mean_stress(now.deformation, stage.dimension) / 1e6;
   }
   return 0;
 }
@@ -52,7 +59,7 @@ Bounds bounds_of(const Stage& stage, const Frame& start, const Frame& end) {
     }
     return bounds;
   };
-  const Bounds moving = around([](int kind) { return kind == HS_BLOCK_RIGID; });
+  const Bounds moving = around([](int kind) { return moves_freely(kind); });
   return std::isfinite(moving.low[0]) ? moving : around([](int) { return true; });
 }
 
@@ -76,7 +83,7 @@ void set_range(Stage& stage, const Frame& start, const Frame& end) {
   double highest = -INFINITY;
   for (const Frame* frame : {&start, &end}) {
     for (std::size_t i = 0; i < frame->blocks.size(); ++i) {
-      if (frame->blocks[i].state.kind != HS_BLOCK_RIGID) continue;
+      if (!moves_freely(frame->blocks[i].state.kind)) continue;
       const double value = value_of(stage, start.blocks[i], frame->blocks[i]);
       lowest = std::min(lowest, value);
       highest = std::max(highest, value);
@@ -124,7 +131,7 @@ double typical_size(const Stage& stage, const Frame& frame) {
   double area = 0;
   int count = 0;
   for (const BlockFrame& block : frame.blocks) {
-    if (block.state.kind != HS_BLOCK_RIGID) continue;
+    if (!moves_freely(block.state.kind)) continue;
     Bounds bounds;
     bounds.add(stage, block);
     area += (bounds.high[0] - bounds.low[0]) * (bounds.high[1] - bounds.low[1]);
