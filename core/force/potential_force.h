@@ -24,18 +24,29 @@ struct PotentialRoom;
 
 template <>
 struct PotentialRoom<2> {
-  explicit PotentialRoom(Memory* memory) : near(memory), intersection(memory), cell(memory), cut(memory) {}
+  explicit PotentialRoom(Memory* memory)
+      : least_depth(memory), near_a(memory), near_b(memory), corners(memory) {}
 
   /// So that two blocks of so many edges at most ask for no memory.
   void reserve(std::size_t edges) {
-    near.reserve(edges);
-    for (Array<Vector<2>>* polygon : {&intersection, &cell, &cut}) polygon->reserve(3 * edges);
+    if (near_a.size() >= edges) return;
+    corners.resize(3 * polygon_room(edges), Vector<2>::Zero());
+    least_depth.resize(edges);
+    near_b.resize(edges);
+    near_a.resize(edges);
   }
+  /// The first (second, third) polygon to work on.
+  Vector<2>* polygon(int which) { return corners.data() + std::size_t(which) * most_corners(); }
+  std::size_t most_corners() const { return polygon_room(near_a.size()); }
 
-  Array<std::int32_t> near;  // edges that can be the nearest one to some point of the other block
-  Array<Vector<2>> intersection;
-  Array<Vector<2>> cell;
-  Array<Vector<2>> cut;
+  Array<double> least_depth;   // of the other block's vertices, behind each edge
+  Array<std::int32_t> near_a;  // edges of a that can be the nearest one to some point of b
+  Array<std::int32_t> near_b;
+  Array<Vector<2>> corners;
+
+ private:
+  /// The corners of both blocks, one more for each cut, and as many that rounding may add.
+  static std::size_t polygon_room(std::size_t edges) { return 6 * edges; }
 };
 
 /// A point inside a block has its distance to the nearest edge as potential; what two blocks have in common

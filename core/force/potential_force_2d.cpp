@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "force/potential_force.h"
+#include "geometry/two_lanes.h"
 
 namespace halfspace {
 namespace {
@@ -13,35 +15,126 @@ struct HalfPlane {
   double depth(const Vector<2>& p) const { return offset - normal.dot(p); }
 };
 
-/// Cuts off what of a convex polygon is not in the half-plane (Sutherland and Hodgman). `cut` is working
-/// room.
-void keep_inside(const HalfPlane& half_plane, Array<Vector<2>>& polygon, Array<Vector<2>>& cut) {
-  cut.clear();
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vector<2>&p = polygon[i], &q = polygon[i + 1 < polygon.size() ? i + 1 : 0];
-    const double depth_p = half_plane.depth(p), depth_q = half_plane.depth(q);
-    if (depth_p >= 0) cut.push_back(p);
-    if ((depth_p < 0) != (depth_q < 0)) cut.push_back(p + depth_p / (depth_p - depth_q) * (q - p));
-  }
-  polygon.swap(cut);
+/// The half-plane of an edge of a block that lies at `shift`.
+HalfPlane half_plane(const Outline<2>& block, int edge, const Vector<2>& shift) {
+  const Vector<2> normal = block.normal(edge);
+  return {normal, block.offset[edge] + normal.dot(shift)};
 }
+
+/// A convex polygon in memory of its own, that is cut by one half-plane after another.
+class Polygon {
+ public:
+  Polygon(Vector<2>* corners, std::size_t room) : corner_(corners), room_(int(room)) {}
+
+  bool is_empty() const { return count_ < 3; }
+  void clear() { count_ = 0; }
+  void add(const Vector<2>& p) {
+    if (count_ < room_) corner_[count_++] = p;
+  }
+
+  /// What of another polygon is in the half-plane (Sutherland and Hodgman).
+  void keep_inside(const Polygon& whole, const HalfPlane& half_plane) {
+    clear();
+    whole.for_each_corner(half_plane, [&](const Vector<2>& corner, double depth) {
+      if (depth >= 0) add(corner);
+    });
+  }
+
+  /// The same, and the rest.
+  void split(const HalfPlane& half_plane, Polygon& inside, Polygon& outside) const {
+    inside.clear();
+    outside.clear();
+    for_each_corner(half_plane, [&](const Vector<2>& corner, double depth) {
+      if (depth >= 0) inside.add(corner);
+      if (depth <= 0) outside.add(corner);
+    });
+  }
+
+  void exchange(Polygon& other) { std::swap(*this, other); }
+  std::span<const Vector<2>> corners() const { return {corner_, std::size_t(count_)}; }
+
+ private:
+  /// Visits the corners in order and, with a depth of 0, where the outline crosses the half-plane's border.
+  template <class Visit>
+  void for_each_corner(const HalfPlane& half_plane, Visit visit) const {
+    if (is_empty()) return;
+    const Vector<2>* p = &corner_[count_ - 1];
+    double depth_p = half_plane.depth(*p);
+    for (int i = 0; i < count_; ++i) {
+      const Vector<2>* q = &corner_[i];
+      const double depth_q = half_plane.depth(*q);
+      const bool crosses = (depth_p < 0 && depth_q > 0) || (depth_p > 0 && depth_q < 0);
+      if (crosses) visit(*p + depth_p / (depth_p - depth_q) * (*q - *p), 0.0);
+      visit(*q, depth_q);
+      p = q;
+      depth_p = depth_q;
+    }
+  }
+
+  Vector<2>* corner_;
+  int room_;
+  int count_ = 0;
+};
 
 struct AreaAndCentroid {
   double area = 0;
   Vector<2> centroid = Vector<2>::Zero();
 };
 
-AreaAndCentroid measure(const Array<Vector<2>>& polygon) {
+AreaAndCentroid measure(const Polygon& polygon) {
   AreaAndCentroid sum;
-  for (std::size_t i = 2; i < polygon.size(); ++i) {
-    // From the first vertex, so that no digits are lost far from the origin.
-    const Vector<2> p = polygon[i - 1] - polygon[0], q = polygon[i] - polygon[0];
-    const double area = 0.5 * cross(p, q);
-    sum.area += area;
-    sum.centroid += area / 3 * (p + q);
+  if (polygon.is_empty()) return sum;
+  const std::span<const Vector<2>> corner = polygon.corners();
+  // From the first corner, so that no digits are lost far from the origin.
+  Vector<2> p = corner[1] - corner[0];
+  for (std::size_t i = 2; i < corner.size(); ++i) {
+    const Vector<2> q = corner[i] - corner[0];
+    const double twice = cross(p, q);
+    sum.area += twice;
+    sum.centroid += twice * (p + q);
+    p = q;
   }
-  if (sum.area > 0) sum.centroid = polygon[0] + sum.centroid / sum.area;
+  if (sum.area > 0) sum.centroid = corner[0] + sum.centroid / (3 * sum.area);
+  sum.area *= 0.5;
   return sum;
+}
+
+/// One of the two blocks, at `shift` from the centroid of a, and those of its edges that matter.
+struct Owner {
+  const Outline<2>& block;
+  Vector<2> shift;
+  std::span<std::int32_t> near;
+
+  HalfPlane half_plane(std::int32_t edge) const { return halfspace::half_plane(block, edge, shift); }
+};
+
+/// No point of the other block is deeper in the owner than the least, over the edges, of how deep its
+/// vertices reach. An edge that all of it is deeper behind is nowhere the nearest. None is near when the
+/// other block is outside; else the first one is that behind which it reaches least deep.
+void find_near_edges(Owner& owner, const Outline<2>& other, const Vector<2>& shift_of_other,
+                     double* least_depth) {
+  double reach = HUGE_VAL;
+  int first = 0;
+  for (int edge = 0; edge < owner.block.count; ++edge) {
+    const HalfPlane h = half_plane(owner.block, edge, owner.shift - shift_of_other);
+    const TwoLanes nx = both(h.normal.x()), ny = both(h.normal.y()), offset = both(h.offset);
+    TwoLanes least = both(HUGE_VAL), most = both(-HUGE_VAL);
+    for (int v = 0; v < other.count; v += 2) {
+      const TwoLanes depth = offset - nx * two_at(other.x + v) - ny * two_at(other.y + v);
+      least = smaller(least, depth);
+      most = larger(most, depth);
+    }
+    least_depth[edge] = std::min(least[0], least[1]);
+    const double deepest = std::max(most[0], most[1]);
+    if (deepest < reach) first = edge;
+    reach = std::min(reach, deepest);
+  }
+  std::size_t count = 0;
+  if (reach > 0) owner.near[count++] = first;
+  for (int edge = 0; reach > 0 && edge < owner.block.count; ++edge) {
+    if (least_depth[edge] <= reach && edge != first) owner.near[count++] = edge;
+  }
+  owner.near = owner.near.first(count);
 }
 
 /// What one block's potential does to the other one, and in return to its owner.
@@ -50,95 +143,84 @@ struct FieldForce {
   Tensor<2> virial_of_owner = Tensor<2>::Zero();
   Tensor<2> virial_of_other = Tensor<2>::Zero();
   double energy = 0;
+
+  void add_cell(const AreaAndCentroid& cell, const HalfPlane& nearest, const Vector<2>& shift_of_owner,
+                const Vector<2>& shift_of_other) {
+    if (!(cell.area > 0)) return;
+    const double depth = nearest.depth(cell.centroid), energy_of_cell = cell.area * depth;
+    const Vector<2> push = cell.area * nearest.normal, foot = cell.centroid + depth * nearest.normal;
+    force += push;
+    virial_of_owner -= push * (foot - shift_of_owner).transpose();
+    virial_of_other += push * (cell.centroid - shift_of_other).transpose();
+    virial_of_other.diagonal().array() -= energy_of_cell;
+    energy += energy_of_cell;
+  }
 };
 
-/// A block whose potential pushes another one, which lies at `shift` from its centroid.
-class Field {
- public:
-  Field(const Outline<2>& owner, const Outline<2>& other, const Vector<2>& shift, PotentialRoom<2>& room)
-      : owner_(owner), other_(other), shift_(shift), room_(room) {}
+/// Inside it one edge is nearer than another.
+HalfPlane nearer(const HalfPlane& edge, const HalfPlane& other) {
+  return {other.normal - edge.normal, other.offset - edge.offset};
+}
 
-  FieldForce force_on_other() {
-    find_near_edges();
-    find_intersection();
-    FieldForce sum;
-    for (const std::int32_t edge : room_.near) {
-      find_cell(edge);
-      const auto [area, centroid] = measure(room_.cell);
-      if (!(area > 0)) continue;
-      const HalfPlane nearest = half_plane(edge);
-      const double depth = nearest.depth(centroid), energy = area * depth;
-      const Vector<2> force = area * nearest.normal, foot = centroid + depth * nearest.normal;
-      sum.force += force;
-      sum.virial_of_owner -= force * foot.transpose();
-      sum.virial_of_other += force * (centroid - shift_).transpose() - energy * Tensor<2>::Identity();
-      sum.energy += energy;
-    }
+/// Cell by cell: what of the intersection has an edge for its nearest. Most often there are two. Of more, the
+/// first one has the most, so that it leaves little to cut of the others' cells.
+FieldForce field_force(const Owner& owner, const Vector<2>& shift_of_other, const Polygon& intersection,
+                       const AreaAndCentroid& whole, Polygon cell, Polygon cut) {
+  FieldForce sum;
+  const auto add = [&](const AreaAndCentroid& found, const HalfPlane& nearest) {
+    sum.add_cell(found, nearest, owner.shift, shift_of_other);
+  };
+  if (owner.near.size() == 1) {
+    add(whole, owner.half_plane(owner.near[0]));
     return sum;
   }
-
-  /// After force_on_other().
-  AreaAndCentroid intersection() const { return measure(room_.intersection); }
-
- private:
-  HalfPlane half_plane(int edge) const { return {owner_.normal(edge), owner_.offset[edge]}; }
-  Vector<2> vertex_of_other(int i) const { return other_.vertex(i) + shift_; }
-
-  /// No point of the other block is deeper in the owner than the least, over the edges, of how deep its
-  /// vertices reach. An edge that all of it is deeper behind is nowhere the nearest.
-  void find_near_edges() {
-    const auto over_vertices = [&](int edge, auto best) {
-      const HalfPlane h = half_plane(edge);
-      double found = h.depth(vertex_of_other(0));
-      for (int v = 1; v < other_.count; ++v) found = best(found, h.depth(vertex_of_other(v)));
-      return found;
-    };
-    double reach = HUGE_VAL;
-    for (int edge = 0; edge < owner_.count; ++edge)
-      reach = std::min(reach, over_vertices(edge, [](double p, double q) { return std::max(p, q); }));
-    room_.near.clear();
-    for (int edge = 0; edge < owner_.count; ++edge) {
-      if (over_vertices(edge, [](double p, double q) { return std::min(p, q); }) <= reach)
-        room_.near.push_back(edge);
+  if (owner.near.size() == 2) {
+    const HalfPlane one = owner.half_plane(owner.near[0]), other = owner.half_plane(owner.near[1]);
+    intersection.split(nearer(one, other), cell, cut);
+    add(measure(cell), one);
+    add(measure(cut), other);
+    return sum;
+  }
+  for (const std::int32_t edge : owner.near) {
+    const HalfPlane nearest = owner.half_plane(edge);
+    const Polygon* left = &intersection;
+    for (const std::int32_t e : owner.near) {
+      if (e == edge || left->is_empty()) continue;
+      cut.keep_inside(*left, nearer(nearest, owner.half_plane(e)));
+      cut.exchange(cell);
+      left = &cell;
     }
+    add(measure(*left), nearest);
   }
-
-  void find_intersection() {
-    room_.intersection.clear();
-    for (int v = 0; v < other_.count; ++v) room_.intersection.push_back(vertex_of_other(v));
-    for (const std::int32_t edge : room_.near) keep_inside(half_plane(edge), room_.intersection, room_.cut);
-  }
-
-  /// What of the intersection has this edge for its nearest.
-  void find_cell(std::int32_t edge) {
-    const HalfPlane nearest = half_plane(edge);
-    room_.cell = room_.intersection;
-    for (const std::int32_t e : room_.near) {
-      if (e == edge) continue;
-      const HalfPlane farther = half_plane(e);
-      keep_inside({farther.normal - nearest.normal, farther.offset - nearest.offset}, room_.cell, room_.cut);
-    }
-  }
-
-  const Outline<2>& owner_;
-  const Outline<2>& other_;
-  Vector<2> shift_;
-  PotentialRoom<2>& room_;
-};
+  return sum;
+}
 
 }  // namespace
 
 PotentialForce<2> potential_force(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
                                   PotentialRoom<2>& room) {
-  Field of_a(a, b, to_b, room);
-  const FieldForce by_a = of_a.force_on_other();
-  const auto [area, centroid] = of_a.intersection();
-  const FieldForce by_b = Field(b, a, -to_b, room).force_on_other();
+  room.reserve(std::size_t(std::max(a.count, b.count)));
+  const Vector<2> at_a = Vector<2>::Zero();
+  Owner of_a{a, at_a, room.near_a}, of_b{b, to_b, room.near_b};
+  find_near_edges(of_a, b, to_b, room.least_depth.data());
+  find_near_edges(of_b, a, at_a, room.least_depth.data());
+  if (of_a.near.empty() || of_b.near.empty()) return {};
+
+  Polygon intersection(room.polygon(0), room.most_corners()), cell(room.polygon(1), room.most_corners()),
+      cut(room.polygon(2), room.most_corners());
+  for (int v = 0; v < b.count; ++v) intersection.add(b.vertex(v) + to_b);
+  for (const std::int32_t edge : of_a.near) {
+    cut.keep_inside(intersection, of_a.half_plane(edge));
+    cut.exchange(intersection);
+  }
+  const AreaAndCentroid whole = measure(intersection);
+  const FieldForce by_a = field_force(of_a, to_b, intersection, whole, cell, cut);
+  const FieldForce by_b = field_force(of_b, at_a, intersection, whole, cell, cut);
   return {by_a.force - by_b.force,
           by_a.virial_of_owner + by_b.virial_of_other,
           by_a.virial_of_other + by_b.virial_of_owner,
-          centroid,
-          area,
+          whole.centroid,
+          whole.area,
           by_a.energy + by_b.energy};
 }
 

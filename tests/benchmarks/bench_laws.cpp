@@ -1,0 +1,204 @@
+// Cost of contact laws and of kinds of blocks, on the same blocks in the same places. README.md says what is
+// timed and how to read the figures.
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <random>
+#include <stdexcept>
+
+#include "capi/handles.h"
+#include "timing.h"
+
+namespace halfspace_benchmark {
+namespace {
+
+using halfspace_test::require_ok;
+using Triple = std::array<double, 3>;
+using Corners = std::vector<Triple>;
+
+constexpr int passes = 15;
+constexpr double time_step = 1e-9;  // so short that nothing moves while it is timed
+
+/// Blocks on a grid, each turned a little, that overlap with their neighbours.
+struct Packing {
+  const char* name;
+  int dimension;
+  std::vector<Corners> blocks;
+  std::vector<hs_pose> poses;
+};
+
+/// By up to `tilt` about each axis, in the plane about z.
+hs_pose pose_of(const Packing& packing, const Triple& place, double tilt, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> angle(-tilt, tilt);
+  hs_pose pose{{place[0], place[1], place[2]}, {0, 0, 0, 1}};
+  for (int axis = packing.dimension == 2 ? 2 : 0; axis < 3; ++axis)
+    pose.rotation[axis] = std::sin(angle(random) / 2);
+  const double* q = pose.rotation;
+  pose.rotation[3] = std::sqrt(1 - q[0] * q[0] - q[1] * q[1] - q[2] * q[2]);
+  return pose;
+}
+
+Corners brick(double x, double y, double z) {
+  Corners corners;
+  for (int k = 0; k < (z > 0 ? 8 : 4); ++k) {
+    const bool right = (k & 1) != ((k >> 1) & 1), far = k & 2;  // counter-clockwise
+    corners.push_back({right ? x / 2 : -x / 2, far ? y / 2 : -y / 2, k & 4 ? z / 2 : -z / 2});
+  }
+  return corners;
+}
+
+/// Every other row is shifted by half a brick. Overlaps are about a thousandth of a brick.
+Packing bricks(int dimension, int columns, int rows, int layers) {
+  Packing packing{dimension == 2 ? "bricks in the plane" : "bricks in space", dimension, {}, {}};
+  std::mt19937_64 random(1);
+  for (int layer = 0; layer < layers; ++layer)
+    for (int row = 0; row < rows; ++row)
+      for (int column = 0; column < columns; ++column) {
+        packing.blocks.push_back(brick(1, 0.5, dimension == 2 ? 0 : 1));
+        packing.poses.push_back(pose_of(
+            packing, {0.999 * (column + 0.5 * (row % 2)), 0.4995 * row, 0.999 * layer}, 1e-3, random));
+      }
+  return packing;
+}
+
+/// Hulls of 12 to 20 points on a sphere, that dip into their neighbours by some hundredths.
+Packing polyhedra(int count) {
+  Packing packing{"polyhedra", 3, {}, {}};
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> along(-1, 1), around(0, 2 * 3.14159265358979323846);
+  for (int i = 0; i < count * count * count; ++i) {
+    Corners corners;
+    for (int corner = std::uniform_int_distribution<int>(12, 20)(random); corner > 0; --corner) {
+      const double z = along(random), angle = around(random), r = std::sqrt(1 - z * z);
+      corners.push_back({0.5 * r * std::cos(angle), 0.5 * r * std::sin(angle), 0.5 * z});
+    }
+    packing.blocks.push_back(corners);
+    packing.poses.push_back(pose_of(
+        packing, {0.85 * (i % count), 0.85 * (i / count % count), 0.85 * (i / count / count)}, 1, random));
+  }
+  return packing;
+}
+
+/// A packing under one law, of blocks of one kind.
+class Scene {
+ public:
+  Scene(const Packing& packing, int32_t stiffness_kind, int32_t kind)
+      : context_(halfspace_test::make_context()) {
+    hs_world_def def;
+    check(hs_world_def_init(&def, sizeof def));
+    def.dimension = packing.dimension;
+    def.gravity[1] = 0;
+    def.time_step = time_step;
+    hs_world* made = nullptr;
+    check(hs_world_create(context_.get(), &def, &made));
+    world_.reset(made);
+    hs_law_def law;
+    check(hs_law_def_init(&law, sizeof law));
+    law.stiffness_kind = stiffness_kind;
+    law.friction_angle = 0.5;
+    check(hs_world_set_default_law(made, &law));
+    int32_t material = 0;
+    check(hs_world_add_material(made, 2500, &material));
+    hs_elasticity_def elasticity;
+    check(hs_elasticity_def_init(&elasticity, sizeof elasticity));
+    check(hs_world_set_elasticity(made, material, &elasticity));
+    for (std::size_t i = 0; i < packing.blocks.size(); ++i) add(packing, i, kind);
+  }
+
+  void check(hs_status status) const { require_ok(status, context_.get()); }
+
+  void step(int steps) const { check(hs_world_step(world_.get(), steps)); }
+  /// Without asking for them: they stay in the world.
+  void evaluate_forces() const {
+    const hs_status status = hs_world_forces(world_.get(), 0, {}, {});
+    if (status != HS_NOTE_TRUNCATED) check(status);
+  }
+  hs_world_report report() const {
+    hs_world_report report;
+    check(hs_world_get_report(world_.get(), &report, sizeof report));
+    return report;
+  }
+
+ private:
+  void add(const Packing& packing, std::size_t i, int32_t kind) {
+    const Corners& corners = packing.blocks[i];
+    const hs_view view{&corners[0][0], &corners[0][1], &corners[0][2], sizeof(Triple),
+                       std::int64_t(corners.size())};
+    hs_shape* made = nullptr;
+    check(packing.dimension == 2 ? hs_polygon_create(context_.get(), view, &made)
+                                 : hs_polyhedron_create_hull(context_.get(), view, &made));
+    const halfspace_test::Shape shape(made);
+    hs_block_def def;
+    check(hs_block_def_init(&def, sizeof def, shape.get()));
+    def.kind = kind;
+    def.pose = packing.poses[i];
+    hs_block block = 0;
+    check(hs_world_add_block(world_.get(), shape.get(), &def, &block));
+  }
+
+  halfspace_test::Context context_;
+  halfspace_test::World world_;
+};
+
+struct Cost {
+  double forces;  // s for each contact, described and loaded
+  double step;    // s for each block
+};
+
+Cost cost_of(const Packing& packing, int32_t stiffness_kind, int32_t kind, double block_steps) {
+  const Scene scene(packing, stiffness_kind, kind);
+  const double blocks = double(packing.blocks.size());
+  const int steps = std::max(2, int(block_steps / blocks));
+  scene.step(2);
+  const double contacts = double(scene.report().contact_count);
+  Passes forces, stepped;
+  for (int i = 0; i < passes; ++i) {
+    stepped.add(seconds_of([&] { scene.step(steps); }));
+    forces.add(seconds_of([&] {
+      for (int k = 0; k < steps; ++k) scene.evaluate_forces();
+    }));
+    scene.step(1);
+  }
+  const double step = stepped.minimum() / (steps * blocks), force = forces.minimum() / (steps * contacts);
+  std::printf(
+      "%8.1f (median %8.1f) ns a contact, %8.1f (median %8.1f) ns a block-step; contacts %.2f a block",
+      1e9 * force, 1e9 * forces.median() / (steps * contacts), 1e9 * step,
+      1e9 * stepped.median() / (steps * blocks), contacts / blocks);
+  return {force, step};
+}
+
+void compare(const Packing& packing, double block_steps) {
+  std::printf("%s, %zu blocks\n", packing.name, packing.blocks.size());
+  constexpr const char* names[] = {"per contact", "per area", "potential"};
+  Cost first{};
+  for (const int32_t stiffness_kind :
+       {HS_STIFFNESS_PER_CONTACT, HS_STIFFNESS_PER_AREA, HS_STIFFNESS_POTENTIAL}) {
+    std::printf("  %-11s rigid  ", names[stiffness_kind]);
+    const Cost rigid = cost_of(packing, stiffness_kind, HS_BLOCK_RIGID, block_steps);
+    if (stiffness_kind == HS_STIFFNESS_PER_CONTACT) first = rigid;
+    std::printf("; over per contact %.2f, %.2f\n", rigid.forces / first.forces, rigid.step / first.step);
+    std::printf("  %-11s affine ", "");
+    const Cost affine = cost_of(packing, stiffness_kind, HS_BLOCK_AFFINE, block_steps);
+    std::printf("; over rigid %.2f, %.2f\n", affine.forces / rigid.forces, affine.step / rigid.step);
+    std::fflush(stdout);
+  }
+}
+
+}  // namespace
+}  // namespace halfspace_benchmark
+
+int main(int argc, char** argv) {
+  using namespace halfspace_benchmark;
+  const bool quick = has_option(argc, argv, "--quick");
+  std::printf("libhalfspace %s, core %d\n", hs_version(), pin_to_this_core());
+  try {
+    const double block_steps = quick ? 1e2 : 3e4;
+    compare(quick ? bricks(2, 4, 4, 1) : bricks(2, 30, 30, 1), 2 * block_steps);
+    compare(quick ? bricks(3, 3, 3, 3) : bricks(3, 10, 10, 10), block_steps);
+    compare(polyhedra(quick ? 3 : 10), block_steps);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "bench_laws: %s\n", error.what());
+    return 1;
+  }
+}
