@@ -143,6 +143,8 @@ struct FieldForce {
   Tensor<2> virial_of_owner = Tensor<2>::Zero();
   Tensor<2> virial_of_other = Tensor<2>::Zero();
   double energy = 0;
+  double area = 0;  // of all cells, and
+  Vector<2> first_moment = Vector<2>::Zero();
 
   void add_cell(const AreaAndCentroid& cell, const HalfPlane& nearest, const Vector<2>& shift_of_owner,
                 const Vector<2>& shift_of_other) {
@@ -154,6 +156,8 @@ struct FieldForce {
     virial_of_other += push * (cell.centroid - shift_of_other).transpose();
     virial_of_other.diagonal().array() -= energy_of_cell;
     energy += energy_of_cell;
+    area += cell.area;
+    first_moment += cell.area * cell.centroid;
   }
 };
 
@@ -165,13 +169,13 @@ HalfPlane nearer(const HalfPlane& edge, const HalfPlane& other) {
 /// Cell by cell: what of the intersection has an edge for its nearest. Most often there are two. Of more, the
 /// first one has the most, so that it leaves little to cut of the others' cells.
 FieldForce field_force(const Owner& owner, const Vector<2>& shift_of_other, const Polygon& intersection,
-                       const AreaAndCentroid& whole, Polygon cell, Polygon cut) {
+                       Polygon cell, Polygon cut) {
   FieldForce sum;
   const auto add = [&](const AreaAndCentroid& found, const HalfPlane& nearest) {
     sum.add_cell(found, nearest, owner.shift, shift_of_other);
   };
   if (owner.near.size() == 1) {
-    add(whole, owner.half_plane(owner.near[0]));
+    add(measure(intersection), owner.half_plane(owner.near[0]));
     return sum;
   }
   if (owner.near.size() == 2) {
@@ -213,14 +217,14 @@ PotentialForce<2> potential_force(const Outline<2>& a, const Outline<2>& b, cons
     cut.keep_inside(intersection, of_a.half_plane(edge));
     cut.exchange(intersection);
   }
-  const AreaAndCentroid whole = measure(intersection);
-  const FieldForce by_a = field_force(of_a, to_b, intersection, whole, cell, cut);
-  const FieldForce by_b = field_force(of_b, at_a, intersection, whole, cell, cut);
+  const FieldForce by_a = field_force(of_a, to_b, intersection, cell, cut);
+  if (by_a.area == 0) return {};
+  const FieldForce by_b = field_force(of_b, at_a, intersection, cell, cut);
   return {by_a.force - by_b.force,
           by_a.virial_of_owner + by_b.virial_of_other,
           by_a.virial_of_other + by_b.virial_of_owner,
-          whole.centroid,
-          whole.area,
+          by_a.first_moment / by_a.area,
+          by_a.area,
           by_a.energy + by_b.energy};
 }
 
