@@ -76,26 +76,28 @@ class Polygon {
   int count_ = 0;
 };
 
-struct AreaAndCentroid {
-  double area = 0;
-  Vector<2> centroid = Vector<2>::Zero();
+/// Area and its first moment about one of the corners, so that no digits are lost far from the origin.
+struct Area {
+  double content = 0;
+  Vector<2> corner = Vector<2>::Zero();
+  Vector<2> moment = Vector<2>::Zero();
 };
 
-AreaAndCentroid measure(const Polygon& polygon) {
-  AreaAndCentroid sum;
+Area measure(const Polygon& polygon) {
+  Area sum;
   if (polygon.is_empty()) return sum;
   const std::span<const Vector<2>> corner = polygon.corners();
-  // From the first corner, so that no digits are lost far from the origin.
+  sum.corner = corner[0];
   Vector<2> p = corner[1] - corner[0];
   for (std::size_t i = 2; i < corner.size(); ++i) {
     const Vector<2> q = corner[i] - corner[0];
     const double twice = cross(p, q);
-    sum.area += twice;
-    sum.centroid += twice * (p + q);
+    sum.content += twice;
+    sum.moment += twice * (p + q);
     p = q;
   }
-  if (sum.area > 0) sum.centroid = corner[0] + sum.centroid / (3 * sum.area);
-  sum.area *= 0.5;
+  sum.content *= 0.5;
+  sum.moment /= 6;
   return sum;
 }
 
@@ -146,18 +148,21 @@ struct FieldForce {
   double area = 0;  // of all cells, and
   Vector<2> first_moment = Vector<2>::Zero();
 
-  void add_cell(const AreaAndCentroid& cell, const HalfPlane& nearest, const Vector<2>& shift_of_owner,
+  void add_cell(const Area& cell, const HalfPlane& nearest, const Vector<2>& shift_of_owner,
                 const Vector<2>& shift_of_other) {
-    if (!(cell.area > 0)) return;
-    const double depth = nearest.depth(cell.centroid), energy_of_cell = cell.area * depth;
-    const Vector<2> push = cell.area * nearest.normal, foot = cell.centroid + depth * nearest.normal;
-    force += push;
-    virial_of_owner -= push * (foot - shift_of_owner).transpose();
-    virial_of_other += push * (cell.centroid - shift_of_other).transpose();
+    if (!(cell.content > 0)) return;
+    const Vector<2>& normal = nearest.normal;
+    const double energy_of_cell = cell.content * nearest.depth(cell.corner) - normal.dot(cell.moment);
+    const Vector<2> moment = cell.content * cell.corner + cell.moment;  // about the centroid of a
+    // Of the feet of the cell's points on the edge.
+    const Vector<2> moment_of_feet = moment + energy_of_cell * normal;
+    force += cell.content * normal;
+    virial_of_owner -= normal * (moment_of_feet - cell.content * shift_of_owner).transpose();
+    virial_of_other += normal * (moment - cell.content * shift_of_other).transpose();
     virial_of_other.diagonal().array() -= energy_of_cell;
     energy += energy_of_cell;
-    area += cell.area;
-    first_moment += cell.area * cell.centroid;
+    area += cell.content;
+    first_moment += moment;
   }
 };
 
@@ -171,7 +176,7 @@ HalfPlane nearer(const HalfPlane& edge, const HalfPlane& other) {
 FieldForce field_force(const Owner& owner, const Vector<2>& shift_of_other, const Polygon& intersection,
                        Polygon cell, Polygon cut) {
   FieldForce sum;
-  const auto add = [&](const AreaAndCentroid& found, const HalfPlane& nearest) {
+  const auto add = [&](const Area& found, const HalfPlane& nearest) {
     sum.add_cell(found, nearest, owner.shift, shift_of_other);
   };
   if (owner.near.size() == 1) {
