@@ -27,9 +27,13 @@ static const Constant constants[] = {
     CONSTANT(HS_PAIR_VERTEX_VERTEX),
     CONSTANT(HS_STIFFNESS_PER_CONTACT),
     CONSTANT(HS_STIFFNESS_PER_AREA),
+    CONSTANT(HS_STIFFNESS_POTENTIAL),
+    CONSTANT(HS_PLANE_STRAIN),
+    CONSTANT(HS_PLANE_STRESS),
     CONSTANT(HS_BLOCK_FIXED),
     CONSTANT(HS_BLOCK_PRESCRIBED),
     CONSTANT(HS_BLOCK_RIGID),
+    CONSTANT(HS_BLOCK_AFFINE),
 };
 
 int is(const char* word, const char* other) { return strcmp(word, other) == 0; }

@@ -49,6 +49,7 @@ int meets_expectation(Player* player, const Statement* statement) {
   const char* subject = word_at(statement, 1);
   hs_shape_properties properties;
   hs_block_state state;
+  hs_deformation deformation;
   hs_world_report report;
   hs_status status;
   if (is(subject, "hash")) return compare_hash(player, statement);
@@ -62,6 +63,10 @@ int meets_expectation(Player* player, const Statement* statement) {
   if (is(subject, "block")) {
     status = hs_world_get_block_state(player->world, block_named(player, statement, 2)->block, &state);
     return status == HS_OK && compare(field_at(block_fields, statement, 3), &state, statement, 4);
+  }
+  if (is(subject, "deformation")) {
+    status = hs_world_get_deformation(player->world, block_named(player, statement, 2)->block, &deformation);
+    return status == HS_OK && compare(field_at(deformation_fields, statement, 3), &deformation, statement, 4);
   }
   status = hs_world_get_report(player->world, &report, sizeof report);
   if (is(subject, "report")) {

@@ -11,13 +11,17 @@
 #define END_OF_TABLE \
   { NULL, FIELD_INT32, 0, 0 }
 
-const Field world_def_fields[] = {INT32(hs_world_def, dimension), NUMBER(hs_world_def, time_step),
-                                  NUMBERS(hs_world_def, gravity, 3), NUMBER(hs_world_def, safety),
-                                  END_OF_TABLE};
+const Field world_def_fields[] = {INT32(hs_world_def, dimension),         NUMBER(hs_world_def, time_step),
+                                  NUMBERS(hs_world_def, gravity, 3),      NUMBER(hs_world_def, safety),
+                                  NUMBER(hs_world_def, potential_length), END_OF_TABLE};
 
 const Field law_def_fields[] = {INT32(hs_law_def, stiffness_kind),   NUMBER(hs_law_def, normal_stiffness),
                                 NUMBER(hs_law_def, shear_stiffness), NUMBER(hs_law_def, friction_angle),
                                 NUMBER(hs_law_def, normal_damping),  END_OF_TABLE};
+
+const Field elasticity_def_fields[] = {
+    INT32(hs_elasticity_def, plane), NUMBER(hs_elasticity_def, young_modulus),
+    NUMBER(hs_elasticity_def, poisson_ratio), NUMBER(hs_elasticity_def, damping_time), END_OF_TABLE};
 
 const Field pair_options_fields[] = {NUMBER(hs_pair_options, parallel_angle),
                                      NUMBER(hs_pair_options, vertex_zone), NUMBER(hs_pair_options, margin),
@@ -58,11 +62,18 @@ const Field block_fields[] = {{"position", FIELD_DOUBLE, 3, offsetof(hs_block_st
                               NUMBER(hs_block_state, mass),
                               END_OF_TABLE};
 
+const Field deformation_fields[] = {NUMBERS(hs_deformation, gradient, 9),  NUMBERS(hs_deformation, rate, 9),
+                                    NUMBERS(hs_deformation, strain, 9),    NUMBERS(hs_deformation, stress, 9),
+                                    NUMBER(hs_deformation, strain_energy), END_OF_TABLE};
+
 const Field report_fields[] = {INT32(hs_world_report, dimension),
                                INT64(hs_world_report, steps),
                                NUMBER(hs_world_report, time),
                                INT64(hs_world_report, contact_count),
                                NUMBER(hs_world_report, largest_overlap),
+                               NUMBER(hs_world_report, potential_length),
+                               NUMBER(hs_world_report, block_strain_energy),
+                               NUMBER(hs_world_report, block_damping_loss),
                                END_OF_TABLE};
 
 const Field energy_fields[] = {NUMBER(hs_energy, kinetic),

@@ -140,6 +140,13 @@ static hs_status set_law(Player* player, const Statement* statement, int first_f
                           &law);
 }
 
+static hs_status set_elasticity(Player* player, const Statement* statement) {
+  hs_elasticity_def elasticity;
+  hs_elasticity_def_init(&elasticity, sizeof elasticity);
+  set_fields(elasticity_def_fields, &elasticity, statement, 2);
+  return hs_world_set_elasticity(player->world, (int32_t)number_at(statement, 1), &elasticity);
+}
+
 static hs_status add_block(Player* player, const Statement* statement) {
   const hs_shape* shape = shape_named(player, statement, 2)->shape;
   NamedBlock* named = &player->blocks[player->block_count];
@@ -167,6 +174,31 @@ static hs_status set_vectors(Player* player, const Statement* statement) {
   return is(statement->words[0], "velocity")
              ? hs_world_set_velocity(player->world, block, first, second)
              : hs_world_set_applied_force(player->world, block, first, second);
+}
+
+/* So many numbers, neither fewer nor more. */
+static void read_numbers(const Statement* statement, int first, double* numbers, int count) {
+  if (numbers_from(statement, first, numbers, count) < count) malformed(statement, "too few numbers");
+}
+
+static hs_status set_deformation(Player* player, const Statement* statement) {
+  double gradient_and_rate[18];
+  read_numbers(statement, 2, gradient_and_rate, 18);
+  return hs_world_set_deformation(player->world, block_named(player, statement, 1)->block, gradient_and_rate,
+                                  gradient_and_rate + 9);
+}
+
+static hs_status set_stress(Player* player, const Statement* statement) {
+  double stress[9];
+  read_numbers(statement, 2, stress, 9);
+  return hs_world_set_stress(player->world, block_named(player, statement, 1)->block, stress);
+}
+
+static hs_status add_surface_load(Player* player, const Statement* statement) {
+  double traction[3];
+  read_numbers(statement, 3, traction, 3);
+  return hs_world_add_surface_load(player->world, block_named(player, statement, 1)->block,
+                                   (int32_t)number_at(statement, 2), traction);
 }
 
 static hs_status evaluate_forces(Player* player, const Statement* statement) {
@@ -230,12 +262,18 @@ hs_status call(Player* player, const Statement* statement) {
   if (is(verb, "material")) return hs_world_add_material(player->world, number_at(statement, 1), &material);
   if (is(verb, "default_law")) return set_law(player, statement, 1);
   if (is(verb, "law")) return set_law(player, statement, 3);
+  if (is(verb, "elasticity")) return set_elasticity(player, statement);
   if (is(verb, "block")) return add_block(player, statement);
   if (is(verb, "set_pose")) {
     pose = pose_from(statement, 2);
     return hs_world_set_pose(player->world, block_named(player, statement, 1)->block, &pose);
   }
   if (is(verb, "velocity") || is(verb, "applied_force")) return set_vectors(player, statement);
+  if (is(verb, "set_deformation")) return set_deformation(player, statement);
+  if (is(verb, "set_stress")) return set_stress(player, statement);
+  if (is(verb, "surface_load")) return add_surface_load(player, statement);
+  if (is(verb, "clear_surface_loads"))
+    return hs_world_clear_surface_loads(player->world, block_named(player, statement, 1)->block);
   if (is(verb, "remove"))
     return hs_world_remove_block(player->world, block_named(player, statement, 1)->block);
   if (is(verb, "detect") || is(verb, "forces") || is(verb, "step")) return stage(player, statement);

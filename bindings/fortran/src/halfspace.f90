@@ -16,19 +16,22 @@ module halfspace
     HS_ERROR_STATE, HS_ERROR_UNSTABLE, HS_ERROR_FORMAT, HS_ERROR_INTERNAL, HS_CONTACT_NONE, &
     HS_CONTACT_VERTEX_VERTEX, HS_CONTACT_VERTEX_EDGE, HS_CONTACT_EDGE_EDGE, HS_CONTACT_EDGE_FACE, &
     HS_CONTACT_FACE_FACE, HS_CONTACT_VERTEX_FACE, HS_PAIR_FACE_VERTEX, HS_PAIR_VERTEX_FACE, HS_PAIR_EDGE_EDGE, &
-    HS_PAIR_VERTEX_VERTEX, HS_CONTACT_POINTS, HS_STIFFNESS_PER_CONTACT, HS_STIFFNESS_PER_AREA, HS_FAULT_NONE, &
+    HS_PAIR_VERTEX_VERTEX, HS_CONTACT_POINTS, HS_STIFFNESS_PER_CONTACT, HS_STIFFNESS_PER_AREA, &
+    HS_STIFFNESS_POTENTIAL, HS_PLANE_STRAIN, HS_PLANE_STRESS, HS_FAULT_NONE, &
     HS_FAULT_TOO_FEW_VERTICES, HS_FAULT_NOT_FINITE, HS_FAULT_REPEATED_VERTEX, HS_FAULT_COLLINEAR_VERTEX, &
     HS_FAULT_NOT_CONVEX, HS_FAULT_SELF_CROSSING, HS_FAULT_ZERO_AREA, HS_FAULT_FEWER_THAN_FOUR, &
     HS_FAULT_FACE_TOO_SHORT, HS_FAULT_NO_SUCH_VERTEX, HS_FAULT_VERTEX_TWICE_IN_FACE, HS_FAULT_UNUSED_VERTEX, &
     HS_FAULT_UNMATCHED_EDGE, HS_FAULT_VERTEX_INSIDE_EDGE, HS_FAULT_NOT_ONE_SURFACE, HS_FAULT_OUT_OF_RANGE, &
     HS_FAULT_COINCIDING_VERTICES, HS_FAULT_ZERO_VOLUME, HS_FAULT_FACE_WITHOUT_AREA, HS_FAULT_FACE_NOT_PLANE, &
     HS_FAULT_VERTEX_OUTSIDE_FACE, HS_FAULT_COPLANAR_FACES, HS_FAULT_HULL_FAILED, HS_FAULT_NO_DIRECTION, &
-    HS_FAULT_UNBOUNDED, HS_FAULT_NO_COMMON_POINT, HS_BLOCK_FIXED, HS_BLOCK_PRESCRIBED, HS_BLOCK_RIGID
+    HS_FAULT_UNBOUNDED, HS_FAULT_NO_COMMON_POINT, HS_BLOCK_FIXED, HS_BLOCK_PRESCRIBED, HS_BLOCK_RIGID, &
+    HS_BLOCK_AFFINE
   use halfspace_checks, only: halfspace_check_polygon, halfspace_check_polyhedron, halfspace_clean_polygon, &
     halfspace_clean_report, halfspace_fault
   use halfspace_contacts, only: halfspace_block, halfspace_contact, operator(==), operator(/=)
   use halfspace_contexts, only: halfspace_allocator, halfspace_context, halfspace_version
-  use halfspace_definitions, only: halfspace_angle, halfspace_law, halfspace_pose
+  use halfspace_definitions, only: halfspace_angle, halfspace_elasticity, halfspace_law, halfspace_pose
+  use halfspace_deformations, only: halfspace_deformation
   use halfspace_pairs, only: halfspace_detect_pair, halfspace_detect_pairs, halfspace_pair_cache
   use halfspace_shapes, only: halfspace_shape, halfspace_shape_properties
   use halfspace_worlds, only: halfspace_block_state, halfspace_energy, halfspace_world, halfspace_world_report

@@ -1,10 +1,11 @@
-!> Poses and contact laws: the structs of the C interface, with constructors.
+!> Poses, contact laws and elasticities: the structs of the C interface, with constructors.
 module halfspace_definitions
   use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_sizeof
-  use halfspace_c, only: hs_law_def_init, HS_OK, halfspace_law => hs_law_def, halfspace_pose => hs_pose
+  use halfspace_c, only: hs_elasticity_def_init, hs_law_def_init, HS_OK, halfspace_elasticity => hs_elasticity_def, &
+    halfspace_law => hs_law_def, halfspace_pose => hs_pose
   implicit none
   private
-  public :: halfspace_law, halfspace_pose, halfspace_angle
+  public :: halfspace_elasticity, halfspace_law, halfspace_pose, halfspace_angle
 
   !> In the plane, halfspace_pose(x, y) or halfspace_pose(x, y, angle), the latter also of arrays; in space,
   !! halfspace_pose(position, rotation) with a unit quaternion x, y, z, w.
@@ -15,6 +16,11 @@ module halfspace_definitions
   !> halfspace_law(normal_stiffness=1e8_c_double, friction_angle=...): what is not given is the library's default.
   interface halfspace_law
     module procedure law
+  end interface
+
+  !> halfspace_elasticity(young_modulus=1e10_c_double, poisson_ratio=...): likewise.
+  interface halfspace_elasticity
+    module procedure elasticity
   end interface
 
 contains
@@ -47,14 +53,14 @@ contains
 
   function law(normal_stiffness, shear_stiffness, friction_angle, cohesion, tensile_strength, normal_damping, &
                shear_damping, stiffness_kind)
-    real(c_double), intent(in), optional :: normal_stiffness  !< > 0; N/m or Pa/m
-    real(c_double), intent(in), optional :: shear_stiffness  !< >= 0; N/m or Pa/m
+    real(c_double), intent(in), optional :: normal_stiffness  !< > 0; N/m, Pa/m or Pa
+    real(c_double), intent(in), optional :: shear_stiffness  !< >= 0; N/m or Pa/m, of potentials N/m
     real(c_double), intent(in), optional :: friction_angle  !< rad, [0, pi/2)
     real(c_double), intent(in), optional :: cohesion  !< Pa, >= 0
     real(c_double), intent(in), optional :: tensile_strength  !< Pa, >= 0
     real(c_double), intent(in), optional :: normal_damping  !< share of critical viscous damping, >= 0
     real(c_double), intent(in), optional :: shear_damping  !< share of critical viscous damping, >= 0
-    integer(c_int32_t), intent(in), optional :: stiffness_kind  !< HS_STIFFNESS_PER_CONTACT or _PER_AREA
+    integer(c_int32_t), intent(in), optional :: stiffness_kind  !< HS_STIFFNESS_PER_CONTACT, _PER_AREA or _POTENTIAL
     type(halfspace_law) :: law
     ! A law that could not be filled keeps size 0, and is refused where it is used.
     if (hs_law_def_init(law, c_sizeof(law)) /= HS_OK) return
@@ -67,5 +73,19 @@ contains
     if (present(shear_damping)) law%shear_damping = shear_damping
     if (present(stiffness_kind)) law%stiffness_kind = stiffness_kind
   end function law
+
+  function elasticity(young_modulus, poisson_ratio, damping_time, plane)
+    real(c_double), intent(in), optional :: young_modulus  !< Pa, > 0
+    real(c_double), intent(in), optional :: poisson_ratio  !< (-1, 0.5)
+    real(c_double), intent(in), optional :: damping_time  !< s, >= 0: of viscous stress to that by strain (Rayleigh's beta)
+    integer(c_int32_t), intent(in), optional :: plane  !< HS_PLANE_STRAIN or, in 2D, HS_PLANE_STRESS
+    type(halfspace_elasticity) :: elasticity
+    ! As for a law.
+    if (hs_elasticity_def_init(elasticity, c_sizeof(elasticity)) /= HS_OK) return
+    if (present(young_modulus)) elasticity%young_modulus = young_modulus
+    if (present(poisson_ratio)) elasticity%poisson_ratio = poisson_ratio
+    if (present(damping_time)) elasticity%damping_time = damping_time
+    if (present(plane)) elasticity%plane = plane
+  end function elasticity
 
 end module halfspace_definitions

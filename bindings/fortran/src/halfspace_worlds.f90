@@ -10,7 +10,8 @@ module halfspace_worlds
     halfspace_world_report => hs_world_report
   use halfspace_contacts, only: halfspace_block, halfspace_contact
   use halfspace_contexts, only: halfspace_context
-  use halfspace_definitions, only: halfspace_law, halfspace_pose
+  use halfspace_definitions, only: halfspace_elasticity, halfspace_law, halfspace_pose
+  use halfspace_deformations, only: halfspace_deformation
   use halfspace_handles, only: shared_handle
   use halfspace_shapes, only: halfspace_shape
   implicit none
@@ -31,6 +32,7 @@ module halfspace_worlds
     procedure, private :: set_default_law
     procedure, private :: set_law_between
     generic :: set_law => set_default_law, set_law_between
+    procedure :: set_elasticity
     procedure :: add_block
     procedure :: remove_block
     procedure :: blocks
@@ -44,6 +46,12 @@ module halfspace_worlds
     procedure :: set_poses
     procedure :: velocities
     procedure :: set_velocities
+    procedure :: deformation
+    procedure :: deformations
+    procedure :: set_deformation
+    procedure :: set_stress
+    procedure :: add_surface_load
+    procedure :: clear_surface_loads
     procedure :: detect
     procedure :: forces
     procedure :: step
@@ -61,7 +69,7 @@ module halfspace_worlds
 
     !> Makes an empty world; what it was before is dropped. What is not given is the library's default.
     module subroutine create(self, dimension, gravity, time_step, safety, local_damping, mass_damping, skin, &
-                             parallel_angle, vertex_zone, context, stat, errmsg)
+                             parallel_angle, vertex_zone, potential_length, context, stat, errmsg)
       class(halfspace_world), intent(inout) :: self
       integer, intent(in), optional :: dimension  !< 2 (default) or 3
       real(c_double), intent(in), optional :: gravity(:)  !< acceleration; default 0, -9.81, 0
@@ -72,6 +80,7 @@ module halfspace_worlds
       real(c_double), intent(in), optional :: skin  !< reach of the neighbour list, share of a block's size; default 0.1
       real(c_double), intent(in), optional :: parallel_angle  !< rad, [0, 0.5]; default 0.01
       real(c_double), intent(in), optional :: vertex_zone  !< [0, 0.5]; default 1e-6
+      real(c_double), intent(in), optional :: potential_length  !< H of HS_STIFFNESS_POTENTIAL, > 0; default: all edges' mean
       type(halfspace_context), intent(in), optional :: context
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
@@ -108,7 +117,7 @@ module halfspace_worlds
       class(halfspace_world), intent(inout) :: self
       type(halfspace_shape), intent(in) :: shape
       type(halfspace_block), intent(out), optional :: block  !< its name
-      integer(c_int32_t), intent(in), optional :: kind  !< HS_BLOCK_RIGID (default), HS_BLOCK_FIXED or HS_BLOCK_PRESCRIBED
+      integer(c_int32_t), intent(in), optional :: kind  !< HS_BLOCK_RIGID (default), _FIXED, _PRESCRIBED or _AFFINE
       integer(c_int32_t), intent(in), optional :: material  !< from add_material(); default 1, the first
       type(halfspace_pose), intent(in), optional :: pose  !< default: where the shape's vertices were given
       real(c_double), intent(in), optional :: velocity(:)  !< of the centroid, 3 values (2D: or 2); default 0
@@ -222,7 +231,7 @@ module halfspace_worlds
       character(*), intent(inout), optional :: errmsg
     end subroutine set_velocity
 
-    !> Sets the force and torque that act on a rigid block from outside until set again.
+    !> Sets the force and torque that act on a rigid or affine block from outside until set again.
     module subroutine set_applied_force(self, block, force, torque, stat, errmsg)
       class(halfspace_world), intent(inout) :: self
       type(halfspace_block), intent(in) :: block
@@ -267,6 +276,74 @@ module halfspace_worlds
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine set_velocities
+
+  end interface
+
+  ! How blocks are strained: halfspace_worlds_affine.f90.
+  interface
+
+    !> Makes a material elastic, for affine blocks; others do not read it. Blocks that have it keep their strain.
+    module subroutine set_elasticity(self, material, elasticity, stat, errmsg)
+      class(halfspace_world), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: material
+      type(halfspace_elasticity), intent(in) :: elasticity
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_elasticity
+
+    !> How a block of any kind is turned and strained.
+    module subroutine deformation(self, block, values, stat, errmsg)
+      class(halfspace_world), intent(in) :: self
+      type(halfspace_block), intent(in) :: block
+      type(halfspace_deformation), intent(out) :: values
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine deformation
+
+    !> How all blocks are turned and strained.
+    module subroutine deformations(self, values, stat, errmsg)
+      class(halfspace_world), intent(in) :: self
+      type(halfspace_deformation), intent(inout), target, contiguous :: values(:)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine deformations
+
+    !> Turns and strains an affine block, and sets how fast it goes on. Its centroid and velocity stay.
+    module subroutine set_deformation(self, block, gradient, rate, stat, errmsg)
+      class(halfspace_world), intent(inout) :: self
+      type(halfspace_block), intent(in) :: block
+      real(c_double), intent(in) :: gradient(:,:)  !< (row, column), 3 of each (2D: or 2); its determinant is > 0
+      real(c_double), intent(in), optional :: rate(:,:)  !< of the gradient, 1/s, likewise; default 0
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_deformation
+
+    !> Says how an affine block is stressed now, e.g. in situ. What it is strained by from now on adds to that.
+    module subroutine set_stress(self, block, stress, stat, errmsg)
+      class(halfspace_world), intent(inout) :: self
+      type(halfspace_block), intent(in) :: block
+      real(c_double), intent(in) :: stress(:,:)  !< Cauchy's, (row, column), 3 of each (2D: or 2), symmetric, Pa, tension > 0
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_stress
+
+    !> Adds a load on a face of an affine block. It keeps its direction, and its size as the face is strained.
+    module subroutine add_surface_load(self, block, face, traction, stat, errmsg)
+      class(halfspace_world), intent(inout) :: self
+      type(halfspace_block), intent(in) :: block
+      integer(c_int32_t), intent(in) :: face  !< counted from 1; in 2D the edge that starts at the vertex of that number
+      real(c_double), intent(in) :: traction(:)  !< force per area of the face as it was given, Pa, 3 values (2D: or 2)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine add_surface_load
+
+    !> Takes all surface loads off an affine block.
+    module subroutine clear_surface_loads(self, block, stat, errmsg)
+      class(halfspace_world), intent(inout) :: self
+      type(halfspace_block), intent(in) :: block
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine clear_surface_loads
 
   end interface
 

@@ -27,6 +27,7 @@ contains
     if (present(skin)) def%skin = skin
     if (present(parallel_angle)) def%parallel_angle = parallel_angle
     if (present(vertex_zone)) def%vertex_zone = vertex_zone
+    if (present(potential_length)) def%potential_length = potential_length
     status = hs_world_create(owner%object(), def, object)
     if (status == HS_OK) then
       if (.not. self%handle%takes(object, hs_world_destroy, owner, stat=stat, errmsg=errmsg)) return

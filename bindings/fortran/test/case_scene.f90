@@ -81,6 +81,8 @@ contains
       call s%world%set_law(law_of(words(2:)), s%status, s%text)
     case ('law')
       call s%world%set_law(law_of(words(4:)), index_of(words(2)), index_of(words(3)), s%status, s%text)
+    case ('elasticity')
+      call s%world%set_elasticity(index_of(words(2)), elasticity_of(words(3:)), s%status, s%text)
     case ('block')
       call make_block(words, s)
     case ('set_pose')
@@ -89,6 +91,14 @@ contains
       call s%world%set_velocity(block_named(words(2), s), numbers(words(3:5)), numbers(words(6:8)), s%status, s%text)
     case ('applied_force')
       call s%world%set_applied_force(block_named(words(2), s), numbers(words(3:5)), numbers(words(6:8)), s%status, s%text)
+    case ('set_deformation')
+      call s%world%set_deformation(block_named(words(2), s), tensor_of(words(3:11)), tensor_of(words(12:20)), s%status, s%text)
+    case ('set_stress')
+      call s%world%set_stress(block_named(words(2), s), tensor_of(words(3:11)), s%status, s%text)
+    case ('surface_load')
+      call s%world%add_surface_load(block_named(words(2), s), index_of(words(3)), numbers(words(4:6)), s%status, s%text)
+    case ('clear_surface_loads')
+      call s%world%clear_surface_loads(block_named(words(2), s), s%status, s%text)
     case ('remove')
       call s%world%remove_block(block_named(words(2), s), s%status, s%text)
     case ('detect')
@@ -199,7 +209,7 @@ contains
     character(longest_word), intent(in) :: words(:)
     type(scene), intent(inout) :: s
     integer, allocatable :: dimension
-    real(real64), allocatable :: time_step, safety, gravity(:)
+    real(real64), allocatable :: time_step, safety, potential_length, gravity(:)
     integer :: i
     i = 1
     do while (i < size(words))
@@ -207,6 +217,7 @@ contains
       case ('dimension'); dimension = int(number(words(i + 1)))
       case ('time_step'); time_step = number(words(i + 1))
       case ('safety'); safety = number(words(i + 1))
+      case ('potential_length'); potential_length = number(words(i + 1))
       case ('gravity')
         gravity = numbers(words(i + 1 : i + 3))
         i = i + 2
@@ -214,8 +225,8 @@ contains
       end select
       i = i + 2
     end do
-    call s%world%create(dimension=dimension, gravity=gravity, time_step=time_step, safety=safety, context=s%context, &
-                        stat=s%status, errmsg=s%text)
+    call s%world%create(dimension=dimension, gravity=gravity, time_step=time_step, safety=safety, &
+                        potential_length=potential_length, context=s%context, stat=s%status, errmsg=s%text)
   end subroutine make_world
 
   type(halfspace_law) function law_of(words) result(law)
@@ -233,6 +244,28 @@ contains
       end select
     end do
   end function law_of
+
+  type(halfspace_elasticity) function elasticity_of(words) result(elasticity)
+    character(longest_word), intent(in) :: words(:)
+    integer :: i
+    elasticity = halfspace_elasticity()
+    do i = 1, size(words), 2
+      select case (words(i))
+      case ('plane'); elasticity%plane = constant(words(i + 1))
+      case ('young_modulus'); elasticity%young_modulus = number(words(i + 1))
+      case ('poisson_ratio'); elasticity%poisson_ratio = number(words(i + 1))
+      case ('damping_time'); elasticity%damping_time = number(words(i + 1))
+      case default; error stop 'unknown field of an elasticity'
+      end select
+    end do
+  end function elasticity_of
+
+  !> The files have tensors row by row.
+  function tensor_of(words) result(tensor)
+    character(longest_word), intent(in) :: words(9)
+    real(real64) :: tensor(3, 3)
+    tensor = transpose(reshape(numbers(words), [3, 3]))
+  end function tensor_of
 
   integer function index_of(word)
     character(*), intent(in) :: word

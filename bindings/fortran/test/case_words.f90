@@ -71,9 +71,13 @@ contains
     case ('HS_PAIR_VERTEX_VERTEX'); constant = HS_PAIR_VERTEX_VERTEX
     case ('HS_STIFFNESS_PER_CONTACT'); constant = HS_STIFFNESS_PER_CONTACT
     case ('HS_STIFFNESS_PER_AREA'); constant = HS_STIFFNESS_PER_AREA
+    case ('HS_STIFFNESS_POTENTIAL'); constant = HS_STIFFNESS_POTENTIAL
+    case ('HS_PLANE_STRAIN'); constant = HS_PLANE_STRAIN
+    case ('HS_PLANE_STRESS'); constant = HS_PLANE_STRESS
     case ('HS_BLOCK_FIXED'); constant = HS_BLOCK_FIXED
     case ('HS_BLOCK_PRESCRIBED'); constant = HS_BLOCK_PRESCRIBED
     case ('HS_BLOCK_RIGID'); constant = HS_BLOCK_RIGID
+    case ('HS_BLOCK_AFFINE'); constant = HS_BLOCK_AFFINE
     case default; error stop 'a case names a constant that this reader does not know'
     end select
   end function constant

@@ -74,7 +74,7 @@ contains
       call compare_hash()
       return
     end if
-    first = merge(4, 3, words(2) == 'shape' .or. words(2) == 'block')
+    first = merge(4, 3, any(words(2) == ['shape      ', 'block      ', 'deformation']))
     last = findloc_within()
     got = values_of(words(first))
     expected = numbers(words(first + 1 : last))
@@ -121,6 +121,7 @@ contains
     case ('shape'); values = of_shape(field)
     case ('contact'); values = of_contact(s%contact, field)
     case ('block'); values = of_block(field)
+    case ('deformation'); values = of_deformation(field)
     case ('report', 'energy'); values = of_report(field)
     case default; error stop 'a case looks at something that this reader does not know'
     end select
@@ -184,6 +185,27 @@ contains
     end select
   end function of_block
 
+  function of_deformation(field) result(values)
+    character(*), intent(in) :: field
+    real(real64), allocatable :: values(:)
+    type(halfspace_deformation) :: d
+    call s%world%deformation(block_named(words(3), s), d)
+    select case (field)
+    case ('gradient'); values = row_by_row(d%gradient)
+    case ('rate'); values = row_by_row(d%rate)
+    case ('strain'); values = row_by_row(d%strain)
+    case ('stress'); values = row_by_row(d%stress)
+    case ('strain_energy'); values = [d%strain_energy]
+    case default; error stop 'unknown field of a deformation'
+    end select
+  end function of_deformation
+
+  function row_by_row(tensor) result(values)
+    real(real64), intent(in) :: tensor(3, 3)
+    real(real64) :: values(9)
+    values = [tensor(1, :), tensor(2, :), tensor(3, :)]
+  end function row_by_row
+
   function of_report(field) result(values)
     character(*), intent(in) :: field
     real(real64), allocatable :: values(:)
@@ -195,6 +217,9 @@ contains
     case ('time'); values = [r%time]
     case ('contact_count'); values = [real(r%contact_count, real64)]
     case ('largest_overlap'); values = [r%largest_overlap]
+    case ('potential_length'); values = [r%potential_length]
+    case ('block_strain_energy'); values = [r%block_strain_energy]
+    case ('block_damping_loss'); values = [r%block_damping_loss]
     case ('kinetic'); values = [r%energy%kinetic]
     case ('gravity'); values = [r%energy%gravity]
     case ('strain'); values = [r%energy%strain]

@@ -10,9 +10,10 @@ Examples
 >>> print(hs.pair_detect(square, (0, 0), square, (0.25, 0.875)).gap)
 -0.125
 """
-from ._arrays import BLOCK_STATE, CONTACT, PAIR_CACHE, SHAPE_PROPERTIES, WORLD_REPORT, pose
+from ._arrays import BLOCK_STATE, CONTACT, DEFORMATION, PAIR_CACHE, SHAPE_PROPERTIES, WORLD_REPORT, pose
 from ._library import status_text, version
-from .constants import BlockKind, ContactType, Fault, PairKind, StiffnessKind
+from .affine import Elasticity
+from .constants import BlockKind, ContactType, Fault, PairKind, Plane, StiffnessKind
 from .context import Context, default_context
 from .errors import (
     ArgumentError,
@@ -36,6 +37,7 @@ __version__ = version()
 __all__ = [
     "BLOCK_STATE",
     "CONTACT",
+    "DEFORMATION",
     "PAIR_CACHE",
     "SHAPE_PROPERTIES",
     "WORLD_REPORT",
@@ -44,6 +46,7 @@ __all__ = [
     "ClosedError",
     "ContactType",
     "Context",
+    "Elasticity",
     "Fault",
     "FormatError",
     "GeometryError",
@@ -53,6 +56,7 @@ __all__ = [
     "OutOfMemoryError",
     "PairCache",
     "PairKind",
+    "Plane",
     "Shape",
     "StaleIdError",
     "StateError",

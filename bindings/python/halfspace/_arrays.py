@@ -14,8 +14,15 @@ _packed_view = struct.Struct("PPPqq").pack  # hs_view: three addresses, stride, 
 
 
 def record_type(structure: Any) -> Any:
-    """The data type of a C struct; its elements have the fields as attributes, too."""
+    """The data type of a C struct, or of fields given one by one; its elements have the fields as attributes, too."""
     return np.dtype((np.record, np.dtype(structure)))
+
+
+def _with_tensors(structure: Any) -> Any:
+    """As `record_type`, with nine numbers in a row as three rows."""
+    plain = np.dtype(structure)
+    fields = [(name, plain[name].base, plain[name].shape) for name in plain.names]
+    return record_type([(name, base, (3, 3) if shape == (9,) else shape) for name, base, shape in fields])
 
 
 #: One contact or the proof that there is none: the struct ``hs_contact``.
@@ -24,6 +31,8 @@ CONTACT = record_type(_raw.hs_contact)
 PAIR_CACHE = record_type(_raw.hs_pair_cache)
 #: A block's motion: the struct ``hs_block_state``.
 BLOCK_STATE = record_type(_raw.hs_block_state)
+#: How a block is turned and strained: the struct ``hs_deformation``, with tensors of shape (3, 3).
+DEFORMATION = _with_tensors(_raw.hs_deformation)
 #: A world in numbers: the struct ``hs_world_report``.
 WORLD_REPORT = record_type(_raw.hs_world_report)
 #: Geometry and mass per unit density: the struct ``hs_shape_properties``.
@@ -107,6 +116,16 @@ def vector(values: ArrayLike, name: str) -> Any:
     if array.shape not in ((2,), (3,)):
         raise ValueError(f"{name} has the shape {array.shape}; it must have 2 or 3 numbers")
     return (ctypes.c_double * 3)(*array)
+
+
+def tensor(values: ArrayLike, name: str) -> Any:
+    """Nine doubles for C, row by row; of the plane 2 rows of 2 are completed by 0."""
+    array = np.asarray(values, np.float64)
+    if array.shape not in ((2, 2), (3, 3)):
+        raise ValueError(f"{name} has the shape {array.shape}; it must be (2, 2) or (3, 3)")
+    whole = np.zeros((3, 3))
+    whole[: len(array), : len(array)] = array
+    return (ctypes.c_double * 9)(*whole.flat)
 
 
 def turn_vector(values: ArrayLike, name: str) -> Any:

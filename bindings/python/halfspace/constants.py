@@ -31,13 +31,23 @@ class BlockKind(IntEnum):
     FIXED = _raw.HS_BLOCK_FIXED
     PRESCRIBED = _raw.HS_BLOCK_PRESCRIBED
     RIGID = _raw.HS_BLOCK_RIGID
+    AFFINE = _raw.HS_BLOCK_AFFINE
 
 
 class StiffnessKind(IntEnum):
-    """What a law's stiffnesses refer to: the whole contact (N/m) or its area (Pa/m)."""
+    """What a law's stiffnesses refer to: the whole contact (N/m), its area (Pa/m), or a potential within the
+    blocks (Pa), of which the force is the gradient."""
 
     PER_CONTACT = _raw.HS_STIFFNESS_PER_CONTACT
     PER_AREA = _raw.HS_STIFFNESS_PER_AREA
+    POTENTIAL = _raw.HS_STIFFNESS_POTENTIAL
+
+
+class Plane(IntEnum):
+    """What 2D is a section of: a body that cannot strain across it, or a sheet without stress across it."""
+
+    STRAIN = _raw.HS_PLANE_STRAIN
+    STRESS = _raw.HS_PLANE_STRESS
 
 
 class Fault(IntEnum):

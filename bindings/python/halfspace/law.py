@@ -9,20 +9,21 @@ from .constants import StiffnessKind
 
 @dataclasses.dataclass(frozen=True)
 class Law:
-    """Penalty spring with Mohr-Coulomb friction between two materials.
+    """Normal force with Mohr-Coulomb friction between two materials: a penalty spring or a potential.
 
     Attributes
     ----------
     normal_stiffness, shear_stiffness : float
-        N/m, or Pa/m when the stiffness is per area; > 0 and >= 0.
+        N/m, or Pa/m when the stiffness is per area; of a potential Pa and N/m; > 0 and >= 0.
     friction_angle : float
         rad, from 0 to below pi/2.
     cohesion, tensile_strength : float
-        Pa, >= 0; of contacts that exist when a block's first step begins, until they fail.
+        Pa, >= 0; of contacts that exist when a block's first step begins, until they fail. A potential takes
+        neither.
     normal_damping, shear_damping : float
         Share of critical viscous damping, >= 0.
     stiffness_kind : StiffnessKind
-        What the stiffnesses refer to: the whole contact or its area.
+        What the stiffnesses refer to: the whole contact, its area or a potential.
 
     Examples
     --------

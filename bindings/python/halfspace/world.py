@@ -22,7 +22,8 @@ from ._arrays import (
     vector,
 )
 from ._library import library
-from .block_arrays import BlockArrays, Floats
+from .affine import AffineBlocks
+from .block_arrays import Floats
 from .constants import BlockKind
 from .context import Context, default_context, held
 from .law import Law
@@ -31,7 +32,7 @@ from .shape import Shape
 _FIRST_PORTION = 16  # steps
 
 
-class World(BlockArrays):
+class World(AffineBlocks):
     """Blocks, materials, laws and time.
 
     Bulk arrays are in the order of `blocks`; in 2D vectors have 2 components, angular velocities and torques
@@ -55,6 +56,9 @@ class World(BlockArrays):
         Reach of the neighbour list, share of a block's size, (0, 1]; 0.1 by default.
     parallel_angle, vertex_zone : float
         As for `pair_detect`.
+    potential_length : float
+        Of a law's potentials, > 0; 0 (default) finds one: the mean length of all blocks' edges when forces
+        are first used.
     law : Law, optional
         Between all materials that have none of their own.
     context : Context, optional
@@ -83,6 +87,7 @@ class World(BlockArrays):
         skin: Optional[float] = None,
         parallel_angle: Optional[float] = None,
         vertex_zone: Optional[float] = None,
+        potential_length: Optional[float] = None,
         law: Optional[Law] = None,
         context: Optional[Context] = None,
     ) -> None:
@@ -99,6 +104,7 @@ class World(BlockArrays):
             skin=skin,
             parallel_angle=parallel_angle,
             vertex_zone=vertex_zone,
+            potential_length=potential_length,
         )
         for name, value in settings.items():
             if value is not None:
@@ -205,7 +211,7 @@ class World(BlockArrays):
         rotation : array_like, optional
             Instead of an angle: unit quaternion x, y, z, w.
         kind : BlockKind
-            Rigid, fixed or prescribed.
+            Rigid, affine, fixed or prescribed. The material of an affine block must be elastic.
         material : int
             From `add_material`.
         velocity : array_like, optional
@@ -279,7 +285,8 @@ class World(BlockArrays):
         )
 
     def set_applied_force(self, block: int, force: ArrayLike, torque: ArrayLike = 0.0) -> None:
-        """Sets the force at the centroid and the torque that act on a rigid block until set again."""
+        """Sets the force at the centroid and the torque that act on a rigid or affine block until set
+        again."""
         self._call(
             library.hs_world_set_applied_force,
             block_id(block, "block"),

@@ -130,6 +130,12 @@ class Player:
     def call_law(self, a, b, *words):
         self.world.set_law(int(a), int(b), self.law_of(words))
 
+    def call_elasticity(self, material, *words):
+        settings = fields(words)
+        if "plane" in settings:
+            settings["plane"] = hs.Plane(int(settings["plane"]))
+        self.world.set_elasticity(int(material), hs.Elasticity(**settings))
+
     def call_block(self, name, shape, kind, material, *words):
         place = numbers(words)
         self.blocks[name] = self.world.add_block(
@@ -148,6 +154,19 @@ class Player:
 
     def call_applied_force(self, name, *words):
         self.world.set_applied_force(self.blocks[name], numbers(words[:3]), numbers(words[3:]))
+
+    def call_set_deformation(self, name, *words):
+        gradient, rate = numbers(words).reshape(2, 3, 3)
+        self.world.set_deformation(self.blocks[name], gradient, rate)
+
+    def call_set_stress(self, name, *words):
+        self.world.set_stress(self.blocks[name], numbers(words).reshape(3, 3))
+
+    def call_surface_load(self, name, face, *words):
+        self.world.add_surface_load(self.blocks[name], int(face), numbers(words))
+
+    def call_clear_surface_loads(self, name):
+        self.world.clear_surface_loads(self.blocks[name])
 
     def call_remove(self, name):
         self.world.remove_block(self.blocks[name])
@@ -183,7 +202,7 @@ class Player:
         field, *values = words
         within = values.index("within") if "within" in values else len(values)
         expected, tolerance = numbers(values[:within]), numbers(values[within + 1 :])
-        got = np.atleast_1d(record[field])
+        got = np.ravel(record[field])
         assert got.shape == expected.shape, f"line {number}: {field} has {got.shape} values"
         allowed = tolerance if tolerance.size else 0.0
         assert np.all(
@@ -199,6 +218,9 @@ class Player:
     def expect_block(self, number, words):
         state = self.world.state(self.blocks[words[0]])
         self.compare(number, state.pose if words[1] in ("position", "rotation") else state, words[1:])
+
+    def expect_deformation(self, number, words):
+        self.compare(number, self.world.deformation(self.blocks[words[0]]), words[1:])
 
     def expect_report(self, number, words):
         self.compare(number, self.world.report, words)

@@ -163,6 +163,11 @@ def test_a_number_of_more_than_64_bits_names_no_block(resting_world, add):
         lambda block: resting_world.set_velocity(block, (0, 0)),
         lambda block: resting_world.set_applied_force(block, (0, 0)),
         lambda block: resting_world.set_shear_force(floor, block, (0, 0)),
+        resting_world.deformation,
+        lambda block: resting_world.set_deformation(block, np.eye(2)),
+        lambda block: resting_world.set_stress(block, np.eye(2)),
+        lambda block: resting_world.add_surface_load(block, 0, (0, 0)),
+        resting_world.clear_surface_loads,
         lambda block: resting_world.set_shear_force(block, floor, (0, 0)),
     ):
         with pytest.raises(ValueError, match=f"is {wrong}; it must be a whole number of 64 bits"):
@@ -195,6 +200,8 @@ def test_structured_arrays_match_the_header():
     assert np.zeros(2, hs.CONTACT)["points"].shape == (2, 8, 3)
     assert hs.CONTACT.fields["normal"][1] == 40
     assert hs.PAIR_CACHE.itemsize == 120
+    assert hs.DEFORMATION.itemsize == 296
+    assert hs.DEFORMATION.fields["stress"][1] == 216
 
 
 def test_ids_are_unsigned_64_bit_numbers(resting_world):

@@ -56,10 +56,12 @@ constants! {
         Prescribed = HS_BLOCK_PRESCRIBED,
         /// By Newton's law.
         Rigid = HS_BLOCK_RIGID,
+        /// By Newton's law, and straining as a whole.
+        Affine = HS_BLOCK_AFFINE,
     }
 }
 
-/// How a block is made: rigid, fixed or prescribed; where and how fast.
+/// How a block is made: rigid, affine, fixed or prescribed; where and how fast.
 ///
 /// ```
 /// use halfspace::{BlockDef, Material, Pose};
@@ -81,6 +83,12 @@ impl BlockDef {
     /// Moves by Newton's law.
     pub fn rigid(material: Material) -> Self {
         Self::of_kind(sys::HS_BLOCK_RIGID, material)
+    }
+
+    /// Moves by Newton's law and strains as a whole. Its material must be elastic: see
+    /// [`World::set_elasticity`](crate::World::set_elasticity).
+    pub fn affine(material: Material) -> Self {
+        Self::of_kind(sys::HS_BLOCK_AFFINE, material)
     }
 
     /// Never moves.

@@ -6,7 +6,8 @@ use halfspace_sys as sys;
 
 use crate::constants::setters;
 
-/// Penalty spring with Mohr-Coulomb friction (Wang et al. 2021, section 3).
+/// Normal force with Mohr-Coulomb friction: a penalty spring (Wang et al. 2021, section 3) or a
+/// potential (Zheng et al. 2020, section 3).
 ///
 /// ```
 /// use halfspace::Law;
@@ -21,7 +22,7 @@ pub struct Law {
 
 impl Law {
     setters! {
-        /// Above 0; N/m, or Pa/m of [`Law::per_area`]; by default 1e9.
+        /// Above 0; N/m, Pa/m of [`Law::per_area`] or Pa of [`Law::potential`]; by default 1e9.
         normal_stiffness: f64,
         /// At least 0; N/m, or Pa/m of [`Law::per_area`]; by default 1e9.
         shear_stiffness: f64,
@@ -47,6 +48,34 @@ impl Law {
     /// The normal force is the stiffness times the overlap area behind the contact plane.
     pub fn per_area(mut self) -> Self {
         self.raw.stiffness_kind = sys::HS_STIFFNESS_PER_AREA;
+        self
+    }
+
+    /// A point inside a block has its distance to the nearest face as potential, times the
+    /// stiffness over the world's [`potential_length`](crate::WorldDef::potential_length); what two
+    /// blocks share is pushed down both. The force is the gradient of an energy, whichever way the
+    /// blocks meet. It takes neither cohesion nor tensile strength.
+    ///
+    /// ```
+    /// # use halfspace::{BlockDef, Context, Pose, Shape, ViewMut, World, WorldDef};
+    /// use halfspace::Law;
+    ///
+    /// # let context = Context::new()?;
+    /// # let square = Shape::polygon(&context, &[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])?;
+    /// # let mut world = World::new(&context, &WorldDef::in_plane())?;
+    /// # let stone = world.add_material(2000.0)?;
+    /// world.set_default_law(&Law::default().potential().normal_stiffness(1e6))?;
+    /// for (x, y) in [(0.0, 0.0), (0.875, 0.875)] {
+    ///     world.add_block(&square, &BlockDef::rigid(stone).at(Pose::in_plane(x, y, 0.0)))?;
+    /// }
+    /// world.detect()?;
+    /// let mut forces = [[0.0; 2]; 2];
+    /// world.forces(0.0, &mut forces, ViewMut::none())?;
+    /// assert_eq!(forces[1], [15625.0, 15625.0], "along the diagonal");
+    /// # Ok::<(), halfspace::Error>(())
+    /// ```
+    pub fn potential(mut self) -> Self {
+        self.raw.stiffness_kind = sys::HS_STIFFNESS_POTENTIAL;
         self
     }
 

@@ -38,6 +38,25 @@
 //! # Ok::<(), halfspace::Error>(())
 //! ```
 //!
+//! An affine block strains as a whole, by the elasticity of its material:
+//!
+//! ```
+//! # use halfspace::{BlockDef, Context, Shape, World, WorldDef};
+//! use halfspace::Elasticity;
+//!
+//! # let context = Context::new()?;
+//! # let square = Shape::polygon(&context, &[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])?;
+//! # let mut world = World::new(&context, &WorldDef::in_plane().gravity([0.0; 3]))?;
+//! let rubber = world.add_material(1100.0)?;
+//! world.set_elasticity(rubber, &Elasticity::default().young_modulus(1e6).poisson_ratio(0.45))?;
+//! let block = world.add_block(&square, &BlockDef::affine(rubber))?;
+//! world.add_surface_load(block, 1, [1e5, 0.0, 0.0])?;
+//! world.add_surface_load(block, 3, [-1e5, 0.0, 0.0])?;
+//! world.step(10)?;
+//! assert!(world.deformation(block)?.strain[0][0] > 0.0);
+//! # Ok::<(), halfspace::Error>(())
+//! ```
+//!
 //! A host with its own integrator sets poses and velocities, calls [`World::detect`] and
 //! [`World::forces`], and moves its bodies itself: see the example `own_integrator`.
 //!
@@ -45,7 +64,7 @@
 //! SI or any consistent set of units, angles in radians, right-handed axes, quaternions x, y, z, w.
 //! A normal points from block a to block b; a gap below 0 is an overlap. Indices start at 0. In the
 //! plane every z that goes in is ignored and every one that comes out is 0, and areas and volumes
-//! are per unit thickness.
+//! are per unit thickness. A [`Tensor`] is its rows.
 //!
 //! # Arrays
 //! Points are taken and given as they lie in your memory, without a copy: `&[[f64; 2]]` or `&[[f64;
@@ -74,6 +93,7 @@
 //! ```
 #![warn(missing_docs, unsafe_op_in_unsafe_fn)]
 
+mod affine;
 mod block;
 mod constants;
 mod contact;
@@ -91,6 +111,7 @@ mod view;
 mod world;
 mod world_arrays;
 
+pub use affine::{Deformation, Elasticity, Tensor};
 pub use block::{Block, BlockDef, BlockKind, BlockState, Material};
 pub use contact::{Contact, ContactType, PairKind};
 pub use context::{version, Context};

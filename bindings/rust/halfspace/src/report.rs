@@ -39,7 +39,7 @@ pub struct Report {
     pub time: f64,
     /// In use.
     pub time_step: f64,
-    /// Safe bound from stiffness, viscosity and mass; 0 without rigid blocks.
+    /// Safe bound from stiffness, viscosity and mass; 0 without blocks that move freely.
     pub stable_time_step: f64,
     /// Living blocks.
     pub block_count: usize,
@@ -51,10 +51,16 @@ pub struct Report {
     pub list_builds: u64,
     /// Of the last detection.
     pub largest_overlap: f64,
-    /// Of all rigid blocks now.
+    /// Of all blocks that move freely, now.
     pub largest_speed: f64,
     /// The ledger.
     pub energy: Energy,
+    /// In use; 0 without a law of potentials.
+    pub potential_length: f64,
+    /// Of affine blocks, now; counts in the residual.
+    pub block_strain_energy: f64,
+    /// In affine blocks, so far; counts in the residual.
+    pub block_damping_loss: f64,
 }
 
 impl From<sys::hs_energy> for Energy {
@@ -88,6 +94,9 @@ impl From<sys::hs_world_report> for Report {
             largest_overlap: raw.largest_overlap,
             largest_speed: raw.largest_speed,
             energy: raw.energy.into(),
+            potential_length: raw.potential_length,
+            block_strain_energy: raw.block_strain_energy,
+            block_damping_loss: raw.block_damping_loss,
         }
     }
 }

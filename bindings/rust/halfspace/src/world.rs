@@ -71,6 +71,9 @@ impl WorldDef {
         parallel_angle: f64,
         /// See [`Detector::vertex_zone`](crate::Detector::vertex_zone).
         vertex_zone: f64,
+        /// The length H of [`Law::potential`], one for all blocks, above 0; or 0, the default: the
+        /// mean length of all blocks' edges when forces are first used.
+        potential_length: f64,
     }
 }
 

@@ -69,7 +69,7 @@ impl World {
     }
 
     /// Sets the force at the centroid and the torque about it, in the plane z alone, that act on a
-    /// rigid block from outside until set again.
+    /// rigid or affine block from outside until set again.
     pub fn set_applied_force(
         &mut self,
         block: Block,
@@ -272,7 +272,7 @@ impl World {
         count as usize
     }
 
-    fn require_one_per_block(&self, name: &str, count: usize) -> Result<()> {
+    pub(crate) fn require_one_per_block(&self, name: &str, count: usize) -> Result<()> {
         if count == self.block_count() {
             return Ok(());
         }

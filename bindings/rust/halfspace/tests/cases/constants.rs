@@ -29,9 +29,13 @@ pub fn parse(word: &str) -> Option<f64> {
         HS_PAIR_VERTEX_VERTEX,
         HS_STIFFNESS_PER_CONTACT,
         HS_STIFFNESS_PER_AREA,
+        HS_STIFFNESS_POTENTIAL,
+        HS_PLANE_STRAIN,
+        HS_PLANE_STRESS,
         HS_BLOCK_FIXED,
         HS_BLOCK_PRESCRIBED,
         HS_BLOCK_RIGID,
+        HS_BLOCK_AFFINE,
     );
     constant.or_else(|| word.parse().ok())
 }
@@ -64,6 +68,7 @@ pub fn block_kind(word: &str) -> BlockKind {
         "HS_BLOCK_FIXED" => BlockKind::Fixed,
         "HS_BLOCK_PRESCRIBED" => BlockKind::Prescribed,
         "HS_BLOCK_RIGID" => BlockKind::Rigid,
+        "HS_BLOCK_AFFINE" => BlockKind::Affine,
         other => panic!("{other} is no kind of block"),
     }
 }

@@ -1,6 +1,6 @@
 //! What came of the statements, compared with what the file says.
 
-use halfspace::{BlockState, Contact, Energy, Error, Pose, Report, ShapeProperties};
+use halfspace::{BlockState, Contact, Deformation, Energy, Error, Pose, Report, ShapeProperties};
 
 use crate::constants;
 use crate::words::{number, Words};
@@ -98,6 +98,17 @@ pub fn of_block(block: &BlockState, field: &str) -> Vec<f64> {
     }
 }
 
+pub fn of_deformation(deformation: &Deformation, field: &str) -> Vec<f64> {
+    match field {
+        "gradient" => deformation.gradient.concat(),
+        "rate" => deformation.rate.concat(),
+        "strain" => deformation.strain.concat(),
+        "stress" => deformation.stress.concat(),
+        "strain_energy" => vec![deformation.strain_energy],
+        _ => unknown(field),
+    }
+}
+
 pub fn of_report(report: &Report, field: &str) -> Vec<f64> {
     match field {
         "dimension" => vec![report.dimension as f64],
@@ -105,6 +116,9 @@ pub fn of_report(report: &Report, field: &str) -> Vec<f64> {
         "time" => vec![report.time],
         "contact_count" => vec![report.contact_count as f64],
         "largest_overlap" => vec![report.largest_overlap],
+        "potential_length" => vec![report.potential_length],
+        "block_strain_energy" => vec![report.block_strain_energy],
+        "block_damping_loss" => vec![report.block_damping_loss],
         _ => unknown(field),
     }
 }

@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 
 use halfspace::{
-    Block, BlockDef, BlockKind, Contact, Context, Detector, HalfSpace, Law, Material, Pose, Result,
-    Shape, ViewMut, World, WorldDef,
+    Block, BlockDef, BlockKind, Contact, Context, Detector, Elasticity, HalfSpace, Law, Material,
+    Pose, Result, Shape, ViewMut, World, WorldDef,
 };
 
 use crate::constants;
@@ -133,6 +133,10 @@ impl Scene {
                 let material = |i| Material::from_index(words.whole(i));
                 world.set_law(material(1), material(2), &law(words, 3))?;
             }
+            "elasticity" => {
+                let material = Material::from_index(words.whole(1));
+                world.set_elasticity(material, &elasticity(words))?;
+            }
             "block" => {
                 let shape = self
                     .shapes
@@ -146,6 +150,14 @@ impl Scene {
             "applied_force" => {
                 world.set_applied_force(block(1), words.vector(2), words.vector(5))?
             }
+            "set_deformation" => {
+                world.set_deformation(block(1), &words.tensor(2), &words.tensor(11))?
+            }
+            "set_stress" => world.set_stress(block(1), &words.tensor(2))?,
+            "surface_load" => {
+                world.add_surface_load(block(1), words.whole(2) as usize, words.vector(3))?
+            }
+            "clear_surface_loads" => world.clear_surface_loads(block(1))?,
             "remove" => world.remove_block(block(1))?,
             "detect" => {
                 world.detect()?;
@@ -175,12 +187,17 @@ impl Scene {
                 words.from(3),
             ),
             "block" => {
-                let block = *self
-                    .blocks
-                    .get(words.word(2))
-                    .expect("a block of that name");
+                let block = self.block(words.word(2));
                 let state = self.world().block_state(block)?;
                 expect::values(&expect::of_block(&state, words.word(3)), words.from(4))
+            }
+            "deformation" => {
+                let block = self.block(words.word(2));
+                let deformation = self.world().deformation(block)?;
+                expect::values(
+                    &expect::of_deformation(&deformation, words.word(3)),
+                    words.from(4),
+                )
             }
             "report" => expect::values(
                 &expect::of_report(&self.world().report()?, words.word(2)),
@@ -201,6 +218,10 @@ impl Scene {
 
     fn shape(&self, name: &str) -> &Shape {
         self.shapes.get(name).expect("a shape of that name")
+    }
+
+    fn block(&self, name: &str) -> Block {
+        *self.blocks.get(name).expect("a block of that name")
     }
 
     fn world(&mut self) -> &mut World {
@@ -257,6 +278,7 @@ fn world_def(words: &Words) -> WorldDef {
             "time_step" => def.time_step(values[0]),
             "gravity" => def.gravity([values[0], values[1], values[2]]),
             "safety" => def.safety(values[0]),
+            "potential_length" => def.potential_length(values[0]),
             field => panic!("{field} is not a field of worlds that cases use"),
         },
     )
@@ -267,10 +289,11 @@ fn law(words: &Words, i: usize) -> Law {
         .fields_from(i)
         .iter()
         .fold(Law::default(), |law, (field, values)| match *field {
-            "stiffness_kind" if values[0] == f64::from(halfspace_sys::HS_STIFFNESS_PER_AREA) => {
-                law.per_area()
-            }
-            "stiffness_kind" => law.per_contact(),
+            "stiffness_kind" => match values[0] as i32 {
+                halfspace_sys::HS_STIFFNESS_PER_AREA => law.per_area(),
+                halfspace_sys::HS_STIFFNESS_POTENTIAL => law.potential(),
+                _ => law.per_contact(),
+            },
             "normal_stiffness" => law.normal_stiffness(values[0]),
             "shear_stiffness" => law.shear_stiffness(values[0]),
             "friction_angle" => law.friction_angle(values[0]),
@@ -279,11 +302,31 @@ fn law(words: &Words, i: usize) -> Law {
         })
 }
 
+fn elasticity(words: &Words) -> Elasticity {
+    words
+        .fields_from(2)
+        .iter()
+        .fold(
+            Elasticity::default(),
+            |elasticity, (field, values)| match *field {
+                "plane" if values[0] as i32 == halfspace_sys::HS_PLANE_STRESS => {
+                    elasticity.plane_stress()
+                }
+                "plane" => elasticity.plane_strain(),
+                "young_modulus" => elasticity.young_modulus(values[0]),
+                "poisson_ratio" => elasticity.poisson_ratio(values[0]),
+                "damping_time" => elasticity.damping_time(values[0]),
+                field => panic!("{field} is not a field of elasticities that cases use"),
+            },
+        )
+}
+
 fn block_def(words: &Words) -> BlockDef {
     let material = Material::from_index(words.whole(4));
     let def = match constants::block_kind(words.word(3)) {
         BlockKind::Fixed => BlockDef::fixed(material),
         BlockKind::Prescribed => BlockDef::prescribed(material),
+        BlockKind::Affine => BlockDef::affine(material),
         _ => BlockDef::rigid(material),
     };
     def.at(pose(words, 5))

@@ -59,6 +59,11 @@ impl Words {
         [0, 1, 2, 3].map(|k| self.number(i + k))
     }
 
+    /// Row by row.
+    pub fn tensor(&self, i: usize) -> [[f64; 3]; 3] {
+        [0, 3, 6].map(|k| self.vector(i + k))
+    }
+
     pub fn points_from<const D: usize>(&self, i: usize) -> Vec<[f64; D]> {
         self.numbers_from(i)
             .chunks_exact(D)
