@@ -46,13 +46,14 @@ struct Deformation {
   Tensor<D> velocity_gradient() const { return rate * gradient.inverse(); }
   /// Green's, from the shape as it was given.
   Tensor<D> strain() const { return 0.5 * (gradient.transpose() * gradient - Tensor<D>::Identity()); }
-  Tensor<D> rate_of_strain() const {
-    const Tensor<D> half = 0.5 * gradient.transpose() * rate;
+  /// By some rate of the gradient.
+  Tensor<D> rate_of_strain(const Tensor<D>& gradient_rate) const {
+    const Tensor<D> half = 0.5 * gradient.transpose() * gradient_rate;
     return half + half.transpose();
   }
   /// Second Piola, elastic and viscous.
   Tensor<D> inner_stress(const Elasticity& elasticity) const {
-    return elasticity.stress<D>(strain() + prestrain + elasticity.damping_time * rate_of_strain());
+    return elasticity.stress<D>(strain() + prestrain + elasticity.damping_time * rate_of_strain(rate));
   }
   /// Cauchy's, elastic.
   Tensor<D> stress(const Elasticity& elasticity) const {
@@ -72,10 +73,10 @@ struct Deformation {
     const Tensor<D> whole = strain() + prestrain;
     return 0.5 * volume * whole.cwiseProduct(elasticity.stress<D>(whole)).sum();
   }
-  /// At which viscous stress takes energy.
-  double damping_power(const Elasticity& elasticity) const {
-    const Tensor<D> rate_now = rate_of_strain();
-    return volume * elasticity.damping_time * rate_now.cwiseProduct(elasticity.stress<D>(rate_now)).sum();
+  /// Rate of what viscous stress takes that was formed with an earlier rate of the gradient.
+  double damping_power(const Elasticity& elasticity, const Tensor<D>& earlier_rate) const {
+    const Tensor<D> viscous = elasticity.stress<D>(rate_of_strain(earlier_rate));
+    return volume * elasticity.damping_time * viscous.cwiseProduct(rate_of_strain(rate)).sum();
   }
 
   /// What accelerates the gradient, times the mass matrix. `torque` acts from outside.

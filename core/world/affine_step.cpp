@@ -49,7 +49,7 @@ void World<D>::take_affine_stock(std::size_t i, const Vector<D>& opposed, const 
   stock.kinetic += blocks_.kinetic_energy(std::int32_t(i));
   stock.gravity -= mass * settings_.gravity.dot(blocks_.position[i]);
   stock.block_strain += deformation.strain_energy(elasticity_of(i));
-  stock.power.block_damping += deformation.damping_power(elasticity_of(i));
+  stock.power.block_damping += deformation.damping_power(elasticity_of(i), opposed_rate);
   if (settings_.local_damping > 0) {
     const Vector<D> force = drive(i).force;
     const Tensor<D> strain_force = strain_drive(i);
