@@ -24,10 +24,17 @@ struct Loss {
 constexpr double density = 2000;
 constexpr double stiffness = 1e7;
 
+/// Of a contact over a whole edge of 1 m: by potentials, of either block.
+double hardest(int32_t stiffness_kind) {
+  return stiffness_kind == HS_STIFFNESS_POTENTIAL ? 2 * stiffness : stiffness;
+}
+
 Loss bounce(const Bounce& b, double time_step, double phase) {
   hs_law_def law = spring_law(stiffness);
   law.stiffness_kind = b.stiffness_kind;
-  Scene scene(world_def(time_step, 0), law, density);
+  hs_world_def def = world_def(time_step, 0);
+  def.potential_length = 1;
+  Scene scene(def, law, density);
   scene.add(box(-3, -1, 3, 0), {HS_BLOCK_FIXED, {}, 0});
   Points falling = b.falling;
   for (Point& p : falling) p.y += 0.02 + phase * time_step;
@@ -65,7 +72,7 @@ double mean_loss(const Bounce& b, double time_step) {
 /// leaves a share of (omega dt)^2 / 4 at most, omega^2 = K / m_eff, with the phase of the step (see B4.1).
 /// For a mean over the phases, halving the step quarters it. 256 samples know such a mean to 1/sqrt(512)
 /// = 4.4 %, a ratio of two to 6 %: three times that is 0.75 of 4. The force per area on a vertex grows as the
-/// depth squared: no jump, and better than the fourth part.
+/// depth squared, and so do potentials: no jump, and better than the fourth part.
 ///
 /// The force must come from a potential for this. That of a vertex does; so do two fixed points of parallel
 /// edges, and the overlap area as long as its ends lie inside the edge.
@@ -76,7 +83,7 @@ TEST_CASE("an elastic bounce keeps its energy to the order dt^2") {
   const double r = std::sqrt(0.5);
   const Points corner{{0, 0}, {r, r}, {0, 2 * r}, {-r, r}};
   const Points leaning{{0, 0}, {0.9, 0.3}, {0.6, 1.2}, {-0.3, 0.9}};
-  for (int32_t kind : {HS_STIFFNESS_PER_CONTACT, HS_STIFFNESS_PER_AREA}) {
+  for (int32_t kind : all_stiffness_kinds) {
     const Bounce bounces[] = {{"edge-edge", raised, kind, 0},
                               {"vertex-edge through the centroid", corner, kind, 0},
                               {"vertex-edge, off centre, spinning", leaning, kind, 0.5}};
@@ -85,31 +92,32 @@ TEST_CASE("an elastic bounce keeps its energy to the order dt^2") {
       std::printf(
           "energy, %s, %s: lost %.2e, %.2e, %.2e at steps 4e-4, 2e-4, 1e-4 s: ratios %.2f, %.2f; within the "
           "bounce %.1e\n",
-          b.name, kind == HS_STIFFNESS_PER_AREA ? "per area" : "per contact", coarse, middle, fine,
-          coarse / middle, middle / fine, bounce(b, 1e-4, 0.5).largest);
+          b.name, name_of_stiffness(kind), coarse, middle, fine, coarse / middle, middle / fine,
+          bounce(b, 1e-4, 0.5).largest);
       const bool jumps = kind == HS_STIFFNESS_PER_CONTACT || &b == &bounces[0];
       CHECK(coarse / middle >= 4 - 0.75);
       CHECK(middle / fine >= 4 - 0.75);
       if (jumps) CHECK(coarse / middle <= 4 + 0.75);
       if (jumps) CHECK(middle / fine <= 4 + 0.75);
       const double least_mass = density / 4;  // at a vertex: 1 + m r^2 / I <= 4
-      CHECK(fine <= 0.5 * stiffness / least_mass * square_of(1.05e-4));
+      CHECK(fine <= 0.5 * hardest(kind) / least_mass * square_of(1.05e-4));
     }
   }
 }
 
-/// A square that falls nearly flat passes from vertex-edge to edge-edge and back. Per area the force has a
-/// potential throughout, and the bound is as above. Per contact, the share of the shallower point changes
-/// between half the parallel angle and all of it; the couple that goes with it, C = K / (2 parallel angle)
-/// times the difference of the two depths squared, jumps at both ends of that band, where a step makes or
-/// loses C times the turn of one step at most. Two passes are four jumps.
+/// A square that falls nearly flat passes from vertex-edge to edge-edge and back. Per area, and by
+/// potentials, the force has a potential throughout, and the bound is as above. Per contact, the share of the
+/// shallower point changes between half the parallel angle and all of it; the couple that goes with it, C = K
+/// / (2 parallel angle) times the difference of the two depths squared, jumps at both ends of that band, where
+/// a step makes or loses C times the turn of one step at most. Two passes are four jumps.
 TEST_CASE("an elastic bounce keeps its energy through the parallel angle") {
   constexpr double parallel_angle = 0.01;
-  for (int32_t kind : {HS_STIFFNESS_PER_CONTACT, HS_STIFFNESS_PER_AREA}) {
+  for (int32_t kind : all_stiffness_kinds) {
     for (double tilt : {0.001, 0.004, 0.008, 0.02, 0.1}) {
       for (double time_step : {1e-4, 1e-5}) {
         hs_world_def def = world_def(time_step, 0);
         def.parallel_angle = parallel_angle;
+        def.potential_length = 1;
         hs_law_def law = spring_law(stiffness);
         law.stiffness_kind = kind;
         Scene scene(def, law, density);
@@ -124,13 +132,13 @@ TEST_CASE("an elastic bounce keeps its energy through the parallel angle") {
           fastest_turn = std::max(fastest_turn, std::abs(scene.spin(block)));
         }
         const double share = scene.energy().residual / before;
-        const double ends = 0.5 * stiffness / (density / 4) * square_of(time_step);
+        const double ends = 0.5 * hardest(kind) / (density / 4) * square_of(time_step);
         const double couple = stiffness / (2 * parallel_angle) * square_of(deepest);
         const double jumps =
             kind == HS_STIFFNESS_PER_CONTACT ? 4 * couple * fastest_turn * time_step / before : 0;
         std::printf(
             "energy, square tilted by %.3f, %s, step %.0e: residual %+.1e of the energy (bound %.1e)\n", tilt,
-            kind == HS_STIFFNESS_PER_AREA ? "per area" : "per contact", time_step, share, ends + jumps);
+            name_of_stiffness(kind), time_step, share, ends + jumps);
         CHECK(std::abs(share) <= ends + jumps);
       }
     }

@@ -34,6 +34,23 @@ inline hs_law_def spring_law(double stiffness, double friction_angle = 0) {
   return law;
 }
 
+/// The potentials of Zheng et al. 2020: normal stiffness in Pa, that of the shear spring in N/m.
+inline hs_law_def potential_law(double stiffness, double friction_angle = 0, double shear_stiffness = 1e7) {
+  hs_law_def law = spring_law(stiffness, friction_angle);
+  law.stiffness_kind = HS_STIFFNESS_POTENTIAL;
+  law.shear_stiffness = shear_stiffness;
+  return law;
+}
+
+constexpr int32_t all_stiffness_kinds[] = {HS_STIFFNESS_PER_CONTACT, HS_STIFFNESS_PER_AREA,
+                                           HS_STIFFNESS_POTENTIAL};
+
+inline const char* name_of_stiffness(int32_t kind) {
+  return kind == HS_STIFFNESS_POTENTIAL  ? "potential"
+         : kind == HS_STIFFNESS_PER_AREA ? "per area"
+                                         : "per contact";
+}
+
 /// Where a block starts, relative to where its vertices are given, and how it moves.
 struct Start {
   int32_t kind = HS_BLOCK_RIGID;
