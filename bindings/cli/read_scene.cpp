@@ -30,6 +30,7 @@ void read_world(Keys keys, Scene& scene) {
   world.parallel_angle =
       degrees(keys, "parallel_angle", {.low = 0, .high = 28}, world.parallel_angle / degree);
   world.vertex_zone = keys.number("vertex_zone", {.low = 0, .high = 0.5}, world.vertex_zone);
+  world.potential_length = keys.number("potential_length", above(0), world.potential_length);
   scene.rest_speed = keys.number("rest_speed", above(0), scene.rest_speed);
   keys.finish();
 }
@@ -65,7 +66,7 @@ void read_materials(std::vector<Keys> tables, Scene& scene) {
 void read_law_values(Keys& keys, hs_law_def& law, bool is_whole) {
   const bool changes_kind = !is_whole && keys.has("stiffness");
   const std::optional<int> kind = is_whole ? std::nullopt : std::optional(law.stiffness_kind);
-  law.stiffness_kind = keys.word("stiffness", {"per contact", "per area"}, kind);
+  law.stiffness_kind = keys.word("stiffness", {"per contact", "per area", "potential"}, kind);
   const auto stiffness = [&](double inherited) {
     // A stiffness in other units than the default law's cannot come from it.
     return is_whole || changes_kind ? std::optional<double>() : inherited;
@@ -74,8 +75,12 @@ void read_law_values(Keys& keys, hs_law_def& law, bool is_whole) {
   law.shear_stiffness = keys.number("shear_stiffness", at_least(0), stiffness(law.shear_stiffness));
   law.friction_angle = degrees(keys, "friction_angle", {.low = 0, .high = 90, .with_high = false},
                                law.friction_angle / degree);
-  law.cohesion = keys.number("cohesion", at_least(0), law.cohesion);
-  law.tensile_strength = keys.number("tensile_strength", at_least(0), law.tensile_strength);
+  if (law.stiffness_kind == HS_STIFFNESS_POTENTIAL) {
+    law.cohesion = law.tensile_strength = 0;  // potentials hold nothing together
+  } else {
+    law.cohesion = keys.number("cohesion", at_least(0), law.cohesion);
+    law.tensile_strength = keys.number("tensile_strength", at_least(0), law.tensile_strength);
+  }
   law.normal_damping = keys.number("normal_damping", at_least(0), law.normal_damping);
   law.shear_damping = keys.number("shear_damping", at_least(0), law.shear_damping);
 }

@@ -127,6 +127,8 @@ std::string summary(const Scene& scene, const Model& model, const Frame& start, 
          line("contacts", std::to_string(report.contact_count) + ", largest overlap " +
                               rounded(report.largest_overlap, 3) + " m, fastest block " +
                               rounded(report.largest_speed, 3) + " m/s") +
+         (report.potential_length > 0 ? line("potential length", rounded(report.potential_length, 6) + " m")
+                                      : std::string()) +
          line("energy residual", energy_text(report)) +
          line("run-out", run_out_text(reach, scene.world.dimension));
 }

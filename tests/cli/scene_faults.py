@@ -106,6 +106,15 @@ class SceneFaults(unittest.TestCase):
         self.assertIn("law[0].normal_stiffness: missing", answer.stderr)
         self.assertIn("law[0].shear_stiffness: missing", answer.stderr)
 
+    def test_potentials_hold_nothing_together(self):
+        text = (SCENES / "falling_block.toml").read_text()
+        law = '[[law]]\nbetween = ["stone", "stone"]\nstiffness = "potential"\nnormal_stiffness = 1e7\nshear_stiffness = 1e7\n'
+        self.assertEqual(check_text(text + law + "friction_angle = 20\n").returncode, 0)
+        for key in ("cohesion", "tensile_strength"):
+            self.assertIn(f"law[0].{key}: unknown key", check_text(text + law + f"{key} = 1\n").stderr)
+        answer = check_text(text.replace("[world]\n", "[world]\npotential_length = 0\n"))
+        self.assertIn("world.potential_length: out of range: 0; allowed: a number above 0", answer.stderr)
+
     def test_tracking_members_of_a_generator(self):
         text = (EXAMPLES / "rock_collapse" / "friction_15.toml").read_text()
         tracking = text.replace("[output]\n", '[output]\ntracked = ["rock.0", "ground", "rock.9999"]\n')

@@ -106,10 +106,10 @@ TEST_CASE("an elastic bounce keeps its energy to the order dt^2") {
 }
 
 /// A square that falls nearly flat passes from vertex-edge to edge-edge and back. Per area, and by
-/// potentials, the force has a potential throughout, and the bound is as above. Per contact, the share of the
-/// shallower point changes between half the parallel angle and all of it; the couple that goes with it, C = K
-/// / (2 parallel angle) times the difference of the two depths squared, jumps at both ends of that band, where
-/// a step makes or loses C times the turn of one step at most. Two passes are four jumps.
+/// potentials, the force has a potential throughout, and the bound is as above. Per contact, the share of
+/// the shallower point changes between half the parallel angle and all of it; the couple that goes with it,
+/// C = K / (2 parallel angle) times the difference of the two depths squared, jumps at both ends of that
+/// band, where a step makes or loses C times the turn of one step at most. Two passes are four jumps.
 TEST_CASE("an elastic bounce keeps its energy through the parallel angle") {
   constexpr double parallel_angle = 0.01;
   for (int32_t kind : all_stiffness_kinds) {

@@ -81,9 +81,9 @@ struct PotentialPush {
   double friction_arm;  // of the loading point below the centroid
 };
 
-/// In the block's frame, x forward and z up from the base's middle, the plane is the line z = h/2 -
-/// y / cos(tilt) + x tan(tilt): what lies below is a trapezoid with a depth at the toe and one at the heel, or
-/// a triangle without a heel. The plane pushes along its normal (-sin, cos) at the centroid. The block's own
+/// In the block's frame, x forward and z up from the base's middle, the plane is the line z = h/2 - y /
+/// cos(tilt) + x tan(tilt): what lies below is a trapezoid with a depth at the toe and one at the heel, or a
+/// triangle without a heel. The plane pushes along its normal (-sin, cos) at the centroid. The block's own
 /// faces push it back, the base at the foot of what is nearer to it than to the sides: of all but the two
 /// triangles along the sides, whose third corner is on the bisector.
 PotentialPush potential_push(const Slider& s, const Rest& rest) {
