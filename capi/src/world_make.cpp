@@ -63,7 +63,7 @@ WorldSettings<D> read_settings(const hs_world_def& def) {
   return settings;
 }
 
-SpringLaw read_law(const hs_law_def* given, int dimension) {
+SpringLaw read_law(const hs_law_def* given) {
   const hs_law_def def = read_definition(given, "law");
   if (def.stiffness_kind < HS_STIFFNESS_PER_CONTACT || def.stiffness_kind > HS_STIFFNESS_POTENTIAL) {
     refuse(HS_ERROR_ARGUMENT, "law.stiffness_kind is %d; it must be an HS_STIFFNESS_ value",
@@ -87,8 +87,6 @@ SpringLaw read_law(const hs_law_def* given, int dimension) {
     refuse(HS_ERROR_ARGUMENT,
            "law.shear_stiffness is 0; friction and cohesion act through it and need one above 0");
   }
-  if (law.is_potential() && dimension == 3)
-    refuse(HS_ERROR_ARGUMENT, "law.stiffness_kind is HS_STIFFNESS_POTENTIAL; so far it is for 2D only");
   if (law.is_potential() && law.bonds()) {
     refuse(HS_ERROR_ARGUMENT,
            "law.cohesion is %g, law.tensile_strength is %g; HS_STIFFNESS_POTENTIAL takes neither",
@@ -170,7 +168,7 @@ hs_status hs_world_add_material(hs_world* world, double density, int32_t* materi
 
 hs_status hs_world_set_default_law(hs_world* world, const hs_law_def* law) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
-    w.set_default_law(read_law(law, D));
+    w.set_default_law(read_law(law));
     return HS_OK;
   });
 }
@@ -179,7 +177,7 @@ hs_status hs_world_set_law(hs_world* world, int32_t material_a, int32_t material
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     require_material(w, material_a, "material_a");
     require_material(w, material_b, "material_b");
-    w.set_law(material_a, material_b, read_law(law, D));
+    w.set_law(material_a, material_b, read_law(law));
     return HS_OK;
   });
 }

@@ -1,6 +1,11 @@
 #pragma once
 
+#include <algorithm>
+
+#include "force/cell_division.h"
 #include "geometry/outline.h"
+#include "geometry/polygon_piece.h"
+#include "geometry/polyhedron_piece.h"
 
 namespace halfspace {
 
@@ -49,6 +54,46 @@ struct PotentialRoom<2> {
   static std::size_t polygon_room(std::size_t edges) { return 6 * edges; }
 };
 
+template <>
+struct PotentialRoom<3> {
+  explicit PotentialRoom(Memory* memory)
+      : least_depth(memory),
+        near(memory),
+        sounding(memory),
+        cutter(memory),
+        intersection(memory),
+        cut(memory),
+        base(memory),
+        solid_cells(memory),
+        cone_cells(memory) {}
+
+  /// So that two blocks of so many edges at most ask for no memory, unless one of them is nearest to more
+  /// faces of the other than there are pieces. Each has at most 2/3 as many faces as edges, and each face of
+  /// one of them may cut.
+  void reserve(std::size_t edges) {
+    const std::size_t faces = 2 * edges, pieces = std::min<std::size_t>(edges, 64);
+    least_depth.resize(std::max(least_depth.size(), edges));
+    near.reserve(edges);
+    sounding.reserve(5 * faces);
+    cutter.reserve(faces);
+    intersection.reserve(faces);
+    cut.reserve(faces);
+    base.reserve(faces);
+    solid_cells.reserve(faces, pieces);
+    cone_cells.reserve(faces, pieces);
+  }
+
+  Array<double> least_depth;  // of the intersection behind each face, or less
+  Array<NearFace> near;
+  Sounding sounding;
+  PolyhedronPiece::Cutter cutter;
+  PolyhedronPiece intersection;
+  PolyhedronPiece cut;
+  PolygonPiece base;
+  CellDivision<PolyhedronPiece> solid_cells;
+  CellDivision<PolygonPiece> cone_cells;
+};
+
 /// A point inside a block has its distance to the nearest edge as potential; what two blocks have in common
 /// is pushed down both. The paper integrates the potential over the outline of the intersection, piece by
 /// piece between demarcation points. By the divergence theorem that is the integral of its gradient over the
@@ -63,14 +108,8 @@ struct PotentialRoom<2> {
 PotentialForce<2> potential_force(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
                                   PotentialRoom<2>& room);
 
-template <>
-struct PotentialRoom<3> {
-  explicit PotentialRoom(Memory*) {}
-  void reserve(std::size_t) {}
-};
-inline PotentialForce<3> potential_force(const Outline<3>&, const Outline<3>&, const Vector<3>&,
-                                         PotentialRoom<3>&) {
-  return {};
-}
+/// In space the cells are volumes.
+PotentialForce<3> potential_force(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
+                                  PotentialRoom<3>& room);
 
 }  // namespace halfspace

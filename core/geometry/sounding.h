@@ -1,0 +1,47 @@
+#pragma once
+
+#include "geometry/vector.h"
+
+namespace halfspace {
+
+/// Inside is where the depth is not negative. The normal has any length.
+struct CuttingPlane {
+  Vector<3> normal;
+  double offset;
+
+  double depth(const Vector<3>& p) const { return offset - normal.dot(p); }
+};
+
+struct DepthRange {
+  double least;
+  double most;
+};
+
+/// How deep each vertex of a piece lies behind a plane: what is known before it is cut there.
+class Sounding {
+ public:
+  explicit Sounding(Memory* memory) : depth_(memory) {}
+
+  /// Of what has vertices as an outline has: their coordinates padded to an even count by repeating the last.
+  template <class View>
+  DepthRange take(const View& view, const CuttingPlane& plane) {
+    return take(std::size_t(view.vertex_count), view.x, view.y, view.z, plane);
+  }
+
+  void reserve(std::size_t vertices) {
+    if (depth_.size() < vertices + 1) depth_.resize(vertices + 1);
+  }
+
+  double depth(int vertex) const { return depth_[std::size_t(vertex)]; }
+  bool is_inside(int vertex) const { return depth(vertex) >= 0; }
+  /// Of the way from a vertex inside to one outside, the share that is inside.
+  double share_inside(int inner, int outer) const { return depth(inner) / (depth(inner) - depth(outer)); }
+
+ private:
+  DepthRange take(std::size_t count, const double* x, const double* y, const double* z,
+                  const CuttingPlane& plane);
+
+  Array<double> depth_;
+};
+
+}  // namespace halfspace
