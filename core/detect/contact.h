@@ -96,7 +96,7 @@ struct PairMemory<3> {
   State state = unknown;
   PotentialPair<3> pair;  // as in the plane
   /// In the orientation of the outlines. Separated: the unit normal, from a to b, of a plane between the
-  /// blocks. Touching at a face: a point of both, seen from the centroid of a. Checked before it is believed:
+  /// blocks. Touching: a point of both, seen from the centroid of a. Checked before it is believed:
   /// any value will do.
   Vector<3> proof = Vector<3>::Zero();
 };

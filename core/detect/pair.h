@@ -43,6 +43,10 @@ inline PotentialPair<2> initial_pair(const Outline<2>&, const Outline<2>&, const
 inline bool still_touching(const Outline<2>&, const Outline<2>&, const Vector<2>&, PairMemory<2>&) {
   return false;
 }
+inline bool describe_plainly_touching(const Outline<2>&, const Outline<2>&, const Vector<2>&,
+                                      const PairMemory<2>&, const DetectOptions&, Contact<2>&) {
+  return false;
+}
 inline void remember_proof(const Contact<2>&, const Vector<2>&, PairMemory<2>&) {}
 
 /// Walks around the Minkowski difference to the pair of least depth that is reached without passing a deeper
@@ -113,6 +117,18 @@ void judge_pair(const Outline<D>& a, const Outline<D>& b, const Vector<D>& to_b,
   } else {
     remember_contact(a, b, to_b, separation.pair, memory);
   }
+}
+
+/// True when two blocks touch; then their contact is described. The same as to judge the pair and to describe
+/// the contact after that, but that a contact which has hardly changed is known to be one by its description.
+template <int D>
+bool find_contact(const Outline<D>& a, const Outline<D>& b, const Vector<D>& to_b,
+                  const DetectOptions& options, PairMemory<D>& memory, Contact<D>& contact) {
+  if (describe_plainly_touching(a, b, to_b, memory, options, contact)) return true;
+  if (!still_separated(a, b, to_b, memory)) judge_pair(a, b, to_b, memory);
+  if (memory.state == PairMemory<D>::separated) return false;
+  describe_contact<D>(a, b, to_b, memory, options, contact);
+  return true;
 }
 
 }  // namespace halfspace

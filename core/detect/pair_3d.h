@@ -14,15 +14,15 @@ namespace halfspace {
 double refresh(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b, PotentialPair<3>& pair);
 
 /// Gap of what keeps two blocks apart: of a face and a vertex; or, of two edges or vertices, between what
-/// both blocks reach along the remembered normal.
-double refresh(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b, PairMemory<3>& memory);
+/// both blocks reach along the remembered normal, which two edges renew when it no longer does. Vertices are
+/// brought up to date only where that helps to find them next time.
+double refresh(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, PairMemory<3>& memory);
 
 /// True when blocks that touched are easily seen to touch still: where the remembered pair is, or at the
-/// remembered point. The vertex of a face is brought up to date.
+/// remembered point.
 bool still_touching(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, PairMemory<3>& memory);
 
-/// Remembers a point of both blocks in the middle of a contact at a face, half as deep as that is. Edges need
-/// none.
+/// Remembers a point of both blocks in the middle of a contact: at a face, half as deep as that is.
 void remember_proof(const Contact<3>& contact, const Vector<3>& to_b, PairMemory<3>& memory);
 
 /// The pair through which blocks begin to meet that were separated at last (Wang et al. 2021, section 2.5):
@@ -38,7 +38,7 @@ PotentialPair<3> descend(const SeenOutline& a, const SeenOutline& b, const Vecto
                          const PotentialPair<3>& start);
 
 /// Type, normal, gap and region of the contact at a potential pair, touching or not. The vertex of a face is
-/// the deepest one, as refresh() leaves it; not for two vertices.
+/// brought up to date; not for two vertices.
 ///
 /// `pair` is moved over the Minkowski difference as long as the contact point lies beyond an end of its edge
 /// or outside its face; edges that have ceased to be a potential pair first become the least deep of their
@@ -47,6 +47,12 @@ PotentialPair<3> descend(const SeenOutline& a, const SeenOutline& b, const Vecto
 /// the edge or end that the contact point lies beyond stands in.
 void describe_contact(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
                       PotentialPair<3>& pair, const DetectOptions& options, Contact<3>& contact);
+
+/// The contact of blocks that touched, if it is at a point and shows by itself that they touch still: as a
+/// rule, then, of a pair from step to step. False else, and nothing is known yet.
+bool describe_plainly_touching(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
+                               const PairMemory<3>& memory, const DetectOptions& options,
+                               Contact<3>& contact);
 
 inline PairMemory<3> memory_of(const Separation<3>& separation) {
   return {PairMemory<3>::separated, separation.pair, separation.normal};

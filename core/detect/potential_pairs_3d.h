@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "detect/contact.h"
 #include "detect/seen_outline.h"
 
@@ -20,7 +22,8 @@ struct SeenEdge {
   Vector<3> left;
   Vector<3> right;
 
-  SeenEdge(const SeenOutline& block, int edge)
+  template <class Block>
+  SeenEdge(const Block& block, int edge)
       : start(block.vertex(block.topology->edge_start[edge])),
         along(block.vertex(block.topology->edge_end[edge]) - start),
         left(block.normal(block.topology->edge_left[edge])),
@@ -36,24 +39,28 @@ inline bool is_outer_normal(const SeenEdge& edge, const Vector<3>& normal) {
   return normal.dot(into_left) <= 0 && normal.dot(into_right) <= 0;
 }
 
-/// The parallelogram of an edge of each block. Its unit normal points out of a as the faces at a's edge do:
-/// of an edge-edge potential pair it is the normal from a to b. Its area is below 0 where the edge of a turns
-/// clockwise about it towards that of b. Zero when the edges are exactly parallel.
+/// The parallelogram of an edge of each block.
 struct Parallelogram {
-  Vector<3> normal;
-  double area;
+  Vector<3> across;  // at right angles to both edges, as long as the area is large
+  double square;     // of the area
+  double sense;      // 1 or, where the edge of a turns clockwise about `normal` towards that of b, -1
 
-  Parallelogram(const SeenEdge& a, const Vector<3>& along_b) {
-    const Vector<3> across = cross_product(a.along, along_b);
-    const double length = across.norm();
-    area = across.dot(a.left + a.right) < 0 ? -length : length;
-    normal = length == 0 ? Vector<3>(Vector<3>::Zero()) : Vector<3>(across / area);
+  Parallelogram(const SeenEdge& a, const Vector<3>& along_b)
+      : across(cross_product(a.along, along_b)),
+        square(across.squaredNorm()),
+        sense(across.dot(a.left + a.right) < 0 ? -1 : 1) {}
+
+  /// Of unit length, and out of a as the faces at a's edge point: of an edge-edge potential pair it is the
+  /// normal from a to b. Zero when the edges are exactly parallel.
+  Vector<3> normal() const {
+    const double area = std::sqrt(square);
+    return (area == 0 ? 0 : sense / area) * across;
   }
 };
 
 /// The normal alone.
 inline Vector<3> edge_pair_normal(const SeenOutline& a, int edge_of_a, const Vector<3>& along_b) {
-  return Parallelogram(SeenEdge(a, edge_of_a), along_b).normal;
+  return Parallelogram(SeenEdge(a, edge_of_a), along_b).normal();
 }
 inline Vector<3> edge_pair_normal(const SeenOutline& a, int edge_of_a, const SeenOutline& b, int edge_of_b) {
   return edge_pair_normal(a, edge_of_a, edge_vector(b, edge_of_b));
@@ -66,7 +73,7 @@ inline bool is_edge_pair(const SeenEdge& a, const SeenEdge& b, const Vector<3>& 
   return normal != Vector<3>::Zero() && is_outer_normal(a, normal) && is_outer_normal(b, -normal);
 }
 inline bool is_edge_pair(const SeenEdge& a, const SeenEdge& b) {
-  return is_edge_pair(a, b, Parallelogram(a, b.along).normal);
+  return is_edge_pair(a, b, Parallelogram(a, b.along).normal());
 }
 
 /// Unit normal of a potential pair's half-space, turned so that it points from a to b. Not for two vertices.

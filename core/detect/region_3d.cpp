@@ -3,7 +3,9 @@
 
 #include "detect/pair_3d.h"
 #include "detect/potential_pairs_3d.h"
+#include "detect/region_3d_edges.h"
 #include "detect/region_3d_faces.h"
+#include "detect/region_3d_plain.h"
 #include "detect/region_3d_shares.h"
 
 namespace halfspace {
@@ -26,60 +28,23 @@ void turn_round(const Vector<3>& to_b, Contact<3>& contact) {
   std::reverse(contact.gaps, contact.gaps + contact.point_count);
 }
 
-/// An edge of each block, both seen from their own block's centroid.
-struct MeetingEdges {
-  PotentialPair<3> pair;
-  SeenEdge a;
-  SeenEdge b;
-  Parallelogram across{a, b.along};
-
-  MeetingEdges(const SeenOutline& block_a, const SeenOutline& block_b, const PotentialPair<3>& edges)
-      : pair(edges), a(block_a, edges.a), b(block_b, edges.b) {}
-
-  bool are_potential_pair() const { return is_edge_pair(a, b, across.normal); }
-
-  /// Are they plainly a potential pair, whose plane no face at either edge is near to parallel with? By the
-  /// four signs of edge and face normal (THEORY section 2), with a margin: at the edge of a, the sine of the
-  /// angle between face and plane is left . along_b |along_a| / area. Edges that are all but parallel to each
-  /// other have no plane to go by.
-  bool cross_steeply(double parallel_angle) const {
-    constexpr double flat = 1e-6;  // rad: far above rounding
-    const double sense = across.area < 0 ? -1 : 1, area_square = across.area * across.area;
-    const double least_of_a = std::min(sense * a.left.dot(b.along), -sense * a.right.dot(b.along));
-    const double least_of_b = std::min(sense * b.left.dot(a.along), -sense * b.right.dot(a.along));
-    const double a_square = a.along.squaredNorm(), b_square = b.along.squaredNorm();
-    const double steep = 1.001 * std::max(parallel_angle * parallel_angle, flat * flat) * area_square;
-    return least_of_a > 0 && least_of_b > 0 && least_of_a * least_of_a * a_square > steep &&
-           least_of_b * least_of_b * b_square > steep && area_square > flat * flat * a_square * b_square;
-  }
-};
-
-/// Of an edge of each block: the nearest points of their lines, and the middle between them. Returns the
-/// pair, or the neighbouring one when one of these points lies beyond an end of its edge: then this is the
-/// contact at the end.
-PotentialPair<3> describe_edge_edge(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
-                                    const MeetingEdges& edges, Contact<3>& contact) {
-  const Vector<3>& normal = edges.across.normal;
-  const Vector<3>&along_a = edges.a.along, &along_b = edges.b.along;
-  const Vector<3> between = (edges.b.start - edges.a.start) + to_b;
-  const double s = cross_product(between, along_b).dot(normal) / edges.across.area;
-  const double t = cross_product(between, along_a).dot(normal) / edges.across.area;
-  const Vector<3> on_a = edges.a.start + std::clamp(s, 0.0, 1.0) * along_a;
-  const Vector<3> on_b = (edges.b.start + to_b) + std::clamp(t, 0.0, 1.0) * along_b;
-  contact.normal = normal;
-  contact.gap = normal.dot(between);
-  describe_point(ContactType::edge_edge, 0.5 * (on_a + on_b), contact);
-
-  const PotentialPair<3>& pair = edges.pair;
-  const double share_beyond_a = std::max(-s, s - 1), share_beyond_b = std::max(-t, t - 1);
-  if (std::max(share_beyond_a, share_beyond_b) <= 0) return pair;
-  const double beyond_a = share_beyond_a * along_a.norm(), beyond_b = share_beyond_b * along_b.norm();
+/// Returns the pair, or the neighbouring one when one of the nearest points lies beyond an end of its edge:
+/// then this is the contact at the end.
+PotentialPair<3> describe_edges(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
+                                const MeetingEdges& edges, const PotentialPair<3>& pair,
+                                Contact<3>& contact) {
+  const NearestPoints nearest(edges, to_b);
+  describe_edge_edge(edges, nearest, to_b, contact);
+  if (nearest.are_on_edges()) return pair;
+  const double s = nearest.share_of_a, t = nearest.share_of_b;
+  const double beyond_a = std::max(-s, s - 1) * edges.a.along.norm();
+  const double beyond_b = std::max(-t, t - 1) * edges.b.along.norm();
   const Topology &of_a = *a.topology, &of_b = *b.topology;
   const FacetSide side =
       beyond_a >= beyond_b
           ? side_at_end(b, 1, pair.b, a, pair.a, s < 0 ? of_a.edge_start[pair.a] : of_a.edge_end[pair.a])
           : side_at_end(a, 0, pair.a, b, pair.b, t < 0 ? of_b.edge_start[pair.b] : of_b.edge_end[pair.b]);
-  return facet_across(a, b, side, normal).pair;
+  return facet_across(a, b, side, edges.parallelogram.normal()).pair;
 }
 
 /// The faces at two edges. Their vertices are only where to look for the deepest ones.
@@ -112,7 +77,7 @@ struct FacesAtEdges {
 /// Which of the faces at two edges, in the order of FacesAtEdges, is nearest to parallel with the plane of
 /// both, if it is within an angle of it; -1 else.
 int face_parallel_to(const MeetingEdges& edges, double angle) {
-  const Vector<3>& normal = edges.across.normal;
+  const Vector<3> normal = edges.parallelogram.normal();
   const Vector<3> faces[] = {edges.a.left, edges.a.right, -edges.b.left, -edges.b.right};
   int best = -1;
   double least = angle * angle;
@@ -132,7 +97,7 @@ bool describe_edges_in_face(const SeenOutline& a, const SeenOutline& b, const Ve
                             Contact<3>& contact) {
   const int parallel = face_parallel_to(edges, options.parallel_angle);
   if (parallel < 0) return false;
-  PotentialPair<3> face = FacesAtEdges(a, b, edges.pair).pair[parallel];
+  PotentialPair<3> face = FacesAtEdges(a, b, pair).pair[parallel];
   refresh(a, b, to_b, face);
   const bool is_of_a = face.kind == PotentialPair<3>::face_vertex;
   if (!(is_of_a ? describe_face_region(a, b, to_b, face, options, contact)
@@ -159,22 +124,23 @@ PotentialPair<3> describe_at(const SeenOutline& a, const SeenOutline& b, const V
                              PotentialPair<3>& pair, const DetectOptions& options, Contact<3>& contact) {
   if (pair.kind == PotentialPair<3>::edge_edge) {
     const MeetingEdges edges(a, b, pair);
-    if (edges.cross_steeply(options.parallel_angle)) return describe_edge_edge(a, b, to_b, edges, contact);
     if (edges.are_potential_pair())
       return describe_edges_in_face(a, b, to_b, edges, options, pair, contact)
                  ? pair
-                 : describe_edge_edge(a, b, to_b, edges, contact);
+                 : describe_edges(a, b, to_b, edges, pair, contact);
     pair = FacesAtEdges(a, b, pair).least_deep(a, b, to_b);
   }
   return describe_faces(a, b, to_b, pair, options, contact);
 }
 
-}  // namespace
-
-void describe_contact(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
-                      PotentialPair<3>& pair, const DetectOptions& options, Contact<3>& contact) {
+/// Where it is not plain what the contact is. Not inlined, as it is rare.
+[[gnu::noinline]] void describe_and_move(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
+                                         PotentialPair<3>& pair, const DetectOptions& options,
+                                         Contact<3>& contact) {
+  if (pair.kind != PotentialPair<3>::edge_edge) refresh(a, b, to_b, pair);
   PotentialPair<3> last = pair;
-  for (int moves = a.topology->edge_count + b.topology->edge_count;; --moves) {
+  for (int moves = a.topology->edge_count + b.topology->edge_count;
+       describe_plain_contact(a, b, to_b, pair, options, contact) == Plain::no; --moves) {
     const PotentialPair<3> next = describe_at(a, b, to_b, pair, options, contact);
     // A vertex of separated blocks may lie beyond the edge between two facets on the way from either: it
     // stays.
@@ -182,8 +148,30 @@ void describe_contact(const SeenOutline& a, const SeenOutline& b, const Vector<3
     last = pair;
     pair = next;
   }
+}
+
+}  // namespace
+
+void describe_contact(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
+                      PotentialPair<3>& pair, const DetectOptions& options, Contact<3>& contact) {
+  if (describe_plain_contact(a, b, to_b, pair, options, contact) != Plain::no) {
+    share_at_point(contact);
+  } else {
+    describe_and_move(a, b, to_b, pair, options, contact);
+    share_stiffness(options, contact);
+  }
   contact.pair = pair;
-  share_stiffness(options, contact);
+}
+
+bool describe_plainly_touching(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
+                               const PairMemory<3>& memory, const DetectOptions& options,
+                               Contact<3>& contact) {
+  if (memory.state != PairMemory<3>::touching ||
+      describe_plain_contact(a, b, to_b, memory.pair, options, contact) != Plain::and_touching)
+    return false;
+  share_at_point(contact);
+  contact.pair = memory.pair;
+  return true;
 }
 
 }  // namespace halfspace

@@ -11,25 +11,12 @@
 namespace halfspace {
 namespace {
 
-/// A face and a vertex behind or before it, seen from the block that owns the face.
-struct FaceVertex {
-  const SeenOutline& owner;
-  const SeenOutline& other;
-  Vector<3> to_other;
-  int face;
-  int vertex;
-  Vector<3> normal = owner.normal(face);
-  Vector<3> position = other.vertex(vertex);  // of the vertex, from its own block's centroid
-  double gap = (normal.dot(position) + normal.dot(to_other)) - owner.offset[face];
-  Vector<3> foot = (position + to_other) - gap * normal;  // of the vertex on the face's plane
-};
-
-/// The same in coordinates on the plane, whose origin is the foot of the vertex.
-struct FlatFaceVertex : FaceVertex {
+/// A face and a vertex in coordinates on the plane, whose origin is the foot of the vertex.
+struct FlatFaceVertex : FaceVertex<SeenOutline> {
   PlaneFrame plane = PlaneFrame(normal, foot);
   FlatFace polygon = FlatFace(plane, owner, face, Vector<3>::Zero());
 
-  explicit FlatFaceVertex(const FaceVertex& f) : FaceVertex(f) {}
+  explicit FlatFaceVertex(const FaceVertex<SeenOutline>& f) : FaceVertex(f) {}
   FlatFaceVertex(const FlatFaceVertex&) = delete;  // the polygon refers to the plane
   FlatFaceVertex& operator=(const FlatFaceVertex&) = delete;
 
@@ -42,37 +29,6 @@ struct FlatFaceVertex : FaceVertex {
   }
 };
 
-/// Do all edges at the vertex rise from the plane more steeply than what shares a region with it? Then so do
-/// the faces between them. By a margin far above rounding.
-bool rises_steeply(const FaceVertex& f, double parallel_angle) {
-  const Outline<3>& other = f.other.unturned();
-  const Topology& topology = *other.topology;
-  const Vector<3> normal = f.other.in_own_frame(f.normal), vertex = other.vertex(f.vertex);
-  const double steep = 1.001 * parallel_angle * parallel_angle;
-  for (int k = topology.first_of_vertex[f.vertex]; k < topology.first_of_vertex[f.vertex + 1]; ++k) {
-    const Vector<3> along = other.vertex(topology.vertex_neighbour[k]) - vertex;
-    const double climb = normal.dot(along);
-    if (climb * climb <= steep * along.squaredNorm()) return false;
-  }
-  return true;
-}
-
-/// Does the vertex lie over the face, farther from its border than what counts as on it? By a margin, too.
-bool is_well_inside(const FaceVertex& f, double vertex_zone) {
-  const Outline<3>& owner = f.owner.unturned();
-  const Topology& topology = *owner.topology;
-  const Vector<3> normal = owner.normal(f.face), foot = f.owner.in_own_frame(f.foot);
-  const int first = topology.first_of_face[f.face], end = topology.first_of_face[f.face + 1];
-  Vector<3> from = owner.vertex(topology.face_vertex[end - 1]);
-  for (int k = first; k < end; ++k) {
-    const Vector<3> to = owner.vertex(topology.face_vertex[k]), along = to - from;
-    const double inward = cross_product(along, foot - from).dot(normal);  // times the edge's length
-    if (inward <= 2 * vertex_zone * along.squaredNorm()) return false;
-    from = to;
-  }
-  return true;
-}
-
 /// What of the other block, at the vertex, is nearest to parallel with the plane, and the sine of the angle
 /// between.
 struct Facing {
@@ -80,7 +36,7 @@ struct Facing {
   double sine;
 };
 
-Facing facing_face(const FaceVertex& f) {
+Facing facing_face(const FaceVertex<SeenOutline>& f) {
   const Topology& topology = *f.other.topology;
   int best = topology.vertex_face[topology.first_of_vertex[f.vertex]];
   double most_opposed = HUGE_VAL;
@@ -94,7 +50,7 @@ Facing facing_face(const FaceVertex& f) {
 }
 
 /// Of edges, by the neighbour at the far end.
-Facing facing_edge(const FaceVertex& f) {
+Facing facing_edge(const FaceVertex<SeenOutline>& f) {
   const Topology& topology = *f.other.topology;
   Facing best{topology.vertex_neighbour[topology.first_of_vertex[f.vertex]], HUGE_VAL};
   for (int k = topology.first_of_vertex[f.vertex]; k < topology.first_of_vertex[f.vertex + 1]; ++k) {
@@ -175,7 +131,7 @@ Place place_of_foot(const FlatFaceVertex& f, double facing_length, const DetectO
 
 /// A vertex of each block meet: the normal is that of the sum of the normals of all potential pairs whose
 /// facets of the Minkowski difference come together there, `f` one of them (section 2.5).
-void describe_vertex_vertex(const FaceVertex& f, int vertex_of_owner, Contact<3>& contact) {
+void describe_vertex_vertex(const FaceVertex<SeenOutline>& f, int vertex_of_owner, Contact<3>& contact) {
   const Topology &of_owner = *f.owner.topology, &of_other = *f.other.topology;
   const auto is_deepest = [](const SeenOutline& block, int vertex, const Vector<3>& normal) {
     const Topology& t = *block.topology;
@@ -201,7 +157,7 @@ void describe_vertex_vertex(const FaceVertex& f, int vertex_of_owner, Contact<3>
     const SeenEdge edge(f.owner, of_owner.vertex_edge[k]);
     for (int j = of_other.first_of_vertex[f.vertex]; j < of_other.first_of_vertex[f.vertex + 1]; ++j) {
       const SeenEdge edge_of_other(f.other, of_other.vertex_edge[j]);
-      const Vector<3> normal = Parallelogram(edge, edge_of_other.along).normal;
+      const Vector<3> normal = Parallelogram(edge, edge_of_other.along).normal();
       if (is_edge_pair(edge, edge_of_other, normal)) of_edges += normal;
     }
   }
@@ -249,14 +205,6 @@ bool describe_region(const FlatFaceVertex& f, const Facing& edge, const DetectOp
 
 }  // namespace
 
-void describe_point(ContactType type, const Vector<3>& point, Contact<3>& contact) {
-  contact.type = type;
-  contact.area = contact.length = 0;
-  contact.point_count = 1;
-  contact.center = contact.points[0] = point;
-  contact.center_gap = contact.gaps[0] = contact.gap;
-}
-
 bool describe_face_region(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
                           const PotentialPair<3>& pair, const DetectOptions& options, Contact<3>& contact) {
   const FlatFaceVertex f({a, b, to_b, pair.a, pair.b});
@@ -266,16 +214,7 @@ bool describe_face_region(const SeenOutline& a, const SeenOutline& b, const Vect
 PotentialPair<3> describe_face_vertex(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
                                       const PotentialPair<3>& pair, const DetectOptions& options,
                                       Contact<3>& contact) {
-  const FaceVertex seen{a, b, to_b, pair.a, pair.b};
-  // As a rule this is all.
-  if (rises_steeply(seen, options.parallel_angle) && is_well_inside(seen, options.vertex_zone)) {
-    contact.normal = seen.normal;
-    contact.gap = seen.gap;
-    describe_point(ContactType::vertex_face, seen.foot, contact);
-    return pair;
-  }
-
-  const FlatFaceVertex f(seen);
+  const FlatFaceVertex f({a, b, to_b, pair.a, pair.b});
   const Facing edge = facing_edge(f);
   if (describe_region(f, edge, options, contact)) return pair;
 

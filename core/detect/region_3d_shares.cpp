@@ -40,12 +40,7 @@ Step step_down(double slope, double parallel_angle) {
 
 void share_stiffness(const DetectOptions& options, Contact<3>& contact) {
   const int count = contact.point_count;
-  if (count == 1) {
-    contact.deepest = 0;
-    contact.shares[0] = 1;
-    contact.share_rates[0] = 0;
-    return;
-  }
+  if (count == 1) return share_at_point(contact);
   contact.deepest = int(std::min_element(contact.gaps, contact.gaps + count) - contact.gaps);
   share_by_area(contact);
   const Vector<3>& lowest = contact.points[contact.deepest];

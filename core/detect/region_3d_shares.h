@@ -12,4 +12,11 @@ namespace halfspace {
 /// shrinks to a segment or a point, or grows out of one.
 void share_stiffness(const DetectOptions& options, Contact<3>& contact);
 
+/// The same of a contact at a point.
+inline void share_at_point(Contact<3>& contact) {
+  contact.deepest = 0;
+  contact.shares[0] = 1;
+  contact.share_rates[0] = 0;
+}
+
 }  // namespace halfspace

@@ -23,11 +23,12 @@ class SeenOutline {
 
   /// In its own frame: to ask much about many of its features, turn the question instead of each of them.
   const Outline<3>& unturned() const { return *outline_; }
+  bool is_turned() const { return rotation_ != nullptr; }
   Vector<3> in_own_frame(const Vector<3>& v) const { return rotation_ ? rotation_->inverse() * v : v; }
 
   /// The vertex that lies deepest along a direction, of which one near it is known.
   Support deepest_near(const Vector<3>& direction, int vertex) const {
-    return halfspace::deepest_near(*outline_, in_own_frame(direction), vertex);
+    return walk_to_deepest(*outline_, in_own_frame(direction), vertex);
   }
 
   const Topology* topology;

@@ -71,6 +71,12 @@ inline TwiceTwoLanes where_less(const TwiceTwoLanes& a, const TwiceTwoLanes& b, 
           where_less(a.high, b.high, then.high, otherwise.high)};
 }
 
+/// Lane by lane, the smaller one.
+template <class Four>
+[[gnu::always_inline]] inline Four smaller(const Four& a, const Four& b) {
+  return where_less(a, b, a, b);
+}
+
 template <class Four>
 [[gnu::always_inline]] inline Four square_roots(const Four& a) {
   return four_of<Four>(std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3]));

@@ -24,6 +24,7 @@ void World<D>::make_bonds() {
       if (!is_fresh || !laws_.between(blocks_.material[a], blocks_.material[b]).bonds()) continue;
       const PlacedBlocks<D> at = blocks_.placed(pair.a, pair.b);
       Contact<D> contact;
+      pair.memory.pair = initial_pair(at.a, at.b, at.to_b, pair.memory);
       describe_contact(at.a, at.b, at.to_b, pair.memory.pair, settings_.detect, contact);
       pair.bonded = std::abs(contact.gap) <= bond_reach * std::min(blocks_.radius[a], blocks_.radius[b]);
     }
@@ -51,12 +52,14 @@ bool World<D>::find_contact(std::size_t k, Contact<D>& contact) {
   const auto [a, b, to_b] = blocks_.placed(pair.a, pair.b);
   const typename PairMemory<D>::State before = memory.state;
 
-  if (!still_separated(a, b, to_b, memory)) judge_pair(a, b, to_b, memory);
-  if (memory.state == PairMemory<D>::separated && !pair.bonded) {
-    if (before == PairMemory<D>::touching) release_shear(k);
-    return false;
+  if (!halfspace::find_contact(a, b, to_b, settings_.detect, memory, contact)) {
+    if (!pair.bonded) {
+      if (before == PairMemory<D>::touching) release_shear(k);
+      return false;
+    }
+    memory.pair = initial_pair(a, b, to_b, memory);  // a contact has no two vertices
+    describe_contact<D>(a, b, to_b, memory, settings_.detect, contact);
   }
-  describe_contact(a, b, to_b, memory, settings_.detect, contact);
   if (before == PairMemory<D>::unknown && contact.gap == 0) {
     // Neatly stacked: the strict form of inclusion holds at first sight, so that an initial contact pair is
     // left behind (eq. 11).

@@ -114,8 +114,9 @@ void run_all_steps(int steps) {
   Random random(1);
   std::printf("\n%d pairs, half of them near and half touching at the start, %d steps of %g and %g rad: ns\n",
               pairs, steps, motion, turn);
-  std::printf("%8s %9s %9s %9s %6s %9s %6s %12s\n", "vertices", "touching", "no memory", "memory", "ratio",
-              "contact", "ratio", "differences");
+  std::printf("%18s%9s%16s%18s%16s\n", "", "judged", "", "with contact", "");
+  std::printf("%8s %9s %9s %9s %6s %9s %9s %6s %12s\n", "vertices", "touching", "no memory", "memory",
+              "ratio", "no memory", "memory", "ratio", "differences");
   for (const int vertices : all_vertex_counts) {
     PairSet3 set = draw_pairs_3d(pairs / 2, shapes, vertices, gap_sets[1], random);
     const PairSet3 touching = draw_pairs_3d(pairs / 2, shapes, vertices, gap_sets[2], random);
@@ -126,10 +127,9 @@ void run_all_steps(int steps) {
     }
     set.polyhedra.insert(set.polyhedra.end(), touching.polyhedra.begin(), touching.polyhedra.end());
     const StepTimes t = time_steps(set, steps, motion, turn, random);
-    const double contacts = t.touching * t.contact;
-    std::printf("%8d %9.2f %9.0f %9.0f %6.1f %9.0f %6.1f %12ld\n", vertices, t.touching, t.without_memory,
-                t.with_memory, t.without_memory / t.with_memory, t.contact,
-                (t.without_memory + contacts) / (t.with_memory + contacts), t.differences);
+    std::printf("%8d %9.2f %9.0f %9.0f %6.1f %9.0f %9.0f %6.1f %12ld\n", vertices, t.touching,
+                t.judged_without_memory, t.judged, t.judged_without_memory / t.judged, t.found_without_memory,
+                t.found, t.found_without_memory / t.found, t.differences);
     std::fflush(stdout);
   }
 }

@@ -55,11 +55,21 @@ class SteppedPair {
     return memory.state == PairMemory<3>::touching;
   }
   bool judge() {
-    if (!still_separated(a_, b_, to_b_, memory_)) judge_pair(a_, b_, to_b_, memory_);
-    return is_touching();
+    if (!still_separated(a_, b_, to_b_, judged_)) judge_pair(a_, b_, to_b_, judged_);
+    return judged_.state == PairMemory<3>::touching;
   }
-  bool is_touching() const { return memory_.state == PairMemory<3>::touching; }
-  void describe(halfspace::Contact<3>& contact) { describe_contact(a_, b_, to_b_, memory_, {}, contact); }
+  /// Leaves the memory as it is after a step of a world, but for the verdict.
+  void describe(halfspace::Contact<3>& contact) {
+    if (judged_.state == PairMemory<3>::touching) describe_contact<3>(a_, b_, to_b_, judged_, {}, contact);
+  }
+
+  bool find_contact_without_memory(halfspace::Contact<3>& contact) const {
+    PairMemory<3> memory;
+    return halfspace::find_contact(a_, b_, to_b_, {}, memory, contact);
+  }
+  bool find_contact(halfspace::Contact<3>& contact) {
+    return halfspace::find_contact(a_, b_, to_b_, {}, found_, contact);
+  }
 
  private:
   Vector<3> centroid_of_b_;
@@ -72,7 +82,8 @@ class SteppedPair {
   halfspace::Outline<3> a_;  // into outlines_, as both blocks are turned there
   halfspace::Outline<3> b_;
   Vector<3> to_b_;
-  PairMemory<3> memory_;
+  PairMemory<3> judged_;
+  PairMemory<3> found_;
 };
 
 }  // namespace
@@ -84,33 +95,41 @@ StepTimes time_steps(const PairSet3& set, int steps, double motion, double turn,
   for (const PolyhedraAt& at : set.pairs)
     pairs.emplace_back(blocks[std::size_t(at.a)], blocks[std::size_t(at.b)], at, random);
 
-  double without_memory = 0, with_memory = 0, described = 0;
-  long contacts = 0, differences = 0;
+  StepTimes times;
+  long touching = 0;
   halfspace::Contact<3> contact;
   for (int step = 0; step <= steps; ++step) {
     for (SteppedPair& pair : pairs) pair.move_to(step * motion, step * turn);
-    long touching_without = 0, touching = 0;
-    const double cold = seconds_of([&] {
-      for (const SteppedPair& pair : pairs) touching_without += pair.judge_without_memory();
-    });
-    const double coherent = seconds_of([&] {
-      for (SteppedPair& pair : pairs) touching += pair.judge();
-    });
-    const double description = seconds_of([&] {
-      for (SteppedPair& pair : pairs) {
-        if (pair.is_touching()) pair.describe(contact);
-      }
-    });
-    differences += std::abs(touching_without - touching);
+    long verdicts[4] = {};
+    const double seconds[] = {
+        seconds_of([&] {
+          for (const SteppedPair& pair : pairs) verdicts[0] += pair.judge_without_memory();
+        }),
+        seconds_of([&] {
+          for (SteppedPair& pair : pairs) verdicts[1] += pair.judge();
+        }),
+        seconds_of([&] {
+          for (const SteppedPair& pair : pairs) verdicts[2] += pair.find_contact_without_memory(contact);
+        }),
+        seconds_of([&] {
+          for (SteppedPair& pair : pairs) verdicts[3] += pair.find_contact(contact);
+        }),
+    };
+    for (SteppedPair& pair : pairs) pair.describe(contact);
+    times.differences += std::abs(verdicts[1] - verdicts[0]) + std::abs(verdicts[3] - verdicts[0]);
     if (step == 0) continue;  // nothing is remembered yet
-    without_memory += cold;
-    with_memory += coherent;
-    described += description;
-    contacts += touching;
+    times.judged_without_memory += seconds[0];
+    times.judged += seconds[1];
+    times.found_without_memory += seconds[2];
+    times.found += seconds[3];
+    touching += verdicts[0];
   }
   const double judged = double(steps) * double(pairs.size());
-  return {1e9 * without_memory / judged, 1e9 * with_memory / judged, 1e9 * described / double(contacts),
-          double(contacts) / judged, differences};
+  for (double* seconds :
+       {&times.judged_without_memory, &times.judged, &times.found_without_memory, &times.found})
+    *seconds *= 1e9 / judged;
+  times.touching = double(touching) / judged;
+  return times;
 }
 
 }  // namespace halfspace_benchmark

@@ -6,11 +6,12 @@
 
 namespace halfspace_benchmark {
 
-/// In ns per pair and step, but for the contact: per contact and step.
+/// In ns per pair and step.
 struct StepTimes {
-  double without_memory = 0;
-  double with_memory = 0;
-  double contact = 0;    ///< type, plane and region
+  double judged_without_memory = 0;
+  double judged = 0;
+  double found_without_memory = 0;  ///< with type, plane and region of the contact, where there is one
+  double found = 0;
   double touching = 0;   ///< share of pairs and steps
   long differences = 0;  ///< verdicts that memory has changed
 };

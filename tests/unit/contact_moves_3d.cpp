@@ -213,8 +213,7 @@ TEST_CASE("in space, the violated pair is tried first, and left when it no longe
   CHECK_FALSE(still_separated(block.outline(), other.outline(), {1, 0, 0}, memory));
 }
 
-TEST_CASE(
-    "a plane between blocks is kept until it no longer holds, and finds the vertices deepest along it") {
+TEST_CASE("a plane between blocks is kept until it no longer holds") {
   const Shape<3> block = block_of(cube), other = block_of(tip);
   const Outline<3>&a = block.outline(), &b = other.outline();
   const Vector<3> diagonal = Vector<3>(1, 1, 1).normalized();
@@ -222,11 +221,9 @@ TEST_CASE(
   // Along it the cube reaches 1.5 / sqrt(3) and the tip 1 / sqrt(3).
   const Vector<3> apart = 2.51 / std::sqrt(3) * diagonal, together = 2.49 / std::sqrt(3) * diagonal;
   CHECK(still_separated(a, b, apart, memory));
-  CHECK(a.vertex(memory.pair.a).isApprox(Vector<3>(0.5, 0.5, 0.5)));
-  CHECK(b.vertex(memory.pair.b).isApprox(Vector<3>(0, 0, -1)));
   CHECK(memory.proof == diagonal);
   CHECK_FALSE(still_separated(a, b, together, memory));
-  // From there the blocks meet through a face that looks along the plane.
+  // From there the blocks meet through a face that looks along the plane, whatever vertices are remembered.
   CHECK(normal_of(a, b, initial_pair(a, b, together, memory)).dot(diagonal) > 0.57);
 }
 
@@ -279,6 +276,47 @@ TEST_CASE("what is remembered saves searches along a motion, and never changes t
   }
   CHECK(changes > 10);
   CHECK(proven > 0.9 * steps);
+}
+
+TEST_CASE("a contact that is known by its description is the one that is found when it is judged first") {
+  Random random(43);
+  int known = 0, touching = 0;
+  for (int i = 0; i < 100; ++i) {
+    const Cloud points = random_cloud(random, random.integer(4, 40), 0.6, 1);
+    const Shape<3> shape_a = random_block(random, random.integer(4, 40));
+    const Vector<3> axis = random_direction(random), path = 0.05 * random_direction(random);
+    const Outline<3>& a = shape_a.outline();
+    PairMemory<3> memory, judged;
+    Vector<3> from = 2 * axis;
+    for (double time = 0; time < 1; time += 0.05) {
+      const Shape<3> shape_b = block_of(turned(points, 0.01 * time, axis));
+      const Outline<3>& b = shape_b.outline();
+      // Onto each other until they overlap, and then on.
+      if (time == 0) {
+        const Separation<3> apart = find_separation(a, b, from);
+        from -= (apart.gap + 0.02) * apart.normal;
+      }
+      const Vector<3> to_b = from + time * path;
+      Contact<3> contact, described;
+      PairMemory<3> before = memory;
+      known += describe_plainly_touching(a, b, to_b, before, {}, contact);
+      const bool found = find_contact(a, b, to_b, {}, memory, contact);
+      if (!still_separated(a, b, to_b, judged)) judge_pair(a, b, to_b, judged);
+      REQUIRE(found == (judged.state == PairMemory<3>::touching));
+      REQUIRE(found == (find_separation(a, b, to_b).gap <= 0));
+      if (!found) continue;
+      ++touching;
+      describe_contact<3>(a, b, to_b, judged, {}, described);
+      CHECK(contact.type == described.type);
+      CHECK(contact.pair == described.pair);
+      CHECK(memory.pair == judged.pair);
+      CHECK(contact.gap == described.gap);
+      CHECK(contact.normal == described.normal);
+      CHECK(contact.center == described.center);
+    }
+  }
+  CHECK(touching > 200);
+  CHECK(known > touching / 2);
 }
 
 TEST_CASE("no memory, whatever it holds, makes blocks touch or lie apart that do not") {
