@@ -10,6 +10,18 @@ namespace {
 double largest_face_of(const Shape<2>& shape) { return shape.longest_edge(); }
 double largest_face_of(const Shape<3>& shape) { return shape.largest_face(); }
 
+int vertex_count_of(const Outline<2>& outline) { return outline.count; }
+int vertex_count_of(const Outline<3>& outline) { return outline.vertex_count(); }
+
+/// A force at X accelerates the gradient by force X^T M^-1, and with it the point X: most at a vertex.
+template <int D>
+double yield_of(const Outline<D>& own, const Tensor<D>& inverse_mass_matrix) {
+  double most = 0;
+  for (int i = 0; i < vertex_count_of(own); ++i)
+    most = std::max(most, own.vertex(i).dot(inverse_mass_matrix * own.vertex(i)));
+  return most;
+}
+
 /// Of a block as it is given.
 template <int D>
 Deformation<D> undeformed(const Shape<D>& shape, double density, std::int32_t slot) {
@@ -20,6 +32,7 @@ Deformation<D> undeformed(const Shape<D>& shape, double density, std::int32_t sl
   deformation.inverse_mass_matrix = deformation.mass_matrix.inverse();
   const Eigen::SelfAdjointEigenSolver<Tensor<D>> principal(deformation.mass_matrix, Eigen::EigenvaluesOnly);
   deformation.least_moment = principal.eigenvalues()[0];
+  deformation.yield = yield_of(shape.outline(), deformation.inverse_mass_matrix);
   return deformation;
 }
 
@@ -154,8 +167,12 @@ template <int D>
 void Blocks<D>::set_motion(std::int32_t slot, const Vector<D>& new_velocity, const Angular<D>& new_spin) {
   const std::size_t s = std::size_t(slot);
   velocity[s] = new_velocity;
-  if (is_affine(s))
-    return deform(slot, deformation(s).gradient, cross_tensor(new_spin) * deformation(s).gradient);
+  if (is_affine(s)) {
+    // Its strain rate stays.
+    const Deformation<D>& now = deformation(s);
+    const Angular<D> change = new_spin - spin[s];
+    return deform(slot, now.gradient, now.rate + cross_tensor(change) * now.gradient);
+  }
   spin[s] = new_spin;
   momentum[s] = inertia[s].momentum(new_spin, rotation[s]);
 }

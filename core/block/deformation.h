@@ -31,7 +31,7 @@ struct Deformation {
   std::int32_t reserved = 0;
   double volume = 0;        // of the shape
   double least_moment = 0;  // of the mass matrix
-  double reserved_2 = 0;
+  double yield = 0;         // of the point that a force moves most: its acceleration over the force
   Tensor<D> gradient = Tensor<D>::Identity();
   Tensor<D> rate = Tensor<D>::Zero();          // of the gradient
   Tensor<D> acceleration = Tensor<D>::Zero();  // of the gradient

@@ -17,7 +17,7 @@ class Deformations {
   /// So that the next block can be added without memory, whichever slot below `slots` it gets.
   void make_room(std::size_t slots) {
     make_room_for_one(all_);
-    of_slot_.reserve(slots);
+    if (of_slot_.capacity() < slots) of_slot_.reserve(2 * slots);  // as blocks come one by one
   }
   void add(const Deformation<D>& deformation) {
     const std::size_t slot = std::size_t(deformation.slot);

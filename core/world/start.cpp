@@ -50,7 +50,8 @@ double World<D>::wave_of(std::size_t slot) const {
 
 /// Gershgorin: no frequency exceeds omega^2 = 2 sum_contacts K (1/m + r^2/I), with r at most the block's
 /// radius, and no decay gamma = 2 sum_contacts c (1/m + r^2/I). Dashpots read the velocity of half a step
-/// before, so that central differences are stable as long as dt^2 omega^2 + 2 dt gamma < 4. Blocks will meet
+/// before, so that central differences are stable as long as dt^2 omega^2 + 2 dt gamma < 4. Of an affine
+/// block, whose points yield by strain as well, the most yielding takes the place of r^2/I. Blocks will meet
 /// others: never fewer than four contacts are counted.
 template <int D>
 double World<D>::stable_time_step() {
@@ -66,9 +67,10 @@ double World<D>::stable_time_step() {
     if (!blocks_.moves_freely(i)) continue;
     const double contacts = std::max(contacts_of_[i], least_contacts);
     const bool is_affine = blocks_.is_affine(i);
-    const double least_moment =
-        is_affine ? blocks_.deformation(i).least_moment : blocks_.inertia[i].least_moment();
-    const double mobility = 1 / blocks_.mass[i] + blocks_.radius[i] * blocks_.radius[i] / least_moment;
+    const double turning = is_affine
+                               ? blocks_.deformation(i).yield
+                               : blocks_.radius[i] * blocks_.radius[i] / blocks_.inertia[i].least_moment();
+    const double mobility = 1 / blocks_.mass[i] + turning;
     const Hardest hardest = hardest_contact(i, length);
     double omega_squared = 2 * contacts * hardest.stiffness * mobility;
     double gamma = 2 * contacts * hardest.viscosity * mobility;

@@ -12,3 +12,21 @@ FIELD(hs_world_def, potential_length, 88, 8);
 FIELD(hs_world_report, potential_length, 160, 8);
 FIELD(hs_world_report, block_strain_energy, 168, 8);
 FIELD(hs_world_report, block_damping_loss, 176, 8);
+
+_Static_assert(sizeof(hs_elasticity_def) >= 32, "hs_elasticity_def");
+FIELD(hs_elasticity_def, struct_size, 0, 4);
+FIELD(hs_elasticity_def, plane, 4, 4);
+FIELD(hs_elasticity_def, young_modulus, 8, 8);
+FIELD(hs_elasticity_def, poisson_ratio, 16, 8);
+FIELD(hs_elasticity_def, damping_time, 24, 8);
+
+_Static_assert(sizeof(hs_deformation) == 296, "hs_deformation");
+FIELD(hs_deformation, gradient, 0, 72);
+FIELD(hs_deformation, rate, 72, 72);
+FIELD(hs_deformation, strain, 144, 72);
+FIELD(hs_deformation, stress, 216, 72);
+FIELD(hs_deformation, strain_energy, 288, 8);
+
+_Static_assert(HS_BLOCK_AFFINE == 3, "HS_BLOCK_AFFINE");
+_Static_assert(HS_PLANE_STRAIN == 0, "HS_PLANE_STRAIN");
+_Static_assert(HS_PLANE_STRESS == 1, "HS_PLANE_STRESS");

@@ -70,6 +70,7 @@ TEST_CASE("hs_context_def_init") { check_init<hs_context_def>(hs_context_def_ini
 TEST_CASE("hs_pair_options_init") { check_init<hs_pair_options>(hs_pair_options_init); }
 TEST_CASE("hs_world_def_init") { check_init<hs_world_def>(hs_world_def_init); }
 TEST_CASE("hs_law_def_init") { check_init<hs_law_def>(hs_law_def_init); }
+TEST_CASE("hs_elasticity_def_init") { check_init<hs_elasticity_def>(hs_elasticity_def_init); }
 
 TEST_CASE("hs_block_def_init") {
   const Context context = make_context();
@@ -118,6 +119,13 @@ TEST_CASE("the defaults are those the headers state") {
        {law.friction_angle, law.cohesion, law.tensile_strength, law.normal_damping, law.shear_damping}) {
     CHECK(zero == 0);
   }
+
+  hs_elasticity_def elasticity;
+  REQUIRE(hs_elasticity_def_init(&elasticity, sizeof elasticity) == HS_OK);
+  CHECK(elasticity.plane == HS_PLANE_STRAIN);
+  CHECK(elasticity.young_modulus == 1e9);
+  CHECK(elasticity.poisson_ratio == 0.25);
+  CHECK(elasticity.damping_time == 0);
 
   hs_world_def world;
   REQUIRE(hs_world_def_init(&world, sizeof world) == HS_OK);

@@ -102,6 +102,38 @@ hs_status step_into_contact(Scene& s) {
   return HS_OK;
 }
 
+constexpr double strained[9] = {1.001, 0.0002, 0, 0, 0.999, 0, 0, 0, 1};
+constexpr double still[9] = {};
+constexpr double pressed[9] = {-1e3, 0, 0, 0, -2e3, 0, 0, 0, -1e3};
+
+hs_status set_elasticity(Scene& s) {
+  const hs_elasticity_def elasticity = elasticity_def(1e8, 1e-5);
+  return hs_world_set_elasticity(s.world.get(), 0, &elasticity);
+}
+
+void make_material_elastic(Scene& s) { require_ok(set_elasticity(s), s.context.get()); }
+
+hs_status add_affine(Scene& s, hs_block* block) {
+  hs_block_def def = block_def(s);
+  def.kind = HS_BLOCK_AFFINE;
+  def.pose = s.poses[1];
+  return hs_world_add_block(s.world.get(), s.round.get(), &def, block);
+}
+
+void make_upper_affine(Scene& s) {
+  make_material_elastic(s);
+  require_ok(hs_world_remove_block(s.world.get(), s.upper), s.context.get());
+  require_ok(add_affine(s, &s.upper), s.context.get());
+}
+
+void throw_upper_affine(Scene& s) {
+  make_upper_affine(s);
+  hs_law_def law = law_def(1e7, 0.5);
+  law.stiffness_kind = HS_STIFFNESS_POTENTIAL;
+  require_ok(hs_world_set_default_law(s.world.get(), &law), s.context.get());
+  throw_upper_prepared(s);
+}
+
 hs_status cut(Scene& s) {
   return keep(s.made.shapes[0], [&](hs_shape** behind) {
     return keep(s.made.shapes[1], [&](hs_shape** ahead) {
@@ -187,6 +219,8 @@ std::vector<EntryPoint> entry_points() {
        [](S s) { return hs_context_last_error(s.context.get()) ? HS_OK : HS_ERROR_INTERNAL; }},
 
       {"hs_context_def_init", Allocates::never, [](S) { return fill<hs_context_def>(hs_context_def_init); }},
+      {"hs_elasticity_def_init", Allocates::never,
+       [](S) { return fill<hs_elasticity_def>(hs_elasticity_def_init); }},
       {"hs_law_def_init", Allocates::never, [](S) { return fill<hs_law_def>(hs_law_def_init); }},
       {"hs_pair_options_init", Allocates::never,
        [](S) { return fill<hs_pair_options>(hs_pair_options_init); }},
@@ -324,6 +358,26 @@ std::vector<EntryPoint> entry_points() {
        detect},
       {"hs_world_set_shear_force", Allocates::never,
        [](S s) { return hs_world_set_shear_force(s.world.get(), s.lower, s.upper, aslant); }, detect},
+
+      {"hs_world_set_elasticity", Allocates::never, set_elasticity},
+      {"hs_world_get_deformation", Allocates::never,
+       [](S s) { return hs_world_get_deformation(s.world.get(), s.upper, &s.written.deformations[0]); },
+       make_upper_affine},
+      {"hs_world_get_deformations", Allocates::never,
+       [](S s) {
+         return hs_world_get_deformations(s.world.get(), s.written.deformations, 4, &s.written.counts[0]);
+       },
+       make_upper_affine},
+      {"hs_world_set_deformation", Allocates::never,
+       [](S s) { return hs_world_set_deformation(s.world.get(), s.upper, strained, still); },
+       make_upper_affine},
+      {"hs_world_set_stress", Allocates::never,
+       [](S s) { return hs_world_set_stress(s.world.get(), s.upper, pressed); }, make_upper_affine},
+      {"hs_world_add_surface_load", Allocates::never,
+       [](S s) { return hs_world_add_surface_load(s.world.get(), s.upper, 2, aslant); }, make_upper_affine},
+      {"hs_world_clear_surface_loads", Allocates::never,
+       [](S s) { return hs_world_clear_surface_loads(s.world.get(), s.upper); }, make_upper_affine},
+
       {"hs_world_save", Allocates::never,
        [](S s) {
          return hs_world_save(s.world.get(), s.snapshot.data(), s.snapshot.size(), &s.written.size);
@@ -342,7 +396,10 @@ std::vector<EntryPoint> steps_of_changed_worlds() {
           {"a step, contacts known", Allocates::always, step, throw_upper_detected},
           {"a step, forces known", Allocates::always, step, throw_upper_a_little_faster},
           {"a step that makes bonds", Allocates::always, step, throw_upper_glued},
-          {"a step of a restored world", Allocates::always, step_into_contact, throw_upper_down_restored}};
+          {"a step of a restored world", Allocates::always, step_into_contact, throw_upper_down_restored},
+          {"a step of an affine block", Allocates::always, step, throw_upper_affine},
+          {"an affine block beside others", Allocates::always,
+           [](Scene& s) { return add_affine(s, &s.written.blocks[0]); }, make_material_elastic}};
 }
 
 }  // namespace halfspace_test

@@ -20,6 +20,7 @@ struct Written {
   hs_contact contact;
   hs_block blocks[4];
   hs_block_state state;
+  hs_deformation deformations[4];
   hs_world_report report;
   hs_pose poses[4];
   double vectors[2][128][3];

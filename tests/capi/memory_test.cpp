@@ -199,4 +199,44 @@ TEST_CASE("a steady step asks for no memory, rebuilds of the neighbour list incl
   CHECK(asked_of_new == 0);
 }
 
+TEST_CASE("a steady step of affine blocks that meet by potentials asks for no memory") {
+  Ledger ledger;
+  const hs_context_def def = ledger.definition();
+  const Context context = make_context(&def);
+  const World world = make_world(context.get(), world_def());
+  hs_world* w = world.get();
+  std::int32_t material = -1;
+  require_ok(hs_world_add_material(w, 2000, &material), context.get());
+  const hs_elasticity_def elasticity = elasticity_def(1e8, 1e-4);
+  require_ok(hs_world_set_elasticity(w, material, &elasticity), context.get());
+  hs_law_def law = law_def(1e8, 0);
+  law.stiffness_kind = HS_STIFFNESS_POTENTIAL;
+  law.normal_damping = 0.2;
+  require_ok(hs_world_set_default_law(w, &law), context.get());
+  // Two blocks glide along on one another, beside a spinning one that meets nothing.
+  add_block(context.get(), w, box(-5, -1, 50, 0), HS_BLOCK_FIXED);
+  const double gliding[3] = {3, 0, 0}, turning[3] = {0, 0, 5}, standing[3] = {0, 0, 0};
+  for (const double y : {0.0, 1.0}) {
+    const hs_block block = add_block(context.get(), w, box(0, y, 2, y + 1), HS_BLOCK_AFFINE);
+    require_ok(hs_world_set_velocity(w, block, gliding, standing), context.get());
+  }
+  const hs_block spinner = add_block(context.get(), w, box(-3, 9, -2, 10), HS_BLOCK_AFFINE);
+  require_ok(hs_world_set_velocity(w, spinner, standing, turning), context.get());
+  run(context.get(), w, 0.3);
+  const hs_world_report before = report_of(w);
+  const long allocations = ledger.allocations, news = calls_of_new;
+  run(context.get(), w, 0.7);
+  const long asked = ledger.allocations - allocations, asked_of_new = calls_of_new - news;
+  const hs_world_report after = report_of(w);
+  std::printf(
+      "affine, %lld steps, %lld rebuilds, %lld contacts: %ld allocations by the host's allocator, %ld by "
+      "operator new\n",
+      (long long)(after.steps - before.steps), (long long)(after.list_builds - before.list_builds),
+      (long long)after.contact_count, asked, asked_of_new);
+  CHECK(after.list_builds > before.list_builds);
+  CHECK(after.contact_count == 2);
+  CHECK(asked == 0);
+  CHECK(asked_of_new == 0);
+}
+
 }  // namespace halfspace_test

@@ -144,6 +144,24 @@ TEST_CASE("sizes of hs_law_def") {
   check_law([](hs_world* world, const hs_law_def* law) { return hs_world_set_law(world, 0, 0, law); });
 }
 
+TEST_CASE("sizes of hs_elasticity_def") {
+  hs_elasticity_def defaults;
+  REQUIRE(hs_elasticity_def_init(&defaults, sizeof defaults) == HS_OK);
+  hs_elasticity_def chosen = defaults;
+  chosen.plane = HS_PLANE_STRESS;
+  chosen.young_modulus = 3e9;
+  chosen.poisson_ratio = 0.4;
+  chosen.damping_time = 1e-5;
+  const std::vector<std::size_t> ends = {offsetof(hs_elasticity_def, young_modulus),
+                                         offsetof(hs_elasticity_def, poisson_ratio),
+                                         offsetof(hs_elasticity_def, damping_time)};
+  check_sizes(defaults, chosen, ends, [](const hs_elasticity_def* def) {
+    const TwoBoxes scene;
+    require_ok(hs_world_set_elasticity(scene.world.get(), scene.material, def), scene.context.get());
+    return saved(scene.world.get());
+  });
+}
+
 TEST_CASE("sizes of hs_block_def") {
   const Context context = make_context();
   const Shape shape = make_shape(context.get(), box(-1, -1, 1, 1));  // its default pose is that of no shape

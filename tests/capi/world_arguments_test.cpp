@@ -5,8 +5,7 @@
 #include <cstring>
 #include <limits>
 
-#include "capi/refusals.h"
-#include "capi/world_fixture.h"
+#include "capi/unchanged.h"
 
 namespace halfspace_test {
 namespace {
@@ -18,23 +17,6 @@ const double zero[3] = {0, 0, 0};
 const double not_a_number[3] = {0, nan, 0};
 const double infinite[3] = {-inf, 0, 0};
 const double spinning_nan[3] = {0, 0, nan};
-
-/// Runs the table and checks that the world is bit for bit what it was.
-void check_unchanged(TwoBoxes& scene, const std::string& function, const std::vector<Refusal>& refusals) {
-  const std::vector<unsigned char> before = saved(scene.world.get());
-  check_refusals(scene.context.get(), function, refusals);
-  INFO(function);
-  const bool is_unchanged = saved(scene.world.get()) == before;
-  CHECK(is_unchanged);
-}
-
-template <class Def>
-struct Spoiled {
-  std::string member;
-  std::string value;
-  std::function<void(Def&)> spoil;
-  hs_status status = HS_ERROR_ARGUMENT;
-};
 
 }  // namespace
 

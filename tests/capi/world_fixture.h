@@ -25,6 +25,14 @@ inline hs_law_def law_def(double stiffness, double friction_angle) {
   return def;
 }
 
+inline hs_elasticity_def elasticity_def(double young_modulus, double damping_time = 0) {
+  hs_elasticity_def def;
+  if (hs_elasticity_def_init(&def, sizeof def) != HS_OK) throw std::runtime_error("no elasticity definition");
+  def.young_modulus = young_modulus;
+  def.damping_time = damping_time;
+  return def;
+}
+
 inline World make_world(hs_context* context, const hs_world_def& def) {
   hs_world* world = nullptr;
   require_ok(hs_world_create(context, &def, &world), context);
@@ -111,18 +119,35 @@ inline void run(hs_context* context, hs_world* world, double seconds) {
   require_ok(hs_world_step(world, std::int64_t(std::ceil(seconds / time_step))), context);
 }
 
+/// How a block is turned and strained.
+inline hs_deformation deformation_of(const hs_world* world, hs_block block) {
+  hs_deformation deformation{};
+  if (hs_world_get_deformation(world, block, &deformation) != HS_OK)
+    throw std::runtime_error("no deformation");
+  return deformation;
+}
+
+/// What a pile is made of.
+struct PileOf {
+  std::int32_t kind = HS_BLOCK_RIGID;
+  std::int32_t stiffness_kind = HS_STIFFNESS_PER_CONTACT;
+};
+
 /// Random convex polygons that fall into a trough and pile up there.
 struct Pile {
   World world;
   std::vector<hs_block> blocks;
 
-  Pile(hs_context* context, int count, hs_world_def def = world_def()) {
+  Pile(hs_context* context, int count, hs_world_def def = world_def(), PileOf of = {}) {
     world = make_world(context, def);
     std::int32_t material = -1;
     require_ok(hs_world_add_material(world.get(), 2500, &material), context);
+    const hs_elasticity_def elasticity = elasticity_def(1e8, 1e-5);
+    require_ok(hs_world_set_elasticity(world.get(), material, &elasticity), context);
     hs_law_def law = law_def(5e7, 0.4);
     law.normal_damping = 0.2;
     law.shear_damping = 0.1;
+    law.stiffness_kind = of.stiffness_kind;
     require_ok(hs_world_set_default_law(world.get(), &law), context);
     for (const Points& wall : {box(-4, -1, 4, 0), box(-4, 0, -3, 8), box(3, 0, 4, 8)}) {
       blocks.push_back(add_block(context, world.get(), wall, HS_BLOCK_FIXED));
@@ -140,7 +165,7 @@ struct Pile {
         const double angle = phase + (k + uniform(-0.3, 0.3)) * 6.283185307179586 / corners;
         points.push_back({x + 0.38 * std::cos(angle), y + 0.38 * std::sin(angle)});
       }
-      blocks.push_back(add_block(context, world.get(), points, HS_BLOCK_RIGID));
+      blocks.push_back(add_block(context, world.get(), points, of.kind));
     }
   }
 };

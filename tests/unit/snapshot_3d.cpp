@@ -67,12 +67,18 @@ std::unique_ptr<World<3>> busy_world(Memory* memory) {
   law.cohesion = law.tensile_strength = 1e6;
   world->set_law(glue, glue, law);
   Random random(101);
+  Elasticity rubber;
+  rubber.lame = rubber.shear_modulus = 1e7;
+  rubber.damping_time = 1e-4;
+  world->set_elasticity(stone, rubber);
   const Shape<3> cube = shape_of(completed(box({1, 1, 1}))), tip = block_of(octahedron(0.5, 0.5, 0.7));
   world->add_block(shape_of(completed(box({8, 8, 1}))), BlockKind::fixed, stone, {0, 0, -0.5}, {});
   const std::int32_t gone = world->add_block(tip, BlockKind::rigid, stone, {3, 3, 3}, {});
   world->add_block(cube, BlockKind::rigid, glue, {0, 0, 0.5}, {});
   world->add_block(cube, BlockKind::rigid, glue, {0, 0, 1.5}, {});
   world->add_block(tip, BlockKind::rigid, stone, {1.3, 0, 0.72}, Rotation<3>().turned_by({0.3, 0.1, 0}));
+  const std::int32_t soft = world->add_block(tip, BlockKind::affine, stone, {0, -1.3, 0.68}, {});
+  world->add_surface_load(soft, 0, {0, 100, -100});
   const std::int32_t ram = world->add_block(cube, BlockKind::prescribed, stone, {-1.05, 0.2, 0.8}, {});
   world->set_velocity(ram, {0.5, 0, 0}, {0, 0, 0.2});
   for (int i = 0; i < 150; ++i) REQUIRE(world->step() == StepResult::ok);

@@ -752,7 +752,8 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_set_pose
     end function hs_world_set_pose
 
-    !> Sets a block's velocity and angular velocity (3 values each); a fixed block takes none.
+    !> Sets a block's velocity and angular velocity (3 values each); a fixed block takes none, an affine one
+    !! strains on as before.
     !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE for a fixed block
     function hs_world_set_velocity(world, block, velocity, angular_velocity) bind(c)
       import

@@ -744,7 +744,8 @@ def declare(library):
     ]
     library.hs_world_set_pose.restype = hs_status
 
-    # Sets a block's velocity and angular velocity (3 values each); a fixed block takes none.
+    # Sets a block's velocity and angular velocity (3 values each); a fixed block takes none, an affine one
+    # strains on as before.
     library.hs_world_set_velocity.argtypes = [
         POINTER(hs_world),  # world
         hs_block,  # block

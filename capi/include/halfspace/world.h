@@ -175,7 +175,8 @@ HS_API hs_status hs_world_get_block_vertices(const hs_world *world, hs_block blo
  *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID */
 HS_API hs_status hs_world_set_pose(hs_world *world, hs_block block, const hs_pose *pose);
 
-/** @brief Sets a block's velocity and angular velocity (3 values each); a fixed block takes none.
+/** @brief Sets a block's velocity and angular velocity (3 values each); a fixed block takes none, an affine one
+ *  strains on as before.
  *  @param world not NULL @param block id @param velocity of the centroid @param angular_velocity rad/s; 2D uses z
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE for a fixed block */
 HS_API hs_status hs_world_set_velocity(hs_world *world, hs_block block, const double velocity[3],

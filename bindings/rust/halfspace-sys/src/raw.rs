@@ -1066,7 +1066,8 @@ extern "C" {
         pose: *const hs_pose,
     ) -> hs_status;
 
-    /// Sets a block's velocity and angular velocity (3 values each); a fixed block takes none.
+    /// Sets a block's velocity and angular velocity (3 values each); a fixed block takes none, an affine one
+    /// strains on as before.
     ///
     /// - `world`: not NULL
     /// - `block`: id
