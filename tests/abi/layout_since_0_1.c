@@ -30,3 +30,4 @@ FIELD(hs_deformation, strain_energy, 288, 8);
 _Static_assert(HS_BLOCK_AFFINE == 3, "HS_BLOCK_AFFINE");
 _Static_assert(HS_PLANE_STRAIN == 0, "HS_PLANE_STRAIN");
 _Static_assert(HS_PLANE_STRESS == 1, "HS_PLANE_STRESS");
+_Static_assert(HS_STIFFNESS_POTENTIAL == 2, "HS_STIFFNESS_POTENTIAL");
