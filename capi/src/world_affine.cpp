@@ -37,6 +37,9 @@ Elasticity read_elasticity(const hs_elasticity_def* given, int dimension) {
   return elasticity;
 }
 
+/// As of positions: no product of some of them, or of their inverses, is infinite.
+constexpr double largest_entry = 1e75;
+
 template <int D>
 Tensor<D> read_finite_tensor(const double* values, const char* name) {
   require_pointer(values, name);
@@ -44,8 +47,10 @@ Tensor<D> read_finite_tensor(const double* values, const char* name) {
   for (int row = 0; row < D; ++row) {
     for (int column = 0; column < D; ++column) {
       const int i = 3 * row + column;
-      if (!std::isfinite(values[i]))
-        refuse(HS_ERROR_ARGUMENT, "%s[%d] is %g; it must be finite", name, i, values[i]);
+      if (!(std::abs(values[i]) <= largest_entry)) {
+        refuse(HS_ERROR_ARGUMENT, "%s[%d] is %g; it must be finite and at most %g", name, i, values[i],
+               largest_entry);
+      }
       tensor(row, column) = values[i];
     }
   }
@@ -131,6 +136,9 @@ hs_status hs_world_set_deformation(hs_world* world, hs_block block, const double
     const Tensor<D> to = read_finite_tensor<D>(gradient, "gradient");
     const Tensor<D> speed = read_finite_tensor<D>(rate, "rate");
     require(to.determinant() > 0, to.determinant(), "the determinant of gradient", "> 0");
+    const double shrinking = to.inverse().cwiseAbs().maxCoeff();
+    require(shrinking <= largest_entry, shrinking, "the largest entry of the inverse of gradient",
+            "at most 1e75");
     w.set_deformation(std::int32_t(slot), to, speed);
     return HS_OK;
   });

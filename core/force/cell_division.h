@@ -33,6 +33,9 @@ class CellDivision {
   /// Adds to the cells.
   template <class View>
   void divide(const View& whole, const VolumeAndMoment& content, Array<NearFace>& near, Sounding& sounding) {
+    // Where memory ran out before there may be work left.
+    waiting_.clear();
+    pieces_.give_back_all();
     divide_part(whole, {none, content, 0, 1}, near, sounding);
     while (!waiting_.empty()) {
       const Part part = waiting_.back();

@@ -17,10 +17,21 @@ struct LineOfAction {
   double stiffness = 0;  // with which the force grows there with the depth
 };
 
-/// Of a force and a couple: force times arm^T, and what has the couple's moment but strains nothing.
+/// Of the couple that forces along a normal make, at arms across it: these strain what they turn. Forces
+/// across the normal that twist about it strain nothing.
+inline Tensor<2> virial_of_couple(const Angular<2>& couple, const Vector<2>& normal) {
+  return -couple[0] * normal * perpendicular(normal).transpose();
+}
+inline Tensor<3> virial_of_couple(const Angular<3>& couple, const Vector<3>& normal) {
+  const Vector<3> twist = normal.dot(couple) * normal, bend = couple - twist;
+  return normal * cross_product(normal, bend).transpose() + 0.5 * cross_tensor(twist);
+}
+
+/// Of the force of a contact and its couple: force times arm^T.
 template <int D>
-Tensor<D> virial_of(const Vector<D>& force, const Vector<D>& arm, const Angular<D>& couple) {
-  return force * arm.transpose() + 0.5 * cross_tensor(couple);
+Tensor<D> virial_of(const Vector<D>& force, const Vector<D>& arm, const Angular<D>& couple,
+                    const Vector<D>& normal) {
+  return force * arm.transpose() + virial_of_couple(couple, normal);
 }
 
 /// The way from a point to the line on which a force has this moment about the point. What of the moment is
@@ -32,13 +43,15 @@ inline Vector<3> way_to_line(const Vector<3>& force, const Vector<3>& moment) {
   return cross_product(force, moment) / force.squaredNorm();
 }
 
-/// `stiffness` is k_n / H, `otherwise` the direction of no force at all. Where the forces all but cancel the
-/// line runs far from the blocks: then the force acts at the centroid, with a couple.
+/// `stiffness` is k_n / H; `normal` and `point` are the direction and the place of no force at all. Where the
+/// forces all but cancel the line runs far from the blocks: then the force acts at the centroid, with a
+/// couple.
 template <int D>
-LineOfAction<D> line_of_action(const PotentialForce<D>& potential, double stiffness,
-                               const Vector<D>& otherwise) {
-  LineOfAction<D> line{otherwise, 0, potential.centroid};
+LineOfAction<D> line_of_action(const PotentialForce<D>& potential, double stiffness, const Vector<D>& normal,
+                               const Vector<D>& point) {
+  LineOfAction<D> line{normal, 0, point};
   if (!(potential.energy > 0)) return line;
+  line.loading_point = potential.centroid;
   line.energy = stiffness * potential.energy;
   line.base = potential.content * (potential.content / potential.energy);
   line.stiffness = 2 * stiffness * line.base;
@@ -65,10 +78,10 @@ struct Stretch {
 
 template <int D>
 Stretch<D> stretch_besides(const LineOfAction<D>& line, const PotentialForce<D>& potential, double stiffness,
-                           const Vector<D>& to_b) {
+                           const Vector<D>& to_b, const Vector<D>& normal) {
   const Vector<D> force = line.force * line.direction, arm_b = line.loading_point - to_b;
-  return {stiffness * potential.virial_a + virial_of<D>(force, line.loading_point, line.couple),
-          stiffness * potential.virial_b - virial_of<D>(force, arm_b, line.couple)};
+  return {stiffness * potential.virial_a + virial_of<D>(force, line.loading_point, line.couple, normal),
+          stiffness * potential.virial_b - virial_of<D>(force, arm_b, line.couple, normal)};
 }
 
 }  // namespace halfspace

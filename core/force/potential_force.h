@@ -67,11 +67,11 @@ struct PotentialRoom<3> {
         solid_cells(memory),
         cone_cells(memory) {}
 
-  /// So that two blocks of so many edges at most ask for no memory, unless one of them is nearest to more
-  /// faces of the other than there are pieces. Each has at most 2/3 as many faces as edges, and each face of
-  /// one of them may cut.
+  /// So that two blocks of so many edges at most ask for no memory, unless what they share has more than 16
+  /// faces for its nearest, or 256 of its own: then the room grows with them, and stays. Each block has at
+  /// most 2/3 as many faces as edges, and each face of one of them may cut.
   void reserve(std::size_t edges) {
-    const std::size_t faces = 2 * edges, pieces = std::min<std::size_t>(edges, 64);
+    const std::size_t faces = 2 * edges, pieces = 16, faces_of_piece = std::min<std::size_t>(faces, 256);
     least_depth.resize(std::max(least_depth.size(), edges));
     near.reserve(edges);
     sounding.reserve(5 * faces);
@@ -79,8 +79,8 @@ struct PotentialRoom<3> {
     intersection.reserve(faces);
     cut.reserve(faces);
     base.reserve(faces);
-    solid_cells.reserve(faces, pieces);
-    cone_cells.reserve(faces, pieces);
+    solid_cells.reserve(faces_of_piece, pieces);
+    cone_cells.reserve(faces_of_piece, pieces);
   }
 
   Array<double> least_depth;  // of the intersection behind each face, or less

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numeric>
 
 #include "geometry/vector.h"
 
@@ -89,6 +90,10 @@ class PiecePool {
     return piece;
   }
   void give_back(std::int32_t piece) { free_.push_back(piece); }
+  void give_back_all() {
+    free_.resize(pieces_.size());
+    std::iota(free_.begin(), free_.end(), 0);
+  }
   Piece& operator[](std::int32_t piece) { return pieces_[std::size_t(piece)]; }
 
  private:

@@ -88,6 +88,11 @@ std::size_t World<D>::most_edges() const {
   return std::size_t(most);
 }
 
+template <int D>
+void World<D>::fit_potential_room() {
+  if (laws_.knows_potential()) potential_room_.reserve(most_edges());
+}
+
 /// With room for a contact at every candidate: detection then asks for no memory. When there is none, nothing
 /// has changed: the contacts known are still those of the list in use, and there is still room for all of it.
 template <int D>
@@ -96,7 +101,7 @@ void World<D>::renew_candidates() {
   candidates_.search_again(blocks_, settings_.skin, with_shear);
   refit(touching_, candidates_.room());
   refit(forces_, candidates_.room());
-  if (laws_.knows_potential()) potential_room_.reserve(most_edges());
+  fit_potential_room();
   candidates_.renew(blocks_, with_shear);
   forget_contacts();
 }

@@ -1,5 +1,6 @@
 #include <utility>
 
+#include "force/point_springs.h"
 #include "world/world.h"
 
 namespace halfspace {
@@ -29,7 +30,7 @@ double World<D>::mean_edge_length() const {
     for (int i = 0; i < outline.edge_count(); ++i) sum += edge_length(outline, i);
     edges += outline.edge_count();
   }
-  return sum / double(edges);
+  return edges > 0 ? sum / double(edges) : 0;
 }
 
 template <int D>
@@ -69,12 +70,13 @@ PairLoad<D> World<D>::pair_load(std::size_t candidate, const Contact<D>& contact
 
   const auto [outline_a, outline_b, to_b] = blocks_.placed(pair.a, pair.b);
   if (law.is_potential()) {
-    pair.bonded = false;  // from another law: potentials hold nothing together
+    // Another law has left it: potentials hold nothing together.
+    if (evaluation.elapsed > 0) pair.bonded = false;
     const PotentialForce<D> potential = potential_force(outline_a, outline_b, to_b, potential_room_);
     const double stiffness = law.normal_stiffness / evaluation.potential_length;
-    const LineOfAction<D> line = line_of_action(potential, stiffness, contact.normal);
+    const LineOfAction<D> line = line_of_action(potential, stiffness, contact.normal, middle_of(contact));
     if (blocks_.is_affine(a) || blocks_.is_affine(b))
-      evaluation.stretch = stretch_besides(line, potential, stiffness, to_b);
+      evaluation.stretch = stretch_besides(line, potential, stiffness, to_b, contact.normal);
     return spring.evaluate(contact, line, motion, shear, evaluation.energy);
   }
   Overlap<D> overlap;
@@ -97,21 +99,22 @@ void World<D>::load_blocks(std::size_t candidate, const Contact<D>& contact, Eva
   blocks_.torque[a] += load.torque_on_a;
   blocks_.torque[b] += load.torque_on_b;
   forces_.push_back(load.contact);
-  if (blocks_.is_affine(a) || blocks_.is_affine(b)) strain_blocks(pair, load, evaluation);
+  if (blocks_.is_affine(a) || blocks_.is_affine(b)) strain_blocks(pair, contact.normal, load, evaluation);
 }
 
 /// Adds what a contact does to the strain of its blocks, where they have any.
 template <int D>
-void World<D>::strain_blocks(const Candidate<D>& pair, const PairLoad<D>& load, Evaluation& evaluation) {
+void World<D>::strain_blocks(const Candidate<D>& pair, const Vector<D>& normal, const PairLoad<D>& load,
+                             Evaluation& evaluation) {
   const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
   const Vector<D>& point = load.contact.point;
   const Angular<D>& couple = load.contact.couple;
   const Stretch<D> stretch = std::exchange(evaluation.stretch, {});
   if (blocks_.is_affine(a))
-    blocks_.deformation(a).virial += stretch.of_a - virial_of<D>(load.force, point, couple);
+    blocks_.deformation(a).virial += stretch.of_a - virial_of<D>(load.force, point, couple, normal);
   if (blocks_.is_affine(b)) {
     const Vector<D> arm = point - (blocks_.position[b] - blocks_.position[a]);
-    blocks_.deformation(b).virial += stretch.of_b + virial_of<D>(load.force, arm, couple);
+    blocks_.deformation(b).virial += stretch.of_b + virial_of<D>(load.force, arm, couple, normal);
   }
 }
 

@@ -53,6 +53,10 @@ bool names_features(const PotentialPair<2>& pair, const Outline<2>& a, const Out
          is_below(pair.vertex, (pair.owner == 0 ? b : a).count);
 }
 
+/// Two vertices may keep blocks apart, but no contact is described by them.
+bool has_a_plane(const PotentialPair<2>&) { return true; }
+bool has_a_plane(const PotentialPair<3>& pair) { return pair.kind != PotentialPair<3>::vertex_vertex; }
+
 bool names_features(const PotentialPair<3>& pair, const Outline<3>& a, const Outline<3>& b) {
   using Pair = PotentialPair<3>;
   const Topology &of_a = *a.topology, &of_b = *b.topology;
@@ -86,7 +90,9 @@ bool Candidates<D>::is_consistent(const Blocks<D>& blocks) const {
     if (!lives(pair.a) || !lives(pair.b) || pair.a >= pair.b) return false;
     const PairMemory<D>& memory = pair.memory;
     if (memory.state < PairMemory<D>::unknown || memory.state > PairMemory<D>::touching) return false;
-    return names_features(memory.pair, blocks.outline(pair.a), blocks.outline(pair.b));
+    const bool separated = memory.state == PairMemory<D>::separated;
+    return (separated || has_a_plane(memory.pair)) &&
+           names_features(memory.pair, blocks.outline(pair.a), blocks.outline(pair.b));
   });
 }
 
@@ -102,7 +108,10 @@ bool World<D>::is_consistent() const {
   if (!forces_.empty() && forces_.size() != touching_.size()) return false;
   if (!(time_step_ >= 0) || !std::isfinite(time_step_)) return false;
   if (epoch_step_ < 0 || steps_ < epoch_step_) return false;
-  const auto names_a_pair = [&](std::uint32_t candidate) { return candidate < candidates_.pairs().size(); };
+  const auto names_a_pair = [&](std::uint32_t candidate) {
+    const Array<Candidate<D>>& pairs = candidates_.pairs();
+    return candidate < pairs.size() && has_a_plane(pairs[candidate].memory.pair);
+  };
   return std::all_of(touching_.begin(), touching_.end(), names_a_pair);
 }
 

@@ -98,6 +98,8 @@ class World {
   /// when it has none.
   bool set_shear_force(std::size_t contact, const Vector<D>& force);
 
+  /// Takes the room that potentials need, which a snapshot does not hold.
+  void fit_potential_room();
   /// False for what no world can be, after reading a snapshot: a damaged one is refused and not run.
   bool is_consistent() const;
 
@@ -168,7 +170,8 @@ class World {
   PairMotion<D> motion_of(const Candidate<D>& pair) const;
   PairLoad<D> pair_load(std::size_t candidate, const Contact<D>& contact, Evaluation& evaluation);
   void load_blocks(std::size_t candidate, const Contact<D>& contact, Evaluation& evaluation);
-  void strain_blocks(const Candidate<D>& pair, const PairLoad<D>& load, Evaluation& evaluation);
+  void strain_blocks(const Candidate<D>& pair, const Vector<D>& normal, const PairLoad<D>& load,
+                     Evaluation& evaluation);
   void release_shear(std::size_t candidate);
   void make_bonds();
   void forget_contacts();

@@ -265,7 +265,7 @@ module halfspace_c
     real(c_double) :: contact_damping_loss = 0.0_c_double  !< by viscous contact damping, so far
     real(c_double) :: local_damping_loss = 0.0_c_double  !< by local damping, so far
     real(c_double) :: mass_damping_loss = 0.0_c_double  !< by mass-proportional damping, so far
-    real(c_double) :: outer_work = 0.0_c_double  !< by prescribed blocks, applied forces and edits, so far
+    real(c_double) :: outer_work = 0.0_c_double  !< by prescribed blocks, applied forces, surface loads and edits, so far
     real(c_double) :: residual = 0.0_c_double  !< all but outer_work, minus outer_work: what the numbers themselves made or lost
   end type hs_energy
 

@@ -337,7 +337,7 @@ class hs_energy(Structure):
         ("contact_damping_loss", c_double),  # by viscous contact damping, so far
         ("local_damping_loss", c_double),  # by local damping, so far
         ("mass_damping_loss", c_double),  # by mass-proportional damping, so far
-        ("outer_work", c_double),  # by prescribed blocks, applied forces and edits, so far
+        ("outer_work", c_double),  # by prescribed blocks, applied forces, surface loads and edits, so far
         # all but outer_work, minus outer_work: what the numbers themselves made or lost
         ("residual", c_double),
     ]

@@ -2,7 +2,8 @@
  *  @brief A world: blocks, materials, laws, and time. Used whole (step) or stage by stage (detect, forces).
  *
  *  Stage by stage, a host with its own integrator sets poses and velocities, calls hs_world_detect(), then
- *  hs_world_forces(), and moves its bodies itself. hs_world_step() does all of it, by velocity Verlet.
+ *  hs_world_forces(), and moves its bodies itself. hs_world_step() does all of it, by velocity Verlet. What strains affine blocks only
+ *  hs_world_step() knows.
  */
 #ifndef HALFSPACE_WORLD_H
 #define HALFSPACE_WORLD_H
@@ -82,7 +83,7 @@ typedef struct hs_energy {
   double contact_damping_loss; /**< by viscous contact damping, so far */
   double local_damping_loss;   /**< by local damping, so far */
   double mass_damping_loss;    /**< by mass-proportional damping, so far */
-  double outer_work;      /**< by prescribed blocks, applied forces and edits, so far */
+  double outer_work;      /**< by prescribed blocks, applied forces, surface loads and edits, so far */
   double residual;        /**< all but outer_work, minus outer_work: what the numbers themselves made or lost */
 } hs_energy;
 

@@ -479,7 +479,7 @@ pub struct hs_energy {
     pub local_damping_loss: f64,
     /// by mass-proportional damping, so far
     pub mass_damping_loss: f64,
-    /// by prescribed blocks, applied forces and edits, so far
+    /// by prescribed blocks, applied forces, surface loads and edits, so far
     pub outer_work: f64,
     /// all but outer_work, minus outer_work: what the numbers themselves made or lost
     pub residual: f64,
