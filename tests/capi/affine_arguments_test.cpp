@@ -130,6 +130,9 @@ TEST_CASE("functions of one affine block refuse bad numbers, what is missing, an
                    {"gradient[1]", "nan", deform(with(one, 1, nan), none)},
                    {"gradient[4]", "inf", deform(with(one, 4, inf), none)},
                    {"rate[3]", "nan", deform(one, with(none, 3, nan))},
+                   {"gradient[0]", "1e+300", deform(with(one, 0, 1e300), none)},
+                   {"rate[3]", "1e+300", deform(one, with(none, 3, 1e300))},
+                   {"inverse of gradient", "1e+80", deform(with(one, 0, 1e-80), none)},
                    {"determinant of gradient", "0", deform(with(one, 0, 0), none)},
                    {"determinant of gradient", "-1", deform(with(one, 4, -1), none)}});
   const auto press = [&](const Nine& stress) {

@@ -93,6 +93,14 @@ void throw_upper_down_restored(Scene& s) {
   s.world = restored(s.context.get(), s.snapshot);
 }
 
+/// The same by potentials, which need room of their own.
+void throw_upper_down_by_potentials(Scene& s) {
+  hs_law_def law = law_def(1e7, 0.5);
+  law.stiffness_kind = HS_STIFFNESS_POTENTIAL;
+  require_ok(hs_world_set_default_law(s.world.get(), &law), s.context.get());
+  throw_upper_down_restored(s);
+}
+
 hs_status step_into_contact(Scene& s) {
   const hs_status status = step(s);
   if (status != HS_OK) return status;
@@ -397,6 +405,8 @@ std::vector<EntryPoint> steps_of_changed_worlds() {
           {"a step, forces known", Allocates::always, step, throw_upper_a_little_faster},
           {"a step that makes bonds", Allocates::always, step, throw_upper_glued},
           {"a step of a restored world", Allocates::always, step_into_contact, throw_upper_down_restored},
+          {"a step of a restored world with potentials", Allocates::always, step_into_contact,
+           throw_upper_down_by_potentials},
           {"a step of an affine block", Allocates::always, step, throw_upper_affine},
           {"an affine block beside others", Allocates::always,
            [](Scene& s) { return add_affine(s, &s.written.blocks[0]); }, make_material_elastic}};
