@@ -27,50 +27,31 @@ class Polygon {
   Polygon(Vector<2>* corners, std::size_t room) : corner_(corners), room_(int(room)) {}
 
   bool is_empty() const { return count_ < 3; }
-  void clear() { count_ = 0; }
   void add(const Vector<2>& p) {
     if (count_ < room_) corner_[count_++] = p;
   }
 
   /// What of another polygon is in the half-plane (Sutherland and Hodgman).
   void keep_inside(const Polygon& whole, const HalfPlane& half_plane) {
-    clear();
-    whole.for_each_corner(half_plane, [&](const Vector<2>& corner, double depth) {
-      if (depth >= 0) add(corner);
-    });
-  }
-
-  /// The same, and the rest.
-  void split(const HalfPlane& half_plane, Polygon& inside, Polygon& outside) const {
-    inside.clear();
-    outside.clear();
-    for_each_corner(half_plane, [&](const Vector<2>& corner, double depth) {
-      if (depth >= 0) inside.add(corner);
-      if (depth <= 0) outside.add(corner);
-    });
+    count_ = 0;
+    if (whole.is_empty()) return;
+    const Vector<2>* p = &whole.corner_[whole.count_ - 1];
+    double depth_p = half_plane.depth(*p);
+    for (int i = 0; i < whole.count_; ++i) {
+      const Vector<2>* q = &whole.corner_[i];
+      const double depth_q = half_plane.depth(*q);
+      const bool crosses = (depth_p < 0 && depth_q > 0) || (depth_p > 0 && depth_q < 0);
+      if (crosses) add(*p + depth_p / (depth_p - depth_q) * (*q - *p));
+      if (depth_q >= 0) add(*q);
+      p = q;
+      depth_p = depth_q;
+    }
   }
 
   void exchange(Polygon& other) { std::swap(*this, other); }
   std::span<const Vector<2>> corners() const { return {corner_, std::size_t(count_)}; }
 
  private:
-  /// Visits the corners in order and, with a depth of 0, where the outline crosses the half-plane's border.
-  template <class Visit>
-  void for_each_corner(const HalfPlane& half_plane, Visit visit) const {
-    if (is_empty()) return;
-    const Vector<2>* p = &corner_[count_ - 1];
-    double depth_p = half_plane.depth(*p);
-    for (int i = 0; i < count_; ++i) {
-      const Vector<2>* q = &corner_[i];
-      const double depth_q = half_plane.depth(*q);
-      const bool crosses = (depth_p < 0 && depth_q > 0) || (depth_p > 0 && depth_q < 0);
-      if (crosses) visit(*p + depth_p / (depth_p - depth_q) * (*q - *p), 0.0);
-      visit(*q, depth_q);
-      p = q;
-      depth_p = depth_q;
-    }
-  }
-
   Vector<2>* corner_;
   int room_;
   int count_ = 0;
@@ -81,6 +62,13 @@ struct Area {
   double content = 0;
   Vector<2> corner = Vector<2>::Zero();
   Vector<2> moment = Vector<2>::Zero();
+
+  /// Takes a part of it away.
+  Area& operator-=(const Area& part) {
+    content -= part.content;
+    moment -= part.moment + part.content * (part.corner - corner);
+    return *this;
+  }
 };
 
 Area measure(const Polygon& polygon) {
@@ -145,8 +133,6 @@ struct FieldForce {
   Tensor<2> virial_of_owner = Tensor<2>::Zero();
   Tensor<2> virial_of_other = Tensor<2>::Zero();
   double energy = 0;
-  double area = 0;  // of all cells, and
-  Vector<2> first_moment = Vector<2>::Zero();
 
   void add_cell(const Area& cell, const HalfPlane& nearest, const Vector<2>& shift_of_owner,
                 const Vector<2>& shift_of_other) {
@@ -161,8 +147,6 @@ struct FieldForce {
     virial_of_other += normal * (moment - cell.content * shift_of_other).transpose();
     virial_of_other.diagonal().array() -= energy_of_cell;
     energy += energy_of_cell;
-    area += cell.content;
-    first_moment += moment;
   }
 };
 
@@ -171,26 +155,13 @@ HalfPlane nearer(const HalfPlane& edge, const HalfPlane& other) {
   return {other.normal - edge.normal, other.offset - edge.offset};
 }
 
-/// Cell by cell: what of the intersection has an edge for its nearest. Most often there are two. Of more, the
-/// first one has the most, so that it leaves little to cut of the others' cells.
+/// Cell by cell: what of the intersection has an edge for its nearest. The first one has the most: what the
+/// cells of the others leave.
 FieldForce field_force(const Owner& owner, const Vector<2>& shift_of_other, const Polygon& intersection,
-                       Polygon cell, Polygon cut) {
+                       const Area& whole, Polygon cell, Polygon cut) {
   FieldForce sum;
-  const auto add = [&](const Area& found, const HalfPlane& nearest) {
-    sum.add_cell(found, nearest, owner.shift, shift_of_other);
-  };
-  if (owner.near.size() == 1) {
-    add(measure(intersection), owner.half_plane(owner.near[0]));
-    return sum;
-  }
-  if (owner.near.size() == 2) {
-    const HalfPlane one = owner.half_plane(owner.near[0]), other = owner.half_plane(owner.near[1]);
-    intersection.split(nearer(one, other), cell, cut);
-    add(measure(cell), one);
-    add(measure(cut), other);
-    return sum;
-  }
-  for (const std::int32_t edge : owner.near) {
+  Area rest = whole;
+  for (const std::int32_t edge : owner.near.subspan(1)) {
     const HalfPlane nearest = owner.half_plane(edge);
     const Polygon* left = &intersection;
     for (const std::int32_t e : owner.near) {
@@ -199,8 +170,11 @@ FieldForce field_force(const Owner& owner, const Vector<2>& shift_of_other, cons
       cut.exchange(cell);
       left = &cell;
     }
-    add(measure(*left), nearest);
+    const Area found = measure(*left);
+    rest -= found;
+    sum.add_cell(found, nearest, owner.shift, shift_of_other);
   }
+  sum.add_cell(rest, owner.half_plane(owner.near[0]), owner.shift, shift_of_other);
   return sum;
 }
 
@@ -222,14 +196,15 @@ PotentialForce<2> potential_force(const Outline<2>& a, const Outline<2>& b, cons
     cut.keep_inside(intersection, of_a.half_plane(edge));
     cut.exchange(intersection);
   }
-  const FieldForce by_a = field_force(of_a, to_b, intersection, cell, cut);
-  if (by_a.area == 0) return {};
-  const FieldForce by_b = field_force(of_b, at_a, intersection, cell, cut);
+  const Area whole = measure(intersection);
+  if (!(whole.content > 0)) return {};
+  const FieldForce by_a = field_force(of_a, to_b, intersection, whole, cell, cut),
+                   by_b = field_force(of_b, at_a, intersection, whole, cell, cut);
   return {by_a.force - by_b.force,
           by_a.virial_of_owner + by_b.virial_of_other,
           by_a.virial_of_other + by_b.virial_of_owner,
-          by_a.first_moment / by_a.area,
-          by_a.area,
+          whole.corner + whole.moment / whole.content,
+          whole.content,
           by_a.energy + by_b.energy};
 }
 
