@@ -92,9 +92,6 @@ hs_deformation deformation_of(const World<D>& world, std::size_t slot) {
   return out;
 }
 
-int face_count_of(const Outline<2>& outline) { return outline.count; }
-int face_count_of(const Outline<3>& outline) { return outline.face_count(); }
-
 }  // namespace
 }  // namespace halfspace::capi
 
@@ -164,7 +161,7 @@ hs_status hs_world_set_stress(hs_world* world, hs_block block, const double stre
 hs_status hs_world_add_surface_load(hs_world* world, hs_block block, int32_t face, const double traction[3]) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     const std::size_t slot = affine_slot_of(w, block);
-    const int faces = face_count_of(w.blocks().outline(std::int32_t(slot)));
+    const int faces = w.blocks().outline(std::int32_t(slot)).face_count();
     if (face < 0 || face >= faces) refuse(HS_ERROR_ARGUMENT, "face is %d; the block has %d", face, faces);
     w.add_surface_load(std::int32_t(slot), face, read_finite_vector<D>(traction, "traction"));
     return HS_OK;

@@ -6,13 +6,6 @@
 using namespace halfspace;
 using namespace halfspace::capi;
 
-namespace {
-
-std::int64_t vertex_count_of(const Outline<2>& outline) { return outline.count; }
-std::int64_t vertex_count_of(const Outline<3>& outline) { return outline.vertex_count(); }
-
-}  // namespace
-
 hs_status hs_world_get_blocks(const hs_world* world, hs_block blocks[], int64_t capacity, int64_t* count) {
   return with_world(world, __func__, [&]<int D>(const World<D>& w) {
     require_count(capacity, "capacity");
@@ -53,7 +46,7 @@ hs_status hs_world_get_block_vertices(const hs_world* world, hs_block block, hs_
     const Blocks<D>& all = w.blocks();
     const std::int32_t slot = slot_of(all, block, "block");
     const Outline<D> outline = all.outline(slot);
-    const std::int64_t vertex_count = vertex_count_of(outline);
+    const std::int64_t vertex_count = outline.vertex_count();
     for (std::int64_t i = 0; i < std::min(vertex_count, vertices.count); ++i)
       write_point(vertices, i, Vector<D>(outline.vertex(int(i)) + all.position[std::size_t(slot)]));
     if (count) *count = vertex_count;

@@ -10,14 +10,11 @@ namespace {
 double largest_face_of(const Shape<2>& shape) { return shape.longest_edge(); }
 double largest_face_of(const Shape<3>& shape) { return shape.largest_face(); }
 
-int vertex_count_of(const Outline<2>& outline) { return outline.count; }
-int vertex_count_of(const Outline<3>& outline) { return outline.vertex_count(); }
-
 /// A force at X accelerates the gradient by force X^T M^-1, and with it the point X: most at a vertex.
 template <int D>
 double yield_of(const Outline<D>& own, const Tensor<D>& inverse_mass_matrix) {
   double most = 0;
-  for (int i = 0; i < vertex_count_of(own); ++i)
+  for (int i = 0; i < own.vertex_count(); ++i)
     most = std::max(most, own.vertex(i).dot(inverse_mass_matrix * own.vertex(i)));
   return most;
 }

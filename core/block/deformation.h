@@ -65,7 +65,6 @@ struct Deformation {
     prestrain = elasticity.strain<D>(gradient.determinant() * back * wanted * back.transpose()) - strain();
   }
 
-  Angular<D> spin() const { return 0.5 * moment(velocity_gradient()); }
   Angular<D> angular_momentum() const { return moment(Tensor<D>(rate * mass_matrix * gradient.transpose())); }
   /// Of all motion but the centroid's.
   double kinetic_energy() const { return 0.5 * rate.cwiseProduct(rate * mass_matrix).sum(); }

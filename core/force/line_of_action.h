@@ -13,8 +13,7 @@ struct LineOfAction {
                                            // relative to the centroid of a
   Angular<D> couple = Angular<D>::Zero();  // on b, besides the force at that point
   double energy = 0;                       // stored
-  double base = 0;       // length or area over which the blocks meet: exact for faces that do so squarely
-  double stiffness = 0;  // with which the force grows there with the depth
+  double stiffness = 0;                    // with which the force grows there with the depth
 };
 
 /// Of the couple that forces along a normal make, at arms across it: these strain what they turn. Forces
@@ -53,8 +52,9 @@ LineOfAction<D> line_of_action(const PotentialForce<D>& potential, double stiffn
   if (!(potential.energy > 0)) return line;
   line.loading_point = potential.centroid;
   line.energy = stiffness * potential.energy;
-  line.base = potential.content * (potential.content / potential.energy);
-  line.stiffness = 2 * stiffness * line.base;
+  // Length or area over which the blocks meet: exact for faces that do so squarely.
+  const double base = potential.content * (potential.content / potential.energy);
+  line.stiffness = 2 * stiffness * base;
   const Vector<D> force = stiffness * potential.force;
   line.force = force.norm();
   line.couple = -stiffness * moment(potential.virial_a) - moment(potential.centroid, force);

@@ -186,7 +186,11 @@ template <int D>
 PairLoad<D> Spring<D>::evaluate(const Contact<D>& contact, const LineOfAction<D>& line,
                                 const PairMotion<D>& motion, ShearSpring<D>& spring,
                                 ContactEnergy& energy) const {
-  NormalPart normal{line.force, line.stiffness, line.base, 0, line.couple, line.loading_point};
+  NormalPart normal;
+  normal.force = line.force;
+  normal.stiffness = line.stiffness;
+  normal.couple = line.couple;
+  normal.center = line.loading_point;
   normal.twist_radius = twist_radius(contact, normal.center, contact.shares);
   energy.strain += line.energy;
   damp(line.direction, motion, false, normal, energy);

@@ -25,7 +25,9 @@ struct Outline<2> {
   const double* ny = nullptr;
   const double* offset = nullptr;
 
+  int vertex_count() const { return count; }
   int edge_count() const { return count; }
+  int face_count() const { return count; }
   Vector<2> vertex(int i) const { return {x[i], y[i]}; }
   Vector<2> normal(int i) const { return {nx[i], ny[i]}; }
   // Without branches: whether the first or last one is met is as good as random.

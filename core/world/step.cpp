@@ -84,7 +84,8 @@ void World<D>::kick_and_drift() {
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
     if (blocks_.is_affine(i)) {
       blocks_.push(i, half * acceleration_[i], Angular<D>::Zero());
-      blocks_.strain(i, half * blocks_.deformation(i).acceleration);
+      Deformation<D>& deformation = blocks_.deformation(i);
+      deformation.rate += half * deformation.acceleration;
       blocks_.drift_affine(std::int32_t(i), time_step_ * blocks_.velocity[i], time_step_);
       continue;
     }

@@ -23,8 +23,7 @@ struct WorldSettings {
   double local_damping = 0;
   double mass_damping = 0;
   double skin = 0.1;
-  double potential_length =
-      0;  // H of potential laws; 0: mean length of the edges when the first step is done
+  double potential_length = 0;  // H of potential laws; 0: mean length of the edges when forces are first used
   DetectOptions detect;
 
   template <class Archive>

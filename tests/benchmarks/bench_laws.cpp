@@ -1,21 +1,19 @@
 // Cost of contact laws and of kinds of blocks, on the same blocks in the same places. README.md says what is
 // timed and how to read the figures.
 
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <random>
 #include <stdexcept>
 
 #include "capi/handles.h"
+#include "random_polyhedron.h"
 #include "timing.h"
 
 namespace halfspace_benchmark {
 namespace {
 
 using halfspace_test::require_ok;
-using Triple = std::array<double, 3>;
-using Corners = std::vector<Triple>;
 
 constexpr int passes = 15;
 constexpr double time_step = 1e-9;  // so short that nothing moves while it is timed
@@ -66,14 +64,8 @@ Packing bricks(int dimension, int columns, int rows, int layers) {
 Packing polyhedra(int count) {
   Packing packing{"polyhedra", 3, {}, {}};
   std::mt19937_64 random(2);
-  std::uniform_real_distribution<double> along(-1, 1), around(0, 2 * 3.14159265358979323846);
   for (int i = 0; i < count * count * count; ++i) {
-    Corners corners;
-    for (int corner = std::uniform_int_distribution<int>(12, 20)(random); corner > 0; --corner) {
-      const double z = along(random), angle = around(random), r = std::sqrt(1 - z * z);
-      corners.push_back({0.5 * r * std::cos(angle), 0.5 * r * std::sin(angle), 0.5 * z});
-    }
-    packing.blocks.push_back(corners);
+    packing.blocks.push_back(random_corners(random));
     packing.poses.push_back(pose_of(
         packing, {0.85 * (i % count), 0.85 * (i / count % count), 0.85 * (i / count / count)}, 1, random));
   }
@@ -123,18 +115,20 @@ class Scene {
  private:
   void add(const Packing& packing, std::size_t i, int32_t kind) {
     const Corners& corners = packing.blocks[i];
-    const hs_view view{&corners[0][0], &corners[0][1], &corners[0][2], sizeof(Triple),
-                       std::int64_t(corners.size())};
-    hs_shape* made = nullptr;
-    check(packing.dimension == 2 ? hs_polygon_create(context_.get(), view, &made)
-                                 : hs_polyhedron_create_hull(context_.get(), view, &made));
-    const halfspace_test::Shape shape(made);
+    const halfspace_test::Shape shape =
+        packing.dimension == 2 ? polygon(corners) : hull(context_.get(), corners);
     hs_block_def def;
     check(hs_block_def_init(&def, sizeof def, shape.get()));
     def.kind = kind;
     def.pose = packing.poses[i];
     hs_block block = 0;
     check(hs_world_add_block(world_.get(), shape.get(), &def, &block));
+  }
+
+  halfspace_test::Shape polygon(const Corners& corners) const {
+    hs_shape* made = nullptr;
+    check(hs_polygon_create(context_.get(), view_of(corners), &made));
+    return halfspace_test::Shape(made);
   }
 
   halfspace_test::Context context_;

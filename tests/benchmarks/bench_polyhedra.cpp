@@ -1,8 +1,6 @@
 // Cost of a step of settled random polyhedra of 12 to 20 vertices, in one bin and in bins side by side.
 // README.md says what is timed and how to read the figures; yade_polyhedra.py times YADE on the same bin.
 
-#include <array>
-#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <random>
@@ -11,14 +9,13 @@
 
 #include "capi/handles.h"
 #include "counting_memory.h"
+#include "random_polyhedron.h"
 #include "timing.h"
 
 namespace halfspace_benchmark {
 namespace {
 
 using halfspace_test::require_ok;
-using Triple = std::array<double, 3>;
-using Corners = std::vector<Triple>;
 
 constexpr int passes = 5;
 constexpr double density = 2500;
@@ -30,26 +27,6 @@ struct Plan {
   int bins;                   // in the large world
   double block_steps;         // of each world in a pass
 };
-
-/// Corners on a sphere, their hull the block.
-Corners random_corners(std::mt19937_64& random) {
-  std::uniform_real_distribution<double> along(-1, 1), around(0, 2 * 3.14159265358979323846);
-  Corners corners;
-  for (int count = std::uniform_int_distribution<int>(12, 20)(random); count > 0; --count) {
-    const double z = along(random), angle = around(random), r = std::sqrt(1 - z * z);
-    corners.push_back(
-        {0.5 * pitch * r * std::cos(angle), 0.5 * pitch * r * std::sin(angle), 0.5 * pitch * z});
-  }
-  return corners;
-}
-
-halfspace_test::Shape hull(hs_context* context, const Corners& points) {
-  hs_shape* shape = nullptr;
-  const hs_view view{&points[0][0], &points[0][1], &points[0][2], sizeof(Triple),
-                     std::int64_t(points.size())};
-  require_ok(hs_polyhedron_create_hull(context, view, &shape), context);
-  return halfspace_test::Shape(shape);
-}
 
 Corners cuboid(const Triple& lower, const Triple& upper) {
   Corners corners;

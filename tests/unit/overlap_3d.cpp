@@ -1,10 +1,10 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "block/deformation.h"
 #include "catch.h"
 #include "contacts_3d.h"
 #include "force/overlap.h"
-#include "geometry/polyhedron_cut.h"
 
 using namespace halfspace;
 using namespace halfspace::test;
@@ -13,23 +13,9 @@ namespace {
 
 Memory* const memory = std::pmr::get_default_resource();
 
-/// What two blocks have in common, by cutting one by all faces of the other. Empty when there is nothing.
-Polyhedron intersection_by_cutting(const Shape<3>& a, const Shape<3>& b, const Vector<3>& to_b) {
-  Polyhedron part = polyhedron_of(b, memory);
-  for (Vector<3>& v : part.vertices) v += to_b - b.centroid();
-  const Outline<3>& o = a.outline();
-  for (int f = 0; f < a.face_count() && !part.is_empty(); ++f) {
-    const Vector<3> corner = o.vertex(a.topology().face_vertex[a.topology().first_of_face[f]]);
-    part = cut_polyhedron(part, corner, o.normal(f), memory).behind;
-  }
-  return part;
-}
-
 /// Of a body the mean squared distance from the line through its centroid along a normal.
 double squared_radius_about(const Shape<3>& body, const Vector<3>& normal) {
-  const auto& m = body.second_moment();
-  Eigen::Matrix3d moment;
-  moment << m[0], m[3], m[5], m[3], m[1], m[4], m[5], m[4], m[2];
+  const Eigen::Matrix3d moment = second_moment_of(body);
   return (moment.trace() - normal.dot(moment * normal)) / body.volume();
 }
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "catch.h"
+#include "geometry/polyhedron_cut.h"
 #include "geometry/polyhedron_hull.h"
 
 namespace halfspace::test {
@@ -48,6 +49,18 @@ Polyhedron copy_of(const Polyhedron& polyhedron) {
 
 Shape<3> shape_of(const Polyhedron& polyhedron) {
   return Shape<3>(polyhedron, std::pmr::get_default_resource());
+}
+
+Polyhedron intersection_by_cutting(const Shape<3>& a, const Shape<3>& b, const Vector<3>& to_b) {
+  Memory* const memory = std::pmr::get_default_resource();
+  Polyhedron part = polyhedron_of(b, memory);
+  for (Vector<3>& v : part.vertices) v += to_b - b.centroid();
+  const Outline<3>& o = a.outline();
+  for (int f = 0; f < a.face_count() && !part.is_empty(); ++f) {
+    const Vector<3> corner = o.vertex(a.topology().face_vertex[a.topology().first_of_face[f]]);
+    part = cut_polyhedron(part, corner, o.normal(f), memory).behind;
+  }
+  return part;
 }
 
 Vector<3> random_vector(Random& random, double lower, double upper) {

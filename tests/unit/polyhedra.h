@@ -21,6 +21,8 @@ Polyhedron completed(Polyhedron polyhedron);
 Polyhedron hull_of(const Cloud& points);
 Polyhedron copy_of(const Polyhedron& polyhedron);
 Shape<3> shape_of(const Polyhedron& polyhedron);
+/// What two blocks have in common, by cutting one by all faces of the other. Empty when there is nothing.
+Polyhedron intersection_by_cutting(const Shape<3>& a, const Shape<3>& b, const Vector<3>& to_b);
 
 Vector<3> random_vector(Random& random, double lower, double upper);
 Vector<3> random_direction(Random& random);

@@ -48,17 +48,6 @@ PlacedPair draw_pair(Random& random, int most_vertices) {
 /// at most the area of this part times the way; and likewise that of b's potential.
 constexpr double most_rate = 4 * pi;
 
-Polyhedron intersection_by_cutting(const Shape<3>& a, const Shape<3>& b, const Vector<3>& to_b) {
-  Polyhedron part = polyhedron_of(b, memory);
-  for (Vector<3>& v : part.vertices) v += to_b - b.centroid();
-  const Outline<3>& o = a.outline();
-  for (int f = 0; f < a.face_count() && !part.is_empty(); ++f) {
-    const Vector<3> corner = o.vertex(a.topology().face_vertex[a.topology().first_of_face[f]]);
-    part = cut_polyhedron(part, corner, o.normal(f), memory).behind;
-  }
-  return part;
-}
-
 /// A block's potential, as the paper has it.
 struct Potential {
   const Outline<3>& owner;
