@@ -79,10 +79,10 @@ class Blocks {
     return {outline(a), outline(b), position[std::size_t(b)] - position[std::size_t(a)]};
   }
   Box<D> box(std::int32_t slot) const;
+  /// Of a rigid block.
   double kinetic_energy(std::int32_t slot) const {
     const std::size_t s = std::size_t(slot);
-    const double turning = is_affine(s) ? deformation(s).kinetic_energy() : 0.5 * spin[s].dot(momentum[s]);
-    return 0.5 * mass[s] * velocity[s].squaredNorm() + turning;
+    return 0.5 * (mass[s] * velocity[s].squaredNorm() + spin[s].dot(momentum[s]));
   }
 
   /// False for what no blocks can be, after reading a snapshot: nothing read from it can then lead out of the

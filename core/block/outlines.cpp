@@ -128,7 +128,8 @@ void Outlines<D>::drop(std::int32_t slot) {
 }
 
 template <int D>
-void Outlines<D>::map(std::int32_t slot, const Tensor<D>& vertices, const Tensor<D>& normals) {
+[[gnu::always_inline]] inline void Outlines<D>::map(std::int32_t slot, const Tensor<D>& vertices,
+                                                    const Tensor<D>& normals) {
   const std::size_t s = std::size_t(slot);
   const Extent extent = extent_of((*this)[slot]);
   const double* own = own_.data() + first_[s];

@@ -162,6 +162,25 @@ Shear<D> Spring<D>::shear_force(const NormalPart& normal, const ShearTrial& tria
   return total;
 }
 
+/// The normal part with what friction and bond make of the trial.
+template <int D>
+[[gnu::always_inline]] inline PairLoad<D> Spring<D>::load(const NormalPart& normal, const ShearTrial& trial,
+                                                          const Vector<D>& direction,
+                                                          const PairMotion<D>& motion, ShearSpring<D>& spring,
+                                                          bool bonded, ContactEnergy& energy) const {
+  ContactForce<D> force;
+  force.point = normal.center;
+  force.normal_force = normal.force;
+  force.couple = normal.couple;
+  if (law_.resists_shear()) {
+    force.shear = shear_force(normal, trial, direction, spring, bonded, energy);
+    force.couple += twisting_moment(force.shear, direction, normal.twist_radius);
+  }
+  const Vector<D> on_b = force.on_b(direction);
+  return {force, on_b, -moment(normal.center, on_b) - force.couple,
+          moment(normal.center - motion.to_b, on_b) + force.couple};
+}
+
 template <int D>
 PairLoad<D> Spring<D>::evaluate(const Contact<D>& contact, const Overlap<D>& overlap,
                                 const PairMotion<D>& motion, ShearSpring<D>& spring, bool& bonded,
@@ -199,24 +218,6 @@ PairLoad<D> Spring<D>::evaluate(const Contact<D>& contact, const LineOfAction<D>
   both.contact.normal_force = contact.normal.dot(both.force);
   both.contact.shear = shear_of(both.force, contact.normal);
   return both;
-}
-
-/// The normal part with what friction and bond make of the trial.
-template <int D>
-PairLoad<D> Spring<D>::load(const NormalPart& normal, const ShearTrial& trial, const Vector<D>& direction,
-                            const PairMotion<D>& motion, ShearSpring<D>& spring, bool bonded,
-                            ContactEnergy& energy) const {
-  ContactForce<D> force;
-  force.point = normal.center;
-  force.normal_force = normal.force;
-  force.couple = normal.couple;
-  if (law_.resists_shear()) {
-    force.shear = shear_force(normal, trial, direction, spring, bonded, energy);
-    force.couple += twisting_moment(force.shear, direction, normal.twist_radius);
-  }
-  const Vector<D> on_b = force.on_b(direction);
-  return {force, on_b, -moment(normal.center, on_b) - force.couple,
-          moment(normal.center - motion.to_b, on_b) + force.couple};
 }
 
 template class Spring<2>;

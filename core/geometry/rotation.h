@@ -57,7 +57,11 @@ class Rotation<2> {
   }
 
   Rotation inverse() const { return {cosine, -sine}; }
-  Tensor<2> tensor() const { return Tensor<2>{{cosine, -sine}, {sine, cosine}}; }
+  Tensor<2> tensor() const {
+    Tensor<2> turn;
+    turn << cosine, -sine, sine, cosine;
+    return turn;
+  }
 
   /// This rotation followed by a further turn, brought back to unit length.
   Rotation turned_by(const Angular<2>& turn) const {

@@ -70,9 +70,15 @@ inline Vector<2> swept(const Angular<2>& spin, const Vector<2>& arm) { return sp
 inline Vector<3> swept(const Angular<3>& spin, const Vector<3>& arm) { return cross_product(spin, arm); }
 
 /// The tensor that gives an arm the velocity by a spin.
-inline Tensor<2> cross_tensor(const Angular<2>& spin) { return Tensor<2>{{0, -spin[0]}, {spin[0], 0}}; }
+inline Tensor<2> cross_tensor(const Angular<2>& spin) {
+  Tensor<2> turn;
+  turn << 0, -spin[0], spin[0], 0;
+  return turn;
+}
 inline Tensor<3> cross_tensor(const Angular<3>& spin) {
-  return Tensor<3>{{0, -spin.z(), spin.y()}, {spin.z(), 0, -spin.x()}, {-spin.y(), spin.x(), 0}};
+  Tensor<3> turn;
+  turn << 0, -spin.z(), spin.y(), spin.z(), 0, -spin.x(), -spin.y(), spin.x(), 0;
+  return turn;
 }
 
 }  // namespace halfspace

@@ -39,6 +39,16 @@ bool World<D>::plan_affine(std::size_t i) {
   return true;
 }
 
+/// First half of a step.
+template <int D>
+void World<D>::kick_and_drift_affine(std::size_t i) {
+  const double half = 0.5 * time_step_;
+  Deformation<D>& deformation = blocks_.deformation(i);
+  blocks_.push(i, half * acceleration_[i], Angular<D>::Zero());
+  deformation.rate += half * deformation.acceleration;
+  blocks_.drift_affine(std::int32_t(i), time_step_ * blocks_.velocity[i], time_step_);
+}
+
 /// As take_stock(), of velocities and of the rate that damping was formed with.
 template <int D>
 void World<D>::take_affine_stock(std::size_t i, const Vector<D>& opposed, const Tensor<D>& opposed_rate,
@@ -46,7 +56,7 @@ void World<D>::take_affine_stock(std::size_t i, const Vector<D>& opposed, const 
   const Deformation<D>& deformation = blocks_.deformation(i);
   const Vector<D>& velocity = blocks_.velocity[i];
   const double mass = blocks_.mass[i];
-  stock.kinetic += blocks_.kinetic_energy(std::int32_t(i));
+  stock.kinetic += 0.5 * mass * velocity.squaredNorm() + deformation.kinetic_energy();
   stock.gravity -= mass * settings_.gravity.dot(blocks_.position[i]);
   stock.block_strain += deformation.strain_energy(elasticity_of(i));
   stock.power.block_damping += deformation.damping_power(elasticity_of(i), opposed_rate);

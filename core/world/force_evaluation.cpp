@@ -56,34 +56,40 @@ PairMotion<D> World<D>::motion_of(const Candidate<D>& pair) const {
   return motion;
 }
 
+/// The force of a contact by a law of potentials.
+template <int D>
+PairLoad<D> World<D>::potential_load(Candidate<D>& pair, const Contact<D>& contact, const SpringLaw& law,
+                                     const Spring<D>& spring, ShearSpring<D>& shear, Evaluation& evaluation) {
+  // Another law has left it: potentials hold nothing together.
+  if (evaluation.elapsed > 0) pair.bonded = false;
+  const PlacedBlocks<D> at = blocks_.placed(pair.a, pair.b);
+  const PotentialForce<D> potential = potential_force(at.a, at.b, at.to_b, potential_room_);
+  const double stiffness = law.normal_stiffness / evaluation.potential_length;
+  const LineOfAction<D> line = line_of_action(potential, stiffness, contact.normal, middle_of(contact));
+  if (blocks_.is_affine(std::size_t(pair.a)) || blocks_.is_affine(std::size_t(pair.b)))
+    evaluation.stretch = stretch_besides(line, potential, stiffness, at.to_b, contact.normal);
+  return spring.evaluate(contact, line, motion_of(pair), shear, evaluation.energy);
+}
+
 /// The force of a contact by the law of its materials.
 template <int D>
 PairLoad<D> World<D>::pair_load(std::size_t candidate, const Contact<D>& contact, Evaluation& evaluation) {
   Candidate<D>& pair = candidates_.pairs()[candidate];
   const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
   const SpringLaw& law = laws_.between(blocks_.material[a], blocks_.material[b]);
-  const PairMotion<D> motion = motion_of(pair);
   const bool is_damped = law.normal_damping > 0 || law.shear_damping > 0;
   const Spring<D> spring(law, is_damped ? reduced_mass(a, b) : 0, evaluation.elapsed);
   ShearSpring<D> no_shear;
   ShearSpring<D>& shear = candidates_.shear().empty() ? no_shear : candidates_.shear()[candidate];
-
-  const auto [outline_a, outline_b, to_b] = blocks_.placed(pair.a, pair.b);
-  if (law.is_potential()) {
-    // Another law has left it: potentials hold nothing together.
-    if (evaluation.elapsed > 0) pair.bonded = false;
-    const PotentialForce<D> potential = potential_force(outline_a, outline_b, to_b, potential_room_);
-    const double stiffness = law.normal_stiffness / evaluation.potential_length;
-    const LineOfAction<D> line = line_of_action(potential, stiffness, contact.normal, middle_of(contact));
-    if (blocks_.is_affine(a) || blocks_.is_affine(b))
-      evaluation.stretch = stretch_besides(line, potential, stiffness, to_b, contact.normal);
-    return spring.evaluate(contact, line, motion, shear, evaluation.energy);
-  }
+  if (law.is_potential()) return potential_load(pair, contact, law, spring, shear, evaluation);
   Overlap<D> overlap;
-  if (law.stiffness_kind == StiffnessKind::per_area)
-    overlap = overlap_of(outline_a, outline_b, to_b, contact);
+  if (law.stiffness_kind == StiffnessKind::per_area) {
+    const PlacedBlocks<D> at = blocks_.placed(pair.a, pair.b);
+    overlap = overlap_of(at.a, at.b, at.to_b, contact);
+  }
   bool bonded = pair.bonded;
-  const PairLoad<D> load = spring.evaluate(contact, overlap, motion, shear, bonded, evaluation.energy);
+  const PairLoad<D> load =
+      spring.evaluate(contact, overlap, motion_of(pair), shear, bonded, evaluation.energy);
   pair.bonded = bonded;
   return load;
 }

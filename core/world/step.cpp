@@ -83,10 +83,7 @@ void World<D>::kick_and_drift() {
   const double half = 0.5 * time_step_;
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
     if (blocks_.is_affine(i)) {
-      blocks_.push(i, half * acceleration_[i], Angular<D>::Zero());
-      Deformation<D>& deformation = blocks_.deformation(i);
-      deformation.rate += half * deformation.acceleration;
-      blocks_.drift_affine(std::int32_t(i), time_step_ * blocks_.velocity[i], time_step_);
+      kick_and_drift_affine(i);
       continue;
     }
     if (blocks_.kind[i] == BlockKind::rigid) {

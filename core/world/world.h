@@ -168,6 +168,8 @@ class World {
   void fix_potential_length();
   PairMotion<D> motion_of(const Candidate<D>& pair) const;
   PairLoad<D> pair_load(std::size_t candidate, const Contact<D>& contact, Evaluation& evaluation);
+  PairLoad<D> potential_load(Candidate<D>& pair, const Contact<D>& contact, const SpringLaw& law,
+                             const Spring<D>& spring, ShearSpring<D>& shear, Evaluation& evaluation);
   void load_blocks(std::size_t candidate, const Contact<D>& contact, Evaluation& evaluation);
   void strain_blocks(const Candidate<D>& pair, const Vector<D>& normal, const PairLoad<D>& load,
                      Evaluation& evaluation);
@@ -197,6 +199,7 @@ class World {
   Tensor<D> strain_drive(std::size_t slot) const;
   void accelerate_strain(std::size_t slot);
   bool plan_affine(std::size_t slot);
+  void kick_and_drift_affine(std::size_t slot);
   void take_affine_stock(std::size_t slot, const Vector<D>& opposed, const Tensor<D>& opposed_rate,
                          Stock& stock) const;
   void kick_and_book_affine(std::size_t slot, Stock& stock, double& applied_power);
