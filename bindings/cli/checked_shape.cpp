@@ -1,5 +1,6 @@
 #include "checked_shape.h"
 
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -84,8 +85,26 @@ std::vector<Shape> CheckedShapes::from_file(const Block& block) {
   return shapes;
 }
 
+std::vector<Shape> CheckedShapes::from_boundary(const Block& block) {
+  if (!std::isfinite(block.depth)) return {};  // a fault already
+  std::vector<Shape> shapes;
+  for (std::size_t i = 0; i + 1 < block.boundary.size(); ++i) {
+    try {
+      shapes.push_back(make_boundary(context_, block.boundary, i, block.depth));
+    } catch (const LibraryError& error) {
+      if (error.status != HS_ERROR_ARGUMENT && error.status != HS_ERROR_GEOMETRY) throw;
+      faults_.add(block.shape_place, block.making.key + ".boundary",
+                  "segment " + std::to_string(i) + ": " + error.reason() +
+                      "; allowed: segments whose ends differ, by more than rounding");
+      return {};
+    }
+  }
+  return shapes;
+}
+
 std::vector<Shape> CheckedShapes::of(const Block& block) {
   if (!block.file.empty()) return from_file(block);
+  if (!block.boundary.empty()) return from_boundary(block);
   if (block.vertices.empty()) return {};  // a fault already
   const std::string key = block.making.key + ".vertices";
   Shape shape = dimension_ == 2 ? polygon(block.vertices, key, block.shape_place)

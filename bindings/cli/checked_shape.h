@@ -16,7 +16,7 @@ class CheckedShapes {
   CheckedShapes(const Context& context, int dimension, Faults& faults)
       : context_(context), dimension_(dimension), faults_(faults) {}
 
-  /// None, or more than one only for the blocks of a file.
+  /// None, or more than one only for the blocks of a file or a boundary.
   std::vector<Shape> of(const Block& block);
   Shape of(const Region& region);
 
@@ -25,6 +25,7 @@ class CheckedShapes {
   Shape polyhedron(const std::vector<Point>& vertices, const std::vector<std::vector<int>>& faces,
                    const std::string& key, Place place);
   std::vector<Shape> from_file(const Block& block);
+  std::vector<Shape> from_boundary(const Block& block);
 
   const Context& context_;
   int dimension_;

@@ -39,6 +39,16 @@ Shape make_polygon(const Context& context, const std::vector<Point>& vertices) {
   return Shape(shape);
 }
 
+Shape make_boundary(const Context& context, const std::vector<Point>& chain, std::size_t index,
+                    double depth) {
+  const double* before = index > 0 ? chain[index - 1].data() : nullptr;
+  const double* after = index + 2 < chain.size() ? chain[index + 2].data() : nullptr;
+  hs_shape* shape = nullptr;
+  require(context, hs_polygon_create_boundary(context.get(), before, chain[index].data(),
+                                              chain[index + 1].data(), after, depth, &shape));
+  return Shape(shape);
+}
+
 FaceList::FaceList(const std::vector<std::vector<int>>& loops) {
   for (const std::vector<int>& loop : loops) {
     sizes.push_back(static_cast<int32_t>(loop.size()));

@@ -54,6 +54,8 @@ struct FaceList {
 };
 
 Shape make_polygon(const Context& context, const std::vector<Point>& vertices);
+/// The segment of a chain that begins at the point of this index.
+Shape make_boundary(const Context& context, const std::vector<Point>& chain, std::size_t index, double depth);
 Shape make_polyhedron(const Context& context, const std::vector<Point>& vertices, const FaceList& faces);
 Shape make_hull(const Context& context, const std::vector<Point>& points);
 

@@ -89,12 +89,23 @@ void read_vertices(Keys& keys, Block& block) {
       keys.loops("faces", block.vertices.empty() ? std::numeric_limits<int>::max() : block.vertices.size());
 }
 
+void read_boundary(Keys& keys, Block& block) {
+  block.boundary = keys.points("boundary", 2, required);
+  block.depth = keys.number("depth", above(0), required);
+  block.shape_place = keys.place("boundary");
+  if (moves_freely(block.making.kind)) {
+    keys.fault("boundary", "no block that moves freely; allowed: with kind = \"fixed\" or \"prescribed\"");
+  }
+}
+
 void read_blocks(std::vector<Keys> tables, Scene& scene) {
   for (Keys& keys : tables) {
     Block block;
     block.making = read_making(keys, scene, true);
     if (keys.dimension() == 3 && keys.has("file")) {
       read_file(keys, scene, block);
+    } else if (keys.dimension() == 2 && keys.has("boundary")) {
+      read_boundary(keys, block);
     } else {
       read_vertices(keys, block);
     }

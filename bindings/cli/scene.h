@@ -62,13 +62,15 @@ struct Placing {
   Point shift{};     ///< after that
 };
 
-/// A block given by its vertices, or the blocks of a file.
+/// A block given by its vertices, the blocks of a file, or those behind the segments of a boundary.
 struct Block {
   Making making;
   std::vector<Point> vertices;          ///< 2D: in order; 3D without faces: points whose hull it is
   std::vector<std::vector<int>> faces;  ///< 3D: loops of vertices
-  Place shape_place;                    ///< of vertices or file
+  Place shape_place;                    ///< of vertices, file or boundary
   std::string file;                     ///< instead of vertices: path, from where the command runs
+  std::vector<Point> boundary;          ///< 2D, instead of vertices: ends and joints of a chain of segments
+  double depth = 0;                     ///< how far blocks reach behind a boundary
   double scale = 1;                     ///< length in m of one unit of the file
   Placing placing;
   Motion motion;

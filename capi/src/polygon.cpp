@@ -3,6 +3,7 @@
 #include <span>
 
 #include "check.h"
+#include "geometry/polygon_boundary.h"
 #include "geometry/polygon_check.h"
 #include "geometry/polygon_clean.h"
 #include "geometry/polygon_hull.h"
@@ -24,6 +25,27 @@ using Points = Array<Vector<2>>;
   }
   refuse(HS_ERROR_GEOMETRY, "%s[%lld] = %s %s", name, static_cast<long long>(report.vertex),
          PointText(points[std::size_t(report.vertex)]).characters, fault_text(report.fault));
+}
+
+/// The end of a boundary segment: of three values the first two.
+Vector<2> read_end(const double point[3], const char* name) {
+  require_pointer(point, name);
+  for (int i = 0; i < 2; ++i) {
+    if (!(std::abs(point[i]) <= 1e75))
+      refuse(HS_ERROR_ARGUMENT, "%s[%d] is %g; it must be finite and at most 1e75", name, i, point[i]);
+  }
+  return {point[0], point[1]};
+}
+
+/// Another end than the one called so.
+Vector<2> read_other_end(const double point[3], const char* name, const Vector<2>& end,
+                         const char* name_of_end) {
+  const Vector<2> other = read_end(point, name);
+  if (other == end) {
+    refuse(HS_ERROR_ARGUMENT, "%s is %s; it must not be where %s is", name, PointText(other).characters,
+           name_of_end);
+  }
+  return other;
 }
 
 }  // namespace
@@ -64,6 +86,28 @@ hs_status hs_polygon_create_hull(hs_context* context, hs_view points, hs_shape**
     const Points hull = convex_hull(given, &context->memory);
     if (hull.size() < 3) refuse_polygon({Fault::zero_area, -1}, "points", given);
     *shape = make_polygon(context, hull, "hull of points");
+    return HS_OK;
+  });
+}
+
+hs_status hs_polygon_create_boundary(hs_context* context, const double before[3], const double first[3],
+                                     const double second[3], const double after[3], double depth,
+                                     hs_shape** shape) {
+  return guarded(context, __func__, [&] {
+    require_pointer(context, "context");
+    require_pointer(shape, "shape");
+    const Vector<2> start = read_end(first, "first"), end = read_other_end(second, "second", start, "first");
+    const BoundarySegment segment{
+        before ? read_other_end(before, "before", start, "first") : Vector<2>(2 * start - end), start, end,
+        after ? read_other_end(after, "after", end, "second") : Vector<2>(2 * end - start)};
+    require(depth > 0 && depth <= 1e75, depth, "depth", "> 0 and at most 1e75");
+    const Points vertices = polygon_behind(segment, depth, &context->memory);
+    const FaultReport report = vertices.empty() ? FaultReport{Fault::zero_area} : check_polygon(vertices);
+    if (report.fault != Fault::none) {
+      refuse(HS_ERROR_GEOMETRY, "depth is %g; what is so far behind first %s and second %s %s", depth,
+             PointText(start).characters, PointText(end).characters, fault_text(report.fault));
+    }
+    *shape = create<ShapeHandle<2>>(context, context, std::span(vertices));
     return HS_OK;
   });
 }

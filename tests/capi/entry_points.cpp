@@ -258,6 +258,13 @@ std::vector<EntryPoint> entry_points() {
            return hs_polygon_create_hull(s.context.get(), polygon(s), shape);
          });
        }},
+      {"hs_polygon_create_boundary", Allocates::always,
+       [](S s) {
+         const double first[3] = {2, 1, 0}, second[3] = {-2, 0, 0};
+         return keep(s.made.shapes[0], [&](hs_shape** shape) {
+           return hs_polygon_create_boundary(s.context.get(), nullptr, first, second, nullptr, 1, shape);
+         });
+       }},
       {"hs_polygon_clean", Allocates::always,
        [](S s) {
          return hs_polygon_clean(s.context.get(), polygon(s), 0, room(s, 0), &s.written.counts[0],

@@ -124,6 +124,58 @@ TEST_CASE("a hull is refused for what is no number and for what has no area") {
   CHECK(shape == no_shape);
 }
 
+TEST_CASE("a boundary is refused for ends and depths that bound nothing") {
+  const Context context = make_context();
+  hs_context* c = context.get();
+  hs_shape* shape = no_shape;
+  struct End {
+    double xyz[3];
+  };
+  const End here{{3, 4, nan}}, there{{5, 4, inf}};  // the last value is not read
+  const auto boundary = [&](End first, End second, double depth) {
+    return [=, &shape] {
+      return hs_polygon_create_boundary(c, nullptr, first.xyz, second.xyz, nullptr, depth, &shape);
+    };
+  };
+  const auto in_chain = [&](End before, End after) {
+    return [=, &shape] {
+      return hs_polygon_create_boundary(c, before.xyz, here.xyz, there.xyz, after.xyz, 1, &shape);
+    };
+  };
+  const double *first = here.xyz, *second = there.xyz;
+  const auto call = [&](const double* from, const double* to, hs_shape** made) {
+    return hs_polygon_create_boundary(c, nullptr, from, to, nullptr, 1, made);
+  };
+  CHECK(hs_polygon_create_boundary(nullptr, nullptr, first, second, nullptr, 1, &shape) == HS_ERROR_ARGUMENT);
+  check_refusals(c, "hs_polygon_create_boundary",
+                 {{"shape", "NULL", [&] { return call(first, second, nullptr); }},
+                  {"first", "NULL", [&] { return call(nullptr, second, &shape); }},
+                  {"second", "NULL", [&] { return call(first, nullptr, &shape); }},
+                  {"first[0]", "nan", boundary({{nan, 4, 0}}, there, 1)},
+                  {"first[1]", "inf", boundary({{3, inf, 0}}, there, 1)},
+                  {"second[0]", "-inf", boundary(here, {{-inf, 4, 0}}, 1)},
+                  {"second[1]", "e+75", boundary(here, {{5, 1.5e75, 0}}, 1)},
+                  {"second", "(3, 4)", boundary(here, here, 1)},
+                  {"before[1]", "nan", in_chain({{2, nan, 0}}, {{6, 4, 0}})},
+                  {"before", "(3, 4)", in_chain(here, {{6, 4, 0}})},
+                  {"after[0]", "-inf", in_chain({{2, 4, 0}}, {{-inf, 4, 0}})},
+                  {"after", "(5, 4)", in_chain({{2, 4, 0}}, there)},
+                  {"depth", "0", boundary(here, there, 0)},
+                  {"depth", "-1", boundary(here, there, -1)},
+                  {"depth", "nan", boundary(here, there, nan)},
+                  {"depth", "inf", boundary(here, there, inf)},
+                  {"depth", "1e-17", boundary(here, there, 1e-17), HS_ERROR_GEOMETRY},  // lost in 3 and 4
+                  {"depth", "1e+75", boundary(here, {{5e74, 0, 0}}, 1e75), HS_ERROR_GEOMETRY}});
+  CHECK(shape == no_shape);
+  REQUIRE(call(first, second, &shape) == HS_OK);
+  const Shape made(shape);
+  Points vertices(4);
+  REQUIRE(hs_shape_get_vertices(made.get(), mutable_view_of(vertices), nullptr) == HS_OK);
+  double least = inf;
+  for (const Point& vertex : vertices) least = std::min(least, vertex.y);
+  CHECK(least == 4);  // at the left of the way is above
+}
+
 TEST_CASE("hs_polygon_clean refuses bad input and reports what it changed") {
   const Context context = make_context();
   hs_context* c = context.get();

@@ -54,8 +54,9 @@ static hs_status keep_faces(Player* player, const Statement* statement) {
 
 static hs_status make_shape(Player* player, const Statement* statement) {
   const char* kind = word_at(statement, 2);
-  const int stride = is(kind, "halfspaces") ? 4 : strncmp(kind, "polygon", 7) == 0 ? 2 : 3;
-  double numbers[MOST_WORDS], offsets[MOST_WORDS];
+  const int in_plane = strncmp(kind, "polygon", 7) == 0 || is(kind, "boundary");
+  const int stride = is(kind, "halfspaces") ? 4 : in_plane ? 2 : 3;
+  double numbers[MOST_WORDS] = {0}, offsets[MOST_WORDS];
   const int count = numbers_from(statement, 3, numbers, MOST_WORDS) / stride;
   hs_view view;
   hs_shape* shape = NULL;
@@ -72,6 +73,12 @@ static hs_status make_shape(Player* player, const Statement* statement) {
     status = hs_polygon_create(player->context, view, &shape);
   } else if (is(kind, "polygon_hull")) {
     status = hs_polygon_create_hull(player->context, view, &shape);
+  } else if (is(kind, "boundary")) {
+    const double first[3] = {numbers[0], numbers[1], 0}, second[3] = {numbers[2], numbers[3], 0};
+    const double before[3] = {numbers[5], numbers[6], 0}, after[3] = {numbers[7], numbers[8], 0};
+    const int in_chain = statement->count > 8;
+    status = hs_polygon_create_boundary(player->context, in_chain ? before : NULL, first, second,
+                                        in_chain ? after : NULL, numbers[4], &shape);
   } else if (is(kind, "polyhedron")) {
     status = hs_polyhedron_create(player->context, view, player->face_sizes, player->face_count,
                                   player->face_vertices, &shape);

@@ -49,6 +49,28 @@ class Sources(unittest.TestCase):
         answer = self.check(self.BLOCK + '[output]\ntracked = ["rock"]\n', rocks_off=TWO_SOLIDS)
         self.assertIn('no such block: "rock"', answer.stderr)
 
+    BOUNDARY = 'dimension = 2\n[[block]]\nname = "ground"\nmaterial = "rock"\nkind = "fixed"\n'
+
+    def test_boundaries_are_blocks_numbered_if_there_are_several(self):
+        floor = self.BOUNDARY + "boundary = [[9, 0], [-9, 0]]\ndepth = 1\n"
+        self.check_count(1, floor + '[output]\ntracked = ["ground"]\n')
+        chain = floor.replace("[-9, 0]", "[0, 0], [-9, 4]")
+        self.check_count(2, chain + '[output]\ntracked = ["ground.0", "ground.1"]\n')
+        self.check_count(2, chain.replace("fixed", "prescribed"))
+
+    def test_faults_of_boundaries(self):
+        floor = self.BOUNDARY + "boundary = [[9, 4], [0, 4], [-9, 4]]\ndepth = 1\n"
+        for change, fault in ((("depth = 1\n", ""), "block[0].depth: missing; required: a number above 0"),
+                              (("depth = 1", "depth = 0"), "block[0].depth: out of range: 0"),
+                              ((", [0, 4], [-9, 4]", ""), "block[0].boundary: too few points"),
+                              (("fixed", "rigid"), "block[0].boundary: no block that moves freely; allowed: with kind"),
+                              (("[0, 4]", "[9, 4]"), "block[0].boundary: segment 0: second is (9, 4); it must not be"),
+                              (("depth = 1", "depth = 1e-20"), "block[0].boundary: segment 0: depth is 1e-20")):
+            answer = self.check(floor.replace(*change))
+            self.assertIn(fault, answer.stderr)
+            self.assertIn("1 fault in", answer.stderr)
+        self.assertIn("block[0].boundary: unknown key", self.check(floor.removeprefix("dimension = 2\n")).stderr)
+
     def test_a_faulty_file_is_told_once_with_its_line(self):
         scene = self.BLOCK + '[output]\ntracked = ["rock.0"]\n'
         answer = self.check(scene, rocks_off=TETRAHEDRON.replace("0 1 0", "0 1 O"))

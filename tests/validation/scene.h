@@ -3,6 +3,7 @@
 // A world of the C API with its context, for tests that say what stands where and look at what comes of it.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -89,6 +90,20 @@ class Scene {
     const Shape shape = make_shape(context(), vertices);
     const hs_pose pose = pose_at(centroid.x, centroid.y, std::sin(angle / 2), std::cos(angle / 2));
     return place(shape.get(), &pose, start, material);
+  }
+
+  /// Each segment of a chain as a block.
+  void add_boundary(const Points& chain, double depth) {
+    const auto end = [&](std::size_t i) { return std::array<double, 3>{chain[i].x, chain[i].y, 0}; };
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+      const auto before = end(i > 0 ? i - 1 : 0), after = end(std::min(i + 2, chain.size() - 1));
+      hs_shape* made = nullptr;
+      check(hs_polygon_create_boundary(context(), i > 0 ? before.data() : nullptr, end(i).data(),
+                                       end(i + 1).data(), i + 2 < chain.size() ? after.data() : nullptr,
+                                       depth, &made));
+      const Shape shape(made);
+      place(shape.get(), nullptr, {HS_BLOCK_FIXED, {}, 0}, 0);
+    }
   }
 
   void step(std::int64_t steps = 1) { check(hs_world_step(world(), steps)); }

@@ -23,6 +23,7 @@ module halfspace_shapes
   contains
     procedure :: create_polygon
     procedure :: create_polygon_hull
+    procedure :: create_boundary
     procedure :: create_polyhedron
     procedure :: create_polyhedron_hull
     procedure :: create_from_halfspaces
@@ -72,6 +73,44 @@ contains
     character(*), intent(inout), optional :: errmsg
     call create(self, hs_polygon_create_hull, points, 'points', rows, context, stat, errmsg)
   end subroutine create_polygon_hull
+
+  !> Makes a boundary segment: the virtual polygon of which it is an edge, for a fixed or prescribed block. The
+  !! inside is at the left on the way from first to second: a floor under blocks runs towards -x. Of a chain say
+  !! where it comes from and goes on to, so that the polygon's flanks go under its neighbours.
+  subroutine create_boundary(self, first, second, depth, before, after, context, stat, errmsg)
+    class(halfspace_shape), intent(inout) :: self
+    real(c_double), intent(in) :: first(:), second(:)  !< its ends, 3 values or 2
+    real(c_double), intent(in) :: depth  !< of the polygon: above twice the deepest overlap
+    real(c_double), intent(in), optional :: before(:), after(:)  !< the other ends of its neighbours
+    type(halfspace_context), intent(in), optional :: context
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(shared_handle) :: owner
+    type(c_ptr) :: object, end_before, end_after
+    real(c_double), target :: three_before(3), three_after(3)
+    integer(c_int32_t) :: status
+    if (.not. is_vector(first, 'first', 2, stat, errmsg)) return
+    if (.not. is_vector(second, 'second', 2, stat, errmsg)) return
+    end_before = c_null_ptr
+    if (present(before)) then
+      if (.not. is_vector(before, 'before', 2, stat, errmsg)) return
+      three_before = three_of(before)
+      end_before = c_loc(three_before)
+    end if
+    end_after = c_null_ptr
+    if (present(after)) then
+      if (.not. is_vector(after, 'after', 2, stat, errmsg)) return
+      three_after = three_of(after)
+      end_after = c_loc(three_after)
+    end if
+    if (.not. own_or_given(context, owner, stat, errmsg)) return
+    status = hs_polygon_create_boundary(owner%object(), end_before, three_of(first), three_of(second), end_after, &
+                                        depth, object)
+    if (status == HS_OK) then
+      if (.not. self%handle%takes(object, hs_shape_destroy, owner, stat=stat, errmsg=errmsg)) return
+    end if
+    call conclude(status, owner%context(), stat, errmsg)
+  end subroutine create_boundary
 
   !> Makes the convex hull of points as a polyhedron: what is in one plane to rounding is one face.
   subroutine create_polyhedron_hull(self, points, rows, context, stat, errmsg)

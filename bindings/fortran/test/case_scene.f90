@@ -143,6 +143,8 @@ contains
       call shape%create_polygon(columns(values, 2), context=s%context, stat=s%status, errmsg=s%text)
     case ('polygon_hull')
       call shape%create_polygon_hull(columns(values, 2), context=s%context, stat=s%status, errmsg=s%text)
+    case ('boundary')
+      call boundary(values(:2), values(3:4), values(5), values(6:))
     case ('polyhedron')
       call shape%create_polyhedron(columns(values, 3), s%face_sizes, s%face_vertices, context=s%context, &
                                    stat=s%status, errmsg=s%text)
@@ -155,6 +157,16 @@ contains
     end select
     if (s%status == HS_OK) call keep_shape(words(2), shape, s)
   contains
+    subroutine boundary(first, second, depth, neighbours)
+      real(real64), intent(in) :: first(:), second(:), depth, neighbours(:)
+      if (size(neighbours) > 0) then
+        call shape%create_boundary(first, second, depth, neighbours(:2), neighbours(3:), context=s%context, &
+                                   stat=s%status, errmsg=s%text)
+      else
+        call shape%create_boundary(first, second, depth, context=s%context, stat=s%status, errmsg=s%text)
+      end if
+    end subroutine boundary
+
     subroutine from_halfspaces(planes)
       real(real64), intent(in) :: planes(:,:)
       call shape%create_from_halfspaces(planes(:3, :), planes(4, :), context=s%context, stat=s%status, errmsg=s%text)

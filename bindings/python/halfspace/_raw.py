@@ -517,6 +517,26 @@ def declare(library):
     ]
     library.hs_polygon_create_hull.restype = hs_status
 
+    # Makes a boundary segment: the virtual polygon of which it is an edge, for a block that is fixed or
+    # prescribed (Zheng et al. 2020, section 3.3). A line is a segment that reaches beyond the scene. The
+    # inside is at the left on the way from first to second, as along every edge of a counter-clockwise
+    # polygon: a floor under blocks runs towards -x, the walls of a container run clockwise. Segments may form
+    # a chain, each a block of its own: say what comes before and after, so that the flanks of the polygon go
+    # under the neighbours, 60 degrees steep to these. Then nothing stands out and no gap is left, and where
+    # two segments are in line their potentials add up to those of one. Springs per contact slow down what
+    # crosses a joint, by up to 2 k d^2 of its energy at a depth d: make what is straight one segment. Give
+    # hs_world_def.potential_length: these edges count in the mean that it is by default.
+    library.hs_polygon_create_boundary.argtypes = [
+        POINTER(hs_context),  # context
+        c_void_p,  # before
+        c_void_p,  # first
+        c_void_p,  # second
+        c_void_p,  # after
+        c_double,  # depth
+        POINTER(POINTER(hs_shape)),  # shape
+    ]
+    library.hs_polygon_create_boundary.restype = hs_status
+
     # Cleans up a vertex list on request: drops repeated vertices and vertices on the line of their
     # neighbours, and turns the order counter-clockwise. It reports what it changed and never moves a vertex.
     library.hs_polygon_clean.argtypes = [

@@ -23,8 +23,8 @@ from .context import Context, Handle, default_context, held
 class Shape(Handle):
     """An immutable convex polygon (2D) or polyhedron (3D), for any number of blocks.
 
-    Make one with `polygon`, `polyhedron`, `hull`, `from_halfspaces`, `rectangle` or `box`. Faulty input is
-    refused with its reason (`GeometryError`); nothing is repaired. Arrays of float64 go in without a copy,
+    Make one with `polygon`, `polyhedron`, `hull`, `from_halfspaces`, `boundary`, `rectangle` or `box`. Faulty
+    input is refused with its reason (`GeometryError`); nothing is repaired. Arrays of float64 go in without a copy,
     however they are strided.
 
     Examples
@@ -112,6 +112,44 @@ class Shape(Handle):
         if limits.shape != (view.count,):
             raise ValueError(f"offsets has the shape {limits.shape}; there are {view.count} normals")
         return cls._make(context, library.hs_polyhedron_create_from_halfspaces, view, limits.ctypes.data)
+
+    @classmethod
+    def boundary(
+        cls,
+        first: ArrayLike,
+        second: ArrayLike,
+        depth: float,
+        *,
+        before: Optional[ArrayLike] = None,
+        after: Optional[ArrayLike] = None,
+        context: Optional[Context] = None,
+    ) -> "Shape":
+        """A boundary segment: the virtual polygon of which it is an edge, for a fixed or prescribed block. A
+        line is a segment that reaches beyond the scene.
+
+        Parameters
+        ----------
+        first, second : array_like, shape (2,)
+            Its ends. The inside is at the left on the way from the first to the second: a floor under blocks
+            runs towards -x, the walls of a container run clockwise.
+        depth : float
+            How far the polygon reaches behind the segment: above twice the deepest overlap.
+        before, after : array_like, shape (2,), optional
+            Of a segment in a chain, the other ends of its neighbours. The polygon's flanks go under these, 60
+            degrees steep, so that nothing stands out and no gap is left.
+        context : Context, optional
+            The owner; the default context if there is none given.
+
+        Examples
+        --------
+        >>> slope = [(20, 0), (0, 0), (-10, 5)]
+        >>> floor = Shape.boundary(slope[0], slope[1], 1, after=slope[2])
+        >>> hillside = Shape.boundary(slope[1], slope[2], 1, before=slope[0])
+        """
+        ends = vector(first, "first"), vector(second, "second")
+        start = None if before is None else vector(before, "before")
+        end = None if after is None else vector(after, "after")
+        return cls._make(context, library.hs_polygon_create_boundary, start, *ends, end, depth)
 
     @classmethod
     def rectangle(cls, width: float, height: float, *, context: Optional[Context] = None) -> "Shape":

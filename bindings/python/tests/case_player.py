@@ -84,6 +84,11 @@ class Player:
             counts = counts[1 + counts[0] :]
 
     def call_shape(self, name, kind, *words):
+        if kind == "boundary":
+            values = numbers(words)
+            before, after = values[5:].reshape(-1, 2) if len(values) > 5 else (None, None)
+            self.shapes[name] = hs.Shape.boundary(values[:2], values[2:4], values[4], before=before, after=after)
+            return
         columns = 4 if kind == "halfspaces" else 2 if kind.startswith("polygon") else 3
         points = numbers(words).reshape(-1, columns)
         if kind == "polygon":

@@ -111,6 +111,29 @@ HS_API hs_status hs_polygon_create(hs_context *context, hs_view vertices, hs_sha
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (all on one line) or HS_ERROR_OUT_OF_MEMORY */
 HS_API hs_status hs_polygon_create_hull(hs_context *context, hs_view points, hs_shape **shape);
 
+/** @brief Makes a boundary segment: the virtual polygon of which it is an edge, for a block that is fixed or
+ *  prescribed (Zheng et al. 2020, section 3.3). A line is a segment that reaches beyond the scene.
+ *  The inside is at the left on the way from first to second, as along every edge of a counter-clockwise
+ *  polygon: a floor under blocks runs towards -x, the walls of a container run clockwise.
+ *  Segments may form a chain, each a block of its own: say what comes before and after, so that the flanks of
+ *  the polygon go under the neighbours, 60 degrees steep to these. Then nothing stands out and no gap is left,
+ *  and where two segments are in line their potentials add up to those of one. Springs per contact slow down
+ *  what crosses a joint, by up to 2 k d^2 of its energy at a depth d: make what is straight one segment.
+ *  Give hs_world_def.potential_length: these edges count in the mean that it is by default.
+ *  @param context owner of the allocator
+ *  @param before other end of the segment before; may be NULL: the flank then goes as if one came in line
+ *  @param first where the segment begins, like all ends 3 values of which the last is not read
+ *  @param second where it ends
+ *  @param after other end of the segment after; may be NULL, likewise
+ *  @param depth how far the polygon reaches behind the segment, > 0: above twice the deepest overlap, so that
+ *         the segment is the nearest way out, and above what blocks cross in a step
+ *  @param shape receives the shape; end it with hs_shape_destroy()
+ *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (too large, too small or too thin to compute with) or
+ *          HS_ERROR_OUT_OF_MEMORY */
+HS_API hs_status hs_polygon_create_boundary(hs_context *context, const double before[3],
+                                            const double first[3], const double second[3],
+                                            const double after[3], double depth, hs_shape **shape);
+
 /** @brief Cleans up a vertex list on request: drops repeated vertices and vertices on the line of their
  *  neighbours, and turns the order counter-clockwise. It reports what it changed and never moves a vertex.
  *  @param context for the error text

@@ -713,6 +713,37 @@ extern "C" {
         shape: *mut *mut hs_shape,
     ) -> hs_status;
 
+    /// Makes a boundary segment: the virtual polygon of which it is an edge, for a block that is fixed or
+    /// prescribed (Zheng et al. 2020, section 3.3). A line is a segment that reaches beyond the scene. The
+    /// inside is at the left on the way from first to second, as along every edge of a counter-clockwise
+    /// polygon: a floor under blocks runs towards -x, the walls of a container run clockwise. Segments may
+    /// form a chain, each a block of its own: say what comes before and after, so that the flanks of the
+    /// polygon go under the neighbours, 60 degrees steep to these. Then nothing stands out and no gap is
+    /// left, and where two segments are in line their potentials add up to those of one. Springs per contact
+    /// slow down what crosses a joint, by up to 2 k d^2 of its energy at a depth d: make what is straight one
+    /// segment. Give hs_world_def.potential_length: these edges count in the mean that it is by default.
+    ///
+    /// - `context`: owner of the allocator
+    /// - `before`: other end of the segment before; may be NULL: the flank then goes as if one came in line
+    /// - `first`: where the segment begins, like all ends 3 values of which the last is not read
+    /// - `second`: where it ends
+    /// - `after`: other end of the segment after; may be NULL, likewise
+    /// - `depth`: how far the polygon reaches behind the segment, > 0: above twice the deepest overlap, so
+    ///   that the segment is the nearest way out, and above what blocks cross in a step
+    /// - `shape`: receives the shape; end it with hs_shape_destroy()
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (too large, too small or too thin to compute with)
+    /// or HS_ERROR_OUT_OF_MEMORY
+    pub fn hs_polygon_create_boundary(
+        context: *mut hs_context,
+        before: *const [f64; 3],
+        first: *const [f64; 3],
+        second: *const [f64; 3],
+        after: *const [f64; 3],
+        depth: f64,
+        shape: *mut *mut hs_shape,
+    ) -> hs_status;
+
     /// Cleans up a vertex list on request: drops repeated vertices and vertices on the line of their
     /// neighbours, and turns the order counter-clockwise. It reports what it changed and never moves a
     /// vertex.

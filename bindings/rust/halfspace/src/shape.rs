@@ -89,6 +89,48 @@ impl Shape {
         })
     }
 
+    /// A boundary segment from the first to the second of two ends: the virtual polygon of which it
+    /// is an edge, for a fixed or prescribed block. The inside is at the left on the way: a floor
+    /// under blocks runs towards -x, the walls of a container run clockwise. A line is a segment
+    /// that reaches beyond the scene. `depth` is how far the polygon reaches behind the segment:
+    /// above twice the deepest overlap.
+    ///
+    /// Of a segment in a chain, `neighbours` are the other ends of the one before and the one after,
+    /// under which the polygon's flanks go, if there are any.
+    ///
+    /// ```
+    /// use halfspace::{Context, Shape};
+    ///
+    /// let context = Context::new()?;
+    /// let floor = Shape::boundary(&context, [[5.0, 0.0], [-5.0, 0.0]], 1.0, [None, None])?;
+    /// let flank = 1.0 / f64::sqrt(3.0);
+    /// assert!((floor.properties().volume - (10.0 + flank)).abs() < 1e-14);
+    /// # Ok::<(), halfspace::Error>(())
+    /// ```
+    pub fn boundary(
+        context: &Context,
+        ends: [[f64; 2]; 2],
+        depth: f64,
+        neighbours: [Option<[f64; 2]>; 2],
+    ) -> Result<Self> {
+        let three = |[x, y]: [f64; 2]| [x, y, 0.0];
+        let [first, second] = ends.map(three);
+        let [before, after] = neighbours.map(|end| end.map(three));
+        let pointer = |end: &Option<[f64; 3]>| end.as_ref().map_or(ptr::null(), |end| end as *const [f64; 3]);
+        // SAFETY: all are references or null where that is allowed.
+        Self::make(context, |shape| unsafe {
+            sys::hs_polygon_create_boundary(
+                context.handle(),
+                pointer(&before),
+                &first,
+                &second,
+                pointer(&after),
+                depth,
+                shape,
+            )
+        })
+    }
+
     /// A convex polyhedron from its vertices and faces. A face lists its vertices in the order of
     /// its outline, all faces counter-clockwise seen from outside, or all clockwise. Vertices and
     /// faces keep their order.

@@ -73,6 +73,12 @@ impl Scene {
         let shape = match words.word(2) {
             "polygon" => Shape::polygon(context, &words.points_from::<2>(3))?,
             "polygon_hull" => Shape::polygon_hull(context, &words.points_from::<2>(3))?,
+            "boundary" => {
+                let numbers = words.numbers_from(3);
+                let end = |i: usize| Some([*numbers.get(i)?, *numbers.get(i + 1)?]);
+                let ends = [0, 2].map(|i| end(i).expect("an end"));
+                Shape::boundary(context, ends, numbers[4], [end(5), end(7)])?
+            }
             "polyhedron" => Shape::polyhedron(context, &words.points_from::<3>(3), &self.faces)?,
             "polyhedron_hull" => Shape::polyhedron_hull(context, &words.points_from::<3>(3))?,
             "halfspaces" => Shape::polyhedron_from_halfspaces(context, &halfspaces(words))?,
