@@ -1,7 +1,10 @@
-"""Files of blocks and regions in a scene, as `halfspace check` counts them. What the readers make of them is tested with the command's parts."""
+"""Files of blocks, regions and boundaries in a scene, as `halfspace check` counts them. What the readers make of them is tested with the command's parts."""
+import math
 import tempfile
 import unittest
 from pathlib import Path
+
+import vtk
 
 from command import halfspace, main
 
@@ -57,6 +60,29 @@ class Sources(unittest.TestCase):
         chain = floor.replace("[-9, 0]", "[0, 0], [-9, 4]")
         self.check_count(2, chain + '[output]\ntracked = ["ground.0", "ground.1"]\n')
         self.check_count(2, chain.replace("fixed", "prescribed"))
+
+    def test_segments_of_a_boundary_know_their_neighbours(self):
+        # Down a wall, over a floor, down a step: the floor reaches on behind the wall by 1 / tan(60), and its other flank is
+        # the bisector at the ridge. The wall, whose other end is free, has a flank of 60 degrees there.
+        scene = self.BOUNDARY + "boundary = [[5, 3], [5, 0], [0, 0], [0, -3]]\ndepth = 1\n"
+        with tempfile.TemporaryDirectory() as directory:
+            path, output = Path(directory, "scene.toml"), Path(directory, "out")
+            path.write_text("dimension = 2\n" + HEAD.replace("duration = 1", "duration = 1e-3\ntime_step = 1e-3")
+                            + scene.removeprefix("dimension = 2\n"))
+            answer = halfspace("run", path, "-o", output)
+            self.assertEqual(answer.returncode, 0, answer.stderr)
+            reader = vtk.vtkXMLPolyDataReader()
+            reader.SetFileName(str(output / "frames" / "frame_0000.vtp"))
+            reader.Update()
+        cells = (reader.GetOutput().GetCell(i).GetPoints() for i in range(3))
+        wall, floor, step = ([points.GetPoint(i)[:2] for i in range(points.GetNumberOfPoints())] for points in cells)
+        reach = 1 / math.sqrt(3)
+        for block, expected in ((wall, [(5, 3), (5, -reach), (6, -reach), (6, 3 + reach)]),
+                                (floor, [(5 + reach, 0), (0, 0), (1, -1), (5 + reach, -1)]),
+                                (step, [(0, 0), (0, -3), (1, -3 - reach), (1, -1)])):
+            self.assertEqual(len(block), len(expected))
+            for corner in expected:
+                self.assertLess(min(math.dist(corner, found) for found in block), 1e-14)
 
     def test_faults_of_boundaries(self):
         floor = self.BOUNDARY + "boundary = [[9, 4], [0, 4], [-9, 4]]\ndepth = 1\n"
