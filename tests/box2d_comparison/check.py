@@ -15,6 +15,8 @@ SCENES = {
     "heap", "heap_10km", "stack_10km", "stack_1000km",
 }  # fmt: skip
 WORLDS = {world + run for world in ("box2d", "halfspace") for run in ("", "_nudged", "_nudged_back")}
+FORCES = "forces"  # once, in the scenes that it is meant for
+WITHOUT_FORCES = {"bullet", "tiny_edges", "slivers", "heap", "heap_10km", "stack_1000km"}
 STEPS = 30
 
 
@@ -43,7 +45,16 @@ def main() -> None:
         scenes, summary, steps = (rows_of(folder / f"{name}.csv") for name in ("scenes", "summary", "steps"))
         require({row["scene"] for row in scenes} == SCENES, "scenes.csv has other scenes than those known")
         expected = {(scene, world) for scene in SCENES for world in WORLDS}
-        require(expected <= {(row["scene"], row["world"]) for row in summary}, "a row of summary.csv is missing")
+        expected |= {(scene, FORCES) for scene in SCENES - WITHOUT_FORCES}
+        found = {(row["scene"], row["world"]) for row in summary}
+        require(found == expected, f"summary.csv has other rows than are expected: {sorted(found ^ expected)}")
+        for row in scenes:
+            is_run = row["scene"] not in WITHOUT_FORCES
+            require(bool(row["stiffness"]) == is_run, f"stiffness of {row['scene']}")
+            require(bool(row["why_no_forces"]) != is_run, f"why {row['scene']} is not run in force mode")
+        for row in summary:
+            scene, world = row["scene"], row["world"]
+            require((int(row["sub_steps"]) > 1) == (world == FORCES), f"sub-steps of {scene}, {world}")
         for pair in expected:
             found = sum((row["scene"], row["world"]) == pair for row in steps)
             require(found == STEPS, f"steps.csv has {found} rows of {pair}, not {STEPS}")
@@ -55,7 +66,10 @@ def main() -> None:
         for row in scenes:
             require(f'<section id="{row["scene"]}">' in page, f"{row['scene']} is not on the page")
         pictures = len(re.findall(r'src="data:image/png;base64,', page))
-        require(pictures == len(SCENES) + 1, f"the page has {pictures} pictures")
+        require(pictures == len(SCENES) + 2, f"the page has {pictures} pictures")
+        not_run = page.count("<b>Force mode.</b> Not run. ")
+        require(not_run == len(WITHOUT_FORCES), f"the page says of {not_run} scenes why they are not run in force mode")
+        require('<section id="force_mode">' in page, "force mode has no section")
         require(not re.search(r'(src|href)="(?!data:|#)', page), "the page leans on another file")
 
 

@@ -1,13 +1,26 @@
 #include "engines.h"
 
 #include <cmath>
+#include <halfspace/box2d_force.hpp>
+
+#include "forces.h"
 
 namespace box2d_comparison {
 namespace {
 
 using halfspace::box2d::FixtureGeometry;
+using halfspace::box2d::ForceMode;
 using halfspace::box2d::NarrowPhase;
 using halfspace::box2d::Options;
+
+Options with_true_polygons() {
+  Options options;
+  options.geometry_of = [](b2Fixture& fixture) {
+    const TruePolygon* truth = true_polygon_of(fixture);
+    return FixtureGeometry{false, truth ? truth->shape.get() : nullptr};
+  };
+  return options;
+}
 
 /// Box2D's solver, on the contacts of Box2D's own narrow phase.
 class Stock : public Engine {
@@ -28,14 +41,20 @@ class Halfspace : public Stock {
   NarrowPhase narrow_phase_;
 };
 
-Options with_true_polygons() {
-  Options options;
-  options.geometry_of = [](b2Fixture& fixture) {
-    const TruePolygon* truth = true_polygon_of(fixture);
-    return FixtureGeometry{false, truth ? truth->shape.get() : nullptr};
-  };
-  return options;
-}
+/// The library's forces in place of Box2D's solver, between the same true polygons.
+class Forces : public Engine {
+ public:
+  Forces(Stage& stage, int bearers)
+      : narrow_phase_(stage.world(), with_true_polygons()),
+        forces_(narrow_phase_, law_of_forces(force_stiffness(stage.world(), bearers))) {}
+
+  void step() override { forces_.step(float(frame_seconds), sub_steps(), 8, 3); }
+  int sub_steps() override { return forces_.sub_steps_for(float(frame_seconds)); }
+
+ private:
+  NarrowPhase narrow_phase_;
+  ForceMode forces_;
+};
 
 std::unique_ptr<Engine> begin_stock(Stage& stage) { return std::make_unique<Stock>(stage); }
 
@@ -43,33 +62,42 @@ std::unique_ptr<Engine> begin_halfspace(Stage& stage) {
   return std::make_unique<Halfspace>(stage, with_true_polygons());
 }
 
-/// Puts what moves 0.1 mm to the left and to the right of where it was by turns, or to the next float.
+/// Puts what moves 0.1 mm to its own left and right by turns, or to the next float: along the faces that most
+/// blocks lie on, so that none begins within another.
 void nudge(b2World& world, float side) {
   for (b2Body* body = world.GetBodyList(); body; body = body->GetNext()) {
     if (body->GetType() != b2_dynamicBody) continue;
     const b2Vec2 at = body->GetPosition();
-    const float aside = at.x + side * 1e-4f;
-    body->SetTransform({aside != at.x ? aside : std::nextafter(at.x, side * INFINITY), at.y},
-                       body->GetAngle());
+    b2Vec2 aside = at + side * 1e-4f * body->GetWorldVector({1, 0});
+    if (aside == at) aside.x = std::nextafter(at.x, side * INFINITY);
+    body->SetTransform(aside, body->GetAngle());
     side = -side;
   }
 }
 
-template <auto begin, int side>
-std::unique_ptr<Engine> begin_nudged(Stage& stage) {
-  nudge(stage.world(), float(side));
-  return begin(stage);
+/// The same world, of which all that moves has been moved aside.
+EngineKind nudged(const EngineKind& kind, const char* suffix, float side) {
+  const auto begin = [begin = kind.begin, side](Stage& stage) {
+    nudge(stage.world(), side);
+    return begin(stage);
+  };
+  return {kind.name + suffix, kind.rest_gap, begin};
 }
 
 }  // namespace
 
-const std::vector<EngineKind>& engine_kinds() {
-  static const std::vector<EngineKind> kinds = {{"box2d", begin_stock},
-                                                {"halfspace", begin_halfspace},
-                                                {"box2d_nudged", begin_nudged<begin_stock, 1>},
-                                                {"halfspace_nudged", begin_nudged<begin_halfspace, 1>},
-                                                {"box2d_nudged_back", begin_nudged<begin_stock, -1>},
-                                                {"halfspace_nudged_back", begin_nudged<begin_halfspace, -1>}};
+std::vector<EngineKind> engine_kinds(const ForceUse& forces) {
+  std::vector<EngineKind> kinds = {{"box2d", skins, begin_stock}, {"halfspace", skins, begin_halfspace}};
+  if (forces.bearers > 0) {
+    const auto begin = [bearers = forces.bearers](Stage& stage) {
+      return std::make_unique<Forces>(stage, bearers);
+    };
+    kinds.push_back({"forces", 0, begin});
+  }
+  for (const std::size_t i : {0, 1}) {
+    kinds.push_back(nudged(kinds[i], "_nudged", 1));
+    kinds.push_back(nudged(kinds[i], "_nudged_back", -1));
+  }
   return kinds;
 }
 

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Callable, Optional
 
-STOCK, HALFSPACE = "box2d", "halfspace"
-NAMES = {STOCK: "Box2D", HALFSPACE: "half-space"}
-SUFFIXES = ("", "_nudged", "_nudged_back")  # of the three runs of a world
+STOCK, HALFSPACE, FORCES = "box2d", "halfspace", "forces"
+NAMES = {STOCK: "Box2D", HALFSPACE: "half-space", FORCES: "force mode"}
+SUFFIXES = ("", "_nudged", "_nudged_back")  # of the three runs of a world; force mode has one
 
 
 @dataclass(frozen=True)
@@ -60,6 +60,9 @@ class Scene:
     title: str
     stands_for: str
     stands: bool  # all is to stay where it is
+    on_slopes: bool  # where friction alone holds the blocks
+    stiffness: Optional[float]  # of force mode, N/m; None where it is not run
+    why_no_forces: str  # where it is not
     summary: dict  # of each world, by column; None where there is nothing
     steps: dict  # of each world: lists by column
 
@@ -78,8 +81,9 @@ class Scene:
         """Has a block of a scene that is to stay gone by more than half its size, 1 m in these scenes?"""
         return self.stands and self.summary[world]["drift"] > 0.5
 
-    def falls_in_all(self) -> bool:
-        return all(self.has_fallen(run) for world in (STOCK, HALFSPACE) for run in self.runs(world))
+    def falls_in_all(self, world: str = HALFSPACE) -> bool:
+        """Of Box2D's runs and of another world's."""
+        return all(self.has_fallen(run) for either in (STOCK, world) for run in self.runs(either))
 
 
 def _number(text: str) -> Optional[float]:
@@ -112,6 +116,9 @@ def read(folder: Path) -> list:
             rows[0]["title"],
             rows[0]["stands_for"],
             rows[0]["stands"] == "1",
+            rows[0]["on_slopes"] == "1",
+            _number(rows[0]["stiffness"]),
+            rows[0]["why_no_forces"],
             {row["world"]: summary(row) for row in summaries[name]},
             {row["world"]: columns(steps[name, row["world"]]) for row in summaries[name]},
         )
@@ -129,15 +136,15 @@ def extremes(scene: Scene, world: str, figure: Figure) -> Optional[tuple]:
     return None if None in values else (min(values), max(values))
 
 
-def judge(scene: Scene, figure: Figure) -> str:
-    """'better', 'worse', or 'same' for the half-space world.
+def judge(scene: Scene, figure: Figure, world: str = HALFSPACE) -> str:
+    """'better', 'worse', or 'same' for a world against Box2D's.
 
     Where there are three runs, only when all of them are better or worse than all of Box2D's: else the difference is
     luck. So it is with motion where all have fallen.
     """
-    if figure in MOTION and scene.falls_in_all():
+    if figure in MOTION and scene.falls_in_all(world):
         return "same"
-    stock, ours = extremes(scene, STOCK, figure), extremes(scene, HALFSPACE, figure)
+    stock, ours = extremes(scene, STOCK, figure), extremes(scene, world, figure)
     if stock is None or ours is None:
         return "same"
     if ours[0] > stock[1] + max(figure.noise * abs(stock[1]), figure.floor):

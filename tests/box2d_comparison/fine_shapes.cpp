@@ -52,21 +52,21 @@ std::vector<Scene> fine_shapes() {
       {"tiny_edges", "Edges of a thousandth",
        "Squares whose corners are cut off over 0.001 of their side, as cells and digitized grains have them. "
        "Box2D welds the cut's two vertices into one; the half-space narrow phase has the true polygon.",
-       false, 15, sideways, add_heap_of_cut_squares},
+       false, 15, sideways, without_forces(nothing_to_stay), add_heap_of_cut_squares},
       {"balanced", "Standing on a tiny edge",
        "One square with such corners stands on one of them, an edge of 1.4 mm: its weight is over the edge. "
        "But Box2D's "
        "solver takes two points so near each other for one, whoever finds them, and it falls.",
-       true, 15, sideways,
+       true, 15, sideways, borne_by(1),
        [](Stage& stage) {
          stage.add_floor(40);
          const float to_edge = float((1 - 0.001) * std::sqrt(0.5));
          stage.add(square_with_cut_corners(),
-                   {{0, to_edge + 2 * b2_polygonRadius}, float(halfspace_benchmark::pi / 4)});
+                   {{0, to_edge + stage.rest_gap()}, float(halfspace_benchmark::pi / 4)});
        }},
       {"slivers", "Slivers",
        "Planks and wedges of 1.5 m, 2 cm thick and pointed, in a bin: as thin as the two skins between them.",
-       false, 15, sideways, add_heap_of_slivers}};
+       false, 15, sideways, without_forces(nothing_to_stay), add_heap_of_slivers}};
 }
 
 }  // namespace box2d_comparison

@@ -7,13 +7,15 @@ from pathlib import Path
 from statistics import median
 
 import plots
-from figures import COST, HALFSPACE, MOTION, NAMES, PAIRS, STOCK, has_range, judge, read
+from figures import COST, FORCES, HALFSPACE, MOTION, NAMES, PAIRS, STOCK, has_range, judge, read
+from force_section import force_section
 from words import count, figure_of, get, pay, range_of, ratio
 
 INTRODUCTION = """
 <p>The same scenes stepped with Box2D's own narrow phase and with the half-space narrow phase of the adapter. Solver,
 broad phase and continuous collision are Box2D's in both: the adapter changes which contacts the solver is given, not
-what it makes of them. 60 steps per second, 8 velocity and 3 position iterations, nothing sleeps.</p>
+what it makes of them. 60 steps per second, 8 velocity and 3 position iterations, nothing sleeps. Where it is meant for
+the scene, a third world is in <a href="#force_mode">force mode</a>: forces of the library in place of Box2D's solver.</p>
 """
 
 HOW_TO_READ = """
@@ -27,7 +29,8 @@ moved less than 0.1 mm and 0.1 mrad.</p>
 that moves 0.1 mm to the left and to the right by turns. A figure of motion, or of frames, is called
 <span class="better-words">better</span> or <span class="worse-words">worse</span> only where all three runs with half-spaces are
 so against all three of Box2D's; else the difference says nothing. Where what is to stay falls in all runs, the motion is not judged. Energy gained is summed over all steps that end with more energy than they began with;
-jitter is the root mean square change of velocity from step to step.</p>
+jitter is the root mean square change of velocity from step to step. Force mode is run once: its figures are called so
+where they are better or worse than all three of Box2D's. Thin lines in the pictures are the nudged runs.</p>
 """
 
 
@@ -36,23 +39,24 @@ def image(png: bytes, text: str) -> str:
 
 
 def row_of(scene, figure) -> str:
-    verdict = judge(scene, figure)
-    shown = ratio(scene, figure)
-    kind = "unseen" if verdict == "same" and shown == "both unseen" else verdict
     text = f"<tr><td>{escape(figure.words)}</td>"
     for world in scene.worlds():
-        colour = f' class="{kind}"' if world == HALFSPACE else ""
+        verdict, shown = judge(scene, figure, world), ratio(scene, figure, world)
+        kind = "unseen" if verdict == "same" and shown == "both unseen" else verdict
+        colour = f' class="{kind}"' if world != STOCK else ""
         text += f"<td{colour}>{figure_of(scene, world, figure)}</td>"
         if len(scene.runs(world)) > 1:
             text += f"<td{colour}>{range_of(scene, world, figure) if has_range(figure) else ''}</td>"
-    return text + f'<td class="{kind}">{shown}</td></tr>'
+        if world != STOCK:
+            text += f"<td{colour}>{shown}</td>"
+    return text + "</tr>"
 
 
 def table_of(scene) -> str:
     titles = [""]
     for world in scene.worlds():
         titles += [NAMES.get(world, world)] + ["three runs"] * (len(scene.runs(world)) > 1)
-    titles.append("ratio")
+        titles += ["ratio"] * (world != STOCK)
     text = "<table><tr>" + "".join(f"<th>{escape(title)}</th>" for title in titles) + "</tr>"
     asked = scene.summary[STOCK]["judged"]
     groups = (("What you pay", COST), (f"The pairs: {count(asked)} verdicts", PAIRS), ("The motion", MOTION))
@@ -62,18 +66,29 @@ def table_of(scene) -> str:
     return text + "</table>"
 
 
-def section_of(scene) -> str:
-    better, worse = get(scene, "better"), get(scene, "worse")
-    text = f'<section id="{scene.name}"><h2>{escape(scene.title)}</h2><p>{escape(scene.stands_for)}</p>'
-    text += f"<p>{pay(scene)}</p>"
-    if scene.falls_in_all():
-        text += "<p>It is to stay and does not, in any run: better contacts do not mend what the solver leaves undone.</p>"
+def gains_of(scene, world: str) -> str:
+    """What a world costs and what is better and worse in it, in words."""
+    better, worse = get(scene, "better", world), get(scene, "worse", world)
+    text = pay(scene, world)
     if better:
-        text += f'<p><span class="better-words">Better:</span> {"; ".join(better)}.</p>'
+        text += f' <span class="better-words">Better:</span> {"; ".join(better)}.'
     if worse:
-        text += f'<p><span class="worse-words">Worse:</span> {"; ".join(worse)}.</p>'
+        text += f' <span class="worse-words">Worse:</span> {"; ".join(worse)}.'
     if not better and not worse:
-        text += "<p>Nothing else that luck would not explain.</p>"
+        text += " Nothing else that luck would not explain."
+    return text
+
+
+def section_of(scene) -> str:
+    text = f'<section id="{scene.name}"><h2>{escape(scene.title)}</h2><p>{escape(scene.stands_for)}</p>'
+    if scene.falls_in_all():
+        text += (
+            "<p>It is to stay and does not, in any run with Box2D's solver: better contacts do not mend what the solver "
+            "leaves undone.</p>"
+        )
+    text += f"<p><b>Half-space narrow phase.</b> {gains_of(scene, HALFSPACE)}</p>"
+    forces = gains_of(scene, FORCES) if scene.stiffness else f"Not run. {escape(scene.why_no_forces)}"
+    text += f"<p><b>Force mode.</b> {forces}</p>"
     return text + table_of(scene) + image(plots.scene_plots(scene), f"{scene.title} over time") + "</section>"
 
 
@@ -130,6 +145,8 @@ def page_of(scenes) -> str:
         f"{INTRODUCTION}"
         f"{in_short(scenes)}"
         f'<section><h2>All scenes</h2>{overall(scenes)}{image(plots.overview(scenes), "All scenes")}</section>'
+        f'<section id="force_mode"><h2>Force mode</h2>{force_section(scenes)}'
+        f'{image(plots.force_overview(scenes), "Force mode")}</section>'
         f"<section><h2>How to read this</h2>{HOW_TO_READ}</section>"
         + "".join(section_of(scene) for scene in scenes)
         + "</main></body></html>\n"

@@ -6,10 +6,10 @@ import matplotlib
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
 
-from figures import HALFSPACE, NAMES, STOCK, Scene  # noqa: E402
+from figures import FORCES, HALFSPACE, NAMES, STOCK, Scene  # noqa: E402
 
-COLOURS = {STOCK: "#b5442e", HALFSPACE: "#1f5f8b"}
-FURTHER = ("#5b8c3a", "#8a5fa8")
+COLOURS = {STOCK: "#b5442e", HALFSPACE: "#1f5f8b", FORCES: "#5b8c3a"}
+OTHER = "#8a5fa8"
 INK, GRID = "#2f3b45", "#e3e0da"
 
 pyplot.rcParams.update(
@@ -39,7 +39,7 @@ def _png(figure) -> bytes:
 
 def _lines(scene: Scene) -> list:
     """Run, colour, width and label; the nudged runs first and faint."""
-    colours = dict(zip(scene.worlds(), (COLOURS[STOCK], COLOURS[HALFSPACE], *FURTHER)))
+    colours = {world: COLOURS.get(world, OTHER) for world in scene.worlds()}
     faint = [(run, colour, 0.6, None) for world, colour in colours.items() for run in scene.runs(world)[1:]]
     return faint + [(world, colour, 1.4, NAMES.get(world, world)) for world, colour in colours.items()]
 
@@ -108,4 +108,28 @@ def overview(scenes: list) -> bytes:
     for world in (STOCK, HALFSPACE):
         axes[1].scatter([], [], color=COLOURS[world], s=22, label=NAMES[world])
     axes[1].legend(fontsize=8, loc="upper right")  # where the first scenes have none wrong
+    return _png(figure)
+
+
+def force_overview(scenes: list) -> bytes:
+    """Force mode against Box2D, over the scenes that are run in it: what is paid, and how far blocks go."""
+    run = [scene for scene in scenes if scene.stiffness]
+    figure, axes = pyplot.subplots(1, 3, figsize=(13, 1.1 + 0.26 * len(run)), sharey=True, layout="constrained")
+    columns = (
+        ("frames_per_second", "frames per second", 1),
+        ("drift", "drift of the farthest block at the end, m", 1e-7),
+        ("jitter", "jitter in the last second, m/s", 1e-9),
+    )
+    axes[0].set_yticks([-i for i in range(len(run))], [scene.title for scene in run])
+    for ax, (column, title, least) in zip(axes, columns):
+        ax.set_title(title + (f"\n(less than {least:g} at the edge)" if column != "frames_per_second" else ""))
+        ax.set_xscale("log")
+        for i, scene in enumerate(run):
+            stock, ours = (max(scene.summary[world][column], least) for world in (STOCK, FORCES))
+            ax.plot([stock, ours], [-i, -i], color="#c9c6bf", linewidth=1.2, zorder=1)
+            ax.scatter(stock, -i, color=COLOURS[STOCK], s=22, zorder=2)
+            ax.scatter(ours, -i, color=COLOURS[FORCES], s=22, zorder=3)
+    for world in (STOCK, FORCES):
+        axes[0].scatter([], [], color=COLOURS[world], s=22, label=NAMES[world])
+    axes[0].legend(fontsize=8, loc="center")
     return _png(figure)

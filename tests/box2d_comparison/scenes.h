@@ -5,11 +5,21 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "stage.h"
 
 namespace box2d_comparison {
+
+/// Whether a scene is run in force mode as well.
+struct ForceUse {
+  /// Blocks on the ground, between which the weight of all the others is about shared. 0: not run
+  int bearers = 0;
+  std::string why_not;  // for readers, where it is not
+};
+inline ForceUse borne_by(int bearers) { return {bearers, ""}; }
+inline ForceUse without_forces(std::string why_not) { return {0, std::move(why_not)}; }
 
 struct Scene {
   std::string name;        // in the CSVs
@@ -18,9 +28,11 @@ struct Scene {
   bool stands;             // all is to stay where it is; else things fall or move on purpose
   double seconds;          // simulated
   b2Vec2 drift_axis;       // along which bodies are to stay where they are, of unit length
+  ForceUse forces;
   std::function<void(Stage&)> build;
   double settling = 0;  // seconds before the scene begins, of which nothing is recorded
   std::function<void(Stage&)> let_go = nullptr;  // after these
+  bool on_slopes = false;                        // where friction alone holds the blocks
 };
 
 std::vector<Scene> stacks();        // stacks.cpp
@@ -32,5 +44,10 @@ std::vector<Scene> moving();        // moving.cpp
 std::vector<Scene> all_scenes();
 
 inline const b2Vec2 sideways = {1, 0};
+/// Why a scene is not run in force mode.
+inline const char* const nothing_to_stay =
+    "Its blocks tumble and have no place to stay at, so that drift and creep say nothing; what forces cost "
+    "where "
+    "many blocks touch is seen in the pyramid.";
 
 }  // namespace box2d_comparison

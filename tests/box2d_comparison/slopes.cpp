@@ -7,7 +7,7 @@
 namespace box2d_comparison {
 namespace {
 
-/// Blocks upon a slope of their own, whose skins just touch. Friction is the tangent of the slope as the
+/// Blocks that just touch, upon a slope of their own. Friction is the tangent of the slope as the
 /// floats of its turn have it, or the next float above.
 void add_slope(Stage& stage, const b2PolygonShape& block, int blocks, double slope, b2Vec2 at, double brake) {
   const float angle = float(std::atan(slope));
@@ -18,7 +18,7 @@ void add_slope(Stage& stage, const b2PolygonShape& block, int blocks, double slo
   friction *= float(brake);
   stage.add_box(30, 2, {at, angle, b2_staticBody, 0, friction});
   for (int i = 0; i < blocks; ++i) {
-    const float height = 1.5f + 2 * b2_polygonRadius + (1 + 2 * b2_polygonRadius) * float(i);
+    const float height = 1.5f + stage.rest_gap() + (1 + stage.rest_gap()) * float(i);
     stage.add(block, {at + height * turn.GetYAxis(), angle, b2_dynamicBody, 1, friction});
   }
 }
@@ -64,27 +64,30 @@ std::vector<Scene> slopes() {
   return {
       {"slope_below_friction", "Slope just below the friction angle",
        "Coulomb's block, let go on a slope whose tangent is a hundredth below the friction. It is to stay.",
-       true, 30, along,
+       true, 30, along, borne_by(1),
        [](Stage& stage) {
          add_slope(stage, box_of_2_by_1(), 1, 0.5, {0, 0}, 1.01);
-       }},
+       },
+       0, nullptr, true},
       {"slope_at_friction", "Slope at the friction angle, let go",
        "The limit itself: friction is the tangent of the slope, 0.5. Whatever speed the 8 iterations of the "
        "first step "
        "leave stays, as nothing is left to slow the block.",
-       true, 30, along,
+       true, 30, along, borne_by(1),
        [](Stage& stage) {
          add_slope(stage, box_of_2_by_1(), 1, 0.5, {0, 0}, 1);
-       }},
+       },
+       0, nullptr, true},
       {"slopes_settled", "Forty slopes at the friction angle, settled",
        "One hexagon on each of forty slopes of tangents 0.1 to 0.575. They rest with four times the friction "
        "for 5 s; "
        "then it falls to the tangent of the slope. All are to stay.",
-       true, 30, sideways, [](Stage& stage) { add_slopes(stage, 1); }, 5, release_brakes},
+       true, 30, sideways, borne_by(40), [](Stage& stage) { add_slopes(stage, 1); }, 5, release_brakes, true},
       {"slopes_of_two", "Forty slopes at the friction angle, two blocks",
        "The same with a second hexagon on the first. Whatever the solver leaves undone at the limit lets "
        "them slide.",
-       true, 30, sideways, [](Stage& stage) { add_slopes(stage, 2); }, 5, release_brakes}};
+       true, 30, sideways, borne_by(40), [](Stage& stage) { add_slopes(stage, 2); }, 5, release_brakes,
+       true}};
 }
 
 }  // namespace box2d_comparison

@@ -7,11 +7,11 @@
 namespace box2d_comparison {
 namespace {
 
-/// Boxes of 1 m, their skins 1 mm apart. The floor's top is at the place.
+/// Boxes of 1 m, 1 mm higher than they lie on each other. The floor's top is at the place.
 void add_stack(Stage& stage, int height, b2Vec2 place) {
   stage.add_floor(40, place);
   for (int i = 0; i < height; ++i) {
-    const float above = 0.5f + 2 * b2_polygonRadius + (1.001f + 2 * b2_polygonRadius) * float(i);
+    const float above = 0.5f + stage.rest_gap() + (1.001f + stage.rest_gap()) * float(i);
     stage.add_box(1, 1, {place + b2Vec2(0, above)});
   }
 }
@@ -25,13 +25,14 @@ Scene stack_of(int height) {
           true,
           15,
           sideways,
+          borne_by(1),
           [=](Stage& stage) {
             add_stack(stage, height, {0, 0});
           }};
 }
 
 /// As far to the right as up.
-Scene stack_at(float distance, const char* name, const char* where) {
+Scene stack_at(float distance, ForceUse forces, const char* name, const char* where) {
   return {name,
           std::string("Stack of 10, ") + where,
           std::string("An open world: the stack of ten boxes ") + where +
@@ -39,6 +40,7 @@ Scene stack_at(float distance, const char* name, const char* where) {
           true,
           15,
           sideways,
+          std::move(forces),
           [=](Stage& stage) {
             add_stack(stage, 10, {distance, distance});
           }};
@@ -63,6 +65,7 @@ Scene heap_at(float distance, const char* name, const char* where) {
           false,
           15,
           sideways,
+          without_forces(nothing_to_stay),
           [=](Stage& stage) {
             add_heap(stage, {distance, distance});
           }};
@@ -79,10 +82,14 @@ Scene heavy_on_light(int ratio) {
           true,
           15,
           sideways,
+          borne_by(1),
           [=](Stage& stage) {
             stage.add_floor(40);
-            for (int i = 0; i < 3; ++i) stage.add_box(1, 1, {{0, 0.52f + 1.02f * float(i)}});
-            Placing heavy{{0, 0.52f + 3 * 1.02f}};
+            const auto above = [&](int i) {
+              return 0.5f + stage.rest_gap() + (1 + stage.rest_gap()) * float(i);
+            };
+            for (int i = 0; i < 3; ++i) stage.add_box(1, 1, {{0, above(i)}});
+            Placing heavy{{0, above(3)}};
             heavy.density = float(ratio);
             stage.add_box(1, 1, heavy);
           }};
@@ -93,7 +100,7 @@ Scene heavy_on_light(int ratio) {
 std::vector<Scene> stacks() {
   return {{"pyramid", "Pyramid of 20 rows",
            "The pyramid of Box2D's testbed: 210 boxes, the benchmark of box stacking since Box2D Lite.", true,
-           15, sideways, [](Stage& stage) { halfspace_benchmark::add_pyramid(stage.world()); }},
+           15, sideways, borne_by(20), [](Stage& stage) { halfspace_benchmark::add_pyramid(stage.world()); }},
           stack_of(10),
           stack_of(50),
           heavy_on_light(100),
@@ -101,9 +108,13 @@ std::vector<Scene> stacks() {
 }
 
 std::vector<Scene> far_and_near() {
+  const char* floats_too_far_apart =
+      "Floats are 6 cm from each other there: blocks would begin as far within each other, which no spring "
+      "is "
+      "meant for.";
   return {heap_at(0, "heap", "at the origin"), heap_at(1e4f, "heap_10km", "10 km from the origin"),
-          stack_at(1e4f, "stack_10km", "10 km from the origin"),
-          stack_at(1e6f, "stack_1000km", "1000 km from the origin")};
+          stack_at(1e4f, borne_by(1), "stack_10km", "10 km from the origin"),
+          stack_at(1e6f, without_forces(floats_too_far_apart), "stack_1000km", "1000 km from the origin")};
 }
 
 }  // namespace box2d_comparison

@@ -33,9 +33,13 @@ struct Placing {
 
 class Stage {
  public:
-  Stage() : context_(halfspace_test::make_context()) { world_.SetAllowSleeping(false); }
+  /// `rest_gap` is between the edges of blocks that lie on each other, in m: the two skins in Box2D.
+  explicit Stage(float rest_gap) : rest_gap_(rest_gap), context_(halfspace_test::make_context()) {
+    world_.SetAllowSleeping(false);
+  }
 
   b2World& world() { return world_; }
+  float rest_gap() const { return rest_gap_; }
 
   b2Body& add(const b2PolygonShape& shape, const Placing& placing);
 
@@ -51,6 +55,7 @@ class Stage {
  private:
   b2Body& add(const b2PolygonShape& shape, const Placing& placing, const TruePolygon* truth);
 
+  float rest_gap_;
   // Shapes end after the world that uses them.
   halfspace_test::Context context_;
   std::deque<TruePolygon> true_polygons_;

@@ -37,7 +37,7 @@ void Table::end_row() {
 }
 
 Tables::Tables(const std::filesystem::path& folder)
-    : scenes_(folder / "scenes.csv", "scene,title,stands_for,stands"),
+    : scenes_(folder / "scenes.csv", "scene,title,stands_for,stands,on_slopes,stiffness,why_no_forces"),
       steps_(folder / "steps.csv",
              "scene,world,time,kinetic,potential,drift,median_drift,largest_speed,jitter,contact_points,"
              "seconds"),
@@ -46,10 +46,11 @@ Tables::Tables(const std::filesystem::path& folder)
           "scene,world,judged,wrong_verdicts,worst_wrong_verdict,touching,worst_depth_error,mean_depth_error,"
           "worst_normal_error,quiet_pairs,flicker,ns_per_pair,rest_time,drift,median_drift,creep,energy_"
           "gained,"
-          "jitter,frames_per_second") {}
+          "jitter,sub_steps,frames_per_second") {}
 
-void Tables::add(const Scene& scene) {
-  scenes_.add(scene.name).add(scene.title).add(scene.stands_for).add(std::int64_t(scene.stands)).end_row();
+void Tables::add(const Scene& scene, std::optional<double> stiffness) {
+  scenes_.add(scene.name).add(scene.title).add(scene.stands_for).add(std::int64_t(scene.stands));
+  scenes_.add(std::int64_t(scene.on_slopes)).add(stiffness).add(scene.forces.why_not).end_row();
 }
 
 void Tables::add(const Scene& scene, const std::string& world, const std::vector<MotionRow>& rows) {
@@ -66,7 +67,7 @@ void Tables::add(const Scene& scene, const std::string& world, const std::vector
   }
 }
 
-void Tables::add(const Scene& scene, const std::string& world, const MotionSummary& motion,
+void Tables::add(const Scene& scene, const std::string& world, int sub_steps, const MotionSummary& motion,
                  const PairQuality* quality, std::int64_t quiet_pairs) {
   summary_.add(scene.name).add(world);
   if (quality) {
@@ -86,7 +87,7 @@ void Tables::add(const Scene& scene, const std::string& world, const MotionSumma
       .add(motion.median_drift)
       .add(motion.creep)
       .add(motion.energy_gained);
-  summary_.add(motion.jitter).add(motion.frames_per_second).end_row();
+  summary_.add(motion.jitter).add(std::int64_t(sub_steps)).add(motion.frames_per_second).end_row();
 }
 
 }  // namespace box2d_comparison

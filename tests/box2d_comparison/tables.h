@@ -35,10 +35,11 @@ class Tables {
   /// Throws std::runtime_error when a file cannot be made.
   explicit Tables(const std::filesystem::path& folder);
 
-  void add(const Scene& scene);
+  /// `stiffness` is that of force mode, in N/m, where there is such a world.
+  void add(const Scene& scene, std::optional<double> stiffness);
   void add(const Scene& scene, const std::string& world, const std::vector<MotionRow>& rows);
   /// Without `quality` for worlds whose answers were not recorded.
-  void add(const Scene& scene, const std::string& world, const MotionSummary& motion,
+  void add(const Scene& scene, const std::string& world, int sub_steps, const MotionSummary& motion,
            const PairQuality* quality, std::int64_t quiet_pairs);
 
  private:

@@ -48,8 +48,8 @@ def range_of(scene: Scene, world: str, figure: Figure) -> str:
     return low if low == high else f"{low} to {high}"
 
 
-def ratio(scene: Scene, figure: Figure) -> str:
-    stock, ours = scene.of(STOCK, figure), scene.of(HALFSPACE, figure)
+def ratio(scene: Scene, figure: Figure, world: str = HALFSPACE) -> str:
+    stock, ours = scene.of(STOCK, figure), scene.of(world, figure)
     if stock is None or ours is None or stock <= 0 or ours < 0:
         return "–"
     if max(stock, ours) <= figure.floor:
@@ -57,21 +57,29 @@ def ratio(scene: Scene, figure: Figure) -> str:
     quotient = ours / stock
     if quotient >= 0.01:
         return f"{quotient:.2f}" if quotient < 100 else f"{quotient:.0f}"
-    return "0" if ours == 0 else f"1/{stock / ours:.0f}" if quotient > 1e-3 else "under 1/1000"
+    return "0" if ours == 0 else f"1/{count(_two_digits(stock / ours))}"
 
 
-def pay(scene: Scene) -> str:
-    """What the half-space narrow phase costs, in a sentence."""
+def _two_digits(value: float) -> float:
+    return float(f"{value:.2g}")
+
+
+def pay(scene: Scene, world: str) -> str:
+    """What a world costs, in a sentence."""
     frames = COST[0]
-    if judge(scene, frames) == "same":
+    if judge(scene, frames, world) == "same":
         return f"Frames per second: the same within luck or {100 * frames.noise:.0f} %."
-    return f"Frames per second: {_ours_instead(scene, frames)}."
+    return f"Frames per second: {_ours_instead(scene, frames, world)}."
 
 
-def _ours_instead(scene: Scene, figure: Figure) -> str:
-    return f"{range_of(scene, HALFSPACE, figure)} instead of {range_of(scene, STOCK, figure)}"
+def _ours_instead(scene: Scene, figure: Figure, world: str) -> str:
+    return f"{range_of(scene, world, figure)} instead of {range_of(scene, STOCK, figure)}"
 
 
-def get(scene: Scene, which: str) -> list:
+def get(scene: Scene, which: str, world: str = HALFSPACE) -> list:
     """The figures that are 'better' or 'worse' but for cost, in words."""
-    return [f"{figure.words} {_ours_instead(scene, figure)}" for figure in PAIRS + MOTION if judge(scene, figure) == which]
+    return [
+        f"{figure.words} {_ours_instead(scene, figure, world)}"
+        for figure in PAIRS + MOTION
+        if judge(scene, figure, world) == which
+    ]
