@@ -147,8 +147,12 @@ def judge(scene: Scene, figure: Figure, world: str = HALFSPACE) -> str:
     stock, ours = extremes(scene, STOCK, figure), extremes(scene, world, figure)
     if stock is None or ours is None:
         return "same"
-    if ours[0] > stock[1] + max(figure.noise * abs(stock[1]), figure.floor):
+
+    def margin(value: float) -> float:
+        return max(figure.noise * abs(value), figure.floor) if math.isfinite(value) else 0.0
+
+    if ours[0] > stock[1] + margin(stock[1]):
         return "better" if figure.more_is_better else "worse"
-    if ours[1] < stock[0] - max(figure.noise * abs(stock[0]), figure.floor):
+    if ours[1] < stock[0] - margin(stock[0]):
         return "worse" if figure.more_is_better else "better"
     return "same"

@@ -131,5 +131,5 @@ def force_overview(scenes: list) -> bytes:
             ax.scatter(ours, -i, color=COLOURS[FORCES], s=22, zorder=3)
     for world in (STOCK, FORCES):
         axes[0].scatter([], [], color=COLOURS[world], s=22, label=NAMES[world])
-    axes[0].legend(fontsize=8, loc="center")
+    axes[0].legend(fontsize=8, loc="upper center", bbox_to_anchor=(0.5, -0.08), ncols=2)
     return _png(figure)

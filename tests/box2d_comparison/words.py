@@ -11,7 +11,7 @@ def number(value: Optional[float], unit: str = "") -> str:
         return "–"
     if value == 0:
         return "0"
-    if unit in ("m", "m/s", "rad"):
+    if unit in ("m", "m/s", "rad", "J"):
         for factor, prefix in ((1, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n")):
             if abs(value) >= factor:
                 return f"{_digits(value / factor)} {prefix}{unit}"
@@ -57,7 +57,9 @@ def ratio(scene: Scene, figure: Figure, world: str = HALFSPACE) -> str:
     quotient = ours / stock
     if quotient >= 0.01:
         return f"{quotient:.2f}" if quotient < 100 else f"{quotient:.0f}"
-    return "0" if ours == 0 else f"1/{count(_two_digits(stock / ours))}"
+    if ours == 0:
+        return "0"
+    return f"1/{count(_two_digits(stock / ours))}" if quotient > 1e-6 else "under 1/10\u2076"
 
 
 def _two_digits(value: float) -> float:
