@@ -62,15 +62,14 @@ std::unique_ptr<Engine> begin_halfspace(Stage& stage) {
   return std::make_unique<Halfspace>(stage, with_true_polygons());
 }
 
-/// Puts what moves 0.1 mm to its own left and right by turns, or to the next float: along the faces that most
-/// blocks lie on, so that none begins within another.
+/// Puts what moves 0.1 mm to the left and to the right of where it was by turns, or to the next float.
 void nudge(b2World& world, float side) {
   for (b2Body* body = world.GetBodyList(); body; body = body->GetNext()) {
     if (body->GetType() != b2_dynamicBody) continue;
     const b2Vec2 at = body->GetPosition();
-    b2Vec2 aside = at + side * 1e-4f * body->GetWorldVector({1, 0});
-    if (aside == at) aside.x = std::nextafter(at.x, side * INFINITY);
-    body->SetTransform(aside, body->GetAngle());
+    const float aside = at.x + side * 1e-4f;
+    body->SetTransform({aside != at.x ? aside : std::nextafter(at.x, side * INFINITY), at.y},
+                       body->GetAngle());
     side = -side;
   }
 }

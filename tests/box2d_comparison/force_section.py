@@ -19,9 +19,9 @@ CREEP_WORDS = """
 <p><b>Creep at friction = slope.</b> A block that is let go falls vertically until its spring carries it, which is along
 the edge of the friction cone, and stops; Box2D's keeps the speed that its first step leaves it. Of two blocks the lower
 one leans downhill on its spring by up to 2 W / (k w), W their weight, k the stiffness and w the width. So the upper one
-lies on a slope a little steeper than the friction angle and goes g t&sup2; W / (k w) at most in the time t, on all slopes
-alike; that falls with the stiffness. Box2D's creep is what its iterations leave undone: far more on some slopes, none on
-a few. Places are read as floats, 0.03 mm from each other at the outermost slopes: a few of these say nothing.</p>
+lies on a slope a little steeper than the friction angle and goes g t&sup2; W / (k w) at most in the time t, on all
+slopes alike; that falls with the stiffness. Box2D's creep is what its iterations leave undone: far more on some slopes,
+none on a few. Places are floats, 0.03 mm from each other at the outermost slopes: a few of these say nothing.</p>
 """
 
 FRAMES = COST[0]
