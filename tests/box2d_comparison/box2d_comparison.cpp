@@ -41,6 +41,7 @@ struct Run {
 struct Twin {
   Twin(const Scene& scene, bool quick, const EngineKind& kind)
       : name(kind.name),
+        is_by_itself(kind.is_by_itself),
         run(scene, quick, kind.rest_gap, kind.begin),
         motion(run.stage->world(), scene.drift_axis) {}
 
@@ -50,16 +51,23 @@ struct Twin {
   }
 
   std::string name;
+  bool is_by_itself;
   Run run;
   Motion motion;
 };
 
-/// Step by step in turn, so that what slows the machine slows all.
+/// Step by step in turn, so that what slows the machine slows all; force mode by itself, as its many
+/// sub-steps would leave nothing of the others in the caches.
 std::vector<Twin> run_twins(const Scene& scene, bool quick) {
   std::vector<Twin> twins;
   for (const EngineKind& kind : engine_kinds(scene.forces)) twins.emplace_back(scene, quick, kind);
   for (int i = 0; i < steps_in(scene.seconds, quick); ++i) {
-    for (Twin& twin : twins) twin.step();
+    for (Twin& twin : twins) {
+      if (!twin.is_by_itself) twin.step();
+    }
+  }
+  for (Twin& twin : twins) {
+    for (int i = 0; i < steps_in(scene.seconds, quick) && twin.is_by_itself; ++i) twin.step();
   }
   return twins;
 }

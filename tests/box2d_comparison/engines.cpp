@@ -80,7 +80,7 @@ EngineKind nudged(const EngineKind& kind, const char* suffix, float side) {
     nudge(stage.world(), side);
     return begin(stage);
   };
-  return {kind.name + suffix, kind.rest_gap, begin};
+  return {kind.name + suffix, kind.rest_gap, begin, kind.is_by_itself};
 }
 
 }  // namespace
@@ -91,7 +91,7 @@ std::vector<EngineKind> engine_kinds(const ForceUse& forces) {
     const auto begin = [bearers = forces.bearers](Stage& stage) {
       return std::make_unique<Forces>(stage, bearers);
     };
-    kinds.push_back({"forces", 0, begin});
+    kinds.push_back({"forces", 0, begin, true});
   }
   for (const std::size_t i : {0, 1}) {
     kinds.push_back(nudged(kinds[i], "_nudged", 1));

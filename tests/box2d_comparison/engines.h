@@ -27,6 +27,7 @@ struct EngineKind {
   std::string name;  // in the CSVs
   float rest_gap;    // that its stage is furnished with
   std::function<std::unique_ptr<Engine>(Stage&)> begin;
+  bool is_by_itself = false;  // timed apart from the others
 };
 
 /// Those of a scene, Box2D's own first: the others are compared with it. Those that Box2D's solver steps are
