@@ -93,7 +93,8 @@ std::vector<EngineKind> engine_kinds(const ForceUse& forces) {
     };
     kinds.push_back({"forces", 0, begin, true});
   }
-  for (const std::size_t i : {0, 1}) {
+  const std::size_t nudged_kinds = forces.is_nudged ? 3 : 2;
+  for (std::size_t i = 0; i < nudged_kinds; ++i) {
     kinds.push_back(nudged(kinds[i], "_nudged", 1));
     kinds.push_back(nudged(kinds[i], "_nudged_back", -1));
   }

@@ -30,9 +30,9 @@ struct EngineKind {
   bool is_by_itself = false;  // timed apart from the others
 };
 
-/// Those of a scene, Box2D's own first: the others are compared with it. Those that Box2D's solver steps are
-/// there twice more with everything 0.1 mm aside: what a world differs in from its own nudged runs is luck.
-/// Force mode costs so much that it is there once.
+/// Those of a scene, Box2D's own first: the others are compared with it. Each is there twice more with
+/// everything 0.1 mm aside, force mode only if wanted: what a world differs in from its own nudged runs is
+/// luck.
 std::vector<EngineKind> engine_kinds(const ForceUse& forces);
 
 /// The world whose pairs both narrow phases judge: half-spaces drive it.

@@ -7,7 +7,7 @@ from typing import Callable, Optional
 
 STOCK, HALFSPACE, FORCES = "box2d", "halfspace", "forces"
 NAMES = {STOCK: "Box2D", HALFSPACE: "half-space", FORCES: "force mode"}
-SUFFIXES = ("", "_nudged", "_nudged_back")  # of the three runs of a world; force mode has one
+SUFFIXES = ("", "_nudged", "_nudged_back")  # of the three runs of a world; of force mode, where it is run so
 
 
 @dataclass(frozen=True)

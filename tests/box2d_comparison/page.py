@@ -29,8 +29,8 @@ moved less than 0.1 mm and 0.1 mrad.</p>
 that moves 0.1 mm to the left and to the right by turns. A figure of motion, or of frames, is called
 <span class="better-words">better</span> or <span class="worse-words">worse</span> only where all three runs with half-spaces are
 so against all three of Box2D's; else the difference says nothing. Where what is to stay falls in all runs, the motion is not judged. Energy gained is summed over all steps that end with more energy than they began with;
-jitter is the root mean square change of velocity from step to step. Force mode is run once: its figures are called so
-where they are better or worse than all three of Box2D's. Thin lines in the pictures are the nudged runs.</p>
+jitter is the root mean square change of velocity from step to step. Where three
+runs in force mode would take minutes there is one, which is called so against all three of Box2D's. Thin lines in the pictures are the nudged runs.</p>
 """
 
 

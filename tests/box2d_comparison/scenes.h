@@ -16,10 +16,12 @@ namespace box2d_comparison {
 struct ForceUse {
   /// Blocks on the ground, between which the weight of all the others is about shared. 0: not run
   int bearers = 0;
-  std::string why_not;  // for readers, where it is not
+  bool is_nudged = false;  // run twice more with everything 0.1 mm aside, where that does not take minutes
+  std::string why_not;     // for readers, where it is not run
 };
-inline ForceUse borne_by(int bearers) { return {bearers, ""}; }
-inline ForceUse without_forces(std::string why_not) { return {0, std::move(why_not)}; }
+inline ForceUse borne_by(int bearers) { return {bearers, true, ""}; }
+inline ForceUse borne_by_and_run_once(int bearers) { return {bearers, false, ""}; }
+inline ForceUse without_forces(std::string why_not) { return {0, false, std::move(why_not)}; }
 
 struct Scene {
   std::string name;        // in the CSVs

@@ -86,8 +86,8 @@ std::vector<Scene> slopes() {
       {"slopes_of_two", "Forty slopes at the friction angle, two blocks",
        "The same with a second hexagon on the first. Whatever the solver leaves undone at the limit lets "
        "them slide.",
-       true, 30, sideways, borne_by(40), [](Stage& stage) { add_slopes(stage, 2); }, 5, release_brakes,
-       true}};
+       true, 30, sideways, borne_by_and_run_once(40), [](Stage& stage) { add_slopes(stage, 2); }, 5,
+       release_brakes, true}};
 }
 
 }  // namespace box2d_comparison
