@@ -22,8 +22,9 @@ within the slope, as one of the nudges makes it, is pushed out, and keeps what s
 two blocks the lower one leans downhill on its spring by up to 2 W / (k w), W their weight, k the stiffness and w the
 width. So the upper one lies on a slope a little steeper than the friction angle and goes g t&sup2; W / (k w) at most in
 the time t, on all slopes alike; that falls with the stiffness. Box2D's creep is what its iterations leave undone: far
-more on half of the slopes, less on some, none on a few. Places are floats, 0.03 mm from each other at the outermost slopes: a few of these
-say nothing.</p>
+more on half of the slopes, less on some, none on a few. Slope and friction are floats, and off each other by rounding:
+by that a single block that has settled gains some µm/s in force mode. In Box2D's positions, floats as well, such a speed
+is lost.</p>
 """
 
 FRAMES = COST[0]

@@ -57,7 +57,8 @@ def table_of(scene) -> str:
     for world in scene.worlds():
         titles += [NAMES.get(world, world)] + ["three runs"] * (len(scene.runs(world)) > 1)
         titles += ["ratio"] * (world != STOCK)
-    text = "<table><tr>" + "".join(f"<th>{escape(title)}</th>" for title in titles) + "</tr>"
+    kind = ' class="wide"' if scene.stiffness else ""
+    text = f"<table{kind}><tr>" + "".join(f"<th>{escape(title)}</th>" for title in titles) + "</tr>"
     asked = scene.summary[STOCK]["judged"]
     groups = (("What you pay", COST), (f"The pairs: {count(asked)} verdicts", PAIRS), ("The motion", MOTION))
     for name, figures in groups:
