@@ -110,9 +110,8 @@ std::vector<Scene> stacks() {
 
 std::vector<Scene> far_and_near() {
   const char* floats_too_far_apart =
-      "Floats are 6 cm from each other there: blocks would begin as far within each other, which no spring "
-      "is "
-      "meant for.";
+      "Floats are 6 cm from each other there: blocks would begin as far within each other, which no "
+      "spring is meant for.";
   return {heap_at(0, "heap", "at the origin"), heap_at(1e4f, "heap_10km", "10 km from the origin"),
           stack_at(1e4f, borne_by(1), "stack_10km", "10 km from the origin"),
           stack_at(1e6f, without_forces(floats_too_far_apart), "stack_1000km", "1000 km from the origin")};
