@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/piece_vertices.h"
+#include "geometry/divided_polyhedron.h"
 #include "geometry/sounding.h"
 
 namespace halfspace {
@@ -8,107 +8,57 @@ namespace halfspace {
 /// A face of a block that can be the nearest one to some point of what it has in common with another, and its
 /// cell: where it is the nearest.
 struct NearFace {
-  int face;
   CuttingPlane plane;
   DepthRange depths;  // of what the blocks have in common
   VolumeAndMoment cell;
 };
 
-/// Divides pieces among the faces that they are nearest to. One face after the other takes what is nearer to
-/// it than to those before: so each bit goes to exactly one face, however rounding places the planes between
-/// them, and it is no worse than rounding when that is not quite the nearest.
-template <class Piece>
+/// Divides a polyhedron among the faces that its points are nearest to. Two faces have a part of it each,
+/// where they are nearer than the other; of what they do not win against one there, a third one has nothing
+/// in it. So each bit goes to exactly one face, however rounding places the planes between them, and it is no
+/// worse than rounding when that is not quite the nearest.
 class CellDivision {
  public:
-  explicit CellDivision(Memory* memory) : cutter_(memory), pieces_(memory), waiting_(memory) {}
+  using Index = DividedPolyhedron::Index;
 
-  /// For polyhedra of no more faces than this, and so many pieces at a time.
-  void reserve(std::size_t faces, std::size_t pieces) {
-    cutter_.reserve(faces);
-    waiting_.reserve(pieces);
-    pieces_.reserve(pieces);
-    for (Piece& piece : pieces_.all()) piece.reserve(faces);
-  }
+  explicit CellDivision(Memory* memory)
+      : parts_(memory), lists_(memory), waiting_(memory), depth_(memory), planes_(memory) {}
 
-  /// Adds to the cells.
-  template <class View>
-  void divide(const View& whole, const VolumeAndMoment& content, Array<NearFace>& near, Sounding& sounding) {
-    // Where memory ran out before there may be work left.
-    waiting_.clear();
-    pieces_.give_back_all();
-    divide_part(whole, {none, content, 0, 1}, near, sounding);
-    while (!waiting_.empty()) {
-      const Part part = waiting_.back();
-      waiting_.pop_back();
-      divide_part(pieces_[part.piece].view(), part, near, sounding);
-    }
-  }
+  /// For blocks of so many edges and faces at most, until there are more than so many vertices or near faces.
+  void reserve(std::size_t edges, std::size_t faces, std::size_t vertices, std::size_t near);
+
+  /// Finds the cells in a part of a polyhedron.
+  void divide(const DividedPolyhedron& polyhedron, DividedPolyhedron::Part whole,
+              const VolumeAndMoment& content, Array<NearFace>& near);
 
  private:
-  static constexpr std::int32_t none = -1;
-
-  /// Of the near faces before `next`, one is the nearest to it.
+  /// Of the lists from `first` on: near faces of which one is the nearest to each of its points, and its
+  /// vertices.
   struct Part {
-    std::int32_t piece;
+    std::size_t first;
+    std::size_t near_count;
+    std::size_t vertex_count;
     VolumeAndMoment content;
-    std::size_t nearest;
-    std::size_t next;
   };
 
-  template <class View>
-  void divide_part(View view, Part part, Array<NearFace>& near, Sounding& sounding) {
-    for (; part.next < near.size(); ++part.next) {
-      const CuttingPlane &nearest = near[part.nearest].plane, &rival = near[part.next].plane;
-      const DepthRange lead =
-          sounding.take(view, {rival.normal - nearest.normal, rival.offset - nearest.offset});
-      if (lead.least >= 0) continue;
-      if (lead.most <= 0) {
-        part.nearest = part.next;
-      } else {
-        view = keep_lead(view, part, near, sounding);
-      }
-    }
-    add(part.content, near[part.nearest]);
-    give_back(part.piece);
-  }
+  void find_depths(const DividedPolyhedron& polyhedron, DividedPolyhedron::Part whole, Array<NearFace>& near);
+  std::size_t list_near_faces(const Array<NearFace>& near);
+  void divide_part(const Part& part, Array<NearFace>& near);
+  std::size_t find_rivals(const Part& part);
+  void cut_edges(const Part& part);
+  void interpolate_depths(Index first_new);
+  void put_aside(const Part& part, std::size_t near_count, const VolumeAndMoment& inside,
+                 const VolumeAndMoment& outside);
 
-  /// The rest waits; behind the last face there is nothing to do but add it to that one's cell. Its content
-  /// is what is left of the whole.
-  template <class View>
-  View keep_lead(const View& view, Part& part, Array<NearFace>& near, const Sounding& sounding) {
-    const std::int32_t kept = pieces_.take();
-    const bool is_last = part.next + 1 == near.size();
-    const std::int32_t rest = is_last ? none : pieces_.take();
-    if (is_last) {
-      cutter_.keep_inside(view, sounding, pieces_[kept]);
-    } else {
-      cutter_.part(view, sounding, pieces_[kept], pieces_[rest]);
-    }
-    const VolumeAndMoment content = measure(pieces_[kept].view());
-    const VolumeAndMoment left{part.content.volume - content.volume, part.content.moment - content.moment};
-    if (is_last) {
-      add(left, near[part.next]);
-    } else {
-      waiting_.push_back({rest, left, part.next, part.next + 1});
-    }
-    give_back(part.piece);
-    part.piece = kept;
-    part.content = content;
-    return pieces_[kept].view();
-  }
+  double* depths(Index vertex) { return depth_.data() + vertex * stride_; }
 
-  void give_back(std::int32_t piece) {
-    if (piece != none) pieces_.give_back(piece);
-  }
-
-  static void add(const VolumeAndMoment& content, NearFace& face) {
-    face.cell.volume += content.volume;
-    face.cell.moment += content.moment;
-  }
-
-  typename Piece::Cutter cutter_;
-  PiecePool<Piece> pieces_;
+  DividedPolyhedron parts_;
+  Array<Index> lists_;
   Array<Part> waiting_;
+  Array<double> depth_;   // of each vertex behind each near face
+  Array<double> planes_;  // of these: normals and offsets
+  std::size_t stride_ = 0;
+  double rounding_ = 0;  // of a difference of depths
 };
 
 }  // namespace halfspace

@@ -3,9 +3,8 @@
 #include <algorithm>
 
 #include "force/cell_division.h"
+#include "geometry/divided_polyhedron.h"
 #include "geometry/outline.h"
-#include "geometry/polygon_piece.h"
-#include "geometry/polyhedron_piece.h"
 
 namespace halfspace {
 
@@ -59,39 +58,34 @@ struct PotentialRoom<3> {
   explicit PotentialRoom(Memory* memory)
       : least_depth(memory),
         near(memory),
-        sounding(memory),
-        cutter(memory),
+        sounding_of_a(memory),
+        sounding_of_b(memory),
+        vertices(memory),
         intersection(memory),
-        cut(memory),
-        base(memory),
-        solid_cells(memory),
-        cone_cells(memory) {}
+        cells(memory) {}
 
-  /// So that two blocks of so many edges at most ask for no memory, unless what they share has more than 16
-  /// faces for its nearest, or 256 of its own: then the room grows with them, and stays. Each block has at
-  /// most 2/3 as many faces as edges, and each face of one of them may cut.
+  /// So that two blocks of so many edges at most ask for no memory, unless their faces divide what they share
+  /// into very many parts, or more than 16 are the nearest there: then the room grows with them, and stays. A
+  /// block has at most 2/3 as many faces as edges.
   void reserve(std::size_t edges) {
-    const std::size_t faces = 2 * edges, pieces = 16, faces_of_piece = std::min<std::size_t>(faces, 256);
-    least_depth.resize(std::max(least_depth.size(), edges));
-    near.reserve(edges);
-    sounding.reserve(5 * faces);
-    cutter.reserve(faces);
-    intersection.reserve(faces);
-    cut.reserve(faces);
-    base.reserve(faces);
-    solid_cells.reserve(faces_of_piece, pieces);
-    cone_cells.reserve(faces_of_piece, pieces);
+    const std::size_t faces = edges, of_parts = 256 + 16 * edges,
+                      near_faces = std::min<std::size_t>(faces, 16);
+    least_depth.resize(std::max(least_depth.size(), faces));
+    near.reserve(faces);
+    sounding_of_a.reserve(edges);
+    sounding_of_b.reserve(edges);
+    vertices.reserve(of_parts);
+    intersection.reserve(edges, 2 * faces, of_parts);
+    cells.reserve(edges, 2 * faces + of_parts / 4, of_parts, near_faces);
   }
 
   Array<double> least_depth;  // of the intersection behind each face, or less
   Array<NearFace> near;
-  Sounding sounding;
-  PolyhedronPiece::Cutter cutter;
-  PolyhedronPiece intersection;
-  PolyhedronPiece cut;
-  PolygonPiece base;
-  CellDivision<PolyhedronPiece> solid_cells;
-  CellDivision<PolygonPiece> cone_cells;
+  Sounding sounding_of_a;
+  Sounding sounding_of_b;
+  Array<DividedPolyhedron::Index> vertices;  // of the intersection
+  DividedPolyhedron intersection;
+  CellDivision cells;
 };
 
 /// A point inside a block has its distance to the nearest edge as potential; what two blocks have in common

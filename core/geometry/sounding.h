@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/vector.h"
+#include "geometry/outline.h"
 
 namespace halfspace {
 
@@ -23,9 +23,8 @@ class Sounding {
   explicit Sounding(Memory* memory) : depth_(memory) {}
 
   /// Of what has vertices as an outline has: their coordinates padded to an even count by repeating the last.
-  template <class View>
-  DepthRange take(const View& view, const CuttingPlane& plane) {
-    return take(std::size_t(view.vertex_count), view.x, view.y, view.z, plane);
+  DepthRange take(const Outline<3>& view, const CuttingPlane& plane) {
+    return take(std::size_t(view.vertex_count()), view.x, view.y, view.z, plane);
   }
 
   void reserve(std::size_t vertices) {

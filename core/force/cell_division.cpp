@@ -1,0 +1,204 @@
+#include "force/cell_division.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/two_lanes.h"
+
+namespace halfspace {
+namespace {
+
+template <class T>
+void grow(Array<T>& array, std::size_t room) {
+  if (array.size() < room) array.resize(std::max(room, 2 * array.size()));
+}
+
+void add(const VolumeAndMoment& content, NearFace& face) {
+  face.cell.volume += content.volume;
+  face.cell.moment += content.moment;
+}
+
+}  // namespace
+
+void CellDivision::reserve(std::size_t edges, std::size_t faces, std::size_t vertices, std::size_t near) {
+  parts_.reserve(edges, faces, vertices);
+  grow(lists_, vertices + near * near);
+  waiting_.reserve(near);
+  grow(depth_, vertices * near);
+  grow(planes_, 4 * near);
+}
+
+void CellDivision::divide(const DividedPolyhedron& polyhedron, DividedPolyhedron::Part whole,
+                          const VolumeAndMoment& content, Array<NearFace>& near) {
+  find_depths(polyhedron, whole, near);
+  const std::size_t count = list_near_faces(near);
+  if (count == 1) {
+    near[lists_[0]].cell = content;
+    return;
+  }
+  parts_.begin(polyhedron);
+  grow(lists_, count + whole.size());
+  std::copy(whole.begin(), whole.end(), lists_.begin() + std::ptrdiff_t(count));
+  // Where memory ran out before there may be parts left.
+  waiting_.clear();
+  waiting_.push_back({0, count, whole.size(), content});
+  while (!waiting_.empty()) {
+    const Part part = waiting_.back();
+    waiting_.pop_back();
+    divide_part(part, near);
+  }
+}
+
+void CellDivision::find_depths(const DividedPolyhedron& polyhedron, DividedPolyhedron::Part whole,
+                               Array<NearFace>& near) {
+  stride_ = near.size() + (near.size() & 1);
+  grow(depth_, polyhedron.vertex_count() * stride_);
+  grow(planes_, 4 * stride_);
+  double *const nx = planes_.data(), *const ny = nx + stride_, *const nz = ny + stride_,
+                *const offset = nz + stride_;
+  double largest = 0;
+  for (std::size_t k = 0; k < stride_; ++k) {
+    const CuttingPlane& plane = near[std::min(k, near.size() - 1)].plane;
+    nx[k] = plane.normal.x();
+    ny[k] = plane.normal.y();
+    nz[k] = plane.normal.z();
+    offset[k] = plane.offset;
+    largest = std::max(largest, std::abs(plane.offset));
+  }
+  rounding_ = 0x1p-50 * largest;
+  for (std::size_t k = 0; k < stride_; k += 2) {
+    TwoLanes least = both(HUGE_VAL), most = both(-HUGE_VAL);
+    for (const Index v : whole) {
+      const Vector<3> p = polyhedron.position(v);
+      const TwoLanes depth =
+          two_at(offset + k) -
+          (two_at(nx + k) * both(p.x()) + two_at(ny + k) * both(p.y()) + two_at(nz + k) * both(p.z()));
+      put_two_at(depths(v) + k, depth);
+      least = smaller(least, depth);
+      most = larger(most, depth);
+    }
+    near[k].depths = {least[0], most[0]};
+    if (k + 1 < near.size()) near[k + 1].depths = {least[1], most[1]};
+  }
+}
+
+/// No point is deeper than, of all faces, behind the one that the whole reaches least deep behind. The faces
+/// that are the nearest to most of it come first: then it is divided into the fewest parts.
+std::size_t CellDivision::list_near_faces(const Array<NearFace>& near) {
+  double reach = HUGE_VAL;
+  for (const NearFace& face : near) reach = std::min(reach, face.depths.most);
+  grow(lists_, near.size());
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < near.size(); ++k) {
+    lists_[count] = Index(k);
+    count += near[k].depths.least <= reach;
+  }
+  const auto sum = [&](Index k) { return near[k].depths.least + near[k].depths.most; };
+  std::sort(lists_.begin(), lists_.begin() + std::ptrdiff_t(count),
+            [&](Index e, Index f) { return sum(e) < sum(f); });
+  return count;
+}
+
+/// Between two faces it is enough to know what one of them has: the other has the rest.
+void CellDivision::divide_part(const Part& part, Array<NearFace>& near) {
+  const std::size_t count = find_rivals(part);
+  const Index* const face = lists_.data() + part.first;
+  if (count == 1) return add(part.content, near[face[0]]);
+  cut_edges(part);
+  const VolumeAndMoment inside = parts_.measure_inside();
+  const VolumeAndMoment outside{part.content.volume - inside.volume, part.content.moment - inside.moment};
+  if (count == 2) {
+    add(inside, near[face[1]]);
+    add(outside, near[face[0]]);
+  } else {
+    const Index first_new = parts_.vertex_count();
+    parts_.close_both();
+    interpolate_depths(first_new);
+    put_aside(part, count, inside, outside);
+  }
+}
+
+/// Puts first a face that is nearer than others, behind it the one that is before it by most somewhere, and
+/// then the others that are. What is nowhere nearer than the first one is no more to be looked at, here or in
+/// parts of this. Returns how many are left.
+std::size_t CellDivision::find_rivals(const Part& part) {
+  Index* const near = lists_.data() + part.first;
+  const Index *const begin = near + part.near_count, *const end = begin + part.vertex_count;
+  std::size_t count = part.near_count, kept = 1;
+  double least_lead = 0;
+  for (std::size_t k = 1; k < count; ++k) {
+    const Index nearest = near[0], rival = near[k];
+    double least = HUGE_VAL, most = -HUGE_VAL;
+    for (const Index* v = begin; v != end; ++v) {
+      const double* const depth = depths(*v);
+      const double lead = depth[rival] - depth[nearest];
+      least = std::min(least, lead);
+      most = std::max(most, lead);
+    }
+    if (least >= -rounding_) continue;
+    if (most <= rounding_) {
+      // Against this one the others have to be looked at again.
+      near[0] = rival;
+      count = std::size_t(std::copy(near + k + 1, near + count, near + kept) - near);
+      k = 0;
+      kept = 1;
+      least_lead = 0;
+      continue;
+    }
+    near[kept] = rival;
+    if (least < least_lead) {
+      least_lead = least;
+      std::swap(near[1], near[kept]);
+    }
+    ++kept;
+  }
+  return kept;
+}
+
+/// Inside is where the second face is nearer: that is less.
+void CellDivision::cut_edges(const Part& part) {
+  const Index* const near = lists_.data() + part.first;
+  const DividedPolyhedron::Part vertices{near + part.near_count, part.vertex_count};
+  const Index nearest = near[0], rival = near[1];
+  for (const Index v : vertices) {
+    const double* const depth = depths(v);
+    parts_.set_depth(v, depth[nearest] - depth[rival]);
+  }
+  parts_.cut_edges(vertices);
+}
+
+void CellDivision::interpolate_depths(Index first_new) {
+  grow(depth_, parts_.vertex_count() * stride_);
+  const Index count = Index(parts_.crossings().size());
+  Index added = first_new;
+  for (const DividedPolyhedron::Crossing& crossing : parts_.crossings()) {
+    const double *const inner = depths(crossing.inner()), *const outer = depths(crossing.outer());
+    double *const depth = depths(added), *const other = depths(added + count);
+    for (std::size_t k = 0; k < stride_; k += 2) {
+      const TwoLanes between =
+          two_at(inner + k) + both(crossing.share) * (two_at(outer + k) - two_at(inner + k));
+      put_two_at(depth + k, between);
+      put_two_at(other + k, between);
+    }
+    ++added;
+  }
+}
+
+/// In place of the part: the parts of the second face and of the first, each with the others.
+void CellDivision::put_aside(const Part& part, std::size_t near_count, const VolumeAndMoment& inside,
+                             const VolumeAndMoment& outside) {
+  const DividedPolyhedron::Part vertices_inside = parts_.inside(), vertices_outside = parts_.outside();
+  const std::size_t near = near_count - 1, first_outside = part.first + near + vertices_inside.size();
+  grow(lists_, first_outside + near + vertices_outside.size());
+  Index *const list = lists_.data() + part.first, *const list_outside = lists_.data() + first_outside;
+  const Index nearest = list[0];
+  std::copy_n(list + 1, near, list);
+  std::copy(vertices_inside.begin(), vertices_inside.end(), list + near);
+  list_outside[0] = nearest;
+  std::copy_n(list + 1, near - 1, list_outside + 1);
+  std::copy(vertices_outside.begin(), vertices_outside.end(), list_outside + near);
+  waiting_.push_back({part.first, near, vertices_inside.size(), inside});
+  waiting_.push_back({first_outside, near, vertices_outside.size(), outside});
+}
+
+}  // namespace halfspace
