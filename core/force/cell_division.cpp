@@ -123,36 +123,46 @@ void CellDivision::divide_part(const Part& part, Array<NearFace>& near) {
 /// parts of this. Returns how many are left.
 std::size_t CellDivision::find_rivals(const Part& part) {
   Index* const near = lists_.data() + part.first;
-  const Index *const begin = near + part.near_count, *const end = begin + part.vertex_count;
+  const DividedPolyhedron::Part vertices{near + part.near_count, part.vertex_count};
   std::size_t count = part.near_count, kept = 1;
   double least_lead = 0;
-  for (std::size_t k = 1; k < count; ++k) {
-    const Index nearest = near[0], rival = near[k];
-    double least = HUGE_VAL, most = -HUGE_VAL;
-    for (const Index* v = begin; v != end; ++v) {
-      const double* const depth = depths(*v);
-      const double lead = depth[rival] - depth[nearest];
-      least = std::min(least, lead);
-      most = std::max(most, lead);
+  for (std::size_t k = 1; k < count;) {
+    const std::size_t pair_end = std::min(k + 2, count);
+    const Index nearest = near[0];
+    const std::array<DepthRange, 2> leads = find_leads(vertices, nearest, near[k], near[pair_end - 1]);
+    for (std::size_t i = 0; k < pair_end; ++i, ++k) {
+      const Index rival = near[k];
+      if (leads[i].least >= -rounding_) continue;
+      if (leads[i].most <= rounding_) {
+        // Against this one the others have to be looked at again.
+        near[0] = rival;
+        count = std::size_t(std::copy(near + k + 1, near + count, near + kept) - near);
+        k = kept = 1;
+        least_lead = 0;
+        break;
+      }
+      near[kept] = rival;
+      if (leads[i].least < least_lead) {
+        least_lead = leads[i].least;
+        std::swap(near[1], near[kept]);
+      }
+      ++kept;
     }
-    if (least >= -rounding_) continue;
-    if (most <= rounding_) {
-      // Against this one the others have to be looked at again.
-      near[0] = rival;
-      count = std::size_t(std::copy(near + k + 1, near + count, near + kept) - near);
-      k = 0;
-      kept = 1;
-      least_lead = 0;
-      continue;
-    }
-    near[kept] = rival;
-    if (least < least_lead) {
-      least_lead = least;
-      std::swap(near[1], near[kept]);
-    }
-    ++kept;
   }
   return kept;
+}
+
+/// Of the nearest face before two rivals: how much deeper the vertices are behind these.
+std::array<DepthRange, 2> CellDivision::find_leads(DividedPolyhedron::Part vertices, Index nearest,
+                                                   Index rival, Index other) {
+  TwoLanes least = both(HUGE_VAL), most = both(-HUGE_VAL);
+  for (const Index v : vertices) {
+    const double* const depth = depths(v);
+    const TwoLanes lead = TwoLanes{depth[rival], depth[other]} - both(depth[nearest]);
+    least = smaller(lead, least);
+    most = larger(lead, most);
+  }
+  return {{{least[0], most[0]}, {least[1], most[1]}}};
 }
 
 /// Inside is where the second face is nearer: that is less.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "geometry/divided_polyhedron.h"
 #include "geometry/sounding.h"
 
@@ -45,6 +47,8 @@ class CellDivision {
   std::size_t list_near_faces(const Array<NearFace>& near);
   void divide_part(const Part& part, Array<NearFace>& near);
   std::size_t find_rivals(const Part& part);
+  std::array<DepthRange, 2> find_leads(DividedPolyhedron::Part vertices, Index nearest, Index rival,
+                                       Index other);
   void cut_edges(const Part& part);
   void interpolate_depths(Index first_new);
   void put_aside(const Part& part, std::size_t near_count, const VolumeAndMoment& inside,

@@ -35,6 +35,7 @@ int face_nearest_to(const Outline<3>& block, const Vector<3>& p) {
 
 /// What a piece lies within: cheap to compare with a plane.
 struct Bounds {
+  Bounds() = default;
   Bounds(const DividedPolyhedron& parts, DividedPolyhedron::Part part) {
     Vector<3> lower = parts.position(part[0]), upper = lower;
     for (const DividedPolyhedron::Index v : part) {
@@ -68,11 +69,12 @@ class Intersection {
   bool find(int first, const Sounding& sounding) {
     room_.intersection.begin(whole_.outline, sounding);
     take_inside();
-    find_least_depths(cutter_);
+    find_least_depths(cutter_, Bounds(room_.intersection, room_.vertices));
     for (int f = 0; f < cutter_.outline.face_count(); ++f) {
       if (f != first && room_.least_depth[std::size_t(f)] < 0 && !cut(f)) return false;
     }
     content_ = room_.intersection.measure(room_.vertices);
+    bounds_ = Bounds(room_.intersection, room_.vertices);
     return content_.volume > 0;
   }
 
@@ -87,6 +89,7 @@ class Intersection {
     for (const NearFace& face : room_.near) {
       const auto& [normal, offset] = face.plane;
       const auto& [volume, moment] = face.cell;
+      if (volume == 0) continue;
       const double energy = offset * volume - normal.dot(moment);
       sum.force += volume * normal;
       sum.energy += energy;
@@ -117,9 +120,8 @@ class Intersection {
 
   /// How deep the intersection is behind each face, by its bounds: no less. Behind one of them all of it is
   /// no deeper than what is returned.
-  double find_least_depths(const PlacedBlock& owner) {
+  double find_least_depths(const PlacedBlock& owner, const Bounds& bounds) {
     const Outline<3>& o = owner.outline;
-    const Bounds bounds(room_.intersection, room_.vertices);
     const Vector<3> center = bounds.center - owner.at;
     const std::size_t count = std::size_t(Outline<3>::padded(o.face_count()));
     if (room_.least_depth.size() < count) room_.least_depth.resize(count);
@@ -140,7 +142,7 @@ class Intersection {
   /// By its bounds, no point of the intersection is deeper in the owner than this. A face that all of it is
   /// deeper behind is nowhere the nearest.
   void find_near_faces(const PlacedBlock& owner) {
-    const double reach = find_least_depths(owner);
+    const double reach = find_least_depths(owner, bounds_);
     room_.near.clear();
     for (int f = 0; f < owner.outline.face_count(); ++f)
       if (room_.least_depth[std::size_t(f)] <= reach) room_.near.push_back({owner.plane(f), {}, {}});
@@ -150,6 +152,7 @@ class Intersection {
   const PlacedBlock& cutter_;
   PotentialRoom<3>& room_;
   VolumeAndMoment content_;
+  Bounds bounds_;
 };
 
 }  // namespace
