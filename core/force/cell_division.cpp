@@ -41,10 +41,11 @@ void CellDivision::divide(const DividedPolyhedron& polyhedron, DividedPolyhedron
   std::copy(whole.begin(), whole.end(), lists_.begin() + std::ptrdiff_t(count));
   // Where memory ran out before there may be parts left.
   waiting_.clear();
-  waiting_.push_back({0, count, whole.size(), content});
+  waiting_.push_back({0, count, whole.size(), content, parts_.extent()});
   while (!waiting_.empty()) {
     const Part part = waiting_.back();
     waiting_.pop_back();
+    parts_.shrink_to(part.extent);
     divide_part(part, near);
   }
 }
@@ -52,7 +53,7 @@ void CellDivision::divide(const DividedPolyhedron& polyhedron, DividedPolyhedron
 void CellDivision::find_depths(const DividedPolyhedron& polyhedron, DividedPolyhedron::Part whole,
                                Array<NearFace>& near) {
   stride_ = near.size() + (near.size() & 1);
-  grow(depth_, polyhedron.vertex_count() * stride_);
+  grow(depth_, polyhedron.extent().vertices * stride_);
   grow(planes_, 4 * stride_);
   double *const nx = planes_.data(), *const ny = nx + stride_, *const nz = ny + stride_,
                 *const offset = nz + stride_;
@@ -111,7 +112,7 @@ void CellDivision::divide_part(const Part& part, Array<NearFace>& near) {
     add(inside, near[face[1]]);
     add(outside, near[face[0]]);
   } else {
-    const Index first_new = parts_.vertex_count();
+    const Index first_new = parts_.extent().vertices;
     parts_.close_both();
     interpolate_depths(first_new);
     put_aside(part, count, inside, outside);
@@ -178,7 +179,7 @@ void CellDivision::cut_edges(const Part& part) {
 }
 
 void CellDivision::interpolate_depths(Index first_new) {
-  grow(depth_, parts_.vertex_count() * stride_);
+  grow(depth_, parts_.extent().vertices * stride_);
   const Index count = Index(parts_.crossings().size());
   Index added = first_new;
   for (const DividedPolyhedron::Crossing& crossing : parts_.crossings()) {
@@ -207,8 +208,8 @@ void CellDivision::put_aside(const Part& part, std::size_t near_count, const Vol
   list_outside[0] = nearest;
   std::copy_n(list + 1, near - 1, list_outside + 1);
   std::copy(vertices_outside.begin(), vertices_outside.end(), list_outside + near);
-  waiting_.push_back({part.first, near, vertices_inside.size(), inside});
-  waiting_.push_back({first_outside, near, vertices_outside.size(), outside});
+  waiting_.push_back({part.first, near, vertices_inside.size(), inside, parts_.extent()});
+  waiting_.push_back({first_outside, near, vertices_outside.size(), outside, parts_.extent()});
 }
 
 }  // namespace halfspace

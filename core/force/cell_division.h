@@ -41,6 +41,7 @@ class CellDivision {
     std::size_t near_count;
     std::size_t vertex_count;
     VolumeAndMoment content;
+    DividedPolyhedron::Extent extent;  // when it was put aside: what has been added since is of others
   };
 
   void find_depths(const DividedPolyhedron& polyhedron, DividedPolyhedron::Part whole, Array<NearFace>& near);

@@ -64,19 +64,18 @@ struct PotentialRoom<3> {
         intersection(memory),
         cells(memory) {}
 
-  /// So that two blocks of so many edges at most ask for no memory, unless their faces divide what they share
-  /// into very many parts, or more than 16 are the nearest there: then the room grows with them, and stays. A
+  /// So that two blocks of so many edges at most ask for no memory, unless more than 32 faces are the nearest
+  /// in what they share, or it has very many vertices for them: then the room grows with them, and stays. A
   /// block has at most 2/3 as many faces as edges.
   void reserve(std::size_t edges) {
-    const std::size_t faces = edges, of_parts = 256 + 16 * edges,
-                      near_faces = std::min<std::size_t>(faces, 16);
+    const std::size_t faces = edges, vertices_of_parts = 256 + 8 * edges;
     least_depth.resize(std::max(least_depth.size(), faces));
     near.reserve(faces);
     sounding_of_a.reserve(edges);
     sounding_of_b.reserve(edges);
-    vertices.reserve(of_parts);
-    intersection.reserve(edges, 2 * faces, of_parts);
-    cells.reserve(edges, 2 * faces + of_parts / 4, of_parts, near_faces);
+    vertices.reserve(vertices_of_parts);
+    intersection.reserve(edges, 2 * faces, vertices_of_parts);
+    cells.reserve(edges, 3 * faces, vertices_of_parts, std::min<std::size_t>(faces, 32));
   }
 
   Array<double> least_depth;  // of the intersection behind each face, or less

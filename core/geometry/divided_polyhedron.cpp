@@ -38,12 +38,11 @@ void DividedPolyhedron::begin(const Outline<3>& block, const Sounding& sounding)
   make_room(std::size_t(2 * t.edge_count));
   grow(first_of_vertex_, std::size_t(t.vertex_count));
   grow(half_of_edge_, std::size_t(2 * t.edge_count));
-  vertex_count_ = 0;
-  face_count_ = Index(t.face_count);
+  extent_ = {0, Index(t.face_count)};
   inside_count_ = 0;
   outside_count_ = 0;
   for (std::int32_t v = 0; v < t.vertex_count; ++v) {
-    first_of_vertex_[std::size_t(v)] = vertex_count_;
+    first_of_vertex_[std::size_t(v)] = extent_.vertices;
     add_block_vertex(block, v, sounding.depth(v));
   }
   join_block_vertices(block);
@@ -57,7 +56,7 @@ void DividedPolyhedron::begin(const Outline<3>& block, const Sounding& sounding)
 void DividedPolyhedron::add_block_vertex(const Outline<3>& block, std::int32_t v, double depth) {
   const Vertex vertex{block.x[v], block.y[v], block.z[v], depth};
   if (depth < 0) {
-    vertex_[vertex_count_++] = vertex;
+    vertex_[extent_.vertices++] = vertex;
     return;
   }
   const Topology& t = *block.topology;
@@ -66,19 +65,19 @@ void DividedPolyhedron::add_block_vertex(const Outline<3>& block, std::int32_t v
   const auto put = [&](std::int32_t k, Index half) {
     half_of_edge_[std::size_t(2 * edge[k] + (t.edge_start[edge[k]] == v))] = half;
   };
-  put(0, 4 * vertex_count_);
+  put(0, 4 * extent_.vertices);
   for (std::int32_t k = 1; k < degree - 1; ++k) {
-    const Index half = 4 * vertex_count_;
+    const Index half = 4 * extent_.vertices;
     put(k, half + 1);
     face_[half] = Index(face[k - 1]);
     face_[half + 1] = Index(face[k]);
     face_[half + 2] = Index(face[degree - 1]);
     if (k > 1) twin_[half] = half - 2;
     if (k < degree - 2) twin_[half + 2] = half + 4;
-    vertex_[vertex_count_] = vertex;
-    inside_[inside_count_++] = vertex_count_++;
+    vertex_[extent_.vertices] = vertex;
+    inside_[inside_count_++] = extent_.vertices++;
   }
-  put(degree - 1, 4 * (vertex_count_ - 1) + 2);
+  put(degree - 1, 4 * (extent_.vertices - 1) + 2);
 }
 
 void DividedPolyhedron::join_block_vertices(const Outline<3>& block) {
@@ -95,13 +94,12 @@ void DividedPolyhedron::join_block_vertices(const Outline<3>& block) {
 }
 
 void DividedPolyhedron::begin(const DividedPolyhedron& other) {
-  vertex_count_ = other.vertex_count_;
-  face_count_ = other.face_count_;
-  make_room(vertex_count_);
-  std::copy_n(other.vertex_.begin(), vertex_count_, vertex_.begin());
-  std::copy_n(other.twin_.begin(), 4 * vertex_count_, twin_.begin());
-  std::copy_n(other.face_.begin(), 4 * vertex_count_, face_.begin());
-  grow(fan_center_, face_count_);
+  extent_ = other.extent_;
+  make_room(extent_.vertices);
+  std::copy_n(other.vertex_.begin(), extent_.vertices, vertex_.begin());
+  std::copy_n(other.twin_.begin(), 4 * extent_.vertices, twin_.begin());
+  std::copy_n(other.face_.begin(), 4 * extent_.vertices, face_.begin());
+  grow(fan_center_, extent_.faces);
 }
 
 DepthRange DividedPolyhedron::sound(Part part, const CuttingPlane& plane) {
@@ -132,7 +130,7 @@ void DividedPolyhedron::cut_edges(Part part) {
 
 void DividedPolyhedron::cut_edges_of_inside() {
   // For two vertices at each of their edges; and for one crossing more than there is.
-  make_room(vertex_count_ + 6 * inside_count_ + 1);
+  make_room(extent_.vertices + 6 * inside_count_ + 1);
   Vertex* const vertex = vertex_.data();
   Index* const twin = twin_.data();
   Crossing* end = crossings_.data();
@@ -144,7 +142,7 @@ void DividedPolyhedron::cut_edges_of_inside() {
     }
   }
   crossing_count_ = std::size_t(end - crossings_.data());
-  Index added = vertex_count_;
+  Index added = extent_.vertices;
   for (Crossing* crossing = crossings_.data(); crossing != end; ++crossing, ++added) {
     const Vertex &p = vertex[crossing->inner()], &q = vertex[crossing->outer()];
     const double share = p.depth / (p.depth - q.depth);
@@ -159,7 +157,7 @@ void DividedPolyhedron::cut_edges_of_inside() {
 /// it along the new face.
 inline void DividedPolyhedron::surround(Index vertex, Index left, Index right) {
   face_[4 * vertex] = right;
-  face_[4 * vertex + 1] = face_count_;
+  face_[4 * vertex + 1] = extent_.faces;
   face_[4 * vertex + 2] = left;
 }
 
@@ -172,28 +170,28 @@ inline void DividedPolyhedron::join(Index exit, Index entry) {
 /// Calls `join(exit, entry)`. Where rounding has torn a face, its outline may come and go more than once.
 template <class Join>
 inline void DividedPolyhedron::join_along_faces(Join join) {
-  Index entry = vertex_count_;
+  Index entry = extent_.vertices;
   for (const Crossing& crossing : crossings()) {
     Index half = clockwise(crossing.inner_half);
-    while (twin_[half] < 4 * vertex_count_) half = clockwise(twin_[half]);
+    while (twin_[half] < 4 * extent_.vertices) half = clockwise(twin_[half]);
     join(twin_[half] / 4, entry++);
   }
 }
 
 void DividedPolyhedron::close_inside() {
-  Index added = vertex_count_;
+  Index added = extent_.vertices;
   for (const Crossing& crossing : crossings()) {
     surround(added, face_[crossing.inner_half], face_[clockwise(crossing.inner_half)]);
     inside_[inside_count_++] = added++;
   }
   join_along_faces([this](Index exit, Index entry) { join(exit, entry); });
-  vertex_count_ = added;
-  grow(fan_center_, ++face_count_);
+  extent_.vertices = added;
+  grow(fan_center_, ++extent_.faces);
 }
 
 void DividedPolyhedron::close_both() {
   const Index count = Index(crossing_count_);
-  Index added = vertex_count_;
+  Index added = extent_.vertices;
   for (const Crossing& crossing : crossings()) {
     const Index left = face_[crossing.inner_half], right = face_[clockwise(crossing.inner_half)];
     const Index other = added + count;
@@ -209,8 +207,8 @@ void DividedPolyhedron::close_both() {
     join(exit, entry);
     join(entry + count, exit + count);
   });
-  vertex_count_ += 2 * count;
-  grow(fan_center_, ++face_count_);
+  extent_.vertices += 2 * count;
+  grow(fan_center_, ++extent_.faces);
 }
 
 /// Of each face that is not at the top, between one of its corners and its other edges; a corner in the plane
@@ -221,7 +219,7 @@ std::size_t DividedPolyhedron::list_triangles(Index top) {
   const Index *const twin = twin_.data(), *const face = face_.data();
   for (const Index v : inside())
     for (Index half = 4 * v; half < 4 * v + 3; ++half) center[face[half]] = v;
-  Index added = vertex_count_;
+  Index added = extent_.vertices;
   for (const Crossing& crossing : crossings()) center[face[crossing.inner_half]] = added++;
   if (crossing_count_ > 0) {
     center[face[crossings_[0].inner_half]] = top;
@@ -235,7 +233,7 @@ std::size_t DividedPolyhedron::list_triangles(Index top) {
       triangle += (from != top) & (from != v) & (from != twin[half] / 4);
     }
   }
-  added = vertex_count_;
+  added = extent_.vertices;
   for (const Crossing& crossing : crossings()) {
     const Index from = center[face[clockwise(crossing.inner_half)]];
     *triangle = {from, 4 * added};
@@ -256,7 +254,7 @@ VolumeAndMoment DividedPolyhedron::measure(Part part) {
 /// keep the centroid inside, however flat the part.
 VolumeAndMoment DividedPolyhedron::measure_inside() {
   if (inside_count_ == 0) return {};
-  const Index top_vertex = crossing_count_ > 0 ? vertex_count_ : inside_[inside_count_ - 1];
+  const Index top_vertex = crossing_count_ > 0 ? extent_.vertices : inside_[inside_count_ - 1];
   const std::size_t count = list_triangles(top_vertex);
   const Vertex* const vertex = vertex_.data();
   const Vertex top = vertex[top_vertex];

@@ -54,7 +54,15 @@ class DividedPolyhedron {
   void begin(const Outline<3>& block, const Sounding& sounding);
   void begin(const DividedPolyhedron& other);
 
-  Index vertex_count() const { return vertex_count_; }
+  /// How much there is of it, parts that are wanted no more included.
+  struct Extent {
+    Index vertices = 0;
+    Index faces = 0;
+  };
+  const Extent& extent() const { return extent_; }
+  /// Takes back what has been added since then.
+  void shrink_to(const Extent& extent) { extent_ = extent; }
+
   Vector<3> position(Index vertex) const {
     const Vertex& v = vertex_[vertex];
     return {v.x, v.y, v.z};
@@ -113,8 +121,7 @@ class DividedPolyhedron {
   Array<Triangle> triangles_;
   Array<Index> first_of_vertex_;  // of the block's
   Array<Index> half_of_edge_;     // of the block's, seen from its end and from its start
-  Index vertex_count_ = 0;
-  Index face_count_ = 0;
+  Extent extent_;
   std::size_t inside_count_ = 0;
   std::size_t outside_count_ = 0;
   std::size_t crossing_count_ = 0;
