@@ -8,11 +8,6 @@
 namespace halfspace {
 namespace {
 
-template <class T>
-void grow(Array<T>& array, std::size_t room) {
-  if (array.size() < room) array.resize(std::max(room, 2 * array.size()));
-}
-
 void add(const VolumeAndMoment& content, NearFace& face) {
   face.cell.volume += content.volume;
   face.cell.moment += content.moment;
@@ -166,7 +161,7 @@ std::array<DepthRange, 2> CellDivision::find_leads(DividedPolyhedron::Part verti
   return {{{least[0], most[0]}, {least[1], most[1]}}};
 }
 
-/// Inside is where the second face is nearer: that is less.
+/// Inside is where the second face is nearer: most often that is less, and what is inside gets measured.
 void CellDivision::cut_edges(const Part& part) {
   const Index* const near = lists_.data() + part.first;
   const DividedPolyhedron::Part vertices{near + part.near_count, part.vertex_count};

@@ -33,7 +33,7 @@ int face_nearest_to(const Outline<3>& block, const Vector<3>& p) {
   return std::min(int(least[1] < least[0] ? nearest[1] : nearest[0]), block.face_count() - 1);
 }
 
-/// What a piece lies within: cheap to compare with a plane.
+/// What a part lies within: cheap to compare with a plane.
 struct Bounds {
   Bounds() = default;
   Bounds(const DividedPolyhedron& parts, DividedPolyhedron::Part part) {

@@ -6,14 +6,6 @@
 #include "geometry/two_lanes.h"
 
 namespace halfspace {
-namespace {
-
-template <class T>
-void grow(Array<T>& array, std::size_t room) {
-  if (array.size() < room) array.resize(std::max(room, 2 * array.size()));
-}
-
-}  // namespace
 
 void DividedPolyhedron::make_room(std::size_t vertices) {
   if (outside_.size() >= vertices) return;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -8,6 +9,13 @@
 #include "geometry/sounding.h"
 
 namespace halfspace {
+
+/// So many entries at least, gained by doubling: room that is filled anew asks for no memory that it had
+/// before.
+template <class T>
+void grow(Array<T>& array, std::size_t room) {
+  if (array.size() < room) array.resize(std::max(room, 2 * array.size()));
+}
 
 /// Integrals over a body.
 struct VolumeAndMoment {
