@@ -36,6 +36,7 @@ class Blocks {
   bool lives(std::size_t slot) const { return kind[slot] != BlockKind::none; }
   /// By Newton's law.
   bool moves_freely(std::size_t slot) const { return kind[slot] >= BlockKind::rigid; }
+  bool has_affine() const { return !deformations_.empty(); }
   bool is_affine(std::size_t slot) const { return kind[slot] == BlockKind::affine; }
   std::int64_t count() const { return living_; }
 

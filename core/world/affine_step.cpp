@@ -5,22 +5,32 @@
 
 namespace halfspace {
 
+/// Of the centroid: the loads of its surface push it, too.
+template <int D>
+Vector<D> World<D>::affine_drive(std::size_t i) const {
+  return drive(i).force + blocks_.deformation(i).load_force;
+}
+
 template <int D>
 Tensor<D> World<D>::strain_drive(std::size_t i) const {
   return blocks_.deformation(i).drive(blocks_.applied_torque[i], elasticity_of(i));
 }
 
-/// Newton's law for the gradient, with local damping against each of its components and mass-proportional
-/// damping.
+/// Newton's law for the centroid and for the gradient, with local damping against each component of their
+/// rates and mass-proportional damping.
 template <int D>
-void World<D>::accelerate_strain(std::size_t i) {
+void World<D>::accelerate_affine(std::size_t i) {
   Deformation<D>& deformation = blocks_.deformation(i);
+  Vector<D> force = affine_drive(i);
   Tensor<D> drive = strain_drive(i);
   if (settings_.local_damping > 0) {
-    drive = drive.binaryExpr(deformation.rate, [&](double force, double velocity) {
-      return damped(force, velocity, settings_.local_damping);
-    });
+    const auto oppose = [&](double component, double velocity) {
+      return damped(component, velocity, settings_.local_damping);
+    };
+    force = force.binaryExpr(blocks_.velocity[i], oppose).eval();
+    drive = drive.binaryExpr(deformation.rate, oppose).eval();
   }
+  acceleration_[i] = force / blocks_.mass[i] - settings_.mass_damping * blocks_.velocity[i];
   deformation.acceleration =
       drive * deformation.inverse_mass_matrix - settings_.mass_damping * deformation.rate;
 }
@@ -61,7 +71,7 @@ void World<D>::take_affine_stock(std::size_t i, const Vector<D>& opposed, const 
   stock.block_strain += deformation.strain_energy(elasticity_of(i));
   stock.power.block_damping += deformation.damping_power(elasticity_of(i), opposed_rate);
   if (settings_.local_damping > 0) {
-    const Vector<D> force = drive(i).force;
+    const Vector<D> force = affine_drive(i);
     const Tensor<D> strain_force = strain_drive(i);
     double power = 0;
     for (int k = 0; k < D; ++k) power += damped_power(force[k], opposed[k], velocity[k]);
@@ -83,7 +93,7 @@ void World<D>::kick_and_book_affine(std::size_t i, Stock& stock, double& applied
   const Deformation<D>& deformation = blocks_.deformation(i);
   const Vector<D> middle_velocity = blocks_.velocity[i];
   const Tensor<D> middle_rate = deformation.rate;
-  accelerate(i);
+  accelerate_affine(i);
   applied_power +=
       blocks_.applied_force[i].dot(middle_velocity) + blocks_.applied_torque[i].dot(blocks_.spin[i]) +
       deformation.load_force.dot(middle_velocity) + deformation.load.cwiseProduct(middle_rate).sum();

@@ -47,13 +47,33 @@ void World<D>::fix_potential_length() {
 
 /// How the blocks of a pair move against each other.
 template <int D>
-PairMotion<D> World<D>::motion_of(const Candidate<D>& pair) const {
+[[gnu::always_inline]] inline PairMotion<D> World<D>::motion_of(const Candidate<D>& pair) const {
   const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
   PairMotion<D> motion{blocks_.velocity[b] - blocks_.velocity[a], blocks_.position[b] - blocks_.position[a],
                        blocks_.spin[a], blocks_.spin[b]};
+  if (!blocks_.has_affine()) return motion;
+  motion.strains = blocks_.is_affine(a) || blocks_.is_affine(b);
   if (blocks_.is_affine(a)) motion.strain_rate_a = &blocks_.deformation(a).strain_rate;
   if (blocks_.is_affine(b)) motion.strain_rate_b = &blocks_.deformation(b).strain_rate;
   return motion;
+}
+
+/// The force of a contact by a law of springs.
+template <int D>
+[[gnu::always_inline]] inline PairLoad<D> World<D>::spring_load(Candidate<D>& pair, const Contact<D>& contact,
+                                                                const SpringLaw& law, const Spring<D>& spring,
+                                                                ShearSpring<D>& shear,
+                                                                Evaluation& evaluation) const {
+  Overlap<D> overlap;
+  if (law.stiffness_kind == StiffnessKind::per_area) {
+    const PlacedBlocks<D> at = blocks_.placed(pair.a, pair.b);
+    overlap = overlap_of(at.a, at.b, at.to_b, contact);
+  }
+  bool bonded = pair.bonded;
+  const PairLoad<D> load =
+      spring.evaluate(contact, overlap, motion_of(pair), shear, bonded, evaluation.energy);
+  pair.bonded = bonded;
+  return load;
 }
 
 /// The force of a contact by a law of potentials.
@@ -71,9 +91,9 @@ PairLoad<D> World<D>::potential_load(Candidate<D>& pair, const Contact<D>& conta
   return spring.evaluate(contact, line, motion_of(pair), shear, evaluation.energy);
 }
 
-/// The force of a contact by the law of its materials.
+/// Adds what a contact does to its two blocks, by the law of their materials.
 template <int D>
-PairLoad<D> World<D>::pair_load(std::size_t candidate, const Contact<D>& contact, Evaluation& evaluation) {
+void World<D>::load_blocks(std::size_t candidate, const Contact<D>& contact, Evaluation& evaluation) {
   Candidate<D>& pair = candidates_.pairs()[candidate];
   const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
   const SpringLaw& law = laws_.between(blocks_.material[a], blocks_.material[b]);
@@ -81,31 +101,14 @@ PairLoad<D> World<D>::pair_load(std::size_t candidate, const Contact<D>& contact
   const Spring<D> spring(law, is_damped ? reduced_mass(a, b) : 0, evaluation.elapsed);
   ShearSpring<D> no_shear;
   ShearSpring<D>& shear = candidates_.shear().empty() ? no_shear : candidates_.shear()[candidate];
-  if (law.is_potential()) return potential_load(pair, contact, law, spring, shear, evaluation);
-  Overlap<D> overlap;
-  if (law.stiffness_kind == StiffnessKind::per_area) {
-    const PlacedBlocks<D> at = blocks_.placed(pair.a, pair.b);
-    overlap = overlap_of(at.a, at.b, at.to_b, contact);
-  }
-  bool bonded = pair.bonded;
-  const PairLoad<D> load =
-      spring.evaluate(contact, overlap, motion_of(pair), shear, bonded, evaluation.energy);
-  pair.bonded = bonded;
-  return load;
-}
-
-/// Adds what a contact does to its two blocks.
-template <int D>
-void World<D>::load_blocks(std::size_t candidate, const Contact<D>& contact, Evaluation& evaluation) {
-  const PairLoad<D> load = pair_load(candidate, contact, evaluation);
-  const Candidate<D>& pair = candidates_.pairs()[candidate];
-  const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
+  const PairLoad<D> load = law.is_potential() ? potential_load(pair, contact, law, spring, shear, evaluation)
+                                              : spring_load(pair, contact, law, spring, shear, evaluation);
   blocks_.force[a] -= load.force;
   blocks_.force[b] += load.force;
   blocks_.torque[a] += load.torque_on_a;
   blocks_.torque[b] += load.torque_on_b;
   forces_.push_back(load.contact);
-  if (blocks_.is_affine(a) || blocks_.is_affine(b)) strain_blocks(pair, contact.normal, load, evaluation);
+  if (blocks_.has_affine()) strain_blocks(pair, contact.normal, load, evaluation);
 }
 
 /// Adds what a contact does to the strain of its blocks, where they have any.

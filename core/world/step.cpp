@@ -21,16 +21,15 @@ std::tuple<T...> copies_of(const std::tuple<T&...>& originals, Memory* memory) {
 
 template <int D>
 typename World<D>::Drive World<D>::drive(std::size_t i) const {
-  Drive drive{blocks_.force[i] + blocks_.applied_force[i] + blocks_.mass[i] * settings_.gravity,
-              blocks_.torque[i] + blocks_.applied_torque[i]};
-  if (blocks_.is_affine(i)) drive.force += blocks_.deformation(i).load_force;
-  return drive;
+  return {blocks_.force[i] + blocks_.applied_force[i] + blocks_.mass[i] * settings_.gravity,
+          blocks_.torque[i] + blocks_.applied_torque[i]};
 }
 
 /// Newton's law with local damping (Cundall's, against each component of the velocity) and mass-proportional
 /// damping.
 template <int D>
 void World<D>::accelerate(std::size_t i) {
+  if (blocks_.is_affine(i)) return accelerate_affine(i);
   auto [force, torque] = drive(i);
   if (settings_.local_damping > 0) {
     for (int k = 0; k < D; ++k) force[k] = damped(force[k], blocks_.velocity[i][k], settings_.local_damping);
@@ -38,7 +37,6 @@ void World<D>::accelerate(std::size_t i) {
       torque[k] = damped(torque[k], blocks_.spin[i][k], settings_.local_damping);
   }
   acceleration_[i] = force / blocks_.mass[i] - settings_.mass_damping * blocks_.velocity[i];
-  if (blocks_.is_affine(i)) return accelerate_strain(i);
   momentum_rate_[i] = torque - settings_.mass_damping * blocks_.momentum[i];
 }
 

@@ -167,7 +167,8 @@ class World {
   double mean_edge_length() const;
   void fix_potential_length();
   PairMotion<D> motion_of(const Candidate<D>& pair) const;
-  PairLoad<D> pair_load(std::size_t candidate, const Contact<D>& contact, Evaluation& evaluation);
+  PairLoad<D> spring_load(Candidate<D>& pair, const Contact<D>& contact, const SpringLaw& law,
+                          const Spring<D>& spring, ShearSpring<D>& shear, Evaluation& evaluation) const;
   PairLoad<D> potential_load(Candidate<D>& pair, const Contact<D>& contact, const SpringLaw& law,
                              const Spring<D>& spring, ShearSpring<D>& shear, Evaluation& evaluation);
   void load_blocks(std::size_t candidate, const Contact<D>& contact, Evaluation& evaluation);
@@ -196,8 +197,9 @@ class World {
   bool makes_energy() const;
   Drive drive(std::size_t slot) const;
   void accelerate(std::size_t slot);
+  Vector<D> affine_drive(std::size_t slot) const;
   Tensor<D> strain_drive(std::size_t slot) const;
-  void accelerate_strain(std::size_t slot);
+  void accelerate_affine(std::size_t slot);
   bool plan_affine(std::size_t slot);
   void kick_and_drift_affine(std::size_t slot);
   void take_affine_stock(std::size_t slot, const Vector<D>& opposed, const Tensor<D>& opposed_rate,
