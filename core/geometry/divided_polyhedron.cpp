@@ -7,15 +7,21 @@
 
 namespace halfspace {
 
+/// Gained by doubling, for all arrays alike: the last one tells what every one has, wherever memory ran out
+/// before.
 void DividedPolyhedron::make_room(std::size_t vertices) {
   if (outside_.size() >= vertices) return;
-  grow(vertex_, vertices);
-  grow(twin_, 4 * vertices);
-  grow(face_, 4 * vertices);
-  grow(inside_, vertices);
-  grow(crossings_, vertices);
-  grow(triangles_, 4 * vertices);
-  grow(outside_, vertices);
+  const std::size_t room = std::max(vertices, 2 * outside_.size());
+  const auto widen = [](auto& array, std::size_t size) {
+    if (array.size() < size) array.resize(size);
+  };
+  widen(vertex_, room);
+  widen(twin_, 4 * room);
+  widen(face_, 4 * room);
+  widen(inside_, room);
+  widen(crossings_, room);
+  widen(triangles_, 4 * room);
+  widen(outside_, room);
 }
 
 void DividedPolyhedron::reserve(std::size_t edges, std::size_t faces, std::size_t vertices) {
@@ -110,7 +116,7 @@ void DividedPolyhedron::cut_edges(Part part) {
   Index *in = inside_.data(), *out = outside_.data();
   const Vertex* const vertex = vertex_.data();
   for (const Index v : part) {
-    const bool is_inside = vertex[v].depth >= 0;
+    const bool is_inside = !(vertex[v].depth < 0);
     *in = *out = v;
     in += is_inside;
     out += !is_inside;
@@ -242,8 +248,8 @@ VolumeAndMoment DividedPolyhedron::measure(Part part) {
   return measure_inside();
 }
 
-/// As tetrahedra from one vertex to triangles. None has a negative volume but by rounding; left out, they
-/// keep the centroid inside, however flat the part.
+/// As tetrahedra from one vertex to triangles. Where rounding has torn a face, as a plane flush with it does,
+/// all its loops are seen from one corner: what then is negative has been counted twice elsewhere.
 VolumeAndMoment DividedPolyhedron::measure_inside() {
   if (inside_count_ == 0) return {};
   const Index top_vertex = crossing_count_ > 0 ? extent_.vertices : inside_[inside_count_ - 1];
@@ -263,8 +269,7 @@ VolumeAndMoment DividedPolyhedron::measure_inside() {
     const Points p = seen_from_top(s[0].corner, s[1].corner), q = seen_from_top(s[0].half / 4, s[1].half / 4),
                  r = seen_from_top(twin_[s[0].half] / 4, twin_[s[1].half] / 4);
     const TwoLanes volume =
-        larger(p.x * (q.y * r.z - q.z * r.y) + p.y * (q.z * r.x - q.x * r.z) + p.z * (q.x * r.y - q.y * r.x),
-               both(0));
+        p.x * (q.y * r.z - q.z * r.y) + p.y * (q.z * r.x - q.x * r.z) + p.z * (q.x * r.y - q.y * r.x);
     sum += volume;
     sum_x += volume * (p.x + q.x + r.x);
     sum_y += volume * (p.y + q.y + r.y);
