@@ -17,14 +17,13 @@ struct DepthRange {
   double most;
 };
 
-/// How deep each vertex of a piece lies behind a plane: what is known before it is cut there.
+/// How deep each vertex of a block lies behind a plane: what is known before it is cut there.
 class Sounding {
  public:
   explicit Sounding(Memory* memory) : depth_(memory) {}
 
-  /// Of what has vertices as an outline has: their coordinates padded to an even count by repeating the last.
-  DepthRange take(const Outline<3>& view, const CuttingPlane& plane) {
-    return take(std::size_t(view.vertex_count()), view.x, view.y, view.z, plane);
+  DepthRange take(const Outline<3>& block, const CuttingPlane& plane) {
+    return take(std::size_t(block.vertex_count()), block.x, block.y, block.z, plane);
   }
 
   void reserve(std::size_t vertices) {
@@ -32,9 +31,6 @@ class Sounding {
   }
 
   double depth(int vertex) const { return depth_[std::size_t(vertex)]; }
-  bool is_inside(int vertex) const { return depth(vertex) >= 0; }
-  /// Of the way from a vertex inside to one outside, the share that is inside.
-  double share_inside(int inner, int outer) const { return depth(inner) / (depth(inner) - depth(outer)); }
 
  private:
   DepthRange take(std::size_t count, const double* x, const double* y, const double* z,
