@@ -11,14 +11,13 @@ struct PairMotion {
   Vector<D> to_b;
   Angular<D> spin_a;
   Angular<D> spin_b;
-  bool strains = false;                      // either block
   const Tensor<D>* strain_rate_a = nullptr;  // of an affine block
   const Tensor<D>* strain_rate_b = nullptr;
 
   /// Velocity of b's material relative to a's at a point given from a's centroid.
   Vector<D> relative_at(const Vector<D>& p) const {
     Vector<D> relative = velocity + swept(spin_b, p - to_b) - swept(spin_a, p);
-    if (strains) {
+    if (strain_rate_a || strain_rate_b) {
       if (strain_rate_b) relative += *strain_rate_b * (p - to_b);
       if (strain_rate_a) relative -= *strain_rate_a * p;
     }

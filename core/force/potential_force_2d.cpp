@@ -2,6 +2,7 @@
 #include <cmath>
 #include <span>
 
+#include "force/field_force.h"
 #include "force/potential_force.h"
 #include "geometry/two_lanes.h"
 
@@ -127,28 +128,21 @@ void find_near_edges(Owner& owner, const Outline<2>& other, const Vector<2>& shi
   owner.near = owner.near.first(count);
 }
 
-/// What one block's potential does to the other one, and in return to its owner.
-struct FieldForce {
-  Vector<2> force = Vector<2>::Zero();  // on the other block
-  Tensor<2> virial_of_owner = Tensor<2>::Zero();
-  Tensor<2> virial_of_other = Tensor<2>::Zero();
-  double energy = 0;
-
-  void add_cell(const Area& cell, const HalfPlane& nearest, const Vector<2>& shift_of_owner,
-                const Vector<2>& shift_of_other) {
-    if (!(cell.content > 0)) return;
-    const Vector<2>& normal = nearest.normal;
-    const double energy_of_cell = cell.content * nearest.depth(cell.corner) - normal.dot(cell.moment);
-    const Vector<2> moment = cell.content * cell.corner + cell.moment;  // about the centroid of a
-    // Of the feet of the cell's points on the edge.
-    const Vector<2> moment_of_feet = moment + energy_of_cell * normal;
-    force += cell.content * normal;
-    virial_of_owner -= normal * (moment_of_feet - cell.content * shift_of_owner).transpose();
-    virial_of_other += normal * (moment - cell.content * shift_of_other).transpose();
-    virial_of_other.diagonal().array() -= energy_of_cell;
-    energy += energy_of_cell;
-  }
-};
+/// What a cell adds to the force of its owner's potential.
+void add_cell(const Area& cell, const HalfPlane& nearest, const Vector<2>& shift_of_owner,
+              const Vector<2>& shift_of_other, FieldForce<2>& sum) {
+  if (!(cell.content > 0)) return;
+  const Vector<2>& normal = nearest.normal;
+  const double energy = cell.content * nearest.depth(cell.corner) - normal.dot(cell.moment);
+  const Vector<2> moment = cell.content * cell.corner + cell.moment;  // about the centroid of a
+  // Of the feet of the cell's points on the edge.
+  const Vector<2> moment_of_feet = moment + energy * normal;
+  sum.force += cell.content * normal;
+  sum.virial_of_owner -= normal * (moment_of_feet - cell.content * shift_of_owner).transpose();
+  sum.virial_of_other += normal * (moment - cell.content * shift_of_other).transpose();
+  sum.virial_of_other.diagonal().array() -= energy;
+  sum.energy += energy;
+}
 
 /// Inside it one edge is nearer than another.
 HalfPlane nearer(const HalfPlane& edge, const HalfPlane& other) {
@@ -157,9 +151,9 @@ HalfPlane nearer(const HalfPlane& edge, const HalfPlane& other) {
 
 /// Cell by cell: what of the intersection has an edge for its nearest. The first one has the most: what the
 /// cells of the others leave.
-FieldForce field_force(const Owner& owner, const Vector<2>& shift_of_other, const Polygon& intersection,
-                       const Area& whole, Polygon cell, Polygon cut) {
-  FieldForce sum;
+FieldForce<2> field_force(const Owner& owner, const Vector<2>& shift_of_other, const Polygon& intersection,
+                          const Area& whole, Polygon cell, Polygon cut) {
+  FieldForce<2> sum;
   Area rest = whole;
   for (const std::int32_t edge : owner.near.subspan(1)) {
     const HalfPlane nearest = owner.half_plane(edge);
@@ -172,9 +166,9 @@ FieldForce field_force(const Owner& owner, const Vector<2>& shift_of_other, cons
     }
     const Area found = measure(*left);
     rest -= found;
-    sum.add_cell(found, nearest, owner.shift, shift_of_other);
+    add_cell(found, nearest, owner.shift, shift_of_other, sum);
   }
-  sum.add_cell(rest, owner.half_plane(owner.near[0]), owner.shift, shift_of_other);
+  add_cell(rest, owner.half_plane(owner.near[0]), owner.shift, shift_of_other, sum);
   return sum;
 }
 
@@ -198,14 +192,9 @@ PotentialForce<2> potential_force(const Outline<2>& a, const Outline<2>& b, cons
   }
   const Area whole = measure(intersection);
   if (!(whole.content > 0)) return {};
-  const FieldForce by_a = field_force(of_a, to_b, intersection, whole, cell, cut),
-                   by_b = field_force(of_b, at_a, intersection, whole, cell, cut);
-  return {by_a.force - by_b.force,
-          by_a.virial_of_owner + by_b.virial_of_other,
-          by_a.virial_of_other + by_b.virial_of_owner,
-          whole.corner + whole.moment / whole.content,
-          whole.content,
-          by_a.energy + by_b.energy};
+  const FieldForce<2> by_a = field_force(of_a, to_b, intersection, whole, cell, cut),
+                      by_b = field_force(of_b, at_a, intersection, whole, cell, cut);
+  return sum_of<2>(by_a, by_b, whole.corner + whole.moment / whole.content, whole.content);
 }
 
 }  // namespace halfspace

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "force/field_force.h"
 #include "force/potential_force.h"
 #include "geometry/two_lanes.h"
 
@@ -50,14 +51,6 @@ struct Bounds {
   Vector<3> half_size;
 };
 
-/// What one block's potential does to the other one, and in return to its owner.
-struct FieldForce {
-  Vector<3> force = Vector<3>::Zero();  // on the other block
-  Tensor<3> virial_of_owner = Tensor<3>::Zero();
-  Tensor<3> virial_of_other = Tensor<3>::Zero();
-  double energy = 0;
-};
-
 /// What a block, the whole, has in common with another, the cutter.
 class Intersection {
  public:
@@ -80,11 +73,11 @@ class Intersection {
 
   const VolumeAndMoment& content() const { return content_; }
 
-  FieldForce force_of(const PlacedBlock& owner) {
+  FieldForce<3> force_of(const PlacedBlock& owner) {
     const PlacedBlock& other = &owner == &whole_ ? cutter_ : whole_;
     find_near_faces(owner);
     room_.cells.divide(room_.intersection, room_.vertices, content_, room_.near);
-    FieldForce sum;
+    FieldForce<3> sum;
     Tensor<3> at_cells = Tensor<3>::Zero(), from_cells_to_feet = Tensor<3>::Zero();
     for (const NearFace& face : room_.near) {
       const auto& [normal, offset] = face.plane;
@@ -171,13 +164,8 @@ PotentialForce<3> potential_force(const Outline<3>& a, const Outline<3>& b, cons
   Intersection intersection(cuts_b ? placed_b : placed_a, cuts_b ? placed_a : placed_b, room);
   if (!intersection.find(cuts_b ? of_a : of_b, cuts_b ? room.sounding_of_b : room.sounding_of_a)) return {};
   const auto& [volume, moment] = intersection.content();
-  const FieldForce by_a = intersection.force_of(placed_a), by_b = intersection.force_of(placed_b);
-  return {by_a.force - by_b.force,
-          by_a.virial_of_owner + by_b.virial_of_other,
-          by_a.virial_of_other + by_b.virial_of_owner,
-          moment / volume - placed_a.at,
-          volume,
-          by_a.energy + by_b.energy};
+  const FieldForce<3> by_a = intersection.force_of(placed_a), by_b = intersection.force_of(placed_b);
+  return sum_of<3>(by_a, by_b, moment / volume - placed_a.at, volume);
 }
 
 }  // namespace halfspace

@@ -52,7 +52,6 @@ template <int D>
   PairMotion<D> motion{blocks_.velocity[b] - blocks_.velocity[a], blocks_.position[b] - blocks_.position[a],
                        blocks_.spin[a], blocks_.spin[b]};
   if (!blocks_.has_affine()) return motion;
-  motion.strains = blocks_.is_affine(a) || blocks_.is_affine(b);
   if (blocks_.is_affine(a)) motion.strain_rate_a = &blocks_.deformation(a).strain_rate;
   if (blocks_.is_affine(b)) motion.strain_rate_b = &blocks_.deformation(b).strain_rate;
   return motion;
