@@ -61,6 +61,7 @@ void CellDivision::find_depths(const DividedPolyhedron& polyhedron, DividedPolyh
     offset[k] = plane.offset;
     largest = std::max(largest, std::abs(plane.offset));
   }
+  for (const Index v : whole) largest = std::max(largest, polyhedron.position(v).cwiseAbs().maxCoeff());
   rounding_ = 0x1p-50 * largest;
   for (std::size_t k = 0; k < stride_; k += 2) {
     TwoLanes least = both(HUGE_VAL), most = both(-HUGE_VAL);

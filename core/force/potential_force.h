@@ -35,7 +35,7 @@ struct PotentialRoom<2> {
   void reserve(std::size_t edges) {
     if (near_a.size() >= edges) return;
     corners.resize(3 * polygon_room(edges), Vector<2>::Zero());
-    least_depth.resize(edges);
+    least_depth.resize(edges + 1);  // they are found in pairs
     near_b.resize(edges);
     near_a.resize(edges);
   }
@@ -94,10 +94,7 @@ struct PotentialRoom<3> {
 /// The energy is area times depth at the cells' centroids. Cost grows with the product of the numbers of
 /// edges; of cells there are but the few whose edges the other block reaches.
 ///
-/// Force and virials are the gradient of the energy by any affine motion of either block. When the block that
-/// a cell is pushed out of moves, the depth changes as its edge moves where the cell's centroid has its foot:
-/// the force on that block acts there. When the other one does, the cell moves, and as it is squeezed the
-/// energy in it falls: its virial has an isotropic part.
+/// Force and virials are the gradient of the energy by any affine motion of either block.
 PotentialForce<2> potential_force(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
                                   PotentialRoom<2>& room);
 

@@ -14,6 +14,7 @@ struct HalfPlane {
   Vector<2> normal;
   double offset;
   double depth(const Vector<2>& p) const { return offset - normal.dot(p); }
+  bool operator==(const HalfPlane&) const = default;
 };
 
 /// The half-plane of an edge of a block that lies at `shift`.
@@ -28,6 +29,7 @@ class Polygon {
   Polygon(Vector<2>* corners, std::size_t room) : corner_(corners), room_(int(room)) {}
 
   bool is_empty() const { return count_ < 3; }
+  void clear() { count_ = 0; }
   void add(const Vector<2>& p) {
     if (count_ < room_) corner_[count_++] = p;
   }
@@ -104,44 +106,36 @@ struct Owner {
 /// other block is outside; else the first one is that behind which it reaches least deep.
 void find_near_edges(Owner& owner, const Outline<2>& other, const Vector<2>& shift_of_other,
                      double* least_depth) {
-  double reach = HUGE_VAL;
-  int first = 0;
-  for (int edge = 0; edge < owner.block.count; ++edge) {
-    const HalfPlane h = half_plane(owner.block, edge, owner.shift - shift_of_other);
-    const TwoLanes nx = both(h.normal.x()), ny = both(h.normal.y()), offset = both(h.offset);
+  const Outline<2>& block = owner.block;
+  const Vector<2> to_other = shift_of_other - owner.shift;
+  TwoLanes reach = both(HUGE_VAL), reaching{}, edge{0, 1};
+  for (int e = 0; e < block.count; e += 2, edge += both(2)) {
+    const TwoLanes nx = two_at(block.nx + e), ny = two_at(block.ny + e);
+    const TwoLanes offset = two_at(block.offset + e) - nx * both(to_other.x()) - ny * both(to_other.y());
     TwoLanes least = both(HUGE_VAL), most = both(-HUGE_VAL);
-    for (int v = 0; v < other.count; v += 2) {
-      const TwoLanes depth = offset - nx * two_at(other.x + v) - ny * two_at(other.y + v);
+    for (int v = 0; v < other.count; ++v) {
+      const TwoLanes depth = offset - nx * both(other.x[v]) - ny * both(other.y[v]);
       least = smaller(least, depth);
       most = larger(most, depth);
     }
-    least_depth[edge] = std::min(least[0], least[1]);
-    const double deepest = std::max(most[0], most[1]);
-    if (deepest < reach) first = edge;
-    reach = std::min(reach, deepest);
+    put_two_at(least_depth + e, least);
+    reaching = most < reach ? edge : reaching;
+    reach = smaller(most, reach);
   }
+  const double depth = std::min(reach[0], reach[1]);
+  const int first = std::min(int(reach[1] < reach[0] ? reaching[1] : reaching[0]), block.count - 1);
   std::size_t count = 0;
-  if (reach > 0) owner.near[count++] = first;
-  for (int edge = 0; reach > 0 && edge < owner.block.count; ++edge) {
-    if (least_depth[edge] <= reach && edge != first) owner.near[count++] = edge;
+  if (depth > 0) owner.near[count++] = first;
+  for (int e = 0; depth > 0 && e < block.count; ++e) {
+    if (least_depth[e] <= depth && e != first) owner.near[count++] = e;
   }
   owner.near = owner.near.first(count);
 }
 
-/// What a cell adds to the force of its owner's potential.
-void add_cell(const Area& cell, const HalfPlane& nearest, const Vector<2>& shift_of_owner,
-              const Vector<2>& shift_of_other, FieldForce<2>& sum) {
+void add_cell(const Area& cell, const HalfPlane& nearest, FieldForce<2>& sum) {
   if (!(cell.content > 0)) return;
-  const Vector<2>& normal = nearest.normal;
-  const double energy = cell.content * nearest.depth(cell.corner) - normal.dot(cell.moment);
-  const Vector<2> moment = cell.content * cell.corner + cell.moment;  // about the centroid of a
-  // Of the feet of the cell's points on the edge.
-  const Vector<2> moment_of_feet = moment + energy * normal;
-  sum.force += cell.content * normal;
-  sum.virial_of_owner -= normal * (moment_of_feet - cell.content * shift_of_owner).transpose();
-  sum.virial_of_other += normal * (moment - cell.content * shift_of_other).transpose();
-  sum.virial_of_other.diagonal().array() -= energy;
-  sum.energy += energy;
+  const double energy = cell.content * nearest.depth(cell.corner) - nearest.normal.dot(cell.moment);
+  sum.add_cell(cell.content, cell.content * cell.corner + cell.moment, energy, nearest.normal);
 }
 
 /// Inside it one edge is nearer than another.
@@ -151,24 +145,26 @@ HalfPlane nearer(const HalfPlane& edge, const HalfPlane& other) {
 
 /// Cell by cell: what of the intersection has an edge for its nearest. The first one has the most: what the
 /// cells of the others leave.
-FieldForce<2> field_force(const Owner& owner, const Vector<2>& shift_of_other, const Polygon& intersection,
-                          const Area& whole, Polygon cell, Polygon cut) {
+FieldForce<2> field_force(const Owner& owner, const Polygon& intersection, const Area& whole, Polygon cell,
+                          Polygon cut) {
   FieldForce<2> sum;
   Area rest = whole;
-  for (const std::int32_t edge : owner.near.subspan(1)) {
-    const HalfPlane nearest = owner.half_plane(edge);
+  for (std::size_t i = 1; i < owner.near.size(); ++i) {
+    const HalfPlane nearest = owner.half_plane(owner.near[i]);
     const Polygon* left = &intersection;
-    for (const std::int32_t e : owner.near) {
-      if (e == edge || left->is_empty()) continue;
-      cut.keep_inside(*left, nearer(nearest, owner.half_plane(e)));
+    for (std::size_t k = 0; k < owner.near.size() && !left->is_empty(); ++k) {
+      if (k == i) continue;
+      const HalfPlane rival = owner.half_plane(owner.near[k]);
+      cut.keep_inside(*left, nearer(nearest, rival));
+      if (k < i && rival == nearest) cut.clear();  // one of the two has it
       cut.exchange(cell);
       left = &cell;
     }
     const Area found = measure(*left);
     rest -= found;
-    add_cell(found, nearest, owner.shift, shift_of_other, sum);
+    add_cell(found, nearest, sum);
   }
-  add_cell(rest, owner.half_plane(owner.near[0]), owner.shift, shift_of_other, sum);
+  add_cell(rest, owner.half_plane(owner.near[0]), sum);
   return sum;
 }
 
@@ -192,9 +188,9 @@ PotentialForce<2> potential_force(const Outline<2>& a, const Outline<2>& b, cons
   }
   const Area whole = measure(intersection);
   if (!(whole.content > 0)) return {};
-  const FieldForce<2> by_a = field_force(of_a, to_b, intersection, whole, cell, cut),
-                      by_b = field_force(of_b, at_a, intersection, whole, cell, cut);
-  return sum_of<2>(by_a, by_b, whole.corner + whole.moment / whole.content, whole.content);
+  const FieldForce<2> by_a = field_force(of_a, intersection, whole, cell, cut),
+                      by_b = field_force(of_b, intersection, whole, cell, cut);
+  return sum_of<2>(by_a, by_b, at_a, to_b, whole.corner + whole.moment / whole.content, whole.content);
 }
 
 }  // namespace halfspace

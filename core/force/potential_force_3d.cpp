@@ -74,23 +74,14 @@ class Intersection {
   const VolumeAndMoment& content() const { return content_; }
 
   FieldForce<3> force_of(const PlacedBlock& owner) {
-    const PlacedBlock& other = &owner == &whole_ ? cutter_ : whole_;
     find_near_faces(owner);
     room_.cells.divide(room_.intersection, room_.vertices, content_, room_.near);
     FieldForce<3> sum;
-    Tensor<3> at_cells = Tensor<3>::Zero(), from_cells_to_feet = Tensor<3>::Zero();
     for (const NearFace& face : room_.near) {
       const auto& [normal, offset] = face.plane;
       const auto& [volume, moment] = face.cell;
-      if (volume == 0) continue;
-      const double energy = offset * volume - normal.dot(moment);
-      sum.force += volume * normal;
-      sum.energy += energy;
-      at_cells += normal * moment.transpose();
-      from_cells_to_feet += energy * normal * normal.transpose();
+      if (volume != 0) sum.add_cell(volume, moment, offset * volume - normal.dot(moment), normal);
     }
-    sum.virial_of_owner = sum.force * owner.at.transpose() - at_cells - from_cells_to_feet;
-    sum.virial_of_other = at_cells - sum.force * other.at.transpose() - sum.energy * Tensor<3>::Identity();
     return sum;
   }
 
@@ -165,7 +156,7 @@ PotentialForce<3> potential_force(const Outline<3>& a, const Outline<3>& b, cons
   if (!intersection.find(cuts_b ? of_a : of_b, cuts_b ? room.sounding_of_b : room.sounding_of_a)) return {};
   const auto& [volume, moment] = intersection.content();
   const FieldForce<3> by_a = intersection.force_of(placed_a), by_b = intersection.force_of(placed_b);
-  return sum_of<3>(by_a, by_b, moment / volume - placed_a.at, volume);
+  return sum_of<3>(by_a, by_b, placed_a.at, placed_b.at, moment / volume - placed_a.at, volume);
 }
 
 }  // namespace halfspace

@@ -237,6 +237,22 @@ TEST_CASE("a corner cut off by 1e-9 changes the force by its share") {
   }
 }
 
+// Rounding gives edges that all but go straight on one and the same half-plane.
+TEST_CASE("an edge in two that nothing tells apart pushes as one does") {
+  const double x[] = {-1, 1, 1, 1, -1, -1}, y[] = {-1, -1, 0, 1, 1, 1};
+  const double nx[] = {0, 1, 1, 0, -1, -1}, ny[] = {-1, 0, 0, 1, 0, 0}, offset[] = {1, 1, 1, 1, 1, 1};
+  const Outline<2> divided{5, x, y, nx, ny, offset};
+  const Shape<2> whole = shape_of({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}),
+                 other = shape_of({{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}});
+  PotentialRoom<2> room(std::pmr::get_default_resource());
+  const Vector<2> over_the_top{1, 1.4};  // so that the top is nearest first
+  const PotentialForce<2> found = potential_force(divided, other.outline(), over_the_top, room),
+                          expected = potential_force(whole.outline(), other.outline(), over_the_top, room);
+  CHECK(found.force == expected.force);
+  CHECK(found.virial_a == expected.virial_a);
+  CHECK(found.energy == expected.energy);
+}
+
 TEST_CASE("scaled by a power of two, forces grow with its square, to the bit") {
   Random random(65);
   for (int round = 0; round < 200; ++round) {
