@@ -23,6 +23,7 @@ typename Spring<D>::NormalPart Spring<D>::per_contact(const Contact<D>& contact,
   normal.base = base_of(contact);
   Vector<D> weighted = Vector<D>::Zero();
   double depths[most_points] = {}, force_at[most_points] = {};
+  const double viscosity_of_all = viscosity(law_.normal_damping, law_.normal_stiffness);
   for (int i = 0; i < contact.point_count; ++i) {
     const double depth = -contact.gaps[i];
     if (depth < 0 && !bonded) continue;
@@ -31,7 +32,7 @@ typename Spring<D>::NormalPart Spring<D>::per_contact(const Contact<D>& contact,
     double viscous = 0;
     if (law_.normal_damping > 0) {
       const double opening = contact.normal.dot(motion.relative_at(contact.points[i]));
-      viscous = -contact.shares[i] * viscosity(law_.normal_damping, law_.normal_stiffness) * opening;
+      viscous = -contact.shares[i] * viscosity_of_all * opening;
       if (!bonded) viscous = std::max(viscous, -elastic);  // a dashpot alone never pulls
       energy.damping_loss -= viscous * opening * elapsed_;
     }
