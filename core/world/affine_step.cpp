@@ -69,6 +69,8 @@ void World<D>::take_affine_stock(std::size_t i, const Vector<D>& opposed, const 
   stock.kinetic += 0.5 * mass * velocity.squaredNorm() + deformation.kinetic_energy();
   stock.gravity -= mass * settings_.gravity.dot(blocks_.position[i]);
   stock.block_strain += deformation.strain_energy(elasticity_of(i));
+  // The strain that a torque drives changes with the gradient: it is not the same all through a step.
+  stock.power.outer += blocks_.applied_torque[i].dot(blocks_.spin[i]);
   stock.power.block_damping += deformation.damping_power(elasticity_of(i), opposed_rate);
   if (settings_.local_damping > 0) {
     const Vector<D> force = affine_drive(i);
@@ -94,9 +96,9 @@ void World<D>::kick_and_book_affine(std::size_t i, Stock& stock, double& applied
   const Vector<D> middle_velocity = blocks_.velocity[i];
   const Tensor<D> middle_rate = deformation.rate;
   accelerate_affine(i);
-  applied_power +=
-      blocks_.applied_force[i].dot(middle_velocity) + blocks_.applied_torque[i].dot(blocks_.spin[i]) +
-      deformation.load_force.dot(middle_velocity) + deformation.load.cwiseProduct(middle_rate).sum();
+  applied_power += blocks_.applied_force[i].dot(middle_velocity) +
+                   deformation.load_force.dot(middle_velocity) +
+                   deformation.load.cwiseProduct(middle_rate).sum();
   blocks_.push(i, half * acceleration_[i], Angular<D>::Zero());
   blocks_.strain(i, half * deformation.acceleration);
   take_affine_stock(i, middle_velocity, middle_rate, stock);

@@ -102,7 +102,7 @@ void World<D>::take_stock(std::size_t i, const Vector<D>& opposed, const Angular
   const Vector<D>& velocity = blocks_.velocity[i];
   const Angular<D>& spin = blocks_.spin[i];
   if (blocks_.kind[i] == BlockKind::prescribed) {
-    stock.power.prescribed -= blocks_.force[i].dot(velocity) + blocks_.torque[i].dot(spin);
+    stock.power.outer -= blocks_.force[i].dot(velocity) + blocks_.torque[i].dot(spin);
   }
   if (blocks_.kind[i] != BlockKind::rigid) return;
   const double mass = blocks_.mass[i];
@@ -149,7 +149,7 @@ void World<D>::kick_and_book() {
   ledger_.local_damping_loss += half * (power_.local_damping + stock.power.local_damping);
   ledger_.mass_damping_loss += half * (power_.mass_damping + stock.power.mass_damping);
   ledger_.block_damping_loss += half * (power_.block_damping + stock.power.block_damping);
-  ledger_.outer_work += time_step_ * applied_power + half * (power_.prescribed + stock.power.prescribed);
+  ledger_.outer_work += time_step_ * applied_power + half * (power_.outer + stock.power.outer);
   power_ = stock.power;
 }
 

@@ -120,9 +120,9 @@ class World {
     Angular<D> torque;
   };
 
-  /// Rates at which prescribed motion puts energy in and damping takes it out.
+  /// Rates at which prescribed motion, and torques on affine blocks, put energy in and damping takes it out.
   struct Power {
-    double prescribed = 0;
+    double outer = 0;
     double local_damping = 0;
     double mass_damping = 0;
     double block_damping = 0;
