@@ -3,6 +3,7 @@
 #include <span>
 
 #include "check.h"
+#include "geometry/orientation.h"
 #include "geometry/polygon_boundary.h"
 #include "geometry/polygon_check.h"
 #include "geometry/polygon_clean.h"
@@ -44,6 +45,18 @@ Vector<2> read_other_end(const double point[3], const char* name, const Vector<2
   if (other == end) {
     refuse(HS_ERROR_ARGUMENT, "%s is %s; it must not be where %s is", name, PointText(other).characters,
            name_of_end);
+  }
+  return other;
+}
+
+/// The other end of the segment that follows at `joint`, in line with the one from `from` when not given.
+Vector<2> read_neighbour(const double point[3], const char* name, const Vector<2>& from,
+                         const Vector<2>& joint, const char* name_of_joint) {
+  if (!point) return 2 * joint - from;
+  const Vector<2> other = read_other_end(point, name, joint, name_of_joint);
+  if (turn(from, joint, other) == Turn::straight && (joint - from).dot(other - joint) < 0) {
+    refuse(HS_ERROR_ARGUMENT, "%s is %s; from %s the chain must not go straight back", name,
+           PointText(other).characters, name_of_joint);
   }
   return other;
 }
@@ -97,9 +110,8 @@ hs_status hs_polygon_create_boundary(hs_context* context, const double before[3]
     require_pointer(context, "context");
     require_pointer(shape, "shape");
     const Vector<2> start = read_end(first, "first"), end = read_other_end(second, "second", start, "first");
-    const BoundarySegment segment{
-        before ? read_other_end(before, "before", start, "first") : Vector<2>(2 * start - end), start, end,
-        after ? read_other_end(after, "after", end, "second") : Vector<2>(2 * end - start)};
+    const BoundarySegment segment{read_neighbour(before, "before", end, start, "first"), start, end,
+                                  read_neighbour(after, "after", start, end, "second")};
     require(depth > 0 && depth <= 1e75, depth, "depth", "> 0 and at most 1e75");
     const Points vertices = polygon_behind(segment, depth, &context->memory);
     const FaultReport report = vertices.empty() ? FaultReport{Fault::zero_area} : check_polygon(vertices);

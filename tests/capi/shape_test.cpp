@@ -160,6 +160,8 @@ TEST_CASE("a boundary is refused for ends and depths that bound nothing") {
                   {"before", "(3, 4)", in_chain(here, {{6, 4, 0}})},
                   {"after[0]", "-inf", in_chain({{2, 4, 0}}, {{-inf, 4, 0}})},
                   {"after", "(5, 4)", in_chain({{2, 4, 0}}, there)},
+                  {"before", "(4, 4)", in_chain({{4, 4, 0}}, {{6, 4, 0}})},  // straight back
+                  {"after", "(1, 4)", in_chain({{2, 4, 0}}, {{1, 4, 0}})},
                   {"depth", "0", boundary(here, there, 0)},
                   {"depth", "-1", boundary(here, there, -1)},
                   {"depth", "nan", boundary(here, there, nan)},

@@ -485,7 +485,7 @@ module halfspace_c
       type(c_ptr), value :: before  !< other end of the segment before; may be NULL: the flank then goes as if one came in line
       real(c_double), intent(in) :: first(3)  !< where the segment begins, like all ends 3 values of which the last is not read
       real(c_double), intent(in) :: second(3)  !< where it ends
-      type(c_ptr), value :: after  !< other end of the segment after; may be NULL, likewise
+      type(c_ptr), value :: after  !< other end of the segment after; may be NULL, likewise. Neither may lie straight back
       !> how far the polygon reaches behind the segment, > 0: above twice the deepest overlap, so that the
       !! segment is the nearest way out, and above what blocks cross in a step
       real(c_double), value :: depth

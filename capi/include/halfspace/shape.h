@@ -124,7 +124,7 @@ HS_API hs_status hs_polygon_create_hull(hs_context *context, hs_view points, hs_
  *  @param before other end of the segment before; may be NULL: the flank then goes as if one came in line
  *  @param first where the segment begins, like all ends 3 values of which the last is not read
  *  @param second where it ends
- *  @param after other end of the segment after; may be NULL, likewise
+ *  @param after other end of the segment after; may be NULL, likewise. Neither may lie straight back
  *  @param depth how far the polygon reaches behind the segment, > 0: above twice the deepest overlap, so that
  *         the segment is the nearest way out, and above what blocks cross in a step
  *  @param shape receives the shape; end it with hs_shape_destroy()

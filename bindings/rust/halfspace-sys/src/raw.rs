@@ -727,7 +727,7 @@ extern "C" {
     /// - `before`: other end of the segment before; may be NULL: the flank then goes as if one came in line
     /// - `first`: where the segment begins, like all ends 3 values of which the last is not read
     /// - `second`: where it ends
-    /// - `after`: other end of the segment after; may be NULL, likewise
+    /// - `after`: other end of the segment after; may be NULL, likewise. Neither may lie straight back
     /// - `depth`: how far the polygon reaches behind the segment, > 0: above twice the deepest overlap, so
     ///   that the segment is the nearest way out, and above what blocks cross in a step
     /// - `shape`: receives the shape; end it with hs_shape_destroy()
