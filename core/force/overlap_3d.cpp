@@ -66,21 +66,26 @@ class DepthPolygon {
     if (count_ < room) corner_[count_++] = p;
   }
   bool is_empty() const { return count_ < 3; }
+  void clear() { count_ = 0; }
 
-  /// Keeps what has a height of at most 0.
+  /// What of another polygon has a height of at most 0.
   template <class Height>
-  void cut(Height height) {
-    DepthPolygon kept;
-    for (int i = 0; i < count_; ++i) {
-      const DepthPoint &p = corner_[i], &q = corner_[i + 1 == count_ ? 0 : i + 1];
-      const double at_p = height(p), at_q = height(q);
-      if (at_p <= 0) kept.add(p);
+  void keep_below(const DepthPolygon& whole, Height height) {
+    count_ = 0;
+    if (whole.is_empty()) return;
+    const DepthPoint* p = &whole.corner_[whole.count_ - 1];
+    double at_p = height(*p);
+    for (int i = 0; i < whole.count_; ++i) {
+      const DepthPoint* q = &whole.corner_[i];
+      const double at_q = height(*q);
       if ((at_p < 0 && at_q > 0) || (at_p > 0 && at_q < 0)) {
         const double share = at_p / (at_p - at_q);
-        kept.add({p.foot + share * (q.foot - p.foot), p.depth + share * (q.depth - p.depth)});
+        add({p->foot + share * (q->foot - p->foot), p->depth + share * (q->depth - p->depth)});
       }
+      if (at_q <= 0) add(*q);
+      p = q;
+      at_p = at_q;
     }
-    *this = kept;
   }
 
   void add_to(DepthSums& sums, double sign) const {
@@ -101,7 +106,8 @@ bool may_cover(const Box<3>& over, const Box<3>& under) {
 }
 
 /// A block seen along the normal of a plane: two coordinates on it, and the height. Those of the first
-/// vertices are kept; of larger blocks the others are made as they are asked for.
+/// vertices are kept, and the boxes of the first faces; of larger blocks the others are made as they are
+/// asked for.
 class SeenBlock {
  public:
   SeenBlock(const PlaneFrame& plane, const Outline<3>& block, const Vector<3>& shift)
@@ -111,17 +117,18 @@ class SeenBlock {
       if (v < most_kept) kept_[v] = p;
       box_.include(p);
     }
+    for (int f = 0; f < std::min(block.face_count(), most_kept); ++f) {
+      const Box<3> box = make_box(f);
+      lower_[f] = box.lower;
+      upper_[f] = box.upper;
+    }
   }
 
   const Topology& topology() const { return *block_.topology; }
   Vector<3> vertex(int v) const { return v < most_kept ? kept_[v] : make(v); }
   const Box<3>& box() const { return box_; }
   Box<3> box_of(int face) const {
-    const Topology& t = topology();
-    Box<3> box;
-    for (int k = t.first_of_face[face]; k < t.first_of_face[face + 1]; ++k)
-      box.include(vertex(t.face_vertex[k]));
-    return box;
+    return face < most_kept ? Box<3>{lower_[face], upper_[face]} : make_box(face);
   }
   /// Outer normal in these coordinates.
   Vector<3> normal(int face) const { return seen(block_.normal(face)); }
@@ -132,6 +139,14 @@ class SeenBlock {
  private:
   Vector<3> make(int v) const { return seen(block_.vertex(v) + shift_ - plane_.origin); }
 
+  Box<3> make_box(int face) const {
+    const Topology& t = topology();
+    Box<3> box;
+    for (int k = t.first_of_face[face]; k < t.first_of_face[face + 1]; ++k)
+      box.include(vertex(t.face_vertex[k]));
+    return box;
+  }
+
   Vector<3> seen(const Vector<3>& v) const {
     return {plane_.along.dot(v), plane_.across.dot(v), plane_.normal.dot(v)};
   }
@@ -141,6 +156,8 @@ class SeenBlock {
   const Outline<3>& block_;
   Vector<3> shift_;
   Vector<3> kept_[most_kept];
+  Vector<3> lower_[most_kept];  // of the boxes
+  Vector<3> upper_[most_kept];
   Box<3> box_;
 };
 
@@ -186,22 +203,25 @@ void add_between(const SeenFace& of_a, const SeenFace& of_b, DepthSums& sums) {
   const auto point = [&](const Vector<2>& foot) {
     return DepthPoint{foot, of_a.height(foot) - of_b.height(foot)};
   };
+  DepthPolygon face, above, part[2];
   for_each_piece(of_a.count(), [&](int from, int to) {
-    DepthPolygon above;
-    above.add(point(of_a.corner(0)));
-    for (int i = from; i <= to; ++i) above.add(point(of_a.corner(i)));
-    above.cut([](const DepthPoint& p) { return -p.depth; });
+    face.clear();
+    face.add(point(of_a.corner(0)));
+    for (int i = from; i <= to; ++i) face.add(point(of_a.corner(i)));
+    above.keep_below(face, [](const DepthPoint& p) { return -p.depth; });
     if (above.is_empty()) return;
     for_each_piece(of_b.count(), [&](int begin, int end) {
-      DepthPolygon part = above;
+      const DepthPolygon* left = &above;
       Vector<2> corner = of_b.corner(0);
       const auto cut_by_side_to = [&](const Vector<2>& next) {
         const HalfPlane side(std::exchange(corner, next), next, 0);
-        if (!part.is_empty()) part.cut([&](const DepthPoint& p) { return side.height(p.foot); });
+        DepthPolygon& kept = part[left == part];
+        kept.keep_below(*left, [&](const DepthPoint& p) { return side.height(p.foot); });
+        left = &kept;
       };
       for (int i = begin; i <= end; ++i) cut_by_side_to(of_b.corner(i));
       cut_by_side_to(of_b.corner(0));
-      part.add_to(sums, sign);
+      left->add_to(sums, sign);
     });
   });
 }
