@@ -56,7 +56,7 @@ JudgedPair* NarrowPhase::Installation::begin(b2Fixture& a, b2Fixture& b) noexcep
     if (!of_a || !of_b) return nullptr;
     const double radii = polygon_of(a).m_radius + polygon_of(b).m_radius;
     auto* pair = std::pmr::polymorphic_allocator<>(&pairs_).new_object<JudgedPair>(
-        PolygonPair(std::move(of_a), std::move(of_b), radii), *this);
+        PolygonPair(std::move(of_a), std::move(of_b), radii), *this, pairs_begun_ + 1);
     ++pairs_begun_;
     return pair;
   } catch (...) {

@@ -14,14 +14,13 @@ namespace halfspace::box2d {
 
 /// What a contact has while the narrow phase judges it.
 struct JudgedPair {
-  JudgedPair(PolygonPair pair, NarrowPhase::Installation& judge)
-      : polygons(std::move(pair)), installation(judge) {}
+  JudgedPair(PolygonPair pair, NarrowPhase::Installation& judge, std::int64_t place_in_order)
+      : polygons(std::move(pair)), installation(judge), order(place_in_order) {}
 
   PolygonPair polygons;
   NarrowPhase::Installation& installation;
-  // In force mode:
-  bool let_through = false;  // by the host's listener
-  bool is_new = true;        // what was between the fixtures before, if there was anything, is over
+  std::int64_t order;        // so many pairs had begun with it
+  bool let_through = false;  // in force mode, by the host's listener
 };
 
 /// What the contacts of one world share.

@@ -89,7 +89,9 @@ class ForceMode::Mirror {
   bool are_all_somewhere() const;
   void place();
   void give_back_kept_shear();
-  void forget_what_is_over();
+  void find_forces(double elapsed);
+  bool begin_shear_of_new_pairs();
+  void begin_shear(const hs_contact& contact);
   const Block& block(hs_block id) const { return blocks_[index_of_block_.at(id)]; }
   JudgedPair* pair_of(const hs_contact& contact) const;
   void load(const hs_contact& contact);

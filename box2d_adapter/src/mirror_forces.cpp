@@ -1,4 +1,5 @@
 #include <cmath>
+#include <utility>
 
 #include "contact.h"
 #include "mirror.h"
@@ -81,10 +82,9 @@ void ForceMode::Mirror::evaluate() {
   world_.require_ok(hs_world_detect(world, &touching));
   contacts_.resize(std::size_t(touching));
   give_back_kept_shear();
-  forget_what_is_over();
-  world_.require_ok(hs_world_forces(world, elapsed_, {}, {}));
+  find_forces(elapsed_);
   elapsed_ = 0;
-  world_.require_ok(hs_world_get_contacts(world, contacts_.data(), touching, nullptr));
+  if (begin_shear_of_new_pairs()) find_forces(0);
 }
 
 /// Where the blocks still touch, and their law has a shear spring.
@@ -96,22 +96,41 @@ void ForceMode::Mirror::give_back_kept_shear() {
   kept_shear_.clear();
 }
 
-/// A body that was made anew, or moved away and back, may have the block of before: the shear springs of its
-/// contacts are not those of before.
-void ForceMode::Mirror::forget_what_is_over() {
-  if (pairs_begun_ == narrow_phase_.pairs_begun()) return;
-  pairs_begun_ = narrow_phase_.pairs_begun();
+void ForceMode::Mirror::find_forces(double elapsed) {
+  world_.require_ok(hs_world_forces(world_.get(), elapsed, {}, {}));
   world_.require_ok(
       hs_world_get_contacts(world_.get(), contacts_.data(), std::int64_t(contacts_.size()), nullptr));
+}
+
+/// Of those that overlap in the sub-step that they begin in: they were put there, by a host that begins force
+/// mode, has made a body anew, perhaps with the block of one before, or has moved it. Pairs begin before they
+/// touch when it is their motion that brings them together. True when there are any.
+bool ForceMode::Mirror::begin_shear_of_new_pairs() {
+  const std::int64_t known = std::exchange(pairs_begun_, narrow_phase_.pairs_begun());
+  if (known == pairs_begun_) return false;
+  bool any = false;
   for (const hs_contact& contact : contacts_) {
-    JudgedPair* pair = judged_pair_between(*block(contact.block_a).fixture, *block(contact.block_b).fixture);
-    if (!pair || !pair->is_new) continue;
-    const double no_shear[3] = {};
-    const hs_status status =
-        hs_world_set_shear_force(world_.get(), contact.block_a, contact.block_b, no_shear);
-    if (status != HS_ERROR_STATE) world_.require_ok(status);  // which says that there is no shear spring
-    pair->is_new = false;
+    const JudgedPair* pair =
+        judged_pair_between(*block(contact.block_a).fixture, *block(contact.block_b).fixture);
+    if (!pair || pair->order <= known) continue;
+    begin_shear(contact);
+    any = true;
   }
+  return any;
+}
+
+/// What was put on something carries its weight straight down, as far as friction lets it. Else it would gain
+/// speed along the face until its shear spring has grown. Faces steeper than 60 degrees bear nothing.
+void ForceMode::Mirror::begin_shear(const hs_contact& contact) {
+  const Vector gravity(narrow_phase_.world().GetGravity());
+  const Vector normal{contact.normal[0], contact.normal[1]}, force{contact.force[0], contact.force[1]};
+  const double push = dot(force, normal), share = dot(gravity, normal);
+  const bool bears = share * share > 0.25 * dot(gravity, gravity);
+  const Vector shear = bears ? push * (1 / share * gravity - normal) : Vector{};
+  const double shear_on_b[3] = {shear.x, shear.y, 0};
+  const hs_status status =
+      hs_world_set_shear_force(world_.get(), contact.block_a, contact.block_b, shear_on_b);
+  if (status != HS_ERROR_STATE) world_.require_ok(status);  // which says that there is no shear spring
 }
 
 /// Who moves wakes what it touches before any force is found, so that a sleeper that wakes has its support.

@@ -80,6 +80,20 @@ TEST_CASE("a body made in the place of another has no shear of before") {
   }
 }
 
+// The first pair begins before the boxes touch, as what falls does, and is no longer new when others begin.
+TEST_CASE("a pair that begins leaves others their shear") {
+  ForceWorld arena(law_of(1e5, 0.5), {1, -float(gravity)});
+  arena.world.SetAllowSleeping(false);
+  add_floor(arena.world);
+  add_box(arena.world, {0, 0.501f});
+  arena.step(300);
+  const double before = only_contact_of(arena).shear_force[0];
+  CHECK(std::abs(before) > 0.9);
+  add_box(arena.world, {5, 0.51f});
+  arena.step();
+  CHECK(only_contact_of(arena).shear_force[0] == Approx(before).epsilon(1e-6));
+}
+
 // 1 N of shear under 10 N. By then the swing has died down to less than floats tell, and once it slides what
 // friction holds is known to their rounding; 1e-4 is for the rocking of the box, which 0.5 N tilts by 1e-5.
 TEST_CASE("a friction that changes leaves contacts the shear that it can hold") {

@@ -101,14 +101,16 @@ std::vector<double> creep_of_two(const std::string& kind_name, const std::vector
 
 }  // namespace
 
-// It falls vertically, along the edge of the friction cone, and nothing is left to move it along.
+// It falls vertically, along the edge of the friction cone, and nothing is left to move it along; whether it
+// begins where it just touches, 45 um above the slope or as deep within it.
 TEST_CASE("a block that is let go at the friction angle creeps less than a tenth of Box2D's in force mode") {
   constexpr double seconds = 9.5;
-  const double bound = creep_of_rounding(0.5 + seconds);
-  const double by_box2d = creep_let_go("box2d", seconds), by_forces = creep_let_go("forces", seconds);
-  INFO("Box2D " << by_box2d << " m, force mode " << by_forces << " m");
-  REQUIRE(by_box2d > 10 * bound);
-  CHECK(by_forces < bound);
+  for (const std::string begun : {"", "_nudged", "_nudged_back"}) {
+    const double by_box2d = creep_let_go("box2d" + begun, seconds),
+                 by_forces = creep_let_go("forces" + begun, seconds);
+    INFO("Box2D" << begun << ' ' << by_box2d << " m, force mode " << by_forces << " m");
+    CHECK(by_forces < by_box2d / 10);
+  }
 }
 
 // The whole face of the lower block is in touch, overlaps by no more than d = W/k in its middle and by no

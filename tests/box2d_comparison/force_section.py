@@ -9,7 +9,7 @@ LAW = """
 <p>Box2D's solver passes pairs of polygons by, and forces of the library act in its place, in sub-steps. One rule makes
 the law of all scenes. The stiffness is such that the usual block on the ground overlaps it by 0.1 mm under its
 share of the weight of all, a fiftieth of what Box2D's solver leaves skins to overlap (its linear slop, 5 mm). Along the
-face it is twice as much, and damping is critical. Sub-steps are half as long as the library's stable step, as
+face it is four times as much, and damping is critical. Sub-steps are half as long as the library's stable step, as
 <code>ForceMode::sub_steps_for()</code> advises. Blocks have no skins: they begin where they just touch, or as high
 above each other as in Box2D's worlds beyond the skins. The energy is that of the bodies, without what springs hold and
 give back.</p>
@@ -17,14 +17,12 @@ give back.</p>
 
 CREEP_WORDS = """
 <p><b>Creep at friction = slope.</b> A block that is let go falls vertically until its spring carries it, which is along
-the edge of the friction cone, and stops; Box2D's keeps the speed that its first step leaves it. But one that begins
-within the slope, as one of the nudges makes it, is pushed out, and keeps what speed that gives it along the slope. Of
+the edge of the friction cone, and stops; so does one that begins within the slope, as one of the nudges makes it, for
+what is put down overlapping carries its weight straight down. Box2D's keeps the speed that its first step leaves it. Of
 two blocks the lower one leans downhill on its spring by up to 2 W / (k w), W their weight, k the stiffness and w the
 width. So the upper one lies on a slope a little steeper than the friction angle and goes g t&sup2; W / (k w) at most in
 the time t, on all slopes alike; that falls with the stiffness. Box2D's creep is what its iterations leave undone: far
-more on half of the slopes, less on some, none on a few. Slope and friction are floats, and off each other by rounding:
-by that a single block that has settled gains some µm/s in force mode. In Box2D's positions, floats as well, such a speed
-is lost.</p>
+more on half of the slopes, less on some, none on a few.</p>
 """
 
 FRAMES = COST[0]

@@ -14,7 +14,7 @@ hs_law_def law_of_forces(double stiffness) {
   hs_law_def law;
   halfspace_test::require_ok(hs_law_def_init(&law, sizeof law), nullptr);
   law.normal_stiffness = stiffness;
-  law.shear_stiffness = 2 * stiffness;
+  law.shear_stiffness = 4 * stiffness;
   law.normal_damping = law.shear_damping = 1;
   return law;
 }

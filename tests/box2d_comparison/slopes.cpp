@@ -1,5 +1,6 @@
 // Coulomb's block on a slope: what creeps that should stay.
 
+#include <algorithm>
 #include <cmath>
 
 #include "scenes.h"
@@ -7,12 +8,12 @@
 namespace box2d_comparison {
 namespace {
 
-/// Blocks that just touch, upon a slope of their own. Friction is the tangent of the slope as the
-/// floats of its turn have it, or the next float above.
+/// Blocks that just touch, upon a slope of their own. Friction is the tangent of the slope, as its angle has
+/// it and as the floats of its turn do, or the next float above.
 void add_slope(Stage& stage, const b2PolygonShape& block, int blocks, double slope, b2Vec2 at, double brake) {
   const float angle = float(std::atan(slope));
   const b2Rot turn(angle);
-  const double tangent = std::abs(double(turn.s) / turn.c);
+  const double tangent = std::max(std::abs(double(turn.s) / turn.c), std::abs(std::tan(double(angle))));
   float friction = float(tangent);
   while (friction < tangent) friction = std::nextafter(friction, INFINITY);
   friction *= float(brake);
