@@ -169,7 +169,7 @@ void complete(const MinkowskiDifference<Turn>& difference, Simplex& simplex) {
 }
 
 /// Moves a simplex towards the origin until that is found behind a plane: then there is none inside the
-/// simplex. Else it ends as a tetrahedron around the origin.
+/// simplex. Else it ends as a tetrahedron around the origin, or short of one when the difference is flat.
 template <class Four, class Turn>
 [[gnu::always_inline]] inline bool is_behind_plane(const MinkowskiDifference<Turn>& difference,
                                                    Separation<3>& plane, Simplex& simplex) {
@@ -231,6 +231,14 @@ template <class Four, class Turn>
   }
 }
 
+/// Of blocks that lie flat in one plane, to rounding, and meet there: no polytope has room for them. Any face
+/// will do to begin with.
+template <class Turn>
+Separation<3> least_depth_of_flat(const MinkowskiDifference<Turn>& difference, const Simplex& flat) {
+  const FoundFacet facet{flat.nearest, flat.corner[0], false};
+  return refined(difference, at_face_of_a(difference, facet));
+}
+
 }  // namespace
 
 template <class Turn>
@@ -238,7 +246,9 @@ Separation<3> find_separation_by_descent(const MinkowskiDifference<Turn>& differ
   return with_widest_lanes([&]<class Four>() {
     Separation<3> plane;
     Simplex simplex;
-    return is_behind_plane<Four>(difference, plane, simplex) ? plane : least_depth<Four>(difference, simplex);
+    if (is_behind_plane<Four>(difference, plane, simplex)) return plane;
+    return simplex.count == 4 ? least_depth<Four>(difference, simplex)
+                              : least_depth_of_flat(difference, simplex);
   });
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "catch.h"
 #include "detect/potential_pairs_3d.h"
@@ -147,6 +148,41 @@ TEST_CASE("blocks with one centroid overlap by the least distance between their 
   const Outline<3>& outline = shape.outline();
   CHECK(find_separation_by_all(outline, outline, {0, 0, 0}).gap == -1);
   CHECK(by_descent(outline, outline, {0, 0, 0}).gap == -1);
+}
+
+/// What a search reads without having set it is a number beyond every array after this.
+[[gnu::noinline]] static void fill_stack() {
+  volatile unsigned char bytes[1 << 17];
+  for (volatile unsigned char& byte : bytes) byte = 0x7f;
+}
+
+/// Affine blocks may be squeezed until nothing is left of their thickness, or of their width either.
+TEST_CASE("blocks squeezed flat, to a line or to a point touch there without overlap") {
+  const Shape<3> shape = shape_of(completed(box({1, 2, 3})));
+  const Outline<3>& whole = shape.outline();
+  const std::vector<double> none(std::size_t(Outline<3>::padded(whole.vertex_count())), 0.0);
+  for (int left = 0; left < 3; ++left) {
+    Outline<3> squeezed = whole;
+    std::vector<double> offset(whole.offset, whole.offset + Outline<3>::padded(whole.face_count()));
+    const double* normals[] = {whole.nx, whole.ny, whole.nz};
+    for (int axis = left; axis < 3; ++axis) {
+      (axis == 0 ? squeezed.x : axis == 1 ? squeezed.y : squeezed.z) = none.data();
+      for (std::size_t f = 0; f < offset.size(); ++f) {
+        if (normals[axis][f] != 0) offset[f] = 0;
+      }
+    }
+    squeezed.offset = offset.data();
+    for (const double share : {0.0, 0.25, 0.5, 1.0}) {
+      fill_stack();
+      const Vector<3> to_b(left > 0 ? share : 0, left > 1 ? -share : 0, 0);
+      for (const Separation<3>& found :
+           {find_separation_by_all(squeezed, squeezed, to_b), by_descent(squeezed, squeezed, to_b)}) {
+        CAPTURE(left, share);
+        CHECK(found.gap == 0);
+        check_features(found, squeezed, squeezed, to_b);
+      }
+    }
+  }
 }
 
 TEST_CASE("in space, scaling by powers of two scales the gap, bit for bit") {
