@@ -136,6 +136,9 @@ hs_status hs_world_set_deformation(hs_world* world, hs_block block, const double
     const double shrinking = to.inverse().cwiseAbs().maxCoeff();
     require(shrinking <= largest_entry, shrinking, "the largest entry of the inverse of gradient",
             "at most 1e75");
+    const double condition = condition_of<D>(to);
+    require(condition <= largest_condition, condition, "the norm of gradient times that of its inverse",
+            "at most 2^40");
     w.set_deformation(std::int32_t(slot), to, speed);
     return HS_OK;
   });

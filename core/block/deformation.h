@@ -20,6 +20,15 @@ inline Tensor<3> second_moment_of(const Shape<3>& shape) {
   return Tensor<3>{{m[0], m[3], m[5]}, {m[3], m[1], m[4]}, {m[5], m[4], m[2]}};
 }
 
+/// Norm of a gradient times that of its inverse. Far beyond it a block would be flat to rounding as soon as
+/// it is turned, and its faces without normals.
+constexpr double largest_condition = 0x1p40;
+
+template <int D>
+double condition_of(const Tensor<D>& gradient) {
+  return gradient.norm() * gradient.inverse().norm();
+}
+
 /// How an affine block is turned and strained, and what does so. Its points are at gradient * X from its
 /// centroid, X their place in the shape's frame: with the centroid that is paper B's block of 6 unknowns
 /// (Zheng et al. 2020, section 2), in space of 12. The gradient itself takes the place of rotation and small

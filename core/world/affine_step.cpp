@@ -35,7 +35,7 @@ void World<D>::accelerate_affine(std::size_t i) {
       drive * deformation.inverse_mass_matrix - settings_.mass_damping * deformation.rate;
 }
 
-/// False when the block would pass its own radius in the coming step, or be turned inside out.
+/// False when the block would pass its own radius in the coming step, be turned inside out or pressed flat.
 template <int D>
 bool World<D>::plan_affine(std::size_t i) {
   const double half = 0.5 * time_step_;
@@ -44,7 +44,8 @@ bool World<D>::plan_affine(std::size_t i) {
   const Tensor<D> change = time_step_ * (deformation.rate + half * deformation.acceleration);
   const double motion = time_step_ * velocity.norm() + blocks_.radius[i] * change.norm();
   if (!(motion <= blocks_.radius[i])) return false;
-  if (!((deformation.gradient + change).determinant() > 0)) return false;
+  const Tensor<D> next = deformation.gradient + change;
+  if (!(next.determinant() > 0 && condition_of<D>(next) <= largest_condition)) return false;
   candidates_.plan(blocks_, i, motion);
   return true;
 }

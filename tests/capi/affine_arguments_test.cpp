@@ -133,6 +133,7 @@ TEST_CASE("functions of one affine block refuse bad numbers, what is missing, an
                    {"gradient[0]", "1e+300", deform(with(one, 0, 1e300), none)},
                    {"rate[3]", "1e+300", deform(one, with(none, 3, 1e300))},
                    {"inverse of gradient", "1e+80", deform(with(one, 0, 1e-80), none)},
+                   {"norm of gradient times that of its inverse", "2^40", deform(with(one, 0, 1e-13), none)},
                    {"determinant of gradient", "0", deform(with(one, 0, 0), none)},
                    {"determinant of gradient", "-1", deform(with(one, 4, -1), none)}});
   const auto press = [&](const Nine& stress) {

@@ -136,6 +136,18 @@ TEST_CASE("a deformation set comes back to the bit, and the vertices are where i
   CHECK(state_of(s.world.get(), s.block).pose.position[0] == 3);
 }
 
+TEST_CASE("a step that would press a block flat to rounding is unstable and not taken") {
+  const Alone s;
+  hs_world_report report;
+  REQUIRE(hs_world_get_report(s.world.get(), &report, sizeof report) == HS_OK);
+  const double thin = 0x1p-35, share = 1 - 0x1p-20;
+  const double gradient[9] = {thin, 0, 0, 0, 1, 0, 0, 0, 1};
+  const double rate[9] = {-share * thin / report.time_step, 0, 0, 0, 0, 0, 0, 0, 0};
+  REQUIRE(hs_world_set_deformation(s.world.get(), s.block, gradient, rate) == HS_OK);
+  CHECK(hs_world_step(s.world.get(), 1) == HS_ERROR_UNSTABLE);
+  CHECK(std::memcmp(deformation_of(s.world.get(), s.block).gradient, gradient, sizeof gradient) == 0);
+}
+
 TEST_CASE("setting velocities leaves how a block strains, setting the same spin all of its rate") {
   const Alone s;
   const double gradient[9] = {1.25, 0.5, 0, -0.25, 0.75, 0, 0, 0, 1};

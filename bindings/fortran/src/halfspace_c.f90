@@ -978,8 +978,10 @@ module halfspace_c
       import
       type(c_ptr), value :: world  !< not NULL
       integer(c_int64_t), value :: block  !< id
-      real(c_double), intent(in) :: gradient(9)  !< 9 values with a determinant above 0
-      real(c_double), intent(in) :: rate(9)  !< of the gradient, 9 values, 1/s
+      !> 9 values, at most 1e75, with a determinant above 0; its inverse likewise at most 1e75, and its norm
+      !! times that of the inverse at most 2^40: a block pressed flatter would be flat to rounding
+      real(c_double), intent(in) :: gradient(9)
+      real(c_double), intent(in) :: rate(9)  !< of the gradient, 9 values, at most 1e75, 1/s
       integer(c_int32_t) :: hs_world_set_deformation
     end function hs_world_set_deformation
 
@@ -990,7 +992,7 @@ module halfspace_c
       import
       type(c_ptr), value :: world  !< not NULL
       integer(c_int64_t), value :: block  !< id
-      real(c_double), intent(in) :: stress(9)  !< Cauchy's, 9 values, symmetric, Pa, tension > 0
+      real(c_double), intent(in) :: stress(9)  !< Cauchy's, 9 values, symmetric, at most 1e75, Pa, tension > 0
       integer(c_int32_t) :: hs_world_set_stress
     end function hs_world_set_stress
 

@@ -64,12 +64,15 @@ HS_API hs_status hs_world_get_deformation(const hs_world *world, hs_block block,
 HS_API hs_status hs_world_get_deformations(const hs_world *world, hs_deformation deformations[], int64_t capacity, int64_t *count);
 
 /** @brief Turns and strains an affine block, and sets how fast it goes on. Its centroid and velocity stay.
- *  @param world not NULL @param block id @param gradient 9 values with a determinant above 0 @param rate of the gradient, 9 values, 1/s
+ *  @param world not NULL @param block id
+ *  @param gradient 9 values, at most 1e75, with a determinant above 0; its inverse likewise at most 1e75, and its norm times that of the
+ *         inverse at most 2^40: a block pressed flatter would be flat to rounding
+ *  @param rate of the gradient, 9 values, at most 1e75, 1/s
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine */
 HS_API hs_status hs_world_set_deformation(hs_world *world, hs_block block, const double gradient[9], const double rate[9]);
 
 /** @brief Says how an affine block is stressed as it is now, e.g. in situ. What the block is strained by from now on adds to that.
- *  @param world not NULL @param block id @param stress Cauchy's, 9 values, symmetric, Pa, tension > 0
+ *  @param world not NULL @param block id @param stress Cauchy's, 9 values, symmetric, at most 1e75, Pa, tension > 0
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine */
 HS_API hs_status hs_world_set_stress(hs_world *world, hs_block block, const double stress[9]);
 

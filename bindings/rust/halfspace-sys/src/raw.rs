@@ -1341,8 +1341,10 @@ extern "C" {
     ///
     /// - `world`: not NULL
     /// - `block`: id
-    /// - `gradient`: 9 values with a determinant above 0
-    /// - `rate`: of the gradient, 9 values, 1/s
+    /// - `gradient`: 9 values, at most 1e75, with a determinant above 0; its inverse likewise at most 1e75,
+    ///   and its norm times that of the inverse at most 2^40: a block pressed flatter would be flat to
+    ///   rounding
+    /// - `rate`: of the gradient, 9 values, at most 1e75, 1/s
     ///
     /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine
     pub fn hs_world_set_deformation(
@@ -1357,7 +1359,7 @@ extern "C" {
     ///
     /// - `world`: not NULL
     /// - `block`: id
-    /// - `stress`: Cauchy's, 9 values, symmetric, Pa, tension > 0
+    /// - `stress`: Cauchy's, 9 values, symmetric, at most 1e75, Pa, tension > 0
     ///
     /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine
     pub fn hs_world_set_stress(
