@@ -87,8 +87,17 @@ std::string Keys::path(std::string_view key) const {
   return path_.empty() ? std::string(key) : path_ + '.' + std::string(key);
 }
 
+void Keys::ask(std::string_view key) {
+  if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) asked_.push_back(key);
+}
+
+bool Keys::has_any(std::initializer_list<std::string_view> keys) {
+  for (const std::string_view key : keys) ask(key);
+  return std::any_of(keys.begin(), keys.end(), [&](std::string_view key) { return has(key); });
+}
+
 const toml::node* Keys::find(std::string_view key, std::string_view what, bool is_required) {
-  asked_.push_back(key);
+  ask(key);
   const toml::node* node = table_->get(key);
   const bool table_told = table_ == &no_keys;  // its absence is a fault already, or allowed
   if (!node && is_required && !table_told) fault(key, "missing; required: " + std::string(what));

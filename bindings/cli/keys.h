@@ -66,6 +66,8 @@ class Keys {
   std::vector<Keys> tables(std::string_view key, bool is_required);
 
   bool has(std::string_view key) const { return table_->contains(key); }
+  /// Of keys that go together: when there is none, they need not be asked for and are allowed none the less.
+  bool has_any(std::initializer_list<std::string_view> keys);
   Place place() const { return place_of(*table_); }
   Place place(std::string_view key) const;
   std::string path(std::string_view key) const;
@@ -77,6 +79,7 @@ class Keys {
  private:
   /// How a table is headed in the file: its path without indices, in brackets.
   std::string header(std::string_view key) const;
+  void ask(std::string_view key);
   const toml::node* find(std::string_view key, std::string_view what, bool is_required);
   /// Of a key that may be left out; nullptr without it, or when it is no list, which is told.
   const toml::array* list_at(std::string_view key, const std::string& allowed);

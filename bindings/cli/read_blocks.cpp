@@ -20,7 +20,7 @@ std::uint64_t read_seed(Keys& keys) {
 
 /// In 3D the shear stresses are those of yz, zx and xy.
 std::optional<Tensor> read_stress(Keys& keys, int kind) {
-  if (!keys.has("normal_stress") && !keys.has("shear_stress")) return std::nullopt;
+  if (!keys.has_any({"normal_stress", "shear_stress"})) return std::nullopt;
   const Point normal = keys.point("normal_stress", required);
   Point shear{};
   if (keys.dimension() == 2) {

@@ -37,9 +37,8 @@ void read_world(Keys keys, Scene& scene) {
 
 /// None when no key speaks of it.
 std::optional<hs_elasticity_def> read_elasticity(Keys& keys) {
-  const auto is_given = [&](const char* key) { return keys.has(key); };
-  const auto names = {"young_modulus", "poisson_ratio", "plane", "damping_time"};
-  if (std::none_of(names.begin(), names.end(), is_given)) return std::nullopt;
+  const bool has_plane = keys.dimension() == 2 && keys.has_any({"plane"});
+  if (!keys.has_any({"young_modulus", "poisson_ratio", "damping_time"}) && !has_plane) return std::nullopt;
   hs_elasticity_def elasticity;
   hs_elasticity_def_init(&elasticity, sizeof elasticity);
   elasticity.young_modulus = keys.number("young_modulus", above(0), required);

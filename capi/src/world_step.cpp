@@ -63,7 +63,12 @@ std::size_t contact_index(const World<D>& world, std::int32_t a, std::int32_t b)
   }
   const bool found = first < world.contact_count() && world.candidate_of(first).a == wanted.first &&
                      world.candidate_of(first).b == wanted.second;
-  if (!found) refuse(HS_ERROR_STALE_ID, "block_a and block_b (slots %d and %d) are not in contact", a, b);
+  if (!found) {
+    const auto id = [&](std::int32_t slot) {
+      return static_cast<unsigned long long>(id_of(world.blocks(), std::size_t(slot)));
+    };
+    refuse(HS_ERROR_STALE_ID, "block_a %#llx and block_b %#llx are not in contact", id(a), id(b));
+  }
   return first;
 }
 

@@ -362,15 +362,21 @@ TEST_CASE("stages, steps, reports and contacts refuse bad input") {
   check_unchanged(s, "hs_world_get_contacts",
                   {{"contacts", "NULL", [&] { return hs_world_get_contacts(w, nullptr, 1, nullptr); }},
                    {"capacity", "-1", [&] { return hs_world_get_contacts(w, &contact, -1, nullptr); }}});
-  check_unchanged(s, "hs_world_set_shear_force",
-                  {{"shear_force[1]", "nan",
-                    [&] { return hs_world_set_shear_force(w, s.floor, s.box_on_floor, not_a_number); }},
-                   {"shear_force[0]", "inf",
-                    [&] { return hs_world_set_shear_force(w, s.floor, s.box_on_floor, infinite); }},
-                   {"contact", "", [&] { return hs_world_set_shear_force(w, s.floor, s.box_away, zero); },
-                    HS_ERROR_STALE_ID},
-                   {"contact", "", [&] { return hs_world_set_shear_force(w, s.floor, s.floor, zero); },
-                    HS_ERROR_STALE_ID}});
+  const auto id = [](hs_block block) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%#llx", static_cast<unsigned long long>(block));
+    return std::string(text);
+  };
+  check_unchanged(
+      s, "hs_world_set_shear_force",
+      {{"shear_force[1]", "nan",
+        [&] { return hs_world_set_shear_force(w, s.floor, s.box_on_floor, not_a_number); }},
+       {"shear_force[0]", "inf",
+        [&] { return hs_world_set_shear_force(w, s.floor, s.box_on_floor, infinite); }},
+       {"contact", id(s.box_away), [&] { return hs_world_set_shear_force(w, s.floor, s.box_away, zero); },
+        HS_ERROR_STALE_ID},
+       {"contact", id(s.floor), [&] { return hs_world_set_shear_force(w, s.floor, s.floor, zero); },
+        HS_ERROR_STALE_ID}});
   hs_world_report report;
   CHECK(hs_world_detect(nullptr, nullptr) == HS_ERROR_ARGUMENT);
   CHECK(hs_world_forces(nullptr, 0, forces, none) == HS_ERROR_ARGUMENT);

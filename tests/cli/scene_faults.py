@@ -115,6 +115,13 @@ class SceneFaults(unittest.TestCase):
         answer = check_text(text.replace("[world]\n", "[world]\npotential_length = 0\n"))
         self.assertIn("world.potential_length: out of range: 0; allowed: a number above 0", answer.stderr)
 
+    def test_a_misspelt_key_of_a_group_is_recognized_when_it_is_the_only_one(self):
+        text = (SCENES / "falling_block.toml").read_text()
+        answer = check_text(text.replace("density =", "young_moduls = 1e9\ndensity =", 1))
+        self.assertIn("young_moduls: unknown key (did you mean 'young_modulus'?); allowed: name, density, ", answer.stderr)
+        answer = check_text(text.replace("vertices =", "normal_stres = [1, 2]\nvertices =", 1))
+        self.assertIn("normal_stres: unknown key (did you mean 'normal_stress'?)", answer.stderr)
+
     def test_tracking_members_of_a_generator(self):
         text = (EXAMPLES / "rock_collapse" / "friction_15.toml").read_text()
         tracking = text.replace("[output]\n", '[output]\ntracked = ["rock.0", "ground", "rock.9999"]\n')
