@@ -15,8 +15,8 @@ void add(const VolumeAndMoment& content, NearFace& face) {
 
 }  // namespace
 
-void CellDivision::reserve(std::size_t edges, std::size_t faces, std::size_t vertices, std::size_t near) {
-  parts_.reserve(edges, faces, vertices);
+void CellDivision::reserve(std::size_t edges, std::size_t vertices, std::size_t near) {
+  parts_.reserve(edges, vertices);
   grow(lists_, vertices + near * near);
   waiting_.reserve(near);
   grow(depth_, vertices * near);
@@ -156,22 +156,22 @@ std::array<DepthRange, 2> CellDivision::find_leads(DividedPolyhedron::Part verti
   for (const Index v : vertices) {
     const double* const depth = depths(v);
     const TwoLanes lead = TwoLanes{depth[rival], depth[other]} - both(depth[nearest]);
-    least = smaller(lead, least);
-    most = larger(lead, most);
+    least = smaller(least, lead);
+    most = larger(most, lead);
   }
   return {{{least[0], most[0]}, {least[1], most[1]}}};
 }
 
 /// Inside is where the second face is nearer: most often that is less, and what is inside gets measured.
+/// Where both are as near, to rounding, is outside, so that no edges are cut there: the plane often goes
+/// through an edge between the two faces.
 void CellDivision::cut_edges(const Part& part) {
   const Index* const near = lists_.data() + part.first;
   const DividedPolyhedron::Part vertices{near + part.near_count, part.vertex_count};
-  const Index nearest = near[0], rival = near[1];
-  for (const Index v : vertices) {
-    const double* const depth = depths(v);
-    parts_.set_depth(v, depth[nearest] - depth[rival]);
-  }
-  parts_.cut_edges(vertices);
+  parts_.cut_edges(vertices, [nearest = depths(0) + near[0], rival = depths(0) + near[1], stride = stride_,
+                              rounding = rounding_](Index v) {
+    return nearest[v * stride] - rival[v * stride] - rounding;
+  });
 }
 
 void CellDivision::interpolate_depths(Index first_new) {

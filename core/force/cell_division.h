@@ -26,8 +26,8 @@ class CellDivision {
   explicit CellDivision(Memory* memory)
       : parts_(memory), lists_(memory), waiting_(memory), depth_(memory), planes_(memory) {}
 
-  /// For blocks of so many edges and faces at most, until there are more than so many vertices or near faces.
-  void reserve(std::size_t edges, std::size_t faces, std::size_t vertices, std::size_t near);
+  /// For blocks of so many edges at most, until there are more than so many vertices or near faces.
+  void reserve(std::size_t edges, std::size_t vertices, std::size_t near);
 
   /// Finds the cells in a part of a polyhedron.
   void divide(const DividedPolyhedron& polyhedron, DividedPolyhedron::Part whole,

@@ -74,8 +74,8 @@ struct PotentialRoom<3> {
     sounding_of_a.reserve(edges);
     sounding_of_b.reserve(edges);
     vertices.reserve(vertices_of_parts);
-    intersection.reserve(edges, 2 * faces, vertices_of_parts);
-    cells.reserve(edges, 3 * faces, vertices_of_parts, std::min<std::size_t>(faces, 32));
+    intersection.reserve(edges, vertices_of_parts);
+    cells.reserve(edges, vertices_of_parts, std::min<std::size_t>(faces, 32));
   }
 
   Array<double> least_depth;  // of the intersection behind each face, or less

@@ -9,8 +9,7 @@ namespace halfspace {
 
 /// Gained by doubling, for all arrays alike: the last one tells what every one has, wherever memory ran out
 /// before.
-void DividedPolyhedron::make_room(std::size_t vertices) {
-  if (outside_.size() >= vertices) return;
+void DividedPolyhedron::widen(std::size_t vertices) {
   const std::size_t room = std::max(vertices, 2 * outside_.size());
   const auto widen = [](auto& array, std::size_t size) {
     if (array.size() < size) array.resize(size);
@@ -20,15 +19,14 @@ void DividedPolyhedron::make_room(std::size_t vertices) {
   widen(face_, 4 * room);
   widen(inside_, room);
   widen(crossings_, room);
-  widen(triangles_, 4 * room);
+  widen(walked_, 4 * room);
   widen(outside_, room);
 }
 
-void DividedPolyhedron::reserve(std::size_t edges, std::size_t faces, std::size_t vertices) {
+void DividedPolyhedron::reserve(std::size_t edges, std::size_t vertices) {
   make_room(vertices);
   grow(first_of_vertex_, edges);
   grow(half_of_edge_, 2 * edges);
-  grow(fan_center_, faces);
 }
 
 void DividedPolyhedron::begin(const Outline<3>& block, const Sounding& sounding) {
@@ -97,7 +95,6 @@ void DividedPolyhedron::begin(const DividedPolyhedron& other) {
   std::copy_n(other.vertex_.begin(), extent_.vertices, vertex_.begin());
   std::copy_n(other.twin_.begin(), 4 * extent_.vertices, twin_.begin());
   std::copy_n(other.face_.begin(), 4 * extent_.vertices, face_.begin());
-  grow(fan_center_, extent_.faces);
 }
 
 DepthRange DividedPolyhedron::sound(Part part, const CuttingPlane& plane) {
@@ -111,19 +108,8 @@ DepthRange DividedPolyhedron::sound(Part part, const CuttingPlane& plane) {
   return {least, most};
 }
 
-/// Without branches: on which side a vertex is, is as good as random.
 void DividedPolyhedron::cut_edges(Part part) {
-  Index *in = inside_.data(), *out = outside_.data();
-  const Vertex* const vertex = vertex_.data();
-  for (const Index v : part) {
-    const bool is_inside = !(vertex[v].depth < 0);
-    *in = *out = v;
-    in += is_inside;
-    out += !is_inside;
-  }
-  inside_count_ = std::size_t(in - inside_.data());
-  outside_count_ = std::size_t(out - outside_.data());
-  cut_edges_of_inside();
+  cut_edges(part, [vertex = vertex_.data()](Index v) { return vertex[v].depth; });
 }
 
 void DividedPolyhedron::cut_edges_of_inside() {
@@ -184,7 +170,7 @@ void DividedPolyhedron::close_inside() {
   }
   join_along_faces([this](Index exit, Index entry) { join(exit, entry); });
   extent_.vertices = added;
-  grow(fan_center_, ++extent_.faces);
+  ++extent_.faces;
 }
 
 void DividedPolyhedron::close_both() {
@@ -206,39 +192,7 @@ void DividedPolyhedron::close_both() {
     join(entry + count, exit + count);
   });
   extent_.vertices += 2 * count;
-  grow(fan_center_, ++extent_.faces);
-}
-
-/// Of each face that is not at the top, between one of its corners and its other edges; a corner in the plane
-/// if there is one, for the new edges have not been joined. What that leaves out is in the plane, as the top
-/// is.
-std::size_t DividedPolyhedron::list_triangles(Index top) {
-  Index* const center = fan_center_.data();
-  const Index *const twin = twin_.data(), *const face = face_.data();
-  for (const Index v : inside())
-    for (Index half = 4 * v; half < 4 * v + 3; ++half) center[face[half]] = v;
-  Index added = extent_.vertices;
-  for (const Crossing& crossing : crossings()) center[face[crossing.inner_half]] = added++;
-  if (crossing_count_ > 0) {
-    center[face[crossings_[0].inner_half]] = top;
-    center[face[clockwise(crossings_[0].inner_half)]] = top;
-  }
-  Triangle* triangle = triangles_.data();
-  for (const Index v : inside()) {
-    for (Index half = 4 * v; half < 4 * v + 3; ++half) {
-      const Index from = center[face[half]];
-      *triangle = {from, half};
-      triangle += (from != top) & (from != v) & (from != twin[half] / 4);
-    }
-  }
-  added = extent_.vertices;
-  for (const Crossing& crossing : crossings()) {
-    const Index from = center[face[clockwise(crossing.inner_half)]];
-    *triangle = {from, 4 * added};
-    triangle += (from != top) & (from != added++);
-  }
-  *triangle = {top, 4 * top};  // so that they can be read in pairs
-  return std::size_t(triangle - triangles_.data());
+  ++extent_.faces;
 }
 
 VolumeAndMoment DividedPolyhedron::measure(Part part) {
@@ -248,37 +202,68 @@ VolumeAndMoment DividedPolyhedron::measure(Part part) {
   return measure_inside();
 }
 
-/// As tetrahedra from one vertex to triangles. Where rounding has torn a face, as a plane flush with it does,
-/// all its loops are seen from one corner: what then is negative has been counted twice elsewhere.
+/// As tetrahedra from one vertex, the top, to the triangles of the faces that are not at it. What is inside
+/// of a face that is cut is seen from where its outline comes in, for then what is missing, the new edges, is
+/// in the plane, as the top is. Where rounding has torn a face, each of its loops counts by itself.
 VolumeAndMoment DividedPolyhedron::measure_inside() {
   if (inside_count_ == 0) return {};
-  const Index top_vertex = crossing_count_ > 0 ? extent_.vertices : inside_[inside_count_ - 1];
-  const std::size_t count = list_triangles(top_vertex);
+  struct Point {
+    TwoLanes xy, z;
+  };
   const Vertex* const vertex = vertex_.data();
-  const Vertex top = vertex[top_vertex];
-  struct Points {
-    TwoLanes x, y, z;
+  const Index *const twin = twin_.data(), *const face = face_.data();
+  const auto point = [&](Index v) { return Point{two_at(&vertex[v].x), two_at(&vertex[v].z)}; };
+  const Index first_new = extent_.vertices;
+  const Index top_vertex = crossing_count_ > 0 ? first_new : inside_[0];
+  const Point top = point(top_vertex);
+  const auto seen_from_top = [&](Index v) {
+    const Point p = point(v);
+    return Point{p.xy - top.xy, p.z - top.z};
   };
-  const auto seen_from_top = [&](Index v, Index w) {
-    const Vertex &p = vertex[v], &q = vertex[w];
-    return Points{TwoLanes{p.x, q.x} - both(top.x), TwoLanes{p.y, q.y} - both(top.y),
-                  TwoLanes{p.z, q.z} - both(top.z)};
+  TwoLanes sum{}, sum_xy{}, sum_z{};
+  std::size_t walked = 0;
+  // Along the outline of a face from a corner, until it leaves or, when it is whole, comes back.
+  const auto add_face = [&](Index corner, Index half, bool at_top, bool is_whole) {
+    const Point p = seen_from_top(corner);
+    Point q = seen_from_top(half / 4);
+    for (;; half = clockwise(twin[half])) {
+      walked_[half] = true;
+      ++walked;
+      const Index next = twin[half] / 4;
+      if (is_whole && next == corner) return;
+      if (!at_top) {
+        const Point r = seen_from_top(next);
+        const TwoLanes q_yz{q.xy[1], q.z[0]}, r_yz{r.xy[1], r.z[0]};
+        const TwoLanes zx = q.xy * r_yz - q_yz * r.xy, y = q.z * r.xy - q.xy * r.z;
+        const TwoLanes volume = both(p.z[0] * zx[0] + p.xy[0] * zx[1] + p.xy[1] * y[0]);
+        sum += volume;
+        sum_xy += volume * (p.xy + q.xy + r.xy);
+        sum_z += volume * (p.z + q.z + r.z);
+        q = r;
+      }
+      if (!is_whole && next >= first_new) return;
+    }
   };
-  TwoLanes sum{}, sum_x{}, sum_y{}, sum_z{};
-  for (const Triangle *s = triangles_.data(), *end = s + count; s < end; s += 2) {
-    const Points p = seen_from_top(s[0].corner, s[1].corner), q = seen_from_top(s[0].half / 4, s[1].half / 4),
-                 r = seen_from_top(twin_[s[0].half] / 4, twin_[s[1].half] / 4);
-    const TwoLanes volume =
-        p.x * (q.y * r.z - q.z * r.y) + p.y * (q.z * r.x - q.x * r.z) + p.z * (q.x * r.y - q.y * r.x);
-    sum += volume;
-    sum_x += volume * (p.x + q.x + r.x);
-    sum_y += volume * (p.y + q.y + r.y);
-    sum_z += volume * (p.z + q.z + r.z);
+  for (const Index v : inside()) std::fill_n(walked_.begin() + 4 * v, 4, false);
+  if (crossing_count_ > 0) {
+    const Index face_at_top = face[crossings_[0].inner_half];
+    Index added = first_new;
+    for (const Crossing& crossing : crossings()) {
+      const Index half = clockwise(crossing.inner_half);
+      add_face(added, half, (added == top_vertex) | (face[half] == face_at_top), false);
+      ++added;
+    }
   }
-  const double volume = (sum[0] + sum[1]) / 6;
+  if (walked < 3 * inside_count_) {
+    for (const Index v : inside()) {
+      for (Index half = 4 * v; half < 4 * v + 3; ++half)
+        if (!walked_[half]) add_face(v, clockwise(twin[half]), v == top_vertex, true);
+    }
+  }
+  const double volume = sum[0] / 6;
   return {volume,
-          {(sum_x[0] + sum_x[1]) / 24 + volume * top.x, (sum_y[0] + sum_y[1]) / 24 + volume * top.y,
-           (sum_z[0] + sum_z[1]) / 24 + volume * top.z}};
+          {sum_xy[0] / 24 + volume * top.xy[0], sum_xy[1] / 24 + volume * top.xy[1],
+           sum_z[0] / 24 + volume * top.z[0]}};
 }
 
 }  // namespace halfspace

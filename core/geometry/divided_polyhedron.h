@@ -14,7 +14,10 @@ namespace halfspace {
 /// before.
 template <class T>
 void grow(Array<T>& array, std::size_t room) {
-  if (array.size() < room) array.resize(std::max(room, 2 * array.size()));
+  if (array.size() >= room) [[likely]]
+    return;
+  [&]() __attribute__((noinline, cold)) { array.resize(std::max(room, 2 * array.size())); }
+  ();
 }
 
 /// Integrals over a body.
@@ -50,13 +53,12 @@ class DividedPolyhedron {
         inside_(memory),
         outside_(memory),
         crossings_(memory),
-        fan_center_(memory),
-        triangles_(memory),
+        walked_(memory),
         first_of_vertex_(memory),
         half_of_edge_(memory) {}
 
-  /// For blocks of so many edges and faces at most, until there are more than so many vertices.
-  void reserve(std::size_t edges, std::size_t faces, std::size_t vertices);
+  /// For blocks of so many edges at most, until there are more than so many vertices.
+  void reserve(std::size_t edges, std::size_t vertices);
 
   /// Begins with what of a block is inside a plane, behind which it has been sounded.
   void begin(const Outline<3>& block, const Sounding& sounding);
@@ -78,7 +80,6 @@ class DividedPolyhedron {
 
   /// How deep the vertices of a part lie behind a plane: what is known before it is cut there.
   DepthRange sound(Part part, const CuttingPlane& plane);
-  void set_depth(Index vertex, double depth) { vertex_[vertex].depth = depth; }
 
   /// Of a part that has not been cut, and of what is inside the plane where one has just been cut.
   VolumeAndMoment measure(Part part);
@@ -87,6 +88,9 @@ class DividedPolyhedron {
   /// Cuts the edges of a part behind whose plane its vertices have been sounded. Vertices in the plane are
   /// inside.
   void cut_edges(Part part);
+  /// By what `depth_of(vertex)` tells.
+  template <class DepthOf>
+  void cut_edges(Part part, DepthOf depth_of);
   /// Closes what is inside, or both parts, by a new face. The new vertices are the last ones of either part,
   /// in the order of the crossings.
   void close_inside();
@@ -100,16 +104,14 @@ class DividedPolyhedron {
     double x, y, z;
     double depth;  // behind the plane to cut at
   };
-  /// Between a vertex and half an edge.
-  struct Triangle {
-    Index corner;
-    Index half;
-  };
 
   // Halves 4 v, 4 v + 1 and 4 v + 2 of edges leave vertex v, counter-clockwise seen from outside.
   static Index clockwise(Index half) { return (half & 3) == 0 ? half + 2 : half - 1; }
 
-  void make_room(std::size_t vertices);
+  void make_room(std::size_t vertices) {
+    if (outside_.size() < vertices) widen(vertices);
+  }
+  void widen(std::size_t vertices);
   void add_block_vertex(const Outline<3>& block, std::int32_t v, double depth);
   void join_block_vertices(const Outline<3>& block);
   void cut_edges_of_inside();
@@ -117,7 +119,6 @@ class DividedPolyhedron {
   void join(Index exit, Index entry);
   template <class Join>
   void join_along_faces(Join join);
-  std::size_t list_triangles(Index top);
 
   Array<Vertex> vertex_;
   Array<Index> twin_;  // of half an edge, seen from its other vertex
@@ -125,8 +126,7 @@ class DividedPolyhedron {
   Array<Index> inside_;
   Array<Index> outside_;
   Array<Crossing> crossings_;
-  Array<Index> fan_center_;  // of each face
-  Array<Triangle> triangles_;
+  Array<std::uint8_t> walked_;    // halves of edges that have been measured
   Array<Index> first_of_vertex_;  // of the block's
   Array<Index> half_of_edge_;     // of the block's, seen from its end and from its start
   Extent extent_;
@@ -134,5 +134,23 @@ class DividedPolyhedron {
   std::size_t outside_count_ = 0;
   std::size_t crossing_count_ = 0;
 };
+
+/// Without branches: on which side a vertex is, is as good as random.
+template <class DepthOf>
+void DividedPolyhedron::cut_edges(Part part, DepthOf depth_of) {
+  Vertex* const vertex = vertex_.data();
+  Index *in = inside_.data(), *out = outside_.data();
+  for (const Index v : part) {
+    const double depth = depth_of(v);
+    vertex[v].depth = depth;
+    const bool is_inside = !(depth < 0);
+    *in = *out = v;
+    in += is_inside;
+    out += !is_inside;
+  }
+  inside_count_ = std::size_t(in - inside_.data());
+  outside_count_ = std::size_t(out - outside_.data());
+  cut_edges_of_inside();
+}
 
 }  // namespace halfspace
