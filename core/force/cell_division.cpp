@@ -195,16 +195,15 @@ void CellDivision::interpolate_depths(Index first_new) {
 void CellDivision::put_aside(const Part& part, std::size_t near_count, const VolumeAndMoment& inside,
                              const VolumeAndMoment& outside) {
   const DividedPolyhedron::Part vertices_inside = parts_.inside(), vertices_outside = parts_.outside();
-  const std::size_t near = near_count - 1, first_outside = part.first + near + vertices_inside.size();
+  const std::size_t near = near_count - 1, first_inside = part.first + 1,
+                    first_outside = first_inside + near + vertices_inside.size();
   grow(lists_, first_outside + near + vertices_outside.size());
   Index *const list = lists_.data() + part.first, *const list_outside = lists_.data() + first_outside;
-  const Index nearest = list[0];
-  std::copy_n(list + 1, near, list);
-  std::copy(vertices_inside.begin(), vertices_inside.end(), list + near);
-  list_outside[0] = nearest;
-  std::copy_n(list + 1, near - 1, list_outside + 1);
+  std::copy(vertices_inside.begin(), vertices_inside.end(), list + near_count);
+  list_outside[0] = list[0];
+  std::copy_n(list + 2, near - 1, list_outside + 1);
   std::copy(vertices_outside.begin(), vertices_outside.end(), list_outside + near);
-  waiting_.push_back({part.first, near, vertices_inside.size(), inside, parts_.extent()});
+  waiting_.push_back({first_inside, near, vertices_inside.size(), inside, parts_.extent()});
   waiting_.push_back({first_outside, near, vertices_outside.size(), outside, parts_.extent()});
 }
 
