@@ -62,7 +62,7 @@ void CellDivision::find_depths(const DividedPolyhedron& polyhedron, DividedPolyh
     largest = std::max(largest, std::abs(plane.offset));
   }
   for (const Index v : whole) largest = std::max(largest, polyhedron.position(v).cwiseAbs().maxCoeff());
-  rounding_ = 0x1p-50 * largest;
+  rounding_ = 0x1p-48 * largest;
   for (std::size_t k = 0; k < stride_; k += 2) {
     TwoLanes least = both(HUGE_VAL), most = both(-HUGE_VAL);
     for (const Index v : whole) {
@@ -162,15 +162,16 @@ std::array<DepthRange, 2> CellDivision::find_leads(DividedPolyhedron::Part verti
   return {{{least[0], most[0]}, {least[1], most[1]}}};
 }
 
-/// Inside is where the second face is nearer: most often that is less, and what is inside gets measured.
-/// Where both are as near, to rounding, is outside, so that no edges are cut there: the plane often goes
-/// through an edge between the two faces.
+/// Inside is where the second face is nearer: most often that is less, and what is inside gets measured. The
+/// plane between two faces often goes through the edge between them. Where both are as near, to rounding, is
+/// outside, so that no edges are cut there; by less than rivals may lead by, so that where a third face is as
+/// near, this makes no rival of it.
 void CellDivision::cut_edges(const Part& part) {
   const Index* const near = lists_.data() + part.first;
   const DividedPolyhedron::Part vertices{near + part.near_count, part.vertex_count};
   parts_.cut_edges(vertices, [nearest = depths(0) + near[0], rival = depths(0) + near[1], stride = stride_,
-                              rounding = rounding_](Index v) {
-    return nearest[v * stride] - rival[v * stride] - rounding;
+                              margin = 0.25 * rounding_](Index v) {
+    return nearest[v * stride] - rival[v * stride] - margin;
   });
 }
 
