@@ -9,7 +9,7 @@ namespace halfspace {
 
 /// Gained by doubling, for all arrays alike: the last one tells what every one has, wherever memory ran out
 /// before.
-void DividedPolyhedron::widen(std::size_t vertices) {
+void DividedPolyhedron::gain_room_for(std::size_t vertices) {
   const std::size_t room = std::max(vertices, 2 * outside_.size());
   const auto widen = [](auto& array, std::size_t size) {
     if (array.size() < size) array.resize(size);

@@ -10,14 +10,17 @@
 
 namespace halfspace {
 
+/// Apart, so that looking whether there is room costs no call.
+template <class T>
+[[gnu::noinline]] void gain_room(Array<T>& array, std::size_t room) {
+  array.resize(std::max(room, 2 * array.size()));
+}
+
 /// So many entries at least, gained by doubling: room that is filled anew asks for no memory that it had
 /// before.
 template <class T>
 void grow(Array<T>& array, std::size_t room) {
-  if (array.size() >= room) [[likely]]
-    return;
-  [&]() __attribute__((noinline, cold)) { array.resize(std::max(room, 2 * array.size())); }
-  ();
+  if (array.size() < room) gain_room(array, room);
 }
 
 /// Integrals over a body.
@@ -109,9 +112,9 @@ class DividedPolyhedron {
   static Index clockwise(Index half) { return (half & 3) == 0 ? half + 2 : half - 1; }
 
   void make_room(std::size_t vertices) {
-    if (outside_.size() < vertices) widen(vertices);
+    if (outside_.size() < vertices) gain_room_for(vertices);
   }
-  void widen(std::size_t vertices);
+  void gain_room_for(std::size_t vertices);
   void add_block_vertex(const Outline<3>& block, std::int32_t v, double depth);
   void join_block_vertices(const Outline<3>& block);
   void cut_edges_of_inside();
@@ -126,7 +129,7 @@ class DividedPolyhedron {
   Array<Index> inside_;
   Array<Index> outside_;
   Array<Crossing> crossings_;
-  Array<std::uint8_t> walked_;    // halves of edges that have been measured
+  Array<std::uint8_t> walked_;    // which halves of edges have been measured
   Array<Index> first_of_vertex_;  // of the block's
   Array<Index> half_of_edge_;     // of the block's, seen from its end and from its start
   Extent extent_;
