@@ -135,9 +135,11 @@ void World<D>::clear_surface_loads(std::int32_t slot) {
 
 template <int D>
 void World<D>::set_applied_force(std::int32_t slot, const Vector<D>& force, const Angular<D>& torque) {
-  blocks_.applied_force[std::size_t(slot)] = force;
-  blocks_.applied_torque[std::size_t(slot)] = torque;
-  if (!edited_) accelerate(std::size_t(slot));  // the next step begins under this force
+  const std::size_t s = std::size_t(slot);
+  if (blocks_.is_affine(s)) power_.outer += (torque - blocks_.applied_torque[s]).dot(blocks_.spin[s]);
+  blocks_.applied_force[s] = force;
+  blocks_.applied_torque[s] = torque;
+  if (!edited_) accelerate(s);  // the next step begins under this force
 }
 
 template <int D>

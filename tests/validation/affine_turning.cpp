@@ -137,6 +137,23 @@ TEST_CASE("the work of a torque on an affine block is booked to the order of the
   }
 }
 
+/// Each pulse is booked where it acts, from the step that it begins with to the one that it ends with.
+TEST_CASE("the work of a torque that comes and goes on an affine block is booked to the order of the step") {
+  for (const int dimension : {2, 3}) {
+    const auto residual_after = [&](double time_step) {
+      Spinner spinner(dimension, time_step, {2, 1, 0.5}, {1e7, 0.25}, {0, 0, 3});
+      const double none[3] = {}, torque[3] = {dimension == 3 ? 3e4 : 0, 0, 1e5};
+      for (const bool is_on : {false, true, false, true}) {
+        spinner.scene.check(
+            hs_world_set_applied_force(spinner.scene.world(), spinner.block, none, is_on ? torque : none));
+        spinner.scene.step(int(std::lround(0.0125 / time_step)));
+      }
+      return spinner.scene.report().energy.residual;
+    };
+    CHECK(residual_after(1e-4) / residual_after(5e-5) == Approx(4).epsilon(0.05));
+  }
+}
+
 /// A turn rounds each component of the gradient a few times.
 TEST_CASE("turning a strained block as a whole costs no strain and no energy") {
   for (const int dimension : {2, 3}) {
