@@ -1,5 +1,4 @@
 #include <cmath>
-#include <utility>
 
 #include "contact.h"
 #include "mirror.h"
@@ -85,6 +84,7 @@ void ForceMode::Mirror::evaluate() {
   find_forces(elapsed_);
   elapsed_ = 0;
   if (begin_shear_of_new_pairs()) find_forces(0);
+  pairs_begun_ = narrow_phase_.pairs_begun();  // at last: what throws before leaves them new
 }
 
 /// Where the blocks still touch, and their law has a shear spring.
@@ -106,13 +106,12 @@ void ForceMode::Mirror::find_forces(double elapsed) {
 /// mode, has made a body anew, perhaps with the block of one before, or has moved it. Pairs begin before they
 /// touch when it is their motion that brings them together. True when there are any.
 bool ForceMode::Mirror::begin_shear_of_new_pairs() {
-  const std::int64_t known = std::exchange(pairs_begun_, narrow_phase_.pairs_begun());
-  if (known == pairs_begun_) return false;
+  if (pairs_begun_ == narrow_phase_.pairs_begun()) return false;
   bool any = false;
   for (const hs_contact& contact : contacts_) {
     const JudgedPair* pair =
         judged_pair_between(*block(contact.block_a).fixture, *block(contact.block_b).fixture);
-    if (!pair || pair->order <= known) continue;
+    if (!pair || pair->order <= pairs_begun_) continue;
     begin_shear(contact);
     any = true;
   }
