@@ -156,7 +156,7 @@ class SeenBlock {
   const Outline<3>& block_;
   Vector<3> shift_;
   Vector<3> kept_[most_kept];
-  Vector<3> lower_[most_kept];  // of the boxes
+  Vector<3> lower_[most_kept];  // of the boxes, which by themselves would all be set empty first
   Vector<3> upper_[most_kept];
   Box<3> box_;
 };

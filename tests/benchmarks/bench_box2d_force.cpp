@@ -8,6 +8,7 @@
 #include <exception>
 
 #include "box2d/force_scenes.h"
+#include "box2d_comparison/forces.h"
 #include "box2d_scenes.h"
 #include "timing.h"
 
@@ -42,14 +43,6 @@ void print_slides() {
 
 constexpr float creep_slope = float(pi / 6);
 
-/// Shear that grows faster than friction lets it while a block comes down and rocks, so that it falls straight
-/// down at the limit.
-hs_law_def law_for_the_limit(double stiffness) {
-  hs_law_def law = law_of(stiffness, 1);
-  law.shear_stiffness = 4 * stiffness;
-  return law;
-}
-
 using Creep = double(const std::optional<hs_law_def>& law, int height, float slope, float friction);
 
 void print_creep(const char* begin, Creep& creep, float over_slope) {
@@ -58,7 +51,8 @@ void print_creep(const char* begin, Creep& creep, float over_slope) {
     std::printf("  %-10s %6d %20g %11.1e", begin, height, over_slope,
                 creep({}, height, creep_slope, friction));
     for (const double stiffness : stiffnesses)
-      std::printf("  %11.1e", creep(law_for_the_limit(stiffness), height, creep_slope, friction));
+      std::printf("  %11.1e",
+                  creep(box2d_comparison::law_of_forces(stiffness), height, creep_slope, friction));
     std::printf("\n");
   }
 }

@@ -59,6 +59,19 @@ class Witness : public b2ContactListener {
   int begun = 0, ended = 0, asked = 0, solved = 0;
 };
 
+/// A box of 1 kg, put so high above a floor, that bears 10 N and is pushed along it by 1 N, after so many
+/// frames.
+struct PushedBox : ForceWorld {
+  explicit PushedBox(int frames, float height = 0) : ForceWorld(law_of(1e5, 0.5), {1, -float(gravity)}) {
+    world.SetAllowSleeping(false);
+    add_floor(world);
+    box = &add_box(world, {0, 0.5f + height});
+    step(frames);
+  }
+
+  b2Body* box;
+};
+
 }  // namespace
 
 // Box2D gives the memory of what was destroyed to what is made next. Of another density it is another block
@@ -81,16 +94,13 @@ TEST_CASE("a body made in the place of another has no shear of before") {
   }
 }
 
-// 1 N along a floor that bears 10 N. Box2D ends the pairs of a body that becomes another kind and begins them
-// anew, as refresh() does those of a fixture. With no shear, as undamped springs swing, the box would gain
-// 1 m/s2 sqrt(m / k) = 3e-3 m/s; one sub-step without a pair gives it 1e-4 m/s.
+// Box2D ends the pairs of a body that becomes another kind and begins them anew, as refresh() does those of a
+// fixture. With no shear, as undamped springs swing, the box would gain 1 m/s2 sqrt(m / k) = 3e-3 m/s; one
+// sub-step without a pair gives it 1e-4 m/s.
 TEST_CASE("a contact that begins anew under a box at rest carries its weight from the beginning") {
   for (const bool becomes_another_kind : {true, false}) {
-    ForceWorld arena(law_of(1e5, 0.5), {1, -float(gravity)});
-    arena.world.SetAllowSleeping(false);
-    add_floor(arena.world);
-    b2Body& box = add_box(arena.world, {0, 0.5f});
-    arena.step(300);
+    PushedBox arena(300);
+    b2Body& box = *arena.box;
     double fastest = 0;
     if (becomes_another_kind) {
       box.SetType(b2_staticBody);
@@ -109,11 +119,7 @@ TEST_CASE("a contact that begins anew under a box at rest carries its weight fro
 
 // The first pair begins before the boxes touch, as what falls does, and is no longer new when others begin.
 TEST_CASE("a pair that begins leaves others their shear") {
-  ForceWorld arena(law_of(1e5, 0.5), {1, -float(gravity)});
-  arena.world.SetAllowSleeping(false);
-  add_floor(arena.world);
-  add_box(arena.world, {0, 0.501f});
-  arena.step(300);
+  PushedBox arena(300, 1e-3f);
   const double before = only_contact_of(arena).shear_force[0];
   CHECK(std::abs(before) > 0.9);
   add_box(arena.world, {5, 0.51f});
@@ -121,15 +127,12 @@ TEST_CASE("a pair that begins leaves others their shear") {
   CHECK(only_contact_of(arena).shear_force[0] == Approx(before).epsilon(1e-6));
 }
 
-// 1 N of shear under 10 N. By then the swing has died down to less than floats tell, and once it slides what
-// friction holds is known to their rounding; 1e-4 is for the rocking of the box, which 0.5 N tilts by 1e-5.
+// By then the swing has died down to less than floats tell, and once it slides what friction holds is known
+// to their rounding; 1e-4 is for the rocking of the box, which 0.5 N tilts by 1e-5.
 TEST_CASE("a friction that changes leaves contacts the shear that it can hold") {
   for (const bool is_of_floor : {false, true}) {
-    ForceWorld arena(law_of(1e5, 0.5), {1, -float(gravity)});
-    arena.world.SetAllowSleeping(false);
-    add_floor(arena.world);
-    b2Body& box = add_box(arena.world, {0, 0.5f});
-    arena.step(180);
+    PushedBox arena(180);
+    b2Body& box = *arena.box;
     b2Fixture& changed = *(is_of_floor ? box.GetContactList()->other : &box)->GetFixtureList();
     const b2Vec2 at = box.GetPosition();
     const auto set_friction = [&](float mixed) { changed.SetFriction(mixed * mixed / 0.2f); };
