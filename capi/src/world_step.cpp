@@ -76,10 +76,10 @@ std::size_t contact_index(const World<D>& world, std::int32_t a, std::int32_t b)
 template <int D>
 void write_force(const ContactForce<D>& force, const Vector<D>& normal, const Vector<D>& origin,
                  hs_contact& out) {
-  write_vector(force.on_b(normal), out.force);
+  write_vector(force.force, out.force);
   write_vector(Vector<D>(force.point + origin), out.force_point);
-  out.normal_force = force.normal_force;
-  write_vector(shear_vector(force.shear, normal), out.shear_force);
+  out.normal_force = normal.dot(force.force);
+  write_vector(Vector<D>(force.force - out.normal_force * normal), out.shear_force);
   write_angular(force.couple, out.torque);
   if constexpr (D == 3) out.twist = force.couple.dot(normal);
 }

@@ -48,6 +48,7 @@ inline bool describe_plainly_touching(const Outline<2>&, const Outline<2>&, cons
   return false;
 }
 inline void remember_proof(const Contact<2>&, const Vector<2>&, PairMemory<2>&) {}
+inline void remember_proof(const Vector<2>&, PairMemory<2>&) {}
 
 /// Walks around the Minkowski difference to the pair of least depth that is reached without passing a deeper
 /// one. So the contact keeps the side through which the blocks met, also when a thin block is overlapped past
@@ -119,14 +120,20 @@ void judge_pair(const Outline<D>& a, const Outline<D>& b, const Vector<D>& to_b,
   }
 }
 
+/// True when two blocks touch.
+template <int D>
+bool touch(const Outline<D>& a, const Outline<D>& b, const Vector<D>& to_b, PairMemory<D>& memory) {
+  if (!still_separated(a, b, to_b, memory)) judge_pair(a, b, to_b, memory);
+  return memory.state == PairMemory<D>::touching;
+}
+
 /// True when two blocks touch; then their contact is described. The same as to judge the pair and to describe
 /// the contact after that, but that a contact which has hardly changed is known to be one by its description.
 template <int D>
 bool find_contact(const Outline<D>& a, const Outline<D>& b, const Vector<D>& to_b,
                   const DetectOptions& options, PairMemory<D>& memory, Contact<D>& contact) {
   if (describe_plainly_touching(a, b, to_b, memory, options, contact)) return true;
-  if (!still_separated(a, b, to_b, memory)) judge_pair(a, b, to_b, memory);
-  if (memory.state == PairMemory<D>::separated) return false;
+  if (!touch(a, b, to_b, memory)) return false;
   describe_contact<D>(a, b, to_b, memory, options, contact);
   return true;
 }

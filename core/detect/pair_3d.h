@@ -24,6 +24,10 @@ bool still_touching(const Outline<3>& a, const Outline<3>& b, const Vector<3>& t
 
 /// Remembers a point of both blocks in the middle of a contact: at a face, half as deep as that is.
 void remember_proof(const Contact<3>& contact, const Vector<3>& to_b, PairMemory<3>& memory);
+/// Remembers one that is known.
+inline void remember_proof(const Vector<3>& point_of_both, PairMemory<3>& memory) {
+  memory.proof = point_of_both;
+}
 
 /// The pair through which blocks begin to meet that were separated at last (Wang et al. 2021, section 2.5):
 /// the violated one; or, when only a plane is remembered, the less deep of those whose faces look most along

@@ -96,23 +96,27 @@ std::size_t CellDivision::list_near_faces(const Array<NearFace>& near) {
   return count;
 }
 
-/// Between two faces it is enough to know what one of them has: the other has the rest.
+/// Of what one face wins against another it is enough to know how much it is, where no third one wins against
+/// either: the part stays whole, as if this face were not there.
 void CellDivision::divide_part(const Part& part, Array<NearFace>& near) {
-  const std::size_t count = find_rivals(part);
-  const Index* const face = lists_.data() + part.first;
-  if (count == 1) return add(part.content, near[face[0]]);
-  cut_edges(part);
-  const VolumeAndMoment inside = parts_.measure_inside();
-  const VolumeAndMoment outside{part.content.volume - inside.volume, part.content.moment - inside.moment};
-  if (count == 2) {
+  Index* const face = lists_.data() + part.first;
+  VolumeAndMoment rest = part.content;
+  for (std::size_t count = find_rivals(part); count > 1; --count) {
+    cut_edges(part);
+    const VolumeAndMoment inside = parts_.measure_inside();
+    rest.volume -= inside.volume;
+    rest.moment -= inside.moment;
+    if (!others_have_nothing_inside({face, count})) {
+      const Index first_new = parts_.extent().vertices;
+      parts_.close_both();
+      interpolate_depths(first_new);
+      return put_aside(part, count, inside, rest);
+    }
     add(inside, near[face[1]]);
-    add(outside, near[face[0]]);
-  } else {
-    const Index first_new = parts_.extent().vertices;
-    parts_.close_both();
-    interpolate_depths(first_new);
-    put_aside(part, count, inside, outside);
+    face[1] = face[count - 1];
+    parts_.take_back_cut();
   }
+  add(rest, near[face[0]]);
 }
 
 /// Puts first a face that is nearer than others, behind it the one that is before it by most somewhere, and
@@ -173,6 +177,20 @@ void CellDivision::cut_edges(const Part& part) {
                               margin = 0.25 * rounding_](Index v) {
     return nearest[v * stride] - rival[v * stride] - margin;
   });
+}
+
+/// Of the faces from the third one on: where the second one is nearer than the first one, they are not.
+bool CellDivision::others_have_nothing_inside(std::span<const Index> faces) {
+  for (const Index other : faces.subspan(2)) {
+    const auto lead = [&](Index v) { return depths(v)[other] - depths(v)[faces[0]]; };
+    for (const Index v : parts_.inside())
+      if (lead(v) < -rounding_) return false;
+    for (const DividedPolyhedron::Crossing& crossing : parts_.crossings()) {
+      const double inner = lead(crossing.inner());
+      if (inner + crossing.share * (lead(crossing.outer()) - inner) < -rounding_) return false;
+    }
+  }
+  return true;
 }
 
 void CellDivision::interpolate_depths(Index first_new) {

@@ -51,6 +51,7 @@ class CellDivision {
   std::array<DepthRange, 2> find_leads(DividedPolyhedron::Part vertices, Index nearest, Index rival,
                                        Index other);
   void cut_edges(const Part& part);
+  bool others_have_nothing_inside(std::span<const Index> faces);
   void interpolate_depths(Index first_new);
   void put_aside(const Part& part, std::size_t near_count, const VolumeAndMoment& inside,
                  const VolumeAndMoment& outside);

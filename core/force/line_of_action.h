@@ -14,6 +14,7 @@ struct LineOfAction {
   Angular<D> couple = Angular<D>::Zero();  // on b, besides the force at that point
   double energy = 0;                       // stored
   double stiffness = 0;                    // with which the force grows there with the depth
+  double twist_radius = 0;  // in space: radius of gyration of what the blocks share, about the line
 };
 
 /// Of the couple that forces along a normal make, at arms across it: these strain what they turn. Forces
@@ -42,13 +43,20 @@ inline Vector<3> way_to_line(const Vector<3>& force, const Vector<3>& moment) {
   return cross_product(force, moment) / force.squaredNorm();
 }
 
-/// `stiffness` is k_n / H; `normal` and `point` are the direction and the place of no force at all. Where the
+/// About a line through a point at `arm` from the centroid of a body with this spread.
+inline double radius_of_gyration(const Tensor<2>&, const Vector<2>&, const Vector<2>&) { return 0; }
+inline double radius_of_gyration(const Tensor<3>& spread, const Vector<3>& direction, const Vector<3>& arm) {
+  const double square =
+      spread.trace() - direction.dot(spread * direction) + cross_product(direction, arm).squaredNorm();
+  return std::sqrt(std::max(square, 0.0));
+}
+
+/// `stiffness` is k_n / H. No force at all is directed from one centroid to the other, halfway. Where the
 /// forces all but cancel the line runs far from the blocks: then the force acts at the centroid, with a
 /// couple.
 template <int D>
-LineOfAction<D> line_of_action(const PotentialForce<D>& potential, double stiffness, const Vector<D>& normal,
-                               const Vector<D>& point) {
-  LineOfAction<D> line{normal, 0, point};
+LineOfAction<D> line_of_action(const PotentialForce<D>& potential, double stiffness, const Vector<D>& to_b) {
+  LineOfAction<D> line{to_b.normalized(), 0, 0.5 * to_b};
   if (!(potential.energy > 0)) return line;
   line.loading_point = potential.centroid;
   line.energy = stiffness * potential.energy;
@@ -62,9 +70,12 @@ LineOfAction<D> line_of_action(const PotentialForce<D>& potential, double stiffn
   line.direction = force / line.force;
   const Vector<D> way = way_to_line(force, line.couple);
   const double distance = way.norm();
-  if (!((D == 2 ? 1 : distance) * distance * distance <= potential.content)) return line;
-  line.loading_point += way;
-  line.couple -= moment(way, force);
+  if ((D == 2 ? 1 : distance) * distance * distance <= potential.content) {
+    line.loading_point += way;
+    line.couple -= moment(way, force);
+  }
+  line.twist_radius =
+      radius_of_gyration(potential.spread, line.direction, line.loading_point - potential.centroid);
   return line;
 }
 
@@ -78,10 +89,11 @@ struct Stretch {
 
 template <int D>
 Stretch<D> stretch_besides(const LineOfAction<D>& line, const PotentialForce<D>& potential, double stiffness,
-                           const Vector<D>& to_b, const Vector<D>& normal) {
+                           const Vector<D>& to_b) {
   const Vector<D> force = line.force * line.direction, arm_b = line.loading_point - to_b;
-  return {stiffness * potential.virial_a + virial_of<D>(force, line.loading_point, line.couple, normal),
-          stiffness * potential.virial_b - virial_of<D>(force, arm_b, line.couple, normal)};
+  return {
+      stiffness * potential.virial_a + virial_of<D>(force, line.loading_point, line.couple, line.direction),
+      stiffness * potential.virial_b - virial_of<D>(force, arm_b, line.couple, line.direction)};
 }
 
 }  // namespace halfspace

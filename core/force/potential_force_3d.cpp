@@ -71,7 +71,7 @@ class Intersection {
     return content_.volume > 0;
   }
 
-  const VolumeAndMoment& content() const { return content_; }
+  const VolumeAndSpread& content() const { return content_; }
 
   FieldForce<3> force_of(const PlacedBlock& owner) {
     find_near_faces(owner);
@@ -135,7 +135,7 @@ class Intersection {
   const PlacedBlock& whole_;
   const PlacedBlock& cutter_;
   PotentialRoom<3>& room_;
-  VolumeAndMoment content_;
+  VolumeAndSpread content_;
   Bounds bounds_;
 };
 
@@ -154,9 +154,12 @@ PotentialForce<3> potential_force(const Outline<3>& a, const Outline<3>& b, cons
       placed_b{b, cuts_b ? Vector<3>::Zero() : to_b};
   Intersection intersection(cuts_b ? placed_b : placed_a, cuts_b ? placed_a : placed_b, room);
   if (!intersection.find(cuts_b ? of_a : of_b, cuts_b ? room.sounding_of_b : room.sounding_of_a)) return {};
-  const auto& [volume, moment] = intersection.content();
+  const VolumeAndSpread& content = intersection.content();
   const FieldForce<3> by_a = intersection.force_of(placed_a), by_b = intersection.force_of(placed_b);
-  return sum_of<3>(by_a, by_b, placed_a.at, placed_b.at, moment / volume - placed_a.at, volume);
+  PotentialForce<3> sum = sum_of<3>(by_a, by_b, placed_a.at, placed_b.at,
+                                    content.moment / content.volume - placed_a.at, content.volume);
+  sum.spread = content.spread;
+  return sum;
 }
 
 }  // namespace halfspace

@@ -169,17 +169,14 @@ template <int D>
                                                           const Vector<D>& direction,
                                                           const PairMotion<D>& motion, ShearSpring<D>& spring,
                                                           bool bonded, ContactEnergy& energy) const {
-  ContactForce<D> force;
-  force.point = normal.center;
-  force.normal_force = normal.force;
-  force.couple = normal.couple;
+  ContactForce<D> on_b{normal.force * direction, normal.center, normal.couple};
   if (law_.resists_shear()) {
-    force.shear = shear_force(normal, trial, direction, spring, bonded, energy);
-    force.couple += twisting_moment(force.shear, direction, normal.twist_radius);
+    const Shear<D> shear = shear_force(normal, trial, direction, spring, bonded, energy);
+    on_b.force += shear_vector(shear, direction);
+    on_b.couple += twisting_moment(shear, direction, normal.twist_radius);
   }
-  const Vector<D> on_b = force.on_b(direction);
-  return {force, on_b, -moment(normal.center, on_b) - force.couple,
-          moment(normal.center - motion.to_b, on_b) + force.couple};
+  return {on_b, direction, -moment(normal.center, on_b.force) - on_b.couple,
+          moment(normal.center - motion.to_b, on_b.force) + on_b.couple};
 }
 
 template <int D>
@@ -203,22 +200,18 @@ PairLoad<D> Spring<D>::evaluate(const Contact<D>& contact, const Overlap<D>& ove
 }
 
 template <int D>
-PairLoad<D> Spring<D>::evaluate(const Contact<D>& contact, const LineOfAction<D>& line,
-                                const PairMotion<D>& motion, ShearSpring<D>& spring,
-                                ContactEnergy& energy) const {
+PairLoad<D> Spring<D>::evaluate(const LineOfAction<D>& line, const PairMotion<D>& motion,
+                                ShearSpring<D>& spring, ContactEnergy& energy) const {
   NormalPart normal;
   normal.force = line.force;
   normal.stiffness = line.stiffness;
   normal.couple = line.couple;
   normal.center = line.loading_point;
-  normal.twist_radius = twist_radius(contact, normal.center, contact.shares);
+  normal.twist_radius = line.twist_radius;
   energy.strain += line.energy;
   damp(line.direction, motion, false, normal, energy);
   const ShearTrial trial = shear_trial(normal, line.direction, motion, spring);
-  PairLoad<D> both = load(normal, trial, line.direction, motion, spring, false, energy);
-  both.contact.normal_force = contact.normal.dot(both.force);
-  both.contact.shear = shear_of(both.force, contact.normal);
-  return both;
+  return load(normal, trial, line.direction, motion, spring, false, energy);
 }
 
 template class Spring<2>;

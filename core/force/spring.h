@@ -9,24 +9,20 @@
 
 namespace halfspace {
 
+/// On b, and opposite on a.
 template <int D>
 struct ContactForce {
+  Vector<D> force = Vector<D>::Zero();
   Vector<D> point = Vector<D>::Zero();     // where it acts, relative to the centroid of a
-  double normal_force = 0;                 // along the contact's normal, on b: compression > 0
-  Shear<D> shear = Shear<D>::Zero();       // on b
-  Angular<D> couple = Angular<D>::Zero();  // on b, besides the force at the point
+  Angular<D> couple = Angular<D>::Zero();  // besides the force at the point
   double reserved = 0;  // fills the gap at the end, so that saved forces hold no stray bytes
-
-  Vector<D> on_b(const Vector<D>& normal) const {
-    return normal_force * normal + shear_vector(shear, normal);
-  }
 };
 
 /// What a contact does to its two blocks.
 template <int D>
 struct PairLoad {
   ContactForce<D> contact;
-  Vector<D> force;  // on b, opposite on a
+  Vector<D> normal;  // unit, from a to b: along it the blocks repel each other, across it they shear
   Angular<D> torque_on_a;
   Angular<D> torque_on_b;
 };
@@ -51,9 +47,9 @@ class Spring {
                        ShearSpring<D>& spring, bool& bonded, ContactEnergy& energy) const;
 
   /// By the potentials of both blocks. The shear spring is at the loading point and across the line of
-  /// action; what is told of the force is along the contact's normal and across it.
-  PairLoad<D> evaluate(const Contact<D>& contact, const LineOfAction<D>& line, const PairMotion<D>& motion,
-                       ShearSpring<D>& spring, ContactEnergy& energy) const;
+  /// action.
+  PairLoad<D> evaluate(const LineOfAction<D>& line, const PairMotion<D>& motion, ShearSpring<D>& spring,
+                       ContactEnergy& energy) const;
 
  private:
   struct NormalPart {

@@ -6,6 +6,64 @@
 #include "geometry/two_lanes.h"
 
 namespace halfspace {
+namespace {
+
+/// A vertex in two registers.
+struct Point {
+  TwoLanes xy, z;
+};
+
+/// Of tetrahedra with the origin for a vertex.
+struct VolumeSums {
+  TwoLanes volume{}, moment_xy{}, moment_z{};  // six times, and 24 times
+
+  /// Adds one, and returns six times its volume.
+  TwoLanes add(const Point& p, const Point& q, const Point& r) {
+    const TwoLanes q_yz{q.xy[1], q.z[0]}, r_yz{r.xy[1], r.z[0]};
+    const TwoLanes zx = q.xy * r_yz - q_yz * r.xy, y = q.z * r.xy - q.xy * r.z;
+    const TwoLanes sixfold = both(p.z[0] * zx[0] + p.xy[0] * zx[1] + p.xy[1] * y[0]);
+    volume += sixfold;
+    moment_xy += sixfold * (p.xy + q.xy + r.xy);
+    moment_z += sixfold * (p.z + q.z + r.z);
+    return sixfold;
+  }
+
+  VolumeAndMoment with_origin_at(const Vector<3>& p) const {
+    const double v = volume[0] / 6;
+    return {v, Vector<3>(moment_xy[0], moment_xy[1], moment_z[0]) / 24 + v * p};
+  }
+};
+
+struct SpreadSums : VolumeSums {
+  TwoLanes squares{}, across{}, with_z{}, z_square{};  // 120 times xx and yy, xy, zx and zy, zz
+
+  void add(const Point& p, const Point& q, const Point& r) {
+    const TwoLanes sixfold = VolumeSums::add(p, q, r);
+    const Point sum{p.xy + q.xy + r.xy, p.z + q.z + r.z};
+    TwoLanes squares_here{}, across_here{}, with_z_here{}, z_square_here{};
+    for (const Point& v : {p, q, r, sum}) {
+      squares_here += v.xy * v.xy;
+      across_here += v.xy * exchanged(v.xy);
+      with_z_here += v.xy * both(v.z[0]);
+      z_square_here += v.z * v.z;
+    }
+    squares += sixfold * squares_here;
+    across += sixfold * across_here;
+    with_z += sixfold * with_z_here;
+    z_square += sixfold * z_square_here;
+  }
+
+  Tensor<3> spread() const {
+    Tensor<3> mean;
+    mean << squares[0], across[0], with_z[0],  //
+        across[0], squares[1], with_z[1],      //
+        with_z[0], with_z[1], z_square[0];
+    const Vector<3> centroid = Vector<3>(moment_xy[0], moment_xy[1], moment_z[0]) / (4 * volume[0]);
+    return mean / (20 * volume[0]) - centroid * centroid.transpose();
+  }
+};
+
+}  // namespace
 
 /// Gained by doubling, for all arrays alike: the last one tells what every one has, wherever memory ran out
 /// before.
@@ -129,9 +187,11 @@ void DividedPolyhedron::cut_edges_of_inside() {
   Index added = extent_.vertices;
   for (Crossing* crossing = crossings_.data(); crossing != end; ++crossing, ++added) {
     const Vertex &p = vertex[crossing->inner()], &q = vertex[crossing->outer()];
-    const double share = p.depth / (p.depth - q.depth);
-    crossing->share = share;
-    vertex[added] = {p.x + share * (q.x - p.x), p.y + share * (q.y - p.y), p.z + share * (q.z - p.z), 0};
+    crossing->share = p.depth / (p.depth - q.depth);
+    // Depths as if they were coordinates, too: they come to 0.
+    const TwoLanes share = both(crossing->share), p_xy = two_at(&p.x), p_z = two_at(&p.z);
+    put_two_at(&vertex[added].x, p_xy + share * (two_at(&q.x) - p_xy));
+    put_two_at(&vertex[added].z, p_z + share * (two_at(&q.z) - p_z));
     twin[4 * added] = crossing->inner_half;
     twin[crossing->inner_half] = 4 * added;
   }
@@ -195,32 +255,21 @@ void DividedPolyhedron::close_both() {
   ++extent_.faces;
 }
 
-VolumeAndMoment DividedPolyhedron::measure(Part part) {
-  std::copy(part.begin(), part.end(), inside_.begin());
-  inside_count_ = part.size();
-  crossing_count_ = 0;
-  return measure_inside();
-}
-
-/// As tetrahedra from one vertex, the top, to the triangles of the faces that are not at it. What is inside
-/// of a face that is cut is seen from where its outline comes in, for then what is missing, the new edges, is
-/// in the plane, as the top is. Where rounding has torn a face, each of its loops counts by itself.
-VolumeAndMoment DividedPolyhedron::measure_inside() {
-  if (inside_count_ == 0) return {};
-  struct Point {
-    TwoLanes xy, z;
-  };
+/// Of tetrahedra from one vertex, the top, to the triangles of the faces that are not at it. What is inside
+/// of a face that is cut is seen from where its outline comes in: with the top in the plane as well, what is
+/// missing, the new edges, counts for nothing. Where rounding has torn a face, each of its loops counts by
+/// itself.
+template <class Sums>
+inline void DividedPolyhedron::sum_up_inside(Index top_vertex, Sums& sums) {
   const Vertex* const vertex = vertex_.data();
   const Index *const twin = twin_.data(), *const face = face_.data();
   const auto point = [&](Index v) { return Point{two_at(&vertex[v].x), two_at(&vertex[v].z)}; };
-  const Index first_new = extent_.vertices;
-  const Index top_vertex = crossing_count_ > 0 ? first_new : inside_[0];
   const Point top = point(top_vertex);
   const auto seen_from_top = [&](Index v) {
     const Point p = point(v);
     return Point{p.xy - top.xy, p.z - top.z};
   };
-  TwoLanes sum{}, sum_xy{}, sum_z{};
+  const Index first_new = extent_.vertices;
   std::size_t walked = 0;
   // Along the outline of a face from a corner, until it leaves or, when it is whole, comes back.
   const auto add_face = [&](Index corner, Index half, bool at_top, bool is_whole) {
@@ -233,12 +282,7 @@ VolumeAndMoment DividedPolyhedron::measure_inside() {
       if (is_whole && next == corner) return;
       if (!at_top) {
         const Point r = seen_from_top(next);
-        const TwoLanes q_yz{q.xy[1], q.z[0]}, r_yz{r.xy[1], r.z[0]};
-        const TwoLanes zx = q.xy * r_yz - q_yz * r.xy, y = q.z * r.xy - q.xy * r.z;
-        const TwoLanes volume = both(p.z[0] * zx[0] + p.xy[0] * zx[1] + p.xy[1] * y[0]);
-        sum += volume;
-        sum_xy += volume * (p.xy + q.xy + r.xy);
-        sum_z += volume * (p.z + q.z + r.z);
+        sums.add(p, q, r);
         q = r;
       }
       if (!is_whole && next >= first_new) return;
@@ -260,10 +304,24 @@ VolumeAndMoment DividedPolyhedron::measure_inside() {
         if (!walked_[half]) add_face(v, clockwise(twin[half]), v == top_vertex, true);
     }
   }
-  const double volume = sum[0] / 6;
-  return {volume,
-          {sum_xy[0] / 24 + volume * top.xy[0], sum_xy[1] / 24 + volume * top.xy[1],
-           sum_z[0] / 24 + volume * top.z[0]}};
+}
+
+VolumeAndMoment DividedPolyhedron::measure_inside() {
+  if (inside_count_ == 0) return {};
+  const Index top = crossing_count_ > 0 ? extent_.vertices : inside_[0];
+  VolumeSums sums;
+  sum_up_inside(top, sums);
+  return sums.with_origin_at(position(top));
+}
+
+VolumeAndSpread DividedPolyhedron::measure(Part part) {
+  if (part.empty()) return {};
+  std::copy(part.begin(), part.end(), inside_.begin());
+  inside_count_ = part.size();
+  crossing_count_ = 0;
+  SpreadSums sums;
+  sum_up_inside(part[0], sums);
+  return {sums.with_origin_at(position(part[0])), sums.spread()};
 }
 
 }  // namespace halfspace

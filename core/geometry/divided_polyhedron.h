@@ -28,6 +28,9 @@ struct VolumeAndMoment {
   double volume = 0;
   Vector<3> moment = Vector<3>::Zero();  // of the position
 };
+struct VolumeAndSpread : VolumeAndMoment {
+  Tensor<3> spread = Tensor<3>::Zero();  // mean of the way from the centroid times itself^T
+};
 
 /// A convex polyhedron that planes cut into parts where it lies: where an edge crosses the plane either part
 /// gets a vertex of its own, and these are joined to a new face. Nothing else is touched. A part is known by
@@ -85,7 +88,7 @@ class DividedPolyhedron {
   DepthRange sound(Part part, const CuttingPlane& plane);
 
   /// Of a part that has not been cut, and of what is inside the plane where one has just been cut.
-  VolumeAndMoment measure(Part part);
+  VolumeAndSpread measure(Part part);
   VolumeAndMoment measure_inside();
 
   /// Cuts the edges of a part behind whose plane its vertices have been sounded. Vertices in the plane are
@@ -98,6 +101,10 @@ class DividedPolyhedron {
   /// in the order of the crossings.
   void close_inside();
   void close_both();
+  /// As if the part had not been cut.
+  void take_back_cut() {
+    for (const Crossing& crossing : crossings()) twin_[crossing.inner_half] = crossing.outer_half;
+  }
   Part inside() const { return {inside_.data(), inside_count_}; }
   Part outside() const { return {outside_.data(), outside_count_}; }
   std::span<const Crossing> crossings() const { return {crossings_.data(), crossing_count_}; }
@@ -122,6 +129,8 @@ class DividedPolyhedron {
   void join(Index exit, Index entry);
   template <class Join>
   void join_along_faces(Join join);
+  template <class Sums>
+  void sum_up_inside(Index top, Sums& sums);
 
   Array<Vertex> vertex_;
   Array<Index> twin_;  // of half an edge, seen from its other vertex

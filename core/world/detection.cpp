@@ -21,7 +21,7 @@ void World<D>::make_bonds() {
     for (Candidate<D>& pair : candidates_.pairs()) {
       const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
       const bool is_fresh = fresh_[a] || fresh_[b];
-      if (!is_fresh || !laws_.between(blocks_.material[a], blocks_.material[b]).bonds()) continue;
+      if (!is_fresh || !law_of(pair).bonds()) continue;
       const PlacedBlocks<D> at = blocks_.placed(pair.a, pair.b);
       Contact<D> contact;
       pair.memory.pair = initial_pair(at.a, at.b, at.to_b, pair.memory);
@@ -44,7 +44,18 @@ void World<D>::release_shear(std::size_t candidate) {
   shear = {};
 }
 
-/// True when the candidate is in contact, or held together by its bond; then the contact is described.
+/// In space a description costs as much as a force by springs, and potentials read nothing of it. It is
+/// wanted all the same when blocks are first seen, and when another law has bonded them. In the plane it is
+/// cheap, and a pair has to be brought up to date on the way: there a description moves it on by one edge at
+/// most.
+template <int D>
+bool World<D>::is_described(const Candidate<D>& pair) const {
+  return D == 2 || !laws_.knows_potential() || pair.memory.state == PairMemory<D>::unknown || pair.bonded ||
+         !law_of(pair).is_potential();
+}
+
+/// True when the candidate is in contact, or held together by its bond; then the contact is described, if
+/// that is wanted.
 template <int D>
 bool World<D>::find_contact(std::size_t k, Contact<D>& contact) {
   Candidate<D>& pair = candidates_.pairs()[k];
@@ -52,7 +63,9 @@ bool World<D>::find_contact(std::size_t k, Contact<D>& contact) {
   const auto [a, b, to_b] = blocks_.placed(pair.a, pair.b);
   const typename PairMemory<D>::State before = memory.state;
 
-  if (!halfspace::find_contact(a, b, to_b, settings_.detect, memory, contact)) {
+  const bool describes = is_described(pair);
+  if (!(describes ? halfspace::find_contact(a, b, to_b, settings_.detect, memory, contact)
+                  : touch(a, b, to_b, memory))) {
     if (!pair.bonded) {
       if (before == PairMemory<D>::touching) release_shear(k);
       return false;
@@ -69,13 +82,18 @@ bool World<D>::find_contact(std::size_t k, Contact<D>& contact) {
   return true;
 }
 
+/// A contact that is known to be one.
 template <int D>
-Contact<D> World<D>::contact(std::size_t c) const {
-  const Candidate<D>& pair = candidate_of(c);
+void World<D>::describe(const Candidate<D>& pair, Contact<D>& contact) const {
   const PlacedBlocks<D> at = blocks_.placed(pair.a, pair.b);
   PotentialPair<D> found = pair.memory.pair;
-  Contact<D> contact;
   describe_contact(at.a, at.b, at.to_b, found, settings_.detect, contact);
+}
+
+template <int D>
+Contact<D> World<D>::contact(std::size_t c) const {
+  Contact<D> contact;
+  describe(candidate_of(c), contact);
   return contact;
 }
 
@@ -113,8 +131,8 @@ void World<D>::forget_contacts() {
   detected_ = false;
 }
 
-/// Calls `on_contact(candidate, contact)` for each contact as it is found. A contact is not kept: it follows
-/// from its candidate, and in a packing most candidates have none.
+/// Calls `on_contact(candidate, contact)` for each contact as it is found, described if that is wanted. A
+/// contact is not kept: it follows from its candidate, and in a packing most candidates have none.
 template <int D>
 template <class OnContact>
 void World<D>::find_contacts(OnContact on_contact) {
@@ -151,7 +169,12 @@ void World<D>::evaluate_forces(double elapsed) {
   Evaluation evaluation{elapsed, laws_.knows_potential() ? potential_length() : 0, {}, {}};
   if (detected_) {
     forces_.clear();
-    for (std::size_t c = 0; c < touching_.size(); ++c) load_blocks(touching_[c], contact(c), evaluation);
+    Contact<D> contact;
+    for (const std::uint32_t k : touching_) {
+      const Candidate<D>& pair = candidates_.pairs()[k];
+      if (!law_of(pair).is_potential()) describe(pair, contact);
+      load_blocks(k, contact, evaluation);
+    }
   } else {
     find_contacts([&](std::size_t k, const Contact<D>& contact) { load_blocks(k, contact, evaluation); });
   }

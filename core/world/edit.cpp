@@ -144,10 +144,7 @@ void World<D>::set_applied_force(std::int32_t slot, const Vector<D>& force, cons
 
 template <int D>
 bool World<D>::set_shear_force(std::size_t which, const Vector<D>& force) {
-  const Candidate<D>& pair = candidate_of(which);
-  const SpringLaw& law =
-      laws_.between(blocks_.material[std::size_t(pair.a)], blocks_.material[std::size_t(pair.b)]);
-  if (!law.resists_shear()) return false;
+  if (!law_of(candidate_of(which)).resists_shear()) return false;
   // The energy is known at the next evaluation, which knows the stiffness.
   const Vector<D> normal = contact(which).normal;
   remember(candidates_.shear()[touching_[which]], shear_of(force, normal), preloaded, normal);

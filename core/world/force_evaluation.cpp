@@ -1,6 +1,6 @@
 #include <utility>
 
-#include "force/point_springs.h"
+#include "detect/pair.h"
 #include "world/world.h"
 
 namespace halfspace {
@@ -75,54 +75,55 @@ template <int D>
   return load;
 }
 
-/// The force of a contact by a law of potentials.
+/// The force of a contact by a law of potentials. Where the blocks share most, they touch the longest: that
+/// is what is looked at first the next time.
 template <int D>
-PairLoad<D> World<D>::potential_load(Candidate<D>& pair, const Contact<D>& contact, const SpringLaw& law,
-                                     const Spring<D>& spring, ShearSpring<D>& shear, Evaluation& evaluation) {
+PairLoad<D> World<D>::potential_load(Candidate<D>& pair, const SpringLaw& law, const Spring<D>& spring,
+                                     ShearSpring<D>& shear, Evaluation& evaluation) {
   // Another law has left it: potentials hold nothing together.
   if (evaluation.elapsed > 0) pair.bonded = false;
   const PlacedBlocks<D> at = blocks_.placed(pair.a, pair.b);
   const PotentialForce<D> potential = potential_force(at.a, at.b, at.to_b, potential_room_);
   const double stiffness = law.normal_stiffness / evaluation.potential_length;
-  const LineOfAction<D> line = line_of_action(potential, stiffness, contact.normal, middle_of(contact));
+  const LineOfAction<D> line = line_of_action(potential, stiffness, at.to_b);
+  if (line.energy > 0) remember_proof(potential.centroid, pair.memory);
   if (blocks_.is_affine(std::size_t(pair.a)) || blocks_.is_affine(std::size_t(pair.b)))
-    evaluation.stretch = stretch_besides(line, potential, stiffness, at.to_b, contact.normal);
-  return spring.evaluate(contact, line, motion_of(pair), shear, evaluation.energy);
+    evaluation.stretch = stretch_besides(line, potential, stiffness, at.to_b);
+  return spring.evaluate(line, motion_of(pair), shear, evaluation.energy);
 }
 
-/// Adds what a contact does to its two blocks, by the law of their materials.
+/// Adds what a contact does to its two blocks, by the law of their materials: only one of springs reads it.
 template <int D>
 void World<D>::load_blocks(std::size_t candidate, const Contact<D>& contact, Evaluation& evaluation) {
   Candidate<D>& pair = candidates_.pairs()[candidate];
   const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
-  const SpringLaw& law = laws_.between(blocks_.material[a], blocks_.material[b]);
+  const SpringLaw& law = law_of(pair);
   const bool is_damped = law.normal_damping > 0 || law.shear_damping > 0;
   const Spring<D> spring(law, is_damped ? reduced_mass(a, b) : 0, evaluation.elapsed);
   ShearSpring<D> no_shear;
   ShearSpring<D>& shear = candidates_.shear().empty() ? no_shear : candidates_.shear()[candidate];
-  const PairLoad<D> load = law.is_potential() ? potential_load(pair, contact, law, spring, shear, evaluation)
+  const PairLoad<D> load = law.is_potential() ? potential_load(pair, law, spring, shear, evaluation)
                                               : spring_load(pair, contact, law, spring, shear, evaluation);
-  blocks_.force[a] -= load.force;
-  blocks_.force[b] += load.force;
+  blocks_.force[a] -= load.contact.force;
+  blocks_.force[b] += load.contact.force;
   blocks_.torque[a] += load.torque_on_a;
   blocks_.torque[b] += load.torque_on_b;
   forces_.push_back(load.contact);
-  if (blocks_.has_affine()) strain_blocks(pair, contact.normal, load, evaluation);
+  if (blocks_.has_affine()) strain_blocks(pair, load, evaluation);
 }
 
 /// Adds what a contact does to the strain of its blocks, where they have any.
 template <int D>
-void World<D>::strain_blocks(const Candidate<D>& pair, const Vector<D>& normal, const PairLoad<D>& load,
-                             Evaluation& evaluation) {
+void World<D>::strain_blocks(const Candidate<D>& pair, const PairLoad<D>& load, Evaluation& evaluation) {
   const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
-  const Vector<D>& point = load.contact.point;
-  const Angular<D>& couple = load.contact.couple;
+  const ContactForce<D>& on_b = load.contact;
   const Stretch<D> stretch = std::exchange(evaluation.stretch, {});
   if (blocks_.is_affine(a))
-    blocks_.deformation(a).virial += stretch.of_a - virial_of<D>(load.force, point, couple, normal);
+    blocks_.deformation(a).virial +=
+        stretch.of_a - virial_of<D>(on_b.force, on_b.point, on_b.couple, load.normal);
   if (blocks_.is_affine(b)) {
-    const Vector<D> arm = point - (blocks_.position[b] - blocks_.position[a]);
-    blocks_.deformation(b).virial += stretch.of_b + virial_of<D>(load.force, arm, couple, normal);
+    const Vector<D> arm = on_b.point - (blocks_.position[b] - blocks_.position[a]);
+    blocks_.deformation(b).virial += stretch.of_b + virial_of<D>(on_b.force, arm, on_b.couple, load.normal);
   }
 }
 

@@ -161,6 +161,11 @@ class World {
 
   void edit();
   void change_laws();
+  const SpringLaw& law_of(const Candidate<D>& pair) const {
+    return laws_.between(blocks_.material[std::size_t(pair.a)], blocks_.material[std::size_t(pair.b)]);
+  }
+  void describe(const Candidate<D>& pair, Contact<D>& contact) const;
+  bool is_described(const Candidate<D>& pair) const;
   bool find_contact(std::size_t k, Contact<D>& contact);
   template <class OnContact>
   void find_contacts(OnContact on_contact);
@@ -169,11 +174,10 @@ class World {
   PairMotion<D> motion_of(const Candidate<D>& pair) const;
   PairLoad<D> spring_load(Candidate<D>& pair, const Contact<D>& contact, const SpringLaw& law,
                           const Spring<D>& spring, ShearSpring<D>& shear, Evaluation& evaluation) const;
-  PairLoad<D> potential_load(Candidate<D>& pair, const Contact<D>& contact, const SpringLaw& law,
-                             const Spring<D>& spring, ShearSpring<D>& shear, Evaluation& evaluation);
+  PairLoad<D> potential_load(Candidate<D>& pair, const SpringLaw& law, const Spring<D>& spring,
+                             ShearSpring<D>& shear, Evaluation& evaluation);
   void load_blocks(std::size_t candidate, const Contact<D>& contact, Evaluation& evaluation);
-  void strain_blocks(const Candidate<D>& pair, const Vector<D>& normal, const PairLoad<D>& load,
-                     Evaluation& evaluation);
+  void strain_blocks(const Candidate<D>& pair, const PairLoad<D>& load, Evaluation& evaluation);
   void release_shear(std::size_t candidate);
   void make_bonds();
   void forget_contacts();

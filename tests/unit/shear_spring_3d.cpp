@@ -44,14 +44,14 @@ TEST_CASE("a brick that slips or twists a little is held by springs") {
     const double r = twist_radius(kind), k = 400 * base(kind), slip = 1e-4, twist = 2e-4;
     two.blocks.set_motion(1, slip * Vector<3>(0.6, 0.8, 5), twist * z_axis);
     const PairLoad<3> load = two.evaluate(1);
-    CHECK(load.force.head<2>().isApprox(-k * slip * Vector<2>(0.6, 0.8), 1e-12));
+    CHECK(load.contact.force.head<2>().isApprox(-k * slip * Vector<2>(0.6, 0.8), 1e-12));
     CHECK(load.contact.couple.isApprox(-k * r * r * twist * z_axis, 1e-12));
     CHECK(two.shear.energy == Approx(0.5 * k * (slip * slip + r * r * twist * twist)));
     CHECK(two.energy.friction_loss == Approx(0).margin(1e-12 * two.shear.energy));
     // And back: nothing is left, and nothing lost.
     two.blocks.set_motion(1, -two.blocks.velocity[1], -two.blocks.spin[1]);
     // But for what the brick's spin has turned the force by on the way.
-    CHECK(two.evaluate(1).force.head<2>().norm() < 1.01 * k * slip * 0.5 * twist);
+    CHECK(two.evaluate(1).contact.force.head<2>().norm() < 1.01 * k * slip * 0.5 * twist);
     CHECK(two.energy.friction_loss == Approx(0).margin(k * slip * slip * twist));
   }
 }
@@ -69,15 +69,15 @@ TEST_CASE("a brick that slides, spins or does both loses by an ellipsoid of fric
       two.blocks.set_motion(1, velocity, 0.5 * sense * twist * z_axis);
       const PairLoad<3> load = two.evaluate(1);
       const double N = 1000 * base(kind) * depth, limit = 0.6 * N, r = twist_radius(kind);
-      CHECK(load.contact.normal_force == Approx(N));
+      CHECK(normal_force(load) == Approx(N));
       const double moment = load.contact.couple.z();
       CHECK(load.contact.couple.head<2>().norm() < 1e-12);
-      CHECK(std::hypot(load.force.head<2>().norm(), moment / r) == Approx(limit));
+      CHECK(std::hypot(load.contact.force.head<2>().norm(), moment / r) == Approx(limit));
       if (way == 0) CHECK(std::abs(moment) == Approx(limit * r));
-      if (twist == 0) CHECK(load.force.head<2>().norm() == Approx(limit));
+      if (twist == 0) CHECK(load.contact.force.head<2>().norm() == Approx(limit));
       // Against the motion, slip and twist in the same measure.
       const double speed = std::hypot(way, r * twist);
-      CHECK((load.force + limit / speed * velocity).head<2>().norm() < 1e-12 * limit);
+      CHECK((load.contact.force + limit / speed * velocity).head<2>().norm() < 1e-12 * limit);
       CHECK(moment == Approx(-limit * r * (r * sense * twist / speed)));
 
       // On the way to the limit the spring takes up limit^2 / 2 k; all other work is lost, and every further
@@ -167,7 +167,7 @@ TEST_CASE("in space, a shear force set from outside counts in the plane only, an
   two.evaluate();
   remember(two.shear, shear_of(Vector<3>(3, 1, 7), two.contact.normal), preloaded, two.contact.normal);
   const PairLoad<3> load = two.evaluate(1);
-  CHECK(load.force.isApprox(Vector<3>(3, 1, 10)));
+  CHECK(load.contact.force.isApprox(Vector<3>(3, 1, 10)));
   CHECK(two.shear.energy == Approx(0.5 * 10 / 400));
   CHECK(two.energy.friction_loss == Approx(0).margin(1e-15));
 }

@@ -72,10 +72,11 @@ void check_gradient(TwoBlocks& two, double depth, double area, double torque_mar
   const PairLoad<3> load = two.evaluate();
   const double scale = stiffness * area * depth;
   const Gradient expected = gradient(two, 1e-7);
-  CHECK((load.force - expected.force).norm() < 1e-7 * scale);
+  CHECK((load.contact.force - expected.force).norm() < 1e-7 * scale);
   CHECK((load.torque_on_b - expected.torque).norm() < 1e-7 * scale + torque_margin);
   // Action and reaction about a's centroid.
-  const Vector<3> about_a = load.torque_on_a + load.torque_on_b + cross_product(two.to_b(), load.force);
+  const Vector<3> about_a =
+      load.torque_on_a + load.torque_on_b + cross_product(two.to_b(), load.contact.force);
   CHECK(about_a.norm() < 1e-12 * scale * 20);
 }
 
@@ -154,10 +155,10 @@ TEST_CASE("in space, level on a face: stiffness times depth, and times area") {
     press(two, block_first ? 0 : 1, Rotation<3>(), 0.125);
     const double up = block_first ? -1 : 1;
     two.law = without_friction(StiffnessKind::per_contact);
-    CHECK(two.evaluate().force.isApprox(up * Vector<3>(0, 0, stiffness * 0.125)));
+    CHECK(two.evaluate().contact.force.isApprox(up * Vector<3>(0, 0, stiffness * 0.125)));
     CHECK(two.energy.strain == Approx(0.5 * stiffness * 0.125 * 0.125));
     two.law = without_friction(StiffnessKind::per_area);
-    CHECK(two.evaluate().force.isApprox(up * Vector<3>(0, 0, stiffness * 2 * 0.125)));
+    CHECK(two.evaluate().contact.force.isApprox(up * Vector<3>(0, 0, stiffness * 2 * 0.125)));
     CHECK(two.energy.strain == Approx(stiffness * 0.125 * 0.125));
   }
 }
@@ -184,12 +185,14 @@ TEST_CASE("in space, action and reaction: the torques about any one point cancel
     for (int step = 0; step < 3; ++step) {
       const PairLoad<3> load = two.evaluate(1e-3);
       const Vector<3> point = random_vector(random, -2, 2);
-      const Vector<3> on_a = load.torque_on_a - cross_product(two.blocks.position[0] - point, load.force);
-      const Vector<3> on_b = load.torque_on_b + cross_product(two.blocks.position[1] - point, load.force);
-      const double scale = 5 * load.force.norm() + load.torque_on_a.norm();
+      const Vector<3> on_a =
+          load.torque_on_a - cross_product(two.blocks.position[0] - point, load.contact.force);
+      const Vector<3> on_b =
+          load.torque_on_b + cross_product(two.blocks.position[1] - point, load.contact.force);
+      const double scale = 5 * load.contact.force.norm() + load.torque_on_a.norm();
       CHECK((on_a + on_b).norm() <= 32 * 0x1p-52 * scale);
       // Nothing but compression and friction, and what the bond adds.
-      if (!two.bonded) CHECK(load.contact.normal_force >= 0);
+      if (!two.bonded) CHECK(normal_force(load) >= 0);
     }
   }
 }
@@ -218,8 +221,8 @@ TEST_CASE("in space, swapping the blocks turns the force round") {
     const PairMemory<3> other = test::swapped(PairMemory<3>{PairMemory<3>::touching, two.pair});
     swapped.pair = other.pair;
     const PairLoad<3> load = two.evaluate(1e-3), turned = swapped.evaluate(1e-3);
-    const double rounding = 1e-12 * (load.force.norm() + load.torque_on_b.norm());
-    CHECK((load.force + turned.force).norm() <= rounding);
+    const double rounding = 1e-12 * (load.contact.force.norm() + load.torque_on_b.norm());
+    CHECK((load.contact.force + turned.contact.force).norm() <= rounding);
     CHECK((load.torque_on_b - turned.torque_on_a).norm() <= rounding);
     CHECK((load.torque_on_a - turned.torque_on_b).norm() <= rounding);
     CHECK(two.energy.strain == Approx(swapped.energy.strain).epsilon(1e-12));

@@ -49,4 +49,7 @@ struct TwoBlocks {
   }
 };
 
+/// Along the normal, on b: compression > 0.
+inline double normal_force(const PairLoad<3>& load) { return load.normal.dot(load.contact.force); }
+
 }  // namespace halfspace::test

@@ -1,0 +1,118 @@
+// Contacts of blocks in space whose law is of potentials: they are not described on the way.
+
+#include <cmath>
+
+#include "catch.h"
+#include "contacts_3d.h"
+#include "force/line_of_action.h"
+#include "force/overlap.h"
+#include "rotations.h"
+#include "world/world.h"
+
+using namespace halfspace;
+using namespace halfspace::test;
+
+namespace {
+
+Memory* const memory = std::pmr::get_default_resource();
+
+/// A block on top of a fixed one, whose poses are given from outside.
+struct TwoInWorld {
+  World<3> world{WorldSettings<3>(), memory};
+  std::int32_t lower, upper;
+
+  TwoInWorld(const Shape<3>& below, const Shape<3>& above, StiffnessKind kind) {
+    world.add_material(1000);
+    SpringLaw law;
+    law.stiffness_kind = kind;
+    law.normal_stiffness = law.shear_stiffness = 1e6;
+    law.tan_friction = 0.6;
+    world.set_default_law(law);
+    lower = world.add_block(below, BlockKind::fixed, 0, Vector<3>::Zero(), {});
+    upper = world.add_block(above, BlockKind::rigid, 0, {0, 0, 10}, {});
+  }
+
+  void put(const Vector<3>& position, double elapsed) {
+    world.set_pose(upper, position, {});
+    world.detect();
+    world.evaluate_forces_for_host(elapsed);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a brick that spins under potentials is braked at the radius of gyration of what it shares") {
+  const Vector<3> size(1, 0.5, 0.25);
+  const Shape<3> plate = shape_of(completed(box({4, 4, 1}))), brick = shape_of(completed(box(size)));
+  for (const double sense : {-1.0, 1.0}) {
+    TwoInWorld two(plate, brick, StiffnessKind::potential);
+    two.world.set_velocity(two.upper, Vector<3>::Zero(), Vector<3>(0, 0, sense));
+    two.put({0.3, -0.2, 0.5 + size.z() / 2 - 1e-3}, 1);
+    const double pressed = two.world.blocks().force[std::size_t(two.upper)].z();
+    const double radius = std::sqrt((size.x() * size.x() + size.y() * size.y()) / 12);
+    CHECK(pressed > 0);
+    CHECK(two.world.blocks().torque[std::size_t(two.upper)].z() == Approx(-sense * 0.6 * pressed * radius));
+  }
+}
+
+TEST_CASE("in space, what blocks share spreads about any line as their overlap does, seen along it") {
+  Random random(142);
+  PotentialRoom<3> room(memory);
+  int overlapping = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Shape<3> a = random_block(random, random.integer(4, 24)),
+                   b = random_block(random, random.integer(4, 24));
+    const Vector<3> to_b = random_vector(random, -0.8, 0.8), normal = random_direction(random);
+    const Overlap<3> overlap = measure_overlap(a.outline(), b.outline(), to_b, normal, Vector<3>(0.5 * to_b));
+    if (overlap.content < 1e-5) continue;
+    ++overlapping;
+    const PotentialForce<3> potential = potential_force(a.outline(), b.outline(), to_b, room);
+    // Rounding puts corners off by some 1e-16, and so the radius of a thin body by as much over its volume.
+    CHECK(radius_of_gyration(potential.spread, normal, Vector<3>(Vector<3>::Zero())) ==
+          Approx(overlap.twist_radius).margin(1e-13 / overlap.content));
+  }
+  CHECK(overlapping > 100);
+}
+
+/// Blocks whose contact is described in every step meet at the pair that they have come to on the way; others
+/// may be found to meet at another one about as deep.
+TEST_CASE("a contact of potentials is described as one of springs, however far the blocks have moved") {
+  Random random(141);
+  constexpr double depth = 0.01;
+  int compared = 0, turned = 0, otherwise = 0;
+  for (int round = 0; round < 20; ++round) {
+    const Shape<3> dome = random_block(random, 24),
+                   grain = block_of(scaled(random_cloud(random, 12, 1, 1), 0.2));
+    TwoInWorld springs(dome, grain, StiffnessKind::per_contact),
+        potentials(dome, grain, StiffnessKind::potential);
+    const Vector<3> from = random_direction(random),
+                    across = cross_product(from, random_direction(random)).normalized();
+    Vector<3> first_normal = Vector<3>::Zero();
+    for (int step = 0; step <= 100; ++step) {
+      const Vector<3> way = std::cos(0.02 * step) * from + std::sin(0.02 * step) * across;
+      double distance = 2;
+      const auto gap = [&] {
+        return pair_of_largest_gap(dome.outline(), grain.outline(), distance * way).gap;
+      };
+      while (gap() > -depth) distance -= 0.1 * depth;
+      springs.put(distance * way, 0);
+      potentials.put(distance * way, 0);
+      REQUIRE(springs.world.contact_count() == 1);
+      REQUIRE(potentials.world.contact_count() == 1);
+      const Contact<3> expected = springs.world.contact(0), found = potentials.world.contact(0);
+      ++compared;
+      if (step == 0) first_normal = expected.normal;
+      turned += first_normal.dot(expected.normal) < 0.5;
+      if (found.pair == expected.pair) {
+        CHECK(found.gap == expected.gap);
+        CHECK(found.normal == expected.normal);
+      } else {
+        ++otherwise;
+        CHECK(found.gap < 0);
+        CHECK(found.gap > -2 * depth);
+      }
+    }
+  }
+  CHECK(turned > compared / 3);
+  CHECK(otherwise < compared / 100);
+}
