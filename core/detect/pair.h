@@ -48,7 +48,7 @@ inline bool describe_plainly_touching(const Outline<2>&, const Outline<2>&, cons
   return false;
 }
 inline void remember_proof(const Contact<2>&, const Vector<2>&, PairMemory<2>&) {}
-inline void remember_proof(const Vector<2>&, PairMemory<2>&) {}
+inline void remember_point(const Vector<2>&, PairMemory<2>&) {}
 
 /// Walks around the Minkowski difference to the pair of least depth that is reached without passing a deeper
 /// one. So the contact keeps the side through which the blocks met, also when a thin block is overlapped past

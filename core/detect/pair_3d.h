@@ -24,9 +24,9 @@ bool still_touching(const Outline<3>& a, const Outline<3>& b, const Vector<3>& t
 
 /// Remembers a point of both blocks in the middle of a contact: at a face, half as deep as that is.
 void remember_proof(const Contact<3>& contact, const Vector<3>& to_b, PairMemory<3>& memory);
-/// Remembers one that is known.
-inline void remember_proof(const Vector<3>& point_of_both, PairMemory<3>& memory) {
-  memory.proof = point_of_both;
+/// Remembers a known point of blocks that touch.
+inline void remember_point(const Vector<3>& point, PairMemory<3>& memory) {
+  if (memory.state == PairMemory<3>::touching) memory.proof = point;
 }
 
 /// The pair through which blocks begin to meet that were separated at last (Wang et al. 2021, section 2.5):

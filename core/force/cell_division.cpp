@@ -20,12 +20,11 @@ void CellDivision::reserve(std::size_t edges, std::size_t vertices, std::size_t 
   grow(lists_, vertices + near * near);
   waiting_.reserve(near);
   grow(depth_, vertices * near);
-  grow(planes_, 4 * near);
 }
 
 void CellDivision::divide(const DividedPolyhedron& polyhedron, DividedPolyhedron::Part whole,
-                          const VolumeAndMoment& content, Array<NearFace>& near) {
-  find_depths(polyhedron, whole, near);
+                          const VolumeAndMoment& content, double largest_coordinate, Array<NearFace>& near) {
+  find_depths(polyhedron, whole, largest_coordinate, near);
   const std::size_t count = list_near_faces(near);
   if (count == 1) {
     near[lists_[0]].cell = content;
@@ -46,37 +45,28 @@ void CellDivision::divide(const DividedPolyhedron& polyhedron, DividedPolyhedron
 }
 
 void CellDivision::find_depths(const DividedPolyhedron& polyhedron, DividedPolyhedron::Part whole,
-                               Array<NearFace>& near) {
+                               double largest_coordinate, Array<NearFace>& near) {
   stride_ = near.size() + (near.size() & 1);
   grow(depth_, polyhedron.extent().vertices * stride_);
-  grow(planes_, 4 * stride_);
-  double *const nx = planes_.data(), *const ny = nx + stride_, *const nz = ny + stride_,
-                *const offset = nz + stride_;
-  double largest = 0;
-  for (std::size_t k = 0; k < stride_; ++k) {
-    const CuttingPlane& plane = near[std::min(k, near.size() - 1)].plane;
-    nx[k] = plane.normal.x();
-    ny[k] = plane.normal.y();
-    nz[k] = plane.normal.z();
-    offset[k] = plane.offset;
-    largest = std::max(largest, std::abs(plane.offset));
-  }
-  for (const Index v : whole) largest = std::max(largest, polyhedron.position(v).cwiseAbs().maxCoeff());
-  rounding_ = 0x1p-48 * largest;
-  for (std::size_t k = 0; k < stride_; k += 2) {
+  double largest = largest_coordinate;
+  for (std::size_t k = 0; k < near.size(); k += 2) {
+    NearFace &one = near[k], &other = near[std::min(k + 1, near.size() - 1)];
+    const CuttingPlane &p = one.plane, &q = other.plane;
+    const TwoLanes nx{p.normal.x(), q.normal.x()}, ny{p.normal.y(), q.normal.y()},
+        nz{p.normal.z(), q.normal.z()}, offset{p.offset, q.offset};
     TwoLanes least = both(HUGE_VAL), most = both(-HUGE_VAL);
     for (const Index v : whole) {
-      const Vector<3> p = polyhedron.position(v);
-      const TwoLanes depth =
-          two_at(offset + k) -
-          (two_at(nx + k) * both(p.x()) + two_at(ny + k) * both(p.y()) + two_at(nz + k) * both(p.z()));
+      const Vector<3> at = polyhedron.position(v);
+      const TwoLanes depth = offset - (nx * both(at.x()) + ny * both(at.y()) + nz * both(at.z()));
       put_two_at(depths(v) + k, depth);
       least = smaller(least, depth);
       most = larger(most, depth);
     }
-    near[k].depths = {least[0], most[0]};
-    if (k + 1 < near.size()) near[k + 1].depths = {least[1], most[1]};
+    one.depths = {least[0], most[0]};
+    other.depths = {least[1], most[1]};
+    largest = std::max({largest, std::abs(p.offset), std::abs(q.offset)});
   }
+  rounding_ = 0x1p-48 * largest;
 }
 
 /// No point is deeper than, of all faces, behind the one that the whole reaches least deep behind. The faces
@@ -109,7 +99,7 @@ void CellDivision::divide_part(const Part& part, Array<NearFace>& near) {
     if (!others_have_nothing_inside({face, count})) {
       const Index first_new = parts_.extent().vertices;
       parts_.close_both();
-      interpolate_depths(first_new);
+      interpolate_depths(first_new, {face, count});
       return put_aside(part, count, inside, rest);
     }
     add(inside, near[face[1]]);
@@ -193,19 +183,14 @@ bool CellDivision::others_have_nothing_inside(std::span<const Index> faces) {
   return true;
 }
 
-void CellDivision::interpolate_depths(Index first_new) {
+void CellDivision::interpolate_depths(Index first_new, std::span<const Index> faces) {
   grow(depth_, parts_.extent().vertices * stride_);
   const Index count = Index(parts_.crossings().size());
   Index added = first_new;
   for (const DividedPolyhedron::Crossing& crossing : parts_.crossings()) {
     const double *const inner = depths(crossing.inner()), *const outer = depths(crossing.outer());
     double *const depth = depths(added), *const other = depths(added + count);
-    for (std::size_t k = 0; k < stride_; k += 2) {
-      const TwoLanes between =
-          two_at(inner + k) + both(crossing.share) * (two_at(outer + k) - two_at(inner + k));
-      put_two_at(depth + k, between);
-      put_two_at(other + k, between);
-    }
+    for (const Index k : faces) depth[k] = other[k] = inner[k] + crossing.share * (outer[k] - inner[k]);
     ++added;
   }
 }

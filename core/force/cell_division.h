@@ -23,19 +23,20 @@ class CellDivision {
  public:
   using Index = DividedPolyhedron::Index;
 
-  explicit CellDivision(Memory* memory)
-      : parts_(memory), lists_(memory), waiting_(memory), depth_(memory), planes_(memory) {}
+  explicit CellDivision(Memory* memory) : parts_(memory), lists_(memory), waiting_(memory), depth_(memory) {}
 
   /// For blocks of so many edges at most, until there are more than so many vertices or near faces.
   void reserve(std::size_t edges, std::size_t vertices, std::size_t near);
 
-  /// Finds the cells in a part of a polyhedron.
+  /// Finds the cells in a part of a polyhedron. The largest coordinate of its vertices, or a little more,
+  /// tells how they are rounded.
   void divide(const DividedPolyhedron& polyhedron, DividedPolyhedron::Part whole,
-              const VolumeAndMoment& content, Array<NearFace>& near);
+              const VolumeAndMoment& content, double largest_coordinate, Array<NearFace>& near);
 
  private:
-  /// Of the lists from `first` on: near faces of which one is the nearest to each of its points, and its
-  /// vertices.
+  /// Of the lists from `first` on: its near faces and its vertices. Of what is left of it one of these faces
+  /// is the nearest to each point. What has been taken out is still within its vertices: there none of the
+  /// faces but the first wins against that.
   struct Part {
     std::size_t first;
     std::size_t near_count;
@@ -44,7 +45,8 @@ class CellDivision {
     DividedPolyhedron::Extent extent;  // when it was put aside: what has been added since is of others
   };
 
-  void find_depths(const DividedPolyhedron& polyhedron, DividedPolyhedron::Part whole, Array<NearFace>& near);
+  void find_depths(const DividedPolyhedron& polyhedron, DividedPolyhedron::Part whole,
+                   double largest_coordinate, Array<NearFace>& near);
   std::size_t list_near_faces(const Array<NearFace>& near);
   void divide_part(const Part& part, Array<NearFace>& near);
   std::size_t find_rivals(const Part& part);
@@ -52,7 +54,7 @@ class CellDivision {
                                        Index other);
   void cut_edges(const Part& part);
   bool others_have_nothing_inside(std::span<const Index> faces);
-  void interpolate_depths(Index first_new);
+  void interpolate_depths(Index first_new, std::span<const Index> faces);
   void put_aside(const Part& part, std::size_t near_count, const VolumeAndMoment& inside,
                  const VolumeAndMoment& outside);
 
@@ -61,8 +63,7 @@ class CellDivision {
   DividedPolyhedron parts_;
   Array<Index> lists_;
   Array<Part> waiting_;
-  Array<double> depth_;   // of each vertex behind each near face
-  Array<double> planes_;  // of these: normals and offsets
+  Array<double> depth_;  // of each vertex behind each near face
   std::size_t stride_ = 0;
   double rounding_ = 0;  // of a difference of depths
 };

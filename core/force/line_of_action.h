@@ -48,7 +48,7 @@ inline double radius_of_gyration(const Tensor<2>&, const Vector<2>&, const Vecto
 inline double radius_of_gyration(const Tensor<3>& spread, const Vector<3>& direction, const Vector<3>& arm) {
   const double square =
       spread.trace() - direction.dot(spread * direction) + cross_product(direction, arm).squaredNorm();
-  return std::sqrt(std::max(square, 0.0));
+  return std::sqrt(std::max(0.0, square));
 }
 
 /// `stiffness` is k_n / H. No force at all is directed from one centroid to the other, halfway. Where the

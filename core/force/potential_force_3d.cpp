@@ -47,6 +47,8 @@ struct Bounds {
     half_size = upper - center;
   }
 
+  double largest_coordinate() const { return (center.cwiseAbs() + half_size).maxCoeff(); }
+
   Vector<3> center;
   Vector<3> half_size;
 };
@@ -75,7 +77,8 @@ class Intersection {
 
   FieldForce<3> force_of(const PlacedBlock& owner) {
     find_near_faces(owner);
-    room_.cells.divide(room_.intersection, room_.vertices, content_, room_.near);
+    room_.cells.divide(room_.intersection, room_.vertices, content_, bounds_.largest_coordinate(),
+                       room_.near);
     FieldForce<3> sum;
     for (const NearFace& face : room_.near) {
       const auto& [normal, offset] = face.plane;

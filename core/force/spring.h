@@ -15,14 +15,14 @@ struct ContactForce {
   Vector<D> force = Vector<D>::Zero();
   Vector<D> point = Vector<D>::Zero();     // where it acts, relative to the centroid of a
   Angular<D> couple = Angular<D>::Zero();  // besides the force at the point
-  double reserved = 0;  // fills the gap at the end, so that saved forces hold no stray bytes
+  double reserved = 0;  // fills the gap at the end in the plane, so that saved forces hold no stray bytes
 };
 
 /// What a contact does to its two blocks.
 template <int D>
 struct PairLoad {
   ContactForce<D> contact;
-  Vector<D> normal;  // unit, from a to b: along it the blocks repel each other, across it they shear
+  Vector<D> normal;  // along it the blocks repel each other, across it they shear
   Angular<D> torque_on_a;
   Angular<D> torque_on_b;
 };

@@ -188,7 +188,7 @@ void DividedPolyhedron::cut_edges_of_inside() {
   for (Crossing* crossing = crossings_.data(); crossing != end; ++crossing, ++added) {
     const Vertex &p = vertex[crossing->inner()], &q = vertex[crossing->outer()];
     crossing->share = p.depth / (p.depth - q.depth);
-    // Depths as if they were coordinates, too: they come to 0.
+    // Depths as if they were coordinates, too: nobody reads them before they are sounded again.
     const TwoLanes share = both(crossing->share), p_xy = two_at(&p.x), p_z = two_at(&p.z);
     put_two_at(&vertex[added].x, p_xy + share * (two_at(&q.x) - p_xy));
     put_two_at(&vertex[added].z, p_z + share * (two_at(&q.z) - p_z));

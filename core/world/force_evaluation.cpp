@@ -86,7 +86,7 @@ PairLoad<D> World<D>::potential_load(Candidate<D>& pair, const SpringLaw& law, c
   const PotentialForce<D> potential = potential_force(at.a, at.b, at.to_b, potential_room_);
   const double stiffness = law.normal_stiffness / evaluation.potential_length;
   const LineOfAction<D> line = line_of_action(potential, stiffness, at.to_b);
-  if (line.energy > 0) remember_proof(potential.centroid, pair.memory);
+  if (line.energy > 0) remember_point(potential.centroid, pair.memory);
   if (blocks_.is_affine(std::size_t(pair.a)) || blocks_.is_affine(std::size_t(pair.b)))
     evaluation.stretch = stretch_besides(line, potential, stiffness, at.to_b);
   return spring.evaluate(line, motion_of(pair), shear, evaluation.energy);

@@ -76,7 +76,8 @@ class World {
   // Reading.
   const Blocks<D>& blocks() const { return blocks_; }
   std::size_t contact_count() const { return touching_.size(); }
-  /// Described anew from the present poses: reading contacts costs time, but stepping no memory for them.
+  /// Described anew from the present poses and the remembered pair: reading contacts costs time, but stepping
+  /// no memory for them.
   Contact<D> contact(std::size_t c) const;
   /// As many as contacts, or none before forces are evaluated.
   std::span<const ContactForce<D>> contact_forces() const { return forces_; }

@@ -4,6 +4,7 @@
 
 #include "catch.h"
 #include "contacts_3d.h"
+#include "detect/separation_3d.h"
 #include "force/line_of_action.h"
 #include "force/overlap.h"
 #include "rotations.h"
@@ -88,12 +89,13 @@ TEST_CASE("a contact of potentials is described as one of springs, however far t
     const Vector<3> from = random_direction(random),
                     across = cross_product(from, random_direction(random)).normalized();
     Vector<3> first_normal = Vector<3>::Zero();
+    double distance = 2;
     for (int step = 0; step <= 100; ++step) {
       const Vector<3> way = std::cos(0.02 * step) * from + std::sin(0.02 * step) * across;
-      double distance = 2;
       const auto gap = [&] {
-        return pair_of_largest_gap(dome.outline(), grain.outline(), distance * way).gap;
+        return find_separation(dome.outline(), grain.outline(), Vector<3>(distance * way)).gap;
       };
+      while (gap() <= 0) distance += 10 * depth;
       while (gap() > -depth) distance -= 0.1 * depth;
       springs.put(distance * way, 0);
       potentials.put(distance * way, 0);

@@ -64,7 +64,7 @@ typedef struct hs_contact {
   double torque[3];      /**< couple on block b besides the force, about force_point */
   double force_point[3]; /**< where the force acts */
   double normal_force;   /**< compression > 0 */
-  double shear_force[3]; /**< in the contact plane, on block b */
+  double shear_force[3]; /**< in the contact plane, on block b; without friction 0 to rounding */
   double twist;          /**< 3D: torque about the normal, on block b */
 } hs_contact;
 
