@@ -122,7 +122,7 @@ module halfspace_c
     real(c_double) :: torque(3) = 0.0_c_double  !< couple on block b besides the force, about force_point
     real(c_double) :: force_point(3) = 0.0_c_double  !< where the force acts
     real(c_double) :: normal_force = 0.0_c_double  !< compression > 0
-    real(c_double) :: shear_force(3) = 0.0_c_double  !< in the contact plane, on block b
+    real(c_double) :: shear_force(3) = 0.0_c_double  !< in the contact plane, on block b; without friction 0 to rounding
     real(c_double) :: twist = 0.0_c_double  !< 3D: torque about the normal, on block b
   end type hs_contact
 

@@ -154,7 +154,7 @@ class hs_contact(Structure):
         ("torque", c_double * 3),  # couple on block b besides the force, about force_point
         ("force_point", c_double * 3),  # where the force acts
         ("normal_force", c_double),  # compression > 0
-        ("shear_force", c_double * 3),  # in the contact plane, on block b
+        ("shear_force", c_double * 3),  # in the contact plane, on block b; without friction 0 to rounding
         ("twist", c_double),  # 3D: torque about the normal, on block b
     ]
 

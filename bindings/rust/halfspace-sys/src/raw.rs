@@ -225,7 +225,7 @@ pub struct hs_contact {
     pub force_point: [f64; 3],
     /// compression > 0
     pub normal_force: f64,
-    /// in the contact plane, on block b
+    /// in the contact plane, on block b; without friction 0 to rounding
     pub shear_force: [f64; 3],
     /// 3D: torque about the normal, on block b
     pub twist: f64,
