@@ -102,9 +102,9 @@ void CellDivision::divide_part(const Part& part, Array<NearFace>& near) {
       interpolate_depths(first_new, {face, count});
       return put_aside(part, count, inside, rest);
     }
+    parts_.take_back_cut();
     add(inside, near[face[1]]);
     face[1] = face[count - 1];
-    parts_.take_back_cut();
   }
   add(rest, near[face[0]]);
 }

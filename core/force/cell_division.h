@@ -34,9 +34,9 @@ class CellDivision {
               const VolumeAndMoment& content, double largest_coordinate, Array<NearFace>& near);
 
  private:
-  /// Of the lists from `first` on: its near faces and its vertices. Of what is left of it one of these faces
-  /// is the nearest to each point. What has been taken out is still within its vertices: there none of the
-  /// faces but the first wins against that.
+  /// Of the lists from `first` on: its near faces and its vertices. To each point of its content one of these
+  /// faces is the nearest. What other faces have been given already is still within its vertices, but not in
+  /// its content; there none of its faces is nearer than the first one.
   struct Part {
     std::size_t first;
     std::size_t near_count;

@@ -7,7 +7,6 @@
 #include "detect/separation_3d.h"
 #include "force/line_of_action.h"
 #include "force/overlap.h"
-#include "rotations.h"
 #include "world/world.h"
 
 using namespace halfspace;
@@ -20,7 +19,7 @@ Memory* const memory = std::pmr::get_default_resource();
 /// A block on top of a fixed one, whose poses are given from outside.
 struct TwoInWorld {
   World<3> world{WorldSettings<3>(), memory};
-  std::int32_t lower, upper;
+  std::int32_t upper;
 
   TwoInWorld(const Shape<3>& below, const Shape<3>& above, StiffnessKind kind) {
     world.add_material(1000);
@@ -29,7 +28,7 @@ struct TwoInWorld {
     law.normal_stiffness = law.shear_stiffness = 1e6;
     law.tan_friction = 0.6;
     world.set_default_law(law);
-    lower = world.add_block(below, BlockKind::fixed, 0, Vector<3>::Zero(), {});
+    world.add_block(below, BlockKind::fixed, 0, Vector<3>::Zero(), {});
     upper = world.add_block(above, BlockKind::rigid, 0, {0, 0, 10}, {});
   }
 
