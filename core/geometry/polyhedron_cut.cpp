@@ -83,19 +83,23 @@ class Part {
   bool is_inside(std::int32_t v) const { return inside_[std::size_t(v)]; }
 
   /// Inside and outside, connected each, as convexity wants it: then the plane crosses a ring of faces, each
-  /// once. Rounding can leave a vertex on the plane with all its neighbours inside: it is inside. False when
-  /// rounding tears the inside apart.
+  /// once. From a vertex on the plane an edge leads to one that is strictly outside. Where none does,
+  /// rounding has put the vertex there: it is inside, or else the ring would come to one of its neighbours
+  /// twice. False when rounding tears the inside apart.
   bool tell_inside_from_outside() {
     const std::int32_t farthest_inside = side_ > 0 ? section_.highest : section_.lowest;
     const std::int32_t farthest_outside = side_ > 0 ? section_.lowest : section_.highest;
-    const Flags outside = reached_from(farthest_outside, [&](std::int32_t v) { return height(v) <= 0; });
+    const auto is_outside = [&](std::int32_t v) { return height(v) <= 0; };
+    const auto is_strictly_outside = [&](std::int32_t v) { return height(v) < 0; };
+    const auto not_outside = [&](std::int32_t v) { return bool(inside_[std::size_t(v)]); };
+    const Flags outside = reached_from(farthest_outside, is_outside, is_strictly_outside);
     for (std::size_t v = 0; v < outside.size(); ++v) inside_[v] = !outside[v];
-    return inside_ == reached_from(farthest_inside, [&](std::int32_t v) { return is_inside(v); });
+    return inside_ == reached_from(farthest_inside, not_outside, not_outside);
   }
 
-  /// Which vertices edges lead to by way of wanted vertices only.
-  template <class Wanted>
-  Flags reached_from(std::int32_t vertex, Wanted is_wanted) const {
+  /// Which wanted vertices edges lead to by way of passable vertices only.
+  template <class Wanted, class Passable>
+  Flags reached_from(std::int32_t vertex, Wanted is_wanted, Passable is_passable) const {
     Flags reached(inside_.size(), false, part_.memory());
     Array<std::int32_t> waiting(1, vertex, part_.memory());
     reached[std::size_t(vertex)] = true;
@@ -106,7 +110,7 @@ class Part {
         const std::int32_t w = topology_.vertex_neighbour[k];
         if (reached[std::size_t(w)] || !is_wanted(w)) continue;
         reached[std::size_t(w)] = true;
-        waiting.push_back(w);
+        if (is_passable(w)) waiting.push_back(w);
       }
     }
     return reached;
