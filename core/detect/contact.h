@@ -70,7 +70,8 @@ struct Separation<3> {
 };
 
 struct PairState {
-  enum State : std::int32_t { unknown = 0, separated = 1, touching = 2 };
+  /// Overlapping, in space: the blocks touch, and nobody has asked through which pair.
+  enum State : std::int32_t { unknown = 0, separated = 1, touching = 2, overlapping = 3 };
 };
 
 /// What a pair of blocks remembers from one step to the next.
@@ -94,12 +95,17 @@ struct PairMemory<3> {
   using State = PairState::State;
   using enum PairState::State;
   State state = unknown;
-  PotentialPair<3> pair;  // as in the plane
+  PotentialPair<3> pair;  // as in the plane; overlapping: one that means nothing any more
   /// In the orientation of the outlines. Separated: the unit normal, from a to b, of a plane between the
-  /// blocks. Touching: a point of both, seen from the centroid of a. Checked before it is believed:
+  /// blocks. Else a point of both, seen from the centroid of a. Checked before it is believed:
   /// any value will do.
   Vector<3> proof = Vector<3>::Zero();
 };
+
+template <int D>
+bool touching(const PairMemory<D>& memory) {
+  return memory.state >= PairMemory<D>::touching;
+}
 
 /// A contact between blocks a and b, relative to the centroid of a, or the proof that there is none.
 template <int D>

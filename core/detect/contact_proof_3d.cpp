@@ -72,7 +72,8 @@ bool overlap_at_pair(const Outline<3>& a, const Outline<3>& b, const Vector<3>& 
 }  // namespace
 
 bool still_touching(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, PairMemory<3>& memory) {
-  if (memory.state != PairMemory<3>::touching) return false;
+  if (!touching(memory)) return false;
+  if (memory.state == PairMemory<3>::overlapping) return both_contain(a, b, to_b, memory.proof);
   // The faster one first (bench_pairs_3d, stepped pairs).
   constexpr int few_faces = 32;
   const bool point_first =

@@ -83,7 +83,7 @@ void remember_contact(const Seen<D>& a, const Seen<D>& b, const Vector<D>& to_b,
   if (memory.state == PairMemory<D>::separated) {
     memory.pair = descend(a, b, to_b, initial_pair(a, b, to_b, memory));
   } else {
-    if (memory.state == PairMemory<D>::unknown) memory.pair = least_depth;
+    if (memory.state != PairMemory<D>::touching) memory.pair = least_depth;
     refresh(a, b, to_b, memory.pair);
   }
   memory.state = PairMemory<D>::touching;
@@ -124,7 +124,17 @@ void judge_pair(const Outline<D>& a, const Outline<D>& b, const Vector<D>& to_b,
 template <int D>
 bool touch(const Outline<D>& a, const Outline<D>& b, const Vector<D>& to_b, PairMemory<D>& memory) {
   if (!still_separated(a, b, to_b, memory)) judge_pair(a, b, to_b, memory);
-  return memory.state == PairMemory<D>::touching;
+  return touching(memory);
+}
+
+/// The pair through which blocks that touch do so: the remembered one, or that of least depth.
+template <int D>
+PotentialPair<D> pair_in_contact(const Outline<D>& a, const Outline<D>& b, const Vector<D>& to_b,
+                                 const PairMemory<D>& memory) {
+  if (memory.state != PairMemory<D>::overlapping) return memory.pair;
+  const Separation<D> separation = find_separation(a, b, to_b);
+  // To rounding they may be apart.
+  return separation.gap > 0 ? initial_pair(a, b, to_b, memory_of(separation)) : separation.pair;
 }
 
 /// True when two blocks touch; then their contact is described. The same as to judge the pair and to describe
@@ -134,6 +144,8 @@ bool find_contact(const Outline<D>& a, const Outline<D>& b, const Vector<D>& to_
                   const DetectOptions& options, PairMemory<D>& memory, Contact<D>& contact) {
   if (describe_plainly_touching(a, b, to_b, memory, options, contact)) return true;
   if (!touch(a, b, to_b, memory)) return false;
+  memory.pair = pair_in_contact(a, b, to_b, memory);
+  memory.state = PairMemory<D>::touching;
   describe_contact<D>(a, b, to_b, memory, options, contact);
   return true;
 }

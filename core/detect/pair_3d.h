@@ -26,7 +26,7 @@ bool still_touching(const Outline<3>& a, const Outline<3>& b, const Vector<3>& t
 void remember_proof(const Contact<3>& contact, const Vector<3>& to_b, PairMemory<3>& memory);
 /// Remembers a known point of blocks that touch.
 inline void remember_point(const Vector<3>& point, PairMemory<3>& memory) {
-  if (memory.state == PairMemory<3>::touching) memory.proof = point;
+  if (touching(memory)) memory.proof = point;
 }
 
 /// The pair through which blocks begin to meet that were separated at last (Wang et al. 2021, section 2.5):

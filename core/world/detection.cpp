@@ -64,10 +64,12 @@ bool World<D>::find_contact(std::size_t k, Contact<D>& contact) {
   const typename PairMemory<D>::State before = memory.state;
 
   const bool describes = is_described(pair);
-  if (!(describes ? halfspace::find_contact(a, b, to_b, settings_.detect, memory, contact)
-                  : touch(a, b, to_b, memory))) {
+  if (describes ? halfspace::find_contact(a, b, to_b, settings_.detect, memory, contact)
+                : touch(a, b, to_b, memory)) {
+    if (!describes) memory.state = PairMemory<D>::overlapping;
+  } else {
     if (!pair.bonded) {
-      if (before == PairMemory<D>::touching) release_shear(k);
+      if (before >= PairMemory<D>::touching) release_shear(k);
       return false;
     }
     memory.pair = initial_pair(a, b, to_b, memory);  // a contact has no two vertices
@@ -86,7 +88,7 @@ bool World<D>::find_contact(std::size_t k, Contact<D>& contact) {
 template <int D>
 void World<D>::describe(const Candidate<D>& pair, Contact<D>& contact) const {
   const PlacedBlocks<D> at = blocks_.placed(pair.a, pair.b);
-  PotentialPair<D> found = pair.memory.pair;
+  PotentialPair<D> found = pair_in_contact(at.a, at.b, at.to_b, pair.memory);
   describe_contact(at.a, at.b, at.to_b, found, settings_.detect, contact);
 }
 

@@ -89,7 +89,8 @@ bool Candidates<D>::is_consistent(const Blocks<D>& blocks) const {
   return std::all_of(pairs_.begin(), pairs_.end(), [&](const Candidate<D>& pair) {
     if (!lives(pair.a) || !lives(pair.b) || pair.a >= pair.b) return false;
     const PairMemory<D>& memory = pair.memory;
-    if (memory.state < PairMemory<D>::unknown || memory.state > PairMemory<D>::touching) return false;
+    constexpr auto last = D == 2 ? PairMemory<D>::touching : PairMemory<D>::overlapping;
+    if (memory.state < PairMemory<D>::unknown || memory.state > last) return false;
     const bool separated = memory.state == PairMemory<D>::separated;
     return (separated || has_a_plane(memory.pair)) &&
            names_features(memory.pair, blocks.outline(pair.a), blocks.outline(pair.b));

@@ -23,13 +23,17 @@ struct TwoInWorld {
 
   TwoInWorld(const Shape<3>& below, const Shape<3>& above, StiffnessKind kind) {
     world.add_material(1000);
+    set_law(kind);
+    world.add_block(below, BlockKind::fixed, 0, Vector<3>::Zero(), {});
+    upper = world.add_block(above, BlockKind::rigid, 0, {0, 0, 10}, {});
+  }
+
+  void set_law(StiffnessKind kind) {
     SpringLaw law;
     law.stiffness_kind = kind;
     law.normal_stiffness = law.shear_stiffness = 1e6;
     law.tan_friction = 0.6;
     world.set_default_law(law);
-    world.add_block(below, BlockKind::fixed, 0, Vector<3>::Zero(), {});
-    upper = world.add_block(above, BlockKind::rigid, 0, {0, 0, 10}, {});
   }
 
   void put(const Vector<3>& position, double elapsed) {
@@ -74,17 +78,14 @@ TEST_CASE("in space, what blocks share spreads about any line as their overlap d
   CHECK(overlapping > 100);
 }
 
-/// Blocks whose contact is described in every step meet at the pair that they have come to on the way; others
-/// may be found to meet at another one about as deep.
-TEST_CASE("a contact of potentials is described as one of springs, however far the blocks have moved") {
+TEST_CASE("a contact of potentials is described where it is least deep, however far the blocks have moved") {
   Random random(141);
   constexpr double depth = 0.01;
-  int compared = 0, turned = 0, otherwise = 0;
+  int compared = 0, turned = 0;
   for (int round = 0; round < 20; ++round) {
     const Shape<3> dome = random_block(random, 24),
                    grain = block_of(scaled(random_cloud(random, 12, 1, 1), 0.2));
-    TwoInWorld springs(dome, grain, StiffnessKind::per_contact),
-        potentials(dome, grain, StiffnessKind::potential);
+    TwoInWorld two(dome, grain, StiffnessKind::potential);
     const Vector<3> from = random_direction(random),
                     across = cross_product(from, random_direction(random)).normalized();
     Vector<3> first_normal = Vector<3>::Zero();
@@ -96,24 +97,38 @@ TEST_CASE("a contact of potentials is described as one of springs, however far t
       };
       while (gap() <= 0) distance += 10 * depth;
       while (gap() > -depth) distance -= 0.1 * depth;
-      springs.put(distance * way, 0);
-      potentials.put(distance * way, 0);
-      REQUIRE(springs.world.contact_count() == 1);
-      REQUIRE(potentials.world.contact_count() == 1);
-      const Contact<3> expected = springs.world.contact(0), found = potentials.world.contact(0);
+      two.put(distance * way, 0);
+      REQUIRE(two.world.contact_count() == 1);
+      // Read now and then, not in every step.
+      if (step % 10 != 0) continue;
+      const Contact<3> contact = two.world.contact(0);
+      const Separation<3> least_deep =
+          pair_of_largest_gap(dome.outline(), grain.outline(), Vector<3>(distance * way));
+      // A hair deeper where it is of a face beside edges that pass each other beyond their ends.
+      CHECK(contact.gap == Approx(least_deep.gap).epsilon(1e-3));
+      CHECK(contact.normal.dot(least_deep.normal) > 0.999);
       ++compared;
-      if (step == 0) first_normal = expected.normal;
-      turned += first_normal.dot(expected.normal) < 0.5;
-      if (found.pair == expected.pair) {
-        CHECK(found.gap == expected.gap);
-        CHECK(found.normal == expected.normal);
-      } else {
-        ++otherwise;
-        CHECK(found.gap < 0);
-        CHECK(found.gap > -2 * depth);
-      }
+      if (step == 0) first_normal = contact.normal;
+      turned += first_normal.dot(contact.normal) < 0.5;
     }
   }
   CHECK(turned > compared / 3);
-  CHECK(otherwise < compared / 100);
+}
+
+TEST_CASE("blocks that have moved under potentials are pushed by springs once their law is one of these") {
+  const Shape<3> cube = shape_of(completed(box({2, 2, 2}))), brick = shape_of(completed(box({1, 1, 1})));
+  TwoInWorld two(cube, brick, StiffnessKind::potential);
+  const double away = 1.5 - 1e-3;
+  two.put({0, 0, away}, 0);
+  // Over the edge and down the side, where nobody asks how they meet.
+  for (const Vector<3>& way : {Vector<3>(0.5, 0, 1), Vector<3>(1, 0, 1), Vector<3>(1, 0, 0.5)}) {
+    two.put(away * way, 0);
+    CHECK(two.world.blocks().force[std::size_t(two.upper)].squaredNorm() > 0);
+  }
+  two.set_law(StiffnessKind::per_contact);
+  two.put({away, 0.1, 0.2}, 0);
+  const Vector<3> force = two.world.blocks().force[std::size_t(two.upper)];
+  CHECK(force.x() == Approx(1e6 * 1e-3));
+  CHECK(force.y() == 0);
+  CHECK(force.z() == 0);
 }
