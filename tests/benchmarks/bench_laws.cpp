@@ -72,6 +72,40 @@ Packing polyhedra(int count) {
   return packing;
 }
 
+/// Puts b where it is so deep in a, off in some direction.
+void bring_together(const Corners& a, const hs_pose& pose_a, const Corners& b, hs_pose& pose_b,
+                    const Triple& direction, double depth) {
+  const halfspace_test::Context context = halfspace_test::make_context();
+  const halfspace_test::Shape shape_a = hull(context.get(), a), shape_b = hull(context.get(), b);
+  double deeper = 0, farther = 2;
+  for (int halvings = 0; halvings < 60; ++halvings) {
+    const double distance = 0.5 * (deeper + farther);
+    for (int axis = 0; axis < 3; ++axis)
+      pose_b.position[axis] = pose_a.position[axis] + distance * direction[std::size_t(axis)];
+    hs_contact contact;
+    require_ok(hs_pair_detect(shape_a.get(), &pose_a, shape_b.get(), &pose_b, nullptr, nullptr, &contact),
+               context.get());
+    (contact.gap > -depth ? farther : deeper) = distance;
+  }
+}
+
+/// The same hulls two and two, far from the next two, with one depth of overlap for all.
+Packing couples(const char* name, int count, double depth) {
+  Packing packing{name, 3, {}, {}};
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> along(-1, 1);
+  for (int i = 0; i < count; ++i) {
+    const Corners a = random_corners(random), b = random_corners(random);
+    const hs_pose pose_a = pose_of(packing, {4.0 * i, 0, 0}, 1, random);
+    hs_pose pose_b = pose_of(packing, {0, 0, 0}, 1, random);
+    const double z = along(random), angle = 3.14159265358979323846 * along(random), r = std::sqrt(1 - z * z);
+    bring_together(a, pose_a, b, pose_b, {r * std::cos(angle), r * std::sin(angle), z}, depth);
+    packing.blocks.insert(packing.blocks.end(), {a, b});
+    packing.poses.insert(packing.poses.end(), {pose_a, pose_b});
+  }
+  return packing;
+}
+
 /// A packing under one law, of blocks of one kind.
 class Scene {
  public:
@@ -191,6 +225,9 @@ int main(int argc, char** argv) {
     compare(quick ? bricks(2, 4, 4, 1) : bricks(2, 30, 30, 1), 2 * block_steps);
     compare(quick ? bricks(3, 3, 3, 3) : bricks(3, 10, 10, 10), block_steps);
     compare(polyhedra(quick ? 3 : 10), block_steps);
+    const int count = quick ? 10 : 500;
+    compare(couples("polyhedra two and two, overlaps of 1e-2", count, 1e-2), block_steps);
+    compare(couples("polyhedra two and two, overlaps of 1e-4", count, 1e-4), block_steps);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "bench_laws: %s\n", error.what());
     return 1;
