@@ -4,8 +4,10 @@
 
 namespace halfspace {
 
-/// One spring at each point of a contact's region, the contact's stiffness shared among them (Wang et al.
-/// 2021, eq. 36).
+// One spring at each point of a contact's region, the contact's stiffness shared among them (Wang et al.
+// 2021, eq. 36).
+
+/// Of a contact's region, on its plane.
 template <int D>
 Vector<D> middle_of(const Contact<D>& contact);
 
