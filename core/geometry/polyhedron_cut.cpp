@@ -42,7 +42,7 @@ struct Section {
   std::int32_t highest = 0;
 };
 
-/// One part of a cut. Its vertices are those inside, strictly on its side of the plane, and those on the
+/// One part of a cut. Its vertices are those inside, on its side of the plane to rounding, and those on the
 /// plane; a vertex on the plane belongs to it only when an edge leads from it to one inside. So a face that
 /// has nothing inside does not belong to it at all, and no face of it is in the plane but the new one.
 class Part {
@@ -62,9 +62,7 @@ class Part {
   /// Empty, with the reason, when rounding leaves nothing valid.
   Polyhedron make(Fault& fault) {
     if (!tell_inside_from_outside()) return nothing(fault, Fault::not_one_surface);
-    for (std::int32_t f = 0; f < topology_.face_count; ++f) {
-      if (!keep_inside_of_face(f)) return nothing(fault, Fault::not_one_surface);
-    }
+    for (std::int32_t f = 0; f < topology_.face_count; ++f) keep_inside_of_face(f);
     if (!close()) return nothing(fault, Fault::not_one_surface);
     // Edges that meet under a small angle may be crossed at places that rounding does not tell apart.
     weld_short_edges(part_, 4 * std::numeric_limits<double>::epsilon() * section_.reach);
@@ -85,16 +83,18 @@ class Part {
   /// Inside and outside, connected each, as convexity wants it: then the plane crosses a ring of faces, each
   /// once. From a vertex on the plane an edge leads to one that is strictly outside. Where none does,
   /// rounding has put the vertex there: it is inside, or else the ring would come to one of its neighbours
-  /// twice. False when rounding tears the inside apart.
+  /// twice; but amid such that are outside, so is it. False when rounding tears the inside apart.
   bool tell_inside_from_outside() {
     const std::int32_t farthest_inside = side_ > 0 ? section_.highest : section_.lowest;
     const std::int32_t farthest_outside = side_ > 0 ? section_.lowest : section_.highest;
     const auto is_outside = [&](std::int32_t v) { return height(v) <= 0; };
     const auto is_strictly_outside = [&](std::int32_t v) { return height(v) < 0; };
-    const auto not_outside = [&](std::int32_t v) { return bool(inside_[std::size_t(v)]); };
     const Flags outside = reached_from(farthest_outside, is_outside, is_strictly_outside);
-    for (std::size_t v = 0; v < outside.size(); ++v) inside_[v] = !outside[v];
-    return inside_ == reached_from(farthest_inside, not_outside, not_outside);
+    const auto is_left = [&](std::int32_t v) { return !outside[std::size_t(v)]; };
+    inside_ = reached_from(farthest_inside, is_left, is_left);
+    for (std::int32_t v = 0; v < whole_.vertex_count(); ++v)
+      if (height(v) > 0 && !is_inside(v)) return false;
+    return true;
   }
 
   /// Which wanted vertices edges lead to by way of passable vertices only.
@@ -146,8 +146,7 @@ class Part {
     return place;
   }
 
-  /// False when the rim would branch.
-  bool keep_inside_of_face(std::int32_t face) {
+  void keep_inside_of_face(std::int32_t face) {
     const std::int32_t* const vertices = topology_.face_vertex + topology_.first_of_face[face];
     const std::int32_t* const edges = topology_.face_edge + topology_.first_of_face[face];
     const std::int32_t count = topology_.first_of_face[face + 1] - topology_.first_of_face[face];
@@ -159,7 +158,7 @@ class Part {
       has_inside = has_inside || is_inside(vertices[i]);
       if (!is_inside(vertices[i]) && is_inside(vertices[next(i)])) entry = i;
     }
-    if (!has_inside) return true;
+    if (!has_inside) return;
     if (entry < 0) {
       for (std::int32_t i = 0; i < count; ++i) part_.append_corner(kept(vertices[i]));
     } else {
@@ -171,13 +170,11 @@ class Part {
       const std::int32_t leaves = crossing(edges[i], vertices[next(i)]);
       if (leaves != enters) {
         part_.append_corner(leaves);
-        if (next_on_rim_[std::size_t(enters)] >= 0) return false;
         next_on_rim_[std::size_t(enters)] = leaves;
       }
     }
     part_.end_face();
     part_.normals.push_back(whole_.normals[std::size_t(face)]);
-    return true;
   }
 
   /// The new face, along the rim: false when that is not one ring.

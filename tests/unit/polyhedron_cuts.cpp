@@ -241,8 +241,8 @@ TEST_CASE("planes through a block's own vertices, edges and faces leave valid bl
 }
 
 TEST_CASE("the planes of another block's faces cut, through vertices that each of them has left") {
-  // Vertices a few roundings apart can all be on the next plane. Each seed has a pair where some of them would
-  // let the new face's rim branch, if being on the plane were enough to be outside.
+  // Vertices a few roundings apart can all be on the next plane. Each seed has a pair where some of them
+  // would let the new face's rim branch, if being on the plane were enough to be outside.
   for (const std::uint64_t seed : {142, 143, 157}) {
     Random random(seed);
     for (int round = 0; round < 300; ++round) {
@@ -258,6 +258,32 @@ TEST_CASE("the planes of another block's faces cut, through vertices that each o
         rock.cut_block(0, o.vertex(t.face_vertex[t.first_of_face[f]]), o.normal(f));
       }
       rock.check(1e-13);
+    }
+  }
+}
+
+TEST_CASE("planes through a block's own vertices, off by roundings, cut off all that is not thin") {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    Random random(seed);
+    for (int round = 0; round < 300; ++round) {
+      Rock rock(hull_of(random_cloud(random, random.integer(5, 24), 1, 1)));
+      for (int i = 0; i < 40; ++i) {
+        const int block = random.integer(0, rock.count() - 1);
+        const Polyhedron& some = rock.block(block);
+        const auto vertex = [&] {
+          return some.vertices[std::size_t(random.integer(0, some.vertex_count() - 1))];
+        };
+        const Vector<3> a = vertex(), b = vertex(), c = vertex();
+        const Vector<3> of_face = some.normals[std::size_t(random.integer(0, some.face_count() - 1))];
+        const Vector<3> normals[] = {cross_product(b - a, c - a),
+                                     cross_product(b - a, random_direction(random)), of_face,
+                                     random_direction(random)};
+        const Vector<3> normal = normals[random.integer(0, 3)];
+        const double jitter = std::pow(10, random.uniform(-17, -13));
+        if (normal.norm() > 1e-12)
+          rock.cut_block(block, a + jitter * random_direction(random), normal.normalized());
+      }
+      rock.check(1e-12);
     }
   }
 }
