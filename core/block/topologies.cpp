@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "block/tiling.h"
+#include "geometry/polyhedron_surface.h"
 #include "geometry/polyhedron_topology.h"
 
 namespace halfspace {
@@ -114,32 +115,28 @@ bool Topologies::lies_within(const Kept& kept) const {
          kept.first >= 0 && kept.first <= all - kept.length();
 }
 
-bool Topologies::leads_nowhere_else(const Topology& t) const {
-  const auto all_below = [](const std::int32_t* array, std::int64_t length, std::int32_t count) {
-    return std::all_of(array, array + length, [count](std::int32_t i) { return i >= 0 && i < count; });
-  };
-  // A face has at least three corners, and three faces meet at a vertex.
-  const auto splits = [](const std::int32_t* first, std::int32_t lists, std::int32_t entries) {
-    const auto is_short = [](std::int64_t begin, std::int64_t end) { return end - begin < 3; };
-    return first[0] == 0 && first[lists] == entries &&
-           std::adjacent_find(first, first + lists + 1, is_short) == first + lists + 1;
-  };
+bool Topologies::is_of_one_surface(const Topology& t) const {
   const std::int32_t halves = 2 * t.edge_count;
-  return splits(t.first_of_face, t.face_count, halves) && splits(t.first_of_vertex, t.vertex_count, halves) &&
-         all_below(t.face_vertex, halves, t.vertex_count) && all_below(t.face_edge, halves, t.edge_count) &&
-         all_below(t.edge_start, t.edge_count, t.vertex_count) &&
-         all_below(t.edge_end, t.edge_count, t.vertex_count) &&
-         all_below(t.edge_left, t.edge_count, t.face_count) &&
-         all_below(t.edge_right, t.edge_count, t.face_count) &&
-         all_below(t.vertex_neighbour, halves, t.vertex_count) &&
-         all_below(t.vertex_edge, halves, t.edge_count) && all_below(t.vertex_face, halves, t.face_count);
+  const bool has_loops = t.first_of_face[0] == 0 && t.first_of_face[t.face_count] == halves &&
+                         std::is_sorted(t.first_of_face, t.first_of_face + t.face_count + 1);
+  if (!has_loops) return false;
+  Memory* const memory = indices_.get_allocator().resource();
+  Polyhedron loops(memory);
+  loops.vertices.resize(std::size_t(t.vertex_count));
+  loops.first_of_face.assign(t.first_of_face, t.first_of_face + t.face_count + 1);
+  loops.face_vertices.assign(t.face_vertex, t.face_vertex + halves);
+  if (check_surface(loops).fault != Fault::none) return false;
+  const TopologyArrays made_of_loops(loops, memory);
+  return std::equal(t.first_of_face,
+                    t.first_of_face + topology_length(t.vertex_count, t.edge_count, t.face_count),
+                    made_of_loops.view().first_of_face);
 }
 
 bool Topologies::is_consistent() const {
   if (views_.size() != kept_.size()) return false;
   Array<Range> ranges(kept_.get_allocator().resource());
   for (std::size_t i = 0; i < kept_.size(); ++i) {
-    if (kept_[i].users < 0 || (kept_[i].users > 0 && !leads_nowhere_else(views_[i]))) return false;
+    if (kept_[i].users < 0 || (kept_[i].users > 0 && !is_of_one_surface(views_[i]))) return false;
     if (kept_[i].users > 0) ranges.push_back({kept_[i].first, kept_[i].length()});
   }
   return fill_without_gap(ranges, indices_.size());

@@ -19,7 +19,8 @@ class Topologies {
   /// Stays where it is until the next one is added or released.
   const Topology& operator[](std::int32_t which) const { return views_[std::size_t(which)]; }
 
-  /// False for what cannot be, after reading a snapshot: no topology read from it leads out of its arrays.
+  /// False for what cannot be, after reading a snapshot: each topology is the one that its faces' loops have,
+  /// and these are of one closed surface, so that who walks along it comes back.
   bool is_consistent() const;
   bool has(std::int32_t which) const { return users(which) > 0; }
   /// How many blocks have it.
@@ -48,7 +49,7 @@ class Topologies {
   };
 
   bool lies_within(const Kept& kept) const;
-  bool leads_nowhere_else(const Topology& topology) const;
+  bool is_of_one_surface(const Topology& topology) const;
   std::int32_t find(std::uint64_t hash, const Topology& topology, std::int64_t length) const;
   void find_anew();
 

@@ -56,7 +56,8 @@ std::unique_ptr<World<3>> busy_world(Memory* memory) {
   settings.gravity = {0, 0, -10};
   settings.time_step = 1e-3;
   auto world = std::make_unique<World<3>>(settings, memory);
-  const std::int32_t stone = world->add_material(1000), glue = world->add_material(1500);
+  const std::int32_t stone = world->add_material(1000), glue = world->add_material(1500),
+                     clay = world->add_material(1200);
   SpringLaw law;
   law.normal_stiffness = 1e6;
   law.shear_stiffness = 5e5;
@@ -66,6 +67,8 @@ std::unique_ptr<World<3>> busy_world(Memory* memory) {
   law.stiffness_kind = StiffnessKind::per_area;
   law.cohesion = law.tensile_strength = 1e6;
   world->set_law(glue, glue, law);
+  law.stiffness_kind = StiffnessKind::potential;
+  world->set_law(clay, stone, law);
   Random random(101);
   Elasticity rubber;
   rubber.lame = rubber.shear_modulus = 1e7;
@@ -78,13 +81,14 @@ std::unique_ptr<World<3>> busy_world(Memory* memory) {
   world->add_block(cube, BlockKind::rigid, glue, {0, 0, 1.5}, {});
   world->add_block(tip, BlockKind::rigid, stone, {1.3, 0, 0.72}, Rotation<3>().turned_by({0.3, 0.1, 0}));
   const std::int32_t soft = world->add_block(tip, BlockKind::affine, stone, {0, -1.3, 0.68}, {});
+  world->add_block(cube, BlockKind::rigid, clay, {-2, -2, 0.5}, {});
   world->add_surface_load(soft, 0, {0, 100, -100});
   const std::int32_t ram = world->add_block(cube, BlockKind::prescribed, stone, {-1.05, 0.2, 0.8}, {});
   world->set_velocity(ram, {0.5, 0, 0}, {0, 0, 0.2});
   for (int i = 0; i < 150; ++i) REQUIRE(world->step() == StepResult::ok);
   world->remove_block(gone);
   for (int i = 0; i < 50; ++i) REQUIRE(world->step() == StepResult::ok);
-  REQUIRE(world->contact_count() >= 4);
+  REQUIRE(world->contact_count() >= 5);
   return world;
 }
 
