@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "catch.h"
@@ -172,6 +173,23 @@ class Rock {
   std::vector<Polyhedron> blocks_;
 };
 
+/// Of planes through a vertex of a block: through two others, through one, along a face, any.
+struct PlanesThroughVertex {
+  Vector<3> vertex;
+  std::array<Vector<3>, 4> normals;
+};
+
+PlanesThroughVertex planes_through_vertex(const Polyhedron& block, Random& random) {
+  const auto vertex = [&] {
+    return block.vertices[std::size_t(random.integer(0, block.vertex_count() - 1))];
+  };
+  const Vector<3> a = vertex(), b = vertex(), c = vertex();
+  const Vector<3> of_face = block.normals[std::size_t(random.integer(0, block.face_count() - 1))];
+  return {a,
+          {cross_product(b - a, c - a), cross_product(b - a, random_direction(random)), of_face,
+           random_direction(random)}};
+}
+
 Polyhedron unit_cube() { return completed(box({1, 1, 1}, {0.5, 0.5, 0.5})); }
 
 }  // namespace
@@ -223,17 +241,9 @@ TEST_CASE("planes through a block's own vertices, edges and faces leave valid bl
     Rock rock(hull_of(random_cloud(random, 20, 0.5, 1)));
     for (int i = 0; i < 60; ++i) {
       const Polyhedron& some = rock.block(random.integer(0, rock.count() - 1));
-      const auto vertex = [&] {
-        return some.vertices[std::size_t(random.integer(0, some.vertex_count() - 1))];
-      };
-      const Vector<3> a = vertex(), b = vertex(), c = vertex();
-      const int face = random.integer(0, some.face_count() - 1);
-      const Vector<3> of_face = some.normals[std::size_t(face)];
-      const Vector<3> normals[] = {cross_product(b - a, c - a),
-                                   cross_product(b - a, random_direction(random)), of_face,
-                                   random_direction(random)};
-      const Vector<3> normal = normals[i % 4];
-      if (normal.norm() > 1e-12) rock.cut_all(a, normal);
+      const PlanesThroughVertex planes = planes_through_vertex(some, random);
+      const Vector<3> normal = planes.normals[std::size_t(i % 4)];
+      if (normal.norm() > 1e-12) rock.cut_all(planes.vertex, normal);
       if (rock.count() > 400) break;
     }
     rock.check(1e-12);
@@ -269,19 +279,11 @@ TEST_CASE("planes through a block's own vertices, off by roundings, cut off all 
       Rock rock(hull_of(random_cloud(random, random.integer(5, 24), 1, 1)));
       for (int i = 0; i < 40; ++i) {
         const int block = random.integer(0, rock.count() - 1);
-        const Polyhedron& some = rock.block(block);
-        const auto vertex = [&] {
-          return some.vertices[std::size_t(random.integer(0, some.vertex_count() - 1))];
-        };
-        const Vector<3> a = vertex(), b = vertex(), c = vertex();
-        const Vector<3> of_face = some.normals[std::size_t(random.integer(0, some.face_count() - 1))];
-        const Vector<3> normals[] = {cross_product(b - a, c - a),
-                                     cross_product(b - a, random_direction(random)), of_face,
-                                     random_direction(random)};
-        const Vector<3> normal = normals[random.integer(0, 3)];
+        const PlanesThroughVertex planes = planes_through_vertex(rock.block(block), random);
+        const Vector<3> normal = planes.normals[std::size_t(random.integer(0, 3))];
         const double jitter = std::pow(10, random.uniform(-17, -13));
         if (normal.norm() > 1e-12)
-          rock.cut_block(block, a + jitter * random_direction(random), normal.normalized());
+          rock.cut_block(block, planes.vertex + jitter * random_direction(random), normal.normalized());
       }
       rock.check(1e-12);
     }
