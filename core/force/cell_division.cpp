@@ -24,6 +24,7 @@ void CellDivision::reserve(std::size_t edges, std::size_t vertices, std::size_t 
 
 void CellDivision::divide(const DividedPolyhedron& polyhedron, DividedPolyhedron::Part whole,
                           const VolumeAndMoment& content, double largest_coordinate, Array<NearFace>& near) {
+  crossings_.clear();
   find_depths(polyhedron, whole, largest_coordinate, near);
   const std::size_t count = list_near_faces(near);
   if (count == 1) {
@@ -94,6 +95,8 @@ void CellDivision::divide_part(const Part& part, Array<NearFace>& near) {
   for (std::size_t count = find_rivals(part); count > 1; --count) {
     cut_edges(part);
     const VolumeAndMoment inside = parts_.measure_inside();
+    for (Index k = 0; k < parts_.crossings().size(); ++k)
+      crossings_.push_back(parts_.position(parts_.extent().vertices + k));
     rest.volume -= inside.volume;
     rest.moment -= inside.moment;
     if (!others_have_nothing_inside({face, count})) {

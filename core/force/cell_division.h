@@ -10,6 +10,7 @@ namespace halfspace {
 /// A face of a block that can be the nearest one to some point of what it has in common with another, and its
 /// cell: where it is the nearest.
 struct NearFace {
+  int face;
   CuttingPlane plane;
   DepthRange depths;  // of what the blocks have in common
   VolumeAndMoment cell;
@@ -23,7 +24,8 @@ class CellDivision {
  public:
   using Index = DividedPolyhedron::Index;
 
-  explicit CellDivision(Memory* memory) : parts_(memory), lists_(memory), waiting_(memory), depth_(memory) {}
+  explicit CellDivision(Memory* memory)
+      : parts_(memory), lists_(memory), waiting_(memory), depth_(memory), crossings_(memory) {}
 
   /// For blocks of so many edges at most, until there are more than so many vertices or near faces.
   void reserve(std::size_t edges, std::size_t vertices, std::size_t near);
@@ -32,6 +34,10 @@ class CellDivision {
   /// tells how they are rounded.
   void divide(const DividedPolyhedron& polyhedron, DividedPolyhedron::Part whole,
               const VolumeAndMoment& content, double largest_coordinate, Array<NearFace>& near);
+
+  /// Where planes between faces have crossed edges: the corners of the cells are among these places and the
+  /// vertices of the polyhedron.
+  const Array<Vector<3>>& crossings() const { return crossings_; }
 
  private:
   /// Of the lists from `first` on: its near faces and its vertices. To each point of its content one of these
@@ -64,6 +70,7 @@ class CellDivision {
   Array<Index> lists_;
   Array<Part> waiting_;
   Array<double> depth_;  // of each vertex behind each near face
+  Array<Vector<3>> crossings_;
   std::size_t stride_ = 0;
   double rounding_ = 0;  // of a difference of depths
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "force/cell_division.h"
+#include "force/division_planner.h"
 #include "geometry/divided_polyhedron.h"
 #include "geometry/outline.h"
 
@@ -64,7 +65,8 @@ struct PotentialRoom<3> {
         sounding_of_b(memory),
         vertices(memory),
         intersection(memory),
-        cells(memory) {}
+        cells(memory),
+        planner(memory) {}
 
   /// So that two blocks of so many edges at most ask for no memory, unless more than 32 faces are the nearest
   /// in what they share, or it has very many vertices for them: then the room grows with them, and stays. A
@@ -78,6 +80,7 @@ struct PotentialRoom<3> {
     vertices.reserve(vertices_of_parts);
     intersection.reserve(edges, vertices_of_parts);
     cells.reserve(edges, vertices_of_parts, std::min<std::size_t>(faces, 32));
+    planner.reserve();
   }
 
   Array<double> least_depth;  // of the intersection behind each face, or less
@@ -87,6 +90,7 @@ struct PotentialRoom<3> {
   Array<DividedPolyhedron::Index> vertices;  // of the intersection
   DividedPolyhedron intersection;
   CellDivision cells;
+  DivisionPlanner planner;
 };
 
 /// A point inside a block has its distance to the nearest edge as potential; what two blocks have in common
@@ -100,8 +104,8 @@ struct PotentialRoom<3> {
 PotentialForce<2> potential_force(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
                                   PotentialRoom<2>& room);
 
-/// In space the cells are volumes.
+/// In space the cells are volumes. A planner is told of them.
 PotentialForce<3> potential_force(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
-                                  PotentialRoom<3>& room);
+                                  PotentialRoom<3>& room, DivisionPlanner* planner = nullptr);
 
 }  // namespace halfspace

@@ -2,22 +2,12 @@
 #include <cmath>
 
 #include "force/field_force.h"
+#include "force/placed_block.h"
 #include "force/potential_force.h"
 #include "geometry/two_lanes.h"
 
 namespace halfspace {
 namespace {
-
-/// A block seen from the centroid of the one that is cut.
-struct PlacedBlock {
-  const Outline<3>& outline;
-  Vector<3> at;
-
-  CuttingPlane plane(int face) const {
-    const Vector<3> normal = outline.normal(face);
-    return {normal, outline.offset[face] + normal.dot(at)};
-  }
-};
 
 /// The face that a point lies least deep behind.
 int face_nearest_to(const Outline<3>& block, const Vector<3>& p) {
@@ -79,6 +69,20 @@ class Intersection {
     find_near_faces(owner);
     room_.cells.divide(room_.intersection, room_.vertices, content_, bounds_.largest_coordinate(),
                        room_.near);
+    return sum_over_cells();
+  }
+
+  void show_corners(DivisionPlanner& planner) const {
+    for (const DividedPolyhedron::Index v : room_.vertices)
+      planner.add_corner(room_.intersection.position(v));
+  }
+  /// After the force of this owner.
+  void show_cells(int owner, DivisionPlanner& planner) const {
+    planner.add_cells(owner, room_.near, room_.least_depth, room_.cells.crossings());
+  }
+
+ private:
+  FieldForce<3> sum_over_cells() const {
     FieldForce<3> sum;
     for (const NearFace& face : room_.near) {
       const auto& [normal, offset] = face.plane;
@@ -88,7 +92,6 @@ class Intersection {
     return sum;
   }
 
- private:
   void take_inside() {
     const DividedPolyhedron::Part inside = room_.intersection.inside();
     room_.vertices.assign(inside.begin(), inside.end());
@@ -132,7 +135,7 @@ class Intersection {
     const double reach = find_least_depths(owner, bounds_);
     room_.near.clear();
     for (int f = 0; f < owner.outline.face_count(); ++f)
-      if (room_.least_depth[std::size_t(f)] <= reach) room_.near.push_back({owner.plane(f), {}, {}});
+      if (room_.least_depth[std::size_t(f)] <= reach) room_.near.push_back({f, owner.plane(f), {}, {}});
   }
 
   const PlacedBlock& whole_;
@@ -146,7 +149,7 @@ class Intersection {
 
 /// The block is cut that the other reaches into less: that leaves less to cut.
 PotentialForce<3> potential_force(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
-                                  PotentialRoom<3>& room) {
+                                  PotentialRoom<3>& room, DivisionPlanner* planner) {
   const int of_a = face_nearest_to(a, to_b), of_b = face_nearest_to(b, -to_b);
   const double into_a = room.sounding_of_b.take(b, PlacedBlock{a, -to_b}.plane(of_a)).most;
   if (into_a <= 0) return {};
@@ -158,7 +161,14 @@ PotentialForce<3> potential_force(const Outline<3>& a, const Outline<3>& b, cons
   Intersection intersection(cuts_b ? placed_b : placed_a, cuts_b ? placed_a : placed_b, room);
   if (!intersection.find(cuts_b ? of_a : of_b, cuts_b ? room.sounding_of_b : room.sounding_of_a)) return {};
   const VolumeAndSpread& content = intersection.content();
-  const FieldForce<3> by_a = intersection.force_of(placed_a), by_b = intersection.force_of(placed_b);
+  if (planner) {
+    planner->begin(placed_a, placed_b, content);
+    intersection.show_corners(*planner);
+  }
+  const FieldForce<3> by_a = intersection.force_of(placed_a);
+  if (planner) intersection.show_cells(0, *planner);
+  const FieldForce<3> by_b = intersection.force_of(placed_b);
+  if (planner) intersection.show_cells(1, *planner);
   PotentialForce<3> sum = sum_of<3>(by_a, by_b, placed_a.at, placed_b.at,
                                     content.moment / content.volume - placed_a.at, content.volume);
   sum.spread = content.spread;

@@ -7,6 +7,7 @@
 
 #include "geometry/outline.h"
 #include "geometry/sounding.h"
+#include "geometry/volume_sums.h"
 
 namespace halfspace {
 
@@ -22,15 +23,6 @@ template <class T>
 void grow(Array<T>& array, std::size_t room) {
   if (array.size() < room) gain_room(array, room);
 }
-
-/// Integrals over a body.
-struct VolumeAndMoment {
-  double volume = 0;
-  Vector<3> moment = Vector<3>::Zero();  // of the position
-};
-struct VolumeAndSpread : VolumeAndMoment {
-  Tensor<3> spread = Tensor<3>::Zero();  // mean of the way from the centroid times itself^T
-};
 
 /// A convex polyhedron that planes cut into parts where it lies: where an edge crosses the plane either part
 /// gets a vertex of its own, and these are joined to a new face. Nothing else is touched. A part is known by

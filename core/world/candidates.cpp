@@ -11,6 +11,7 @@ template <int D>
 Candidates<D>::Candidates(Memory* memory)
     : pairs_(memory),
       shear_(memory),
+      plans_(memory),
       reference_position_(memory),
       reference_rotation_(memory),
       reference_gradient_(memory),
@@ -119,7 +120,7 @@ void Candidates<D>::carry_over(bool with_shear) noexcept {
       keep(pairs_[old], shear_of(old));
       ++old;
     } else {
-      keep(Candidate<D>{pair.a, pair.b, {}, 0}, {});
+      keep(Candidate<D>{pair.a, pair.b, {}, 0, {}}, {});
     }
   }
   while (old < pairs_.size()) keep_bonded();

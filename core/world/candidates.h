@@ -8,10 +8,13 @@
 
 #include "block/blocks.h"
 #include "detect/contact.h"
+#include "force/division_plans.h"
 #include "force/shear_spring.h"
 #include "neighbor/neighbor_search.h"
 
 namespace halfspace {
+
+struct NoPlan {};
 
 /// A pair of blocks near enough to touch soon, a < b, and what it remembers.
 template <int D>
@@ -19,9 +22,10 @@ struct Candidate {
   std::int32_t a;
   std::int32_t b;
   PairMemory<D> memory;
-  /// As wide as leaves no gap behind it, so that saved candidates hold no stray bytes.
-  std::conditional_t<D == 2, std::int32_t, std::int64_t> bonded = 0;
+  std::int32_t bonded = 0;
+  [[no_unique_address]] std::conditional_t<D == 2, NoPlan, PlanMemory> plan;
 };
+static_assert(std::has_unique_object_representations_v<PlanMemory>);
 
 /// The neighbour list: all pairs that can touch before some block has moved by more than its skin. Sorted by
 /// (a, b).
@@ -66,6 +70,12 @@ class Candidates {
   const Array<Candidate<D>>& pairs() const { return pairs_; }
   /// One per pair; none at all when no law resists shear.
   std::span<ShearSpring<D>> shear() { return shear_; }
+  /// Of the pairs whose contact is of potentials, in space.
+  DivisionPlans& plans() { return plans_; }
+  /// Gives free what plans take that are no more used, when that is more than what is.
+  void tidy_plans() noexcept {
+    if constexpr (D == 3) plans_.tidy(pairs_);
+  }
   /// What lists of contacts need room for: all pairs, and some to spare, so that a settled heap whose pairs
   /// come and go asks for no memory.
   std::size_t room() const { return std::max(pairs_.capacity(), next_pairs_.capacity()); }
@@ -76,8 +86,8 @@ class Candidates {
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(pairs_, shear_, reference_position_, reference_rotation_, reference_gradient_, skin_, planned_,
-            used_up_, builds_);
+    archive(pairs_, shear_, plans_, reference_position_, reference_rotation_, reference_gradient_, skin_,
+            planned_, used_up_, builds_);
   }
 
  private:
@@ -99,6 +109,7 @@ class Candidates {
 
   Array<Candidate<D>> pairs_;
   Array<ShearSpring<D>> shear_;
+  DivisionPlans plans_;
   Array<Vector<D>> reference_position_;
   Array<Rotation<D>> reference_rotation_;
   Array<Tensor<D>> reference_gradient_;  // of affine blocks, if there are any

@@ -1,6 +1,7 @@
 #include <utility>
 
 #include "detect/pair.h"
+#include "force/planned_force.h"
 #include "world/world.h"
 
 namespace halfspace {
@@ -75,6 +76,17 @@ template <int D>
   return load;
 }
 
+/// For k_n / H = 1. In space by a plan, and steps make plans.
+template <int D>
+inline PotentialForce<D> World<D>::potential_between(Candidate<D>& pair, const PlacedBlocks<D>& at,
+                                                     bool is_step) {
+  if constexpr (D == 2) {
+    return potential_force(at.a, at.b, at.to_b, potential_room_);
+  } else {
+    return planned_force(at.a, at.b, at.to_b, is_step, pair.plan, candidates_.plans(), potential_room_);
+  }
+}
+
 /// The force of a contact by a law of potentials. Where the blocks share most, they touch the longest: that
 /// is what is looked at first the next time.
 template <int D>
@@ -83,7 +95,7 @@ PairLoad<D> World<D>::potential_load(Candidate<D>& pair, const SpringLaw& law, c
   // Another law has left it: potentials hold nothing together.
   if (evaluation.elapsed > 0) pair.bonded = false;
   const PlacedBlocks<D> at = blocks_.placed(pair.a, pair.b);
-  const PotentialForce<D> potential = potential_force(at.a, at.b, at.to_b, potential_room_);
+  const PotentialForce<D> potential = potential_between(pair, at, evaluation.elapsed > 0);
   const double stiffness = law.normal_stiffness / evaluation.potential_length;
   const LineOfAction<D> line = line_of_action(potential, stiffness, at.to_b);
   if (line.energy > 0) remember_point(potential.centroid, pair.memory);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "force/planned_force.h"
 #include "world/world.h"
 
 // What a snapshot must fulfil so that running it never leads out of an array. Numbers may be wrong in value:
@@ -73,6 +74,14 @@ bool names_features(const PotentialPair<3>& pair, const Outline<3>& a, const Out
   return false;
 }
 
+bool knows_its_plan(const Candidate<2>&, const DivisionPlans&, const Outline<2>&, const Outline<2>&) {
+  return true;
+}
+bool knows_its_plan(const Candidate<3>& pair, const DivisionPlans& plans, const Outline<3>& a,
+                    const Outline<3>& b) {
+  return !pair.plan.knows() || (plans.has(pair.plan) && is_plan(plans[pair.plan], a, b));
+}
+
 }  // namespace
 
 template <int D>
@@ -91,6 +100,7 @@ bool Candidates<D>::is_consistent(const Blocks<D>& blocks) const {
     const PairMemory<D>& memory = pair.memory;
     constexpr auto last = D == 2 ? PairMemory<D>::touching : PairMemory<D>::overlapping;
     if (memory.state < PairMemory<D>::unknown || memory.state > last) return false;
+    if (!knows_its_plan(pair, plans_, blocks.outline(pair.a), blocks.outline(pair.b))) return false;
     const bool separated = memory.state == PairMemory<D>::separated;
     return (separated || has_a_plane(memory.pair)) &&
            names_features(memory.pair, blocks.outline(pair.a), blocks.outline(pair.b));

@@ -197,6 +197,7 @@ StepResult World<D>::move() {
   detected_ = false;
   evaluate_forces(time_step_);
   kick_and_book();
+  candidates_.tidy_plans();
   ++steps_;
   return StepResult::ok;
 }

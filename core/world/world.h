@@ -175,6 +175,7 @@ class World {
   PairMotion<D> motion_of(const Candidate<D>& pair) const;
   PairLoad<D> spring_load(Candidate<D>& pair, const Contact<D>& contact, const SpringLaw& law,
                           const Spring<D>& spring, ShearSpring<D>& shear, Evaluation& evaluation) const;
+  PotentialForce<D> potential_between(Candidate<D>& pair, const PlacedBlocks<D>& at, bool is_step);
   PairLoad<D> potential_load(Candidate<D>& pair, const SpringLaw& law, const Spring<D>& spring,
                              ShearSpring<D>& shear, Evaluation& evaluation);
   void load_blocks(std::size_t candidate, const Contact<D>& contact, Evaluation& evaluation);

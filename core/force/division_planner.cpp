@@ -1,0 +1,351 @@
+#include "force/division_planner.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace halfspace {
+namespace {
+
+/// Corners nearer to each other than this share of the blocks' size are one.
+constexpr double one_place = 0x1p-40;
+/// So far at least the planes that tell where a corner is are from meeting in a line: the volume that their
+/// normals span.
+constexpr double least_span = 1e-6;
+/// By so much, as a share of the whole, may the volumes of the solids be off.
+constexpr double volume_error = 1e-9;
+
+template <class Visit>
+void for_each(std::uint64_t set, Visit visit) {
+  for (; set != 0; set &= set - 1) visit(std::countr_zero(set));
+}
+
+bool holds(std::uint64_t set, int element) { return set >> element & 1; }
+
+/// Planes that may tell where a corner is, by faces or by pairs of them.
+class PlanesOfCorner {
+ public:
+  void add(const std::array<PlanCode, 2>& faces, const Vector<3>& normal, double depth) {
+    if (count_ == faces_.size()) return;
+    faces_[count_] = faces;
+    depth_[count_] = depth;
+    normal_[count_++] = normal;
+  }
+
+  /// By the three that are farthest from meeting in a line. False when all but do.
+  bool locate(Vector<3>& at, std::array<std::array<PlanCode, 2>, 3>& faces) const {
+    double largest = 0;
+    Vector<3> to_planes = Vector<3>::Zero();
+    for (std::size_t i = 0; i < count_; ++i)
+      for (std::size_t j = i + 1; j < count_; ++j) {
+        const Vector<3> along = cross_product(normal_[i], normal_[j]);
+        for (std::size_t k = j + 1; k < count_; ++k) {
+          const double span = along.dot(normal_[k]);
+          if (std::abs(span) <= largest) continue;
+          largest = std::abs(span);
+          faces = {faces_[i], faces_[j], faces_[k]};
+          to_planes = (depth_[k] * along + depth_[i] * cross_product(normal_[j], normal_[k]) +
+                       depth_[j] * cross_product(normal_[k], normal_[i])) /
+                      span;
+        }
+      }
+    at += to_planes;
+    return largest > least_span;
+  }
+
+ private:
+  std::array<std::array<PlanCode, 2>, 16> faces_;
+  std::array<Vector<3>, 16> normal_;
+  std::array<double, 16> depth_;  // of the place where the corner was thought to be
+  std::size_t count_ = 0;
+};
+
+}  // namespace
+
+/// For all but what needs no plan: it would be too large.
+void DivisionPlanner::reserve() {
+  corners_.reserve(8 * most_plan_corners);
+  for (Array<NearFace>& near : near_) near.reserve(2 * most_plan_faces);
+  facets_.reserve(most_plan_corners);
+  plan_.reserve(4096);
+}
+
+void DivisionPlanner::begin(const PlacedBlock& a, const PlacedBlock& b, const VolumeAndMoment& content) {
+  block_[0].emplace(a);
+  block_[1].emplace(b);
+  volume_ = content.volume;
+  const auto largest_offset = [](const Outline<3>& outline) {
+    return *std::max_element(outline.offset, outline.offset + outline.face_count());
+  };
+  size_ = plan_size(b.at - a.at, std::max(largest_offset(a.outline), largest_offset(b.outline)));
+  corners_.clear();
+}
+
+void DivisionPlanner::add_corner(const Vector<3>& at, Kind kind) {
+  const double reach = one_place * size_;
+  for (const Corner& known : corners_) {
+    if (known.kind != shared && known.kind != kind) continue;
+    if ((known.at - at).squaredNorm() <= reach * reach) return;
+  }
+  Corner corner{};
+  corner.at = at;
+  corner.kind = kind;
+  corners_.push_back(corner);
+}
+
+/// Only faces that the depths at the corners leave in question matter.
+void DivisionPlanner::add_cells(int owner, const Array<NearFace>& near, const Array<double>& least_depth,
+                                const Array<Vector<3>>& places) {
+  for (const Vector<3>& at : places) add_corner(at, of_cells(owner));
+  double reach = 0;
+  for (const Corner& corner : corners_) {
+    if (corner.kind != shared && corner.kind != of_cells(owner)) continue;
+    double least = HUGE_VAL;
+    for (const NearFace& face : near) least = std::min(least, face.plane.depth(corner.at));
+    reach = std::max(reach, least);
+  }
+  near_[owner].clear();
+  const double margin = plan_rounding_followed * size_;
+  for (const NearFace& face : near)
+    if (least_depth[std::size_t(face.face)] <= reach + margin) near_[owner].push_back(face);
+}
+
+void DivisionPlanner::find_faces(Corner& corner) const {
+  const double rounding = plan_rounding_made * size_;
+  for (int owner = 0; owner < 2; ++owner) {
+    double least = HUGE_VAL;
+    for (const NearFace& face : near_[owner]) least = std::min(least, face.plane.depth(corner.at));
+    corner.on[owner] = corner.nearest[owner] = 0;
+    for (int f = 0; f < near_count(owner); ++f) {
+      const double depth = plane(owner, f).depth(corner.at);
+      corner.on[owner] |= Set(depth <= rounding) << f;
+      corner.nearest[owner] |= Set(depth <= least + rounding) << f;
+    }
+  }
+}
+
+/// As who follows the plan finds it, too.
+void DivisionPlanner::measure_size() {
+  double largest = 0;
+  for (int owner = 0; owner < 2; ++owner)
+    for (const NearFace& face : near_[owner])
+      largest = std::max(largest, block_[owner]->outline.offset[face.face]);
+  size_ = plan_size(block_[1]->at - block_[0]->at, largest);
+}
+
+bool DivisionPlanner::is_vertex_of(int owner, Corner& corner) const {
+  if (std::popcount(corner.on[owner]) < 3) return false;
+  const Outline<3>& outline = block_[owner]->outline;
+  const Vector<3> at = corner.at - block_[owner]->at;
+  const double rounding = plan_rounding_made * size_;
+  for (std::int32_t v = 0; v < outline.vertex_count(); ++v) {
+    if ((outline.vertex(v) - at).squaredNorm() > rounding * rounding) continue;
+    corner.vertex = v;
+    corner.kind = owner == 0 ? vertex_of_a : vertex_of_b;
+    return true;
+  }
+  return false;
+}
+
+bool DivisionPlanner::locate_by_faces(Corner& corner) const {
+  const int nothing = near_count(0) + near_count(1);
+  PlanesOfCorner candidates;
+  for (int owner = 0; owner < 2; ++owner) {
+    const int first = owner == 0 ? 0 : near_count(0);
+    for_each(corner.on[owner], [&](int f) {
+      candidates.add({PlanCode(first + f), PlanCode(nothing)}, plane(owner, f).normal,
+                     plane(owner, f).depth(corner.at));
+    });
+    if (corner.kind != of_cells(owner)) continue;
+    const int one = std::countr_zero(corner.nearest[owner]);
+    for_each(corner.nearest[owner] & (corner.nearest[owner] - 1), [&](int f) {
+      candidates.add({PlanCode(first + one), PlanCode(first + f)},
+                     plane(owner, one).normal - plane(owner, f).normal,
+                     plane(owner, one).depth(corner.at) - plane(owner, f).depth(corner.at));
+    });
+  }
+  return candidates.locate(corner.at, corner.faces);
+}
+
+/// A place where planes between faces cross what was but an edge of a part on the way is no corner.
+bool DivisionPlanner::locate(Corner& corner) const {
+  switch (corner.kind) {
+    case shared:
+      return is_vertex_of(0, corner) || is_vertex_of(1, corner) || locate_by_faces(corner);
+    case of_cells_of_a:
+    case of_cells_of_b:
+      if (!locate_by_faces(corner)) corner.kind = none;
+      return true;
+    default:
+      return true;
+  }
+}
+
+/// In the order of their numbers. False when there are too many.
+bool DivisionPlanner::sort_corners() {
+  std::stable_sort(corners_.begin(), corners_.end(),
+                   [](const Corner& p, const Corner& q) { return p.kind < q.kind; });
+  while (!corners_.empty() && corners_.back().kind == none) corners_.pop_back();
+  const int common = count(vertex_of_a) + count(vertex_of_b) + count(shared);
+  return common + std::max(count(of_cells_of_a), count(of_cells_of_b)) <= most_plan_corners;
+}
+
+PlanCode DivisionPlanner::count(Kind kind) const {
+  return PlanCode(std::count_if(corners_.begin(), corners_.end(),
+                                [kind](const Corner& corner) { return corner.kind == kind; }));
+}
+
+void DivisionPlanner::put(std::initializer_list<int> codes) {
+  for (const int code : codes) plan_.push_back(PlanCode(code));
+}
+
+void DivisionPlanner::put_shared_corners() {
+  for (const Kind kind : {vertex_of_a, vertex_of_b, shared}) {
+    put({count(kind)});
+    for (const Corner& corner : corners_) {
+      if (corner.kind != kind) continue;
+      if (kind == shared) {
+        put({corner.faces[0][0], corner.faces[1][0], corner.faces[2][0]});
+      } else {
+        put({corner.vertex});
+      }
+    }
+  }
+}
+
+template <class FacesOf>
+void DivisionPlanner::put_faces_of_corners(Set corners, FacesOf faces_of) {
+  const std::size_t at = plan_.size();
+  put({0});
+  for_each(corners, [&](int c) {
+    for_each(faces_of(corner(c)), [&](int f) {
+      put({c, f});
+      ++plan_[at];
+    });
+  });
+}
+
+template <class Has>
+DivisionPlanner::Set DivisionPlanner::corners_with(Has has) const {
+  Set set = 0;
+  const int corners = std::min(int(corners_.size()), most_plan_corners);
+  for (int c = 0; c < corners; ++c) set |= Set(has(corner(c))) << c;
+  return set;
+}
+
+/// One that has all corners of another takes its place: where faces of both blocks lie in one plane.
+void DivisionPlanner::add_facet(Set corners, const Vector<3>& outward) {
+  if (std::popcount(corners) < 3) return;
+  for (Facet& facet : facets_) {
+    if ((corners & ~facet.corners) == 0) return;
+    if ((facet.corners & ~corners) != 0) continue;
+    facet = {outward, corners};
+    return;
+  }
+  facets_.push_back({outward, corners});
+}
+
+/// Those that lie in the blocks' own faces.
+void DivisionPlanner::find_facets(Set corners) {
+  facets_.clear();
+  for (int owner = 0; owner < 2; ++owner)
+    for (int f = 0; f < near_count(owner); ++f)
+      add_facet(corners & corners_with([&](const Corner& c) { return holds(c.on[owner], f); }),
+                plane(owner, f).normal);
+}
+
+/// Corners counter-clockwise seen from outside.
+void DivisionPlanner::put_fan(const Facet& facet, int top, double& volume) {
+  Vector<3> center = Vector<3>::Zero();
+  for_each(facet.corners, [&](int c) { center += corner(c).at / std::popcount(facet.corners); });
+  const Vector<3> normal = facet.outward.normalized();
+  Vector<3> axis = Vector<3>::Zero();
+  axis[std::abs(normal.x()) < 0.5 ? 0 : 1] = 1;
+  const Vector<3> u = cross_product(normal, axis).normalized(), w = cross_product(normal, u);
+  std::array<std::pair<double, int>, most_plan_corners> around;
+  std::size_t count = 0;
+  for_each(facet.corners, [&](int c) {
+    const Vector<3> arm = corner(c).at - center;
+    around[count++] = {std::atan2(w.dot(arm), u.dot(arm)), c};
+  });
+  std::sort(around.begin(), around.begin() + std::ptrdiff_t(count));
+  put({int(count) - 2});
+  for (std::size_t i = 0; i < count; ++i) put({around[i].second});
+  const auto seen_from_top = [&](std::size_t i) {
+    return Vector<3>(corner(around[i].second).at - corner(top).at);
+  };
+  for (std::size_t i = 1; i + 1 < count; ++i)
+    volume += seen_from_top(0).dot(cross_product(seen_from_top(i), seen_from_top(i + 1))) / 6;
+}
+
+/// The fewest tetrahedra are those with a corner in most facets. False when it has not got that volume: then
+/// corners are missing, or facets.
+bool DivisionPlanner::put_solid(double expected) {
+  std::array<int, most_plan_corners> facets_at{};
+  for (const Facet& facet : facets_) for_each(facet.corners, [&](int c) { ++facets_at[std::size_t(c)]; });
+  const int top = int(std::max_element(facets_at.begin(), facets_at.end()) - facets_at.begin());
+  put({top});
+  double volume = 0;
+  for (const Facet& facet : facets_)
+    if (!holds(facet.corners, top)) put_fan(facet, top, volume);
+  put({0});
+  return std::abs(volume - expected) <= volume_error * volume_;
+}
+
+bool DivisionPlanner::put_cells(int owner) {
+  const Set corners =
+      corners_with([&](const Corner& c) { return is_shared(c) || c.kind == of_cells(owner); });
+  put({count(of_cells(owner))});
+  for (const Corner& corner : corners_) {
+    if (corner.kind != of_cells(owner)) continue;
+    for (const FacePair& faces : corner.faces) put({faces[0], faces[1]});
+  }
+  put_faces_of_corners(corners, [&](const Corner& c) { return c.nearest[owner]; });
+  put_faces_of_corners(corners, [&](const Corner& c) { return c.on[owner]; });
+  const std::size_t at = plan_.size();
+  put({0});
+  for (int f = 0; f < near_count(owner); ++f) {
+    const double volume = near_[owner][std::size_t(f)].cell.volume;
+    if (volume == 0) continue;
+    const auto with = [&](int face) {
+      return corners & corners_with([&](const Corner& c) { return holds(c.nearest[owner], face); });
+    };
+    const Set of_cell = with(f);
+    find_facets(of_cell);
+    for (int other = 0; other < near_count(owner); ++other)
+      if (other != f) add_facet(of_cell & with(other), plane(owner, other).normal - plane(owner, f).normal);
+    put({f});
+    if (!put_solid(volume)) return false;
+    ++plan_[at];
+  }
+  return true;
+}
+
+std::span<const PlanCode> DivisionPlanner::make() {
+  plan_.clear();
+  for (int owner = 0; owner < 2; ++owner) {
+    if (near_count(owner) > most_plan_faces || block_[owner]->outline.face_count() > most_faces_to_plan)
+      return {};
+  }
+  measure_size();
+  for (Corner& corner : corners_) {
+    // Cutting has rounded its place: where it is its faces tell better, and from there which these are.
+    for (int round = 0; round < 2; ++round) {
+      find_faces(corner);
+      if (!locate(corner)) return {};
+    }
+  }
+  if (!sort_corners()) return {};
+  for (const Array<NearFace>& near : near_) {
+    put({int(near.size())});
+    for (const NearFace& face : near) put({face.face});
+  }
+  put_shared_corners();
+  find_facets(corners_with(is_shared));
+  if (!put_solid(volume_) || !put_cells(0)) return {};
+  // Those of b have the numbers that those of a have had.
+  std::erase_if(corners_, [](const Corner& corner) { return corner.kind == of_cells_of_a; });
+  return put_cells(1) ? std::span<const PlanCode>(plan_) : std::span<const PlanCode>();
+}
+
+}  // namespace halfspace

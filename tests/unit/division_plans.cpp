@@ -1,0 +1,239 @@
+// Forces of potentials that follow a plan, against those found without one.
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+#include "block/blocks.h"
+#include "catch.h"
+#include "contacts_3d.h"
+#include "force/planned_force.h"
+
+using namespace halfspace;
+using namespace halfspace::test;
+
+namespace {
+
+Memory* const memory = std::pmr::get_default_resource();
+
+/// Two blocks and their plan.
+struct PlannedPair {
+  Blocks<3> blocks{memory};
+  DivisionPlans plans{memory};
+  PlanMemory known;
+  PotentialRoom<3> room{memory};
+
+  PlannedPair(const Shape<3>& a, const Shape<3>& b) {
+    for (const Shape<3>* shape : {&a, &b}) blocks.add(*shape, BlockKind::rigid, 0, 1);
+    put(0, Vector<3>::Zero(), {});
+  }
+
+  void put(std::int32_t slot, const Vector<3>& at, const Rotation<3>& turned) {
+    blocks.place(slot, at, turned);
+  }
+  void move(std::int32_t slot, const Vector<3>& way, const Vector<3>& turn) {
+    const std::size_t i = std::size_t(slot);
+    put(slot, blocks.position[i] + way, blocks.rotation[i].turned_by(turn));
+  }
+
+  PotentialForce<3> found() {
+    const PlacedBlocks<3> at = blocks.placed(0, 1);
+    return potential_force(at.a, at.b, at.to_b, room);
+  }
+  PotentialForce<3> planned(bool makes_plans = true) {
+    const PlacedBlocks<3> at = blocks.placed(0, 1);
+    return planned_force(at.a, at.b, at.to_b, makes_plans, known, plans, room);
+  }
+  std::optional<PotentialForce<3>> followed() {
+    const PlacedBlocks<3> at = blocks.placed(0, 1);
+    return known.knows() ? follow(plans[known], at.a, at.b, at.to_b) : std::nullopt;
+  }
+};
+
+/// Blocks have a radius of 1 or so, and what they share a surface of 4 pi at most. A plan is believed as long
+/// as its corners are off by less than 2^-44 of the blocks' sizes and distance: 2e-13 of volume, energy and
+/// force for each unit of area.
+constexpr double rounding = 4 * pi * 2e-13;
+
+void check_same(const PotentialForce<3>& force, const PotentialForce<3>& expected) {
+  CHECK((force.force - expected.force).norm() <= rounding);
+  CHECK(std::abs(force.energy - expected.energy) <= rounding);
+  CHECK(std::abs(force.content - expected.content) <= rounding);
+  CHECK((force.virial_a - expected.virial_a).norm() <= rounding);
+  CHECK((force.virial_b - expected.virial_b).norm() <= rounding);
+  CHECK(((force.centroid - expected.centroid) * expected.content).norm() <= rounding);
+  CHECK(((force.spread - expected.spread) * expected.content).norm() <= rounding);
+}
+
+Vector<3> random_within(Random& random, double size) {
+  return size * random.uniform(0, 1) * random_direction(random);
+}
+
+/// Blocks that overlap by so much of their radius along the line of their centroids, or little less.
+void bring_together(PlannedPair& pair, Random& random, double overlap) {
+  const Vector<3> direction = random_direction(random);
+  pair.put(0, Vector<3>::Zero(), Rotation<3>().turned_by(random_within(random, 3)));
+  pair.put(1, Vector<3>::Zero(), Rotation<3>().turned_by(random_within(random, 3)));
+  double deeper = 0, farther = 2.5;
+  while (farther - deeper > overlap / 4) {
+    const double middle = 0.5 * (deeper + farther);
+    pair.put(1, middle * direction, pair.blocks.rotation[1]);
+    (pair.found().content > 0 ? deeper : farther) = middle;
+  }
+  pair.put(1, (deeper - overlap) * direction, pair.blocks.rotation[1]);
+}
+
+}  // namespace
+
+TEST_CASE("a plan gives the force that is found without it, as blocks move little by little") {
+  Random random(201);
+  int asked = 0, followed = 0;
+  for (int round = 0; round < 300; ++round) {
+    PlannedPair pair(random_block(random, random.integer(4, 24)),
+                     random_block(random, random.integer(4, 24)));
+    const double overlap = std::pow(10, random.uniform(-5, -0.5));
+    bring_together(pair, random, overlap);
+    const double way = overlap * std::pow(10, random.uniform(-5, -1));
+    for (int step = 0; step < 40; ++step) {
+      pair.move(1, random_within(random, way), random_within(random, way));
+      pair.move(0, Vector<3>::Zero(), random_within(random, way));
+      const bool knew = pair.known.knows();
+      asked += knew;
+      if (const auto force = pair.followed()) {
+        ++followed;
+        check_same(*force, pair.found());
+      }
+      check_same(pair.planned(), pair.found());
+    }
+  }
+  CHECK(asked > 8000);
+  CHECK(followed > asked / 2);
+}
+
+TEST_CASE("a plan is not believed where blocks are elsewhere") {
+  Random random(202);
+  int refused = 0;
+  for (int round = 0; round < 300; ++round) {
+    PlannedPair pair(random_block(random, random.integer(4, 16)),
+                     random_block(random, random.integer(4, 16)));
+    bring_together(pair, random, 0.2);
+    pair.planned();
+    if (!pair.known.knows()) continue;
+    for (int jump = 0; jump < 40; ++jump) {
+      const double way = std::pow(10, random.uniform(-2, 0.3));
+      pair.move(1, random_within(random, way), random_within(random, way));
+      if (const auto force = pair.followed()) {
+        check_same(*force, pair.found());
+      } else {
+        ++refused;
+      }
+    }
+  }
+  CHECK(refused > 5000);
+}
+
+TEST_CASE("in the same places a planned force has the same bits again") {
+  Random random(203);
+  for (int round = 0; round < 200; ++round) {
+    PlannedPair pair(random_block(random, 12), random_block(random, 12));
+    bring_together(pair, random, 0.1);
+    for (int step = 0; step < 10; ++step) {
+      pair.move(1, random_within(random, 0.02), random_within(random, 0.02));
+      const PotentialForce<3> in_step = pair.planned(), again = pair.planned(false);
+      CHECK(std::memcmp(&in_step, &again, sizeof again) == 0);
+    }
+  }
+}
+
+TEST_CASE("boxes whose faces are flush, or come to be, are planned or not, and pushed the same") {
+  const Shape<3> cube = shape_of(completed(box({1, 1, 1}))), half = shape_of(completed(box({0.5, 0.5, 0.5})));
+  int followed = 0;
+  for (const Shape<3>* upper : {&cube, &half}) {
+    for (const double overlap : {0.25, 1e-3, 1e-7}) {
+      const double height = upper == &cube ? 1 : 0.75;
+      PlannedPair pair(cube, *upper);
+      for (int step = 0; step < 200; ++step) {
+        const double along = 0.01 * (step / 10), across = step % 3 == 0 ? 0 : 1e-14 * step;
+        pair.put(1, {along, across, height - overlap}, Rotation<3>().turned_by({0, 0, step % 2 * 1e-15}));
+        followed += pair.followed().has_value();
+        check_same(pair.planned(), pair.found());
+      }
+    }
+  }
+  CHECK(followed > 300);
+}
+
+TEST_CASE("plans are kept one by one, and room that none uses is given free") {
+  Random random(204);
+  struct Known {
+    PlanMemory plan;
+    std::vector<PlanCode> codes;
+  };
+  std::vector<Known> pairs(20);
+  DivisionPlans plans(memory);
+  for (int step = 0; step < 3000; ++step) {
+    Known& pair = pairs[std::size_t(random.integer(0, 19))];
+    pair.codes.assign(std::size_t(random.integer(1, 500)), PlanCode(random.integer(0, 1000)));
+    REQUIRE(plans.add(pair.codes, pair.plan));
+    if (step % 7 == 0) pair.plan.serve();
+    const bool has_served = pair.plan.has_served();
+    plans.tidy(pairs);
+    CHECK(pair.plan.has_served() == has_served);
+    CHECK(plans.size() <= 2 * 20 * 501 + 4096 + 501);
+    for (const Known& known : pairs) {
+      if (!known.plan.knows()) continue;
+      const auto plan = plans[known.plan];
+      CHECK(std::equal(plan.begin(), plan.end(), known.codes.begin(), known.codes.end()));
+    }
+  }
+}
+
+TEST_CASE("a pair that finds no plan of use waits some steps for the next") {
+  PlanMemory known;
+  CHECK_FALSE(known.knows());
+  CHECK_FALSE(known.waits());
+  known.wait(2);
+  CHECK(known.waits());
+  CHECK(known.waits());
+  CHECK_FALSE(known.waits());
+  known.remember(7);
+  CHECK(known.first() == 7);
+  CHECK_FALSE(known.has_served());
+  known.serve();
+  CHECK(known.has_served());
+  CHECK(known.first() == 7);
+}
+
+TEST_CASE("what is no plan for two blocks is told, and whatever is taken for one leads nowhere else") {
+  Random random(205);
+  int plans = 0, taken = 0;
+  while (plans < 30) {
+    PlannedPair pair(random_block(random, random.integer(4, 10)),
+                     random_block(random, random.integer(4, 10)));
+    bring_together(pair, random, 0.1);
+    pair.planned();
+    if (!pair.known.knows()) continue;
+    ++plans;
+    const PlacedBlocks<3> at = pair.blocks.placed(0, 1);
+    const auto made = pair.plans[pair.known];
+    const std::vector<PlanCode> plan(made.begin(), made.end());
+    CHECK(is_plan(plan, at.a, at.b));
+    for (std::size_t length = 0; length < plan.size(); ++length)
+      CHECK_FALSE(is_plan(std::span(plan).first(length), at.a, at.b));
+    std::vector<PlanCode> longer = plan;
+    longer.push_back(0);
+    CHECK_FALSE(is_plan(longer, at.a, at.b));
+    for (std::size_t k = 0; k < plan.size(); ++k) {
+      for (const int code : {-1, 0, 1, plan[k] + 1, plan[k] - 1, 63, 64, INT16_MAX}) {
+        std::vector<PlanCode> damaged = plan;
+        damaged[k] = PlanCode(code);
+        const bool is_in_range = is_plan(damaged, at.a, at.b);
+        if (code < 0 || code == INT16_MAX) CHECK_FALSE(is_in_range);
+        taken += is_in_range;
+        if (is_in_range) follow(damaged, at.a, at.b, at.to_b);
+      }
+    }
+  }
+  CHECK(taken > 1000);
+}
