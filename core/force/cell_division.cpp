@@ -20,6 +20,7 @@ void CellDivision::reserve(std::size_t edges, std::size_t vertices, std::size_t 
   grow(lists_, vertices + near * near);
   waiting_.reserve(near);
   grow(depth_, vertices * near);
+  crossings_.reserve(most_division_crossings);
 }
 
 void CellDivision::divide(const DividedPolyhedron& polyhedron, DividedPolyhedron::Part whole,
@@ -95,8 +96,7 @@ void CellDivision::divide_part(const Part& part, Array<NearFace>& near) {
   for (std::size_t count = find_rivals(part); count > 1; --count) {
     cut_edges(part);
     const VolumeAndMoment inside = parts_.measure_inside();
-    for (Index k = 0; k < parts_.crossings().size(); ++k)
-      crossings_.push_back(parts_.position(parts_.extent().vertices + k));
+    remember_crossings();
     rest.volume -= inside.volume;
     rest.moment -= inside.moment;
     if (!others_have_nothing_inside({face, count})) {
@@ -110,6 +110,11 @@ void CellDivision::divide_part(const Part& part, Array<NearFace>& near) {
     face[1] = face[count - 1];
   }
   add(rest, near[face[0]]);
+}
+
+void CellDivision::remember_crossings() {
+  const Index count = Index(std::min(parts_.crossings().size(), most_division_crossings - crossings_.size()));
+  for (Index k = 0; k < count; ++k) crossings_.push_back(parts_.position(parts_.extent().vertices + k));
 }
 
 /// Puts first a face that is nearer than others, behind it the one that is before it by most somewhere, and

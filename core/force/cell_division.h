@@ -16,6 +16,8 @@ struct NearFace {
   VolumeAndMoment cell;
 };
 
+constexpr std::size_t most_division_crossings = 256;  // that are remembered
+
 /// Divides a polyhedron among the faces that its points are nearest to. Two faces have a part of it each,
 /// where they are nearer than the other; of what they do not win against one there, a third one has nothing
 /// in it. So each bit goes to exactly one face, however rounding places the planes between them, and it is no
@@ -35,8 +37,8 @@ class CellDivision {
   void divide(const DividedPolyhedron& polyhedron, DividedPolyhedron::Part whole,
               const VolumeAndMoment& content, double largest_coordinate, Array<NearFace>& near);
 
-  /// Where planes between faces have crossed edges: the corners of the cells are among these places and the
-  /// vertices of the polyhedron.
+  /// Where planes between faces have crossed edges, the first ones of too many: the corners of the cells are
+  /// among these places and the vertices of the polyhedron.
   const Array<Vector<3>>& crossings() const { return crossings_; }
 
  private:
@@ -55,6 +57,7 @@ class CellDivision {
                    double largest_coordinate, Array<NearFace>& near);
   std::size_t list_near_faces(const Array<NearFace>& near);
   void divide_part(const Part& part, Array<NearFace>& near);
+  void remember_crossings();
   std::size_t find_rivals(const Part& part);
   std::array<DepthRange, 2> find_leads(DividedPolyhedron::Part vertices, Index nearest, Index rival,
                                        Index other);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "geometry/vector.h"
@@ -29,6 +30,7 @@ using PlanCode = std::int16_t;
 
 constexpr int most_plan_faces = 32;       // of a block
 constexpr int most_plan_corners = 64;     // of what the blocks have in common and of the cells of one of them
+constexpr std::size_t most_plan_codes = 4096;
 constexpr int most_faces_to_plan = 1024;  // of a block, whether they matter or not
 
 /// Distances below this share of the blocks' size are rounding, where a plan is made and where it is

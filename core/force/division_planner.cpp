@@ -12,7 +12,8 @@ constexpr double one_place = 0x1p-40;
 /// So far at least the planes that tell where a corner is are from meeting in a line: the volume that their
 /// normals span.
 constexpr double least_span = 1e-6;
-/// By so much, as a share of the whole, may the volumes of the solids be off.
+/// By so much, as a share of the whole, may the volumes of the solids be off from what they have been found
+/// to be.
 constexpr double volume_error = 1e-9;
 
 template <class Visit>
@@ -22,7 +23,10 @@ void for_each(std::uint64_t set, Visit visit) {
 
 bool holds(std::uint64_t set, int element) { return set >> element & 1; }
 
-/// Planes that may tell where a corner is, by faces or by pairs of them.
+/// Those included that are none in the end.
+constexpr std::size_t most_corners = most_division_crossings;
+
+/// Planes that may tell where a corner is, by faces or by pairs of them: the first ones of too many.
 class PlanesOfCorner {
  public:
   void add(const std::array<PlanCode, 2>& faces, const Vector<3>& normal, double depth) {
@@ -62,12 +66,11 @@ class PlanesOfCorner {
 
 }  // namespace
 
-/// For all but what needs no plan: it would be too large.
 void DivisionPlanner::reserve() {
-  corners_.reserve(8 * most_plan_corners);
+  corners_.reserve(most_corners);
   for (Array<NearFace>& near : near_) near.reserve(2 * most_plan_faces);
-  facets_.reserve(most_plan_corners);
-  plan_.reserve(4096);
+  facets_.reserve(3 * most_plan_faces);
+  plan_.reserve(most_plan_codes);
 }
 
 void DivisionPlanner::begin(const PlacedBlock& a, const PlacedBlock& b, const VolumeAndMoment& content) {
@@ -79,9 +82,13 @@ void DivisionPlanner::begin(const PlacedBlock& a, const PlacedBlock& b, const Vo
   };
   size_ = plan_size(b.at - a.at, std::max(largest_offset(a.outline), largest_offset(b.outline)));
   corners_.clear();
+  is_too_large_ = std::max(a.outline.face_count(), b.outline.face_count()) > most_faces_to_plan;
 }
 
+/// Unless it is known, as a shared one or as one of the same cells.
 void DivisionPlanner::add_corner(const Vector<3>& at, Kind kind) {
+  is_too_large_ |= corners_.size() == most_corners;
+  if (is_too_large_) return;
   const double reach = one_place * size_;
   for (const Corner& known : corners_) {
     if (known.kind != shared && known.kind != kind) continue;
@@ -96,6 +103,8 @@ void DivisionPlanner::add_corner(const Vector<3>& at, Kind kind) {
 /// Only faces that the depths at the corners leave in question matter.
 void DivisionPlanner::add_cells(int owner, const Array<NearFace>& near, const Array<double>& least_depth,
                                 const Array<Vector<3>>& places) {
+  is_too_large_ |= near.size() > 2 * most_plan_faces || places.size() >= most_corners;
+  if (is_too_large_) return;
   for (const Vector<3>& at : places) add_corner(at, of_cells(owner));
   double reach = 0;
   for (const Corner& corner : corners_) {
@@ -108,6 +117,7 @@ void DivisionPlanner::add_cells(int owner, const Array<NearFace>& near, const Ar
   const double margin = plan_rounding_followed * size_;
   for (const NearFace& face : near)
     if (least_depth[std::size_t(face.face)] <= reach + margin) near_[owner].push_back(face);
+  is_too_large_ |= near_[owner].size() > most_plan_faces;
 }
 
 void DivisionPlanner::find_faces(Corner& corner) const {
@@ -167,6 +177,16 @@ bool DivisionPlanner::locate_by_faces(Corner& corner) const {
   return candidates.locate(corner.at, corner.faces);
 }
 
+/// Who follows the plan looks at the depths behind the owner's faces only: the other block's have to be among
+/// those that tell where a corner of cells is.
+bool DivisionPlanner::is_told_by_faces_of_other(const Corner& corner) const {
+  const int other = corner.kind == of_cells_of_a ? 1 : 0, first = other == 0 ? 0 : near_count(0);
+  Set told = 0;
+  for (const FacePair& faces : corner.faces)
+    if (faces[0] >= first && faces[0] < first + near_count(other)) told |= Set(1) << (faces[0] - first);
+  return (corner.on[other] & ~told) == 0;
+}
+
 /// A place where planes between faces cross what was but an edge of a part on the way is no corner.
 bool DivisionPlanner::locate(Corner& corner) const {
   switch (corner.kind) {
@@ -174,7 +194,8 @@ bool DivisionPlanner::locate(Corner& corner) const {
       return is_vertex_of(0, corner) || is_vertex_of(1, corner) || locate_by_faces(corner);
     case of_cells_of_a:
     case of_cells_of_b:
-      if (!locate_by_faces(corner)) corner.kind = none;
+      if (locate_by_faces(corner)) return is_told_by_faces_of_other(corner);
+      corner.kind = none;
       return true;
     default:
       return true;
@@ -183,19 +204,21 @@ bool DivisionPlanner::locate(Corner& corner) const {
 
 /// In the order of their numbers. False when there are too many.
 bool DivisionPlanner::sort_corners() {
-  std::stable_sort(corners_.begin(), corners_.end(),
-                   [](const Corner& p, const Corner& q) { return p.kind < q.kind; });
+  std::sort(corners_.begin(), corners_.end(),
+            [](const Corner& p, const Corner& q) { return p.kind < q.kind; });
   while (!corners_.empty() && corners_.back().kind == none) corners_.pop_back();
   const int common = count(vertex_of_a) + count(vertex_of_b) + count(shared);
   return common + std::max(count(of_cells_of_a), count(of_cells_of_b)) <= most_plan_corners;
 }
 
-PlanCode DivisionPlanner::count(Kind kind) const {
-  return PlanCode(std::count_if(corners_.begin(), corners_.end(),
-                                [kind](const Corner& corner) { return corner.kind == kind; }));
+int DivisionPlanner::count(Kind kind) const {
+  return int(std::count_if(corners_.begin(), corners_.end(),
+                           [kind](const Corner& corner) { return corner.kind == kind; }));
 }
 
 void DivisionPlanner::put(std::initializer_list<int> codes) {
+  is_too_large_ |= plan_.size() + codes.size() > most_plan_codes;
+  if (is_too_large_) return;
   for (const int code : codes) plan_.push_back(PlanCode(code));
 }
 
@@ -254,33 +277,57 @@ void DivisionPlanner::find_facets(Set corners) {
                 plane(owner, f).normal);
 }
 
-/// Corners counter-clockwise seen from outside.
-void DivisionPlanner::put_fan(const Facet& facet, int top, double& volume) {
+/// Counter-clockwise seen from outside. Returns how many there are.
+std::size_t DivisionPlanner::go_around(const Facet& facet,
+                                       std::array<int, most_plan_corners>& corners) const {
   Vector<3> center = Vector<3>::Zero();
   for_each(facet.corners, [&](int c) { center += corner(c).at / std::popcount(facet.corners); });
   const Vector<3> normal = facet.outward.normalized();
   Vector<3> axis = Vector<3>::Zero();
   axis[std::abs(normal.x()) < 0.5 ? 0 : 1] = 1;
   const Vector<3> u = cross_product(normal, axis).normalized(), w = cross_product(normal, u);
-  std::array<std::pair<double, int>, most_plan_corners> around;
+  std::array<double, most_plan_corners> angle;
   std::size_t count = 0;
   for_each(facet.corners, [&](int c) {
     const Vector<3> arm = corner(c).at - center;
-    around[count++] = {std::atan2(w.dot(arm), u.dot(arm)), c};
+    angle[std::size_t(c)] = std::atan2(w.dot(arm), u.dot(arm));
+    corners[count++] = c;
   });
-  std::sort(around.begin(), around.begin() + std::ptrdiff_t(count));
+  std::sort(corners.begin(), corners.begin() + std::ptrdiff_t(count),
+            [&](int c, int d) { return angle[std::size_t(c)] < angle[std::size_t(d)]; });
+  return count;
+}
+
+/// Along each edge there are two facets, one on either side.
+bool DivisionPlanner::is_closed() const {
+  std::array<Set, most_plan_corners> to{}, from{};
+  std::array<int, most_plan_corners> around;
+  for (const Facet& facet : facets_) {
+    const std::size_t count = go_around(facet, around);
+    for (std::size_t i = 0; i < count; ++i) {
+      const int c = around[i], d = around[(i + 1) % count];
+      if (holds(to[std::size_t(c)], d)) return false;
+      to[std::size_t(c)] |= Set(1) << d;
+      from[std::size_t(d)] |= Set(1) << c;
+    }
+  }
+  return to == from;
+}
+
+void DivisionPlanner::put_fan(const Facet& facet, int top, double& volume) {
+  std::array<int, most_plan_corners> around;
+  const std::size_t count = go_around(facet, around);
   put({int(count) - 2});
-  for (std::size_t i = 0; i < count; ++i) put({around[i].second});
-  const auto seen_from_top = [&](std::size_t i) {
-    return Vector<3>(corner(around[i].second).at - corner(top).at);
-  };
+  for (std::size_t i = 0; i < count; ++i) put({around[i]});
+  const auto seen_from_top = [&](std::size_t i) { return Vector<3>(corner(around[i]).at - corner(top).at); };
   for (std::size_t i = 1; i + 1 < count; ++i)
     volume += seen_from_top(0).dot(cross_product(seen_from_top(i), seen_from_top(i + 1))) / 6;
 }
 
-/// The fewest tetrahedra are those with a corner in most facets. False when it has not got that volume: then
-/// corners are missing, or facets.
+/// The fewest tetrahedra are those with a corner in most facets. False when corners are missing, or facets,
+/// or the volume.
 bool DivisionPlanner::put_solid(double expected) {
+  if (!is_closed()) return false;
   std::array<int, most_plan_corners> facets_at{};
   for (const Facet& facet : facets_) for_each(facet.corners, [&](int c) { ++facets_at[std::size_t(c)]; });
   const int top = int(std::max_element(facets_at.begin(), facets_at.end()) - facets_at.begin());
@@ -323,17 +370,14 @@ bool DivisionPlanner::put_cells(int owner) {
 
 std::span<const PlanCode> DivisionPlanner::make() {
   plan_.clear();
-  for (int owner = 0; owner < 2; ++owner) {
-    if (near_count(owner) > most_plan_faces || block_[owner]->outline.face_count() > most_faces_to_plan)
-      return {};
-  }
+  if (is_too_large_) return {};
   measure_size();
   for (Corner& corner : corners_) {
-    // Cutting has rounded its place: where it is its faces tell better, and from there which these are.
-    for (int round = 0; round < 2; ++round) {
-      find_faces(corner);
-      if (!locate(corner)) return {};
-    }
+    // Cutting has rounded its place: its faces tell better where it is, and from there which these are.
+    find_faces(corner);
+    locate(corner);
+    find_faces(corner);
+    if (!locate(corner)) return {};
   }
   if (!sort_corners()) return {};
   for (const Array<NearFace>& near : near_) {
@@ -345,7 +389,8 @@ std::span<const PlanCode> DivisionPlanner::make() {
   if (!put_solid(volume_) || !put_cells(0)) return {};
   // Those of b have the numbers that those of a have had.
   std::erase_if(corners_, [](const Corner& corner) { return corner.kind == of_cells_of_a; });
-  return put_cells(1) ? std::span<const PlanCode>(plan_) : std::span<const PlanCode>();
+  const bool is_whole = put_cells(1) && !is_too_large_;
+  return is_whole ? std::span<const PlanCode>(plan_) : std::span<const PlanCode>();
 }
 
 }  // namespace halfspace

@@ -20,10 +20,11 @@ class DivisionPlanner {
         facets_(memory),
         plan_(memory) {}
 
+  /// Room for all plans: what would need more is not planned.
   void reserve();
 
-  /// First what the blocks have in common, then the cells of a, then of b, all seen from where these are
-  /// placed.
+  /// First the corners of what the blocks have in common, then the cells of a, then of b, all seen from where
+  /// these are placed. Their outlines are read until the plan is made.
   void begin(const PlacedBlock& a, const PlacedBlock& b, const VolumeAndMoment& content);
   void add_corner(const Vector<3>& at) { add_corner(at, shared); }
   /// With how deep, by its bounds, what they have in common is behind each face of the owner, or less; and
@@ -61,15 +62,18 @@ class DivisionPlanner {
   bool is_vertex_of(int owner, Corner& corner) const;
   bool locate(Corner& corner) const;
   bool locate_by_faces(Corner& corner) const;
+  bool is_told_by_faces_of_other(const Corner& corner) const;
   bool sort_corners();
 
-  PlanCode count(Kind kind) const;
+  int count(Kind kind) const;
   void put(std::initializer_list<int> codes);
   void put_shared_corners();
   bool put_cells(int owner);
   template <class FacesOf>
   void put_faces_of_corners(Set corners, FacesOf faces_of);
   bool put_solid(double expected);
+  std::size_t go_around(const Facet& facet, std::array<int, most_plan_corners>& corners) const;
+  bool is_closed() const;
   void put_fan(const Facet& facet, int top, double& volume);
   template <class Has>
   Set corners_with(Has has) const;
@@ -85,6 +89,7 @@ class DivisionPlanner {
   Array<Facet> facets_;
   Array<PlanCode> plan_;
   std::optional<PlacedBlock> block_[2];
+  bool is_too_large_ = false;
   double volume_ = 0;
   double size_ = 0;
 };

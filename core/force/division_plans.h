@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <new>
 #include <span>
 
 #include "force/division_plan.h"
@@ -15,6 +14,7 @@ namespace halfspace {
 class PlanMemory {
  public:
   bool knows() const { return state_ >= 0; }
+  /// Where the plan begins that it knows.
   std::int32_t first() const { return state_ / 2; }
   void remember(std::int32_t first) { state_ = 2 * first; }
   void move_to(std::int32_t first) { state_ = 2 * first + state_ % 2; }
@@ -31,57 +31,76 @@ class PlanMemory {
   }
 
  private:
+  /// Twice where the plan begins, and 1 more when it has served; or -1 less the steps to wait.
   std::int32_t state_ = -1;
 };
 
-/// The plans of all pairs of blocks, one behind the other, each with its length before it. One that is no
-/// more used takes its room until the plans are tidied.
+/// The plans of all pairs of blocks, one behind the other. One that is no more used takes its room until the
+/// plans are tidied.
+///
+/// How many there is room for follows from the number of pairs, and that room is taken beforehand: steps ask
+/// for no memory, and a restored world makes the plans that the saved one would have made.
 class DivisionPlans {
  public:
-  explicit DivisionPlans(Memory* memory) : codes_(memory), kept_(memory) {}
+  explicit DivisionPlans(Memory* memory) : codes_(memory) {}
+
+  void reserve(std::size_t pairs) { codes_.reserve(room_for(pairs)); }
+  /// Pairs for whose number there is no room reserved have none.
+  void serve_pairs(std::size_t pairs) { room_ = std::min(room_for(pairs), codes_.capacity()); }
 
   std::span<const PlanCode> operator[](const PlanMemory& memory) const {
-    const PlanCode* const plan = codes_.data() + memory.first();
-    return {plan + 1, std::size_t(plan[0])};
+    const PlanCode* const head = codes_.data() + memory.first();
+    return {head + head_size, std::size_t(head[0])};
   }
 
   /// False when there is no room for it.
   bool add(std::span<const PlanCode> plan, PlanMemory& memory) {
     const std::size_t first = codes_.size();
-    if (plan.size() > INT16_MAX || first + plan.size() > INT32_MAX / 2) return false;
-    codes_.resize(first + 1 + plan.size());
-    codes_[first] = PlanCode(plan.size());
-    std::copy(plan.begin(), plan.end(), codes_.begin() + std::ptrdiff_t(first) + 1);
+    if (first + head_size + plan.size() > room_) {
+      is_full_ = true;
+      return false;
+    }
+    codes_.insert(codes_.end(), {PlanCode(plan.size()), 0, 0});
+    codes_.insert(codes_.end(), plan.begin(), plan.end());
     memory.remember(std::int32_t(first));
     return true;
   }
 
-  /// Keeps only what pairs know of, when most is not.
+  /// Keeps only what pairs know of, when most is not or there is no more room.
   template <class Pairs>
   void tidy(Pairs& pairs) noexcept {
-    if (codes_.size() <= enough_) return;
-    kept_.clear();
-    try {
-      kept_.reserve(codes_.size());
-    } catch (const std::bad_alloc&) {
-      return;
+    if (codes_.size() <= enough_ && !is_full_) return;
+    for (std::size_t k = 0; k < pairs.size(); ++k)
+      if (pairs[k].plan.knows()) set_owner(std::size_t(pairs[k].plan.first()), k);
+    std::size_t kept = 0, next = 0;
+    for (std::size_t at = 0; at < codes_.size(); at = next) {
+      next = at + head_size + std::size_t(codes_[at]);
+      const std::size_t owner = owner_of(at);
+      if (owner >= pairs.size() || !pairs[owner].plan.knows()) continue;
+      if (std::size_t(pairs[owner].plan.first()) != at) continue;
+      pairs[owner].plan.move_to(std::int32_t(kept));
+      std::copy(codes_.begin() + std::ptrdiff_t(at), codes_.begin() + std::ptrdiff_t(next),
+                codes_.begin() + std::ptrdiff_t(kept));
+      kept += next - at;
     }
-    for (auto& pair : pairs) {
-      if (!pair.plan.knows()) continue;
-      const auto first = codes_.begin() + pair.plan.first();
-      pair.plan.move_to(std::int32_t(kept_.size()));
-      kept_.insert(kept_.end(), first, first + 1 + *first);
-    }
-    codes_.swap(kept_);
-    enough_ = 2 * codes_.size() + 4096;
+    codes_.resize(kept);
+    enough_ = 2 * kept + 4096;
+    is_full_ = false;
   }
 
   std::size_t size() const { return codes_.size(); }
 
-  /// False for what no list can be, after reading a snapshot.
+  /// False for what no plans can be, after reading a snapshot.
+  bool is_consistent() const {
+    std::size_t at = 0;
+    while (at + head_size <= codes_.size() && codes_[at] > 0) at += head_size + std::size_t(codes_[at]);
+    return at == codes_.size();
+  }
+  /// Whether it lies within them.
   bool has(const PlanMemory& memory) const {
     const std::size_t first = std::size_t(memory.first());
-    return first < codes_.size() && codes_[first] > 0 && std::size_t(codes_[first]) < codes_.size() - first;
+    return first + head_size <= codes_.size() && codes_[first] > 0 &&
+           std::size_t(codes_[first]) <= codes_.size() - first - head_size;
   }
 
   template <class Archive>
@@ -90,9 +109,26 @@ class DivisionPlans {
   }
 
  private:
+  /// Its length, and which pair's it is when they are tidied.
+  static constexpr std::size_t head_size = 3;
+
+  /// Mostly enough, were all pairs in contact: a plan has 200 to 500 codes.
+  static std::size_t room_for(std::size_t pairs) {
+    return std::min<std::size_t>(most_plan_codes + 384 * pairs, INT32_MAX / 2);
+  }
+
+  void set_owner(std::size_t at, std::size_t owner) {
+    codes_[at + 1] = PlanCode(owner & 0xffff);
+    codes_[at + 2] = PlanCode(owner >> 16);
+  }
+  std::size_t owner_of(std::size_t at) const {
+    return std::size_t(std::uint16_t(codes_[at + 1])) | std::size_t(std::uint16_t(codes_[at + 2])) << 16;
+  }
+
   Array<PlanCode> codes_;
-  Array<PlanCode> kept_;  // what they are tidied into
+  std::size_t room_ = 0;
   std::uint64_t enough_ = 0;
+  bool is_full_ = false;
 };
 
 }  // namespace halfspace

@@ -49,8 +49,9 @@ bool is_plan(std::span<const PlanCode> plan, const Outline<3>& a, const Outline<
   const int faces[2] = {check.take_list({a.face_count()}), check.take_list({b.face_count()})};
   if (std::min(faces[0], faces[1]) < 1 || std::max(faces[0], faces[1]) > most_plan_faces) return false;
   const int face_or_none = faces[0] + faces[1] + 1;
-  const int shared = check.take_list({a.vertex_count()}) + check.take_list({b.vertex_count()}) +
-                     check.take_list({face_or_none, face_or_none, face_or_none});
+  int shared = check.take_list({a.vertex_count()});
+  shared += check.take_list({b.vertex_count()});
+  shared += check.take_list({face_or_none, face_or_none, face_or_none});
   if (shared < 1 || shared > most_plan_corners) return false;
   check.take_solid(shared);
   for (const int of_owner : faces) {

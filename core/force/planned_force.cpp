@@ -1,7 +1,5 @@
 #include "force/planned_force.h"
 
-#include <new>
-
 namespace halfspace {
 
 namespace {
@@ -40,11 +38,8 @@ PotentialForce<3> planned_force(const Outline<3>& a, const Outline<3>& b, const 
   const bool is_worth_it = !memory.knows() || memory.has_served();
   memory.wait(steps_to_wait);
   if (!is_worth_it) return potential_force(a, b, to_b, room);
-  try {
-    const Planned planned = find_and_plan(a, b, to_b, room);
-    if (planned.plan.empty() || plans.add(planned.plan, memory)) return planned.force;
-  } catch (const std::bad_alloc&) {  // a plan only saves time
-  }
+  const Planned planned = find_and_plan(a, b, to_b, room);
+  if (planned.plan.empty() || plans.add(planned.plan, memory)) return planned.force;
   return potential_force(a, b, to_b, room);
 }
 

@@ -51,9 +51,9 @@ class Candidates {
   }
 
   /// Searches again and takes all memory that the new list needs: the pairs in use stay as they are, and as
-  /// remembered. `relative_skin` is the skin as a share of a block's size; `with_shear` says whether any law
-  /// needs a shear spring.
-  void search_again(const Blocks<D>& blocks, double relative_skin, bool with_shear);
+  /// remembered. `relative_skin` is the skin as a share of a block's size; `with_shear` and `with_plans` say
+  /// whether any law needs a shear spring, or plans.
+  void search_again(const Blocks<D>& blocks, double relative_skin, bool with_shear, bool with_plans);
   /// Takes the new list into use. Pairs that stay keep their memory.
   void renew(const Blocks<D>& blocks, bool with_shear) noexcept;
 
@@ -71,7 +71,12 @@ class Candidates {
   /// One per pair; none at all when no law resists shear.
   std::span<ShearSpring<D>> shear() { return shear_; }
   /// Of the pairs whose contact is of potentials, in space.
-  DivisionPlans& plans() { return plans_; }
+  DivisionPlans& plans() {
+    plans_.serve_pairs(pairs_.size());
+    return plans_;
+  }
+  /// Takes the room for plans of all pairs, which a snapshot does not hold.
+  void reserve_plans() { plans_.reserve(pairs_.size()); }
   /// Gives free what plans take that are no more used, when that is more than what is.
   void tidy_plans() noexcept {
     if constexpr (D == 3) plans_.tidy(pairs_);

@@ -110,7 +110,9 @@ std::size_t World<D>::most_edges() const {
 
 template <int D>
 void World<D>::fit_potential_room() {
-  if (laws_.knows_potential()) potential_room_.reserve(most_edges());
+  if (!laws_.knows_potential()) return;
+  potential_room_.reserve(most_edges());
+  if constexpr (D == 3) candidates_.reserve_plans();
 }
 
 /// With room for a contact at every candidate: detection then asks for no memory. When there is none, nothing
@@ -118,7 +120,7 @@ void World<D>::fit_potential_room() {
 template <int D>
 void World<D>::renew_candidates() {
   const bool with_shear = laws_.any([](const SpringLaw& law) { return law.resists_shear(); });
-  candidates_.search_again(blocks_, settings_.skin, with_shear);
+  candidates_.search_again(blocks_, settings_.skin, with_shear, D == 3 && laws_.knows_potential());
   refit(touching_, candidates_.room());
   refit(forces_, candidates_.room());
   fit_potential_room();

@@ -91,6 +91,7 @@ bool Candidates<D>::is_consistent(const Blocks<D>& blocks) const {
   if (listed > slots || planned_.size() != listed || (!used_up_ && listed != slots)) return false;
   if (reference_position_.size() != listed || reference_rotation_.size() != listed) return false;
   if (!shear_.empty() && shear_.size() != pairs_.size()) return false;
+  if (!plans_.is_consistent()) return false;
   if (!reference_gradient_.empty() && reference_gradient_.size() > slots) return false;
   const auto lives = [&](std::int32_t slot) {
     return slot >= 0 && std::size_t(slot) < slots && blocks.lives(std::size_t(slot));

@@ -185,6 +185,7 @@ template <int D>
 void World<D>::evaluate_forces_for_host(double elapsed) {
   edit();  // springs and losses change outside the steps
   evaluate_forces(elapsed);
+  candidates_.tidy_plans();
   fix_potential_length();
 }
 
