@@ -28,8 +28,8 @@ namespace halfspace {
 /// Corners are numbered as they come, the further ones of a and of b from the same number on.
 using PlanCode = std::int16_t;
 
-constexpr int most_plan_faces = 32;       // of a block
-constexpr int most_plan_corners = 64;     // of what the blocks have in common and of the cells of one of them
+constexpr int most_plan_faces = 32;    // of a block
+constexpr int most_plan_corners = 64;  // of what the blocks have in common and of the cells of one of them
 constexpr std::size_t most_plan_codes = 4096;
 constexpr int most_faces_to_plan = 1024;  // of a block, whether they matter or not
 

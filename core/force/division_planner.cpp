@@ -85,19 +85,22 @@ void DivisionPlanner::begin(const PlacedBlock& a, const PlacedBlock& b, const Vo
   is_too_large_ = std::max(a.outline.face_count(), b.outline.face_count()) > most_faces_to_plan;
 }
 
-/// Unless it is known, as a shared one or as one of the same cells.
+/// Among those before it, as a shared one or as one of the same cells.
+bool DivisionPlanner::is_known(const Corner& corner, std::size_t before) const {
+  const double reach = one_place * size_;
+  return std::any_of(corners_.begin(), corners_.begin() + std::ptrdiff_t(before), [&](const Corner& known) {
+    return (is_shared(known) || known.kind == corner.kind) &&
+           (known.at - corner.at).squaredNorm() <= reach * reach;
+  });
+}
+
 void DivisionPlanner::add_corner(const Vector<3>& at, Kind kind) {
   is_too_large_ |= corners_.size() == most_corners;
   if (is_too_large_) return;
-  const double reach = one_place * size_;
-  for (const Corner& known : corners_) {
-    if (known.kind != shared && known.kind != kind) continue;
-    if ((known.at - at).squaredNorm() <= reach * reach) return;
-  }
   Corner corner{};
   corner.at = at;
   corner.kind = kind;
-  corners_.push_back(corner);
+  if (!is_known(corner, corners_.size())) corners_.push_back(corner);
 }
 
 /// Only faces that the depths at the corners leave in question matter.
@@ -372,12 +375,14 @@ std::span<const PlanCode> DivisionPlanner::make() {
   plan_.clear();
   if (is_too_large_) return {};
   measure_size();
-  for (Corner& corner : corners_) {
+  for (std::size_t c = 0; c < corners_.size(); ++c) {
+    Corner& corner = corners_[c];
     // Cutting has rounded its place: its faces tell better where it is, and from there which these are.
     find_faces(corner);
     locate(corner);
     find_faces(corner);
     if (!locate(corner)) return {};
+    if (is_known(corner, c)) corner.kind = none;
   }
   if (!sort_corners()) return {};
   for (const Array<NearFace>& near : near_) {

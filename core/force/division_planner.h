@@ -56,6 +56,7 @@ class DivisionPlanner {
   static Kind of_cells(int owner) { return owner == 0 ? of_cells_of_a : of_cells_of_b; }
   static bool is_shared(const Corner& corner) { return corner.kind <= shared; }
 
+  bool is_known(const Corner& corner, std::size_t before) const;
   void add_corner(const Vector<3>& at, Kind kind);
   void measure_size();
   void find_faces(Corner& corner) const;

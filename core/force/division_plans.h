@@ -114,7 +114,7 @@ class DivisionPlans {
 
   /// Mostly enough, were all pairs in contact: a plan has 200 to 500 codes.
   static std::size_t room_for(std::size_t pairs) {
-    return std::min<std::size_t>(most_plan_codes + 384 * pairs, INT32_MAX / 2);
+    return std::min<std::size_t>(most_plan_codes + 512 * pairs, INT32_MAX / 2);
   }
 
   void set_owner(std::size_t at, std::size_t owner) {
