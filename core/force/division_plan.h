@@ -13,13 +13,15 @@ namespace halfspace {
 ///
 /// A plan is a list of small numbers:
 ///
-///   for a, then for b: count of the faces that matter, these
-///   corners that are vertices of a: count, these; likewise of b; then others: count, three faces of each
-///   a solid: what the blocks have in common
-///   for a, then for b, cells by the nearest of its faces:
-///     further corners: count, three pairs of faces of each: as deep behind either, or on one, paired with
-///     none what a corner is nearest to: count, corner and face of each which faces a corner is on: count,
-///     corner and face of each cells: count, face and solid of each
+/// - for a, then for b: count of the faces that matter, these;
+/// - corners that are vertices of a: count, these; likewise of b; then others: count, three faces of each;
+/// - a solid: what the blocks have in common;
+/// - for a, then for b, what is divided by the nearest of its faces:
+///   - further corners: count, three pairs of faces of each: it is as deep behind either, or on one whose
+///     partner is none;
+///   - which faces a corner is nearest to: count, corner and face of each;
+///   - which faces a corner is on: count, corner and face of each;
+///   - cells: count, face and solid of each.
 ///
 /// A solid: the corner that its tetrahedra have in common; of each fan of triangles that make these with it
 /// the count of triangles, the corner that they have in common, and the corners along the other sides; 0.

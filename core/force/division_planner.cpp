@@ -15,6 +15,8 @@ constexpr double least_span = 1e-6;
 /// By so much, as a share of the whole, may the volumes of the solids be off from what they have been found
 /// to be.
 constexpr double volume_error = 1e-9;
+/// Those included that turn out to be none.
+constexpr std::size_t most_corners = most_division_crossings;
 
 template <class Visit>
 void for_each(std::uint64_t set, Visit visit) {
@@ -22,9 +24,6 @@ void for_each(std::uint64_t set, Visit visit) {
 }
 
 bool holds(std::uint64_t set, int element) { return set >> element & 1; }
-
-/// Those included that are none in the end.
-constexpr std::size_t most_corners = most_division_crossings;
 
 /// Planes that may tell where a corner is, by faces or by pairs of them: the first ones of too many.
 class PlanesOfCorner {
@@ -246,7 +245,7 @@ void DivisionPlanner::put_faces_of_corners(Set corners, FacesOf faces_of) {
   for_each(corners, [&](int c) {
     for_each(faces_of(corner(c)), [&](int f) {
       put({c, f});
-      ++plan_[at];
+      if (!is_too_large_) ++plan_[at];
     });
   });
 }
@@ -365,7 +364,7 @@ bool DivisionPlanner::put_cells(int owner) {
     for (int other = 0; other < near_count(owner); ++other)
       if (other != f) add_facet(of_cell & with(other), plane(owner, other).normal - plane(owner, f).normal);
     put({f});
-    if (!put_solid(volume)) return false;
+    if (!put_solid(volume) || is_too_large_) return false;
     ++plan_[at];
   }
   return true;

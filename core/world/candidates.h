@@ -16,7 +16,8 @@ namespace halfspace {
 
 struct NoPlan {};
 
-/// A pair of blocks near enough to touch soon, a < b, and what it remembers.
+/// A pair of blocks near enough to touch soon, a < b, and what it remembers. There is no gap between members
+/// or behind them: saved candidates hold no stray bytes.
 template <int D>
 struct Candidate {
   std::int32_t a;
