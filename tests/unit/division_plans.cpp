@@ -212,6 +212,21 @@ TEST_CASE("boxes whose faces are flush, or come to be, are planned or not, and p
   CHECK(followed > 300);
 }
 
+TEST_CASE("blocks of too many faces for a plan are pushed without one") {
+  Random random(207);
+  int planned = 0, unplanned = 0;
+  for (int round = 0; round < 60; ++round) {
+    const int vertices = round == 59 ? 500 : 8 + 2 * round;
+    PlannedPair pair(block_of(random_cloud(random, vertices, 1, 1)),
+                     block_of(random_cloud(random, vertices, 1, 1)));
+    pair.put(1, random.uniform(0.5, 1.8) * random_direction(random), {});
+    check_same(pair.planned(), pair.found());
+    (pair.known.knows() ? planned : unplanned) += 1;
+  }
+  CHECK(planned > 4);
+  CHECK(unplanned > 10);
+}
+
 TEST_CASE("plans are kept one by one, and room that none uses is given free") {
   Random random(204);
   struct Known {
