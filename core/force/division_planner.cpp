@@ -25,6 +25,12 @@ void for_each(std::uint64_t set, Visit visit) {
 
 bool holds(std::uint64_t set, int element) { return set >> element & 1; }
 
+double least_depth_behind(const Array<NearFace>& faces, const Vector<3>& at) {
+  double least = HUGE_VAL;
+  for (const NearFace& face : faces) least = std::min(least, face.plane.depth(at));
+  return least;
+}
+
 /// Planes that may tell where a corner is, by faces or by pairs of them: the first ones of too many.
 class PlanesOfCorner {
  public:
@@ -110,10 +116,7 @@ void DivisionPlanner::add_cells(int owner, const Array<NearFace>& near, const Ar
   for (const Vector<3>& at : places) add_corner(at, of_cells(owner));
   double reach = 0;
   for (const Corner& corner : corners_) {
-    if (corner.kind != shared && corner.kind != of_cells(owner)) continue;
-    double least = HUGE_VAL;
-    for (const NearFace& face : near) least = std::min(least, face.plane.depth(corner.at));
-    reach = std::max(reach, least);
+    if (is_of_cells(owner, corner)) reach = std::max(reach, least_depth_behind(near, corner.at));
   }
   near_[owner].clear();
   const double margin = plan_rounding_followed * size_;
@@ -125,8 +128,7 @@ void DivisionPlanner::add_cells(int owner, const Array<NearFace>& near, const Ar
 void DivisionPlanner::find_faces(Corner& corner) const {
   const double rounding = plan_rounding_made * size_;
   for (int owner = 0; owner < 2; ++owner) {
-    double least = HUGE_VAL;
-    for (const NearFace& face : near_[owner]) least = std::min(least, face.plane.depth(corner.at));
+    const double least = least_depth_behind(near_[owner], corner.at);
     corner.on[owner] = corner.nearest[owner] = 0;
     for (int f = 0; f < near_count(owner); ++f) {
       const double depth = plane(owner, f).depth(corner.at);
@@ -264,10 +266,10 @@ void DivisionPlanner::add_facet(Set corners, const Vector<3>& outward) {
   for (Facet& facet : facets_) {
     if ((corners & ~facet.corners) == 0) return;
     if ((facet.corners & ~corners) != 0) continue;
-    facet = {outward, corners};
+    facet = {outward, corners, {}};
     return;
   }
-  facets_.push_back({outward, corners});
+  facets_.push_back({outward, corners, {}});
 }
 
 /// Those that lie in the blocks' own faces.
@@ -279,9 +281,7 @@ void DivisionPlanner::find_facets(Set corners) {
                 plane(owner, f).normal);
 }
 
-/// Counter-clockwise seen from outside. Returns how many there are.
-std::size_t DivisionPlanner::go_around(const Facet& facet,
-                                       std::array<int, most_plan_corners>& corners) const {
+void DivisionPlanner::go_around(Facet& facet) const {
   Vector<3> center = Vector<3>::Zero();
   for_each(facet.corners, [&](int c) { center += corner(c).at / std::popcount(facet.corners); });
   const Vector<3> normal = facet.outward.normalized();
@@ -289,25 +289,23 @@ std::size_t DivisionPlanner::go_around(const Facet& facet,
   axis[std::abs(normal.x()) < 0.5 ? 0 : 1] = 1;
   const Vector<3> u = cross_product(normal, axis).normalized(), w = cross_product(normal, u);
   std::array<double, most_plan_corners> angle;
-  std::size_t count = 0;
+  auto end = facet.around.begin();
   for_each(facet.corners, [&](int c) {
     const Vector<3> arm = corner(c).at - center;
     angle[std::size_t(c)] = std::atan2(w.dot(arm), u.dot(arm));
-    corners[count++] = c;
+    *end++ = std::uint8_t(c);
   });
-  std::sort(corners.begin(), corners.begin() + std::ptrdiff_t(count),
+  std::sort(facet.around.begin(), end,
             [&](int c, int d) { return angle[std::size_t(c)] < angle[std::size_t(d)]; });
-  return count;
 }
 
 /// Along each edge there are two facets, one on either side.
 bool DivisionPlanner::is_closed() const {
   std::array<Set, most_plan_corners> to{}, from{};
-  std::array<int, most_plan_corners> around;
   for (const Facet& facet : facets_) {
-    const std::size_t count = go_around(facet, around);
+    const std::size_t count = std::size_t(std::popcount(facet.corners));
     for (std::size_t i = 0; i < count; ++i) {
-      const int c = around[i], d = around[(i + 1) % count];
+      const int c = facet.around[i], d = facet.around[(i + 1) % count];
       if (holds(to[std::size_t(c)], d)) return false;
       to[std::size_t(c)] |= Set(1) << d;
       from[std::size_t(d)] |= Set(1) << c;
@@ -317,11 +315,12 @@ bool DivisionPlanner::is_closed() const {
 }
 
 void DivisionPlanner::put_fan(const Facet& facet, int top, double& volume) {
-  std::array<int, most_plan_corners> around;
-  const std::size_t count = go_around(facet, around);
+  const std::size_t count = std::size_t(std::popcount(facet.corners));
   put({int(count) - 2});
-  for (std::size_t i = 0; i < count; ++i) put({around[i]});
-  const auto seen_from_top = [&](std::size_t i) { return Vector<3>(corner(around[i]).at - corner(top).at); };
+  for (std::size_t i = 0; i < count; ++i) put({facet.around[i]});
+  const auto seen_from_top = [&](std::size_t i) {
+    return Vector<3>(corner(facet.around[i]).at - corner(top).at);
+  };
   for (std::size_t i = 1; i + 1 < count; ++i)
     volume += seen_from_top(0).dot(cross_product(seen_from_top(i), seen_from_top(i + 1))) / 6;
 }
@@ -329,6 +328,7 @@ void DivisionPlanner::put_fan(const Facet& facet, int top, double& volume) {
 /// The fewest tetrahedra are those with a corner in most facets. False when corners are missing, or facets,
 /// or the volume.
 bool DivisionPlanner::put_solid(double expected) {
+  for (Facet& facet : facets_) go_around(facet);
   if (!is_closed()) return false;
   std::array<int, most_plan_corners> facets_at{};
   for (const Facet& facet : facets_) for_each(facet.corners, [&](int c) { ++facets_at[std::size_t(c)]; });
@@ -342,8 +342,7 @@ bool DivisionPlanner::put_solid(double expected) {
 }
 
 bool DivisionPlanner::put_cells(int owner) {
-  const Set corners =
-      corners_with([&](const Corner& c) { return is_shared(c) || c.kind == of_cells(owner); });
+  const Set corners = corners_with([&](const Corner& c) { return is_of_cells(owner, c); });
   put({count(of_cells(owner))});
   for (const Corner& corner : corners_) {
     if (corner.kind != of_cells(owner)) continue;

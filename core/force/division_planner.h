@@ -51,10 +51,14 @@ class DivisionPlanner {
   struct Facet {
     Vector<3> outward;
     Set corners;
+    std::array<std::uint8_t, most_plan_corners> around;  // counter-clockwise seen from outside
   };
 
   static Kind of_cells(int owner) { return owner == 0 ? of_cells_of_a : of_cells_of_b; }
   static bool is_shared(const Corner& corner) { return corner.kind <= shared; }
+  static bool is_of_cells(int owner, const Corner& corner) {
+    return is_shared(corner) || corner.kind == of_cells(owner);
+  }
 
   bool is_known(const Corner& corner, std::size_t before) const;
   void add_corner(const Vector<3>& at, Kind kind);
@@ -73,7 +77,7 @@ class DivisionPlanner {
   template <class FacesOf>
   void put_faces_of_corners(Set corners, FacesOf faces_of);
   bool put_solid(double expected);
-  std::size_t go_around(const Facet& facet, std::array<int, most_plan_corners>& corners) const;
+  void go_around(Facet& facet) const;
   bool is_closed() const;
   void put_fan(const Facet& facet, int top, double& volume);
   template <class Has>

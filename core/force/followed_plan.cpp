@@ -55,7 +55,6 @@ class Follower {
 
  private:
   PlanCode next() { return *code_++; }
-  Vector<3> place(int corner) const { return {corners_[corner].x, corners_[corner].y, corners_[corner].z}; }
 
   void find_planes() {
     double largest_offset = 0;

@@ -141,8 +141,7 @@ void Candidates<D>::resize(std::size_t slots, bool with_gradients) {
 }
 
 template <int D>
-void Candidates<D>::search_again(const Blocks<D>& blocks, double relative_skin, bool with_shear,
-                                 bool with_plans) {
+void Candidates<D>::search_again(const Blocks<D>& blocks, double relative_skin, bool with_shear) {
   resize(blocks.slot_count(), !blocks.deformations().empty());
   choose_skins(blocks, relative_skin);
   search(blocks);
@@ -152,7 +151,6 @@ void Candidates<D>::search_again(const Blocks<D>& blocks, double relative_skin, 
   const std::size_t most = std::max(room_, sorted_.size() + std::size_t(bonded));
   refit(next_pairs_, most);
   refit(next_shear_, with_shear ? most : 0);
-  if (with_plans) plans_.reserve(most);
 }
 
 template <int D>

@@ -52,9 +52,9 @@ class Candidates {
   }
 
   /// Searches again and takes all memory that the new list needs: the pairs in use stay as they are, and as
-  /// remembered. `relative_skin` is the skin as a share of a block's size; `with_shear` and `with_plans` say
-  /// whether any law needs a shear spring, or plans.
-  void search_again(const Blocks<D>& blocks, double relative_skin, bool with_shear, bool with_plans);
+  /// remembered. `relative_skin` is the skin as a share of a block's size; `with_shear` says whether any law
+  /// needs a shear spring.
+  void search_again(const Blocks<D>& blocks, double relative_skin, bool with_shear);
   /// Takes the new list into use. Pairs that stay keep their memory.
   void renew(const Blocks<D>& blocks, bool with_shear) noexcept;
 
@@ -76,8 +76,9 @@ class Candidates {
     plans_.serve_pairs(pairs_.size());
     return plans_;
   }
-  /// Takes the room for plans of all pairs, which a snapshot does not hold.
-  void reserve_plans() { plans_.reserve(pairs_.size()); }
+  /// Takes the room for plans of all pairs, also of a list that is to be taken into use; a snapshot does not
+  /// hold it.
+  void reserve_plans() { plans_.reserve(room()); }
   /// Gives free what plans take that are no more used, when that is more than what is.
   void tidy_plans() noexcept {
     if constexpr (D == 3) plans_.tidy(pairs_);

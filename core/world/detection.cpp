@@ -120,7 +120,7 @@ void World<D>::fit_potential_room() {
 template <int D>
 void World<D>::renew_candidates() {
   const bool with_shear = laws_.any([](const SpringLaw& law) { return law.resists_shear(); });
-  candidates_.search_again(blocks_, settings_.skin, with_shear, D == 3 && laws_.knows_potential());
+  candidates_.search_again(blocks_, settings_.skin, with_shear);
   refit(touching_, candidates_.room());
   refit(forces_, candidates_.room());
   fit_potential_room();

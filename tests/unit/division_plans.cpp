@@ -141,11 +141,8 @@ TEST_CASE("a plan made where much lies in one place is not believed once that pa
   for (const Vector<3>& size :
        {Vector<3>(1, 2, 3), Vector<3>(2, 1, 1), Vector<3>(1, 2, 1), Vector<3>(1, 1, 2), Vector<3>(1, 1, 1),
         Vector<3>(4, 0.125, 0.125), Vector<3>(4, 4, 0.25)}) {
-    Cloud corners;
-    for (int k = 0; k < 8; ++k)
-      corners.push_back(0.5 * Vector<3>(k & 1 ? size.x() : -size.x(), k & 2 ? size.y() : -size.y(),
-                                        k & 4 ? size.z() : -size.z()));
-    shapes.push_back(corners);
+    const Polyhedron cuboid = box(size);
+    shapes.emplace_back(cuboid.vertices.begin(), cuboid.vertices.end());
   }
   int followed = 0, refused = 0;
   for (const Cloud& a : shapes) {
