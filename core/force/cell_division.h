@@ -16,7 +16,7 @@ struct NearFace {
   VolumeAndMoment cell;
 };
 
-constexpr std::size_t most_division_crossings = 256;  // that are remembered
+constexpr std::size_t most_division_crossings = 512;  // that are remembered
 
 /// Divides a polyhedron among the faces that its points are nearest to. Two faces have a part of it each,
 /// where they are nearer than the other; of what they do not win against one there, a third one has nothing

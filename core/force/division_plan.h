@@ -13,27 +13,29 @@ namespace halfspace {
 ///
 /// A plan is a list of small numbers:
 ///
-/// - for a, then for b: count of the faces that matter, these;
-/// - corners that are vertices of a: count, these; likewise of b; then others: count, three faces of each;
-/// - a solid: what the blocks have in common;
+/// - for a, then for b: which of each four of its faces matter, bit by bit; count of these, which they are;
+/// - planes between faces of one block, on which points are as deep behind either: count, two planes of each;
+/// - corners that are vertices of a: count, these; likewise of b; then others: count, three planes of each;
+/// - what the blocks have in common: count of tetrahedra, the four corners of each, the first one the same;
 /// - for a, then for b, what is divided by the nearest of its faces:
-///   - further corners: count, three pairs of faces of each: it is as deep behind either, or on one whose
-///     partner is none;
-///   - which faces a corner is nearest to: count, corner and face of each;
-///   - which faces a corner is on: count, corner and face of each;
-///   - cells: count, face and solid of each.
+///   - the faces that corners are nearest to: count, depth of each;
+///   - the faces that corners are on: count, depth of each;
+///   - cells: count of tetrahedra, the face and the four corners of each.
 ///
-/// A solid: the corner that its tetrahedra have in common; of each fan of triangles that make these with it
-/// the count of triangles, the corner that they have in common, and the corners along the other sides; 0.
-///
-/// Faces are numbered as listed, in pairs and triples those of b after those of a, and none after them.
-/// Corners are numbered as they come, the further ones of a and of b from the same number on.
+/// Planes and corners are numbered as they come. Where a block is divided its faces that matter count from 0;
+/// the depth of a corner behind one has the number that plan_depth() says. The count of tetrahedra is a
+/// multiple of four, the last ones may have no volume.
 using PlanCode = std::int16_t;
 
-constexpr int most_plan_faces = 32;    // of a block
-constexpr int most_plan_corners = 64;  // of what the blocks have in common and of the cells of one of them
+constexpr int most_plan_faces = 32;      // of a block
+constexpr int most_plan_corners = 128;   // of what the blocks have in common, and of all cells
+constexpr int most_planes_between = 96;  // faces of a block
+constexpr int most_plan_planes = 2 * most_plan_faces + most_planes_between;
 constexpr std::size_t most_plan_codes = 4096;
 constexpr int most_faces_to_plan = 1024;  // of a block, whether they matter or not
+
+constexpr int plan_depth(int face, int corner) { return most_plan_corners * face + corner; }
+constexpr int corner_of_plan_depth(int number) { return int(unsigned(number) % most_plan_corners); }
 
 /// Distances below this share of the blocks' size are rounding, where a plan is made and where it is
 /// followed: what is made out to lie together still does when it is looked at again.

@@ -8,10 +8,7 @@ namespace halfspace {
 namespace {
 
 /// Corners nearer to each other than this share of the blocks' size are one.
-constexpr double one_place = 0x1p-40;
-/// So far at least the planes that tell where a corner is are from meeting in a line: the volume that their
-/// normals span.
-constexpr double least_span = 1e-6;
+constexpr double one_place = 0x1p-36;
 /// By so much, as a share of the whole, may the volumes of the solids be off from what they have been found
 /// to be.
 constexpr double volume_error = 1e-9;
@@ -19,11 +16,9 @@ constexpr double volume_error = 1e-9;
 constexpr std::size_t most_corners = most_division_crossings;
 
 template <class Visit>
-void for_each(std::uint64_t set, Visit visit) {
-  for (; set != 0; set &= set - 1) visit(std::countr_zero(set));
+void for_each(std::uint64_t faces, Visit visit) {
+  for (; faces != 0; faces &= faces - 1) visit(std::countr_zero(faces));
 }
-
-bool holds(std::uint64_t set, int element) { return set >> element & 1; }
 
 double least_depth_behind(const Array<NearFace>& faces, const Vector<3>& at) {
   double least = HUGE_VAL;
@@ -31,51 +26,15 @@ double least_depth_behind(const Array<NearFace>& faces, const Vector<3>& at) {
   return least;
 }
 
-/// Planes that may tell where a corner is, by faces or by pairs of them: the first ones of too many.
-class PlanesOfCorner {
- public:
-  void add(const std::array<PlanCode, 2>& faces, const Vector<3>& normal, double depth) {
-    if (count_ == faces_.size()) return;
-    faces_[count_] = faces;
-    depth_[count_] = depth;
-    normal_[count_++] = normal;
-  }
-
-  /// By the three that are farthest from meeting in a line. False when all but do.
-  bool locate(Vector<3>& at, std::array<std::array<PlanCode, 2>, 3>& faces) const {
-    double largest = 0;
-    Vector<3> to_planes = Vector<3>::Zero();
-    for (std::size_t i = 0; i < count_; ++i)
-      for (std::size_t j = i + 1; j < count_; ++j) {
-        const Vector<3> along = cross_product(normal_[i], normal_[j]);
-        for (std::size_t k = j + 1; k < count_; ++k) {
-          const double span = along.dot(normal_[k]);
-          if (std::abs(span) <= largest) continue;
-          largest = std::abs(span);
-          faces = {faces_[i], faces_[j], faces_[k]};
-          to_planes = (depth_[k] * along + depth_[i] * cross_product(normal_[j], normal_[k]) +
-                       depth_[j] * cross_product(normal_[k], normal_[i])) /
-                      span;
-        }
-      }
-    at += to_planes;
-    return largest > least_span;
-  }
-
- private:
-  std::array<std::array<PlanCode, 2>, 16> faces_;
-  std::array<Vector<3>, 16> normal_;
-  std::array<double, 16> depth_;  // of the place where the corner was thought to be
-  std::size_t count_ = 0;
-};
-
 }  // namespace
 
 void DivisionPlanner::reserve() {
   corners_.reserve(most_corners);
   for (Array<NearFace>& near : near_) near.reserve(2 * most_plan_faces);
-  facets_.reserve(3 * most_plan_faces);
-  plan_.reserve(most_plan_codes);
+  between_.reserve(3 * most_plan_corners);
+  places_.reserve(most_plan_corners);
+  solid_.reserve();
+  writer_.reserve();
 }
 
 void DivisionPlanner::begin(const PlacedBlock& a, const PlacedBlock& b, const VolumeAndMoment& content) {
@@ -125,17 +84,39 @@ void DivisionPlanner::add_cells(int owner, const Array<NearFace>& near, const Ar
   is_too_large_ |= near_[owner].size() > most_plan_faces;
 }
 
-void DivisionPlanner::find_faces(Corner& corner) const {
+DivisionPlanner::FacesOfCorner DivisionPlanner::faces_at(const Vector<3>& at) const {
   const double rounding = plan_rounding_made * size_;
+  FacesOfCorner faces{};
   for (int owner = 0; owner < 2; ++owner) {
-    const double least = least_depth_behind(near_[owner], corner.at);
-    corner.on[owner] = corner.nearest[owner] = 0;
+    const double least = least_depth_behind(near_[owner], at);
     for (int f = 0; f < near_count(owner); ++f) {
-      const double depth = plane(owner, f).depth(corner.at);
-      corner.on[owner] |= Set(depth <= rounding) << f;
-      corner.nearest[owner] |= Set(depth <= least + rounding) << f;
+      const double depth = plane(owner, f).depth(at);
+      faces.on[owner] |= FaceSet(depth <= rounding) << f;
+      faces.nearest[owner] |= FaceSet(depth <= least + rounding) << f;
     }
   }
+  return faces;
+}
+
+/// Cutting has rounded its place: its faces tell better where it is, and from there which these are.
+bool DivisionPlanner::find_corner(Corner& corner) const {
+  corner.faces = faces_at(corner.at);
+  for (int round = 0; round < 4; ++round) {
+    const bool is_located = locate(corner);
+    if (corner.kind == none) return true;
+    const FacesOfCorner faces = faces_at(corner.at);
+    if (faces == corner.faces) return is_located;
+    corner.faces = faces;
+  }
+  return false;
+}
+
+bool DivisionPlanner::find_corners() {
+  for (std::size_t c = 0; c < corners_.size(); ++c) {
+    if (!find_corner(corners_[c])) return false;
+    if (is_known(corners_[c], c)) corners_[c].kind = none;
+  }
+  return sort_corners();
 }
 
 /// As who follows the plan finds it, too.
@@ -148,13 +129,14 @@ void DivisionPlanner::measure_size() {
 }
 
 bool DivisionPlanner::is_vertex_of(int owner, Corner& corner) const {
-  if (std::popcount(corner.on[owner]) < 3) return false;
+  if (std::popcount(corner.faces.on[owner]) < 3) return false;
   const Outline<3>& outline = block_[owner]->outline;
   const Vector<3> at = corner.at - block_[owner]->at;
   const double rounding = plan_rounding_made * size_;
   for (std::int32_t v = 0; v < outline.vertex_count(); ++v) {
     if ((outline.vertex(v) - at).squaredNorm() > rounding * rounding) continue;
     corner.vertex = v;
+    corner.at = outline.vertex(v) + block_[owner]->at;
     corner.kind = owner == 0 ? vertex_of_a : vertex_of_b;
     return true;
   }
@@ -162,33 +144,33 @@ bool DivisionPlanner::is_vertex_of(int owner, Corner& corner) const {
 }
 
 bool DivisionPlanner::locate_by_faces(Corner& corner) const {
-  const int nothing = near_count(0) + near_count(1);
+  const int nothing = all_near();
   PlanesOfCorner candidates;
   for (int owner = 0; owner < 2; ++owner) {
     const int first = owner == 0 ? 0 : near_count(0);
-    for_each(corner.on[owner], [&](int f) {
+    for_each(corner.faces.on[owner], [&](int f) {
       candidates.add({PlanCode(first + f), PlanCode(nothing)}, plane(owner, f).normal,
                      plane(owner, f).depth(corner.at));
     });
     if (corner.kind != of_cells(owner)) continue;
-    const int one = std::countr_zero(corner.nearest[owner]);
-    for_each(corner.nearest[owner] & (corner.nearest[owner] - 1), [&](int f) {
+    const int one = std::countr_zero(corner.faces.nearest[owner]);
+    for_each(corner.faces.nearest[owner] & (corner.faces.nearest[owner] - 1), [&](int f) {
       candidates.add({PlanCode(first + one), PlanCode(first + f)},
                      plane(owner, one).normal - plane(owner, f).normal,
                      plane(owner, one).depth(corner.at) - plane(owner, f).depth(corner.at));
     });
   }
-  return candidates.locate(corner.at, corner.faces);
+  return candidates.locate(corner.at, corner.told_by);
 }
 
 /// Who follows the plan looks at the depths behind the owner's faces only: the other block's have to be among
 /// those that tell where a corner of cells is.
 bool DivisionPlanner::is_told_by_faces_of_other(const Corner& corner) const {
   const int other = corner.kind == of_cells_of_a ? 1 : 0, first = other == 0 ? 0 : near_count(0);
-  Set told = 0;
-  for (const FacePair& faces : corner.faces)
-    if (faces[0] >= first && faces[0] < first + near_count(other)) told |= Set(1) << (faces[0] - first);
-  return (corner.on[other] & ~told) == 0;
+  FaceSet told = 0;
+  for (const FacePair& faces : corner.told_by)
+    if (faces[0] >= first && faces[0] < first + near_count(other)) told |= FaceSet(1) << (faces[0] - first);
+  return (corner.faces.on[other] & ~told) == 0;
 }
 
 /// A place where planes between faces cross what was but an edge of a part on the way is no corner.
@@ -211,189 +193,137 @@ bool DivisionPlanner::sort_corners() {
   std::sort(corners_.begin(), corners_.end(),
             [](const Corner& p, const Corner& q) { return p.kind < q.kind; });
   while (!corners_.empty() && corners_.back().kind == none) corners_.pop_back();
-  const int common = count(vertex_of_a) + count(vertex_of_b) + count(shared);
-  return common + std::max(count(of_cells_of_a), count(of_cells_of_b)) <= most_plan_corners;
+  return corners_.size() <= std::size_t(most_plan_corners);
 }
 
-int DivisionPlanner::count(Kind kind) const {
-  return int(std::count_if(corners_.begin(), corners_.end(),
-                           [kind](const Corner& corner) { return corner.kind == kind; }));
-}
-
-void DivisionPlanner::put(std::initializer_list<int> codes) {
-  is_too_large_ |= plan_.size() + codes.size() > most_plan_codes;
-  if (is_too_large_) return;
-  for (const int code : codes) plan_.push_back(PlanCode(code));
-}
-
-void DivisionPlanner::put_shared_corners() {
-  for (const Kind kind : {vertex_of_a, vertex_of_b, shared}) {
-    put({count(kind)});
-    for (const Corner& corner : corners_) {
-      if (corner.kind != kind) continue;
-      if (kind == shared) {
-        put({corner.faces[0][0], corner.faces[1][0], corner.faces[2][0]});
-      } else {
-        put({corner.vertex});
-      }
+void DivisionPlanner::list_corners_of_faces() {
+  shared_ = of_cells_[0] = of_cells_[1] = {};
+  for (int owner = 0; owner < 2; ++owner) {
+    std::fill_n(on_[owner], near_count(owner), CornerSet());
+    std::fill_n(nearest_[owner], near_count(owner), CornerSet());
+  }
+  places_.clear();
+  for (const Corner& corner : corners_) {
+    const int c = int(places_.size());
+    places_.push_back(corner.at);
+    if (is_shared(corner)) shared_.add(c);
+    for (int owner = 0; owner < 2; ++owner) {
+      if (is_of_cells(owner, corner)) of_cells_[owner].add(c);
+      for_each(corner.faces.on[owner], [&](int f) { on_[owner][f].add(c); });
+      for_each(corner.faces.nearest[owner], [&](int f) { nearest_[owner][f].add(c); });
     }
   }
 }
 
-template <class FacesOf>
-void DivisionPlanner::put_faces_of_corners(Set corners, FacesOf faces_of) {
-  const std::size_t at = plan_.size();
-  put({0});
-  for_each(corners, [&](int c) {
-    for_each(faces_of(corner(c)), [&](int f) {
-      put({c, f});
-      if (!is_too_large_) ++plan_[at];
-    });
-  });
-}
-
-template <class Has>
-DivisionPlanner::Set DivisionPlanner::corners_with(Has has) const {
-  Set set = 0;
-  const int corners = std::min(int(corners_.size()), most_plan_corners);
-  for (int c = 0; c < corners; ++c) set |= Set(has(corner(c))) << c;
-  return set;
-}
-
-/// One that has all corners of another takes its place: where faces of both blocks lie in one plane.
-void DivisionPlanner::add_facet(Set corners, const Vector<3>& outward) {
-  if (std::popcount(corners) < 3) return;
-  for (Facet& facet : facets_) {
-    if ((corners & ~facet.corners) == 0) return;
-    if ((facet.corners & ~corners) != 0) continue;
-    facet = {outward, corners, {}};
-    return;
+void DivisionPlanner::put_faces() {
+  for (int owner = 0; owner < 2; ++owner) {
+    const int face_count = block_[owner]->outline.face_count();
+    const auto matters = [&](int face) {
+      return face >= face_count || std::any_of(near_[owner].begin(), near_[owner].end(),
+                                               [&](const NearFace& near) { return near.face == face; });
+    };
+    for (int f = 0; f < face_count; f += 4)
+      writer_.put({matters(f) | matters(f + 1) << 1 | matters(f + 2) << 2 | matters(f + 3) << 3});
+    writer_.begin_list();
+    for (const NearFace& face : near_[owner]) writer_.put_in_list({face.face});
   }
-  facets_.push_back({outward, corners, {}});
 }
 
-/// Those that lie in the blocks' own faces.
-void DivisionPlanner::find_facets(Set corners) {
-  facets_.clear();
+void DivisionPlanner::put_planes_between() {
+  between_.clear();
+  for (const Corner& corner : corners_) {
+    if (corner.kind < shared) continue;
+    for (const FacePair& faces : corner.told_by)
+      if (number_of_plane(faces) == all_near() + int(between_.size())) between_.push_back(faces);
+  }
+  is_too_large_ |= between_.size() > std::size_t(most_planes_between);
+  writer_.begin_list();
+  for (const FacePair& faces : between_) writer_.put_in_list({faces[0], faces[1]});
+}
+
+int DivisionPlanner::number_of_plane(const FacePair& faces) const {
+  if (faces[1] == all_near()) return faces[0];
+  return all_near() + int(std::find(between_.begin(), between_.end(), faces) - between_.begin());
+}
+
+void DivisionPlanner::put_corners() {
+  for (const Kind kind : {vertex_of_a, vertex_of_b}) {
+    writer_.begin_list();
+    for (const Corner& corner : corners_)
+      if (corner.kind == kind) writer_.put_in_list({corner.vertex});
+  }
+  writer_.begin_list();
+  for (const Corner& corner : corners_) {
+    if (corner.kind < shared) continue;
+    const auto& [p, q, r] = corner.told_by;
+    writer_.put_in_list({number_of_plane(p), number_of_plane(q), number_of_plane(r)});
+  }
+}
+
+/// With the facets that lie in the blocks' own faces.
+void DivisionPlanner::begin_solid(const CornerSet& corners) {
+  solid_.begin(places_);
   for (int owner = 0; owner < 2; ++owner)
     for (int f = 0; f < near_count(owner); ++f)
-      add_facet(corners & corners_with([&](const Corner& c) { return holds(c.on[owner], f); }),
-                plane(owner, f).normal);
+      solid_.add_facet(corners & on_[owner][f], plane(owner, f).normal);
 }
 
-void DivisionPlanner::go_around(Facet& facet) const {
-  Vector<3> center = Vector<3>::Zero();
-  for_each(facet.corners, [&](int c) { center += corner(c).at / std::popcount(facet.corners); });
-  const Vector<3> normal = facet.outward.normalized();
-  Vector<3> axis = Vector<3>::Zero();
-  axis[std::abs(normal.x()) < 0.5 ? 0 : 1] = 1;
-  const Vector<3> u = cross_product(normal, axis).normalized(), w = cross_product(normal, u);
-  std::array<double, most_plan_corners> angle;
-  auto end = facet.around.begin();
-  for_each(facet.corners, [&](int c) {
-    const Vector<3> arm = corner(c).at - center;
-    angle[std::size_t(c)] = std::atan2(w.dot(arm), u.dot(arm));
-    *end++ = std::uint8_t(c);
+bool DivisionPlanner::put_whole() {
+  begin_solid(shared_);
+  if (!solid_.close()) return false;
+  writer_.begin_list();
+  int top = 0;
+  const double volume = solid_.divide([&](const PlannedSolid::Tetrahedron& corners) {
+    const auto& [first, p, q, r] = corners;
+    top = first;
+    writer_.put_in_list({top, p, q, r});
   });
-  std::sort(facet.around.begin(), end,
-            [&](int c, int d) { return angle[std::size_t(c)] < angle[std::size_t(d)]; });
+  writer_.fill_list_of_tetrahedra({top, top, top, top});
+  return std::abs(volume - volume_) <= volume_error * volume_;
 }
 
-/// Along each edge there are two facets, one on either side.
-bool DivisionPlanner::is_closed() const {
-  std::array<Set, most_plan_corners> to{}, from{};
-  for (const Facet& facet : facets_) {
-    const std::size_t count = std::size_t(std::popcount(facet.corners));
-    for (std::size_t i = 0; i < count; ++i) {
-      const int c = facet.around[i], d = facet.around[(i + 1) % count];
-      if (holds(to[std::size_t(c)], d)) return false;
-      to[std::size_t(c)] |= Set(1) << d;
-      from[std::size_t(d)] |= Set(1) << c;
-    }
-  }
-  return to == from;
-}
-
-void DivisionPlanner::put_fan(const Facet& facet, int top, double& volume) {
-  const std::size_t count = std::size_t(std::popcount(facet.corners));
-  put({int(count) - 2});
-  for (std::size_t i = 0; i < count; ++i) put({facet.around[i]});
-  const auto seen_from_top = [&](std::size_t i) {
-    return Vector<3>(corner(facet.around[i]).at - corner(top).at);
-  };
-  for (std::size_t i = 1; i + 1 < count; ++i)
-    volume += seen_from_top(0).dot(cross_product(seen_from_top(i), seen_from_top(i + 1))) / 6;
-}
-
-/// The fewest tetrahedra are those with a corner in most facets. False when corners are missing, or facets,
-/// or the volume.
-bool DivisionPlanner::put_solid(double expected) {
-  for (Facet& facet : facets_) go_around(facet);
-  if (!is_closed()) return false;
-  std::array<int, most_plan_corners> facets_at{};
-  for (const Facet& facet : facets_) for_each(facet.corners, [&](int c) { ++facets_at[std::size_t(c)]; });
-  const int top = int(std::max_element(facets_at.begin(), facets_at.end()) - facets_at.begin());
-  put({top});
-  double volume = 0;
-  for (const Facet& facet : facets_)
-    if (!holds(facet.corners, top)) put_fan(facet, top, volume);
-  put({0});
-  return std::abs(volume - expected) <= volume_error * volume_;
+void DivisionPlanner::put_depths(int owner, const CornerSet (&corners_of_face)[most_plan_faces]) {
+  writer_.begin_list();
+  for (int f = 0; f < near_count(owner); ++f)
+    (corners_of_face[f] & of_cells_[owner]).for_each([&](int c) { writer_.put_in_list({plan_depth(f, c)}); });
 }
 
 bool DivisionPlanner::put_cells(int owner) {
-  const Set corners = corners_with([&](const Corner& c) { return is_of_cells(owner, c); });
-  put({count(of_cells(owner))});
-  for (const Corner& corner : corners_) {
-    if (corner.kind != of_cells(owner)) continue;
-    for (const FacePair& faces : corner.faces) put({faces[0], faces[1]});
-  }
-  put_faces_of_corners(corners, [&](const Corner& c) { return c.nearest[owner]; });
-  put_faces_of_corners(corners, [&](const Corner& c) { return c.on[owner]; });
-  const std::size_t at = plan_.size();
-  put({0});
+  put_depths(owner, nearest_[owner]);
+  put_depths(owner, on_[owner]);
+  writer_.begin_list();
   for (int f = 0; f < near_count(owner); ++f) {
-    const double volume = near_[owner][std::size_t(f)].cell.volume;
-    if (volume == 0) continue;
-    const auto with = [&](int face) {
-      return corners & corners_with([&](const Corner& c) { return holds(c.nearest[owner], face); });
-    };
-    const Set of_cell = with(f);
-    find_facets(of_cell);
+    const double expected = near_[owner][std::size_t(f)].cell.volume;
+    if (expected == 0) continue;
+    const CornerSet of_cell = of_cells_[owner] & nearest_[owner][f];
+    begin_solid(of_cell);
     for (int other = 0; other < near_count(owner); ++other)
-      if (other != f) add_facet(of_cell & with(other), plane(owner, other).normal - plane(owner, f).normal);
-    put({f});
-    if (!put_solid(volume) || is_too_large_) return false;
-    ++plan_[at];
+      if (other != f)
+        solid_.add_facet(of_cell & nearest_[owner][other],
+                         plane(owner, other).normal - plane(owner, f).normal);
+    if (!solid_.close()) return false;
+    const double volume = solid_.divide([&](const PlannedSolid::Tetrahedron& corners) {
+      const auto& [top, p, q, r] = corners;
+      writer_.put_in_list({f, top, p, q, r});
+    });
+    if (!(std::abs(volume - expected) <= volume_error * volume_)) return false;
   }
+  writer_.fill_list_of_tetrahedra({0, 0, 0, 0, 0});
   return true;
 }
 
 std::span<const PlanCode> DivisionPlanner::make() {
-  plan_.clear();
   if (is_too_large_) return {};
   measure_size();
-  for (std::size_t c = 0; c < corners_.size(); ++c) {
-    Corner& corner = corners_[c];
-    // Cutting has rounded its place: its faces tell better where it is, and from there which these are.
-    find_faces(corner);
-    locate(corner);
-    find_faces(corner);
-    if (!locate(corner)) return {};
-    if (is_known(corner, c)) corner.kind = none;
-  }
-  if (!sort_corners()) return {};
-  for (const Array<NearFace>& near : near_) {
-    put({int(near.size())});
-    for (const NearFace& face : near) put({face.face});
-  }
-  put_shared_corners();
-  find_facets(corners_with(is_shared));
-  if (!put_solid(volume_) || !put_cells(0)) return {};
-  // Those of b have the numbers that those of a have had.
-  std::erase_if(corners_, [](const Corner& corner) { return corner.kind == of_cells_of_a; });
-  const bool is_whole = put_cells(1) && !is_too_large_;
-  return is_whole ? std::span<const PlanCode>(plan_) : std::span<const PlanCode>();
+  if (!find_corners()) return {};
+  list_corners_of_faces();
+  writer_.begin();
+  put_faces();
+  put_planes_between();
+  put_corners();
+  const bool is_whole = put_whole() && put_cells(0) && put_cells(1);
+  if (!is_whole || is_too_large_ || writer_.is_too_long()) return {};
+  return writer_.plan();
 }
 
 }  // namespace halfspace

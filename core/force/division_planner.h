@@ -5,8 +5,10 @@
 #include <span>
 
 #include "force/cell_division.h"
-#include "force/division_plan.h"
 #include "force/placed_block.h"
+#include "force/plan_writer.h"
+#include "force/planes_of_corner.h"
+#include "force/planned_solid.h"
 
 namespace halfspace {
 
@@ -17,8 +19,10 @@ class DivisionPlanner {
   explicit DivisionPlanner(Memory* memory)
       : corners_(memory),
         near_{Array<NearFace>(memory), Array<NearFace>(memory)},
-        facets_(memory),
-        plan_(memory) {}
+        between_(memory),
+        places_(memory),
+        solid_(memory),
+        writer_(memory) {}
 
   /// Room for all plans: what would need more is not planned.
   void reserve();
@@ -36,22 +40,21 @@ class DivisionPlanner {
   std::span<const PlanCode> make();
 
  private:
-  using Set = std::uint64_t;  // of faces or corners
+  using FaceSet = std::uint64_t;
   enum Kind { vertex_of_a, vertex_of_b, shared, of_cells_of_a, of_cells_of_b, none };
-  using FacePair = std::array<PlanCode, 2>;
 
+  struct FacesOfCorner {
+    FaceSet on[2];  // of a, of b
+    FaceSet nearest[2];
+
+    bool operator==(const FacesOfCorner&) const = default;
+  };
   struct Corner {
     Vector<3> at;
     Kind kind;
     std::int32_t vertex;
-    Set on[2];  // faces of a, of b
-    Set nearest[2];
-    std::array<FacePair, 3> faces;  // which tell where it is
-  };
-  struct Facet {
-    Vector<3> outward;
-    Set corners;
-    std::array<std::uint8_t, most_plan_corners> around;  // counter-clockwise seen from outside
+    FacesOfCorner faces;
+    std::array<FacePair, 3> told_by;
   };
 
   static Kind of_cells(int owner) { return owner == 0 ? of_cells_of_a : of_cells_of_b; }
@@ -63,36 +66,39 @@ class DivisionPlanner {
   bool is_known(const Corner& corner, std::size_t before) const;
   void add_corner(const Vector<3>& at, Kind kind);
   void measure_size();
-  void find_faces(Corner& corner) const;
-  bool is_vertex_of(int owner, Corner& corner) const;
+  bool find_corners();
+  bool find_corner(Corner& corner) const;
+  FacesOfCorner faces_at(const Vector<3>& at) const;
   bool locate(Corner& corner) const;
+  bool is_vertex_of(int owner, Corner& corner) const;
   bool locate_by_faces(Corner& corner) const;
   bool is_told_by_faces_of_other(const Corner& corner) const;
   bool sort_corners();
+  void list_corners_of_faces();
 
-  int count(Kind kind) const;
-  void put(std::initializer_list<int> codes);
-  void put_shared_corners();
+  void put_faces();
+  void put_planes_between();
+  int number_of_plane(const FacePair& faces) const;
+  void put_corners();
+  bool put_whole();
   bool put_cells(int owner);
-  template <class FacesOf>
-  void put_faces_of_corners(Set corners, FacesOf faces_of);
-  bool put_solid(double expected);
-  void go_around(Facet& facet) const;
-  bool is_closed() const;
-  void put_fan(const Facet& facet, int top, double& volume);
-  template <class Has>
-  Set corners_with(Has has) const;
-  void find_facets(Set corners);
-  void add_facet(Set corners, const Vector<3>& outward);
+  void put_depths(int owner, const CornerSet (&corners_of_face)[most_plan_faces]);
+  void begin_solid(const CornerSet& corners);
 
   const CuttingPlane& plane(int owner, int face) const { return near_[owner][std::size_t(face)].plane; }
-  const Corner& corner(int c) const { return corners_[std::size_t(c)]; }
   int near_count(int owner) const { return int(near_[owner].size()); }
+  int all_near() const { return near_count(0) + near_count(1); }
 
   Array<Corner> corners_;
   Array<NearFace> near_[2];
-  Array<Facet> facets_;
-  Array<PlanCode> plan_;
+  Array<FacePair> between_;
+  Array<Vector<3>> places_;  // of the corners
+  CornerSet shared_;
+  CornerSet of_cells_[2];
+  CornerSet on_[2][most_plan_faces];  // which corners are on a face, or nearest to it
+  CornerSet nearest_[2][most_plan_faces];
+  PlannedSolid solid_;
+  PlanWriter writer_;
   std::optional<PlacedBlock> block_[2];
   bool is_too_large_ = false;
   double volume_ = 0;

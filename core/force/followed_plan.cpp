@@ -1,38 +1,18 @@
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "force/field_force.h"
 #include "force/placed_block.h"
+#include "force/plan_lanes.h"
 #include "force/planned_force.h"
-#include "geometry/two_lanes.h"
+#include "geometry/volume_sums.h"
 
 namespace halfspace {
 namespace {
 
-/// A place, or a plane: its normal and offset.
-struct alignas(16) Quad {
-  double x, y, z, w;
-};
-
-Quad difference(const Quad& p, const Quad& q) {
-  Quad result;
-  put_two_at(&result.x, two_at(&p.x) - two_at(&q.x));
-  put_two_at(&result.z, two_at(&p.z) - two_at(&q.z));
-  return result;
-}
-
-/// Where three planes meet: Cramer's rule.
-inline Quad meeting(const Quad& p, const Quad& q, const Quad& r) {
-  const auto normal = [](const Quad& plane) { return Vector<3>(plane.x, plane.y, plane.z); };
-  const Vector<3> qr = cross_product(normal(q), normal(r)), rp = cross_product(normal(r), normal(p)),
-                  pq = cross_product(normal(p), normal(q));
-  const Vector<3> at = (p.w * qr + q.w * rp + r.w * pq) * (1 / normal(p).dot(qr));
-  return {at.x(), at.y(), at.z(), 0};
-}
-
 /// Follows a plan. Where what the blocks have in common is a corner is put at the origin, so that little is
 /// rounded there.
+template <class Four>
 class Follower {
  public:
   Follower(const PlanCode* plan, const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b)
@@ -40,216 +20,290 @@ class Follower {
 
   std::optional<PotentialForce<3>> force() {
     find_planes();
-    find_shared_corners();
+    find_planes_between();
+    move_to_first_corner();
+    find_corners();
     find_bounds();
-    const auto [sums, top] = sum_up<SpreadSums>();
-    const VolumeAndSpread content{sums.with_origin_at(top), sums.spread()};
+    const VolumeAndSpread content = measure();
     if (!(content.volume > 0)) return std::nullopt;
-    FieldForce<3> by_a, by_b;
-    if (!divide(0, content.volume, by_a) || !divide(1, content.volume, by_b)) return std::nullopt;
-    PotentialForce<3> force = sum_of<3>(by_a, by_b, blocks_[0].at, blocks_[1].at,
+    FieldForce<3> by[2];
+    for (int owner = 0; owner < 2; ++owner) {
+      sound(owner);
+      if (!corners_are_where_they_were() || comes_near_others(owner)) return std::nullopt;
+      sum_up_cells(owner);
+      const double divided = add_cells(owner, by[owner]);
+      if (!(std::abs(divided - content.volume) <= 2 * rounding_ * surface_of_bounds())) return std::nullopt;
+    }
+    PotentialForce<3> force = sum_of<3>(by[0], by[1], blocks_[0].at, blocks_[1].at,
                                         content.moment / content.volume - blocks_[0].at, content.volume);
     force.spread = content.spread;
     return force;
   }
 
  private:
+  using Lanes = Coordinates<Four>;
+
   PlanCode next() { return *code_++; }
 
-  void find_planes() {
-    double largest_offset = 0;
-    Quad* end = planes_;
-    for (int owner = 0; owner < 2; ++owner) {
-      face_count_[owner] = next();
-      faces_[owner] = code_;
-      for (int f = 0; f < face_count_[owner]; ++f) {
-        const int face = next();
-        const auto [normal, offset] = blocks_[owner].plane(face);
-        *end++ = {normal.x(), normal.y(), normal.z(), offset};
-        largest_offset = std::max(largest_offset, blocks_[owner].outline.offset[face]);
-      }
-    }
-    *end = {0, 0, 0, 0};
-    rounding_ = plan_rounding_followed * plan_size(blocks_[1].at, largest_offset);
+  /// Of the next four of a list that has so many codes each: a code of each. Of fewer, the last one's again.
+  template <int codes_each>
+  [[gnu::always_inline]] FourOf of_next_four(int which, int count = 4) const {
+    const PlanCode* const code = code_ + which;
+    const int last = count - 1;
+    return {code[0], code[codes_each * std::min(1, last)], code[codes_each * std::min(2, last)],
+            code[codes_each * std::min(3, last)]};
   }
 
-  void find_shared_corners() {
-    move_to_first_corner();
-    Quad* end = corners_;
-    for (const PlacedBlock& block : blocks_) {
-      for (int n = next(); n > 0; --n) {
-        const int v = next();
-        const Outline<3>& o = block.outline;
-        *end++ = {o.x[v] + block.at.x(), o.y[v] + block.at.y(), o.z[v] + block.at.z(), 0};
+  [[gnu::always_inline]] LanesOfPlanes<Four> planes(const FourOf& four) const {
+    return {four.template lanes<Four>(normal_), four.template lanes<Four>(offset_)};
+  }
+
+  void find_planes() {
+    Four largest_offset = all_four<Four>(0);
+    for (int owner = 0; owner < 2; ++owner) {
+      const auto& [outline, at] = blocks_[owner];
+      which_matter_[owner] = code_;
+      code_ += Outline<3>::padded(outline.face_count()) / 4;
+      first_face_[owner] = plane_count_;
+      for (int rest = next(); rest > 0; rest -= 4) {
+        const FourOf faces = of_next_four<1>(0, rest);
+        const Lanes normal = {faces.lanes<Four>(outline.nx), faces.lanes<Four>(outline.ny),
+                              faces.lanes<Four>(outline.nz)};
+        const Four offset = faces.lanes<Four>(outline.offset);
+        normal_.put_four(plane_count_, normal);
+        put_four_at(offset_ + plane_count_, offset + dot_product(normal, all_four<Four>(at)));
+        largest_offset = larger(largest_offset, offset);
+        pass(rest, 1, plane_count_);
       }
     }
-    for (int n = next(); n > 0; --n, code_ += 3)
-      *end++ = meeting(planes_[code_[0]], planes_[code_[1]], planes_[code_[2]]);
-    shared_count_ = int(end - corners_);
+    first_face_[2] = plane_count_;
+    rounding_ = plan_rounding_followed * plan_size(blocks_[1].at, largest_lane(largest_offset));
+  }
+
+  /// The next four of a list, or the rest of it.
+  void pass(int rest, int codes_each, int& count) {
+    const int passed = std::min(rest, 4);
+    code_ += codes_each * passed;
+    count += passed;
+  }
+
+  void find_planes_between() {
+    for (int rest = next(); rest > 0; --rest, ++plane_count_) {
+      const int p = next(), q = next();
+      normal_.put(plane_count_, normal_[p] - normal_[q]);
+      offset_[plane_count_] = offset_[p] - offset_[q];
+    }
+    // These, too, have cells without volume.
+    normal_.put_four(plane_count_, Lanes{});
+    put_four_at(offset_ + plane_count_, Four{});
   }
 
   void move_to_first_corner() {
-    const PlanCode *of_a = code_, *of_b = of_a + 1 + of_a[0], *others = of_b + 1 + of_b[0];
-    Vector<3> origin;
-    if (*of_a > 0) {
-      origin = blocks_[0].outline.vertex(of_a[1]) + blocks_[0].at;
-    } else if (*of_b > 0) {
-      origin = blocks_[1].outline.vertex(of_b[1]) + blocks_[1].at;
-    } else {
-      const Quad first = meeting(planes_[others[1]], planes_[others[2]], planes_[others[3]]);
-      origin = {first.x, first.y, first.z};
-    }
+    const Vector<3> origin = first_corner();
     for (PlacedBlock& block : blocks_) block.at -= origin;
-    for (int f = 0; f < face_count_[0] + face_count_[1]; ++f) {
-      Quad& p = planes_[f];
-      p.w -= p.x * origin.x() + p.y * origin.y() + p.z * origin.z();
+    for (int f = 0; f < plane_count_; f += 4) {
+      const Four height = dot_product(normal_.template four_from<Four>(f), all_four<Four>(origin));
+      put_four_at(offset_ + f, four_at<Four>(offset_ + f) - height);
     }
+  }
+
+  Vector<3> first_corner() const {
+    const PlanCode *of_a = code_, *of_b = of_a + 1 + of_a[0], *others = of_b + 1 + of_b[0];
+    if (*of_a > 0) return blocks_[0].outline.vertex(of_a[1]) + blocks_[0].at;
+    if (*of_b > 0) return blocks_[1].outline.vertex(of_b[1]) + blocks_[1].at;
+    const auto plane = [&](int p) {
+      return LanesOfPlanes<double>{{normal_.x[p], normal_.y[p], normal_.z[p]}, offset_[p]};
+    };
+    const Coordinates<double> corner = meeting(plane(others[1]), plane(others[2]), plane(others[3]));
+    return {corner.x, corner.y, corner.z};
+  }
+
+  void find_corners() {
+    for (const auto& [outline, at] : blocks_)
+      for (int rest = next(); rest > 0; --rest) corners_.put(corner_count_++, outline.vertex(next()) + at);
+    for (int rest = next(); rest > 0; rest -= 4) {
+      const auto planes_of_corners = [&](int which) __attribute__((always_inline)) {
+        return planes(of_next_four<3>(which, rest));
+      };
+      corners_.put_four(corner_count_,
+                        meeting(planes_of_corners(0), planes_of_corners(1), planes_of_corners(2)));
+      pass(rest, 3, corner_count_);
+    }
+    // Lanes behind the last corner repeat the first one.
+    for (int k = 0; k < 8; k += 4) corners_.put_four(corner_count_ + k, all_four<Four>(corners_[0]));
   }
 
   void find_bounds() {
-    TwoLanes lower_xy = both(HUGE_VAL), lower_z = lower_xy, upper_xy = -lower_xy, upper_z = -lower_xy;
-    for (int c = 0; c < shared_count_; ++c) {
-      const TwoLanes xy = two_at(&corners_[c].x), z = two_at(&corners_[c].z);
-      lower_xy = smaller(lower_xy, xy);
-      upper_xy = larger(upper_xy, xy);
-      lower_z = smaller(lower_z, z);
-      upper_z = larger(upper_z, z);
+    Lanes lower = corners_.template four_from<Four>(0), upper = lower;
+    for (int c = 4; c < corner_count_; c += 4) {
+      const Lanes here = corners_.template four_from<Four>(c);
+      lower = {smaller(lower.x, here.x), smaller(lower.y, here.y), smaller(lower.z, here.z)};
+      upper = {larger(upper.x, here.x), larger(upper.y, here.y), larger(upper.z, here.z)};
     }
-    const Vector<3> lower(lower_xy[0], lower_xy[1], lower_z[0]), upper(upper_xy[0], upper_xy[1], upper_z[0]);
-    center_ = 0.5 * (lower + upper);
-    half_size_ = upper - center_;
+    const Vector<3> least(smallest_lane(lower.x), smallest_lane(lower.y), smallest_lane(lower.z));
+    const Vector<3> most(largest_lane(upper.x), largest_lane(upper.y), largest_lane(upper.z));
+    center_ = 0.5 * (least + most);
+    half_size_ = most - center_;
   }
 
-  /// Over the solid that comes next, seen from its first corner, which it returns as well.
-  template <class Sums>
-  std::pair<Sums, Vector<3>> sum_up() {
-    Sums sums;
-    const Quad& top = corners_[next()];
-    const TwoLanes top_xy = two_at(&top.x), top_z = two_at(&top.z);
-    const auto seen_from_top = [&](int corner) {
-      return Point{two_at(&corners_[corner].x) - top_xy, two_at(&corners_[corner].z) - top_z};
-    };
-    for (int triangles = next(); triangles > 0; triangles = next()) {
-      const Point p = seen_from_top(next());
-      Point q = seen_from_top(next());
-      for (; triangles > 0; --triangles) {
-        const Point r = seen_from_top(next());
-        sums.add(p, q, r);
-        q = r;
-      }
-    }
-    return {sums, {top.x, top.y, top.z}};
-  }
-
-  /// Sums over the owner's cells. False when they are other ones now.
-  bool divide(int owner, double volume, FieldForce<3>& sum) {
-    const Quad* const planes = planes_ + (owner == 0 ? 0 : face_count_[0]);
-    const int count = find_cells_corners();
-    sound(planes, face_count_[owner], count);
-    if (!(shallowest_ >= -rounding_) || !corners_are_where_they_were() || comes_near_others(owner))
-      return false;
-    for (int cells = next(); cells > 0; --cells) {
-      const Quad& p = planes[next()];
-      const auto [sums, top] = sum_up<VolumeSums>();
-      const auto [cell, moment] = sums.with_origin_at(top);
-      const Vector<3> normal(p.x, p.y, p.z);
-      sum.add_cell(cell, moment, p.w * cell - normal.dot(moment), normal);
-      volume -= cell;
-    }
+  double surface_of_bounds() const {
     const Vector<3>& h = half_size_;
-    return std::abs(volume) <= 4 * rounding_ * (h.x() * h.y() + h.y() * h.z() + h.z() * h.x());
+    return 8 * (h.x() * h.y() + h.y() * h.z() + h.z() * h.x());
   }
 
-  /// Returns how many there are together with the shared ones.
-  int find_cells_corners() {
-    int count = shared_count_;
-    for (int n = next(); n > 0; --n, code_ += 6)
-      corners_[count++] = meeting(difference(planes_[code_[0]], planes_[code_[1]]),
-                                  difference(planes_[code_[2]], planes_[code_[3]]),
-                                  difference(planes_[code_[4]], planes_[code_[5]]));
-    return count;
-  }
-
-  /// How deep the corners are behind the owner's planes.
-  void sound(const Quad* planes, int plane_count, int corner_count) {
-    stride_ = plane_count + plane_count % 2;
-    double nx[most_plan_faces], ny[most_plan_faces], nz[most_plan_faces], offset[most_plan_faces];
-    for (int k = 0; k < stride_; ++k) {
-      const Quad& p = planes[std::min(k, plane_count - 1)];
-      nx[k] = p.x;
-      ny[k] = p.y;
-      nz[k] = p.z;
-      offset[k] = p.w;
+  /// What the blocks have in common.
+  VolumeAndSpread measure() {
+    int rest = next();
+    const Vector<3> top = corners_[*code_];
+    const Lanes tops = all_four<Four>(top);
+    SpreadSums<Four> sums;
+    for (; rest > 0; rest -= 4, code_ += 16) {
+      const auto seen_from_top = [&](int which) __attribute__((always_inline)) {
+        return of_next_four<4>(which).template lanes<Four>(corners_) - tops;
+      };
+      sums.add(seen_from_top(1), seen_from_top(2), seen_from_top(3));
     }
-    shallowest_ = HUGE_VAL;
-    deepest_ = -HUGE_VAL;
-    double* row = depth_;
-    for (int c = 0; c < corner_count; ++c, row += stride_) {
-      const TwoLanes x = both(corners_[c].x), y = both(corners_[c].y), z = both(corners_[c].z);
-      TwoLanes least = both(HUGE_VAL);
-      for (int k = 0; k < stride_; k += 2) {
-        const TwoLanes height = two_at(nx + k) * x + two_at(ny + k) * y + two_at(nz + k) * z;
-        const TwoLanes depth = two_at(offset + k) - height;
-        put_two_at(row + k, depth);
-        least = smaller(least, depth);
+    return with_origin_at(top, sums);
+  }
+
+  /// How deep the corners are behind the owner's planes. Eight at a time, so that a plane serves all of them.
+  void sound(int owner) {
+    Four shallowest = all_four<Four>(HUGE_VAL), deepest = all_four<Four>(-HUGE_VAL);
+    for (int c = 0; c < corner_count_; c += 8) {
+      const Lanes corners = corners_.template four_from<Four>(c),
+                  others = corners_.template four_from<Four>(c + 4);
+      Four least = all_four<Four>(HUGE_VAL), least_of_others = least;
+      double* row = depth_ + c;
+      for (int plane = first_face_[owner]; plane < first_face_[owner + 1]; ++plane, row += plan_depth(1, 0)) {
+        const Lanes normal = all_four<Four>(normal_[plane]);
+        const Four offset = all_four<Four>(offset_[plane]);
+        const Four depth = offset - dot_product(normal, corners),
+                   depth_of_others = offset - dot_product(normal, others);
+        put_four_at(row, depth);
+        put_four_at(row + 4, depth_of_others);
+        least = smaller(depth, least);
+        least_of_others = smaller(depth_of_others, least_of_others);
       }
-      least_depth_[c] = std::min(least[0], least[1]);
-      shallowest_ = std::min(shallowest_, least_depth_[c]);
-      deepest_ = std::max(deepest_, least_depth_[c]);
+      const Four rounding = all_four<Four>(rounding_);
+      put_four_at(deepest_if_nearest_ + c, least + rounding);
+      put_four_at(deepest_if_nearest_ + c + 4, least_of_others + rounding);
+      shallowest = smaller(shallowest, smaller(least, least_of_others));
+      deepest = larger(deepest, larger(least, least_of_others));
     }
+    shallowest_ = smallest_lane(shallowest);
+    deepest_ = largest_lane(deepest);
   }
 
-  /// Each nearest to the same faces and on the same ones. No corner that is not a number is.
+  /// None outside, each nearest to the same faces and on the same ones. No corner that is not a number is.
   bool corners_are_where_they_were() {
-    bool all = true;
-    for (int n = next(); n > 0; --n, code_ += 2)
-      all &= depth_[code_[0] * stride_ + code_[1]] <= least_depth_[code_[0]] + rounding_;
-    for (int n = next(); n > 0; --n, code_ += 2) all &= depth_[code_[0] * stride_ + code_[1]] <= rounding_;
+    bool all = shallowest_ >= -rounding_;
+    for (int rest = next(); rest > 0; --rest) {
+      const int depth = next();
+      all &= depth_[depth] <= deepest_if_nearest_[corner_of_plan_depth(depth)];
+    }
+    for (int rest = next(); rest > 0; --rest) all &= depth_[next()] <= rounding_;
     return all;
   }
 
   /// Whether, by the bounds of what the blocks have in common, a face that did not matter may do so now.
   bool comes_near_others(int owner) const {
-    std::uint64_t matters[most_faces_to_plan / 64] = {};
-    for (int f = 0; f < face_count_[owner]; ++f)
-      matters[faces_[owner][f] / 64] |= std::uint64_t(1) << faces_[owner][f] % 64;
-    const Outline<3>& o = blocks_[owner].outline;
-    const Vector<3> center = center_ - blocks_[owner].at;
-    const TwoLanes cx = both(center.x()), cy = both(center.y()), cz = both(center.z());
-    const TwoLanes hx = both(half_size_.x()), hy = both(half_size_.y()), hz = both(half_size_.z());
-    const TwoLanes deepest = both(deepest_);
-    unsigned near = 0;
-    for (int f = 0; f < o.face_count(); f += 2) {
-      const TwoLanes nx = two_at(o.nx + f), ny = two_at(o.ny + f), nz = two_at(o.nz + f);
-      const TwoLanes depth = two_at(o.offset + f) - (nx * cx + ny * cy + nz * cz);
-      const TwoLanes spread = magnitude(nx) * hx + magnitude(ny) * hy + magnitude(nz) * hz;
-      // What lies behind an odd last face repeats it.
-      near |= signs(depth - spread - deepest) & ~unsigned(matters[f / 64] >> f % 64) &
-              (f + 1 < o.face_count() ? 3 : 1);
+    const auto& [outline, at] = blocks_[owner];
+    const Lanes center = all_four<Four>(center_ - at), half_size = all_four<Four>(half_size_);
+    const Four deepest = all_four<Four>(deepest_);
+    const PlanCode* matter = which_matter_[owner];
+    int near = 0;
+    for (int f = 0; f < outline.face_count(); f += 4, ++matter) {
+      const Lanes normal = {four_at<Four>(outline.nx + f), four_at<Four>(outline.ny + f),
+                            four_at<Four>(outline.nz + f)};
+      const Lanes slope = {magnitude(normal.x), magnitude(normal.y), magnitude(normal.z)};
+      const Four depth = four_at<Four>(outline.offset + f) - dot_product(normal, center);
+      near |= int(signs_of_four(depth - dot_product(slope, half_size) - deepest)) & ~*matter;
     }
     return near != 0;
   }
 
+  /// What the owner's faces have for cells: six times the volume, 24 times the moment.
+  void sum_up_cells(int owner) {
+    const int count = first_face_[owner + 1] - first_face_[owner];
+    std::fill_n(cells_, 4 * count + 12, 0.0);
+    for (int rest = next(); rest > 0; rest -= 4, code_ += 20) {
+      const auto corners = [&](int which) __attribute__((always_inline)) {
+        return of_next_four<5>(which).template lanes<Four>(corners_);
+      };
+      const Lanes top = corners(1), p = corners(2), q = corners(3), r = corners(4);
+      const Four volume = sixfold_volume(p - top, q - top, r - top);
+      const Lanes moment = volume * (top + p + q + r);
+      Four cells[] = {volume, moment.x, moment.y, moment.z};
+      transpose(cells);
+      const auto [first, second, third, fourth] = of_next_four<5>(0);
+      add_to_cell(first, cells[0]);
+      add_to_cell(second, cells[1]);
+      add_to_cell(third, cells[2]);
+      add_to_cell(fourth, cells[3]);
+    }
+  }
+
+  [[gnu::always_inline]] void add_to_cell(int face, const Four& volume_and_moment) {
+    double* const cell = cells_ + 4 * face;
+    put_four_at(cell, four_at<Four>(cell) + volume_and_moment);
+  }
+
+  /// Returns the volume of all.
+  double add_cells(int owner, FieldForce<3>& sum) const {
+    const int first = first_face_[owner], count = first_face_[owner + 1] - first;
+    Four volume{}, energy{};
+    Lanes force{}, at_x{}, at_y{}, at_z{}, feet_squares{}, feet_across{};
+    for (int f = 0; f < count; f += 4) {
+      Four cells[4];
+      for (int k = 0; k < 4; ++k) cells[k] = four_at<Four>(cells_ + 4 * (f + k));
+      transpose(cells);
+      const Lanes moment = {cells[1], cells[2], cells[3]},
+                  normal = normal_.template four_from<Four>(first + f);
+      const Four energy_here =
+          all_four<Four>(4) * four_at<Four>(offset_ + first + f) * cells[0] - dot_product(normal, moment);
+      volume = volume + cells[0];
+      force = force + cells[0] * normal;
+      at_x = at_x + normal.x * moment;
+      at_y = at_y + normal.y * moment;
+      at_z = at_z + normal.z * moment;
+      const Lanes to_feet = energy_here * normal;
+      feet_squares = feet_squares + Lanes{to_feet.x * normal.x, to_feet.y * normal.y, to_feet.z * normal.z};
+      feet_across = feet_across + Lanes{to_feet.y * normal.z, to_feet.z * normal.x, to_feet.x * normal.y};
+      energy = energy + energy_here;
+    }
+    sum.force = sum_of_lanes(force) / 6;
+    sum.at_cells.row(0) = sum_of_lanes(at_x).transpose() / 24;
+    sum.at_cells.row(1) = sum_of_lanes(at_y).transpose() / 24;
+    sum.at_cells.row(2) = sum_of_lanes(at_z).transpose() / 24;
+    sum.cells_to_feet = symmetric_tensor(sum_of_lanes(feet_squares), sum_of_lanes(feet_across)) / 24;
+    sum.energy = sum_of_lanes(energy) / 24;
+    return sum_of_lanes(volume) / 6;
+  }
+
   const PlanCode* code_;
   PlacedBlock blocks_[2];
-  const PlanCode* faces_[2];
-  int face_count_[2];
-  int shared_count_ = 0;
+  const PlanCode* which_matter_[2];
+  int first_face_[3];  // of a, of b, and where the planes between faces begin
+  int plane_count_ = 0;
+  int corner_count_ = 0;
   Vector<3> center_, half_size_;  // of what the blocks have in common
-  double rounding_ = 0;
+  double rounding_;
   double shallowest_, deepest_;
-  int stride_ = 0;
-  Quad planes_[2 * most_plan_faces + 1];
-  Quad corners_[most_plan_corners];
-  double least_depth_[most_plan_corners];
-  double depth_[most_plan_corners * most_plan_faces];
+  Places<most_plan_planes> normal_;
+  double offset_[Places<most_plan_planes>::room];
+  Places<most_plan_corners> corners_;
+  double deepest_if_nearest_[Places<most_plan_corners>::room];
+  double depth_[most_plan_faces * most_plan_corners];
+  double cells_[4 * Places<most_plan_faces>::room];
 };
 
 }  // namespace
 
 std::optional<PotentialForce<3>> follow(std::span<const PlanCode> plan, const Outline<3>& a,
                                         const Outline<3>& b, const Vector<3>& to_b) {
-  return Follower(plan.data(), a, b, to_b).force();
+  return with_widest_lanes([&]<class Four>() __attribute__((always_inline)) {
+    return Follower<Four>(plan.data(), a, b, to_b).force();
+  });
 }
 
 }  // namespace halfspace

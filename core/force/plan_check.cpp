@@ -30,10 +30,22 @@ class PlanCheck {
     return listed;
   }
 
-  void take_solid(int corners) {
-    take(corners);
-    for (int triangles = count(); triangles > 0 && is_right_; triangles = count())
-      for (int n = 0; n < triangles + 2 && is_right_; ++n) take(corners);
+  int take_faces(const Outline<3>& block) {
+    for (int f = 0; f < block.face_count() && is_right_; f += 4) take(16);
+    return take_list({block.face_count()});
+  }
+
+  void take_depths(int faces, int corners) {
+    for (int n = count(); n > 0 && is_right_; --n) {
+      const int depth = take(plan_depth(faces, 0));
+      if (corner_of_plan_depth(depth) >= corners) is_right_ = false;
+    }
+  }
+
+  int take_tetrahedra(std::initializer_list<int> ends_of_each) {
+    const int listed = take_list(ends_of_each);
+    if (listed % 4 != 0) is_right_ = false;
+    return listed;
   }
 
  private:
@@ -46,25 +58,19 @@ class PlanCheck {
 bool is_plan(std::span<const PlanCode> plan, const Outline<3>& a, const Outline<3>& b) {
   if (std::max(a.face_count(), b.face_count()) > most_faces_to_plan) return false;
   PlanCheck check(plan);
-  const int faces[2] = {check.take_list({a.face_count()}), check.take_list({b.face_count()})};
+  const int faces[2] = {check.take_faces(a), check.take_faces(b)};
   if (std::min(faces[0], faces[1]) < 1 || std::max(faces[0], faces[1]) > most_plan_faces) return false;
-  const int face_or_none = faces[0] + faces[1] + 1;
-  int shared = check.take_list({a.vertex_count()});
-  shared += check.take_list({b.vertex_count()});
-  shared += check.take_list({face_or_none, face_or_none, face_or_none});
-  if (shared < 1 || shared > most_plan_corners) return false;
-  check.take_solid(shared);
+  const int of_both = faces[0] + faces[1], between = check.take_list({of_both, of_both});
+  const int planes = of_both + between;
+  int corners = check.take_list({a.vertex_count()});
+  corners += check.take_list({b.vertex_count()});
+  corners += check.take_list({planes, planes, planes});
+  if (between > most_planes_between || corners < 1 || corners > most_plan_corners) return false;
+  if (check.take_tetrahedra({corners, corners, corners, corners}) < 1) return false;
   for (const int of_owner : faces) {
-    const int corners = shared + check.take_list({face_or_none, face_or_none, face_or_none, face_or_none,
-                                                  face_or_none, face_or_none});
-    if (corners > most_plan_corners) return false;
-    check.take_list({corners, of_owner});
-    check.take_list({corners, of_owner});
-    const int cells = check.count();
-    for (int n = 0; n < cells && check.is_right(); ++n) {
-      check.take(of_owner);
-      check.take_solid(corners);
-    }
+    check.take_depths(of_owner, corners);
+    check.take_depths(of_owner, corners);
+    check.take_tetrahedra({of_owner, corners, corners, corners, corners});
   }
   return check.is_right() && check.is_over();
 }

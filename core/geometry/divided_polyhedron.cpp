@@ -206,25 +206,22 @@ template <class Sums>
 inline void DividedPolyhedron::sum_up_inside(Index top_vertex, Sums& sums) {
   const Vertex* const vertex = vertex_.data();
   const Index *const twin = twin_.data(), *const face = face_.data();
-  const auto point = [&](Index v) { return Point{two_at(&vertex[v].x), two_at(&vertex[v].z)}; };
-  const Point top = point(top_vertex);
-  const auto seen_from_top = [&](Index v) {
-    const Point p = point(v);
-    return Point{p.xy - top.xy, p.z - top.z};
-  };
+  const auto point = [&](Index v) { return Coordinates<double>{vertex[v].x, vertex[v].y, vertex[v].z}; };
+  const Coordinates<double> top = point(top_vertex);
+  const auto seen_from_top = [&](Index v) { return point(v) - top; };
   const Index first_new = extent_.vertices;
   std::size_t walked = 0;
   // Along the outline of a face from a corner, until it leaves or, when it is whole, comes back.
   const auto add_face = [&](Index corner, Index half, bool at_top, bool is_whole) {
-    const Point p = seen_from_top(corner);
-    Point q = seen_from_top(half / 4);
+    const Coordinates<double> p = seen_from_top(corner);
+    Coordinates<double> q = seen_from_top(half / 4);
     for (;; half = clockwise(twin[half])) {
       walked_[half] = true;
       ++walked;
       const Index next = twin[half] / 4;
       if (is_whole && next == corner) return;
       if (!at_top) {
-        const Point r = seen_from_top(next);
+        const Coordinates<double> r = seen_from_top(next);
         sums.add(p, q, r);
         q = r;
       }
@@ -252,9 +249,9 @@ inline void DividedPolyhedron::sum_up_inside(Index top_vertex, Sums& sums) {
 VolumeAndMoment DividedPolyhedron::measure_inside() {
   if (inside_count_ == 0) return {};
   const Index top = crossing_count_ > 0 ? extent_.vertices : inside_[0];
-  VolumeSums sums;
+  VolumeSums<double> sums;
   sum_up_inside(top, sums);
-  return sums.with_origin_at(position(top));
+  return with_origin_at(position(top), sums);
 }
 
 VolumeAndSpread DividedPolyhedron::measure(Part part) {
@@ -262,9 +259,9 @@ VolumeAndSpread DividedPolyhedron::measure(Part part) {
   std::copy(part.begin(), part.end(), inside_.begin());
   inside_count_ = part.size();
   crossing_count_ = 0;
-  SpreadSums sums;
+  SpreadSums<double> sums;
   sum_up_inside(part[0], sums);
-  return {sums.with_origin_at(position(part[0])), sums.spread()};
+  return with_origin_at(position(part[0]), sums);
 }
 
 }  // namespace halfspace

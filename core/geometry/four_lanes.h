@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 
@@ -27,6 +28,7 @@ struct TwiceTwoLanes {
   TwiceTwoLanes operator-(const TwiceTwoLanes& o) const { return {low - o.low, high - o.high}; }
   TwiceTwoLanes operator*(const TwiceTwoLanes& o) const { return {low * o.low, high * o.high}; }
   TwiceTwoLanes operator/(const TwiceTwoLanes& o) const { return {low / o.low, high / o.high}; }
+  friend TwiceTwoLanes operator/(double a, const TwiceTwoLanes& o) { return {a / o.low, a / o.high}; }
 };
 
 template <class Four>
@@ -75,6 +77,54 @@ inline TwiceTwoLanes where_less(const TwiceTwoLanes& a, const TwiceTwoLanes& b, 
 template <class Four>
 [[gnu::always_inline]] inline Four smaller(const Four& a, const Four& b) {
   return where_less(a, b, a, b);
+}
+
+/// Lane by lane, the larger one.
+template <class Four>
+[[gnu::always_inline]] inline Four larger(const Four& a, const Four& b) {
+  return where_less(b, a, a, b);
+}
+
+[[gnu::always_inline]] inline FourLanes magnitude(const FourLanes& a) {
+  using Bits = long long __attribute__((vector_size(32)));
+  return FourLanes(Bits(a) & ~Bits(FourLanes{-0.0, -0.0, -0.0, -0.0}));
+}
+inline TwiceTwoLanes magnitude(const TwiceTwoLanes& a) { return {magnitude(a.low), magnitude(a.high)}; }
+
+/// What was lane k of the one at i is lane i of the one at k.
+[[gnu::always_inline]] inline void transpose(FourLanes (&rows)[4]) {
+  const FourLanes even_low = __builtin_shufflevector(rows[0], rows[1], 0, 4, 2, 6),
+                  odd_low = __builtin_shufflevector(rows[0], rows[1], 1, 5, 3, 7),
+                  even_high = __builtin_shufflevector(rows[2], rows[3], 0, 4, 2, 6),
+                  odd_high = __builtin_shufflevector(rows[2], rows[3], 1, 5, 3, 7);
+  rows[0] = __builtin_shufflevector(even_low, even_high, 0, 1, 4, 5);
+  rows[1] = __builtin_shufflevector(odd_low, odd_high, 0, 1, 4, 5);
+  rows[2] = __builtin_shufflevector(even_low, even_high, 2, 3, 6, 7);
+  rows[3] = __builtin_shufflevector(odd_low, odd_high, 2, 3, 6, 7);
+}
+inline void transpose(TwiceTwoLanes (&rows)[4]) {
+  const auto [a, b, c, d] = rows;
+  rows[0] = {firsts(a.low, b.low), firsts(c.low, d.low)};
+  rows[1] = {seconds(a.low, b.low), seconds(c.low, d.low)};
+  rows[2] = {firsts(a.high, b.high), firsts(c.high, d.high)};
+  rows[3] = {seconds(a.high, b.high), seconds(c.high, d.high)};
+}
+
+inline double sum_of_lanes(double a) { return a; }
+template <class Four>
+[[gnu::always_inline]] inline double sum_of_lanes(const Four& a) {
+  const TwoLanes two = low_half(a) + high_half(a);
+  return two[0] + two[1];
+}
+template <class Four>
+[[gnu::always_inline]] inline double smallest_lane(const Four& a) {
+  const TwoLanes two = smaller(low_half(a), high_half(a));
+  return std::min(two[0], two[1]);
+}
+template <class Four>
+[[gnu::always_inline]] inline double largest_lane(const Four& a) {
+  const TwoLanes two = larger(low_half(a), high_half(a));
+  return std::max(two[0], two[1]);
 }
 
 template <class Four>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/two_lanes.h"
+#include "geometry/coordinates.h"
 #include "geometry/vector.h"
 
 namespace halfspace {
@@ -14,59 +14,70 @@ struct VolumeAndSpread : VolumeAndMoment {
   Tensor<3> spread = Tensor<3>::Zero();  // mean of the way from the centroid times itself^T
 };
 
-/// A vertex in two registers.
-struct Point {
-  TwoLanes xy, z;
-};
+/// Of the tetrahedron with the origin for its first vertex.
+template <class Number>
+[[gnu::always_inline]] inline Number sixfold_volume(const Coordinates<Number>& p,
+                                                    const Coordinates<Number>& q,
+                                                    const Coordinates<Number>& r) {
+  return dot_product(p, cross_product(q, r));
+}
 
-/// Of tetrahedra with the origin for a vertex.
+/// Of tetrahedra with the origin for a vertex; of lanes, of as many at a time.
+template <class Number>
 struct VolumeSums {
-  TwoLanes volume{}, moment_xy{}, moment_z{};  // six times, and 24 times
+  Number volume{};               // six times
+  Coordinates<Number> moment{};  // 24 times
 
   /// Adds one, and returns six times its volume.
-  TwoLanes add(const Point& p, const Point& q, const Point& r) {
-    const TwoLanes q_yz{q.xy[1], q.z[0]}, r_yz{r.xy[1], r.z[0]};
-    const TwoLanes zx = q.xy * r_yz - q_yz * r.xy, y = q.z * r.xy - q.xy * r.z;
-    const TwoLanes sixfold = both(p.z[0] * zx[0] + p.xy[0] * zx[1] + p.xy[1] * y[0]);
-    volume += sixfold;
-    moment_xy += sixfold * (p.xy + q.xy + r.xy);
-    moment_z += sixfold * (p.z + q.z + r.z);
+  [[gnu::always_inline]] Number add(const Coordinates<Number>& p, const Coordinates<Number>& q,
+                                    const Coordinates<Number>& r) {
+    const Number sixfold = sixfold_volume(p, q, r);
+    volume = volume + sixfold;
+    moment = moment + sixfold * (p + q + r);
     return sixfold;
   }
+};
 
-  VolumeAndMoment with_origin_at(const Vector<3>& p) const {
-    const double v = volume[0] / 6;
-    return {v, Vector<3>(moment_xy[0], moment_xy[1], moment_z[0]) / 24 + v * p};
+template <class Number>
+struct SpreadSums : VolumeSums<Number> {
+  Coordinates<Number> squares{}, across{};  // 120 times xx, yy, zz; yz, zx, xy
+
+  [[gnu::always_inline]] void add(const Coordinates<Number>& p, const Coordinates<Number>& q,
+                                  const Coordinates<Number>& r) {
+    const Number sixfold = VolumeSums<Number>::add(p, q, r);
+    const Coordinates<Number> s = p + q + r;
+    const auto of_vertices = [&](Number Coordinates<Number>::*i, Number Coordinates<Number>::*k)
+        __attribute__((always_inline)) {
+      return p.*i * p.*k + q.*i * q.*k + r.*i * r.*k + s.*i * s.*k;
+    };
+    constexpr auto x = &Coordinates<Number>::x, y = &Coordinates<Number>::y, z = &Coordinates<Number>::z;
+    squares =
+        squares + sixfold * Coordinates<Number>{of_vertices(x, x), of_vertices(y, y), of_vertices(z, z)};
+    across = across + sixfold * Coordinates<Number>{of_vertices(y, z), of_vertices(z, x), of_vertices(x, y)};
   }
 };
 
-struct SpreadSums : VolumeSums {
-  TwoLanes squares{}, across{}, with_z{}, z_square{};  // 120 times xx and yy, xy, zx and zy, zz
+inline Tensor<3> symmetric_tensor(const Vector<3>& squares, const Vector<3>& across) {
+  Tensor<3> tensor;
+  tensor << squares.x(), across.z(), across.y(),  //
+      across.z(), squares.y(), across.x(),        //
+      across.y(), across.x(), squares.z();
+  return tensor;
+}
 
-  void add(const Point& p, const Point& q, const Point& r) {
-    const TwoLanes sixfold = VolumeSums::add(p, q, r);
-    const Point sum{p.xy + q.xy + r.xy, p.z + q.z + r.z};
-    TwoLanes squares_here{}, across_here{}, with_z_here{}, z_square_here{};
-    for (const Point& v : {p, q, r, sum}) {
-      squares_here += v.xy * v.xy;
-      across_here += v.xy * exchanged(v.xy);
-      with_z_here += v.xy * both(v.z[0]);
-      z_square_here += v.z * v.z;
-    }
-    squares += sixfold * squares_here;
-    across += sixfold * across_here;
-    with_z += sixfold * with_z_here;
-    z_square += sixfold * z_square_here;
-  }
-
-  Tensor<3> spread() const {
-    Tensor<3> mean;
-    mean << squares[0], across[0], with_z[0],  //
-        across[0], squares[1], with_z[1],      //
-        with_z[0], with_z[1], z_square[0];
-    const Vector<3> centroid = Vector<3>(moment_xy[0], moment_xy[1], moment_z[0]) / (4 * volume[0]);
-    return mean / (20 * volume[0]) - centroid * centroid.transpose();
-  }
-};
+template <class Number>
+VolumeAndMoment with_origin_at(const Vector<3>& p, const VolumeSums<Number>& sums) {
+  const double volume = sum_of_lanes(sums.volume) / 6;
+  return {volume, sum_of_lanes(sums.moment) / 24 + volume * p};
+}
+template <class Number>
+VolumeAndSpread with_origin_at(const Vector<3>& p, const SpreadSums<Number>& sums) {
+  const double sixfold = sum_of_lanes(sums.volume);
+  const Vector<3> centroid = sum_of_lanes(sums.moment) / (4 * sixfold);
+  const Tensor<3> mean =
+      symmetric_tensor(sum_of_lanes(sums.squares), sum_of_lanes(sums.across)) / (20 * sixfold);
+  return {with_origin_at<Number>(p, static_cast<const VolumeSums<Number>&>(sums)),
+          mean - centroid * centroid.transpose()};
+}
 
 }  // namespace halfspace

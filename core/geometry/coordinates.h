@@ -1,0 +1,51 @@
+#pragma once
+
+#include "geometry/four_lanes.h"
+#include "geometry/vector.h"
+
+namespace halfspace {
+
+/// A vector in space; of lanes, as many vectors as these have.
+template <class Number>
+struct Coordinates {
+  Number x, y, z;
+};
+
+// Inlined by force: see four_lanes.h.
+
+template <class Number>
+[[gnu::always_inline]] inline Coordinates<Number> operator+(const Coordinates<Number>& a,
+                                                            const Coordinates<Number>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class Number>
+[[gnu::always_inline]] inline Coordinates<Number> operator-(const Coordinates<Number>& a,
+                                                            const Coordinates<Number>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class Number>
+[[gnu::always_inline]] inline Coordinates<Number> operator*(const Number& factor,
+                                                            const Coordinates<Number>& a) {
+  return {factor * a.x, factor * a.y, factor * a.z};
+}
+
+template <class Number>
+[[gnu::always_inline]] inline Number dot_product(const Coordinates<Number>& a, const Coordinates<Number>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class Number>
+[[gnu::always_inline]] inline Coordinates<Number> cross_product(const Coordinates<Number>& a,
+                                                                const Coordinates<Number>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+template <class Four>
+[[gnu::always_inline]] inline Coordinates<Four> all_four(const Vector<3>& a) {
+  return {all_four<Four>(a.x()), all_four<Four>(a.y()), all_four<Four>(a.z())};
+}
+template <class Number>
+[[gnu::always_inline]] inline Vector<3> sum_of_lanes(const Coordinates<Number>& a) {
+  return {sum_of_lanes(a.x), sum_of_lanes(a.y), sum_of_lanes(a.z)};
+}
+
+}  // namespace halfspace
