@@ -9,6 +9,8 @@ namespace {
 
 /// Corners nearer to each other than this share of the blocks' size are one.
 constexpr double one_place = 0x1p-36;
+/// Faces are turned by less than this when they all but agree.
+constexpr double least_turn = 0.1;
 /// By so much, as a share of the whole, may the volumes of the solids be off from what they have been found
 /// to be.
 constexpr double volume_error = 1e-9;
@@ -132,9 +134,9 @@ bool DivisionPlanner::is_vertex_of(int owner, Corner& corner) const {
   if (std::popcount(corner.faces.on[owner]) < 3) return false;
   const Outline<3>& outline = block_[owner]->outline;
   const Vector<3> at = corner.at - block_[owner]->at;
-  const double rounding = plan_rounding_made * size_;
+  const double reach = one_place * size_;
   for (std::int32_t v = 0; v < outline.vertex_count(); ++v) {
-    if ((outline.vertex(v) - at).squaredNorm() > rounding * rounding) continue;
+    if ((outline.vertex(v) - at).squaredNorm() > reach * reach) continue;
     corner.vertex = v;
     corner.at = outline.vertex(v) + block_[owner]->at;
     corner.kind = owner == 0 ? vertex_of_a : vertex_of_b;
@@ -143,34 +145,33 @@ bool DivisionPlanner::is_vertex_of(int owner, Corner& corner) const {
   return false;
 }
 
+/// Faces that all but agree tell where a corner is together with the plane between them.
 bool DivisionPlanner::locate_by_faces(Corner& corner) const {
-  const int nothing = all_near();
   PlanesOfCorner candidates;
   for (int owner = 0; owner < 2; ++owner) {
     const int first = owner == 0 ? 0 : near_count(0);
-    for_each(corner.faces.on[owner], [&](int f) {
-      candidates.add({PlanCode(first + f), PlanCode(nothing)}, plane(owner, f).normal,
+    const auto add_between = [&](int f, int g) {
+      candidates.add({PlanCode(first + f), PlanCode(first + g)},
+                     plane(owner, f).normal - plane(owner, g).normal,
+                     plane(owner, f).depth(corner.at) - plane(owner, g).depth(corner.at));
+    };
+    const FaceSet on = corner.faces.on[owner], nearest = corner.faces.nearest[owner];
+    for_each(on, [&](int f) {
+      candidates.add({PlanCode(first + f), PlanCode(all_near())}, plane(owner, f).normal,
                      plane(owner, f).depth(corner.at));
     });
-    if (corner.kind != of_cells(owner)) continue;
-    const int one = std::countr_zero(corner.faces.nearest[owner]);
-    for_each(corner.faces.nearest[owner] & (corner.faces.nearest[owner] - 1), [&](int f) {
-      candidates.add({PlanCode(first + one), PlanCode(first + f)},
-                     plane(owner, one).normal - plane(owner, f).normal,
-                     plane(owner, one).depth(corner.at) - plane(owner, f).depth(corner.at));
+    const bool divides = corner.kind == of_cells(owner);
+    const int one = std::countr_zero(nearest);
+    if (divides) for_each(nearest & (nearest - 1), [&](int f) { add_between(one, f); });
+    const FaceSet together = divides ? nearest & (nearest - 1) : on;
+    for_each(together, [&](int f) {
+      for_each(together & (~FaceSet(1) << f), [&](int g) {
+        if ((plane(owner, f).normal - plane(owner, g).normal).squaredNorm() < least_turn * least_turn)
+          add_between(f, g);
+      });
     });
   }
   return candidates.locate(corner.at, corner.told_by);
-}
-
-/// Who follows the plan looks at the depths behind the owner's faces only: the other block's have to be among
-/// those that tell where a corner of cells is.
-bool DivisionPlanner::is_told_by_faces_of_other(const Corner& corner) const {
-  const int other = corner.kind == of_cells_of_a ? 1 : 0, first = other == 0 ? 0 : near_count(0);
-  FaceSet told = 0;
-  for (const FacePair& faces : corner.told_by)
-    if (faces[0] >= first && faces[0] < first + near_count(other)) told |= FaceSet(1) << (faces[0] - first);
-  return (corner.faces.on[other] & ~told) == 0;
 }
 
 /// A place where planes between faces cross what was but an edge of a part on the way is no corner.
@@ -180,7 +181,7 @@ bool DivisionPlanner::locate(Corner& corner) const {
       return is_vertex_of(0, corner) || is_vertex_of(1, corner) || locate_by_faces(corner);
     case of_cells_of_a:
     case of_cells_of_b:
-      if (locate_by_faces(corner)) return is_told_by_faces_of_other(corner);
+      if (locate_by_faces(corner)) return true;
       corner.kind = none;
       return true;
     default:
@@ -282,15 +283,26 @@ bool DivisionPlanner::put_whole() {
   return std::abs(volume - volume_) <= volume_error * volume_;
 }
 
-void DivisionPlanner::put_depths(int owner, const CornerSet (&corners_of_face)[most_plan_faces]) {
+void DivisionPlanner::put_depths(int owner) {
   writer_.begin_list();
   for (int f = 0; f < near_count(owner); ++f)
-    (corners_of_face[f] & of_cells_[owner]).for_each([&](int c) { writer_.put_in_list({plan_depth(f, c)}); });
+    (nearest_[owner][f] & of_cells_[owner]).for_each([&](int c) { writer_.put_in_list({plan_depth(f, c)}); });
+  // Corners of the other block's cells are where their planes meet: only other faces have to be looked at.
+  writer_.begin_list();
+  for (int f = 0; f < near_count(owner); ++f)
+    on_[owner][f].for_each([&](int c) {
+      if (of_cells_[owner].has(c) || !is_told_by(corners_[std::size_t(c)], owner, f))
+        writer_.put_in_list({plan_depth(f, c)});
+    });
+}
+
+bool DivisionPlanner::is_told_by(const Corner& corner, int owner, int face) const {
+  const FacePair alone{PlanCode(owner == 0 ? face : near_count(0) + face), PlanCode(all_near())};
+  return std::find(corner.told_by.begin(), corner.told_by.end(), alone) != corner.told_by.end();
 }
 
 bool DivisionPlanner::put_cells(int owner) {
-  put_depths(owner, nearest_[owner]);
-  put_depths(owner, on_[owner]);
+  put_depths(owner);
   writer_.begin_list();
   for (int f = 0; f < near_count(owner); ++f) {
     const double expected = near_[owner][std::size_t(f)].cell.volume;

@@ -72,7 +72,6 @@ class DivisionPlanner {
   bool locate(Corner& corner) const;
   bool is_vertex_of(int owner, Corner& corner) const;
   bool locate_by_faces(Corner& corner) const;
-  bool is_told_by_faces_of_other(const Corner& corner) const;
   bool sort_corners();
   void list_corners_of_faces();
 
@@ -82,7 +81,8 @@ class DivisionPlanner {
   void put_corners();
   bool put_whole();
   bool put_cells(int owner);
-  void put_depths(int owner, const CornerSet (&corners_of_face)[most_plan_faces]);
+  void put_depths(int owner);
+  bool is_told_by(const Corner& corner, int owner, int face) const;
   void begin_solid(const CornerSet& corners);
 
   const CuttingPlane& plane(int owner, int face) const { return near_[owner][std::size_t(face)].plane; }

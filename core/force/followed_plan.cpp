@@ -93,7 +93,7 @@ class Follower {
       normal_.put(plane_count_, normal_[p] - normal_[q]);
       offset_[plane_count_] = offset_[p] - offset_[q];
     }
-    // These, too, have cells without volume.
+    // What lies behind the last plane is moved as well.
     normal_.put_four(plane_count_, Lanes{});
     put_four_at(offset_ + plane_count_, Four{});
   }
@@ -222,10 +222,9 @@ class Follower {
     return near != 0;
   }
 
-  /// What the owner's faces have for cells: six times the volume, 24 times the moment.
+  /// What the owner's faces have for cells: 24 times the moment, and six times the volume in the last lane.
   void sum_up_cells(int owner) {
-    const int count = first_face_[owner + 1] - first_face_[owner];
-    std::fill_n(cells_, 4 * count + 12, 0.0);
+    std::fill_n(cells_, 4 * (first_face_[owner + 1] - first_face_[owner]), 0.0);
     for (int rest = next(); rest > 0; rest -= 4, code_ += 20) {
       const auto corners = [&](int which) __attribute__((always_inline)) {
         return of_next_four<5>(which).template lanes<Four>(corners_);
@@ -233,7 +232,7 @@ class Follower {
       const Lanes top = corners(1), p = corners(2), q = corners(3), r = corners(4);
       const Four volume = sixfold_volume(p - top, q - top, r - top);
       const Lanes moment = volume * (top + p + q + r);
-      Four cells[] = {volume, moment.x, moment.y, moment.z};
+      Four cells[] = {moment.x, moment.y, moment.z, volume};
       transpose(cells);
       const auto [first, second, third, fourth] = of_next_four<5>(0);
       add_to_cell(first, cells[0]);
@@ -243,41 +242,40 @@ class Follower {
     }
   }
 
-  [[gnu::always_inline]] void add_to_cell(int face, const Four& volume_and_moment) {
+  [[gnu::always_inline]] void add_to_cell(int face, const Four& moment_and_volume) {
     double* const cell = cells_ + 4 * face;
-    put_four_at(cell, four_at<Four>(cell) + volume_and_moment);
+    put_four_at(cell, four_at<Four>(cell) + moment_and_volume);
   }
 
-  /// Returns the volume of all.
+  /// Returns the volume of all. What a face adds is a multiple of its normal, row by row: of the cell, and of
+  /// the energy in it.
   double add_cells(int owner, FieldForce<3>& sum) const {
-    const int first = first_face_[owner], count = first_face_[owner + 1] - first;
-    Four volume{}, energy{};
-    Lanes force{}, at_x{}, at_y{}, at_z{}, feet_squares{}, feet_across{};
-    for (int f = 0; f < count; f += 4) {
-      Four cells[4];
-      for (int k = 0; k < 4; ++k) cells[k] = four_at<Four>(cells_ + 4 * (f + k));
-      transpose(cells);
-      const Lanes moment = {cells[1], cells[2], cells[3]},
-                  normal = normal_.template four_from<Four>(first + f);
-      const Four energy_here =
-          all_four<Four>(4) * four_at<Four>(offset_ + first + f) * cells[0] - dot_product(normal, moment);
-      volume = volume + cells[0];
-      force = force + cells[0] * normal;
-      at_x = at_x + normal.x * moment;
-      at_y = at_y + normal.y * moment;
-      at_z = at_z + normal.z * moment;
-      const Lanes to_feet = energy_here * normal;
-      feet_squares = feet_squares + Lanes{to_feet.x * normal.x, to_feet.y * normal.y, to_feet.z * normal.z};
-      feet_across = feet_across + Lanes{to_feet.y * normal.z, to_feet.z * normal.x, to_feet.x * normal.y};
-      energy = energy + energy_here;
+    double volume = 0, energy = 0;
+    Four cell_rows[3] = {}, energy_rows[3] = {};
+    const double* cell = cells_;
+    for (int plane = first_face_[owner]; plane < first_face_[owner + 1]; ++plane, cell += 4) {
+      const Vector<3> normal = normal_[plane];
+      const double energy_here =
+          4 * offset_[plane] * cell[3] - (normal.x() * cell[0] + normal.y() * cell[1] + normal.z() * cell[2]);
+      const Four moment_and_volume = four_at<Four>(cell);
+      const Four to_foot = all_four<Four>(energy_here) * four_of<Four>(normal.x(), normal.y(), normal.z(), 0);
+      for (int i = 0; i < 3; ++i) {
+        const Four slope = all_four<Four>(normal[i]);
+        cell_rows[i] = cell_rows[i] + slope * moment_and_volume;
+        energy_rows[i] = energy_rows[i] + slope * to_foot;
+      }
+      volume += cell[3];
+      energy += energy_here;
     }
-    sum.force = sum_of_lanes(force) / 6;
-    sum.at_cells.row(0) = sum_of_lanes(at_x).transpose() / 24;
-    sum.at_cells.row(1) = sum_of_lanes(at_y).transpose() / 24;
-    sum.at_cells.row(2) = sum_of_lanes(at_z).transpose() / 24;
-    sum.cells_to_feet = symmetric_tensor(sum_of_lanes(feet_squares), sum_of_lanes(feet_across)) / 24;
-    sum.energy = sum_of_lanes(energy) / 24;
-    return sum_of_lanes(volume) / 6;
+    for (int i = 0; i < 3; ++i) {
+      sum.force[i] = cell_rows[i][3] / 6;
+      for (int k = 0; k < 3; ++k) {
+        sum.at_cells(i, k) = cell_rows[i][k] / 24;
+        sum.cells_to_feet(i, k) = energy_rows[i][k] / 24;
+      }
+    }
+    sum.energy = energy / 24;
+    return volume / 6;
   }
 
   const PlanCode* code_;
@@ -290,11 +288,11 @@ class Follower {
   double rounding_;
   double shallowest_, deepest_;
   Places<most_plan_planes> normal_;
-  double offset_[Places<most_plan_planes>::room];
+  alignas(32) double offset_[Places<most_plan_planes>::room];
   Places<most_plan_corners> corners_;
-  double deepest_if_nearest_[Places<most_plan_corners>::room];
-  double depth_[most_plan_faces * most_plan_corners];
-  double cells_[4 * Places<most_plan_faces>::room];
+  alignas(32) double deepest_if_nearest_[Places<most_plan_corners>::room];
+  alignas(32) double depth_[most_plan_faces * most_plan_corners];
+  alignas(32) double cells_[4 * Places<most_plan_faces>::room];
 };
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace halfspace {
 template <int most>
 struct Places {
   static constexpr int room = most + 8;
-  double x[room], y[room], z[room];
+  alignas(32) double x[room], y[room], z[room];
 
   Vector<3> operator[](int at) const { return {x[at], y[at], z[at]}; }
   void put(int at, const Vector<3>& place) {

@@ -12,11 +12,13 @@ using FacePair = std::array<PlanCode, 2>;
 /// Planes that may tell where a corner is: the first ones of too many.
 class PlanesOfCorner {
  public:
+  /// The normal has any length, and the depth is as many times too large.
   void add(const FacePair& faces, const Vector<3>& normal, double depth) {
-    if (count_ == faces_.size()) return;
+    const double length = normal.norm();
+    if (count_ == faces_.size() || !(length > 0)) return;
     faces_[count_] = faces;
-    depth_[count_] = depth;
-    normal_[count_++] = normal;
+    depth_[count_] = depth / length;
+    normal_[count_++] = normal / length;
   }
 
   /// Moves it where three planes meet: those that are farthest from meeting in a line. False when all but do.
