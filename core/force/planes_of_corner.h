@@ -14,41 +14,51 @@ class PlanesOfCorner {
  public:
   /// The normal has any length, and the depth is as many times too large.
   void add(const FacePair& faces, const Vector<3>& normal, double depth) {
-    const double length = normal.norm();
-    if (count_ == faces_.size() || !(length > 0)) return;
-    faces_[count_] = faces;
-    depth_[count_] = depth / length;
-    normal_[count_++] = normal / length;
+    if (count_ == plane_.size()) return;
+    plane_[count_++] = {faces, normal, normal.norm(), depth};
   }
 
-  /// Moves it where three planes meet: those that are farthest from meeting in a line. False when all but do.
+  /// Moves it where three planes meet. False when all of them but meet in a line.
+  ///
+  /// The longer the normals of the three are and the less they agree, the better others that meet there are
+  /// met as well: the volume that they span tells both. Two faces that all but agree span as little as one of
+  /// them and the plane between them, which is the better choice.
   bool locate(Vector<3>& at, std::array<FacePair, 3>& faces) const {
-    double largest = 0;
+    double best = 0, best_share = 0;
     Vector<3> to_planes = Vector<3>::Zero();
     for (std::size_t i = 0; i < count_; ++i)
       for (std::size_t j = i + 1; j < count_; ++j) {
-        const Vector<3> along = cross_product(normal_[i], normal_[j]);
+        const Vector<3> along = cross_product(plane_[i].normal, plane_[j].normal);
         for (std::size_t k = j + 1; k < count_; ++k) {
-          const double span = along.dot(normal_[k]);
-          if (std::abs(span) <= largest) continue;
-          largest = std::abs(span);
-          faces = {faces_[i], faces_[j], faces_[k]};
-          to_planes = (depth_[k] * along + depth_[i] * cross_product(normal_[j], normal_[k]) +
-                       depth_[j] * cross_product(normal_[k], normal_[i])) /
+          const Plane &p = plane_[i], &q = plane_[j], &r = plane_[k];
+          const double span = along.dot(r.normal);
+          const double share = std::abs(span) / (p.length * q.length * r.length);
+          const double merit = std::abs(span) * (1 + share);
+          if (!(merit > best)) continue;
+          best = merit;
+          best_share = share;
+          faces = {p.faces, q.faces, r.faces};
+          to_planes = (r.depth * along + p.depth * cross_product(q.normal, r.normal) +
+                       q.depth * cross_product(r.normal, p.normal)) /
                       span;
         }
       }
     at += to_planes;
-    return largest > least_span;
+    return best_share > least_share;
   }
 
  private:
-  /// The volume that the normals of the three span.
-  static constexpr double least_span = 1e-6;
+  /// Of the volume that normals of their lengths span at most.
+  static constexpr double least_share = 1e-6;
 
-  std::array<FacePair, 16> faces_;
-  std::array<Vector<3>, 16> normal_;
-  std::array<double, 16> depth_;  // of the place where the corner was thought to be
+  struct Plane {
+    FacePair faces;
+    Vector<3> normal;
+    double length;
+    double depth;  // of the place where the corner was thought to be
+  };
+
+  std::array<Plane, 16> plane_;
   std::size_t count_ = 0;
 };
 

@@ -209,6 +209,35 @@ TEST_CASE("boxes whose faces are flush, or come to be, are planned or not, and p
   CHECK(followed > 300);
 }
 
+TEST_CASE("blocks some of whose faces all but agree are planned as well") {
+  Random random(208);
+  const Polyhedron cube = box({1, 1, 1});
+  int rounds = 0, planned = 0, followed = 0;
+  for (const double height : {1e-1, 1e-2, 1e-3, 1e-4}) {
+    Cloud tents = Cloud(cube.vertices.begin(), cube.vertices.end());
+    for (int axis = 0; axis < 3; ++axis) {
+      Vector<3> top = Vector<3>::Zero();
+      top[axis] = 0.5 + height;
+      tents.push_back(top);
+      tents.push_back(-top);
+    }
+    for (int round = 0; round < 50; ++round) {
+      PlannedPair pair(block_of(tents), block_of(tents));
+      bring_together(pair, random, 0.1);
+      check_same(pair.planned(), pair.found());
+      ++rounds;
+      planned += pair.known.knows();
+      pair.move(1, random_within(random, 1e-6), random_within(random, 1e-6));
+      if (const auto force = pair.followed()) {
+        ++followed;
+        check_same(*force, pair.found());
+      }
+    }
+  }
+  CHECK(planned > 0.95 * rounds);
+  CHECK(followed > 0.9 * rounds);
+}
+
 TEST_CASE("blocks of too many faces for a plan are pushed without one") {
   Random random(207);
   int planned = 0, unplanned = 0;

@@ -1,10 +1,14 @@
 #include "geometry/four_lanes.h"
 
+#include <algorithm>
+#include <array>
 #include <vector>
 
 #include "catch.h"
 #include "detect/expanding_polytope.h"
 #include "detect/support.h"
+#include "force/plan_lanes.h"
+#include "geometry/volume_sums.h"
 #include "polyhedra.h"
 
 using namespace halfspace;
@@ -36,7 +40,77 @@ template <class Four>
   return depths;
 }
 
+/// Sums over as many times four tetrahedra as the points have sets of twelve, from the origin.
+template <class Four>
+[[gnu::always_inline]] inline VolumeAndSpread spread_of(const Places<96>& points) {
+  SpreadSums<Four> sums;
+  for (int first = 0; first < 96; first += 12)
+    sums.add(points.four_from<Four>(first), points.four_from<Four>(first + 4),
+             points.four_from<Four>(first + 8));
+  return with_origin_at({1, 2, 3}, sums);
+}
+
 }  // namespace
+
+TEST_CASE("four lanes are compared, turned over and summed as their numbers are") {
+  const double a[] = {1, -2, 3, -0.0}, b[] = {-1, 5, 3, 0.5};
+  check_same_with_both([&]<class Four>() {
+    const Four p = four_at<Four>(a), q = four_at<Four>(b);
+    const Four most = larger(p, q), least = smaller(p, q), sizes = magnitude(p);
+    for (int i = 0; i < 4; ++i) {
+      CHECK(most[i] == std::max(a[i], b[i]));
+      CHECK(least[i] == std::min(a[i], b[i]));
+      CHECK(sizes[i] == std::abs(a[i]));
+      CHECK_FALSE(std::signbit(sizes[i]));
+    }
+    CHECK(smallest_lane(p) == -2);
+    CHECK(largest_lane(p) == 3);
+    Four rows[] = {p, q, most, least};
+    const Four before[] = {p, q, most, least};
+    transpose(rows);
+    for (int i = 0; i < 4; ++i)
+      for (int k = 0; k < 4; ++k) CHECK(rows[i][k] == before[k][i]);
+    return sum_of_lanes(p);
+  });
+  CHECK(sum_of_lanes(four_at<TwiceTwoLanes>(b)) == 7.5);
+}
+
+TEST_CASE("three planes meet in their corner, and tetrahedra sum up to the same bits, whatever the lanes") {
+  Random random(3);
+  for (int round = 0; round < 100; ++round) {
+    Places<96> points;
+    for (int i = 0; i < 96; ++i) points.put(i, random_direction(random));
+    check_same_with_both([&]<class Four>() {
+      const VolumeAndSpread body = spread_of<Four>(points);
+      std::array<double, 13> numbers;
+      numbers[0] = body.volume;
+      std::copy_n(body.moment.data(), 3, numbers.begin() + 1);
+      std::copy_n(body.spread.data(), 9, numbers.begin() + 4);
+      return numbers;
+    });
+    check_same_with_both([&]<class Four>() {
+      const Coordinates<Four> corner = points.four_from<Four>(12);
+      LanesOfPlanes<Four> planes[3];
+      for (int k = 0; k < 3; ++k) {
+        const Coordinates<Four> normal = points.four_from<Four>(4 * k);
+        planes[k] = {normal, dot_product(normal, corner)};
+      }
+      const Coordinates<Four> met = meeting(planes[0], planes[1], planes[2]);
+      const Four span = dot_product(planes[0].normal, cross_product(planes[1].normal, planes[2].normal));
+      std::array<double, 12> found;
+      for (int i = 0; i < 4; ++i) {
+        const double reach = 1e-15 / std::abs(span[i]);
+        CHECK(std::abs(met.x[i] - corner.x[i]) <= reach);
+        CHECK(std::abs(met.y[i] - corner.y[i]) <= reach);
+        CHECK(std::abs(met.z[i] - corner.z[i]) <= reach);
+        found[std::size_t(3 * i)] = met.x[i];
+        found[std::size_t(3 * i + 1)] = met.y[i];
+        found[std::size_t(3 * i + 2)] = met.z[i];
+      }
+      return found;
+    });
+  }
+}
 
 TEST_CASE("the deepest vertex is the same whatever the lanes") {
   Random random(1);
