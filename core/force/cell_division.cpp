@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "geometry/two_lanes.h"
 
@@ -84,7 +85,7 @@ std::size_t CellDivision::list_near_faces(const Array<NearFace>& near) {
   }
   const auto sum = [&](Index k) { return near[k].depths.least + near[k].depths.most; };
   std::sort(lists_.begin(), lists_.begin() + std::ptrdiff_t(count),
-            [&](Index e, Index f) { return sum(e) < sum(f); });
+            [&](Index e, Index f) { return std::pair(sum(e), e) < std::pair(sum(f), f); });
   return count;
 }
 

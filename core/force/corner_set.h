@@ -16,6 +16,11 @@ class CornerSet {
   bool is_within(const CornerSet& other) const {
     return ((words_[0] & ~other.words_[0]) | (words_[1] & ~other.words_[1])) == 0;
   }
+  CornerSet without(const CornerSet& other) const {
+    CornerSet rest;
+    for (int w = 0; w < 2; ++w) rest.words_[w] = words_[w] & ~other.words_[w];
+    return rest;
+  }
   bool operator==(const CornerSet&) const = default;
 
   friend CornerSet operator&(const CornerSet& a, const CornerSet& b) {

@@ -16,11 +16,13 @@ namespace halfspace {
 /// - for a, then for b: which of each four of its faces matter, bit by bit; count of these, which they are;
 /// - planes between faces of one block, on which points are as deep behind either: count, two planes of each;
 /// - corners that are vertices of a: count, these; likewise of b; then others: count, three planes of each;
-/// - what the blocks have in common: count of tetrahedra, the four corners of each, the first one the same;
+/// - what the blocks have in common: a corner that its tetrahedra share, count of these, the others of each;
 /// - for a, then for b, what is divided by the nearest of its faces:
-///   - the faces that corners are nearest to: count, depth of each;
-///   - the faces that corners are on: count, depth of each;
-///   - cells: count of tetrahedra, the face and the four corners of each.
+///   - the faces that corners are nearest to, but not on: count, depth of each;
+///   - the faces that corners of what the blocks have in common are on: count, depth of each;
+///   - cells: count of the first faces, which have them; count of tetrahedra, the face and the four corners
+///   of
+///     each.
 ///
 /// Planes and corners are numbered as they come. Where a block is divided its faces that matter count from 0;
 /// the depth of a corner behind one has the number that plan_depth() says. The count of tetrahedra is a

@@ -14,7 +14,7 @@ constexpr double least_turn = 0.1;
 /// By so much, as a share of the whole, may the volumes of the solids be off from what they have been found
 /// to be.
 constexpr double volume_error = 1e-9;
-/// Those included that turn out to be none.
+/// As many as places, even those that turn out to be no corners of a plan.
 constexpr std::size_t most_corners = most_division_crossings;
 
 template <class Visit>
@@ -46,17 +46,18 @@ void DivisionPlanner::begin(const PlacedBlock& a, const PlacedBlock& b, const Vo
   const auto largest_offset = [](const Outline<3>& outline) {
     return *std::max_element(outline.offset, outline.offset + outline.face_count());
   };
-  size_ = plan_size(b.at - a.at, std::max(largest_offset(a.outline), largest_offset(b.outline)));
+  const double size = plan_size(b.at - a.at, std::max(largest_offset(a.outline), largest_offset(b.outline)));
+  reach_ = one_place * size;
+  margin_ = plan_rounding_followed * size;
   corners_.clear();
   is_too_large_ = std::max(a.outline.face_count(), b.outline.face_count()) > most_faces_to_plan;
 }
 
 /// Among those before it, as a shared one or as one of the same cells.
 bool DivisionPlanner::is_known(const Corner& corner, std::size_t before) const {
-  const double reach = one_place * size_;
   return std::any_of(corners_.begin(), corners_.begin() + std::ptrdiff_t(before), [&](const Corner& known) {
     return (is_shared(known) || known.kind == corner.kind) &&
-           (known.at - corner.at).squaredNorm() <= reach * reach;
+           (known.at - corner.at).squaredNorm() <= reach_ * reach_;
   });
 }
 
@@ -66,10 +67,11 @@ void DivisionPlanner::add_corner(const Vector<3>& at, Kind kind) {
   Corner corner{};
   corner.at = at;
   corner.kind = kind;
+  corner.arrival = std::int32_t(corners_.size());
   if (!is_known(corner, corners_.size())) corners_.push_back(corner);
 }
 
-/// Only faces that the depths at the corners leave in question matter.
+/// Only faces that the depths at the corners leave in question matter. Those that have cells come first.
 void DivisionPlanner::add_cells(int owner, const Array<NearFace>& near, const Array<double>& least_depth,
                                 const Array<Vector<3>>& places) {
   is_too_large_ |= near.size() > 2 * most_plan_faces || places.size() >= most_corners;
@@ -80,21 +82,23 @@ void DivisionPlanner::add_cells(int owner, const Array<NearFace>& near, const Ar
     if (is_of_cells(owner, corner)) reach = std::max(reach, least_depth_behind(near, corner.at));
   }
   near_[owner].clear();
-  const double margin = plan_rounding_followed * size_;
-  for (const NearFace& face : near)
-    if (least_depth[std::size_t(face.face)] <= reach + margin) near_[owner].push_back(face);
+  for (const bool has_cell : {true, false}) {
+    for (const NearFace& face : near)
+      if ((face.cell.volume != 0) == has_cell && least_depth[std::size_t(face.face)] <= reach + margin_)
+        near_[owner].push_back(face);
+    if (has_cell) cell_count_[owner] = int(near_[owner].size());
+  }
   is_too_large_ |= near_[owner].size() > most_plan_faces;
 }
 
 DivisionPlanner::FacesOfCorner DivisionPlanner::faces_at(const Vector<3>& at) const {
-  const double rounding = plan_rounding_made * size_;
   FacesOfCorner faces{};
   for (int owner = 0; owner < 2; ++owner) {
     const double least = least_depth_behind(near_[owner], at);
     for (int f = 0; f < near_count(owner); ++f) {
       const double depth = plane(owner, f).depth(at);
-      faces.on[owner] |= FaceSet(depth <= rounding) << f;
-      faces.nearest[owner] |= FaceSet(depth <= least + rounding) << f;
+      faces.on[owner] |= FaceSet(depth <= rounding_) << f;
+      faces.nearest[owner] |= FaceSet(depth <= least + rounding_) << f;
     }
   }
   return faces;
@@ -122,21 +126,20 @@ bool DivisionPlanner::find_corners() {
 }
 
 /// As who follows the plan finds it, too.
-void DivisionPlanner::measure_size() {
+void DivisionPlanner::find_rounding() {
   double largest = 0;
   for (int owner = 0; owner < 2; ++owner)
     for (const NearFace& face : near_[owner])
       largest = std::max(largest, block_[owner]->outline.offset[face.face]);
-  size_ = plan_size(block_[1]->at - block_[0]->at, largest);
+  rounding_ = plan_rounding_made * plan_size(block_[1]->at - block_[0]->at, largest);
 }
 
 bool DivisionPlanner::is_vertex_of(int owner, Corner& corner) const {
   if (std::popcount(corner.faces.on[owner]) < 3) return false;
   const Outline<3>& outline = block_[owner]->outline;
   const Vector<3> at = corner.at - block_[owner]->at;
-  const double reach = one_place * size_;
   for (std::int32_t v = 0; v < outline.vertex_count(); ++v) {
-    if ((outline.vertex(v) - at).squaredNorm() > reach * reach) continue;
+    if ((outline.vertex(v) - at).squaredNorm() > reach_ * reach_) continue;
     corner.vertex = v;
     corner.at = outline.vertex(v) + block_[owner]->at;
     corner.kind = owner == 0 ? vertex_of_a : vertex_of_b;
@@ -191,8 +194,9 @@ bool DivisionPlanner::locate(Corner& corner) const {
 
 /// In the order of their numbers. False when there are too many.
 bool DivisionPlanner::sort_corners() {
-  std::sort(corners_.begin(), corners_.end(),
-            [](const Corner& p, const Corner& q) { return p.kind < q.kind; });
+  std::sort(corners_.begin(), corners_.end(), [](const Corner& p, const Corner& q) {
+    return p.kind != q.kind ? p.kind < q.kind : p.arrival < q.arrival;
+  });
   while (!corners_.empty() && corners_.back().kind == none) corners_.pop_back();
   return corners_.size() <= std::size_t(most_plan_corners);
 }
@@ -218,13 +222,12 @@ void DivisionPlanner::list_corners_of_faces() {
 
 void DivisionPlanner::put_faces() {
   for (int owner = 0; owner < 2; ++owner) {
-    const int face_count = block_[owner]->outline.face_count();
-    const auto matters = [&](int face) {
-      return face >= face_count || std::any_of(near_[owner].begin(), near_[owner].end(),
-                                               [&](const NearFace& near) { return near.face == face; });
-    };
-    for (int f = 0; f < face_count; f += 4)
-      writer_.put({matters(f) | matters(f + 1) << 1 | matters(f + 2) << 2 | matters(f + 3) << 3});
+    const int count = block_[owner]->outline.face_count(), padded = Outline<3>::padded(count);
+    int which_matter[Outline<3>::padded(most_faces_to_plan) / 4] = {};
+    const auto add = [&](int face) { which_matter[face / 4] |= 1 << face % 4; };
+    for (const NearFace& face : near_[owner]) add(face.face);
+    for (int repeated = count; repeated < padded; ++repeated) add(repeated);
+    for (int f = 0; f < padded; f += 4) writer_.put({which_matter[f / 4]});
     writer_.begin_list();
     for (const NearFace& face : near_[owner]) writer_.put_in_list({face.face});
   }
@@ -272,41 +275,31 @@ void DivisionPlanner::begin_solid(const CornerSet& corners) {
 bool DivisionPlanner::put_whole() {
   begin_solid(shared_);
   if (!solid_.close()) return false;
+  const int top = solid_.top();
+  writer_.put({top});
   writer_.begin_list();
-  int top = 0;
-  const double volume = solid_.divide([&](const PlannedSolid::Tetrahedron& corners) {
-    const auto& [first, p, q, r] = corners;
-    top = first;
-    writer_.put_in_list({top, p, q, r});
-  });
-  writer_.fill_list_of_tetrahedra({top, top, top, top});
+  const double volume = solid_.divide(top, [&](int p, int q, int r) { writer_.put_in_list({p, q, r}); });
+  writer_.fill_list_of_tetrahedra({top, top, top});
   return std::abs(volume - volume_) <= volume_error * volume_;
 }
 
+/// A shared corner on a face is nearest to it as well.
 void DivisionPlanner::put_depths(int owner) {
+  const auto put = [&](int face, const CornerSet& corners) {
+    corners.for_each([&](int c) { writer_.put_in_list({plan_depth(face, c)}); });
+  };
   writer_.begin_list();
   for (int f = 0; f < near_count(owner); ++f)
-    (nearest_[owner][f] & of_cells_[owner]).for_each([&](int c) { writer_.put_in_list({plan_depth(f, c)}); });
-  // Corners of the other block's cells are where their planes meet: only other faces have to be looked at.
+    put(f, (nearest_[owner][f] & of_cells_[owner]).without(on_[owner][f] & shared_));
   writer_.begin_list();
-  for (int f = 0; f < near_count(owner); ++f)
-    on_[owner][f].for_each([&](int c) {
-      if (of_cells_[owner].has(c) || !is_told_by(corners_[std::size_t(c)], owner, f))
-        writer_.put_in_list({plan_depth(f, c)});
-    });
-}
-
-bool DivisionPlanner::is_told_by(const Corner& corner, int owner, int face) const {
-  const FacePair alone{PlanCode(owner == 0 ? face : near_count(0) + face), PlanCode(all_near())};
-  return std::find(corner.told_by.begin(), corner.told_by.end(), alone) != corner.told_by.end();
+  for (int f = 0; f < near_count(owner); ++f) put(f, on_[owner][f] & shared_);
 }
 
 bool DivisionPlanner::put_cells(int owner) {
   put_depths(owner);
+  writer_.put({cell_count_[owner]});
   writer_.begin_list();
-  for (int f = 0; f < near_count(owner); ++f) {
-    const double expected = near_[owner][std::size_t(f)].cell.volume;
-    if (expected == 0) continue;
+  for (int f = 0; f < cell_count_[owner]; ++f) {
     const CornerSet of_cell = of_cells_[owner] & nearest_[owner][f];
     begin_solid(of_cell);
     for (int other = 0; other < near_count(owner); ++other)
@@ -314,10 +307,11 @@ bool DivisionPlanner::put_cells(int owner) {
         solid_.add_facet(of_cell & nearest_[owner][other],
                          plane(owner, other).normal - plane(owner, f).normal);
     if (!solid_.close()) return false;
-    const double volume = solid_.divide([&](const PlannedSolid::Tetrahedron& corners) {
-      const auto& [top, p, q, r] = corners;
+    const int top = solid_.top();
+    const double volume = solid_.divide(top, [&](int p, int q, int r) {
       writer_.put_in_list({f, top, p, q, r});
     });
+    const double expected = near_[owner][std::size_t(f)].cell.volume;
     if (!(std::abs(volume - expected) <= volume_error * volume_)) return false;
   }
   writer_.fill_list_of_tetrahedra({0, 0, 0, 0, 0});
@@ -326,7 +320,7 @@ bool DivisionPlanner::put_cells(int owner) {
 
 std::span<const PlanCode> DivisionPlanner::make() {
   if (is_too_large_) return {};
-  measure_size();
+  find_rounding();
   if (!find_corners()) return {};
   list_corners_of_faces();
   writer_.begin();

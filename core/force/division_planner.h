@@ -41,6 +41,7 @@ class DivisionPlanner {
 
  private:
   using FaceSet = std::uint64_t;
+  /// In the order in which corners are numbered; places that turn out to be none come last.
   enum Kind { vertex_of_a, vertex_of_b, shared, of_cells_of_a, of_cells_of_b, none };
 
   struct FacesOfCorner {
@@ -52,6 +53,7 @@ class DivisionPlanner {
   struct Corner {
     Vector<3> at;
     Kind kind;
+    std::int32_t arrival;
     std::int32_t vertex;
     FacesOfCorner faces;
     std::array<FacePair, 3> told_by;
@@ -65,7 +67,7 @@ class DivisionPlanner {
 
   bool is_known(const Corner& corner, std::size_t before) const;
   void add_corner(const Vector<3>& at, Kind kind);
-  void measure_size();
+  void find_rounding();
   bool find_corners();
   bool find_corner(Corner& corner) const;
   FacesOfCorner faces_at(const Vector<3>& at) const;
@@ -82,7 +84,6 @@ class DivisionPlanner {
   bool put_whole();
   bool put_cells(int owner);
   void put_depths(int owner);
-  bool is_told_by(const Corner& corner, int owner, int face) const;
   void begin_solid(const CornerSet& corners);
 
   const CuttingPlane& plane(int owner, int face) const { return near_[owner][std::size_t(face)].plane; }
@@ -91,6 +92,7 @@ class DivisionPlanner {
 
   Array<Corner> corners_;
   Array<NearFace> near_[2];
+  int cell_count_[2] = {};  // of the first ones of these
   Array<FacePair> between_;
   Array<Vector<3>> places_;  // of the corners
   CornerSet shared_;
@@ -102,7 +104,9 @@ class DivisionPlanner {
   std::optional<PlacedBlock> block_[2];
   bool is_too_large_ = false;
   double volume_ = 0;
-  double size_ = 0;
+  double reach_ = 0;     // within which corners are one
+  double margin_ = 0;    // to faces that do not matter
+  double rounding_ = 0;  // of depths
 };
 
 }  // namespace halfspace

@@ -10,6 +10,8 @@ namespace halfspace {
 /// When the owner moves, the depth changes as its face moves where the cell's centroid has its foot: the
 /// force on the owner acts there. When the other one does, the cell moves, and as it is squeezed the energy
 /// in it falls: its virial has an isotropic part.
+///
+/// Who follows a plan sums up the same in lanes (`followed_plan.cpp`).
 template <int D>
 struct FieldForce {
   Vector<D> force = Vector<D>::Zero();          // on the other block

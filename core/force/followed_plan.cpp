@@ -25,12 +25,13 @@ class Follower {
     find_corners();
     find_bounds();
     const VolumeAndSpread content = measure();
-    if (!(content.volume > 0)) return std::nullopt;
+    // Corners that have come together lie on whatever faces meet there.
+    if (!(content.volume > rounding_ * surface_of_bounds())) return std::nullopt;
     FieldForce<3> by[2];
     for (int owner = 0; owner < 2; ++owner) {
       sound(owner);
       if (!corners_are_where_they_were() || comes_near_others(owner)) return std::nullopt;
-      sum_up_cells(owner);
+      sum_up_cells();
       const double divided = add_cells(owner, by[owner]);
       if (!(std::abs(divided - content.volume) <= 2 * rounding_ * surface_of_bounds())) return std::nullopt;
     }
@@ -80,7 +81,7 @@ class Follower {
     rounding_ = plan_rounding_followed * plan_size(blocks_[1].at, largest_lane(largest_offset));
   }
 
-  /// The next four of a list, or the rest of it.
+  /// Goes on behind the next four of a list, or the rest of it, and counts them.
   void pass(int rest, int codes_each, int& count) {
     const int passed = std::min(rest, 4);
     code_ += codes_each * passed;
@@ -153,15 +154,14 @@ class Follower {
 
   /// What the blocks have in common.
   VolumeAndSpread measure() {
-    int rest = next();
-    const Vector<3> top = corners_[*code_];
+    const Vector<3> top = corners_[next()];
     const Lanes tops = all_four<Four>(top);
     SpreadSums<Four> sums;
-    for (; rest > 0; rest -= 4, code_ += 16) {
+    for (int rest = next(); rest > 0; rest -= 4, code_ += 12) {
       const auto seen_from_top = [&](int which) __attribute__((always_inline)) {
-        return of_next_four<4>(which).template lanes<Four>(corners_) - tops;
+        return of_next_four<3>(which).template lanes<Four>(corners_) - tops;
       };
-      sums.add(seen_from_top(1), seen_from_top(2), seen_from_top(3));
+      sums.add(seen_from_top(0), seen_from_top(1), seen_from_top(2));
     }
     return with_origin_at(top, sums);
   }
@@ -194,7 +194,9 @@ class Follower {
     deepest_ = largest_lane(deepest);
   }
 
-  /// None outside, each nearest to the same faces and on the same ones. No corner that is not a number is.
+  /// None outside, each nearest to the same faces, and those of what the blocks have in common on the same
+  /// ones: then that is what it was, and its cells lie within those of the owner's faces. No corner that is
+  /// not a number is nearest to any.
   bool corners_are_where_they_were() {
     bool all = shallowest_ >= -rounding_;
     for (int rest = next(); rest > 0; --rest) {
@@ -223,8 +225,9 @@ class Follower {
   }
 
   /// What the owner's faces have for cells: 24 times the moment, and six times the volume in the last lane.
-  void sum_up_cells(int owner) {
-    std::fill_n(cells_, 4 * (first_face_[owner + 1] - first_face_[owner]), 0.0);
+  void sum_up_cells() {
+    cell_count_ = next();
+    std::fill_n(cells_, 4 * cell_count_, 0.0);
     for (int rest = next(); rest > 0; rest -= 4, code_ += 20) {
       const auto corners = [&](int which) __attribute__((always_inline)) {
         return of_next_four<5>(which).template lanes<Four>(corners_);
@@ -253,7 +256,7 @@ class Follower {
     double volume = 0, energy = 0;
     Four cell_rows[3] = {}, energy_rows[3] = {};
     const double* cell = cells_;
-    for (int plane = first_face_[owner]; plane < first_face_[owner + 1]; ++plane, cell += 4) {
+    for (int plane = first_face_[owner], end = plane + cell_count_; plane < end; ++plane, cell += 4) {
       const Vector<3> normal = normal_[plane];
       const double energy_here =
           4 * offset_[plane] * cell[3] - (normal.x() * cell[0] + normal.y() * cell[1] + normal.z() * cell[2]);
@@ -284,6 +287,7 @@ class Follower {
   int first_face_[3];  // of a, of b, and where the planes between faces begin
   int plane_count_ = 0;
   int corner_count_ = 0;
+  int cell_count_;                // of one owner
   Vector<3> center_, half_size_;  // of what the blocks have in common
   double rounding_;
   double shallowest_, deepest_;

@@ -42,10 +42,8 @@ class PlanCheck {
     }
   }
 
-  int take_tetrahedra(std::initializer_list<int> ends_of_each) {
-    const int listed = take_list(ends_of_each);
-    if (listed % 4 != 0) is_right_ = false;
-    return listed;
+  void take_tetrahedra(std::initializer_list<int> ends_of_each) {
+    if (take_list(ends_of_each) % 4 != 0) is_right_ = false;
   }
 
  private:
@@ -66,11 +64,13 @@ bool is_plan(std::span<const PlanCode> plan, const Outline<3>& a, const Outline<
   corners += check.take_list({b.vertex_count()});
   corners += check.take_list({planes, planes, planes});
   if (between > most_planes_between || corners < 1 || corners > most_plan_corners) return false;
-  if (check.take_tetrahedra({corners, corners, corners, corners}) < 1) return false;
+  check.take(corners);
+  check.take_tetrahedra({corners, corners, corners});
   for (const int of_owner : faces) {
     check.take_depths(of_owner, corners);
     check.take_depths(of_owner, corners);
-    check.take_tetrahedra({of_owner, corners, corners, corners, corners});
+    const int cells = check.take(of_owner + 1);
+    check.take_tetrahedra({cells, corners, corners, corners, corners});
   }
   return check.is_right() && check.is_over();
 }

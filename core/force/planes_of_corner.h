@@ -43,8 +43,9 @@ class PlanesOfCorner {
                       span;
         }
       }
+    if (!(best_share > least_share)) return false;
     at += to_planes;
-    return best_share > least_share;
+    return true;
   }
 
  private:

@@ -14,16 +14,12 @@ double angle_of(double x, double y) {
 
 }  // namespace
 
-/// One that has all corners of another takes its place: where faces of both blocks lie in one plane.
+/// One that has all corners of others takes their place: where faces of both blocks lie in one plane.
 void PlannedSolid::add_facet(const CornerSet& corners, const Vector<3>& outward) {
   if (corners.count() < 3) return;
-  for (Facet& facet : facets_) {
+  for (const Facet& facet : facets_)
     if (corners.is_within(facet.corners)) return;
-    if (!facet.corners.is_within(corners)) continue;
-    facet.outward = outward;
-    facet.corners = corners;
-    return;
-  }
+  std::erase_if(facets_, [&](const Facet& facet) { return facet.corners.is_within(corners); });
   facets_.emplace_back().outward = outward;
   facets_.back().corners = corners;
 }
@@ -61,17 +57,15 @@ bool PlannedSolid::close() {
   return std::equal(to, to + at_.size(), from);
 }
 
-int PlannedSolid::corner_in_most_facets() const {
+int PlannedSolid::top() const {
   int facets_at[most_plan_corners] = {};
   for (const Facet& facet : facets_) facet.corners.for_each([&](int c) { ++facets_at[c]; });
   return int(std::max_element(facets_at, facets_at + at_.size()) - facets_at);
 }
 
-double PlannedSolid::volume_of(const Tetrahedron& corners) const {
-  const auto seen_from_first = [&](std::size_t i) {
-    return Vector<3>(at_[std::size_t(corners[i])] - at_[std::size_t(corners[0])]);
-  };
-  return seen_from_first(1).dot(cross_product(seen_from_first(2), seen_from_first(3))) / 6;
+double PlannedSolid::volume_of(int top, int p, int q, int r) const {
+  const auto seen_from_top = [&](int c) { return Vector<3>(at_[std::size_t(c)] - at_[std::size_t(top)]); };
+  return seen_from_top(p).dot(cross_product(seen_from_top(q), seen_from_top(r))) / 6;
 }
 
 }  // namespace halfspace

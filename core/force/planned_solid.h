@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 
@@ -12,8 +11,6 @@ namespace halfspace {
 /// A convex solid by the corners that lie in each of its facets.
 class PlannedSolid {
  public:
-  using Tetrahedron = std::array<int, 4>;  // its corners
-
   explicit PlannedSolid(Memory* memory) : facets_(memory) {}
 
   void reserve() { facets_.reserve(3 * most_plan_faces); }
@@ -24,21 +21,22 @@ class PlannedSolid {
   }
   void add_facet(const CornerSet& corners, const Vector<3>& outward);
 
-  /// Whether nothing is missing: along each edge there are two facets, one on either side.
+  /// Goes around all facets. False when something is missing: along each edge there are two facets, one on
+  /// either side.
   bool close();
 
-  /// Shows tetrahedra that make it up, and returns their volume. They have one corner in common: that in most
-  /// facets, which makes them the fewest.
+  /// A corner in most facets: tetrahedra that share it are the fewest.
+  int top() const;
+  /// Shows the other corners of each, once the facets have been gone around, and returns the volume of all.
   template <class Show>
-  double divide(Show show) const {
-    const int top = corner_in_most_facets();
+  double divide(int top, Show show) const {
     double volume = 0;
     for (const Facet& facet : facets_) {
       if (facet.corners.has(top)) continue;
       for (int i = 1; i + 1 < facet.corners.count(); ++i) {
-        const Tetrahedron corners{top, facet.around[0], facet.around[i], facet.around[i + 1]};
-        volume += volume_of(corners);
-        show(corners);
+        const int p = facet.around[0], q = facet.around[i], r = facet.around[i + 1];
+        volume += volume_of(top, p, q, r);
+        show(p, q, r);
       }
     }
     return volume;
@@ -52,8 +50,7 @@ class PlannedSolid {
   };
 
   void go_around(Facet& facet) const;
-  int corner_in_most_facets() const;
-  double volume_of(const Tetrahedron& corners) const;
+  double volume_of(int top, int p, int q, int r) const;
 
   std::span<const Vector<3>> at_;
   Array<Facet> facets_;

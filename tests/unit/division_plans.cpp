@@ -178,6 +178,21 @@ TEST_CASE("a plan made where much lies in one place is not believed once that pa
   CHECK(refused > 1000);
 }
 
+TEST_CASE("a plan whose corners have come together is not believed") {
+  const Shape<3> large = shape_of(completed(box({2, 2, 2}))), small = shape_of(completed(box({1, 1, 1})));
+  for (const double overlap : {1e-9, 1e-6, 1e-3, 0.1}) {
+    PlannedPair pair(large, small);
+    pair.put(1, {0.1, 0.07, 1.5 - overlap}, {});
+    pair.planned();
+    REQUIRE(pair.followed());
+    // Upside down inside the large one, where the face that had gone in is flush with its top.
+    for (int step = -60; step <= 60; ++step) {
+      pair.put(1, {0.1, 0.07, 0.5 + 1e-15 * step}, Rotation<3>().turned_by({pi, 0, 0}));
+      if (const auto force = pair.followed()) check_same(*force, pair.found());
+    }
+  }
+}
+
 TEST_CASE("in the same places a planned force has the same bits again") {
   Random random(203);
   for (int round = 0; round < 200; ++round) {
