@@ -163,24 +163,6 @@ void Outlines<D>::deform(std::int32_t slot, const Tensor<D>& gradient) {
 }
 
 template <>
-Outline<2> Outlines<2>::seen_in(const Array<double>& components, std::int32_t slot) const {
-  const int count = form_[std::size_t(slot)];
-  const std::size_t n = extent_of(count).vertices;
-  const double* p = components.data() + first_[std::size_t(slot)];
-  return {count, p, p + n, p + 2 * n, p + 3 * n, p + 4 * n};
-}
-
-template <>
-Outline<3> Outlines<3>::seen_in(const Array<double>& components, std::int32_t slot) const {
-  const Topology& topology = topologies_[form_[std::size_t(slot)]];
-  const Extent extent = extent_of(topology);
-  const std::size_t v = extent.vertices, f = extent.halfspaces;
-  const double* p = components.data() + first_[std::size_t(slot)];
-  const double* n = p + 3 * v;
-  return {&topology, p, p + v, p + 2 * v, n, n + f, n + 2 * f, n + 3 * f};
-}
-
-template <>
 bool Outlines<2>::is_form(std::int32_t form) const {
   return form >= 3 && std::size_t(form) <= own_.size();
 }

@@ -73,10 +73,23 @@ class Outlines {
   [[no_unique_address]] std::conditional_t<D == 3, Topologies, NoTopologies> topologies_;
 };
 
+// Every pair looks at its two outlines in every step.
 template <>
-Outline<2> Outlines<2>::seen_in(const Array<double>& components, std::int32_t slot) const;
+inline Outline<2> Outlines<2>::seen_in(const Array<double>& components, std::int32_t slot) const {
+  const int count = form_[std::size_t(slot)];
+  const std::size_t n = std::size_t(Outline<2>::padded(count));
+  const double* p = components.data() + first_[std::size_t(slot)];
+  return {count, p, p + n, p + 2 * n, p + 3 * n, p + 4 * n};
+}
 template <>
-Outline<3> Outlines<3>::seen_in(const Array<double>& components, std::int32_t slot) const;
+inline Outline<3> Outlines<3>::seen_in(const Array<double>& components, std::int32_t slot) const {
+  const Topology& topology = topologies_[form_[std::size_t(slot)]];
+  const std::size_t v = std::size_t(Outline<3>::padded(topology.vertex_count)),
+                    f = std::size_t(Outline<3>::padded(topology.face_count));
+  const double* p = components.data() + first_[std::size_t(slot)];
+  const double* n = p + 3 * v;
+  return {&topology, p, p + v, p + 2 * v, n, n + f, n + 2 * f, n + 3 * f};
+}
 template <>
 bool Outlines<2>::is_form(std::int32_t form) const;
 template <>

@@ -4,6 +4,13 @@
 
 namespace halfspace {
 
+/// Of two blocks; zero of one that is not affine.
+template <int D>
+struct StrainRates {
+  Tensor<D> of_a = Tensor<D>::Zero();
+  Tensor<D> of_b = Tensor<D>::Zero();
+};
+
 /// How two blocks move: velocities of their centroids, angular velocities and strain rates.
 template <int D>
 struct PairMotion {
@@ -11,15 +18,14 @@ struct PairMotion {
   Vector<D> to_b;
   Angular<D> spin_a;
   Angular<D> spin_b;
-  const Tensor<D>* strain_rate_a = nullptr;  // of an affine block
-  const Tensor<D>* strain_rate_b = nullptr;
+  const StrainRates<D>* strain_rates = nullptr;  // none of two rigid blocks
 
   /// Velocity of b's material relative to a's at a point given from a's centroid.
   Vector<D> relative_at(const Vector<D>& p) const {
     Vector<D> relative = velocity + swept(spin_b, p - to_b) - swept(spin_a, p);
-    if (strain_rate_a || strain_rate_b) {
-      if (strain_rate_b) relative += *strain_rate_b * (p - to_b);
-      if (strain_rate_a) relative -= *strain_rate_a * p;
+    if (strain_rates) {
+      relative += strain_rates->of_b * (p - to_b);
+      relative -= strain_rates->of_a * p;
     }
     return relative;
   }

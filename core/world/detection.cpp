@@ -170,7 +170,7 @@ void World<D>::evaluate_forces(double elapsed) {
   std::fill(blocks_.force.begin(), blocks_.force.end(), Vector<D>::Zero());
   std::fill(blocks_.torque.begin(), blocks_.torque.end(), Angular<D>::Zero());
   for (Deformation<D>& deformation : blocks_.deformations().all()) deformation.virial = Tensor<D>::Zero();
-  Evaluation evaluation{elapsed, laws_.knows_potential() ? potential_length() : 0, {}, {}};
+  Evaluation evaluation{elapsed, laws_.knows_potential() ? potential_length() : 0};
   if (detected_) {
     forces_.clear();
     Contact<D> contact;

@@ -48,14 +48,23 @@ void World<D>::fix_potential_length() {
 
 /// How the blocks of a pair move against each other.
 template <int D>
-[[gnu::always_inline]] inline PairMotion<D> World<D>::motion_of(const Candidate<D>& pair) const {
+[[gnu::always_inline]] inline PairMotion<D> World<D>::motion_of(const Candidate<D>& pair,
+                                                                Evaluation& evaluation) const {
   const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
   PairMotion<D> motion{blocks_.velocity[b] - blocks_.velocity[a], blocks_.position[b] - blocks_.position[a],
                        blocks_.spin[a], blocks_.spin[b]};
-  if (!blocks_.has_affine()) return motion;
-  if (blocks_.is_affine(a)) motion.strain_rate_a = &blocks_.deformation(a).strain_rate;
-  if (blocks_.is_affine(b)) motion.strain_rate_b = &blocks_.deformation(b).strain_rate;
+  if (blocks_.has_affine()) motion.strain_rates = strain_rates_of(a, b, evaluation);
   return motion;
+}
+
+template <int D>
+const StrainRates<D>* World<D>::strain_rates_of(std::size_t a, std::size_t b, Evaluation& evaluation) const {
+  const bool a_strains = blocks_.is_affine(a), b_strains = blocks_.is_affine(b);
+  if (!a_strains && !b_strains) return nullptr;
+  evaluation.strain_rates = {};
+  if (a_strains) evaluation.strain_rates.of_a = blocks_.deformation(a).strain_rate;
+  if (b_strains) evaluation.strain_rates.of_b = blocks_.deformation(b).strain_rate;
+  return &evaluation.strain_rates;
 }
 
 /// The force of a contact by a law of springs.
@@ -71,7 +80,7 @@ template <int D>
   }
   bool bonded = pair.bonded;
   const PairLoad<D> load =
-      spring.evaluate(contact, overlap, motion_of(pair), shear, bonded, evaluation.energy);
+      spring.evaluate(contact, overlap, motion_of(pair, evaluation), shear, bonded, evaluation.energy);
   pair.bonded = bonded;
   return load;
 }
@@ -101,7 +110,7 @@ PairLoad<D> World<D>::potential_load(Candidate<D>& pair, const SpringLaw& law, c
   if (line.energy > 0) remember_point(potential.centroid, pair.memory);
   if (blocks_.is_affine(std::size_t(pair.a)) || blocks_.is_affine(std::size_t(pair.b)))
     evaluation.stretch = stretch_besides(line, potential, stiffness, at.to_b);
-  return spring.evaluate(line, motion_of(pair), shear, evaluation.energy);
+  return spring.evaluate(line, motion_of(pair, evaluation), shear, evaluation.energy);
 }
 
 /// Adds what a contact does to its two blocks, by the law of their materials: only one of springs reads it.

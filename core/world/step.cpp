@@ -28,8 +28,7 @@ typename World<D>::Drive World<D>::drive(std::size_t i) const {
 /// Newton's law with local damping (Cundall's, against each component of the velocity) and mass-proportional
 /// damping.
 template <int D>
-void World<D>::accelerate(std::size_t i) {
-  if (blocks_.is_affine(i)) return accelerate_affine(i);
+void World<D>::accelerate_rigid(std::size_t i) {
   auto [force, torque] = drive(i);
   if (settings_.local_damping > 0) {
     for (int k = 0; k < D; ++k) force[k] = damped(force[k], blocks_.velocity[i][k], settings_.local_damping);
@@ -40,6 +39,11 @@ void World<D>::accelerate(std::size_t i) {
   momentum_rate_[i] = torque - settings_.mass_damping * blocks_.momentum[i];
 }
 
+template <int D>
+void World<D>::accelerate(std::size_t i) {
+  blocks_.is_affine(i) ? accelerate_affine(i) : accelerate_rigid(i);
+}
+
 /// Plans the coming step: false when a block would pass its own radius in it, or when one is not finite: out
 /// of hand. Brings the neighbour list up to date when the step would use it up. All memory is taken here, so
 /// that a step once begun is finished.
@@ -48,11 +52,11 @@ bool World<D>::plan_motion() {
   const double half = 0.5 * time_step_;
   next_rotation_.resize(blocks_.slot_count());
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
-    if (blocks_.is_affine(i)) {
+    const bool rigid = blocks_.kind[i] == BlockKind::rigid;
+    if (!rigid && blocks_.is_affine(i)) {
       if (!plan_affine(i)) return false;
       continue;
     }
-    const bool rigid = blocks_.kind[i] == BlockKind::rigid;
     if (!rigid && blocks_.kind[i] != BlockKind::prescribed) continue;
     Vector<D> velocity = blocks_.velocity[i];
     Angular<D> spin = blocks_.spin[i];
@@ -80,12 +84,11 @@ template <int D>
 void World<D>::kick_and_drift() {
   const double half = 0.5 * time_step_;
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
-    if (blocks_.is_affine(i)) {
-      kick_and_drift_affine(i);
-      continue;
-    }
     if (blocks_.kind[i] == BlockKind::rigid) {
       blocks_.push(i, half * acceleration_[i], half * momentum_rate_[i]);
+    } else if (blocks_.is_affine(i)) {
+      kick_and_drift_affine(i);
+      continue;
     } else if (blocks_.kind[i] != BlockKind::prescribed) {
       continue;
     }
@@ -129,17 +132,16 @@ void World<D>::kick_and_book() {
   Stock stock;
   double applied_power = 0;
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
-    if (blocks_.is_affine(i)) {
-      kick_and_book_affine(i, stock, applied_power);
-      continue;
-    }
     const Vector<D> middle_velocity = blocks_.velocity[i];
     const Angular<D> middle_spin = blocks_.spin[i];
     if (blocks_.kind[i] == BlockKind::rigid) {
-      accelerate(i);
+      accelerate_rigid(i);
       applied_power +=
           blocks_.applied_force[i].dot(middle_velocity) + blocks_.applied_torque[i].dot(middle_spin);
       blocks_.kick(i, half * acceleration_[i], half * momentum_rate_[i]);
+    } else if (blocks_.is_affine(i)) {
+      kick_and_book_affine(i, stock, applied_power);
+      continue;
     }
     take_stock(i, middle_velocity, middle_spin, stock);
   }

@@ -141,8 +141,10 @@ class World {
   struct Evaluation {
     double elapsed;
     double potential_length;
-    ContactEnergy energy;
-    Stretch<D> stretch;  // of the contact at hand, by a law of potentials
+    ContactEnergy energy{};
+    // Of the contact at hand, where a block is affine.
+    Stretch<D> stretch{};
+    StrainRates<D> strain_rates{};
   };
 
   /// Of a contact.
@@ -172,7 +174,8 @@ class World {
   void find_contacts(OnContact on_contact);
   double mean_edge_length() const;
   void fix_potential_length();
-  PairMotion<D> motion_of(const Candidate<D>& pair) const;
+  PairMotion<D> motion_of(const Candidate<D>& pair, Evaluation& evaluation) const;
+  const StrainRates<D>* strain_rates_of(std::size_t a, std::size_t b, Evaluation& evaluation) const;
   PairLoad<D> spring_load(Candidate<D>& pair, const Contact<D>& contact, const SpringLaw& law,
                           const Spring<D>& spring, ShearSpring<D>& shear, Evaluation& evaluation) const;
   PotentialForce<D> potential_between(Candidate<D>& pair, const PlacedBlocks<D>& at, bool is_step);
@@ -203,6 +206,7 @@ class World {
   bool makes_energy() const;
   Drive drive(std::size_t slot) const;
   void accelerate(std::size_t slot);
+  void accelerate_rigid(std::size_t slot);
   Vector<D> affine_drive(std::size_t slot) const;
   Tensor<D> strain_drive(std::size_t slot) const;
   void accelerate_affine(std::size_t slot);
