@@ -32,7 +32,11 @@ double least_depth_behind(const Array<NearFace>& faces, const Vector<3>& at) {
 
 void DivisionPlanner::reserve() {
   corners_.reserve(most_corners);
-  for (Array<NearFace>& near : near_) near.reserve(2 * most_plan_faces);
+  for (int owner = 0; owner < 2; ++owner) {
+    near_[owner].reserve(2 * most_plan_faces);
+    on_[owner].reserve(most_plan_faces);
+    nearest_[owner].reserve(most_plan_faces);
+  }
   between_.reserve(3 * most_plan_corners);
   places_.reserve(most_plan_corners);
   solid_.reserve();
@@ -204,8 +208,8 @@ bool DivisionPlanner::sort_corners() {
 void DivisionPlanner::list_corners_of_faces() {
   shared_ = of_cells_[0] = of_cells_[1] = {};
   for (int owner = 0; owner < 2; ++owner) {
-    std::fill_n(on_[owner], near_count(owner), CornerSet());
-    std::fill_n(nearest_[owner], near_count(owner), CornerSet());
+    on_[owner].assign(near_[owner].size(), {});
+    nearest_[owner].assign(near_[owner].size(), {});
   }
   places_.clear();
   for (const Corner& corner : corners_) {
@@ -214,8 +218,8 @@ void DivisionPlanner::list_corners_of_faces() {
     if (is_shared(corner)) shared_.add(c);
     for (int owner = 0; owner < 2; ++owner) {
       if (is_of_cells(owner, corner)) of_cells_[owner].add(c);
-      for_each(corner.faces.on[owner], [&](int f) { on_[owner][f].add(c); });
-      for_each(corner.faces.nearest[owner], [&](int f) { nearest_[owner][f].add(c); });
+      for_each(corner.faces.on[owner], [&](int f) { on_[owner][std::size_t(f)].add(c); });
+      for_each(corner.faces.nearest[owner], [&](int f) { nearest_[owner][std::size_t(f)].add(c); });
     }
   }
 }
@@ -269,7 +273,7 @@ void DivisionPlanner::begin_solid(const CornerSet& corners) {
   solid_.begin(places_);
   for (int owner = 0; owner < 2; ++owner)
     for (int f = 0; f < near_count(owner); ++f)
-      solid_.add_facet(corners & on_[owner][f], plane(owner, f).normal);
+      solid_.add_facet(corners & on(owner, f), plane(owner, f).normal);
 }
 
 bool DivisionPlanner::put_whole() {
@@ -290,9 +294,9 @@ void DivisionPlanner::put_depths(int owner) {
   };
   writer_.begin_list();
   for (int f = 0; f < near_count(owner); ++f)
-    put(f, (nearest_[owner][f] & of_cells_[owner]).without(on_[owner][f] & shared_));
+    put(f, (nearest(owner, f) & of_cells_[owner]).without(on(owner, f) & shared_));
   writer_.begin_list();
-  for (int f = 0; f < near_count(owner); ++f) put(f, on_[owner][f] & shared_);
+  for (int f = 0; f < near_count(owner); ++f) put(f, on(owner, f) & shared_);
 }
 
 bool DivisionPlanner::put_cells(int owner) {
@@ -300,11 +304,11 @@ bool DivisionPlanner::put_cells(int owner) {
   writer_.put({cell_count_[owner]});
   writer_.begin_list();
   for (int f = 0; f < cell_count_[owner]; ++f) {
-    const CornerSet of_cell = of_cells_[owner] & nearest_[owner][f];
+    const CornerSet of_cell = of_cells_[owner] & nearest(owner, f);
     begin_solid(of_cell);
     for (int other = 0; other < near_count(owner); ++other)
       if (other != f)
-        solid_.add_facet(of_cell & nearest_[owner][other],
+        solid_.add_facet(of_cell & nearest(owner, other),
                          plane(owner, other).normal - plane(owner, f).normal);
     if (!solid_.close()) return false;
     const int top = solid_.top();

@@ -21,6 +21,8 @@ class DivisionPlanner {
         near_{Array<NearFace>(memory), Array<NearFace>(memory)},
         between_(memory),
         places_(memory),
+        on_{Array<CornerSet>(memory), Array<CornerSet>(memory)},
+        nearest_{Array<CornerSet>(memory), Array<CornerSet>(memory)},
         solid_(memory),
         writer_(memory) {}
 
@@ -87,6 +89,8 @@ class DivisionPlanner {
   void begin_solid(const CornerSet& corners);
 
   const CuttingPlane& plane(int owner, int face) const { return near_[owner][std::size_t(face)].plane; }
+  const CornerSet& on(int owner, int face) const { return on_[owner][std::size_t(face)]; }
+  const CornerSet& nearest(int owner, int face) const { return nearest_[owner][std::size_t(face)]; }
   int near_count(int owner) const { return int(near_[owner].size()); }
   int all_near() const { return near_count(0) + near_count(1); }
 
@@ -97,8 +101,8 @@ class DivisionPlanner {
   Array<Vector<3>> places_;  // of the corners
   CornerSet shared_;
   CornerSet of_cells_[2];
-  CornerSet on_[2][most_plan_faces];  // which corners are on a face, or nearest to it
-  CornerSet nearest_[2][most_plan_faces];
+  Array<CornerSet> on_[2];  // which corners are on a face, or nearest to it
+  Array<CornerSet> nearest_[2];
   PlannedSolid solid_;
   PlanWriter writer_;
   std::optional<PlacedBlock> block_[2];
