@@ -74,8 +74,7 @@ template <class Four>
   Four least = all_four<Four>(HUGE_VAL);
   // In this order, NaN is passed over.
   for (int v = 0; v < block.vertex_count(); v += 4) least = smaller(heights(v), least);
-  const TwoLanes two = smaller(low_half(least), high_half(least));
-  return std::min(two[0], two[1]);
+  return smallest_lane(least);
 }
 
 }  // namespace halfspace

@@ -20,9 +20,7 @@ namespace halfspace {
 /// - for a, then for b, what is divided by the nearest of its faces:
 ///   - the faces that corners are nearest to, but not on: count, depth of each;
 ///   - the faces that corners of what the blocks have in common are on: count, depth of each;
-///   - cells: count of the first faces, which have them; count of tetrahedra, the face and the four corners
-///   of
-///     each.
+///   - cells: count of the first faces, which have them; count of tetrahedra, face and four corners of each.
 ///
 /// Planes and corners are numbered as they come. Where a block is divided its faces that matter count from 0;
 /// the depth of a corner behind one has the number that plan_depth() says. The count of tetrahedra is a

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "force/division_plan.h"
+#include "force/plan_lanes.h"
 
 namespace halfspace {
 
@@ -25,26 +26,27 @@ class PlanesOfCorner {
   /// them and the plane between them, which is the better choice.
   bool locate(Vector<3>& at, std::array<FacePair, 3>& faces) const {
     double best = 0, best_share = 0;
-    Vector<3> to_planes = Vector<3>::Zero();
+    std::array<const Plane*, 3> chosen{};
     for (std::size_t i = 0; i < count_; ++i)
       for (std::size_t j = i + 1; j < count_; ++j) {
         const Vector<3> along = cross_product(plane_[i].normal, plane_[j].normal);
         for (std::size_t k = j + 1; k < count_; ++k) {
           const Plane &p = plane_[i], &q = plane_[j], &r = plane_[k];
-          const double span = along.dot(r.normal);
-          const double share = std::abs(span) / (p.length * q.length * r.length);
-          const double merit = std::abs(span) * (1 + share);
+          const double span = std::abs(along.dot(r.normal));
+          const double share = span / (p.length * q.length * r.length);
+          const double merit = span * (1 + share);
           if (!(merit > best)) continue;
           best = merit;
           best_share = share;
-          faces = {p.faces, q.faces, r.faces};
-          to_planes = (r.depth * along + p.depth * cross_product(q.normal, r.normal) +
-                       q.depth * cross_product(r.normal, p.normal)) /
-                      span;
+          chosen = {&p, &q, &r};
         }
       }
     if (!(best_share > least_share)) return false;
-    at += to_planes;
+    const auto& [p, q, r] = chosen;
+    faces = {p->faces, q->faces, r->faces};
+    const Coordinates<double> way =
+        meeting(p->seen_from_corner(), q->seen_from_corner(), r->seen_from_corner());
+    at += Vector<3>(way.x, way.y, way.z);
     return true;
   }
 
@@ -57,6 +59,8 @@ class PlanesOfCorner {
     Vector<3> normal;
     double length;
     double depth;  // of the place where the corner was thought to be
+
+    LanesOfPlanes<double> seen_from_corner() const { return {{normal.x(), normal.y(), normal.z()}, depth}; }
   };
 
   std::array<Plane, 16> plane_;

@@ -108,9 +108,9 @@ PairLoad<D> World<D>::potential_load(Candidate<D>& pair, const SpringLaw& law, c
   const double stiffness = law.normal_stiffness / evaluation.potential_length;
   const LineOfAction<D> line = line_of_action(potential, stiffness, at.to_b);
   if (line.energy > 0) remember_point(potential.centroid, pair.memory);
-  if (blocks_.is_affine(std::size_t(pair.a)) || blocks_.is_affine(std::size_t(pair.b)))
-    evaluation.stretch = stretch_besides(line, potential, stiffness, at.to_b);
-  return spring.evaluate(line, motion_of(pair, evaluation), shear, evaluation.energy);
+  const PairMotion<D> motion = motion_of(pair, evaluation);
+  if (motion.strain_rates) evaluation.stretch = stretch_besides(line, potential, stiffness, at.to_b);
+  return spring.evaluate(line, motion, shear, evaluation.energy);
 }
 
 /// Adds what a contact does to its two blocks, by the law of their materials: only one of springs reads it.
