@@ -1,9 +1,11 @@
 #include "files.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -11,26 +13,49 @@ namespace halfspace::cli {
 namespace fs = std::filesystem;
 namespace {
 
-void remove_matching(const fs::path& directory, const char* begin, const char* end) {
-  if (!fs::is_directory(directory)) return;
-  std::vector<fs::path> matching;
-  for (const fs::directory_entry& entry : fs::directory_iterator(directory)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with(begin) && name.ends_with(end)) matching.push_back(entry.path());
-  }
-  for (const fs::path& file : matching) fs::remove(file);
+/// What a run writes beside the files of fixed names: at_2.5s.svg, frames/frame_0007.vtp.
+bool is_number_between(std::string_view name, std::string_view begin, std::string_view end) {
+  if (name.size() <= begin.size() + end.size() || !name.starts_with(begin) || !name.ends_with(end))
+    return false;
+  const std::string_view middle = name.substr(begin.size(), name.size() - begin.size() - end.size());
+  return middle.find_first_not_of("0123456789.e+-") == std::string_view::npos;
 }
 
+void remove_numbered(const fs::path& directory, std::string_view begin, std::string_view end) {
+  if (!fs::is_directory(directory)) return;
+  std::vector<fs::path> numbered;
+  for (const fs::directory_entry& entry : fs::directory_iterator(directory)) {
+    if (is_number_between(entry.path().filename().string(), begin, end)) numbered.push_back(entry.path());
+  }
+  for (const fs::path& file : numbered) fs::remove(file);
+}
+
+/// Links are removed themselves, and what they lead to is left alone.
 void remove_earlier_run(const fs::path& path) {
+  const fs::path frames = path / "frames";
+  if (fs::is_symlink(frames)) fs::remove(frames);
   for (const char* name : {"run.pvd", "history.csv", "first.svg", "last.svg", "summary.txt"})
     fs::remove(path / name);
-  remove_matching(path, "at_", "s.svg");
-  remove_matching(path / "frames", "frame_", ".vtp");
+  remove_numbered(path, "at_", "s.svg");
+  remove_numbered(frames, "frame_", ".vtp");
+}
+
+/// Writes to a file of its own: one of that name, or a link, is removed first.
+bool write_anew(const fs::path& path, const std::string& content) {
+  std::error_code error;
+  fs::remove(path, error);
+  std::FILE* file = std::fopen(path.c_str(), "wbx");
+  if (!file) return false;
+  const bool whole = std::fwrite(content.data(), 1, content.size(), file) == content.size();
+  return std::fclose(file) == 0 && whole;
 }
 
 }  // namespace
 
 std::string content_of(const std::string& file) {
+  std::error_code unreadable;  // told below
+  if (fs::is_directory(file, unreadable))
+    throw std::runtime_error("cannot read " + file + ": it is a directory");
   std::ifstream stream(file, std::ios::binary);
   std::string content{std::istreambuf_iterator<char>(stream), {}};
   if (!stream.is_open() || stream.bad()) throw std::runtime_error("cannot read " + file);
@@ -55,12 +80,10 @@ OutputDirectory::OutputDirectory(fs::path path, bool force) : path_(std::move(pa
 void OutputDirectory::write(const std::string& name, const std::string& content) {
   const fs::path target = path_ / name;
   const fs::path temporary = target.string() + ".part";
-  std::ofstream stream(temporary, std::ios::binary);
-  stream << content;
-  stream.close();
+  const bool whole = write_anew(temporary, content);
   std::error_code error;
-  if (stream) fs::rename(temporary, target, error);
-  if (!stream || error) {
+  if (whole) fs::rename(temporary, target, error);
+  if (!whole || error) {
     std::error_code ignored;
     fs::remove(temporary, ignored);
     throw std::runtime_error("cannot write " + target.string() + (error ? ": " + error.message() : ""));

@@ -2,42 +2,78 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "random.h"
+#include "text.h"
 #include "vector.h"
 
 namespace halfspace::cli {
 namespace {
 
-void cut_by_joint(const Context& context, const Point& normal, double offset, std::vector<Shape>& blocks) {
-  const Point point = times(offset, normal);
-  std::vector<Shape> pieces;
-  pieces.reserve(blocks.size());
-  for (Shape& block : blocks) {
-    auto [behind, ahead] = cut(context, block, point, normal);
-    if (behind) pieces.push_back(std::move(behind));
-    if (ahead) pieces.push_back(std::move(ahead));
-  }
-  blocks = std::move(pieces);
-}
-
-void cut_by_set(const Context& context, const JointSet& set, const std::vector<Point>& region,
-                std::vector<Shape>& blocks) {
+/// How far points reach along a normal.
+struct Reach {
   double nearest = std::numeric_limits<double>::infinity();
   double farthest = -nearest;
-  for (const Point& p : region) {
-    const double offset = dot(set.normal, p);
-    nearest = std::min(nearest, offset);
-    farthest = std::max(farthest, offset);
+};
+
+Reach reach_of(const std::vector<Point>& points, const Point& normal) {
+  Reach reach;
+  for (const Point& p : points) {
+    const double offset = dot(normal, p);
+    reach.nearest = std::min(reach.nearest, offset);
+    reach.farthest = std::max(reach.farthest, offset);
   }
-  // A joint lies at most half a spacing from its even place, so one more on each side is enough.
-  const auto first = static_cast<std::int64_t>(std::floor((nearest - set.offset) / set.spacing)) - 1;
-  const auto last = static_cast<std::int64_t>(std::ceil((farthest - set.offset) / set.spacing)) + 1;
-  for (std::int64_t k = first; k <= last; ++k) {
+  return reach;
+}
+
+/// The joints that can cut what reaches so far: one lies at most half a spacing from its even place, so one
+/// more on each side is enough.
+struct JointRange {
+  JointRange(const JointSet& set, const Reach& reach)
+      : first(static_cast<std::int64_t>(std::floor((reach.nearest - set.offset) / set.spacing)) - 1),
+        last(static_cast<std::int64_t>(std::ceil((reach.farthest - set.offset) / set.spacing)) + 1) {}
+  std::int64_t first, last;
+};
+
+/// Refuses a set before it cuts anything: each joint within a region makes a block more.
+void require_joints(const JointSet& set, const Reach& reach) {
+  const double joints = (reach.farthest - reach.nearest) / set.spacing;
+  if (!(joints <= static_cast<double>(most_blocks))) {
+    throw JointFault(set, "about " + rounded(joints, 3) + " joints in a region of " +
+                              rounded(reach.farthest - reach.nearest, 3) + " m; allowed: at most " +
+                              std::to_string(most_blocks) + " blocks");
+  }
+  const double farthest = std::max({std::abs(reach.nearest), std::abs(reach.farthest), std::abs(set.offset)});
+  if (set.spacing < std::ldexp(farthest, -46)) {
+    throw JointFault(set, "lost in the rounding of places " + rounded(farthest, 3) +
+                              " m from the origin; allowed: a spacing of at least 2^-46 of that");
+  }
+}
+
+/// Cuts a block by all joints of a set one after the other: what lies behind a joint no later one cuts.
+void cut_by_set(const Context& context, const JointSet& set, Shape block, std::vector<Shape>& pieces) {
+  const Reach reach = reach_of(vertices_of(context, block), set.normal);
+  const JointRange joints(set, reach);
+  for (std::int64_t k = joints.first; k <= joints.last && block; ++k) {
     const double offset = joint_offset(set, k);
-    if (offset > nearest && offset < farthest) cut_by_joint(context, set.normal, offset, blocks);
+    if (offset <= reach.nearest || offset >= reach.farthest) continue;
+    auto [behind, ahead] = cut(context, block, times(offset, set.normal), set.normal);
+    if (behind) pieces.push_back(std::move(behind));
+    block = std::move(ahead);
   }
+  if (block) pieces.push_back(std::move(block));
+}
+
+void cut_by_set(const Context& context, const JointSet& set, std::vector<Shape>& blocks) {
+  std::vector<Shape> pieces;
+  for (Shape& block : blocks) {
+    cut_by_set(context, set, std::move(block), pieces);
+    if (pieces.size() > static_cast<std::size_t>(most_blocks))
+      throw JointFault(set, "more than " + std::to_string(most_blocks) + " blocks; allowed: so many");
+  }
+  blocks = std::move(pieces);
 }
 
 }  // namespace
@@ -58,11 +94,17 @@ Point joint_normal(double dip, double dip_direction) {
 
 JointedBlocks cut_jointed_rock(const Context& context, const JointedRock& rock, std::vector<Shape> regions) {
   JointedBlocks result;
+  std::set<const JointSet*> busy;
   for (Shape& region : regions) {
     const std::vector<Point> corners = vertices_of(context, region);
     std::vector<Shape> blocks;
     blocks.push_back(std::move(region));
-    for (const JointSet& set : rock.joint_sets) cut_by_set(context, set, corners, blocks);
+    for (const JointSet& set : rock.joint_sets) {
+      require_joints(set, reach_of(corners, set.normal));
+      const std::size_t before = blocks.size();
+      cut_by_set(context, set, blocks);
+      if (blocks.size() > before) busy.insert(&set);
+    }
     for (Shape& block : blocks) {
       const double size = properties_of(context, block).volume;
       if (size >= rock.smallest_size) {
@@ -72,6 +114,9 @@ JointedBlocks cut_jointed_rock(const Context& context, const JointedRock& rock, 
         result.size_left_out += size;
       }
     }
+  }
+  for (const JointSet& set : rock.joint_sets) {
+    if (!busy.count(&set)) result.idle_sets.push_back(&set);
   }
   return result;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "library.h"
@@ -9,9 +11,10 @@ namespace halfspace::cli {
 
 /// What the joints made of a region.
 struct JointedBlocks {
-  std::vector<Shape> blocks;  ///< in the order of the cuts, which is fixed by the scene
-  int left_out = 0;           ///< blocks smaller than the smallest size
-  double size_left_out = 0;   ///< of all those together
+  std::vector<Shape> blocks;               ///< in the order of the cuts, which is fixed by the scene
+  int left_out = 0;                        ///< blocks smaller than the smallest size
+  double size_left_out = 0;                ///< of all those together
+  std::vector<const JointSet*> idle_sets;  ///< none of their joints cuts any region
 };
 
 /// Where joint k of a set lies: its distance from the origin along the joints' normal. It depends on the set
@@ -24,9 +27,16 @@ Point joint_normal(double dip);
 /// The same in 3D for joints that dip towards a direction, clockwise from +y (north) seen from above.
 Point joint_normal(double dip, double dip_direction);
 
+/// Thrown for joints that cannot be cut.
+struct JointFault : std::runtime_error {
+  JointFault(const JointSet& set, const std::string& text) : std::runtime_error(text), set(set) {}
+  const JointSet& set;
+};
+
 /// Cuts convex regions by all joints of all sets. Every piece is cut by the same line or plane, so
 /// neighbouring blocks share their vertices, to rounding.
-/// @throws LibraryError if a part is too small to compute with
+/// @throws JointFault if there are more than most_blocks of them, or if joints lie closer than their places
+/// can be told apart; LibraryError if a part is too small to compute with
 JointedBlocks cut_jointed_rock(const Context& context, const JointedRock& rock, std::vector<Shape> regions);
 
 }  // namespace halfspace::cli

@@ -73,6 +73,8 @@ class Keys {
   std::string path(std::string_view key) const;
   void fault(std::string_view key, std::string text) { faults_->add(place(key), path(key), std::move(text)); }
 
+  void note(std::string_view key, std::string text) { faults_->note(place(key), path(key), std::move(text)); }
+
   /// Tells of every key that nobody asked for.
   void finish();
 

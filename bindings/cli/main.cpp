@@ -6,6 +6,8 @@
 #include "faults.h"
 #include "files.h"
 #include "library.h"
+#include "model.h"
+#include "notes.h"
 #include "plan.h"
 #include "read_scene.h"
 #include "run.h"
@@ -40,12 +42,14 @@ int refuse(const std::string& file, const Faults& faults) {
 
 int check(const std::string& file) {
   const Context context = make_context();
-  const CheckedScene checked = load(context, file);
+  CheckedScene checked = load(context, file);
   if (!checked.faults.none()) return refuse(file, checked.faults);
-  std::string text = file + ": no faults, " + std::to_string(checked.plan.blocks.size()) + " blocks";
-  if (checked.plan.left_out > 0)
-    text += ", " + std::to_string(checked.plan.left_out) + " left out as too small";
-  print(stdout, text + '\n');
+  const Model model(context, checked.scene, std::move(checked.plan));
+  note_start(context, checked.scene, model, checked.faults);
+  std::string text = file + ": no faults, " + std::to_string(model.plan().blocks.size()) + " blocks";
+  if (model.plan().left_out > 0)
+    text += ", " + std::to_string(model.plan().left_out) + " left out as too small";
+  print(stdout, text + '\n' + checked.faults.describe_notes(file));
   return exit_ok;
 }
 
@@ -68,7 +72,10 @@ int run(const std::string& file, const std::string& output, bool force) {
   CheckedScene checked = load(context, file);
   if (!checked.faults.none()) return refuse(file, checked.faults);
   OutputDirectory directory(output, force);
-  const RunResult result = run_scene(context, checked.scene, std::move(checked.plan), directory);
+  Model model(context, checked.scene, std::move(checked.plan));
+  note_start(context, checked.scene, model, checked.faults);
+  print(stderr, checked.faults.describe_notes(file));
+  const RunResult result = run_scene(checked.scene, model, checked.faults.describe_notes("scene"), directory);
   print(stdout, result.summary + result.timings);
   print_files(directory);
   if (result.outcome == Outcome::unstable) {

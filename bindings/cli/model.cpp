@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "vector.h"
@@ -116,6 +117,21 @@ hs_deformation Model::deformation_of(std::size_t block) const {
   hs_deformation deformation;
   require(context_, hs_world_get_deformation(world_.get(), blocks_[block], &deformation));
   return deformation;
+}
+
+std::vector<hs_contact> Model::contacts() const {
+  int64_t count = 0;
+  const hs_status status = hs_world_get_contacts(world_.get(), nullptr, 0, &count);
+  require(context_, status);
+  std::vector<hs_contact> contacts(static_cast<std::size_t>(count));
+  require(context_, hs_world_get_contacts(world_.get(), contacts.data(), count, nullptr));
+  std::map<hs_block, std::size_t> index_of;
+  for (std::size_t i = 0; i < blocks_.size(); ++i) index_of[blocks_[i]] = i;
+  for (hs_contact& contact : contacts) {
+    contact.block_a = index_of.at(contact.block_a);
+    contact.block_b = index_of.at(contact.block_b);
+  }
+  return contacts;
 }
 
 Frame Model::frame() const {

@@ -36,6 +36,8 @@ class Model {
   bool motions_over() const { return next_motion_change() == never; }
   const hs_world_report& report() const { return report_; }
   Frame frame() const;
+  /// The contacts there are; blocks are named by their indices in the plan.
+  std::vector<hs_contact> contacts() const;
   hs_block_state state_of(std::size_t block) const;
   hs_deformation deformation_of(std::size_t block) const;
   const Plan& plan() const { return plan_; }

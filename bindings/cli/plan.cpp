@@ -9,6 +9,7 @@
 #include "checked_shape.h"
 #include "jointed_rock.h"
 #include "keys.h"
+#include "text.h"
 #include "triangulation.h"
 #include "voronoi.h"
 
@@ -42,10 +43,19 @@ class Planner {
     std::vector<Shape> regions;
     for (const Region& region : rock.regions) regions.push_back(shapes_.of(region));
     if (!may_generate(rock.making)) return;
-    JointedBlocks cut = cut_jointed_rock(context_, rock, std::move(regions));
-    add_members(rock.making, std::move(cut.blocks));
-    plan_.left_out += cut.left_out;
-    plan_.size_left_out += cut.size_left_out;
+    try {
+      JointedBlocks cut = cut_jointed_rock(context_, rock, std::move(regions));
+      add_members(rock.making, std::move(cut.blocks));
+      plan_.left_out += cut.left_out;
+      plan_.size_left_out += cut.size_left_out;
+      for (const JointSet* set : cut.idle_sets) {
+        faults_.note(set->place, set->key,
+                     "none of these joints, " + shortest(set->spacing) + " m apart, runs through the region");
+      }
+    } catch (const JointFault& fault) {
+      faults_.add(fault.set.place, fault.set.key, fault.what());
+      without_blocks_.push_back(rock.making.name);
+    }
   }
 
   void add(const Voronoi& voronoi) {
@@ -91,15 +101,15 @@ class Planner {
 
   /// Blocks and generators share one set of names.
   void claim(const Making& making) {
-    if (!making.name.empty() && !claimed_.insert(making.name).second) told_twice(making, making.name);
+    if (!making.name.empty() && !claimed_.insert(making.name).second) tell_used_twice(making, making.name);
   }
 
   void add(const std::string& name, const Making& making, Shape shape, const Placing& placing,
            const Motion& motion) {
-    if (!index_of_.emplace(name, plan_.blocks.size()).second) told_twice(making, name);
+    if (!index_of_.emplace(name, plan_.blocks.size()).second) tell_used_twice(making, name);
     std::vector<std::vector<int>> faces = outside_of(shape);
-    plan_.blocks.push_back({name, making.material, making.kind, making.stress, std::move(shape),
-                            std::move(faces), placing, motion});
+    plan_.blocks.push_back({name, making.key, making.place, making.material, making.kind, making.stress,
+                            std::move(shape), std::move(faces), placing, motion});
   }
 
   void add_members(const Making& making, std::vector<Shape> shapes) {
@@ -119,7 +129,9 @@ class Planner {
     return {outline};
   }
 
-  void told_twice(const Making& making, const std::string& name) {
+  /// Once for a block or generator, however many of its blocks have names of others.
+  void tell_used_twice(const Making& making, const std::string& name) {
+    if (!told_.insert(making.key).second) return;
     faults_.add(making.place, making.key + ".name", "used twice: \"" + name + "\"; allowed: a new name");
   }
 
@@ -129,6 +141,7 @@ class Planner {
   Plan plan_;
   std::map<std::string, std::size_t> index_of_;
   std::set<std::string> claimed_;
+  std::set<std::string> told_;               ///< keys of what has names of others
   std::vector<std::string> without_blocks_;  ///< because of faults
 };
 

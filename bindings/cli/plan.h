@@ -12,6 +12,8 @@ namespace halfspace::cli {
 
 struct PlannedBlock {
   std::string name;
+  std::string key;  ///< path in the file of what it comes from, and
+  Place place;      ///< where the name of that stands, for notes
   int material = 0;
   int kind = HS_BLOCK_RIGID;
   std::optional<Tensor> stress;

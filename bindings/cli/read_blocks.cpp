@@ -12,8 +12,6 @@
 namespace halfspace::cli {
 namespace {
 
-constexpr std::int64_t most_blocks = 10'000'000;  ///< of one generator
-
 std::uint64_t read_seed(Keys& keys) {
   return static_cast<std::uint64_t>(keys.integer("seed", 0, std::numeric_limits<std::int64_t>::max(), 0));
 }
@@ -39,12 +37,14 @@ Making read_making(Keys& keys, const Scene& scene, bool may_be_prescribed) {
   Making making{.name = read_name(keys), .key = keys.path("name"), .place = keys.place("name")};
   making.key.resize(making.key.size() - std::string_view(".name").size());
   const std::string material = keys.text("material", required);
-  if (keys.has("material")) making.material = material_index(keys, "material", material, scene);
+  std::optional<int> known;
+  if (keys.has("material")) known = material_index(keys, "material", material, scene);
+  making.material = known.value_or(0);
   static constexpr int kinds[] = {HS_BLOCK_RIGID, HS_BLOCK_FIXED, HS_BLOCK_AFFINE, HS_BLOCK_PRESCRIBED};
   making.kind = kinds[may_be_prescribed ? keys.word("kind", {"rigid", "fixed", "affine", "prescribed"}, 0)
                                         : keys.word("kind", {"rigid", "fixed", "affine"}, 0)];
-  if (making.kind == HS_BLOCK_AFFINE && keys.has("material") &&
-      !scene.materials[static_cast<std::size_t>(making.material)].elasticity) {
+  if (making.kind == HS_BLOCK_AFFINE && known &&
+      !scene.materials[static_cast<std::size_t>(*known)].elasticity) {
     keys.fault("kind",
                "the material \"" + material +
                    "\" is not elastic; allowed: with young_modulus and poisson_ratio in its [[material]]");
@@ -156,6 +156,8 @@ JointSet read_joint_set(Keys& keys) {
   set.offset = keys.number("offset", any_number(), set.offset);
   set.spread = keys.number("spread", {.low = 0, .high = 1, .with_high = false}, set.spread);
   set.seed = read_seed(keys);
+  set.key = keys.path("spacing");
+  set.place = keys.place("spacing");
   keys.finish();
   return set;
 }

@@ -4,13 +4,19 @@
 #include <filesystem>
 #include <utility>
 
+#include "deep_key.h"
 #include "files.h"
 #include "keys.h"
 #include "read_blocks.h"
 #include "read_values.h"
+#include "text.h"
 
 namespace halfspace::cli {
 namespace {
+
+/// The longest key of a scene has three. Parsed tables are worked on by functions that call themselves for
+/// each table inside, so that very deep ones would use up the stack.
+constexpr int most_names = 8;
 
 void read_world(Keys keys, Scene& scene) {
   hs_world_def& world = scene.world;
@@ -22,6 +28,7 @@ void read_world(Keys keys, Scene& scene) {
   std::copy(gravity.begin(), gravity.end(), world.gravity);
   scene.duration = keys.number("duration", above(0), required);
   world.time_step = keys.number("time_step", above(0), world.time_step);
+  scene.time_step_place = keys.place("time_step");
   world.safety = keys.number("safety", {.low = 0, .high = 1, .with_low = false}, world.safety);
   world.local_damping =
       keys.number("local_damping", {.low = 0, .high = 1, .with_high = false}, world.local_damping);
@@ -71,7 +78,7 @@ void read_law_values(Keys& keys, hs_law_def& law, bool is_whole) {
     return is_whole || changes_kind ? std::optional<double>() : inherited;
   };
   law.normal_stiffness = keys.number("normal_stiffness", above(0), stiffness(law.normal_stiffness));
-  law.shear_stiffness = keys.number("shear_stiffness", at_least(0), stiffness(law.shear_stiffness));
+  law.shear_stiffness = keys.number("shear_stiffness", at_least(0), changes_kind ? 0 : law.shear_stiffness);
   law.friction_angle = degrees(keys, "friction_angle", {.low = 0, .high = 90, .with_high = false},
                                law.friction_angle / degree);
   if (law.stiffness_kind == HS_STIFFNESS_POTENTIAL) {
@@ -92,39 +99,44 @@ void read_default_law(Keys keys, Scene& scene) {
 
 void read_laws(std::vector<Keys> tables, Scene& scene) {
   for (Keys& keys : tables) {
-    PairLaw pair{.law = scene.default_law};
     std::vector<Place> places;
     const std::vector<std::string> between = keys.texts("between", places, required);
+    std::optional<int> a, b;
     if (between.size() == 2) {
-      pair.a = material_index(keys, "between", between[0], scene);
-      pair.b = material_index(keys, "between", between[1], scene);
+      a = material_index(keys, "between", between[0], scene);
+      b = material_index(keys, "between", between[1], scene);
     } else if (!between.empty()) {
       keys.fault("between", std::to_string(between.size()) + " materials; allowed: two, [\"a\", \"b\"]");
     }
-    read_law_values(keys, pair.law, false);
+    hs_law_def law = scene.default_law;
+    read_law_values(keys, law, false);
+    keys.finish();
+    if (!a || !b) continue;
     const bool twice = std::any_of(scene.laws.begin(), scene.laws.end(), [&](const PairLaw& other) {
-      return std::minmax(other.a, other.b) == std::minmax(pair.a, pair.b);
+      return std::minmax(other.a, other.b) == std::minmax(*a, *b);
     });
-    if (twice && between.size() == 2) {
+    if (twice) {
       keys.fault("between", "a law between \"" + between[0] + "\" and \"" + between[1] +
                                 "\" was given before; allowed: one law for two materials");
     }
-    scene.laws.push_back(pair);
-    keys.finish();
+    scene.laws.push_back({*a, *b, law});
   }
 }
 
 void read_output(Keys keys, Scene& scene) {
   Output& output = scene.output;
-  output.frame_interval = keys.number("frame_interval", above(0), scene.duration);
+  output.frame_interval = keys.number("frame_interval", above(0), scene.duration / 50);
   output.history_interval = keys.number("history_interval", above(0), output.frame_interval);
   output.tracked = keys.texts("tracked", output.tracked_places, std::vector<std::string>{});
   Keys picture = keys.table("picture", false);
   output.colour = static_cast<Colour>(
       picture.word("colour", {"displacement", "speed", "layer", "material", "mean_stress"}, 0));
   output.layers = static_cast<int>(picture.integer("layers", 1, 1000, output.layers));
-  output.picture_times =
-      picture.rising_numbers("times", {.low = 0, .high = scene.duration, .with_low = false});
+  output.picture_times = picture.rising_numbers("times", above(0));
+  if (!output.picture_times.empty() && output.picture_times.back() > scene.duration) {
+    picture.note("times", shortest(output.picture_times.back()) + " s is after the end of the run, " +
+                              shortest(scene.duration) + " s: no such picture is made");
+  }
   const std::vector<Point> window = picture.points("window", 2, std::vector<Point>{});
   if (window.size() == 2 && spans(window[0], window[1], keys.dimension())) {
     output.window = {{window[0], window[1]}};
@@ -163,6 +175,11 @@ Scene read_top(Keys keys, const std::string& folder, Faults& faults) {
 
 Scene read_scene(const std::string& file, Faults& faults) {
   const std::string content = content_of(file);
+  if (const std::optional<Place> place = deep_key(content, most_names)) {
+    faults.add(*place, "",
+               "more than " + std::to_string(most_names) + " names in a key; allowed: the keys of a scene");
+    return {};
+  }
   try {
     const toml::table table = toml::parse(content, file);
     return read_top(Keys(table, "", faults), std::filesystem::path(file).parent_path().string(), faults);

@@ -31,14 +31,15 @@ std::string read_name(Keys& keys) {
   return name;
 }
 
-int material_index(Keys& keys, std::string_view key, const std::string& name, const Scene& scene) {
+std::optional<int> material_index(Keys& keys, std::string_view key, const std::string& name,
+                                  const Scene& scene) {
   std::vector<std::string_view> names;
   for (const Material& material : scene.materials) names.push_back(material.name);
   const auto found = std::find(names.begin(), names.end(), name);
   if (found != names.end()) return static_cast<int>(found - names.begin());
   keys.fault(key, "no such material: \"" + name + '"' + suggestion(name, names) +
                       "; allowed: the name of a [[material]]");
-  return 0;
+  return std::nullopt;
 }
 
 bool spans(const Point& low, const Point& high, int dimension) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <numbers>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -20,8 +21,9 @@ Point rotation(Keys& keys, std::string_view key);
 /// The key `name`. Names become columns of a table, so they are kept to what needs no quotes.
 std::string read_name(Keys& keys);
 
-/// The index of a material that a key names; 0 and a fault if there is none.
-int material_index(Keys& keys, std::string_view key, const std::string& name, const Scene& scene);
+/// The index of a material that a key names; none, and a fault, if there is no such material.
+std::optional<int> material_index(Keys& keys, std::string_view key, const std::string& name,
+                                  const Scene& scene);
 
 /// Does a box with these corners have a size in every direction?
 bool spans(const Point& low, const Point& high, int dimension);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <limits>
 #include <utility>
@@ -22,20 +23,31 @@ using Clock = std::chrono::steady_clock;
 volatile std::sig_atomic_t interrupt_asked = 0;
 void ask_for_interrupt(int) { interrupt_asked = 1; }
 
-/// Something to be done at every multiple of an interval.
+/// Signals that ask for the end, of a user, a terminal that closes or a batch system, end the run as if its
+/// time were over. Those that the caller has switched off, as nohup does, stay so. A reader of the output
+/// that goes away ends no run.
+void end_run_on_signals() {
+  for (int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGALRM, SIGUSR1, SIGUSR2}) {
+    if (std::signal(signal, ask_for_interrupt) == SIG_IGN) std::signal(signal, SIG_IGN);
+  }
+  std::signal(SIGPIPE, SIG_IGN);
+}
+
+/// Something to be done at every multiple of an interval, but not twice at a step.
 class Every {
  public:
   explicit Every(double interval) : interval_(interval) {}
-  double next() const { return static_cast<double>(count_) * interval_; }
+  double next() const { return count_ * interval_; }
   bool due(const Model& model) {
-    const bool is_due = model.reached(next());
-    while (model.reached(next())) ++count_;
-    return is_due;
+    if (!model.reached(next())) return false;
+    const double passed = (model.report().time + model.report().time_step / 2) / interval_;
+    count_ = std::min(std::max(count_ + 1, std::ceil(passed)), std::numeric_limits<double>::max());
+    return true;
   }
 
  private:
   double interval_;
-  std::int64_t count_ = 1;
+  double count_ = 1;  ///< whole; more than any integer has room for where the interval is tiny
 };
 
 /// Steps between two looks at the clock: about a tenth of a second, so that progress and interrupts are
@@ -43,9 +55,9 @@ class Every {
 class Batch {
  public:
   std::int64_t steps() const { return steps_; }
-  void adapt(std::chrono::duration<double> took) {
-    if (took.count() < 0.05) steps_ = std::min<std::int64_t>(2 * steps_, 1 << 20);
-    if (took.count() > 0.2) steps_ = std::max<std::int64_t>(steps_ / 2, 1);
+  void adapt(std::int64_t done, std::chrono::duration<double> took) {
+    const double wanted = std::min(2.0, 0.1 / took.count()) * static_cast<double>(done);
+    steps_ = std::clamp<std::int64_t>(std::llround(wanted), 1, Peaks::steps_between);
   }
 
  private:
@@ -77,7 +89,9 @@ class Recorder {
         directory_(directory),
         series_(model.plan(), directory),
         history_(model.plan()),
-        start_(model.frame()) {
+        start_(model.frame()),
+        stage_(scene, start_) {
+    peaks_.add(model_.report());
     record_frame();
     history_.add(model_);
     save_history();
@@ -91,6 +105,7 @@ class Recorder {
     Progress progress;
     while (!model_.reached(scene_.duration)) {
       const Clock::time_point before = Clock::now();
+      const std::int64_t steps_before = model_.report().steps;
       try {
         model_.step_towards(std::min({frames.next(), rows.next(), next_picture(), scene_.duration}),
                             batch.steps());
@@ -99,12 +114,13 @@ class Recorder {
         trouble = error.what();
         return Outcome::unstable;
       }
-      batch.adapt(Clock::now() - before);
+      peaks_.add(model_.report());
+      batch.adapt(model_.report().steps - steps_before, Clock::now() - before);
       progress.show(model_.report().time, scene_.duration);
       const bool row_due = rows.due(model_);
       if (row_due) record_row();
       if (frames.due(model_)) record_frame();
-      if (model_.reached(next_picture())) pictured_.push_back(model_.frame());
+      while (model_.reached(next_picture())) record_picture();
       if (row_due && rest.at_rest(model_)) return Outcome::at_rest;
       if (interrupt_asked) return Outcome::interrupted;
     }
@@ -117,7 +133,8 @@ class Recorder {
     if (last_row_step_ != model_.report().steps) record_row();
     save_history();
     const Frame end = model_.frame();
-    const Stage stage = stage_for(scene_, start_, end);
+    stage_.add(end);
+    const Stage stage = stage_.stage();
     directory_.write("first.svg", picture(stage, scene_, model_.plan(), start_, start_));
     for (std::size_t i = 0; i < pictured_.size(); ++i) {
       directory_.write("at_" + shortest(scene_.output.picture_times[i]) + "s.svg",
@@ -128,6 +145,7 @@ class Recorder {
   }
 
   const Frame& start() const { return start_; }
+  const Peaks& peaks() const { return peaks_; }
 
  private:
   double next_picture() const {
@@ -139,8 +157,14 @@ class Recorder {
     history_.add(model_);
     last_row_step_ = model_.report().steps;
   }
+  void record_picture() {
+    pictured_.push_back(model_.frame());
+    stage_.add(pictured_.back());
+  }
   void record_frame() {
-    series_.add(model_.frame(), start_);
+    const Frame frame = model_.frame();
+    series_.add(frame, start_);
+    stage_.add(frame);
     last_frame_step_ = model_.report().steps;
     save_history();
   }
@@ -152,25 +176,25 @@ class Recorder {
   VtkSeries series_;
   History history_;
   Frame start_;
+  RunStage stage_;
+  Peaks peaks_;
   std::vector<Frame>
-      pictured_;  ///< at the picture times, kept because all pictures share the stage of the last
+      pictured_;  ///< at the picture times; all pictures share a stage that is known at the end
   std::int64_t last_row_step_ = 0;
   std::int64_t last_frame_step_ = 0;
 };
 
 }  // namespace
 
-RunResult run_scene(const Context& context, const Scene& scene, Plan plan, OutputDirectory& directory) {
-  std::signal(SIGINT, ask_for_interrupt);
-  std::signal(SIGTERM, ask_for_interrupt);
+RunResult run_scene(const Scene& scene, Model& model, const std::string& notes, OutputDirectory& directory) {
+  end_run_on_signals();
   RunResult result;
-  Model model(context, scene, std::move(plan));
   Recorder recorder(scene, model, directory);
   const Clock::time_point before = Clock::now();
   result.outcome = recorder.run(result.trouble);
   const std::chrono::duration<double> took = Clock::now() - before;
   const Frame end = recorder.finish();
-  result.summary = summary(scene, model, recorder.start(), end, result.outcome);
+  result.summary = summary(scene, model, recorder.peaks(), recorder.start(), end, result.outcome) + notes;
   result.timings = timings(model.report(), took.count());
   directory.write("summary.txt", result.summary);
   return result;

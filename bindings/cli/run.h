@@ -3,8 +3,7 @@
 #include <string>
 
 #include "files.h"
-#include "library.h"
-#include "plan.h"
+#include "model.h"
 #include "scene.h"
 
 namespace halfspace::cli {
@@ -19,8 +18,9 @@ struct RunResult {
   std::string timings;  ///< of this run of it
 };
 
-/// Runs a scene and writes frames, history, pictures and summary. Whatever happens, the directory holds whole
-/// files of everything up to the end, regular or not. @throws LibraryError, std::runtime_error
-RunResult run_scene(const Context& context, const Scene& scene, Plan plan, OutputDirectory& directory);
+/// Runs a scene from its start, of which the notes are told in the summary, and writes frames, history,
+/// pictures and summary. Whatever happens, the directory holds whole files of everything up to the end,
+/// regular or not. @throws LibraryError, std::runtime_error
+RunResult run_scene(const Scene& scene, Model& model, const std::string& notes, OutputDirectory& directory);
 
 }  // namespace halfspace::cli

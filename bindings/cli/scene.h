@@ -12,6 +12,8 @@
 
 namespace halfspace::cli {
 
+constexpr std::int64_t most_blocks = 10'000'000;  ///< of one generator
+
 /// A point or vector; in 2D its last component is 0.
 using Point = std::array<double, 3>;
 
@@ -90,6 +92,8 @@ struct JointSet {
   double offset = 0;  ///< of joint 0 from the origin, along the joints' normal
   double spread = 0;  ///< random deviation of each spacing, share of the spacing
   std::uint64_t seed = 0;
+  std::string key = {};  ///< path of the spacing in the file and
+  Place place = {};      ///< where it stands, for faults
 };
 
 /// Convex regions cut by joint sets.
@@ -139,6 +143,7 @@ struct Scene {
   std::string folder;  ///< of the scene file; the names of other files are relative to it
   std::string title;
   hs_world_def world{};
+  Place time_step_place;  ///< for notes
   double duration = 0;
   double rest_speed = 0;  ///< 0: the run never ends early
   std::vector<Material> materials;

@@ -115,8 +115,8 @@ RunOut run_out(const Frame& start, const Frame& end, int dimension) {
   return result;
 }
 
-std::string summary(const Scene& scene, const Model& model, const Frame& start, const Frame& end,
-                    Outcome outcome) {
+std::string summary(const Scene& scene, const Model& model, const Peaks& peaks, const Frame& start,
+                    const Frame& end, Outcome outcome) {
   const hs_world_report& report = model.report();
   const RunOut reach = run_out(start, end, scene.world.dimension);
   return line("scene", scene.title) + line("outcome", describe(outcome)) +
@@ -124,9 +124,11 @@ std::string summary(const Scene& scene, const Model& model, const Frame& start, 
          line("simulated", rounded(report.time, 6) + " s in " + std::to_string(report.steps) + " steps of " +
                                rounded(report.time_step, 4) +
                                " s (stable: " + rounded(report.stable_time_step, 4) + " s)") +
-         line("contacts", std::to_string(report.contact_count) + ", largest overlap " +
+         line("contacts", std::to_string(report.contact_count) + " at the end, largest overlap " +
                               rounded(report.largest_overlap, 3) + " m, fastest block " +
                               rounded(report.largest_speed, 3) + " m/s") +
+         line("in the whole run", "largest overlap " + rounded(peaks.overlap, 3) + " m, fastest block " +
+                                      rounded(peaks.speed, 3) + " m/s") +
          (report.potential_length > 0 ? line("potential length", rounded(report.potential_length, 6) + " m")
                                       : std::string()) +
          line("energy residual", energy_text(report)) +

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 
 #include "model.h"
@@ -16,9 +17,21 @@ struct RunOut {
 
 RunOut run_out(const Frame& start, const Frame& end, int dimension);
 
+/// The largest values of a run. They are looked at once in a few steps: looking costs about as much as a
+/// step, and a contact lasts longer than that.
+struct Peaks {
+  static constexpr std::int64_t steps_between = 16;
+  void add(const hs_world_report& report) {
+    overlap = std::max(overlap, report.largest_overlap);
+    speed = std::max(speed, report.largest_speed);
+  }
+  double overlap = 0;
+  double speed = 0;
+};
+
 /// What came out, a line for each figure. The same scene gives the same text.
-std::string summary(const Scene& scene, const Model& model, const Frame& start, const Frame& end,
-                    Outcome outcome);
+std::string summary(const Scene& scene, const Model& model, const Peaks& peaks, const Frame& start,
+                    const Frame& end, Outcome outcome);
 
 /// How fast it was.
 std::string timings(const hs_world_report& report, double seconds);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "block/blocks.h"
 #include "check.h"
 #include "geometry/vector.h"
 #include "view.h"
@@ -20,11 +21,34 @@ Angular<D> read_finite_angular(const double* values, const char* name) {
   Angular<D> angular;
   for (int k = 0; k < angular.size(); ++k) {
     const int component = D == 2 ? 2 : k;
-    if (!std::isfinite(values[component]))
-      refuse(HS_ERROR_ARGUMENT, "%s[%d] is %g; it must be finite", name, component, values[component]);
+    if (!is_within_limits(values[component])) {
+      refuse(HS_ERROR_ARGUMENT, "%s[%d] is %g; it must be finite and at most 1e75", name, component,
+             values[component]);
+    }
     angular[k] = values[component];
   }
   return angular;
+}
+
+/// Of what a block would have: so far below infinity that sums over blocks stay finite. `prefix` stands
+/// before the arguments' names.
+template <int D>
+void require_energy(double mass, const Inertia<D>& inertia, const Rotation<D>& rotation,
+                    const Vector<D>& velocity, const Angular<D>& spin, const char* prefix = "") {
+  constexpr double largest = 1e300;
+  const double energy = 0.5 * (mass * velocity.squaredNorm() + spin.dot(inertia.momentum(spin, rotation)));
+  if (energy <= largest) return;
+  refuse(
+      HS_ERROR_ARGUMENT,
+      "%svelocity and %sangular_velocity are up to %g and %g: a kinetic energy of %g; it must be at most %g",
+      prefix, prefix, velocity.cwiseAbs().maxCoeff(), spin.cwiseAbs().maxCoeff(), energy, largest);
+}
+
+template <int D>
+void require_energy_of(const Blocks<D>& blocks, std::int32_t slot, const Vector<D>& velocity,
+                       const Angular<D>& spin) {
+  const std::size_t s = std::size_t(slot);
+  require_energy(blocks.mass[s], blocks.inertia[s], blocks.rotation[s], velocity, spin);
 }
 
 template <int D, class View>
@@ -40,8 +64,10 @@ Angular<D> read_finite_angular(const hs_view& view, std::int64_t i, const char* 
     return read_finite_point<3>(view, i, name);
   } else {
     const double z = *at(view.z, view.stride, i);
-    if (!std::isfinite(z))
-      refuse(HS_ERROR_ARGUMENT, "%s[%lld].z is %g; it must be finite", name, static_cast<long long>(i), z);
+    if (!is_within_limits(z)) {
+      refuse(HS_ERROR_ARGUMENT, "%s[%lld].z is %g; it must be finite and at most 1e75", name,
+             static_cast<long long>(i), z);
+    }
     return Angular<2>(z);
   }
 }

@@ -35,6 +35,11 @@ inline void require_pointer(const void* pointer, const ArgumentName& name) {
   if (!pointer) refuse(HS_ERROR_ARGUMENT, "%s is NULL", NameText(name).characters);
 }
 
+/// What goes in is no larger, as the coordinates of shapes are: no square is infinite then, nor its product
+/// with a mass or a stiffness. False for NaN.
+constexpr double largest_number = 1e75;
+inline bool is_within_limits(double value) { return std::abs(value) <= largest_number; }
+
 inline double require_finite(double value, const char* name) {
   if (!std::isfinite(value)) refuse(HS_ERROR_ARGUMENT, "%s is %g; it must be finite", name, value);
   return value;
@@ -44,6 +49,13 @@ inline double require_finite(double value, const char* name) {
 inline double require(bool holds, double value, const char* name, const char* range) {
   if (!holds) refuse(HS_ERROR_ARGUMENT, "%s is %g; it must be %s", name, value, range);
   return value;
+}
+
+inline double require_from_zero(double value, const char* name) {
+  return require(value >= 0 && is_within_limits(value), value, name, "from 0 to 1e75");
+}
+inline double require_above_zero(double value, const char* name) {
+  return require(value > 0 && is_within_limits(value), value, name, "above 0 and at most 1e75");
 }
 
 inline void require_count(std::int64_t count, const char* name) {
@@ -127,7 +139,7 @@ template <int D>
   const NameText name(argument);
   for (int i = 0; i < D; ++i) {
     const double p = pose.position[i];
-    if (!(std::abs(p) <= 1e75)) {
+    if (!is_within_limits(p)) {
       refuse(HS_ERROR_ARGUMENT, "%s->position[%d] is %g; it must be finite and at most 1e75", name.characters,
              i, p);
     }
@@ -156,9 +168,9 @@ TurnAboutZ<Number> turn_about_z(const Number& z, const Number& w) {
 constexpr double largest_fault = 2e-6;
 /// Of the squares of a quaternion's x and y: either may be 1e-6.
 constexpr double weight_off_axis = 1e6;
-/// Of coordinates: nothing unless they are beyond the 1e75 that shapes may have, and not a number for what is
+/// Of coordinates: nothing unless they come near the 1e75 that shapes may have, and not a number for what is
 /// not finite.
-constexpr double weight_far_off = 1e-82;
+constexpr double weight_far_off = largest_fault / largest_number;
 
 inline TurnAboutZ<TwoLanes> turns_about_z(const hs_pose& a, const hs_pose& b) {
   const TwoLanes zw_a = two_at(a.rotation + 2), zw_b = two_at(b.rotation + 2);
@@ -191,9 +203,8 @@ inline Pose<2> read_pose(const hs_pose* pose, const ArgumentName& name) {
   const double* q = pose->rotation;
   const TurnAboutZ<double> about_z = turn_about_z(q[2], q[3]);
   const double off_axis = q[0] * q[0] + q[1] * q[1];
-  // One comparison for all, false for NaN.
-  const double far_off = weight_far_off * (std::abs(x) + std::abs(y));
-  if (!((about_z.fault + weight_off_axis * off_axis) + far_off <= largest_fault)) refuse_pose<2>(*pose, name);
+  const bool is_near = is_within_limits(x) && is_within_limits(y);
+  if (!(is_near && about_z.fault + weight_off_axis * off_axis <= largest_fault)) refuse_pose<2>(*pose, name);
   return {{x, y}, {about_z.turn.cosine, about_z.turn.sine}};
 }
 
@@ -201,8 +212,8 @@ template <>
 inline Pose<3> read_pose(const hs_pose* pose, const ArgumentName& name) {
   require_pointer(pose, name);
   const double *p = pose->position, *q = pose->rotation;
-  const double far_off = weight_far_off * (std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2]));
-  if (!(fault_of_quaternion(q) + far_off <= largest_fault)) refuse_pose<3>(*pose, name);
+  const bool is_near = is_within_limits(p[0]) && is_within_limits(p[1]) && is_within_limits(p[2]);
+  if (!(is_near && fault_of_quaternion(q) <= largest_fault)) refuse_pose<3>(*pose, name);
   return {{p[0], p[1], p[2]}, Rotation<3>::from_quaternion(q)};
 }
 

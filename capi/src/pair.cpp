@@ -32,7 +32,7 @@ DetectOptions read_detect_options(double parallel_angle, double vertex_zone) {
 PairOptions read_options(const hs_pair_options* options) {
   if (!options) return {};
   const hs_pair_options known = read_definition(options, "options");
-  require(known.margin >= 0 && known.margin <= 1e75, known.margin, "margin", "from 0 to 1e75");
+  require(known.margin >= 0 && is_within_limits(known.margin), known.margin, "margin", "from 0 to 1e75");
   require(known.without_region == 0 || known.without_region == 1, known.without_region, "without_region",
           "0 or 1");
   return {read_detect_options(known.parallel_angle, known.vertex_zone), known.margin,
@@ -134,7 +134,7 @@ namespace {
                                            const hs_pair_options* options, hs_pair_cache* cache,
                                            hs_contact* contact) {
   hs_context* context = shape_a ? shape_a->context : shape_b ? shape_b->context : nullptr;
-  return guarded(context, "hs_pair_detect", [&] {
+  return guarded_in_arithmetic_of_host(context, "hs_pair_detect", [&] {
     require_pointer(shape_a, "shape_a");
     require_pointer(shape_b, "shape_b");
     require_pointer(pose_a, "pose_a");
@@ -154,7 +154,7 @@ namespace {
 [[gnu::noinline]] hs_status describe_guarded(const ShapeHandle<2>& a, const hs_pose& at_a,
                                              const ShapeHandle<2>& b, int owner, int edge, hs_contact& out,
                                              Rotation<2> b_in_a, TwoLanes to_b, Rotation<2> rotation_of_a) {
-  return guarded(a.context, "hs_pair_detect", [&] {
+  return guarded_in_arithmetic_of_host(a.context, "hs_pair_detect", [&] {
     const TurnedOutline turned(b.shape.outline(), b_in_a, &a.context->memory);
     PairMemory<2> memory;
     answer_overlap(a.shape.outline(), turned.outline(), {to_b[0], to_b[1]}, rotation_of_a, at_a,

@@ -32,7 +32,7 @@ using Points = Array<Vector<2>>;
 Vector<2> read_end(const double point[3], const char* name) {
   require_pointer(point, name);
   for (int i = 0; i < 2; ++i) {
-    if (!(std::abs(point[i]) <= 1e75))
+    if (!is_within_limits(point[i]))
       refuse(HS_ERROR_ARGUMENT, "%s[%d] is %g; it must be finite and at most 1e75", name, i, point[i]);
   }
   return {point[0], point[1]};
@@ -112,7 +112,7 @@ hs_status hs_polygon_create_boundary(hs_context* context, const double before[3]
     const Vector<2> start = read_end(first, "first"), end = read_other_end(second, "second", start, "first");
     const BoundarySegment segment{read_neighbour(before, "before", end, start, "first"), start, end,
                                   read_neighbour(after, "after", start, end, "second")};
-    require(depth > 0 && depth <= 1e75, depth, "depth", "> 0 and at most 1e75");
+    require(depth > 0 && is_within_limits(depth), depth, "depth", "> 0 and at most 1e75");
     const Points vertices = polygon_behind(segment, depth, &context->memory);
     const FaultReport report = vertices.empty() ? FaultReport{Fault::zero_area} : check_polygon(vertices);
     if (report.fault != Fault::none) {

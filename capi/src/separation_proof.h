@@ -33,12 +33,25 @@ inline double distance_along(const double normal[3], const PosedPair<D>& posed) 
   return D == 2 ? along[0] + along[1] : along[0] + along[1] + (b[2] - a[2]) * normal[2];
 }
 
+/// How far two shapes reach towards each other along the normal on which they have been found separated, or
+/// more. Fewer than 32 roundings lie between the poses and the gap, of numbers no larger than the way between
+/// the centroids and the radii; and far apart, where these leave nothing of the reach, the radii bound it.
+template <int D>
+inline double reach_of(const PosedPair<D>& posed, const hs_contact& separated) {
+  const double *a = posed.at_a.position, *b = posed.at_b.position;
+  const double radii = posed.a.shape.bounding_radius() + posed.b.shape.bounding_radius();
+  const TwoLanes way = magnitude(two_at(b) - two_at(a));
+  const double size = radii + way[0] + way[1] + (D == 2 ? 0 : std::abs(b[2] - a[2]));
+  const double reach = distance_along(separated.normal, posed) - separated.gap + 0x1p-48 * size;
+  return std::min(reach, (1 + largest_fault) * radii);
+}
+
 /// Along the normal of a separated pair the centroids are farther apart than the shapes reach together. That
 /// the cache keeps.
 template <int D>
 inline void keep_proof(const PosedPair<D>& posed, const hs_contact& separated, hs_pair_cache& proof) {
   proof.shapes = fingerprint_of(posed.a, posed.b);
-  proof.reach = distance_along(separated.normal, posed) - separated.gap;
+  proof.reach = reach_of(posed, separated);
   std::copy_n(separated.normal, 3, proof.normal);
   std::copy_n(posed.at_a.rotation, 4, proof.rotation_a);
   std::copy_n(posed.at_b.rotation, 4, proof.rotation_b);

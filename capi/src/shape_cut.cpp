@@ -55,8 +55,12 @@ Parts cut(const ShapeHandle<2>& whole, const Plane<2>& line) {
   vertices.reserve(std::size_t(outline.count));
   for (int i = 0; i < outline.count; ++i) vertices.push_back(outline.vertex(i) + whole.shape.centroid());
   const PolygonParts parts = cut_polygon(vertices, line.point, line.normal, &whole.context->memory);
+  if (!parts.is_cut()) {
+    hs_shape* const copy = create<ShapeHandle<2>>(whole.context, whole.context, whole.shape);
+    return parts.is_rather_ahead ? Parts{nullptr, copy} : Parts{copy, nullptr};
+  }
   return make_parts(parts.behind, parts.ahead, [&](const Array<Vector<2>>& part, const char* name) {
-    return part.empty() ? nullptr : make_polygon(whole.context, part, name);
+    return make_polygon(whole.context, part, name);
   });
 }
 

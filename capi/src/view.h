@@ -44,9 +44,11 @@ Vector<D> read_point(const hs_view& view, std::int64_t i) {
 template <int D = 2>
 Vector<D> read_finite_point(const hs_view& view, std::int64_t i, const char* name) {
   const Vector<D> p = read_point<D>(view, i);
-  if (!p.allFinite()) {
-    refuse(HS_ERROR_ARGUMENT, "%s[%lld] is %s; it must be finite", name, static_cast<long long>(i),
-           PointText(p).characters);
+  for (const double component : p) {
+    if (!is_within_limits(component)) {
+      refuse(HS_ERROR_ARGUMENT, "%s[%lld] is %s; it must be finite and at most 1e75", name,
+             static_cast<long long>(i), PointText(p).characters);
+    }
   }
   return p;
 }

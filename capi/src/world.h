@@ -89,8 +89,8 @@ Vector<D> read_finite_vector(const double* values, const char* name) {
   require_pointer(values, name);
   Vector<D> vector;
   for (int i = 0; i < D; ++i) {
-    if (!std::isfinite(values[i]))
-      refuse(HS_ERROR_ARGUMENT, "%s[%d] is %g; it must be finite", name, i, values[i]);
+    if (!is_within_limits(values[i]))
+      refuse(HS_ERROR_ARGUMENT, "%s[%d] is %g; it must be finite and at most 1e75", name, i, values[i]);
     vector[i] = values[i];
   }
   return vector;

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "halfspace/affine.h"
+#include "tensor.h"
 #include "world.h"
 
 using namespace halfspace;
@@ -24,43 +25,15 @@ Elasticity read_elasticity(const hs_elasticity_def* given, int dimension) {
     refuse(HS_ERROR_ARGUMENT, "elasticity.plane is %d; it must be %s", def.plane,
            dimension == 2 ? "HS_PLANE_STRAIN or HS_PLANE_STRESS" : "HS_PLANE_STRAIN in 3D");
   }
-  const double young = require(def.young_modulus > 0 && std::isfinite(def.young_modulus), def.young_modulus,
-                               "elasticity.young_modulus", "finite and > 0");
+  const double young = require_above_zero(def.young_modulus, "elasticity.young_modulus");
   const double poisson = require(def.poisson_ratio > -1 && def.poisson_ratio < 0.5, def.poisson_ratio,
                                  "elasticity.poisson_ratio", "above -1 and below 0.5");
   Elasticity elasticity;
   elasticity.lame = def.plane == HS_PLANE_STRESS ? young * poisson / (1 - poisson * poisson)
                                                  : young * poisson / ((1 + poisson) * (1 - 2 * poisson));
   elasticity.shear_modulus = young / (2 * (1 + poisson));
-  elasticity.damping_time = require(def.damping_time >= 0 && std::isfinite(def.damping_time),
-                                    def.damping_time, "elasticity.damping_time", "finite and >= 0");
+  elasticity.damping_time = require_from_zero(def.damping_time, "elasticity.damping_time");
   return elasticity;
-}
-
-/// As of positions: no product of some of them, or of their inverses, is infinite.
-constexpr double largest_entry = 1e75;
-
-template <int D>
-Tensor<D> read_finite_tensor(const double* values, const char* name) {
-  require_pointer(values, name);
-  Tensor<D> tensor;
-  for (int row = 0; row < D; ++row) {
-    for (int column = 0; column < D; ++column) {
-      const int i = 3 * row + column;
-      if (!(std::abs(values[i]) <= largest_entry)) {
-        refuse(HS_ERROR_ARGUMENT, "%s[%d] is %g; it must be finite and at most %g", name, i, values[i],
-               largest_entry);
-      }
-      tensor(row, column) = values[i];
-    }
-  }
-  return tensor;
-}
-
-template <int D>
-void write_tensor(const Tensor<D>& tensor, double out[9]) {
-  for (int row = 0; row < D; ++row)
-    for (int column = 0; column < D; ++column) out[3 * row + column] = tensor(row, column);
 }
 
 template <int D>
@@ -132,13 +105,7 @@ hs_status hs_world_set_deformation(hs_world* world, hs_block block, const double
     const std::size_t slot = affine_slot_of(w, block);
     const Tensor<D> to = read_finite_tensor<D>(gradient, "gradient");
     const Tensor<D> speed = read_finite_tensor<D>(rate, "rate");
-    require(to.determinant() > 0, to.determinant(), "the determinant of gradient", "> 0");
-    const double shrinking = to.inverse().cwiseAbs().maxCoeff();
-    require(shrinking <= largest_entry, shrinking, "the largest entry of the inverse of gradient",
-            "at most 1e75");
-    const double condition = condition_of<D>(to);
-    require(condition <= largest_condition, condition, "the norm of gradient times that of its inverse",
-            "at most 2^40");
+    require_gradient<D>(to, "gradient");
     w.set_deformation(std::int32_t(slot), to, speed);
     return HS_OK;
   });

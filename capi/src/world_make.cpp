@@ -29,7 +29,8 @@ hs_law_def default_definition() {
   const SpringLaw defaults;
   hs_law_def def{};
   def.normal_stiffness = defaults.normal_stiffness;
-  def.shear_stiffness = defaults.shear_stiffness;
+  def.normal_damping = defaults.normal_damping;
+  def.shear_damping = defaults.shear_damping;
   return def;
 }
 
@@ -45,20 +46,16 @@ namespace {
 
 template <int D>
 WorldSettings<D> read_settings(const hs_world_def& def) {
-  const auto positive_or_zero = [](double v) { return v >= 0 && std::isfinite(v); };
   WorldSettings<D> settings;
   settings.gravity = read_finite_vector<D>(def.gravity, "def.gravity");
-  settings.time_step =
-      require(positive_or_zero(def.time_step), def.time_step, "def.time_step", "finite and >= 0");
+  settings.time_step = require_from_zero(def.time_step, "def.time_step");
   settings.safety =
       require(def.safety > 0 && def.safety <= 1, def.safety, "def.safety", "above 0 and at most 1");
   settings.local_damping = require(def.local_damping >= 0 && def.local_damping < 1, def.local_damping,
                                    "def.local_damping", "at least 0 and below 1");
-  settings.mass_damping =
-      require(positive_or_zero(def.mass_damping), def.mass_damping, "def.mass_damping", "finite and >= 0");
+  settings.mass_damping = require_from_zero(def.mass_damping, "def.mass_damping");
   settings.skin = require(def.skin > 0 && def.skin <= 1, def.skin, "def.skin", "above 0 and at most 1");
-  settings.potential_length = require(positive_or_zero(def.potential_length), def.potential_length,
-                                      "def.potential_length", "finite and >= 0");
+  settings.potential_length = require_from_zero(def.potential_length, "def.potential_length");
   settings.detect = read_detect_options(def.parallel_angle, def.vertex_zone);
   return settings;
 }
@@ -69,24 +66,17 @@ SpringLaw read_law(const hs_law_def* given) {
     refuse(HS_ERROR_ARGUMENT, "law.stiffness_kind is %d; it must be an HS_STIFFNESS_ value",
            def.stiffness_kind);
   }
-  const auto at_least_zero = [](double value, const char* name) {
-    return require(value >= 0 && std::isfinite(value), value, name, "finite and >= 0");
-  };
   SpringLaw law;
   law.stiffness_kind = StiffnessKind(def.stiffness_kind);
-  law.normal_stiffness = require(def.normal_stiffness > 0 && std::isfinite(def.normal_stiffness),
-                                 def.normal_stiffness, "law.normal_stiffness", "finite and > 0");
-  law.shear_stiffness = at_least_zero(def.shear_stiffness, "law.shear_stiffness");
+  law.normal_stiffness = require_above_zero(def.normal_stiffness, "law.normal_stiffness");
+  law.shear_stiffness = require_from_zero(def.shear_stiffness, "law.shear_stiffness");
+  if (law.shear_stiffness == 0) law.shear_stiffness = law.normal_stiffness;
   law.tan_friction = std::tan(require(def.friction_angle >= 0 && def.friction_angle < std::numbers::pi / 2,
                                       def.friction_angle, "law.friction_angle", "at least 0 and below pi/2"));
-  law.cohesion = at_least_zero(def.cohesion, "law.cohesion");
-  law.tensile_strength = at_least_zero(def.tensile_strength, "law.tensile_strength");
-  law.normal_damping = at_least_zero(def.normal_damping, "law.normal_damping");
-  law.shear_damping = at_least_zero(def.shear_damping, "law.shear_damping");
-  if (law.shear_stiffness == 0 && (law.tan_friction > 0 || law.cohesion > 0)) {
-    refuse(HS_ERROR_ARGUMENT,
-           "law.shear_stiffness is 0; friction and cohesion act through it and need one above 0");
-  }
+  law.cohesion = require_from_zero(def.cohesion, "law.cohesion");
+  law.tensile_strength = require_from_zero(def.tensile_strength, "law.tensile_strength");
+  law.normal_damping = require_from_zero(def.normal_damping, "law.normal_damping");
+  law.shear_damping = require_from_zero(def.shear_damping, "law.shear_damping");
   if (law.is_potential() && law.bonds()) {
     refuse(HS_ERROR_ARGUMENT,
            "law.cohesion is %g, law.tensile_strength is %g; HS_STIFFNESS_POTENTIAL takes neither",
@@ -107,12 +97,13 @@ const Shape<D>& require_shape(const hs_shape* shape, const char* name) {
 /// Of the inertia the least principal moment.
 template <int D>
 void require_mass(const Shape<D>& shape, double density) {
+  constexpr double least = 1e-300, most_of_mass = 1e150, most_of_inertia = 1e300;
   const double mass = mass_of(shape, density), inertia = Inertia<D>::of(shape, density).least_moment();
-  if (mass > 0 && inertia > 0 && std::isfinite(mass) && std::isfinite(inertia)) return;
-  refuse(
-      HS_ERROR_ARGUMENT,
-      "shape and def.material give a mass of %g and a moment of inertia of %g; both must be finite and > 0",
-      mass, inertia);
+  if (mass >= least && inertia >= least && mass <= most_of_mass && inertia <= most_of_inertia) return;
+  refuse(HS_ERROR_ARGUMENT,
+         "shape and def.material give a mass of %g and a moment of inertia of %g; they must be from %g to %g "
+         "and to %g",
+         mass, inertia, least, most_of_mass, most_of_inertia);
 }
 
 }  // namespace
@@ -160,7 +151,7 @@ void hs_world_destroy(hs_world* world) {
 hs_status hs_world_add_material(hs_world* world, double density, int32_t* material) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     require_pointer(material, "material");
-    require(density > 0 && std::isfinite(density), density, "density", "finite and > 0");
+    require_above_zero(density, "density");
     *material = w.add_material(density);
     return HS_OK;
   });
@@ -207,6 +198,8 @@ hs_status hs_world_add_block(hs_world* world, const hs_shape* shape, const hs_bl
       refuse(HS_ERROR_STATE, "def.material is %d, which is not elastic: hs_world_set_elasticity() first",
              known.material);
     }
+    require_energy(mass_of(form, w.density(known.material)), Inertia<D>::of(form, w.density(known.material)),
+                   pose.rotation, velocity, spin, "def.");
     const std::int32_t slot =
         w.add_block(form, BlockKind(known.kind), known.material, pose.position, pose.rotation);
     w.set_velocity(slot, velocity, spin);

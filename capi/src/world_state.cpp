@@ -73,6 +73,7 @@ hs_status hs_world_set_velocity(hs_world* world, hs_block block, const double ve
       refuse(HS_ERROR_STATE, "block %#llx is fixed and takes no velocity",
              static_cast<unsigned long long>(block));
     }
+    require_energy_of(w.blocks(), slot, v, spin);
     w.set_velocity(slot, v, spin);
     return HS_OK;
   });
@@ -153,15 +154,21 @@ hs_status hs_world_set_velocities(hs_world* world, hs_view velocities, hs_view a
     require_all(velocities, "velocities");
     const bool with_turns = angular_velocities.count > 0;
     if (with_turns) require_all(angular_velocities, "angular_velocities");
-    for (std::int64_t i = 0; i < count; ++i) {  // all are judged before any velocity changes
-      read_finite_point<D>(velocities, i, "velocities");
-      if (with_turns) read_finite_angular<D>(angular_velocities, i, "angular_velocities");
-    }
-    for_each_block(w.blocks(), [&](std::int64_t i, std::int32_t slot) {
-      if (w.blocks().kind[std::size_t(slot)] == BlockKind::fixed) return;
-      const Angular<D> spin = with_turns ? read_finite_angular<D>(angular_velocities, i, "angular_velocities")
-                                         : w.blocks().spin[std::size_t(slot)];
-      w.set_velocity(slot, read_point<D>(velocities, i), spin);
+    const auto for_each_velocity = [&](auto use) {
+      for_each_block(w.blocks(), [&](std::int64_t i, std::int32_t slot) {
+        const Vector<D> velocity = read_finite_point<D>(velocities, i, "velocities");
+        const Angular<D> spin = with_turns
+                                    ? read_finite_angular<D>(angular_velocities, i, "angular_velocities")
+                                    : w.blocks().spin[std::size_t(slot)];
+        if (w.blocks().kind[std::size_t(slot)] != BlockKind::fixed) use(slot, velocity, spin);
+      });
+    };
+    // All are judged before any velocity changes.
+    for_each_velocity([&](std::int32_t slot, const Vector<D>& velocity, const Angular<D>& spin) {
+      require_energy_of(w.blocks(), slot, velocity, spin);
+    });
+    for_each_velocity([&](std::int32_t slot, const Vector<D>& velocity, const Angular<D>& spin) {
+      w.set_velocity(slot, velocity, spin);
     });
     return HS_OK;
   });

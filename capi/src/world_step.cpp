@@ -96,7 +96,7 @@ hs_status hs_world_detect(hs_world* world, int64_t* touching) {
 
 hs_status hs_world_forces(hs_world* world, double elapsed, hs_mutable_view forces, hs_mutable_view torques) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
-    require(elapsed >= 0 && std::isfinite(elapsed), elapsed, "elapsed", "finite and >= 0");
+    require_from_zero(elapsed, "elapsed");
     require_view<D>(forces, "forces");
     require_angular_view<D>(torques, "torques");
     require_detected(w);

@@ -68,6 +68,7 @@ Blocks<D>::Blocks(Memory* memory)
       inertia(memory),
       radius(memory),
       largest_face(memory),
+      thickness(memory),
       free_slots_(memory),
       outlines_(memory),
       deformations_(memory) {}
@@ -91,7 +92,17 @@ void Blocks<D>::resize(std::size_t slots) {
   inertia.resize(slots);
   radius.resize(slots);
   largest_face.resize(slots);
+  thickness.resize(slots);
   outlines_.resize(slots);
+}
+
+template <int D>
+double Blocks<D>::yield(std::size_t slot) const {
+  if (is_affine(slot)) return deformation(slot).yield;
+  const Outline<D> own = outlines_.own(std::int32_t(slot));
+  double most = 0;
+  for (int i = 0; i < own.vertex_count(); ++i) most = std::max(most, inertia[slot].yield_at(own.vertex(i)));
+  return most;
 }
 
 template <int D>
@@ -125,6 +136,7 @@ std::int32_t Blocks<D>::add(const Shape<D>& shape, BlockKind block_kind, std::in
   inertia[s] = Inertia<D>::of(shape, density);
   radius[s] = shape.bounding_radius();
   largest_face[s] = largest_face_of(shape);
+  thickness[s] = shape.thickness();
   rotation[s] = Rotation<D>();
   spin[s] = Angular<D>::Zero();
   if (block_kind == BlockKind::affine) deformations_.add(undeformed(shape, density, slot));

@@ -67,6 +67,18 @@ class Blocks {
   void drift(std::int32_t slot, const Vector<D>& way, const Rotation<D>& turned);
 
   Outline<D> outline(std::int32_t slot) const { return outlines_[slot]; }
+  /// Of the point that a force moves most: its acceleration over the force, besides that of the whole block.
+  double yield(std::size_t slot) const;
+  /// In its shape's frame.
+  Outline<D> own_outline(std::int32_t slot) const { return outlines_.own(slot); }
+  /// As the shape is turned, and strained.
+  Tensor<D> gradient(std::size_t slot) const {
+    return is_affine(slot) ? deformation(slot).gradient : rotation[slot].tensor();
+  }
+  /// As thick as it is strained, or less.
+  double strained_thickness(std::size_t slot) const {
+    return is_affine(slot) ? thickness[slot] / deformation(slot).gradient.inverse().norm() : thickness[slot];
+  }
   /// Of an affine block.
   Deformation<D>& deformation(std::size_t slot) { return deformations_[slot]; }
   const Deformation<D>& deformation(std::size_t slot) const { return deformations_[slot]; }
@@ -93,8 +105,8 @@ class Blocks {
   template <class Archive>
   void visit(Archive& archive) {
     archive(kind, material, generation, position, velocity, force, applied_force, rotation, angle, spin,
-            momentum, torque, applied_torque, mass, inertia, radius, largest_face, free_slots_, outlines_,
-            deformations_, living_);
+            momentum, torque, applied_torque, mass, inertia, radius, largest_face, thickness, free_slots_,
+            outlines_, deformations_, living_);
   }
 
   Array<BlockKind> kind;
@@ -114,6 +126,7 @@ class Blocks {
   Array<Inertia<D>> inertia;
   Array<double> radius;        // of the bounding circle or sphere
   Array<double> largest_face;  // its area; in the plane the length of the longest edge
+  Array<double> thickness;     // of the shape
 
  private:
   void resize(std::size_t slots);

@@ -46,11 +46,12 @@ struct Deformation {
   Tensor<D> acceleration = Tensor<D>::Zero();  // of the gradient
   Tensor<D> mass_matrix = Tensor<D>::Identity();
   Tensor<D> inverse_mass_matrix = Tensor<D>::Identity();
-  Tensor<D> prestrain = Tensor<D>::Zero();    // in the shape's frame: of the block as it is given
-  Vector<D> load_force = Vector<D>::Zero();   // of its surface: the resultant, and
-  Tensor<D> load = Tensor<D>::Zero();         // force times arm^T, arms in the shape's frame
-  Tensor<D> virial = Tensor<D>::Zero();       // of the contacts: force times arm^T
-  Tensor<D> strain_rate = Tensor<D>::Zero();  // in space
+  Tensor<D> prestrain = Tensor<D>::Zero();       // in the shape's frame: of the block as it is given
+  Vector<D> load_force = Vector<D>::Zero();      // of its surface: the resultant, and
+  Tensor<D> load = Tensor<D>::Zero();            // force times arm^T, arms in the shape's frame
+  Tensor<D> virial = Tensor<D>::Zero();          // of the contacts: force times arm^T
+  Tensor<D> dashpot_virial = Tensor<D>::Zero();  // the part of it that dashpots make
+  Tensor<D> strain_rate = Tensor<D>::Zero();     // in space
 
   Tensor<D> velocity_gradient() const { return rate * gradient.inverse(); }
   /// Green's, from the shape as it was given.

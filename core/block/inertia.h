@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "geometry/rotation.h"
 #include "geometry/shape.h"
 #include "geometry/vector.h"
@@ -22,6 +25,8 @@ struct Inertia<2> {
   Angular<2> momentum(const Angular<2>& spin, const Rotation<2>&) const { return moment * spin; }
   Angular<2> spin(const Angular<2>& momentum, const Rotation<2>&) const { return momentum / moment; }
   double least_moment() const { return moment; }
+  /// Acceleration of a point of the shape over the force there, at most, as far as it comes of turning.
+  double yield_at(const Vector<2>& arm) const { return arm.squaredNorm() / moment; }
 };
 
 template <>
@@ -40,6 +45,15 @@ struct Inertia<3> {
     return turned * Vector<3>((turned.inverse() * momentum).cwiseQuotient(moments));
   }
   double least_moment() const { return moments.minCoeff(); }
+  /// The largest eigenvalue of X I^-1 X^T, X the cross product with the arm: of rank 2, so that the sum of
+  /// its eigenvalues and that of their products tell them.
+  double yield_at(const Vector<3>& arm) const {
+    const Vector<3> inverse = moments.cwiseInverse();
+    const Vector<3> square = (axes.inverse() * arm).cwiseAbs2();
+    const double sum = square.sum() * inverse.sum() - square.dot(inverse);
+    const double product = square.sum() * inverse.prod() * square.dot(moments);
+    return 0.5 * (sum + std::sqrt(std::max(0.0, sum * sum - 4 * product)));
+  }
 };
 
 }  // namespace halfspace

@@ -1,10 +1,10 @@
 #include "block/outlines.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
 #include "block/tiling.h"
+#include "geometry/deformed_outline.h"
 
 namespace halfspace {
 namespace {
@@ -44,26 +44,6 @@ void copy_components(const Outline<3>& outline, double* to) {
     to = std::copy_n(component, extent.vertices, to);
   for (const double* component : {outline.nx, outline.ny, outline.nz, outline.offset})
     to = std::copy_n(component, extent.halfspaces, to);
-}
-
-/// Vectors whose components lie in arrays of `count` one after the other.
-void map_vectors(const Tensor<2>& map, const double* own, std::size_t count, double* mapped) {
-  const double *x = own, *y = own + count;
-  double *out_x = mapped, *out_y = mapped + count;
-  const double xx = map(0, 0), xy = map(0, 1), yx = map(1, 0), yy = map(1, 1);
-  for (std::size_t i = 0; i < count; ++i) {
-    out_x[i] = xx * x[i] + xy * y[i];
-    out_y[i] = yx * x[i] + yy * y[i];
-  }
-}
-
-void map_vectors(const Tensor<3>& map, const double* own, std::size_t count, double* mapped) {
-  const double *x = own, *y = own + count, *z = own + 2 * count;
-  for (int k = 0; k < 3; ++k) {
-    double* out = mapped + std::size_t(k) * count;
-    const double of_x = map(k, 0), of_y = map(k, 1), of_z = map(k, 2);
-    for (std::size_t i = 0; i < count; ++i) out[i] = of_x * x[i] + of_y * y[i] + of_z * z[i];
-  }
 }
 
 }  // namespace
@@ -146,20 +126,7 @@ void Outlines<D>::turn(std::int32_t slot, const Rotation<D>& rotation) {
 
 template <int D>
 void Outlines<D>::deform(std::int32_t slot, const Tensor<D>& gradient) {
-  map(slot, gradient, gradient.inverse().transpose());
-  // Their lengths are not 1 any more, and the offsets are as many times too large.
-  const std::size_t s = std::size_t(slot);
-  const Extent extent = extent_of((*this)[slot]);
-  double* normals = turned_.data() + first_[s] + D * extent.vertices;
-  const double* own_offset = own_.data() + first_[s] + extent.offset();
-  double* offset = turned_.data() + first_[s] + extent.offset();
-  for (std::size_t i = 0; i < extent.halfspaces; ++i) {
-    Eigen::Map<Vector<D>, 0, Eigen::InnerStride<>> normal(
-        normals + i, Eigen::InnerStride<>(std::ptrdiff_t(extent.halfspaces)));
-    const double length = normal.norm();
-    normal /= length;
-    offset[i] = own_offset[i] / length;
-  }
+  deformed(own(slot), gradient, turned_.data() + first_[std::size_t(slot)]);
 }
 
 template <>
@@ -190,7 +157,12 @@ bool Outlines<3>::counts_users(std::span<const std::int32_t> living) const {
 
 template <int D>
 bool Outlines<D>::is_consistent(std::span<const std::int32_t> living) const {
+  const auto is_finite = [](double value) { return std::isfinite(value); };
+  const auto are_finite = [&](const Array<double>& values) {
+    return std::all_of(values.begin(), values.end(), is_finite);
+  };
   if (form_.size() != first_.size() || own_.size() != turned_.size()) return false;
+  if (!are_finite(own_) || !are_finite(turned_)) return false;
   if constexpr (D == 3) {
     if (!topologies_.is_consistent()) return false;
   }

@@ -141,7 +141,6 @@ struct Contact<3> {
   ContactType type;
   PotentialPair<3> pair;     // the contact plane; of a separated pair, the violated pair
   std::int32_t point_count;  // 0 when separated, and then only normal and gap follow
-  std::int32_t deepest;      // of the points
   double gap;                // of the pair, or of the deepest point of the region; > 0 proves the separation
   Vector<3> normal;          // unit, from a to b
   double area;               // of the contact region: 0 unless face-face
@@ -151,9 +150,9 @@ struct Contact<3> {
   Vector<3> points[most_region_points];  // corners of the region, counter-clockwise about the normal
   double gaps[most_region_points];       // at the points
   double shares[most_region_points];     // of the contact's stiffness at the points
-  /// How fast the sum of all shares would grow with the slope from the deepest point to each, but for their
-  /// being brought back to 1.
-  double share_rates[most_region_points];
+  /// How fast the sum of all shares would grow by that of each point as the gap's gradient along the contact
+  /// plane does, but for their being brought back to 1.
+  Vector<3> share_rates[most_region_points];
 };
 
 }  // namespace halfspace

@@ -163,8 +163,9 @@ inline void ExpandingPolytope<Four>::put_fan(const Edge* edges, int count, int t
     const Four square = nx * nx + ny * ny + nz * nz, height = nx * apex_x + ny * apex_y + nz * apex_z;
     const Four limit = height + all_four<Four>(rounding_) * square_roots(square);
     // Three corners on a line span no plane: never the nearest, and nothing lies beyond it.
+    const Four divisor = where_less(zero, square, square, all_four<Four>(1));
     const Four distance_square =
-        where_less(zero, square, height / square * where_less(height, zero, zero - height, height),
+        where_less(zero, square, height / divisor * where_less(height, zero, zero - height, height),
                    all_four<Four>(HUGE_VAL));
     for (int lane = 0; lane < lanes && first + lane < count; ++lane) {
       const auto [start, end] = edges[first + lane];

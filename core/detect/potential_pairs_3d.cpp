@@ -64,17 +64,19 @@ Facet facet_across(const SeenOutline& a, const SeenOutline& b, const FacetSide& 
   const Topology& topology = *other.topology;
   const Vector<3> from = side.owner == 0 ? normal : Vector<3>(-normal);
   const Vector<3> to = owner.normal(side.towards);
-  const Vector<3> vertex = other.vertex(side.vertex);
+  const Vector<3> vertex = other.vertex(side.vertex), along = edge_vector(owner, side.edge);
 
   // On the way the normal is from + share * (to - from), but for its length.
   double share = 1;
   int edge_reached = -1;
   for (int k = topology.first_of_vertex[side.vertex]; k < topology.first_of_vertex[side.vertex + 1]; ++k) {
-    const Vector<3> neighbour = other.vertex(topology.vertex_neighbour[k]);
-    const double climb = std::max(0.0, from.dot(neighbour - vertex));
-    const double climb_at_end = to.dot(neighbour - vertex);
-    // What stays in the plane all the way is parallel to the side's edge, and no plane of its own.
+    const Vector<3> neighbour = other.vertex(topology.vertex_neighbour[k]), edge = neighbour - vertex;
+    const double climb = std::max(0.0, from.dot(edge));
+    const double climb_at_end = to.dot(edge);
     if (climb_at_end >= -rounding_between(vertex, neighbour)) continue;
+    // What stays all but in the plane all the way is parallel to the side's edge, and no plane of its own.
+    if (are_all_but_parallel(cross_product(along, edge).squaredNorm(), along.squaredNorm(), edge.squaredNorm()))
+      continue;
     const double reached_at = climb / (climb - climb_at_end);
     if (reached_at >= share) continue;
     share = reached_at;

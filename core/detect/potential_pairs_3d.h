@@ -39,6 +39,13 @@ inline bool is_outer_normal(const SeenEdge& edge, const Vector<3>& normal) {
   return normal.dot(into_left) <= 0 && normal.dot(into_right) <= 0;
 }
 
+/// Are two edges parallel but for an angle that is far above rounding and far below one that matters? The normal
+/// of what they span is next to nothing but rounding, and their facet of the Minkowski difference a sliver.
+inline bool are_all_but_parallel(double square_of_cross_product, double square_a, double square_b) {
+  constexpr double flat = 1e-6;  // rad
+  return square_of_cross_product <= flat * flat * square_a * square_b;
+}
+
 /// The parallelogram of an edge of each block.
 struct Parallelogram {
   Vector<3> across;  // at right angles to both edges, as long as the area is large

@@ -17,7 +17,11 @@ struct MeetingEdges {
   MeetingEdges(const Block& block_a, const Block& block_b, const PotentialPair<3>& pair)
       : a(block_a, pair.a), b(block_b, pair.b) {}
 
-  bool are_potential_pair() const { return is_edge_pair(a, b, parallelogram.normal()); }
+  /// Not of edges that are all but parallel, which have no plane to go by.
+  bool are_potential_pair() const {
+    return !are_all_but_parallel(parallelogram.square, a.along.squaredNorm(), b.along.squaredNorm()) &&
+           is_edge_pair(a, b, parallelogram.normal());
+  }
 
   /// Are they plainly a potential pair, whose plane no face at either edge is near to parallel with? By the
   /// four signs of edge and face normal (THEORY section 2), with a margin: at the edge of a, the sine of the
@@ -34,7 +38,7 @@ struct MeetingEdges {
     const double area_square = parallelogram.square;
     const double steep = 1.001 * std::max(parallel_angle * parallel_angle, flat * flat) * area_square;
     return least_of_a > 0 && least_of_b > 0 && least_of_a * least_of_a * a_square > steep &&
-           least_of_b * least_of_b * b_square > steep && area_square > flat * flat * a_square * b_square;
+           least_of_b * least_of_b * b_square > steep && !are_all_but_parallel(area_square, a_square, b_square);
   }
 };
 

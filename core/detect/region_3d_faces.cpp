@@ -121,6 +121,7 @@ Place place_of_foot(const FlatFaceVertex& f, double facing_length, const DetectO
   for (int i = 0; i < f.polygon.count(); ++i) {
     const Vector<2> start = f.polygon.corner(i), edge = f.polygon.corner(f.polygon.next(i)) - start;
     const double length = edge.norm();
+    if (length == 0) continue;  // so far from the foot that rounding leaves nothing of it
     const double beyond = cross(edge, start) / length;  // of the origin
     const double zone = options.vertex_zone * std::min(length, facing_length);
     if (beyond - zone <= place.beyond - place.zone) continue;

@@ -75,7 +75,8 @@ Plain describe_vertex_inside_face(const Block& a, const Block& b, const Vector<3
   if (!rises_steeply(other, vertex, f.normal, options.parallel_angle)) return Plain::no;
   // The line from the vertex that is parallel to that between the centroids: see edges_cross().
   const double rise = f.normal.dot(f.to_other);
-  const Vector<3> pierced = (f.position + f.to_other) - f.gap / rise * f.to_other;
+  const double back = rise > 0 ? f.gap / rise : 0;
+  const Vector<3> pierced = (f.position + f.to_other) - back * f.to_other;
   const PlacesOnFace places = places_on_face(owner, face, f.foot, pierced, options.vertex_zone);
   if (!places.is_well_inside) return Plain::no;
   contact.normal = sense * f.normal;

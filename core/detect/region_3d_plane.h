@@ -29,6 +29,11 @@ struct PlaneFrame {
   }
   Vector<2> foot_of(const Vector<3>& p) const { return in_plane(p - origin); }
   Vector<3> at(const Vector<2>& p) const { return origin + (p.x() * along + p.y() * across); }
+  Tensor<3> in_space(const Tensor<2>& tensor) const {
+    Eigen::Matrix<double, 3, 2> axes;
+    axes << along, across;
+    return axes * tensor * axes.transpose();
+  }
 };
 
 /// A face seen along the normal of a plane, which its own normal is near to or near the opposite of. Its

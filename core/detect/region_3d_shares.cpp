@@ -1,6 +1,7 @@
 #include "detect/region_3d_shares.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace halfspace {
 namespace {
@@ -23,6 +24,33 @@ void share_by_area(Contact<3>& contact) {
   }
 }
 
+/// Ways between corners count as longer by this, so that no slope grows without bound where two corners
+/// become one: a tenth of the region's size.
+double softening(const Contact<3>& contact) {
+  double square = 0;
+  for (int i = 0; i < contact.point_count; ++i)
+    square = std::max(square, (contact.points[i] - contact.center).squaredNorm());
+  return 0.2 * std::sqrt(square);
+}
+
+struct WayDown {
+  double slope = 0;
+  Vector<3> direction = Vector<3>::Zero();  // from below; the slope by the gap's gradient
+};
+
+/// To any other corner.
+WayDown steepest_way_down(const Contact<3>& contact, int from, double short_way) {
+  WayDown steepest;
+  for (int i = 0; i < contact.point_count; ++i) {
+    const double climb = contact.gaps[from] - contact.gaps[i];
+    if (!(climb > steepest.slope * short_way)) continue;  // however near
+    const Vector<3> way = contact.points[from] - contact.points[i];
+    const double length = way.norm() + short_way;
+    if (climb > steepest.slope * length) steepest = {climb / length, way / length};
+  }
+  return steepest;
+}
+
 /// A smooth step down, as a function of the slope.
 struct Step {
   double value;
@@ -41,15 +69,13 @@ Step step_down(double slope, double parallel_angle) {
 void share_stiffness(const DetectOptions& options, Contact<3>& contact) {
   const int count = contact.point_count;
   if (count == 1) return share_at_point(contact);
-  contact.deepest = int(std::min_element(contact.gaps, contact.gaps + count) - contact.gaps);
   share_by_area(contact);
-  const Vector<3>& lowest = contact.points[contact.deepest];
+  const double short_way = softening(contact);
   double sum = 0;
   for (int i = 0; i < count; ++i) {
-    const double distance = (contact.points[i] - lowest).norm();
-    const double slope = distance > 0 ? (contact.gaps[i] - contact.gaps[contact.deepest]) / distance : 0;
-    const Step step = step_down(slope, options.parallel_angle);
-    contact.share_rates[i] = contact.shares[i] * step.rate;
+    const WayDown way = steepest_way_down(contact, i, short_way);
+    const Step step = step_down(way.slope, options.parallel_angle);
+    contact.share_rates[i] = contact.shares[i] * step.rate * way.direction;
     contact.shares[i] *= step.value;
     sum += contact.shares[i];
   }

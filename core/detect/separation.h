@@ -97,12 +97,19 @@ template <class Lanes>
 }
 
 /// The same for outlines in one orientation and of any count. The pair's vertex is the deepest one.
-inline Separation<2> find_separation(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b) {
-  if (!by_all_combinations(a, b)) return find_separation_by_merge(a, b, to_b);
-  Separation<2> found = find_separation_by_all(a, b, placement_unturned(to_b));
+inline Separation<2> find_separation(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
+                                     double margin = 0) {
+  if (!by_all_combinations(a, b)) return find_separation_by_merge(a, b, to_b, margin);
+  Separation<2> found = find_separation_by_all(a, b, placement_unturned(to_b), margin);
   const Owner owner(a, b, found.pair);
   found.pair.vertex = deepest_vertex(owner.other, owner.block.normal(found.pair.edge));
   return found;
+}
+
+/// The potential pair of largest gap, also when several are violated.
+inline Separation<2> find_largest_separation(const Outline<2>& a, const Outline<2>& b,
+                                             const Vector<2>& to_b) {
+  return find_separation(a, b, to_b, HUGE_VAL);
 }
 
 }  // namespace halfspace

@@ -2,6 +2,8 @@
 
 #include "detect/edge_pairs.h"
 #include "detect/face_pairs.h"
+#include "detect/pair_3d.h"
+#include "detect/potential_pairs_3d.h"
 
 namespace halfspace {
 namespace {
@@ -27,14 +29,24 @@ bool by_all_combinations(const Outline<3>& a, const Outline<3>& b) {
          edges_of_a * edges_of_b <= most_combinations;
 }
 
-Separation<3> find_separation_by_all(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b) {
+Separation<3> find_separation_by_all(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
+                                     double margin) {
   const FaceGap of_a = largest_face_gap(a, b, to_b);
-  if (of_a.gap > 0) return at_face_of_a(of_a, a, b);
+  if (of_a.gap > margin) return at_face_of_a(of_a, a, b);
   const FaceGap of_b = largest_face_gap(b, a, -to_b);
-  if (of_b.gap > 0) return at_face_of_b(of_b, a, b);
+  if (of_b.gap > margin) return at_face_of_b(of_b, a, b);
   Separation<3> best = of_a.gap >= of_b.gap ? at_face_of_a(of_a, a, b) : at_face_of_b(of_b, a, b);
   judge_edge_pairs(a, b, to_b, best);
   return best;
+}
+
+Separation<3> find_largest_separation(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b) {
+  if (by_all_combinations(a, b)) return find_separation_by_all(a, b, to_b, HUGE_VAL);
+  const Separation<3> found = find_separation(a, b, to_b);
+  if (found.gap <= 0) return found;
+  PotentialPair<3> pair = descend(a, b, to_b, initial_pair(a, b, to_b, memory_of(found)));
+  const double gap = refresh(SeenOutline(a), SeenOutline(b), to_b, pair);
+  return gap >= found.gap ? Separation<3>{gap, pair, normal_of(a, b, pair)} : found;
 }
 
 }  // namespace halfspace

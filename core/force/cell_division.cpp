@@ -29,6 +29,7 @@ void CellDivision::divide(const DividedPolyhedron& polyhedron, DividedPolyhedron
   crossings_.clear();
   find_depths(polyhedron, whole, largest_coordinate, near);
   const std::size_t count = list_near_faces(near);
+  if (count == 0) return;  // where depths are no numbers
   if (count == 1) {
     near[lists_[0]].cell = content;
     return;

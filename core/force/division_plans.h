@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "force/division_plan.h"
 #include "geometry/vector.h"
@@ -90,17 +91,20 @@ class DivisionPlans {
 
   std::size_t size() const { return codes_.size(); }
 
-  /// False for what no plans can be, after reading a snapshot.
-  bool is_consistent() const {
+  /// False for what no plans of these pairs can be, after reading a snapshot: each pair's plan is one of its
+  /// own.
+  template <class Pairs>
+  bool are_of(const Pairs& pairs) const {
+    Array<std::uint8_t> is_free_head(codes_.size(), 0, codes_.get_allocator());
     std::size_t at = 0;
-    while (at + head_size <= codes_.size() && codes_[at] > 0) at += head_size + std::size_t(codes_[at]);
-    return at == codes_.size();
-  }
-  /// Whether it lies within them.
-  bool has(const PlanMemory& memory) const {
-    const std::size_t first = std::size_t(memory.first());
-    return first + head_size <= codes_.size() && codes_[first] > 0 &&
-           std::size_t(codes_[first]) <= codes_.size() - first - head_size;
+    for (; at + head_size <= codes_.size() && codes_[at] > 0; at += head_size + std::size_t(codes_[at]))
+      is_free_head[at] = 1;
+    if (at != codes_.size()) return false;
+    return std::all_of(pairs.begin(), pairs.end(), [&](const auto& pair) {
+      if (!pair.plan.knows()) return true;
+      const std::size_t first = std::size_t(pair.plan.first());
+      return first < is_free_head.size() && std::exchange(is_free_head[first], std::uint8_t(0));
+    });
   }
 
   template <class Archive>

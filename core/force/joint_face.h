@@ -13,6 +13,7 @@ struct JointFace {
   Angular<D> couple = Angular<D>::Zero();  // on b, about the centre
   double depth_squared = 0;                // integral: twice the energy
   double twist_radius = 0;
+  Tensor<D> spread = Tensor<D>::Zero();  // mean of the way from the centre times itself^T
   Vector<D> center = Vector<D>::Zero();
 };
 

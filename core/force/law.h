@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "geometry/vector.h"
@@ -20,12 +21,17 @@ struct SpringLaw {
   double tan_friction = 0;        // tangent of the friction angle
   double cohesion = 0;            // Pa, of intact contacts
   double tensile_strength = 0;    // Pa, of intact contacts
-  double normal_damping = 0;      // share of critical
-  double shear_damping = 0;       // share of critical
+  double normal_damping = 0.1;    // share of critical: without any, friction on springs feeds the vibration
+  double shear_damping = 0.1;     // of what it should hold; likewise
 
   bool resists_shear() const { return shear_stiffness > 0 && (tan_friction > 0 || bonds()); }
+  bool is_damped() const { return normal_damping + shear_damping > 0; }
   bool is_potential() const { return stiffness_kind == StiffnessKind::potential; }
   bool bonds() const { return cohesion > 0 || tensile_strength > 0; }
+  /// Of the more damped of both dashpots, beside a spring between blocks of this reduced mass.
+  double viscosity(double stiffness, double reduced_mass) const {
+    return 2 * std::max(normal_damping, shear_damping) * std::sqrt(stiffness * reduced_mass);
+  }
 };
 
 /// The law of each pair of materials, or the default.

@@ -15,6 +15,8 @@ struct LineOfAction {
   double energy = 0;                       // stored
   double stiffness = 0;                    // with which the force grows there with the depth
   double twist_radius = 0;  // in space: radius of gyration of what the blocks share, about the line
+  Tensor<D> spread = Tensor<D>::Zero();  // of what the blocks share: mean of the way from its centroid times
+                                         // itself^T
 };
 
 /// Of the couple that forces along a normal make, at arms across it: these strain what they turn. Forces
@@ -74,6 +76,7 @@ LineOfAction<D> line_of_action(const PotentialForce<D>& potential, double stiffn
     line.loading_point += way;
     line.couple -= moment(way, force);
   }
+  line.spread = potential.spread;
   line.twist_radius =
       radius_of_gyration(potential.spread, line.direction, line.loading_point - potential.centroid);
   return line;

@@ -22,6 +22,8 @@ struct DepthSums {
   double base = 0;
   Vector<2> moment{0, 0};
   double polar_moment = 0;
+  Vector<2> base_moment{0, 0};
+  Tensor<2> base_spread = Tensor<2>::Zero();  // 12 times the integral of foot times foot^T
 
   void add(const DepthPoint& p, const DepthPoint& q, const DepthPoint& r, double sign) {
     const double area = 0.5 * sign * cross(q.foot - p.foot, r.foot - p.foot);
@@ -32,6 +34,9 @@ struct DepthSums {
                       q.depth * r.depth + r.depth * p.depth);
     base += area;
     const Vector<2> corners = p.foot + q.foot + r.foot;
+    base_moment += area / 3 * corners;
+    base_spread += area * (p.foot * p.foot.transpose() + q.foot * q.foot.transpose() +
+                           r.foot * r.foot.transpose() + corners * corners.transpose());
     moment += area / 12 * (sum * corners + p.depth * p.foot + q.depth * q.foot + r.depth * r.foot);
     add_polar_moment(area, p, q, r);
     add_polar_moment(area, q, r, p);
@@ -252,6 +257,10 @@ Overlap<3> measure_overlap(const Outline<3>& a, const Outline<3>& b, const Vecto
   overlap.base = std::max(sums.base, 0.0);
   overlap.center = plane.at(center);
   overlap.twist_radius = std::sqrt(std::max(sums.polar_moment / sums.volume - center.squaredNorm(), 0.0));
+  if (!(sums.base > 0)) return overlap;
+  const Vector<2> middle = sums.base_moment / sums.base;
+  overlap.middle = plane.at(middle);
+  overlap.spread = plane.in_space(sums.base_spread / (12 * sums.base) - middle * middle.transpose());
   return overlap;
 }
 

@@ -29,6 +29,16 @@ struct PairMotion {
     }
     return relative;
   }
+
+  /// How much faster the blocks open along a unit direction from place to place across it.
+  Vector<D> opening_slope(const Vector<D>& direction) const {
+    Vector<D> slope = -swept(Angular<D>(spin_b - spin_a), direction);
+    if (strain_rates) {
+      slope += (strain_rates->of_b - strain_rates->of_a).transpose() * direction;
+      slope -= direction.dot(slope) * direction;
+    }
+    return slope;
+  }
 };
 
 }  // namespace halfspace

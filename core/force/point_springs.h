@@ -34,6 +34,11 @@ inline Angular<2> couple_of_shares(const Contact<2>& contact, const double* dept
 }
 Angular<3> couple_of_shares(const Contact<3>& contact, const double* depth);
 
+/// How much stiffer, for unit stiffness, the shares make a contact against turning than springs at its points
+/// would be: a bound on that energy differentiated twice, wherever in the transition the blocks are.
+double turning_stiffness_of_shares(const Contact<2>& contact, double parallel_angle);
+double turning_stiffness_of_shares(const Contact<3>& contact, double parallel_angle);
+
 /// Radius of gyration of the springs' forces about the normal through their centre. A share of force each,
 /// all of them together 1.
 inline double twist_radius(const Contact<2>&, const Vector<2>&, const double*) { return 0; }

@@ -21,7 +21,7 @@ struct PotentialForce {
   Vector<D> centroid = Vector<D>::Zero();  // of what the blocks have in common; relative to that of a
   double content = 0;                      // area or volume of it
   double energy = 0;                       // falls along the force: that is its gradient
-  // In space, mean of the way from that centroid times itself^T: a contact that spreads resists twisting.
+  // Mean of the way from that centroid times itself^T: a contact that spreads resists tilting and twisting.
   Tensor<D> spread = Tensor<D>::Zero();
 };
 

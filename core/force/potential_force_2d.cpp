@@ -92,6 +92,20 @@ Area measure(const Polygon& polygon) {
   return sum;
 }
 
+/// Mean of the way from the centroid times itself^T.
+Tensor<2> spread_of(const Polygon& polygon, const Area& area) {
+  const std::span<const Vector<2>> corner = polygon.corners();
+  Tensor<2> sum = Tensor<2>::Zero();
+  Vector<2> p = corner[1] - corner[0];
+  for (std::size_t i = 2; i < corner.size(); ++i) {
+    const Vector<2> q = corner[i] - corner[0], both = p + q;
+    sum += cross(p, q) * (p * p.transpose() + q * q.transpose() + both * both.transpose());
+    p = q;
+  }
+  const Vector<2> way = area.moment / area.content;
+  return sum / (24 * area.content) - way * way.transpose();
+}
+
 /// One of the two blocks, at `shift` from the centroid of a, and those of its edges that matter.
 struct Owner {
   const Outline<2>& block;
@@ -190,7 +204,10 @@ PotentialForce<2> potential_force(const Outline<2>& a, const Outline<2>& b, cons
   if (!(whole.content > 0)) return {};
   const FieldForce<2> by_a = field_force(of_a, intersection, whole, cell, cut),
                       by_b = field_force(of_b, intersection, whole, cell, cut);
-  return sum_of<2>(by_a, by_b, at_a, to_b, whole.corner + whole.moment / whole.content, whole.content);
+  PotentialForce<2> sum =
+      sum_of<2>(by_a, by_b, at_a, to_b, whole.corner + whole.moment / whole.content, whole.content);
+  sum.spread = spread_of(intersection, whole);
+  return sum;
 }
 
 }  // namespace halfspace

@@ -19,9 +19,8 @@ typename Spring<D>::NormalPart Spring<D>::per_contact(const Contact<D>& contact,
                                                       bool bonded, ContactEnergy& energy) const {
   constexpr int most_points = sizeof contact.gaps / sizeof *contact.gaps;
   NormalPart normal;
-  normal.stiffness = law_.normal_stiffness;
   normal.base = base_of(contact);
-  Vector<D> weighted = Vector<D>::Zero();
+  Vector<D> weighted = Vector<D>::Zero(), weighted_viscous = Vector<D>::Zero();
   double depths[most_points] = {}, force_at[most_points] = {};
   const double viscosity_of_all = viscosity(law_.normal_damping, law_.normal_stiffness);
   for (int i = 0; i < contact.point_count; ++i) {
@@ -34,7 +33,8 @@ typename Spring<D>::NormalPart Spring<D>::per_contact(const Contact<D>& contact,
       const double opening = contact.normal.dot(motion.relative_at(contact.points[i]));
       viscous = -contact.shares[i] * viscosity_of_all * opening;
       if (!bonded) viscous = std::max(viscous, -elastic);  // a dashpot alone never pulls
-      energy.damping_loss -= viscous * opening * elapsed_;
+      normal.viscous_force += viscous;
+      weighted_viscous += viscous * contact.points[i];
     }
     energy.strain += 0.5 * elastic * depth;
     depths[i] = depth;
@@ -52,6 +52,10 @@ typename Spring<D>::NormalPart Spring<D>::per_contact(const Contact<D>& contact,
     const Vector<D> moment_arm = weighted - normal.force * normal.center;
     normal.couple += moment(moment_arm, contact.normal);
   }
+  if (law_.normal_damping > 0) {
+    const Vector<D> moment_arm = weighted_viscous - normal.viscous_force * normal.center;
+    normal.viscous_couple = moment(moment_arm, contact.normal);
+  }
   if (D == 3 && contact.point_count > 1) {
     for (int i = 0; i < contact.point_count; ++i)
       force_at[i] = has_center ? force_at[i] / normal.force : contact.shares[i];
@@ -67,6 +71,7 @@ typename Spring<D>::NormalPart Spring<D>::per_area(const Contact<D>& contact, co
                                                    const PairMotion<D>& motion, bool bonded,
                                                    ContactEnergy& energy) const {
   NormalPart normal;
+  Bed bed;
   if (bonded && is_joint_face(contact)) {
     const JointFace<D> face = joint_face(contact);
     normal.base = face.base;
@@ -75,28 +80,43 @@ typename Spring<D>::NormalPart Spring<D>::per_area(const Contact<D>& contact, co
     normal.force = law_.normal_stiffness * face.force;
     normal.couple = law_.normal_stiffness * face.couple;
     energy.strain += 0.5 * law_.normal_stiffness * face.depth_squared;
+    bed.middle = face.center;
+    bed.spread = face.spread;
   } else {
     normal.base = overlap.base;
     normal.center = overlap.center;
     normal.twist_radius = overlap.twist_radius;
     normal.force = law_.normal_stiffness * overlap.content;
     energy.strain += 0.5 * law_.normal_stiffness * overlap.depth_squared;
+    bed.middle = overlap.middle;
+    bed.spread = overlap.spread;
+    bed.unevenness = overlap.unevenness();
   }
-  normal.stiffness = law_.normal_stiffness * normal.base;
-  damp(contact.normal, motion, bonded, normal, energy);
+  bed.stiffness = law_.normal_stiffness * normal.base;
+  damp(contact.normal, motion, bonded, bed, normal);
   return normal;
 }
 
-/// A dashpot beside the normal force, at its centre.
+/// Dashpots spread as the springs are: they brake the bed's opening and its tilting alike. Where nothing is
+/// bonded they pull at most as much as leaves the centre of all that presses within the bed: for a bed of
+/// this spread, up to sqrt(3) times its radius of gyration from its middle, which is the end of an even one.
 template <int D>
-void Spring<D>::damp(const Vector<D>& direction, const PairMotion<D>& motion, bool bonded, NormalPart& normal,
-                     ContactEnergy& energy) const {
+void Spring<D>::damp(const Vector<D>& direction, const PairMotion<D>& motion, bool bonded, const Bed& bed,
+                     NormalPart& normal) const {
   if (law_.normal_damping == 0) return;
-  const double opening = direction.dot(motion.relative_at(normal.center));
-  double viscous = -viscosity(law_.normal_damping, normal.stiffness) * opening;
-  if (!bonded) viscous = std::max(viscous, -normal.force);
-  energy.damping_loss -= viscous * opening * elapsed_;
-  normal.force += viscous;
+  const double opening = direction.dot(motion.relative_at(bed.middle));
+  const Vector<D> slope = motion.opening_slope(direction), tilting = bed.spread * slope;
+  double viscosity_here = viscosity(law_.normal_damping, bed.stiffness);
+  if (!bonded) {
+    const double pull = opening + std::sqrt(slope.dot(tilting) / 3);
+    const double most = (1 - bed.unevenness) * normal.force;
+    if (viscosity_here * pull > most) viscosity_here = most / pull;
+  }
+  const Vector<D> moment_arm = opening * (bed.middle - normal.center) + tilting;
+  normal.viscous_force = -viscosity_here * opening;
+  normal.viscous_couple = -viscosity_here * moment(moment_arm, direction);
+  normal.force += normal.viscous_force;
+  normal.couple += normal.viscous_couple;
 }
 
 template <int D>
@@ -135,8 +155,9 @@ bool Spring<D>::holds(const NormalPart& normal, const ShearTrial& trial) const {
 
 /// Incremental shear spring with Mohr-Coulomb's limit (eqs. 37-40).
 template <int D>
-Shear<D> Spring<D>::shear_force(const NormalPart& normal, const ShearTrial& trial, const Vector<D>& direction,
-                                ShearSpring<D>& spring, bool bonded, ContactEnergy& energy) const {
+typename Spring<D>::ShearPart Spring<D>::shear_force(const NormalPart& normal, const ShearTrial& trial,
+                                                     const Vector<D>& direction, ShearSpring<D>& spring,
+                                                     bool bonded, ContactEnergy& energy) const {
   const auto& [stiffness, velocity, before, stuck] = trial;
   const Shear<D> slip = elapsed_ * velocity;
   const double limit = shear_limit(normal, bonded), wanted = stuck.norm();
@@ -155,28 +176,31 @@ Shear<D> Spring<D>::shear_force(const NormalPart& normal, const ShearTrial& tria
   energy.strain += stored;
   remember(spring, force, stored, direction);
 
-  if (law_.shear_damping == 0 || slides) return force;
+  if (law_.shear_damping == 0 || slides) return {force};
   Shear<D> total = force - viscosity(law_.shear_damping, stiffness) * velocity;
   const double length = total.norm();
   if (length > limit) total *= limit / length;
-  energy.damping_loss -= (total - force).dot(slip);
-  return total;
+  return {total, total - force};
 }
 
 /// The normal part with what friction and bond make of the trial.
 template <int D>
 [[gnu::always_inline]] inline PairLoad<D> Spring<D>::load(const NormalPart& normal, const ShearTrial& trial,
-                                                          const Vector<D>& direction,
-                                                          const PairMotion<D>& motion, ShearSpring<D>& spring,
+                                                          const Vector<D>& direction, ShearSpring<D>& spring,
                                                           bool bonded, ContactEnergy& energy) const {
-  ContactForce<D> on_b{normal.force * direction, normal.center, normal.couple};
-  if (law_.resists_shear()) {
-    const Shear<D> shear = shear_force(normal, trial, direction, spring, bonded, energy);
-    on_b.force += shear_vector(shear, direction);
-    on_b.couple += twisting_moment(shear, direction, normal.twist_radius);
-  }
-  return {on_b, direction, -moment(normal.center, on_b.force) - on_b.couple,
-          moment(normal.center - motion.to_b, on_b.force) + on_b.couple};
+  PairLoad<D> load;
+  load.contact = {normal.force * direction, normal.center, normal.couple};
+  load.normal = direction;
+  if (law_.is_damped()) load.viscous = {normal.viscous_force * direction, normal.viscous_couple};
+  if (!law_.resists_shear()) return load;
+  const ShearPart shear = shear_force(normal, trial, direction, spring, bonded, energy);
+  const auto add = [&](const Shear<D>& part, auto& to) {
+    to.force += shear_vector(part, direction);
+    to.couple += twisting_moment(part, direction, normal.twist_radius);
+  };
+  add(shear.force, load.contact);
+  if (law_.shear_damping > 0) add(shear.viscous, load.viscous);
+  return load;
 }
 
 template <int D>
@@ -196,7 +220,7 @@ PairLoad<D> Spring<D>::evaluate(const Contact<D>& contact, const Overlap<D>& ove
     trial = shear_trial(normal, contact.normal, motion, spring);
   }
 
-  return load(normal, trial, contact.normal, motion, spring, bonded, energy);
+  return load(normal, trial, contact.normal, spring, bonded, energy);
 }
 
 template <int D>
@@ -204,14 +228,13 @@ PairLoad<D> Spring<D>::evaluate(const LineOfAction<D>& line, const PairMotion<D>
                                 ShearSpring<D>& spring, ContactEnergy& energy) const {
   NormalPart normal;
   normal.force = line.force;
-  normal.stiffness = line.stiffness;
   normal.couple = line.couple;
   normal.center = line.loading_point;
   normal.twist_radius = line.twist_radius;
   energy.strain += line.energy;
-  damp(line.direction, motion, false, normal, energy);
+  damp(line.direction, motion, false, {line.stiffness, line.loading_point, line.spread, 0}, normal);
   const ShearTrial trial = shear_trial(normal, line.direction, motion, spring);
-  return load(normal, trial, line.direction, motion, spring, false, energy);
+  return load(normal, trial, line.direction, spring, false, energy);
 }
 
 template class Spring<2>;

@@ -16,22 +16,33 @@ struct ContactForce {
   Vector<D> point = Vector<D>::Zero();     // where it acts, relative to the centroid of a
   Angular<D> couple = Angular<D>::Zero();  // besides the force at the point
   double reserved = 0;  // fills the gap at the end in the plane, so that saved forces hold no stray bytes
+
+  Angular<D> torque_on_a() const { return -moment(point, force) - couple; }
+  Angular<D> torque_on_b(const Vector<D>& to_b) const { return moment(point - to_b, force) + couple; }
+};
+
+/// What of a contact's force its dashpots make, at the same point.
+template <int D>
+struct DashpotForce {
+  Vector<D> force;
+  Angular<D> couple;
 };
 
 /// What a contact does to its two blocks.
 template <int D>
 struct PairLoad {
   ContactForce<D> contact;
-  Vector<D> normal;  // along it the blocks repel each other, across it they shear
-  Angular<D> torque_on_a;
-  Angular<D> torque_on_b;
+  Vector<D> normal;         // along it the blocks repel each other, across it they shear
+  DashpotForce<D> viscous;  // left unset unless the law is damped
+
+  ContactForce<D> dashpots() const { return {viscous.force, contact.point, viscous.couple}; }
 };
 
-/// Energies that a contact stores and has lost in this evaluation.
+/// Energies that a contact stores, and has lost to friction in this evaluation. What its dashpots lose is
+/// known when the step has ended.
 struct ContactEnergy {
   double strain = 0;
   double friction_loss = 0;
-  double damping_loss = 0;
 };
 
 /// Force of a contact: by penalty (Wang et al. 2021, eqs. 36-40) or by potentials. Stateless but for the
@@ -54,11 +65,26 @@ class Spring {
  private:
   struct NormalPart {
     double force = 0;
-    double stiffness = 0;
     double base = 0;  // length or area: what cohesion and shear stiffness per area act on
     double twist_radius = 0;
     Angular<D> couple = Angular<D>::Zero();  // on b, besides the force at the centre
     Vector<D> center = Vector<D>::Zero();
+    double viscous_force = 0;                        // what of the force dashpots make
+    Angular<D> viscous_couple = Angular<D>::Zero();  // and of the couple
+  };
+
+  /// Springs spread over a part of the contact plane, with a dashpot beside each.
+  struct Bed {
+    double stiffness = 0;                  // of all
+    Vector<D> middle = Vector<D>::Zero();  // centroid of the part
+    Tensor<D> spread = Tensor<D>::Zero();  // mean of the way from there times itself^T
+    double unevenness = 0;                 // of the springs' force: their centre's way from the middle to
+                                           // where nothing would press on the other side, as a share
+  };
+
+  struct ShearPart {
+    Shear<D> force = Shear<D>::Zero();
+    Shear<D> viscous = Shear<D>::Zero();  // what of it dashpots make
   };
 
   /// What the shear spring would be if the contact neither slid nor broke.
@@ -75,17 +101,16 @@ class Spring {
                          ContactEnergy& energy) const;
   NormalPart per_area(const Contact<D>& contact, const Overlap<D>& overlap, const PairMotion<D>& motion,
                       bool bonded, ContactEnergy& energy) const;
-  void damp(const Vector<D>& direction, const PairMotion<D>& motion, bool bonded, NormalPart& normal,
-            ContactEnergy& energy) const;
+  void damp(const Vector<D>& direction, const PairMotion<D>& motion, bool bonded, const Bed& bed,
+            NormalPart& normal) const;
   ShearTrial shear_trial(const NormalPart& normal, const Vector<D>& direction, const PairMotion<D>& motion,
                          const ShearSpring<D>& spring) const;
   double shear_limit(const NormalPart& normal, bool bonded) const;
   bool holds(const NormalPart& normal, const ShearTrial& trial) const;
-  Shear<D> shear_force(const NormalPart& normal, const ShearTrial& trial, const Vector<D>& direction,
-                       ShearSpring<D>& spring, bool bonded, ContactEnergy& energy) const;
+  ShearPart shear_force(const NormalPart& normal, const ShearTrial& trial, const Vector<D>& direction,
+                        ShearSpring<D>& spring, bool bonded, ContactEnergy& energy) const;
   PairLoad<D> load(const NormalPart& normal, const ShearTrial& trial, const Vector<D>& direction,
-                   const PairMotion<D>& motion, ShearSpring<D>& spring, bool bonded,
-                   ContactEnergy& energy) const;
+                   ShearSpring<D>& spring, bool bonded, ContactEnergy& energy) const;
   double viscosity(double share_of_critical, double stiffness) const;
 
   const SpringLaw& law_;

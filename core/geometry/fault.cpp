@@ -9,7 +9,7 @@ const char* fault_text(Fault fault) {
     case Fault::too_few_vertices:
       return "has fewer than 3 vertices";
     case Fault::not_finite:
-      return "is not finite, or beyond 1e75, or the whole is smaller than 1e-75";
+      return "is not finite, or beyond 1e75, or the whole is smaller or narrower than 1e-75";
     case Fault::repeated_vertex:
       return "repeats the vertex before it";
     case Fault::collinear_vertex:

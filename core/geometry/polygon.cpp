@@ -12,6 +12,20 @@ Shape<2>::Shape(std::span<const Vector<2>> vertices, Memory* memory)
   if (is_clockwise(ordered)) std::reverse(ordered.begin(), ordered.end());
   measure(ordered);
   store(ordered);
+  measure_thickness();
+}
+
+Shape<2>::Shape(const Shape& other, Memory* memory)
+    : count_(other.count_),
+      area_(other.area_),
+      centroid_(other.centroid_),
+      second_moment_(other.second_moment_),
+      bounding_radius_(other.bounding_radius_),
+      shortest_edge_(other.shortest_edge_),
+      longest_edge_(other.longest_edge_),
+      thickness_(other.thickness_),
+      components_(other.components_, memory) {
+  point_outline();
 }
 
 /// Exact moments by fanning triangles out of the first vertex: all coordinates are differences, so that the
@@ -51,7 +65,7 @@ void Shape<2>::store(std::span<const Vector<2>> vertices) {
   double* nx = y + stride;
   double* ny = nx + stride;
   double* offset = ny + stride;
-  outline_ = {count_, x, y, nx, ny, offset};
+  point_outline();
 
   shortest_edge_ = HUGE_VAL;
   for (int i = 0; i < count_; ++i) {
@@ -74,6 +88,29 @@ void Shape<2>::store(std::span<const Vector<2>> vertices) {
   }
   if (stride != count_) {
     for (double* component : {x, y, nx, ny, offset}) component[count_] = component[count_ - 1];
+  }
+}
+
+void Shape<2>::point_outline() {
+  const int stride = Outline<2>::padded(count_);
+  const double* const x = components_.data();
+  outline_ = {count_, x, x + stride, x + 2 * stride, x + 3 * stride, x + 4 * stride};
+}
+
+/// Across edge after edge, what lies farthest from it moves on around the polygon (rotating calipers, Shamos
+/// 1978).
+void Shape<2>::measure_thickness() {
+  const auto depth = [&](int edge, int vertex) {
+    return outline_.offset[edge] - outline_.normal(edge).dot(outline_.vertex(vertex));
+  };
+  thickness_ = HUGE_VAL;
+  for (int edge = 0, farthest = 2; edge < count_; ++edge) {
+    for (int left = count_; left > 0; --left) {
+      const int next = outline_.next(farthest);
+      if (depth(edge, next) < depth(edge, farthest)) break;
+      farthest = next;
+    }
+    thickness_ = std::min(thickness_, depth(edge, farthest));
   }
 }
 

@@ -50,6 +50,14 @@ bool points_up(const Vector<2>& direction) {
   return direction.y() > 0 || (direction.y() == 0 && direction.x() > 0);
 }
 
+/// About as wide as its area over its length.
+bool is_narrow(std::span<const Vector<2>> vertices, double length) {
+  double doubled_area_over_length = 0;
+  for (std::size_t i = 1; i + 1 < vertices.size(); ++i)
+    doubled_area_over_length += cross((vertices[i] - vertices[0]) / length, vertices[i + 1] - vertices[0]);
+  return std::abs(doubled_area_over_length) < smallest_extent;
+}
+
 /// How often the edges' directions go round: a convex outline does so once.
 int winding_of_directions(std::span<const Vector<2>> vertices) {
   const std::size_t n = vertices.size();
@@ -120,6 +128,7 @@ FaultReport check_polygon(std::span<const Vector<2>> vertices) {
     return {Fault::self_crossing, -1};
   if (wrong_turn.fault != Fault::none) return wrong_turn;
   if (winding_of_directions(vertices) != 1) return {Fault::self_crossing, -1};
+  if (is_narrow(vertices, box.extent())) return {Fault::not_finite, -1};
   return {};
 }
 

@@ -1,6 +1,7 @@
 #include "geometry/polygon_cut.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "geometry/polygon_hull.h"
@@ -29,10 +30,12 @@ PolygonParts cut_polygon(std::span<const Vector<2>> vertices, const Vector<2>& p
   const std::size_t n = vertices.size();
   const Vector<2> unit = normal.stableNormalized();
   Array<double> heights(n, memory);
-  double reach = 0;
+  double reach = 0, lowest = HUGE_VAL, highest = -HUGE_VAL;
   for (std::size_t i = 0; i < n; ++i) {
     const Vector<2> from_point = vertices[i] - point;
     heights[i] = unit.dot(from_point);
+    lowest = std::min(lowest, heights[i]);
+    highest = std::max(highest, heights[i]);
     reach = std::max(reach, from_point.cwiseAbs().maxCoeff() + vertices[i].cwiseAbs().maxCoeff());
   }
   // Coordinates carry half an ulp each, the dot product two more: within this a vertex is on the line.
@@ -41,7 +44,7 @@ PolygonParts cut_polygon(std::span<const Vector<2>> vertices, const Vector<2>& p
     if (std::abs(h) <= rounding) h = 0;
   }
 
-  PolygonParts parts{Array<Vector<2>>(memory), Array<Vector<2>>(memory)};
+  PolygonParts parts{Array<Vector<2>>(memory), Array<Vector<2>>(memory), highest > -lowest};
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t next = (i + 1) % n;
     if (heights[i] <= 0) parts.behind.push_back(vertices[i]);

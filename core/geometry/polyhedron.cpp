@@ -45,6 +45,7 @@ Shape<3>::Shape(const Polyhedron& polyhedron, Memory* memory)
   if (vertex_count() > few_vertices) outline_.gauss_map = &gauss_map_.emplace(outline_, memory);
   measure_edges();
   measure_faces();
+  measure_thickness();
 }
 
 /// Exact moments by tetrahedra from the first vertex to the triangles of the other faces: all coordinates are
@@ -142,6 +143,16 @@ void Shape<3>::measure_faces() {
     for (int i = 1; i + 1 < corners; ++i)
       twice_area += cross_product(outline_.vertex(loop[i]) - first, outline_.vertex(loop[i + 1]) - first);
     largest_face_ = std::max(largest_face_, 0.5 * twice_area.stableNorm());
+  }
+}
+
+void Shape<3>::measure_thickness() {
+  thickness_ = HUGE_VAL;
+  int deepest = 0;
+  for (int f = 0; f < face_count(); ++f) {
+    const Support farthest = walk_to_deepest(outline_, outline_.normal(f), deepest);
+    deepest = farthest.vertex;
+    thickness_ = std::min(thickness_, outline_.offset[f] - farthest.height);
   }
 }
 

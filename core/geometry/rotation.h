@@ -73,6 +73,12 @@ class Rotation<2> {
     return {next.cosine * correction, next.sine * correction};
   }
 
+  /// The shortest turn that leads here from another rotation.
+  Angular<2> turn_since(const Rotation& before) const {
+    const Rotation turn = *this * before.inverse();
+    return Angular<2>(std::atan2(turn.sine, turn.cosine));
+  }
+
   /// No unit vector is turned to places farther apart by these two.
   double farthest_from(const Rotation& other) const {
     return std::abs(cosine - other.cosine) + std::abs(sine - other.sine);
@@ -168,6 +174,15 @@ class Rotation<3> {
     const Eigen::Matrix3d gram = m.transpose().lazyProduct(m);
     const Eigen::Matrix3d nearest = m.lazyProduct(1.5 * Eigen::Matrix3d::Identity() - 0.5 * gram);
     return from_axes(nearest.col(0), nearest.col(1), nearest.col(2));
+  }
+
+  /// The turn that leads here from another rotation, by well below half a turn.
+  Angular<3> turn_since(const Rotation& before) const {
+    const Rotation turn = *this * before.inverse();
+    const Vector<3>&x = turn.columns_[0], &y = turn.columns_[1], &z = turn.columns_[2];
+    const Vector<3> twice_sine(y.z() - z.y(), z.x() - x.z(), x.y() - y.x());
+    const double sine = 0.5 * twice_sine.norm(), cosine = 0.5 * (x.x() + y.y() + z.z() - 1);
+    return sine > 0 ? Angular<3>(std::atan2(sine, cosine) / (2 * sine) * twice_sine) : Angular<3>::Zero();
   }
 
   /// No unit vector is turned to places farther apart by these two.

@@ -21,6 +21,8 @@ class Shape<2> {
  public:
   /// From vertices in either order that check_polygon() found no fault with.
   Shape(std::span<const Vector<2>> vertices, Memory* memory);
+  /// Another one of the same bits.
+  Shape(const Shape& other, Memory* memory);
   Shape(const Shape&) = delete;  // its outline points into its own components
   Shape& operator=(const Shape&) = delete;
 
@@ -36,10 +38,14 @@ class Shape<2> {
   double bounding_radius() const { return bounding_radius_; }
   double shortest_edge() const { return shortest_edge_; }
   double longest_edge() const { return longest_edge_; }
+  /// Its least width, which is that across some edge.
+  double thickness() const { return thickness_; }
 
  private:
   void measure(std::span<const Vector<2>> counter_clockwise);
   void store(std::span<const Vector<2>> counter_clockwise);
+  void measure_thickness();
+  void point_outline();
 
   int count_ = 0;
   double area_ = 0;
@@ -48,6 +54,7 @@ class Shape<2> {
   double bounding_radius_ = 0;
   double shortest_edge_ = 0;
   double longest_edge_ = 0;
+  double thickness_ = 0;
   Array<double> components_;  // x, y, nx, ny, offset, each padded
   Outline<2> outline_;        // into components_
 };
@@ -78,12 +85,15 @@ class Shape<3> {
   double longest_edge() const { return longest_edge_; }
   /// Area.
   double largest_face() const { return largest_face_; }
+  /// The least width across a face. Between two edges a shape may be narrower, a flat tetrahedron by half.
+  double thickness() const { return thickness_; }
 
  private:
   void measure(const Polyhedron& polyhedron);
   void store(const Polyhedron& polyhedron);
   void measure_edges();
   void measure_faces();
+  void measure_thickness();
 
   double volume_ = 0;
   Vector<3> centroid_ = Vector<3>::Zero();
@@ -92,6 +102,7 @@ class Shape<3> {
   double shortest_edge_ = 0;
   double longest_edge_ = 0;
   double largest_face_ = 0;
+  double thickness_ = 0;
   TopologyArrays topology_;
   Array<double> components_;           // x, y, z, then nx, ny, nz, offset, each padded
   std::optional<GaussMap> gauss_map_;  // of many vertices

@@ -35,29 +35,29 @@ void World<D>::accelerate_affine(std::size_t i) {
       drive * deformation.inverse_mass_matrix - settings_.mass_damping * deformation.rate;
 }
 
-/// False when the block would pass its own radius in the coming step, be turned inside out or pressed flat.
+/// False when the motion is not finite, or would turn the block inside out or press it flat.
 template <int D>
 bool World<D>::plan_affine(std::size_t i) {
-  const double half = 0.5 * time_step_;
+  const double half = 0.5 * duration_;
   const Deformation<D>& deformation = blocks_.deformation(i);
   const Vector<D> velocity = blocks_.velocity[i] + half * acceleration_[i];
-  const Tensor<D> change = time_step_ * (deformation.rate + half * deformation.acceleration);
-  const double motion = time_step_ * velocity.norm() + blocks_.radius[i] * change.norm();
-  if (!(motion <= blocks_.radius[i])) return false;
-  const Tensor<D> next = deformation.gradient + change;
-  if (!(next.determinant() > 0 && condition_of<D>(next) <= largest_condition)) return false;
-  candidates_.plan(blocks_, i, motion);
-  return true;
+  const Tensor<D> change = duration_ * (deformation.rate + half * deformation.acceleration);
+  const double strain = change.norm();
+  if (strain <= most_turn) {
+    const Tensor<D> next = deformation.gradient + change;
+    if (!(next.determinant() > 0 && condition_of<D>(next) <= largest_condition)) return false;
+  }
+  return plan_block(i, velocity, strain);
 }
 
 /// First half of a step.
 template <int D>
 void World<D>::kick_and_drift_affine(std::size_t i) {
-  const double half = 0.5 * time_step_;
+  const double half = 0.5 * duration_;
   Deformation<D>& deformation = blocks_.deformation(i);
   blocks_.push(i, half * acceleration_[i], Angular<D>::Zero());
   deformation.rate += half * deformation.acceleration;
-  blocks_.drift_affine(std::int32_t(i), time_step_ * blocks_.velocity[i], time_step_);
+  blocks_.drift_affine(std::int32_t(i), duration_ * blocks_.velocity[i], duration_);
 }
 
 /// As take_stock(), of velocities and of the rate that damping was formed with.
@@ -72,6 +72,7 @@ void World<D>::take_affine_stock(std::size_t i, const Vector<D>& opposed, const 
   stock.block_strain += deformation.strain_energy(elasticity_of(i));
   // The strain that a torque drives changes with the gradient: it is not the same all through a step.
   stock.power.outer += blocks_.applied_torque[i].dot(blocks_.spin[i]);
+  stock.power.contact_damping += dashpot_power(i);
   stock.power.block_damping += deformation.damping_power(elasticity_of(i), opposed_rate);
   if (settings_.local_damping > 0) {
     const Vector<D> force = affine_drive(i);
@@ -92,7 +93,7 @@ void World<D>::take_affine_stock(std::size_t i, const Vector<D>& opposed, const 
 /// Second half of a step.
 template <int D>
 void World<D>::kick_and_book_affine(std::size_t i, Stock& stock, double& applied_power) {
-  const double half = 0.5 * time_step_;
+  const double half = 0.5 * duration_;
   const Deformation<D>& deformation = blocks_.deformation(i);
   const Vector<D> middle_velocity = blocks_.velocity[i];
   const Tensor<D> middle_rate = deformation.rate;

@@ -17,6 +17,8 @@ Candidates<D>::Candidates(Memory* memory)
       reference_gradient_(memory),
       skin_(memory),
       planned_(memory),
+      calm_motion_(memory),
+      ways_(memory),
       search_(memory),
       boxes_(memory),
       sizes_(memory),
@@ -43,7 +45,21 @@ void Candidates<D>::choose_skins(const Blocks<D>& blocks, double relative_skin) 
   }
   for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
     const bool moves = blocks.moves_freely(i) || blocks.kind[i] == BlockKind::prescribed;
-    skin_[i] = moves ? std::max(relative_skin * 2 * std::min(blocks.radius[i], typical), planned_[i]) : 0;
+    const double planned = ways_.empty() ? planned_[i] : planned_[i] - ways_[i].norm();
+    skin_[i] = moves ? std::max(relative_skin * 2 * std::min(blocks.radius[i], typical), planned) : 0;
+  }
+}
+
+/// Of two blocks that each move by no more than half of what they may together, none is fast.
+template <int D>
+void Candidates<D>::choose_calm_motions(const Blocks<D>& blocks) noexcept {
+  std::fill(calm_motion_.begin(), calm_motion_.end(), HUGE_VAL);
+  for (const Candidate<D>& pair : pairs_) {
+    const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
+    const double calm =
+        0.5 * calm_share * std::min(blocks.strained_thickness(a), blocks.strained_thickness(b));
+    calm_motion_[a] = std::min(calm_motion_[a], calm);
+    calm_motion_[b] = std::min(calm_motion_[b], calm);
   }
 }
 
@@ -54,7 +70,8 @@ bool Candidates<D>::may_touch(const Blocks<D>& blocks, const BlockPair& pair) co
   const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
   if (!blocks.moves_freely(a) && !blocks.moves_freely(b)) return false;
   const PlacedBlocks<D> at = blocks.placed(pair.a, pair.b);
-  return find_separation(at.a, at.b, at.to_b).gap <= skin_[a] + skin_[b];
+  const double reach = skin_[a] + skin_[b] + way(a).norm() + way(b).norm();
+  return find_separation(at.a, at.b, at.to_b).gap <= reach;
 }
 
 template <int D>
@@ -64,8 +81,9 @@ void Candidates<D>::search(const Blocks<D>& blocks) {
   for (std::size_t i = 0; i < slots; ++i) {
     if (!blocks.lives(i)) continue;
     boxes_[i] = blocks.box(std::int32_t(i));
-    boxes_[i].lower.array() -= skin_[i];
-    boxes_[i].upper.array() += skin_[i];
+    const Vector<D> way = this->way(i);
+    boxes_[i].lower = boxes_[i].lower.cwiseMin(boxes_[i].lower + way).array() - skin_[i];
+    boxes_[i].upper = boxes_[i].upper.cwiseMax(boxes_[i].upper + way).array() + skin_[i];
   }
   found_.clear();
   refit(found_, room_);
@@ -131,11 +149,14 @@ template <int D>
 void Candidates<D>::resize(std::size_t slots, bool with_gradients) {
   skin_.reserve(slots);
   planned_.reserve(slots);
+  calm_motion_.reserve(slots);
   reference_position_.reserve(slots);
   reference_rotation_.reserve(slots);
   if (with_gradients) reference_gradient_.resize(slots, Tensor<D>::Identity());
   skin_.resize(slots);
   planned_.resize(slots);
+  calm_motion_.resize(slots);
+  if (!ways_.empty()) ways_.resize(slots, Vector<D>::Zero());
   reference_position_.resize(slots, Vector<D>::Zero());
   reference_rotation_.resize(slots);
 }
@@ -164,6 +185,8 @@ void Candidates<D>::renew(const Blocks<D>& blocks, bool with_shear) noexcept {
   }
   for (const Deformation<D>& deformation : blocks.deformations().all())
     reference_gradient_[std::size_t(deformation.slot)] = deformation.gradient;
+  choose_calm_motions(blocks);
+  ways_.clear();
   used_up_ = false;
   ++builds_;
 }

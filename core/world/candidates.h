@@ -28,6 +28,10 @@ struct Candidate {
 };
 static_assert(std::has_unique_object_representations_v<PlanMemory>);
 
+/// Blocks that move no farther against each other at once than this share of what is thinner cannot pass
+/// through each other unseen, nor past their middles.
+constexpr double calm_share = 0.25;
+
 /// The neighbour list: all pairs that can touch before some block has moved by more than its skin. Sorted by
 /// (a, b).
 template <int D>
@@ -39,11 +43,21 @@ class Candidates {
   bool used_up() const { return used_up_; }
   void expire() { used_up_ = true; }
 
+  void begin_plan() { ways_.clear(); }
   /// Announces how far a block's farthest point will move. Call for each block before it moves.
   void plan(const Blocks<D>& blocks, std::size_t slot, double motion) {
     planned_[slot] = motion;
     if (!(moved(blocks, slot) + motion <= skin_[slot])) used_up_ = true;
   }
+  /// And which way its centroid, when that is far: the search then looks along the way instead of all around.
+  void plan_way(std::size_t slot, const Vector<D>& way) {
+    ways_.resize(planned_.size(), Vector<D>::Zero());
+    ways_[slot] = way;
+  }
+  /// As announced.
+  double planned_motion(std::size_t slot) const { return planned_[slot]; }
+  /// As far as a block may move in a step and be none that is fast, whichever neighbour it meets.
+  double calm_motion(std::size_t slot) const { return calm_motion_[slot]; }
 
   /// Notes that a block has been put elsewhere.
   void note_placement(const Blocks<D>& blocks, std::size_t slot) {
@@ -87,6 +101,9 @@ class Candidates {
   /// come and go asks for no memory.
   std::size_t room() const { return std::max(pairs_.capacity(), next_pairs_.capacity()); }
   std::int64_t builds() const { return builds_; }
+  /// So many slots the list was made for.
+  std::size_t list_length() const { return skin_.size(); }
+  bool has_springs() const { return shear_.size() == pairs_.size(); }
 
   /// False for what no list can be, after reading a snapshot.
   bool is_consistent(const Blocks<D>& blocks) const;
@@ -94,7 +111,7 @@ class Candidates {
   template <class Archive>
   void visit(Archive& archive) {
     archive(pairs_, shear_, plans_, reference_position_, reference_rotation_, reference_gradient_, skin_,
-            planned_, used_up_, builds_);
+            planned_, calm_motion_, used_up_, builds_);
   }
 
  private:
@@ -108,6 +125,8 @@ class Candidates {
   }
 
   void choose_skins(const Blocks<D>& blocks, double relative_skin);
+  void choose_calm_motions(const Blocks<D>& blocks) noexcept;
+  Vector<D> way(std::size_t slot) const { return ways_.empty() ? Vector<D>::Zero() : ways_[slot]; }
   bool may_touch(const Blocks<D>& blocks, const BlockPair& pair) const;
   void resize(std::size_t slots, bool with_gradients);
   void search(const Blocks<D>& blocks);
@@ -121,7 +140,9 @@ class Candidates {
   Array<Rotation<D>> reference_rotation_;
   Array<Tensor<D>> reference_gradient_;  // of affine blocks, if there are any
   Array<double> skin_;
-  Array<double> planned_;  // motion announced for the coming step
+  Array<double> planned_;      // motion announced for the coming step
+  Array<double> calm_motion_;  // up to which a block is not fast, whichever neighbour it meets
+  Array<Vector<D>> ways_;      // announced, until the next search; none if no block goes far
   std::int32_t used_up_ = 1;
   std::int64_t builds_ = 0;
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 
 #include "detect/pair.h"
 #include "world/world.h"
@@ -9,6 +10,16 @@ namespace {
 /// Blocks that a joint has cut apart touch to rounding only: what lies nearer than this share of the smaller
 /// one's radius was one face.
 constexpr double bond_reach = 1e-6;
+
+/// How far rounding alone lets blocks overlap, or stand apart, that were meant to touch: both reach up to so
+/// far from the origin. A corner turned by hand is off by up to 3 sqrt(2) roundings of that, two from a face
+/// and one from the vertex on it count, and less than four more come from the centroids, from which vertices
+/// are measured, and from the normal and the gap.
+double rounding_of_touch(double reach_of_a, double reach_of_b) {
+  constexpr double roundings = 3 * 3 * 1.41421356237309505 + 4;
+  constexpr double rounding = 0.5 * std::numeric_limits<double>::epsilon();
+  return roundings * rounding * std::max(reach_of_a, reach_of_b);
+}
 
 }  // namespace
 
@@ -54,6 +65,14 @@ bool World<D>::is_described(const Candidate<D>& pair) const {
          !law_of(pair).is_potential();
 }
 
+template <int D>
+double World<D>::rounding_of_touch(const Candidate<D>& pair) const {
+  const auto reach = [&](std::int32_t block) {
+    return blocks_.position[std::size_t(block)].norm() + blocks_.radius[std::size_t(block)];
+  };
+  return halfspace::rounding_of_touch(reach(pair.a), reach(pair.b));
+}
+
 /// True when the candidate is in contact, or held together by its bond; then the contact is described, if
 /// that is wanted.
 template <int D>
@@ -70,15 +89,17 @@ bool World<D>::find_contact(std::size_t k, Contact<D>& contact) {
   } else {
     if (!pair.bonded) {
       if (before >= PairMemory<D>::touching) release_shear(k);
+      if (before == PairMemory<D>::unknown && refresh(a, b, to_b, memory) <= rounding_of_touch(pair))
+        memory.state = PairMemory<D>::unknown;
       return false;
     }
     memory.pair = initial_pair(a, b, to_b, memory);  // a contact has no two vertices
     describe_contact<D>(a, b, to_b, memory, settings_.detect, contact);
   }
-  if (before == PairMemory<D>::unknown && contact.gap == 0) {
-    // Neatly stacked: the strict form of inclusion holds at first sight, so that an initial contact pair is
-    // left behind (eq. 11).
-    memory.state = PairMemory<D>::separated;
+  if (before == PairMemory<D>::unknown && contact.gap >= -rounding_of_touch(pair)) {
+    // Neatly stacked: at first sight the strict form of inclusion holds (eq. 11). Which pair they touch through
+    // rounding alone would decide, so the pair of least depth will be the initial one, once they overlap.
+    memory.state = PairMemory<D>::unknown;
     return pair.bonded;
   }
   return true;
@@ -109,7 +130,9 @@ std::size_t World<D>::most_edges() const {
 }
 
 template <int D>
-void World<D>::fit_potential_room() {
+void World<D>::fit_room_of_laws() {
+  const bool is_damped = laws_.any([](const SpringLaw& law) { return law.is_damped(); });
+  dashpot_load_.resize(is_damped ? blocks_.slot_count() : 0);
   if (!laws_.knows_potential()) return;
   potential_room_.reserve(most_edges());
   if constexpr (D == 3) candidates_.reserve_plans();
@@ -123,7 +146,7 @@ void World<D>::renew_candidates() {
   candidates_.search_again(blocks_, settings_.skin, with_shear);
   refit(touching_, candidates_.room());
   refit(forces_, candidates_.room());
-  fit_potential_room();
+  fit_room_of_laws();
   candidates_.renew(blocks_, with_shear);
   forget_contacts();
 }
@@ -169,7 +192,9 @@ void World<D>::evaluate_forces(double elapsed) {
   renew_used_up_candidates();
   std::fill(blocks_.force.begin(), blocks_.force.end(), Vector<D>::Zero());
   std::fill(blocks_.torque.begin(), blocks_.torque.end(), Angular<D>::Zero());
-  for (Deformation<D>& deformation : blocks_.deformations().all()) deformation.virial = Tensor<D>::Zero();
+  std::fill(dashpot_load_.begin(), dashpot_load_.end(), DashpotLoad());
+  for (Deformation<D>& deformation : blocks_.deformations().all())
+    deformation.virial = deformation.dashpot_virial = Tensor<D>::Zero();
   Evaluation evaluation{elapsed, laws_.knows_potential() ? potential_length() : 0};
   if (detected_) {
     forces_.clear();
@@ -185,7 +210,6 @@ void World<D>::evaluate_forces(double elapsed) {
   const ContactEnergy& energy = evaluation.energy;
   ledger_.strain = energy.strain;
   ledger_.friction_loss += energy.friction_loss;
-  ledger_.contact_damping_loss += energy.damping_loss;
 }
 
 template class World<2>;

@@ -15,8 +15,9 @@ World<D>::World(const WorldSettings<D>& settings, Memory* memory)
       candidates_(memory),
       touching_(memory),
       forces_(memory),
+      dashpot_load_(memory),
       potential_room_(memory),
-      contacts_of_(memory),
+      hardness_(memory),
       acceleration_(memory),
       momentum_rate_(memory),
       next_rotation_(memory) {}

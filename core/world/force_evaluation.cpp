@@ -119,33 +119,57 @@ void World<D>::load_blocks(std::size_t candidate, const Contact<D>& contact, Eva
   Candidate<D>& pair = candidates_.pairs()[candidate];
   const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
   const SpringLaw& law = law_of(pair);
-  const bool is_damped = law.normal_damping > 0 || law.shear_damping > 0;
+  const bool is_damped = law.is_damped();
   const Spring<D> spring(law, is_damped ? reduced_mass(a, b) : 0, evaluation.elapsed);
   ShearSpring<D> no_shear;
   ShearSpring<D>& shear = candidates_.shear().empty() ? no_shear : candidates_.shear()[candidate];
   const PairLoad<D> load = law.is_potential() ? potential_load(pair, law, spring, shear, evaluation)
                                               : spring_load(pair, contact, law, spring, shear, evaluation);
+  const Vector<D> to_b = blocks_.position[b] - blocks_.position[a];
   blocks_.force[a] -= load.contact.force;
   blocks_.force[b] += load.contact.force;
-  blocks_.torque[a] += load.torque_on_a;
-  blocks_.torque[b] += load.torque_on_b;
+  blocks_.torque[a] += load.contact.torque_on_a();
+  blocks_.torque[b] += load.contact.torque_on_b(to_b);
   forces_.push_back(load.contact);
-  if (blocks_.has_affine()) strain_blocks(pair, load, evaluation);
+  if (is_damped) {
+    const ContactForce<D> dashpots = load.dashpots();
+    dashpot_load_[a].add(-dashpots.force, dashpots.torque_on_a());
+    dashpot_load_[b].add(dashpots.force, dashpots.torque_on_b(to_b));
+  }
+  if (blocks_.has_affine()) strain_blocks(pair, load, is_damped, evaluation);
 }
 
 /// Adds what a contact does to the strain of its blocks, where they have any.
 template <int D>
-void World<D>::strain_blocks(const Candidate<D>& pair, const PairLoad<D>& load, Evaluation& evaluation) {
+void World<D>::strain_blocks(const Candidate<D>& pair, const PairLoad<D>& load, bool is_damped,
+                             Evaluation& evaluation) {
   const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
-  const ContactForce<D>& on_b = load.contact;
   const Stretch<D> stretch = std::exchange(evaluation.stretch, {});
-  if (blocks_.is_affine(a))
-    blocks_.deformation(a).virial +=
-        stretch.of_a - virial_of<D>(on_b.force, on_b.point, on_b.couple, load.normal);
-  if (blocks_.is_affine(b)) {
-    const Vector<D> arm = on_b.point - (blocks_.position[b] - blocks_.position[a]);
-    blocks_.deformation(b).virial += stretch.of_b + virial_of<D>(on_b.force, arm, on_b.couple, load.normal);
+  const auto virial = [&](const ContactForce<D>& on_b, const Vector<D>& centroid) {
+    return virial_of<D>(on_b.force, on_b.point - centroid, on_b.couple, load.normal);
+  };
+  if (blocks_.is_affine(a)) {
+    const Vector<D> here = Vector<D>::Zero();
+    blocks_.deformation(a).virial += stretch.of_a - virial(load.contact, here);
+    if (is_damped) blocks_.deformation(a).dashpot_virial -= virial(load.dashpots(), here);
   }
+  if (blocks_.is_affine(b)) {
+    const Vector<D> to_b = blocks_.position[b] - blocks_.position[a];
+    blocks_.deformation(b).virial += stretch.of_b + virial(load.contact, to_b);
+    if (is_damped) blocks_.deformation(b).dashpot_virial += virial(load.dashpots(), to_b);
+  }
+}
+
+/// Rate of what a block loses to dashpots, by its present velocity.
+template <int D>
+double World<D>::dashpot_power(std::size_t i) const {
+  if (dashpot_load_.empty()) return 0;
+  const double pushed = dashpot_load_[i].force.dot(blocks_.velocity[i]);
+  if (blocks_.is_affine(i)) {
+    const Deformation<D>& deformation = blocks_.deformation(i);
+    return -pushed - deformation.dashpot_virial.cwiseProduct(deformation.velocity_gradient()).sum();
+  }
+  return -pushed - dashpot_load_[i].torque.dot(blocks_.spin[i]);
 }
 
 template class World<2>;

@@ -44,12 +44,15 @@ void World<D>::accelerate(std::size_t i) {
   blocks_.is_affine(i) ? accelerate_affine(i) : accelerate_rigid(i);
 }
 
-/// Plans the coming step: false when a block would pass its own radius in it, or when one is not finite: out
-/// of hand. Brings the neighbour list up to date when the step would use it up. All memory is taken here, so
-/// that a step once begun is finished.
+/// Plans the coming motion: false when it is not finite or presses a block flat: out of hand. Brings the
+/// neighbour list up to date when the motion would use it up. All memory is taken here, so that a motion once
+/// begun is finished.
 template <int D>
-bool World<D>::plan_motion() {
-  const double half = 0.5 * time_step_;
+bool World<D>::plan_motion(double duration) {
+  duration_ = duration;
+  most_turned_ = 0;
+  candidates_.begin_plan();
+  const double half = 0.5 * duration_;
   next_rotation_.resize(blocks_.slot_count());
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
     const bool rigid = blocks_.kind[i] == BlockKind::rigid;
@@ -63,26 +66,35 @@ bool World<D>::plan_motion() {
     if (rigid) {
       velocity += half * acceleration_[i];
       const Angular<D> momentum = blocks_.momentum[i] + half * momentum_rate_[i];
-      const auto onward = turned_freely(blocks_.rotation[i], blocks_.inertia[i], momentum, time_step_);
+      const auto onward = turned_freely(blocks_.rotation[i], blocks_.inertia[i], momentum, duration_);
       spin = onward.spin;
       next_rotation_[i] = onward.rotation;
     } else {
-      next_rotation_[i] = blocks_.rotation[i].turned_by(time_step_ * spin);
+      next_rotation_[i] = blocks_.rotation[i].turned_by(duration_ * spin);
     }
     const double turn =
-        std::max(time_step_ * spin.norm(), next_rotation_[i].farthest_from(blocks_.rotation[i]));
-    const double motion = time_step_ * velocity.norm() + blocks_.radius[i] * turn;
-    if (!(motion <= blocks_.radius[i])) return false;
-    candidates_.plan(blocks_, i, motion);
+        std::max(duration_ * spin.norm(), next_rotation_[i].farthest_from(blocks_.rotation[i]));
+    if (!plan_block(i, velocity, turn)) return false;
   }
   if (candidates_.used_up()) renew_candidates();
+  return true;
+}
+
+/// Announces how far a block moves that turns, or strains, by so much: false when that is not finite.
+template <int D>
+bool World<D>::plan_block(std::size_t i, const Vector<D>& velocity, double turn) {
+  const double motion = duration_ * velocity.norm() + blocks_.radius[i] * turn;
+  if (!std::isfinite(motion)) return false;
+  candidates_.plan(blocks_, i, motion);
+  if (motion > blocks_.radius[i]) candidates_.plan_way(i, duration_ * velocity);
+  most_turned_ = std::max(most_turned_, turn);
   return true;
 }
 
 /// First half of velocity Verlet: velocities to the middle of the step, positions to its end.
 template <int D>
 void World<D>::kick_and_drift() {
-  const double half = 0.5 * time_step_;
+  const double half = 0.5 * duration_;
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
     if (blocks_.kind[i] == BlockKind::rigid) {
       blocks_.push(i, half * acceleration_[i], half * momentum_rate_[i]);
@@ -92,8 +104,8 @@ void World<D>::kick_and_drift() {
     } else if (blocks_.kind[i] != BlockKind::prescribed) {
       continue;
     }
-    blocks_.drift(std::int32_t(i), time_step_ * blocks_.velocity[i], next_rotation_[i]);
-    if constexpr (D == 2) blocks_.angle[i] += time_step_ * blocks_.spin[i][0];
+    blocks_.drift(std::int32_t(i), duration_ * blocks_.velocity[i], next_rotation_[i]);
+    if constexpr (D == 2) blocks_.angle[i] += duration_ * blocks_.spin[i][0];
   }
 }
 
@@ -104,6 +116,7 @@ void World<D>::take_stock(std::size_t i, const Vector<D>& opposed, const Angular
                           Stock& stock) const {
   const Vector<D>& velocity = blocks_.velocity[i];
   const Angular<D>& spin = blocks_.spin[i];
+  stock.power.contact_damping += dashpot_power(i);
   if (blocks_.kind[i] == BlockKind::prescribed) {
     stock.power.outer -= blocks_.force[i].dot(velocity) + blocks_.torque[i].dot(spin);
   }
@@ -128,7 +141,7 @@ void World<D>::take_stock(std::size_t i, const Vector<D>& opposed, const Angular
 /// the trapezoid between them is as exact as the step itself.
 template <int D>
 void World<D>::kick_and_book() {
-  const double half = 0.5 * time_step_;
+  const double half = 0.5 * duration_;
   Stock stock;
   double applied_power = 0;
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
@@ -148,10 +161,11 @@ void World<D>::kick_and_book() {
   ledger_.kinetic = stock.kinetic;
   ledger_.gravity = stock.gravity;
   ledger_.block_strain = stock.block_strain;
+  ledger_.contact_damping_loss += half * (power_.contact_damping + stock.power.contact_damping);
   ledger_.local_damping_loss += half * (power_.local_damping + stock.power.local_damping);
   ledger_.mass_damping_loss += half * (power_.mass_damping + stock.power.mass_damping);
   ledger_.block_damping_loss += half * (power_.block_damping + stock.power.block_damping);
-  ledger_.outer_work += time_step_ * applied_power + half * (power_.outer + stock.power.outer);
+  ledger_.outer_work += duration_ * applied_power + half * (power_.outer + stock.power.outer);
   power_ = stock.power;
 }
 
@@ -171,7 +185,7 @@ StepResult World<D>::prepare() {
   // Memory of blocks is taken first, that of pairs by detection: contacts are found only when there is all of
   // it.
   const std::size_t slots = blocks_.slot_count();
-  contacts_of_.reserve(slots);
+  hardness_.reserve(slots);
   acceleration_.reserve(slots);
   momentum_rate_.reserve(slots);
   if (!choose_time_step()) return StepResult::no_time_step;
@@ -187,46 +201,67 @@ template <int D>
 void World<D>::evaluate_forces_for_host(double elapsed) {
   edit();  // springs and losses change outside the steps
   evaluate_forces(elapsed);
+  for (std::size_t i = 0; i < blocks_.slot_count(); ++i)
+    ledger_.contact_damping_loss += elapsed * dashpot_power(i);
   candidates_.tidy_plans();
   fix_potential_length();
 }
 
 /// From where forces are known to where they are known again.
 template <int D>
-StepResult World<D>::move() {
-  if (makes_energy() || !plan_motion()) return StepResult::unstable;
+void World<D>::move() {
   fix_potential_length();
   kick_and_drift();
   detected_ = false;
-  evaluate_forces(time_step_);
+  evaluate_forces(duration_);
   kick_and_book();
   candidates_.tidy_plans();
-  ++steps_;
-  return StepResult::ok;
+}
+
+/// Plans what is left of the step, in one go.
+template <int D>
+StepResult World<D>::plan_rest() {
+  return makes_energy() || !plan_motion(time_step_ - passed_) ? StepResult::unstable : StepResult::ok;
 }
 
 template <int D>
-StepResult World<D>::prepare_and_move() {
+StepResult World<D>::prepare_and_plan() {
   if (any_fresh_) make_bonds();
   const StepResult result = prepare();
-  return result == StepResult::ok ? move() : result;
+  return result == StepResult::ok ? plan_rest() : result;
 }
 
 /// Of a changed world the contacts are found and bonds made before it shows how much memory the motion takes:
 /// when there is too little, what was known before is put back.
 template <int D>
-StepResult World<D>::step() {
-  if (!edited_ && !any_fresh_) return move();
+StepResult World<D>::plan_changed() {
   renew_used_up_candidates();
   candidates_.remember_pairs();
   const auto before = copies_of(preparation(), touching_.get_allocator().resource());
   try {
-    return prepare_and_move();
+    return prepare_and_plan();
   } catch (const std::bad_alloc&) {
     candidates_.recall_pairs();
     preparation() = before;  // every array has room for what it held: this takes no memory
     throw;
   }
+}
+
+/// Motion by motion: one, unless fast blocks divide the step.
+template <int D>
+StepResult World<D>::step() {
+  StepResult result = edited_ || any_fresh_ ? plan_changed() : plan_rest();
+  for (;; result = plan_rest()) {
+    if (result == StepResult::ok) result = divide();
+    if (result != StepResult::ok) return result;
+    const double rest = time_step_ - passed_;
+    move();
+    if (duration_ >= rest) break;
+    passed_ += duration_;
+  }
+  passed_ = 0;
+  ++steps_;
+  return StepResult::ok;
 }
 
 template class World<2>;

@@ -6,6 +6,7 @@
 
 #include "block/blocks.h"
 #include "detect/contact.h"
+#include "detect/sweep.h"
 #include "force/law.h"
 #include "force/potential_force.h"
 #include "force/spring.h"
@@ -33,6 +34,9 @@ struct WorldSettings {
 };
 
 enum class StepResult { ok, unstable, no_time_step };
+
+/// No block turns farther at once, in rad, and no affine one changes its gradient more.
+constexpr double most_turn = 1;
 
 /// Blocks, their contacts, and time.
 template <int D>
@@ -86,7 +90,7 @@ class World {
   }
   const Candidates<D>& candidates() const { return candidates_; }
   const Ledger& ledger() const { return ledger_; }
-  double time() const { return epoch_time_ + double(steps_ - epoch_step_) * time_step_; }
+  double time() const { return epoch_time_ + double(steps_ - epoch_step_) * time_step_ + passed_; }
   std::int64_t steps() const { return steps_; }
   double time_step() const { return time_step_; }
   /// H of potential laws: one length for all blocks (Zheng et al. 2020, section 3.2).
@@ -98,8 +102,8 @@ class World {
   /// when it has none.
   bool set_shear_force(std::size_t contact, const Vector<D>& force);
 
-  /// Takes the room that potentials need, which a snapshot does not hold.
-  void fit_potential_room();
+  /// Takes the room that laws need, which a snapshot does not hold.
+  void fit_room_of_laws();
   /// False for what no world can be, after reading a snapshot: a damaged one is refused and not run.
   bool is_consistent() const;
 
@@ -107,7 +111,7 @@ class World {
   void visit(Archive& archive) {
     archive(settings_, density_, elasticity_, fresh_, any_fresh_, laws_, blocks_, candidates_, touching_,
             forces_, acceleration_, momentum_rate_, ledger_, noise_energy_, residual_before_edit_, power_,
-            epoch_time_, epoch_step_, time_step_, fixed_length_, steps_, detected_, edited_);
+            epoch_time_, epoch_step_, time_step_, passed_, fixed_length_, steps_, detected_, edited_);
     if constexpr (Archive::reads) {  // steps find contacts until the next search, and ask for no memory
       touching_.reserve(candidates_.room());
       forces_.reserve(candidates_.room());
@@ -121,9 +125,22 @@ class World {
     Angular<D> torque;
   };
 
+  /// What the dashpots of its contacts do to a block: what they lose is known with its velocity at the end of
+  /// the step.
+  struct DashpotLoad {
+    Vector<D> force = Vector<D>::Zero();
+    Angular<D> torque = Angular<D>::Zero();
+
+    void add(const Vector<D>& more_force, const Angular<D>& more_torque) {
+      force += more_force;
+      torque += more_torque;
+    }
+  };
+
   /// Rates at which prescribed motion, and torques on affine blocks, put energy in and damping takes it out.
   struct Power {
     double outer = 0;
+    double contact_damping = 0;
     double local_damping = 0;
     double mass_damping = 0;
     double block_damping = 0;
@@ -147,10 +164,19 @@ class World {
     StrainRates<D> strain_rates{};
   };
 
-  /// Of a contact.
-  struct Hardest {
+  /// Of a contact, or of all that a block has.
+  struct Hardness {
+    int contacts = 0;
     double stiffness = 0;
+    double turning_stiffness = 0;  // besides that by the springs' arms
     double viscosity = 0;
+
+    void add(const Hardness& other, int times) {
+      contacts += other.contacts;
+      stiffness += times * other.stiffness;
+      turning_stiffness += times * other.turning_stiffness;
+      viscosity += times * other.viscosity;
+    }
   };
 
   /// All that a step of a changed world writes to before it moves the blocks, but for the pairs and what is
@@ -159,7 +185,7 @@ class World {
     return std::tuple_cat(candidates_.skins(),
                           std::tie(touching_, forces_, blocks_.force, blocks_.torque, fresh_, any_fresh_,
                                    ledger_, noise_energy_, residual_before_edit_, power_, epoch_time_,
-                                   epoch_step_, time_step_, detected_, edited_));
+                                   epoch_step_, time_step_, passed_, detected_, edited_));
   }
 
   void edit();
@@ -169,6 +195,7 @@ class World {
   }
   void describe(const Candidate<D>& pair, Contact<D>& contact) const;
   bool is_described(const Candidate<D>& pair) const;
+  double rounding_of_touch(const Candidate<D>& pair) const;
   bool find_contact(std::size_t k, Contact<D>& contact);
   template <class OnContact>
   void find_contacts(OnContact on_contact);
@@ -182,7 +209,8 @@ class World {
   PairLoad<D> potential_load(Candidate<D>& pair, const SpringLaw& law, const Spring<D>& spring,
                              ShearSpring<D>& shear, Evaluation& evaluation);
   void load_blocks(std::size_t candidate, const Contact<D>& contact, Evaluation& evaluation);
-  void strain_blocks(const Candidate<D>& pair, const PairLoad<D>& load, Evaluation& evaluation);
+  void strain_blocks(const Candidate<D>& pair, const PairLoad<D>& load, bool is_damped,
+                     Evaluation& evaluation);
   void release_shear(std::size_t candidate);
   void make_bonds();
   void forget_contacts();
@@ -190,9 +218,19 @@ class World {
   void evaluate_forces(double elapsed);
   bool choose_time_step();
   void start_ledger();
-  bool plan_motion();
-  StepResult prepare_and_move();
-  StepResult move();
+  bool plan_motion(double duration);
+  bool plan_block(std::size_t slot, const Vector<D>& velocity, double turn);
+  StepResult prepare_and_plan();
+  StepResult plan_changed();
+  StepResult plan_rest();
+  StepResult divide();
+  double swing(std::size_t slot) const;
+  bool is_fast(std::size_t slot) const;
+  bool any_fast() const;
+  double calm_part();
+  double calm_part_of(Candidate<D>& pair, double& stable_duration);
+  Sweep<D> planned_sweep(std::size_t slot) const;
+  void move();
   std::size_t most_edges() const;
   void renew_candidates();
   void renew_used_up_candidates();
@@ -201,7 +239,10 @@ class World {
   void take_stock(std::size_t slot, const Vector<D>& opposed, const Angular<D>& opposed_spin,
                   Stock& stock) const;
   double reduced_mass(std::size_t a, std::size_t b) const;
-  Hardest hardest_contact(std::size_t slot, double potential_length) const;
+  double dashpot_power(std::size_t slot) const;
+  double largest_stiffness(const SpringLaw& law, std::size_t slot, double potential_length) const;
+  Hardness hardest_contact(std::size_t slot, double potential_length) const;
+  Hardness hardness_of(std::size_t contact, double potential_length) const;
   double wave_of(std::size_t slot) const;
   bool makes_energy() const;
   Drive drive(std::size_t slot) const;
@@ -227,8 +268,9 @@ class World {
   Candidates<D> candidates_;
   Array<std::uint32_t> touching_;     // the candidate of each contact
   Array<ContactForce<D>> forces_;     // of each contact
+  Array<DashpotLoad> dashpot_load_;   // of each block, when a law is damped
   PotentialRoom<D> potential_room_;   // for the largest blocks, when a law is of potentials
-  Array<std::int32_t> contacts_of_;   // each block, when the stable step is asked for
+  Array<Hardness> hardness_;          // of each block's contacts, when the stable step is asked for
   Array<Vector<D>> acceleration_;     // of each block, from the last forces
   Array<Angular<D>> momentum_rate_;   // of the angular momentum, likewise
   Array<Rotation<D>> next_rotation_;  // planned for the coming step
@@ -239,6 +281,9 @@ class World {
   double epoch_time_ = 0;  // when the time step was last chosen
   std::int64_t epoch_step_ = 0;
   double time_step_ = 0;
+  double passed_ = 0;        // of a step that is divided and not at its end
+  double duration_ = 0;      // of the coming motion: the step or a part of it
+  double most_turned_ = 0;   // of all blocks in the coming motion
   double fixed_length_ = 0;  // H, once the first forces have been used
   std::int64_t steps_ = 0;
   std::int32_t detected_ = 0;  // contacts belong to the present poses

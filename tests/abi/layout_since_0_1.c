@@ -3,7 +3,7 @@
 #include <stddef.h>
 
 #define FIELD(type, field, offset, size) \
-  _Static_assert(offsetof(type, field) == offset && sizeof(((type *)0)->field) == size, #type "." #field)
+  _Static_assert(offsetof(type, field) == offset && sizeof(((type*)0)->field) == size, #type "." #field)
 
 FIELD(hs_pair_options, margin, 24, 8);
 FIELD(hs_pair_options, without_region, 32, 4);
@@ -31,3 +31,26 @@ _Static_assert(HS_BLOCK_AFFINE == 3, "HS_BLOCK_AFFINE");
 _Static_assert(HS_PLANE_STRAIN == 0, "HS_PLANE_STRAIN");
 _Static_assert(HS_PLANE_STRESS == 1, "HS_PLANE_STRESS");
 _Static_assert(HS_STIFFNESS_POTENTIAL == 2, "HS_STIFFNESS_POTENTIAL");
+
+_Static_assert(sizeof(hs_motion_def) >= 256, "hs_motion_def");
+FIELD(hs_motion_def, struct_size, 0, 4);
+FIELD(hs_motion_def, reserved, 4, 4);
+FIELD(hs_motion_def, start, 8, 56);
+FIELD(hs_motion_def, velocity, 64, 24);
+FIELD(hs_motion_def, angular_velocity, 88, 24);
+FIELD(hs_motion_def, gradient, 112, 72);
+FIELD(hs_motion_def, gradient_rate, 184, 72);
+
+_Static_assert(sizeof(hs_impact) == 80, "hs_impact");
+FIELD(hs_impact, state, 0, 4);
+FIELD(hs_impact, pair_kind, 4, 4);
+FIELD(hs_impact, feature_a, 8, 4);
+FIELD(hs_impact, feature_b, 12, 4);
+FIELD(hs_impact, time, 16, 8);
+FIELD(hs_impact, gap, 24, 8);
+FIELD(hs_impact, normal, 32, 24);
+FIELD(hs_impact, point, 56, 24);
+
+_Static_assert(HS_IMPACT_NEVER == 0, "HS_IMPACT_NEVER");
+_Static_assert(HS_IMPACT_AT_START == 1, "HS_IMPACT_AT_START");
+_Static_assert(HS_IMPACT_TOUCH == 2, "HS_IMPACT_TOUCH");

@@ -124,6 +124,7 @@ class Scene {
     check(hs_law_def_init(&law, sizeof law));
     law.stiffness_kind = stiffness_kind;
     law.friction_angle = 0.5;
+    law.normal_damping = law.shear_damping = 0;
     check(hs_world_set_default_law(made, &law));
     int32_t material = 0;
     check(hs_world_add_material(made, 2500, &material));

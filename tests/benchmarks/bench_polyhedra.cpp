@@ -67,6 +67,7 @@ struct Heap {
     law.normal_stiffness = law.shear_stiffness = 1e7;
     law.friction_angle = 0.5;
     law.normal_damping = 0.2;
+    law.shear_damping = 0;
     check(hs_world_set_default_law(made, &law));
     int32_t material = 0;
     check(hs_world_add_material(made, density, &material));

@@ -60,6 +60,7 @@ World make_world(hs_context* context) {
   hs_law_def_init(&law, sizeof law);
   law.normal_stiffness = law.shear_stiffness = stiffness;
   law.friction_angle = friction_angle;
+  law.normal_damping = law.shear_damping = 0;
   require_ok(hs_world_set_default_law(world, &law), context);
   law.friction_angle = 0;
   require_ok(hs_world_set_law(world, grain_material, baffle_material, &law), context);

@@ -67,6 +67,7 @@ void check_report(hs_context* context, const char* function, std::size_t first_v
 }  // namespace
 
 TEST_CASE("hs_context_def_init") { check_init<hs_context_def>(hs_context_def_init); }
+TEST_CASE("hs_motion_def_init") { check_init<hs_motion_def>(hs_motion_def_init); }
 TEST_CASE("hs_pair_options_init") { check_init<hs_pair_options>(hs_pair_options_init); }
 TEST_CASE("hs_world_def_init") { check_init<hs_world_def>(hs_world_def_init); }
 TEST_CASE("hs_law_def_init") { check_init<hs_law_def>(hs_law_def_init); }
@@ -114,11 +115,11 @@ TEST_CASE("the defaults are those the headers state") {
   REQUIRE(hs_law_def_init(&law, sizeof law) == HS_OK);
   CHECK(law.stiffness_kind == HS_STIFFNESS_PER_CONTACT);
   CHECK(law.normal_stiffness == 1e9);
-  CHECK(law.shear_stiffness == 1e9);
-  for (double zero :
-       {law.friction_angle, law.cohesion, law.tensile_strength, law.normal_damping, law.shear_damping}) {
+  for (double zero : {law.shear_stiffness, law.friction_angle, law.cohesion, law.tensile_strength}) {
     CHECK(zero == 0);
   }
+  CHECK(law.normal_damping == 0.1);
+  CHECK(law.shear_damping == 0.1);
 
   hs_elasticity_def elasticity;
   REQUIRE(hs_elasticity_def_init(&elasticity, sizeof elasticity) == HS_OK);

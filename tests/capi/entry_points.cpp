@@ -150,6 +150,15 @@ hs_status cut(Scene& s) {
   });
 }
 
+hs_status find_impact(Scene& s) {
+  hs_motion_def motion;
+  require_ok(hs_motion_def_init(&motion, sizeof motion), s.context.get());
+  hs_motion_def falling = motion;
+  falling.start.position[1] = 5;
+  falling.velocity[1] = -10;
+  return hs_pair_time_of_impact(s.box.get(), &motion, s.round.get(), &falling, 1, &s.written.impact);
+}
+
 hs_status detect_pairs(Scene& s) {
   const hs_shape* shapes[2] = {s.box.get(), s.round.get()};
   const std::int32_t pairs[2] = {0, 1};
@@ -230,6 +239,7 @@ std::vector<EntryPoint> entry_points() {
       {"hs_elasticity_def_init", Allocates::never,
        [](S) { return fill<hs_elasticity_def>(hs_elasticity_def_init); }},
       {"hs_law_def_init", Allocates::never, [](S) { return fill<hs_law_def>(hs_law_def_init); }},
+      {"hs_motion_def_init", Allocates::never, [](S) { return fill<hs_motion_def>(hs_motion_def_init); }},
       {"hs_pair_options_init", Allocates::never,
        [](S) { return fill<hs_pair_options>(hs_pair_options_init); }},
       {"hs_world_def_init", Allocates::never, [](S) { return fill<hs_world_def>(hs_world_def_init); }},
@@ -309,6 +319,7 @@ std::vector<EntryPoint> entry_points() {
                                &s.written.contact);
        }},
       {"hs_pairs_detect", Allocates::in_the_plane, detect_pairs},
+      {"hs_pair_time_of_impact", Allocates::always, find_impact},
 
       {"hs_world_create", Allocates::always,
        [](S s) {

@@ -18,6 +18,7 @@ struct Written {
   hs_clean_report cleaning;
   hs_shape_properties properties;
   hs_contact contact;
+  hs_impact impact;
   hs_block blocks[4];
   hs_block_state state;
   hs_deformation deformations[4];

@@ -274,4 +274,39 @@ TEST_CASE("a polyhedron may be moved 1e8 sizes away, and pairs scaled by 2^k, wi
   }
 }
 
+TEST_CASE(
+    "in space, a block that is nothing to rounding beside the other has a gap and a place all the same") {
+  const Context context = make_context();
+  const auto prism = [&](int sides, double size) {
+    Points3 points;
+    for (int i = 0; i < sides; ++i) {
+      const double angle = 6.283185307179586 * i / sides;
+      for (const double z : {-size, size})
+        points.push_back({size * std::cos(angle), size * std::sin(angle), z});
+    }
+    return make_hull(context.get(), points);
+  };
+  const double ways[] = {-1, -0.5, 0, 0.5, 1};
+  for (const double size : {1e-12, 1e-15, 1e-16, 1e-17, 1e-20, 1e-25, 1e-33, 1e-40})
+    for (const int sides : {3, 8, 40})
+      for (const int sides_of_small : {5, 8, 17}) {
+        const Shape large = prism(sides, 1), small = prism(sides_of_small, size);
+        for (const double x : ways)
+          for (const double y : ways)
+            for (const double z : ways)
+              for (const bool swapped : {false, true}) {
+                const hs_pose here = pose_at(0, 0), there = pose_at({x, y, z});
+                const hs_contact c = swapped ? detect_pair(small.get(), there, large.get(), here)
+                                             : detect_pair(large.get(), here, small.get(), there);
+                INFO("size " << size << ", " << sides << " and " << sides_of_small << " sides, at " << x
+                             << ' ' << y << ' ' << z);
+                CHECK(std::isfinite(c.gap));
+                CHECK(length(vector_of(c.normal)) == Approx(1));
+                if (c.type == HS_CONTACT_NONE) continue;
+                CHECK(std::isfinite(length(vector_of(c.center))));
+                CHECK((std::isfinite(c.center_gap) && std::isfinite(c.area) && std::isfinite(c.length)));
+              }
+      }
+}
+
 }  // namespace halfspace_test

@@ -35,6 +35,8 @@ const Faulty faulty_polygons[] = {
     {"re-entrant", HS_FAULT_NOT_CONVEX, 2, {{0, 0}, {2, 0}, {0.5, 0.5}, {0, 2}}},
     {"bow tie", HS_FAULT_SELF_CROSSING, -1, {{0, 0}, {1, 1}, {1, 0}, {0, 1}}},
     {"twice around", HS_FAULT_SELF_CROSSING, -1, {{3, 0}, {-2, 2}, {1, -3}, {1, 3}, {-2, -2}}},
+    {"a strip narrower than 1e-75", HS_FAULT_NOT_FINITE, -1, {{0, 0}, {1, 0}, {1, 1e-100}, {0, 1e-100}}},
+    {"narrower than 1e-75", HS_FAULT_NOT_FINITE, -1, {{0, 0}, {1, 0}, {0.5, 1e-76}}},
     {"all on a line", HS_FAULT_ZERO_AREA, -1, {{0, 0}, {1, 1}, {2, 2}}},
 };
 
@@ -269,6 +271,39 @@ TEST_CASE("hs_shape_cut refuses bad input; a line outside leaves one part") {
     CHECK(bool(parts[0]) == l.has_behind);
     CHECK(bool(parts[1]) == l.has_ahead);
   }
+}
+
+TEST_CASE("whatever a line leaves of a sliver, one part is there, and alone it is the whole to the bit") {
+  const Context context = make_context();
+  // Points in line to rounding, 6.6 long, that end where the line is.
+  Points sliver;
+  for (int k = 0; k < 24; ++k) {
+    const double at = k < 4 ? -7.5e-74 : -4.6875;
+    sliver.push_back({at * (1 + k * 2e-12), at * (1 + (k + 0.5) * 2e-12)});
+  }
+  hs_shape* hull = nullptr;
+  require_ok(hs_polygon_create_hull(context.get(), view_of(sliver), &hull), context.get());
+  const Shape whole(hull);
+  long alone = 0;
+  for (const double x : {0.0, -1e-80, -1.0, -2.5, -4.6875, 1e-12, 1e60, -1e60}) {
+    for (const Point& normal :
+         {Point{1, 0}, Point{-1, 0}, Point{1, 1}, Point{1, -1}, Point{-1, 1}, Point{0, 1}}) {
+      const double point[3] = {x, x, 0}, along[3] = {normal.x, normal.y, 0};
+      hs_shape *behind = nullptr, *ahead = nullptr;
+      INFO("line through " << x << " along " << normal.x << ", " << normal.y);
+      const hs_status status = hs_shape_cut(whole.get(), point, along, &behind, &ahead);
+      const Shape parts[2] = {Shape(behind), Shape(ahead)};
+      if (status == HS_ERROR_GEOMETRY) continue;
+      REQUIRE(status == HS_OK);
+      CHECK((behind || ahead));
+      if (behind && ahead) continue;
+      ++alone;
+      const Points expected = vertices_of(whole.get()), found = vertices_of(behind ? behind : ahead);
+      REQUIRE(found.size() == expected.size());
+      CHECK(std::memcmp(found.data(), expected.data(), found.size() * sizeof(Point)) == 0);
+    }
+  }
+  CHECK(alone > 10);
 }
 
 }  // namespace halfspace_test

@@ -55,6 +55,8 @@ int meets_expectation(Player* player, const Statement* statement) {
   if (is(subject, "hash")) return compare_hash(player, statement);
   if (is(subject, "contact"))
     return compare(field_at(contact_fields, statement, 2), &player->contact, statement, 3);
+  if (is(subject, "impact"))
+    return compare(field_at(impact_fields, statement, 2), &player->impact, statement, 3);
   if (is(subject, "shape")) {
     status =
         hs_shape_get_properties(shape_named(player, statement, 2)->shape, &properties, sizeof properties);

@@ -17,7 +17,8 @@ const Field world_def_fields[] = {INT32(hs_world_def, dimension),         NUMBER
 
 const Field law_def_fields[] = {INT32(hs_law_def, stiffness_kind),   NUMBER(hs_law_def, normal_stiffness),
                                 NUMBER(hs_law_def, shear_stiffness), NUMBER(hs_law_def, friction_angle),
-                                NUMBER(hs_law_def, normal_damping),  END_OF_TABLE};
+                                NUMBER(hs_law_def, normal_damping),  NUMBER(hs_law_def, shear_damping),
+                                END_OF_TABLE};
 
 const Field elasticity_def_fields[] = {
     INT32(hs_elasticity_def, plane), NUMBER(hs_elasticity_def, young_modulus),
@@ -26,6 +27,10 @@ const Field elasticity_def_fields[] = {
 const Field pair_options_fields[] = {NUMBER(hs_pair_options, parallel_angle),
                                      NUMBER(hs_pair_options, vertex_zone), NUMBER(hs_pair_options, margin),
                                      INT32(hs_pair_options, without_region), END_OF_TABLE};
+
+const Field motion_def_fields[] = {
+    NUMBERS(hs_motion_def, velocity, 3), NUMBERS(hs_motion_def, angular_velocity, 3),
+    NUMBERS(hs_motion_def, gradient, 9), NUMBERS(hs_motion_def, gradient_rate, 9), END_OF_TABLE};
 
 const Field shape_fields[] = {INT32(hs_shape_properties, dimension),
                               INT64(hs_shape_properties, vertex_count),
@@ -52,6 +57,11 @@ const Field contact_fields[] = {INT32(hs_contact, type),
                                 NUMBER(hs_contact, normal_force),
                                 NUMBERS(hs_contact, shear_force, 3),
                                 END_OF_TABLE};
+
+const Field impact_fields[] = {
+    INT32(hs_impact, state),       INT32(hs_impact, pair_kind),  INT32(hs_impact, feature_a),
+    INT32(hs_impact, feature_b),   NUMBER(hs_impact, time),      NUMBER(hs_impact, gap),
+    NUMBERS(hs_impact, normal, 3), NUMBERS(hs_impact, point, 3), END_OF_TABLE};
 
 const Field block_fields[] = {{"position", FIELD_DOUBLE, 3, offsetof(hs_block_state, pose.position)},
                               {"rotation", FIELD_DOUBLE, 4, offsetof(hs_block_state, pose.rotation)},

@@ -16,9 +16,10 @@ typedef struct Field {
   size_t offset;
 } Field;
 
-extern const Field world_def_fields[], law_def_fields[], elasticity_def_fields[], pair_options_fields[];
-extern const Field shape_fields[], contact_fields[], block_fields[], deformation_fields[], report_fields[],
-    energy_fields[];
+extern const Field world_def_fields[], law_def_fields[], elasticity_def_fields[], pair_options_fields[],
+    motion_def_fields[];
+extern const Field shape_fields[], contact_fields[], impact_fields[], block_fields[], deformation_fields[],
+    report_fields[], energy_fields[];
 
 /* Writes the FIELD VALUE ... pairs that begin at a word into a struct; HS_OK or it ends the program. */
 hs_status set_fields(const Field* fields, void* object, const Statement* statement, int first);

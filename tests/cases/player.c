@@ -37,6 +37,7 @@ static void name_shape(Player* player, const Statement* statement, int word, hs_
   strncpy(named->name, word_at(statement, word), sizeof named->name - 1);
   named->shape = shape;
   named->pose.rotation[3] = 1;
+  hs_motion_def_init(&named->motion, sizeof named->motion);
 }
 
 /* ---- shapes and pairs ---- */
@@ -121,6 +122,20 @@ static hs_pose pose_from(const Statement* statement, int first) {
 static hs_status detect_pair(Player* player, const Statement* statement) {
   const NamedShape *a = shape_named(player, statement, 1), *b = shape_named(player, statement, 2);
   return hs_pair_detect(a->shape, &a->pose, b->shape, &b->pose, &player->options, NULL, &player->contact);
+}
+
+static hs_status keep_motion(Player* player, const Statement* statement) {
+  hs_motion_def* motion = &shape_named(player, statement, 1)->motion;
+  hs_motion_def_init(motion, sizeof *motion);
+  return set_fields(motion_def_fields, motion, statement, 2);
+}
+
+static hs_status find_impact(Player* player, const Statement* statement) {
+  NamedShape *a = shape_named(player, statement, 1), *b = shape_named(player, statement, 2);
+  a->motion.start = a->pose;
+  b->motion.start = b->pose;
+  return hs_pair_time_of_impact(a->shape, &a->motion, b->shape, &b->motion, number_at(statement, 3),
+                                &player->impact);
 }
 
 /* ---- worlds ---- */
@@ -265,6 +280,8 @@ hs_status call(Player* player, const Statement* statement) {
     return HS_OK;
   }
   if (is(verb, "pair")) return detect_pair(player, statement);
+  if (is(verb, "motion")) return keep_motion(player, statement);
+  if (is(verb, "impact")) return find_impact(player, statement);
   if (is(verb, "world")) return make_world(player, statement);
   if (is(verb, "material")) return hs_world_add_material(player->world, number_at(statement, 1), &material);
   if (is(verb, "default_law")) return set_law(player, statement, 1);

@@ -12,6 +12,7 @@ typedef struct NamedShape {
   char name[32];
   hs_shape* shape;
   hs_pose pose;
+  hs_motion_def motion; /* but for its start, which is the pose */
 } NamedShape;
 
 typedef struct NamedBlock {
@@ -31,6 +32,7 @@ typedef struct Player {
   NamedBlock blocks[MOST_NAMES];
   int block_count;
   hs_contact contact;
+  hs_impact impact;
 } Player;
 
 /* Forgets the case before. */

@@ -2,8 +2,11 @@
 import os
 import pty
 import re
+import shutil
+import signal
 import subprocess
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
@@ -54,6 +57,67 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(blocked.returncode, 1)
         self.assertIn(str(self.output), blocked.stderr)
         self.assertEqual(self.output.read_text(), "in the way")
+
+    def test_a_directory_is_no_scene(self):
+        answer = halfspace("check", ".")
+        self.assertEqual((answer.returncode, answer.stderr), (1, "halfspace: cannot read .: it is a directory\n"))
+
+    def endless_scene(self, **changes):
+        """It steps for hours, without falling; what is given replaces keys."""
+        text = FALLING.read_text() + "\n"
+        for key, value in {"gravity": [0, 0], "duration": 1e9, **changes}.items():
+            line = f"{key} = {value}\n"
+            if re.search(rf"(?m)^{key} = ", text):
+                text = re.sub(rf"(?m)^{key} = .*\n", line, text)
+            else:
+                text = re.sub(rf"(?m)^(\[output\]\n|\Z)", line, text, count=1)
+        scene = Path(self.temporary.name, "endless.toml")
+        scene.write_text(text)
+        return scene
+
+    def ended_by(self, sent, scene, **options):
+        """The exit code of a run that got a signal once it had written its first file."""
+        with subprocess.Popen([COMMAND, "run", str(scene), "-o", str(self.output)], stdout=subprocess.DEVNULL,
+                              stderr=subprocess.PIPE, text=True, **options) as process:
+            while process.poll() is None and not (self.output / "history.csv").exists():
+                time.sleep(0.01)
+            process.send_signal(sent)
+            try:
+                return process.wait(timeout=30)
+            finally:
+                process.kill()
+
+    def test_signals_end_a_run_with_its_summary(self):
+        for sent in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT, signal.SIGXCPU, signal.SIGUSR1):
+            with self.subTest(signal=sent.name):
+                shutil.rmtree(self.output, ignore_errors=True)
+                self.assertEqual(self.ended_by(sent, self.endless_scene()), 1)
+                self.assertIn("interrupted", (self.output / "summary.txt").read_text())
+
+    def test_a_signal_that_the_caller_ignores_ends_nothing(self):
+        def ignore():
+            signal.signal(signal.SIGHUP, signal.SIG_IGN)
+
+        scene = self.endless_scene(duration=1000, frame_interval=1000, history_interval=1000)
+        self.assertEqual(self.ended_by(signal.SIGHUP, scene, preexec_fn=ignore), 0)
+        self.assertIn("complete", (self.output / "summary.txt").read_text())
+
+    def test_signals_end_runs_of_times_as_extreme_as_can_be(self):
+        for changes in ({"history_interval": 1e-300}, {"history_interval": 5e-324}, {"history_interval": 1e300},
+                        {"time_step": 1e-300}, {"duration": 1e300, "frame_interval": 1e299}):
+            with self.subTest(**changes):
+                shutil.rmtree(self.output, ignore_errors=True)
+                self.assertEqual(self.ended_by(signal.SIGTERM, self.endless_scene(**changes)), 1)
+                self.assertIn("interrupted", (self.output / "summary.txt").read_text())
+
+    def test_tiny_intervals_give_a_row_and_a_frame_at_every_step(self):
+        for interval in (5e-324, 1e-300, 1e-18):
+            shutil.rmtree(self.output, ignore_errors=True)
+            scene = self.endless_scene(duration=0.02, history_interval=interval, frame_interval=interval)
+            self.assertEqual(halfspace("run", scene, "-o", self.output).returncode, 0)
+            rows = (self.output / "history.csv").read_text().splitlines()[1:]
+            self.assertEqual([row.split(",")[1] for row in rows], [str(k) for k in range(21)])
+            self.assertEqual(len(list((self.output / "frames").iterdir())), 21)
 
     def test_no_time_step_to_derive_is_1(self):
         nothing_moves = FALLING.read_text().replace("time_step = 1e-3\n", "")

@@ -110,6 +110,35 @@ class OutputFiles(unittest.TestCase):
         self.assertEqual((self.output / "notes.txt").read_text(), "mine")
         self.assertFalse((self.output / "frames" / "frame_0099.vtp").exists())
 
+    def test_what_an_earlier_run_could_not_have_written_stays(self):
+        (self.output / "frames").mkdir(parents=True)
+        kept = [self.output / "at_homes.svg", self.output / "frames" / "frame_of_mind.vtp"]
+        gone = [self.output / "at_1e-05s.svg", self.output / "frames" / "frame_12345.vtp"]
+        for path in kept + gone:
+            path.write_text("mine")
+        self.assertEqual(self.run_falling("--force").returncode, 0)
+        self.assertEqual([path.exists() for path in kept + gone], [True, True, False, False])
+
+    def test_links_are_replaced_and_what_they_lead_to_is_left_alone(self):
+        elsewhere = self.output.with_name("elsewhere")
+        elsewhere.mkdir()
+        (elsewhere / "frame_0099.vtp").write_text("of another run")
+        victim = elsewhere / "victim"
+        victim.write_text("keep")
+        self.output.mkdir()
+        (self.output / "frames").symlink_to(elsewhere)
+        for name in ("summary.txt.part", "history.csv.part", "history.csv", "last.svg", "at_1s.svg"):
+            (self.output / name).symlink_to(victim)
+        (self.output / "first.svg.part").symlink_to(elsewhere / "new")  # leads nowhere yet
+        (self.output / "run.pvd.part").hardlink_to(victim)
+        self.assertEqual(self.run_falling("--force").returncode, 0)
+        self.assertEqual({path.name for path in elsewhere.iterdir()}, {"frame_0099.vtp", "victim"})
+        self.assertEqual(victim.read_text(), "keep")
+        written = [path for path in self.output.rglob("*")]
+        self.assertEqual([path.name for path in written if path.is_symlink()], [])
+        self.assertEqual(len([path for path in written if path.suffix == ".vtp"]), 6)
+        self.assertFalse((self.output / "at_1s.svg").exists())
+
 
 if __name__ == "__main__":
     main()

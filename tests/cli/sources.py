@@ -123,6 +123,17 @@ class Sources(unittest.TestCase):
         parts += "[[jointed_rock.part]]\nregion = [[0.5, 1], [2.5, 1], [2.5, 2]]\n"
         self.check_count(2 + 3, rock + parts + joints)
 
+    def test_joints_without_number_are_a_fault_and_not_lost(self):
+        rock = 'dimension = 2\n[[jointed_rock]]\nname = "slope"\nmaterial = "rock"\nbox = [[0, 0], [1, 1]]\n'
+        joints = "[[jointed_rock.joint_set]]\ndip = 0\nspacing = {}\noffset = {}\n"
+        for spacing in (5e-324, 1e-300, 1e-20, 1e-12, 1e-9):
+            answer = self.check(rock + joints.format(spacing, 0) + '[output]\ntracked = ["slope.0"]\n')
+            self.assertEqual(answer.returncode, 1)
+            self.assertIn("jointed_rock[0].joint_set[0].spacing: about ", answer.stderr)
+            self.assertIn("1 fault in", answer.stderr)
+        self.assertIn("joint_set[0].spacing: lost in the rounding", self.check(rock + joints.format(0.1, 1e20)).stderr)
+        self.check_count(20_000, rock + joints.format(5e-5, 0))  # each block is cut by its own joints only
+
     def test_cells_fill_a_region(self):
         self.check_count(25, '[[voronoi]]\nname = "cell"\nmaterial = "rock"\ncount = 25\nrelaxation = 3\n'
                              "box = [[0, 0, 0], [1, 2, 3]]\n")

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <memory>
 
+#include "bare_law.h"
 #include "catch.h"
 #include "contacts_3d.h"
 #include "world/world.h"
@@ -23,7 +24,7 @@ Elasticity elastic() {
 
 template <int D>
 SpringLaw frictionless() {
-  SpringLaw law;
+  SpringLaw law = test::bare_law();
   law.stiffness_kind = D == 2 ? StiffnessKind::potential : StiffnessKind::per_area;
   law.normal_stiffness = stiffness;
   law.shear_stiffness = 0;
@@ -256,7 +257,7 @@ TEST_CASE("affine blocks that come and go leave the others as they are, and thei
 }
 
 TEST_CASE("rigid blocks do to the bit what they do in a world without affine blocks") {
-  SpringLaw law;
+  SpringLaw law = test::bare_law();
   law.normal_stiffness = law.shear_stiffness = stiffness;
   law.tan_friction = 0.4;
   Scene<2> plain(1e-4, law), mixed(1e-4, law);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bare_law.h"
 #include "catch.h"
 #include "contacts_3d.h"
 #include "detect/separation_3d.h"
@@ -30,7 +31,7 @@ struct TwoInWorld {
   }
 
   void set_law(StiffnessKind kind) {
-    SpringLaw law;
+    SpringLaw law = test::bare_law();
     law.stiffness_kind = kind;
     law.normal_stiffness = law.shear_stiffness = 1e6;
     law.tan_friction = 0.6;

@@ -2,6 +2,7 @@
 #include <memory>
 #include <vector>
 
+#include "bare_law.h"
 #include "catch.h"
 #include "contacts_3d.h"
 #include "world/snapshot.h"
@@ -46,6 +47,7 @@ std::unique_ptr<World<3>> world_of(const Bytes& bytes, Memory* memory) {
   snapshot::Reader reader(bytes);
   world->visit(reader);
   if (reader.failed() || !reader.at_end() || !world->is_consistent()) return nullptr;
+  world->fit_room_of_laws();
   return world;
 }
 
@@ -58,7 +60,7 @@ std::unique_ptr<World<3>> busy_world(Memory* memory) {
   auto world = std::make_unique<World<3>>(settings, memory);
   const std::int32_t stone = world->add_material(1000), glue = world->add_material(1500),
                      clay = world->add_material(1200);
-  SpringLaw law;
+  SpringLaw law = test::bare_law();
   law.normal_stiffness = 1e6;
   law.shear_stiffness = 5e5;
   law.tan_friction = 0.5;

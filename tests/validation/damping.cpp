@@ -38,7 +38,7 @@ double measured_restitution(double zeta, double time_step, int32_t kind, double*
 /// the force is zero.
 TEST_CASE("viscous contact damping gives the restitution of spring and dashpot") {
   for (int32_t kind : {HS_STIFFNESS_PER_CONTACT, HS_STIFFNESS_PER_AREA}) {
-    for (double zeta : {0.05, 0.2, 0.5, 0.9}) {
+    for (double zeta : {0.05, 0.1, 0.2, 0.5, 0.9}) {
       for (double time_step : {1e-4, 1e-5}) {
         double ledger_error = 0;
         const double e = measured_restitution(zeta, time_step, kind, &ledger_error);
@@ -49,10 +49,68 @@ TEST_CASE("viscous contact damping gives the restitution of spring and dashpot")
             e - restitution(zeta), ledger_error);
         const double share = zeta * omega * time_step;
         CHECK(std::abs(e - restitution(zeta)) <= 2.4 * share + square_of(omega * time_step));
-        // The loss is booked with the velocity of half a step before, at most that far off, twice in the
-        // energy.
-        CHECK(std::abs(ledger_error) <= 2 * 2.4 * share + square_of(omega * time_step));
+        // The loss is the discrete one. What is left is the spring's: a force that begins within a step is
+        // taken as a line over all of it, off by up to (omega dt)^2 / 4 of the energy.
+        CHECK(std::abs(ledger_error) <= 0.25 * square_of(omega * time_step) + 1e-12);
       }
+    }
+  }
+}
+
+/// Blocks side by side, turned, touch or overlap by the rounding of their corners, with areas of next to
+/// nothing.
+TEST_CASE("dashpots hold still blocks that overlap by rounding") {
+  for (int32_t kind : all_stiffness_kinds) {
+    for (int degrees = 0; degrees < 90; ++degrees) {
+      const double c = std::cos(degrees * degree), s = std::sin(degrees * degree);
+      hs_law_def law = spring_law(1e7);
+      law.stiffness_kind = kind;
+      law.normal_damping = law.shear_damping = 0.3;
+      Scene scene(world_def(1e-5, 0), law);
+      for (int i = 0; i < 18; ++i) {
+        Points corners = box(1.1 * (i % 6), 0.3 * (i / 6), 1.1 * (i % 6 + 1), 0.3 * (i / 6 + 1));
+        for (Point& p : corners) p = {c * p.x - s * p.y, s * p.x + c * p.y};
+        scene.add(corners);
+      }
+      scene.step(10);
+      CHECK(std::abs(scene.energy().kinetic) <= 1e-12);
+    }
+  }
+}
+
+/// A square that rocks on the whole of a smooth base: springs of so much stiffness K and dashpots of
+/// viscosity C spread over it with radius of gyration r turn it by K r^2 and brake it by C r^2. The weight,
+/// whose line passes the base's middle at half the height times the tilt, takes away from the former. So the
+/// tilt is that of a damped oscillator, whose amplitude falls as exp(-beta t), beta = C r^2 / (2 I).
+TEST_CASE("normal damping brakes rocking on a whole base under every law") {
+  constexpr double time_step = 1e-5, zeta = 0.2, first_spin = 1e-3, weight = mass * 10;
+  for (const int32_t kind : all_stiffness_kinds) {
+    hs_law_def law = spring_law(kind == HS_STIFFNESS_POTENTIAL ? 0.5 * stiffness : stiffness);
+    law.stiffness_kind = kind;
+    law.normal_damping = zeta;
+    hs_world_def def = world_def(time_step, -10);
+    def.potential_length = 1;
+    Scene scene(def, law, mass);
+    scene.add(box(-5, -1, 5, 0), {HS_BLOCK_FIXED, {}, 0});
+    const double depth = weight / stiffness;
+    const hs_block block = scene.add(box(-0.5, -depth, 0.5, 1 - depth), {HS_BLOCK_RIGID, {0, 0}, first_spin});
+    // Two springs at the ends, or a bed.
+    const double square_of_radius = kind == HS_STIFFNESS_PER_CONTACT ? 1.0 / 4 : 1.0 / 12;
+    const double inertia = mass / 6;
+    const double beta = 2 * zeta * std::sqrt(stiffness * mass) * square_of_radius / (2 * inertia);
+    const double frequency_squared = (stiffness * square_of_radius - 0.5 * weight) / inertia - beta * beta;
+    for (int round = 1; round <= 3; ++round) {
+      constexpr double duration = 0.02;
+      scene.step(std::llround(duration / time_step));
+      const double time = round * duration;
+      const double tilt = scene.state(block).angle, rate = scene.spin(block) + beta * tilt;
+      const double amplitude = std::sqrt(rate * rate + frequency_squared * tilt * tilt) / first_spin;
+      const double expected = std::exp(-beta * time);
+      std::printf("rocking, %s, damping ratio %.1f, after %.2f s: amplitude %.6f, closed form %.6f\n",
+                  name_of_stiffness(kind), zeta, time, amplitude, expected);
+      // Potentials fall short of a bed by the depth over the width; the dashpot is read half a step late.
+      const double softening = kind == HS_STIFFNESS_POTENTIAL ? 4 * depth : 0;
+      CHECK(std::abs(amplitude / expected - 1) <= softening + 2 * beta * time_step * (1 + beta * time));
     }
   }
 }

@@ -26,12 +26,13 @@ inline hs_world_def world_def(double time_step, double gravity = -9.81) {
   return def;
 }
 
-/// The penalty spring of the papers: the same stiffness for normal and shear.
+/// The penalty spring of the papers: the same stiffness for normal and shear, no dashpots.
 inline hs_law_def spring_law(double stiffness, double friction_angle = 0) {
   hs_law_def law;
   hs_law_def_init(&law, sizeof law);
   law.normal_stiffness = law.shear_stiffness = stiffness;
   law.friction_angle = friction_angle;
+  law.normal_damping = law.shear_damping = 0;
   return law;
 }
 

@@ -72,11 +72,7 @@ class SolidScene : public Scene {
 
   /// The hull of points, its centroid placed.
   hs_block add_hull(const Corners& points, const SolidStart& start) {
-    hs_shape* made = nullptr;
-    const hs_view view{&points[0][0], &points[0][1], &points[0][2], sizeof(Triple),
-                       std::int64_t(points.size())};
-    check(hs_polyhedron_create_hull(context(), view, &made));
-    const Shape shape(made);
+    const Shape shape = hull_of(points);
     hs_block_def def;
     check(hs_block_def_init(&def, sizeof def, shape.get()));
     def.kind = start.kind;
@@ -91,6 +87,11 @@ class SolidScene : public Scene {
     return block;
   }
 
+  /// The hull of points where they are.
+  hs_block add_hull_in_place(const Corners& points, int32_t kind) {
+    return place(hull_of(points).get(), nullptr, {kind, {}, 0}, 0);
+  }
+
   Triple place_of(hs_block block) const { return triple(state(block).pose.position); }
 
   /// Of the linear and the angular motion together, the latter at the end of an arm.
@@ -103,6 +104,15 @@ class SolidScene : public Scene {
   std::int32_t contact_type() const {
     const std::vector<hs_contact> all = contacts();
     return all.empty() ? HS_CONTACT_NONE : all[0].type;
+  }
+
+ private:
+  Shape hull_of(const Corners& points) const {
+    hs_shape* made = nullptr;
+    const hs_view view{&points[0][0], &points[0][1], &points[0][2], sizeof(Triple),
+                       std::int64_t(points.size())};
+    check(hs_polyhedron_create_hull(context(), view, &made));
+    return Shape(made);
   }
 };
 

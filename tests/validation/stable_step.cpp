@@ -132,6 +132,23 @@ struct Beam {
   }
 };
 
+/// A sheet in free space, with many little blocks pressed against it.
+struct Sheet {
+  static constexpr double little_mass = 500, mass = 10 * little_mass;
+  Scene scene;
+  std::map<hs_block, double> inertia;
+
+  Sheet(const hs_law_def& law, int count) : scene(world_def(0, 0), law) {
+    const double length = count, height = mass / 2000 / length, little = 0.5;
+    inertia[scene.add(box(-length / 2, -height, length / 2, 0))] = inertia_of_box(mass, length, height);
+    for (int i = 0; i < count; ++i) {
+      const double x = i - length / 2 + 0.25;
+      inertia[scene.add(box(x, -1e-4, x + little, little - 1e-4))] =
+          inertia_of_box(little_mass, little, little);
+    }
+  }
+};
+
 template <class Group>
 void check_reported(const char* name, const Group& group, const hs_law_def& law) {
   const LinearWorld linear(group.scene, law, group.inertia);
@@ -155,6 +172,31 @@ TEST_CASE("the stable time step reported is never above the critical one of the 
       check_reported("stack of 8 slabs", Stack(law, 8, 2, 0.1), law);
       check_reported("beam on 12 supports", Beam(law, 12), law);
     }
+  }
+}
+
+/// A dashpot between a big block and a little one is one for the mass that both move together. All contacts
+/// have the same here, so that damping is proportional to stiffness and each mode has its own critical step.
+/// Where springs are counted as omega^2 times so much too stiff, dashpots may be too viscous by as much, no
+/// more.
+TEST_CASE("of little blocks on a big one the stable time step counts dashpots no worse than springs") {
+  hs_law_def law = spring_law(1e8, 30 * degree);
+  const Sheet undamped(law, 160);
+  const double omega = 2 / LinearWorld(undamped.scene, law, undamped.inertia).critical_step();
+  const double counted = 2 / undamped.scene.report().stable_time_step;
+  const double excess = counted * counted / (omega * omega);
+  for (double damping : {0.2, 1.0}) {
+    law.normal_damping = law.shear_damping = damping;
+    const double reduced = Sheet::mass * Sheet::little_mass / (Sheet::mass + Sheet::little_mass);
+    const double gamma = 2 * damping * std::sqrt(reduced / law.normal_stiffness) * omega * omega;
+    const double critical = 4 / (gamma + std::sqrt(gamma * gamma + 4 * omega * omega));
+    const double reported = Sheet(law, 160).scene.report().stable_time_step;
+    std::printf(
+        "stable step, 160 little blocks on a sheet, damping ratio %.1f: %.2f of the critical one, "
+        "without dashpots %.2f\n",
+        damping, reported / critical, omega / counted);
+    CHECK(reported <= critical);
+    CHECK(reported * excess >= critical);
   }
 }
 

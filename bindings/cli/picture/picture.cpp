@@ -10,13 +10,12 @@
 namespace halfspace::cli {
 namespace {
 
+/// Above the plot, where it hides no block.
 void draw_scale_bar(Svg& svg, const Plot& plot) {
   const double length = even_step(plot.stage.upper_right[0] - plot.stage.lower_left[0], 8);
-  const double right = plot.right() - 16;
-  const double y = top_margin + 34;
-  svg.rectangle({right - plot.scale * length, y}, plot.scale * length, 5, "fill=\"#222\"");
-  svg.label({right - plot.scale * length / 2, y - 6}, decimals(length, decimals_for(length)) + " m", 13,
-            "middle");
+  const double left = plot.right() - plot.scale * length;
+  svg.rectangle({left, 38}, plot.scale * length, 5, "fill=\"#222\"");
+  svg.label({left - 8, 44}, decimals(length, decimals_for(length)) + " m", 13, "end");
 }
 
 void draw_colours(Svg& svg, const Plot& plot, const Scene& scene) {

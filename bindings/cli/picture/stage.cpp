@@ -33,36 +33,6 @@ double value_of(const Stage& stage, const BlockFrame& then, const BlockFrame& no
   return 0;
 }
 
-struct Bounds {
-  Point low{INFINITY, INFINITY};
-  Point high{-INFINITY, -INFINITY};
-
-  void add(const Point& p) {
-    for (std::size_t axis : {0, 1}) {
-      low[axis] = std::min(low[axis], p[axis]);
-      high[axis] = std::max(high[axis], p[axis]);
-    }
-  }
-  void add(const Stage& stage, const BlockFrame& block) {
-    for (const Point& p : block.vertices) add(shown(stage, p));
-  }
-};
-
-/// Around everything that moves; of fixed blocks only what lies near it is worth the paper.
-Bounds bounds_of(const Stage& stage, const Frame& start, const Frame& end) {
-  const auto around = [&](auto&& counts) {
-    Bounds bounds;
-    for (const Frame* frame : {&start, &end}) {
-      for (const BlockFrame& block : frame->blocks) {
-        if (counts(block.state.kind)) bounds.add(stage, block);
-      }
-    }
-    return bounds;
-  };
-  const Bounds moving = around([](int kind) { return moves_freely(kind); });
-  return std::isfinite(moving.low[0]) ? moving : around([](int) { return true; });
-}
-
 /// Around the eight corners of a window, four of which are the same in 2D.
 Bounds bounds_of(const Stage& stage, const std::array<Point, 2>& window) {
   Bounds bounds;
@@ -71,45 +41,57 @@ Bounds bounds_of(const Stage& stage, const std::array<Point, 2>& window) {
   return bounds;
 }
 
-void set_window(Stage& stage, const Bounds& bounds, double margin_share) {
-  const double margin =
-      margin_share * std::max(bounds.high[0] - bounds.low[0], bounds.high[1] - bounds.low[1]);
-  stage.lower_left = {bounds.low[0] - margin, bounds.low[1] - margin};
-  stage.upper_right = {bounds.high[0] + margin, bounds.high[1] + margin};
-}
-
-void set_range(Stage& stage, const Frame& start, const Frame& end) {
-  double lowest = INFINITY;
-  double highest = -INFINITY;
-  for (const Frame* frame : {&start, &end}) {
-    for (std::size_t i = 0; i < frame->blocks.size(); ++i) {
-      if (!moves_freely(frame->blocks[i].state.kind)) continue;
-      const double value = value_of(stage, start.blocks[i], frame->blocks[i]);
-      lowest = std::min(lowest, value);
-      highest = std::max(highest, value);
-    }
-  }
-  if (lowest <= highest) {
-    stage.lowest = lowest;
-    stage.highest = highest;
-  }
-}
+bool is_free(const BlockFrame& block) { return moves_freely(block.state.kind); }
 
 }  // namespace
 
-Stage stage_for(const Scene& scene, const Frame& start, const Frame& end) {
-  const Output& output = scene.output;
-  Stage stage{.title = scene.title,
-              .dimension = scene.world.dimension,
-              .camera = Camera(output.azimuth, output.elevation),
-              .colour = output.colour,
-              .layers = output.layers};
-  if (output.window) {
-    set_window(stage, bounds_of(stage, *output.window), 0);
-  } else {
-    set_window(stage, bounds_of(stage, start, end), 0.06);
+void Bounds::add(const Point& p) {
+  for (std::size_t axis : {0, 1}) {
+    low[axis] = std::min(low[axis], p[axis]);
+    high[axis] = std::max(high[axis], p[axis]);
   }
-  set_range(stage, start, end);
+}
+
+RunStage::RunStage(const Scene& scene, const Frame& start)
+    : stage_{.title = scene.title,
+             .dimension = scene.world.dimension,
+             .camera = Camera(scene.output.azimuth, scene.output.elevation),
+             .colour = scene.output.colour,
+             .layers = scene.output.layers},
+      start_(start),
+      has_window_(scene.output.window),
+      has_free_(std::any_of(start.blocks.begin(), start.blocks.end(), is_free)) {
+  if (has_window_) bounds_ = bounds_of(stage_, *scene.output.window);
+}
+
+/// Of fixed blocks only what lies near those that move is worth the paper.
+void RunStage::add(const Frame& frame) {
+  for (std::size_t i = 0; i < frame.blocks.size(); ++i) {
+    const BlockFrame& block = frame.blocks[i];
+    if (has_free_ && !is_free(block)) continue;
+    if (!has_window_) add_to_bounds(block);
+    if (!is_free(block)) continue;
+    const double value = value_of(stage_, start_.blocks[i], block);
+    lowest_ = std::min(lowest_, value);
+    highest_ = std::max(highest_, value);
+  }
+}
+
+void RunStage::add_to_bounds(const BlockFrame& block) {
+  for (const Point& p : block.vertices) bounds_.add(shown(stage_, p));
+}
+
+Stage RunStage::stage() const {
+  Stage stage = stage_;
+  const double margin_share = has_window_ ? 0 : 0.06;
+  const double margin =
+      margin_share * std::max(bounds_.high[0] - bounds_.low[0], bounds_.high[1] - bounds_.low[1]);
+  stage.lower_left = {bounds_.low[0] - margin, bounds_.low[1] - margin};
+  stage.upper_right = {bounds_.high[0] + margin, bounds_.high[1] + margin};
+  if (lowest_ <= highest_) {
+    stage.lowest = lowest_;
+    stage.highest = highest_;
+  }
   return stage;
 }
 
@@ -131,9 +113,9 @@ double typical_size(const Stage& stage, const Frame& frame) {
   double area = 0;
   int count = 0;
   for (const BlockFrame& block : frame.blocks) {
-    if (!moves_freely(block.state.kind)) continue;
+    if (!is_free(block)) continue;
     Bounds bounds;
-    bounds.add(stage, block);
+    for (const Point& p : block.vertices) bounds.add(shown(stage, p));
     area += (bounds.high[0] - bounds.low[0]) * (bounds.high[1] - bounds.low[1]);
     ++count;
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <string>
 
 #include "model.h"
@@ -22,8 +23,33 @@ struct Stage {
   double highest = 1;  ///< value at the bright end
 };
 
-/// A stage on which both the start and the end of a run fit.
-Stage stage_for(const Scene& scene, const Frame& start, const Frame& end);
+/// A rectangle around points.
+struct Bounds {
+  Point low{INFINITY, INFINITY};
+  Point high{-INFINITY, -INFINITY};
+
+  void add(const Point& p);
+};
+
+/// Watches the frames of a run, so that all of them fit on the stage of its pictures, and on its colours.
+class RunStage {
+ public:
+  /// The start must outlive it.
+  RunStage(const Scene& scene, const Frame& start);
+  void add(const Frame& frame);
+  Stage stage() const;
+
+ private:
+  void add_to_bounds(const BlockFrame& block);
+
+  Stage stage_;
+  const Frame& start_;
+  Bounds bounds_;
+  bool has_window_;  ///< given in the scene: its bounds are those
+  bool has_free_;    ///< blocks: only what is free to move has to fit
+  double lowest_ = INFINITY;
+  double highest_ = -INFINITY;
+};
 
 /// A point as the stage shows it.
 inline Point shown(const Stage& stage, const Point& p) {

@@ -25,13 +25,15 @@ module halfspace
     HS_FAULT_COINCIDING_VERTICES, HS_FAULT_ZERO_VOLUME, HS_FAULT_FACE_WITHOUT_AREA, HS_FAULT_FACE_NOT_PLANE, &
     HS_FAULT_VERTEX_OUTSIDE_FACE, HS_FAULT_COPLANAR_FACES, HS_FAULT_HULL_FAILED, HS_FAULT_NO_DIRECTION, &
     HS_FAULT_UNBOUNDED, HS_FAULT_NO_COMMON_POINT, HS_BLOCK_FIXED, HS_BLOCK_PRESCRIBED, HS_BLOCK_RIGID, &
-    HS_BLOCK_AFFINE
+    HS_BLOCK_AFFINE, HS_IMPACT_NEVER, HS_IMPACT_AT_START, HS_IMPACT_TOUCH
   use halfspace_checks, only: halfspace_check_polygon, halfspace_check_polyhedron, halfspace_clean_polygon, &
     halfspace_clean_report, halfspace_fault
   use halfspace_contacts, only: halfspace_block, halfspace_contact, operator(==), operator(/=)
   use halfspace_contexts, only: halfspace_allocator, halfspace_context, halfspace_version
-  use halfspace_definitions, only: halfspace_angle, halfspace_elasticity, halfspace_law, halfspace_pose
+  use halfspace_definitions, only: halfspace_angle, halfspace_elasticity, halfspace_law, &
+    halfspace_motion, halfspace_pose
   use halfspace_deformations, only: halfspace_deformation
+  use halfspace_impacts, only: halfspace_impact, halfspace_time_of_impact
   use halfspace_pairs, only: halfspace_detect_pair, halfspace_detect_pairs, halfspace_pair_cache
   use halfspace_shapes, only: halfspace_shape, halfspace_shape_properties
   use halfspace_worlds, only: halfspace_block_state, halfspace_energy, halfspace_world, halfspace_world_report

@@ -90,6 +90,11 @@ module halfspace_c
   integer(c_int32_t), parameter :: HS_PLANE_STRAIN = 0  !< a body that cannot strain across the plane
   integer(c_int32_t), parameter :: HS_PLANE_STRESS = 1  !< a sheet without stress across the plane
 
+  !> What comes of two motions.
+  integer(c_int32_t), parameter :: HS_IMPACT_NEVER = 0  !< they do not touch within the duration
+  integer(c_int32_t), parameter :: HS_IMPACT_AT_START = 1  !< they touch at the start already
+  integer(c_int32_t), parameter :: HS_IMPACT_TOUCH = 2  !< they are apart at the start and come to touch
+
   !> One contact, or the proof that there is none. Points are in the frame of the poses given, directions in
   !! its orientation. Detection of single pairs leaves what has no meaning there as it was: ids, forces,
   !! torque and twist always; `area` and all that follows it when the blocks are separated or no region was
@@ -126,24 +131,30 @@ module halfspace_c
     real(c_double) :: twist = 0.0_c_double  !< 3D: torque about the normal, on block b
   end type hs_contact
 
-  !> Normal force with Mohr-Coulomb friction: a penalty spring (Wang et al. 2021, section 3) or a potential.
-  !! Fill it with hs_law_def_init().
+  !> Normal force with Mohr-Coulomb friction, by a penalty spring or a potential. Fill it with
+  !! hs_law_def_init(). Springs are those of Wang et al. 2021, section 3; potentials those of Zheng et al.
+  !! 2020, section 3.
   !!
   !! The potential force acts along a line of its own, which between faces that meet squarely is the contact's
   !! normal. Friction acts across that line, where it passes the centroid of what the blocks share. The normal
   !! and shear forces that hs_contact tells are the parts of the whole force along and across the contact's
   !! normal. Potentials hold nothing together: they take neither cohesion nor tensile strength.
+  !!
+  !! The damping that a law has by default is there for friction: without any, friction on springs feeds the
+  !! vibration of what it should hold, and a block on a slope that is not steep enough for it to slide hops
+  !! down. Set both dampings to 0 for bounces without loss.
   type, bind(c) :: hs_law_def
     integer(c_int32_t) :: struct_size = 0  !< set by hs_law_def_init()
     integer(c_int32_t) :: stiffness_kind = 0  !< an HS_STIFFNESS_ value; default HS_STIFFNESS_PER_CONTACT
     real(c_double) :: normal_stiffness = 0.0_c_double  !< > 0; N/m, Pa/m or Pa; default 1e9
-    real(c_double) :: shear_stiffness = 0.0_c_double  !< >= 0; N/m or Pa/m, of potentials N/m; default 1e9
+    !> >= 0; N/m or Pa/m, of potentials N/m; 0, the default: the same number as normal_stiffness
+    real(c_double) :: shear_stiffness = 0.0_c_double
     real(c_double) :: friction_angle = 0.0_c_double  !< rad, [0, pi/2); default 0
     !> Pa, >= 0; of contacts that exist when a block's first step begins, until they fail; default 0
     real(c_double) :: cohesion = 0.0_c_double
     real(c_double) :: tensile_strength = 0.0_c_double  !< Pa, >= 0; likewise; default 0
-    real(c_double) :: normal_damping = 0.0_c_double  !< share of critical viscous damping, >= 0; default 0
-    real(c_double) :: shear_damping = 0.0_c_double  !< share of critical viscous damping, >= 0; default 0
+    real(c_double) :: normal_damping = 0.0_c_double  !< share of critical viscous damping, >= 0; default 0.1
+    real(c_double) :: shear_damping = 0.0_c_double  !< share of critical viscous damping, >= 0; default 0.1
   end type hs_law_def
 
   !> How a context is made. Fill it with hs_context_def_init(), then change what you need.
@@ -311,9 +322,37 @@ module halfspace_c
     real(c_double) :: strain_energy = 0.0_c_double  !< J, in 2D per unit thickness; 0 without stress
   end type hs_deformation
 
+  !> How a shape moves: its centroid straight and its turn even. Fill it with hs_motion_def_init(): then it
+  !! rests at the origin. At time t the point that is at X in the shape's frame is at position + t velocity +
+  !! R(t angular_velocity) Q (gradient + t gradient_rate) X, with position and Q those of `start`, and R(v)
+  !! the turn about v by its length.
+  type, bind(c) :: hs_motion_def
+    integer(c_int32_t) :: struct_size = 0  !< set by hs_motion_def_init()
+    integer(c_int32_t) :: reserved = 0  !< 0
+    type(hs_pose) :: start  !< where it is at first
+    real(c_double) :: velocity(3) = 0.0_c_double  !< of the centroid, m/s
+    real(c_double) :: angular_velocity(3) = 0.0_c_double  !< rad/s; in 2D about z; it may turn by up to 1e6 rad in the duration
+    !> how it is strained at first, before `start` turns it: row by row, as of affine blocks (affine.h);
+    !! default the identity
+    real(c_double) :: gradient(9) = 0.0_c_double
+    real(c_double) :: gradient_rate(9) = 0.0_c_double  !< of the gradient, 1/s; default 0
+  end type hs_motion_def
+
+  !> When, where and how two moving shapes first touch.
+  type, bind(c) :: hs_impact
+    integer(c_int32_t) :: state = 0  !< an HS_IMPACT_ value; of HS_IMPACT_NEVER all that follows is 0 but the time
+    integer(c_int32_t) :: pair_kind = 0  !< of the potential pair of largest gap then: an HS_PAIR_ value, not HS_PAIR_VERTEX_VERTEX
+    integer(c_int32_t) :: feature_a = 0  !< index of a's vertex, edge or face in that pair
+    integer(c_int32_t) :: feature_b = 0  !< index of b's, likewise
+    real(c_double) :: time = 0.0_c_double  !< s from the start; never later than the first touch; the duration for HS_IMPACT_NEVER
+    real(c_double) :: gap = 0.0_c_double  !< of the pair then: small to rounding; <= 0 when touching at the start
+    real(c_double) :: normal(3) = 0.0_c_double  !< unit, from a to b then
+    real(c_double) :: point(3) = 0.0_c_double  !< where they touch: the middle of the contact region
+  end type hs_impact
+
   !> What a pair remembers between calls: the last violated potential pair while separated, the initial
-  !! contact pair while in contact (Wang et al. 2021, section 2.5). All zero is an empty cache. Copy it
-  !! freely, also to another process.
+  !! contact pair while in contact. All zero is an empty cache. Copy it freely, also to another process.
+  !! Initial contact pairs are those of Wang et al. 2021, section 2.5.
   !!
   !! While separated it also holds a proof: along `normal` the two centroids were farther apart than the
   !! shapes reach together. A call whose blocks have moved and turned by less than the gap, or by less than
@@ -1016,6 +1055,36 @@ module halfspace_c
       integer(c_int64_t), value :: block  !< id
       integer(c_int32_t) :: hs_world_clear_surface_loads
     end function hs_world_clear_surface_loads
+
+    !> Fills a motion with its defaults: at the origin, not turned, at rest.
+    !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
+    function hs_motion_def_init(def, size) bind(c)
+      import
+      type(hs_motion_def), intent(out) :: def  !< to fill
+      integer(c_size_t), value :: size  !< sizeof(hs_motion_def) as the caller was compiled
+      integer(c_int32_t) :: hs_motion_def_init
+    end function hs_motion_def_init
+
+    !> When do two moving shapes first touch?
+    !!
+    !! The shapes are apart at every time before the one told: no touch is passed over, however fast or thin
+    !! the shapes are or however often they turn. Told early it may be by as much as rounding takes: the gap
+    !! is then within some 1e-12 of the shapes' size, their distance and their way together, times 1 and the
+    !! angle that they turn by. Should shapes come that near and part again, a touch may be told. Only where
+    !! shapes graze each other through hundreds of turns the search may end sooner, with a larger `gap`:
+    !! earlier, too, and never later.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY (shapes of many vertices). Thread rule: as
+    !! for hs_pair_detect().
+    function hs_pair_time_of_impact(shape_a, motion_a, shape_b, motion_b, duration, impact) bind(c)
+      import
+      type(c_ptr), value :: shape_a  !< the shapes, both of one dimension; the same one twice is legal
+      type(hs_motion_def), intent(in) :: motion_a  !< how they move
+      type(c_ptr), value :: shape_b  !< the shapes, both of one dimension; the same one twice is legal
+      type(hs_motion_def), intent(in) :: motion_b  !< how they move
+      real(c_double), value :: duration  !< of the motions, s, finite, >= 0
+      type(hs_impact), intent(out) :: impact  !< receives when, where and how
+      integer(c_int32_t) :: hs_pair_time_of_impact
+    end function hs_pair_time_of_impact
 
     !> Fills detection options with their defaults.
     !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.

@@ -1,11 +1,13 @@
-!> Poses, contact laws and elasticities: the structs of the C interface, with constructors.
+!> Poses, motions, contact laws and elasticities: the structs of the C interface, with constructors.
 module halfspace_definitions
   use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_sizeof
-  use halfspace_c, only: hs_elasticity_def_init, hs_law_def_init, HS_OK, halfspace_elasticity => hs_elasticity_def, &
+  use halfspace_c, only: hs_elasticity_def_init, hs_law_def_init, hs_motion_def_init, HS_OK, &
+    halfspace_elasticity => hs_elasticity_def, halfspace_motion => hs_motion_def, &
     halfspace_law => hs_law_def, halfspace_pose => hs_pose
+  use halfspace_deformations, only: nine_of
   implicit none
   private
-  public :: halfspace_elasticity, halfspace_law, halfspace_pose, halfspace_angle
+  public :: halfspace_elasticity, halfspace_law, halfspace_motion, halfspace_pose, halfspace_angle
 
   !> In the plane, halfspace_pose(x, y) or halfspace_pose(x, y, angle), the latter also of arrays; in space,
   !! halfspace_pose(position, rotation) with a unit quaternion x, y, z, w.
@@ -21,6 +23,11 @@ module halfspace_definitions
   !> halfspace_elasticity(young_modulus=1e10_c_double, poisson_ratio=...): likewise.
   interface halfspace_elasticity
     module procedure elasticity
+  end interface
+
+  !> halfspace_motion(start=..., velocity=...): what is not given is at the origin, not turned, at rest.
+  interface halfspace_motion
+    module procedure motion
   end interface
 
 contains
@@ -54,7 +61,7 @@ contains
   function law(normal_stiffness, shear_stiffness, friction_angle, cohesion, tensile_strength, normal_damping, &
                shear_damping, stiffness_kind)
     real(c_double), intent(in), optional :: normal_stiffness  !< > 0; N/m, Pa/m or Pa
-    real(c_double), intent(in), optional :: shear_stiffness  !< >= 0; N/m or Pa/m, of potentials N/m
+    real(c_double), intent(in), optional :: shear_stiffness  !< >= 0; N/m or Pa/m, of potentials N/m; 0: the normal one
     real(c_double), intent(in), optional :: friction_angle  !< rad, [0, pi/2)
     real(c_double), intent(in), optional :: cohesion  !< Pa, >= 0
     real(c_double), intent(in), optional :: tensile_strength  !< Pa, >= 0
@@ -87,5 +94,23 @@ contains
     if (present(damping_time)) elasticity%damping_time = damping_time
     if (present(plane)) elasticity%plane = plane
   end function elasticity
+
+  !> At time t the point at X in the shape's frame is at position + t velocity + R(t angular_velocity) Q (gradient +
+  !! t gradient_rate) X, with position and Q those of the start.
+  function motion(start, velocity, angular_velocity, gradient, gradient_rate)
+    type(halfspace_pose), intent(in), optional :: start  !< where it is at first
+    real(c_double), intent(in), optional :: velocity(3)  !< of the centroid, m/s
+    real(c_double), intent(in), optional :: angular_velocity(3)  !< rad/s; up to 1e6 rad in the duration
+    real(c_double), intent(in), optional :: gradient(3, 3)  !< how it is strained at first, before the start turns it
+    real(c_double), intent(in), optional :: gradient_rate(3, 3)  !< 1/s
+    type(halfspace_motion) :: motion
+    ! As for a law.
+    if (hs_motion_def_init(motion, c_sizeof(motion)) /= HS_OK) return
+    if (present(start)) motion%start = start
+    if (present(velocity)) motion%velocity = velocity
+    if (present(angular_velocity)) motion%angular_velocity = angular_velocity
+    if (present(gradient)) motion%gradient = nine_of(gradient)
+    if (present(gradient_rate)) motion%gradient_rate = nine_of(gradient_rate)
+  end function motion
 
 end module halfspace_definitions

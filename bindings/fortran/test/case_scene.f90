@@ -13,6 +13,7 @@ module case_scene
     character(longest_word) :: name = ''
     type(halfspace_shape) :: shape
     type(halfspace_pose) :: pose
+    type(halfspace_motion) :: motion  !< but for its start, which is the pose
   end type named_shape
 
   type :: named_block
@@ -26,6 +27,7 @@ module case_scene
     type(halfspace_context) :: context
     type(halfspace_world) :: world
     type(halfspace_contact) :: contact  !< the one that expectations look at
+    type(halfspace_impact) :: impact  !< likewise
     integer(int32), allocatable :: face_sizes(:), face_vertices(:)
     real(real64), allocatable :: parallel_angle, vertex_zone
     integer :: status = HS_OK  !< of the last statement
@@ -73,6 +75,12 @@ contains
       call halfspace_detect_pair(s%shapes(a)%shape, s%shapes(a)%pose, s%shapes(b)%shape, s%shapes(b)%pose, s%contact, &
                                  parallel_angle=s%parallel_angle, vertex_zone=s%vertex_zone, stat=s%status, &
                                  errmsg=s%text)
+    case ('motion')
+      s%shapes(shape_named(words(2), s))%motion = motion_of(words(3:))
+    case ('impact')
+      a = shape_named(words(2), s)
+      b = shape_named(words(3), s)
+      call find_impact(s%shapes(a), s%shapes(b), number(words(4)), s)
     case ('world')
       call make_world(words(2:), s)
     case ('material')
@@ -190,6 +198,7 @@ contains
       s%shapes(i)%name = name
       s%shapes(i)%shape = shape
       s%shapes(i)%pose = halfspace_pose(0.0_real64, 0.0_real64)
+      s%shapes(i)%motion = halfspace_motion()
       return
     end do
     error stop 'more shapes than this reader keeps'
@@ -216,6 +225,34 @@ contains
       end select
     end do
   end subroutine keep_options
+
+  type(halfspace_motion) function motion_of(words) result(motion)
+    character(longest_word), intent(in) :: words(:)
+    integer :: i
+    motion = halfspace_motion()
+    i = 1
+    do while (i < size(words))
+      select case (words(i))
+      case ('velocity'); motion%velocity = numbers(words(i + 1 : i + 3)); i = i + 4
+      case ('angular_velocity'); motion%angular_velocity = numbers(words(i + 1 : i + 3)); i = i + 4
+      case ('gradient'); motion%gradient = numbers(words(i + 1 : i + 9)); i = i + 10
+      case ('gradient_rate'); motion%gradient_rate = numbers(words(i + 1 : i + 9)); i = i + 10
+      case default; error stop 'unknown field of a motion'
+      end select
+    end do
+  end function motion_of
+
+  subroutine find_impact(a, b, duration, s)
+    type(named_shape), intent(in) :: a, b
+    real(real64), intent(in) :: duration
+    type(scene), intent(inout) :: s
+    type(halfspace_motion) :: motion_a, motion_b
+    motion_a = a%motion
+    motion_a%start = a%pose
+    motion_b = b%motion
+    motion_b%start = b%pose
+    call halfspace_time_of_impact(a%shape, motion_a, b%shape, motion_b, duration, s%impact, s%status, s%text)
+  end subroutine find_impact
 
   subroutine make_world(words, s)
     character(longest_word), intent(in) :: words(:)
@@ -252,6 +289,7 @@ contains
       case ('shear_stiffness'); law%shear_stiffness = number(words(i + 1))
       case ('friction_angle'); law%friction_angle = number(words(i + 1))
       case ('normal_damping'); law%normal_damping = number(words(i + 1))
+      case ('shear_damping'); law%shear_damping = number(words(i + 1))
       case default; error stop 'unknown field of a law'
       end select
     end do

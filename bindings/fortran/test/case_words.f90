@@ -72,6 +72,9 @@ contains
     case ('HS_STIFFNESS_PER_CONTACT'); constant = HS_STIFFNESS_PER_CONTACT
     case ('HS_STIFFNESS_PER_AREA'); constant = HS_STIFFNESS_PER_AREA
     case ('HS_STIFFNESS_POTENTIAL'); constant = HS_STIFFNESS_POTENTIAL
+    case ('HS_IMPACT_NEVER'); constant = HS_IMPACT_NEVER
+    case ('HS_IMPACT_AT_START'); constant = HS_IMPACT_AT_START
+    case ('HS_IMPACT_TOUCH'); constant = HS_IMPACT_TOUCH
     case ('HS_PLANE_STRAIN'); constant = HS_PLANE_STRAIN
     case ('HS_PLANE_STRESS'); constant = HS_PLANE_STRESS
     case ('HS_BLOCK_FIXED'); constant = HS_BLOCK_FIXED

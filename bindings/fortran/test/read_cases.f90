@@ -120,6 +120,7 @@ contains
     select case (words(2))
     case ('shape'); values = of_shape(field)
     case ('contact'); values = of_contact(s%contact, field)
+    case ('impact'); values = of_impact(s%impact, field)
     case ('block'); values = of_block(field)
     case ('deformation'); values = of_deformation(field)
     case ('report', 'energy'); values = of_report(field)
@@ -167,6 +168,23 @@ contains
     case default; error stop 'unknown field of a contact'
     end select
   end function of_contact
+
+  function of_impact(i, field) result(values)
+    type(halfspace_impact), intent(in) :: i
+    character(*), intent(in) :: field
+    real(real64), allocatable :: values(:)
+    select case (field)
+    case ('state'); values = [real(i%state, real64)]
+    case ('pair_kind'); values = [real(i%pair_kind, real64)]
+    case ('feature_a'); values = [real(i%feature_a - 1, real64)]
+    case ('feature_b'); values = [real(i%feature_b - 1, real64)]
+    case ('time'); values = [i%time]
+    case ('gap'); values = [i%gap]
+    case ('normal'); values = i%normal
+    case ('point'); values = i%point
+    case default; error stop 'unknown field of an impact'
+    end select
+  end function of_impact
 
   function of_block(field) result(values)
     character(*), intent(in) :: field

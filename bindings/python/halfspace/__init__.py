@@ -10,10 +10,10 @@ Examples
 >>> print(hs.pair_detect(square, (0, 0), square, (0.25, 0.875)).gap)
 -0.125
 """
-from ._arrays import BLOCK_STATE, CONTACT, DEFORMATION, PAIR_CACHE, SHAPE_PROPERTIES, WORLD_REPORT, pose
+from ._arrays import BLOCK_STATE, CONTACT, DEFORMATION, IMPACT, PAIR_CACHE, SHAPE_PROPERTIES, WORLD_REPORT, pose
 from ._library import status_text, version
 from .affine import Elasticity
-from .constants import BlockKind, ContactType, Fault, PairKind, Plane, StiffnessKind
+from .constants import BlockKind, ContactType, Fault, ImpactState, PairKind, Plane, StiffnessKind
 from .context import Context, default_context
 from .errors import (
     ArgumentError,
@@ -27,6 +27,7 @@ from .errors import (
     StateError,
     UnstableError,
 )
+from .impact import Motion, pair_time_of_impact
 from .law import Law
 from .pair import PairCache, pair_caches, pair_detect, pairs_detect
 from .shape import Shape, check_polygon, check_polyhedron, clean_polygon
@@ -38,6 +39,7 @@ __all__ = [
     "BLOCK_STATE",
     "CONTACT",
     "DEFORMATION",
+    "IMPACT",
     "PAIR_CACHE",
     "SHAPE_PROPERTIES",
     "WORLD_REPORT",
@@ -51,8 +53,10 @@ __all__ = [
     "FormatError",
     "GeometryError",
     "HalfspaceError",
+    "ImpactState",
     "InternalError",
     "Law",
+    "Motion",
     "OutOfMemoryError",
     "PairCache",
     "PairKind",
@@ -69,6 +73,7 @@ __all__ = [
     "default_context",
     "pair_caches",
     "pair_detect",
+    "pair_time_of_impact",
     "pairs_detect",
     "pose",
     "status_text",

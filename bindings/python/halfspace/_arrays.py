@@ -29,6 +29,8 @@ def _with_tensors(structure: Any) -> Any:
 CONTACT = record_type(_raw.hs_contact)
 #: What a pair remembers between calls: the struct ``hs_pair_cache``; all zero is an empty one.
 PAIR_CACHE = record_type(_raw.hs_pair_cache)
+#: When, where and how two moving shapes first touch: the struct ``hs_impact``.
+IMPACT = record_type(_raw.hs_impact)
 #: A block's motion: the struct ``hs_block_state``.
 BLOCK_STATE = record_type(_raw.hs_block_state)
 #: How a block is turned and strained: the struct ``hs_deformation``, with tensors of shape (3, 3).

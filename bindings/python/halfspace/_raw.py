@@ -100,6 +100,11 @@ HS_BLOCK_AFFINE = 3  # by Newton's law, and straining as a whole: see affine.h
 HS_PLANE_STRAIN = 0  # a body that cannot strain across the plane
 HS_PLANE_STRESS = 1  # a sheet without stress across the plane
 
+# What comes of two motions.
+HS_IMPACT_NEVER = 0  # they do not touch within the duration
+HS_IMPACT_AT_START = 1  # they touch at the start already
+HS_IMPACT_TOUCH = 2  # they are apart at the start and come to touch
+
 # Returns memory aligned to `alignment`, or NULL. NULL here means the C library's allocator.
 hs_context_def_allocate = CFUNCTYPE(c_void_p, c_size_t, c_size_t, c_void_p)
 # Gives back what `allocate` returned. Set both or neither.
@@ -160,25 +165,31 @@ class hs_contact(Structure):
 
 
 class hs_law_def(Structure):
-    """Normal force with Mohr-Coulomb friction: a penalty spring (Wang et al. 2021, section 3) or a potential.
-    Fill it with hs_law_def_init().
+    """Normal force with Mohr-Coulomb friction, by a penalty spring or a potential. Fill it with
+    hs_law_def_init(). Springs are those of Wang et al. 2021, section 3; potentials those of Zheng et al.
+    2020, section 3.
 
     The potential force acts along a line of its own, which between faces that meet squarely is the contact's
     normal. Friction acts across that line, where it passes the centroid of what the blocks share. The normal
     and shear forces that hs_contact tells are the parts of the whole force along and across the contact's
-    normal. Potentials hold nothing together: they take neither cohesion nor tensile strength."""
+    normal. Potentials hold nothing together: they take neither cohesion nor tensile strength.
+
+    The damping that a law has by default is there for friction: without any, friction on springs feeds the
+    vibration of what it should hold, and a block on a slope that is not steep enough for it to slide hops
+    down. Set both dampings to 0 for bounces without loss."""
 
     _fields_ = [
         ("struct_size", c_uint32),  # set by hs_law_def_init()
         ("stiffness_kind", c_int32),  # an HS_STIFFNESS_ value; default HS_STIFFNESS_PER_CONTACT
         ("normal_stiffness", c_double),  # > 0; N/m, Pa/m or Pa; default 1e9
-        ("shear_stiffness", c_double),  # >= 0; N/m or Pa/m, of potentials N/m; default 1e9
+        # >= 0; N/m or Pa/m, of potentials N/m; 0, the default: the same number as normal_stiffness
+        ("shear_stiffness", c_double),
         ("friction_angle", c_double),  # rad, [0, pi/2); default 0
         # Pa, >= 0; of contacts that exist when a block's first step begins, until they fail; default 0
         ("cohesion", c_double),
         ("tensile_strength", c_double),  # Pa, >= 0; likewise; default 0
-        ("normal_damping", c_double),  # share of critical viscous damping, >= 0; default 0
-        ("shear_damping", c_double),  # share of critical viscous damping, >= 0; default 0
+        ("normal_damping", c_double),  # share of critical viscous damping, >= 0; default 0.1
+        ("shear_damping", c_double),  # share of critical viscous damping, >= 0; default 0.1
     ]
 
 
@@ -397,10 +408,47 @@ class hs_deformation(Structure):
     ]
 
 
+class hs_motion_def(Structure):
+    """How a shape moves: its centroid straight and its turn even. Fill it with hs_motion_def_init(): then it
+    rests at the origin. At time t the point that is at X in the shape's frame is at position + t velocity +
+    R(t angular_velocity) Q (gradient + t gradient_rate) X, with position and Q those of `start`, and R(v) the
+    turn about v by its length."""
+
+    _fields_ = [
+        ("struct_size", c_uint32),  # set by hs_motion_def_init()
+        ("reserved", c_uint32),  # 0
+        ("start", hs_pose),  # where it is at first
+        ("velocity", c_double * 3),  # of the centroid, m/s
+        # rad/s; in 2D about z; it may turn by up to 1e6 rad in the duration
+        ("angular_velocity", c_double * 3),
+        # how it is strained at first, before `start` turns it: row by row, as of affine blocks (affine.h);
+        # default the identity
+        ("gradient", c_double * 9),
+        ("gradient_rate", c_double * 9),  # of the gradient, 1/s; default 0
+    ]
+
+
+class hs_impact(Structure):
+    """When, where and how two moving shapes first touch."""
+
+    _fields_ = [
+        ("state", c_int32),  # an HS_IMPACT_ value; of HS_IMPACT_NEVER all that follows is 0 but the time
+        # of the potential pair of largest gap then: an HS_PAIR_ value, not HS_PAIR_VERTEX_VERTEX
+        ("pair_kind", c_int32),
+        ("feature_a", c_int32),  # index of a's vertex, edge or face in that pair
+        ("feature_b", c_int32),  # index of b's, likewise
+        # s from the start; never later than the first touch; the duration for HS_IMPACT_NEVER
+        ("time", c_double),
+        ("gap", c_double),  # of the pair then: small to rounding; <= 0 when touching at the start
+        ("normal", c_double * 3),  # unit, from a to b then
+        ("point", c_double * 3),  # where they touch: the middle of the contact region
+    ]
+
+
 class hs_pair_cache(Structure):
     """What a pair remembers between calls: the last violated potential pair while separated, the initial
-    contact pair while in contact (Wang et al. 2021, section 2.5). All zero is an empty cache. Copy it freely,
-    also to another process.
+    contact pair while in contact. All zero is an empty cache. Copy it freely, also to another process.
+    Initial contact pairs are those of Wang et al. 2021, section 2.5.
 
     While separated it also holds a proof: along `normal` the two centroids were farther apart than the shapes
     reach together. A call whose blocks have moved and turned by less than the gap, or by less than what of it
@@ -954,6 +1002,31 @@ def declare(library):
         hs_block,  # block
     ]
     library.hs_world_clear_surface_loads.restype = hs_status
+
+    # Fills a motion with its defaults: at the origin, not turned, at rest.
+    library.hs_motion_def_init.argtypes = [
+        POINTER(hs_motion_def),  # def
+        c_size_t,  # size
+    ]
+    library.hs_motion_def_init.restype = hs_status
+
+    # When do two moving shapes first touch?
+    #
+    # The shapes are apart at every time before the one told: no touch is passed over, however fast or thin
+    # the shapes are or however often they turn. Told early it may be by as much as rounding takes: the gap is
+    # then within some 1e-12 of the shapes' size, their distance and their way together, times 1 and the angle
+    # that they turn by. Should shapes come that near and part again, a touch may be told. Only where shapes
+    # graze each other through hundreds of turns the search may end sooner, with a larger `gap`: earlier, too,
+    # and never later.
+    library.hs_pair_time_of_impact.argtypes = [
+        POINTER(hs_shape),  # shape_a
+        POINTER(hs_motion_def),  # motion_a
+        POINTER(hs_shape),  # shape_b
+        POINTER(hs_motion_def),  # motion_b
+        c_double,  # duration
+        POINTER(hs_impact),  # impact
+    ]
+    library.hs_pair_time_of_impact.restype = hs_status
 
     # Fills detection options with their defaults.
     library.hs_pair_options_init.argtypes = [

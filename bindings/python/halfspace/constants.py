@@ -25,6 +25,14 @@ class PairKind(IntEnum):
     VERTEX_VERTEX = _raw.HS_PAIR_VERTEX_VERTEX
 
 
+class ImpactState(IntEnum):
+    """What comes of two motions (`impact["state"]`)."""
+
+    NEVER = _raw.HS_IMPACT_NEVER
+    AT_START = _raw.HS_IMPACT_AT_START
+    TOUCH = _raw.HS_IMPACT_TOUCH
+
+
 class BlockKind(IntEnum):
     """How a block moves."""
 

@@ -14,14 +14,15 @@ class Law:
     Attributes
     ----------
     normal_stiffness, shear_stiffness : float
-        N/m, or Pa/m when the stiffness is per area; of a potential Pa and N/m; > 0 and >= 0.
+        N/m, or Pa/m when the stiffness is per area; of a potential Pa and N/m; > 0 and >= 0. A shear stiffness
+        of 0 stands for the number of the normal one.
     friction_angle : float
         rad, from 0 to below pi/2.
     cohesion, tensile_strength : float
         Pa, >= 0; of contacts that exist when a block's first step begins, until they fail. A potential takes
         neither.
     normal_damping, shear_damping : float
-        Share of critical viscous damping, >= 0.
+        Share of critical viscous damping, >= 0. Without any, friction feeds the vibration of what it should hold.
     stiffness_kind : StiffnessKind
         What the stiffnesses refer to: the whole contact, its area or a potential.
 
@@ -33,12 +34,12 @@ class Law:
     """
 
     normal_stiffness: float = 1e9
-    shear_stiffness: float = 1e9
+    shear_stiffness: float = 0.0
     friction_angle: float = 0.0
     cohesion: float = 0.0
     tensile_strength: float = 0.0
-    normal_damping: float = 0.0
-    shear_damping: float = 0.0
+    normal_damping: float = 0.1
+    shear_damping: float = 0.1
     stiffness_kind: StiffnessKind = StiffnessKind.PER_CONTACT
 
     def _as_struct(self) -> _raw.hs_law_def:

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from .shape import Shape
     from .world import World
 
-_FIXED, _RIGID, _OUTLINE, _CONTACT = "#c9c6bf", "#9db8cf", "#2f3b45", "#b5442e"
+_FIXED, _FREE, _OUTLINE, _CONTACT = "#c9c6bf", "#9db8cf", "#2f3b45", "#b5442e"
 _PICTURE_LIMIT = 20000  # blocks: a notebook shows no picture of more by itself
 
 
@@ -25,7 +25,7 @@ def _axes(ax: Any) -> Any:
 
 
 def plot_world(world: "World", ax: Any = None, *, contacts: bool = True) -> Any:
-    """Draws the blocks of a 2D world where they are, fixed ones in grey, and its contacts.
+    """Draws the blocks of a 2D world where they are, fixed and prescribed ones in grey, and its contacts.
 
     Parameters
     ----------
@@ -51,7 +51,8 @@ def plot_world(world: "World", ax: Any = None, *, contacts: bool = True) -> Any:
     with held(world):
         blocks = world.blocks
         outlines = [world.block_vertices(block) for block in blocks]
-        colours = [_RIGID if world.state(block).kind == BlockKind.RIGID else _FIXED for block in blocks]
+        free = (BlockKind.RIGID, BlockKind.AFFINE)
+        colours = [_FREE if world.state(block).kind in free else _FIXED for block in blocks]
         touching = world.contacts()
     ax.add_collection(PolyCollection(outlines, facecolors=colours, edgecolors=_OUTLINE, linewidths=0.6))
     if contacts:
@@ -87,7 +88,7 @@ def plot_pair(
     from matplotlib.collections import PolyCollection
 
     outlines = [_placed(shape_a, pose_a), _placed(shape_b, pose_b)]
-    colours = (_FIXED, _RIGID)
+    colours = (_FIXED, _FREE)
     ax.add_collection(
         PolyCollection(outlines, facecolors=colours, edgecolors=_OUTLINE, linewidths=0.8, alpha=0.8)
     )

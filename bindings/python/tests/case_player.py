@@ -48,9 +48,9 @@ def fields(words, lengths=()):
 
 class Player:
     def __init__(self):
-        self.shapes, self.poses, self.blocks, self.options = {}, {}, {}, {}
+        self.shapes, self.poses, self.motions, self.blocks, self.options = {}, {}, {}, {}, {}
         self.face_lists = []
-        self.world = self.contact_found = None
+        self.world = self.contact_found = self.impact_found = None
 
     def play(self, body):
         for i, (number, words, rest) in enumerate(body):
@@ -114,6 +114,21 @@ class Player:
         places = [self.poses.get(name, hs.pose((0, 0))) for name in (a, b)]
         self.contact_found = hs.pair_detect(
             self.shapes[a], places[0], self.shapes[b], places[1], **self.options
+        )
+
+    def call_motion(self, name, *words):
+        lengths = {"velocity": 3, "angular_velocity": 3, "gradient": 9, "gradient_rate": 9}
+        settings = fields(words, lengths)
+        self.motions[name] = {
+            field: values.reshape(3, 3) if len(values) == 9 else values for field, values in settings.items()
+        }
+
+    def call_impact(self, a, b, duration):
+        motions = [
+            hs.Motion(self.poses.get(name, hs.pose((0, 0))), **self.motions.get(name, {})) for name in (a, b)
+        ]
+        self.impact_found = hs.pair_time_of_impact(
+            self.shapes[a], motions[0], self.shapes[b], motions[1], value(duration)
         )
 
     def call_world(self, *words):
@@ -219,6 +234,9 @@ class Player:
 
     def expect_contact(self, number, words):
         self.compare(number, self.contact_found, words)
+
+    def expect_impact(self, number, words):
+        self.compare(number, self.impact_found, words)
 
     def expect_block(self, number, words):
         state = self.world.state(self.blocks[words[0]])

@@ -29,6 +29,16 @@ def test_a_world_with_its_contacts(resting_world, axes):
     axes.figure.canvas.draw()
 
 
+def test_what_moves_freely_is_not_painted_as_fixed(axes):
+    world = hs.World()
+    stone = world.add_material(1)
+    world.set_elasticity(stone, hs.Elasticity(young_modulus=1e6))
+    for i, kind in enumerate((hs.BlockKind.FIXED, hs.BlockKind.PRESCRIBED, hs.BlockKind.RIGID, hs.BlockKind.AFFINE)):
+        world.add_block(hs.Shape.rectangle(1, 1), (2 * i, 0), kind=kind)
+    fixed, prescribed, rigid, affine = (tuple(colour) for colour in world.plot(axes).collections[0].get_facecolors())
+    assert fixed == prescribed and rigid == affine and fixed != rigid
+
+
 def test_without_contacts(resting_world, axes):
     resting_world.step(500)
     resting_world.plot(axes, contacts=False)

@@ -67,8 +67,8 @@ def test_stages_are_what_a_step_does(resting_world):
     """Velocity Verlet by hand, in the order of the library's own step."""
     world, twin = resting_world, copy.copy(resting_world)
     step, mass, gravity = 1e-3, 2000.0, np.array([0, -9.81])
-    twin.set_default_law(hs.Law(normal_stiffness=1e7))
-    world.set_default_law(hs.Law(normal_stiffness=1e7))
+    twin.set_default_law(hs.Law(normal_stiffness=1e7, normal_damping=0))
+    world.set_default_law(hs.Law(normal_stiffness=1e7, normal_damping=0))
     world.detect()
     acceleration = gravity + world.forces(0.0)[0][1] / mass
     position, velocity = world.positions[1].copy(), np.zeros(2)

@@ -21,23 +21,26 @@ enum {
                                      share is pushed down both. The force is the gradient of an energy, whichever way the blocks meet. */
 };
 
-/** Normal force with Mohr-Coulomb friction: a penalty spring (Wang et al. 2021, section 3) or a potential. Fill it with
- *  hs_law_def_init().
+/** Normal force with Mohr-Coulomb friction, by a penalty spring or a potential. Fill it with hs_law_def_init(). Springs are
+ *  those of Wang et al. 2021, section 3; potentials those of Zheng et al. 2020, section 3.
  *
  *  The potential force acts along a line of its own, which between faces that meet squarely is the contact's normal. Friction acts across
  *  that line, where it passes the centroid of what the blocks share. The normal and shear forces that hs_contact tells are the parts of
  *  the whole force along and across the contact's normal. Potentials hold nothing together: they take neither cohesion nor tensile
- *  strength. */
+ *  strength.
+ *
+ *  The damping that a law has by default is there for friction: without any, friction on springs feeds the vibration of what it should
+ *  hold, and a block on a slope that is not steep enough for it to slide hops down. Set both dampings to 0 for bounces without loss. */
 typedef struct hs_law_def {
   uint32_t struct_size;     /**< set by hs_law_def_init() */
   int32_t stiffness_kind;   /**< an HS_STIFFNESS_ value; default HS_STIFFNESS_PER_CONTACT */
   double normal_stiffness;  /**< > 0; N/m, Pa/m or Pa; default 1e9 */
-  double shear_stiffness;   /**< >= 0; N/m or Pa/m, of potentials N/m; default 1e9 */
+  double shear_stiffness;   /**< >= 0; N/m or Pa/m, of potentials N/m; 0, the default: the same number as normal_stiffness */
   double friction_angle;    /**< rad, [0, pi/2); default 0 */
   double cohesion;          /**< Pa, >= 0; of contacts that exist when a block's first step begins, until they fail; default 0 */
   double tensile_strength;  /**< Pa, >= 0; likewise; default 0 */
-  double normal_damping;    /**< share of critical viscous damping, >= 0; default 0 */
-  double shear_damping;     /**< share of critical viscous damping, >= 0; default 0 */
+  double normal_damping;    /**< share of critical viscous damping, >= 0; default 0.1 */
+  double shear_damping;     /**< share of critical viscous damping, >= 0; default 0.1 */
 } hs_law_def;
 
 /** @brief Fills a law with its defaults.

@@ -15,8 +15,8 @@ extern "C" {
 #endif
 
 /** What a pair remembers between calls: the last violated potential pair while separated, the initial contact
- *  pair while in contact (Wang et al. 2021, section 2.5). All zero is an empty cache. Copy it freely, also to
- *  another process.
+ *  pair while in contact. All zero is an empty cache. Copy it freely, also to another process. Initial contact
+ *  pairs are those of Wang et al. 2021, section 2.5.
  *
  *  While separated it also holds a proof: along `normal` the two centroids were farther apart than the shapes
  *  reach together. A call whose blocks have moved and turned by less than the gap, or by less than what of it

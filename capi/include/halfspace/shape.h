@@ -192,8 +192,8 @@ HS_API hs_status hs_polyhedron_create_from_halfspaces(hs_context *context, hs_vi
 
 /** @brief Cuts a shape by a plane (a line in 2D) into two.
  *  Coordinates are those the shape was made from, and so are those of the parts. In 3D the new face is the
- *  last of either part. A part that the plane touches only to rounding is none, in 3D also one so thin that
- *  rounding leaves no valid polyhedron of it; the other part is then a copy of the whole.
+ *  last of either part. A part that the plane touches only to rounding is none, and one so thin that rounding
+ *  leaves no valid shape of it; the other part is then a copy of the whole. One of both there always is.
  *  @param shape what to cut; it stays as it is
  *  @param point a point of the plane, 3 values; the nearer to the shape, the smaller the rounding
  *  @param normal the plane's normal, 3 values, any length but 0

@@ -145,6 +145,14 @@ pub const HS_PLANE_STRAIN: i32 = 0;
 /// a sheet without stress across the plane
 pub const HS_PLANE_STRESS: i32 = 1;
 
+// What comes of two motions.
+/// they do not touch within the duration
+pub const HS_IMPACT_NEVER: i32 = 0;
+/// they touch at the start already
+pub const HS_IMPACT_AT_START: i32 = 1;
+/// they are apart at the start and come to touch
+pub const HS_IMPACT_TOUCH: i32 = 2;
+
 /// Opaque. Owns the allocator settings and the text of the last error.
 #[repr(C)]
 pub struct hs_context {
@@ -232,13 +240,18 @@ pub struct hs_contact {
 }
 const _: () = assert!(std::mem::size_of::<hs_contact>() == 488);
 
-/// Normal force with Mohr-Coulomb friction: a penalty spring (Wang et al. 2021, section 3) or a potential.
-/// Fill it with hs_law_def_init().
+/// Normal force with Mohr-Coulomb friction, by a penalty spring or a potential. Fill it with
+/// hs_law_def_init(). Springs are those of Wang et al. 2021, section 3; potentials those of Zheng et al.
+/// 2020, section 3.
 ///
 /// The potential force acts along a line of its own, which between faces that meet squarely is the contact's
 /// normal. Friction acts across that line, where it passes the centroid of what the blocks share. The normal
 /// and shear forces that hs_contact tells are the parts of the whole force along and across the contact's
 /// normal. Potentials hold nothing together: they take neither cohesion nor tensile strength.
+///
+/// The damping that a law has by default is there for friction: without any, friction on springs feeds the
+/// vibration of what it should hold, and a block on a slope that is not steep enough for it to slide hops
+/// down. Set both dampings to 0 for bounces without loss.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_law_def {
@@ -248,7 +261,7 @@ pub struct hs_law_def {
     pub stiffness_kind: i32,
     /// \> 0; N/m, Pa/m or Pa; default 1e9
     pub normal_stiffness: f64,
-    /// \>= 0; N/m or Pa/m, of potentials N/m; default 1e9
+    /// \>= 0; N/m or Pa/m, of potentials N/m; 0, the default: the same number as normal_stiffness
     pub shear_stiffness: f64,
     /// rad, \[0, pi/2); default 0
     pub friction_angle: f64,
@@ -256,9 +269,9 @@ pub struct hs_law_def {
     pub cohesion: f64,
     /// Pa, >= 0; likewise; default 0
     pub tensile_strength: f64,
-    /// share of critical viscous damping, >= 0; default 0
+    /// share of critical viscous damping, >= 0; default 0.1
     pub normal_damping: f64,
-    /// share of critical viscous damping, >= 0; default 0
+    /// share of critical viscous damping, >= 0; default 0.1
     pub shear_damping: f64,
 }
 const _: () = assert!(std::mem::size_of::<hs_law_def>() == 64);
@@ -559,9 +572,57 @@ pub struct hs_deformation {
 }
 const _: () = assert!(std::mem::size_of::<hs_deformation>() == 296);
 
+/// How a shape moves: its centroid straight and its turn even. Fill it with hs_motion_def_init(): then it
+/// rests at the origin. At time t the point that is at X in the shape's frame is at position + t velocity +
+/// R(t angular_velocity) Q (gradient + t gradient_rate) X, with position and Q those of `start`, and R(v) the
+/// turn about v by its length.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct hs_motion_def {
+    /// set by hs_motion_def_init()
+    pub struct_size: u32,
+    /// 0
+    pub reserved: u32,
+    /// where it is at first
+    pub start: hs_pose,
+    /// of the centroid, m/s
+    pub velocity: [f64; 3],
+    /// rad/s; in 2D about z; it may turn by up to 1e6 rad in the duration
+    pub angular_velocity: [f64; 3],
+    /// how it is strained at first, before `start` turns it: row by row, as of affine blocks (affine.h);
+    /// default the identity
+    pub gradient: [f64; 9],
+    /// of the gradient, 1/s; default 0
+    pub gradient_rate: [f64; 9],
+}
+const _: () = assert!(std::mem::size_of::<hs_motion_def>() == 256);
+
+/// When, where and how two moving shapes first touch.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct hs_impact {
+    /// an HS_IMPACT_ value; of HS_IMPACT_NEVER all that follows is 0 but the time
+    pub state: i32,
+    /// of the potential pair of largest gap then: an HS_PAIR_ value, not HS_PAIR_VERTEX_VERTEX
+    pub pair_kind: i32,
+    /// index of a's vertex, edge or face in that pair
+    pub feature_a: i32,
+    /// index of b's, likewise
+    pub feature_b: i32,
+    /// s from the start; never later than the first touch; the duration for HS_IMPACT_NEVER
+    pub time: f64,
+    /// of the pair then: small to rounding; <= 0 when touching at the start
+    pub gap: f64,
+    /// unit, from a to b then
+    pub normal: [f64; 3],
+    /// where they touch: the middle of the contact region
+    pub point: [f64; 3],
+}
+const _: () = assert!(std::mem::size_of::<hs_impact>() == 80);
+
 /// What a pair remembers between calls: the last violated potential pair while separated, the initial contact
-/// pair while in contact (Wang et al. 2021, section 2.5). All zero is an empty cache. Copy it freely, also to
-/// another process.
+/// pair while in contact. All zero is an empty cache. Copy it freely, also to another process. Initial
+/// contact pairs are those of Wang et al. 2021, section 2.5.
 ///
 /// While separated it also holds a proof: along `normal` the two centroids were farther apart than the shapes
 /// reach together. A call whose blocks have moved and turned by less than the gap, or by less than what of it
@@ -1391,6 +1452,39 @@ extern "C" {
     ///
     /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine
     pub fn hs_world_clear_surface_loads(world: *mut hs_world, block: hs_block) -> hs_status;
+
+    /// Fills a motion with its defaults: at the origin, not turned, at rest.
+    ///
+    /// - `def`: to fill
+    /// - `size`: sizeof(hs_motion_def) as the caller was compiled
+    ///
+    /// Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
+    pub fn hs_motion_def_init(def: *mut hs_motion_def, size: usize) -> hs_status;
+
+    /// When do two moving shapes first touch?
+    ///
+    /// The shapes are apart at every time before the one told: no touch is passed over, however fast or thin
+    /// the shapes are or however often they turn. Told early it may be by as much as rounding takes: the gap
+    /// is then within some 1e-12 of the shapes' size, their distance and their way together, times 1 and the
+    /// angle that they turn by. Should shapes come that near and part again, a touch may be told. Only where
+    /// shapes graze each other through hundreds of turns the search may end sooner, with a larger `gap`:
+    /// earlier, too, and never later.
+    ///
+    /// - `shape_a`, `shape_b`: the shapes, both of one dimension; the same one twice is legal
+    /// - `motion_a`, `motion_b`: how they move
+    /// - `duration`: of the motions, s, finite, >= 0
+    /// - `impact`: receives when, where and how
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY (shapes of many vertices). Thread rule: as
+    /// for hs_pair_detect().
+    pub fn hs_pair_time_of_impact(
+        shape_a: *const hs_shape,
+        motion_a: *const hs_motion_def,
+        shape_b: *const hs_shape,
+        motion_b: *const hs_motion_def,
+        duration: f64,
+        impact: *mut hs_impact,
+    ) -> hs_status;
 
     /// Fills detection options with their defaults.
     ///

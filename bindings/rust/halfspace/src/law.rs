@@ -24,7 +24,8 @@ impl Law {
     setters! {
         /// Above 0; N/m, Pa/m of [`Law::per_area`] or Pa of [`Law::potential`]; by default 1e9.
         normal_stiffness: f64,
-        /// At least 0; N/m, or Pa/m of [`Law::per_area`]; by default 1e9.
+        /// At least 0; N/m, or Pa/m of [`Law::per_area`]; 0, the default, stands for the number of the
+        /// normal one.
         shear_stiffness: f64,
         /// In radians, at least 0 and below pi/2; by default 0.
         friction_angle: f64,
@@ -33,9 +34,9 @@ impl Law {
         cohesion: f64,
         /// Pa, at least 0; likewise; by default 0.
         tensile_strength: f64,
-        /// Share of critical viscous damping, at least 0; by default 0.
+        /// Share of critical viscous damping, at least 0; by default 0.1.
         normal_damping: f64,
-        /// Share of critical viscous damping, at least 0; by default 0.
+        /// Share of critical viscous damping, at least 0; by default 0.1.
         shear_damping: f64,
     }
 

@@ -1,6 +1,6 @@
 //! The constants that cases name, as the safe layer shows them, with their values in the C headers.
 
-use halfspace::{BlockKind, ContactType, ErrorKind, PairKind};
+use halfspace::{BlockKind, ContactType, ErrorKind, ImpactState, PairKind};
 use halfspace_sys as sys;
 
 macro_rules! values {
@@ -27,6 +27,9 @@ pub fn parse(word: &str) -> Option<f64> {
         HS_PAIR_VERTEX_FACE,
         HS_PAIR_EDGE_EDGE,
         HS_PAIR_VERTEX_VERTEX,
+        HS_IMPACT_NEVER,
+        HS_IMPACT_AT_START,
+        HS_IMPACT_TOUCH,
         HS_STIFFNESS_PER_CONTACT,
         HS_STIFFNESS_PER_AREA,
         HS_STIFFNESS_POTENTIAL,
@@ -59,6 +62,15 @@ pub fn pair_kind(kind: PairKind) -> i32 {
         PairKind::VertexFace => sys::HS_PAIR_VERTEX_FACE,
         PairKind::EdgeEdge => sys::HS_PAIR_EDGE_EDGE,
         PairKind::VertexVertex => sys::HS_PAIR_VERTEX_VERTEX,
+        other => panic!("{other:?} is not known to the cases"),
+    }
+}
+
+pub fn impact_state(state: ImpactState) -> i32 {
+    match state {
+        ImpactState::Never => sys::HS_IMPACT_NEVER,
+        ImpactState::AtStart => sys::HS_IMPACT_AT_START,
+        ImpactState::Touch => sys::HS_IMPACT_TOUCH,
         other => panic!("{other:?} is not known to the cases"),
     }
 }

@@ -1,6 +1,8 @@
 //! What came of the statements, compared with what the file says.
 
-use halfspace::{BlockState, Contact, Deformation, Energy, Error, Pose, Report, ShapeProperties};
+use halfspace::{
+    BlockState, Contact, Deformation, Energy, Error, Impact, Pose, Report, ShapeProperties,
+};
 
 use crate::constants;
 use crate::words::{number, Words};
@@ -81,6 +83,20 @@ pub fn of_contact(contact: &Contact, field: &str) -> Vec<f64> {
         "force" => contact.force().to_vec(),
         "normal_force" => vec![contact.normal_force()],
         "shear_force" => contact.shear_force().to_vec(),
+        _ => unknown(field),
+    }
+}
+
+pub fn of_impact(impact: &Impact, field: &str) -> Vec<f64> {
+    match field {
+        "state" => vec![f64::from(constants::impact_state(impact.state()))],
+        "pair_kind" => vec![f64::from(constants::pair_kind(impact.pair_kind()))],
+        "feature_a" => vec![impact.features().0 as f64],
+        "feature_b" => vec![impact.features().1 as f64],
+        "time" => vec![impact.time()],
+        "gap" => vec![impact.gap()],
+        "normal" => impact.normal().to_vec(),
+        "point" => impact.point().to_vec(),
         _ => unknown(field),
     }
 }

@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 
 use halfspace::{
-    Block, BlockDef, BlockKind, Contact, Context, Detector, Elasticity, HalfSpace, Law, Material,
-    Pose, Result, Shape, ViewMut, World, WorldDef,
+    time_of_impact, Block, BlockDef, BlockKind, Contact, Context, Detector, Elasticity, HalfSpace,
+    Impact, Law, Material, Motion, Pose, Result, Shape, ViewMut, World, WorldDef,
 };
 
 use crate::constants;
@@ -18,8 +18,10 @@ pub struct Scene {
     faces: Vec<Vec<usize>>,
     shapes: HashMap<String, Shape>,
     poses: HashMap<String, Pose>,
+    motions: HashMap<String, Motion>,
     detector: Detector,
     contact: Contact,
+    impact: Impact,
     world: Option<World>,
     blocks: HashMap<String, Block>,
 }
@@ -32,8 +34,10 @@ impl Scene {
             faces: Vec::new(),
             shapes: HashMap::new(),
             poses: HashMap::new(),
+            motions: HashMap::new(),
             detector: Detector::default(),
             contact: Contact::default(),
+            impact: Impact::default(),
             world: None,
             blocks: HashMap::new(),
         }
@@ -60,6 +64,10 @@ impl Scene {
                 self.poses.insert(words.word(1).to_owned(), pose(words, 2));
             }
             "pair" => self.detect_pair(words)?,
+            "motion" => {
+                self.motions.insert(words.word(1).to_owned(), motion(words));
+            }
+            "impact" => self.find_impact(words)?,
             "world" => self.world = Some(World::new(&self.context, &world_def(words))?),
             "restore" => drop(World::restore(&self.context, &bytes(words))?),
             "expect" => self.expect(words)?,
@@ -118,6 +126,18 @@ impl Scene {
         self.contact = self
             .detector
             .detect(self.shape(a).at(&at_a), self.shape(b).at(&at_b))?;
+        Ok(())
+    }
+
+    fn find_impact(&mut self, words: &Words) -> Result<()> {
+        let motion_of = |name| {
+            let start = self.poses.get(name).copied().unwrap_or_default();
+            let motion = self.motions.get(name).copied().unwrap_or_default();
+            motion.start(start)
+        };
+        let (a, b) = (words.word(1), words.word(2));
+        let (of_a, of_b) = (motion_of(a), motion_of(b));
+        self.impact = time_of_impact(self.shape(a), &of_a, self.shape(b), &of_b, words.number(3))?;
         Ok(())
     }
 
@@ -190,6 +210,10 @@ impl Scene {
             }
             "contact" => expect::values(
                 &expect::of_contact(&self.contact, words.word(2)),
+                words.from(3),
+            ),
+            "impact" => expect::values(
+                &expect::of_impact(&self.impact, words.word(2)),
                 words.from(3),
             ),
             "block" => {
@@ -304,6 +328,7 @@ fn law(words: &Words, i: usize) -> Law {
             "shear_stiffness" => law.shear_stiffness(values[0]),
             "friction_angle" => law.friction_angle(values[0]),
             "normal_damping" => law.normal_damping(values[0]),
+            "shear_damping" => law.shear_damping(values[0]),
             field => panic!("{field} is not a field of laws that cases use"),
         })
 }
@@ -325,6 +350,21 @@ fn elasticity(words: &Words) -> Elasticity {
                 field => panic!("{field} is not a field of elasticities that cases use"),
             },
         )
+}
+
+fn motion(words: &Words) -> Motion {
+    let three = |values: &[f64]| -> [f64; 3] { values.try_into().expect("three numbers") };
+    let tensor = |values: &[f64]| [0, 3, 6].map(|i| three(&values[i..i + 3]));
+    words
+        .fields_from(2)
+        .iter()
+        .fold(Motion::default(), |motion, (field, values)| match *field {
+            "velocity" => motion.velocity(three(values)),
+            "angular_velocity" => motion.angular_velocity(three(values)),
+            "gradient" => motion.gradient(tensor(values)),
+            "gradient_rate" => motion.gradient_rate(tensor(values)),
+            field => panic!("{field} is not a field of motions that cases use"),
+        })
 }
 
 fn block_def(words: &Words) -> BlockDef {

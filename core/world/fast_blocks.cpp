@@ -1,0 +1,132 @@
+#include <algorithm>
+#include <cmath>
+
+#include "detect/time_of_impact.h"
+#include "world/world.h"
+
+// A step in which all pairs move little against the thinner of their blocks is one motion. Where one does
+// not, its time of impact tells how far the motion may go: until just before the first touch, and from there
+// on by small shares of the thickness, and stable ones, for as long as the two are fast in touch. What is
+// left of the step comes after that, by the same rule. The pair that is first in time is the one through
+// which blocks meet: when detection finds the contact it is remembered as what kept them apart.
+
+namespace halfspace {
+namespace {
+
+/// No motion is a smaller part of a step.
+constexpr double least_part = 0x1p-24;
+
+PairMemory<2> memory_of(const Impact<2>& impact) { return {PairMemory<2>::separated, impact.pair}; }
+PairMemory<3> memory_of(const Impact<3>& impact) {
+  return {PairMemory<3>::separated, impact.pair, impact.normal};
+}
+
+}  // namespace
+
+/// How fast the points of a block move at most beside its centroid, now.
+template <int D>
+double World<D>::swing(std::size_t i) const {
+  return blocks_.radius[i] *
+         (blocks_.is_affine(i) ? blocks_.deformation(i).rate.norm() : blocks_.spin[i].norm());
+}
+
+/// In a whole step it would move far against the thinnest of itself and its neighbours: at its present speed,
+/// or at that of the planned motion. A kick that stops a block makes it no slow one.
+template <int D>
+bool World<D>::is_fast(std::size_t i) const {
+  const double calm = duration_ / time_step_ * candidates_.calm_motion(i);
+  return candidates_.planned_motion(i) > calm || duration_ * (blocks_.velocity[i].norm() + swing(i)) > calm;
+}
+
+template <int D>
+bool World<D>::any_fast() const {
+  for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
+    if (is_fast(i)) return true;
+  }
+  return false;
+}
+
+/// Of the motion that is planned.
+template <int D>
+Sweep<D> World<D>::planned_sweep(std::size_t i) const {
+  Sweep<D> sweep;
+  sweep.position = blocks_.position[i];
+  sweep.gradient = blocks_.gradient(i);
+  if (blocks_.kind[i] == BlockKind::fixed) return sweep;
+  Vector<D> velocity = blocks_.velocity[i];
+  if (blocks_.moves_freely(i)) velocity += 0.5 * duration_ * acceleration_[i];
+  sweep.way = duration_ * velocity;
+  if (blocks_.is_affine(i)) {
+    const Deformation<D>& deformation = blocks_.deformation(i);
+    sweep.stretch = duration_ * (deformation.rate + 0.5 * duration_ * deformation.acceleration);
+  } else {
+    sweep.turn = next_rotation_[i].turn_since(blocks_.rotation[i]);
+  }
+  return sweep;
+}
+
+/// The part of the planned motion that a pair may make at once. Where it meets in that part, it is told
+/// through what.
+template <int D>
+double World<D>::calm_part_of(Candidate<D>& pair, double& stable_duration) {
+  const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
+  const Sweep<D> of_a = planned_sweep(a), of_b = planned_sweep(b);
+  const auto swing_by = [&](const Sweep<D>& sweep, std::size_t i) {
+    return blocks_.radius[i] * (sweep.turn.norm() + sweep.stretch.norm());
+  };
+  const double planned = (of_b.way - of_a.way).norm() + swing_by(of_a, a) + swing_by(of_b, b);
+  const double present = (blocks_.velocity[b] - blocks_.velocity[a]).norm() + swing(a) + swing(b);
+  const double motion = std::max(planned, duration_ * present);
+  const double thickness = std::min(blocks_.strained_thickness(a), blocks_.strained_thickness(b));
+  if (motion <= duration_ / time_step_ * calm_share * thickness) return 1;
+  double time_of_touch = 0;
+  if (!touching(pair.memory)) {
+    const Impact<D> impact = time_of_impact(blocks_.own_outline(pair.a), of_a, blocks_.own_outline(pair.b),
+                                            of_b, touching_.get_allocator().resource());
+    if (impact.state == Impact<D>::never) return 1;
+    if (impact.state == Impact<D>::touches) {
+      time_of_touch = impact.time;
+      pair.memory = memory_of(impact);
+    }
+  }
+  if (stable_duration == 0) stable_duration = settings_.safety * stable_time_step();
+  const double calm = calm_share * thickness / motion, stable = stable_duration / duration_;
+  if (calm >= 1 && stable >= 1) return 1;
+  // Where springs would drive the motion out of hand, what they do shows in a stable one only.
+  const double at_once = 0.5 * (stable < 1 ? stable : calm);
+  return std::max(time_of_touch - at_once, at_once);
+}
+
+/// The part of the planned motion that all pairs may make at once.
+template <int D>
+double World<D>::calm_part() {
+  double part = 1;
+  double stable_duration = 0;  // not known: it costs a look at all contacts
+  for (Candidate<D>& pair : candidates_.pairs()) {
+    if (is_fast(std::size_t(pair.a)) || is_fast(std::size_t(pair.b)))
+      part = std::min(part, calm_part_of(pair, stable_duration));
+  }
+  return part;
+}
+
+/// Shortens the planned motion until it is one that can be made at once: no block turns by more than an angle
+/// whose arc is as long as its radius, and no fast pair enters deep.
+template <int D>
+StepResult World<D>::divide() {
+  for (;;) {
+    double part = 1;
+    if (most_turned_ > most_turn) {
+      part = 0.9 * most_turn / most_turned_;
+    } else if (any_fast()) {
+      part = calm_part();
+    }
+    if (part >= 1) return StepResult::ok;
+    if (!(part * duration_ >= least_part * time_step_)) return StepResult::unstable;
+    if (!plan_motion(part * duration_)) return StepResult::unstable;
+  }
+}
+
+template class World<2>;
+template class World<3>;
+
+}  // namespace halfspace

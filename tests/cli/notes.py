@@ -1,0 +1,173 @@
+"""What is legal but seldom meant is told before the run: by `check` apart from the faults, by `run`, and in the summary."""
+import re
+import tempfile
+import unittest
+from pathlib import Path
+
+from command import EXAMPLES, halfspace, main
+
+HEAD = """dimension = {}
+[world]
+duration = 0.01
+[[material]]
+name = "stone"
+density = 2500
+[[material]]
+name = "rubber"
+density = 1000
+young_modulus = 1e6
+poisson_ratio = 0.3
+[default_law]
+stiffness = "per contact"
+normal_stiffness = 1e8
+shear_stiffness = 1e8
+"""
+
+
+def block(name, low, high, more="", material="stone"):
+    """An upright box."""
+    if len(low) == 2:
+        corners = [[low[0], low[1]], [high[0], low[1]], [high[0], high[1]], [low[0], high[1]]]
+    else:
+        corners = [[(low, high)[i][0], (low, high)[j][1], (low, high)[k][2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)]
+    return f'[[block]]\nname = "{name}"\nmaterial = "{material}"\nvertices = {corners}\n{more}\n'
+
+
+def boundary(points, more=""):
+    return ('[[block]]\nname = "ground"\nmaterial = "stone"\nkind = "fixed"\ndepth = 0.5\n'
+            f"boundary = {points}\n{more}\n")
+
+
+class Notes(unittest.TestCase):
+    def check(self, blocks, dimension=2, **changes):
+        """The notes of a scene that has no faults, each without the name of the file."""
+        head = HEAD.format(dimension)
+        for key, value in changes.items():
+            head = re.sub(rf"(?m)^{key} = .*$", f"{key} = {value}", head) if re.search(rf"(?m)^{key} = ", head) \
+                else head.replace("[world]\n", f"[world]\n{key} = {value}\n")
+        with tempfile.TemporaryDirectory() as directory:
+            scene = Path(directory, "scene.toml")
+            scene.write_text(head + blocks)
+            answer = halfspace("check", scene)
+            self.assertEqual((answer.returncode, answer.stderr), (0, ""))
+            first, *notes = answer.stdout.splitlines()
+            self.assertIn("no faults, ", first)
+            return [note.removeprefix(f"{scene}:") for note in notes]
+
+    def assert_one(self, notes, pattern):
+        self.assertEqual(len(notes), 1, notes)
+        self.assertRegex(notes[0], pattern)
+
+    def test_blocks_that_overlap(self):
+        pair = block("lower", [0, 0], [1, 1]) + block("upper", [0.2, 0.6], [1.2, 1.6])
+        self.assert_one(self.check(pair), r'^22:8: note: block\[1\]: "upper" overlaps "lower" at the start by 0\.4 m, 40 % of '
+                                          "the thinner one's thickness")
+        for kind in ("fixed", "prescribed", "affine"):
+            other = pair.replace("upper", f'upper"\nkind = "{kind}', 1).replace('material = "stone"', 'material = "rubber"')
+            self.assert_one(self.check(other), "by 0.4 m, 40 %")
+        solid = block("lower", [0, 0, 0], [1, 1, 1]) + block("upper", [0, 0, 0.999], [1, 1, 1.499])
+        self.assert_one(self.check(solid, 3), r"by 0\.001 m, 0\.2 % of")
+        for stiffness in ('"per area"', '"potential"'):
+            self.assert_one(self.check(pair, stiffness=stiffness), "by 0.4 m, 40 %")
+            self.assert_one(self.check(solid, 3, stiffness=stiffness), "by 0.001 m, 0.2 %")
+        ground = boundary([[9, 0], [-9, 0]])
+        self.assert_one(self.check(block("sunk", [0, -0.1], [1, 1]) + ground), '"ground" overlaps "sunk" .* by 0.1 m, 20 % of')
+
+    def test_of_many_overlaps_the_deepest_are_told(self):
+        row = "".join(block(f"b{i}", [0.9 * i, 0], [0.9 * i + 1 + 0.001 * i, 1]) for i in range(12))
+        notes = self.check(row)
+        self.assertEqual(len(notes), 5)
+        self.assertEqual(sum('"b11" overlaps "b10"' in note for note in notes), 1)
+        self.assertEqual(sum("; 6 more pairs overlap less" in note for note in notes), 1)
+
+    def test_blocks_that_touch_to_rounding_do_not_overlap(self):
+        turned = "rotation = 36.8698341166685\nshift = [1e6, -3e5]\n"
+        wall = "".join(block(f"b{i}.{j}", [i, 0.5 * j], [i + 1, 0.5 * j + 0.5], turned) for i in range(4) for j in range(4))
+        self.assertEqual(self.check(wall), [])
+        rock = '[[jointed_rock]]\nname = "rock"\nmaterial = "stone"\n'
+        joints = "".join(f"[[jointed_rock.joint_set]]\ndip = {dip}\nspacing = {spacing}\n" for dip, spacing in ((31.7, 0.3), (-67.3, 0.4)))
+        self.assertEqual(self.check(rock + "box = [[3000.1, 0.3], [3004.3, 5.7]]\n" + joints), [])
+        joints = joints.replace("spacing", "dip_direction = 17.3\nspacing").replace("-67.3", "67.3")
+        self.assertEqual(self.check(rock + "box = [[0.1, 0.3, 0.7], [4.3, 5.7, 2.9]]\n" + joints, 3), [])
+        cells = '[[voronoi]]\nname = "cell"\nmaterial = "stone"\ncount = 200\nbox = [[0, 0, 0], [1, 2, 3]]\n'
+        self.assertEqual(self.check(cells, 3), [])
+        triangles = '[[triangulated]]\nname = "t"\nmaterial = "stone"\ncount = 200\nlower_left = [0, 0]\nupper_right = [7, 3]\n'
+        self.assertEqual(self.check(triangles), [])
+
+    def test_boundaries_the_wrong_way_round(self):
+        inside = block("inside", [1, 1], [2, 2])
+        walls = [[-3, -2], [5, -2], [5, 7], [-3, 7]]  # counter-clockwise: wrong around a block
+        valley = [[9, 5], [2, -1], [0, -1], [-9, 5]]
+        for points in ([[9, 0], [-9, 0]], walls[::-1], walls[::-1] + walls[-1:], valley, [[0, -9], [0, 9]]):
+            self.assertEqual(self.check(inside + boundary(points)), [], points)
+            self.assert_one(self.check(inside + boundary(points[::-1])),
+                            r'note: block\[1\]\.boundary: "ground" seems to run the wrong way round: all that is free to move, 1 block,')
+        turned = "rotation = 180\nshift = [0, -0.5]\n"
+        self.assertEqual(self.check(inside + boundary([[-9, 0], [9, 0]], turned)), [])
+        self.assertEqual(len(self.check(inside + boundary([[9, 0], [-9, 0]], turned))), 1)
+        shelf = boundary([[3, 3], [-3, 3]])  # with a block on it and one below
+        self.assertEqual(self.check(inside + block("on_it", [0, 3], [1, 4]) + shelf), [])
+
+    def test_a_time_step_above_the_stable_one(self):
+        free = block("free", [0, 0], [1, 1])
+        self.assert_one(self.check(free, time_step=0.01), r"^3:13: note: world\.time_step: 0\.01 s is above the stable one, 0\.00\d+ s")
+        self.assertEqual(self.check(free, time_step=1e-5), [])
+
+    def test_springs_too_soft_for_the_weight(self):
+        pair = block("on_top", [0, 1], [1, 2]) + block("below", [0, 0], [1, 1], 'kind = "fixed"')
+        solid = block("on_top", [0, 0, 1], [1, 1, 2]) + block("below", [0, 0, 0], [1, 1, 1], 'kind = "fixed"')
+        for scene, dimension in ((pair, 2), (solid, 3)):
+            weight, size = 2500 * 9.81, 1
+            for stiffness, force_per_depth in (('"per contact"', 1), ('"per area"', 1), ('"potential"', 2)):
+                changes = {"stiffness": stiffness, "potential_length": 1}
+                soft = 49 * weight / size / force_per_depth
+                self.assert_one(self.check(scene, dimension, normal_stiffness=soft, **changes),
+                                r'block\[0\]: "on_top" sinks 0\.0204 m, 2\.04 % of its thickness')
+                self.assertEqual(self.check(scene, dimension, normal_stiffness=101 * soft, **changes), [])
+        law = '[[law]]\nbetween = ["rubber", "stone"]\nnormal_stiffness = 1e4\n'
+        self.assertEqual(self.check(pair + law), [])
+        self.assertEqual(len(self.check(pair.replace("stone", "rubber", 1) + law)), 1)
+
+    def test_springs_too_soft_for_the_speed(self):
+        wall = block("wall", [0, 0], [0.02, 1], 'kind = "fixed"')
+        bar = block("bar", [-2, 0], [-1.5, 1], "velocity = [100, 0]")
+        self.assert_one(self.check(wall + bar, gravity=[0, 0]),
+                        r'note: block\[1\]: "bar" at 100 m/s would be stopped by "wall" only at a depth of 0\.354 m, 17\.7 times')
+        self.assertEqual(self.check(wall + bar.replace("100", "0.5"), gravity=[0, 0]), [])
+        # Between free blocks it is the reduced mass that has to be stopped: half of that of one.
+        twins = block("one", [0, 0], [0.5, 1]) + bar
+        self.assert_one(self.check(twins, gravity=[0, 0]), r"depth of 0\.25 m, 50 % of")
+        side_by_side = block("one", [0, 0], [0.5, 1], "velocity = [100, 0]") + bar
+        self.assertEqual(self.check(side_by_side, gravity=[0, 0]), [])
+
+    def test_joints_that_run_through_no_region(self):
+        rock = '[[jointed_rock]]\nname = "rock"\nmaterial = "stone"\nbox = [[0.5, 0.5], [1.5, 1.5]]\n'
+        sets = "".join(f"[[jointed_rock.joint_set]]\ndip = {dip}\nspacing = {spacing}\n" for dip, spacing in ((0, 7), (90, 1)))
+        self.assert_one(self.check(rock + sets), r"^22:11: note: jointed_rock\[0\]\.joint_set\[0\]\.spacing: none of these joints, 7 m apart")
+
+    def test_pictures_after_the_end(self):
+        scene = block("free", [0, 0], [1, 1]) + "[output.picture]\ntimes = [0.005, 5]\n"
+        self.assert_one(self.check(scene), r"^22:9: note: output\.picture\.times: 5 s is after the end of the run, 0\.01 s")
+
+    def test_a_run_tells_them_first_and_in_its_summary_with_the_largest_of_the_whole_run(self):
+        scene = block("lower", [0, 0], [1, 1]) + block("upper", [0.2, 0.6], [1.2, 1.6])
+        with tempfile.TemporaryDirectory() as directory:
+            file = Path(directory, "scene.toml")
+            file.write_text(HEAD.format(2).replace("duration = 0.01", "duration = 0.1") + scene)
+            answer = halfspace("run", file, "-o", Path(directory, "out"))
+            self.assertEqual(answer.returncode, 0)
+            self.assertIn(f'{file}:22:8: note: block[1]: "upper" overlaps "lower"', answer.stderr)
+            summary = Path(directory, "out", "summary.txt").read_text()
+            self.assertIn('scene:22:8: note: block[1]: "upper" overlaps "lower" at the start by 0.4 m', summary)
+            self.assertNotIn(directory, summary)
+            self.assertRegex(summary, r"contacts +0 at the end, largest overlap 0 m")
+            self.assertRegex(summary, r"in the whole run +largest overlap 0\.4 m, fastest block \d\d")
+
+    def test_examples_overlap_nowhere_and_run_the_right_way_round(self):
+        for scene in sorted(EXAMPLES.glob("*/*.toml")):
+            for note in halfspace("check", scene).stdout.splitlines()[1:]:
+                self.assertIn("note: world.time_step: ", note)
+
+
+if __name__ == "__main__":
+    main()
