@@ -6,6 +6,7 @@
 #include "check.h"
 #include "contact.h"
 #include "detect/time_of_impact.h"
+#include "geometry/deformed_outline.h"
 #include "guard.h"
 #include "posed_pair.h"
 #include "shape.h"
@@ -128,8 +129,9 @@ void find_impact(const hs_shape& a, const hs_motion_def* motion_a, const hs_shap
                  const hs_motion_def* motion_b, double duration, hs_impact& out) {
   const Sweep<D> sweep_of_a = read_motion<D>(motion_a, duration, "motion_a"),
                  sweep_of_b = read_motion<D>(motion_b, duration, "motion_b");
-  const Impact<D> impact = time_of_impact(as<D>(a).shape.outline(), sweep_of_a, as<D>(b).shape.outline(),
-                                          sweep_of_b, &a.context->memory);
+  const Outline<D> outline_of_a = as<D>(a).shape.outline(), outline_of_b = as<D>(b).shape.outline();
+  Array<double> room(component_count(outline_of_a) + component_count(outline_of_b), &a.context->memory);
+  const Impact<D> impact = time_of_impact(outline_of_a, sweep_of_a, outline_of_b, sweep_of_b, room.data());
   write_impact<D>(impact, sweep_of_a.position + impact.time * sweep_of_a.way, duration, out);
 }
 

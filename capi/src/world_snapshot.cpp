@@ -35,7 +35,7 @@ hs_world* restore(hs_context* context, std::span<const std::byte> state) {
     restored->world.visit(reader);
     if (reader.failed() || !reader.at_end() || !restored->world.is_consistent())
       refuse(HS_ERROR_FORMAT, "bytes do not hold what a snapshot holds");
-    restored->world.fit_room_of_laws();
+    restored->world.fit_rooms();
   } catch (...) {
     hs_world_destroy(restored);
     throw;

@@ -20,23 +20,15 @@ struct Reach {
   double stretch = 0;  // how far the stretch takes a point
 };
 
-/// A block that moves over an interval, seen from its centroid.
+/// A block that moves over an interval, seen from its centroid. Its outline is laid down in `room`, of
+/// component_count() doubles.
 template <int D>
 class MovingBlock {
  public:
-  MovingBlock(const Outline<D>& own, const Sweep<D>& sweep, Memory* memory)
-      : own_(own), sweep_(sweep), angle_(sweep.turn.norm()), memory_(memory) {
-    const std::size_t count = component_count(own);
-    room_ = count <= most_inline
-                ? inline_
-                : static_cast<double*>(memory_->allocate(count * sizeof(double), alignof(double)));
+  MovingBlock(const Outline<D>& own, const Sweep<D>& sweep, double* room)
+      : own_(own), sweep_(sweep), angle_(sweep.turn.norm()), room_(room) {
     measure();
   }
-  ~MovingBlock() {
-    if (room_ != inline_) memory_->deallocate(room_, component_count(own_) * sizeof(double), alignof(double));
-  }
-  MovingBlock(const MovingBlock&) = delete;
-  MovingBlock& operator=(const MovingBlock&) = delete;
 
   const Reach& reach() const { return reach_; }
   double angle() const { return angle_; }
@@ -74,8 +66,6 @@ class MovingBlock {
   }
 
  private:
-  static constexpr std::size_t most_inline = D == 2 ? 5 * 32 : 512;
-
   void measure() {
     const Tensor<D> end = sweep_.stretched_at(1);
     for (int i = 0; i < own_.vertex_count(); ++i) {
@@ -102,9 +92,7 @@ class MovingBlock {
   const Sweep<D>& sweep_;
   double angle_;
   Reach reach_;
-  Memory* memory_;
   double* room_;
-  double inline_[most_inline];
 };
 
 }  // namespace halfspace

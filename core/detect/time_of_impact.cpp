@@ -61,9 +61,9 @@ template <int D>
 class MovingPair {
  public:
   MovingPair(const Outline<D>& a, const Sweep<D>& sweep_of_a, const Outline<D>& b, const Sweep<D>& sweep_of_b,
-             Memory* memory)
-      : a_(a, sweep_of_a, memory),
-        b_(b, sweep_of_b, memory),
+             double* room)
+      : a_(a, sweep_of_a, room),
+        b_(b, sweep_of_b, room + component_count(a)),
         to_b_(sweep_of_b.position - sweep_of_a.position),
         way_(sweep_of_b.way - sweep_of_a.way) {
     // Each gap is a sum of some ten products for each component, each off by a few units in the last place.
@@ -220,13 +220,13 @@ class MovingPair {
 
 template <int D>
 Impact<D> time_of_impact(const Outline<D>& a, const Sweep<D>& sweep_of_a, const Outline<D>& b,
-                         const Sweep<D>& sweep_of_b, Memory* memory) {
-  return MovingPair<D>(a, sweep_of_a, b, sweep_of_b, memory).find();
+                         const Sweep<D>& sweep_of_b, double* room) {
+  return MovingPair<D>(a, sweep_of_a, b, sweep_of_b, room).find();
 }
 
 template Impact<2> time_of_impact(const Outline<2>&, const Sweep<2>&, const Outline<2>&, const Sweep<2>&,
-                                  Memory*);
+                                  double*);
 template Impact<3> time_of_impact(const Outline<3>&, const Sweep<3>&, const Outline<3>&, const Sweep<3>&,
-                                  Memory*);
+                                  double*);
 
 }  // namespace halfspace

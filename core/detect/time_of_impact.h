@@ -22,9 +22,9 @@ struct Impact {
 };
 
 /// Finds when two blocks first touch that move over an interval. Outlines are in the shapes' frames, with or
-/// without a Gauss map. Memory is asked for blocks of more than some 64 edges (in the plane 32) only.
+/// without a Gauss map. `room` is for both as they are deformed: of component_count() of a and of b doubles.
 template <int D>
 Impact<D> time_of_impact(const Outline<D>& a, const Sweep<D>& sweep_of_a, const Outline<D>& b,
-                         const Sweep<D>& sweep_of_b, Memory* memory);
+                         const Sweep<D>& sweep_of_b, double* room);
 
 }  // namespace halfspace

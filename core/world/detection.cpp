@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "detect/pair.h"
+#include "geometry/deformed_outline.h"
 #include "world/world.h"
 
 namespace halfspace {
@@ -129,8 +130,19 @@ std::size_t World<D>::most_edges() const {
   return std::size_t(most);
 }
 
+/// How many doubles the largest block takes that is deformed.
 template <int D>
-void World<D>::fit_room_of_laws() {
+std::size_t World<D>::most_components() const {
+  std::size_t most = 0;
+  for (std::size_t slot = 0; slot < blocks_.slot_count(); ++slot) {
+    if (blocks_.lives(slot)) most = std::max(most, component_count(blocks_.own_outline(std::int32_t(slot))));
+  }
+  return most;
+}
+
+template <int D>
+void World<D>::fit_rooms() {
+  impact_room_.resize(2 * most_components());
   const bool is_damped = laws_.any([](const SpringLaw& law) { return law.is_damped(); });
   dashpot_load_.resize(is_damped ? blocks_.slot_count() : 0);
   if (!laws_.knows_potential()) return;
@@ -146,7 +158,7 @@ void World<D>::renew_candidates() {
   candidates_.search_again(blocks_, settings_.skin, with_shear);
   refit(touching_, candidates_.room());
   refit(forces_, candidates_.room());
-  fit_room_of_laws();
+  fit_rooms();
   candidates_.renew(blocks_, with_shear);
   forget_contacts();
 }

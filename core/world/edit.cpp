@@ -17,6 +17,7 @@ World<D>::World(const WorldSettings<D>& settings, Memory* memory)
       forces_(memory),
       dashpot_load_(memory),
       potential_room_(memory),
+      impact_room_(memory),
       hardness_(memory),
       acceleration_(memory),
       momentum_rate_(memory),

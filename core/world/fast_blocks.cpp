@@ -82,7 +82,7 @@ double World<D>::calm_part_of(Candidate<D>& pair, double& stable_duration) {
   double time_of_touch = 0;
   if (!touching(pair.memory)) {
     const Impact<D> impact = time_of_impact(blocks_.own_outline(pair.a), of_a, blocks_.own_outline(pair.b),
-                                            of_b, touching_.get_allocator().resource());
+                                            of_b, impact_room_.data());
     if (impact.state == Impact<D>::never) return 1;
     if (impact.state == Impact<D>::touches) {
       time_of_touch = impact.time;

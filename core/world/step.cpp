@@ -218,10 +218,11 @@ void World<D>::move() {
   candidates_.tidy_plans();
 }
 
-/// Plans what is left of the step, in one go.
+/// Plans what is left of the step: in one go, or as much of it as fast blocks may do at once.
 template <int D>
 StepResult World<D>::plan_rest() {
-  return makes_energy() || !plan_motion(time_step_ - passed_) ? StepResult::unstable : StepResult::ok;
+  if (makes_energy() || !plan_motion(time_step_ - passed_)) return StepResult::unstable;
+  return divide();
 }
 
 template <int D>
@@ -252,7 +253,6 @@ template <int D>
 StepResult World<D>::step() {
   StepResult result = edited_ || any_fresh_ ? plan_changed() : plan_rest();
   for (;; result = plan_rest()) {
-    if (result == StepResult::ok) result = divide();
     if (result != StepResult::ok) return result;
     const double rest = time_step_ - passed_;
     move();

@@ -102,8 +102,8 @@ class World {
   /// when it has none.
   bool set_shear_force(std::size_t contact, const Vector<D>& force);
 
-  /// Takes the room that laws need, which a snapshot does not hold.
-  void fit_room_of_laws();
+  /// Takes the room that laws and times of impact need, which a snapshot does not hold.
+  void fit_rooms();
   /// False for what no world can be, after reading a snapshot: a damaged one is refused and not run.
   bool is_consistent() const;
 
@@ -232,6 +232,7 @@ class World {
   Sweep<D> planned_sweep(std::size_t slot) const;
   void move();
   std::size_t most_edges() const;
+  std::size_t most_components() const;
   void renew_candidates();
   void renew_used_up_candidates();
   void kick_and_drift();
@@ -270,6 +271,7 @@ class World {
   Array<ContactForce<D>> forces_;     // of each contact
   Array<DashpotLoad> dashpot_load_;   // of each block, when a law is damped
   PotentialRoom<D> potential_room_;   // for the largest blocks, when a law is of potentials
+  Array<double> impact_room_;         // for two of the largest blocks
   Array<Hardness> hardness_;          // of each block's contacts, when the stable step is asked for
   Array<Vector<D>> acceleration_;     // of each block, from the last forces
   Array<Angular<D>> momentum_rate_;   // of the angular momentum, likewise

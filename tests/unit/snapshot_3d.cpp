@@ -47,7 +47,7 @@ std::unique_ptr<World<3>> world_of(const Bytes& bytes, Memory* memory) {
   snapshot::Reader reader(bytes);
   world->visit(reader);
   if (reader.failed() || !reader.at_end() || !world->is_consistent()) return nullptr;
-  world->fit_room_of_laws();
+  world->fit_rooms();
   return world;
 }
 

@@ -11,12 +11,11 @@
 namespace halfspace::test {
 namespace {
 
-Memory* memory() { return std::pmr::get_default_resource(); }
-
 template <int D>
 Impact<D> impact_of(const Shape<D>& a, const Sweep<D>& sweep_of_a, const Shape<D>& b,
                     const Sweep<D>& sweep_of_b) {
-  return time_of_impact(a.outline(), sweep_of_a, b.outline(), sweep_of_b, memory());
+  std::vector<double> room(component_count(a.outline()) + component_count(b.outline()));
+  return time_of_impact(a.outline(), sweep_of_a, b.outline(), sweep_of_b, room.data());
 }
 
 /// The library's verdict at a time.

@@ -642,8 +642,8 @@ def declare(library):
 
     # Cuts a shape by a plane (a line in 2D) into two. Coordinates are those the shape was made from, and so
     # are those of the parts. In 3D the new face is the last of either part. A part that the plane touches
-    # only to rounding is none, in 3D also one so thin that rounding leaves no valid polyhedron of it; the
-    # other part is then a copy of the whole.
+    # only to rounding is none, and one so thin that rounding leaves no valid shape of it; the other part is
+    # then a copy of the whole. One of both there always is.
     library.hs_shape_cut.argtypes = [
         POINTER(hs_shape),  # shape
         c_void_p,  # point

@@ -902,8 +902,8 @@ extern "C" {
 
     /// Cuts a shape by a plane (a line in 2D) into two. Coordinates are those the shape was made from, and so
     /// are those of the parts. In 3D the new face is the last of either part. A part that the plane touches
-    /// only to rounding is none, in 3D also one so thin that rounding leaves no valid polyhedron of it; the
-    /// other part is then a copy of the whole.
+    /// only to rounding is none, and one so thin that rounding leaves no valid shape of it; the other part is
+    /// then a copy of the whole. One of both there always is.
     ///
     /// - `shape`: what to cut; it stays as it is
     /// - `point`: a point of the plane, 3 values; the nearer to the shape, the smaller the rounding
@@ -1270,7 +1270,8 @@ extern "C" {
     ///
     /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (no time step given and none can be derived), or
     /// HS_ERROR_OUT_OF_MEMORY or HS_ERROR_UNSTABLE: the world stays at the last good step and can be read,
-    /// saved or restored
+    /// saved or restored. Where fast blocks had divided a step (docs/guide.md), it stays at the last good
+    /// part of it, and the next call ends that step.
     pub fn hs_world_step(world: *mut hs_world, steps: i64) -> hs_status;
 
     /// Time, time step, counts, energies. After a change of the world it detects and evaluates forces first,
