@@ -135,10 +135,10 @@ class JudgedPairs {
         ny * ((TwoLanes{b_.y[p_b], b_.y[q_b]} + both(to_b_.y())) - TwoLanes{a_.y[p_a], a_.y[q_a]}) +
         nz * ((TwoLanes{b_.z[p_b], b_.z[q_b]} + both(to_b_.z())) - TwoLanes{a_.z[p_a], a_.z[q_a]});
     const TwoLanes square = nx * nx + ny * ny + nz * nz;
-    const TwoLanes length = {std::sqrt(square[0]), std::sqrt(square[1])};
-    const TwoLanes divisor = square > both(0) ? length : both(1);
+    const TwoLanes above_zero = square + (square > both(0) ? both(0) : both(1));  // 0 / 0 would spring a trap
+    const TwoLanes length = {std::sqrt(above_zero[0]), std::sqrt(above_zero[1])};
     const TwoLanes gap =
-        square > both(0) ? TwoLanes{sense(k), sense(l)} * from_a_to_b / divisor : both(-HUGE_VAL);
+        square > both(0) ? TwoLanes{sense(k), sense(l)} * from_a_to_b / length : both(-HUGE_VAL);
     gaps_[k] = gap[0];
     gaps_[l] = gap[1];
   }
