@@ -83,6 +83,12 @@ int run(const std::string& file, const std::string& output, bool force) {
           "halfspace: unstable run: " + result.trouble + "; give a smaller time_step or safety in [world]\n");
     return exit_unstable;
   }
+  if (result.outcome == Outcome::too_fast) {
+    print(stderr, "halfspace: " + result.trouble +
+                      R"(; give that time_step in [world], or fast_blocks = "divide")"
+                      "\n");
+    return exit_unstable;
+  }
   return result.outcome == Outcome::interrupted ? exit_failed : exit_ok;
 }
 
@@ -91,7 +97,9 @@ int main_of(int argc, char** argv) {
   app.set_version_flag("--version", std::string("halfspace ") + hs_version());
   app.require_subcommand(1);
   app.footer(
-      "Exit codes: 0 ok, 1 failed or faulty scene, 2 wrong usage, 3 unstable run (its output is kept).");
+      "Exit codes: 0 ok, 1 failed or faulty scene, 2 wrong usage, 3 unstable run, or blocks too fast for it "
+      "(its "
+      "output is kept).");
 
   std::string file;
   std::string output;

@@ -38,6 +38,7 @@ void read_world(Keys keys, Scene& scene) {
       degrees(keys, "parallel_angle", {.low = 0, .high = 28}, world.parallel_angle / degree);
   world.vertex_zone = keys.number("vertex_zone", {.low = 0, .high = 0.5}, world.vertex_zone);
   world.potential_length = keys.number("potential_length", above(0), world.potential_length);
+  world.fast_blocks = keys.word("fast_blocks", {"divide", "refuse"}, world.fast_blocks);
   scene.rest_speed = keys.number("rest_speed", above(0), scene.rest_speed);
   keys.finish();
 }

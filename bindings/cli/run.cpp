@@ -110,9 +110,9 @@ class Recorder {
         model_.step_towards(std::min({frames.next(), rows.next(), next_picture(), scene_.duration}),
                             batch.steps());
       } catch (const LibraryError& error) {
-        if (error.status != HS_ERROR_UNSTABLE) throw;
+        if (error.status != HS_ERROR_UNSTABLE && error.status != HS_ERROR_TOO_FAST) throw;
         trouble = error.what();
-        return Outcome::unstable;
+        return error.status == HS_ERROR_UNSTABLE ? Outcome::unstable : Outcome::too_fast;
       }
       peaks_.add(model_.report());
       batch.adapt(model_.report().steps - steps_before, Clock::now() - before);

@@ -9,11 +9,11 @@
 namespace halfspace::cli {
 
 /// How a run ended. All but the last two are what the scene asked for.
-enum class Outcome { complete, at_rest, interrupted, unstable };
+enum class Outcome { complete, at_rest, interrupted, unstable, too_fast };
 
 struct RunResult {
   Outcome outcome = Outcome::complete;
-  std::string trouble;  ///< what the library said of an unstable run
+  std::string trouble;  ///< what the library said of an unstable run, or one with blocks too fast
   std::string summary;  ///< of the physics: the same for the same scene
   std::string timings;  ///< of this run of it
 };

@@ -65,6 +65,8 @@ const char* describe(Outcome outcome) {
       return "interrupted";
     case Outcome::unstable:
       return "UNSTABLE: the time step is too large";
+    case Outcome::too_fast:
+      return "REFUSED: two blocks are too fast for the time step";
   }
   return "";
 }
@@ -78,6 +80,20 @@ std::string energy_text(const hs_world_report& report) {
   if (turned_over > 0) {
     text += ", " + rounded(energy.residual / turned_over, 2) + " of the " + rounded(turned_over, 4) +
             " J set free";
+  }
+  return text;
+}
+
+/// Nothing of blocks that are slow enough for the step and the springs.
+std::string fast_blocks_text(const hs_world_report& report, const Peaks& peaks) {
+  constexpr double told_stop = 0.1;
+  std::string text;
+  if (report.divided_steps > 0) {
+    text += line("divided steps", std::to_string(report.divided_steps) + ", in which fast blocks met");
+  }
+  if (peaks.stop > told_stop) {
+    text += line("softest springs", "stop the fastest approach in " + rounded(100 * peaks.stop, 3) +
+                                        " % of the thinner block's thickness, v (m/k)^1/2");
   }
   return text;
 }
@@ -127,8 +143,11 @@ std::string summary(const Scene& scene, const Model& model, const Peaks& peaks, 
          line("contacts", std::to_string(report.contact_count) + " at the end, largest overlap " +
                               rounded(report.largest_overlap, 3) + " m, fastest block " +
                               rounded(report.largest_speed, 3) + " m/s") +
-         line("in the whole run", "largest overlap " + rounded(peaks.overlap, 3) + " m, fastest block " +
-                                      rounded(peaks.speed, 3) + " m/s") +
+         line("in the whole run",
+              "largest overlap " + rounded(peaks.overlap, 3) + " m, fastest block " +
+                  rounded(peaks.speed, 3) + " m/s" +
+                  (report.divided_steps > 0 ? ", within divided steps not counted" : "")) +
+         fast_blocks_text(report, peaks) +
          (report.potential_length > 0 ? line("potential length", rounded(report.potential_length, 6) + " m")
                                       : std::string()) +
          line("energy residual", energy_text(report)) +

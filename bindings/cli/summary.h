@@ -24,9 +24,11 @@ struct Peaks {
   void add(const hs_world_report& report) {
     overlap = std::max(overlap, report.largest_overlap);
     speed = std::max(speed, report.largest_speed);
+    stop = std::max(stop, report.deepest_stop);
   }
   double overlap = 0;
   double speed = 0;
+  double stop = 0;
 };
 
 /// What came out, a line for each figure. The same scene gives the same text.

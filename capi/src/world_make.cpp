@@ -57,6 +57,10 @@ WorldSettings<D> read_settings(const hs_world_def& def) {
   settings.skin = require(def.skin > 0 && def.skin <= 1, def.skin, "def.skin", "above 0 and at most 1");
   settings.potential_length = require_from_zero(def.potential_length, "def.potential_length");
   settings.detect = read_detect_options(def.parallel_angle, def.vertex_zone);
+  if (def.fast_blocks != HS_FAST_DIVIDE && def.fast_blocks != HS_FAST_REFUSE) {
+    refuse(HS_ERROR_ARGUMENT, "def.fast_blocks is %d; it must be an HS_FAST_ value", def.fast_blocks);
+  }
+  settings.fast_blocks = FastBlocks(def.fast_blocks);
   return settings;
 }
 

@@ -120,6 +120,16 @@ hs_status hs_world_step(hs_world* world, int64_t steps) {
         refuse(HS_ERROR_STATE,
                "no time step was given, and without blocks that move freely none can be derived");
       }
+      if (result == StepResult::too_fast) {
+        const FastPair& pair = w.fast_pair();
+        refuse(HS_ERROR_TOO_FAST,
+               "blocks %#llx and %#llx meet at time %g (step %lld) by up to %g m/s: too fast for the time "
+               "step %g "
+               "where the thinner is %g m thick; a step of %g would do",
+               static_cast<unsigned long long>(id_of(w.blocks(), std::size_t(pair.a))),
+               static_cast<unsigned long long>(id_of(w.blocks(), std::size_t(pair.b))), w.time(),
+               static_cast<long long>(w.steps()), pair.speed, w.time_step(), pair.thickness, pair.time_step);
+      }
       if (result == StepResult::unstable) {
         refuse(HS_ERROR_UNSTABLE, "unstable at time %g (step %lld): time step %g, stable time step %g",
                w.time(), static_cast<long long>(w.steps()), w.time_step(), w.stable_time_step());
@@ -150,7 +160,9 @@ hs_status hs_world_get_report(hs_world* world, hs_world_report* report, size_t s
                                   energy_of(w.ledger()),
                                   w.knows_potential() ? w.potential_length() : 0,
                                   w.ledger().block_strain,
-                                  w.ledger().block_damping_loss};
+                                  w.ledger().block_damping_loss,
+                                  w.divided_steps(),
+                                  w.deepest_stop()};
     write_sized(ours, report, size);
     return HS_OK;
   });

@@ -8,7 +8,8 @@
 // not, its time of impact tells how far the motion may go: until just before the first touch, and from there
 // on by small shares of the thickness, and stable ones, for as long as the two are fast in touch. What is
 // left of the step comes after that, by the same rule. The pair that is first in time is the one through
-// which blocks meet: when detection finds the contact it is remembered as what kept them apart.
+// which blocks meet: when detection finds the contact it is remembered as what kept them apart. A world that
+// shall not divide its steps refuses one that it would have to.
 
 namespace halfspace {
 namespace {
@@ -28,6 +29,28 @@ template <int D>
 double World<D>::swing(std::size_t i) const {
   return blocks_.radius[i] *
          (blocks_.is_affine(i) ? blocks_.deformation(i).rate.norm() : blocks_.spin[i].norm());
+}
+
+template <int D>
+double World<D>::thinner(const Candidate<D>& pair) const {
+  return std::min(blocks_.strained_thickness(std::size_t(pair.a)),
+                  blocks_.strained_thickness(std::size_t(pair.b)));
+}
+
+/// At most: of any point of one against any of the other, now.
+template <int D>
+double World<D>::speed_between(const Candidate<D>& pair) const {
+  const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
+  return (blocks_.velocity[b] - blocks_.velocity[a]).norm() + swing(a) + swing(b);
+}
+
+/// In which no listed pair is fast, at present speeds.
+template <int D>
+double World<D>::calm_time_step() const {
+  double calm = HUGE_VAL;
+  for (const Candidate<D>& pair : candidates_.pairs())
+    calm = std::min(calm, calm_share * thinner(pair) / speed_between(pair));
+  return calm;
 }
 
 /// In a whole step it would move far against the thinnest of itself and its neighbours: at its present speed,
@@ -75,10 +98,10 @@ double World<D>::calm_part_of(Candidate<D>& pair, double& stable_duration) {
     return blocks_.radius[i] * (sweep.turn.norm() + sweep.stretch.norm());
   };
   const double planned = (of_b.way - of_a.way).norm() + swing_by(of_a, a) + swing_by(of_b, b);
-  const double present = (blocks_.velocity[b] - blocks_.velocity[a]).norm() + swing(a) + swing(b);
-  const double motion = std::max(planned, duration_ * present);
-  const double thickness = std::min(blocks_.strained_thickness(a), blocks_.strained_thickness(b));
+  const double motion = std::max(planned, duration_ * speed_between(pair));
+  const double thickness = thinner(pair);
   if (motion <= duration_ / time_step_ * calm_share * thickness) return 1;
+  fast_pair_ = {pair.a, pair.b, motion / duration_, thickness, calm_share * thickness * duration_ / motion};
   double time_of_touch = 0;
   if (!touching(pair.memory)) {
     const Impact<D> impact = time_of_impact(blocks_.own_outline(pair.a), of_a, blocks_.own_outline(pair.b),
@@ -105,6 +128,7 @@ double World<D>::calm_part() {
   for (Candidate<D>& pair : candidates_.pairs()) {
     if (is_fast(std::size_t(pair.a)) || is_fast(std::size_t(pair.b)))
       part = std::min(part, calm_part_of(pair, stable_duration));
+    if (part < 1 && settings_.fast_blocks == FastBlocks::refuse) break;  // that pair will be told
   }
   return part;
 }
@@ -119,11 +143,42 @@ StepResult World<D>::divide() {
       part = 0.9 * most_turn / most_turned_;
     } else if (any_fast()) {
       part = calm_part();
+      if (part < 1 && settings_.fast_blocks == FastBlocks::refuse) return StepResult::too_fast;
     }
     if (part >= 1) return StepResult::ok;
     if (!(part * duration_ >= least_part * time_step_)) return StepResult::unstable;
     if (!plan_motion(part * duration_)) return StepResult::unstable;
   }
+}
+
+/// The mean area, in the plane the mean width, that a block turns to another.
+template <int D>
+double World<D>::section(std::size_t i) const {
+  const double volume = blocks_.mass[i] / density(blocks_.material[i]);
+  return volume / blocks_.strained_thickness(i);
+}
+
+/// Force per depth of two blocks whose faces meet squarely.
+template <int D>
+double World<D>::stiffness_between(const Candidate<D>& pair) const {
+  const SpringLaw& law = law_of(pair);
+  if (law.stiffness_kind == StiffnessKind::per_contact) return law.normal_stiffness;
+  const double area = std::min(section(std::size_t(pair.a)), section(std::size_t(pair.b)));
+  return area * (law.is_potential() ? 2 * law.normal_stiffness / potential_length() : law.normal_stiffness);
+}
+
+template <int D>
+double World<D>::deepest_stop() const {
+  double deepest = 0;
+  for (const Candidate<D>& pair : candidates_.pairs()) {
+    const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
+    const Vector<D> to_b = blocks_.position[b] - blocks_.position[a],
+                    velocity = blocks_.velocity[b] - blocks_.velocity[a];
+    if (!(to_b.dot(velocity) < 0)) continue;
+    const double depth = velocity.norm() * std::sqrt(reduced_mass(a, b) / stiffness_between(pair));
+    deepest = std::max(deepest, depth / thinner(pair));
+  }
+  return deepest;
 }
 
 template class World<2>;

@@ -43,7 +43,8 @@ bool are_settings(const WorldSettings<D>& settings) {
   return settings.gravity.allFinite() && is_from_zero(settings.time_step) && is_share(settings.safety, 1) &&
          is_share(settings.local_damping, 1) && is_from_zero(settings.mass_damping) &&
          is_share(settings.skin, 1) && is_from_zero(settings.potential_length) &&
-         is_share(settings.detect.parallel_angle, 0.5) && is_share(settings.detect.vertex_zone, 0.5);
+         is_share(settings.detect.parallel_angle, 0.5) && is_share(settings.detect.vertex_zone, 0.5) &&
+         (settings.fast_blocks == FastBlocks::divide || settings.fast_blocks == FastBlocks::refuse);
 }
 
 template <int D>
@@ -190,6 +191,7 @@ bool World<D>::is_consistent() const {
   constexpr std::int64_t most_steps = std::int64_t(1) << 62;
   if (!is_from_zero(time_step_) || !is_finite(epoch_time_) || !is_from_zero(fixed_length_)) return false;
   if (epoch_step_ < 0 || steps_ < epoch_step_ || steps_ > most_steps) return false;
+  if (divided_steps_ < 0 || divided_steps_ > steps_ + 1) return false;
   if (!(passed_ >= 0 && passed_ <= time_step_)) return false;
   const auto wants_spring = [&](const Candidate<D>& pair) { return law_of(pair).resists_shear(); };
   const bool is_list_in_use = detected_ || !candidates_.used_up();

@@ -114,6 +114,8 @@ bool World<D>::choose_time_step() {
   if (chosen == 0) {
     detect();  // the contacts that are there count
     chosen = settings_.safety * stable_time_step();
+    // One that is divided where blocks are fast need not know of speeds.
+    if (settings_.fast_blocks == FastBlocks::refuse) chosen = std::min(chosen, calm_time_step());
   }
   if (!std::isfinite(chosen) || chosen <= 0) return false;
   if (chosen == time_step_) return true;

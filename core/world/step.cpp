@@ -255,8 +255,10 @@ StepResult World<D>::step() {
   for (;; result = plan_rest()) {
     if (result != StepResult::ok) return result;
     const double rest = time_step_ - passed_;
+    const bool is_last = duration_ >= rest;
+    if (passed_ == 0 && !is_last) ++divided_steps_;
     move();
-    if (duration_ >= rest) break;
+    if (is_last) break;
     passed_ += duration_;
   }
   passed_ = 0;

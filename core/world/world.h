@@ -15,6 +15,9 @@
 
 namespace halfspace {
 
+/// What becomes of a step in which two blocks would move far against the thinner of them.
+enum class FastBlocks : std::int32_t { divide = 0, refuse = 1 };
+
 /// How a world is stepped.
 template <int D>
 struct WorldSettings {
@@ -26,14 +29,25 @@ struct WorldSettings {
   double skin = 0.1;
   double potential_length = 0;  // H of potential laws; 0: mean length of the edges when forces are first used
   DetectOptions detect;
+  FastBlocks fast_blocks = FastBlocks::divide;
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(gravity, time_step, safety, local_damping, mass_damping, skin, potential_length, detect);
+    archive(gravity, time_step, safety, local_damping, mass_damping, skin, potential_length, detect,
+            fast_blocks);
   }
 };
 
-enum class StepResult { ok, unstable, no_time_step };
+enum class StepResult { ok, unstable, no_time_step, too_fast };
+
+/// Two blocks that meet, or are in touch, too fast for a step against the thinner of them.
+struct FastPair {
+  std::int32_t a = 0;
+  std::int32_t b = 0;
+  double speed = 0;      // of the fastest point of one against the other, at most
+  double thickness = 0;  // of the thinner
+  double time_step = 0;  // that would do
+};
 
 /// No block turns farther at once, in rad, and no affine one changes its gradient more.
 constexpr double most_turn = 1;
@@ -93,6 +107,13 @@ class World {
   double time() const { return epoch_time_ + double(steps_ - epoch_step_) * time_step_ + passed_; }
   std::int64_t steps() const { return steps_; }
   double time_step() const { return time_step_; }
+  /// So many steps have been divided.
+  std::int64_t divided_steps() const { return divided_steps_; }
+  /// After StepResult::too_fast.
+  const FastPair& fast_pair() const { return fast_pair_; }
+  /// The largest share of the thinner block's thickness that springs take to stop the approach of two blocks
+  /// of the neighbour list at their present speeds, v (m/k)^1/2.
+  double deepest_stop() const;
   /// H of potential laws: one length for all blocks (Zheng et al. 2020, section 3.2).
   double potential_length() const;
   bool knows_potential() const { return laws_.knows_potential(); }
@@ -111,7 +132,8 @@ class World {
   void visit(Archive& archive) {
     archive(settings_, density_, elasticity_, fresh_, any_fresh_, laws_, blocks_, candidates_, touching_,
             forces_, acceleration_, momentum_rate_, ledger_, noise_energy_, residual_before_edit_, power_,
-            epoch_time_, epoch_step_, time_step_, passed_, fixed_length_, steps_, detected_, edited_);
+            epoch_time_, epoch_step_, time_step_, passed_, fixed_length_, steps_, divided_steps_, detected_,
+            edited_);
     if constexpr (Archive::reads) {  // steps find contacts until the next search, and ask for no memory
       touching_.reserve(candidates_.room());
       forces_.reserve(candidates_.room());
@@ -225,10 +247,15 @@ class World {
   StepResult plan_rest();
   StepResult divide();
   double swing(std::size_t slot) const;
+  double thinner(const Candidate<D>& pair) const;
+  double speed_between(const Candidate<D>& pair) const;
+  double calm_time_step() const;
   bool is_fast(std::size_t slot) const;
   bool any_fast() const;
   double calm_part();
   double calm_part_of(Candidate<D>& pair, double& stable_duration);
+  double section(std::size_t slot) const;
+  double stiffness_between(const Candidate<D>& pair) const;
   Sweep<D> planned_sweep(std::size_t slot) const;
   void move();
   std::size_t most_edges() const;
@@ -288,6 +315,8 @@ class World {
   double most_turned_ = 0;   // of all blocks in the coming motion
   double fixed_length_ = 0;  // H, once the first forces have been used
   std::int64_t steps_ = 0;
+  std::int64_t divided_steps_ = 0;
+  FastPair fast_pair_;         // for which the last step was refused
   std::int32_t detected_ = 0;  // contacts belong to the present poses
   std::int32_t edited_ = 1;    // since the last step: forces, accelerations and ledger are of another state
 };

@@ -9,9 +9,13 @@ FIELD(hs_pair_options, margin, 24, 8);
 FIELD(hs_pair_options, without_region, 32, 4);
 FIELD(hs_pair_options, reserved_2, 36, 4);
 FIELD(hs_world_def, potential_length, 88, 8);
+FIELD(hs_world_def, fast_blocks, 96, 4);
+FIELD(hs_world_def, reserved, 100, 4);
 FIELD(hs_world_report, potential_length, 160, 8);
 FIELD(hs_world_report, block_strain_energy, 168, 8);
 FIELD(hs_world_report, block_damping_loss, 176, 8);
+FIELD(hs_world_report, divided_steps, 184, 8);
+FIELD(hs_world_report, deepest_stop, 192, 8);
 
 _Static_assert(sizeof(hs_elasticity_def) >= 32, "hs_elasticity_def");
 FIELD(hs_elasticity_def, struct_size, 0, 4);
@@ -27,6 +31,9 @@ FIELD(hs_deformation, strain, 144, 72);
 FIELD(hs_deformation, stress, 216, 72);
 FIELD(hs_deformation, strain_energy, 288, 8);
 
+_Static_assert(HS_ERROR_TOO_FAST == -9, "HS_ERROR_TOO_FAST");
+_Static_assert(HS_FAST_DIVIDE == 0, "HS_FAST_DIVIDE");
+_Static_assert(HS_FAST_REFUSE == 1, "HS_FAST_REFUSE");
 _Static_assert(HS_BLOCK_AFFINE == 3, "HS_BLOCK_AFFINE");
 _Static_assert(HS_PLANE_STRAIN == 0, "HS_PLANE_STRAIN");
 _Static_assert(HS_PLANE_STRESS == 1, "HS_PLANE_STRESS");

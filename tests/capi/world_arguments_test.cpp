@@ -52,6 +52,7 @@ TEST_CASE("hs_world_create refuses every bad setting") {
       {"parallel_angle", "nan", [](D& d) { d.parallel_angle = nan; }},
       {"vertex_zone", "-0.5", [](D& d) { d.vertex_zone = -0.5; }},
       {"vertex_zone", "nan", [](D& d) { d.vertex_zone = nan; }},
+      {"fast_blocks", "2", [](D& d) { d.fast_blocks = 2; }},
       {"potential_length", "-1", [](D& d) { d.potential_length = -1; }},
       {"potential_length", "inf", [](D& d) { d.potential_length = inf; }},
   };

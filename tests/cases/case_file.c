@@ -37,6 +37,8 @@ static const Constant constants[] = {
     CONSTANT(HS_BLOCK_PRESCRIBED),
     CONSTANT(HS_BLOCK_RIGID),
     CONSTANT(HS_BLOCK_AFFINE),
+    CONSTANT(HS_FAST_DIVIDE),
+    CONSTANT(HS_FAST_REFUSE),
 };
 
 int is(const char* word, const char* other) { return strcmp(word, other) == 0; }

@@ -11,13 +11,20 @@
 #define END_OF_TABLE \
   { NULL, FIELD_INT32, 0, 0 }
 
-const Field world_def_fields[] = {INT32(hs_world_def, dimension),         NUMBER(hs_world_def, time_step),
-                                  NUMBERS(hs_world_def, gravity, 3),      NUMBER(hs_world_def, safety),
-                                  NUMBER(hs_world_def, potential_length), END_OF_TABLE};
+const Field world_def_fields[] = {INT32(hs_world_def, dimension),
+                                  NUMBER(hs_world_def, time_step),
+                                  NUMBERS(hs_world_def, gravity, 3),
+                                  NUMBER(hs_world_def, safety),
+                                  NUMBER(hs_world_def, potential_length),
+                                  INT32(hs_world_def, fast_blocks),
+                                  END_OF_TABLE};
 
-const Field law_def_fields[] = {INT32(hs_law_def, stiffness_kind),   NUMBER(hs_law_def, normal_stiffness),
-                                NUMBER(hs_law_def, shear_stiffness), NUMBER(hs_law_def, friction_angle),
-                                NUMBER(hs_law_def, normal_damping),  NUMBER(hs_law_def, shear_damping),
+const Field law_def_fields[] = {INT32(hs_law_def, stiffness_kind),
+                                NUMBER(hs_law_def, normal_stiffness),
+                                NUMBER(hs_law_def, shear_stiffness),
+                                NUMBER(hs_law_def, friction_angle),
+                                NUMBER(hs_law_def, normal_damping),
+                                NUMBER(hs_law_def, shear_damping),
                                 END_OF_TABLE};
 
 const Field elasticity_def_fields[] = {
@@ -84,6 +91,8 @@ const Field report_fields[] = {INT32(hs_world_report, dimension),
                                NUMBER(hs_world_report, potential_length),
                                NUMBER(hs_world_report, block_strain_energy),
                                NUMBER(hs_world_report, block_damping_loss),
+                               INT64(hs_world_report, divided_steps),
+                               NUMBER(hs_world_report, deepest_stop),
                                END_OF_TABLE};
 
 const Field energy_fields[] = {NUMBER(hs_energy, kinetic),

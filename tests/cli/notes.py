@@ -163,6 +163,30 @@ class Notes(unittest.TestCase):
             self.assertRegex(summary, r"contacts +0 at the end, largest overlap 0 m")
             self.assertRegex(summary, r"in the whole run +largest overlap 0\.4 m, fastest block \d\d")
 
+    def run_scene(self, text):
+        """The answer of a run and its summary."""
+        with tempfile.TemporaryDirectory() as directory:
+            file = Path(directory, "scene.toml")
+            file.write_text(text)
+            answer = halfspace("run", file, "-o", Path(directory, "out"))
+            return answer, Path(directory, "out", "summary.txt").read_text()
+
+    def test_a_bar_that_would_fly_through_a_plate_in_a_step_is_stopped_and_told(self):
+        plate = block("plate", [0, 0], [1, 0.005], 'kind = "fixed"')
+        bar = block("bar", [0, 0.5], [1, 0.505], "velocity = [0, -300]")
+        world = HEAD.format(2).replace("[world]", "[world]\ngravity = [0, 0]\ntime_step = 1e-4").replace("1e8", "1e12")
+        answer, summary = self.run_scene(world + plate + bar)
+        self.assertEqual(answer.returncode, 0)
+        self.assertRegex(summary, r"outcome +complete")
+        self.assertRegex(summary, r"divided steps +1, in which fast blocks met")
+        self.assertRegex(summary, r"softest springs +stop the fastest approach in 21\.2 % of the thinner block's thickness")
+        self.assertRegex(summary, r"run-out .* 0\.00 m to the left")
+        answer, summary = self.run_scene(world.replace("[world]", '[world]\nfast_blocks = "refuse"') + plate + bar)
+        self.assertEqual(answer.returncode, 3)
+        self.assertIn("meet at time 0.0016 (step 16) by up to 300 m/s", answer.stderr)
+        self.assertIn("a step of 4.16667e-06 would do; give that time_step in [world]", answer.stderr)
+        self.assertRegex(summary, r"outcome +REFUSED")
+
     def test_examples_overlap_nowhere_and_run_the_right_way_round(self):
         for scene in sorted(EXAMPLES.glob("*/*.toml")):
             for note in halfspace("check", scene).stdout.splitlines()[1:]:

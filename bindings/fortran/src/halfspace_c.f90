@@ -21,6 +21,7 @@ module halfspace_c
   integer(c_int32_t), parameter :: HS_ERROR_UNSTABLE = -6  !< the run became unstable: the time step is too large
   integer(c_int32_t), parameter :: HS_ERROR_FORMAT = -7  !< the bytes are not a snapshot that this library can read
   integer(c_int32_t), parameter :: HS_ERROR_INTERNAL = -8  !< a defect of the library: please report it
+  integer(c_int32_t), parameter :: HS_ERROR_TOO_FAST = -9  !< two blocks meet too fast for the time step against their thickness
 
   !> Contact types (Wang et al. 2021, section 2.5).
   integer(c_int32_t), parameter :: HS_CONTACT_NONE = 0  !< separated: one violated potential pair, or a plane between, proves it
@@ -85,6 +86,12 @@ module halfspace_c
   integer(c_int32_t), parameter :: HS_BLOCK_PRESCRIBED = 1  !< with the velocity and spin given, whatever the forces
   integer(c_int32_t), parameter :: HS_BLOCK_RIGID = 2  !< by Newton's law
   integer(c_int32_t), parameter :: HS_BLOCK_AFFINE = 3  !< by Newton's law, and straining as a whole: see affine.h
+
+  !> What becomes of a step in which two blocks would move far against the thinner of them: more than a
+  !! quarter of its thickness.
+  !> when they meet, or are in touch, it is divided: up to their first touch, and on from there by small parts
+  integer(c_int32_t), parameter :: HS_FAST_DIVIDE = 0
+  integer(c_int32_t), parameter :: HS_FAST_REFUSE = 1  !< when they meet, or are in touch, it is refused with HS_ERROR_TOO_FAST
 
   !> What 2D is a section of.
   integer(c_int32_t), parameter :: HS_PLANE_STRAIN = 0  !< a body that cannot strain across the plane
@@ -240,6 +247,8 @@ module halfspace_c
     !> H of HS_STIFFNESS_POTENTIAL, m, > 0: one for all blocks; or 0 (default): the mean length of all blocks'
     !! edges when forces are first used
     real(c_double) :: potential_length = 0.0_c_double
+    integer(c_int32_t) :: fast_blocks = 0  !< an HS_FAST_ value; default HS_FAST_DIVIDE
+    integer(c_int32_t) :: reserved = 0  !< 0
   end type hs_world_def
 
   !> How a block is made. Fill it with hs_block_def_init().
@@ -299,6 +308,11 @@ module halfspace_c
     real(c_double) :: potential_length = 0.0_c_double  !< in use; 0 without a law of potentials
     real(c_double) :: block_strain_energy = 0.0_c_double  !< of affine blocks, now; counts in the residual
     real(c_double) :: block_damping_loss = 0.0_c_double  !< in affine blocks, so far; counts in the residual
+    integer(c_int64_t) :: divided_steps = 0  !< steps so far that fast blocks have divided
+    !> largest share of the thinner block's thickness that springs take to stop an approach, now: v (m/k)^1/2,
+    !! over the pairs in the neighbour list. Above 0.25 or so springs are too soft for the speed; from 1 on
+    !! blocks may pass through each other
+    real(c_double) :: deepest_stop = 0.0_c_double
   end type hs_world_report
 
   !> Elasticity of a material. Fill it with hs_elasticity_def_init().
@@ -903,9 +917,9 @@ module halfspace_c
 
     !> Steps the world.
     !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (no time step given and none can be derived), or
-    !! HS_ERROR_OUT_OF_MEMORY or HS_ERROR_UNSTABLE: the world stays at the last good step and can be read,
-    !! saved or restored. Where fast blocks had divided a step (docs/guide.md), it stays at the last good part
-    !! of it, and the next call ends that step.
+    !! HS_ERROR_OUT_OF_MEMORY or HS_ERROR_UNSTABLE or HS_ERROR_TOO_FAST: the world stays at the last good step
+    !! and can be read, saved or restored. Where fast blocks had divided a step (docs/guide.md), it stays at
+    !! the last good part of it, and the next call ends that step.
     function hs_world_step(world, steps) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL

@@ -69,7 +69,7 @@ module halfspace_worlds
 
     !> Makes an empty world; what it was before is dropped. What is not given is the library's default.
     module subroutine create(self, dimension, gravity, time_step, safety, local_damping, mass_damping, skin, &
-                             parallel_angle, vertex_zone, potential_length, context, stat, errmsg)
+                             parallel_angle, vertex_zone, potential_length, fast_blocks, context, stat, errmsg)
       class(halfspace_world), intent(inout) :: self
       integer, intent(in), optional :: dimension  !< 2 (default) or 3
       real(c_double), intent(in), optional :: gravity(:)  !< acceleration; default 0, -9.81, 0
@@ -81,6 +81,7 @@ module halfspace_worlds
       real(c_double), intent(in), optional :: parallel_angle  !< rad, [0, 0.5]; default 0.01
       real(c_double), intent(in), optional :: vertex_zone  !< [0, 0.5]; default 1e-6
       real(c_double), intent(in), optional :: potential_length  !< H of HS_STIFFNESS_POTENTIAL, > 0; default: all edges' mean
+      integer(c_int32_t), intent(in), optional :: fast_blocks  !< HS_FAST_DIVIDE (default) or HS_FAST_REFUSE
       type(halfspace_context), intent(in), optional :: context
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg

@@ -258,6 +258,7 @@ contains
     character(longest_word), intent(in) :: words(:)
     type(scene), intent(inout) :: s
     integer, allocatable :: dimension
+    integer(int32), allocatable :: fast_blocks
     real(real64), allocatable :: time_step, safety, potential_length, gravity(:)
     integer :: i
     i = 1
@@ -267,6 +268,7 @@ contains
       case ('time_step'); time_step = number(words(i + 1))
       case ('safety'); safety = number(words(i + 1))
       case ('potential_length'); potential_length = number(words(i + 1))
+      case ('fast_blocks'); fast_blocks = constant(words(i + 1))
       case ('gravity')
         gravity = numbers(words(i + 1 : i + 3))
         i = i + 2
@@ -275,7 +277,7 @@ contains
       i = i + 2
     end do
     call s%world%create(dimension=dimension, gravity=gravity, time_step=time_step, safety=safety, &
-                        potential_length=potential_length, context=s%context, stat=s%status, errmsg=s%text)
+                        potential_length=potential_length, fast_blocks=fast_blocks, context=s%context, stat=s%status, errmsg=s%text)
   end subroutine make_world
 
   type(halfspace_law) function law_of(words) result(law)

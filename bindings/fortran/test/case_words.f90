@@ -57,6 +57,9 @@ contains
     case ('HS_ERROR_STALE_ID'); constant = HS_ERROR_STALE_ID
     case ('HS_ERROR_STATE'); constant = HS_ERROR_STATE
     case ('HS_ERROR_UNSTABLE'); constant = HS_ERROR_UNSTABLE
+    case ('HS_ERROR_TOO_FAST'); constant = HS_ERROR_TOO_FAST
+    case ('HS_FAST_DIVIDE'); constant = HS_FAST_DIVIDE
+    case ('HS_FAST_REFUSE'); constant = HS_FAST_REFUSE
     case ('HS_ERROR_FORMAT'); constant = HS_ERROR_FORMAT
     case ('HS_CONTACT_NONE'); constant = HS_CONTACT_NONE
     case ('HS_CONTACT_VERTEX_VERTEX'); constant = HS_CONTACT_VERTEX_VERTEX

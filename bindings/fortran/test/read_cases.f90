@@ -238,6 +238,8 @@ contains
     case ('potential_length'); values = [r%potential_length]
     case ('block_strain_energy'); values = [r%block_strain_energy]
     case ('block_damping_loss'); values = [r%block_damping_loss]
+    case ('divided_steps'); values = [real(r%divided_steps, real64)]
+    case ('deepest_stop'); values = [r%deepest_stop]
     case ('kinetic'); values = [r%energy%kinetic]
     case ('gravity'); values = [r%energy%gravity]
     case ('strain'); values = [r%energy%strain]

@@ -13,7 +13,7 @@ Examples
 from ._arrays import BLOCK_STATE, CONTACT, DEFORMATION, IMPACT, PAIR_CACHE, SHAPE_PROPERTIES, WORLD_REPORT, pose
 from ._library import status_text, version
 from .affine import Elasticity
-from .constants import BlockKind, ContactType, Fault, ImpactState, PairKind, Plane, StiffnessKind
+from .constants import BlockKind, ContactType, FastBlocks, Fault, ImpactState, PairKind, Plane, StiffnessKind
 from .context import Context, default_context
 from .errors import (
     ArgumentError,
@@ -25,6 +25,7 @@ from .errors import (
     OutOfMemoryError,
     StaleIdError,
     StateError,
+    TooFastError,
     UnstableError,
 )
 from .impact import Motion, pair_time_of_impact
@@ -49,6 +50,7 @@ __all__ = [
     "ContactType",
     "Context",
     "Elasticity",
+    "FastBlocks",
     "Fault",
     "FormatError",
     "GeometryError",
@@ -65,6 +67,7 @@ __all__ = [
     "StaleIdError",
     "StateError",
     "StiffnessKind",
+    "TooFastError",
     "UnstableError",
     "World",
     "check_polygon",

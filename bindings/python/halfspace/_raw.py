@@ -32,6 +32,7 @@ HS_ERROR_STATE = -5  # the object is not in a state that allows this call
 HS_ERROR_UNSTABLE = -6  # the run became unstable: the time step is too large
 HS_ERROR_FORMAT = -7  # the bytes are not a snapshot that this library can read
 HS_ERROR_INTERNAL = -8  # a defect of the library: please report it
+HS_ERROR_TOO_FAST = -9  # two blocks meet too fast for the time step against their thickness
 
 # Contact types (Wang et al. 2021, section 2.5).
 HS_CONTACT_NONE = 0  # separated: one violated potential pair, or a plane between, proves it
@@ -95,6 +96,12 @@ HS_BLOCK_FIXED = 0  # never
 HS_BLOCK_PRESCRIBED = 1  # with the velocity and spin given, whatever the forces
 HS_BLOCK_RIGID = 2  # by Newton's law
 HS_BLOCK_AFFINE = 3  # by Newton's law, and straining as a whole: see affine.h
+
+# What becomes of a step in which two blocks would move far against the thinner of them: more than a quarter
+# of its thickness.
+# when they meet, or are in touch, it is divided: up to their first touch, and on from there by small parts
+HS_FAST_DIVIDE = 0
+HS_FAST_REFUSE = 1  # when they meet, or are in touch, it is refused with HS_ERROR_TOO_FAST
 
 # What 2D is a section of.
 HS_PLANE_STRAIN = 0  # a body that cannot strain across the plane
@@ -303,6 +310,8 @@ class hs_world_def(Structure):
         # H of HS_STIFFNESS_POTENTIAL, m, > 0: one for all blocks; or 0 (default): the mean length of all
         # blocks' edges when forces are first used
         ("potential_length", c_double),
+        ("fast_blocks", c_int32),  # an HS_FAST_ value; default HS_FAST_DIVIDE
+        ("reserved", c_int32),  # 0
     ]
 
 
@@ -375,6 +384,11 @@ class hs_world_report(Structure):
         ("potential_length", c_double),  # in use; 0 without a law of potentials
         ("block_strain_energy", c_double),  # of affine blocks, now; counts in the residual
         ("block_damping_loss", c_double),  # in affine blocks, so far; counts in the residual
+        ("divided_steps", c_int64),  # steps so far that fast blocks have divided
+        # largest share of the thinner block's thickness that springs take to stop an approach, now: v
+        # (m/k)^1/2, over the pairs in the neighbour list. Above 0.25 or so springs are too soft for the
+        # speed; from 1 on blocks may pass through each other
+        ("deepest_stop", c_double),
     ]
 
 

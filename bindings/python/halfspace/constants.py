@@ -51,6 +51,14 @@ class StiffnessKind(IntEnum):
     POTENTIAL = _raw.HS_STIFFNESS_POTENTIAL
 
 
+class FastBlocks(IntEnum):
+    """What becomes of a step in which blocks meet that move far against the thinner of them: more than a quarter of
+    its thickness."""
+
+    DIVIDE = _raw.HS_FAST_DIVIDE
+    REFUSE = _raw.HS_FAST_REFUSE
+
+
 class Plane(IntEnum):
     """What 2D is a section of: a body that cannot strain across it, or a sheet without stress across it."""
 

@@ -49,6 +49,11 @@ class UnstableError(HalfspaceError, ArithmeticError):
     """The time step is too large. The world stays at the last good step."""
 
 
+class TooFastError(HalfspaceError, ArithmeticError):
+    """Two blocks meet too fast for the time step against their thickness, and the world was made to refuse that. It
+    stays at the last good step."""
+
+
 class FormatError(HalfspaceError, ValueError):
     """The bytes are not a snapshot that this library can read."""
 
@@ -74,6 +79,7 @@ _ERROR_OF_STATUS: Dict[int, Type[HalfspaceError]] = {
     _raw.HS_ERROR_OUT_OF_MEMORY: OutOfMemoryError,
     _raw.HS_ERROR_STATE: StateError,
     _raw.HS_ERROR_UNSTABLE: UnstableError,
+    _raw.HS_ERROR_TOO_FAST: TooFastError,
     _raw.HS_ERROR_FORMAT: FormatError,
     _raw.HS_ERROR_INTERNAL: InternalError,
 }

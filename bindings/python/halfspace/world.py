@@ -24,7 +24,7 @@ from ._arrays import (
 from ._library import library
 from .affine import AffineBlocks
 from .block_arrays import Floats
-from .constants import BlockKind
+from .constants import BlockKind, FastBlocks
 from .context import Context, default_context, held
 from .law import Law
 from .shape import Shape
@@ -59,6 +59,8 @@ class World(AffineBlocks):
     potential_length : float
         Of a law's potentials, > 0; 0 (default) finds one: the mean length of all blocks' edges when forces
         are first used.
+    fast_blocks : FastBlocks
+        DIVIDE (default) divides a step in which blocks meet too fast; REFUSE ends it with a TooFastError.
     law : Law, optional
         Between all materials that have none of their own.
     context : Context, optional
@@ -88,6 +90,7 @@ class World(AffineBlocks):
         parallel_angle: Optional[float] = None,
         vertex_zone: Optional[float] = None,
         potential_length: Optional[float] = None,
+        fast_blocks: Optional[FastBlocks] = None,
         law: Optional[Law] = None,
         context: Optional[Context] = None,
     ) -> None:
@@ -105,6 +108,7 @@ class World(AffineBlocks):
             parallel_angle=parallel_angle,
             vertex_zone=vertex_zone,
             potential_length=potential_length,
+            fast_blocks=fast_blocks,
         )
         for name, value in settings.items():
             if value is not None:

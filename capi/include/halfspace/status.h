@@ -26,7 +26,8 @@ typedef int32_t hs_status;
   X(HS_ERROR_STATE, -5, "the object is not in a state that allows this call")                    \
   X(HS_ERROR_UNSTABLE, -6, "the run became unstable: the time step is too large")                \
   X(HS_ERROR_FORMAT, -7, "the bytes are not a snapshot that this library can read")              \
-  X(HS_ERROR_INTERNAL, -8, "a defect of the library: please report it")
+  X(HS_ERROR_INTERNAL, -8, "a defect of the library: please report it")                          \
+  X(HS_ERROR_TOO_FAST, -9, "two blocks meet too fast for the time step against their thickness")
 
 /** One line of the list as an enumerator. */
 #define HS_STATUS_ENUM(name, value, text) name = value,

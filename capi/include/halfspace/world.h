@@ -32,6 +32,12 @@ enum {
   HS_BLOCK_AFFINE = 3      /**< by Newton's law, and straining as a whole: see affine.h */
 };
 
+/** What becomes of a step in which two blocks would move far against the thinner of them: more than a quarter of its thickness. */
+enum {
+  HS_FAST_DIVIDE = 0, /**< when they meet, or are in touch, it is divided: up to their first touch, and on from there by small parts */
+  HS_FAST_REFUSE = 1  /**< when they meet, or are in touch, it is refused with HS_ERROR_TOO_FAST */
+};
+
 /** How a world is made. Fill it with hs_world_def_init(). */
 typedef struct hs_world_def {
   uint32_t struct_size;  /**< set by hs_world_def_init() */
@@ -47,6 +53,8 @@ typedef struct hs_world_def {
   double vertex_zone;    /**< see hs_pair_options */
   double potential_length; /**< H of HS_STIFFNESS_POTENTIAL, m, > 0: one for all blocks; or 0 (default): the mean length of all blocks'
                                 edges when forces are first used */
+  int32_t fast_blocks;     /**< an HS_FAST_ value; default HS_FAST_DIVIDE */
+  int32_t reserved;        /**< 0 */
 } hs_world_def;
 
 /** How a block is made. Fill it with hs_block_def_init(). */
@@ -105,6 +113,10 @@ typedef struct hs_world_report {
   double potential_length;   /**< in use; 0 without a law of potentials */
   double block_strain_energy; /**< of affine blocks, now; counts in the residual */
   double block_damping_loss; /**< in affine blocks, so far; counts in the residual */
+  int64_t divided_steps;     /**< steps so far that fast blocks have divided */
+  double deepest_stop;       /**< largest share of the thinner block's thickness that springs take to stop an approach, now:
+                                  v (m/k)^1/2, over the pairs in the neighbour list. Above 0.25 or so springs are too soft for
+                                  the speed; from 1 on blocks may pass through each other */
 } hs_world_report;
 
 /** @brief Fills a world definition with its defaults. @param def to fill @param size sizeof(hs_world_def) as the caller was compiled
@@ -227,7 +239,7 @@ HS_API hs_status hs_world_forces(hs_world *world, double elapsed, hs_mutable_vie
  *  @param world not NULL
  *  @param steps >= 0
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (no time step given and none can be derived), or HS_ERROR_OUT_OF_MEMORY or
- *  HS_ERROR_UNSTABLE: the world stays at the last good step and can be read, saved or restored. Where fast blocks had
+ *  HS_ERROR_UNSTABLE or HS_ERROR_TOO_FAST: the world stays at the last good step and can be read, saved or restored. Where fast blocks had
  *  divided a step (docs/guide.md), it stays at the last good part of it, and the next call ends that step. */
 HS_API hs_status hs_world_step(hs_world *world, int64_t steps);
 

@@ -32,6 +32,8 @@ pub const HS_ERROR_UNSTABLE: hs_status = -6;
 pub const HS_ERROR_FORMAT: hs_status = -7;
 /// a defect of the library: please report it
 pub const HS_ERROR_INTERNAL: hs_status = -8;
+/// two blocks meet too fast for the time step against their thickness
+pub const HS_ERROR_TOO_FAST: hs_status = -9;
 
 // Contact types (Wang et al. 2021, section 2.5).
 /// separated: one violated potential pair, or a plane between, proves it
@@ -138,6 +140,13 @@ pub const HS_BLOCK_PRESCRIBED: i32 = 1;
 pub const HS_BLOCK_RIGID: i32 = 2;
 /// by Newton's law, and straining as a whole: see affine.h
 pub const HS_BLOCK_AFFINE: i32 = 3;
+
+// What becomes of a step in which two blocks would move far against the thinner of them: more than a quarter
+// of its thickness.
+/// when they meet, or are in touch, it is divided: up to their first touch, and on from there by small parts
+pub const HS_FAST_DIVIDE: i32 = 0;
+/// when they meet, or are in touch, it is refused with HS_ERROR_TOO_FAST
+pub const HS_FAST_REFUSE: i32 = 1;
 
 // What 2D is a section of.
 /// a body that cannot strain across the plane
@@ -424,8 +433,12 @@ pub struct hs_world_def {
     /// H of HS_STIFFNESS_POTENTIAL, m, > 0: one for all blocks; or 0 (default): the mean length of all
     /// blocks' edges when forces are first used
     pub potential_length: f64,
+    /// an HS_FAST_ value; default HS_FAST_DIVIDE
+    pub fast_blocks: i32,
+    /// 0
+    pub reserved: i32,
 }
-const _: () = assert!(std::mem::size_of::<hs_world_def>() == 96);
+const _: () = assert!(std::mem::size_of::<hs_world_def>() == 104);
 
 /// How a block is made. Fill it with hs_block_def_init().
 #[repr(C)]
@@ -535,8 +548,14 @@ pub struct hs_world_report {
     pub block_strain_energy: f64,
     /// in affine blocks, so far; counts in the residual
     pub block_damping_loss: f64,
+    /// steps so far that fast blocks have divided
+    pub divided_steps: i64,
+    /// largest share of the thinner block's thickness that springs take to stop an approach, now: v
+    /// (m/k)^1/2, over the pairs in the neighbour list. Above 0.25 or so springs are too soft for the speed;
+    /// from 1 on blocks may pass through each other
+    pub deepest_stop: f64,
 }
-const _: () = assert!(std::mem::size_of::<hs_world_report>() == 184);
+const _: () = assert!(std::mem::size_of::<hs_world_report>() == 200);
 
 /// Elasticity of a material. Fill it with hs_elasticity_def_init().
 #[repr(C)]
@@ -1269,9 +1288,9 @@ extern "C" {
     /// - `steps`: >= 0
     ///
     /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (no time step given and none can be derived), or
-    /// HS_ERROR_OUT_OF_MEMORY or HS_ERROR_UNSTABLE: the world stays at the last good step and can be read,
-    /// saved or restored. Where fast blocks had divided a step (docs/guide.md), it stays at the last good
-    /// part of it, and the next call ends that step.
+    /// HS_ERROR_OUT_OF_MEMORY or HS_ERROR_UNSTABLE or HS_ERROR_TOO_FAST: the world stays at the last good
+    /// step and can be read, saved or restored. Where fast blocks had divided a step (docs/guide.md), it
+    /// stays at the last good part of it, and the next call ends that step.
     pub fn hs_world_step(world: *mut hs_world, steps: i64) -> hs_status;
 
     /// Time, time step, counts, energies. After a change of the world it detects and evaluates forces first,

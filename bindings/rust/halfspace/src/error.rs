@@ -22,6 +22,8 @@ constants! {
         State = HS_ERROR_STATE,
         /// The run became unstable: the time step is too large.
         Unstable = HS_ERROR_UNSTABLE,
+        /// Two blocks meet too fast for the time step against their thickness.
+        TooFast = HS_ERROR_TOO_FAST,
         /// The bytes are not a snapshot that this library can read.
         Format = HS_ERROR_FORMAT,
         /// A defect of the library: please report it.
@@ -39,6 +41,7 @@ impl ErrorKind {
             Self::OutOfMemory => sys::HS_ERROR_OUT_OF_MEMORY,
             Self::State => sys::HS_ERROR_STATE,
             Self::Unstable => sys::HS_ERROR_UNSTABLE,
+            Self::TooFast => sys::HS_ERROR_TOO_FAST,
             Self::Format => sys::HS_ERROR_FORMAT,
             Self::Internal => sys::HS_ERROR_INTERNAL,
             Self::Other(status) => status,

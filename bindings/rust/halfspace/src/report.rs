@@ -61,6 +61,12 @@ pub struct Report {
     pub block_strain_energy: f64,
     /// In affine blocks, so far; counts in the residual.
     pub block_damping_loss: f64,
+    /// Steps so far that fast blocks have divided.
+    pub divided_steps: u64,
+    /// Largest share of the thinner block's thickness that springs take to stop an approach, now:
+    /// v (m/k)^1/2, over the pairs in the neighbour list. Above 0.25 or so springs are too soft for
+    /// the speed; from 1 on blocks may pass through each other.
+    pub deepest_stop: f64,
 }
 
 impl From<sys::hs_energy> for Energy {
@@ -97,6 +103,8 @@ impl From<sys::hs_world_report> for Report {
             potential_length: raw.potential_length,
             block_strain_energy: raw.block_strain_energy,
             block_damping_loss: raw.block_damping_loss,
+            divided_steps: raw.divided_steps as u64,
+            deepest_stop: raw.deepest_stop,
         }
     }
 }

@@ -75,6 +75,18 @@ impl WorldDef {
         /// mean length of all blocks' edges when forces are first used.
         potential_length: f64,
     }
+
+    /// Whether a step is divided in which blocks meet that move by more than a quarter of the
+    /// thinner one's thickness; by default it is. Otherwise it ends with
+    /// [`ErrorKind::TooFast`](crate::ErrorKind::TooFast).
+    pub fn divide_fast_blocks(mut self, is_divided: bool) -> Self {
+        self.raw.fast_blocks = if is_divided {
+            sys::HS_FAST_DIVIDE
+        } else {
+            sys::HS_FAST_REFUSE
+        };
+        self
+    }
 }
 
 impl Default for WorldDef {

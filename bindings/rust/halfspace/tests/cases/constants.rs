@@ -39,6 +39,8 @@ pub fn parse(word: &str) -> Option<f64> {
         HS_BLOCK_PRESCRIBED,
         HS_BLOCK_RIGID,
         HS_BLOCK_AFFINE,
+        HS_FAST_DIVIDE,
+        HS_FAST_REFUSE,
     );
     constant.or_else(|| word.parse().ok())
 }
@@ -92,6 +94,7 @@ pub fn error_kind(word: &str) -> ErrorKind {
         "HS_ERROR_STALE_ID" => ErrorKind::StaleId,
         "HS_ERROR_STATE" => ErrorKind::State,
         "HS_ERROR_UNSTABLE" => ErrorKind::Unstable,
+        "HS_ERROR_TOO_FAST" => ErrorKind::TooFast,
         "HS_ERROR_FORMAT" => ErrorKind::Format,
         other => panic!("{other} is no error that cases know"),
     }

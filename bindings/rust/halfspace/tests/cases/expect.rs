@@ -135,6 +135,8 @@ pub fn of_report(report: &Report, field: &str) -> Vec<f64> {
         "potential_length" => vec![report.potential_length],
         "block_strain_energy" => vec![report.block_strain_energy],
         "block_damping_loss" => vec![report.block_damping_loss],
+        "divided_steps" => vec![report.divided_steps as f64],
+        "deepest_stop" => vec![report.deepest_stop],
         _ => unknown(field),
     }
 }
