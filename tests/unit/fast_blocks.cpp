@@ -45,7 +45,7 @@ template <int D>
 struct Scene {
   World<D> world;
 
-  explicit Scene(const SpringLaw& law) : world(settings(), memory) {
+  explicit Scene(const SpringLaw& law, const WorldSettings<D>& made = settings()) : world(made, memory) {
     world.add_material(density);
     Elasticity elasticity;
     elasticity.lame = elasticity.shear_modulus = law.normal_stiffness;
@@ -155,6 +155,46 @@ TEMPLATE_TEST_CASE_SIG("a plate that is driven through a bar at rest takes it al
         REQUIRE(steps < 1000);
       }
       CHECK(std::abs(scene.speed(bar) - 2 * speed) <= 0.02 * speed);
+    }
+  }
+}
+
+/// Runs until the bar is refused, or has been sent back.
+template <int D>
+StepResult result_of_bounce(const SpringLaw& law, double speed, const WorldSettings<D>& settings,
+                            FastPair& fast) {
+  Scene<D> scene(law, settings);
+  scene.add(plate<D>(thickness), BlockKind::fixed, 0);
+  const std::int32_t bar = scene.add(plate<D>(thickness), BlockKind::rigid, -10 * thickness, speed);
+  StepResult result = StepResult::ok;
+  while (result == StepResult::ok && scene.speed(bar) > 0) result = scene.world.step();
+  fast = scene.world.fast_pair();
+  CHECK(scene.world.divided_steps() == 0);
+  CHECK(scene.place(bar) < -0.5 * thickness);  // the middles never pass
+  return result;
+}
+
+TEMPLATE_TEST_CASE_SIG("a world that shall not divide its steps tells the pair and the step that would do",
+                       "", ((int D), D), 2, 3) {
+  for (const StiffnessKind kind :
+       {StiffnessKind::per_contact, StiffnessKind::per_area, StiffnessKind::potential}) {
+    for (const double speed_in_steps : {0.3, 7.3, 100.0}) {
+      INFO(D << "D, " << name_of(kind) << ", " << speed_in_steps << " thicknesses a step");
+      const double speed = speed_in_steps * thickness / time_step;
+      const SpringLaw law = law_that_stops<D>(kind, density * thickness, speed, 0.1 * thickness);
+      WorldSettings<D> settings = Scene<D>::settings();
+      settings.fast_blocks = FastBlocks::refuse;
+      FastPair fast;
+      REQUIRE(result_of_bounce<D>(law, speed, settings, fast) == StepResult::too_fast);
+      CHECK(fast.a == 0);
+      CHECK(fast.b == 1);
+      CHECK(fast.speed == Approx(speed));
+      CHECK(fast.thickness == Approx(thickness));
+      CHECK(fast.time_step == Approx(0.25 * time_step / speed_in_steps));
+      settings.time_step = 0.999 * fast.time_step;
+      CHECK(result_of_bounce<D>(law, speed, settings, fast) == StepResult::ok);
+      settings.time_step = 0;  // one that is derived minds speeds where it must not be divided
+      CHECK(result_of_bounce<D>(law, speed, settings, fast) == StepResult::ok);
     }
   }
 }
