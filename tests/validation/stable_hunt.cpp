@@ -153,17 +153,31 @@ Bodies wall(int dimension, int bricks) {
 
 double mechanical(const hs_energy& e) { return e.kinetic + e.strain + e.gravity; }
 
-/// Lets bodies come to lie, makes a world of them anew and runs it at a share of its stable step. Returns
-/// what mechanical energy it has gained, over what its springs hold.
-double gained(int dimension, const Bodies& start, const hs_law_def& law, double settling_time, double share,
-              int steps) {
+/// Bodies that have come to lie, under a law.
+struct Settled {
+  int dimension;
+  hs_law_def law;
+  Bodies bodies;
+  double stable_time_step;
+};
+
+Settled settled(int dimension, const Bodies& start, const hs_law_def& law, double settling_time) {
   hs_law_def damped = law;
   damped.normal_damping = damped.shear_damping = 0.1;
   BodyScene settling(dimension, def_of(dimension, 0, 0.5), damped, start);
   settling.step(std::int64_t(settling_time / settling.report().time_step));
-  const Bodies settled = settling.moved(start);
-  const double stable = BodyScene(dimension, def_of(dimension, 0, 0), law, settled).report().stable_time_step;
-  BodyScene scene(dimension, def_of(dimension, share * stable, 0), law, settled);
+  const Bodies bodies = settling.moved(start);
+  return {dimension, law, bodies,
+          BodyScene(dimension, def_of(dimension, 0, 0), law, bodies).report().stable_time_step};
+}
+
+/// Makes a world of them anew and runs it at a share of its stable step. Returns what mechanical energy it
+/// has gained, over what its springs held.
+double gained(const Settled& scene_of, double share) {
+  constexpr int steps = 2000;
+  const double time_step = share * scene_of.stable_time_step;
+  BodyScene scene(scene_of.dimension, def_of(scene_of.dimension, time_step, 0), scene_of.law,
+                  scene_of.bodies);
   Random random(11);
   scene.shake(random, 0.02);
   scene.step(1);
@@ -174,6 +188,14 @@ double gained(int dimension, const Bodies& start, const hs_law_def& law, double 
     most = std::max(most, mechanical(scene.energy()) - mechanical(before));
   }
   return most / (before.strain + before.kinetic);
+}
+
+hs_law_def law_of(int32_t stiffness_kind, double stiffness, double damping) {
+  hs_law_def law = stiffness_kind == HS_STIFFNESS_POTENTIAL ? potential_law(stiffness, 30 * degree, stiffness)
+                                                            : spring_law(stiffness, 30 * degree);
+  law.stiffness_kind = stiffness_kind;
+  law.normal_damping = law.shear_damping = damping;
+  return law;
 }
 
 /// Of what the springs hold. Friction on undamped springs feeds vibration a little, at any time step; where
@@ -187,12 +209,9 @@ TEST_CASE("no scene gains energy at 0.95 of the stable time step that it reports
       double most = 0;
       for (const double damping : {0.0, 0.1}) {
         for (const double stiffness : {1e6, 1e7}) {  // the weight of a block is some 1e4 N
-          hs_law_def law = kind == HS_STIFFNESS_POTENTIAL ? potential_law(stiffness, 30 * degree, stiffness)
-                                                          : spring_law(stiffness, 30 * degree);
-          law.stiffness_kind = kind;
-          law.normal_damping = law.shear_damping = damping;
           const auto hunt = [&](const char* name, const Bodies& bodies, double settling_time) {
-            const double gain = gained(dimension, bodies, law, settling_time, 0.95, 2000);
+            const hs_law_def law = law_of(kind, stiffness, damping);
+            const double gain = gained(settled(dimension, bodies, law, settling_time), 0.95);
             if (gain > most_gained)
               std::printf("%s in %dD, %s, damping %.1f, stiffness %.0e: gains %.2e\n", name, dimension,
                           name_of_stiffness(kind), damping, stiffness, gain);
@@ -207,6 +226,32 @@ TEST_CASE("no scene gains energy at 0.95 of the stable time step that it reports
       std::printf("hunt in %dD, %s: at 0.95 of the stable step at most %.1e of the springs' energy gained\n",
                   dimension, name_of_stiffness(kind), most);
       CHECK(most <= most_gained);
+    }
+  }
+}
+
+/// The least multiple of the stable step, in steps of a tenth, at which a scene gains energy or ends as
+/// unstable; at most 10.
+double breaking_share(const Settled& scene) {
+  double share = 1;
+  while (share < 10 && gained(scene, share) <= most_gained) share *= 1.1;
+  return share;
+}
+
+TEST_CASE("how far above the stable time step scenes break", "[.][breaking]") {
+  for (const int dimension : {2, 3}) {
+    for (const int32_t kind : all_stiffness_kinds) {
+      for (const double damping : {0.0, 0.1}) {
+        Random random(7);
+        const hs_law_def law = law_of(kind, 1e7, damping);
+        const auto breaks = [&](const Bodies& bodies, double settling_time) {
+          return breaking_share(settled(dimension, bodies, law, settling_time));
+        };
+        const double pile = breaks(loose(dimension, random), 5);
+        const double stack = breaks(wall(dimension, 1), 4), of_wall = breaks(wall(dimension, 4), 4);
+        std::printf("breaking in %dD, %s, damping %.1f: pile %.1f, stack %.1f, wall %.1f\n", dimension,
+                    name_of_stiffness(kind), damping, pile, stack, of_wall);
+      }
     }
   }
 }
