@@ -194,6 +194,20 @@ template <class Four, class Turn>
   return false;
 }
 
+/// The least deep of a pair and of those of all faces.
+template <class Turn>
+Separation<3> least_deep_of_faces(const MinkowskiDifference<Turn>& difference, const Separation<3>& found) {
+  const SeenOutline a = difference.a(), b = difference.seen_b();
+  Separation<3> best = found;
+  const auto look_at = [&](PotentialPair<3> pair) {
+    const double gap = refresh(a, b, difference.to_b(), pair);
+    if (gap > best.gap) best = {gap, pair, normal_of(a, b, pair)};
+  };
+  for (int face = 0; face < a.topology->face_count; ++face) look_at({PotentialPair<3>::face_vertex, face, 0});
+  for (int face = 0; face < b.topology->face_count; ++face) look_at({PotentialPair<3>::vertex_face, 0, face});
+  return best;
+}
+
 /// The least deep pair next to the one found, and next to that: for when the polytope is no proof. Its
 /// normals are those of triangles, which may be slivers that rounding turns, and it has room for so many
 /// corners only; the normals here are those of the blocks' own features.
@@ -226,7 +240,9 @@ template <class Four, class Turn>
       const Separation<3> found = pair_at(difference, polytope, is_facet);
       constexpr double may_be_turned = 1e8;  // how far a sliver's plane may be off, in its corners' rounding
       const bool is_final = is_facet && found.gap <= -may_be_turned * polytope.rounding();
-      return is_final ? found : refined(difference, found);
+      if (is_final) return found;
+      // Next to it is only what is next to it: of many sides that are about as deep the best may be far away.
+      return refined(difference, is_facet ? found : least_deep_of_faces(difference, found));
     }
   }
 }

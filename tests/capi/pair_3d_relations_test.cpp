@@ -309,4 +309,47 @@ TEST_CASE(
       }
 }
 
+TEST_CASE(
+    "round columns in one another have the least depth of all their sides, whichever of them comes first") {
+  const Context context = make_context();
+  const auto corners = [](int sides, double radius, double first_angle) {
+    Points3 points;
+    for (int i = 0; i < sides; ++i) {
+      const double angle = first_angle + 6.283185307179586 * i / sides;
+      points.push_back({radius * std::cos(angle), radius * std::sin(angle), 0});
+    }
+    return points;
+  };
+  const auto column = [&](const Points3& outline, double half_height) {
+    Points3 points;
+    for (const Point3& p : outline)
+      for (const double z : {-half_height, half_height}) points.push_back({p.x, p.y, z});
+    return make_hull(context.get(), points);
+  };
+  const auto reach = [](const Points3& outline, const Point3& along) {
+    double farthest = 0;
+    for (const Point3& p : outline) farthest = std::max(farthest, dot(along, p));
+    return farthest;
+  };
+  Random random(3);
+  for (int i = 0; i < 60; ++i) {
+    const int sides_of_a = 20 + int(random() % 60), sides_of_b = 20 + int(random() % 60);
+    const double turn_of_a = uniform_between(random, 0, 1), turn_of_b = uniform_between(random, 0, 1);
+    const Points3 of_a = corners(sides_of_a, 0.7, turn_of_a), of_b = corners(sides_of_b, 0.77, turn_of_b);
+    double least_depth = HUGE_VAL;  // across the middle of a side of either
+    for (const auto& [sides, turn] : {std::pair(sides_of_a, turn_of_a), std::pair(sides_of_b, turn_of_b)})
+      for (int side = 0; side < sides; ++side) {
+        const double angle = turn + 6.283185307179586 * (side + 0.5) / sides;
+        for (const double sense : {1.0, -1.0}) {
+          const Point3 n{sense * std::cos(angle), sense * std::sin(angle), 0};
+          least_depth = std::min(least_depth, reach(of_a, n) + reach(of_b, {-n.x, -n.y, 0}));
+        }
+      }
+    const Pair pair{column(of_a, 2), column(of_b, 3), pose_at(0, 0), pose_at(0, 0)};
+    INFO(sides_of_a << " and " << sides_of_b << " sides");
+    CHECK(-pair.detect().gap == Approx(least_depth).epsilon(1e-12));
+    CHECK(-pair.detect_swapped().gap == Approx(least_depth).epsilon(1e-12));
+  }
+}
+
 }  // namespace halfspace_test
