@@ -98,8 +98,9 @@ bool World<D>::find_contact(std::size_t k, Contact<D>& contact) {
     describe_contact<D>(a, b, to_b, memory, settings_.detect, contact);
   }
   if (before == PairMemory<D>::unknown && contact.gap >= -rounding_of_touch(pair)) {
-    // Neatly stacked: at first sight the strict form of inclusion holds (eq. 11). Which pair they touch through
-    // rounding alone would decide, so the pair of least depth will be the initial one, once they overlap.
+    // Neatly stacked: at first sight the strict form of inclusion holds (eq. 11). Which pair they touch
+    // through rounding alone would decide, so the pair of least depth will be the initial one, once they
+    // overlap.
     memory.state = PairMemory<D>::unknown;
     return pair.bonded;
   }

@@ -109,6 +109,7 @@ double World<D>::calm_part_of(Candidate<D>& pair, double& stable_duration) {
     if (impact.state == Impact<D>::never) return 1;
     if (impact.state == Impact<D>::touches) {
       time_of_touch = impact.time;
+      deepest_stop_ = std::max(deepest_stop_, stop_of(pair));
       pair.memory = memory_of(impact);
     }
   }
@@ -167,17 +168,21 @@ double World<D>::stiffness_between(const Candidate<D>& pair) const {
   return area * (law.is_potential() ? 2 * law.normal_stiffness / potential_length() : law.normal_stiffness);
 }
 
+/// How deep the springs of a pair let it come that approaches at its present speed, over the thickness of the
+/// thinner one.
+template <int D>
+double World<D>::stop_of(const Candidate<D>& pair) const {
+  const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
+  const Vector<D> to_b = blocks_.position[b] - blocks_.position[a],
+                  velocity = blocks_.velocity[b] - blocks_.velocity[a];
+  if (!(to_b.dot(velocity) < 0)) return 0;
+  return velocity.norm() * std::sqrt(reduced_mass(a, b) / stiffness_between(pair)) / thinner(pair);
+}
+
 template <int D>
 double World<D>::deepest_stop() const {
-  double deepest = 0;
-  for (const Candidate<D>& pair : candidates_.pairs()) {
-    const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
-    const Vector<D> to_b = blocks_.position[b] - blocks_.position[a],
-                    velocity = blocks_.velocity[b] - blocks_.velocity[a];
-    if (!(to_b.dot(velocity) < 0)) continue;
-    const double depth = velocity.norm() * std::sqrt(reduced_mass(a, b) / stiffness_between(pair));
-    deepest = std::max(deepest, depth / thinner(pair));
-  }
+  double deepest = deepest_stop_;
+  for (const Candidate<D>& pair : candidates_.pairs()) deepest = std::max(deepest, stop_of(pair));
   return deepest;
 }
 

@@ -111,8 +111,9 @@ class World {
   std::int64_t divided_steps() const { return divided_steps_; }
   /// After StepResult::too_fast.
   const FastPair& fast_pair() const { return fast_pair_; }
-  /// The largest share of the thinner block's thickness that springs take to stop the approach of two blocks
-  /// of the neighbour list at their present speeds, v (m/k)^1/2.
+  /// The largest share of the thinner block's thickness that springs take to stop the approach of two blocks,
+  /// v (m/k)^1/2: of those in the neighbour list at their present speeds, and of all that have divided a
+  /// step.
   double deepest_stop() const;
   /// H of potential laws: one length for all blocks (Zheng et al. 2020, section 3.2).
   double potential_length() const;
@@ -132,8 +133,8 @@ class World {
   void visit(Archive& archive) {
     archive(settings_, density_, elasticity_, fresh_, any_fresh_, laws_, blocks_, candidates_, touching_,
             forces_, acceleration_, momentum_rate_, ledger_, noise_energy_, residual_before_edit_, power_,
-            epoch_time_, epoch_step_, time_step_, passed_, fixed_length_, steps_, divided_steps_, detected_,
-            edited_);
+            epoch_time_, epoch_step_, time_step_, passed_, fixed_length_, steps_, divided_steps_,
+            deepest_stop_, detected_, edited_);
     if constexpr (Archive::reads) {  // steps find contacts until the next search, and ask for no memory
       touching_.reserve(candidates_.room());
       forces_.reserve(candidates_.room());
@@ -256,6 +257,7 @@ class World {
   double calm_part_of(Candidate<D>& pair, double& stable_duration);
   double section(std::size_t slot) const;
   double stiffness_between(const Candidate<D>& pair) const;
+  double stop_of(const Candidate<D>& pair) const;
   Sweep<D> planned_sweep(std::size_t slot) const;
   void move();
   std::size_t most_edges() const;
@@ -316,6 +318,7 @@ class World {
   double fixed_length_ = 0;  // H, once the first forces have been used
   std::int64_t steps_ = 0;
   std::int64_t divided_steps_ = 0;
+  double deepest_stop_ = 0;    // of pairs that have divided a step
   FastPair fast_pair_;         // for which the last step was refused
   std::int32_t detected_ = 0;  // contacts belong to the present poses
   std::int32_t edited_ = 1;    // since the last step: forces, accelerations and ledger are of another state

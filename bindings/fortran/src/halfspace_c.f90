@@ -309,9 +309,9 @@ module halfspace_c
     real(c_double) :: block_strain_energy = 0.0_c_double  !< of affine blocks, now; counts in the residual
     real(c_double) :: block_damping_loss = 0.0_c_double  !< in affine blocks, so far; counts in the residual
     integer(c_int64_t) :: divided_steps = 0  !< steps so far that fast blocks have divided
-    !> largest share of the thinner block's thickness that springs take to stop an approach, now: v (m/k)^1/2,
-    !! over the pairs in the neighbour list. Above 0.25 or so springs are too soft for the speed; from 1 on
-    !! blocks may pass through each other
+    !> largest share of the thinner block's thickness that springs take to stop an approach, v (m/k)^1/2: of
+    !! pairs that have divided a step so far, and of those in the neighbour list now. Above 0.25 or so springs
+    !! are too soft for the speed; from 1 on blocks may pass through each other
     real(c_double) :: deepest_stop = 0.0_c_double
   end type hs_world_report
 

@@ -385,9 +385,9 @@ class hs_world_report(Structure):
         ("block_strain_energy", c_double),  # of affine blocks, now; counts in the residual
         ("block_damping_loss", c_double),  # in affine blocks, so far; counts in the residual
         ("divided_steps", c_int64),  # steps so far that fast blocks have divided
-        # largest share of the thinner block's thickness that springs take to stop an approach, now: v
-        # (m/k)^1/2, over the pairs in the neighbour list. Above 0.25 or so springs are too soft for the
-        # speed; from 1 on blocks may pass through each other
+        # largest share of the thinner block's thickness that springs take to stop an approach, v (m/k)^1/2:
+        # of pairs that have divided a step so far, and of those in the neighbour list now. Above 0.25 or so
+        # springs are too soft for the speed; from 1 on blocks may pass through each other
         ("deepest_stop", c_double),
     ]
 

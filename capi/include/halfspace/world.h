@@ -114,9 +114,9 @@ typedef struct hs_world_report {
   double block_strain_energy; /**< of affine blocks, now; counts in the residual */
   double block_damping_loss; /**< in affine blocks, so far; counts in the residual */
   int64_t divided_steps;     /**< steps so far that fast blocks have divided */
-  double deepest_stop;       /**< largest share of the thinner block's thickness that springs take to stop an approach, now:
-                                  v (m/k)^1/2, over the pairs in the neighbour list. Above 0.25 or so springs are too soft for
-                                  the speed; from 1 on blocks may pass through each other */
+  double deepest_stop;       /**< largest share of the thinner block's thickness that springs take to stop an approach, v (m/k)^1/2: of
+                                  pairs that have divided a step so far, and of those in the neighbour list now. Above 0.25 or so
+                                  springs are too soft for the speed; from 1 on blocks may pass through each other */
 } hs_world_report;
 
 /** @brief Fills a world definition with its defaults. @param def to fill @param size sizeof(hs_world_def) as the caller was compiled

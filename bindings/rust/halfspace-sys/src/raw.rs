@@ -550,9 +550,9 @@ pub struct hs_world_report {
     pub block_damping_loss: f64,
     /// steps so far that fast blocks have divided
     pub divided_steps: i64,
-    /// largest share of the thinner block's thickness that springs take to stop an approach, now: v
-    /// (m/k)^1/2, over the pairs in the neighbour list. Above 0.25 or so springs are too soft for the speed;
-    /// from 1 on blocks may pass through each other
+    /// largest share of the thinner block's thickness that springs take to stop an approach, v (m/k)^1/2: of
+    /// pairs that have divided a step so far, and of those in the neighbour list now. Above 0.25 or so
+    /// springs are too soft for the speed; from 1 on blocks may pass through each other
     pub deepest_stop: f64,
 }
 const _: () = assert!(std::mem::size_of::<hs_world_report>() == 200);

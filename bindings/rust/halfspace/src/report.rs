@@ -63,9 +63,10 @@ pub struct Report {
     pub block_damping_loss: f64,
     /// Steps so far that fast blocks have divided.
     pub divided_steps: u64,
-    /// Largest share of the thinner block's thickness that springs take to stop an approach, now:
-    /// v (m/k)^1/2, over the pairs in the neighbour list. Above 0.25 or so springs are too soft for
-    /// the speed; from 1 on blocks may pass through each other.
+    /// Largest share of the thinner block's thickness that springs take to stop an approach,
+    /// v (m/k)^1/2: of pairs that have divided a step so far, and of those in the neighbour list
+    /// now. Above 0.25 or so springs are too soft for the speed; from 1 on blocks may pass through
+    /// each other.
     pub deepest_stop: f64,
 }
 
