@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "geometry/vector.h"
@@ -22,6 +23,10 @@ struct DetectOptions {
   double parallel_angle = 0.01;  // rad: edges (in space, faces) closer to parallel than this share a region
   double vertex_zone =
       1e-6;  // share of the shorter edge's length that an end of an edge counts as its vertex
+
+  /// In space a region is looked for up to this angle. By then the shares of its stiffness have moved to the
+  /// deepest corner or edge (region_3d_shares.h), so that the energy does not jump where it is given up.
+  double region_angle() const { return std::max(parallel_angle, std::min(4 * parallel_angle, 0.3)); }
 };
 
 /// A facet of the Minkowski difference of two blocks is a potential contact pair (Wang et al. 2021, eqs. 9,

@@ -6,7 +6,6 @@
 #include "detect/region_3d_edges.h"
 #include "detect/region_3d_faces.h"
 #include "detect/region_3d_plain.h"
-#include "detect/region_3d_shares.h"
 
 namespace halfspace {
 namespace {
@@ -26,6 +25,8 @@ void turn_round(const Vector<3>& to_b, Contact<3>& contact) {
   for (int i = 0; i < contact.point_count; ++i) contact.points[i] += to_b;
   std::reverse(contact.points, contact.points + contact.point_count);
   std::reverse(contact.gaps, contact.gaps + contact.point_count);
+  std::reverse(contact.shares, contact.shares + contact.point_count);
+  std::reverse(contact.share_rates, contact.share_rates + contact.point_count);
 }
 
 /// Returns the pair, or the neighbouring one when one of the nearest points lies beyond an end of its edge:
@@ -95,7 +96,7 @@ int face_parallel_to(const MeetingEdges& edges, double angle) {
 bool describe_edges_in_face(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
                             const MeetingEdges& edges, const DetectOptions& options, PotentialPair<3>& pair,
                             Contact<3>& contact) {
-  const int parallel = face_parallel_to(edges, options.parallel_angle);
+  const int parallel = face_parallel_to(edges, options.region_angle());
   if (parallel < 0) return false;
   PotentialPair<3> face = FacesAtEdges(a, b, pair).pair[parallel];
   refresh(a, b, to_b, face);
@@ -154,12 +155,8 @@ PotentialPair<3> describe_at(const SeenOutline& a, const SeenOutline& b, const V
 
 void describe_contact(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
                       PotentialPair<3>& pair, const DetectOptions& options, Contact<3>& contact) {
-  if (describe_plain_contact(a, b, to_b, pair, options, contact) != Plain::no) {
-    share_at_point(contact);
-  } else {
+  if (describe_plain_contact(a, b, to_b, pair, options, contact) == Plain::no)
     describe_and_move(a, b, to_b, pair, options, contact);
-    share_stiffness(options, contact);
-  }
   contact.pair = pair;
 }
 
@@ -169,7 +166,6 @@ bool describe_plainly_touching(const SeenOutline& a, const SeenOutline& b, const
   if (memory.state != PairMemory<3>::touching ||
       describe_plain_contact(a, b, to_b, memory.pair, options, contact) != Plain::and_touching)
     return false;
-  share_at_point(contact);
   contact.pair = memory.pair;
   return true;
 }

@@ -7,6 +7,7 @@
 #include "detect/potential_pairs_3d.h"
 #include "detect/region_3d_overlap.h"
 #include "detect/region_3d_plane.h"
+#include "detect/region_3d_shares.h"
 
 namespace halfspace {
 namespace {
@@ -193,15 +194,37 @@ void describe_border(const FlatFaceVertex& f, const Place& place, Contact<3>& co
                  point_of_border(f, place, std::clamp(share, 0.0, 1.0)), contact);
 }
 
-/// The region of a face and what is parallel to it of the other block at the vertex: a face, or else an edge.
-/// False when there is none.
+/// A region that is tilted by more than the parallel angle is called by what of it bears: a face still, where
+/// it has two edges that are level enough, else an edge or the vertex.
+void name_tilted_region(const FlatFaceVertex& f, bool is_edge_level, Contact<3>& contact) {
+  keep_what_bears(contact);
+  if (contact.point_count > 2) return;
+  if (contact.point_count == 1) {
+    const bool is_vertex = (contact.points[0] - f.foot).norm() <= 4 * f.rounding();
+    return describe_point(is_vertex && !is_edge_level ? ContactType::vertex_face : ContactType::edge_face,
+                          contact.points[0], contact);
+  }
+  contact.type = ContactType::edge_face;
+  contact.area = 0;
+  contact.length = (contact.points[1] - contact.points[0]).norm();
+  contact.center = 0.5 * (contact.points[0] + contact.points[1]);
+  contact.center_gap = 0.5 * (contact.gaps[0] + contact.gaps[1]);
+}
+
+/// The region of a face and what is near to parallel with it of the other block at the vertex: a face, or
+/// else an edge. False when there is none.
 bool describe_region(const FlatFaceVertex& f, const Facing& edge, const DetectOptions& options,
                      Contact<3>& contact) {
   contact.normal = f.normal;
   contact.gap = f.gap;
   const Facing face = facing_face(f);
-  return (face.sine < options.parallel_angle && describe_face_face(f, face.index, contact)) ||
-         (edge.sine < options.parallel_angle && describe_edge_face(f, edge.index, contact));
+  const bool is_face = face.sine < options.region_angle() && describe_face_face(f, face.index, contact);
+  if (!is_face && !(edge.sine < options.region_angle() && describe_edge_face(f, edge.index, contact)))
+    return false;
+  share_stiffness(options, contact);
+  if ((is_face ? face : edge).sine >= options.parallel_angle)
+    name_tilted_region(f, edge.sine < options.parallel_angle, contact);
+  return true;
 }
 
 }  // namespace

@@ -27,11 +27,13 @@ struct FaceVertex {
   contact.point_count = 1;
   contact.center = point;
   contact.points[0] = point;
+  contact.shares[0] = 1;
+  contact.share_rates[0].setZero();
   contact.center_gap = contact.gaps[0] = contact.gap;
 }
 
-/// The region of a face of a and what is parallel to it of b at a vertex: a face, or else an edge. False when
-/// there is none.
+/// The region of a face of a and what is near to parallel with it of b at a vertex: a face, or else an edge.
+/// False when there is none.
 bool describe_face_region(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
                           const PotentialPair<3>& pair, const DetectOptions& options, Contact<3>& contact);
 

@@ -21,12 +21,12 @@ Vector<3> in_frame_of(const SeenOutline& block, const Vector<3>& v) { return blo
 /// Do all edges at a vertex rise from the plane with a given normal more steeply than what shares a region
 /// with it? Then so do the faces between them. By a margin far above rounding.
 template <class Block>
-bool rises_steeply(const Block& block, int vertex, const Vector<3>& normal, double parallel_angle) {
+bool rises_steeply(const Block& block, int vertex, const Vector<3>& normal, double region_angle) {
   const Outline<3>& own = in_itself(block);
   const Topology& topology = *own.topology;
   const Vector<3>& upward = in_frame_of(block, normal);
   const Vector<3> from = own.vertex(vertex);
-  const double steep = 1.001 * parallel_angle * parallel_angle;
+  const double steep = 1.001 * region_angle * region_angle;
   for (int k = topology.first_of_vertex[vertex]; k < topology.first_of_vertex[vertex + 1]; ++k) {
     const Vector<3> along = own.vertex(topology.vertex_neighbour[k]) - from;
     const double climb = upward.dot(along);
@@ -72,7 +72,7 @@ Plain describe_vertex_inside_face(const Block& a, const Block& b, const Vector<3
   const int face = is_of_a ? pair.a : pair.b, vertex = is_of_a ? pair.b : pair.a;
   const double sense = is_of_a ? 1 : -1;
   const FaceVertex<Block> f{owner, other, sense * to_b, face, vertex};
-  if (!rises_steeply(other, vertex, f.normal, options.parallel_angle)) return Plain::no;
+  if (!rises_steeply(other, vertex, f.normal, options.region_angle())) return Plain::no;
   // The line from the vertex that is parallel to that between the centroids: see edges_cross().
   const double rise = f.normal.dot(f.to_other);
   const double back = rise > 0 ? f.gap / rise : 0;
@@ -90,7 +90,7 @@ Plain describe_crossing_edges(const Block& a, const Block& b, const Vector<3>& t
                               const PotentialPair<3>& pair, const DetectOptions& options,
                               Contact<3>& contact) {
   const MeetingEdges edges(a, b, pair);
-  if (!edges.cross_steeply(options.parallel_angle)) return Plain::no;
+  if (!edges.cross_steeply(options.region_angle())) return Plain::no;
   const NearestPoints nearest(edges, to_b);
   if (!nearest.are_on_edges()) return Plain::no;
   describe_edge_edge(edges, nearest, to_b, contact);

@@ -68,7 +68,6 @@ Step step_down(double slope, double parallel_angle) {
 
 void share_stiffness(const DetectOptions& options, Contact<3>& contact) {
   const int count = contact.point_count;
-  if (count == 1) return share_at_point(contact);
   share_by_area(contact);
   const double short_way = softening(contact);
   double sum = 0;
@@ -83,6 +82,19 @@ void share_stiffness(const DetectOptions& options, Contact<3>& contact) {
     contact.shares[i] /= sum;
     contact.share_rates[i] /= sum;
   }
+}
+
+void keep_what_bears(Contact<3>& contact) {
+  int kept = 0;
+  for (int i = 0; i < contact.point_count; ++i) {
+    if (contact.shares[i] == 0) continue;
+    contact.points[kept] = contact.points[i];
+    contact.gaps[kept] = contact.gaps[i];
+    contact.shares[kept] = contact.shares[i];
+    contact.share_rates[kept] = contact.share_rates[i];
+    ++kept;
+  }
+  contact.point_count = kept;
 }
 
 }  // namespace halfspace

@@ -13,10 +13,7 @@ namespace halfspace {
 /// deepest: between corners that are level, no way leads down.
 void share_stiffness(const DetectOptions& options, Contact<3>& contact);
 
-/// The same of a contact at a point.
-inline void share_at_point(Contact<3>& contact) {
-  contact.shares[0] = 1;
-  contact.share_rates[0].setZero();
-}
+/// Drops the points of a region that have no share.
+void keep_what_bears(Contact<3>& contact);
 
 }  // namespace halfspace

@@ -34,9 +34,9 @@ TEST_CASE(
       // Nearly parallel to a face: its region stands in. Unit normals sin(angle) apart differ by that much,
       // and so do the gaps of blocks within 2 of each other.
       const Vector<3> normal = normal_of(a.outline(), b.outline(), pair);
-      CHECK((normal - least.normal).norm() < 1.0001 * DetectOptions().parallel_angle);
+      CHECK((normal - least.normal).norm() < 1.0001 * DetectOptions().region_angle());
       CHECK((contact.type == ContactType::face_face || contact.type == ContactType::edge_face));
-      CHECK(contact.gap >= least.gap - 2 * 1.0001 * DetectOptions().parallel_angle);
+      CHECK(contact.gap >= least.gap - 2 * 1.0001 * DetectOptions().region_angle());
     } else {
       CHECK(pair == least.pair);
       CHECK(contact.gap == Approx(least.gap).margin(1e-15));
