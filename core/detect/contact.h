@@ -26,7 +26,7 @@ struct DetectOptions {
 
   /// In space a region is looked for up to this angle. By then the shares of its stiffness have moved to the
   /// deepest corner or edge (region_3d_shares.h), so that the energy does not jump where it is given up.
-  double region_angle() const { return std::max(parallel_angle, std::min(4 * parallel_angle, 0.3)); }
+  double region_angle() const { return std::max(parallel_angle, std::min(2 * parallel_angle, 0.3)); }
 };
 
 /// A facet of the Minkowski difference of two blocks is a potential contact pair (Wang et al. 2021, eqs. 9,
