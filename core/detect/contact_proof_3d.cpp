@@ -1,5 +1,7 @@
 #include "detect/contact_proof_3d.h"
 
+#include <cmath>
+
 #include "detect/pair_3d.h"
 #include "detect/potential_pairs_3d.h"
 #include "geometry/four_lanes.h"
@@ -9,6 +11,12 @@
 namespace halfspace {
 namespace {
 
+/// A height along a unit normal that rounding alone does not make. Less than that, and what is divided by it
+/// is nowhere, or beyond all numbers.
+bool is_told_from_0(double height, const Vector<3>& way) {
+  return height > std::ldexp(way.cwiseAbs().maxCoeff(), -52);
+}
+
 /// Does the line from the face that is parallel to that between the centroids meet the other's vertex behind
 /// the face? Then the segments from these two points to the centroids of their blocks cross. In other words,
 /// of the pyramid whose base is the facet of the Minkowski difference and whose apex is the difference of the
@@ -17,7 +25,7 @@ bool overlaps_at_face(const Outline<3>& owner, int face, const Outline<3>& other
                       const Vector<3>& to_other) {
   const Vector<3> normal = owner.normal(face), point = other.vertex(vertex) + to_other;
   const double depth = owner.offset[face] - normal.dot(point), rise = normal.dot(to_other);
-  if (!(depth >= 0 && rise > 0)) return false;
+  if (!(depth >= 0 && is_told_from_0(rise, to_other))) return false;
   const Vector<3> on_face = point + depth / rise * to_other;
   const Topology& topology = *owner.topology;
   const int first = topology.first_of_face[face], end = topology.first_of_face[face + 1];
@@ -93,7 +101,10 @@ void remember_proof(const Contact<3>& contact, const Vector<3>& to_b, PairMemory
   const double to_point = is_of_a ? contact.center_gap : -contact.center_gap;
   const Vector<3> point = contact.center + to_point * contact.normal;
   const Vector<3> inward = (is_of_a ? 1.0 : 0.0) * to_b - point;
-  memory.proof = point - 0.5 * to_point / contact.normal.dot(inward) * inward;
+  const double rise = (is_of_a ? 1 : -1) * contact.normal.dot(inward);
+  const bool has_inside = is_told_from_0(rise, inward);  // not a block as small as the other's rounding
+  const double above_zero = rise + (has_inside ? 0 : HUGE_VAL);  // as compilers divide ahead of the choice
+  memory.proof = point - 0.5 * contact.center_gap / above_zero * inward;
 }
 
 }  // namespace halfspace

@@ -130,11 +130,12 @@ void detect_aligned(const std::vector<const hs_shape*>& shapes, bool in_plane) {
             }
 }
 
-/// A regular polygon, or the prism on it.
-Shape regular(hs_context* context, int sides, double height) {
+/// A regular polygon so wide, or the prism on it.
+Shape regular(hs_context* context, int sides, double height, double width = 1) {
   Points3 points;
   for (int i = 0; i < sides; ++i) {
-    const double angle = 6.283185307179586 * i / sides, x = 0.5 * std::cos(angle), y = 0.5 * std::sin(angle);
+    const double angle = 6.283185307179586 * i / sides, x = 0.5 * width * std::cos(angle),
+                 y = 0.5 * width * std::sin(angle);
     points.push_back({x, y, -height / 2});
     if (height > 0) points.push_back({x, y, height / 2});
   }
@@ -155,6 +156,30 @@ TEST_CASE("floating-point traps of the host are never sprung by pairs that line 
     for (const Shape& s : shapes) all.push_back(s.get());
     const Trapping traps;
     detect_aligned(all, height == 0);
+  }
+}
+
+TEST_CASE("floating-point traps of the host are never sprung by pairs of any two sizes") {
+  const Context context = make_context();
+  Random random(11);
+  const double sizes[] = {1, 1e-3, 1e-9, 1e-15, 1e-17, 1e-31, 1e-48};
+  for (const double height : {0.0, 1.0}) {
+    for (const double size : sizes) {
+      const Shape large = regular(context.get(), 6, height),
+                  small = regular(context.get(), 4, size * height, size);
+      const Trapping traps;
+      for (int i = 0; i < 400; ++i) {
+        const double z = height > 0 ? uniform_between(random, -0.6, 0.6) : 0, tiny = i % 4 == 0 ? 1e-310 : 1;
+        const hs_pose pose =
+            pose_at({uniform_between(random, -0.6, 0.6) * tiny, uniform_between(random, -0.6, 0.6), z * tiny},
+                    {0, 0, 1}, i % 3 * 0.4);
+        hs_pair_cache cache{};
+        for (int again = 0; again < 2; ++again) {
+          detect_pair(large.get(), pose_at(0, 0), small.get(), pose, &cache);
+          detect_pair(small.get(), pose, large.get(), pose_at(0, 0));
+        }
+      }
+    }
   }
 }
 
