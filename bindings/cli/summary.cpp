@@ -84,6 +84,13 @@ std::string energy_text(const hs_world_report& report) {
   return text;
 }
 
+/// Nothing of a step that was a stable one all the time.
+std::string time_step_text(const hs_world_report& report, const Peaks& peaks) {
+  if (report.time_step <= peaks.stable_time_step) return {};
+  return line("time step",
+              "above the stable one, which was " + rounded(peaks.stable_time_step, 4) + " s at the least");
+}
+
 /// Nothing of blocks that are slow enough for the step and the springs.
 std::string fast_blocks_text(const hs_world_report& report, const Peaks& peaks) {
   constexpr double told_stop = 0.1;
@@ -143,11 +150,9 @@ std::string summary(const Scene& scene, const Model& model, const Peaks& peaks, 
          line("contacts", std::to_string(report.contact_count) + " at the end, largest overlap " +
                               rounded(report.largest_overlap, 3) + " m, fastest block " +
                               rounded(report.largest_speed, 3) + " m/s") +
-         line("in the whole run",
-              "largest overlap " + rounded(peaks.overlap, 3) + " m, fastest block " +
-                  rounded(peaks.speed, 3) + " m/s" +
-                  (report.divided_steps > 0 ? ", within divided steps not counted" : "")) +
-         fast_blocks_text(report, peaks) +
+         line("in the whole run", "largest overlap " + rounded(peaks.overlap, 3) + " m, fastest block " +
+                                      rounded(report.peak_speed, 3) + " m/s") +
+         time_step_text(report, peaks) + fast_blocks_text(report, peaks) +
          (report.potential_length > 0 ? line("potential length", rounded(report.potential_length, 6) + " m")
                                       : std::string()) +
          line("energy residual", energy_text(report)) +

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
 #include "model.h"
@@ -17,17 +18,17 @@ struct RunOut {
 
 RunOut run_out(const Frame& start, const Frame& end, int dimension);
 
-/// The largest values of a run. They are looked at once in a few steps: looking costs about as much as a
-/// step, and a contact lasts longer than that.
+/// What the report tells of the present only, and speeds of the whole run. It is looked at once in a few
+/// steps, as looking costs about as much as a step.
 struct Peaks {
   static constexpr std::int64_t steps_between = 16;
   void add(const hs_world_report& report) {
-    overlap = std::max(overlap, report.largest_overlap);
-    speed = std::max(speed, report.largest_speed);
+    overlap = std::max(overlap, report.peak_overlap);
+    if (report.stable_time_step > 0) stable_time_step = std::min(stable_time_step, report.stable_time_step);
     stop = std::max(stop, report.deepest_stop);
   }
-  double overlap = 0;
-  double speed = 0;
+  double overlap = 0;  ///< of steps in between, too, but by potentials in space
+  double stable_time_step = std::numeric_limits<double>::infinity();  ///< the least
   double stop = 0;
 };
 

@@ -145,6 +145,7 @@ hs_status hs_world_get_report(hs_world* world, hs_world_report* report, size_t s
     require_report_size(size, offsetof(hs_world_report, energy) + sizeof(hs_energy));
     w.prepare();  // energies and the time step of a world that has been changed
     const double stable = w.stable_time_step();
+    const double overlap = largest_overlap(w);
     const hs_world_report ours = {D,
                                   0,
                                   w.steps(),
@@ -155,14 +156,16 @@ hs_status hs_world_get_report(hs_world* world, hs_world_report* report, size_t s
                                   std::int64_t(w.candidates().pairs().size()),
                                   std::int64_t(w.contact_count()),
                                   w.candidates().builds(),
-                                  largest_overlap(w),
+                                  overlap,
                                   largest_speed(w.blocks()),
                                   energy_of(w.ledger()),
                                   w.knows_potential() ? w.potential_length() : 0,
                                   w.ledger().block_strain,
                                   w.ledger().block_damping_loss,
                                   w.divided_steps(),
-                                  w.deepest_stop()};
+                                  w.deepest_stop(),
+                                  std::max(w.peak_overlap(), overlap),
+                                  w.peak_speed()};
     write_sized(ours, report, size);
     return HS_OK;
   });

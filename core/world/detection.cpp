@@ -171,6 +171,13 @@ void World<D>::forget_contacts() {
   detected_ = false;
 }
 
+/// Potentials in space have no contact described, but at first sight.
+template <int D>
+void World<D>::remember_overlap(const Candidate<D>& pair, const Contact<D>& contact) {
+  if (D == 2 || !laws_.knows_potential() || !law_of(pair).is_potential())
+    peak_overlap_ = std::max(peak_overlap_, -contact.gap);
+}
+
 /// Calls `on_contact(candidate, contact)` for each contact as it is found, described if that is wanted. A
 /// contact is not kept: it follows from its candidate, and in a packing most candidates have none.
 template <int D>
@@ -182,6 +189,7 @@ void World<D>::find_contacts(OnContact on_contact) {
   for (std::size_t k = 0; k < pairs; ++k) {
     if (!find_contact(k, contact)) continue;
     touching_.push_back(std::uint32_t(k));
+    remember_overlap(candidates_.pairs()[k], contact);
     on_contact(k, contact);
   }
   detected_ = true;

@@ -191,7 +191,8 @@ bool World<D>::is_consistent() const {
   constexpr std::int64_t most_steps = std::int64_t(1) << 62;
   if (!is_from_zero(time_step_) || !is_finite(epoch_time_) || !is_from_zero(fixed_length_)) return false;
   if (epoch_step_ < 0 || steps_ < epoch_step_ || steps_ > most_steps) return false;
-  if (!is_from_zero(deepest_stop_)) return false;
+  if (!is_from_zero(deepest_stop_) || !is_from_zero(peak_overlap_) || !is_from_zero(peak_speed_))
+    return false;
   if (divided_steps_ < 0 || divided_steps_ > steps_ + 1) return false;
   if (!(passed_ >= 0 && passed_ <= time_step_)) return false;
   const auto wants_spring = [&](const Candidate<D>& pair) { return law_of(pair).resists_shear(); };

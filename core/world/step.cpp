@@ -122,6 +122,7 @@ void World<D>::take_stock(std::size_t i, const Vector<D>& opposed, const Angular
   }
   if (blocks_.kind[i] != BlockKind::rigid) return;
   const double mass = blocks_.mass[i];
+  stock.squared_speed = std::max(stock.squared_speed, velocity.squaredNorm());
   stock.kinetic += blocks_.kinetic_energy(std::int32_t(i));
   stock.gravity -= mass * settings_.gravity.dot(blocks_.position[i]);
   if (settings_.local_damping > 0) {
@@ -166,6 +167,7 @@ void World<D>::kick_and_book() {
   ledger_.mass_damping_loss += half * (power_.mass_damping + stock.power.mass_damping);
   ledger_.block_damping_loss += half * (power_.block_damping + stock.power.block_damping);
   ledger_.outer_work += duration_ * applied_power + half * (power_.outer + stock.power.outer);
+  peak_speed_ = std::max(peak_speed_, std::sqrt(stock.squared_speed));
   power_ = stock.power;
 }
 

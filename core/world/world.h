@@ -115,6 +115,10 @@ class World {
   /// v (m/k)^1/2: of those in the neighbour list at their present speeds, and of all that have divided a
   /// step.
   double deepest_stop() const;
+  /// Of all contacts found so far that were described: not of potentials in space.
+  double peak_overlap() const { return peak_overlap_; }
+  /// Of all blocks that move freely, at the ends of all motions so far.
+  double peak_speed() const { return peak_speed_; }
   /// H of potential laws: one length for all blocks (Zheng et al. 2020, section 3.2).
   double potential_length() const;
   bool knows_potential() const { return laws_.knows_potential(); }
@@ -134,7 +138,7 @@ class World {
     archive(settings_, density_, elasticity_, fresh_, any_fresh_, laws_, blocks_, candidates_, touching_,
             forces_, acceleration_, momentum_rate_, ledger_, noise_energy_, residual_before_edit_, power_,
             epoch_time_, epoch_step_, time_step_, passed_, fixed_length_, steps_, divided_steps_,
-            deepest_stop_, detected_, edited_);
+            deepest_stop_, peak_overlap_, peak_speed_, detected_, edited_);
     if constexpr (Archive::reads) {  // steps find contacts until the next search, and ask for no memory
       touching_.reserve(candidates_.room());
       forces_.reserve(candidates_.room());
@@ -174,6 +178,7 @@ class World {
     double kinetic = 0;
     double gravity = 0;
     double block_strain = 0;
+    double squared_speed = 0;  // of the fastest
     Power power;
   };
 
@@ -205,10 +210,11 @@ class World {
   /// All that a step of a changed world writes to before it moves the blocks, but for the pairs and what is
   /// worked out anew from the rest.
   auto preparation() {
-    return std::tuple_cat(candidates_.skins(),
-                          std::tie(touching_, forces_, blocks_.force, blocks_.torque, fresh_, any_fresh_,
-                                   ledger_, noise_energy_, residual_before_edit_, power_, epoch_time_,
-                                   epoch_step_, time_step_, passed_, detected_, edited_));
+    return std::tuple_cat(
+        candidates_.skins(),
+        std::tie(touching_, forces_, blocks_.force, blocks_.torque, fresh_, any_fresh_, ledger_,
+                 noise_energy_, residual_before_edit_, power_, epoch_time_, epoch_step_, time_step_, passed_,
+                 peak_overlap_, peak_speed_, detected_, edited_));
   }
 
   void edit();
@@ -218,6 +224,7 @@ class World {
   }
   void describe(const Candidate<D>& pair, Contact<D>& contact) const;
   bool is_described(const Candidate<D>& pair) const;
+  void remember_overlap(const Candidate<D>& pair, const Contact<D>& contact);
   double rounding_of_touch(const Candidate<D>& pair) const;
   bool find_contact(std::size_t k, Contact<D>& contact);
   template <class OnContact>
@@ -318,7 +325,9 @@ class World {
   double fixed_length_ = 0;  // H, once the first forces have been used
   std::int64_t steps_ = 0;
   std::int64_t divided_steps_ = 0;
-  double deepest_stop_ = 0;    // of pairs that have divided a step
+  double deepest_stop_ = 0;  // of pairs that have divided a step
+  double peak_overlap_ = 0;
+  double peak_speed_ = 0;
   FastPair fast_pair_;         // for which the last step was refused
   std::int32_t detected_ = 0;  // contacts belong to the present poses
   std::int32_t edited_ = 1;    // since the last step: forces, accelerations and ledger are of another state

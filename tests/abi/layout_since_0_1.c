@@ -16,6 +16,8 @@ FIELD(hs_world_report, block_strain_energy, 168, 8);
 FIELD(hs_world_report, block_damping_loss, 176, 8);
 FIELD(hs_world_report, divided_steps, 184, 8);
 FIELD(hs_world_report, deepest_stop, 192, 8);
+FIELD(hs_world_report, peak_overlap, 200, 8);
+FIELD(hs_world_report, peak_speed, 208, 8);
 
 _Static_assert(sizeof(hs_elasticity_def) >= 32, "hs_elasticity_def");
 FIELD(hs_elasticity_def, struct_size, 0, 4);

@@ -93,6 +93,8 @@ const Field report_fields[] = {INT32(hs_world_report, dimension),
                                NUMBER(hs_world_report, block_damping_loss),
                                INT64(hs_world_report, divided_steps),
                                NUMBER(hs_world_report, deepest_stop),
+                               NUMBER(hs_world_report, peak_overlap),
+                               NUMBER(hs_world_report, peak_speed),
                                END_OF_TABLE};
 
 const Field energy_fields[] = {NUMBER(hs_energy, kinetic),

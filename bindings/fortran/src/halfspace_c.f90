@@ -313,6 +313,10 @@ module halfspace_c
     !! pairs that have divided a step so far, and of those in the neighbour list now. Above 0.25 or so springs
     !! are too soft for the speed; from 1 on blocks may pass through each other
     real(c_double) :: deepest_stop = 0.0_c_double
+    !> largest overlap so far, at every detection; by potentials in space, whose steps find no overlaps, now
+    real(c_double) :: peak_overlap = 0.0_c_double
+    !> largest speed so far of all blocks that move freely, at the end of every step and part of one
+    real(c_double) :: peak_speed = 0.0_c_double
   end type hs_world_report
 
   !> Elasticity of a material. Fill it with hs_elasticity_def_init().

@@ -240,6 +240,8 @@ contains
     case ('block_damping_loss'); values = [r%block_damping_loss]
     case ('divided_steps'); values = [real(r%divided_steps, real64)]
     case ('deepest_stop'); values = [r%deepest_stop]
+    case ('peak_overlap'); values = [r%peak_overlap]
+    case ('peak_speed'); values = [r%peak_speed]
     case ('kinetic'); values = [r%energy%kinetic]
     case ('gravity'); values = [r%energy%gravity]
     case ('strain'); values = [r%energy%strain]

@@ -389,6 +389,11 @@ class hs_world_report(Structure):
         # of pairs that have divided a step so far, and of those in the neighbour list now. Above 0.25 or so
         # springs are too soft for the speed; from 1 on blocks may pass through each other
         ("deepest_stop", c_double),
+        # largest overlap so far, at every detection; by potentials in space, whose steps find no overlaps,
+        # now
+        ("peak_overlap", c_double),
+        # largest speed so far of all blocks that move freely, at the end of every step and part of one
+        ("peak_speed", c_double),
     ]
 
 

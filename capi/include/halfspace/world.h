@@ -117,6 +117,8 @@ typedef struct hs_world_report {
   double deepest_stop;       /**< largest share of the thinner block's thickness that springs take to stop an approach, v (m/k)^1/2: of
                                   pairs that have divided a step so far, and of those in the neighbour list now. Above 0.25 or so
                                   springs are too soft for the speed; from 1 on blocks may pass through each other */
+  double peak_overlap;       /**< largest overlap so far, at every detection; by potentials in space, whose steps find no overlaps, now */
+  double peak_speed;         /**< largest speed so far of all blocks that move freely, at the end of every step and part of one */
 } hs_world_report;
 
 /** @brief Fills a world definition with its defaults. @param def to fill @param size sizeof(hs_world_def) as the caller was compiled

@@ -554,8 +554,12 @@ pub struct hs_world_report {
     /// pairs that have divided a step so far, and of those in the neighbour list now. Above 0.25 or so
     /// springs are too soft for the speed; from 1 on blocks may pass through each other
     pub deepest_stop: f64,
+    /// largest overlap so far, at every detection; by potentials in space, whose steps find no overlaps, now
+    pub peak_overlap: f64,
+    /// largest speed so far of all blocks that move freely, at the end of every step and part of one
+    pub peak_speed: f64,
 }
-const _: () = assert!(std::mem::size_of::<hs_world_report>() == 200);
+const _: () = assert!(std::mem::size_of::<hs_world_report>() == 216);
 
 /// Elasticity of a material. Fill it with hs_elasticity_def_init().
 #[repr(C)]

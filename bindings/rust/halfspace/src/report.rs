@@ -68,6 +68,12 @@ pub struct Report {
     /// now. Above 0.25 or so springs are too soft for the speed; from 1 on blocks may pass through
     /// each other.
     pub deepest_stop: f64,
+    /// Largest overlap so far, at every detection; by potentials in space, whose steps find no
+    /// overlaps, now.
+    pub peak_overlap: f64,
+    /// Largest speed so far of all blocks that move freely, at the end of every step and part of
+    /// one.
+    pub peak_speed: f64,
 }
 
 impl From<sys::hs_energy> for Energy {
@@ -106,6 +112,8 @@ impl From<sys::hs_world_report> for Report {
             block_damping_loss: raw.block_damping_loss,
             divided_steps: raw.divided_steps as u64,
             deepest_stop: raw.deepest_stop,
+            peak_overlap: raw.peak_overlap,
+            peak_speed: raw.peak_speed,
         }
     }
 }

@@ -137,6 +137,8 @@ pub fn of_report(report: &Report, field: &str) -> Vec<f64> {
         "block_damping_loss" => vec![report.block_damping_loss],
         "divided_steps" => vec![report.divided_steps as f64],
         "deepest_stop" => vec![report.deepest_stop],
+        "peak_overlap" => vec![report.peak_overlap],
+        "peak_speed" => vec![report.peak_speed],
         _ => unknown(field),
     }
 }
