@@ -52,6 +52,34 @@ void require_joints(const JointSet& set, const Reach& reach) {
   }
 }
 
+/// How many blocks the joints of two sets, in space of three, make in a volume by crossing one another. All
+/// that their joints make is no less, but for what ends at the outside.
+double crossings(const JointSet& a, const JointSet& b, double area) {
+  return area * length(cross(a.normal, b.normal)) / (a.spacing * b.spacing);
+}
+
+double crossings(const JointSet& a, const JointSet& b, const JointSet& c, double volume) {
+  return volume * std::abs(dot(cross(a.normal, b.normal), c.normal)) / (a.spacing * b.spacing * c.spacing);
+}
+
+/// Refuses sets that together would make too many blocks, before they cut anything.
+void require_crossings(const std::vector<JointSet>& sets, const hs_shape_properties& region) {
+  const bool in_plane = region.dimension == 2;
+  const double volume = region.volume;
+  double blocks = 0;
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (in_plane) blocks += crossings(sets[i], sets[j], volume);
+      for (std::size_t k = 0; !in_plane && k < j; ++k) blocks += crossings(sets[i], sets[j], sets[k], volume);
+    }
+    if (!(blocks <= static_cast<double>(most_blocks))) {
+      throw JointFault(sets[i], "about " + rounded(blocks, 3) +
+                                    " blocks between the joints of all sets; allowed: at most " +
+                                    std::to_string(most_blocks));
+    }
+  }
+}
+
 /// Cuts a block by all joints of a set one after the other: what lies behind a joint no later one cuts.
 void cut_by_set(const Context& context, const JointSet& set, Shape block, std::vector<Shape>& pieces) {
   const Reach reach = reach_of(vertices_of(context, block), set.normal);
@@ -97,6 +125,7 @@ JointedBlocks cut_jointed_rock(const Context& context, const JointedRock& rock, 
   std::set<const JointSet*> busy;
   for (Shape& region : regions) {
     const std::vector<Point> corners = vertices_of(context, region);
+    require_crossings(rock.joint_sets, properties_of(context, region));
     std::vector<Shape> blocks;
     blocks.push_back(std::move(region));
     for (const JointSet& set : rock.joint_sets) {
