@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "loads.h"
 #include "text.h"
 #include "vector.h"
 
@@ -140,9 +141,10 @@ void note_boundaries(const Scene& scene, const std::vector<Body>& bodies, Faults
       before += side > 0;
       behind += side < 0;
     }
-    if (behind == 0 || before > 0) continue;
+    if (behind <= before) continue;
+    const std::string most = before > 0 ? "most of what is free to move, " : "all that is free to move, ";
     faults.note(block.shape_place, block.making.key + ".boundary",
-                quoted(block.making.name) + " seems to run the wrong way round: all that is free to move, " +
+                quoted(block.making.name) + " seems to run the wrong way round: " + most +
                     std::to_string(behind) + (behind == 1 ? " block" : " blocks") +
                     ", is behind it; before it is what is at the right on the way from point to point");
   }
@@ -196,14 +198,15 @@ struct Worst {
   std::size_t block = 0, partner = 0;
 };
 
-/// By its weight alone; a pile of ten such blocks lies ten times as deep.
+/// A single block that sinks in by 1 % is told, and one under a pile by 10 %.
 void note_weights(const Scene& scene, const Model& model, const std::vector<Body>& bodies, Faults& faults) {
-  constexpr double told_share = 0.01;
-  const double gravity = length(point_of(scene.world.gravity));
+  constexpr double told_share_alone = 0.01, told_share_in_a_pile = 0.1;
+  const Point gravity = point_of(scene.world.gravity);
+  const std::vector<double> loads = loads_of(model.frame(), gravity);
   const Springs springs(scene, model);
   std::vector<std::int64_t> count_of(scene.materials.size());
   for (const Body& body : bodies) ++count_of[static_cast<std::size_t>(body.state.material)];
-  Worst worst;
+  Worst alone, in_a_pile;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const Body& body = bodies[i];
     if (!moves_freely(body.state.kind)) continue;
@@ -212,15 +215,20 @@ void note_weights(const Scene& scene, const Model& model, const std::vector<Body
       base.state.material = static_cast<int32_t>(material);
       const bool is_alone = base.state.material == body.state.material && count_of[material] == 1;
       if (count_of[material] == 0 || is_alone) continue;
-      worst.add(i, i, body.state.mass * gravity / springs.stiffness(body, base), body.thickness);
+      const double stiffness = springs.stiffness(body, base);
+      alone.add(i, i, body.state.mass * length(gravity) / stiffness, body.thickness);
+      in_a_pile.add(i, i, loads[i] / stiffness, body.thickness);
     }
   }
-  if (worst.share < told_share) return;
+  const bool is_pile = in_a_pile.share >= told_share_in_a_pile && in_a_pile.share > 1.01 * alone.share;
+  const Worst& worst = is_pile ? in_a_pile : alone;
+  if (worst.share < told_share_alone) return;
   const PlannedBlock& block = model.plan().blocks[worst.block];
+  const std::string cause = is_pile ? "its weight and that of what is above it" : "its weight alone";
   faults.note(block.place, block.key,
               quoted(block.name) + " sinks " + rounded(worst.depth, 3) + " m, " + share_of_it(worst.share) +
-                  " its thickness, into what it lies on by its weight alone: a stiffer normal_stiffness "
-                  "holds it up");
+                  " its thickness, into what it lies on by " + cause +
+                  ": a stiffer normal_stiffness holds it up");
 }
 
 void note_speeds(const Scene& scene, const Model& model, const std::vector<Body>& bodies, Faults& faults) {

@@ -105,6 +105,9 @@ class Notes(unittest.TestCase):
         turned = "rotation = 180\nshift = [0, -0.5]\n"
         self.assertEqual(self.check(inside + boundary([[-9, 0], [9, 0]], turned)), [])
         self.assertEqual(len(self.check(inside + boundary([[9, 0], [-9, 0]], turned))), 1)
+        below = block("below", [1, -3], [2, -2])
+        self.assert_one(self.check(inside + block("too", [3, 1], [4, 2]) + below + boundary([[-9, 0], [9, 0]])),
+                        "most of what is free to move, 2 blocks, is behind it")
         shelf = boundary([[3, 3], [-3, 3]])  # with a block on it and one below
         self.assertEqual(self.check(inside + block("on_it", [0, 3], [1, 4]) + shelf), [])
 
@@ -128,6 +131,28 @@ class Notes(unittest.TestCase):
         self.assertEqual(self.check(pair + law), [])
         self.assertEqual(len(self.check(pair.replace("stone", "rubber", 1) + law)), 1)
 
+    def test_springs_too_soft_for_the_weight_of_a_pile(self):
+        soft = 2500 * 9.81 / 0.009  # each block alone sinks in by 0.9 %
+        stack = block("base", [-1, -1], [3, 0], 'kind = "fixed"') + "".join(block(f"b{i}", [0, i], [1, i + 1]) for i in range(20))
+        beside = "".join(block(f"c{i}", [i - 3, 0], [i - 2, 1]) for i in range(3))
+        solid = block("base", [-1, -1, -1], [2, 2, 0], 'kind = "fixed"') + \
+            "".join(block(f"b{i}", [0, 0, i], [1, 1, i + 1]) for i in range(20))
+        pattern = r'"b0" sinks 0\.18 m, 18 % of its thickness, into what it lies on by its weight and that of what is above it'
+        for stiffness, share in (('"per contact"', 1), ('"per area"', 1), ('"potential"', 0.5)):
+            changes = {"stiffness": stiffness, "normal_stiffness": soft * share, "potential_length": 1}
+            self.assert_one(self.check(stack + beside, **changes), pattern)
+            self.assert_one(self.check(solid, 3, **changes), pattern)
+            changes["normal_stiffness"] *= 5
+            self.assertEqual(self.check(stack + beside, **changes), [])
+        # What lies on a slab presses on all of it, 59.4 % as it is cut into columns to some per cent.
+        table = block("left", [0, 0], [1, 1]) + block("right", [5, 0], [6, 1]) + block("slab", [0, 1], [6, 2]) + \
+            block("load", [0, 2], [6, 12])
+        self.assert_one(self.check(block("base", [-1, -1], [9, 0], 'kind = "fixed"') + table, normal_stiffness=soft),
+                        r'"slab" sinks 0\.5[6-9]\d* m')
+        self.assertEqual(self.check(stack, normal_stiffness=soft, gravity=[0, 0]), [])
+        sideways = self.check(stack, normal_stiffness=soft, gravity=[9.81, 0])
+        self.assertEqual(sideways, [])
+
     def test_springs_too_soft_for_the_speed(self):
         wall = block("wall", [0, 0], [0.02, 1], 'kind = "fixed"')
         bar = block("bar", [-2, 0], [-1.5, 1], "velocity = [100, 0]")
@@ -144,6 +169,17 @@ class Notes(unittest.TestCase):
         rock = '[[jointed_rock]]\nname = "rock"\nmaterial = "stone"\nbox = [[0.5, 0.5], [1.5, 1.5]]\n'
         sets = "".join(f"[[jointed_rock.joint_set]]\ndip = {dip}\nspacing = {spacing}\n" for dip, spacing in ((0, 7), (90, 1)))
         self.assert_one(self.check(rock + sets), r"^22:11: note: jointed_rock\[0\]\.joint_set\[0\]\.spacing: none of these joints, 7 m apart")
+
+    def test_joint_sets_that_make_too_many_blocks_together_are_refused_at_once(self):
+        for dimension, box, dips in ((2, [[0, 0], [4, 4]], (30, -30)), (3, [[0, 0, 0], [4, 4, 4]], (0, 45, 89))):
+            sets = "".join(f"[[jointed_rock.joint_set]]\ndip = {dip}\nspacing = {1e-3 if dimension == 2 else 1e-2}\n" +
+                           ("dip_direction = 0\n" if dip < 89 else "dip_direction = 90\n") * (dimension - 2) for dip in dips)
+            with tempfile.TemporaryDirectory() as directory:
+                scene = Path(directory, "scene.toml")
+                scene.write_text(HEAD.format(dimension) + f'[[jointed_rock]]\nname = "rock"\nmaterial = "stone"\nbox = {box}\n' + sets)
+                answer = halfspace("check", scene, timeout=30)
+                self.assertEqual(answer.returncode, 1)
+                self.assertRegex(answer.stderr, r"joint_set\[\d\]\.spacing: about \S+ blocks between the joints of all sets")
 
     def test_pictures_after_the_end(self):
         scene = block("free", [0, 0], [1, 1]) + "[output.picture]\ntimes = [0.005, 5]\n"
