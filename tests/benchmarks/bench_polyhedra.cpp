@@ -107,6 +107,12 @@ struct Heap {
 
   void step(std::int64_t steps) const { check(hs_world_step(world.get(), steps)); }
 
+  /// Contacts are described and loaded once more.
+  void evaluate_forces() const {
+    const hs_status status = hs_world_forces(world.get(), 0, {}, {});
+    if (status != HS_NOTE_TRUNCATED) check(status);
+  }
+
   hs_world_report report() const {
     hs_world_report report;
     check(hs_world_get_report(world.get(), &report, sizeof report));
@@ -169,6 +175,8 @@ void time_steps(const Bin& bin, int bins, const Plan& plan) {
   for (int i = 0; i < passes; ++i) timed.add(seconds_of([&] { heap.step(steps); }));
   const std::int64_t allocations = heap.memory.allocations() - allocations_before;
   const hs_world_report after = heap.report();
+  Passes forces;
+  for (int i = 0; i < passes; ++i) forces.add(seconds_of([&] { heap.evaluate_forces(); }));
   const double least = 1e9 * timed.minimum() / (steps * blocks);
   std::printf(
       "%8.0f blocks: %8.1f ns a block-step (median %.1f), %.3f million block-steps/s; contacts %.2f and "
@@ -178,6 +186,9 @@ void time_steps(const Bin& bin, int bins, const Plan& plan) {
       double(after.contact_count) / blocks, double(after.candidate_count) / blocks,
       double(heap.memory.live()) / blocks, static_cast<long long>(allocations),
       static_cast<long long>(after.list_builds - before.list_builds), after.largest_speed);
+  std::printf("%8.0f blocks: %8.1f ns a contact, described and loaded (median %.1f)\n", blocks,
+              1e9 * forces.minimum() / double(after.contact_count),
+              1e9 * forces.median() / double(after.contact_count));
   std::fflush(stdout);
 }
 
