@@ -43,34 +43,25 @@ class Planner {
     std::vector<Shape> regions;
     for (const Region& region : rock.regions) regions.push_back(shapes_.of(region));
     if (!may_generate(rock.making)) return;
-    try {
-      JointedBlocks cut = cut_jointed_rock(context_, rock, std::move(regions));
-      add_members(rock.making, std::move(cut.blocks));
-      plan_.left_out += cut.left_out;
-      plan_.size_left_out += cut.size_left_out;
-      for (const JointSet* set : cut.idle_sets) {
-        faults_.note(set->place, set->key,
-                     "none of these joints, " + shortest(set->spacing) + " m apart, runs through the region");
-      }
-    } catch (const JointFault& fault) {
-      faults_.add(fault.set.place, fault.set.key, fault.what());
-      without_blocks_.push_back(rock.making.name);
-    }
+    generate(rock.making, [&] { cut(rock, std::move(regions)); });
   }
 
   void add(const Voronoi& voronoi) {
     claim(voronoi.making);
     const Shape region = shapes_.of(voronoi.region);
-    if (may_generate(voronoi.making)) add_members(voronoi.making, voronoi_blocks(context_, voronoi, region));
+    if (!may_generate(voronoi.making)) return;
+    generate(voronoi.making, [&] { add_members(voronoi.making, voronoi_blocks(context_, voronoi, region)); });
   }
 
   void add(const Triangulated& region) {
     claim(region.making);
     if (!may_generate(region.making)) return;
-    std::vector<Shape> shapes;
-    for (const Triangle& triangle : triangulate(region))
-      shapes.push_back(make_polygon(context_, {triangle.begin(), triangle.end()}));
-    add_members(region.making, std::move(shapes));
+    generate(region.making, [&] {
+      std::vector<Shape> shapes;
+      for (const Triangle& triangle : triangulate(region))
+        shapes.push_back(make_polygon(context_, {triangle.begin(), triangle.end()}));
+      add_members(region.making, std::move(shapes));
+    });
   }
 
   void track(const std::string& name, Place place) {
@@ -97,6 +88,33 @@ class Planner {
     if (faults_.none()) return true;
     without_blocks_.push_back(making.name);
     return false;
+  }
+
+  /// What is too small or too large to compute with is a fault of the generator.
+  template <class Make>
+  void generate(const Making& making, Make make) {
+    try {
+      make();
+    } catch (const LibraryError& error) {
+      faults_.add(making.place, making.key, error.what());
+      without_blocks_.push_back(making.name);
+    }
+  }
+
+  void cut(const JointedRock& rock, std::vector<Shape> regions) {
+    try {
+      JointedBlocks cut = cut_jointed_rock(context_, rock, std::move(regions));
+      add_members(rock.making, std::move(cut.blocks));
+      plan_.left_out += cut.left_out;
+      plan_.size_left_out += cut.size_left_out;
+      for (const JointSet* set : cut.idle_sets) {
+        faults_.note(set->place, set->key,
+                     "none of these joints, " + shortest(set->spacing) + " m apart, runs through the region");
+      }
+    } catch (const JointFault& fault) {
+      faults_.add(fault.set.place, fault.set.key, fault.what());
+      without_blocks_.push_back(rock.making.name);
+    }
   }
 
   /// Blocks and generators share one set of names.

@@ -193,5 +193,19 @@ class SceneFaults(unittest.TestCase):
         self.assertEqual((answer.returncode, answer.stderr), (0, ""))
 
 
+class Generators(unittest.TestCase):
+    def test_what_is_too_small_to_compute_with_is_a_fault_with_its_place(self):
+        world = ('dimension = 2\n[world]\nduration = 1\n[[material]]\nname = "stone"\ndensity = 2500\n'
+                 '[default_law]\nstiffness = "per contact"\nnormal_stiffness = 1e8\n')
+        triangles = '[[triangulated]]\nname = "t"\nmaterial = "stone"\ncount = 100\nlower_left = [0, 0]\nupper_right = [1, {}]\n'
+        for height in ("1e-300", "1e300"):
+            with tempfile.TemporaryDirectory() as directory:
+                scene = Path(directory, "scene.toml")
+                scene.write_text(world + triangles.format(height))
+                answer = halfspace("check", scene)
+                self.assertEqual(answer.returncode, 1)
+                self.assertRegex(answer.stderr, r"scene\.toml:\d+:\d+: triangulated\[0\]: hs_polygon_create: ")
+
+
 if __name__ == "__main__":
     main()
