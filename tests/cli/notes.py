@@ -198,6 +198,7 @@ class Notes(unittest.TestCase):
             self.assertNotIn(directory, summary)
             self.assertRegex(summary, r"contacts +0 at the end, largest overlap 0 m")
             self.assertRegex(summary, r"in the whole run +largest overlap 0\.4 m, fastest block \d\d")
+            self.assertNotIn("above the stable one", summary)
 
     def run_scene(self, text):
         """The answer of a run and its summary."""
@@ -215,6 +216,8 @@ class Notes(unittest.TestCase):
         self.assertEqual(answer.returncode, 0)
         self.assertRegex(summary, r"outcome +complete")
         self.assertRegex(summary, r"divided steps +1, in which fast blocks met")
+        self.assertRegex(summary, r"in the whole run +largest overlap 0\.0009\d+ m, fastest block 300 m/s")
+        self.assertRegex(summary, r"time step +above the stable one, which was 7\.29e-07 s at the least")
         self.assertRegex(summary, r"softest springs +stop the fastest approach in 21\.2 % of the thinner block's thickness")
         self.assertRegex(summary, r"run-out .* 0\.00 m to the left")
         answer, summary = self.run_scene(world.replace("[world]", '[world]\nfast_blocks = "refuse"') + plate + bar)
