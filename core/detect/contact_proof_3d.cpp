@@ -20,7 +20,7 @@ bool is_told_from_0(double height, const Vector<3>& way) {
 /// Does the line from the face that is parallel to that between the centroids meet the other's vertex behind
 /// the face? Then the segments from these two points to the centroids of their blocks cross. In other words,
 /// of the pyramid whose base is the facet of the Minkowski difference and whose apex is the difference of the
-/// centroids, the origin is inside (THEORY section 3).
+/// centroids, the origin is inside (docs/theory.md).
 bool overlaps_at_face(const Outline<3>& owner, int face, const Outline<3>& other, int vertex,
                       const Vector<3>& to_other) {
   const Vector<3> normal = owner.normal(face), point = other.vertex(vertex) + to_other;

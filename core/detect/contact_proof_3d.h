@@ -7,7 +7,7 @@ namespace halfspace {
 /// Does a line that is parallel to that between the centroids meet both edges, that of b behind that of a?
 /// Then the segments from where it does to the centroids of their blocks cross, and the blocks touch. In
 /// other words, of the pyramid whose base is the facet of the Minkowski difference and whose apex is the
-/// difference of the centroids, the origin is inside (THEORY section 3). `across` is the product of the
+/// difference of the centroids, the origin is inside (docs/theory.md). `across` is the product of the
 /// edges' vectors, `between` leads from the start of one to that of the other.
 inline bool edges_cross(const Vector<3>& along_a, const Vector<3>& along_b, const Vector<3>& across,
                         const Vector<3>& between, const Vector<3>& to_b) {

@@ -33,7 +33,7 @@ struct EdgeDirections {
 };
 
 /// For each edge of a block, the other block's edges that cross from one of its two faces to the other in the
-/// sense of THEORY section 2: `falling` those that descend along the outer normal of the face on its left and
+/// sense of docs/theory.md: `falling` those that descend along the outer normal of the face on its left and
 /// climb along that on its right, `rising` the others that cross.
 struct CrossingEdges {
   EdgeSet falling[most_edges_in_set];
@@ -157,7 +157,7 @@ class JudgedPairs {
 
 }  // namespace
 
-/// By the four signs of edge direction and face normal (THEORY section 2): edges a and b make a facet of the
+/// By the four signs of edge direction and face normal (docs/theory.md): edges a and b make a facet of the
 /// Minkowski difference when b crosses between the faces of a and a between those of b, in the same sense.
 void judge_edge_pairs(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, Separation<3>& best) {
   JudgedPairs pairs(a, b, to_b);

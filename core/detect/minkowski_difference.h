@@ -22,7 +22,7 @@ struct Corner {
 };
 
 /// All differences of a point of b and a point of a, seen from the frame of a: the origin lies in it just
-/// when the blocks overlap, and its facets are their potential contact pairs (THEORY section 3). Block b is
+/// when the blocks overlap, and its facets are their potential contact pairs (docs/theory.md). Block b is
 /// in its own frame, and only what is asked for is turned.
 template <class Turn>
 class MinkowskiDifference {

@@ -24,7 +24,7 @@ struct MeetingEdges {
   }
 
   /// Are they plainly a potential pair, whose plane no face at either edge is near to parallel with? By the
-  /// four signs of edge and face normal (THEORY section 2), with a margin: at the edge of a, the sine of the
+  /// four signs of edge and face normal (docs/theory.md), with a margin: at the edge of a, the sine of the
   /// angle between face and plane is left . along_b |along_a| / area. Edges that are all but parallel to each
   /// other have no plane to go by.
   bool cross_steeply(double region_angle) const {

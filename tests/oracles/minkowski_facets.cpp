@@ -52,7 +52,7 @@ Turned seen_from_a(const PlacedPolyhedron& a, const PlacedPolyhedron& b) {
 
 // The arcs of two edges on the sphere of normals cross, so that the edges make a facet, if for one sign s the
 // left normal of each has the sign s along the other's direction, and the right normal has -s: Wang et al.
-// 2021, (23) and (24), in the form of THEORY section 2. Here a sign that rounding leaves open is both.
+// 2021, (23) and (24), in the form of docs/theory.md. Here a sign that rounding leaves open is both.
 enum : std::uint8_t { plus = 1, minus = 2 };
 
 /// For each direction, and each edge that the normals belong to, the signs s that are possible.
