@@ -126,11 +126,16 @@ template <int D>
 double World<D>::calm_part() {
   double part = 1;
   double stable_duration = 0;  // not known: it costs a look at all contacts
+  FastPair first = fast_pair_;
   for (Candidate<D>& pair : candidates_.pairs()) {
-    if (is_fast(std::size_t(pair.a)) || is_fast(std::size_t(pair.b)))
-      part = std::min(part, calm_part_of(pair, stable_duration));
-    if (part < 1 && settings_.fast_blocks == FastBlocks::refuse) break;  // that pair will be told
+    if (!is_fast(std::size_t(pair.a)) && !is_fast(std::size_t(pair.b))) continue;
+    const double of_pair = calm_part_of(pair, stable_duration);
+    if (of_pair >= part) continue;
+    part = of_pair;
+    first = fast_pair_;
+    if (settings_.fast_blocks == FastBlocks::refuse) break;
   }
+  fast_pair_ = first;
   return part;
 }
 

@@ -250,9 +250,11 @@ StepResult World<D>::plan_changed() {
   }
 }
 
-/// Motion by motion: one, unless fast blocks divide the step.
+/// Motion by motion: one, unless fast blocks divide the step. What would take very many is refused where it
+/// has come to, and may be gone on with.
 template <int D>
 StepResult World<D>::step() {
+  int motions = 0;
   StepResult result = edited_ || any_fresh_ ? plan_changed() : plan_rest();
   for (;; result = plan_rest()) {
     if (result != StepResult::ok) return result;
@@ -262,6 +264,7 @@ StepResult World<D>::step() {
     move();
     if (is_last) break;
     passed_ += duration_;
+    if (++motions == most_motions) return any_fast() ? StepResult::too_fast : StepResult::unstable;
   }
   passed_ = 0;
   ++steps_;

@@ -49,6 +49,9 @@ struct FastPair {
   double time_step = 0;  // that would do
 };
 
+/// In one call of step().
+constexpr int most_motions = 1 << 14;
+
 /// No block turns farther at once, in rad, and no affine one changes its gradient more.
 constexpr double most_turn = 1;
 
@@ -328,7 +331,7 @@ class World {
   double deepest_stop_ = 0;  // of pairs that have divided a step
   double peak_overlap_ = 0;
   double peak_speed_ = 0;
-  FastPair fast_pair_;         // for which the last step was refused
+  FastPair fast_pair_;         // that has divided the step most, or for which it was refused
   std::int32_t detected_ = 0;  // contacts belong to the present poses
   std::int32_t edited_ = 1;    // since the last step: forces, accelerations and ledger are of another state
 };

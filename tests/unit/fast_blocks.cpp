@@ -198,3 +198,22 @@ TEMPLATE_TEST_CASE_SIG("a world that shall not divide its steps tells the pair a
     }
   }
 }
+
+/// Thin as they are, plates that slide on each other for all of a step would divide it into 4e5 motions.
+TEMPLATE_TEST_CASE_SIG("a step that would be divided without end is refused where it has come to", "",
+                       ((int D), D), 2, 3) {
+  constexpr double thin = 1e-5, speed = 5e3;
+  const SpringLaw soft = law_that_stops<D>(StiffnessKind::per_contact, density * thin, 1, 1);
+  Scene<D> scene(soft);
+  scene.add(plate<D>(thin), BlockKind::fixed, 0);
+  const std::int32_t sliding = scene.add(plate<D>(thin), BlockKind::rigid, 0.99 * thin);
+  scene.world.set_velocity(sliding, speed * Vector<D>::UnitY(), Angular<D>::Zero());
+  for (int calls = 1; calls <= 2; ++calls) {
+    REQUIRE(scene.world.step() == StepResult::too_fast);
+    const double way = scene.world.blocks().position[std::size_t(sliding)].y();
+    CHECK(way == Approx(calls * most_motions * 0.5 * 0.25 * thin));
+    CHECK(scene.world.steps() == 0);
+    CHECK(scene.world.fast_pair().speed == Approx(speed));
+    CHECK(scene.world.fast_pair().time_step == Approx(0.25 * thin / speed));
+  }
+}

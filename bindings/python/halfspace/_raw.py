@@ -99,7 +99,8 @@ HS_BLOCK_AFFINE = 3  # by Newton's law, and straining as a whole: see affine.h
 
 # What becomes of a step in which two blocks would move far against the thinner of them: more than a quarter
 # of its thickness.
-# when they meet, or are in touch, it is divided: up to their first touch, and on from there by small parts
+# when they meet, or are in touch, it is divided: up to their first touch, and on from there by small parts.
+# After 16384 of these it is refused, too
 HS_FAST_DIVIDE = 0
 HS_FAST_REFUSE = 1  # when they meet, or are in touch, it is refused with HS_ERROR_TOO_FAST
 

@@ -143,7 +143,8 @@ pub const HS_BLOCK_AFFINE: i32 = 3;
 
 // What becomes of a step in which two blocks would move far against the thinner of them: more than a quarter
 // of its thickness.
-/// when they meet, or are in touch, it is divided: up to their first touch, and on from there by small parts
+/// when they meet, or are in touch, it is divided: up to their first touch, and on from there by small parts.
+/// After 16384 of these it is refused, too
 pub const HS_FAST_DIVIDE: i32 = 0;
 /// when they meet, or are in touch, it is refused with HS_ERROR_TOO_FAST
 pub const HS_FAST_REFUSE: i32 = 1;
