@@ -74,24 +74,26 @@ inline double gap_left(const PosedPair<D>& posed, const hs_pair_cache& proof) {
   return (distance_along(proof.normal, posed) - proof.reach) - points_per_quaternion * (moved[0] + moved[1]);
 }
 
-/// Are both quaternions of unit length, as far as they have to be? False also for NaN.
+/// Are both quaternions of unit length and both places near enough, as far as they have to be? False also for
+/// NaN, and for some poses that are tolerable each by itself.
 template <int D>
-inline bool turns_are_tolerable(const hs_pose& a, const hs_pose& b) {
-  if constexpr (D == 2) return is_tolerable(turns_about_z(a, b).fault);
-  return is_tolerable(TwoLanes{fault_of_quaternion(a.rotation), fault_of_quaternion(b.rotation)});
+inline bool poses_are_tolerable(const hs_pose& a, const hs_pose& b) {
+  if constexpr (D == 2) return are_tolerable(turns_about_z(a, b), a, b);
+  const TwoLanes far_off = magnitude(two_at(a.position)) + magnitude(two_at(b.position));
+  const double farthest = far_off[0] + far_off[1] + std::abs(a.position[2]) + std::abs(b.position[2]);
+  return is_tolerable(TwoLanes{fault_of_quaternion(a.rotation), fault_of_quaternion(b.rotation)}) &&
+         weight_far_off * farthest <= largest_fault;
 }
 
 /// The answer when the pair is still proven to be separated by more than the margin. Poses that are to be
-/// refused prove nothing, nor do those that are not finite, or in 2D whose quaternions turn about z but for
-/// rounding.
+/// refused prove nothing, nor do those in 2D whose quaternions turn about z but for rounding.
 template <int D>
 [[gnu::always_inline]] inline bool answer_by_proof(const PosedPair<D>& posed, const hs_pair_cache& proof,
                                                    hs_contact& out, double margin = 0) {
   if (!is_proven(posed, proof)) return false;
-  if (D == 2 && !turn_exactly_about_z(posed.at_a, posed.at_b)) return false;
   const double gap = gap_left(posed, proof);
   if (!(gap > margin && gap < HUGE_VAL)) return false;
-  if (!turns_are_tolerable<D>(posed.at_a, posed.at_b)) return false;
+  if (!poses_are_tolerable<D>(posed.at_a, posed.at_b)) return false;
   write_separation<D>(pair_in(proof), Vector<D>(proof.normal), gap, out);
   return true;
 }

@@ -81,8 +81,7 @@ TEST_CASE("shapes of two dimensions are refused by name, also without options") 
 
 TEST_CASE("in space, a proof of separation lets no bad pose through and is of its two shapes") {
   for (const Spoiled& s : spoiled_inputs) {
-    if (!s.is_pose() || s.value == "1e+80") continue;  // a proof reaches as far as numbers do
-    check_proof_lets_no_bad_pose_through(s, two_cubes(), pose_at(0, 4));
+    if (s.is_pose()) check_proof_lets_no_bad_pose_through(s, two_cubes(), pose_at(0, 4));
   }
   PairCall call = two_cubes();
   const Shape wide = make_polyhedron(call.context.get(), box_3d({-4, -1, -1}, {4, 1, 1}));

@@ -16,6 +16,7 @@ PairCall two_squares() { return PairCall(&PairCall::square); }
 const std::vector<Spoiled> spoiled_inputs = {
     {"position[0]", "nan", [](PairCall& c) { c.poses[1].position[0] = nan; }},
     {"position[1]", "-inf", [](PairCall& c) { c.poses[1].position[1] = -inf; }},
+    {"position[1]", "1e+80", [](PairCall& c) { c.poses[0].position[1] = 1e80; }},
     {"rotation", "nan", [](PairCall& c) { c.poses[1].rotation[2] = nan; }},
     {"rotation", "inf", [](PairCall& c) { c.poses[1].rotation[3] = inf; }},
     {"rotation", "(0, 0, 0, 0)", [](PairCall& c) { c.poses[1].rotation[3] = 0; }},
