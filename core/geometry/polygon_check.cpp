@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geometry/box.h"
 #include "geometry/orientation.h"
@@ -28,6 +29,19 @@ FaultReport first_repeated(std::span<const Vector<2>> vertices) {
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t next = (i + 1) % n;
     if (vertices[i] == vertices[next]) return {Fault::repeated_vertex, std::int64_t(next)};
+  }
+  return {};
+}
+
+// Below that the length of an edge, and with it the normal, are lost among the least numbers there are.
+constexpr double shortest_edge = std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();
+
+FaultReport first_too_short(std::span<const Vector<2>> vertices) {
+  const std::size_t n = vertices.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t next = (i + 1) % n;
+    if ((vertices[next] - vertices[i]).cwiseAbs().maxCoeff() < shortest_edge)
+      return {Fault::not_finite, std::int64_t(next)};
   }
   return {};
 }
@@ -129,7 +143,7 @@ FaultReport check_polygon(std::span<const Vector<2>> vertices) {
   if (wrong_turn.fault != Fault::none) return wrong_turn;
   if (winding_of_directions(vertices) != 1) return {Fault::self_crossing, -1};
   if (is_narrow(vertices, box.extent())) return {Fault::not_finite, -1};
-  return {};
+  return first_too_short(vertices);
 }
 
 }  // namespace halfspace

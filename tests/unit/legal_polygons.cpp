@@ -20,6 +20,15 @@ TEST_CASE("either order, any count, small edges and small angles are legal") {
   CHECK(check_polygon(Points{{0, 0}, {1, -1e-9}, {2, 0}, {1, 1}}).fault == Fault::none);
 }
 
+TEST_CASE("an edge whose normal is lost among the least numbers is told") {
+  for (const double tiny : {5e-324, 1e-310, 1e-293}) {
+    const FaultReport report = check_polygon(Points{{0, 0}, {1, 0}, {1, 1}, {0, tiny}});
+    CHECK(report.fault == Fault::not_finite);
+    CHECK(report.vertex == 0);
+  }
+  CHECK(check_polygon(Points{{0, 0}, {1, 0}, {1, 1}, {0, 1e-291}}).fault == Fault::none);
+}
+
 TEST_CASE("cleaning drops what it reports and moves nothing") {
   const Points found = {{0, 1}, {0, 0.5}, {0, 0}, {0, 1e-9}, {1, 0}, {1, 1}, {0, 1}};
   // Given clockwise or not, welded: (0, 1e-9) and the repeated (0, 1); straightened: (0, 0.5).
