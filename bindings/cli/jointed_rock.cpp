@@ -94,11 +94,13 @@ void cut_by_set(const Context& context, const JointSet& set, Shape block, std::v
   if (block) pieces.push_back(std::move(block));
 }
 
-void cut_by_set(const Context& context, const JointSet& set, std::vector<Shape>& blocks) {
+/// `finished` blocks there are besides.
+void cut_by_set(const Context& context, const JointSet& set, std::size_t finished,
+                std::vector<Shape>& blocks) {
   std::vector<Shape> pieces;
   for (Shape& block : blocks) {
     cut_by_set(context, set, std::move(block), pieces);
-    if (pieces.size() > static_cast<std::size_t>(most_blocks))
+    if (finished + pieces.size() > static_cast<std::size_t>(most_blocks))
       throw JointFault(set, "more than " + std::to_string(most_blocks) + " blocks; allowed: so many");
   }
   blocks = std::move(pieces);
@@ -131,7 +133,7 @@ JointedBlocks cut_jointed_rock(const Context& context, const JointedRock& rock, 
     for (const JointSet& set : rock.joint_sets) {
       require_joints(set, reach_of(corners, set.normal));
       const std::size_t before = blocks.size();
-      cut_by_set(context, set, blocks);
+      cut_by_set(context, set, result.blocks.size(), blocks);
       if (blocks.size() > before) busy.insert(&set);
     }
     for (Shape& block : blocks) {

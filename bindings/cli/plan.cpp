@@ -163,6 +163,21 @@ class Planner {
   std::vector<std::string> without_blocks_;  ///< because of faults
 };
 
+/// Tells the first generator with which the blocks are more than there may be, before any is made.
+void tell_too_many(const Scene& scene, Faults& faults) {
+  std::int64_t blocks = static_cast<std::int64_t>(scene.blocks.size());
+  const auto add = [&](const Making& making, std::int64_t count) {
+    const bool were_too_many = blocks > most_blocks;
+    blocks += count;
+    if (blocks <= most_blocks || were_too_many) return;
+    faults.add(making.place, making.key + ".count",
+               "makes " + std::to_string(blocks) + " blocks in all; allowed: at most " +
+                   std::to_string(most_blocks));
+  };
+  for (const Triangulated& region : scene.triangulated) add(region.making, region.count);
+  for (const Voronoi& voronoi : scene.voronoi) add(voronoi.making, voronoi.count);
+}
+
 }  // namespace
 
 bool Plan::has_affine() const {
@@ -171,6 +186,7 @@ bool Plan::has_affine() const {
 }
 
 Plan plan_blocks(const Context& context, const Scene& scene, Faults& faults) {
+  tell_too_many(scene, faults);
   Planner planner(context, scene.world.dimension, faults);
   for (const Block& block : scene.blocks) planner.add(block);
   for (const JointedRock& rock : scene.jointed_rocks) planner.add(rock);

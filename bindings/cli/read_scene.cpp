@@ -175,7 +175,10 @@ Scene read_top(Keys keys, const std::string& folder, Faults& faults) {
 }  // namespace
 
 Scene read_scene(const std::string& file, Faults& faults) {
-  const std::string content = content_of(file);
+  return read_scene_text(content_of(file), file, faults);
+}
+
+Scene read_scene_text(const std::string& content, const std::string& file, Faults& faults) {
   if (const std::optional<Place> place = deep_key(content, most_names)) {
     faults.add(*place, "",
                "more than " + std::to_string(most_names) + " names in a key; allowed: the keys of a scene");

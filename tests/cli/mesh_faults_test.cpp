@@ -54,6 +54,10 @@ TEST_CASE("faults of an OBJ file carry its name and line") {
   check_obj("v 0 0 0\n", "a.obj: no faces");
 }
 
+TEST_CASE("a file of no known kind is not read, should it be without end") {
+  CHECK_THROWS_WITH(read_solids("/dev/zero"), StartsWith("zero: not a kind of file that is known"));
+}
+
 TEST_CASE("a surface that is not closed is told by the edge") {
   const std::string box = mesh_texts::obj_box;
   check_obj(replaced(box, "f 3 4 8 7\n", ""),

@@ -11,18 +11,34 @@
 
 namespace halfspace::cli {
 
+namespace {
+
+using Reader = std::vector<Solid> (*)(const std::string& name, const std::string& content);
+
+/// Null for a kind of file that is not known.
+Reader reader_of(const std::string& extension) {
+  if (extension == ".msh") return read_gmsh;
+  if (extension == ".obj")
+    return [](const auto& name, const auto& content) { return solids_of(read_obj(name, content)); };
+  if (extension == ".off")
+    return [](const auto& name, const auto& content) { return solids_of(read_off(name, content)); };
+  if (extension == ".stl")
+    return [](const auto& name, const auto& content) { return solids_of(read_stl(name, content)); };
+  return nullptr;
+}
+
+}  // namespace
+
 std::vector<Solid> read_solids(const std::string& file) {
   const std::filesystem::path path(file);
   const std::string name = path.filename().string();
   std::string extension = path.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
 
-  const std::string content = content_of(file);
-  if (extension == ".msh") return read_gmsh(name, content);
-  if (extension == ".obj") return solids_of(read_obj(name, content));
-  if (extension == ".off") return solids_of(read_off(name, content));
-  if (extension == ".stl") return solids_of(read_stl(name, content));
-  throw MeshFault(name, "not a kind of file that is known; allowed: .obj, .off, .stl, .msh");
+  // Told before the file is read, which may be of any size or without end.
+  const Reader read = reader_of(extension);
+  if (!read) throw MeshFault(name, "not a kind of file that is known; allowed: .obj, .off, .stl, .msh");
+  return read(name, content_of(file));
 }
 
 }  // namespace halfspace::cli
