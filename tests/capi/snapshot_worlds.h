@@ -1,0 +1,85 @@
+#pragma once
+
+// Snapshots of small worlds, kind by kind, and how a changed one gets a right checksum again.
+
+#include <cstring>
+
+#include "capi/polyhedra.h"
+#include "capi/world_fixture.h"
+
+namespace halfspace_test {
+
+/// What a world is made of.
+struct WorldKind {
+  int dimension;
+  std::int32_t law;
+  std::int32_t block;
+};
+
+inline Shape shape_of(hs_context* context, int dimension, int corners, Random& random) {
+  Points3 points = round_points(random, corners, 0.5);
+  hs_shape* shape = nullptr;
+  require_ok(dimension == 2 ? hs_polygon_create_hull(context, view_of(points), &shape)
+                            : hs_polyhedron_create_hull(context, view_of(points), &shape),
+             context);
+  return Shape(shape);
+}
+
+/// Five blocks that lie on a plate and on each other, after some steps; one has been removed.
+inline std::vector<unsigned char> snapshot_of(hs_context* context, const WorldKind& kind) {
+  Random random(7);
+  hs_world_def def = world_def();
+  def.dimension = kind.dimension;
+  const World world = make_world(context, def);
+  std::int32_t materials[2];
+  for (std::int32_t& material : materials) {
+    require_ok(hs_world_add_material(world.get(), 2000, &material), context);
+    const hs_elasticity_def elasticity = elasticity_def(1e8, 1e-4);
+    require_ok(hs_world_set_elasticity(world.get(), material, &elasticity), context);
+  }
+  hs_law_def law = law_def(1e6, 0.5);
+  law.stiffness_kind = kind.law;
+  law.normal_damping = law.shear_damping = 0.1;
+  if (kind.law == HS_STIFFNESS_PER_CONTACT) law.cohesion = law.tensile_strength = 1e3;
+  require_ok(hs_world_set_default_law(world.get(), &law), context);
+  require_ok(hs_world_set_law(world.get(), materials[0], materials[1], &law), context);
+  hs_block removed = 0;
+  for (int i = 0; i < 7; ++i) {
+    const Shape shape = shape_of(context, kind.dimension, i == 0 ? 30 : 6 + 4 * (i % 3), random);
+    hs_block_def block;
+    require_ok(hs_block_def_init(&block, sizeof block, shape.get()), context);
+    block.kind = i == 0 ? HS_BLOCK_FIXED : i == 1 ? HS_BLOCK_PRESCRIBED : kind.block;
+    block.material = materials[i % 2];
+    block.pose = pose_at({0.2 * (i % 3), 0.2 * i, 0.1 * (i % 2)}, {0, 0, 1}, 0.3 * i);
+    hs_block id = 0;
+    require_ok(hs_world_add_block(world.get(), shape.get(), &block, &id), context);
+    if (i == 2) removed = id;
+  }
+  require_ok(hs_world_step(world.get(), 3), context);
+  require_ok(hs_world_remove_block(world.get(), removed), context);
+  require_ok(hs_world_step(world.get(), 3), context);
+  return saved(world.get());
+}
+
+constexpr std::size_t snapshot_header = 32;
+
+template <class T>
+void put(std::vector<unsigned char>& bytes, std::size_t at, T value) {
+  std::memcpy(bytes.data() + at, &value, sizeof value);
+}
+template <class T>
+T at(const std::vector<unsigned char>& bytes, std::size_t place) {
+  T value;
+  std::memcpy(&value, bytes.data() + place, sizeof value);
+  return value;
+}
+
+/// The size of what follows the header and its checksum, FNV-1a, where the header has them.
+inline void mend_header(std::vector<unsigned char>& bytes) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (std::size_t i = snapshot_header; i < bytes.size(); ++i) hash = (hash ^ bytes[i]) * 0x100000001b3u;
+  put(bytes, 16, std::uint64_t(bytes.size() - snapshot_header));
+  put(bytes, 24, hash);
+}
+
+}  // namespace halfspace_test
