@@ -1,0 +1,81 @@
+// Scene files: whatever the text is, its faults are told, or it gives a model that starts.
+
+#include "fuzz/bytes.h"
+#include "fuzz/demand.h"
+#include "model.h"
+#include "notes.h"
+#include "plan.h"
+#include "read_scene.h"
+
+namespace halfspace_fuzz {
+namespace {
+
+using namespace halfspace::cli;
+
+constexpr double many = 300;  // blocks, for a target that is to be run a million times
+
+double extent_of(const Region& region) {
+  double extent = 0;
+  for (const Point& p : region.points)
+    for (const Point& q : region.points)
+      for (int i = 0; i < 3; ++i) extent = std::max(extent, std::abs(p[std::size_t(i)] - q[std::size_t(i)]));
+  return extent;
+}
+
+/// No more blocks than joints could make of regions that they run through one and all.
+double most_blocks_of(const JointedRock& rock) {
+  double sum = 0;
+  for (const Region& region : rock.regions) {
+    double blocks = 1;
+    for (const JointSet& set : rock.joint_sets) blocks *= 2 + 2 * extent_of(region) / set.spacing;
+    sum += blocks;
+  }
+  return sum;
+}
+
+/// Joints that are too many or lost in rounding are faults, which are found at once.
+bool takes_long(const Scene& scene) {
+  double blocks = double(scene.blocks.size());
+  for (const JointedRock& rock : scene.jointed_rocks) {
+    const double most = most_blocks_of(rock);
+    if (most > many && most < 1e5 * double(most_blocks)) return true;
+  }
+  for (const Triangulated& region : scene.triangulated) blocks += double(region.count);
+  for (const Voronoi& voronoi : scene.voronoi) blocks += double(voronoi.count * (1 + voronoi.relaxation));
+  return blocks > many;
+}
+
+void start(const Context& context, const Scene& scene, Plan plan, Faults& faults) {
+  try {
+    Model model(context, scene, std::move(plan));
+    note_start(context, scene, model, faults);
+    model.step_towards(scene.duration, 3);
+    demand(model.frame().blocks.size() == model.plan().blocks.size(), "a frame shows all blocks");
+  } catch (const LibraryError& error) {
+    demand(*error.what() != 0, "an error has a text");
+  }
+}
+
+void run(const std::string& text) {
+  const Context context = make_context();
+  Faults faults;
+  const Scene scene = read_scene_text(text, "scene.toml", faults);
+  if (takes_long(scene)) return;
+  Plan plan;
+  try {
+    plan = plan_blocks(context, scene, faults);
+  } catch (const LibraryError& error) {
+    demand(*error.what() != 0, "an error has a text");
+    return;
+  }
+  demand(faults.none() == faults.describe("scene.toml").empty(), "faults are told");
+  if (faults.none()) start(context, scene, std::move(plan), faults);
+}
+
+}  // namespace
+}  // namespace halfspace_fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  halfspace_fuzz::run(halfspace_fuzz::Bytes(data, size).rest());
+  return 0;
+}

@@ -1,0 +1,84 @@
+// Snapshots whose checksum is right and whose content is not: restoring gives HS_ERROR_FORMAT or a world that
+// runs. The bytes are changes of the snapshot of a small world that is made here, so that they stay of use
+// when its form changes. Forces and energies may be wrong in value, and overflow: that is what the checksum
+// is for.
+
+#include <array>
+
+#include "capi/snapshot_worlds.h"
+#include "fuzz/world_calls.h"
+
+namespace halfspace_fuzz {
+namespace {
+
+using namespace halfspace_test;
+using Snapshot = std::vector<unsigned char>;
+
+/// Two dimensions, three laws, blocks of two kinds.
+const Snapshot& snapshot_of_kind(int index) {
+  static std::array<Snapshot, 12> snapshots;
+  Snapshot& snapshot = snapshots[std::size_t(index)];
+  const Context context = make_context();
+  if (snapshot.empty()) {
+    snapshot = snapshot_of(context.get(), {.dimension = 2 + index / 6,
+                                           .law = index / 2 % 3,
+                                           .block = index % 2 ? HS_BLOCK_AFFINE : HS_BLOCK_RIGID});
+  }
+  return snapshot;
+}
+
+void change(Snapshot& snapshot, Bytes& bytes) {
+  const int form = bytes.below(8);
+  const std::size_t place =
+      snapshot_header + 4 * (bytes.raw<std::uint16_t>() % ((snapshot.size() - snapshot_header) / 4));
+  const auto overwrite = [&](auto value) {
+    if (place + sizeof value <= snapshot.size()) put(snapshot, place, value);
+  };
+  switch (form) {
+    case 0:
+      return overwrite(bytes.raw<std::int32_t>());
+    case 1:
+      return overwrite(std::int64_t(bytes.raw<std::int8_t>()));
+    case 2:
+      return overwrite(std::int32_t(bytes.raw<std::int8_t>()));
+    case 3:
+      return overwrite(bytes.byte());
+    case 4:
+      return overwrite(bytes.raw<double>());
+    case 5:
+      return void(snapshot.insert(snapshot.begin() + std::ptrdiff_t(place), 4 * std::size_t(bytes.below(32)),
+                                  bytes.byte()));
+    case 6: {
+      const std::size_t count = std::min(4 * std::size_t(bytes.below(64)), snapshot.size() - place);
+      return void(snapshot.erase(snapshot.begin() + std::ptrdiff_t(place),
+                                 snapshot.begin() + std::ptrdiff_t(place + count)));
+    }
+    default:
+      return overwrite(bytes.number());
+  }
+}
+
+void run(Bytes bytes) {
+  Snapshot snapshot = snapshot_of_kind(bytes.below(12));
+  while (!bytes.empty() && snapshot.size() > snapshot_header + 8) change(snapshot, bytes);
+  mend_header(snapshot);
+  const Context context = make_context();
+  hs_world* made = nullptr;
+  const hs_status status = hs_world_restore(context.get(), snapshot.data(), snapshot.size(), &made);
+  if (!succeeds_or(status, {HS_ERROR_FORMAT}, "restore")) return;
+  const World world(made);
+  check_motion(made);
+  step(made, 3);
+  check_motion(made);
+  hs_world_report report;
+  succeeds_or(hs_world_get_report(made, &report, sizeof report), {}, "get_report");
+  saved(made);
+}
+
+}  // namespace
+}  // namespace halfspace_fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  halfspace_fuzz::run({data, size});
+  return 0;
+}

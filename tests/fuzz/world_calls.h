@@ -1,0 +1,76 @@
+#pragma once
+
+// What every world must hold to, whatever has been done to it.
+
+#include <vector>
+
+#include "capi/world_fixture.h"
+#include "fuzz/geometry.h"
+
+namespace halfspace_fuzz {
+
+using halfspace_test::saved;
+
+template <std::size_t N>
+bool all_finite(const double (&numbers)[N]) {
+  for (const double x : numbers)
+    if (!std::isfinite(x)) return false;
+  return true;
+}
+
+inline std::vector<hs_block> blocks_of(const hs_world* world) {
+  std::int64_t count = 0;
+  hs_world_get_blocks(world, nullptr, 0, &count);
+  std::vector<hs_block> blocks(static_cast<std::size_t>(count));
+  demand(hs_world_get_blocks(world, blocks.data(), count, nullptr) == HS_OK, "blocks are told");
+  return blocks;
+}
+
+inline void check_motion(const hs_world* world) {
+  for (const hs_block block : blocks_of(world)) {
+    const hs_block_state state = halfspace_test::state_of(world, block);
+    demand(all_finite(state.pose.position) && all_finite(state.pose.rotation), "a block is somewhere");
+    demand(all_finite(state.velocity) && all_finite(state.angular_velocity), "a block has a velocity");
+  }
+}
+
+inline void check_forces(const hs_world* world) {
+  for (const hs_block block : blocks_of(world)) {
+    const hs_block_state state = halfspace_test::state_of(world, block);
+    demand(all_finite(state.force) && all_finite(state.torque), "a block has a force");
+    const hs_deformation d = halfspace_test::deformation_of(world, block);
+    demand(all_finite(d.gradient) && all_finite(d.rate) && all_finite(d.stress), "a block has a stress");
+  }
+}
+
+/// A step may end without having done what was asked for.
+inline bool step(hs_world* world, std::int64_t steps) {
+  const hs_status status = hs_world_step(world, steps);
+  return succeeds_or(status, {HS_ERROR_ARGUMENT, HS_ERROR_STATE, HS_ERROR_UNSTABLE, HS_ERROR_TOO_FAST},
+                     "step");
+}
+
+inline void check_report(hs_world* world) {
+  hs_world_report r{};
+  if (!succeeds_or(hs_world_get_report(world, &r, sizeof r), {}, "get_report")) return;
+  const hs_energy& e = r.energy;
+  const double numbers[] = {r.time,
+                            r.time_step,
+                            r.stable_time_step,
+                            r.largest_overlap,
+                            r.largest_speed,
+                            e.kinetic,
+                            e.gravity,
+                            e.strain,
+                            e.friction_loss,
+                            e.contact_damping_loss,
+                            e.local_damping_loss,
+                            e.mass_damping_loss,
+                            e.outer_work,
+                            e.residual,
+                            r.block_strain_energy,
+                            r.block_damping_loss};
+  demand(all_finite(numbers), "a report is of numbers");
+}
+
+}  // namespace halfspace_fuzz
