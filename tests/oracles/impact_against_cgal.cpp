@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <vector>
 
 #include "oracles/exact_pair.h"
 #include "oracles/exact_pair_3d.h"
@@ -27,13 +28,14 @@ struct Real3 {
   Real x, y, z;
 };
 
-enum class Kind { tumbling, needles, grazing, parallel_faces, far_away, straining };
+enum class Kind { tumbling, needles, grazing, parallel_faces, far_away, straining, whirling, unequal };
 constexpr struct {
   Kind kind;
   const char* name;
 } all_kinds[] = {{Kind::tumbling, "tumbling"}, {Kind::needles, "spinning needles"},
                  {Kind::grazing, "grazing"},   {Kind::parallel_faces, "parallel faces"},
-                 {Kind::far_away, "1e6 away"}, {Kind::straining, "straining"}};
+                 {Kind::far_away, "1e6 away"}, {Kind::straining, "straining"},
+                 {Kind::whirling, "whirling"}, {Kind::unequal, "of unequal size"}};
 
 double length_of(const double v[3]) { return std::hypot(v[0], v[1], v[2]); }
 
@@ -99,12 +101,16 @@ struct Plane {
     return points;
   }
   static Body needle(Random& random) {
-    const double half = 0.5 * std::pow(10, uniform_between(random, -5, -1));
+    const double half = 0.5 * std::pow(10, uniform_between(random, -6, -1));
     return box(-0.5, -half, 0.5, half);
   }
   static Body brick(Random& random) {
     const double x = uniform_between(random, 0.1, 0.5), y = uniform_between(random, 0.1, 0.5);
     return box(-x, -y, x, y);
+  }
+  static Body scaled(Body body, double factor) {
+    for (Point& p : body) p = {factor * p.x, factor * p.y};
+    return body;
   }
   static Shape shape_of(hs_context* context, const Body& body) { return make_shape(context, body); }
   static void centre(Body& body, const double centroid[3]) {
@@ -144,7 +150,7 @@ struct Space {
 
   static Body regular(Random& random) { return round_polyhedron(whole_between(random, 4, 12), 0.5, random); }
   static Body needle(Random& random) {
-    const double y = 0.5 * std::pow(10, uniform_between(random, -4, -1)),
+    const double y = 0.5 * std::pow(10, uniform_between(random, -6, -1)),
                  z = y * uniform_between(random, 1, 3);
     return box_3d({-0.5, -y, -z}, {0.5, y, z});
   }
@@ -152,6 +158,9 @@ struct Space {
     const auto half = [&] { return uniform_between(random, 0.1, 0.5); };
     const Point3 corner{half(), half(), half()};
     return box_3d({-corner.x, -corner.y, -corner.z}, corner);
+  }
+  static Body scaled(const Body& body, double factor) {
+    return moved(body, [&](const Point3& p) { return factor * p; });
   }
   static Shape shape_of(hs_context* context, const Body& body) {
     const Points3& p = body.vertices;
@@ -242,6 +251,23 @@ void tumble(Scene<Geometry>& s, double most_turn, Random& random) {
   for (int i = 0; i < 3; ++i) s.of_b.velocity[i] -= uniform_between(random, 0, 2) * s.of_b.start.position[i];
 }
 
+/// A grain flies at a block up to 1e6 times as large, from a few of its own widths away.
+template <class Geometry>
+void throw_grain(Scene<Geometry>& s, Random& random) {
+  tumble(s, 3, random);
+  const Point3 n = Geometry::direction(random), slip = Geometry::direction(random);
+  const Point3 minus{-n.x, -n.y, -n.z};
+  const double size = radius_of<Geometry>(s.b), away = uniform_between(random, 0, 3) * size;
+  set(s.of_b.start.position,
+      farthest<Geometry>(s.a, s.of_a, n) - farthest<Geometry>(s.b, s.of_b, minus) + away * n);
+  set(s.of_b.velocity,
+      uniform_between(random, -6, 1) * size * n + uniform_between(random, 0, 6) * size * slip);
+  for (hs_motion_def* motion : {&s.of_a, &s.of_b}) {
+    for (double& rate : motion->angular_velocity) rate *= motion == &s.of_a ? size : 1;
+  }
+  set(s.of_a.velocity, {0, 0, 0});
+}
+
 /// A vertex of b passes one of a along a plane that both bodies reach to, but for a gap or overlap of any
 /// smallness.
 template <class Geometry>
@@ -289,6 +315,9 @@ Scene<Geometry> draw(Kind kind, Random& random) {
       s.a = Geometry::brick(random);
       s.b = Geometry::brick(random);
       break;
+    case Kind::unequal:
+      s.b = Geometry::scaled(s.b, std::pow(10, uniform_between(random, -6, 0)));
+      break;
     default:
       break;
   }
@@ -305,6 +334,12 @@ void set_in_motion(Scene<Geometry>& s, Kind kind, Random& random) {
       break;
     case Kind::needles:
       tumble(s, 60, random);
+      break;
+    case Kind::whirling:
+      tumble(s, 100, random);
+      break;
+    case Kind::unequal:
+      throw_grain(s, random);
       break;
     case Kind::grazing:
       graze(s, random);
@@ -376,15 +411,17 @@ void judge(const Scene<Geometry>& s, const hs_impact& impact, Tally& tally) {
     tally.worst_gap = std::max(tally.worst_gap, then.gap / promised);
     tally.early += then.gap > promised;
   }
-  constexpr int samples = 64;
-  double gaps[samples + 1];
+  // Some ten in each radian that they turn by.
+  const int samples =
+      64 + int(10 * std::max(length_of(s.of_a.angular_velocity), length_of(s.of_b.angular_velocity)));
+  std::vector<double> gaps(std::size_t(samples) + 1);
   for (int i = 0; i <= samples; ++i) {
     const Verdict v = i < samples ? verdict_at(impact.time * i / samples) : then;
-    gaps[i] = v.gap;
+    gaps[std::size_t(i)] = v.gap;
     missed |= is_missed(v);
   }
   // Between samples, about the least gap that is not the last, by golden section.
-  const int least = int(std::min_element(gaps + 1, gaps + samples) - gaps);
+  const int least = int(std::min_element(gaps.begin() + 1, gaps.end() - 1) - gaps.begin());
   double from = impact.time * (least - 1) / samples, to = impact.time * (least + 1) / samples;
   for (int i = 0; i < 40 && !missed; ++i) {
     const double step = 0.3819660112501051 * (to - from), one = from + step, other = to - step;
