@@ -99,8 +99,8 @@ std::string fast_blocks_text(const hs_world_report& report, const Peaks& peaks) 
     text += line("divided steps", std::to_string(report.divided_steps) + ", in which fast blocks met");
   }
   if (peaks.stop > told_stop) {
-    text += line("softest springs", "stop the fastest approach in " + rounded(100 * peaks.stop, 3) +
-                                        " % of the thinner block's thickness, v (m/k)^1/2");
+    text += line("softest springs", "let blocks come as deep as " + rounded(100 * peaks.stop, 3) +
+                                        " % of the thinner one's thickness");
   }
   return text;
 }

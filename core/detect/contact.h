@@ -160,4 +160,10 @@ struct Contact<3> {
   Vector<3> share_rates[most_region_points];
 };
 
+/// Of the contact region, or where the features of a separated pair are nearest.
+inline Vector<2> middle_of(const Contact<2>& contact) {
+  return contact.point_count == 2 ? 0.5 * (contact.points[0] + contact.points[1]) : contact.points[0];
+}
+inline Vector<3> middle_of(const Contact<3>& contact) { return contact.center; }
+
 }  // namespace halfspace

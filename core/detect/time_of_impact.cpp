@@ -43,11 +43,6 @@ Vector<3> normal_of(const Separation<3>& found, const Outline<3>&, const Outline
 Angular<2> turn_by_rate(const Vector<2>& v, const Vector<2>& rate) { return Angular<2>(cross(v, rate)); }
 Angular<3> turn_by_rate(const Vector<3>& v, const Vector<3>& rate) { return cross_product(v, rate); }
 
-Vector<2> middle_of(const Contact<2>& contact) {
-  return contact.point_count == 2 ? 0.5 * (contact.points[0] + contact.points[1]) : contact.points[0];
-}
-Vector<3> middle_of(const Contact<3>& contact) { return contact.center; }
-
 /// Of blocks that a mere plane was between, the features that meet there.
 void name_features(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b, Impact<3>& impact) {
   if (impact.pair.kind != PotentialPair<3>::vertex_vertex) return;

@@ -61,6 +61,8 @@ void Candidates<D>::choose_calm_motions(const Blocks<D>& blocks) noexcept {
     calm_motion_[a] = std::min(calm_motion_[a], calm);
     calm_motion_[b] = std::min(calm_motion_[b], calm);
   }
+  least_calm_motion_ = HUGE_VAL;
+  for (const double calm : calm_motion_) least_calm_motion_ = std::min(least_calm_motion_, calm);
 }
 
 /// Blocks whose boxes overlap may still be farther apart than both their skins: then they cannot touch before

@@ -58,6 +58,8 @@ class Candidates {
   double planned_motion(std::size_t slot) const { return planned_[slot]; }
   /// As far as a block may move in a step and be none that is fast, whichever neighbour it meets.
   double calm_motion(std::size_t slot) const { return calm_motion_[slot]; }
+  /// Of all blocks, or less.
+  double least_calm_motion() const { return least_calm_motion_; }
 
   /// Notes that a block has been put elsewhere.
   void note_placement(const Blocks<D>& blocks, std::size_t slot) {
@@ -140,9 +142,10 @@ class Candidates {
   Array<Rotation<D>> reference_rotation_;
   Array<Tensor<D>> reference_gradient_;  // of affine blocks, if there are any
   Array<double> skin_;
-  Array<double> planned_;      // motion announced for the coming step
-  Array<double> calm_motion_;  // up to which a block is not fast, whichever neighbour it meets
-  Array<Vector<D>> ways_;      // announced, until the next search; none if no block goes far
+  Array<double> planned_;         // motion announced for the coming step
+  Array<double> calm_motion_;     // up to which a block is not fast, whichever neighbour it meets
+  Array<Vector<D>> ways_;         // announced, until the next search; none if no block goes far
+  double least_calm_motion_ = 0;  // not saved: 0 until the next search
   std::int32_t used_up_ = 1;
   std::int64_t builds_ = 0;
 

@@ -87,6 +87,10 @@ bool World<D>::find_contact(std::size_t k, Contact<D>& contact) {
   if (describes ? halfspace::find_contact(a, b, to_b, settings_.detect, memory, contact)
                 : touch(a, b, to_b, memory)) {
     if (!describes) memory.state = PairMemory<D>::overlapping;
+    if (before < PairMemory<D>::touching) {
+      if (describes && made_ > 0) describe_entrance(pair, contact);
+      note_meeting(pair);
+    }
   } else {
     if (!pair.bonded) {
       if (before >= PairMemory<D>::touching) release_shear(k);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "detect/pair.h"
 #include "detect/time_of_impact.h"
 #include "world/world.h"
 
@@ -53,6 +54,15 @@ double World<D>::calm_time_step() const {
   return calm;
 }
 
+/// Bound of the square of how fast the points of a block move now: (x + y)^2 <= 2 (x^2 + y^2), with room for
+/// rounding.
+template <int D>
+double World<D>::most_speed_squared(std::size_t i) const {
+  const double swing_squared =
+      blocks_.is_affine(i) ? blocks_.deformation(i).rate.squaredNorm() : blocks_.spin[i].squaredNorm();
+  return 2.001 * (blocks_.velocity[i].squaredNorm() + blocks_.radius[i] * blocks_.radius[i] * swing_squared);
+}
+
 /// In a whole step it would move far against the thinnest of itself and its neighbours: at its present speed,
 /// or at that of the planned motion. A kick that stops a block makes it no slow one.
 template <int D>
@@ -61,8 +71,11 @@ bool World<D>::is_fast(std::size_t i) const {
   return candidates_.planned_motion(i) > calm || duration_ * (blocks_.velocity[i].norm() + swing(i)) > calm;
 }
 
+/// As a rule all blocks together are seen to be slow against the thinnest.
 template <int D>
 bool World<D>::any_fast() const {
+  const double calm_speed = candidates_.least_calm_motion() / time_step_;
+  if (longest_motion_ < duration_ * calm_speed && fastest_squared_ < calm_speed * calm_speed) return false;
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
     if (is_fast(i)) return true;
   }
@@ -88,6 +101,42 @@ Sweep<D> World<D>::planned_sweep(std::size_t i) const {
   return sweep;
 }
 
+/// Of the motion that has just been made, from its end back to its start; in space as if the block had turned
+/// at its last spin all along. Time runs on as in the motion.
+template <int D>
+Sweep<D> World<D>::made_sweep(std::size_t i) const {
+  Sweep<D> sweep;
+  sweep.position = blocks_.position[i];
+  sweep.gradient = blocks_.gradient(i);
+  if (blocks_.kind[i] == BlockKind::fixed) return sweep;
+  sweep.way = made_ * blocks_.velocity[i];
+  sweep.position -= sweep.way;
+  if (blocks_.is_affine(i)) {
+    sweep.stretch = made_ * blocks_.deformation(i).rate;
+    sweep.gradient -= sweep.stretch;
+  } else {
+    sweep.turn = made_ * blocks_.spin[i];
+    sweep.gradient = blocks_.rotation[i].turned_by(-sweep.turn).tensor();
+  }
+  return sweep;
+}
+
+/// Two blocks have met in the motion just made. Of the pairs that kept them apart at its start the last to
+/// close is the one through which they met, also where others are less deep by now: their contact is
+/// described there. Where they touched at the start already but for rounding, it stays as it is.
+template <int D>
+void World<D>::describe_entrance(Candidate<D>& pair, Contact<D>& contact) {
+  const Impact<D> impact =
+      time_of_impact(blocks_.own_outline(pair.a), made_sweep(std::size_t(pair.a)),
+                     blocks_.own_outline(pair.b), made_sweep(std::size_t(pair.b)), impact_room_.data());
+  if (impact.state != Impact<D>::touches) return;
+  if (impact.time * made_ * speed_between(pair) <= rounding_of_touch(pair)) return;
+  pair.memory = memory_of(impact);
+  pair.memory.state = PairMemory<D>::touching;
+  const PlacedBlocks<D> at = blocks_.placed(pair.a, pair.b);
+  describe_contact<D>(at.a, at.b, at.to_b, pair.memory, settings_.detect, contact);
+}
+
 /// The part of the planned motion that a pair may make at once. Where it meets in that part, it is told
 /// through what.
 template <int D>
@@ -103,13 +152,14 @@ double World<D>::calm_part_of(Candidate<D>& pair, double& stable_duration) {
   if (motion <= duration_ / time_step_ * calm_share * thickness) return 1;
   fast_pair_ = {pair.a, pair.b, motion / duration_, thickness, calm_share * thickness * duration_ / motion};
   double time_of_touch = 0;
-  if (!touching(pair.memory)) {
+  if (touching(pair.memory)) {
+    deepest_stop_ = std::max(deepest_stop_, stop_of(pair));
+  } else {
     const Impact<D> impact = time_of_impact(blocks_.own_outline(pair.a), of_a, blocks_.own_outline(pair.b),
                                             of_b, impact_room_.data());
     if (impact.state == Impact<D>::never) return 1;
     if (impact.state == Impact<D>::touches) {
       time_of_touch = impact.time;
-      deepest_stop_ = std::max(deepest_stop_, stop_of(pair));
       pair.memory = memory_of(impact);
     }
   }
@@ -173,21 +223,65 @@ double World<D>::stiffness_between(const Candidate<D>& pair) const {
   return area * (law.is_potential() ? 2 * law.normal_stiffness / potential_length() : law.normal_stiffness);
 }
 
-/// How deep the springs of a pair let it come that approaches at its present speed, over the thickness of the
-/// thinner one.
+/// Where two blocks touch or, apart, are nearest.
+template <int D>
+Contact<D> World<D>::nearest_of(const Candidate<D>& pair) const {
+  Contact<D> contact;
+  if (touching(pair.memory)) {
+    describe(pair, contact);
+  } else {
+    const PlacedBlocks<D> at = blocks_.placed(pair.a, pair.b);
+    PotentialPair<D> apart =
+        initial_pair(at.a, at.b, at.to_b, memory_of(find_largest_separation(at.a, at.b, at.to_b)));
+    describe_contact(at.a, at.b, at.to_b, apart, settings_.detect, contact);
+  }
+  return contact;
+}
+
+/// Of a point of a block, at a place seen from its centroid.
+template <int D>
+Vector<D> World<D>::velocity_at(std::size_t i, const Vector<D>& arm) const {
+  if (blocks_.is_affine(i)) return blocks_.velocity[i] + blocks_.deformation(i).velocity_gradient() * arm;
+  return blocks_.velocity[i] + swept(blocks_.spin[i], arm);
+}
+
+/// How deep the springs of a pair let it come that approaches at such a speed and lies so deep already, over
+/// the thickness of the thinner one.
+template <int D>
+double World<D>::stop_from(const Candidate<D>& pair, double speed, double depth) const {
+  const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
+  const double way = speed > 0 ? speed * std::sqrt(reduced_mass(a, b) / stiffness_between(pair)) : 0;
+  return std::hypot(way, std::max(depth, 0.0)) / thinner(pair);
+}
+
+/// From where the pair touches or is nearest, at the speed at which it approaches there.
 template <int D>
 double World<D>::stop_of(const Candidate<D>& pair) const {
   const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
-  const Vector<D> to_b = blocks_.position[b] - blocks_.position[a],
-                  velocity = blocks_.velocity[b] - blocks_.velocity[a];
-  if (!(to_b.dot(velocity) < 0)) return 0;
-  return velocity.norm() * std::sqrt(reduced_mass(a, b) / stiffness_between(pair)) / thinner(pair);
+  const Contact<D> contact = nearest_of(pair);
+  const Vector<D> from_a = middle_of(contact), from_b = from_a - (blocks_.position[b] - blocks_.position[a]);
+  const double speed = contact.normal.dot(velocity_at(a, from_a) - velocity_at(b, from_b));
+  return stop_from(pair, speed, -contact.gap);
+}
+
+/// Without a close look, and but for how deep it lies.
+template <int D>
+double World<D>::most_of_stop(const Candidate<D>& pair) const {
+  return stop_from(pair, speed_between(pair), 0);
+}
+
+/// Of two blocks that were apart and touch now.
+template <int D>
+void World<D>::note_meeting(const Candidate<D>& pair) {
+  if (most_of_stop(pair) > deepest_stop_) deepest_stop_ = std::max(deepest_stop_, stop_of(pair));
 }
 
 template <int D>
 double World<D>::deepest_stop() const {
   double deepest = deepest_stop_;
-  for (const Candidate<D>& pair : candidates_.pairs()) deepest = std::max(deepest, stop_of(pair));
+  for (const Candidate<D>& pair : candidates_.pairs()) {
+    if (touching(pair.memory) || most_of_stop(pair) > deepest) deepest = std::max(deepest, stop_of(pair));
+  }
   return deepest;
 }
 

@@ -50,7 +50,7 @@ void World<D>::accelerate(std::size_t i) {
 template <int D>
 bool World<D>::plan_motion(double duration) {
   duration_ = duration;
-  most_turned_ = 0;
+  most_turned_ = longest_motion_ = fastest_squared_ = 0;
   candidates_.begin_plan();
   const double half = 0.5 * duration_;
   next_rotation_.resize(blocks_.slot_count());
@@ -88,6 +88,8 @@ bool World<D>::plan_block(std::size_t i, const Vector<D>& velocity, double turn)
   candidates_.plan(blocks_, i, motion);
   if (motion > blocks_.radius[i]) candidates_.plan_way(i, duration_ * velocity);
   most_turned_ = std::max(most_turned_, turn);
+  longest_motion_ = std::max(longest_motion_, motion);
+  fastest_squared_ = std::max(fastest_squared_, most_speed_squared(i));
   return true;
 }
 
@@ -215,7 +217,9 @@ void World<D>::move() {
   fix_potential_length();
   kick_and_drift();
   detected_ = false;
+  made_ = duration_;
   evaluate_forces(duration_);
+  made_ = 0;
   kick_and_book();
   candidates_.tidy_plans();
 }

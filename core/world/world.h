@@ -114,9 +114,9 @@ class World {
   std::int64_t divided_steps() const { return divided_steps_; }
   /// After StepResult::too_fast.
   const FastPair& fast_pair() const { return fast_pair_; }
-  /// The largest share of the thinner block's thickness that springs take to stop the approach of two blocks,
-  /// v (m/k)^1/2: of those in the neighbour list at their present speeds, and of all that have divided a
-  /// step.
+  /// The largest share of the thinner block's thickness up to which springs let two blocks come, the root of
+  /// d^2 + v^2 m/k for those that approach at v where they are nearest and lie d deep: of all when they met,
+  /// of those that divided a step in each part of it, and of those in the neighbour list now.
   double deepest_stop() const;
   /// Of all contacts found so far that were described: not of potentials in space.
   double peak_overlap() const { return peak_overlap_; }
@@ -261,14 +261,22 @@ class World {
   double thinner(const Candidate<D>& pair) const;
   double speed_between(const Candidate<D>& pair) const;
   double calm_time_step() const;
+  double most_speed_squared(std::size_t slot) const;
   bool is_fast(std::size_t slot) const;
   bool any_fast() const;
   double calm_part();
   double calm_part_of(Candidate<D>& pair, double& stable_duration);
   double section(std::size_t slot) const;
   double stiffness_between(const Candidate<D>& pair) const;
+  Contact<D> nearest_of(const Candidate<D>& pair) const;
+  Vector<D> velocity_at(std::size_t slot, const Vector<D>& arm) const;
+  double stop_from(const Candidate<D>& pair, double speed, double depth) const;
   double stop_of(const Candidate<D>& pair) const;
+  double most_of_stop(const Candidate<D>& pair) const;
+  void note_meeting(const Candidate<D>& pair);
   Sweep<D> planned_sweep(std::size_t slot) const;
+  Sweep<D> made_sweep(std::size_t slot) const;
+  void describe_entrance(Candidate<D>& pair, Contact<D>& contact);
   void move();
   std::size_t most_edges() const;
   std::size_t most_components() const;
@@ -322,13 +330,16 @@ class World {
   double epoch_time_ = 0;  // when the time step was last chosen
   std::int64_t epoch_step_ = 0;
   double time_step_ = 0;
-  double passed_ = 0;        // of a step that is divided and not at its end
-  double duration_ = 0;      // of the coming motion: the step or a part of it
-  double most_turned_ = 0;   // of all blocks in the coming motion
-  double fixed_length_ = 0;  // H, once the first forces have been used
+  double passed_ = 0;           // of a step that is divided and not at its end
+  double duration_ = 0;         // of the coming motion: the step or a part of it
+  double made_ = 0;             // of the motion just made, while contacts are found that it has led to
+  double longest_motion_ = 0;   // of all blocks in the coming motion
+  double fastest_squared_ = 0;  // bound of all blocks' speeds now
+  double most_turned_ = 0;      // of all blocks in the coming motion
+  double fixed_length_ = 0;     // H, once the first forces have been used
   std::int64_t steps_ = 0;
   std::int64_t divided_steps_ = 0;
-  double deepest_stop_ = 0;  // of pairs that have divided a step
+  double deepest_stop_ = 0;  // of pairs that have met, and that have divided a step
   double peak_overlap_ = 0;
   double peak_speed_ = 0;
   FastPair fast_pair_;         // that has divided the step most, or for which it was refused

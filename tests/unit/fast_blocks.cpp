@@ -217,3 +217,124 @@ TEMPLATE_TEST_CASE_SIG("a step that would be divided without end is refused wher
     CHECK(scene.world.fast_pair().time_step == Approx(0.25 * thin / speed));
   }
 }
+
+namespace {
+
+/// A bar above a wide plate. It falls at 100 m/s, or spins.
+struct Throw {
+  double x, speed_along, spin, length;
+};
+
+/// How deep springs are told to let a bar come that is thrown so.
+double told_stop(const Throw& thrown, double step) {
+  SpringLaw law = law_that_stops<2>(StiffnessKind::per_contact, density * thickness, 100, 5 * thickness);
+  WorldSettings<2> settings = Scene<2>::settings();
+  settings.time_step = step;
+  Scene<2> scene(law, settings);
+  scene.world.add_block(shape_of(rectangle(10, thickness)), BlockKind::fixed, 0, {0, 0}, {});
+  const std::int32_t bar = scene.world.add_block(shape_of(rectangle(thrown.length, thickness)),
+                                                 BlockKind::rigid, 0, {thrown.x, 0.4}, {});
+  Angular<2> spin;
+  spin[0] = thrown.spin;
+  const double fall = spin[0] != 0 ? 0 : -100;
+  scene.world.set_velocity(bar, {thrown.speed_along, fall}, spin);
+  while (scene.world.time() < 0.03) REQUIRE(scene.world.step() == StepResult::ok);
+  return scene.world.deepest_stop();
+}
+
+}  // namespace
+
+TEST_CASE("springs too soft for a speed are told however the blocks meet: off the middles, or by a tip") {
+  for (const double step : {2e-5, 1e-4, 1e-3}) {
+    INFO("time step " << step);
+    CHECK(told_stop({0, 0, 0, 1}, step) == Approx(5).epsilon(0.01));
+    CHECK(told_stop({-4, -30, 0, 1}, step) == Approx(5).epsilon(0.01));
+    CHECK(told_stop({0, 0, 200, 1}, step) > 1);  // the tip comes at 100 m/s
+    const double of_small = told_stop({0, 0, 0, 1e-2}, step);
+    CHECK(of_small >= 0.5 * (1 - 1e-9));
+    CHECK(of_small <= std::hypot(0.5, 0.25));  // by as much it may have entered when it is found
+  }
+}
+
+TEST_CASE("a bar that flies along a plate is not told to be stopped by it") {
+  const SpringLaw law =
+      law_that_stops<2>(StiffnessKind::per_contact, density * thickness, 100, 5 * thickness);
+  Scene<2> scene(law);
+  scene.world.add_block(shape_of(rectangle(10, thickness)), BlockKind::fixed, 0, {0, 0}, {});
+  const std::int32_t bar = scene.world.add_block(shape_of(rectangle(1, thickness)), BlockKind::rigid, 0,
+                                                 {-2, 1.5 * thickness}, {});
+  scene.world.set_velocity(bar, {100, 0}, Angular<2>::Zero());
+  for (int i = 0; i < 100; ++i) {
+    REQUIRE(scene.world.step() == StepResult::ok);
+    CHECK(scene.world.deepest_stop() <= 1e-9);
+  }
+}
+
+TEST_CASE("what lies deep at rest is told as deep") {
+  const double depth = 0.3 * thickness, gravity = 10;
+  WorldSettings<2> settings = Scene<2>::settings();
+  settings.gravity = {-gravity, 0};
+  SpringLaw law = law_that_stops<2>(StiffnessKind::per_contact, 1, 1, 1);
+  law.normal_stiffness = density * thickness * gravity / depth;
+  Scene<2> scene(law, settings);
+  scene.add(plate<2>(thickness), BlockKind::fixed, 0);
+  scene.add(plate<2>(thickness), BlockKind::rigid, thickness - depth);
+  REQUIRE(scene.world.step() == StepResult::ok);
+  CHECK(scene.world.deepest_stop() == Approx(0.3).epsilon(1e-3));
+}
+
+namespace {
+
+/// Through which side a square, thrown past the corner of a block so that it clears one side last, meets it:
+/// the normal at the first contact.
+template <int D>
+Vector<D> first_normal(const Vector<2>& start, const Vector<2>& velocity, double step) {
+  const auto cube = [] {
+    if constexpr (D == 2) {
+      return shape_of(rectangle(1, 1));
+    } else {
+      return shape_of(completed(box({1, 1, 1})));
+    }
+  };
+  WorldSettings<D> settings = Scene<D>::settings();
+  settings.time_step = step;
+  Scene<D> scene(law_that_stops<D>(StiffnessKind::per_contact, density, 1, 0.1), settings);
+  const auto placed = [](const Vector<2>& v) {
+    Vector<D> wide = Vector<D>::Zero();
+    wide.template head<2>() = v;
+    return wide;
+  };
+  scene.world.add_block(cube(), BlockKind::fixed, 0, Vector<D>::Zero(), {});
+  const std::int32_t thrown = scene.world.add_block(cube(), BlockKind::rigid, 0, placed(start), {});
+  scene.world.set_velocity(thrown, placed(velocity), Angular<D>::Zero());
+  for (int i = 0; i < 100000 && scene.world.contact_count() == 0; ++i) {
+    REQUIRE(scene.world.step() == StepResult::ok);
+  }
+  REQUIRE(scene.world.contact_count() == 1);
+  return scene.world.contact(0).normal;
+}
+
+}  // namespace
+
+/// Both sides keep the blocks apart when the last coarse step begins, and neither at its end. The one to
+/// close last is the entrance, though it may be the deeper one by then.
+TEMPLATE_TEST_CASE_SIG("a block meets another through the side that closes last, whatever the step", "",
+                       ((int D), D), 2, 3) {
+  const double step = 0.1;  // in which a block moves by less than a quarter of its width
+  for (const Vector<2>& closing :
+       {Vector<2>(0.6, 0.3), Vector<2>(0.3, 0.6), Vector<2>(0.6, 0.5), Vector<2>(0.4, 0.6)}) {
+    for (const Vector<2>& towards :
+         {Vector<2>(1, 1), Vector<2>(-1, 1), Vector<2>(1, -1), Vector<2>(-1, -1)}) {
+      // Both sides close at these shares of the third step, by 0.15 in it across x and by 0.03 across y.
+      const Vector<2> motion(0.15, 0.03);
+      const Vector<2> way = motion.cwiseProduct(closing + Vector<2>(2, 2));
+      const Vector<2> start = -towards.cwiseProduct(Vector<2>(1, 1) + way);
+      const Vector<2> velocity = towards.cwiseProduct(motion) / step;
+      INFO(D << "D, closing at " << closing.x() << ", " << closing.y() << ", towards " << towards.x() << ", "
+             << towards.y());
+      const Vector<D> coarse = first_normal<D>(start, velocity, step);
+      CHECK(coarse.isApprox(first_normal<D>(start, velocity, 1e-3 * step)));
+      CHECK(std::abs(coarse[closing.x() > closing.y() ? 0 : 1]) == 1);
+    }
+  }
+}

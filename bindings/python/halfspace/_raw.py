@@ -386,9 +386,10 @@ class hs_world_report(Structure):
         ("block_strain_energy", c_double),  # of affine blocks, now; counts in the residual
         ("block_damping_loss", c_double),  # in affine blocks, so far; counts in the residual
         ("divided_steps", c_int64),  # steps so far that fast blocks have divided
-        # largest share of the thinner block's thickness that springs take to stop an approach, v (m/k)^1/2:
-        # of pairs that have divided a step so far, and of those in the neighbour list now. Above 0.25 or so
-        # springs are too soft for the speed; from 1 on blocks may pass through each other
+        # largest share of the thinner block's thickness up to which springs let two blocks come, the root of
+        # d^2 + v^2 m/k for those that approach at v where they are nearest and lie d deep: of all when they
+        # met, of those that divided a step in each part of it, and of those in the neighbour list now. Above
+        # 0.25 or so springs are too soft; from 0.5 on blocks may pass through each other
         ("deepest_stop", c_double),
         # largest overlap so far, at every detection; by potentials in space, whose steps find no overlaps,
         # now
@@ -498,7 +499,7 @@ class hs_pair_options(Structure):
         ("struct_size", c_uint32),  # set by hs_pair_options_init()
         ("reserved", c_uint32),  # 0
         # edges (3D: faces, or an edge and a face) closer to parallel than this share a region; rad, [0, 0.5];
-        # default 0.01
+        # default 0.01. In 3D what bears is followed up to twice that angle, so that the energy does not jump
         ("parallel_angle", c_double),
         # how near the end of an edge (3D: the border of a face) a vertex meets what is there: share of the
         # shorter of the two edges that face each other; [0, 0.5]; default 1e-6

@@ -115,9 +115,10 @@ typedef struct hs_world_report {
   double block_strain_energy; /**< of affine blocks, now; counts in the residual */
   double block_damping_loss; /**< in affine blocks, so far; counts in the residual */
   int64_t divided_steps;     /**< steps so far that fast blocks have divided */
-  double deepest_stop;       /**< largest share of the thinner block's thickness that springs take to stop an approach, v (m/k)^1/2: of
-                                  pairs that have divided a step so far, and of those in the neighbour list now. Above 0.25 or so
-                                  springs are too soft for the speed; from 1 on blocks may pass through each other */
+  double deepest_stop;       /**< largest share of the thinner block's thickness up to which springs let two blocks come, the root of
+                                  d^2 + v^2 m/k for those that approach at v where they are nearest and lie d deep: of all when they
+                                  met, of those that divided a step in each part of it, and of those in the neighbour list now. Above
+                                  0.25 or so springs are too soft; from 0.5 on blocks may pass through each other */
   double peak_overlap;       /**< largest overlap so far, at every detection; by potentials in space, whose steps find no overlaps, now */
   double peak_speed;         /**< largest speed so far of all blocks that move freely, at the end of every step and part of one */
 } hs_world_report;

@@ -551,9 +551,10 @@ pub struct hs_world_report {
     pub block_damping_loss: f64,
     /// steps so far that fast blocks have divided
     pub divided_steps: i64,
-    /// largest share of the thinner block's thickness that springs take to stop an approach, v (m/k)^1/2: of
-    /// pairs that have divided a step so far, and of those in the neighbour list now. Above 0.25 or so
-    /// springs are too soft for the speed; from 1 on blocks may pass through each other
+    /// largest share of the thinner block's thickness up to which springs let two blocks come, the root of
+    /// d^2 + v^2 m/k for those that approach at v where they are nearest and lie d deep: of all when they
+    /// met, of those that divided a step in each part of it, and of those in the neighbour list now. Above
+    /// 0.25 or so springs are too soft; from 0.5 on blocks may pass through each other
     pub deepest_stop: f64,
     /// largest overlap so far, at every detection; by potentials in space, whose steps find no overlaps, now
     pub peak_overlap: f64,
@@ -687,7 +688,7 @@ pub struct hs_pair_options {
     /// 0
     pub reserved: u32,
     /// edges (3D: faces, or an edge and a face) closer to parallel than this share a region; rad, \[0, 0.5\];
-    /// default 0.01
+    /// default 0.01. In 3D what bears is followed up to twice that angle, so that the energy does not jump
     pub parallel_angle: f64,
     /// how near the end of an edge (3D: the border of a face) a vertex meets what is there: share of the
     /// shorter of the two edges that face each other; \[0, 0.5\]; default 1e-6

@@ -63,10 +63,11 @@ pub struct Report {
     pub block_damping_loss: f64,
     /// Steps so far that fast blocks have divided.
     pub divided_steps: u64,
-    /// Largest share of the thinner block's thickness that springs take to stop an approach,
-    /// v (m/k)^1/2: of pairs that have divided a step so far, and of those in the neighbour list
-    /// now. Above 0.25 or so springs are too soft for the speed; from 1 on blocks may pass through
-    /// each other.
+    /// Largest share of the thinner block's thickness up to which springs let two blocks come, the
+    /// root of d^2 + v^2 m/k for those that approach at v where they are nearest and lie d deep: of
+    /// all when they met, of those that divided a step in each part of it, and of those in the
+    /// neighbour list now. Above 0.25 or so springs are too soft; from 0.5 on blocks may pass
+    /// through each other.
     pub deepest_stop: f64,
     /// Largest overlap so far, at every detection; by potentials in space, whose steps find no
     /// overlaps, now.
