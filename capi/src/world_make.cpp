@@ -1,7 +1,7 @@
-#include <cmath>
 #include <cstddef>
 #include <numbers>
 
+#include "geometry/angle.h"
 #include "pair.h"
 #include "shape.h"
 #include "world.h"
@@ -75,8 +75,9 @@ SpringLaw read_law(const hs_law_def* given) {
   law.normal_stiffness = require_above_zero(def.normal_stiffness, "law.normal_stiffness");
   law.shear_stiffness = require_from_zero(def.shear_stiffness, "law.shear_stiffness");
   if (law.shear_stiffness == 0) law.shear_stiffness = law.normal_stiffness;
-  law.tan_friction = std::tan(require(def.friction_angle >= 0 && def.friction_angle < std::numbers::pi / 2,
-                                      def.friction_angle, "law.friction_angle", "at least 0 and below pi/2"));
+  law.tan_friction =
+      tangent_of(require(def.friction_angle >= 0 && def.friction_angle < std::numbers::pi / 2,
+                         def.friction_angle, "law.friction_angle", "at least 0 and below pi/2"));
   law.cohesion = require_from_zero(def.cohesion, "law.cohesion");
   law.tensile_strength = require_from_zero(def.tensile_strength, "law.tensile_strength");
   law.normal_damping = require_from_zero(def.normal_damping, "law.normal_damping");

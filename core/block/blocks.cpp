@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/angle.h"
+
 namespace halfspace {
 namespace {
 
@@ -224,7 +226,7 @@ void Blocks<D>::drift_affine(std::int32_t slot, const Vector<D>& way, double dur
   deform(slot, now.gradient + duration * now.rate, now.rate);
   if constexpr (D == 2) {
     const Rotation<2> turn = rotation[s] * before.inverse();
-    angle[s] += std::atan2(turn.sine, turn.cosine);
+    angle[s] += angle_at(turn.cosine, turn.sine);
   }
 }
 

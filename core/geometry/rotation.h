@@ -3,16 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/angle.h"
 #include "geometry/vector.h"
 
 namespace halfspace {
-
-/// Cosine and sine of a turn in the plane. Number is a double, or TwoLanes for two turns.
-template <class Number>
-struct CosineAndSine {
-  Number cosine;
-  Number sine;
-};
 
 /// From the z and w of a quaternion whose squared length is 1 but for a deficit of at most 3e-6: the series
 /// of its inverse is exact to rounding then, and faster than a division.
@@ -20,19 +14,6 @@ template <class Number>
 CosineAndSine<Number> cosine_and_sine(const Number& z, const Number& w, const Number& deficit) {
   const Number inverse = (1.0 + deficit) + deficit * deficit;
   return {(w * w - z * z) * inverse, 2.0 * w * z * inverse};
-}
-
-/// Of an angle: by a polynomial instead of the C library's functions where the angle is as small as those of
-/// a time step, so that a run has the same bits wherever the arithmetic is IEEE.
-inline CosineAndSine<double> cosine_and_sine_of(double angle) {
-  constexpr double largest_for_the_series = 0.0625;  // the first neglected term is below 1e-18 there
-  if (std::abs(angle) > largest_for_the_series) return {std::cos(angle), std::sin(angle)};
-  const double q = angle * angle;
-  // Products with constants: divisions would wait for one another.
-  constexpr double c2 = 1 / 2.0, c4 = 1 / 24.0, c6 = 1 / 720.0, c8 = 1 / 40320.0, c10 = 1 / 3628800.0;
-  constexpr double s3 = 1 / 6.0, s5 = 1 / 120.0, s7 = 1 / 5040.0, s9 = 1 / 362880.0;
-  return {1 - q * (c2 - q * (c4 - q * (c6 - q * (c8 - q * c10)))),
-          angle * (1 - q * (s3 - q * (s5 - q * (s7 - q * s9))))};
 }
 
 /// A turn about the origin.
@@ -46,7 +27,10 @@ class Rotation<2> {
   double cosine = 1;
   double sine = 0;
 
-  static Rotation from_angle(double angle) { return {std::cos(angle), std::sin(angle)}; }
+  static Rotation from_angle(double angle) {
+    const auto [c, s] = cosine_and_sine_of(angle);
+    return {c, s};
+  }
 
   Vector<2> operator*(const Vector<2>& v) const {
     return {cosine * v.x() - sine * v.y(), sine * v.x() + cosine * v.y()};
@@ -76,7 +60,7 @@ class Rotation<2> {
   /// The shortest turn that leads here from another rotation.
   Angular<2> turn_since(const Rotation& before) const {
     const Rotation turn = *this * before.inverse();
-    return Angular<2>(std::atan2(turn.sine, turn.cosine));
+    return Angular<2>(angle_at(turn.cosine, turn.sine));
   }
 
   /// No unit vector is turned to places farther apart by these two.
@@ -182,7 +166,7 @@ class Rotation<3> {
     const Vector<3>&x = turn.columns_[0], &y = turn.columns_[1], &z = turn.columns_[2];
     const Vector<3> twice_sine(y.z() - z.y(), z.x() - x.z(), x.y() - y.x());
     const double sine = 0.5 * twice_sine.norm(), cosine = 0.5 * (x.x() + y.y() + z.z() - 1);
-    return sine > 0 ? Angular<3>(std::atan2(sine, cosine) / (2 * sine) * twice_sine) : Angular<3>::Zero();
+    return sine > 0 ? Angular<3>(angle_at(cosine, sine) / (2 * sine) * twice_sine) : Angular<3>::Zero();
   }
 
   /// No unit vector is turned to places farther apart by these two.
