@@ -56,7 +56,7 @@ Shape CheckedShapes::polyhedron(const std::vector<Point>& vertices,
     return faces.empty() ? make_hull(context_, vertices)
                          : make_polyhedron(context_, vertices, FaceList(faces));
   } catch (const LibraryError& error) {
-    if (error.status != HS_ERROR_GEOMETRY) throw;
+    if (error.status != HS_ERROR_ARGUMENT && error.status != HS_ERROR_GEOMETRY) throw;
     faults_.add(place, key,
                 error.reason() + "; allowed: " +
                     (faces.empty() ? "points that are not all in one plane"

@@ -58,6 +58,11 @@ TEST_CASE("a file of no known kind is not read, should it be without end") {
   CHECK_THROWS_WITH(read_solids("/dev/zero"), StartsWith("zero: not a kind of file that is known"));
 }
 
+TEST_CASE("coordinates beyond those of shapes are told with the solid") {
+  const std::string far_off = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1e83\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+  check_convex(far_off, "a.obj:5: points[3] is (0, 0, 1e+83); it must be finite and at most 1e75");
+}
+
 TEST_CASE("a surface that is not closed is told by the edge") {
   const std::string box = mesh_texts::obj_box;
   check_obj(replaced(box, "f 3 4 8 7\n", ""),

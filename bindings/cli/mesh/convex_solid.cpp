@@ -63,7 +63,7 @@ Shape make_convex(const Context& context, const Solid& solid, double scale) {
   try {
     hull = make_hull(context, vertices);
   } catch (const LibraryError& error) {
-    if (error.status != HS_ERROR_GEOMETRY) throw;
+    if (error.status != HS_ERROR_ARGUMENT && error.status != HS_ERROR_GEOMETRY) throw;
     throw MeshFault(solid.place, error.reason());
   }
   const hs_shape_properties properties = properties_of(context, hull);
