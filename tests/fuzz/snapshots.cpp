@@ -69,7 +69,6 @@ void run(Bytes bytes) {
   const World world(made);
   check_motion(made);
   step(made, 3);
-  check_motion(made);
   hs_world_report report;
   succeeds_or(hs_world_get_report(made, &report, sizeof report), {}, "get_report");
   saved(made);
