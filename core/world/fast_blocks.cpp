@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "detect/pair.h"
 #include "detect/time_of_impact.h"
@@ -251,7 +252,8 @@ template <int D>
 double World<D>::stop_from(const Candidate<D>& pair, double speed, double depth) const {
   const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
   const double way = speed > 0 ? speed * std::sqrt(reduced_mass(a, b) / stiffness_between(pair)) : 0;
-  return std::hypot(way, std::max(depth, 0.0)) / thinner(pair);
+  const double share = std::hypot(way, std::max(depth, 0.0)) / thinner(pair);
+  return std::min(share, std::numeric_limits<double>::max());  // of springs next to nothing
 }
 
 /// From where the pair touches or is nearest, at the speed at which it approaches there.
