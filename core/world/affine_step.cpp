@@ -102,8 +102,11 @@ void World<D>::kick_and_book_affine(std::size_t i, Stock& stock, double& applied
   applied_power += blocks_.applied_force[i].dot(middle_velocity) +
                    deformation.load_force.dot(middle_velocity) +
                    deformation.load.cwiseProduct(middle_rate).sum();
-  blocks_.push(i, half * acceleration_[i], Angular<D>::Zero());
-  blocks_.strain(i, half * deformation.acceleration);
+  // As of rigid blocks: one beyond all numbers is none.
+  if (acceleration_[i].allFinite() && deformation.acceleration.allFinite()) {
+    blocks_.push(i, half * acceleration_[i], Angular<D>::Zero());
+    blocks_.strain(i, half * deformation.acceleration);
+  }
   take_affine_stock(i, middle_velocity, middle_rate, stock);
 }
 

@@ -154,7 +154,9 @@ void World<D>::kick_and_book() {
       accelerate_rigid(i);
       applied_power +=
           blocks_.applied_force[i].dot(middle_velocity) + blocks_.applied_torque[i].dot(middle_spin);
-      blocks_.kick(i, half * acceleration_[i], half * momentum_rate_[i]);
+      // One beyond all numbers is none: the next motion, which is planned with it, is refused as unstable.
+      if (acceleration_[i].allFinite() && momentum_rate_[i].allFinite())
+        blocks_.kick(i, half * acceleration_[i], half * momentum_rate_[i]);
     } else if (blocks_.is_affine(i)) {
       kick_and_book_affine(i, stock, applied_power);
       continue;

@@ -76,4 +76,40 @@ TEST_CASE("velocities whose energy would be infinite are refused, one by one and
   CHECK(state_of(world.get(), huge).angular_velocity[2] == 0);
 }
 
+TEST_CASE("a kick beyond all numbers ends the run as unstable, and what can be read is finite") {
+  for (const std::int32_t kind : {HS_BLOCK_RIGID, HS_BLOCK_AFFINE}) {
+    const Context context = make_context();
+    hs_world_def def = world_def();
+    def.time_step = 1e-3;
+    World world = make_world(context.get(), def);
+    std::int32_t heavy = -1, light = -1;
+    require_ok(hs_world_add_material(world.get(), 1000, &heavy), context.get());
+    require_ok(hs_world_add_material(world.get(), 1e-299, &light), context.get());
+    const hs_elasticity_def elasticity = elasticity_def(1e8, 0);
+    require_ok(hs_world_set_elasticity(world.get(), light, &elasticity), context.get());
+    const hs_law_def law = law_def(1e20, 0);
+    require_ok(hs_world_set_default_law(world.get(), &law), context.get());
+    add_block(context.get(), world.get(), box(0, 0, 1, 1), HS_BLOCK_FIXED);
+    const Shape shape = make_shape(context.get(), box(0, 1.01, 1, 2.01));
+    hs_block_def falling;
+    hs_block_def_init(&falling, sizeof falling, shape.get());
+    falling.kind = kind;
+    falling.material = light;
+    falling.velocity[1] = -1;
+    hs_block block = 0;
+    require_ok(hs_world_add_block(world.get(), shape.get(), &falling, &block), context.get());
+    hs_status status = HS_OK;
+    for (int i = 0; i < 100 && status == HS_OK; ++i) {
+      status = hs_world_step(world.get(), 1);
+      const hs_block_state state = state_of(world.get(), block);
+      for (int k = 0; k < 3; ++k) {
+        CHECK(std::isfinite(state.velocity[k]));
+        CHECK(std::isfinite(state.angular_velocity[k]));
+        CHECK(std::isfinite(state.pose.position[k]));
+      }
+    }
+    CHECK(status == HS_ERROR_UNSTABLE);
+  }
+}
+
 }  // namespace halfspace_test
