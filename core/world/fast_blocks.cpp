@@ -252,8 +252,9 @@ template <int D>
 double World<D>::stop_from(const Candidate<D>& pair, double speed, double depth) const {
   const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
   const double way = speed > 0 ? speed * std::sqrt(reduced_mass(a, b) / stiffness_between(pair)) : 0;
-  const double share = std::hypot(way, std::max(depth, 0.0)) / thinner(pair);
-  return std::min(share, std::numeric_limits<double>::max());  // of springs next to nothing
+  const double of_way = way / thinner(pair), of_depth = std::max(depth, 0.0) / thinner(pair);
+  // Not by the C library's hypot, whose last bit is the machine's; springs next to nothing let all through.
+  return std::min(std::sqrt(of_way * of_way + of_depth * of_depth), std::numeric_limits<double>::max());
 }
 
 /// From where the pair touches or is nearest, at the speed at which it approaches there.
