@@ -30,58 +30,70 @@ struct FlatFaceVertex : FaceVertex<SeenOutline> {
   }
 };
 
-/// What of the other block, at the vertex, is nearest to parallel with the plane, and the sine of the angle
-/// between.
-struct Facing {
-  int index;
+/// An edge of the other block at the vertex, by the neighbour at its far end, and the sine of its angle with
+/// the plane.
+struct FacingEdge {
+  int far_vertex;
   double sine;
 };
 
-Facing facing_face(const FaceVertex<SeenOutline>& f) {
+/// The one nearest to parallel.
+FacingEdge facing_edge(const FaceVertex<SeenOutline>& f) {
   const Topology& topology = *f.other.topology;
-  int best = topology.vertex_face[topology.first_of_vertex[f.vertex]];
-  double most_opposed = HUGE_VAL;
-  for (int k = topology.first_of_vertex[f.vertex]; k < topology.first_of_vertex[f.vertex + 1]; ++k) {
-    const double cosine = f.other.normal(topology.vertex_face[k]).dot(f.normal);
-    if (cosine >= most_opposed) continue;
-    most_opposed = cosine;
-    best = topology.vertex_face[k];
-  }
-  return {best, most_opposed < 0 ? cross_product(f.other.normal(best), f.normal).norm() : 1};
-}
-
-/// Of edges, by the neighbour at the far end.
-Facing facing_edge(const FaceVertex<SeenOutline>& f) {
-  const Topology& topology = *f.other.topology;
-  Facing best{topology.vertex_neighbour[topology.first_of_vertex[f.vertex]], HUGE_VAL};
+  FacingEdge best{topology.vertex_neighbour[topology.first_of_vertex[f.vertex]], HUGE_VAL};
   for (int k = topology.first_of_vertex[f.vertex]; k < topology.first_of_vertex[f.vertex + 1]; ++k) {
     const Vector<3> along = f.other.vertex(topology.vertex_neighbour[k]) - f.position;
     const double climb = f.normal.dot(along), square = climb * climb / along.squaredNorm();
-    best = square < best.sine ? Facing{topology.vertex_neighbour[k], square} : best;
+    best = square < best.sine ? FacingEdge{topology.vertex_neighbour[k], square} : best;
   }
-  return {best.index, std::sqrt(best.sine)};
+  return {best.far_vertex, std::sqrt(best.sine)};
 }
 
-/// False when the faces do not overlap.
-bool describe_face_face(const FlatFaceVertex& f, int facing, Contact<3>& contact) {
-  const Vector<3> normal = f.other.normal(facing);
-  // Over the plane the facing face is linear, and it goes through the vertex before the origin.
-  const Vector<2> slope = f.plane.in_plane(normal) / -normal.dot(f.normal);
-  const FaceOverlap overlap =
-      overlap_of(FlatFace(f.plane, f.other, facing, f.to_other), f.polygon, slope, f.rounding());
-  if (overlap.area == 0) return false;
+/// A face of the other block at the vertex, and what it and the face have in common.
+struct FacingFace {
+  double sine = 1;  // of its angle with the plane
+  Vector<2> slope;  // over the plane it is linear, and goes through the vertex before the origin
+  FaceOverlap overlap;
+
+  bool is_there() const { return overlap.area > 0; }
+};
+
+/// Of all that are within an angle of the plane and overlap, the one that lies deepest. Where the deepest
+/// point is on more than one, the one nearest to parallel. By the angle alone another would take its place
+/// that has far less depth.
+FacingFace facing_face(const FlatFaceVertex& f, double angle) {
+  const Topology& topology = *f.other.topology;
+  const double rounding = f.rounding();
+  FacingFace best;
+  for (int k = topology.first_of_vertex[f.vertex]; k < topology.first_of_vertex[f.vertex + 1]; ++k) {
+    const int face = topology.vertex_face[k];
+    const Vector<3> normal = f.other.normal(face);
+    FacingFace found;
+    found.sine = cross_product(normal, f.normal).norm();
+    if (normal.dot(f.normal) >= 0 || found.sine >= angle) continue;
+    found.slope = f.plane.in_plane(normal) / -normal.dot(f.normal);
+    found.overlap =
+        overlap_of(FlatFace(f.plane, f.other, face, f.to_other), f.polygon, found.slope, rounding);
+    if (!found.is_there()) continue;
+    const double deeper = best.overlap.lowest - found.overlap.lowest;
+    if (!best.is_there() || deeper > rounding || (deeper >= -rounding && found.sine < best.sine)) best = found;
+  }
+  return best;
+}
+
+void describe_face_face(const FlatFaceVertex& f, const FacingFace& facing, Contact<3>& contact) {
+  const FaceOverlap& overlap = facing.overlap;
   contact.type = ContactType::face_face;
   contact.area = overlap.area;
   contact.length = 0;
   contact.gap = f.gap + overlap.lowest;
   contact.center = f.plane.at(overlap.centroid);
-  contact.center_gap = f.gap + slope.dot(overlap.centroid);
+  contact.center_gap = f.gap + facing.slope.dot(overlap.centroid);
   contact.point_count = overlap.count;
   for (int i = 0; i < overlap.count; ++i) {
     contact.points[i] = f.plane.at(overlap.corner[i]);
-    contact.gaps[i] = f.gap + slope.dot(overlap.corner[i]);
+    contact.gaps[i] = f.gap + facing.slope.dot(overlap.corner[i]);
   }
-  return true;
 }
 
 /// False when the edge does not pass over the face.
@@ -213,16 +225,17 @@ void name_tilted_region(const FlatFaceVertex& f, bool is_edge_level, Contact<3>&
 
 /// The region of a face and what is near to parallel with it of the other block at the vertex: a face, or
 /// else an edge. False when there is none.
-bool describe_region(const FlatFaceVertex& f, const Facing& edge, const DetectOptions& options,
+bool describe_region(const FlatFaceVertex& f, const FacingEdge& edge, const DetectOptions& options,
                      Contact<3>& contact) {
   contact.normal = f.normal;
   contact.gap = f.gap;
-  const Facing face = facing_face(f);
-  const bool is_face = face.sine < options.region_angle() && describe_face_face(f, face.index, contact);
-  if (!is_face && !(edge.sine < options.region_angle() && describe_edge_face(f, edge.index, contact)))
+  const FacingFace face = facing_face(f, options.region_angle());
+  if (face.is_there())
+    describe_face_face(f, face, contact);
+  else if (!(edge.sine < options.region_angle() && describe_edge_face(f, edge.far_vertex, contact)))
     return false;
   share_stiffness(options, contact);
-  if ((is_face ? face : edge).sine >= options.parallel_angle)
+  if ((face.is_there() ? face.sine : edge.sine) >= options.parallel_angle)
     name_tilted_region(f, edge.sine < options.parallel_angle, contact);
   return true;
 }
@@ -239,10 +252,10 @@ PotentialPair<3> describe_face_vertex(const SeenOutline& a, const SeenOutline& b
                                       const PotentialPair<3>& pair, const DetectOptions& options,
                                       Contact<3>& contact) {
   const FlatFaceVertex f({a, b, to_b, pair.a, pair.b});
-  const Facing edge = facing_edge(f);
+  const FacingEdge edge = facing_edge(f);
   if (describe_region(f, edge, options, contact)) return pair;
 
-  const double facing_length = (b.vertex(edge.index) - f.position).norm();
+  const double facing_length = (b.vertex(edge.far_vertex) - f.position).norm();
   const Place place = place_of_foot(f, facing_length, options);
   if (place.beyond < -place.zone) {
     describe_point(ContactType::vertex_face, f.foot, contact);
