@@ -16,6 +16,7 @@ Shape boundary(const Stage& stage, const Point& before, const Point& first, cons
 std::uint64_t heap(const LawOfStiffness& of, std::int32_t kind) {
   hs_world_def def = world_def();
   def.local_damping = 0.05;
+  def.safety = 0.9;
   Stage stage(def);
   stage.elastic_material(2500, elasticity_def(1e8, 1e-5));
   stage.law(law_of(of, 5e7, 0.4));
@@ -27,9 +28,9 @@ std::uint64_t heap(const LawOfStiffness& of, std::int32_t kind) {
     const Shape grain = stage.polygon(random_round_polygon(random, 3 + i % 6, 0.23));
     stage.add(grain, kind,
               turned_pose({-0.75 + 0.5 * (i % 4), 0.25 + 0.5 * (i / 4)}, number_between(random, -2, 2)),
-              {0, -4, 0});
+              {0, -8, 0});
   }
-  return stage.run(5000);
+  return stage.run(1400);
 }
 
 /// Bonded bricks on a floor that goes off sideways, all turned by 36.87 degrees.

@@ -25,6 +25,7 @@ hs_world_def world_in_space() {
 std::uint64_t packing(const LawOfStiffness& of, std::int32_t kind) {
   hs_world_def def = world_in_space();
   def.local_damping = 0.05;
+  def.safety = 0.9;
   Stage stage(def);
   stage.elastic_material(2500, elasticity_def(1e8, 1e-5));
   stage.law(law_of(of, 2e6, 0.4));
@@ -37,9 +38,9 @@ std::uint64_t packing(const LawOfStiffness& of, std::int32_t kind) {
     stage.add(
         grain, kind,
         turned_pose({-0.36 + 0.72 * (i % 2), -0.36 + 0.72 * (i / 2 % 2), 0.42 + 0.72 * (i / 4)}, axis, 0.7),
-        {0, 0, -4});
+        {0, 0, -8});
   }
-  return stage.run(kind == HS_BLOCK_AFFINE ? 6000 : 3000);
+  return stage.run(kind == HS_BLOCK_AFFINE ? 1600 : 800);
 }
 
 /// Bonded bricks on a floor that goes off sideways, all turned by 36.87 degrees about x.
