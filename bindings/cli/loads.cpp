@@ -12,7 +12,7 @@
 namespace halfspace::cli {
 namespace {
 
-/// From where to where a block reaches along each of three axes: two level ones, and upwards.
+/// A block's reach along each of three axes: two level ones, and upwards.
 struct Box {
   Point low{INFINITY, INFINITY, INFINITY};
   Point high{-INFINITY, -INFINITY, -INFINITY};
@@ -60,13 +60,13 @@ class Columns {
   }
 
  private:
-  /// What the box and one column of a row have in common, as shares of both.
+  /// The part that the box and one column of a row have in common, as shares of both.
   struct Part {
     std::int64_t column;
     double of_column, of_box;
   };
 
-  /// In the plane all is in one row of columns.
+  /// A box without width is all in one column, as everything is across the plane in 2D.
   std::vector<Part> parts(double low, double high) const {
     if (!(high > low)) return {{0, 1, 1}};
     std::vector<Part> parts;
@@ -119,7 +119,7 @@ std::vector<double> loads_of(const Frame& frame, const Point& gravity) {
   }
   if (strength == 0 || free.empty()) return loads;
 
-  // From the top: a block asks for what is above at the height of its middle, and is above what is lower than
+  // Blocks are gone through from the top: one asks for what is above at the height of its middle, and is above what is lower than
   // its lowest point. So blocks side by side bear nothing of each other.
   struct Event {
     double height;

@@ -90,7 +90,7 @@ class Planner {
     return false;
   }
 
-  /// What is too small or too large to compute with is a fault of the generator.
+  /// Blocks too small or too large to compute with are a fault of the generator.
   template <class Make>
   void generate(const Making& making, Make make) {
     try {

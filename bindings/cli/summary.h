@@ -18,7 +18,7 @@ struct RunOut {
 
 RunOut run_out(const Frame& start, const Frame& end, int dimension);
 
-/// What the report tells of the present only, and speeds of the whole run. It is looked at once in a few
+/// Peaks of what the report tells of the present only, and speeds of the whole run. It is looked at once in a few
 /// steps, as looking costs about as much as a step.
 struct Peaks {
   static constexpr std::int64_t steps_between = 16;

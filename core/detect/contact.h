@@ -24,7 +24,7 @@ struct DetectOptions {
   double vertex_zone =
       1e-6;  // share of the shorter edge's length that an end of an edge counts as its vertex
 
-  /// In space a region is looked for up to this angle. By then the shares of its stiffness have moved to the
+  /// The angle up to which a region is looked for in space. By then the shares of its stiffness have moved to the
   /// deepest corner or edge (region_3d_shares.h), so that the energy does not jump where it is given up.
   double region_angle() const { return std::max(parallel_angle, std::min(2 * parallel_angle, 0.3)); }
 };
@@ -160,7 +160,7 @@ struct Contact<3> {
   Vector<3> share_rates[most_region_points];
 };
 
-/// Of the contact region, or where the features of a separated pair are nearest.
+/// The middle of a contact's region, or of where the features of a separated pair are nearest.
 inline Vector<2> middle_of(const Contact<2>& contact) {
   return contact.point_count == 2 ? 0.5 * (contact.points[0] + contact.points[1]) : contact.points[0];
 }

@@ -157,7 +157,7 @@ class JudgedPairs {
 
 }  // namespace
 
-/// By the four signs of edge direction and face normal (docs/theory.md): edges a and b make a facet of the
+/// Four signs of edge direction and face normal decide (docs/theory.md): edges a and b make a facet of the
 /// Minkowski difference when b crosses between the faces of a and a between those of b, in the same sense.
 void judge_edge_pairs(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, Separation<3>& best) {
   JudgedPairs pairs(a, b, to_b);

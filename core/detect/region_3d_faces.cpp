@@ -58,9 +58,9 @@ struct FacingFace {
   bool is_there() const { return overlap.area > 0; }
 };
 
-/// Of all that are within an angle of the plane and overlap, the one that lies deepest. Where the deepest
-/// point is on more than one, the one nearest to parallel. By the angle alone another would take its place
-/// that has far less depth.
+/// The deepest of all faces that are within an angle of the plane and overlap. Where the deepest point is on
+/// more than one, the one nearest to parallel counts. Chosen by the angle alone, another that has far less
+/// depth would take its place.
 FacingFace facing_face(const FlatFaceVertex& f, double angle) {
   const Topology& topology = *f.other.topology;
   const double rounding = f.rounding();

@@ -7,20 +7,6 @@ namespace halfspace {
 // One spring at each point of a contact's region, the contact's stiffness shared among them (Wang et al.
 // 2021, eq. 36).
 
-/// Of a contact's region, on its plane.
-template <int D>
-Vector<D> middle_of(const Contact<D>& contact);
-
-template <>
-inline Vector<2> middle_of(const Contact<2>& contact) {
-  return contact.point_count == 2 ? Vector<2>(0.5 * (contact.points[0] + contact.points[1]))
-                                  : contact.points[0];
-}
-template <>
-inline Vector<3> middle_of(const Contact<3>& contact) {
-  return contact.center;
-}
-
 /// Length or area of a contact's region.
 inline double base_of(const Contact<2>& contact) { return contact.length; }
 inline double base_of(const Contact<3>& contact) { return contact.area; }

@@ -10,7 +10,7 @@
 // are taken (Payne and Hanek 1983). What it has beyond whole quarters, at most half of one, goes into the
 // series of sine and cosine, which are short there. The angle of a vector is found the other way round: the
 // nearest direction of a row of nine is taken off, and the series of the arctangent is short for the rest.
-// What the leading term of a series loses by rounding is carried along.
+// The rounding of a series' leading term is carried along.
 
 namespace halfspace {
 namespace {
@@ -50,12 +50,12 @@ struct Quarters {
   Precise rest;
 };
 
-/// Of an angle above 1e-15.
+/// The angle is above 1e-15.
 Quarters quarters_of(double angle) {
   int exponent;
   const auto digits = std::uint64_t(std::ldexp(std::frexp(angle, &exponent), 53));
   exponent -= 53;
-  // What stands before these 192 bits makes whole turns, what stands behind is too small to tell.
+  // Bits before these 192 make whole turns, bits behind them are too small to tell.
   constexpr int words = 6;
   std::array<std::uint32_t, words>
       product{};  // the lowest word first; 2 bits of whole quarters, then the rest
@@ -69,7 +69,7 @@ Quarters quarters_of(double angle) {
     }
   }
   const auto bits_after = [&](std::size_t i) { return product[i] << 2 | product[i - 1] >> 30; };
-  // Up to half a quarter beyond, else short of the next one.
+  // The rest reaches half a quarter beyond the last whole one, or half a quarter short of the next.
   const std::uint32_t first = bits_after(5);
   const unsigned rounded_up = first >> 31;
   const double a = (double(first) - (rounded_up ? 0x1p32 : 0)) * 0x1p-32, b = bits_after(4) * 0x1p-64,
@@ -79,7 +79,7 @@ Quarters quarters_of(double angle) {
   return {(product[5] >> 30) + rounded_up, all * quarter_turn};
 }
 
-/// Up to pi/4 either way.
+/// The rest is at most pi/4 either way.
 Precise cosine_of_rest(const Precise& r) {
   const double q = r.high * r.high, lost = std::fma(r.high, r.high, -q);
   constexpr double c4 = 1 / 24.0, c6 = 1 / 720.0, c8 = 1 / 40320.0, c10 = 1 / 3628800.0,
@@ -121,7 +121,7 @@ constexpr Precise angle_of_eighths[] = {{0, 0},
                                         {0x1.700a7c5784634p-1, -0x1.8c34d25aadef6p-56},
                                         {0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55}};
 
-/// Of the slope rise / run, from 0 to 1.
+/// The slope rise / run is from 0 to 1.
 Precise angle_of_slope(double rise, double run) {
   const int eighths = int(8 * rise / run + 0.5);
   const Precise slope = {eighths / 8.0, 0}, negative_slope = {-eighths / 8.0, 0};

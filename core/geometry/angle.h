@@ -14,11 +14,11 @@ struct CosineAndSine {
   Number sine;
 };
 
-/// Of any finite angle, off by less than 0.8 units in the last place.
+/// The angle is any finite one; the result is off by less than 0.8 units in the last place.
 CosineAndSine<double> cosine_and_sine_of_large(double angle);
 
-/// Of any finite angle, off by at most 1.01 units: by a short polynomial where it is as small as those of a
-/// time step.
+/// The angle is any finite one; the result is off by at most 1.01 units. Angles as small as those of a time
+/// step take a short polynomial.
 inline CosineAndSine<double> cosine_and_sine_of(double angle) {
   constexpr double largest_for_the_series = 0.0625;  // the first neglected term is below 1e-18 there
   if (!(std::abs(angle) <= largest_for_the_series)) return cosine_and_sine_of_large(angle);

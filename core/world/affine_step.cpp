@@ -102,7 +102,7 @@ void World<D>::kick_and_book_affine(std::size_t i, Stock& stock, double& applied
   applied_power += blocks_.applied_force[i].dot(middle_velocity) +
                    deformation.load_force.dot(middle_velocity) +
                    deformation.load.cwiseProduct(middle_rate).sum();
-  // As of rigid blocks: one beyond all numbers is none.
+  // A kick beyond all numbers is none, as with rigid blocks.
   if (acceleration_[i].allFinite() && deformation.acceleration.allFinite()) {
     blocks_.push(i, half * acceleration_[i], Angular<D>::Zero());
     blocks_.strain(i, half * deformation.acceleration);

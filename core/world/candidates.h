@@ -58,7 +58,7 @@ class Candidates {
   double planned_motion(std::size_t slot) const { return planned_[slot]; }
   /// As far as a block may move in a step and be none that is fast, whichever neighbour it meets.
   double calm_motion(std::size_t slot) const { return calm_motion_[slot]; }
-  /// Of all blocks, or less.
+  /// The least of all blocks', or less.
   double least_calm_motion() const { return least_calm_motion_; }
 
   /// Notes that a block has been put elsewhere.

@@ -72,7 +72,7 @@ bool World<D>::is_fast(std::size_t i) const {
   return candidates_.planned_motion(i) > calm || duration_ * (blocks_.velocity[i].norm() + swing(i)) > calm;
 }
 
-/// As a rule all blocks together are seen to be slow against the thinnest.
+/// Most worlds are seen at once to be slow: the fastest block of all against the thinnest.
 template <int D>
 bool World<D>::any_fast() const {
   const double calm_speed = candidates_.least_calm_motion() / time_step_;
@@ -102,8 +102,8 @@ Sweep<D> World<D>::planned_sweep(std::size_t i) const {
   return sweep;
 }
 
-/// Of the motion that has just been made, from its end back to its start; in space as if the block had turned
-/// at its last spin all along. Time runs on as in the motion.
+/// The motion that has just been made, worked out from its end back to its start. In space the block is taken
+/// to have turned at its last spin all along. Time runs on as in the motion.
 template <int D>
 Sweep<D> World<D>::made_sweep(std::size_t i) const {
   Sweep<D> sweep;
@@ -224,7 +224,7 @@ double World<D>::stiffness_between(const Candidate<D>& pair) const {
   return area * (law.is_potential() ? 2 * law.normal_stiffness / potential_length() : law.normal_stiffness);
 }
 
-/// Where two blocks touch or, apart, are nearest.
+/// The contact where two blocks touch or, apart, are nearest.
 template <int D>
 Contact<D> World<D>::nearest_of(const Candidate<D>& pair) const {
   Contact<D> contact;
@@ -239,7 +239,7 @@ Contact<D> World<D>::nearest_of(const Candidate<D>& pair) const {
   return contact;
 }
 
-/// Of a point of a block, at a place seen from its centroid.
+/// The velocity of a point of a block, at a place seen from its centroid.
 template <int D>
 Vector<D> World<D>::velocity_at(std::size_t i, const Vector<D>& arm) const {
   if (blocks_.is_affine(i)) return blocks_.velocity[i] + blocks_.deformation(i).velocity_gradient() * arm;
@@ -257,7 +257,7 @@ double World<D>::stop_from(const Candidate<D>& pair, double speed, double depth)
   return std::min(std::sqrt(of_way * of_way + of_depth * of_depth), std::numeric_limits<double>::max());
 }
 
-/// From where the pair touches or is nearest, at the speed at which it approaches there.
+/// The same from where the pair touches or is nearest, at the speed at which it approaches there.
 template <int D>
 double World<D>::stop_of(const Candidate<D>& pair) const {
   const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
@@ -267,13 +267,13 @@ double World<D>::stop_of(const Candidate<D>& pair) const {
   return stop_from(pair, speed, -contact.gap);
 }
 
-/// Without a close look, and but for how deep it lies.
+/// A bound without a close look, but for how deep the pair lies.
 template <int D>
 double World<D>::most_of_stop(const Candidate<D>& pair) const {
   return stop_from(pair, speed_between(pair), 0);
 }
 
-/// Of two blocks that were apart and touch now.
+/// Notes how deep springs will let two blocks come that were apart and touch now.
 template <int D>
 void World<D>::note_meeting(const Candidate<D>& pair) {
   if (most_of_stop(pair) > deepest_stop_) deepest_stop_ = std::max(deepest_stop_, stop_of(pair));

@@ -49,7 +49,7 @@ struct FastPair {
   double time_step = 0;  // that would do
 };
 
-/// In one call of step().
+/// The most motions in one call of step().
 constexpr int most_motions = 1 << 14;
 
 /// No block turns farther at once, in rad, and no affine one changes its gradient more.
@@ -118,9 +118,10 @@ class World {
   /// d^2 + v^2 m/k for those that approach at v where they are nearest and lie d deep: of all when they met,
   /// of those that divided a step in each part of it, and of those in the neighbour list now.
   double deepest_stop() const;
-  /// Of all contacts found so far that were described: not of potentials in space.
+  /// The largest of all contacts found so far that were described, which those of potentials in space are
+  /// not.
   double peak_overlap() const { return peak_overlap_; }
-  /// Of all blocks that move freely, at the ends of all motions so far.
+  /// The largest of all blocks that move freely, at the ends of all motions so far.
   double peak_speed() const { return peak_speed_; }
   /// H of potential laws: one length for all blocks (Zheng et al. 2020, section 3.2).
   double potential_length() const;

@@ -9,7 +9,7 @@
 
 namespace halfspace_test {
 
-/// What a world is made of.
+/// The parts that a world is made of.
 struct WorldKind {
   int dimension;
   std::int32_t law;

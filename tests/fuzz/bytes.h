@@ -52,13 +52,13 @@ class Bytes {
     return raw<double>();
   }
 
-  /// At least 0 unless it is one of those that lead astray: 2^-16 to 2^15.
+  /// A number of at least 0 unless it is one of those that lead astray: 2^-16 to 2^15.
   double positive() {
     const int form = byte();
     return form < 240 ? std::ldexp(1 + form / 240.0, between(-16, 15)) : number();
   }
 
-  /// Of the definition of a default where it says so.
+  /// The default of a definition where the bytes say so.
   double positive_or(double otherwise) { return flag() ? positive() : otherwise; }
 
   std::string rest() {

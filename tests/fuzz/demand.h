@@ -10,7 +10,7 @@
 
 namespace halfspace_fuzz {
 
-/// What must hold whatever the bytes are.
+/// Demands that must be met whatever the bytes are.
 inline void demand(bool holds, const char* what) {
   if (holds) return;
   std::fprintf(stderr, "does not hold: %s\n", what);

@@ -26,7 +26,7 @@ Quaternion turn_about(const double v[3], Real share) {
   return {s * v[0], s * v[1], s * v[2], std::cos(share * length / 2)};
 }
 
-/// Where the motion has come to, seen from `other`, so that what both share costs no digits.
+/// The place that the motion has come to, seen from `other`, so that what both share costs no digits.
 hs_pose pose_at_time(const hs_motion_def& motion, const hs_motion_def& other, Real time) {
   hs_pose pose;
   for (int i = 0; i < 3; ++i) {
@@ -48,7 +48,7 @@ struct Moving {
   hs_motion_def motion;
 };
 
-/// Of a pose on the way, and of the verdict there.
+/// The rounding of a pose on the way, and of the verdict there.
 double rounding_on_the_way(const Moving& a, const Moving& b, double time) {
   double way = 0;
   for (int i = 0; i < 3; ++i) {

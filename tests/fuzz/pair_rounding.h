@@ -1,6 +1,6 @@
 #pragma once
 
-// What rounding allows two answers about one pair of shapes to differ by.
+// The difference that rounding allows between two answers about one pair of shapes.
 
 #include "fuzz/geometry.h"
 
@@ -22,7 +22,7 @@ inline double rounding_of_gap(const hs_shape* a, const hs_shape* b, double apart
   return rounding_of(a) + rounding_of(b) + 2 * 48 * 0x1p-53 * (radii + apart);
 }
 
-/// At a corner the gap is along another direction than that of the least depth, by what the vertex zone
+/// The gap at a corner is along another direction than that of the least depth, by what the vertex zone
 /// allows.
 inline double aside(const hs_shape* a, const hs_shape* b, double vertex_zone) {
   const double radii =

@@ -22,7 +22,7 @@ double largest_coordinate(const double v[3]) {
 
 double reach_of(const hs_shape_properties& p) { return largest_coordinate(p.centroid) + p.bounding_radius; }
 
-/// At least its surface, in the plane its circumference.
+/// Bound of its surface, in the plane of its circumference.
 double surface_around(const hs_shape_properties& p) {
   constexpr double pi = 3.14159265358979323846;
   return p.dimension == 2 ? 2 * pi * p.bounding_radius : 4 * pi * p.bounding_radius * p.bounding_radius;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What every world must hold to, whatever has been done to it.
+// Promises that every world keeps, whatever has been done to it.
 
 #include <vector>
 

@@ -24,7 +24,7 @@ class Hash {
   void operator()(const T (&values)[Count]) {
     first(values, Count);
   }
-  /// Of an array of which no more is meant.
+  /// The first so many of an array; no more of it is meant.
   template <class T>
   void first(const T values[], std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) (*this)(values[i]);
@@ -56,7 +56,7 @@ inline void record(Hash& hash, const hs_deformation& d) {
   hash.all(d.gradient, d.rate, d.strain, d.stress, d.strain_energy);
 }
 
-/// What detection tells of a pair.
+/// The answer of detection about a pair.
 inline void record_detected(Hash& hash, const hs_contact& c) {
   hash.all(c.type, c.pair_kind, c.feature_a, c.feature_b, c.normal, c.gap);
   if (c.type == HS_CONTACT_NONE) return;

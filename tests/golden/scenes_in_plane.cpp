@@ -78,9 +78,7 @@ std::uint64_t boundaries(const LawOfStiffness& of) {
 
 /// A block on a slope of 3 to 4, its shear spring loaded with what holds it.
 std::uint64_t preload(const LawOfStiffness& of) {
-  Stage stage(world_def());
-  stage.material(2500);
-  stage.law(law_of(of, 1e8, 0.7));
+  Stage stage(world_def(), law_of(of, 1e8, 0.7));
   const auto up_the_slope = [](const Point& p) {
     return turned_pose({0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y}, 1.0 / 3);
   };
@@ -88,21 +86,13 @@ std::uint64_t preload(const LawOfStiffness& of) {
       stage.add(stage.rectangle({-5, -0.5}, {5, 0.5}), HS_BLOCK_FIXED, up_the_slope({0, -0.5}));
   const hs_block block =
       stage.add(stage.rectangle({-0.5, -0.5}, {0.5, 0.5}), HS_BLOCK_RIGID, up_the_slope({0.1, 0.4998}));
-  stage.ok(hs_world_detect(stage.world(), nullptr));
   const double along = 0.6 * 9.81 * 2500, shear_force[] = {0.8 * along, 0.6 * along, 0};
-  stage.ok(hs_world_set_shear_force(stage.world(), slope, block, shear_force));
-  return stage.run(1000);
+  return stage.run_preloaded(slope, block, shear_force, 1000);
 }
 
 /// A needle that spins by more than 0.06 rad in a step and bounces to and fro without loss.
 std::uint64_t needle(const LawOfStiffness& of) {
-  hs_world_def def = world_def();
-  def.time_step = 1e-4;
-  Stage stage(def);
-  stage.material(2500);
-  hs_law_def law = law_of(of, 1e7, 0);
-  law.normal_damping = law.shear_damping = 0;
-  stage.law(law);
+  Stage stage = stage_without_loss(world_def(), of);
   const Points chain = {{-1, -1}, {-1, 1}, {1, 1}, {1, -1}};
   for (std::size_t i = 0; i < 4; ++i)
     stage.add(boundary(stage, chain[(i + 3) % 4], chain[i], chain[(i + 1) % 4], chain[(i + 2) % 4]),
@@ -114,13 +104,8 @@ std::uint64_t needle(const LawOfStiffness& of) {
 
 /// A bar that would pass a plate within a step.
 std::uint64_t fast(const LawOfStiffness& of, std::int32_t kind) {
-  hs_world_def def = world_def();
-  def.time_step = 1e-5;
-  def.mass_damping = 0.5;
   const bool strains = kind == HS_BLOCK_AFFINE;
-  Stage stage(def);
-  stage.elastic_material(2500, elasticity_def(1e8, 1e-6));
-  stage.law(law_of(of, strains ? 5e7 : 1e9, 0.3, 0.1));
+  Stage stage = stage_of_fast_blocks(world_def(), law_of(of, strains ? 5e7 : 1e9, 0.3, 0.1));
   stage.add(stage.rectangle({-0.5, -0.005}, {0.5, 0}), HS_BLOCK_FIXED);
   stage.add(stage.rectangle({-0.05, -0.0025}, {0.05, 0.0025}), kind, turned_pose({0, 0.2}, 0.02),
             {20, strains ? -150.0 : -300.0, 0}, {0, 0, 900});

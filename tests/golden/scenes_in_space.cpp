@@ -68,9 +68,7 @@ std::uint64_t wall(const LawOfStiffness& of) {
 
 /// A cube on a slope of 3 to 4, its shear spring loaded with what holds it.
 std::uint64_t preload(const LawOfStiffness& of) {
-  Stage stage(world_in_space());
-  stage.material(2500);
-  stage.law(law_of(of, 1e8, 0.7));
+  Stage stage(world_in_space(), law_of(of, 1e8, 0.7));
   const auto up_the_slope = [](const Point3& p) {
     return turned_pose({0.8 * p.x - 0.6 * p.z, p.y, 0.6 * p.x + 0.8 * p.z}, {0, -1, 0}, 1.0 / 3);
   };
@@ -78,21 +76,13 @@ std::uint64_t preload(const LawOfStiffness& of) {
       stage.add(stage.cuboid({-5, -5, -0.5}, {5, 5, 0.5}), HS_BLOCK_FIXED, up_the_slope({0, 0, -0.5}));
   const hs_block block = stage.add(stage.cuboid({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}), HS_BLOCK_RIGID,
                                    up_the_slope({0.1, 0.2, 0.4998}));
-  stage.ok(hs_world_detect(stage.world(), nullptr));
   const double along = 0.6 * 9.81 * 2500, shear_force[] = {0.8 * along, 0, 0.6 * along};
-  stage.ok(hs_world_set_shear_force(stage.world(), slope, block, shear_force));
-  return stage.run(600);
+  return stage.run_preloaded(slope, block, shear_force, 600);
 }
 
 /// A needle that spins by more than 0.06 rad in a step and bounces to and fro without loss.
 std::uint64_t needle(const LawOfStiffness& of) {
-  hs_world_def def = world_in_space();
-  def.time_step = 1e-4;
-  Stage stage(def);
-  stage.material(2500);
-  hs_law_def law = law_of(of, 1e7, 0);
-  law.normal_damping = law.shear_damping = 0;
-  stage.law(law);
+  Stage stage = stage_without_loss(world_in_space(), of);
   add_box(stage, 1, 2);
   stage.add(stage.cuboid({-0.4, -0.02, -0.03}, {0.4, 0.02, 0.03}), HS_BLOCK_RIGID,
             turned_pose({0.1, 0.2, 0.5}, {1, 2, 3}, 0.3), {20, 30, -10}, {100, 900, 1200});
@@ -101,13 +91,8 @@ std::uint64_t needle(const LawOfStiffness& of) {
 
 /// A cube that would pass a plate within a step.
 std::uint64_t fast(const LawOfStiffness& of, std::int32_t kind) {
-  hs_world_def def = world_in_space();
-  def.time_step = 1e-5;
-  def.mass_damping = 0.5;
   const bool strains = kind == HS_BLOCK_AFFINE;
-  Stage stage(def);
-  stage.elastic_material(2500, elasticity_def(1e8, 1e-6));
-  stage.law(law_of(of, strains ? 5e6 : 1e8, 0.3, 0.01));
+  Stage stage = stage_of_fast_blocks(world_in_space(), law_of(of, strains ? 5e6 : 1e8, 0.3, 0.01));
   stage.add(stage.cuboid({-0.5, -0.5, -0.005}, {0.5, 0.5, 0}), HS_BLOCK_FIXED);
   stage.add(stage.cuboid({-0.05, -0.05, -0.0025}, {0.05, 0.05, 0.0025}), kind,
             turned_pose({0, 0, 0.2}, {2, 1, 0}, 0.02), {20, 10, -150}, {500, 300, 900});
@@ -116,9 +101,7 @@ std::uint64_t fast(const LawOfStiffness& of, std::int32_t kind) {
 
 /// Hulls of so many points that the Gauss map and the descent are asked, and that roll.
 std::uint64_t round_hulls() {
-  Stage stage(world_in_space());
-  stage.material(2500);
-  stage.law(law_def(1e6, 0.3));
+  Stage stage(world_in_space(), law_def(1e6, 0.3));
   stage.add(stage.cuboid({-3, -3, -1}, {3, 3, 0}), HS_BLOCK_FIXED);
   Random random(11);
   for (int i = 0; i < 4; ++i)
@@ -130,9 +113,7 @@ std::uint64_t round_hulls() {
 
 /// The parts of a cube cut through thrice, let go.
 std::uint64_t cut_parts(const LawOfStiffness& of) {
-  Stage stage(world_in_space());
-  stage.material(2500);
-  stage.law(law_of(of, 2e7, 0.3));
+  Stage stage(world_in_space(), law_of(of, 2e7, 0.3));
   stage.add(stage.cuboid({-3, -3, -1}, {3, 3, 0}), HS_BLOCK_FIXED);
   std::vector<Shape> parts;
   parts.push_back(stage.cuboid({-1, -1, 0}, {1, 1, 2}));

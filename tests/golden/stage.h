@@ -58,6 +58,11 @@ inline Points3 random_round_points(Random& random, int count, double radius) {
 class Stage {
  public:
   explicit Stage(const hs_world_def& def) : world_(make_world(context(), def)) {}
+  /// With a material, and a law for it.
+  Stage(const hs_world_def& def, const hs_law_def& of_material) : Stage(def) {
+    material(2500);
+    law(of_material);
+  }
 
   hs_context* context() const { return context_.get(); }
   hs_world* world() const { return world_.get(); }
@@ -111,6 +116,13 @@ class Stage {
     }
     return hash.value();
   }
+  /// The same from where a shear spring holds the block on the slope.
+  std::uint64_t run_preloaded(hs_block slope, hs_block block, const double (&shear_force)[3],
+                              std::int64_t steps) {
+    ok(hs_world_detect(world(), nullptr));
+    ok(hs_world_set_shear_force(world(), slope, block, shear_force));
+    return run(steps);
+  }
 
  private:
   Context context_ = make_context();
@@ -140,6 +152,24 @@ inline hs_law_def law_of(const LawOfStiffness& of, double stiffness, double fric
       law_def(of.stiffness_kind == HS_STIFFNESS_PER_CONTACT ? stiffness : stiffness / area, friction_angle);
   law.stiffness_kind = of.stiffness_kind;
   return law;
+}
+
+/// A stage on which a block bounces to and fro without loss.
+inline Stage stage_without_loss(hs_world_def def, const LawOfStiffness& of) {
+  def.time_step = 1e-4;
+  hs_law_def law = law_of(of, 1e7, 0);
+  law.normal_damping = law.shear_damping = 0;
+  return Stage(def, law);
+}
+
+/// A stage with a step in which a fast block would pass a plate, for blocks that strain as well.
+inline Stage stage_of_fast_blocks(hs_world_def def, const hs_law_def& law) {
+  def.time_step = 1e-5;
+  def.mass_damping = 0.5;
+  Stage stage(def);
+  stage.elastic_material(2500, elasticity_def(1e8, 1e-6));
+  stage.law(law);
+  return stage;
 }
 
 std::vector<Scene> scenes_in_plane();

@@ -25,7 +25,7 @@ double units_off(double value, long double exact) {
 class Numbers {
  public:
   double between(double from, double to) { return from + (to - from) * (double(random_() >> 11) * 0x1p-53); }
-  /// Of either sign, by powers of two as often small as large.
+  /// A number of either sign, by powers of two as often small as large.
   double of_any_size(int smallest_power, int largest_power) {
     const int power = smallest_power + int(random_() % unsigned(largest_power - smallest_power + 1));
     return std::ldexp(random_() % 2 ? between(1, 2) : between(-2, -1), power);
@@ -58,7 +58,7 @@ TEST_CASE("sine and cosine are right to the last place or nearly so") {
 }
 
 TEST_CASE("the largest angles are reduced exactly") {
-  // Of all doubles the one that comes nearest to a multiple of pi/2 (Muller, Elementary Functions); its
+  // This of all doubles comes nearest to a multiple of pi/2 (Muller, Elementary Functions); its
   // cosine is known.
   CHECK(units_off(cosine_and_sine_of(0x1.6ac5b262ca1ffp+849).cosine, -4.68716592425462761112e-19L) < 0.8);
   CHECK(std::abs(cosine_and_sine_of(0x1.6ac5b262ca1ffp+849).sine) == 1);
