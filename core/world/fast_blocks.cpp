@@ -19,6 +19,9 @@ namespace {
 /// No motion is a smaller part of a step.
 constexpr double least_part = 0x1p-24;
 
+/// Of the thickness of the thinner block: in a motion that is shorter than this no two sides close in turn.
+constexpr double short_share = 0x1p-8;
+
 PairMemory<2> memory_of(const Impact<2>& impact) { return {PairMemory<2>::separated, impact.pair}; }
 PairMemory<3> memory_of(const Impact<3>& impact) {
   return {PairMemory<3>::separated, impact.pair, impact.normal};
@@ -31,6 +34,12 @@ template <int D>
 double World<D>::swing(std::size_t i) const {
   return blocks_.radius[i] *
          (blocks_.is_affine(i) ? blocks_.deformation(i).rate.norm() : blocks_.spin[i].norm());
+}
+template <int D>
+double World<D>::swing_squared(std::size_t i) const {
+  const double rate_squared =
+      blocks_.is_affine(i) ? blocks_.deformation(i).rate.squaredNorm() : blocks_.spin[i].squaredNorm();
+  return blocks_.radius[i] * blocks_.radius[i] * rate_squared;
 }
 
 template <int D>
@@ -55,13 +64,12 @@ double World<D>::calm_time_step() const {
   return calm;
 }
 
-/// Bound of the square of how fast the points of a block move now: (x + y)^2 <= 2 (x^2 + y^2), with room for
-/// rounding.
+/// Bounds the speed of all points by (x + y)^2 <= 2 (x^2 + y^2), with room for rounding. Boundaries that move
+/// are not among them: they are as fast in their planned motion.
 template <int D>
-double World<D>::most_speed_squared(std::size_t i) const {
-  const double swing_squared =
-      blocks_.is_affine(i) ? blocks_.deformation(i).rate.squaredNorm() : blocks_.spin[i].squaredNorm();
-  return 2.001 * (blocks_.velocity[i].squaredNorm() + blocks_.radius[i] * blocks_.radius[i] * swing_squared);
+void World<D>::note_speeds(const Stock& stock) {
+  peak_speed_ = std::max(peak_speed_, std::sqrt(stock.squared_speed));
+  fastest_squared_ = 2.001 * (stock.squared_speed + stock.squared_swing);
 }
 
 /// In a whole step it would move far against the thinnest of itself and its neighbours: at its present speed,
@@ -124,9 +132,11 @@ Sweep<D> World<D>::made_sweep(std::size_t i) const {
 
 /// Two blocks have met in the motion just made. Of the pairs that kept them apart at its start the last to
 /// close is the one through which they met, also where others are less deep by now: their contact is
-/// described there. Where they touched at the start already but for rounding, it stays as it is.
+/// described there. Where they touched at the start already but for rounding, it stays as it is; and in a
+/// motion that is short against the thinner block the pair that kept them apart decides as well as time does.
 template <int D>
 void World<D>::describe_entrance(Candidate<D>& pair, Contact<D>& contact) {
+  if (made_ * speed_between(pair) <= short_share * thinner(pair)) return;
   const Impact<D> impact =
       time_of_impact(blocks_.own_outline(pair.a), made_sweep(std::size_t(pair.a)),
                      blocks_.own_outline(pair.b), made_sweep(std::size_t(pair.b)), impact_room_.data());

@@ -149,7 +149,7 @@ void World<D>::start_ledger() {
   ledger_.kinetic = stock.kinetic;
   ledger_.gravity = stock.gravity;
   ledger_.block_strain = stock.block_strain;
-  peak_speed_ = std::max(peak_speed_, std::sqrt(stock.squared_speed));
+  note_speeds(stock);
   power_ = stock.power;
   noise_energy_ =
       weight_times_size + rounding_energy + ledger_.kinetic + ledger_.strain + ledger_.block_strain;

@@ -50,7 +50,7 @@ void World<D>::accelerate(std::size_t i) {
 template <int D>
 bool World<D>::plan_motion(double duration) {
   duration_ = duration;
-  most_turned_ = longest_motion_ = fastest_squared_ = 0;
+  most_turned_ = longest_motion_ = 0;
   candidates_.begin_plan();
   const double half = 0.5 * duration_;
   next_rotation_.resize(blocks_.slot_count());
@@ -89,7 +89,6 @@ bool World<D>::plan_block(std::size_t i, const Vector<D>& velocity, double turn)
   if (motion > blocks_.radius[i]) candidates_.plan_way(i, duration_ * velocity);
   most_turned_ = std::max(most_turned_, turn);
   longest_motion_ = std::max(longest_motion_, motion);
-  fastest_squared_ = std::max(fastest_squared_, most_speed_squared(i));
   return true;
 }
 
@@ -125,6 +124,7 @@ void World<D>::take_stock(std::size_t i, const Vector<D>& opposed, const Angular
   if (blocks_.kind[i] != BlockKind::rigid) return;
   const double mass = blocks_.mass[i];
   stock.squared_speed = std::max(stock.squared_speed, velocity.squaredNorm());
+  stock.squared_swing = std::max(stock.squared_swing, swing_squared(i));
   stock.kinetic += blocks_.kinetic_energy(std::int32_t(i));
   stock.gravity -= mass * settings_.gravity.dot(blocks_.position[i]);
   if (settings_.local_damping > 0) {
@@ -171,7 +171,7 @@ void World<D>::kick_and_book() {
   ledger_.mass_damping_loss += half * (power_.mass_damping + stock.power.mass_damping);
   ledger_.block_damping_loss += half * (power_.block_damping + stock.power.block_damping);
   ledger_.outer_work += duration_ * applied_power + half * (power_.outer + stock.power.outer);
-  peak_speed_ = std::max(peak_speed_, std::sqrt(stock.squared_speed));
+  note_speeds(stock);
   power_ = stock.power;
 }
 

@@ -183,6 +183,7 @@ class World {
     double gravity = 0;
     double block_strain = 0;
     double squared_speed = 0;  // of the fastest
+    double squared_swing = 0;  // of the points that move fastest about their centroid
     Power power;
   };
 
@@ -262,7 +263,8 @@ class World {
   double thinner(const Candidate<D>& pair) const;
   double speed_between(const Candidate<D>& pair) const;
   double calm_time_step() const;
-  double most_speed_squared(std::size_t slot) const;
+  double swing_squared(std::size_t slot) const;
+  void note_speeds(const Stock& stock);
   bool is_fast(std::size_t slot) const;
   bool any_fast() const;
   double calm_part();
@@ -335,7 +337,7 @@ class World {
   double duration_ = 0;         // of the coming motion: the step or a part of it
   double made_ = 0;             // of the motion just made, while contacts are found that it has led to
   double longest_motion_ = 0;   // of all blocks in the coming motion
-  double fastest_squared_ = 0;  // bound of all blocks' speeds now
+  double fastest_squared_ = HUGE_VAL;  // bound of the speed of all points now; not saved
   double most_turned_ = 0;      // of all blocks in the coming motion
   double fixed_length_ = 0;     // H, once the first forces have been used
   std::int64_t steps_ = 0;
