@@ -68,7 +68,8 @@ void World<D>::take_affine_stock(std::size_t i, const Vector<D>& opposed, const 
   const Vector<D>& velocity = blocks_.velocity[i];
   const double mass = blocks_.mass[i];
   stock.squared_speed = std::max(stock.squared_speed, velocity.squaredNorm());
-  stock.squared_swing = std::max(stock.squared_swing, swing_squared(i));
+  const double radius = blocks_.radius[i];
+  stock.squared_swing = std::max(stock.squared_swing, radius * radius * deformation.rate.squaredNorm());
   stock.kinetic += 0.5 * mass * velocity.squaredNorm() + deformation.kinetic_energy();
   stock.gravity -= mass * settings_.gravity.dot(blocks_.position[i]);
   stock.block_strain += deformation.strain_energy(elasticity_of(i));

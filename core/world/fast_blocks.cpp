@@ -35,12 +35,6 @@ double World<D>::swing(std::size_t i) const {
   return blocks_.radius[i] *
          (blocks_.is_affine(i) ? blocks_.deformation(i).rate.norm() : blocks_.spin[i].norm());
 }
-template <int D>
-double World<D>::swing_squared(std::size_t i) const {
-  const double rate_squared =
-      blocks_.is_affine(i) ? blocks_.deformation(i).rate.squaredNorm() : blocks_.spin[i].squaredNorm();
-  return blocks_.radius[i] * blocks_.radius[i] * rate_squared;
-}
 
 template <int D>
 double World<D>::thinner(const Candidate<D>& pair) const {

@@ -124,7 +124,8 @@ void World<D>::take_stock(std::size_t i, const Vector<D>& opposed, const Angular
   if (blocks_.kind[i] != BlockKind::rigid) return;
   const double mass = blocks_.mass[i];
   stock.squared_speed = std::max(stock.squared_speed, velocity.squaredNorm());
-  stock.squared_swing = std::max(stock.squared_swing, swing_squared(i));
+  const double radius = blocks_.radius[i];
+  stock.squared_swing = std::max(stock.squared_swing, radius * radius * spin.squaredNorm());
   stock.kinetic += blocks_.kinetic_energy(std::int32_t(i));
   stock.gravity -= mass * settings_.gravity.dot(blocks_.position[i]);
   if (settings_.local_damping > 0) {

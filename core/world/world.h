@@ -263,7 +263,6 @@ class World {
   double thinner(const Candidate<D>& pair) const;
   double speed_between(const Candidate<D>& pair) const;
   double calm_time_step() const;
-  double swing_squared(std::size_t slot) const;
   void note_speeds(const Stock& stock);
   bool is_fast(std::size_t slot) const;
   bool any_fast() const;
