@@ -6,10 +6,10 @@
 #include <cstdint>
 
 #include "geometry/rotation.h"
-#include "geometry/two_lanes.h"
 #include "geometry/vector.h"
 #include "guard.h"
 #include "halfspace/view.h"
+#include "simd/two_lanes.h"
 
 namespace halfspace::capi {
 

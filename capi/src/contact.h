@@ -1,8 +1,8 @@
 #pragma once
 
 #include "check.h"
-#include "detect/contact.h"
 #include "halfspace/contact.h"
+#include "narrow_phase/contact.h"
 
 namespace halfspace::capi {
 

@@ -5,9 +5,9 @@
 
 #include "check.h"
 #include "contact.h"
-#include "detect/time_of_impact.h"
 #include "geometry/deformed_outline.h"
 #include "guard.h"
+#include "narrow_phase/time_of_impact.h"
 #include "posed_pair.h"
 #include "shape.h"
 #include "tensor.h"

@@ -2,10 +2,10 @@
 
 #include "check.h"
 #include "contact.h"
-#include "detect/pair.h"
-#include "detect/turned_outline.h"
 #include "detection.h"
 #include "guard.h"
+#include "narrow_phase/pair.h"
+#include "narrow_phase/plane/turned_outline.h"
 #include "pair_cache.h"
 #include "posed_pair.h"
 #include "separation_proof.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "detect/contact.h"
 #include "halfspace/pair.h"
+#include "narrow_phase/contact.h"
 
 namespace halfspace::capi {
 

@@ -1,7 +1,7 @@
 #include "contact.h"
-#include "detect/minkowski_difference.h"
-#include "detect/pair.h"
 #include "detection.h"
+#include "narrow_phase/pair.h"
+#include "narrow_phase/space/minkowski_difference.h"
 #include "pair_cache.h"
 
 namespace halfspace::capi {

@@ -1,11 +1,11 @@
-#include "geometry/polyhedron.h"
+#include "geometry/polyhedron/polyhedron.h"
 
 #include <limits>
 
 #include "check.h"
-#include "geometry/polyhedron_check.h"
-#include "geometry/polyhedron_halfspaces.h"
-#include "geometry/polyhedron_hull.h"
+#include "geometry/polyhedron/check.h"
+#include "geometry/polyhedron/halfspaces.h"
+#include "geometry/polyhedron/hull.h"
 #include "guard.h"
 #include "shape.h"
 #include "view.h"

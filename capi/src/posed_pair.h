@@ -1,11 +1,11 @@
 #pragma once
 
 #include "check.h"
-#include "detect/separation.h"
 #include "geometry/rotation.h"
-#include "geometry/two_lanes.h"
 #include "halfspace/view.h"
+#include "narrow_phase/plane/separation.h"
 #include "shape.h"
+#include "simd/two_lanes.h"
 
 namespace halfspace::capi {
 

@@ -5,12 +5,12 @@
 #include <cstdint>
 
 #include "contact.h"
-#include "detect/contact.h"
-#include "geometry/two_lanes.h"
 #include "halfspace/contact.h"
 #include "halfspace/pair.h"
+#include "narrow_phase/contact.h"
 #include "pair_cache.h"
 #include "posed_pair.h"
+#include "simd/two_lanes.h"
 
 namespace halfspace::capi {
 

@@ -1,6 +1,6 @@
 #include "check.h"
-#include "geometry/polygon_cut.h"
-#include "geometry/polyhedron_cut.h"
+#include "geometry/polygon/cut.h"
+#include "geometry/polyhedron/cut.h"
 #include "guard.h"
 #include "polygon.h"
 #include "shape.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "block/tiling.h"
-#include "geometry/polyhedron_surface.h"
-#include "geometry/polyhedron_topology.h"
+#include "geometry/polyhedron/surface.h"
+#include "geometry/polyhedron/topology.h"
 
 namespace halfspace {
 namespace {

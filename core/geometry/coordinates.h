@@ -1,7 +1,7 @@
 #pragma once
 
-#include "geometry/four_lanes.h"
 #include "geometry/vector.h"
+#include "simd/four_lanes.h"
 
 namespace halfspace {
 

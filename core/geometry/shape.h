@@ -3,10 +3,10 @@
 #include <optional>
 #include <span>
 
-#include "geometry/gauss_map.h"
 #include "geometry/outline.h"
-#include "geometry/polyhedron.h"
-#include "geometry/polyhedron_topology.h"
+#include "geometry/polyhedron/gauss_map.h"
+#include "geometry/polyhedron/polyhedron.h"
+#include "geometry/polyhedron/topology.h"
 #include "geometry/vector.h"
 
 namespace halfspace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "detect/separation.h"
-#include "detect/separation_3d.h"
+#include "narrow_phase/plane/separation.h"
+#include "narrow_phase/space/separation.h"
 
 namespace halfspace {
 

@@ -7,10 +7,10 @@
 #include <type_traits>
 
 #include "block/blocks.h"
-#include "detect/contact.h"
-#include "force/division_plans.h"
-#include "force/shear_spring.h"
-#include "neighbor/neighbor_search.h"
+#include "broad_phase/grid.h"
+#include "force/potential/space/division_plans.h"
+#include "force/spring/shear_spring.h"
+#include "narrow_phase/contact.h"
 
 namespace halfspace {
 

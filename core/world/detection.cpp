@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "detect/pair.h"
 #include "geometry/deformed_outline.h"
+#include "narrow_phase/pair.h"
 #include "world/world.h"
 
 namespace halfspace {

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <limits>
 
-#include "detect/pair.h"
-#include "detect/time_of_impact.h"
+#include "narrow_phase/pair.h"
+#include "narrow_phase/time_of_impact.h"
 #include "world/world.h"
 
 // A step in which all pairs move little against the thinner of their blocks is one motion. Where one does

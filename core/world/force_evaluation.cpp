@@ -1,7 +1,7 @@
 #include <utility>
 
-#include "detect/pair.h"
-#include "force/planned_force.h"
+#include "force/potential/space/planned_force.h"
+#include "narrow_phase/pair.h"
 #include "world/world.h"
 
 namespace halfspace {

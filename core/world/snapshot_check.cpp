@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "force/planned_force.h"
+#include "force/potential/space/planned_force.h"
 #include "world/world.h"
 
 // What a snapshot must fulfil so that running it never leads out of an array. Numbers may be wrong in value:

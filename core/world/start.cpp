@@ -3,7 +3,7 @@
 #include <limits>
 #include <numbers>
 
-#include "force/point_springs.h"
+#include "force/spring/point_springs.h"
 #include "world/world.h"
 
 namespace halfspace {

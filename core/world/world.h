@@ -5,11 +5,11 @@
 #include <tuple>
 
 #include "block/blocks.h"
-#include "detect/contact.h"
-#include "detect/sweep.h"
 #include "force/law.h"
-#include "force/potential_force.h"
-#include "force/spring.h"
+#include "force/potential/potential_force.h"
+#include "force/spring/spring.h"
+#include "narrow_phase/contact.h"
+#include "narrow_phase/sweep.h"
 #include "world/candidates.h"
 #include "world/ledger.h"
 
@@ -332,13 +332,13 @@ class World {
   double epoch_time_ = 0;  // when the time step was last chosen
   std::int64_t epoch_step_ = 0;
   double time_step_ = 0;
-  double passed_ = 0;           // of a step that is divided and not at its end
-  double duration_ = 0;         // of the coming motion: the step or a part of it
-  double made_ = 0;             // of the motion just made, while contacts are found that it has led to
-  double longest_motion_ = 0;   // of all blocks in the coming motion
+  double passed_ = 0;                  // of a step that is divided and not at its end
+  double duration_ = 0;                // of the coming motion: the step or a part of it
+  double made_ = 0;                    // of the motion just made, while contacts are found that it has led to
+  double longest_motion_ = 0;          // of all blocks in the coming motion
   double fastest_squared_ = HUGE_VAL;  // bound of the speed of all points now; not saved
-  double most_turned_ = 0;      // of all blocks in the coming motion
-  double fixed_length_ = 0;     // H, once the first forces have been used
+  double most_turned_ = 0;             // of all blocks in the coming motion
+  double fixed_length_ = 0;            // H, once the first forces have been used
   std::int64_t steps_ = 0;
   std::int64_t divided_steps_ = 0;
   double deepest_stop_ = 0;  // of pairs that have met, and that have divided a step

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "benchmarks/peers_3d.h"
-#include "geometry/polyhedron_hull.h"
+#include "geometry/polyhedron/hull.h"
 #include "geometry/shape.h"
 
 namespace halfspace_benchmark {

@@ -1,7 +1,7 @@
 #include "benchmarks/halfspace_block.h"
 #include "benchmarks/peer_of.h"
-#include "detect/pair.h"
-#include "detect/separation_3d.h"
+#include "narrow_phase/pair.h"
+#include "narrow_phase/space/separation.h"
 
 namespace halfspace_benchmark {
 namespace {

@@ -7,7 +7,7 @@
 #include "benchmarks/halfspace_block.h"
 #include "benchmarks/timing.h"
 #include "block/outlines.h"
-#include "detect/pair.h"
+#include "narrow_phase/pair.h"
 
 namespace halfspace_benchmark {
 namespace {

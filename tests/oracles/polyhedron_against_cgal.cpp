@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "catch.h"
-#include "geometry/polyhedron_cut.h"
-#include "geometry/polyhedron_halfspaces.h"
-#include "geometry/polyhedron_hull.h"
+#include "geometry/polyhedron/cut.h"
+#include "geometry/polyhedron/halfspaces.h"
+#include "geometry/polyhedron/hull.h"
 #include "geometry/precise.h"
 #include "geometry/shape.h"
 

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "catch.h"
-#include "geometry/polygon_boundary.h"
-#include "geometry/polygon_check.h"
+#include "geometry/polygon/boundary.h"
+#include "geometry/polygon/check.h"
 #include "polygons.h"
 
 using namespace halfspace;

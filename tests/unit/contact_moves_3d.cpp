@@ -5,7 +5,7 @@
 
 #include "catch.h"
 #include "contacts_3d.h"
-#include "detect/potential_pairs_3d.h"
+#include "narrow_phase/space/potential_pairs.h"
 
 using namespace halfspace;
 using namespace halfspace::test;

@@ -1,6 +1,6 @@
 #include "catch.h"
-#include "detect/pair.h"
 #include "geometry/rotation.h"
+#include "narrow_phase/pair.h"
 #include "polygons.h"
 
 using namespace halfspace;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "catch.h"
-#include "detect/potential_pairs_3d.h"
+#include "narrow_phase/space/potential_pairs.h"
 
 namespace halfspace::test {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "detect/pair.h"
+#include "narrow_phase/pair.h"
 #include "polyhedra.h"
 
 namespace halfspace::test {

@@ -1,8 +1,7 @@
-#include "geometry/divided_polyhedron.h"
-
 #include "catch.h"
 #include "contacts_3d.h"
-#include "geometry/polyhedron_cut.h"
+#include "geometry/polyhedron/cut.h"
+#include "geometry/polyhedron/division.h"
 
 using namespace halfspace;
 using namespace halfspace::test;

@@ -8,7 +8,7 @@
 #include "block/blocks.h"
 #include "catch.h"
 #include "contacts_3d.h"
-#include "force/planned_force.h"
+#include "force/potential/space/planned_force.h"
 
 using namespace halfspace;
 using namespace halfspace::test;

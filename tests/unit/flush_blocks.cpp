@@ -6,7 +6,7 @@
 
 #include "catch.h"
 #include "contacts_3d.h"
-#include "force/potential_force.h"
+#include "force/potential/potential_force.h"
 
 using namespace halfspace;
 using namespace halfspace::test;

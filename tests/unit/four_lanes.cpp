@@ -1,14 +1,14 @@
-#include "geometry/four_lanes.h"
+#include "simd/four_lanes.h"
 
 #include <algorithm>
 #include <array>
 #include <vector>
 
 #include "catch.h"
-#include "detect/expanding_polytope.h"
-#include "detect/support.h"
-#include "force/plan_lanes.h"
-#include "geometry/volume_sums.h"
+#include "force/potential/space/plan_lanes.h"
+#include "geometry/polyhedron/volume_sums.h"
+#include "narrow_phase/space/epa.h"
+#include "narrow_phase/space/support.h"
 #include "polyhedra.h"
 
 using namespace halfspace;

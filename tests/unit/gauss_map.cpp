@@ -1,12 +1,12 @@
-#include "geometry/gauss_map.h"
+#include "geometry/polyhedron/gauss_map.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "catch.h"
-#include "detect/separation_3d.h"
-#include "detect/support.h"
+#include "narrow_phase/space/separation.h"
+#include "narrow_phase/space/support.h"
 #include "polyhedra.h"
 
 using namespace halfspace;

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "catch.h"
-#include "force/joint_face.h"
+#include "force/spring/joint_face.h"
 #include "rotations.h"
 #include "two_blocks.h"
 

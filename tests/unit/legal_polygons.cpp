@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "catch.h"
-#include "geometry/polygon_check.h"
-#include "geometry/polygon_clean.h"
+#include "geometry/polygon/check.h"
+#include "geometry/polygon/clean.h"
 #include "polygons.h"
 
 using namespace halfspace;

@@ -1,7 +1,6 @@
-#include "neighbor/neighbor_search.h"
-
 #include <set>
 
+#include "broad_phase/grid.h"
 #include "catch.h"
 #include "polygons.h"
 

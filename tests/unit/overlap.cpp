@@ -1,8 +1,8 @@
-#include "force/overlap.h"
+#include "force/spring/overlap.h"
 
 #include "catch.h"
-#include "detect/separation.h"
-#include "geometry/polygon_cut.h"
+#include "geometry/polygon/cut.h"
+#include "narrow_phase/plane/separation.h"
 #include "polygons.h"
 
 using namespace halfspace;

@@ -4,7 +4,7 @@
 #include "block/deformation.h"
 #include "catch.h"
 #include "contacts_3d.h"
-#include "force/overlap.h"
+#include "force/spring/overlap.h"
 
 using namespace halfspace;
 using namespace halfspace::test;

@@ -1,9 +1,9 @@
 #include <numbers>
 
 #include "catch.h"
-#include "geometry/polygon_check.h"
-#include "geometry/polygon_cut.h"
-#include "geometry/polygon_hull.h"
+#include "geometry/polygon/check.h"
+#include "geometry/polygon/cut.h"
+#include "geometry/polygon/hull.h"
 #include "polygons.h"
 
 using namespace halfspace;

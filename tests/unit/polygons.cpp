@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "geometry/polygon_hull.h"
+#include "geometry/polygon/hull.h"
 
 namespace halfspace::test {
 

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "catch.h"
-#include "geometry/polyhedron_cut.h"
-#include "geometry/polyhedron_hull.h"
+#include "geometry/polyhedron/cut.h"
+#include "geometry/polyhedron/hull.h"
 
 namespace halfspace::test {
 

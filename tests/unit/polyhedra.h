@@ -3,7 +3,7 @@
 #include <initializer_list>
 #include <vector>
 
-#include "geometry/polyhedron_check.h"
+#include "geometry/polyhedron/check.h"
 #include "geometry/shape.h"
 #include "polygons.h"
 

@@ -4,8 +4,8 @@
 
 #include "catch.h"
 #include "contacts_3d.h"
-#include "geometry/polyhedron_cut.h"
-#include "geometry/polyhedron_hull.h"
+#include "geometry/polyhedron/cut.h"
+#include "geometry/polyhedron/hull.h"
 #include "polyhedra.h"
 
 using namespace halfspace;

@@ -1,9 +1,8 @@
-#include "geometry/polyhedron_halfspaces.h"
-
 #include <cmath>
 #include <numbers>
 
 #include "catch.h"
+#include "geometry/polyhedron/halfspaces.h"
 #include "polyhedra.h"
 
 using namespace halfspace;

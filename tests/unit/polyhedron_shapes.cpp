@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "catch.h"
-#include "geometry/polyhedron_hull.h"
+#include "geometry/polyhedron/hull.h"
 #include "polyhedra.h"
 
 using namespace halfspace;

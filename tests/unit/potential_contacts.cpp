@@ -6,9 +6,9 @@
 #include "bare_law.h"
 #include "catch.h"
 #include "contacts_3d.h"
-#include "detect/separation_3d.h"
-#include "force/line_of_action.h"
-#include "force/overlap.h"
+#include "force/potential/line_of_action.h"
+#include "force/spring/overlap.h"
+#include "narrow_phase/space/separation.h"
 #include "world/world.h"
 
 using namespace halfspace;

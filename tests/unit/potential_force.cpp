@@ -1,4 +1,4 @@
-#include "force/potential_force.h"
+#include "force/potential/potential_force.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "catch.h"
-#include "geometry/polygon_cut.h"
+#include "geometry/polygon/cut.h"
 #include "polygons.h"
 
 using namespace halfspace;

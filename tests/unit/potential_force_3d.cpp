@@ -5,8 +5,8 @@
 
 #include "catch.h"
 #include "contacts_3d.h"
-#include "force/potential_force.h"
-#include "geometry/polyhedron_cut.h"
+#include "force/potential/potential_force.h"
+#include "geometry/polyhedron/cut.h"
 
 using namespace halfspace;
 using namespace halfspace::test;

@@ -1,10 +1,10 @@
-#include "detect/potential_pairs.h"
+#include "narrow_phase/plane/potential_pairs.h"
 
 #include <set>
 #include <tuple>
 
 #include "catch.h"
-#include "detect/pair.h"
+#include "narrow_phase/pair.h"
 #include "polygons.h"
 
 using namespace halfspace;

@@ -1,11 +1,10 @@
-#include "detect/separation_3d.h"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "catch.h"
-#include "detect/potential_pairs_3d.h"
+#include "narrow_phase/space/potential_pairs.h"
+#include "narrow_phase/space/separation.h"
 #include "polyhedra.h"
 
 using namespace halfspace;

@@ -4,7 +4,7 @@
 
 #include "catch.h"
 #include "contacts_3d.h"
-#include "detect/region_3d_shares.h"
+#include "narrow_phase/space/shares.h"
 
 using namespace halfspace;
 using namespace halfspace::test;

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "catch.h"
-#include "force/shear_spring.h"
+#include "force/spring/shear_spring.h"
 #include "rotations.h"
 #include "two_blocks.h"
 

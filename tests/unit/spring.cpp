@@ -1,8 +1,8 @@
-#include "bare_law.h"
-#include "force/spring.h"
+#include "force/spring/spring.h"
 
 #include <numbers>
 
+#include "bare_law.h"
 #include "catch.h"
 
 using namespace halfspace;

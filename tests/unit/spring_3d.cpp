@@ -4,7 +4,7 @@
 
 #include "bare_law.h"
 #include "catch.h"
-#include "force/spring.h"
+#include "force/spring/spring.h"
 #include "rotations.h"
 #include "two_blocks.h"
 

@@ -1,10 +1,10 @@
-#include "detect/time_of_impact.h"
+#include "narrow_phase/time_of_impact.h"
 
 #include <cmath>
 
 #include "catch.h"
-#include "detect/pair.h"
 #include "geometry/deformed_outline.h"
+#include "narrow_phase/pair.h"
 #include "polygons.h"
 #include "polyhedra.h"
 

@@ -7,7 +7,7 @@
 #include "block/outlines.h"
 #include "catch.h"
 #include "contacts_3d.h"
-#include "geometry/polyhedron_topology.h"
+#include "geometry/polyhedron/topology.h"
 #include "world/snapshot.h"
 
 using namespace halfspace;

@@ -3,7 +3,7 @@
 #include "bare_law.h"
 #include "block/blocks.h"
 #include "contacts_3d.h"
-#include "force/spring.h"
+#include "force/spring/spring.h"
 
 namespace halfspace::test {
 

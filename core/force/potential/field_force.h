@@ -1,0 +1,51 @@
+#pragma once
+
+#include "force/potential/potential_force.h"
+
+namespace halfspace {
+
+/// What one block's potential, the owner's, does to the other one, and in return to its owner. Summed over
+/// the cells of what they have in common, of which each has one face of the owner for its nearest.
+///
+/// When the owner moves, the depth changes as its face moves where the cell's centroid has its foot: the
+/// force on the owner acts there. When the other one does, the cell moves, and as it is squeezed the energy
+/// in it falls: its virial has an isotropic part.
+///
+/// Who follows a plan sums up the same in lanes (`followed_plan.cpp`).
+template <int D>
+struct FieldForce {
+  Vector<D> force = Vector<D>::Zero();          // on the other block
+  Tensor<D> at_cells = Tensor<D>::Zero();       // force times position^T, of the cells' centroids
+  Tensor<D> cells_to_feet = Tensor<D>::Zero();  // and of the way from there to their feet
+  double energy = 0;
+
+  /// A cell of so much area or volume; the moment is that of the position, the energy that of the depth
+  /// behind the nearest face.
+  void add_cell(double content, const Vector<D>& moment, double energy_in_cell, const Vector<D>& normal) {
+    force += content * normal;
+    at_cells += normal * moment.transpose();
+    cells_to_feet += energy_in_cell * normal * normal.transpose();
+    energy += energy_in_cell;
+  }
+
+  Tensor<D> virial_of_owner(const Vector<D>& centroid) const {
+    return force * centroid.transpose() - at_cells - cells_to_feet;
+  }
+  Tensor<D> virial_of_other(const Vector<D>& centroid) const {
+    return at_cells - force * centroid.transpose() - energy * Tensor<D>::Identity();
+  }
+};
+
+/// Of both potentials; the blocks' centroids are here, and that of what they have in common is seen from a's.
+template <int D>
+PotentialForce<D> sum_of(const FieldForce<D>& by_a, const FieldForce<D>& by_b, const Vector<D>& centroid_a,
+                         const Vector<D>& centroid_b, const Vector<D>& centroid, double content) {
+  return {by_a.force - by_b.force,
+          by_a.virial_of_owner(centroid_a) + by_b.virial_of_other(centroid_a),
+          by_a.virial_of_other(centroid_b) + by_b.virial_of_owner(centroid_b),
+          centroid,
+          content,
+          by_a.energy + by_b.energy};
+}
+
+}  // namespace halfspace

@@ -1,0 +1,138 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+#include "force/potential/space/division_plan.h"
+#include "geometry/vector.h"
+
+namespace halfspace {
+
+/// What a pair of blocks remembers of its plan.
+class PlanMemory {
+ public:
+  bool knows() const { return state_ >= 0; }
+  /// Where the plan begins that it knows.
+  std::int32_t first() const { return state_ / 2; }
+  void remember(std::int32_t first) { state_ = 2 * first; }
+  void move_to(std::int32_t first) { state_ = 2 * first + state_ % 2; }
+
+  /// A plan that could not be followed even once was not worth to be made: then some steps pass until the
+  /// next one is.
+  bool has_served() const { return knows() && state_ % 2 == 1; }
+  void serve() { state_ |= 1; }
+  void wait(std::int32_t steps) { state_ = -1 - steps; }
+  bool waits() {
+    if (state_ >= -1) return false;
+    ++state_;
+    return true;
+  }
+
+ private:
+  /// Twice where the plan begins, and 1 more when it has served; or -1 less the steps to wait.
+  std::int32_t state_ = -1;
+};
+
+/// The plans of all pairs of blocks, one behind the other. One that is no more used takes its room until the
+/// plans are tidied.
+///
+/// How many there is room for follows from the number of pairs, and that room is taken beforehand: steps ask
+/// for no memory, and a restored world makes the plans that the saved one would have made.
+class DivisionPlans {
+ public:
+  explicit DivisionPlans(Memory* memory) : codes_(memory) {}
+
+  void reserve(std::size_t pairs) { codes_.reserve(room_for(pairs)); }
+  /// Pairs for whose number there is no room reserved have none.
+  void serve_pairs(std::size_t pairs) { room_ = std::min(room_for(pairs), codes_.capacity()); }
+
+  std::span<const PlanCode> operator[](const PlanMemory& memory) const {
+    const PlanCode* const head = codes_.data() + memory.first();
+    return {head + head_size, std::size_t(head[0])};
+  }
+
+  /// False when there is no room for it.
+  bool add(std::span<const PlanCode> plan, PlanMemory& memory) {
+    const std::size_t first = codes_.size();
+    if (first + head_size + plan.size() > room_) {
+      is_full_ = true;
+      return false;
+    }
+    codes_.insert(codes_.end(), {PlanCode(plan.size()), 0, 0});
+    codes_.insert(codes_.end(), plan.begin(), plan.end());
+    memory.remember(std::int32_t(first));
+    return true;
+  }
+
+  /// Keeps only what pairs know of, when most is not or there is no more room.
+  template <class Pairs>
+  void tidy(Pairs& pairs) noexcept {
+    if (codes_.size() <= enough_ && !is_full_) return;
+    for (std::size_t k = 0; k < pairs.size(); ++k)
+      if (pairs[k].plan.knows()) set_owner(std::size_t(pairs[k].plan.first()), k);
+    std::size_t kept = 0, next = 0;
+    for (std::size_t at = 0; at < codes_.size(); at = next) {
+      next = at + head_size + std::size_t(codes_[at]);
+      const std::size_t owner = owner_of(at);
+      if (owner >= pairs.size() || !pairs[owner].plan.knows()) continue;
+      if (std::size_t(pairs[owner].plan.first()) != at) continue;
+      pairs[owner].plan.move_to(std::int32_t(kept));
+      std::copy(codes_.begin() + std::ptrdiff_t(at), codes_.begin() + std::ptrdiff_t(next),
+                codes_.begin() + std::ptrdiff_t(kept));
+      kept += next - at;
+    }
+    codes_.resize(kept);
+    enough_ = 2 * kept + 4096;
+    is_full_ = false;
+  }
+
+  std::size_t size() const { return codes_.size(); }
+
+  /// False for what no plans of these pairs can be, after reading a snapshot: each pair's plan is one of its
+  /// own.
+  template <class Pairs>
+  bool are_of(const Pairs& pairs) const {
+    Array<std::uint8_t> is_free_head(codes_.size(), 0, codes_.get_allocator());
+    std::size_t at = 0;
+    for (; at + head_size <= codes_.size() && codes_[at] > 0; at += head_size + std::size_t(codes_[at]))
+      is_free_head[at] = 1;
+    if (at != codes_.size()) return false;
+    return std::all_of(pairs.begin(), pairs.end(), [&](const auto& pair) {
+      if (!pair.plan.knows()) return true;
+      const std::size_t first = std::size_t(pair.plan.first());
+      return first < is_free_head.size() && std::exchange(is_free_head[first], std::uint8_t(0));
+    });
+  }
+
+  template <class Archive>
+  void visit(Archive& archive) {
+    archive(codes_, enough_);
+  }
+
+ private:
+  /// Its length, and which pair's it is when they are tidied.
+  static constexpr std::size_t head_size = 3;
+
+  /// Mostly enough, were all pairs in contact: a plan has 200 to 500 codes.
+  static std::size_t room_for(std::size_t pairs) {
+    return std::min<std::size_t>(most_plan_codes + 512 * pairs, INT32_MAX / 2);
+  }
+
+  void set_owner(std::size_t at, std::size_t owner) {
+    codes_[at + 1] = PlanCode(owner & 0xffff);
+    codes_[at + 2] = PlanCode(owner >> 16);
+  }
+  std::size_t owner_of(std::size_t at) const {
+    return std::size_t(std::uint16_t(codes_[at + 1])) | std::size_t(std::uint16_t(codes_[at + 2])) << 16;
+  }
+
+  Array<PlanCode> codes_;
+  std::size_t room_ = 0;
+  std::uint64_t enough_ = 0;
+  bool is_full_ = false;
+};
+
+}  // namespace halfspace

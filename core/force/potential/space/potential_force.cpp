@@ -1,0 +1,179 @@
+#include "force/potential/potential_force.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "force/potential/field_force.h"
+#include "force/potential/space/placed_block.h"
+#include "simd/two_lanes.h"
+
+namespace halfspace {
+namespace {
+
+/// The face that a point lies least deep behind.
+int face_nearest_to(const Outline<3>& block, const Vector<3>& p) {
+  const TwoLanes x = both(p.x()), y = both(p.y()), z = both(p.z());
+  TwoLanes least = both(HUGE_VAL), nearest{}, face{0, 1};
+  for (int f = 0; f < block.face_count(); f += 2) {
+    const TwoLanes height = two_at(block.nx + f) * x + two_at(block.ny + f) * y + two_at(block.nz + f) * z;
+    const TwoLanes depth = two_at(block.offset + f) - height;
+    nearest = depth < least ? face : nearest;
+    least = smaller(least, depth);
+    face += both(2);
+  }
+  // The last face may have been looked at twice.
+  return std::min(int(least[1] < least[0] ? nearest[1] : nearest[0]), block.face_count() - 1);
+}
+
+/// What a part lies within: cheap to compare with a plane.
+struct Bounds {
+  Bounds() = default;
+  Bounds(const DividedPolyhedron& parts, DividedPolyhedron::Part part) {
+    Vector<3> lower = parts.position(part[0]), upper = lower;
+    for (const DividedPolyhedron::Index v : part) {
+      lower = lower.cwiseMin(parts.position(v));
+      upper = upper.cwiseMax(parts.position(v));
+    }
+    center = 0.5 * (lower + upper);
+    half_size = upper - center;
+  }
+
+  double largest_coordinate() const { return (center.cwiseAbs() + half_size).maxCoeff(); }
+
+  Vector<3> center;
+  Vector<3> half_size;
+};
+
+/// What a block, the whole, has in common with another, the cutter.
+class Intersection {
+ public:
+  Intersection(const PlacedBlock& whole, const PlacedBlock& cutter, PotentialRoom<3>& room)
+      : whole_(whole), cutter_(cutter), room_(room) {}
+
+  /// `first` is the cutter's face to begin with, behind which the whole has been sounded. False when there
+  /// is nothing.
+  bool find(int first, const Sounding& sounding) {
+    room_.intersection.begin(whole_.outline, sounding);
+    take_inside();
+    find_least_depths(cutter_, Bounds(room_.intersection, room_.vertices));
+    for (int f = 0; f < cutter_.outline.face_count(); ++f) {
+      if (f != first && room_.least_depth[std::size_t(f)] < 0 && !cut(f)) return false;
+    }
+    content_ = room_.intersection.measure(room_.vertices);
+    bounds_ = Bounds(room_.intersection, room_.vertices);
+    return content_.volume > 0;
+  }
+
+  const VolumeAndSpread& content() const { return content_; }
+
+  FieldForce<3> force_of(const PlacedBlock& owner) {
+    find_near_faces(owner);
+    room_.cells.divide(room_.intersection, room_.vertices, content_, bounds_.largest_coordinate(),
+                       room_.near);
+    return sum_over_cells();
+  }
+
+  void show_corners(DivisionPlanner& planner) const {
+    for (const DividedPolyhedron::Index v : room_.vertices)
+      planner.add_corner(room_.intersection.position(v));
+  }
+  /// After the force of this owner.
+  void show_cells(int owner, DivisionPlanner& planner) const {
+    planner.add_cells(owner, room_.near, room_.least_depth, room_.cells.crossings());
+  }
+
+ private:
+  FieldForce<3> sum_over_cells() const {
+    FieldForce<3> sum;
+    for (const NearFace& face : room_.near) {
+      const auto& [normal, offset] = face.plane;
+      const auto& [volume, moment] = face.cell;
+      if (volume != 0) sum.add_cell(volume, moment, offset * volume - normal.dot(moment), normal);
+    }
+    return sum;
+  }
+
+  void take_inside() {
+    const DividedPolyhedron::Part inside = room_.intersection.inside();
+    room_.vertices.assign(inside.begin(), inside.end());
+  }
+
+  bool cut(int face) {
+    const DepthRange depths = room_.intersection.sound(room_.vertices, cutter_.plane(face));
+    if (depths.most <= 0) return false;
+    if (depths.least < 0) {
+      room_.intersection.cut_edges(room_.vertices);
+      room_.intersection.close_inside();
+      take_inside();
+    }
+    return true;
+  }
+
+  /// How deep the intersection is behind each face, by its bounds: no less. Behind one of them all of it is
+  /// no deeper than what is returned.
+  double find_least_depths(const PlacedBlock& owner, const Bounds& bounds) {
+    const Outline<3>& o = owner.outline;
+    const Vector<3> center = bounds.center - owner.at;
+    const std::size_t count = std::size_t(Outline<3>::padded(o.face_count()));
+    if (room_.least_depth.size() < count) room_.least_depth.resize(count);
+    TwoLanes reach = both(HUGE_VAL);
+    for (std::size_t f = 0; f < count; f += 2) {
+      const TwoLanes nx = two_at(o.nx + f), ny = two_at(o.ny + f), nz = two_at(o.nz + f);
+      const TwoLanes height = nx * both(center.x()) + ny * both(center.y()) + nz * both(center.z());
+      const TwoLanes depth = two_at(o.offset + f) - height;
+      const TwoLanes spread = magnitude(nx) * both(bounds.half_size.x()) +
+                              magnitude(ny) * both(bounds.half_size.y()) +
+                              magnitude(nz) * both(bounds.half_size.z());
+      put_two_at(room_.least_depth.data() + f, depth - spread);
+      reach = smaller(reach, depth + spread);
+    }
+    return std::min(reach[0], reach[1]);
+  }
+
+  /// By its bounds, no point of the intersection is deeper in the owner than this. A face that all of it is
+  /// deeper behind is nowhere the nearest.
+  void find_near_faces(const PlacedBlock& owner) {
+    const double reach = find_least_depths(owner, bounds_);
+    room_.near.clear();
+    for (int f = 0; f < owner.outline.face_count(); ++f)
+      if (room_.least_depth[std::size_t(f)] <= reach) room_.near.push_back({f, owner.plane(f), {}, {}});
+  }
+
+  const PlacedBlock& whole_;
+  const PlacedBlock& cutter_;
+  PotentialRoom<3>& room_;
+  VolumeAndSpread content_;
+  Bounds bounds_;
+};
+
+}  // namespace
+
+/// The block is cut that the other reaches into less: that leaves less to cut.
+PotentialForce<3> potential_force(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
+                                  PotentialRoom<3>& room, DivisionPlanner* planner) {
+  const int of_a = face_nearest_to(a, to_b), of_b = face_nearest_to(b, -to_b);
+  const double into_a = room.sounding_of_b.take(b, PlacedBlock{a, -to_b}.plane(of_a)).most;
+  if (into_a <= 0) return {};
+  const double into_b = room.sounding_of_a.take(a, PlacedBlock{b, to_b}.plane(of_b)).most;
+  if (into_b <= 0) return {};
+  const bool cuts_b = into_a <= into_b;
+  const PlacedBlock placed_a{a, cuts_b ? Vector<3>(-to_b) : Vector<3>::Zero()},
+      placed_b{b, cuts_b ? Vector<3>::Zero() : to_b};
+  Intersection intersection(cuts_b ? placed_b : placed_a, cuts_b ? placed_a : placed_b, room);
+  if (!intersection.find(cuts_b ? of_a : of_b, cuts_b ? room.sounding_of_b : room.sounding_of_a)) return {};
+  const VolumeAndSpread& content = intersection.content();
+  if (planner) {
+    planner->begin(placed_a, placed_b, content);
+    intersection.show_corners(*planner);
+  }
+  const FieldForce<3> by_a = intersection.force_of(placed_a);
+  if (planner) intersection.show_cells(0, *planner);
+  const FieldForce<3> by_b = intersection.force_of(placed_b);
+  if (planner) intersection.show_cells(1, *planner);
+  PotentialForce<3> sum = sum_of<3>(by_a, by_b, placed_a.at, placed_b.at,
+                                    content.moment / content.volume - placed_a.at, content.volume);
+  sum.spread = content.spread;
+  return sum;
+}
+
+}  // namespace halfspace

@@ -1,0 +1,243 @@
+#include "force/spring/spring.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "force/spring/joint_face.h"
+#include "force/spring/point_springs.h"
+
+namespace halfspace {
+
+template <int D>
+double Spring<D>::viscosity(double share_of_critical, double stiffness) const {
+  return share_of_critical == 0 ? 0 : 2 * share_of_critical * std::sqrt(stiffness * reduced_mass_);
+}
+
+/// One spring at each point of the region, the contact's stiffness shared among them (eq. 36).
+template <int D>
+typename Spring<D>::NormalPart Spring<D>::per_contact(const Contact<D>& contact, const PairMotion<D>& motion,
+                                                      bool bonded, ContactEnergy& energy) const {
+  constexpr int most_points = sizeof contact.gaps / sizeof *contact.gaps;
+  NormalPart normal;
+  normal.base = base_of(contact);
+  Vector<D> weighted = Vector<D>::Zero(), weighted_viscous = Vector<D>::Zero();
+  double depths[most_points] = {}, force_at[most_points] = {};
+  const double viscosity_of_all = viscosity(law_.normal_damping, law_.normal_stiffness);
+  for (int i = 0; i < contact.point_count; ++i) {
+    const double depth = -contact.gaps[i];
+    if (depth < 0 && !bonded) continue;
+    const double stiffness = contact.shares[i] * law_.normal_stiffness;
+    const double elastic = stiffness * depth;
+    double viscous = 0;
+    if (law_.normal_damping > 0) {
+      const double opening = contact.normal.dot(motion.relative_at(contact.points[i]));
+      viscous = -contact.shares[i] * viscosity_of_all * opening;
+      if (!bonded) viscous = std::max(viscous, -elastic);  // a dashpot alone never pulls
+      normal.viscous_force += viscous;
+      weighted_viscous += viscous * contact.points[i];
+    }
+    energy.strain += 0.5 * elastic * depth;
+    depths[i] = depth;
+    force_at[i] = elastic + viscous;
+    normal.force += force_at[i];
+    weighted += force_at[i] * contact.points[i];
+  }
+  normal.couple = law_.normal_stiffness * couple_of_shares(contact, depths);
+  const bool has_center = normal.force > 0 && !bonded;
+  if (has_center) {
+    normal.center = weighted / normal.force;
+  } else {
+    // A bond pulls at one end and pushes at the other: what has no centre has a couple.
+    normal.center = middle_of(contact);
+    const Vector<D> moment_arm = weighted - normal.force * normal.center;
+    normal.couple += moment(moment_arm, contact.normal);
+  }
+  if (law_.normal_damping > 0) {
+    const Vector<D> moment_arm = weighted_viscous - normal.viscous_force * normal.center;
+    normal.viscous_couple = moment(moment_arm, contact.normal);
+  }
+  if (D == 3 && contact.point_count > 1) {
+    for (int i = 0; i < contact.point_count; ++i)
+      force_at[i] = has_center ? force_at[i] / normal.force : contact.shares[i];
+    normal.twist_radius = twist_radius(contact, normal.center, force_at);
+  }
+  return normal;
+}
+
+/// The stiffness per area times the overlap: the linear depth integrated over the region, moment included.
+/// The springs of an intact joint are spread over the faces that were one.
+template <int D>
+typename Spring<D>::NormalPart Spring<D>::per_area(const Contact<D>& contact, const Overlap<D>& overlap,
+                                                   const PairMotion<D>& motion, bool bonded,
+                                                   ContactEnergy& energy) const {
+  NormalPart normal;
+  Bed bed;
+  if (bonded && is_joint_face(contact)) {
+    const JointFace<D> face = joint_face(contact);
+    normal.base = face.base;
+    normal.center = face.center;
+    normal.twist_radius = face.twist_radius;
+    normal.force = law_.normal_stiffness * face.force;
+    normal.couple = law_.normal_stiffness * face.couple;
+    energy.strain += 0.5 * law_.normal_stiffness * face.depth_squared;
+    bed.middle = face.center;
+    bed.spread = face.spread;
+  } else {
+    normal.base = overlap.base;
+    normal.center = overlap.center;
+    normal.twist_radius = overlap.twist_radius;
+    normal.force = law_.normal_stiffness * overlap.content;
+    energy.strain += 0.5 * law_.normal_stiffness * overlap.depth_squared;
+    bed.middle = overlap.middle;
+    bed.spread = overlap.spread;
+    bed.unevenness = overlap.unevenness();
+  }
+  bed.stiffness = law_.normal_stiffness * normal.base;
+  damp(contact.normal, motion, bonded, bed, normal);
+  return normal;
+}
+
+/// Dashpots spread as the springs are: they brake the bed's opening and its tilting alike. Where nothing is
+/// bonded they pull at most as much as leaves the centre of all that presses within the bed: for a bed of
+/// this spread, up to sqrt(3) times its radius of gyration from its middle, which is the end of an even one.
+template <int D>
+void Spring<D>::damp(const Vector<D>& direction, const PairMotion<D>& motion, bool bonded, const Bed& bed,
+                     NormalPart& normal) const {
+  if (law_.normal_damping == 0) return;
+  const double opening = direction.dot(motion.relative_at(bed.middle));
+  const Vector<D> slope = motion.opening_slope(direction), tilting = bed.spread * slope;
+  double viscosity_here = viscosity(law_.normal_damping, bed.stiffness);
+  if (!bonded) {
+    const double pull = opening + std::sqrt(slope.dot(tilting) / 3);
+    const double most = (1 - bed.unevenness) * normal.force;
+    if (viscosity_here * pull > most) viscosity_here = most / pull;
+  }
+  const Vector<D> moment_arm = opening * (bed.middle - normal.center) + tilting;
+  normal.viscous_force = -viscosity_here * opening;
+  normal.viscous_couple = -viscosity_here * moment(moment_arm, direction);
+  normal.force += normal.viscous_force;
+  normal.couple += normal.viscous_couple;
+}
+
+template <int D>
+typename Spring<D>::NormalPart Spring<D>::normal_part(const Contact<D>& contact, const Overlap<D>& overlap,
+                                                      const PairMotion<D>& motion, bool bonded,
+                                                      ContactEnergy& energy) const {
+  return law_.stiffness_kind == StiffnessKind::per_area ? per_area(contact, overlap, motion, bonded, energy)
+                                                        : per_contact(contact, motion, bonded, energy);
+}
+
+template <int D>
+typename Spring<D>::ShearTrial Spring<D>::shear_trial(const NormalPart& normal, const Vector<D>& direction,
+                                                      const PairMotion<D>& motion,
+                                                      const ShearSpring<D>& spring) const {
+  ShearTrial trial;
+  if (!law_.resists_shear()) return trial;
+  const bool per_area = law_.stiffness_kind == StiffnessKind::per_area;
+  trial.stiffness = law_.shear_stiffness * (per_area ? normal.base : 1);
+  trial.velocity = slip_velocity(motion.relative_at(normal.center), direction, motion, normal.twist_radius);
+  trial.before = carried(spring, direction, motion, elapsed_);
+  trial.force = trial.before - trial.stiffness * (elapsed_ * trial.velocity);
+  return trial;
+}
+
+template <int D>
+double Spring<D>::shear_limit(const NormalPart& normal, bool bonded) const {
+  const double friction = std::max(normal.force, 0.0) * law_.tan_friction;
+  return bonded ? friction + law_.cohesion * normal.base : friction;
+}
+
+template <int D>
+bool Spring<D>::holds(const NormalPart& normal, const ShearTrial& trial) const {
+  return -normal.force <= law_.tensile_strength * normal.base &&
+         trial.force.norm() <= shear_limit(normal, true);
+}
+
+/// Incremental shear spring with Mohr-Coulomb's limit (eqs. 37-40).
+template <int D>
+typename Spring<D>::ShearPart Spring<D>::shear_force(const NormalPart& normal, const ShearTrial& trial,
+                                                     const Vector<D>& direction, ShearSpring<D>& spring,
+                                                     bool bonded, ContactEnergy& energy) const {
+  const auto& [stiffness, velocity, before, stuck] = trial;
+  const Shear<D> slip = elapsed_ * velocity;
+  const double limit = shear_limit(normal, bonded), wanted = stuck.norm();
+  Shear<D> force = stuck;
+  const bool slides = wanted > limit;
+  if (slides) force *= limit / wanted;
+
+  // What motion put in and the spring does not hold is lost.
+  const auto energy_of = [&](const Shear<D>& f) {
+    return trial.stiffness > 0 ? 0.5 * f.squaredNorm() / trial.stiffness : 0;
+  };
+  if (spring.energy == preloaded) spring.energy = energy_of(before);
+  const double stored = energy_of(force);
+  const double put_in = -0.5 * (before + force).dot(slip);
+  energy.friction_loss += put_in - (stored - spring.energy);
+  energy.strain += stored;
+  remember(spring, force, stored, direction);
+
+  if (law_.shear_damping == 0 || slides) return {force};
+  Shear<D> total = force - viscosity(law_.shear_damping, stiffness) * velocity;
+  const double length = total.norm();
+  if (length > limit) total *= limit / length;
+  return {total, total - force};
+}
+
+/// The normal part with what friction and bond make of the trial.
+template <int D>
+[[gnu::always_inline]] inline PairLoad<D> Spring<D>::load(const NormalPart& normal, const ShearTrial& trial,
+                                                          const Vector<D>& direction, ShearSpring<D>& spring,
+                                                          bool bonded, ContactEnergy& energy) const {
+  PairLoad<D> load;
+  load.contact = {normal.force * direction, normal.center, normal.couple};
+  load.normal = direction;
+  if (law_.is_damped()) load.viscous = {normal.viscous_force * direction, normal.viscous_couple};
+  if (!law_.resists_shear()) return load;
+  const ShearPart shear = shear_force(normal, trial, direction, spring, bonded, energy);
+  const auto add = [&](const Shear<D>& part, auto& to) {
+    to.force += shear_vector(part, direction);
+    to.couple += twisting_moment(part, direction, normal.twist_radius);
+  };
+  add(shear.force, load.contact);
+  if (law_.shear_damping > 0) add(shear.viscous, load.viscous);
+  return load;
+}
+
+template <int D>
+PairLoad<D> Spring<D>::evaluate(const Contact<D>& contact, const Overlap<D>& overlap,
+                                const PairMotion<D>& motion, ShearSpring<D>& spring, bool& bonded,
+                                ContactEnergy& energy) const {
+  const ContactEnergy before = energy;
+  NormalPart normal = normal_part(contact, overlap, motion, bonded, energy);
+  ShearTrial trial = shear_trial(normal, contact.normal, motion, spring);
+  if (bonded && !holds(normal, trial)) {
+    // Torn or sheared off: what the bond held is lost, what is still compressed goes on without it.
+    const double held = energy.strain - before.strain;
+    bonded = false;
+    energy = before;
+    normal = normal_part(contact, overlap, motion, bonded, energy);
+    energy.friction_loss += held - (energy.strain - before.strain);
+    trial = shear_trial(normal, contact.normal, motion, spring);
+  }
+
+  return load(normal, trial, contact.normal, spring, bonded, energy);
+}
+
+template <int D>
+PairLoad<D> Spring<D>::evaluate(const LineOfAction<D>& line, const PairMotion<D>& motion,
+                                ShearSpring<D>& spring, ContactEnergy& energy) const {
+  NormalPart normal;
+  normal.force = line.force;
+  normal.couple = line.couple;
+  normal.center = line.loading_point;
+  normal.twist_radius = line.twist_radius;
+  energy.strain += line.energy;
+  damp(line.direction, motion, false, {line.stiffness, line.loading_point, line.spread, 0}, normal);
+  const ShearTrial trial = shear_trial(normal, line.direction, motion, spring);
+  return load(normal, trial, line.direction, spring, false, energy);
+}
+
+template class Spring<2>;
+template class Spring<3>;
+
+}  // namespace halfspace

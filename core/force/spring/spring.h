@@ -1,0 +1,124 @@
+#pragma once
+
+#include "force/law.h"
+#include "force/pair_motion.h"
+#include "force/potential/line_of_action.h"
+#include "force/spring/overlap.h"
+#include "force/spring/shear_spring.h"
+#include "narrow_phase/contact.h"
+
+namespace halfspace {
+
+/// On b, and opposite on a.
+template <int D>
+struct ContactForce {
+  Vector<D> force = Vector<D>::Zero();
+  Vector<D> point = Vector<D>::Zero();     // where it acts, relative to the centroid of a
+  Angular<D> couple = Angular<D>::Zero();  // besides the force at the point
+  double reserved = 0;  // fills the gap at the end in the plane, so that saved forces hold no stray bytes
+
+  Angular<D> torque_on_a() const { return -moment(point, force) - couple; }
+  Angular<D> torque_on_b(const Vector<D>& to_b) const { return moment(point - to_b, force) + couple; }
+};
+
+/// What of a contact's force its dashpots make, at the same point.
+template <int D>
+struct DashpotForce {
+  Vector<D> force;
+  Angular<D> couple;
+};
+
+/// What a contact does to its two blocks.
+template <int D>
+struct PairLoad {
+  ContactForce<D> contact;
+  Vector<D> normal;         // along it the blocks repel each other, across it they shear
+  DashpotForce<D> viscous;  // left unset unless the law is damped
+
+  ContactForce<D> dashpots() const { return {viscous.force, contact.point, viscous.couple}; }
+};
+
+/// Energies that a contact stores, and has lost to friction in this evaluation. What its dashpots lose is
+/// known when the step has ended.
+struct ContactEnergy {
+  double strain = 0;
+  double friction_loss = 0;
+};
+
+/// Force of a contact: by penalty (Wang et al. 2021, eqs. 36-40) or by potentials. Stateless but for the
+/// shear spring and the bond.
+template <int D>
+class Spring {
+ public:
+  /// `overlap` is read only by a law per area; `elapsed` is the time over which the shear spring grows.
+  Spring(const SpringLaw& law, double reduced_mass, double elapsed)
+      : law_(law), reduced_mass_(reduced_mass), elapsed_(elapsed) {}
+
+  PairLoad<D> evaluate(const Contact<D>& contact, const Overlap<D>& overlap, const PairMotion<D>& motion,
+                       ShearSpring<D>& spring, bool& bonded, ContactEnergy& energy) const;
+
+  /// By the potentials of both blocks. The shear spring is at the loading point and across the line of
+  /// action.
+  PairLoad<D> evaluate(const LineOfAction<D>& line, const PairMotion<D>& motion, ShearSpring<D>& spring,
+                       ContactEnergy& energy) const;
+
+ private:
+  struct NormalPart {
+    double force = 0;
+    double base = 0;  // length or area: what cohesion and shear stiffness per area act on
+    double twist_radius = 0;
+    Angular<D> couple = Angular<D>::Zero();  // on b, besides the force at the centre
+    Vector<D> center = Vector<D>::Zero();
+    double viscous_force = 0;                        // what of the force dashpots make
+    Angular<D> viscous_couple = Angular<D>::Zero();  // and of the couple
+  };
+
+  /// Springs spread over a part of the contact plane, with a dashpot beside each.
+  struct Bed {
+    double stiffness = 0;                  // of all
+    Vector<D> middle = Vector<D>::Zero();  // centroid of the part
+    Tensor<D> spread = Tensor<D>::Zero();  // mean of the way from there times itself^T
+    double unevenness = 0;                 // of the springs' force: their centre's way from the middle to
+                                           // where nothing would press on the other side, as a share
+  };
+
+  struct ShearPart {
+    Shear<D> force = Shear<D>::Zero();
+    Shear<D> viscous = Shear<D>::Zero();  // what of it dashpots make
+  };
+
+  /// What the shear spring would be if the contact neither slid nor broke.
+  struct ShearTrial {
+    double stiffness = 0;
+    Shear<D> velocity = Shear<D>::Zero();
+    Shear<D> before = Shear<D>::Zero();
+    Shear<D> force = Shear<D>::Zero();
+  };
+
+  NormalPart normal_part(const Contact<D>& contact, const Overlap<D>& overlap, const PairMotion<D>& motion,
+                         bool bonded, ContactEnergy& energy) const;
+  NormalPart per_contact(const Contact<D>& contact, const PairMotion<D>& motion, bool bonded,
+                         ContactEnergy& energy) const;
+  NormalPart per_area(const Contact<D>& contact, const Overlap<D>& overlap, const PairMotion<D>& motion,
+                      bool bonded, ContactEnergy& energy) const;
+  void damp(const Vector<D>& direction, const PairMotion<D>& motion, bool bonded, const Bed& bed,
+            NormalPart& normal) const;
+  ShearTrial shear_trial(const NormalPart& normal, const Vector<D>& direction, const PairMotion<D>& motion,
+                         const ShearSpring<D>& spring) const;
+  double shear_limit(const NormalPart& normal, bool bonded) const;
+  bool holds(const NormalPart& normal, const ShearTrial& trial) const;
+  ShearPart shear_force(const NormalPart& normal, const ShearTrial& trial, const Vector<D>& direction,
+                        ShearSpring<D>& spring, bool bonded, ContactEnergy& energy) const;
+  PairLoad<D> load(const NormalPart& normal, const ShearTrial& trial, const Vector<D>& direction,
+                   ShearSpring<D>& spring, bool bonded, ContactEnergy& energy) const;
+  double viscosity(double share_of_critical, double stiffness) const;
+
+  const SpringLaw& law_;
+  double reduced_mass_;
+  double elapsed_;
+};
+
+extern template class Spring<2>;
+extern template class Spring<3>;
+
+}  // namespace halfspace

@@ -1,0 +1,149 @@
+#include "geometry/polygon/check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/box.h"
+#include "geometry/orientation.h"
+
+namespace halfspace {
+namespace {
+
+// Second moments grow with the fourth power of the size: within these limits neither they nor their products
+// with a density overflow or vanish.
+constexpr double largest_coordinate = 1e75;
+constexpr double smallest_extent = 1e-75;
+
+FaultReport first_not_finite(std::span<const Vector<2>> vertices) {
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const double magnitude = std::max(std::abs(vertices[i].x()), std::abs(vertices[i].y()));
+    if (!vertices[i].allFinite() || magnitude > largest_coordinate)
+      return {Fault::not_finite, std::int64_t(i)};
+  }
+  return {};
+}
+
+FaultReport first_repeated(std::span<const Vector<2>> vertices) {
+  const std::size_t n = vertices.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t next = (i + 1) % n;
+    if (vertices[i] == vertices[next]) return {Fault::repeated_vertex, std::int64_t(next)};
+  }
+  return {};
+}
+
+// Below that the length of an edge, and with it the normal, are lost among the least numbers there are.
+constexpr double shortest_edge = std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();
+
+FaultReport first_too_short(std::span<const Vector<2>> vertices) {
+  const std::size_t n = vertices.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t next = (i + 1) % n;
+    if ((vertices[next] - vertices[i]).cwiseAbs().maxCoeff() < shortest_edge)
+      return {Fault::not_finite, std::int64_t(next)};
+  }
+  return {};
+}
+
+bool all_on_one_line(std::span<const Vector<2>> vertices) {
+  // Two vertices far apart, so that the line is well defined.
+  const auto farther = [&](const Vector<2>& from) {
+    return *std::max_element(vertices.begin(), vertices.end(), [&](const Vector<2>& p, const Vector<2>& q) {
+      return (p - from).squaredNorm() < (q - from).squaredNorm();
+    });
+  };
+  const Vector<2> a = farther(vertices[0]);
+  const Vector<2> b = farther(a);
+  return std::all_of(vertices.begin(), vertices.end(),
+                     [&](const Vector<2>& p) { return turn(a, b, p) == Turn::straight; });
+}
+
+/// Above or right of the other: the half of the plane that a direction belongs to.
+bool points_up(const Vector<2>& direction) {
+  return direction.y() > 0 || (direction.y() == 0 && direction.x() > 0);
+}
+
+/// About as wide as its area over its length.
+bool is_narrow(std::span<const Vector<2>> vertices, double length) {
+  double doubled_area_over_length = 0;
+  for (std::size_t i = 1; i + 1 < vertices.size(); ++i)
+    doubled_area_over_length += cross((vertices[i] - vertices[0]) / length, vertices[i + 1] - vertices[0]);
+  return std::abs(doubled_area_over_length) < smallest_extent;
+}
+
+/// How often the edges' directions go round: a convex outline does so once.
+int winding_of_directions(std::span<const Vector<2>> vertices) {
+  const std::size_t n = vertices.size();
+  int changes = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vector<2> arriving = vertices[(i + 1) % n] - vertices[i];
+    const Vector<2> leaving = vertices[(i + 2) % n] - vertices[(i + 1) % n];
+    if (points_up(arriving) != points_up(leaving)) ++changes;
+  }
+  return changes / 2;
+}
+
+FaultReport first_wrong_turn(std::span<const Vector<2>> vertices) {
+  const std::size_t n = vertices.size();
+  const Turn wanted = is_clockwise(vertices) ? Turn::right : Turn::left;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vector<2>& before = vertices[(i + n - 1) % n];
+    const Vector<2>& after = vertices[(i + 1) % n];
+    const Turn here = turn(before, vertices[i], after);
+    if (here == Turn::straight) {
+      // Straight on is a superfluous vertex; straight back is an outline that folds onto itself.
+      const bool folds = (vertices[i] - before).dot(after - vertices[i]) < 0;
+      return {folds ? Fault::self_crossing : Fault::collinear_vertex, std::int64_t(i)};
+    }
+    if (here != wanted) return {Fault::not_convex, std::int64_t(i)};
+  }
+  return {};
+}
+
+bool edges_cross(const Vector<2>& a, const Vector<2>& b, const Vector<2>& c, const Vector<2>& d) {
+  return int(turn(a, b, c)) * int(turn(a, b, d)) < 0 && int(turn(c, d, a)) * int(turn(c, d, b)) < 0;
+}
+
+/// Only reached for faulty input, so its quadratic cost does not matter.
+bool outline_crosses_itself(std::span<const Vector<2>> vertices) {
+  const std::size_t n = vertices.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = i + 2; j < n; ++j) {
+      if (edges_cross(vertices[i], vertices[(i + 1) % n], vertices[j], vertices[(j + 1) % n])) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+bool is_clockwise(std::span<const Vector<2>> vertices) {
+  // Relative to a vertex, so that the distance from the origin costs no digits.
+  double doubled_area = 0;
+  for (std::size_t i = 1; i + 1 < vertices.size(); ++i) {
+    doubled_area += cross(vertices[i] - vertices[0], vertices[i + 1] - vertices[0]);
+  }
+  return doubled_area < 0;
+}
+
+FaultReport check_polygon(std::span<const Vector<2>> vertices) {
+  if (vertices.size() < 3) return {Fault::too_few_vertices, -1};
+  if (const FaultReport r = first_not_finite(vertices); r.fault != Fault::none) return r;
+  if (const FaultReport r = first_repeated(vertices); r.fault != Fault::none) return r;
+
+  Box<2> box;
+  for (const Vector<2>& v : vertices) box.include(v);
+  if (box.extent() < smallest_extent) return {Fault::not_finite, -1};
+  if (all_on_one_line(vertices)) return {Fault::zero_area, -1};
+
+  const FaultReport wrong_turn = first_wrong_turn(vertices);
+  if (wrong_turn.fault == Fault::not_convex && outline_crosses_itself(vertices))
+    return {Fault::self_crossing, -1};
+  if (wrong_turn.fault != Fault::none) return wrong_turn;
+  if (winding_of_directions(vertices) != 1) return {Fault::self_crossing, -1};
+  if (is_narrow(vertices, box.extent())) return {Fault::not_finite, -1};
+  return first_too_short(vertices);
+}
+
+}  // namespace halfspace

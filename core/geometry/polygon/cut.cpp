@@ -1,0 +1,65 @@
+#include "geometry/polygon/cut.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/polygon/hull.h"
+
+namespace halfspace {
+namespace {
+
+/// The corner that the line leaves on an edge. Evaluated from the end behind the line to the end ahead, so
+/// that both neighbours across an edge find the same bits.
+Vector<2> crossing(const Vector<2>& behind, double height_behind, const Vector<2>& ahead,
+                   double height_ahead) {
+  const double t = height_behind / (height_behind - height_ahead);
+  return behind + t * (ahead - behind);
+}
+
+void keep_if_polygon(Array<Vector<2>>& part, Memory* memory) {
+  // Rounding may leave a corner straight or bent in: the hull drops those and nothing else.
+  part = convex_hull(part, memory);
+  if (part.size() < 3) part.clear();
+}
+
+}  // namespace
+
+PolygonParts cut_polygon(std::span<const Vector<2>> vertices, const Vector<2>& point, const Vector<2>& normal,
+                         Memory* memory) {
+  const std::size_t n = vertices.size();
+  const Vector<2> unit = normal.stableNormalized();
+  Array<double> heights(n, memory);
+  double reach = 0, lowest = HUGE_VAL, highest = -HUGE_VAL;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vector<2> from_point = vertices[i] - point;
+    heights[i] = unit.dot(from_point);
+    lowest = std::min(lowest, heights[i]);
+    highest = std::max(highest, heights[i]);
+    reach = std::max(reach, from_point.cwiseAbs().maxCoeff() + vertices[i].cwiseAbs().maxCoeff());
+  }
+  // Coordinates carry half an ulp each, the dot product two more: within this a vertex is on the line.
+  const double rounding = 8 * std::numeric_limits<double>::epsilon() * reach;
+  for (double& h : heights) {
+    if (std::abs(h) <= rounding) h = 0;
+  }
+
+  PolygonParts parts{Array<Vector<2>>(memory), Array<Vector<2>>(memory), highest > -lowest};
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t next = (i + 1) % n;
+    if (heights[i] <= 0) parts.behind.push_back(vertices[i]);
+    if (heights[i] >= 0) parts.ahead.push_back(vertices[i]);
+    if (heights[i] * heights[next] < 0) {
+      const bool rising = heights[i] < 0;
+      const Vector<2> corner = rising ? crossing(vertices[i], heights[i], vertices[next], heights[next])
+                                      : crossing(vertices[next], heights[next], vertices[i], heights[i]);
+      parts.behind.push_back(corner);
+      parts.ahead.push_back(corner);
+    }
+  }
+  keep_if_polygon(parts.behind, memory);
+  keep_if_polygon(parts.ahead, memory);
+  return parts;
+}
+
+}  // namespace halfspace

@@ -1,0 +1,154 @@
+#include "geometry/polyhedron/halfspaces.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "geometry/polyhedron/cut.h"
+#include "geometry/polyhedron/hull.h"
+#include "geometry/polyhedron/simplify.h"
+#include "geometry/polyhedron/topology.h"
+
+namespace halfspace {
+namespace {
+
+PolyhedronFault to_unit_normals(Array<Halfspace>& halfspaces) {
+  for (std::size_t i = 0; i < halfspaces.size(); ++i) {
+    Halfspace& h = halfspaces[i];
+    if (!h.normal.allFinite() || !std::isfinite(h.offset)) return {Fault::out_of_range, -1, std::int64_t(i)};
+    const double length = h.normal.stableNorm();
+    if (length == 0) return {Fault::no_direction, -1, std::int64_t(i)};
+    h = {h.normal / length, h.offset / length};
+  }
+  return {};
+}
+
+/// Which half-space each dual vertex stands for: the hull keeps the points' order, and equal points are equal
+/// half-spaces.
+Array<std::int32_t> half_spaces_of(const Polyhedron& dual, std::span<const Vector<3>> points) {
+  Array<std::int32_t> found(dual.memory());
+  std::size_t i = 0;
+  for (const Vector<3>& vertex : dual.vertices) {
+    while (points[i] != vertex) ++i;
+    found.push_back(std::int32_t(i++));
+  }
+  return found;
+}
+
+/// The point of the planes nearest to where they meet, from one near it: as often as that brings it nearer.
+class Meeting {
+ public:
+  Meeting(std::span<const Halfspace> halfspaces, std::span<const std::int32_t> planes)
+      : halfspaces_(halfspaces), planes_(planes) {}
+
+  Vector<3> from(Vector<3> point) const {
+    Eigen::Matrix3d normals = Eigen::Matrix3d::Zero();
+    for (const std::int32_t i : planes_) normals += at(i).normal * at(i).normal.transpose();
+    const Eigen::LDLT<Eigen::Matrix3d> solver(normals);
+    for (double miss = farthest(point);;) {
+      Vector<3> pull = Vector<3>::Zero();
+      for (const std::int32_t i : planes_) pull += gap(i, point) * at(i).normal;
+      const Vector<3> nearer = point + solver.solve(pull);
+      const double next_miss = farthest(nearer);
+      if (!(next_miss < miss)) return point;
+      point = nearer;
+      miss = next_miss;
+    }
+  }
+
+ private:
+  const Halfspace& at(std::int32_t i) const { return halfspaces_[std::size_t(i)]; }
+  double gap(std::int32_t i, const Vector<3>& point) const { return at(i).offset - at(i).normal.dot(point); }
+  double farthest(const Vector<3>& point) const {
+    double farthest = 0;
+    for (const std::int32_t i : planes_) farthest = std::max(farthest, std::abs(gap(i, point)));
+    return farthest;
+  }
+
+  std::span<const Halfspace> halfspaces_;
+  std::span<const std::int32_t> planes_;
+};
+
+/// A vertex where the planes of each dual face meet, a face around each dual vertex. False when a dual face
+/// does not have the origin behind it: then there is a direction without an end.
+bool take_dual(const Polyhedron& dual, std::span<const std::int32_t> source,
+               std::span<const Halfspace> halfspaces, Polyhedron& polyhedron) {
+  const double rounding = coplanarity_tolerance(largest_coordinate(dual.vertices));
+  Array<std::int32_t> planes(dual.memory());
+  for (std::int32_t f = 0; f < dual.face_count(); ++f) {
+    const Vector<3>& normal = dual.normals[std::size_t(f)];
+    const double offset = normal.dot(dual.corner(f, 0));
+    if (offset <= rounding) return false;
+    planes.clear();
+    for (const std::int32_t v : dual.loop(f)) planes.push_back(source[std::size_t(v)]);
+    polyhedron.vertices.push_back(Meeting(halfspaces, planes).from(normal / offset));
+  }
+
+  const TopologyArrays arrays(dual, dual.memory());
+  const Topology& topology = arrays.view();
+  for (std::int32_t v = 0; v < topology.vertex_count; ++v) {
+    for (std::int32_t k = topology.first_of_vertex[v]; k < topology.first_of_vertex[v + 1]; ++k) {
+      polyhedron.append_corner(topology.vertex_face[k]);
+    }
+    polyhedron.end_face();
+    polyhedron.normals.push_back(halfspaces[std::size_t(source[std::size_t(v)])].normal);
+  }
+  return true;
+}
+
+/// Cuts by the half-spaces that the dual did not tell from redundant ones: in a thin region it sees them as
+/// too much alike.
+PolyhedronFault cut_by_all(std::span<const Halfspace> halfspaces, Polyhedron& polyhedron) {
+  for (std::size_t i = 0; i < halfspaces.size(); ++i) {
+    const Halfspace& h = halfspaces[i];
+    double highest = -HUGE_VAL;
+    for (const Vector<3>& v : polyhedron.vertices) highest = std::max(highest, h.normal.dot(v) - h.offset);
+    if (highest <= flatness_tolerance(largest_coordinate(polyhedron.vertices))) continue;
+    PolyhedronParts parts = cut_polyhedron(polyhedron, h.offset * h.normal, h.normal, polyhedron.memory());
+    if (parts.behind.is_empty()) return {Fault::no_common_point, -1, -1};
+    polyhedron = std::move(parts.behind);
+  }
+  return {};
+}
+
+PolyhedronFault intersect(std::span<const Halfspace> given, Polyhedron& polyhedron) {
+  if (given.size() < 4) return {Fault::unbounded, -1, -1};
+  Array<Halfspace> halfspaces(given.begin(), given.end(), polyhedron.memory());
+  if (const PolyhedronFault r = to_unit_normals(halfspaces); r.fault != Fault::none) return r;
+
+  const Interior inside = farthest_inside(halfspaces, polyhedron.memory());
+  const double reach = inside.point.cwiseAbs().maxCoeff() + std::abs(inside.clearance);
+  if (!(inside.clearance > flatness_tolerance(reach))) return {Fault::no_common_point, -1, -1};
+
+  // Seen from inside, so that from here on all offsets are exact and as small as the region.
+  Array<Vector<3>> points(polyhedron.memory());
+  for (Halfspace& h : halfspaces) {
+    h.offset -= h.normal.dot(inside.point);
+    points.push_back(h.normal / h.offset);
+  }
+  Polyhedron dual(polyhedron.memory());
+  const PolyhedronFault of_dual = convex_hull(points, dual);
+  if (of_dual.fault == Fault::zero_volume) return {Fault::unbounded, -1, -1};
+  if (of_dual.fault != Fault::none) return of_dual;
+  if (!take_dual(dual, half_spaces_of(dual, points), halfspaces, polyhedron))
+    return {Fault::unbounded, -1, -1};
+  if (const PolyhedronFault r = cut_by_all(halfspaces, polyhedron); r.fault != Fault::none) return r;
+  for (Vector<3>& v : polyhedron.vertices) v += inside.point;
+  // Planes that meet in one vertex to the rounding of their offsets make several.
+  weld_short_edges(polyhedron, coplanarity_tolerance(largest_coordinate(polyhedron.vertices)));
+  return check_polyhedron(polyhedron);
+}
+
+}  // namespace
+
+PolyhedronFault polyhedron_from_halfspaces(std::span<const Halfspace> halfspaces, Polyhedron& polyhedron,
+                                           std::int64_t& redundant) {
+  polyhedron = Polyhedron(polyhedron.memory());
+  const PolyhedronFault report = intersect(halfspaces, polyhedron);
+  if (report.fault != Fault::none) polyhedron = Polyhedron(polyhedron.memory());
+  redundant = std::int64_t(halfspaces.size()) - polyhedron.face_count();
+  return report;
+}
+
+}  // namespace halfspace

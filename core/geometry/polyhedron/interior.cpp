@@ -1,0 +1,111 @@
+#include "geometry/polyhedron/interior.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace halfspace {
+namespace {
+
+using Vector4 = Eigen::Vector4d;
+
+/// The largest sphere, centre x and radius r, between planes n.p = d: r is largest under n.x + r <= d for
+/// all. The dual is to mix the planes, with weights >= 0 that sum up to 1, so that the normals cancel and the
+/// offset is least. The simplex method solves it with four planes at a time: those that the sphere touches
+/// are the answer, and a plane that cuts into the sphere takes the place of one of them.
+class LargestSphere {
+ public:
+  LargestSphere(std::span<const Halfspace> halfspaces, Memory* memory)
+      : planes_(halfspaces.begin(), halfspaces.end(), memory) {
+    double largest = 0;
+    for (const Halfspace& h : halfspaces) largest = std::max(largest, std::abs(h.offset));
+    const double far_away = 1e6 * (largest > 0 ? largest : 1);
+    // A regular tetrahedron around everything, to begin with: equal weights make its normals cancel.
+    const double c = 1 / std::sqrt(3.0);
+    for (const Vector<3>& normal :
+         {Vector<3>(c, c, c), Vector<3>(c, -c, -c), Vector<3>(-c, c, -c), Vector<3>(-c, -c, c)}) {
+      planes_.push_back({normal, far_away});
+    }
+    for (std::size_t i = 0; i < 4; ++i) touched_[i] = halfspaces.size() + i;
+  }
+
+  Interior find() {
+    // Rounding could make it go in circles. Ever smaller spheres take far fewer rounds than this.
+    for (std::size_t round = 0; round < 10 * planes_.size(); ++round) {
+      fit_sphere();
+      const std::size_t deepest = most_violated();
+      if (deepest == planes_.size()) break;
+      exchange(deepest);
+    }
+    return {sphere_.head<3>(), least_distance()};
+  }
+
+ private:
+  Vector4 column(std::size_t plane) const {
+    const Vector<3>& n = planes_[plane].normal;
+    return {n.x(), n.y(), n.z(), 1};
+  }
+
+  void fit_sphere() {
+    Vector4 offsets;
+    for (int i = 0; i < 4; ++i) {
+      basis_.col(i) = column(touched_[i]);
+      offsets[i] = planes_[touched_[i]].offset;
+    }
+    sphere_ = basis_.transpose().fullPivLu().solve(offsets);
+  }
+
+  /// How far the sphere sticks out of a plane.
+  double violation(std::size_t plane) const { return column(plane).dot(sphere_) - planes_[plane].offset; }
+
+  /// The number of planes when the sphere keeps behind all of them to rounding.
+  std::size_t most_violated() const {
+    const double rounding = 16 * std::numeric_limits<double>::epsilon() * sphere_.cwiseAbs().maxCoeff();
+    std::size_t worst = planes_.size();
+    double most = rounding;
+    for (std::size_t i = 0; i < planes_.size(); ++i) {
+      if (violation(i) <= most) continue;
+      most = violation(i);
+      worst = i;
+    }
+    return worst;
+  }
+
+  /// As the new plane's weight grows, the one whose weight is first to vanish leaves.
+  void exchange(std::size_t entering) {
+    const Eigen::FullPivLU<Eigen::Matrix4d> lu(basis_);
+    const Vector4 weights = lu.solve(Vector4(0, 0, 0, 1));
+    const Vector4 rates = lu.solve(column(entering));
+    int leaving = -1;
+    double least = HUGE_VAL;
+    for (int i = 0; i < 4; ++i) {
+      if (rates[i] <= std::numeric_limits<double>::epsilon()) continue;
+      const double ratio = std::max(weights[i], 0.0) / rates[i];
+      if (ratio >= least) continue;
+      least = ratio;
+      leaving = i;
+    }
+    if (leaving >= 0) touched_[leaving] = entering;
+  }
+
+  double least_distance() const {
+    double least = HUGE_VAL;
+    for (const Halfspace& plane : planes_)
+      least = std::min(least, plane.offset - plane.normal.dot(sphere_.head<3>()));
+    return least;
+  }
+
+  Array<Halfspace> planes_;  // the caller's, then the tetrahedron's
+  std::size_t touched_[4];
+  Eigen::Matrix4d basis_ = Eigen::Matrix4d::Zero();  // columns of the planes touched
+  Vector4 sphere_ = Vector4::Zero();                 // centre, radius
+};
+
+}  // namespace
+
+Interior farthest_inside(std::span<const Halfspace> halfspaces, Memory* memory) {
+  return LargestSphere(halfspaces, memory).find();
+}
+
+}  // namespace halfspace

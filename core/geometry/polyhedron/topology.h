@@ -1,0 +1,64 @@
+#pragma once
+
+#include "geometry/outline.h"
+#include "geometry/polyhedron/polyhedron.h"
+
+namespace halfspace {
+
+/// A step along a face's loop, from a corner to the next: half of an edge, whose other half is in the
+/// neighbouring face. Half-edge h starts at corner h of Polyhedron::face_vertices.
+class HalfEdges {
+ public:
+  /// Of loops whose vertices are all there.
+  explicit HalfEdges(const Polyhedron& polyhedron);
+
+  std::int32_t count() const { return std::int32_t(face_.size()); }
+  std::int32_t face(std::int32_t h) const { return face_[std::size_t(h)]; }
+  std::int32_t next(std::int32_t h) const;
+  std::int32_t previous(std::int32_t h) const;
+  std::int32_t start(std::int32_t h) const { return polyhedron_.face_vertices[std::size_t(h)]; }
+  std::int32_t end(std::int32_t h) const { return start(next(h)); }
+  /// The half-edge that goes the other way, -1 when there is none, or several, or another goes the same way.
+  std::int32_t twin(std::int32_t h) const { return twin_[std::size_t(h)]; }
+
+  /// Those that start at a vertex, in the order of their faces.
+  std::span<const std::int32_t> leaving(std::int32_t vertex) const;
+
+ private:
+  void sort_by_start();
+  void find_twins();
+  std::int32_t only_one(std::int32_t from, std::int32_t to) const;
+
+  const Polyhedron& polyhedron_;
+  Array<std::int32_t> face_;
+  Array<std::int32_t> first_leaving_;  // vertex_count + 1
+  Array<std::int32_t> leaving_;
+  Array<std::int32_t> twin_;
+};
+
+/// The topology whose arrays lie one after the other from `indices` on, in the order in which Topology names
+/// them.
+Topology topology_at(const std::int32_t* indices, std::int32_t vertices, std::int32_t edges,
+                     std::int32_t faces);
+
+/// How many indices that are.
+inline std::int64_t topology_length(std::int64_t vertices, std::int64_t edges, std::int64_t faces) {
+  return (faces + 1) + 14 * edges + (vertices + 1);
+}
+
+/// Owns the arrays that a Topology points to.
+class TopologyArrays {
+ public:
+  /// Of a polyhedron whose surface check_polyhedron() finds no fault with.
+  TopologyArrays(const Polyhedron& polyhedron, Memory* memory);
+  TopologyArrays(const TopologyArrays&) = delete;  // the view points into its own arrays
+  TopologyArrays& operator=(const TopologyArrays&) = delete;
+
+  const Topology& view() const { return view_; }
+
+ private:
+  Array<std::int32_t> indices_;
+  Topology view_;
+};
+
+}  // namespace halfspace

@@ -1,0 +1,173 @@
+#include <algorithm>
+#include <cmath>
+
+#include "narrow_phase/pair.h"
+#include "narrow_phase/plane/potential_pairs.h"
+
+namespace halfspace {
+namespace {
+
+/// A potential pair seen from the block that owns the edge.
+struct PairFrame {
+  const Outline<2>& owner;
+  const Outline<2>& other;
+  Vector<2> to_other;
+  int edge;
+  int vertex;
+  Vector<2> normal = owner.normal(edge);
+  Vector<2> tangent = perpendicular(normal);  // along the edge, counter-clockwise round the owner
+  Vector<2> start = owner.vertex(edge);
+  Vector<2> end = owner.vertex(owner.next(edge));
+  Vector<2> middle = 0.5 * (start + end);
+  double half_length = 0.5 * tangent.dot(end - start);
+
+  /// Distance along the edge from its middle: so a mirrored pair finds the same bits, mirrored.
+  double along(const Vector<2>& p) const { return tangent.dot(p - middle); }
+  double gap(const Vector<2>& p) const { return normal.dot(p) - owner.offset[edge]; }
+  Vector<2> on_edge(double s) const { return middle + s * tangent; }
+  Vector<2> other_vertex(int v) const { return other.vertex(v) + to_other; }
+};
+
+PairFrame frame_of(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
+                   const PotentialPair<2>& pair) {
+  const Owner owner(a, b, pair);
+  return {owner.block, owner.other, owner.sign * to_b, pair.edge, pair.vertex};
+}
+
+/// The other block's edge at the vertex that is nearer to parallel with the contact plane.
+struct FacingEdge {
+  int far_vertex;
+  double sine;  // of the angle to the contact plane, >= 0 but for rounding
+};
+
+FacingEdge facing_edge(const PairFrame& f) {
+  const int before = f.other.previous(f.vertex);
+  const double cosine_after = -f.other.normal(f.vertex).dot(f.normal);
+  const double cosine_before = -f.other.normal(before).dot(f.normal);
+  // By tables instead of branches: which edge it is is as good as random.
+  const int ends[] = {before, f.other.next(f.vertex)}, edges[] = {before, f.vertex};
+  const int after = cosine_after >= cosine_before;
+  const double sine = std::abs(cross(f.other.normal(edges[after]), f.normal));
+  return {ends[after], std::max(cosine_after, cosine_before) > 0 ? sine : 1};
+}
+
+/// Stiffness at the shallower of two points, and how it changes with the sine of the angle between the edges:
+/// half while they are parallel, none at the parallel angle, so that the force does not jump when the region
+/// shrinks to a point or grows out of one. Constant up to half that angle: there the contact is two fixed
+/// springs. In between, a smooth step.
+struct Share {
+  double value;
+  double rate;
+};
+
+Share share_of_shallower_point(double sine, double parallel_angle) {
+  const double u = 2 * (1 - sine / parallel_angle);
+  if (u >= 1) return {0.5, 0};
+  return {0.5 * u * u * (3 - 2 * u), -6 * u * (1 - u) / parallel_angle};
+}
+
+void describe_edge_edge(const PairFrame& f, const FacingEdge& facing, double from, double to,
+                        const DetectOptions& options, Contact<2>& contact) {
+  contact.type = ContactType::edge_edge;
+  contact.length = to - from;
+  contact.point_count = 2;
+  const Vector<2> near = f.other_vertex(f.vertex);
+  const Vector<2> far = f.other_vertex(facing.far_vertex);
+  const double s_near = f.along(near);
+  const double s_far = f.along(far);
+  const double gap_near = f.gap(near);
+  const double slope = (f.gap(far) - gap_near) / (s_far - s_near);
+  const double ends[2] = {from, to};
+  for (int i = 0; i < 2; ++i) {
+    contact.points[i] = f.on_edge(ends[i]);
+    contact.gaps[i] = gap_near + slope * (ends[i] - s_near);
+  }
+  // The vertex itself may lie beyond the edge's end: the deeper end of the region says how far the blocks
+  // overlap.
+  contact.gap = std::min(contact.gaps[0], contact.gaps[1]);
+  const int shallower = contact.gaps[0] > contact.gaps[1] ? 0 : 1;
+  const Share share = share_of_shallower_point(facing.sine, options.parallel_angle);
+  contact.shares[shallower] = share.value;
+  contact.shares[1 - shallower] = 1 - share.value;
+  // The points run along the tangent. When the other block turns counter-clockwise the edges close where the
+  // first point is the deeper one and open where it is the shallower; either way the first point's share
+  // changes by the same rate.
+  contact.share_rate = share.rate;
+}
+
+void describe_point(ContactType type, const Vector<2>& point, Contact<2>& contact) {
+  contact.type = type;
+  contact.length = 0;
+  contact.point_count = 1;
+  contact.shares[0] = 1;
+  contact.share_rate = 0;
+  contact.points[0] = point;
+  contact.gaps[0] = contact.gap;
+  contact.shares[1] = contact.gaps[1] = 0;
+  contact.points[1].setZero();
+}
+
+/// Two vertices meet: the normal is that of the sum of both half-spaces' normals (section 2.5).
+void describe_vertex_vertex(const PairFrame& f, const Vector<2>& end, const Vector<2>& adjacent_normal,
+                            Contact<2>& contact) {
+  const Vector<2> vertex = f.other_vertex(f.vertex);
+  contact.normal = (f.normal + adjacent_normal).normalized();
+  contact.gap = contact.normal.dot(vertex - end);
+  describe_point(ContactType::vertex_vertex, end, contact);
+}
+
+/// Outer normal of a pair's half-space, pointing from the owner of the pair's frame `f` to the other block.
+Vector<2> normal_away_from(const PotentialPair<2>& pair, int frame_owner, const Outline<2>& a,
+                           const Outline<2>& b) {
+  const Vector<2> normal = pair.owner == 0 ? a.normal(pair.edge) : b.normal(pair.edge);
+  return pair.owner == frame_owner ? normal : Vector<2>(-normal);
+}
+
+}  // namespace
+
+void describe_contact(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b, PotentialPair<2>& pair,
+                      const DetectOptions& options, Contact<2>& contact) {
+  for (int steps = a.count + b.count; steps >= 0; --steps) {
+    const PairFrame f = frame_of(a, b, to_b, pair);
+    const Vector<2> vertex = f.other_vertex(f.vertex);
+    const double s = f.along(vertex);
+    contact.normal = f.normal;
+    contact.gap = f.gap(vertex);
+
+    const FacingEdge facing = facing_edge(f);
+    if (facing.sine < options.parallel_angle) {
+      const double s_far = f.along(f.other_vertex(facing.far_vertex));
+      const double from = std::max(-f.half_length, std::min(s, s_far));
+      const double to = std::min(f.half_length, std::max(s, s_far));
+      if (from < to) {
+        describe_edge_edge(f, facing, from, to, options, contact);
+        break;
+      }
+    }
+    // Of the shorter of both edges: on a long plate a share of its own length would swallow whole grains.
+    const double facing_length = (f.other.vertex(facing.far_vertex) - f.other.vertex(f.vertex)).norm();
+    const double zone = options.vertex_zone * std::min(2 * f.half_length, facing_length);
+    if (std::abs(s) < f.half_length - zone) {
+      describe_point(ContactType::vertex_edge, f.on_edge(s), contact);
+      break;
+    }
+    const PotentialPair<2> adjacent = s < 0 ? previous_pair(a, b, pair) : next_pair(a, b, pair);
+    const bool beyond = std::abs(s) > f.half_length + zone;
+    if (beyond && steps > 0) {
+      pair = adjacent;
+      continue;
+    }
+    const Vector<2>& end = s < 0 ? f.start : f.end;
+    describe_vertex_vertex(f, end, normal_away_from(adjacent, pair.owner, a, b), contact);
+    break;
+  }
+  contact.pair = pair;
+  contact.reserved = 0;
+  // Seen from the owner so far: relative to a's centroid, and from a to b.
+  const double sign = 1 - 2 * pair.owner;
+  contact.normal *= sign;
+  contact.share_rate *= sign;
+  for (int i = 0; i < contact.point_count; ++i) contact.points[i] += double(pair.owner) * to_b;
+}
+
+}  // namespace halfspace

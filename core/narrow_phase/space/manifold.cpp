@@ -1,0 +1,173 @@
+#include <algorithm>
+#include <cmath>
+
+#include "narrow_phase/space/manifold_at_point.h"
+#include "narrow_phase/space/manifold_edges.h"
+#include "narrow_phase/space/manifold_faces.h"
+#include "narrow_phase/space/pair.h"
+#include "narrow_phase/space/potential_pairs.h"
+
+namespace halfspace {
+namespace {
+
+PotentialPair<3> swapped(const PotentialPair<3>& pair) {
+  using Pair = PotentialPair<3>;
+  const Pair::Kind kind = pair.kind == Pair::face_vertex   ? Pair::vertex_face
+                          : pair.kind == Pair::vertex_face ? Pair::face_vertex
+                                                           : pair.kind;
+  return {kind, pair.b, pair.a};
+}
+
+/// The contact seen from b becomes that seen from a.
+void turn_round(const Vector<3>& to_b, Contact<3>& contact) {
+  contact.normal = -contact.normal;
+  contact.center += to_b;
+  for (int i = 0; i < contact.point_count; ++i) contact.points[i] += to_b;
+  std::reverse(contact.points, contact.points + contact.point_count);
+  std::reverse(contact.gaps, contact.gaps + contact.point_count);
+  std::reverse(contact.shares, contact.shares + contact.point_count);
+  std::reverse(contact.share_rates, contact.share_rates + contact.point_count);
+}
+
+/// Returns the pair, or the neighbouring one when one of the nearest points lies beyond an end of its edge:
+/// then this is the contact at the end.
+PotentialPair<3> describe_edges(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
+                                const MeetingEdges& edges, const PotentialPair<3>& pair,
+                                Contact<3>& contact) {
+  const NearestPoints nearest(edges, to_b);
+  describe_edge_edge(edges, nearest, to_b, contact);
+  if (nearest.are_on_edges()) return pair;
+  const double s = nearest.share_of_a, t = nearest.share_of_b;
+  const double beyond_a = std::max(-s, s - 1) * edges.a.along.norm();
+  const double beyond_b = std::max(-t, t - 1) * edges.b.along.norm();
+  const Topology &of_a = *a.topology, &of_b = *b.topology;
+  const FacetSide side =
+      beyond_a >= beyond_b
+          ? side_at_end(b, 1, pair.b, a, pair.a, s < 0 ? of_a.edge_start[pair.a] : of_a.edge_end[pair.a])
+          : side_at_end(a, 0, pair.a, b, pair.b, t < 0 ? of_b.edge_start[pair.b] : of_b.edge_end[pair.b]);
+  return facet_across(a, b, side, edges.parallelogram.normal()).pair;
+}
+
+/// The faces at two edges. Their vertices are only where to look for the deepest ones.
+struct FacesAtEdges {
+  PotentialPair<3> pair[4];
+
+  FacesAtEdges(const SeenOutline& a, const SeenOutline& b, const PotentialPair<3>& edges) {
+    using Pair = PotentialPair<3>;
+    const Topology &of_a = *a.topology, &of_b = *b.topology;
+    pair[0] = {Pair::face_vertex, of_a.edge_left[edges.a], of_b.edge_start[edges.b]};
+    pair[1] = {Pair::face_vertex, of_a.edge_right[edges.a], of_b.edge_start[edges.b]};
+    pair[2] = {Pair::vertex_face, of_a.edge_start[edges.a], of_b.edge_left[edges.b]};
+    pair[3] = {Pair::vertex_face, of_a.edge_start[edges.a], of_b.edge_right[edges.b]};
+  }
+
+  /// That of least depth, with its vertex brought up to date.
+  PotentialPair<3> least_deep(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b) {
+    int best = 0;
+    double best_gap = -HUGE_VAL;
+    for (int i = 0; i < 4; ++i) {
+      const double gap = refresh(a, b, to_b, pair[i]);
+      if (gap <= best_gap) continue;
+      best = i;
+      best_gap = gap;
+    }
+    return pair[best];
+  }
+};
+
+/// Which of the faces at two edges, in the order of FacesAtEdges, is nearest to parallel with the plane of
+/// both, if it is within an angle of it; -1 else.
+int face_parallel_to(const MeetingEdges& edges, double angle) {
+  const Vector<3> normal = edges.parallelogram.normal();
+  const Vector<3> faces[] = {edges.a.left, edges.a.right, -edges.b.left, -edges.b.right};
+  int best = -1;
+  double least = angle * angle;
+  for (int i = 0; i < 4; ++i) {
+    const double square = cross_product(faces[i], normal).squaredNorm();
+    if (square >= least || faces[i].dot(normal) <= 0) continue;
+    best = i;
+    least = square;
+  }
+  return best;
+}
+
+/// Two edges that cross nearly in the plane of a face, as they do where a face comes down on another one
+/// askew, touch as the face does if it has a region. The pair becomes that of the face then; else false.
+bool describe_edges_in_face(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
+                            const MeetingEdges& edges, const DetectOptions& options, PotentialPair<3>& pair,
+                            Contact<3>& contact) {
+  const int parallel = face_parallel_to(edges, options.region_angle());
+  if (parallel < 0) return false;
+  PotentialPair<3> face = FacesAtEdges(a, b, pair).pair[parallel];
+  refresh(a, b, to_b, face);
+  const bool is_of_a = face.kind == PotentialPair<3>::face_vertex;
+  if (!(is_of_a ? describe_face_region(a, b, to_b, face, options, contact)
+                : describe_face_region(b, a, -to_b, swapped(face), options, contact)))
+    return false;
+  if (!is_of_a) turn_round(to_b, contact);
+  pair = face;
+  return true;
+}
+
+/// Returns the pair, or the one to move on to.
+PotentialPair<3> describe_faces(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
+                                const PotentialPair<3>& pair, const DetectOptions& options,
+                                Contact<3>& contact) {
+  if (pair.kind == PotentialPair<3>::face_vertex)
+    return describe_face_vertex(a, b, to_b, pair, options, contact);
+  const PotentialPair<3> next = swapped(describe_face_vertex(b, a, -to_b, swapped(pair), options, contact));
+  turn_round(to_b, contact);
+  return next;
+}
+
+/// The same for any pair. Edges that have ceased to be a potential pair become the least deep of their faces.
+PotentialPair<3> describe_at(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
+                             PotentialPair<3>& pair, const DetectOptions& options, Contact<3>& contact) {
+  if (pair.kind == PotentialPair<3>::edge_edge) {
+    const MeetingEdges edges(a, b, pair);
+    if (edges.are_potential_pair())
+      return describe_edges_in_face(a, b, to_b, edges, options, pair, contact)
+                 ? pair
+                 : describe_edges(a, b, to_b, edges, pair, contact);
+    pair = FacesAtEdges(a, b, pair).least_deep(a, b, to_b);
+  }
+  return describe_faces(a, b, to_b, pair, options, contact);
+}
+
+/// Where it is not plain what the contact is. Not inlined, as it is rare.
+[[gnu::noinline]] void describe_and_move(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
+                                         PotentialPair<3>& pair, const DetectOptions& options,
+                                         Contact<3>& contact) {
+  if (pair.kind != PotentialPair<3>::edge_edge) refresh(a, b, to_b, pair);
+  PotentialPair<3> last = pair;
+  for (int moves = a.topology->edge_count + b.topology->edge_count;
+       describe_plain_contact(a, b, to_b, pair, options, contact) == Plain::no; --moves) {
+    const PotentialPair<3> next = describe_at(a, b, to_b, pair, options, contact);
+    // A vertex of separated blocks may lie beyond the edge between two facets on the way from either: it
+    // stays.
+    if (next == pair || next == last || moves == 0) break;
+    last = pair;
+    pair = next;
+  }
+}
+
+}  // namespace
+
+void describe_contact(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
+                      PotentialPair<3>& pair, const DetectOptions& options, Contact<3>& contact) {
+  if (describe_plain_contact(a, b, to_b, pair, options, contact) == Plain::no)
+    describe_and_move(a, b, to_b, pair, options, contact);
+  contact.pair = pair;
+}
+
+bool describe_plainly_touching(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
+                               const PairMemory<3>& memory, const DetectOptions& options,
+                               Contact<3>& contact) {
+  if (memory.state != PairMemory<3>::touching ||
+      describe_plain_contact(a, b, to_b, memory.pair, options, contact) != Plain::and_touching)
+    return false;
+  contact.pair = memory.pair;
+  return true;
+}
+
+}  // namespace halfspace

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <algorithm>
+
+#include "narrow_phase/space/manifold_faces.h"
+#include "narrow_phase/space/potential_pairs.h"
+
+namespace halfspace {
+
+/// An edge of each block, both seen from their own block's centroid.
+struct MeetingEdges {
+  SeenEdge a;
+  SeenEdge b;
+  Parallelogram parallelogram{a, b.along};
+
+  template <class Block>
+  MeetingEdges(const Block& block_a, const Block& block_b, const PotentialPair<3>& pair)
+      : a(block_a, pair.a), b(block_b, pair.b) {}
+
+  /// Not of edges that are all but parallel, which have no plane to go by.
+  bool are_potential_pair() const {
+    return !are_all_but_parallel(parallelogram.square, a.along.squaredNorm(), b.along.squaredNorm()) &&
+           is_edge_pair(a, b, parallelogram.normal());
+  }
+
+  /// Are they plainly a potential pair, whose plane no face at either edge is near to parallel with? By the
+  /// four signs of edge and face normal (docs/theory.md), with a margin: at the edge of a, the sine of the
+  /// angle between face and plane is left . along_b |along_a| / area. Edges that are all but parallel to each
+  /// other have no plane to go by.
+  bool cross_steeply(double region_angle) const {
+    constexpr double flat = 1e-6;  // rad: far above rounding
+    const double a_left = a.left.dot(b.along), a_right = a.right.dot(b.along);
+    const double b_left = b.left.dot(a.along), b_right = b.right.dot(a.along);
+    const double sense = a_left < 0 ? -1 : 1;
+    const double least_of_a = std::min(sense * a_left, -sense * a_right);
+    const double least_of_b = std::min(sense * b_left, -sense * b_right);
+    const double a_square = a.along.squaredNorm(), b_square = b.along.squaredNorm();
+    const double area_square = parallelogram.square;
+    const double steep = 1.001 * std::max(region_angle * region_angle, flat * flat) * area_square;
+    return least_of_a > 0 && least_of_b > 0 && least_of_a * least_of_a * a_square > steep &&
+           least_of_b * least_of_b * b_square > steep &&
+           !are_all_but_parallel(area_square, a_square, b_square);
+  }
+};
+
+/// The nearest points of the lines of two edges, as shares of the edges' lengths.
+struct NearestPoints {
+  Vector<3> between;  // from the start of one edge to that of the other
+  double share_of_a;
+  double share_of_b;
+
+  NearestPoints(const MeetingEdges& edges, const Vector<3>& to_b)
+      : between((edges.b.start - edges.a.start) + to_b),
+        share_of_a(cross_product(between, edges.b.along).dot(edges.parallelogram.across) /
+                   edges.parallelogram.square),
+        share_of_b(cross_product(between, edges.a.along).dot(edges.parallelogram.across) /
+                   edges.parallelogram.square) {}
+
+  bool are_on_edges() const {
+    return share_of_a >= 0 && share_of_a <= 1 && share_of_b >= 0 && share_of_b <= 1;
+  }
+};
+
+/// The contact in the middle between the nearest points of two edges.
+[[gnu::always_inline]] inline void describe_edge_edge(const MeetingEdges& edges, const NearestPoints& nearest,
+                                                      const Vector<3>& to_b, Contact<3>& contact) {
+  const Vector<3> on_a = edges.a.start + std::clamp(nearest.share_of_a, 0.0, 1.0) * edges.a.along;
+  const Vector<3> on_b = (edges.b.start + to_b) + std::clamp(nearest.share_of_b, 0.0, 1.0) * edges.b.along;
+  const Vector<3> normal = edges.parallelogram.normal();
+  contact.normal = normal;
+  contact.gap = normal.dot(nearest.between);
+  describe_point(ContactType::edge_edge, 0.5 * (on_a + on_b), contact);
+}
+
+}  // namespace halfspace

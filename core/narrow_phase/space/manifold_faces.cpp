@@ -1,0 +1,284 @@
+#include "narrow_phase/space/manifold_faces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "narrow_phase/space/contact_plane.h"
+#include "narrow_phase/space/face_overlap.h"
+#include "narrow_phase/space/potential_pairs.h"
+#include "narrow_phase/space/shares.h"
+
+namespace halfspace {
+namespace {
+
+/// A face and a vertex in coordinates on the plane, whose origin is the foot of the vertex.
+struct FlatFaceVertex : FaceVertex<SeenOutline> {
+  PlaneFrame plane = PlaneFrame(normal, foot);
+  FlatFace polygon = FlatFace(plane, owner, face, Vector<3>::Zero());
+
+  explicit FlatFaceVertex(const FaceVertex<SeenOutline>& f) : FaceVertex(f) {}
+  FlatFaceVertex(const FlatFaceVertex&) = delete;  // the polygon refers to the plane
+  FlatFaceVertex& operator=(const FlatFaceVertex&) = delete;
+
+  /// How far rounding may put points near the face off in its plane: a few units of what was subtracted.
+  double rounding() const {
+    double reach = to_other.cwiseAbs().maxCoeff();
+    for (int i = 0; i < polygon.count(); ++i)
+      reach = std::max(reach, owner.vertex(polygon.vertex(i)).cwiseAbs().maxCoeff());
+    return 16 * std::numeric_limits<double>::epsilon() * reach;
+  }
+};
+
+/// An edge of the other block at the vertex, by the neighbour at its far end, and the sine of its angle with
+/// the plane.
+struct FacingEdge {
+  int far_vertex;
+  double sine;
+};
+
+/// The one nearest to parallel.
+FacingEdge facing_edge(const FaceVertex<SeenOutline>& f) {
+  const Topology& topology = *f.other.topology;
+  FacingEdge best{topology.vertex_neighbour[topology.first_of_vertex[f.vertex]], HUGE_VAL};
+  for (int k = topology.first_of_vertex[f.vertex]; k < topology.first_of_vertex[f.vertex + 1]; ++k) {
+    const Vector<3> along = f.other.vertex(topology.vertex_neighbour[k]) - f.position;
+    const double climb = f.normal.dot(along), square = climb * climb / along.squaredNorm();
+    best = square < best.sine ? FacingEdge{topology.vertex_neighbour[k], square} : best;
+  }
+  return {best.far_vertex, std::sqrt(best.sine)};
+}
+
+/// A face of the other block at the vertex, and what it and the face have in common.
+struct FacingFace {
+  double sine = 1;  // of its angle with the plane
+  Vector<2> slope;  // over the plane it is linear, and goes through the vertex before the origin
+  FaceOverlap overlap;
+
+  bool is_there() const { return overlap.area > 0; }
+};
+
+/// The deepest of all faces that are within an angle of the plane and overlap. Where the deepest point is on
+/// more than one, the one nearest to parallel counts. Chosen by the angle alone, another that has far less
+/// depth would take its place.
+FacingFace facing_face(const FlatFaceVertex& f, double angle) {
+  const Topology& topology = *f.other.topology;
+  const double rounding = f.rounding();
+  FacingFace best;
+  for (int k = topology.first_of_vertex[f.vertex]; k < topology.first_of_vertex[f.vertex + 1]; ++k) {
+    const int face = topology.vertex_face[k];
+    const Vector<3> normal = f.other.normal(face);
+    FacingFace found;
+    found.sine = cross_product(normal, f.normal).norm();
+    if (normal.dot(f.normal) >= 0 || found.sine >= angle) continue;
+    found.slope = f.plane.in_plane(normal) / -normal.dot(f.normal);
+    found.overlap =
+        overlap_of(FlatFace(f.plane, f.other, face, f.to_other), f.polygon, found.slope, rounding);
+    if (!found.is_there()) continue;
+    const double deeper = best.overlap.lowest - found.overlap.lowest;
+    if (!best.is_there() || deeper > rounding || (deeper >= -rounding && found.sine < best.sine))
+      best = found;
+  }
+  return best;
+}
+
+void describe_face_face(const FlatFaceVertex& f, const FacingFace& facing, Contact<3>& contact) {
+  const FaceOverlap& overlap = facing.overlap;
+  contact.type = ContactType::face_face;
+  contact.area = overlap.area;
+  contact.length = 0;
+  contact.gap = f.gap + overlap.lowest;
+  contact.center = f.plane.at(overlap.centroid);
+  contact.center_gap = f.gap + facing.slope.dot(overlap.centroid);
+  contact.point_count = overlap.count;
+  for (int i = 0; i < overlap.count; ++i) {
+    contact.points[i] = f.plane.at(overlap.corner[i]);
+    contact.gaps[i] = f.gap + facing.slope.dot(overlap.corner[i]);
+  }
+}
+
+/// False when the edge does not pass over the face.
+bool describe_edge_face(const FlatFaceVertex& f, int far_vertex, Contact<3>& contact) {
+  const Vector<3> along = f.other.vertex(far_vertex) - f.position;
+  const Vector<2> end = f.plane.in_plane(along);
+  const SegmentPart part = part_over(f.polygon, Vector<2>::Zero(), end, f.rounding());
+  if (part.from >= part.to) return false;
+  const double climb = f.normal.dot(along);
+  contact.type = ContactType::edge_face;
+  contact.area = 0;
+  contact.length = (part.to - part.from) * end.norm();
+  contact.point_count = 2;
+  const double shares[] = {part.from, part.to};
+  for (int i = 0; i < 2; ++i) {
+    contact.points[i] = f.plane.at(shares[i] * end);
+    contact.gaps[i] = f.gap + shares[i] * climb;
+  }
+  contact.gap = std::min(contact.gaps[0], contact.gaps[1]);
+  contact.center = 0.5 * (contact.points[0] + contact.points[1]);
+  contact.center_gap = 0.5 * (contact.gaps[0] + contact.gaps[1]);
+  return true;
+}
+
+/// Where the foot of the vertex lies by the edge of the face that it is nearest to, or farthest beyond.
+struct Place {
+  int corner = 0;             // the edge goes from this corner of the face
+  double beyond = -HUGE_VAL;  // distance from the edge, outward
+  double zone = 0;            // so near counts as on it
+  double along = 0;           // from the corner
+  double length = 0;          // of the edge
+};
+
+/// `facing_length` is that of the other block's edge that faces the face: on a long plate a share of the
+/// plate's own length would swallow whole grains.
+Place place_of_foot(const FlatFaceVertex& f, double facing_length, const DetectOptions& options) {
+  Place place;
+  for (int i = 0; i < f.polygon.count(); ++i) {
+    const Vector<2> start = f.polygon.corner(i), edge = f.polygon.corner(f.polygon.next(i)) - start;
+    const double length = edge.norm();
+    if (length == 0) continue;  // so far from the foot that rounding leaves nothing of it
+    const double beyond = cross(edge, start) / length;  // of the origin
+    const double zone = options.vertex_zone * std::min(length, facing_length);
+    if (beyond - zone <= place.beyond - place.zone) continue;
+    place = {i, beyond, zone, -edge.dot(start) / length, length};
+  }
+  return place;
+}
+
+/// A vertex of each block meet: the normal is that of the sum of the normals of all potential pairs whose
+/// facets of the Minkowski difference come together there, `f` one of them (section 2.5).
+void describe_vertex_vertex(const FaceVertex<SeenOutline>& f, int vertex_of_owner, Contact<3>& contact) {
+  const Topology &of_owner = *f.owner.topology, &of_other = *f.other.topology;
+  const auto is_deepest = [](const SeenOutline& block, int vertex, const Vector<3>& normal) {
+    const Topology& t = *block.topology;
+    return std::all_of(
+        t.vertex_neighbour + t.first_of_vertex[vertex], t.vertex_neighbour + t.first_of_vertex[vertex + 1],
+        [&](int neighbour) { return normal.dot(block.vertex(neighbour) - block.vertex(vertex)) >= 0; });
+  };
+  Vector<3> of_faces = f.normal;
+  for (int k = of_owner.first_of_vertex[vertex_of_owner]; k < of_owner.first_of_vertex[vertex_of_owner + 1];
+       ++k) {
+    const int face = of_owner.vertex_face[k];
+    if (face != f.face && is_deepest(f.other, f.vertex, f.owner.normal(face)))
+      of_faces += f.owner.normal(face);
+  }
+  Vector<3> of_faces_of_other = Vector<3>::Zero();
+  for (int k = of_other.first_of_vertex[f.vertex]; k < of_other.first_of_vertex[f.vertex + 1]; ++k) {
+    const Vector<3> normal = f.other.normal(of_other.vertex_face[k]);
+    if (is_deepest(f.owner, vertex_of_owner, normal)) of_faces_of_other -= normal;
+  }
+  Vector<3> of_edges = Vector<3>::Zero();
+  for (int k = of_owner.first_of_vertex[vertex_of_owner]; k < of_owner.first_of_vertex[vertex_of_owner + 1];
+       ++k) {
+    const SeenEdge edge(f.owner, of_owner.vertex_edge[k]);
+    for (int j = of_other.first_of_vertex[f.vertex]; j < of_other.first_of_vertex[f.vertex + 1]; ++j) {
+      const SeenEdge edge_of_other(f.other, of_other.vertex_edge[j]);
+      const Vector<3> normal = Parallelogram(edge, edge_of_other.along).normal();
+      if (is_edge_pair(edge, edge_of_other, normal)) of_edges += normal;
+    }
+  }
+  const Vector<3> point = f.owner.vertex(vertex_of_owner);
+  contact.normal = (of_faces + of_faces_of_other + of_edges).normalized();
+  contact.gap = contact.normal.dot((f.position - point) + f.to_other);
+  describe_point(ContactType::vertex_vertex, point, contact);
+}
+
+/// The point of the face's border at a share of the length of the edge that the foot lies by.
+Vector<3> point_of_border(const FlatFaceVertex& f, const Place& place, double share) {
+  const Vector<3> start = f.owner.vertex(f.polygon.vertex(place.corner));
+  const Vector<3> end = f.owner.vertex(f.polygon.vertex(f.polygon.next(place.corner)));
+  return start + share * (end - start);
+}
+
+/// A vertex meets an edge: the normal is that of the sum of both half-spaces' normals (section 2.5).
+void describe_vertex_edge(const FlatFaceVertex& f, const Vector<3>& normal_across, const Place& place,
+                          Contact<3>& contact) {
+  const Vector<3> point = point_of_border(f, place, place.along / place.length);
+  contact.normal = (f.normal + normal_across).normalized();
+  contact.gap = contact.normal.dot((f.position - point) + f.to_other);
+  describe_point(ContactType::vertex_edge, point, contact);
+}
+
+/// The foot of the vertex lies outside the face: the contact is at the border then, with the face's own
+/// normal and gap. A normal between two faces would find a depth between points that lie apart.
+void describe_border(const FlatFaceVertex& f, const Place& place, Contact<3>& contact) {
+  const double share = place.along / place.length;
+  const bool at_corner = share <= 0 || share >= 1;
+  describe_point(at_corner ? ContactType::vertex_vertex : ContactType::vertex_edge,
+                 point_of_border(f, place, std::clamp(share, 0.0, 1.0)), contact);
+}
+
+/// A region that is tilted by more than the parallel angle is called by what of it bears: a face still, where
+/// it has two edges that are level enough, else an edge or the vertex.
+void name_tilted_region(const FlatFaceVertex& f, bool is_edge_level, Contact<3>& contact) {
+  keep_what_bears(contact);
+  if (contact.point_count > 2) return;
+  if (contact.point_count == 1) {
+    const bool is_vertex = (contact.points[0] - f.foot).norm() <= 4 * f.rounding();
+    return describe_point(is_vertex && !is_edge_level ? ContactType::vertex_face : ContactType::edge_face,
+                          contact.points[0], contact);
+  }
+  contact.type = ContactType::edge_face;
+  contact.area = 0;
+  contact.length = (contact.points[1] - contact.points[0]).norm();
+  contact.center = 0.5 * (contact.points[0] + contact.points[1]);
+  contact.center_gap = 0.5 * (contact.gaps[0] + contact.gaps[1]);
+}
+
+/// The region of a face and what is near to parallel with it of the other block at the vertex: a face, or
+/// else an edge. False when there is none.
+bool describe_region(const FlatFaceVertex& f, const FacingEdge& edge, const DetectOptions& options,
+                     Contact<3>& contact) {
+  contact.normal = f.normal;
+  contact.gap = f.gap;
+  const FacingFace face = facing_face(f, options.region_angle());
+  if (face.is_there())
+    describe_face_face(f, face, contact);
+  else if (!(edge.sine < options.region_angle() && describe_edge_face(f, edge.far_vertex, contact)))
+    return false;
+  share_stiffness(options, contact);
+  if ((face.is_there() ? face.sine : edge.sine) >= options.parallel_angle)
+    name_tilted_region(f, edge.sine < options.parallel_angle, contact);
+  return true;
+}
+
+}  // namespace
+
+bool describe_face_region(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
+                          const PotentialPair<3>& pair, const DetectOptions& options, Contact<3>& contact) {
+  const FlatFaceVertex f({a, b, to_b, pair.a, pair.b});
+  return describe_region(f, facing_edge(f), options, contact);
+}
+
+PotentialPair<3> describe_face_vertex(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
+                                      const PotentialPair<3>& pair, const DetectOptions& options,
+                                      Contact<3>& contact) {
+  const FlatFaceVertex f({a, b, to_b, pair.a, pair.b});
+  const FacingEdge edge = facing_edge(f);
+  if (describe_region(f, edge, options, contact)) return pair;
+
+  const double facing_length = (b.vertex(edge.far_vertex) - f.position).norm();
+  const Place place = place_of_foot(f, facing_length, options);
+  if (place.beyond < -place.zone) {
+    describe_point(ContactType::vertex_face, f.foot, contact);
+    return pair;
+  }
+  const int edge_of_face = a.topology->face_edge[a.topology->first_of_face[f.face] + place.corner];
+  const Facet across =
+      facet_across(a, b, side_along(*a.topology, 0, f.face, edge_of_face, f.vertex), f.normal);
+  if (place.beyond > place.zone) {
+    // What stands in until the pair has moved, or where it cannot move on: between blocks that touch with
+    // faces in one plane that only meet at their borders.
+    describe_border(f, place, contact);
+    return across.pair;
+  }
+  if (place.along <= place.zone) {
+    describe_vertex_vertex(f, f.polygon.vertex(place.corner), contact);
+  } else if (place.along >= place.length - place.zone) {
+    describe_vertex_vertex(f, f.polygon.vertex(f.polygon.next(place.corner)), contact);
+  } else {
+    describe_vertex_edge(f, across.normal, place, contact);
+  }
+  return pair;
+}
+
+}  // namespace halfspace

@@ -1,0 +1,170 @@
+#include "narrow_phase/space/pair.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "narrow_phase/space/potential_pairs.h"
+#include "narrow_phase/space/support.h"
+
+namespace halfspace {
+namespace {
+
+/// A face of `owner` and the other's deepest vertex.
+double refresh_face(const SeenOutline& owner, int face, const SeenOutline& other, const Vector<3>& to_other,
+                    std::int32_t& vertex) {
+  const Vector<3> normal = owner.normal(face);
+  const Support support = other.deepest_near(normal, vertex);
+  vertex = support.vertex;
+  return (support.height + normal.dot(to_other)) - owner.offset[face];
+}
+
+/// Between what both blocks reach along a direction.
+double gap_along(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b, const Vector<3>& normal,
+                 std::int32_t& vertex_of_a, std::int32_t& vertex_of_b) {
+  const Support of_a = a.deepest_near(-normal, vertex_of_a), of_b = b.deepest_near(normal, vertex_of_b);
+  vertex_of_a = of_a.vertex;
+  vertex_of_b = of_b.vertex;
+  return (of_b.height + of_a.height) + normal.dot(to_b);
+}
+
+double refresh_edges(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
+                     const PotentialPair<3>& pair) {
+  const Vector<3> normal = edge_pair_normal(a, pair.a, b, pair.b);
+  if (normal == Vector<3>::Zero()) return -HUGE_VAL;
+  std::int32_t near_a = a.topology->edge_start[pair.a], near_b = b.topology->edge_start[pair.b];
+  return gap_along(a, b, to_b, normal, near_a, near_b);
+}
+
+// Whether blocks are apart needs no vertex: of few, the least height is known sooner than one of the
+// vertices. Else the vertex is brought up to date.
+bool are_few(int vertices) {
+  constexpr int too_few_to_walk = 48;  // bench_pairs_3d, stepped pairs
+  return vertices <= too_few_to_walk;
+}
+
+double gap_at_face(const Outline<3>& owner, int face, const Outline<3>& other, const Vector<3>& to_other,
+                   std::int32_t& vertex) {
+  if (!are_few(other.vertex_count())) return refresh_face(owner, face, other, to_other, vertex);
+  return with_widest_lanes([&]<class Four>() __attribute__((always_inline)) {
+    const Vector<3> normal = owner.normal(face);
+    return (least_height<Four>(other, normal) + normal.dot(to_other)) - owner.offset[face];
+  });
+}
+
+double gap_at_plane(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, PairMemory<3>& memory) {
+  const Vector<3>& normal = memory.proof;
+  if (are_few(std::max(a.vertex_count(), b.vertex_count()))) {
+    return with_widest_lanes([&]<class Four>() __attribute__((always_inline)) {
+      return (least_height<Four>(b, normal) + least_height<Four>(a, -normal)) + normal.dot(to_b);
+    });
+  }
+  PotentialPair<3>& pair = memory.pair;
+  if (pair.kind == PotentialPair<3>::vertex_vertex) return gap_along(a, b, to_b, normal, pair.a, pair.b);
+  std::int32_t near_a = a.topology->edge_start[pair.a], near_b = b.topology->edge_start[pair.b];
+  return gap_along(a, b, to_b, normal, near_a, near_b);
+}
+
+/// Facets of the Minkowski difference in one plane, which they are when a face is parallel to an edge or a
+/// face of the other block, and the neighbour that is least deep. More than there is room for are left out,
+/// with what lies behind them.
+class FacetsInOnePlane {
+ public:
+  FacetsInOnePlane(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b, const Facet& first)
+      : a_(a), b_(b), to_b_(to_b), best_(first) {
+    add(first);
+    // The list grows while it is gone through.
+    for (int i = 0; i < count_; ++i) {
+      for_each_side(a, b, facet_[i].pair, [&](const FacetSide& side) {
+        const Facet facet = facet_across(a, b, side, facet_[i].normal);
+        is_in_plane(facet) ? add(facet) : judge(facet);
+      });
+    }
+  }
+
+  const Facet& least_deep_neighbour() const { return best_; }
+  double gap_of_neighbour() const { return best_gap_; }
+
+ private:
+  bool is_in_plane(const Facet& facet) const {
+    constexpr double flat = 1e-6;  // rad: far above rounding, far below an angle that matters
+    return cross_product(facet.normal, facet_[0].normal).norm() < flat &&
+           facet.normal.dot(facet_[0].normal) > 0;
+  }
+
+  void add(const Facet& facet) {
+    const auto is_same = [&](const Facet& f) { return f.pair == facet.pair; };
+    if (count_ == room || std::any_of(facet_, facet_ + count_, is_same)) return;
+    facet_[count_++] = facet;
+  }
+
+  void judge(const Facet& facet) {
+    Facet candidate = facet;
+    const double gap = refresh(a_, b_, to_b_, candidate.pair);
+    if (gap <= best_gap_) return;
+    best_ = candidate;
+    best_gap_ = gap;
+  }
+
+  static constexpr int room = 64;
+  const SeenOutline& a_;
+  const SeenOutline& b_;
+  const Vector<3>& to_b_;
+  int count_ = 0;
+  Facet facet_[room];
+  Facet best_;
+  double best_gap_ = -HUGE_VAL;
+};
+
+}  // namespace
+
+PotentialPair<3> descend(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
+                         const PotentialPair<3>& start) {
+  Facet best{start, normal_of(a, b, start)};
+  double best_gap = refresh(a, b, to_b, best.pair);
+  for (int steps = a.topology->edge_count + b.topology->edge_count; steps > 0; --steps) {
+    const FacetsInOnePlane plane(a, b, to_b, best);
+    if (plane.gap_of_neighbour() <= best_gap) break;
+    best = plane.least_deep_neighbour();
+    best_gap = plane.gap_of_neighbour();
+  }
+  return best.pair;
+}
+
+double refresh(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b, PotentialPair<3>& pair) {
+  switch (pair.kind) {
+    case PotentialPair<3>::face_vertex:
+      return refresh_face(a, pair.a, b, to_b, pair.b);
+    case PotentialPair<3>::vertex_face:
+      return refresh_face(b, pair.b, a, -to_b, pair.a);
+    default:
+      return refresh_edges(a, b, to_b, pair);
+  }
+}
+
+double refresh(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, PairMemory<3>& memory) {
+  using Pair = PotentialPair<3>;
+  Pair& pair = memory.pair;
+  if (pair.kind == Pair::face_vertex) return gap_at_face(a, pair.a, b, to_b, pair.b);
+  if (pair.kind == Pair::vertex_face) return gap_at_face(b, pair.b, a, -to_b, pair.a);
+  const double gap = gap_at_plane(a, b, to_b, memory);
+  if (gap > 0 || pair.kind == Pair::vertex_vertex) return gap;
+  // The edges may still keep them apart, with the normal that they have by now.
+  memory.proof = edge_pair_normal(a, pair.a, b, pair.b);
+  return gap_at_plane(a, b, to_b, memory);
+}
+
+PotentialPair<3> initial_pair(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
+                              const PairMemory<3>& memory) {
+  const PotentialPair<3>& pair = memory.pair;
+  if (pair.kind != PotentialPair<3>::vertex_vertex) return pair;
+  const int deepest_of_a = a.deepest_near(-memory.proof, pair.a).vertex;
+  const int deepest_of_b = b.deepest_near(memory.proof, pair.b).vertex;
+  PotentialPair<3> of_a{PotentialPair<3>::face_vertex, face_along(a, deepest_of_a, memory.proof),
+                        deepest_of_b};
+  PotentialPair<3> of_b{PotentialPair<3>::vertex_face, deepest_of_a,
+                        face_along(b, deepest_of_b, -memory.proof)};
+  const double gap_of_a = refresh(a, b, to_b, of_a), gap_of_b = refresh(a, b, to_b, of_b);
+  return gap_of_a >= gap_of_b ? of_a : of_b;
+}
+
+}  // namespace halfspace

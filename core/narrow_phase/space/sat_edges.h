@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+
+#include "geometry/outline.h"
+#include "narrow_phase/contact.h"
+
+namespace halfspace {
+
+/// Up to this many edges a block's edges fit the bits of an EdgeSet.
+constexpr int most_edges_in_set = 64;
+
+/// Judges the edge-edge potential contact pairs of two blocks in one orientation, each of up to
+/// most_edges_in_set edges (Wang et al. 2021, eqs. 23-30). Of these `best` becomes the one of largest gap, if
+/// that is larger than the one it has.
+void judge_edge_pairs(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, Separation<3>& best);
+
+}  // namespace halfspace

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/outline.h"
+#include "geometry/polyhedron/gauss_map.h"
+#include "geometry/support.h"
+#include "simd/indexed_lanes.h"
+
+namespace halfspace {
+
+/// The vertex that lies deepest along a direction: with an outer normal of the other block's half-space it
+/// forms a potential contact pair (Wang et al. 2021, eq. 17). Twice four vertices at a time, each four with a
+/// deepest of its own so that neither waits for the other, and selections instead of branches: which vertex
+/// it is is as good as random.
+template <class Four = TwiceTwoLanes>
+[[gnu::always_inline]] inline Support deepest_among_all(const Outline<3>& block, const Vector<3>& direction) {
+  const Four nx = all_four<Four>(direction.x()), ny = all_four<Four>(direction.y()),
+             nz = all_four<Four>(direction.z()), eight = all_four<Four>(8);
+  const auto heights = [&](int v) __attribute__((always_inline)) {
+    return nx * four_at<Four>(block.x + v) + ny * four_at<Four>(block.y + v) +
+           nz * four_at<Four>(block.z + v);
+  };
+  Four even = four_of<Four>(0, 1, 2, 3), odd = four_of<Four>(4, 5, 6, 7);
+  Indexed<Four> deepest_even = {all_four<Four>(HUGE_VAL), even},
+                deepest_odd = {all_four<Four>(HUGE_VAL), odd};
+  int v = 0;
+  for (; v + 4 < block.vertex_count(); v += 8) {
+    deepest_even = smaller(deepest_even, {heights(v), even});
+    deepest_odd = smaller(deepest_odd, {heights(v + 4), odd});
+    even = even + eight;
+    odd = odd + eight;
+  }
+  if (v < block.vertex_count()) deepest_even = smaller(deepest_even, {heights(v), even});
+  const IndexedLanes least = smallest(smaller(deepest_even, deepest_odd));
+  return {least.value[0],
+          std::min(int(least.index[0]), block.vertex_count() - 1)};  // padding repeats the last
+}
+
+/// The same for a block that has a map of what is deepest.
+[[gnu::always_inline]] inline Support deepest_on_map(const Outline<3>& block, const Vector<3>& direction) {
+  Support deepest{HUGE_VAL, 0};
+  for (const int v : block.gauss_map->candidates(direction)) {
+    const double height =
+        direction.x() * block.x[v] + direction.y() * block.y[v] + direction.z() * block.z[v];
+    deepest = {std::min(height, deepest.height), height < deepest.height ? v : deepest.vertex};
+  }
+  return deepest;
+}
+
+/// The same, by whichever is fastest; `hint` is where to look first if nothing is known of the block but its
+/// edges.
+template <class Four = TwiceTwoLanes>
+[[gnu::always_inline]] inline Support deepest(const Outline<3>& block, const Vector<3>& direction, int hint) {
+  if (block.vertex_count() <= few_vertices) return deepest_among_all<Four>(block, direction);
+  return block.gauss_map ? deepest_on_map(block, direction) : walk_to_deepest(block, direction, hint);
+}
+template <class Four = TwiceTwoLanes>
+[[gnu::always_inline]] inline Support deepest(const Outline<3>& block, const Vector<3>& direction) {
+  if (block.vertex_count() <= few_vertices) return deepest_among_all<Four>(block, direction);
+  return block.gauss_map ? deepest_on_map(block, direction) : walk_to_deepest(block, direction);
+}
+
+/// How deep the deepest vertex lies, without saying which one it is: for half the work.
+template <class Four>
+[[gnu::always_inline]] inline double least_height(const Outline<3>& block, const Vector<3>& direction) {
+  const Four nx = all_four<Four>(direction.x()), ny = all_four<Four>(direction.y()),
+             nz = all_four<Four>(direction.z());
+  const auto heights = [&](int v) __attribute__((always_inline)) {
+    return nx * four_at<Four>(block.x + v) + ny * four_at<Four>(block.y + v) +
+           nz * four_at<Four>(block.z + v);
+  };
+  Four least = all_four<Four>(HUGE_VAL);
+  // In this order, NaN is passed over.
+  for (int v = 0; v < block.vertex_count(); v += 4) least = smaller(heights(v), least);
+  return smallest_lane(least);
+}
+
+}  // namespace halfspace

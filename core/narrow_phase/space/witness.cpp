@@ -1,0 +1,110 @@
+#include "narrow_phase/space/witness.h"
+
+#include <cmath>
+
+#include "narrow_phase/space/pair.h"
+#include "narrow_phase/space/potential_pairs.h"
+#include "simd/four_lanes.h"
+
+// Proofs that blocks still touch: each shows a point that both have.
+
+namespace halfspace {
+namespace {
+
+/// A height along a unit normal that rounding alone does not make. Less than that, and what is divided by it
+/// is nowhere, or beyond all numbers.
+bool is_told_from_0(double height, const Vector<3>& way) {
+  return height > std::ldexp(way.cwiseAbs().maxCoeff(), -52);
+}
+
+/// Does the line from the face that is parallel to that between the centroids meet the other's vertex behind
+/// the face? Then the segments from these two points to the centroids of their blocks cross. In other words,
+/// of the pyramid whose base is the facet of the Minkowski difference and whose apex is the difference of the
+/// centroids, the origin is inside (docs/theory.md).
+bool overlaps_at_face(const Outline<3>& owner, int face, const Outline<3>& other, int vertex,
+                      const Vector<3>& to_other) {
+  const Vector<3> normal = owner.normal(face), point = other.vertex(vertex) + to_other;
+  const double depth = owner.offset[face] - normal.dot(point), rise = normal.dot(to_other);
+  if (!(depth >= 0 && is_told_from_0(rise, to_other))) return false;
+  const Vector<3> on_face = point + depth / rise * to_other;
+  const Topology& topology = *owner.topology;
+  const int first = topology.first_of_face[face], end = topology.first_of_face[face + 1];
+  for (int k = first; k < end; ++k) {
+    const Vector<3> from = owner.vertex(topology.face_vertex[k]);
+    const Vector<3> to = owner.vertex(topology.face_vertex[k + 1 == end ? first : k + 1]);
+    if (!(cross_product(to - from, on_face - from).dot(normal) >= 0)) return false;
+  }
+  return true;
+}
+
+/// The same of two edges.
+bool overlap_at_edges(const Outline<3>& a, int edge_of_a, const Outline<3>& b, int edge_of_b,
+                      const Vector<3>& to_b) {
+  const Vector<3> along_a = edge_vector(a, edge_of_a), along_b = edge_vector(b, edge_of_b);
+  const Vector<3> between =
+      (b.vertex(b.topology->edge_start[edge_of_b]) - a.vertex(a.topology->edge_start[edge_of_a])) + to_b;
+  return edges_cross(along_a, along_b, cross_product(along_a, along_b), between, to_b);
+}
+
+/// Is a point inside a block, or on its surface?
+template <class Four>
+[[gnu::always_inline]] inline bool contains(const Outline<3>& block, const Vector<3>& p) {
+  const Four x = all_four<Four>(p.x()), y = all_four<Four>(p.y()), z = all_four<Four>(p.z()),
+             none = all_four<Four>(0);
+  // Summed up, so that no NaN gets lost.
+  Four outside = none;
+  for (int f = 0; f < block.face_count(); f += 4) {
+    const Four height = four_at<Four>(block.nx + f) * x + four_at<Four>(block.ny + f) * y +
+                        four_at<Four>(block.nz + f) * z - four_at<Four>(block.offset + f);
+    outside = outside + where_less(height, none, none, height);
+  }
+  const TwoLanes two = low_half(outside) + high_half(outside);
+  return two[0] + two[1] == 0;
+}
+
+bool both_contain(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, const Vector<3>& p) {
+  return with_widest_lanes([&]<class Four>() __attribute__((always_inline)) {
+    return contains<Four>(a, p) && contains<Four>(b, p - to_b);
+  });
+}
+
+/// Where the remembered pair is. The vertex of a face is brought up to date.
+bool overlap_at_pair(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
+                     PotentialPair<3>& pair) {
+  if (pair.kind == PotentialPair<3>::edge_edge) return overlap_at_edges(a, pair.a, b, pair.b, to_b);
+  refresh(a, b, to_b, pair);
+  return pair.kind == PotentialPair<3>::face_vertex ? overlaps_at_face(a, pair.a, b, pair.b, to_b)
+                                                    : overlaps_at_face(b, pair.b, a, pair.a, -to_b);
+}
+
+}  // namespace
+
+bool still_touching(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, PairMemory<3>& memory) {
+  if (!touching(memory)) return false;
+  if (memory.state == PairMemory<3>::overlapping) return both_contain(a, b, to_b, memory.proof);
+  // The faster one first (bench_pairs_3d, stepped pairs).
+  constexpr int few_faces = 32;
+  const bool point_first =
+      memory.pair.kind != PotentialPair<3>::edge_edge && a.face_count() + b.face_count() <= few_faces;
+  if (point_first && both_contain(a, b, to_b, memory.proof)) return true;
+  return overlap_at_pair(a, b, to_b, memory.pair) || (!point_first && both_contain(a, b, to_b, memory.proof));
+}
+
+void remember_proof(const Contact<3>& contact, const Vector<3>& to_b, PairMemory<3>& memory) {
+  if (contact.pair.kind == PotentialPair<3>::edge_edge) {
+    memory.proof = contact.center;
+    return;
+  }
+  // From the point that lies behind the face halfway out towards the centroid of its own block: inside that,
+  // however slanted it stands.
+  const bool is_of_a = contact.pair.kind == PotentialPair<3>::face_vertex;
+  const double to_point = is_of_a ? contact.center_gap : -contact.center_gap;
+  const Vector<3> point = contact.center + to_point * contact.normal;
+  const Vector<3> inward = (is_of_a ? 1.0 : 0.0) * to_b - point;
+  const double rise = (is_of_a ? 1 : -1) * contact.normal.dot(inward);
+  const bool has_inside = is_told_from_0(rise, inward);  // not a block as small as the other's rounding
+  const double above_zero = rise + (has_inside ? 0 : HUGE_VAL);  // as compilers divide ahead of the choice
+  memory.proof = point - 0.5 * contact.center_gap / above_zero * inward;
+}
+
+}  // namespace halfspace

@@ -1,0 +1,158 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#include "simd/two_lanes.h"
+
+namespace halfspace {
+
+// Four doubles that every operation treats alike, in two makes: one register of a processor that has AVX, or
+// two of the x86-64 baseline. Each lane rounds as a double does, so the bits do not depend on it. Code for
+// both is a template of the make, `Four`, and begins with with_widest_lanes().
+//
+// Functions that take or return lanes of AVX are inlined by force: a call would pass them in different places
+// depending on what it was compiled for.
+
+/// One register.
+using FourLanes = double __attribute__((vector_size(32)));
+
+/// Two registers. Compilers would take FourLanes apart lane by lane where there is no register for them.
+struct TwiceTwoLanes {
+  TwoLanes low;
+  TwoLanes high;
+
+  double operator[](int lane) const { return lane < 2 ? low[lane] : high[lane - 2]; }
+  TwiceTwoLanes operator+(const TwiceTwoLanes& o) const { return {low + o.low, high + o.high}; }
+  TwiceTwoLanes operator-(const TwiceTwoLanes& o) const { return {low - o.low, high - o.high}; }
+  TwiceTwoLanes operator*(const TwiceTwoLanes& o) const { return {low * o.low, high * o.high}; }
+  TwiceTwoLanes operator/(const TwiceTwoLanes& o) const { return {low / o.low, high / o.high}; }
+  friend TwiceTwoLanes operator/(double a, const TwiceTwoLanes& o) { return {a / o.low, a / o.high}; }
+};
+
+template <class Four>
+[[gnu::always_inline]] inline Four four_of(double a, double b, double c, double d) {
+  if constexpr (std::is_same_v<Four, TwiceTwoLanes>) {
+    return {TwoLanes{a, b}, TwoLanes{c, d}};
+  } else {
+    return Four{a, b, c, d};
+  }
+}
+template <class Four>
+[[gnu::always_inline]] inline Four all_four(double value) {
+  return four_of<Four>(value, value, value, value);
+}
+template <class Four>
+[[gnu::always_inline]] inline Four four_at(const double* p) {
+  Four lanes;
+  __builtin_memcpy(&lanes, p, sizeof lanes);
+  return lanes;
+}
+template <class Four>
+[[gnu::always_inline]] inline void put_four_at(double* p, const Four& lanes) {
+  __builtin_memcpy(p, &lanes, sizeof lanes);
+}
+
+[[gnu::always_inline]] inline TwoLanes low_half(const FourLanes& a) { return TwoLanes{a[0], a[1]}; }
+[[gnu::always_inline]] inline TwoLanes high_half(const FourLanes& a) { return TwoLanes{a[2], a[3]}; }
+inline TwoLanes low_half(const TwiceTwoLanes& a) { return a.low; }
+inline TwoLanes high_half(const TwiceTwoLanes& a) { return a.high; }
+
+/// Where a is less than b, the lane of `then`; elsewhere that of `otherwise`.
+inline TwoLanes where_less(TwoLanes a, TwoLanes b, TwoLanes then, TwoLanes otherwise) {
+  return a < b ? then : otherwise;
+}
+[[gnu::always_inline]] inline FourLanes where_less(const FourLanes& a, const FourLanes& b,
+                                                   const FourLanes& then, const FourLanes& otherwise) {
+  return a < b ? then : otherwise;
+}
+inline TwiceTwoLanes where_less(const TwiceTwoLanes& a, const TwiceTwoLanes& b, const TwiceTwoLanes& then,
+                                const TwiceTwoLanes& otherwise) {
+  return {where_less(a.low, b.low, then.low, otherwise.low),
+          where_less(a.high, b.high, then.high, otherwise.high)};
+}
+
+/// Lane by lane, the smaller one.
+template <class Four>
+[[gnu::always_inline]] inline Four smaller(const Four& a, const Four& b) {
+  return where_less(a, b, a, b);
+}
+
+/// Lane by lane, the larger one.
+template <class Four>
+[[gnu::always_inline]] inline Four larger(const Four& a, const Four& b) {
+  return where_less(b, a, a, b);
+}
+
+[[gnu::always_inline]] inline FourLanes magnitude(const FourLanes& a) {
+  using Bits = long long __attribute__((vector_size(32)));
+  return FourLanes(Bits(a) & ~Bits(FourLanes{-0.0, -0.0, -0.0, -0.0}));
+}
+inline TwiceTwoLanes magnitude(const TwiceTwoLanes& a) { return {magnitude(a.low), magnitude(a.high)}; }
+
+/// What was lane k of the one at i is lane i of the one at k.
+[[gnu::always_inline]] inline void transpose(FourLanes (&rows)[4]) {
+  const FourLanes even_low = __builtin_shufflevector(rows[0], rows[1], 0, 4, 2, 6),
+                  odd_low = __builtin_shufflevector(rows[0], rows[1], 1, 5, 3, 7),
+                  even_high = __builtin_shufflevector(rows[2], rows[3], 0, 4, 2, 6),
+                  odd_high = __builtin_shufflevector(rows[2], rows[3], 1, 5, 3, 7);
+  rows[0] = __builtin_shufflevector(even_low, even_high, 0, 1, 4, 5);
+  rows[1] = __builtin_shufflevector(odd_low, odd_high, 0, 1, 4, 5);
+  rows[2] = __builtin_shufflevector(even_low, even_high, 2, 3, 6, 7);
+  rows[3] = __builtin_shufflevector(odd_low, odd_high, 2, 3, 6, 7);
+}
+inline void transpose(TwiceTwoLanes (&rows)[4]) {
+  const auto [a, b, c, d] = rows;
+  rows[0] = {firsts(a.low, b.low), firsts(c.low, d.low)};
+  rows[1] = {seconds(a.low, b.low), seconds(c.low, d.low)};
+  rows[2] = {firsts(a.high, b.high), firsts(c.high, d.high)};
+  rows[3] = {seconds(a.high, b.high), seconds(c.high, d.high)};
+}
+
+inline double sum_of_lanes(double a) { return a; }
+template <class Four>
+[[gnu::always_inline]] inline double sum_of_lanes(const Four& a) {
+  const TwoLanes two = low_half(a) + high_half(a);
+  return two[0] + two[1];
+}
+template <class Four>
+[[gnu::always_inline]] inline double smallest_lane(const Four& a) {
+  const TwoLanes two = smaller(low_half(a), high_half(a));
+  return std::min(two[0], two[1]);
+}
+template <class Four>
+[[gnu::always_inline]] inline double largest_lane(const Four& a) {
+  const TwoLanes two = larger(low_half(a), high_half(a));
+  return std::max(two[0], two[1]);
+}
+
+template <class Four>
+[[gnu::always_inline]] inline Four square_roots(const Four& a) {
+  return four_of<Four>(std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3]));
+}
+
+/// Bit i is set when lane i has a sign: is below 0, or -0.
+template <class Four>
+[[gnu::always_inline]] inline unsigned signs_of_four(const Four& a) {
+  return signs(low_half(a)) | signs(high_half(a)) << 2;
+}
+
+#ifdef __x86_64__
+/// Does what it is given compiled for AVX2, with what it calls inlined.
+template <class Work>
+[[gnu::target("avx2"), gnu::flatten]] inline auto with_avx2(const Work& work) {
+  return work.template operator()<FourLanes>();
+}
+#endif
+
+/// Does work, a function template of the make of lanes, with the one that suits the processor.
+template <class Work>
+inline auto with_widest_lanes(const Work& work) {
+#ifdef __x86_64__
+  if (__builtin_cpu_supports("avx2")) return with_avx2(work);
+#endif
+  return work.template operator()<TwiceTwoLanes>();
+}
+
+}  // namespace halfspace

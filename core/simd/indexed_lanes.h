@@ -1,0 +1,35 @@
+#pragma once
+
+#include "simd/four_lanes.h"
+#include "simd/two_lanes.h"
+
+namespace halfspace {
+
+/// Values, and the index of the vertex, edge or face that each is of. Whole numbers, as doubles.
+template <class Lanes>
+struct Indexed {
+  Lanes value;
+  Lanes index;
+};
+
+using IndexedLanes = Indexed<TwoLanes>;
+
+/// Lane by lane, the one of the larger (smaller) value. Without branches: which one wins is as good as
+/// random.
+inline IndexedLanes larger(const IndexedLanes& a, const IndexedLanes& b) {
+  return {larger(a.value, b.value), b.value > a.value ? b.index : a.index};
+}
+template <class Lanes>
+[[gnu::always_inline]] inline Indexed<Lanes> smaller(const Indexed<Lanes>& a, const Indexed<Lanes>& b) {
+  return {where_less(b.value, a.value, b.value, a.value), where_less(b.value, a.value, b.index, a.index)};
+}
+
+/// Of all lanes.
+template <class Four>
+[[gnu::always_inline]] inline IndexedLanes smallest(const Indexed<Four>& a) {
+  const IndexedLanes two = smaller(IndexedLanes{low_half(a.value), low_half(a.index)},
+                                   IndexedLanes{high_half(a.value), high_half(a.index)});
+  return smaller(two, {exchanged(two.value), exchanged(two.index)});
+}
+
+}  // namespace halfspace
