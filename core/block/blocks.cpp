@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "geometry/angle.h"
+#include "geometry/deformed_outline.h"
 
 namespace halfspace {
 namespace {
@@ -235,6 +236,24 @@ Box<D> Blocks<D>::box(std::int32_t slot) const {
   const Box<D> about_centroid = box_of(outline(slot));
   const Vector<D>& p = position[std::size_t(slot)];
   return {p + about_centroid.lower, p + about_centroid.upper};
+}
+
+template <int D>
+std::size_t Blocks<D>::most_edges() const {
+  int most = 0;
+  for (std::size_t slot = 0; slot < slot_count(); ++slot) {
+    if (lives(slot)) most = std::max(most, outline(std::int32_t(slot)).edge_count());
+  }
+  return std::size_t(most);
+}
+
+template <int D>
+std::size_t Blocks<D>::most_components() const {
+  std::size_t most = 0;
+  for (std::size_t slot = 0; slot < slot_count(); ++slot) {
+    if (lives(slot)) most = std::max(most, component_count(own_outline(std::int32_t(slot))));
+  }
+  return most;
 }
 
 template class Blocks<2>;

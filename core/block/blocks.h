@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "block/deformations.h"
@@ -79,6 +80,23 @@ class Blocks {
   double strained_thickness(std::size_t slot) const {
     return is_affine(slot) ? thickness[slot] / deformation(slot).gradient.inverse().norm() : thickness[slot];
   }
+  double thinner(std::int32_t a, std::int32_t b) const {
+    return std::min(strained_thickness(std::size_t(a)), strained_thickness(std::size_t(b)));
+  }
+  /// How fast the points of a block move at most beside its centroid, now.
+  double swing(std::size_t slot) const {
+    return radius[slot] * (is_affine(slot) ? deformation(slot).rate.norm() : spin[slot].norm());
+  }
+  /// At most: of any point of one against any of the other, now.
+  double speed_between(std::int32_t a, std::int32_t b) const {
+    const std::size_t i = std::size_t(a), j = std::size_t(b);
+    return (velocity[j] - velocity[i]).norm() + swing(i) + swing(j);
+  }
+  /// The velocity of a point of a block, at a place seen from its centroid.
+  Vector<D> velocity_at(std::size_t slot, const Vector<D>& arm) const {
+    if (is_affine(slot)) return velocity[slot] + deformation(slot).velocity_gradient() * arm;
+    return velocity[slot] + swept(spin[slot], arm);
+  }
   /// Of an affine block.
   Deformation<D>& deformation(std::size_t slot) { return deformations_[slot]; }
   const Deformation<D>& deformation(std::size_t slot) const { return deformations_[slot]; }
@@ -92,6 +110,15 @@ class Blocks {
     return {outline(a), outline(b), position[std::size_t(b)] - position[std::size_t(a)]};
   }
   Box<D> box(std::int32_t slot) const;
+  /// Of the block that has most of them.
+  std::size_t most_edges() const;
+  /// How many doubles the largest block takes that is deformed.
+  std::size_t most_components() const;
+  /// That two blocks move together, of which one at least moves freely.
+  double reduced_mass(std::size_t a, std::size_t b) const {
+    const auto inverse = [&](std::size_t i) { return moves_freely(i) ? 1 / mass[i] : 0; };
+    return 1 / (inverse(a) + inverse(b));
+  }
   /// Of a rigid block.
   double kinetic_energy(std::int32_t slot) const {
     const std::size_t s = std::size_t(slot);

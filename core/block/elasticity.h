@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/numbers.h"
 #include "geometry/vector.h"
 
 namespace halfspace {
@@ -15,6 +16,10 @@ struct Elasticity {
   double damping_time = 0;  // s: of the stress by strain rate to that by strain (Rayleigh's beta)
 
   bool is_given() const { return shear_modulus > 0; }
+  /// False for what none can be, after reading a snapshot.
+  bool is_consistent() const {
+    return is_finite(lame) && is_from_zero(shear_modulus) && is_from_zero(damping_time);
+  }
 
   template <int D>
   Tensor<D> stress(const Tensor<D>& strain) const {

@@ -1,6 +1,15 @@
 #include "force/law.h"
 
+#include "geometry/numbers.h"
+
 namespace halfspace {
+
+bool SpringLaw::is_consistent() const {
+  return stiffness_kind >= StiffnessKind::per_contact && stiffness_kind <= StiffnessKind::potential &&
+         is_positive(normal_stiffness) && is_from_zero(shear_stiffness) && is_from_zero(tan_friction) &&
+         is_from_zero(cohesion) && is_from_zero(tensile_strength) && is_from_zero(normal_damping) &&
+         is_from_zero(shear_damping);
+}
 
 void LawTable::set(std::int32_t a, std::int32_t b, const SpringLaw& law) {
   std::int32_t& own = law_of_pair_[index(a, b)];
@@ -11,6 +20,18 @@ void LawTable::set(std::int32_t a, std::int32_t b, const SpringLaw& law) {
     own_[std::size_t(own)] = law;
   }
   knows_potential_ |= law.is_potential();
+}
+
+bool LawTable::is_consistent() const {
+  const std::size_t materials = std::size_t(material_count_);
+  const auto names_a_law = [&](std::int32_t index) {
+    return index >= -1 && index < std::int64_t(own_.size());
+  };
+  const auto is_known = [&](const SpringLaw& law) {
+    return law.is_consistent() && (knows_potential_ || !law.is_potential());
+  };
+  return material_count_ >= 0 && law_of_pair_.size() == materials * (materials + 1) / 2 &&
+         all(law_of_pair_, names_a_law) && is_known(default_) && all(own_, is_known);
 }
 
 }  // namespace halfspace

@@ -28,6 +28,8 @@ struct SpringLaw {
   bool is_damped() const { return normal_damping + shear_damping > 0; }
   bool is_potential() const { return stiffness_kind == StiffnessKind::potential; }
   bool bonds() const { return cohesion > 0 || tensile_strength > 0; }
+  /// False for what no law can be, after reading a snapshot.
+  bool is_consistent() const;
   /// Of the more damped of both dashpots, beside a spring between blocks of this reduced mass.
   double viscosity(double stiffness, double reduced_mass) const {
     return 2 * std::max(normal_damping, shear_damping) * std::sqrt(stiffness * reduced_mass);

@@ -55,6 +55,10 @@ struct PotentialPair<3> {
   friend bool operator==(const PotentialPair&, const PotentialPair&) = default;
 };
 
+/// Two vertices may keep blocks apart, but no contact is described by them.
+inline bool has_a_plane(const PotentialPair<2>&) { return true; }
+inline bool has_a_plane(const PotentialPair<3>& pair) { return pair.kind != PotentialPair<3>::vertex_vertex; }
+
 /// A violated potential pair, or the pair of least depth when none is violated, and its gap.
 template <int D>
 struct Separation;

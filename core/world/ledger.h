@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <tuple>
+
 namespace halfspace {
 
 /// Where the energy is and where it went.
@@ -21,6 +24,90 @@ struct Ledger {
   double total() const { return kinetic + gravity + strain + block_strain + losses(); }
   /// What the numbers themselves made (> 0) or lost (< 0).
   double residual() const { return total() - outer_work; }
+};
+
+/// Rates at which prescribed motion, and torques on affine blocks, put energy in and damping takes it out.
+struct Power {
+  double outer = 0;
+  double contact_damping = 0;
+  double local_damping = 0;
+  double mass_damping = 0;
+  double block_damping = 0;
+};
+
+/// What is summed over the blocks.
+struct Stock {
+  double kinetic = 0;
+  double gravity = 0;
+  double block_strain = 0;
+  double squared_speed = 0;  // of the fastest
+  double squared_swing = 0;  // of the points that move fastest about their centroid
+  Power power;
+};
+
+/// Keeps the ledger of a world from one state to the next, and judges it.
+class EnergyLedger {
+ public:
+  const Ledger& entries() const { return entries_; }
+
+  void set_contact_strain(double strain) { entries_.strain = strain; }
+  void add_friction_loss(double loss) { entries_.friction_loss += loss; }
+  void add_contact_damping_loss(double loss) { entries_.contact_damping_loss += loss; }
+  void add_outer_power(double power) { power_.outer += power; }
+
+  /// Before the world is changed from outside, for the first time since the last state known.
+  void note_edit() { residual_before_edit_ = entries_.residual(); }
+
+  /// Of a changed world: what the edit has done to the energy is outer work. `noise` is the energy that
+  /// rounding and the blocks' fall by their own size amount to, besides what is there.
+  void begin(const Stock& stock, double noise) {
+    take(stock);
+    noise_energy_ = noise + entries_.kinetic + entries_.strain + entries_.block_strain;
+    entries_.outer_work = entries_.total() - residual_before_edit_;
+  }
+
+  /// Of a motion. Powers are known at both of its ends: the trapezoid between them is as exact as the step
+  /// itself. `applied_power` is that of applied forces, by the velocity in the middle.
+  void book(const Stock& stock, double applied_power, double duration) {
+    const double half = 0.5 * duration;
+    const Power &before = power_, &after = stock.power;
+    entries_.contact_damping_loss += half * (before.contact_damping + after.contact_damping);
+    entries_.local_damping_loss += half * (before.local_damping + after.local_damping);
+    entries_.mass_damping_loss += half * (before.mass_damping + after.mass_damping);
+    entries_.block_damping_loss += half * (before.block_damping + after.block_damping);
+    entries_.outer_work += duration * applied_power + half * (before.outer + after.outer);
+    take(stock);
+  }
+
+  /// All but nothing of the energy present was there before: the numbers made it. (Near the stable step, but
+  /// below it, the ledger of a spring swings by the share q^2 of its energy, q the time step over the stable
+  /// one.)
+  bool makes_energy() const {
+    const double made = entries_.residual();
+    const double present = entries_.kinetic + entries_.strain + entries_.block_strain + entries_.losses();
+    return !(made <= 0.995 * present || made <= noise_energy_);
+  }
+
+  /// All that is written to before a motion.
+  auto state() { return std::tie(entries_, noise_energy_, residual_before_edit_, power_); }
+
+  template <class Archive>
+  void visit(Archive& archive) {
+    archive(entries_, noise_energy_, residual_before_edit_, power_);
+  }
+
+ private:
+  void take(const Stock& stock) {
+    entries_.kinetic = stock.kinetic;
+    entries_.gravity = stock.gravity;
+    entries_.block_strain = stock.block_strain;
+    power_ = stock.power;
+  }
+
+  Ledger entries_;
+  double noise_energy_ = 0;  // of the whole, below which energy made by the numbers is not judged
+  double residual_before_edit_ = 0;
+  Power power_;  // at the last forces
 };
 
 }  // namespace halfspace

@@ -87,7 +87,7 @@ struct RepeatFreeSlot {
 TEST_CASE("a world whose parts do not fit together is seen to be none") {
   const auto world = small_world();
   REQUIRE(world->is_consistent());
-  Candidates<3>& candidates = const_cast<Candidates<3>&>(world->candidates());
+  NeighborList<3>& candidates = const_cast<NeighborList<3>&>(world->candidates());
   Blocks<3>& blocks = const_cast<Blocks<3>&>(world->blocks());
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 

@@ -35,9 +35,9 @@ constexpr double calm_share = 0.25;
 /// The neighbour list: all pairs that can touch before some block has moved by more than its skin. Sorted by
 /// (a, b).
 template <int D>
-class Candidates {
+class NeighborList {
  public:
-  explicit Candidates(Memory* memory);
+  explicit NeighborList(Memory* memory);
 
   /// True when a block may come near another that is not in its list.
   bool used_up() const { return used_up_; }
@@ -161,7 +161,7 @@ class Candidates {
   Array<ShearSpring<D>> next_shear_;
 };
 
-extern template class Candidates<2>;
-extern template class Candidates<3>;
+extern template class NeighborList<2>;
+extern template class NeighborList<3>;
 
 }  // namespace halfspace

@@ -1,4 +1,4 @@
-#include "world/candidates.h"
+#include "world/neighbor_list.h"
 
 #include <algorithm>
 
@@ -8,7 +8,7 @@
 namespace halfspace {
 
 template <int D>
-Candidates<D>::Candidates(Memory* memory)
+NeighborList<D>::NeighborList(Memory* memory)
     : pairs_(memory),
       shear_(memory),
       plans_(memory),
@@ -32,7 +32,7 @@ Candidates<D>::Candidates(Memory* memory)
 /// its list with grains that it never meets; but never less than what the block is about to move. A fixed
 /// block needs none.
 template <int D>
-void Candidates<D>::choose_skins(const Blocks<D>& blocks, double relative_skin) {
+void NeighborList<D>::choose_skins(const Blocks<D>& blocks, double relative_skin) {
   sizes_.clear();
   for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
     if (blocks.moves_freely(i)) sizes_.push_back(blocks.radius[i]);
@@ -52,7 +52,7 @@ void Candidates<D>::choose_skins(const Blocks<D>& blocks, double relative_skin) 
 
 /// Of two blocks that each move by no more than half of what they may together, none is fast.
 template <int D>
-void Candidates<D>::choose_calm_motions(const Blocks<D>& blocks) noexcept {
+void NeighborList<D>::choose_calm_motions(const Blocks<D>& blocks) noexcept {
   std::fill(calm_motion_.begin(), calm_motion_.end(), HUGE_VAL);
   for (const Candidate<D>& pair : pairs_) {
     const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
@@ -68,7 +68,7 @@ void Candidates<D>::choose_calm_motions(const Blocks<D>& blocks) noexcept {
 /// Blocks whose boxes overlap may still be farther apart than both their skins: then they cannot touch before
 /// the list is used up. Of packed triangles that is one pair in five.
 template <int D>
-bool Candidates<D>::may_touch(const Blocks<D>& blocks, const BlockPair& pair) const {
+bool NeighborList<D>::may_touch(const Blocks<D>& blocks, const BlockPair& pair) const {
   const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
   if (!blocks.moves_freely(a) && !blocks.moves_freely(b)) return false;
   const PlacedBlocks<D> at = blocks.placed(pair.a, pair.b);
@@ -77,7 +77,7 @@ bool Candidates<D>::may_touch(const Blocks<D>& blocks, const BlockPair& pair) co
 }
 
 template <int D>
-void Candidates<D>::search(const Blocks<D>& blocks) {
+void NeighborList<D>::search(const Blocks<D>& blocks) {
   const std::size_t slots = blocks.slot_count();
   boxes_.resize(slots);
   for (std::size_t i = 0; i < slots; ++i) {
@@ -100,7 +100,7 @@ void Candidates<D>::search(const Blocks<D>& blocks) {
 
 /// By counting on a, then by b within each: linear, since a block has few neighbours.
 template <int D>
-void Candidates<D>::sort_found(std::size_t slots) {
+void NeighborList<D>::sort_found(std::size_t slots) {
   first_of_block_.assign(slots + 1, 0);
   for (const BlockPair& pair : found_) ++first_of_block_[std::size_t(pair.a) + 1];
   for (std::size_t i = 0; i < slots; ++i) first_of_block_[i + 1] += first_of_block_[i];
@@ -118,7 +118,7 @@ void Candidates<D>::sort_found(std::size_t slots) {
 
 /// Both lists are sorted: one merge. A bonded pair stays even if its boxes have parted.
 template <int D>
-void Candidates<D>::carry_over(bool with_shear) noexcept {
+void NeighborList<D>::carry_over(bool with_shear) noexcept {
   const auto precedes = [](const auto& p, const auto& q) { return p.a < q.a || (p.a == q.a && p.b < q.b); };
   next_pairs_.clear();
   next_shear_.clear();
@@ -148,7 +148,7 @@ void Candidates<D>::carry_over(bool with_shear) noexcept {
 
 /// All of one length whenever memory runs out.
 template <int D>
-void Candidates<D>::resize(std::size_t slots, bool with_gradients) {
+void NeighborList<D>::resize(std::size_t slots, bool with_gradients) {
   skin_.reserve(slots);
   planned_.reserve(slots);
   calm_motion_.reserve(slots);
@@ -164,7 +164,7 @@ void Candidates<D>::resize(std::size_t slots, bool with_gradients) {
 }
 
 template <int D>
-void Candidates<D>::search_again(const Blocks<D>& blocks, double relative_skin, bool with_shear) {
+void NeighborList<D>::search_again(const Blocks<D>& blocks, double relative_skin, bool with_shear) {
   resize(blocks.slot_count(), !blocks.deformations().empty());
   choose_skins(blocks, relative_skin);
   search(blocks);
@@ -177,7 +177,7 @@ void Candidates<D>::search_again(const Blocks<D>& blocks, double relative_skin, 
 }
 
 template <int D>
-void Candidates<D>::renew(const Blocks<D>& blocks, bool with_shear) noexcept {
+void NeighborList<D>::renew(const Blocks<D>& blocks, bool with_shear) noexcept {
   carry_over(with_shear);
   pairs_.swap(next_pairs_);
   shear_.swap(next_shear_);
@@ -194,19 +194,19 @@ void Candidates<D>::renew(const Blocks<D>& blocks, bool with_shear) noexcept {
 }
 
 template <int D>
-void Candidates<D>::remember_pairs() {
+void NeighborList<D>::remember_pairs() {
   next_pairs_ = pairs_;
   next_shear_ = shear_;
 }
 
 template <int D>
-void Candidates<D>::recall_pairs() noexcept {
+void NeighborList<D>::recall_pairs() noexcept {
   pairs_.swap(next_pairs_);
   shear_.swap(next_shear_);
 }
 
 template <int D>
-void Candidates<D>::forget(std::int32_t slot) {
+void NeighborList<D>::forget(std::int32_t slot) {
   std::size_t kept = 0;
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
     if (pairs_[k].a == slot || pairs_[k].b == slot) continue;
@@ -219,7 +219,7 @@ void Candidates<D>::forget(std::int32_t slot) {
   used_up_ = true;
 }
 
-template class Candidates<2>;
-template class Candidates<3>;
+template class NeighborList<2>;
+template class NeighborList<3>;
 
 }  // namespace halfspace

@@ -1,5 +1,5 @@
+#include "world/integrator.h"
 #include "world/local_damping.h"
-#include "world/world.h"
 
 // What a step does to affine blocks, beside what it does to all.
 
@@ -7,19 +7,19 @@ namespace halfspace {
 
 /// Of the centroid: the loads of its surface push it, too.
 template <int D>
-Vector<D> World<D>::affine_drive(std::size_t i) const {
+Vector<D> Integrator<D>::affine_drive(std::size_t i) const {
   return drive(i).force + blocks_.deformation(i).load_force;
 }
 
 template <int D>
-Tensor<D> World<D>::strain_drive(std::size_t i) const {
-  return blocks_.deformation(i).drive(blocks_.applied_torque[i], elasticity_of(i));
+Tensor<D> Integrator<D>::strain_drive(std::size_t i) const {
+  return blocks_.deformation(i).drive(blocks_.applied_torque[i], model_.elasticity_of(i));
 }
 
 /// Newton's law for the centroid and for the gradient, with local damping against each component of their
 /// rates and mass-proportional damping.
 template <int D>
-void World<D>::accelerate_affine(std::size_t i) {
+void Integrator<D>::accelerate_affine(std::size_t i) {
   Deformation<D>& deformation = blocks_.deformation(i);
   Vector<D> force = affine_drive(i);
   Tensor<D> drive = strain_drive(i);
@@ -37,7 +37,7 @@ void World<D>::accelerate_affine(std::size_t i) {
 
 /// False when the motion is not finite, or would turn the block inside out or press it flat.
 template <int D>
-bool World<D>::plan_affine(std::size_t i) {
+bool Integrator<D>::plan_affine(std::size_t i) {
   const double half = 0.5 * duration_;
   const Deformation<D>& deformation = blocks_.deformation(i);
   const Vector<D> velocity = blocks_.velocity[i] + half * acceleration_[i];
@@ -52,7 +52,7 @@ bool World<D>::plan_affine(std::size_t i) {
 
 /// First half of a step.
 template <int D>
-void World<D>::kick_and_drift_affine(std::size_t i) {
+void Integrator<D>::kick_and_drift_affine(std::size_t i) {
   const double half = 0.5 * duration_;
   Deformation<D>& deformation = blocks_.deformation(i);
   blocks_.push(i, half * acceleration_[i], Angular<D>::Zero());
@@ -62,8 +62,8 @@ void World<D>::kick_and_drift_affine(std::size_t i) {
 
 /// As take_stock(), of velocities and of the rate that damping was formed with.
 template <int D>
-void World<D>::take_affine_stock(std::size_t i, const Vector<D>& opposed, const Tensor<D>& opposed_rate,
-                                 Stock& stock) const {
+void Integrator<D>::take_affine_stock(std::size_t i, const Vector<D>& opposed, const Tensor<D>& opposed_rate,
+                                      Stock& stock) const {
   const Deformation<D>& deformation = blocks_.deformation(i);
   const Vector<D>& velocity = blocks_.velocity[i];
   const double mass = blocks_.mass[i];
@@ -72,11 +72,11 @@ void World<D>::take_affine_stock(std::size_t i, const Vector<D>& opposed, const 
   stock.squared_swing = std::max(stock.squared_swing, radius * radius * deformation.rate.squaredNorm());
   stock.kinetic += 0.5 * mass * velocity.squaredNorm() + deformation.kinetic_energy();
   stock.gravity -= mass * settings_.gravity.dot(blocks_.position[i]);
-  stock.block_strain += deformation.strain_energy(elasticity_of(i));
+  stock.block_strain += deformation.strain_energy(model_.elasticity_of(i));
   // The strain that a torque drives changes with the gradient: it is not the same all through a step.
   stock.power.outer += blocks_.applied_torque[i].dot(blocks_.spin[i]);
-  stock.power.contact_damping += dashpot_power(i);
-  stock.power.block_damping += deformation.damping_power(elasticity_of(i), opposed_rate);
+  stock.power.contact_damping += forces_.dashpot_power(i);
+  stock.power.block_damping += deformation.damping_power(model_.elasticity_of(i), opposed_rate);
   if (settings_.local_damping > 0) {
     const Vector<D> force = affine_drive(i);
     const Tensor<D> strain_force = strain_drive(i);
@@ -95,7 +95,7 @@ void World<D>::take_affine_stock(std::size_t i, const Vector<D>& opposed, const 
 
 /// Second half of a step.
 template <int D>
-void World<D>::kick_and_book_affine(std::size_t i, Stock& stock, double& applied_power) {
+void Integrator<D>::kick_affine(std::size_t i, Stock& stock, double& applied_power) {
   const double half = 0.5 * duration_;
   const Deformation<D>& deformation = blocks_.deformation(i);
   const Vector<D> middle_velocity = blocks_.velocity[i];
@@ -112,7 +112,7 @@ void World<D>::kick_and_book_affine(std::size_t i, Stock& stock, double& applied
   take_affine_stock(i, middle_velocity, middle_rate, stock);
 }
 
-template class World<2>;
-template class World<3>;
+template class Integrator<2>;
+template class Integrator<3>;
 
 }  // namespace halfspace

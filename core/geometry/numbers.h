@@ -1,0 +1,20 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace halfspace {
+
+// What numbers that were read from a snapshot must be before they are computed with.
+
+inline bool is_finite(double value) { return std::isfinite(value); }
+inline bool is_positive(double value) { return value > 0 && std::isfinite(value); }
+inline bool is_from_zero(double value) { return value >= 0 && std::isfinite(value); }
+inline bool is_share(double value, double most) { return value >= 0 && value <= most; }
+
+template <class Values, class Condition>
+bool all(const Values& values, Condition condition) {
+  return std::all_of(values.begin(), values.end(), condition);
+}
+
+}  // namespace halfspace

@@ -1,0 +1,136 @@
+#include "world/contact_list.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "narrow_phase/pair.h"
+
+namespace halfspace {
+namespace {
+
+/// Blocks that a joint has cut apart touch to rounding only: what lies nearer than this share of the smaller
+/// one's radius was one face.
+constexpr double bond_reach = 1e-6;
+
+/// Both blocks reach up to so far from the origin. A corner turned by hand is off by up to 3 sqrt(2)
+/// roundings of that, two from a face and one from the vertex on it count, and less than four more come from
+/// the centroids, from which vertices are measured, and from the normal and the gap.
+double rounding_of_touch(double reach_of_a, double reach_of_b) {
+  constexpr double roundings = 3 * 3 * 1.41421356237309505 + 4;
+  constexpr double rounding = 0.5 * std::numeric_limits<double>::epsilon();
+  return roundings * rounding * std::max(reach_of_a, reach_of_b);
+}
+
+}  // namespace
+
+template <int D>
+double ContactList<D>::rounding_of_touch(const Candidate<D>& pair) const {
+  const auto reach = [&](std::int32_t block) {
+    return model_.blocks.position[std::size_t(block)].norm() + model_.blocks.radius[std::size_t(block)];
+  };
+  return halfspace::rounding_of_touch(reach(pair.a), reach(pair.b));
+}
+
+template <int D>
+bool ContactList<D>::is_described(const Candidate<D>& pair) const {
+  return is_always_described(pair) || pair.memory.state == PairMemory<D>::unknown || pair.bonded;
+}
+
+/// A contact that has ended gives up what its shear spring held.
+template <int D>
+void ContactList<D>::release_shear(std::size_t k) {
+  if (neighbors_.shear().empty()) return;
+  ShearSpring<D>& shear = neighbors_.shear()[k];
+  if (shear.energy > 0) ledger_.add_friction_loss(shear.energy);
+  shear = {};
+}
+
+template <int D>
+Found ContactList<D>::find(std::size_t k, Contact<D>& contact) {
+  Candidate<D>& pair = neighbors_.pairs()[k];
+  PairMemory<D>& memory = pair.memory;
+  const auto [a, b, to_b] = model_.blocks.placed(pair.a, pair.b);
+  const typename PairMemory<D>::State before = memory.state;
+  bool has_met = false;
+  const bool describes = is_described(pair);
+  if (describes ? find_contact(a, b, to_b, model_.settings.detect, memory, contact)
+                : touch(a, b, to_b, memory)) {
+    if (!describes) memory.state = PairMemory<D>::overlapping;
+    has_met = before < PairMemory<D>::touching;
+  } else {
+    if (!pair.bonded) {
+      if (before >= PairMemory<D>::touching) release_shear(k);
+      if (before == PairMemory<D>::unknown && refresh(a, b, to_b, memory) <= rounding_of_touch(pair))
+        memory.state = PairMemory<D>::unknown;
+      return Found::apart;
+    }
+    memory.pair = initial_pair(a, b, to_b, memory);  // a contact has no two vertices
+    describe_contact<D>(a, b, to_b, memory, model_.settings.detect, contact);
+  }
+  if (before == PairMemory<D>::unknown && contact.gap >= -rounding_of_touch(pair)) {
+    // Neatly stacked: at first sight the strict form of inclusion holds (eq. 11). Which pair they touch
+    // through rounding alone would decide, so the pair of least depth will be the initial one, once they
+    // overlap.
+    memory.state = PairMemory<D>::unknown;
+    if (!pair.bonded) return Found::apart;
+  }
+  return has_met ? Found::met : Found::in_contact;
+}
+
+template <int D>
+void ContactList<D>::describe(const Candidate<D>& pair, Contact<D>& contact) const {
+  const PlacedBlocks<D> at = model_.blocks.placed(pair.a, pair.b);
+  PotentialPair<D> found = pair_in_contact(at.a, at.b, at.to_b, pair.memory);
+  describe_contact(at.a, at.b, at.to_b, found, model_.settings.detect, contact);
+}
+
+template <int D>
+void ContactList<D>::add_fresh(std::int32_t slot, std::size_t slots) {
+  fresh_.resize(slots);
+  fresh_[std::size_t(slot)] = true;
+  any_fresh_ = true;
+}
+
+/// Intact contacts are those that are there when a block's first step begins (Wang et al. 2021, section 2.5).
+template <int D>
+void ContactList<D>::bond_fresh() {
+  const Blocks<D>& blocks = model_.blocks;
+  fresh_.resize(blocks.slot_count());
+  for (Candidate<D>& pair : neighbors_.pairs()) {
+    const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
+    const bool is_fresh = fresh_[a] || fresh_[b];
+    if (!is_fresh || !model_.law_of(pair).bonds()) continue;
+    const PlacedBlocks<D> at = blocks.placed(pair.a, pair.b);
+    Contact<D> contact;
+    pair.memory.pair = initial_pair(at.a, at.b, at.to_b, pair.memory);
+    describe_contact(at.a, at.b, at.to_b, pair.memory.pair, model_.settings.detect, contact);
+    pair.bonded = std::abs(contact.gap) <= bond_reach * std::min(blocks.radius[a], blocks.radius[b]);
+  }
+}
+
+template <int D>
+void ContactList<D>::end_fresh() {
+  fresh_.resize(model_.blocks.slot_count());
+  std::fill(fresh_.begin(), fresh_.end(), std::uint8_t(0));
+  any_fresh_ = false;
+}
+
+template <int D>
+bool ContactList<D>::is_consistent() const {
+  const std::size_t slots = model_.blocks.slot_count();
+  if (!neighbors_.is_consistent(model_.blocks) || !is_from_zero(peak_overlap_)) return false;
+  if (fresh_.size() > slots || (any_fresh_ && fresh_.size() != slots)) return false;
+  if (found_ && neighbors_.list_length() != slots) return false;
+  const Array<Candidate<D>>& pairs = neighbors_.pairs();
+  const auto wants_spring = [&](const Candidate<D>& pair) { return model_.law_of(pair).resists_shear(); };
+  const bool is_list_in_use = found_ || !neighbors_.used_up();
+  if (is_list_in_use && !neighbors_.has_springs() && std::any_of(pairs.begin(), pairs.end(), wants_spring))
+    return false;
+  return all(touching_,
+             [&](std::uint32_t k) { return k < pairs.size() && has_a_plane(pairs[k].memory.pair); });
+}
+
+template class ContactList<2>;
+template class ContactList<3>;
+
+}  // namespace halfspace

@@ -1,0 +1,116 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <tuple>
+
+#include "narrow_phase/contact.h"
+#include "world/ledger.h"
+#include "world/model.h"
+#include "world/neighbor_list.h"
+
+namespace halfspace {
+
+/// What has become of a pair: `met` when it was not in contact before.
+enum class Found { apart, in_contact, met };
+
+/// The contacts of a world: which of the neighbour list's pairs touch. A contact is not kept: it follows from
+/// its pair, and in a packing most pairs have none.
+template <int D>
+class ContactList {
+ public:
+  ContactList(Model<D>& model, EnergyLedger& ledger, Memory* memory)
+      : model_(model), ledger_(ledger), neighbors_(memory), touching_(memory), fresh_(memory) {}
+
+  std::size_t count() const { return touching_.size(); }
+  const Candidate<D>& pair_of(std::size_t contact) const { return neighbors_.pairs()[touching_[contact]]; }
+  ShearSpring<D>& shear_of(std::size_t contact) { return neighbors_.shear()[touching_[contact]]; }
+  const Array<std::uint32_t>& touching() const { return touching_; }
+  NeighborList<D>& neighbors() { return neighbors_; }
+  const NeighborList<D>& neighbors() const { return neighbors_; }
+
+  /// Described anew from the present poses and the remembered pair: reading contacts costs time, but stepping
+  /// no memory for them.
+  Contact<D> contact(std::size_t c) const {
+    Contact<D> contact;
+    describe(pair_of(c), contact);
+    return contact;
+  }
+  /// Of a pair that is known to be one.
+  void describe(const Candidate<D>& pair, Contact<D>& contact) const;
+
+  bool are_found() const { return found_; }
+  /// Finds contacts anew, by find() of each pair from the first to the last.
+  void begin() { forget(); }
+  /// Is the pair in contact, or held together by its bond? Then the contact is described, if that is wanted.
+  Found find(std::size_t k, Contact<D>& contact);
+  /// Of a pair in contact, when its description is final.
+  void keep(std::size_t k, const Contact<D>& contact) {
+    touching_.push_back(std::uint32_t(k));
+    if (is_always_described(neighbors_.pairs()[k])) peak_overlap_ = std::max(peak_overlap_, -contact.gap);
+  }
+  void end() { found_ = true; }
+  void forget() {
+    touching_.clear();
+    found_ = false;
+  }
+  void expire() { found_ = false; }
+
+  /// Is a contact described as it is found? In space that costs as much as a force by springs, and potentials
+  /// read nothing of it. It is wanted all the same when blocks are first seen, and when another law has
+  /// bonded them. In the plane it is cheap, and a pair has to be brought up to date on the way: there a
+  /// description moves it on by one edge at most.
+  bool is_described(const Candidate<D>& pair) const;
+  /// How far rounding alone lets a pair overlap, or stand apart, that was meant to touch.
+  double rounding_of_touch(const Candidate<D>& pair) const;
+
+  /// A block whose first step has not begun.
+  void add_fresh(std::int32_t slot, std::size_t slots);
+  void make_room_for_block() { make_room_for_one(fresh_); }
+  bool has_fresh() const { return any_fresh_; }
+  /// Bonds what fresh blocks touch; contacts are known. Bonded pairs count as contacts from then on.
+  void bond_fresh();
+  void end_fresh();
+
+  /// Takes room for a contact at every pair of a list that is to be taken into use.
+  void fit_room() { refit(touching_, neighbors_.room()); }
+
+  /// The largest of all contacts found so far that were described, which those of potentials in space are
+  /// not.
+  double peak_overlap() const { return peak_overlap_; }
+
+  /// All that a step of a changed world writes to before it moves the blocks, but for the pairs.
+  auto state() {
+    return std::tuple_cat(neighbors_.skins(), std::tie(touching_, fresh_, any_fresh_, peak_overlap_, found_));
+  }
+
+  /// False for what no list can be, after reading a snapshot.
+  bool is_consistent() const;
+
+  template <class Archive>
+  void visit(Archive& archive) {
+    archive(fresh_, any_fresh_, neighbors_, touching_, peak_overlap_, found_);
+    if constexpr (Archive::reads) touching_.reserve(neighbors_.room());  // steps ask for no memory
+  }
+
+ private:
+  void release_shear(std::size_t k);
+  /// Potentials in space have no contact described, but at first sight.
+  bool is_always_described(const Candidate<D>& pair) const {
+    return D == 2 || !model_.materials.laws().knows_potential() || !model_.law_of(pair).is_potential();
+  }
+
+  Model<D>& model_;
+  EnergyLedger& ledger_;
+  NeighborList<D> neighbors_;
+  Array<std::uint32_t> touching_;  // the pair of each contact
+  Array<std::uint8_t> fresh_;      // of each block: its first step has not begun
+  std::int32_t any_fresh_ = 0;
+  double peak_overlap_ = 0;
+  std::int32_t found_ = 0;  // contacts belong to the present poses
+};
+
+extern template class ContactList<2>;
+extern template class ContactList<3>;
+
+}  // namespace halfspace

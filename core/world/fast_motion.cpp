@@ -1,0 +1,166 @@
+#include "world/fast_motion.h"
+
+#include <algorithm>
+
+#include "narrow_phase/pair.h"
+#include "narrow_phase/time_of_impact.h"
+
+namespace halfspace {
+namespace {
+
+/// Of the thickness of the thinner block: in a motion that is shorter than this no two sides close in turn.
+constexpr double short_share = 0x1p-8;
+
+PairMemory<2> memory_of(const Impact<2>& impact) { return {PairMemory<2>::separated, impact.pair}; }
+PairMemory<3> memory_of(const Impact<3>& impact) {
+  return {PairMemory<3>::separated, impact.pair, impact.normal};
+}
+
+}  // namespace
+
+template <int D>
+double FastMotion<D>::calm_time_step() const {
+  double calm = HUGE_VAL;
+  for (const Candidate<D>& pair : contacts_.neighbors().pairs())
+    calm =
+        std::min(calm, calm_share * blocks_.thinner(pair.a, pair.b) / blocks_.speed_between(pair.a, pair.b));
+  return calm;
+}
+
+/// Bounds the speed of all points by (x + y)^2 <= 2 (x^2 + y^2), with room for rounding. Boundaries that move
+/// are not among them: they are as fast in their planned motion.
+template <int D>
+void FastMotion<D>::note_speeds(const Stock& stock) {
+  fastest_squared_ = 2.001 * (stock.squared_speed + stock.squared_swing);
+}
+
+/// In a whole step it would move far against the thinnest of itself and its neighbours: at its present speed,
+/// or at that of the planned motion. A kick that stops a block makes it no slow one.
+template <int D>
+bool FastMotion<D>::is_fast(std::size_t i) const {
+  const double calm = integrator_.duration() / clock_.time_step() * contacts_.neighbors().calm_motion(i);
+  return contacts_.neighbors().planned_motion(i) > calm ||
+         integrator_.duration() * (blocks_.velocity[i].norm() + blocks_.swing(i)) > calm;
+}
+
+/// Most worlds are seen at once to be slow: the fastest block of all against the thinnest.
+template <int D>
+bool FastMotion<D>::any() const {
+  const double calm_speed = contacts_.neighbors().least_calm_motion() / clock_.time_step();
+  if (integrator_.longest_motion() < integrator_.duration() * calm_speed &&
+      fastest_squared_ < calm_speed * calm_speed)
+    return false;
+  for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
+    if (is_fast(i)) return true;
+  }
+  return false;
+}
+
+/// Of the motion that is planned.
+template <int D>
+Sweep<D> FastMotion<D>::planned_sweep(std::size_t i) const {
+  Sweep<D> sweep;
+  sweep.position = blocks_.position[i];
+  sweep.gradient = blocks_.gradient(i);
+  if (blocks_.kind[i] == BlockKind::fixed) return sweep;
+  sweep.way = integrator_.planned_way(i);
+  if (blocks_.is_affine(i)) {
+    sweep.stretch = integrator_.planned_stretch(i);
+  } else {
+    sweep.turn = integrator_.planned_turn(i);
+  }
+  return sweep;
+}
+
+/// The motion that has just been made, worked out from its end back to its start. In space the block is taken
+/// to have turned at its last spin all along. Time runs on as in the motion.
+template <int D>
+Sweep<D> FastMotion<D>::made_sweep(std::size_t i, double made) const {
+  Sweep<D> sweep;
+  sweep.position = blocks_.position[i];
+  sweep.gradient = blocks_.gradient(i);
+  if (blocks_.kind[i] == BlockKind::fixed) return sweep;
+  sweep.way = made * blocks_.velocity[i];
+  sweep.position -= sweep.way;
+  if (blocks_.is_affine(i)) {
+    sweep.stretch = made * blocks_.deformation(i).rate;
+    sweep.gradient -= sweep.stretch;
+  } else {
+    sweep.turn = made * blocks_.spin[i];
+    sweep.gradient = blocks_.rotation[i].turned_by(-sweep.turn).tensor();
+  }
+  return sweep;
+}
+
+/// Where they touched at the start already but for rounding, the contact stays as it is; and in a motion that
+/// is short against the thinner block the pair that kept them apart decides as well as time does.
+template <int D>
+void FastMotion<D>::describe_entrance(Candidate<D>& pair, double made, Contact<D>& contact) {
+  if (made * blocks_.speed_between(pair.a, pair.b) <= short_share * blocks_.thinner(pair.a, pair.b)) return;
+  const Impact<D> impact =
+      time_of_impact(blocks_.own_outline(pair.a), made_sweep(std::size_t(pair.a), made),
+                     blocks_.own_outline(pair.b), made_sweep(std::size_t(pair.b), made), impact_room_.data());
+  if (impact.state != Impact<D>::touches) return;
+  if (impact.time * made * blocks_.speed_between(pair.a, pair.b) <= contacts_.rounding_of_touch(pair)) return;
+  pair.memory = memory_of(impact);
+  pair.memory.state = PairMemory<D>::touching;
+  const PlacedBlocks<D> at = blocks_.placed(pair.a, pair.b);
+  describe_contact<D>(at.a, at.b, at.to_b, pair.memory, model_.settings.detect, contact);
+}
+
+/// The part of the planned motion that a pair may make at once. Where it meets in that part, it is told
+/// through what.
+template <int D>
+double FastMotion<D>::calm_part_of(Candidate<D>& pair, double& stable_duration) {
+  const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
+  const Sweep<D> of_a = planned_sweep(a), of_b = planned_sweep(b);
+  const auto swing_by = [&](const Sweep<D>& sweep, std::size_t i) {
+    return blocks_.radius[i] * (sweep.turn.norm() + sweep.stretch.norm());
+  };
+  const double planned = (of_b.way - of_a.way).norm() + swing_by(of_a, a) + swing_by(of_b, b);
+  const double motion = std::max(planned, integrator_.duration() * blocks_.speed_between(pair.a, pair.b));
+  const double thickness = blocks_.thinner(pair.a, pair.b);
+  if (motion <= integrator_.duration() / clock_.time_step() * calm_share * thickness) return 1;
+  pair_ = {pair.a, pair.b, motion / integrator_.duration(), thickness,
+           calm_share * thickness * integrator_.duration() / motion};
+  double time_of_touch = 0;
+  if (touching(pair.memory)) {
+    stop_.note(pair);
+  } else {
+    const Impact<D> impact = time_of_impact(blocks_.own_outline(pair.a), of_a, blocks_.own_outline(pair.b),
+                                            of_b, impact_room_.data());
+    if (impact.state == Impact<D>::never) return 1;
+    if (impact.state == Impact<D>::touches) {
+      time_of_touch = impact.time;
+      pair.memory = memory_of(impact);
+    }
+  }
+  if (stable_duration == 0) stable_duration = model_.settings.safety * stable_step_.bound();
+  const double calm = calm_share * thickness / motion, stable = stable_duration / integrator_.duration();
+  if (calm >= 1 && stable >= 1) return 1;
+  // Where springs would drive the motion out of hand, what they do shows in a stable one only.
+  const double at_once = 0.5 * (stable < 1 ? stable : calm);
+  return std::max(time_of_touch - at_once, at_once);
+}
+
+template <int D>
+double FastMotion<D>::calm_part() {
+  double part = 1;
+  double stable_duration = 0;  // not known: it costs a look at all contacts
+  FastPair first = pair_;
+  for (Candidate<D>& pair : contacts_.neighbors().pairs()) {
+    if (!is_fast(std::size_t(pair.a)) && !is_fast(std::size_t(pair.b))) continue;
+    const double of_pair = calm_part_of(pair, stable_duration);
+    if (of_pair >= part) continue;
+    part = of_pair;
+    first = pair_;
+    if (model_.settings.fast_blocks == FastBlocks::refuse) break;
+  }
+  pair_ = first;
+  return part;
+}
+
+template class FastMotion<2>;
+template class FastMotion<3>;
+
+}  // namespace halfspace

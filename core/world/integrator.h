@@ -1,0 +1,114 @@
+#pragma once
+
+#include <cmath>
+
+#include "world/force_pass.h"
+#include "world/ledger.h"
+#include "world/model.h"
+#include "world/neighbor_list.h"
+
+namespace halfspace {
+
+/// No block turns farther at once, in rad, and no affine one changes its gradient more.
+constexpr double most_turn = 1;
+
+/// Velocity Verlet: plans a motion from the last forces, makes its first half up to new places and, when
+/// forces are known there, its second.
+template <int D>
+class Integrator {
+ public:
+  Integrator(Model<D>& model, NeighborList<D>& neighbors, const ForcePass<D>& forces, Memory* memory)
+      : settings_(model.settings),
+        model_(model),
+        blocks_(model.blocks),
+        neighbors_(neighbors),
+        forces_(forces),
+        acceleration_(memory),
+        momentum_rate_(memory),
+        next_rotation_(memory) {}
+
+  /// Accelerations of all blocks from the forces at hand, and what there is of energy. The noise is how much
+  /// of it the blocks' fall by their own size, and positions that are off by rounding, amount to.
+  Stock begin(double time_step, double& noise);
+  /// By the forces at hand.
+  void accelerate(std::size_t block);
+
+  /// Plans a motion and announces it to the neighbour list. False when it is not finite or presses a block
+  /// flat: out of hand.
+  bool plan(double duration);
+  double duration() const { return duration_; }
+  /// Of all blocks in the planned motion.
+  double longest_motion() const { return longest_motion_; }
+  double most_turned() const { return most_turned_; }
+  /// Of a block in the planned motion.
+  Vector<D> planned_way(std::size_t block) const;
+  Tensor<D> planned_stretch(std::size_t block) const;
+  Angular<D> planned_turn(std::size_t block) const;
+
+  /// Velocities to the middle of the planned motion, places to its end.
+  void kick_and_drift();
+  /// Velocities to its end.
+  Stock kick(double& applied_power);
+
+  void reserve(std::size_t slots) {
+    acceleration_.reserve(slots);
+    momentum_rate_.reserve(slots);
+  }
+  /// Memory has been reserved.
+  void resize(std::size_t slots) {
+    acceleration_.resize(slots, Vector<D>::Zero());
+    momentum_rate_.resize(slots, Angular<D>::Zero());
+  }
+
+  /// False for what cannot be, after reading a snapshot.
+  bool is_consistent(bool is_edited) const {
+    const std::size_t slots = blocks_.slot_count();
+    if (!is_edited && (acceleration_.size() != slots || momentum_rate_.size() != slots)) return false;
+    return acceleration_.size() <= slots && momentum_rate_.size() <= slots;
+  }
+
+  template <class Archive>
+  void visit(Archive& archive) {
+    archive(acceleration_, momentum_rate_);
+  }
+
+ private:
+  /// What drives a block, before damping.
+  struct Drive {
+    Vector<D> force;
+    Angular<D> torque;
+  };
+
+  Drive drive(std::size_t block) const;
+  void accelerate_rigid(std::size_t block);
+  bool plan_block(std::size_t block, const Vector<D>& velocity, double turn);
+  void take_stock(std::size_t block, const Vector<D>& opposed, const Angular<D>& opposed_spin,
+                  Stock& stock) const;
+
+  // Of affine blocks: see integrator_affine.cpp.
+  Vector<D> affine_drive(std::size_t block) const;
+  Tensor<D> strain_drive(std::size_t block) const;
+  void accelerate_affine(std::size_t block);
+  bool plan_affine(std::size_t block);
+  void kick_and_drift_affine(std::size_t block);
+  void take_affine_stock(std::size_t block, const Vector<D>& opposed, const Tensor<D>& opposed_rate,
+                         Stock& stock) const;
+  void kick_affine(std::size_t block, Stock& stock, double& applied_power);
+
+  const WorldSettings<D>& settings_;
+  const Model<D>& model_;
+  Blocks<D>& blocks_;
+  NeighborList<D>& neighbors_;
+  const ForcePass<D>& forces_;
+  Array<Vector<D>> acceleration_;     // of each block, from the last forces
+  Array<Angular<D>> momentum_rate_;   // of the angular momentum, likewise
+  Array<Rotation<D>> next_rotation_;  // planned
+  double duration_ = 0;               // of the planned motion: the step or a part of it
+  double longest_motion_ = 0;
+  double most_turned_ = 0;
+};
+
+extern template class Integrator<2>;
+extern template class Integrator<3>;
+
+}  // namespace halfspace

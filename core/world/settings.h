@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+
+#include "geometry/numbers.h"
+#include "geometry/vector.h"
+#include "narrow_phase/contact.h"
+
+namespace halfspace {
+
+/// What becomes of a step in which two blocks would move far against the thinner of them.
+enum class FastBlocks : std::int32_t { divide = 0, refuse = 1 };
+
+/// How a world is stepped.
+template <int D>
+struct WorldSettings {
+  Vector<D> gravity = Vector<D>::Zero();
+  double time_step = 0;  // 0: safety times the stable one
+  double safety = 0.5;
+  double local_damping = 0;
+  double mass_damping = 0;
+  double skin = 0.1;
+  double potential_length = 0;  // H of potential laws; 0: mean length of the edges when forces are first used
+  DetectOptions detect;
+  FastBlocks fast_blocks = FastBlocks::divide;
+
+  /// False for what no settings can be, after reading a snapshot.
+  bool is_consistent() const {
+    return gravity.allFinite() && is_from_zero(time_step) && is_share(safety, 1) &&
+           is_share(local_damping, 1) && is_from_zero(mass_damping) && is_share(skin, 1) &&
+           is_from_zero(potential_length) && is_share(detect.parallel_angle, 0.5) &&
+           is_share(detect.vertex_zone, 0.5) &&
+           (fast_blocks == FastBlocks::divide || fast_blocks == FastBlocks::refuse);
+  }
+
+  template <class Archive>
+  void visit(Archive& archive) {
+    archive(gravity, time_step, safety, local_damping, mass_damping, skin, potential_length, detect,
+            fast_blocks);
+  }
+};
+
+}  // namespace halfspace
