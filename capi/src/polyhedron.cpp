@@ -73,12 +73,12 @@ Polyhedron read_polyhedron(hs_context* context, const hs_view& vertices, const s
          PointText(points[std::size_t(report.vertex)]).characters, text);
 }
 
-[[noreturn]] void refuse_halfspaces(const PolyhedronFault& report, const Array<Halfspace>& halfspaces) {
+[[noreturn]] void refuse_halfspaces(const PolyhedronFault& report, const Array<Halfspace<3>>& halfspaces) {
   const char* const text = fault_text(report.fault);
   const bool is_one = report.fault == Fault::out_of_range || report.fault == Fault::no_direction;
   if (!is_one || report.face < 0)
     refuse(HS_ERROR_GEOMETRY, "normals and offsets (%zu half-spaces) %s", halfspaces.size(), text);
-  const Halfspace& faulty = halfspaces[std::size_t(report.face)];
+  const Halfspace<3>& faulty = halfspaces[std::size_t(report.face)];
   refuse(HS_ERROR_GEOMETRY, "half-space %lld, normal %s and offset %.17g, %s",
          static_cast<long long>(report.face), PointText(faulty.normal).characters, faulty.offset, text);
 }
@@ -132,7 +132,7 @@ hs_status hs_polyhedron_create_from_halfspaces(hs_context* context, hs_view norm
     require_numbered(normals.count, "normals.count");
     require_view<3>(normals, "normals");
     if (normals.count > 0) require_pointer(offsets, "offsets");
-    Array<Halfspace> halfspaces(&context->memory);
+    Array<Halfspace<3>> halfspaces(&context->memory);
     halfspaces.reserve(std::size_t(normals.count));
     for (std::int64_t i = 0; i < normals.count; ++i)
       halfspaces.push_back({read_point<3>(normals, i), offsets[i]});

@@ -380,7 +380,7 @@ TEST_CASE("half-spaces have CGAL's intersection") {
   Random random(8);
   double worst = 0;
   for (int round = 0; round < 20; ++round) {
-    std::vector<Halfspace> halfspaces;
+    std::vector<Halfspace<3>> halfspaces;
     std::vector<Kernel::Plane_3> planes;
     for (int i = 0; i < 60; ++i) {
       const Vector<3> n = direction(random);

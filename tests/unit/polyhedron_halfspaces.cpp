@@ -10,7 +10,7 @@ using namespace halfspace::test;
 
 namespace {
 
-using Halfspaces = std::vector<Halfspace>;
+using Halfspaces = std::vector<Halfspace<3>>;
 
 struct Result {
   Polyhedron polyhedron{std::pmr::get_default_resource()};

@@ -4,18 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/polygon/clip.h"
 #include "geometry/polygon/hull.h"
 
 namespace halfspace {
 namespace {
-
-/// The corner that the line leaves on an edge. Evaluated from the end behind the line to the end ahead, so
-/// that both neighbours across an edge find the same bits.
-Vector<2> crossing(const Vector<2>& behind, double height_behind, const Vector<2>& ahead,
-                   double height_ahead) {
-  const double t = height_behind / (height_behind - height_ahead);
-  return behind + t * (ahead - behind);
-}
 
 void keep_if_polygon(Array<Vector<2>>& part, Memory* memory) {
   // Rounding may leave a corner straight or bent in: the hull drops those and nothing else.

@@ -13,9 +13,9 @@
 namespace halfspace {
 namespace {
 
-PolyhedronFault to_unit_normals(Array<Halfspace>& halfspaces) {
+PolyhedronFault to_unit_normals(Array<Halfspace<3>>& halfspaces) {
   for (std::size_t i = 0; i < halfspaces.size(); ++i) {
-    Halfspace& h = halfspaces[i];
+    Halfspace<3>& h = halfspaces[i];
     if (!h.normal.allFinite() || !std::isfinite(h.offset)) return {Fault::out_of_range, -1, std::int64_t(i)};
     const double length = h.normal.stableNorm();
     if (length == 0) return {Fault::no_direction, -1, std::int64_t(i)};
@@ -39,7 +39,7 @@ Array<std::int32_t> half_spaces_of(const Polyhedron& dual, std::span<const Vecto
 /// The point of the planes nearest to where they meet, from one near it: as often as that brings it nearer.
 class Meeting {
  public:
-  Meeting(std::span<const Halfspace> halfspaces, std::span<const std::int32_t> planes)
+  Meeting(std::span<const Halfspace<3>> halfspaces, std::span<const std::int32_t> planes)
       : halfspaces_(halfspaces), planes_(planes) {}
 
   Vector<3> from(Vector<3> point) const {
@@ -58,7 +58,7 @@ class Meeting {
   }
 
  private:
-  const Halfspace& at(std::int32_t i) const { return halfspaces_[std::size_t(i)]; }
+  const Halfspace<3>& at(std::int32_t i) const { return halfspaces_[std::size_t(i)]; }
   double gap(std::int32_t i, const Vector<3>& point) const { return at(i).offset - at(i).normal.dot(point); }
   double farthest(const Vector<3>& point) const {
     double farthest = 0;
@@ -66,14 +66,14 @@ class Meeting {
     return farthest;
   }
 
-  std::span<const Halfspace> halfspaces_;
+  std::span<const Halfspace<3>> halfspaces_;
   std::span<const std::int32_t> planes_;
 };
 
 /// A vertex where the planes of each dual face meet, a face around each dual vertex. False when a dual face
 /// does not have the origin behind it: then there is a direction without an end.
 bool take_dual(const Polyhedron& dual, std::span<const std::int32_t> source,
-               std::span<const Halfspace> halfspaces, Polyhedron& polyhedron) {
+               std::span<const Halfspace<3>> halfspaces, Polyhedron& polyhedron) {
   const double rounding = coplanarity_tolerance(largest_coordinate(dual.vertices));
   Array<std::int32_t> planes(dual.memory());
   for (std::int32_t f = 0; f < dual.face_count(); ++f) {
@@ -99,9 +99,9 @@ bool take_dual(const Polyhedron& dual, std::span<const std::int32_t> source,
 
 /// Cuts by the half-spaces that the dual did not tell from redundant ones: in a thin region it sees them as
 /// too much alike.
-PolyhedronFault cut_by_all(std::span<const Halfspace> halfspaces, Polyhedron& polyhedron) {
+PolyhedronFault cut_by_all(std::span<const Halfspace<3>> halfspaces, Polyhedron& polyhedron) {
   for (std::size_t i = 0; i < halfspaces.size(); ++i) {
-    const Halfspace& h = halfspaces[i];
+    const Halfspace<3>& h = halfspaces[i];
     double highest = -HUGE_VAL;
     for (const Vector<3>& v : polyhedron.vertices) highest = std::max(highest, h.normal.dot(v) - h.offset);
     if (highest <= flatness_tolerance(largest_coordinate(polyhedron.vertices))) continue;
@@ -112,9 +112,9 @@ PolyhedronFault cut_by_all(std::span<const Halfspace> halfspaces, Polyhedron& po
   return {};
 }
 
-PolyhedronFault intersect(std::span<const Halfspace> given, Polyhedron& polyhedron) {
+PolyhedronFault intersect(std::span<const Halfspace<3>> given, Polyhedron& polyhedron) {
   if (given.size() < 4) return {Fault::unbounded, -1, -1};
-  Array<Halfspace> halfspaces(given.begin(), given.end(), polyhedron.memory());
+  Array<Halfspace<3>> halfspaces(given.begin(), given.end(), polyhedron.memory());
   if (const PolyhedronFault r = to_unit_normals(halfspaces); r.fault != Fault::none) return r;
 
   const Interior inside = farthest_inside(halfspaces, polyhedron.memory());
@@ -123,7 +123,7 @@ PolyhedronFault intersect(std::span<const Halfspace> given, Polyhedron& polyhedr
 
   // Seen from inside, so that from here on all offsets are exact and as small as the region.
   Array<Vector<3>> points(polyhedron.memory());
-  for (Halfspace& h : halfspaces) {
+  for (Halfspace<3>& h : halfspaces) {
     h.offset -= h.normal.dot(inside.point);
     points.push_back(h.normal / h.offset);
   }
@@ -142,7 +142,7 @@ PolyhedronFault intersect(std::span<const Halfspace> given, Polyhedron& polyhedr
 
 }  // namespace
 
-PolyhedronFault polyhedron_from_halfspaces(std::span<const Halfspace> halfspaces, Polyhedron& polyhedron,
+PolyhedronFault polyhedron_from_halfspaces(std::span<const Halfspace<3>> halfspaces, Polyhedron& polyhedron,
                                            std::int64_t& redundant) {
   polyhedron = Polyhedron(polyhedron.memory());
   const PolyhedronFault report = intersect(halfspaces, polyhedron);

@@ -16,7 +16,7 @@ namespace halfspace {
 ///
 /// On a fault the polyhedron is empty: out_of_range or no_direction with the half-space in `face`, unbounded,
 /// no_common_point, or a fault of the hull.
-PolyhedronFault polyhedron_from_halfspaces(std::span<const Halfspace> halfspaces, Polyhedron& polyhedron,
+PolyhedronFault polyhedron_from_halfspaces(std::span<const Halfspace<3>> halfspaces, Polyhedron& polyhedron,
                                            std::int64_t& redundant);
 
 }  // namespace halfspace

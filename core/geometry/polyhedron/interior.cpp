@@ -16,10 +16,10 @@ using Vector4 = Eigen::Vector4d;
 /// are the answer, and a plane that cuts into the sphere takes the place of one of them.
 class LargestSphere {
  public:
-  LargestSphere(std::span<const Halfspace> halfspaces, Memory* memory)
+  LargestSphere(std::span<const Halfspace<3>> halfspaces, Memory* memory)
       : planes_(halfspaces.begin(), halfspaces.end(), memory) {
     double largest = 0;
-    for (const Halfspace& h : halfspaces) largest = std::max(largest, std::abs(h.offset));
+    for (const Halfspace<3>& h : halfspaces) largest = std::max(largest, std::abs(h.offset));
     const double far_away = 1e6 * (largest > 0 ? largest : 1);
     // A regular tetrahedron around everything, to begin with: equal weights make its normals cancel.
     const double c = 1 / std::sqrt(3.0);
@@ -91,12 +91,12 @@ class LargestSphere {
 
   double least_distance() const {
     double least = HUGE_VAL;
-    for (const Halfspace& plane : planes_)
+    for (const Halfspace<3>& plane : planes_)
       least = std::min(least, plane.offset - plane.normal.dot(sphere_.head<3>()));
     return least;
   }
 
-  Array<Halfspace> planes_;  // the caller's, then the tetrahedron's
+  Array<Halfspace<3>> planes_;  // the caller's, then the tetrahedron's
   std::size_t touched_[4];
   Eigen::Matrix4d basis_ = Eigen::Matrix4d::Zero();  // columns of the planes touched
   Vector4 sphere_ = Vector4::Zero();                 // centre, radius
@@ -104,7 +104,7 @@ class LargestSphere {
 
 }  // namespace
 
-Interior farthest_inside(std::span<const Halfspace> halfspaces, Memory* memory) {
+Interior farthest_inside(std::span<const Halfspace<3>> halfspaces, Memory* memory) {
   return LargestSphere(halfspaces, memory).find();
 }
 

@@ -2,15 +2,10 @@
 
 #include <span>
 
+#include "geometry/halfspace.h"
 #include "geometry/vector.h"
 
 namespace halfspace {
-
-/// Inside is normal.p <= offset. The normal has any length but 0.
-struct Halfspace {
-  Vector<3> normal;
-  double offset;
-};
 
 /// A point and its least distance to the planes, negative when it is outside one.
 struct Interior {
@@ -22,6 +17,6 @@ struct Interior {
 /// unit normals. The sphere is kept within a tetrahedron a million times the largest offset, so that there is
 /// one when the half-spaces are unbounded, too. A clearance <= 0, or hidden by the rounding of the point,
 /// means that the half-spaces have no common point inside them all, or none within that tetrahedron.
-Interior farthest_inside(std::span<const Halfspace> halfspaces, Memory* memory);
+Interior farthest_inside(std::span<const Halfspace<3>> halfspaces, Memory* memory);
 
 }  // namespace halfspace

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
+
+#include "geometry/polygon/clip.h"
 
 namespace halfspace {
 namespace {
@@ -19,6 +22,7 @@ struct Piece {
     // Only a polygon that rounding has made not quite convex is ever cut into more: by as little.
     if (count < 2 * most_piece_corners) corner[count++] = p;
   }
+  std::span<const Vector<2>> corners() const { return {corner, std::size_t(count)}; }
 };
 
 constexpr int corners_in_fan = most_piece_corners - 2;  // besides the first, and the last of the piece before
@@ -33,34 +37,17 @@ void take_piece(const FlatFace& face, int index, Piece& piece) {
   for (int i = from; i <= to; ++i) piece.add(face.corner(i));
 }
 
-/// One step of Sutherland and Hodgman (1974): the part of a convex polygon in a half-plane.
-void cut(const Piece& polygon, const HalfPlane& half_plane, Piece& kept) {
-  kept.count = 0;
-  Vector<2> before = polygon.corner[polygon.count - 1];
-  double height_before = half_plane.height(before);
-  for (int i = 0; i < polygon.count; ++i) {
-    const Vector<2> p = polygon.corner[i];
-    const double height = half_plane.height(p);
-    const double inner = std::min(height, height_before), outer = std::max(height, height_before);
-    if (inner < -half_plane.rounding && outer > half_plane.rounding) {
-      // From the inner end, whichever way round the polygon that is.
-      const Vector<2>& inside = height < height_before ? p : before;
-      const Vector<2>& outside = height < height_before ? before : p;
-      kept.add(inside + inner / (inner - outer) * (outside - inside));
-    }
-    if (height <= half_plane.rounding) kept.add(p);
-    before = p;
-    height_before = height;
-  }
-}
-
 /// Cuts a polygon by the sides of a piece; the two take turns as room for the result.
 const Piece& cut_by(const Piece& cutter, double rounding, Piece& polygon, Piece& room) {
   Piece* kept = &polygon;
   Piece* next = &room;
   for (int i = 0; i < cutter.count && kept->count >= 3; ++i) {
     const int end = i + 1 == cutter.count ? 0 : i + 1;
-    cut(*kept, HalfPlane(cutter.corner[i], cutter.corner[end], rounding), *next);
+    const HalfPlane side(cutter.corner[i], cutter.corner[end], rounding);
+    next->count = 0;
+    clip(
+        kept->corners(), [&](const Vector<2>& p) { return side.height(p); }, side.rounding,
+        [&](const Vector<2>& p) { next->add(p); });
     std::swap(kept, next);
   }
   return *kept;

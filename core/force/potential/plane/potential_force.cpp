@@ -5,21 +5,15 @@
 #include <span>
 
 #include "force/potential/field_force.h"
+#include "geometry/halfspace.h"
+#include "geometry/polygon/clip.h"
 #include "simd/two_lanes.h"
 
 namespace halfspace {
 namespace {
 
-/// Points where offset - normal . p >= 0.
-struct HalfPlane {
-  Vector<2> normal;
-  double offset;
-  double depth(const Vector<2>& p) const { return offset - normal.dot(p); }
-  bool operator==(const HalfPlane&) const = default;
-};
-
 /// The half-plane of an edge of a block that lies at `shift`.
-HalfPlane half_plane(const Outline<2>& block, int edge, const Vector<2>& shift) {
+Halfspace<2> half_plane(const Outline<2>& block, int edge, const Vector<2>& shift) {
   const Vector<2> normal = block.normal(edge);
   return {normal, block.offset[edge] + normal.dot(shift)};
 }
@@ -35,21 +29,13 @@ class Polygon {
     if (count_ < room_) corner_[count_++] = p;
   }
 
-  /// What of another polygon is in the half-plane (Sutherland and Hodgman).
-  void keep_inside(const Polygon& whole, const HalfPlane& half_plane) {
+  /// What of another polygon is in the half-plane.
+  void keep_inside(const Polygon& whole, const Halfspace<2>& half_plane) {
     count_ = 0;
     if (whole.is_empty()) return;
-    const Vector<2>* p = &whole.corner_[whole.count_ - 1];
-    double depth_p = half_plane.depth(*p);
-    for (int i = 0; i < whole.count_; ++i) {
-      const Vector<2>* q = &whole.corner_[i];
-      const double depth_q = half_plane.depth(*q);
-      const bool crosses = (depth_p < 0 && depth_q > 0) || (depth_p > 0 && depth_q < 0);
-      if (crosses) add(*p + depth_p / (depth_p - depth_q) * (*q - *p));
-      if (depth_q >= 0) add(*q);
-      p = q;
-      depth_p = depth_q;
-    }
+    clip(
+        whole.corners(), [&](const Vector<2>& p) { return -half_plane.depth(p); }, 0,
+        [&](const Vector<2>& p) { add(p); });
   }
 
   void exchange(Polygon& other) { std::swap(*this, other); }
@@ -113,7 +99,7 @@ struct Owner {
   Vector<2> shift;
   std::span<std::int32_t> near;
 
-  HalfPlane half_plane(std::int32_t edge) const { return halfspace::half_plane(block, edge, shift); }
+  Halfspace<2> half_plane(std::int32_t edge) const { return halfspace::half_plane(block, edge, shift); }
 };
 
 /// No point of the other block is deeper in the owner than the least, over the edges, of how deep its
@@ -147,14 +133,14 @@ void find_near_edges(Owner& owner, const Outline<2>& other, const Vector<2>& shi
   owner.near = owner.near.first(count);
 }
 
-void add_cell(const Area& cell, const HalfPlane& nearest, FieldForce<2>& sum) {
+void add_cell(const Area& cell, const Halfspace<2>& nearest, FieldForce<2>& sum) {
   if (!(cell.content > 0)) return;
   const double energy = cell.content * nearest.depth(cell.corner) - nearest.normal.dot(cell.moment);
   sum.add_cell(cell.content, cell.content * cell.corner + cell.moment, energy, nearest.normal);
 }
 
 /// Inside it one edge is nearer than another.
-HalfPlane nearer(const HalfPlane& edge, const HalfPlane& other) {
+Halfspace<2> nearer(const Halfspace<2>& edge, const Halfspace<2>& other) {
   return {other.normal - edge.normal, other.offset - edge.offset};
 }
 
@@ -165,11 +151,11 @@ FieldForce<2> field_force(const Owner& owner, const Polygon& intersection, const
   FieldForce<2> sum;
   Area rest = whole;
   for (std::size_t i = 1; i < owner.near.size(); ++i) {
-    const HalfPlane nearest = owner.half_plane(owner.near[i]);
+    const Halfspace<2> nearest = owner.half_plane(owner.near[i]);
     const Polygon* left = &intersection;
     for (std::size_t k = 0; k < owner.near.size() && !left->is_empty(); ++k) {
       if (k == i) continue;
-      const HalfPlane rival = owner.half_plane(owner.near[k]);
+      const Halfspace<2> rival = owner.half_plane(owner.near[k]);
       cut.keep_inside(*left, nearer(nearest, rival));
       if (k < i && rival == nearest) cut.clear();  // one of the two has it
       cut.exchange(cell);

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "geometry/box.h"
+#include "geometry/polygon/clip.h"
 #include "narrow_phase/space/contact_plane.h"
 
 namespace halfspace {
@@ -15,6 +17,10 @@ struct DepthPoint {
   Vector<2> foot;
   double depth;
 };
+
+DepthPoint between(const DepthPoint& from, const DepthPoint& to, double share) {
+  return {halfspace::between(from.foot, to.foot, share), from.depth + share * (to.depth - from.depth)};
+}
 
 /// What is summed over triangles on which the depth is linear.
 struct DepthSums {
@@ -78,20 +84,7 @@ class DepthPolygon {
   template <class Height>
   void keep_below(const DepthPolygon& whole, Height height) {
     count_ = 0;
-    if (whole.is_empty()) return;
-    const DepthPoint* p = &whole.corner_[whole.count_ - 1];
-    double at_p = height(*p);
-    for (int i = 0; i < whole.count_; ++i) {
-      const DepthPoint* q = &whole.corner_[i];
-      const double at_q = height(*q);
-      if ((at_p < 0 && at_q > 0) || (at_p > 0 && at_q < 0)) {
-        const double share = at_p / (at_p - at_q);
-        add({p->foot + share * (q->foot - p->foot), p->depth + share * (q->depth - p->depth)});
-      }
-      if (at_q <= 0) add(*q);
-      p = q;
-      at_p = at_q;
-    }
+    if (!whole.is_empty()) clip(whole.corners(), height, 0, [&](const DepthPoint& p) { add(p); });
   }
 
   void add_to(DepthSums& sums, double sign) const {
@@ -99,6 +92,8 @@ class DepthPolygon {
   }
 
  private:
+  std::span<const DepthPoint> corners() const { return {corner_, std::size_t(count_)}; }
+
   static constexpr int room = 48;
   int count_ = 0;
   DepthPoint corner_[room];
