@@ -924,8 +924,8 @@ module halfspace_c
     !> Steps the world.
     !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (no time step given and none can be derived), or
     !! HS_ERROR_OUT_OF_MEMORY or HS_ERROR_UNSTABLE or HS_ERROR_TOO_FAST: the world stays at the last good step
-    !! and can be read, saved or restored. Where fast blocks had divided a step (docs/guide.md), it stays at
-    !! the last good part of it, and the next call ends that step.
+    !! and can be read, saved or restored. Where fast blocks had divided a step (docs/concepts/impact.md), it
+    !! stays at the last good part of it, and the next call ends that step.
     function hs_world_step(world, steps) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL

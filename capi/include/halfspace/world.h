@@ -244,7 +244,7 @@ HS_API hs_status hs_world_forces(hs_world *world, double elapsed, hs_mutable_vie
  *  @param steps >= 0
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (no time step given and none can be derived), or HS_ERROR_OUT_OF_MEMORY or
  *  HS_ERROR_UNSTABLE or HS_ERROR_TOO_FAST: the world stays at the last good step and can be read, saved or restored. Where fast blocks had
- *  divided a step (docs/guide.md), it stays at the last good part of it, and the next call ends that step. */
+ *  divided a step (docs/concepts/impact.md), it stays at the last good part of it, and the next call ends that step. */
 HS_API hs_status hs_world_step(hs_world *world, int64_t steps);
 
 /** @brief Time, time step, counts, energies. After a change of the world it detects and evaluates forces first, as a step would; that

@@ -1295,8 +1295,8 @@ extern "C" {
     ///
     /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (no time step given and none can be derived), or
     /// HS_ERROR_OUT_OF_MEMORY or HS_ERROR_UNSTABLE or HS_ERROR_TOO_FAST: the world stays at the last good
-    /// step and can be read, saved or restored. Where fast blocks had divided a step (docs/guide.md), it
-    /// stays at the last good part of it, and the next call ends that step.
+    /// step and can be read, saved or restored. Where fast blocks had divided a step
+    /// (docs/concepts/impact.md), it stays at the last good part of it, and the next call ends that step.
     pub fn hs_world_step(world: *mut hs_world, steps: i64) -> hs_status;
 
     /// Time, time step, counts, energies. After a change of the world it detects and evaluates forces first,
