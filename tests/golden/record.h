@@ -59,7 +59,7 @@ inline void record(Hash& hash, const hs_deformation& d) {
 /// The answer of detection about a pair.
 inline void record_detected(Hash& hash, const hs_contact& c) {
   hash.all(c.type, c.pair_kind, c.feature_a, c.feature_b, c.normal, c.gap);
-  if (c.type == HS_CONTACT_NONE) return;
+  if (c.point_count == 0) return;
   hash.all(c.point_count, c.area, c.length, c.center, c.center_gap);
   hash.first(c.points, std::size_t(c.point_count));
   hash.first(c.gaps, std::size_t(c.point_count));
