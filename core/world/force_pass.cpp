@@ -13,6 +13,10 @@ void ForcePass<D>::fit_rooms() {
   const LawTable& laws = model_.materials.laws();
   const bool is_damped = laws.any([](const SpringLaw& law) { return law.is_damped(); });
   dashpot_load_.resize(is_damped ? blocks_.slot_count() : 0);
+  const std::size_t contacts = neighbors_.room();
+  refit(forces_, contacts);
+  refit(dashpots_, is_damped ? contacts : 0);
+  refit(virials_, blocks_.has_affine() ? contacts : 0);
   if (!laws.knows_potential()) return;
   potential_room_.reserve(blocks_.most_edges());
   if constexpr (D == 3) neighbors_.reserve_plans();
@@ -25,7 +29,7 @@ typename ForcePass<D>::Evaluation ForcePass<D>::begin(double elapsed) {
   std::fill(dashpot_load_.begin(), dashpot_load_.end(), DashpotLoad());
   for (Deformation<D>& deformation : blocks_.deformations().all())
     deformation.virial = deformation.dashpot_virial = Tensor<D>::Zero();
-  forces_.clear();
+  forget();
   return {elapsed, model_.materials.laws().knows_potential() ? model_.potential_length() : 0};
 }
 
@@ -100,46 +104,71 @@ PairLoad<D> ForcePass<D>::potential_load(Candidate<D>& pair, const SpringLaw& la
 template <int D>
 void ForcePass<D>::load(std::size_t k, const Contact<D>& contact, Evaluation& evaluation) {
   Candidate<D>& pair = neighbors_.pairs()[k];
-  const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
   const SpringLaw& law = model_.law_of(pair);
   const bool is_damped = law.is_damped();
-  const Spring<D> spring(law, is_damped ? blocks_.reduced_mass(a, b) : 0, evaluation.elapsed);
+  const double reduced_mass = is_damped ? blocks_.reduced_mass(std::size_t(pair.a), std::size_t(pair.b)) : 0;
+  const Spring<D> spring(law, reduced_mass, evaluation.elapsed);
   ShearSpring<D> no_shear;
   ShearSpring<D>& shear = neighbors_.shear().empty() ? no_shear : neighbors_.shear()[k];
   const PairLoad<D> load = law.is_potential() ? potential_load(pair, law, spring, shear, evaluation)
                                               : spring_load(pair, contact, law, spring, shear, evaluation);
-  const Vector<D> to_b = blocks_.position[b] - blocks_.position[a];
-  blocks_.force[a] -= load.contact.force;
-  blocks_.force[b] += load.contact.force;
-  blocks_.torque[a] += load.contact.torque_on_a();
-  blocks_.torque[b] += load.contact.torque_on_b(to_b);
   forces_.push_back(load.contact);
-  if (is_damped) {
-    const ContactForce<D> dashpots = load.dashpots();
-    dashpot_load_[a].add(-dashpots.force, dashpots.torque_on_a());
-    dashpot_load_[b].add(dashpots.force, dashpots.torque_on_b(to_b));
-  }
-  if (blocks_.has_affine()) strain_blocks(pair, load, is_damped, evaluation);
+  if (!dashpot_load_.empty()) dashpots_.push_back(is_damped ? load.viscous : DashpotForce<D>::none());
+  if (blocks_.has_affine()) virials_.push_back(virials_of(pair, load, is_damped, evaluation));
 }
 
-/// Adds what a contact does to the strain of its blocks, where they have any.
+/// What a contact does to the strain of its blocks, where they have any.
 template <int D>
-void ForcePass<D>::strain_blocks(const Candidate<D>& pair, const PairLoad<D>& load, bool is_damped,
-                                 Evaluation& evaluation) {
+typename ForcePass<D>::Virials ForcePass<D>::virials_of(const Candidate<D>& pair, const PairLoad<D>& load,
+                                                        bool is_damped, Evaluation& evaluation) const {
   const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
   const Stretch<D> stretch = std::exchange(evaluation.stretch, {});
   const auto virial = [&](const ContactForce<D>& on_b, const Vector<D>& centroid) {
     return virial_of<D>(on_b.force, on_b.point - centroid, on_b.couple, load.normal);
   };
+  Virials virials;
   if (blocks_.is_affine(a)) {
     const Vector<D> here = Vector<D>::Zero();
-    blocks_.deformation(a).virial += stretch.of_a - virial(load.contact, here);
-    if (is_damped) blocks_.deformation(a).dashpot_virial -= virial(load.dashpots(), here);
+    virials.on_a = stretch.of_a - virial(load.contact, here);
+    if (is_damped) virials.of_dashpots_on_a = -virial(load.dashpots(), here);
   }
   if (blocks_.is_affine(b)) {
     const Vector<D> to_b = blocks_.position[b] - blocks_.position[a];
-    blocks_.deformation(b).virial += stretch.of_b + virial(load.contact, to_b);
-    if (is_damped) blocks_.deformation(b).dashpot_virial += virial(load.dashpots(), to_b);
+    virials.on_b = stretch.of_b + virial(load.contact, to_b);
+    if (is_damped) virials.of_dashpots_on_b = virial(load.dashpots(), to_b);
+  }
+  return virials;
+}
+
+template <int D>
+void ForcePass<D>::gather(const Array<std::uint32_t>& contacts) {
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const Candidate<D>& pair = neighbors_.pairs()[contacts[c]];
+    const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
+    const Vector<D> to_b = blocks_.position[b] - blocks_.position[a];
+    const ContactForce<D>& load = forces_[c];
+    blocks_.force[a] -= load.force;
+    blocks_.force[b] += load.force;
+    blocks_.torque[a] += load.torque_on_a();
+    blocks_.torque[b] += load.torque_on_b(to_b);
+    if (!dashpots_.empty()) {
+      const ContactForce<D> dashpots{dashpots_[c].force, load.point, dashpots_[c].couple};
+      dashpot_load_[a].add(-dashpots.force, dashpots.torque_on_a());
+      dashpot_load_[b].add(dashpots.force, dashpots.torque_on_b(to_b));
+    }
+    if (!virials_.empty()) strain(a, b, virials_[c]);
+  }
+}
+
+template <int D>
+void ForcePass<D>::strain(std::size_t a, std::size_t b, const Virials& virials) {
+  if (blocks_.is_affine(a)) {
+    blocks_.deformation(a).virial += virials.on_a;
+    blocks_.deformation(a).dashpot_virial += virials.of_dashpots_on_a;
+  }
+  if (blocks_.is_affine(b)) {
+    blocks_.deformation(b).virial += virials.on_b;
+    blocks_.deformation(b).dashpot_virial += virials.of_dashpots_on_b;
   }
 }
 

@@ -46,7 +46,6 @@ void World<D>::renew_neighbors() {
       model_.materials.laws().any([](const SpringLaw& law) { return law.resists_shear(); });
   neighbors.search_again(model_.blocks, model_.settings.skin, with_shear);
   contacts_.fit_room();
-  forces_.fit_room();
   fit_rooms();
   neighbors.renew(model_.blocks, with_shear);
   forget_contacts();
@@ -101,6 +100,7 @@ void World<D>::evaluate_forces(double elapsed) {
   } else {
     find_contacts([&](std::size_t k, const Contact<D>& contact) { forces_.load(k, contact, evaluation); });
   }
+  forces_.gather(contacts_.touching());
   ledger_.set_contact_strain(evaluation.energy.strain);
   ledger_.add_friction_loss(evaluation.energy.friction_loss);
 }

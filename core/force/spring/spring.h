@@ -26,6 +26,8 @@ template <int D>
 struct DashpotForce {
   Vector<D> force;
   Angular<D> couple;
+
+  static DashpotForce none() { return {Vector<D>::Zero(), Angular<D>::Zero()}; }
 };
 
 /// What a contact does to its two blocks.
