@@ -188,8 +188,8 @@ hs_status hs_world_get_contacts(const hs_world* world, hs_contact contacts[], in
       write_contact(contact, Rotation<D>(), origin, out);
       out.block_a = id_of(blocks, std::size_t(pair.a));
       out.block_b = id_of(blocks, std::size_t(pair.b));
-      if (c >= w.contact_forces().size()) continue;  // detected, but forces not evaluated yet
-      write_force(w.contact_forces()[c], contact.normal, origin, out);
+      if (!w.knows_forces()) continue;  // detected, but forces not evaluated yet
+      write_force(w.contact_force(c), contact.normal, origin, out);
     }
     if (count) *count = all;
     return fits(all, capacity);

@@ -1,6 +1,7 @@
 #include "world/contact_list.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 
 #include "narrow_phase/pair.h"
@@ -38,15 +39,15 @@ bool ContactList<D>::is_described(const Candidate<D>& pair) const {
 
 /// A contact that has ended gives up what its shear spring held.
 template <int D>
-void ContactList<D>::release_shear(std::size_t k) {
+void ContactList<D>::release_shear(std::size_t k, PairSums& sums) {
   if (neighbors_.shear().empty()) return;
   ShearSpring<D>& shear = neighbors_.shear()[k];
-  if (shear.energy > 0) ledger_.add_friction_loss(shear.energy);
+  if (shear.energy > 0) sums.released += shear.energy;
   shear = {};
 }
 
 template <int D>
-Found ContactList<D>::find(std::size_t k, Contact<D>& contact) {
+Found ContactList<D>::find(std::size_t k, Contact<D>& contact, PairSums& sums) {
   Candidate<D>& pair = neighbors_.pairs()[k];
   PairMemory<D>& memory = pair.memory;
   const auto [a, b, to_b] = model_.blocks.placed(pair.a, pair.b);
@@ -59,7 +60,7 @@ Found ContactList<D>::find(std::size_t k, Contact<D>& contact) {
     has_met = before < PairMemory<D>::touching;
   } else {
     if (!pair.bonded) {
-      if (before >= PairMemory<D>::touching) release_shear(k);
+      if (before >= PairMemory<D>::touching) release_shear(k, sums);
       if (before == PairMemory<D>::unknown && refresh(a, b, to_b, memory) <= rounding_of_touch(pair))
         memory.state = PairMemory<D>::unknown;
       return Found::apart;
@@ -75,6 +76,22 @@ Found ContactList<D>::find(std::size_t k, Contact<D>& contact) {
     if (!pair.bonded) return Found::apart;
   }
   return has_met ? Found::met : Found::in_contact;
+}
+
+template <int D>
+void ContactList<D>::end(std::span<const PairSums> chunks) {
+  for (std::size_t c = 0; c < chunks.size(); ++c) {
+    const auto first = found_in_chunks_.begin() + std::ptrdiff_t(c * pairs_per_chunk);
+    touching_.insert(touching_.end(), first, first + chunks[c].contacts);
+    peak_overlap_ = std::max(peak_overlap_, chunks[c].peak_overlap);
+  }
+  found_ = true;
+}
+
+template <int D>
+std::span<const std::uint32_t> ContactList<D>::touching_in(const Chunk& pairs) const {
+  const auto first = std::lower_bound(touching_.begin(), touching_.end(), pairs.begin);
+  return {first, std::lower_bound(first, touching_.end(), pairs.end)};
 }
 
 template <int D>
@@ -116,6 +133,12 @@ void ContactList<D>::end_fresh() {
 }
 
 template <int D>
+bool ContactList<D>::names_pairs() const {
+  return std::is_sorted(touching_.begin(), touching_.end(), std::less_equal<>()) &&
+         (touching_.empty() || touching_.back() < neighbors_.pairs().size());
+}
+
+template <int D>
 bool ContactList<D>::is_consistent() const {
   const std::size_t slots = model_.blocks.slot_count();
   if (!neighbors_.is_consistent(model_.blocks) || !is_from_zero(peak_overlap_)) return false;
@@ -126,8 +149,7 @@ bool ContactList<D>::is_consistent() const {
   const bool is_list_in_use = found_ || !neighbors_.used_up();
   if (is_list_in_use && !neighbors_.has_springs() && std::any_of(pairs.begin(), pairs.end(), wants_spring))
     return false;
-  return all(touching_,
-             [&](std::uint32_t k) { return k < pairs.size() && has_a_plane(pairs[k].memory.pair); });
+  return names_pairs() && all(touching_, [&](std::uint32_t k) { return has_a_plane(pairs[k].memory.pair); });
 }
 
 template class ContactList<2>;

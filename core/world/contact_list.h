@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <tuple>
 
+#include "force/spring/spring.h"
 #include "narrow_phase/contact.h"
-#include "world/ledger.h"
+#include "threads/threads.h"
 #include "world/model.h"
 #include "world/neighbor_list.h"
 
@@ -14,13 +16,25 @@ namespace halfspace {
 /// What has become of a pair: `met` when it was not in contact before.
 enum class Found { apart, in_contact, met };
 
+/// Pairs that one worker goes through at once.
+constexpr std::size_t pairs_per_chunk = 256;
+
+/// What is summed over a chunk of pairs.
+struct PairSums {
+  std::uint32_t contacts = 0;
+  double released = 0;  // energy of shear springs whose contact has ended
+  double peak_overlap = 0;
+  double deepest_stop = 0;
+  ContactEnergy energy{};
+};
+
 /// The contacts of a world: which of the neighbour list's pairs touch. A contact is not kept: it follows from
 /// its pair, and in a packing most pairs have none.
 template <int D>
 class ContactList {
  public:
-  ContactList(Model<D>& model, EnergyLedger& ledger, Memory* memory)
-      : model_(model), ledger_(ledger), neighbors_(memory), touching_(memory), fresh_(memory) {}
+  ContactList(Model<D>& model, Memory* memory)
+      : model_(model), neighbors_(memory), touching_(memory), found_in_chunks_(memory), fresh_(memory) {}
 
   std::size_t count() const { return touching_.size(); }
   const Candidate<D>& pair_of(std::size_t contact) const { return neighbors_.pairs()[touching_[contact]]; }
@@ -40,16 +54,19 @@ class ContactList {
   void describe(const Candidate<D>& pair, Contact<D>& contact) const;
 
   bool are_found() const { return found_; }
-  /// Finds contacts anew, by find() of each pair from the first to the last.
-  void begin() { forget(); }
-  /// Is the pair in contact, or held together by its bond? Then the contact is described, if that is wanted.
-  Found find(std::size_t k, Contact<D>& contact);
+  /// Contacts are forgotten, and found anew by find() of each pair, chunk by chunk. Is the pair in contact,
+  /// or held together by its bond? Then the contact is described, if that is wanted.
+  Found find(std::size_t k, Contact<D>& contact, PairSums& sums);
   /// Of a pair in contact, when its description is final.
-  void keep(std::size_t k, const Contact<D>& contact) {
-    touching_.push_back(std::uint32_t(k));
-    if (is_always_described(neighbors_.pairs()[k])) peak_overlap_ = std::max(peak_overlap_, -contact.gap);
+  void keep(std::size_t k, std::size_t first_of_chunk, const Contact<D>& contact, PairSums& sums) {
+    found_in_chunks_[first_of_chunk + sums.contacts++] = std::uint32_t(k);
+    if (is_always_described(neighbors_.pairs()[k]))
+      sums.peak_overlap = std::max(sums.peak_overlap, -contact.gap);
   }
-  void end() { found_ = true; }
+  /// When all chunks have been gone through.
+  void end(std::span<const PairSums> chunks);
+  /// The contacts in a chunk of pairs.
+  std::span<const std::uint32_t> touching_in(const Chunk& pairs) const;
   void forget() {
     touching_.clear();
     found_ = false;
@@ -73,7 +90,10 @@ class ContactList {
   void end_fresh();
 
   /// Takes room for a contact at every pair of a list that is to be taken into use.
-  void fit_room() { refit(touching_, neighbors_.room()); }
+  void fit_room() {
+    refit(touching_, neighbors_.room());
+    found_in_chunks_.resize(neighbors_.room());
+  }
 
   /// The largest of all contacts found so far that were described, which those of potentials in space are
   /// not.
@@ -84,27 +104,29 @@ class ContactList {
     return std::tuple_cat(neighbors_.skins(), std::tie(touching_, fresh_, any_fresh_, peak_overlap_, found_));
   }
 
+  /// Do contacts name pairs in the list?
+  bool names_pairs() const;
   /// False for what no list can be, after reading a snapshot.
   bool is_consistent() const;
 
   template <class Archive>
   void visit(Archive& archive) {
     archive(fresh_, any_fresh_, neighbors_, touching_, peak_overlap_, found_);
-    if constexpr (Archive::reads) touching_.reserve(neighbors_.room());  // steps ask for no memory
+    if constexpr (Archive::reads) fit_room();  // steps ask for no memory
   }
 
  private:
-  void release_shear(std::size_t k);
+  void release_shear(std::size_t k, PairSums& sums);
   /// Potentials in space have no contact described, but at first sight.
   bool is_always_described(const Candidate<D>& pair) const {
     return D == 2 || !model_.materials.laws().knows_potential() || !model_.law_of(pair).is_potential();
   }
 
   Model<D>& model_;
-  EnergyLedger& ledger_;
   NeighborList<D> neighbors_;
-  Array<std::uint32_t> touching_;  // the pair of each contact
-  Array<std::uint8_t> fresh_;      // of each block: its first step has not begun
+  Array<std::uint32_t> touching_;         // the pair of each contact
+  Array<std::uint32_t> found_in_chunks_;  // the same while they are found, each chunk where its pairs begin
+  Array<std::uint8_t> fresh_;             // of each block: its first step has not begun
   std::int32_t any_fresh_ = 0;
   double peak_overlap_ = 0;
   std::int32_t found_ = 0;  // contacts belong to the present poses

@@ -95,11 +95,11 @@ Sweep<D> FastMotion<D>::made_sweep(std::size_t i, double made) const {
 /// Where they touched at the start already but for rounding, the contact stays as it is; and in a motion that
 /// is short against the thinner block the pair that kept them apart decides as well as time does.
 template <int D>
-void FastMotion<D>::describe_entrance(Candidate<D>& pair, double made, Contact<D>& contact) {
+void FastMotion<D>::describe_entrance(Candidate<D>& pair, double made, int worker, Contact<D>& contact) {
   if (made * blocks_.speed_between(pair.a, pair.b) <= short_share * blocks_.thinner(pair.a, pair.b)) return;
   const Impact<D> impact =
       time_of_impact(blocks_.own_outline(pair.a), made_sweep(std::size_t(pair.a), made),
-                     blocks_.own_outline(pair.b), made_sweep(std::size_t(pair.b), made), impact_room_.data());
+                     blocks_.own_outline(pair.b), made_sweep(std::size_t(pair.b), made), room_of(worker));
   if (impact.state != Impact<D>::touches) return;
   if (impact.time * made * blocks_.speed_between(pair.a, pair.b) <= contacts_.rounding_of_touch(pair)) return;
   pair.memory = memory_of(impact);
@@ -127,8 +127,8 @@ double FastMotion<D>::calm_part_of(Candidate<D>& pair, double& stable_duration) 
   if (touching(pair.memory)) {
     stop_.note(pair);
   } else {
-    const Impact<D> impact = time_of_impact(blocks_.own_outline(pair.a), of_a, blocks_.own_outline(pair.b),
-                                            of_b, impact_room_.data());
+    const Impact<D> impact =
+        time_of_impact(blocks_.own_outline(pair.a), of_a, blocks_.own_outline(pair.b), of_b, room_of(0));
     if (impact.state == Impact<D>::never) return 1;
     if (impact.state == Impact<D>::touches) {
       time_of_touch = impact.time;

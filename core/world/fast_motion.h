@@ -34,7 +34,7 @@ template <int D>
 class FastMotion {
  public:
   FastMotion(const Model<D>& model, ContactList<D>& contacts, const Integrator<D>& integrator,
-             const Clock& clock, StableStep<D>& stable_step, SpringStop<D>& stop, Memory* memory)
+             const Clock& clock, StableStep<D>& stable_step, SpringStop<D>& stop, int workers, Memory* memory)
       : model_(model),
         blocks_(model.blocks),
         contacts_(contacts),
@@ -42,6 +42,7 @@ class FastMotion {
         clock_(clock),
         stable_step_(stable_step),
         stop_(stop),
+        workers_(workers),
         impact_room_(memory) {}
 
   /// The longest step in which no listed pair is fast, at present speeds.
@@ -59,14 +60,18 @@ class FastMotion {
   /// Two blocks have met in the motion of such a duration just made. Of the pairs that kept them apart at its
   /// start the last to close is the one through which they met, also where others are less deep by now: their
   /// contact is described there.
-  void describe_entrance(Candidate<D>& pair, double made, Contact<D>& contact);
+  void describe_entrance(Candidate<D>& pair, double made, int worker, Contact<D>& contact);
 
   /// Takes the room that times of impact need, which a snapshot does not hold.
-  void fit_room() { impact_room_.resize(2 * blocks_.most_components()); }
+  void fit_room() {
+    room_of_one_ = 2 * blocks_.most_components();
+    impact_room_.resize(std::size_t(workers_) * room_of_one_);
+  }
 
  private:
   bool is_fast(std::size_t block) const;
   double calm_part_of(Candidate<D>& pair, double& stable_duration);
+  double* room_of(int worker) { return impact_room_.data() + std::size_t(worker) * room_of_one_; }
   Sweep<D> planned_sweep(std::size_t block) const;
   Sweep<D> made_sweep(std::size_t block, double made) const;
 
@@ -77,7 +82,9 @@ class FastMotion {
   const Clock& clock_;
   StableStep<D>& stable_step_;
   SpringStop<D>& stop_;
-  Array<double> impact_room_;          // for two of the largest blocks
+  int workers_;
+  std::size_t room_of_one_ = 0;
+  Array<double> impact_room_;          // of each worker, for two of the largest blocks
   double fastest_squared_ = HUGE_VAL;  // bound of the speed of all points now; not saved
   FastPair pair_;
 };

@@ -13,23 +13,17 @@ void ForcePass<D>::fit_rooms() {
   const LawTable& laws = model_.materials.laws();
   const bool is_damped = laws.any([](const SpringLaw& law) { return law.is_damped(); });
   dashpot_load_.resize(is_damped ? blocks_.slot_count() : 0);
-  const std::size_t contacts = neighbors_.room();
-  refit(forces_, contacts);
-  refit(dashpots_, is_damped ? contacts : 0);
-  refit(virials_, blocks_.has_affine() ? contacts : 0);
+  const std::size_t pairs = neighbors_.room();
+  forces_.resize(pairs);
+  dashpots_.resize(is_damped ? pairs : 0);
+  virials_.resize(blocks_.has_affine() ? pairs : 0);
   if (!laws.knows_potential()) return;
-  potential_room_.reserve(blocks_.most_edges());
+  for (PotentialRoom<D>& room : potential_rooms_) room.reserve(blocks_.most_edges());
   if constexpr (D == 3) neighbors_.reserve_plans();
 }
 
 template <int D>
-typename ForcePass<D>::Evaluation ForcePass<D>::begin(double elapsed) {
-  std::fill(blocks_.force.begin(), blocks_.force.end(), Vector<D>::Zero());
-  std::fill(blocks_.torque.begin(), blocks_.torque.end(), Angular<D>::Zero());
-  std::fill(dashpot_load_.begin(), dashpot_load_.end(), DashpotLoad());
-  for (Deformation<D>& deformation : blocks_.deformations().all())
-    deformation.virial = deformation.dashpot_virial = Tensor<D>::Zero();
-  forget();
+typename ForcePass<D>::Evaluation ForcePass<D>::begin(double elapsed) const {
   return {elapsed, model_.materials.laws().knows_potential() ? model_.potential_length() : 0};
 }
 
@@ -75,11 +69,12 @@ template <int D>
 /// For k_n / H = 1. In space by a plan, and steps make plans.
 template <int D>
 inline PotentialForce<D> ForcePass<D>::potential_between(Candidate<D>& pair, const PlacedBlocks<D>& at,
-                                                         bool is_step) {
+                                                         int worker, bool is_step) {
+  PotentialRoom<D>& room = potential_rooms_[std::size_t(worker)];
   if constexpr (D == 2) {
-    return potential_force(at.a, at.b, at.to_b, potential_room_);
+    return potential_force(at.a, at.b, at.to_b, room);
   } else {
-    return planned_force(at.a, at.b, at.to_b, is_step, pair.plan, neighbors_.plans(), potential_room_);
+    return planned_force(at.a, at.b, at.to_b, is_step, pair.plan, neighbors_.plans(), room);
   }
 }
 
@@ -91,7 +86,7 @@ PairLoad<D> ForcePass<D>::potential_load(Candidate<D>& pair, const SpringLaw& la
   // Another law has left it: potentials hold nothing together.
   if (evaluation.elapsed > 0) pair.bonded = false;
   const PlacedBlocks<D> at = blocks_.placed(pair.a, pair.b);
-  const PotentialForce<D> potential = potential_between(pair, at, evaluation.elapsed > 0);
+  const PotentialForce<D> potential = potential_between(pair, at, evaluation.worker, evaluation.elapsed > 0);
   const double stiffness = law.normal_stiffness / evaluation.potential_length;
   const LineOfAction<D> line = line_of_action(potential, stiffness, at.to_b);
   if (line.energy > 0) remember_point(potential.centroid, pair.memory);
@@ -112,9 +107,9 @@ void ForcePass<D>::load(std::size_t k, const Contact<D>& contact, Evaluation& ev
   ShearSpring<D>& shear = neighbors_.shear().empty() ? no_shear : neighbors_.shear()[k];
   const PairLoad<D> load = law.is_potential() ? potential_load(pair, law, spring, shear, evaluation)
                                               : spring_load(pair, contact, law, spring, shear, evaluation);
-  forces_.push_back(load.contact);
-  if (!dashpot_load_.empty()) dashpots_.push_back(is_damped ? load.viscous : DashpotForce<D>::none());
-  if (blocks_.has_affine()) virials_.push_back(virials_of(pair, load, is_damped, evaluation));
+  forces_[k] = load.contact;
+  if (!dashpots_.empty()) dashpots_[k] = is_damped ? load.viscous : DashpotForce<D>::none();
+  if (!virials_.empty()) virials_[k] = virials_of(pair, load, is_damped, evaluation);
 }
 
 /// What a contact does to the strain of its blocks, where they have any.
@@ -141,34 +136,53 @@ typename ForcePass<D>::Virials ForcePass<D>::virials_of(const Candidate<D>& pair
 }
 
 template <int D>
-void ForcePass<D>::gather(const Array<std::uint32_t>& contacts) {
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const Candidate<D>& pair = neighbors_.pairs()[contacts[c]];
-    const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
-    const Vector<D> to_b = blocks_.position[b] - blocks_.position[a];
-    const ContactForce<D>& load = forces_[c];
-    blocks_.force[a] -= load.force;
-    blocks_.force[b] += load.force;
-    blocks_.torque[a] += load.torque_on_a();
-    blocks_.torque[b] += load.torque_on_b(to_b);
-    if (!dashpots_.empty()) {
-      const ContactForce<D> dashpots{dashpots_[c].force, load.point, dashpots_[c].couple};
-      dashpot_load_[a].add(-dashpots.force, dashpots.torque_on_a());
-      dashpot_load_[b].add(dashpots.force, dashpots.torque_on_b(to_b));
-    }
-    if (!virials_.empty()) strain(a, b, virials_[c]);
-  }
+void ForcePass<D>::gather() {
+  const std::size_t blocks = blocks_.slot_count();
+  // Who gathers goes through all contacts: no more rows of blocks than there are workers.
+  const std::size_t per_worker = blocks / std::size_t(worker_count(threads_)) + 1;
+  const bool is_short = contacts_.count() <= pairs_per_chunk;
+  for_each_chunk(is_short ? nullptr : threads_, blocks, is_short ? blocks : per_worker,
+                 [&](const Chunk& row) { gather(row.begin, row.end); });
+  known_ = true;
 }
 
+/// Each block of a row in ascending order of its contacts.
 template <int D>
-void ForcePass<D>::strain(std::size_t a, std::size_t b, const Virials& virials) {
-  if (blocks_.is_affine(a)) {
-    blocks_.deformation(a).virial += virials.on_a;
-    blocks_.deformation(a).dashpot_virial += virials.of_dashpots_on_a;
+void ForcePass<D>::gather(std::size_t first, std::size_t last) {
+  for (std::size_t i = first; i < last; ++i) {
+    blocks_.force[i] = Vector<D>::Zero();
+    blocks_.torque[i] = Angular<D>::Zero();
+    if (!dashpot_load_.empty()) dashpot_load_[i] = {};
+    if (blocks_.is_affine(i))
+      blocks_.deformation(i).virial = blocks_.deformation(i).dashpot_virial = Tensor<D>::Zero();
   }
-  if (blocks_.is_affine(b)) {
-    blocks_.deformation(b).virial += virials.on_b;
-    blocks_.deformation(b).dashpot_virial += virials.of_dashpots_on_b;
+  const auto is_here = [&](std::size_t i) { return i - first < last - first; };
+  for (const std::uint32_t k : contacts_.touching()) {
+    const Candidate<D>& pair = neighbors_.pairs()[k];
+    const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
+    const ContactForce<D>& load = forces_[k];
+    const auto dashpots = [&] {
+      return ContactForce<D>{dashpots_[k].force, load.point, dashpots_[k].couple};
+    };
+    if (is_here(a)) {
+      blocks_.force[a] -= load.force;
+      blocks_.torque[a] += load.torque_on_a();
+      if (!dashpots_.empty()) dashpot_load_[a].add(-dashpots_[k].force, dashpots().torque_on_a());
+      if (blocks_.is_affine(a)) {
+        blocks_.deformation(a).virial += virials_[k].on_a;
+        blocks_.deformation(a).dashpot_virial += virials_[k].of_dashpots_on_a;
+      }
+    }
+    if (is_here(b)) {
+      const Vector<D> to_b = blocks_.position[b] - blocks_.position[a];
+      blocks_.force[b] += load.force;
+      blocks_.torque[b] += load.torque_on_b(to_b);
+      if (!dashpots_.empty()) dashpot_load_[b].add(dashpots_[k].force, dashpots().torque_on_b(to_b));
+      if (blocks_.is_affine(b)) {
+        blocks_.deformation(b).virial += virials_[k].on_b;
+        blocks_.deformation(b).dashpot_virial += virials_[k].of_dashpots_on_b;
+      }
+    }
   }
 }
 

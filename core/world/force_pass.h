@@ -4,8 +4,9 @@
 
 #include "force/potential/potential_force.h"
 #include "force/spring/spring.h"
+#include "threads/threads.h"
+#include "world/contact_list.h"
 #include "world/model.h"
-#include "world/neighbor_list.h"
 
 namespace halfspace {
 
@@ -15,40 +16,43 @@ namespace halfspace {
 template <int D>
 class ForcePass {
  public:
-  ForcePass(Model<D>& model, NeighborList<D>& neighbors, Memory* memory)
+  ForcePass(Model<D>& model, ContactList<D>& contacts, Threads* threads, Memory* memory)
       : model_(model),
         blocks_(model.blocks),
-        neighbors_(neighbors),
+        contacts_(contacts),
+        neighbors_(contacts.neighbors()),
+        threads_(threads),
         forces_(memory),
         dashpots_(memory),
         virials_(memory),
         dashpot_load_(memory),
-        potential_room_(memory) {}
+        potential_rooms_(memory) {
+    const int workers = worker_count(threads);
+    potential_rooms_.reserve(std::size_t(workers));
+    for (int worker = 0; worker < workers; ++worker) potential_rooms_.emplace_back(memory);
+  }
 
-  /// What the forces of all contacts have in common, and what they sum up to.
+  /// What the forces of a chunk of contacts have in common, and what they sum up to.
   struct Evaluation {
     double elapsed;
     double potential_length;
+    int worker = 0;
     ContactEnergy energy{};
     // Of the contact at hand, where a block is affine.
     Stretch<D> stretch{};
     StrainRates<D> strain_rates{};
   };
 
-  /// Unloads all blocks. Shear springs will grow over `elapsed`.
-  Evaluation begin(double elapsed);
-  /// Works out what the next contact does to its two blocks, of a pair in the list.
+  /// Shear springs will grow over `elapsed`.
+  Evaluation begin(double elapsed) const;
+  /// Works out what the contact of a pair in the list does to its two blocks.
   void load(std::size_t k, const Contact<D>& contact, Evaluation& evaluation);
-  /// Adds it to the blocks; the pair of each contact is given.
-  void gather(const Array<std::uint32_t>& contacts);
-  void forget() {
-    forces_.clear();
-    dashpots_.clear();
-    virials_.clear();
-  }
+  /// Loads the blocks with that of all contacts.
+  void gather();
+  void forget() { known_ = false; }
 
-  /// As many as contacts, or none before forces are evaluated.
-  std::span<const ContactForce<D>> forces() const { return forces_; }
+  bool are_known() const { return known_; }
+  const ContactForce<D>& of_contact(std::size_t c) const { return forces_[contacts_.touching()[c]]; }
   /// Rate of what a block loses to the dashpots of its contacts, by its present velocity.
   double dashpot_power(std::size_t block) const;
 
@@ -57,11 +61,14 @@ class ForcePass {
   void fit_rooms();
 
   /// All that a step of a changed world writes to before it moves the blocks.
-  auto state() { return std::tie(forces_, blocks_.force, blocks_.torque); }
+  auto state() { return std::tie(forces_, known_, blocks_.force, blocks_.torque); }
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(forces_);
+    archive(known_);
+    if constexpr (Archive::reads) forces_.resize(neighbors_.room());
+    if (!known_ || !contacts_.names_pairs()) return;
+    for (const std::uint32_t k : contacts_.touching()) archive(forces_[k]);
   }
 
  private:
@@ -89,21 +96,25 @@ class ForcePass {
   const StrainRates<D>* strain_rates_of(std::size_t a, std::size_t b, Evaluation& evaluation) const;
   PairLoad<D> spring_load(Candidate<D>& pair, const Contact<D>& contact, const SpringLaw& law,
                           const Spring<D>& spring, ShearSpring<D>& shear, Evaluation& evaluation) const;
-  PotentialForce<D> potential_between(Candidate<D>& pair, const PlacedBlocks<D>& at, bool is_step);
+  PotentialForce<D> potential_between(Candidate<D>& pair, const PlacedBlocks<D>& at, int worker,
+                                      bool is_step);
   PairLoad<D> potential_load(Candidate<D>& pair, const SpringLaw& law, const Spring<D>& spring,
                              ShearSpring<D>& shear, Evaluation& evaluation);
   Virials virials_of(const Candidate<D>& pair, const PairLoad<D>& load, bool is_damped,
                      Evaluation& evaluation) const;
-  void strain(std::size_t a, std::size_t b, const Virials& virials);
+  void gather(std::size_t first_block, std::size_t last_block);
 
   Model<D>& model_;
   Blocks<D>& blocks_;
+  const ContactList<D>& contacts_;
   NeighborList<D>& neighbors_;
-  Array<ContactForce<D>> forces_;    // of each contact
-  Array<DashpotForce<D>> dashpots_;  // of each contact, when a law is damped
-  Array<Virials> virials_;           // of each contact, when a block is affine
-  Array<DashpotLoad> dashpot_load_;  // of each block, when a law is damped
-  PotentialRoom<D> potential_room_;  // for the largest blocks, when a law is of potentials
+  Threads* threads_;
+  Array<ContactForce<D>> forces_;            // at the pairs that are in contact
+  Array<DashpotForce<D>> dashpots_;          // likewise, when a law is damped
+  Array<Virials> virials_;                   // likewise, when a block is affine
+  Array<DashpotLoad> dashpot_load_;          // of each block, when a law is damped
+  Array<PotentialRoom<D>> potential_rooms_;  // of each worker, for the largest blocks
+  std::int32_t known_ = 0;                   // forces belong to the contacts
 };
 
 extern template class ForcePass<2>;

@@ -90,47 +90,84 @@ Stock Integrator<D>::begin(double time_step, double& noise) {
 }
 
 template <int D>
+template <class Visit>
+void Integrator<D>::for_each_block(Visit visit) {
+  for_each_chunk(threads_, blocks_.slot_count(), blocks_per_chunk, [&](const Chunk& chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) visit(i, chunk.index);
+  });
+}
+
+template <int D>
 bool Integrator<D>::plan(double duration) {
   duration_ = duration;
-  most_turned_ = longest_motion_ = 0;
+  const std::size_t slots = blocks_.slot_count();
+  next_rotation_.resize(slots);
+  planned_.assign(chunk_count(slots, blocks_per_chunk), {});
+  for_each_block([&](std::size_t i, std::size_t chunk) {
+    Plan& plan = planned_[chunk];
+    plan.is_in_hand = plan.is_in_hand && plan_motion_of(i, plan);
+  });
+  Plan all;
+  for (const Plan& plan : planned_) {
+    if (!plan.is_in_hand) return false;
+    all.uses_list_up |= plan.uses_list_up;
+    all.goes_far |= plan.goes_far;
+    all.longest_motion = std::max(all.longest_motion, plan.longest_motion);
+    all.most_turned = std::max(all.most_turned, plan.most_turned);
+  }
+  longest_motion_ = all.longest_motion;
+  most_turned_ = all.most_turned;
   neighbors_.begin_plan();
+  if (all.goes_far) plan_ways();
+  if (all.uses_list_up) neighbors_.expire();
+  return true;
+}
+
+template <int D>
+bool Integrator<D>::plan_motion_of(std::size_t i, Plan& plan) {
   const double half = 0.5 * duration_;
-  next_rotation_.resize(blocks_.slot_count());
-  for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
-    const bool rigid = blocks_.kind[i] == BlockKind::rigid;
-    if (!rigid && blocks_.is_affine(i)) {
-      if (!plan_affine(i)) return false;
-      continue;
-    }
-    if (!rigid && blocks_.kind[i] != BlockKind::prescribed) continue;
-    Vector<D> velocity = blocks_.velocity[i];
-    Angular<D> spin = blocks_.spin[i];
-    if (rigid) {
+  Vector<D> velocity = blocks_.velocity[i];
+  Angular<D> spin = blocks_.spin[i];
+  switch (blocks_.kind[i]) {
+    case BlockKind::affine:
+      return plan_affine(i, plan);
+    case BlockKind::rigid: {
       velocity += half * acceleration_[i];
       const Angular<D> momentum = blocks_.momentum[i] + half * momentum_rate_[i];
       const auto onward = turned_freely(blocks_.rotation[i], blocks_.inertia[i], momentum, duration_);
       spin = onward.spin;
       next_rotation_[i] = onward.rotation;
-    } else {
-      next_rotation_[i] = blocks_.rotation[i].turned_by(duration_ * spin);
+      break;
     }
-    const double turn =
-        std::max(duration_ * spin.norm(), next_rotation_[i].farthest_from(blocks_.rotation[i]));
-    if (!plan_block(i, velocity, turn)) return false;
+    case BlockKind::prescribed:
+      next_rotation_[i] = blocks_.rotation[i].turned_by(duration_ * spin);
+      break;
+    default:
+      return true;
   }
-  return true;
+  const double turn = std::max(duration_ * spin.norm(), next_rotation_[i].farthest_from(blocks_.rotation[i]));
+  return plan_block(i, velocity, turn, plan);
 }
 
 /// Announces how far a block moves that turns, or strains, by so much: false when that is not finite.
 template <int D>
-bool Integrator<D>::plan_block(std::size_t i, const Vector<D>& velocity, double turn) {
+bool Integrator<D>::plan_block(std::size_t i, const Vector<D>& velocity, double turn, Plan& plan) {
   const double motion = duration_ * velocity.norm() + blocks_.radius[i] * turn;
   if (!std::isfinite(motion)) return false;
-  neighbors_.plan(blocks_, i, motion);
-  if (motion > blocks_.radius[i]) neighbors_.plan_way(i, duration_ * velocity);
-  most_turned_ = std::max(most_turned_, turn);
-  longest_motion_ = std::max(longest_motion_, motion);
+  plan.uses_list_up |= neighbors_.plan(blocks_, i, motion);
+  plan.goes_far |= motion > blocks_.radius[i];
+  plan.most_turned = std::max(plan.most_turned, turn);
+  plan.longest_motion = std::max(plan.longest_motion, motion);
   return true;
+}
+
+/// Of blocks that go far the search is told which way.
+template <int D>
+void Integrator<D>::plan_ways() {
+  for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
+    const bool moves = blocks_.moves_freely(i) || blocks_.kind[i] == BlockKind::prescribed;
+    if (moves && neighbors_.planned_motion(i) > blocks_.radius[i]) neighbors_.plan_way(i, planned_way(i));
+  }
 }
 
 template <int D>
@@ -152,42 +189,47 @@ Angular<D> Integrator<D>::planned_turn(std::size_t i) const {
 template <int D>
 void Integrator<D>::kick_and_drift() {
   const double half = 0.5 * duration_;
-  for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
+  for_each_block([&](std::size_t i, std::size_t) {
     if (blocks_.kind[i] == BlockKind::rigid) {
       blocks_.push(i, half * acceleration_[i], half * momentum_rate_[i]);
     } else if (blocks_.is_affine(i)) {
-      kick_and_drift_affine(i);
-      continue;
+      return kick_and_drift_affine(i);
     } else if (blocks_.kind[i] != BlockKind::prescribed) {
-      continue;
+      return;
     }
     blocks_.drift(std::int32_t(i), duration_ * blocks_.velocity[i], next_rotation_[i]);
     if constexpr (D == 2) blocks_.angle[i] += duration_ * blocks_.spin[i][0];
-  }
+  });
 }
 
 template <int D>
 Stock Integrator<D>::kick(double& applied_power) {
-  const double half = 0.5 * duration_;
+  made_.assign(chunk_count(blocks_.slot_count(), blocks_per_chunk), {});
+  for_each_block([&](std::size_t i, std::size_t chunk) { kick(i, made_[chunk]); });
   Stock stock;
   applied_power = 0;
-  for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
-    const Vector<D> middle_velocity = blocks_.velocity[i];
-    const Angular<D> middle_spin = blocks_.spin[i];
-    if (blocks_.kind[i] == BlockKind::rigid) {
-      accelerate_rigid(i);
-      applied_power +=
-          blocks_.applied_force[i].dot(middle_velocity) + blocks_.applied_torque[i].dot(middle_spin);
-      // One beyond all numbers is none: the next motion, which is planned with it, is refused as unstable.
-      if (acceleration_[i].allFinite() && momentum_rate_[i].allFinite())
-        blocks_.kick(i, half * acceleration_[i], half * momentum_rate_[i]);
-    } else if (blocks_.is_affine(i)) {
-      kick_affine(i, stock, applied_power);
-      continue;
-    }
-    take_stock(i, middle_velocity, middle_spin, stock);
+  for (const Made& made : made_) {
+    stock.add(made.stock);
+    applied_power += made.applied_power;
   }
   return stock;
+}
+
+template <int D>
+void Integrator<D>::kick(std::size_t i, Made& made) {
+  if (blocks_.is_affine(i)) return kick_affine(i, made);
+  const double half = 0.5 * duration_;
+  const Vector<D> middle_velocity = blocks_.velocity[i];
+  const Angular<D> middle_spin = blocks_.spin[i];
+  if (blocks_.kind[i] == BlockKind::rigid) {
+    accelerate_rigid(i);
+    made.applied_power +=
+        blocks_.applied_force[i].dot(middle_velocity) + blocks_.applied_torque[i].dot(middle_spin);
+    // One beyond all numbers is none: the next motion, which is planned with it, is refused as unstable.
+    if (acceleration_[i].allFinite() && momentum_rate_[i].allFinite())
+      blocks_.kick(i, half * acceleration_[i], half * momentum_rate_[i]);
+  }
+  take_stock(i, middle_velocity, middle_spin, made.stock);
 }
 
 template class Integrator<2>;

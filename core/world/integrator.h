@@ -17,15 +17,19 @@ constexpr double most_turn = 1;
 template <int D>
 class Integrator {
  public:
-  Integrator(Model<D>& model, NeighborList<D>& neighbors, const ForcePass<D>& forces, Memory* memory)
+  Integrator(Model<D>& model, NeighborList<D>& neighbors, const ForcePass<D>& forces, Threads* threads,
+             Memory* memory)
       : settings_(model.settings),
         model_(model),
         blocks_(model.blocks),
         neighbors_(neighbors),
         forces_(forces),
+        threads_(threads),
         acceleration_(memory),
         momentum_rate_(memory),
-        next_rotation_(memory) {}
+        next_rotation_(memory),
+        planned_(memory),
+        made_(memory) {}
 
   /// Accelerations of all blocks from the forces at hand, and what there is of energy. The noise is how much
   /// of it the blocks' fall by their own size, and positions that are off by rounding, amount to.
@@ -53,6 +57,8 @@ class Integrator {
   void reserve(std::size_t slots) {
     acceleration_.reserve(slots);
     momentum_rate_.reserve(slots);
+    planned_.reserve(chunk_count(slots, blocks_per_chunk));
+    made_.reserve(chunk_count(slots, blocks_per_chunk));
   }
   /// Memory has been reserved.
   void resize(std::size_t slots) {
@@ -79,9 +85,31 @@ class Integrator {
     Angular<D> torque;
   };
 
+  /// Blocks that one worker goes through at once.
+  static constexpr std::size_t blocks_per_chunk = 256;
+
+  /// What has been planned for a chunk of blocks.
+  struct Plan {
+    bool is_in_hand = true;
+    bool uses_list_up = false;
+    bool goes_far = false;  // some block by more than its radius
+    double longest_motion = 0;
+    double most_turned = 0;
+  };
+  /// What a chunk of blocks has come to.
+  struct Made {
+    Stock stock;
+    double applied_power = 0;
+  };
+
+  template <class Visit>
+  void for_each_block(Visit visit);
   Drive drive(std::size_t block) const;
   void accelerate_rigid(std::size_t block);
-  bool plan_block(std::size_t block, const Vector<D>& velocity, double turn);
+  bool plan_block(std::size_t block, const Vector<D>& velocity, double turn, Plan& plan);
+  bool plan_motion_of(std::size_t block, Plan& plan);
+  void plan_ways();
+  void kick(std::size_t block, Made& made);
   void take_stock(std::size_t block, const Vector<D>& opposed, const Angular<D>& opposed_spin,
                   Stock& stock) const;
 
@@ -89,20 +117,23 @@ class Integrator {
   Vector<D> affine_drive(std::size_t block) const;
   Tensor<D> strain_drive(std::size_t block) const;
   void accelerate_affine(std::size_t block);
-  bool plan_affine(std::size_t block);
+  bool plan_affine(std::size_t block, Plan& plan);
   void kick_and_drift_affine(std::size_t block);
   void take_affine_stock(std::size_t block, const Vector<D>& opposed, const Tensor<D>& opposed_rate,
                          Stock& stock) const;
-  void kick_affine(std::size_t block, Stock& stock, double& applied_power);
+  void kick_affine(std::size_t block, Made& made);
 
   const WorldSettings<D>& settings_;
   const Model<D>& model_;
   Blocks<D>& blocks_;
   NeighborList<D>& neighbors_;
   const ForcePass<D>& forces_;
+  Threads* threads_;
   Array<Vector<D>> acceleration_;     // of each block, from the last forces
   Array<Angular<D>> momentum_rate_;   // of the angular momentum, likewise
   Array<Rotation<D>> next_rotation_;  // planned
+  Array<Plan> planned_;               // of each chunk of blocks
+  Array<Made> made_;                  // likewise
   double duration_ = 0;               // of the planned motion: the step or a part of it
   double longest_motion_ = 0;
   double most_turned_ = 0;

@@ -37,7 +37,7 @@ void Integrator<D>::accelerate_affine(std::size_t i) {
 
 /// False when the motion is not finite, or would turn the block inside out or press it flat.
 template <int D>
-bool Integrator<D>::plan_affine(std::size_t i) {
+bool Integrator<D>::plan_affine(std::size_t i, Plan& plan) {
   const double half = 0.5 * duration_;
   const Deformation<D>& deformation = blocks_.deformation(i);
   const Vector<D> velocity = blocks_.velocity[i] + half * acceleration_[i];
@@ -47,7 +47,7 @@ bool Integrator<D>::plan_affine(std::size_t i) {
     const Tensor<D> next = deformation.gradient + change;
     if (!(next.determinant() > 0 && condition_of<D>(next) <= largest_condition)) return false;
   }
-  return plan_block(i, velocity, strain);
+  return plan_block(i, velocity, strain, plan);
 }
 
 /// First half of a step.
@@ -95,21 +95,21 @@ void Integrator<D>::take_affine_stock(std::size_t i, const Vector<D>& opposed, c
 
 /// Second half of a step.
 template <int D>
-void Integrator<D>::kick_affine(std::size_t i, Stock& stock, double& applied_power) {
+void Integrator<D>::kick_affine(std::size_t i, Made& made) {
   const double half = 0.5 * duration_;
   const Deformation<D>& deformation = blocks_.deformation(i);
   const Vector<D> middle_velocity = blocks_.velocity[i];
   const Tensor<D> middle_rate = deformation.rate;
   accelerate_affine(i);
-  applied_power += blocks_.applied_force[i].dot(middle_velocity) +
-                   deformation.load_force.dot(middle_velocity) +
-                   deformation.load.cwiseProduct(middle_rate).sum();
+  made.applied_power += blocks_.applied_force[i].dot(middle_velocity) +
+                        deformation.load_force.dot(middle_velocity) +
+                        deformation.load.cwiseProduct(middle_rate).sum();
   // A kick beyond all numbers is none, as with rigid blocks.
   if (acceleration_[i].allFinite() && deformation.acceleration.allFinite()) {
     blocks_.push(i, half * acceleration_[i], Angular<D>::Zero());
     blocks_.strain(i, half * deformation.acceleration);
   }
-  take_affine_stock(i, middle_velocity, middle_rate, stock);
+  take_affine_stock(i, middle_velocity, middle_rate, made.stock);
 }
 
 template class Integrator<2>;

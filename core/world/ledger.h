@@ -33,6 +33,14 @@ struct Power {
   double local_damping = 0;
   double mass_damping = 0;
   double block_damping = 0;
+
+  void add(const Power& more) {
+    outer += more.outer;
+    contact_damping += more.contact_damping;
+    local_damping += more.local_damping;
+    mass_damping += more.mass_damping;
+    block_damping += more.block_damping;
+  }
 };
 
 /// What is summed over the blocks.
@@ -43,6 +51,15 @@ struct Stock {
   double squared_speed = 0;  // of the fastest
   double squared_swing = 0;  // of the points that move fastest about their centroid
   Power power;
+
+  void add(const Stock& more) {
+    kinetic += more.kinetic;
+    gravity += more.gravity;
+    block_strain += more.block_strain;
+    squared_speed = std::max(squared_speed, more.squared_speed);
+    squared_swing = std::max(squared_swing, more.squared_swing);
+    power.add(more.power);
+  }
 };
 
 /// Keeps the ledger of a world from one state to the next, and judges it.

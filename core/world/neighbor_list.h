@@ -44,10 +44,11 @@ class NeighborList {
   void expire() { used_up_ = true; }
 
   void begin_plan() { ways_.clear(); }
-  /// Announces how far a block's farthest point will move. Call for each block before it moves.
-  void plan(const Blocks<D>& blocks, std::size_t slot, double motion) {
+  /// Announces how far a block's farthest point will move. Call for each block before it moves. True when it
+  /// uses the list up.
+  bool plan(const Blocks<D>& blocks, std::size_t slot, double motion) {
     planned_[slot] = motion;
-    if (!(moved(blocks, slot) + motion <= skin_[slot])) used_up_ = true;
+    return !(moved(blocks, slot) + motion <= skin_[slot]);
   }
   /// And which way its centroid, when that is far: the search then looks along the way instead of all around.
   void plan_way(std::size_t slot, const Vector<D>& way) {

@@ -21,10 +21,10 @@ class SpringStop {
   double deepest() const;
   /// Notes a pair of blocks in touch.
   void note(const Candidate<D>& pair) { deepest_ = std::max(deepest_, of(pair)); }
-  /// Notes two blocks that were apart and touch now.
-  void note_meeting(const Candidate<D>& pair) {
-    if (most_of(pair) > deepest_) note(pair);
-  }
+  /// Notes a share found by of_meeting().
+  void note(double share) { deepest_ = std::max(deepest_, share); }
+  /// Of two blocks that were apart and touch now, or less where another is known that comes deeper.
+  double of_meeting(const Candidate<D>& pair) const { return most_of(pair) > deepest_ ? of(pair) : 0; }
 
   bool is_consistent() const { return is_from_zero(deepest_); }
   template <class Archive>

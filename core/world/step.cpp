@@ -160,7 +160,6 @@ template <int D>
 bool World<D>::is_consistent() const {
   return model_.is_consistent() && contacts_.is_consistent() && integrator_.is_consistent(edited_) &&
          (edited_ || contacts_.neighbors().list_length() == model_.blocks.slot_count()) &&
-         (forces_.forces().empty() || forces_.forces().size() == contacts_.count()) &&
          clock_.is_consistent() && spring_stop_.is_consistent() && is_from_zero(peak_speed_);
 }
 

@@ -5,14 +5,17 @@
 namespace halfspace {
 
 template <int D>
-World<D>::World(const WorldSettings<D>& settings, Memory* memory)
-    : model_(settings, memory),
-      contacts_(model_, ledger_, memory),
-      forces_(model_, contacts_.neighbors(), memory),
-      integrator_(model_, contacts_.neighbors(), forces_, memory),
+World<D>::World(const WorldSettings<D>& settings, Memory* memory, Threads* threads)
+    : threads_(threads),
+      model_(settings, memory),
+      contacts_(model_, memory),
+      forces_(model_, contacts_, threads, memory),
+      integrator_(model_, contacts_.neighbors(), forces_, threads, memory),
       stable_step_(model_, contacts_, memory),
       spring_stop_(model_, contacts_),
-      fast_motion_(model_, contacts_, integrator_, clock_, stable_step_, spring_stop_, memory) {}
+      fast_motion_(model_, contacts_, integrator_, clock_, stable_step_, spring_stop_, worker_count(threads),
+                   memory),
+      sums_(memory) {}
 
 template <int D>
 void World<D>::make_bonds() {
@@ -35,6 +38,7 @@ template <int D>
 void World<D>::fit_rooms() {
   fast_motion_.fit_room();
   forces_.fit_rooms();
+  sums_.reserve(chunk_count(contacts_.neighbors().room(), pairs_per_chunk));
 }
 
 /// With room for a contact at every candidate: detection then asks for no memory. When there is none, nothing
@@ -57,52 +61,85 @@ void World<D>::renew_used_up_neighbors() {
   if (!contacts_.are_found() && contacts_.neighbors().used_up()) renew_neighbors();
 }
 
-/// Calls `on_contact(candidate, contact)` for each contact as it is found, described if that is wanted.
+/// Finds the contacts among a chunk of pairs. Calls `on_contact(k, contact)` for each as it is found,
+/// described if that is wanted.
 template <int D>
 template <class OnContact>
-void World<D>::find_contacts(OnContact on_contact) {
-  forget_contacts();
-  Contact<D> contact;
+void World<D>::find_in(const Chunk& chunk, OnContact on_contact) {
   Array<Candidate<D>>& pairs = contacts_.neighbors().pairs();
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    const Found found = contacts_.find(k, contact);
+  PairSums& sums = sums_[chunk.index];
+  Contact<D> contact;
+  for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
+    const Found found = contacts_.find(k, contact, sums);
     if (found == Found::apart) continue;
     if (found == Found::met) {
       if (made_ > 0 && contacts_.is_described(pairs[k]))
-        fast_motion_.describe_entrance(pairs[k], made_, contact);
-      spring_stop_.note_meeting(pairs[k]);
+        fast_motion_.describe_entrance(pairs[k], made_, chunk.worker, contact);
+      sums.deepest_stop = std::max(sums.deepest_stop, spring_stop_.of_meeting(pairs[k]));
     }
-    contacts_.keep(k, contact);
+    contacts_.keep(k, chunk.begin, contact, sums);
     on_contact(k, contact);
   }
-  contacts_.end();
+}
+
+/// Calls `visit(chunk)` for all pairs in the neighbour list. Potentials in space make their plans one after
+/// the other.
+template <int D>
+template <class Visit>
+void World<D>::pass_over_pairs(Visit visit) {
+  const std::size_t pairs = contacts_.neighbors().pairs().size();
+  sums_.assign(chunk_count(pairs, pairs_per_chunk), {});
+  for_each_chunk(D == 3 && knows_potential() ? nullptr : threads_, pairs, pairs_per_chunk, visit);
+}
+
+template <int D>
+void World<D>::end_finding() {
+  contacts_.end(sums_);
+  for (const PairSums& sums : sums_) {
+    spring_stop_.note(sums.deepest_stop);
+    ledger_.add_friction_loss(sums.released);
+  }
 }
 
 template <int D>
 void World<D>::detect() {
   if (contacts_.are_found()) return;
   renew_used_up_neighbors();
-  find_contacts([](std::size_t, const Contact<D>&) {});
+  forget_contacts();
+  pass_over_pairs([&](const Chunk& chunk) { find_in(chunk, [](std::size_t, const Contact<D>&) {}); });
+  end_finding();
 }
 
 /// Finds the contacts on the way, unless they are known.
 template <int D>
 void World<D>::evaluate_forces(double elapsed) {
   renew_used_up_neighbors();
-  typename ForcePass<D>::Evaluation evaluation = forces_.begin(elapsed);
-  if (contacts_.are_found()) {
-    Contact<D> contact;
-    for (const std::uint32_t k : contacts_.touching()) {
-      const Candidate<D>& pair = contacts_.neighbors().pairs()[k];
-      if (!model_.law_of(pair).is_potential()) contacts_.describe(pair, contact);
-      forces_.load(k, contact, evaluation);
+  const bool are_found = contacts_.are_found();
+  if (!are_found) forget_contacts();
+  pass_over_pairs([&, common = forces_.begin(elapsed)](const Chunk& chunk) {
+    typename ForcePass<D>::Evaluation evaluation = common;
+    evaluation.worker = chunk.worker;
+    if (are_found) {
+      Contact<D> contact;
+      for (const std::uint32_t k : contacts_.touching_in(chunk)) {
+        const Candidate<D>& pair = contacts_.neighbors().pairs()[k];
+        if (!model_.law_of(pair).is_potential()) contacts_.describe(pair, contact);
+        forces_.load(k, contact, evaluation);
+      }
+    } else {
+      find_in(chunk, [&](std::size_t k, const Contact<D>& contact) { forces_.load(k, contact, evaluation); });
     }
-  } else {
-    find_contacts([&](std::size_t k, const Contact<D>& contact) { forces_.load(k, contact, evaluation); });
+    sums_[chunk.index].energy = evaluation.energy;
+  });
+  if (!are_found) end_finding();
+  forces_.gather();
+  ContactEnergy energy;
+  for (const PairSums& sums : sums_) {
+    energy.strain += sums.energy.strain;
+    energy.friction_loss += sums.energy.friction_loss;
   }
-  forces_.gather(contacts_.touching());
-  ledger_.set_contact_strain(evaluation.energy.strain);
-  ledger_.add_friction_loss(evaluation.energy.friction_loss);
+  ledger_.set_contact_strain(energy.strain);
+  ledger_.add_friction_loss(energy.friction_loss);
 }
 
 template <int D>

@@ -27,7 +27,8 @@ constexpr int most_motions = 1 << 14;
 template <int D>
 class World {
  public:
-  World(const WorldSettings<D>& settings, Memory* memory);
+  /// With the context's threads, or none; they must live as long.
+  World(const WorldSettings<D>& settings, Memory* memory, Threads* threads = nullptr);
 
   // Making and changing.
   std::int32_t add_material(double density);
@@ -69,8 +70,9 @@ class World {
   const Blocks<D>& blocks() const { return model_.blocks; }
   std::size_t contact_count() const { return contacts_.count(); }
   Contact<D> contact(std::size_t c) const { return contacts_.contact(c); }
-  /// As many as contacts, or none before forces are evaluated.
-  std::span<const ContactForce<D>> contact_forces() const { return forces_.forces(); }
+  /// Forces may not have been evaluated yet.
+  bool knows_forces() const { return forces_.are_known(); }
+  const ContactForce<D>& contact_force(std::size_t c) const { return forces_.of_contact(c); }
   const Candidate<D>& candidate_of(std::size_t contact) const { return contacts_.pair_of(contact); }
   const NeighborList<D>& candidates() const { return contacts_.neighbors(); }
   const Ledger& ledger() const { return ledger_.entries(); }
@@ -107,7 +109,10 @@ class World {
   void renew_neighbors();
   void renew_used_up_neighbors();
   template <class OnContact>
-  void find_contacts(OnContact on_contact);
+  void find_in(const Chunk& pairs, OnContact on_contact);
+  template <class Visit>
+  void pass_over_pairs(Visit visit);
+  void end_finding();
   void evaluate_forces(double elapsed);
   bool choose_time_step();
   void note_speeds(const Stock& stock);
@@ -119,6 +124,7 @@ class World {
   StepResult divide();
   void move();
 
+  Threads* threads_;
   Model<D> model_;
   EnergyLedger ledger_;
   Clock clock_;
@@ -128,6 +134,7 @@ class World {
   StableStep<D> stable_step_;
   SpringStop<D> spring_stop_;
   FastMotion<D> fast_motion_;
+  Array<PairSums> sums_;  // of each chunk of pairs
   double peak_speed_ = 0;
   double made_ = 0;          // duration of the motion just made, while contacts are found that it has led to
   std::int32_t edited_ = 1;  // since the last step: forces, accelerations and ledger are of another state

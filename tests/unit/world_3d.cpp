@@ -134,7 +134,7 @@ TEST_CASE("in space, ten cubes in a stack come to rest and stay: each under the 
   REQUIRE(scene.world.contact_count() == count);
   for (std::size_t c = 0; c < scene.world.contact_count(); ++c) {
     const std::int32_t upper = scene.world.candidate_of(c).b;
-    CHECK(scene.world.contact_forces()[c].force.z() ==
+    CHECK(scene.world.contact_force(c).force.z() ==
           Approx((count - (upper - slots[0])) * weight).epsilon(1e-6));
   }
   CHECK(scene.position(ground) == Vector<3>(0, 0, -0.5));
