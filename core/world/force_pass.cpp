@@ -149,41 +149,52 @@ void ForcePass<D>::gather() {
 /// Each block of a row in ascending order of its contacts.
 template <int D>
 void ForcePass<D>::gather(std::size_t first, std::size_t last) {
-  for (std::size_t i = first; i < last; ++i) {
-    blocks_.force[i] = Vector<D>::Zero();
-    blocks_.torque[i] = Angular<D>::Zero();
-    if (!dashpot_load_.empty()) dashpot_load_[i] = {};
-    if (blocks_.is_affine(i))
-      blocks_.deformation(i).virial = blocks_.deformation(i).dashpot_virial = Tensor<D>::Zero();
-  }
+  unload(first, last);
+  const bool is_damped = !dashpots_.empty(), has_affine = !virials_.empty();
   const auto is_here = [&](std::size_t i) { return i - first < last - first; };
   for (const std::uint32_t k : contacts_.touching()) {
     const Candidate<D>& pair = neighbors_.pairs()[k];
     const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
     const ContactForce<D>& load = forces_[k];
-    const auto dashpots = [&] {
-      return ContactForce<D>{dashpots_[k].force, load.point, dashpots_[k].couple};
-    };
+    const Vector<D> to_b = blocks_.position[b] - blocks_.position[a];
+    const ContactForce<D> dashpots =
+        is_damped ? ContactForce<D>{dashpots_[k].force, load.point, dashpots_[k].couple} : ContactForce<D>();
     if (is_here(a)) {
       blocks_.force[a] -= load.force;
       blocks_.torque[a] += load.torque_on_a();
-      if (!dashpots_.empty()) dashpot_load_[a].add(-dashpots_[k].force, dashpots().torque_on_a());
-      if (blocks_.is_affine(a)) {
-        blocks_.deformation(a).virial += virials_[k].on_a;
-        blocks_.deformation(a).dashpot_virial += virials_[k].of_dashpots_on_a;
-      }
+      if (is_damped) dashpot_load_[a].add(-dashpots.force, dashpots.torque_on_a());
+      if (has_affine) strain(a, virials_[k].on_a, virials_[k].of_dashpots_on_a);
     }
     if (is_here(b)) {
-      const Vector<D> to_b = blocks_.position[b] - blocks_.position[a];
       blocks_.force[b] += load.force;
       blocks_.torque[b] += load.torque_on_b(to_b);
-      if (!dashpots_.empty()) dashpot_load_[b].add(dashpots_[k].force, dashpots().torque_on_b(to_b));
-      if (blocks_.is_affine(b)) {
-        blocks_.deformation(b).virial += virials_[k].on_b;
-        blocks_.deformation(b).dashpot_virial += virials_[k].of_dashpots_on_b;
-      }
+      if (is_damped) dashpot_load_[b].add(dashpots.force, dashpots.torque_on_b(to_b));
+      if (has_affine) strain(b, virials_[k].on_b, virials_[k].of_dashpots_on_b);
     }
   }
+}
+
+template <int D>
+void ForcePass<D>::unload(std::size_t first, std::size_t last) {
+  const auto clear = [&](auto& array, const auto& nothing) {
+    if (!array.empty())
+      std::fill(array.begin() + std::ptrdiff_t(first), array.begin() + std::ptrdiff_t(last), nothing);
+  };
+  clear(blocks_.force, Vector<D>(Vector<D>::Zero()));
+  clear(blocks_.torque, Angular<D>(Angular<D>::Zero()));
+  clear(dashpot_load_, DashpotLoad());
+  if (!blocks_.has_affine()) return;
+  for (std::size_t i = first; i < last; ++i) {
+    if (!blocks_.is_affine(i)) continue;
+    blocks_.deformation(i).virial = blocks_.deformation(i).dashpot_virial = Tensor<D>::Zero();
+  }
+}
+
+template <int D>
+void ForcePass<D>::strain(std::size_t i, const Tensor<D>& virial, const Tensor<D>& of_dashpots) {
+  if (!blocks_.is_affine(i)) return;
+  blocks_.deformation(i).virial += virial;
+  blocks_.deformation(i).dashpot_virial += of_dashpots;
 }
 
 template <int D>

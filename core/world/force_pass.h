@@ -103,6 +103,8 @@ class ForcePass {
   Virials virials_of(const Candidate<D>& pair, const PairLoad<D>& load, bool is_damped,
                      Evaluation& evaluation) const;
   void gather(std::size_t first_block, std::size_t last_block);
+  void unload(std::size_t first_block, std::size_t last_block);
+  void strain(std::size_t block, const Tensor<D>& virial, const Tensor<D>& of_dashpots);
 
   Model<D>& model_;
   Blocks<D>& blocks_;

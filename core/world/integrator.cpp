@@ -102,6 +102,7 @@ bool Integrator<D>::plan(double duration) {
   duration_ = duration;
   const std::size_t slots = blocks_.slot_count();
   next_rotation_.resize(slots);
+  made_.reserve(chunk_count(slots, blocks_per_chunk));
   planned_.assign(chunk_count(slots, blocks_per_chunk), {});
   for_each_block([&](std::size_t i, std::size_t chunk) {
     Plan& plan = planned_[chunk];

@@ -37,8 +37,8 @@ class Integrator {
   /// By the forces at hand.
   void accelerate(std::size_t block);
 
-  /// Plans a motion and announces it to the neighbour list. False when it is not finite or presses a block
-  /// flat: out of hand.
+  /// Plans a motion and announces it to the neighbour list. All memory is taken here. False when it is not
+  /// finite or presses a block flat: out of hand.
   bool plan(double duration);
   double duration() const { return duration_; }
   /// Of all blocks in the planned motion.
@@ -57,8 +57,6 @@ class Integrator {
   void reserve(std::size_t slots) {
     acceleration_.reserve(slots);
     momentum_rate_.reserve(slots);
-    planned_.reserve(chunk_count(slots, blocks_per_chunk));
-    made_.reserve(chunk_count(slots, blocks_per_chunk));
   }
   /// Memory has been reserved.
   void resize(std::size_t slots) {
