@@ -1,17 +1,37 @@
 #include "context.h"
 
 #include <cstdlib>
+#include <system_error>
 
+#include "arithmetic.h"
 #include "check.h"
 #include "guard.h"
+#include "threads/thread_pool.h"
 
 using namespace halfspace::capi;
 
 namespace halfspace::capi {
+namespace {
+
+constexpr int most_threads = 256;
+
+}  // namespace
 
 template <>
 hs_context_def default_definition() {
-  return {};
+  hs_context_def def{};
+  def.threads = 1;
+  return def;
+}
+
+std::unique_ptr<Threads> threads_of(const hs_context_def& def) {
+  if (def.threads == 1) return nullptr;
+  if (def.run_tasks) return std::make_unique<HostThreads>(def);
+  try {
+    return std::make_unique<ThreadPool>(def.threads);
+  } catch (const std::system_error&) {  // no more threads
+    throw std::bad_alloc();
+  }
 }
 
 void* HostMemory::do_allocate(std::size_t bytes, std::size_t alignment) {
@@ -60,11 +80,22 @@ hs_status hs_context_create(const hs_context_def* def, hs_context** context) {
     const hs_context_def known = def ? read_definition(def, "def") : default_definition<hs_context_def>();
     if (!known.allocate != !known.release)
       refuse(HS_ERROR_ARGUMENT, "set allocate and release both, or neither");
+    require(known.threads >= 1 && known.threads <= most_threads, known.threads, "threads", "from 1 to 256");
     HostMemory memory(known);
     void* place = memory.allocate(sizeof(hs_context), alignof(hs_context));
-    *context = new (place) hs_context(known);
+    try {
+      *context = new (place) hs_context(known);
+    } catch (...) {
+      memory.deallocate(place, sizeof(hs_context), alignof(hs_context));
+      throw;
+    }
     return HS_OK;
   });
+}
+
+void hs_task_run(hs_task* task, std::int32_t index) {
+  const DefaultArithmetic here;
+  task->work(task->data, index);
 }
 
 void hs_context_destroy(hs_context* context) {

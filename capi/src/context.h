@@ -1,10 +1,18 @@
 #pragma once
 
+#include <memory>
 #include <memory_resource>
 #include <new>
 #include <utility>
 
 #include "halfspace/context.h"
+#include "threads/threads.h"
+
+/// Work as core has cut it.
+struct hs_task {
+  void (*work)(void* data, int worker);
+  void* data;
+};
 
 namespace halfspace::capi {
 
@@ -21,12 +29,31 @@ class HostMemory : public std::pmr::memory_resource {
   hs_context_def def_;
 };
 
+/// The host's scheduler behind the interface that core takes.
+class HostThreads : public Threads {
+ public:
+  explicit HostThreads(const hs_context_def& def) : def_(def) {}
+
+  int count() const override { return def_.threads; }
+  void run(void (*work)(void*, int), void* data) override {
+    hs_task task{work, data};
+    def_.run_tasks(&task, def_.threads, def_.scheduler);
+  }
+
+ private:
+  hs_context_def def_;
+};
+
+/// None for one thread.
+std::unique_ptr<Threads> threads_of(const hs_context_def& def);
+
 }  // namespace halfspace::capi
 
 struct hs_context {
-  explicit hs_context(const hs_context_def& def) : memory(def) {}
+  explicit hs_context(const hs_context_def& def) : memory(def), threads(halfspace::capi::threads_of(def)) {}
 
   halfspace::capi::HostMemory memory;
+  std::unique_ptr<halfspace::Threads> threads;
   char last_error[512] = "";  // fixed, so that reporting an error cannot fail
 };
 

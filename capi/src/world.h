@@ -22,7 +22,7 @@ namespace halfspace::capi {
 template <int D>
 struct WorldHandle : hs_world {
   WorldHandle(hs_context* owner, const WorldSettings<D>& settings)
-      : hs_world{owner, D}, world(settings, &owner->memory) {}
+      : hs_world{owner, D}, world(settings, &owner->memory, owner->threads.get()) {}
 
   World<D> world;
 };

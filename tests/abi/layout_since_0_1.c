@@ -5,6 +5,10 @@
 #define FIELD(type, field, offset, size) \
   _Static_assert(offsetof(type, field) == offset && sizeof(((type*)0)->field) == size, #type "." #field)
 
+FIELD(hs_context_def, threads, 32, 4);
+FIELD(hs_context_def, reserved_2, 36, 4);
+FIELD(hs_context_def, run_tasks, 40, 8);
+FIELD(hs_context_def, scheduler, 48, 8);
 FIELD(hs_pair_options, margin, 24, 8);
 FIELD(hs_pair_options, without_region, 32, 4);
 FIELD(hs_pair_options, reserved_2, 36, 4);

@@ -173,6 +173,17 @@ module halfspace_c
     type(c_funptr) :: allocate = c_null_funptr
     type(c_funptr) :: release = c_null_funptr  !< Gives back what `allocate` returned. Set both or neither.
     type(c_ptr) :: user = c_null_ptr  !< passed to both
+    !> How many threads step a world, 1 to 256; default 1. Results have the same bits for any number. The
+    !! library makes and keeps one less than that, which wait for work; with `run_tasks` it makes none. Below
+    !! some hundred contacts one is used.
+    integer(c_int32_t) :: threads = 0
+    integer(c_int32_t) :: reserved_2 = 0  !< 0
+    !> The host's own scheduler, or NULL (default) for threads of the library. Calls hs_task_run(task, i) for
+    !! i from 0 to count - 1, each once, in whatever order and on whatever threads, and returns when all have
+    !! ended. `count` is `threads`. It is called within hs_world_ functions, on their thread, and calls
+    !! nothing else of the library.
+    type(c_funptr) :: run_tasks = c_null_funptr
+    type(c_ptr) :: scheduler = c_null_ptr  !< passed to run_tasks
   end type hs_context_def
 
   !> Points to read. Point i is (x[i], y[i], z[i]), each pointer advanced by i * stride bytes.
@@ -435,6 +446,17 @@ module halfspace_c
       type(c_ptr), value :: user
     end subroutine hs_context_def_release
 
+    !> The host's own scheduler, or NULL (default) for threads of the library. Calls hs_task_run(task, i) for
+    !! i from 0 to count - 1, each once, in whatever order and on whatever threads, and returns when all have
+    !! ended. `count` is `threads`. It is called within hs_world_ functions, on their thread, and calls
+    !! nothing else of the library.
+    subroutine hs_context_def_run_tasks(task, count, scheduler) bind(c)
+      import
+      type(c_ptr), value :: task
+      integer(c_int32_t), value :: count
+      type(c_ptr), value :: scheduler
+    end subroutine hs_context_def_run_tasks
+
   end interface
 
   interface
@@ -473,13 +495,21 @@ module halfspace_c
     end function hs_context_def_init
 
     !> Makes a context.
-    !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY, also when the system has no more threads
     function hs_context_create(def, context) bind(c)
       import
       type(c_ptr), value :: def  !< NULL for all defaults
       type(c_ptr), intent(out) :: context  !< receives the context, which the caller owns and ends with hs_context_destroy()
       integer(c_int32_t) :: hs_context_create
     end function hs_context_create
+
+    !> Does one part of what hs_context_defrun_tasks was given.
+    subroutine hs_task_run(task, index) bind(c)
+      import
+      type(c_ptr), value :: task  !< as given to run_tasks, which has not returned yet
+      integer(c_int32_t), value :: index  !< from 0 to count - 1, each once
+Thread rule: any thread.
+    end subroutine hs_task_run
 
     !> Ends a context. Its shapes and worlds must have been destroyed before.
     subroutine hs_context_destroy(context) bind(c)

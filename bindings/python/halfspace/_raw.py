@@ -117,10 +117,20 @@ HS_IMPACT_TOUCH = 2  # they are apart at the start and come to touch
 hs_context_def_allocate = CFUNCTYPE(c_void_p, c_size_t, c_size_t, c_void_p)
 # Gives back what `allocate` returned. Set both or neither.
 hs_context_def_release = CFUNCTYPE(None, c_void_p, c_size_t, c_size_t, c_void_p)
+# The host's own scheduler, or NULL (default) for threads of the library. Calls hs_task_run(task, i) for i
+# from 0 to count - 1, each once, in whatever order and on whatever threads, and returns when all have ended.
+# `count` is `threads`. It is called within hs_world_ functions, on their thread, and calls nothing else of
+# the library.
+hs_context_def_run_tasks = CFUNCTYPE(None, POINTER(hs_task), c_int32, c_void_p)
 
 
 class hs_context(Structure):
     """Opaque. Owns the allocator settings and the text of the last error."""
+
+
+class hs_task(Structure):
+    """Opaque. Work in parts that may be done at the same time, for a host with a scheduler of its own:
+    hs_task_run() does one."""
 
 
 class hs_shape(Structure):
@@ -211,6 +221,17 @@ class hs_context_def(Structure):
         ("allocate", hs_context_def_allocate),
         ("release", hs_context_def_release),  # Gives back what `allocate` returned. Set both or neither.
         ("user", c_void_p),  # passed to both
+        # How many threads step a world, 1 to 256; default 1. Results have the same bits for any number. The
+        # library makes and keeps one less than that, which wait for work; with `run_tasks` it makes none.
+        # Below some hundred contacts one is used.
+        ("threads", c_int32),
+        ("reserved_2", c_uint32),  # 0
+        # The host's own scheduler, or NULL (default) for threads of the library. Calls hs_task_run(task, i)
+        # for i from 0 to count - 1, each once, in whatever order and on whatever threads, and returns when
+        # all have ended. `count` is `threads`. It is called within hs_world_ functions, on their thread, and
+        # calls nothing else of the library.
+        ("run_tasks", hs_context_def_run_tasks),
+        ("scheduler", c_void_p),  # passed to run_tasks
     ]
 
 
@@ -548,6 +569,13 @@ def declare(library):
         POINTER(POINTER(hs_context)),  # context
     ]
     library.hs_context_create.restype = hs_status
+
+    # Does one part of what hs_context_defrun_tasks was given.
+    library.hs_task_run.argtypes = [
+        POINTER(hs_task),  # task
+        c_int32,  # index
+    ]
+    library.hs_task_run.restype = None
 
     # Ends a context. Its shapes and worlds must have been destroyed before.
     library.hs_context_destroy.argtypes = [

@@ -171,6 +171,15 @@ pub struct hs_context {
     _marker: PhantomData<(*mut u8, PhantomPinned)>,
 }
 
+/// Opaque. Work in parts that may be done at the same time, for a host with a scheduler of its own:
+/// hs_task_run() does one.
+#[repr(C)]
+pub struct hs_task {
+    _opaque: [u8; 0],
+    // Belongs to one thread at a time, and stays where the library made it.
+    _marker: PhantomData<(*mut u8, PhantomPinned)>,
+}
+
 /// Opaque, immutable convex polygon (2D) or polyhedron (3D).
 #[repr(C)]
 pub struct hs_shape {
@@ -193,6 +202,12 @@ pub type hs_context_def_allocate =
 /// Gives back what `allocate` returned. Set both or neither.
 pub type hs_context_def_release =
     unsafe extern "C" fn(memory: *mut c_void, bytes: usize, alignment: usize, user: *mut c_void);
+/// The host's own scheduler, or NULL (default) for threads of the library. Calls hs_task_run(task, i) for i
+/// from 0 to count - 1, each once, in whatever order and on whatever threads, and returns when all have
+/// ended. `count` is `threads`. It is called within hs_world_ functions, on their thread, and calls nothing
+/// else of the library.
+pub type hs_context_def_run_tasks =
+    unsafe extern "C" fn(task: *mut hs_task, count: i32, scheduler: *mut c_void);
 
 /// One contact, or the proof that there is none. Points are in the frame of the poses given, directions in
 /// its orientation. Detection of single pairs leaves what has no meaning there as it was: ids, forces, torque
@@ -300,8 +315,21 @@ pub struct hs_context_def {
     pub release: Option<hs_context_def_release>,
     /// passed to both
     pub user: *mut c_void,
+    /// How many threads step a world, 1 to 256; default 1. Results have the same bits for any number. The
+    /// library makes and keeps one less than that, which wait for work; with `run_tasks` it makes none. Below
+    /// some hundred contacts one is used.
+    pub threads: i32,
+    /// 0
+    pub reserved_2: u32,
+    /// The host's own scheduler, or NULL (default) for threads of the library. Calls hs_task_run(task, i) for
+    /// i from 0 to count - 1, each once, in whatever order and on whatever threads, and returns when all have
+    /// ended. `count` is `threads`. It is called within hs_world_ functions, on their thread, and calls
+    /// nothing else of the library.
+    pub run_tasks: Option<hs_context_def_run_tasks>,
+    /// passed to run_tasks
+    pub scheduler: *mut c_void,
 }
-const _: () = assert!(std::mem::size_of::<hs_context_def>() == 32);
+const _: () = assert!(std::mem::size_of::<hs_context_def>() == 56);
 
 /// Points to read. Point i is (x\[i\], y\[i\], z\[i\]), each pointer advanced by i * stride bytes.
 #[repr(C)]
@@ -740,11 +768,19 @@ extern "C" {
     /// - `def`: NULL for all defaults
     /// - `context`: receives the context, which the caller owns and ends with hs_context_destroy()
     ///
-    /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY, also when the system has no more threads
     pub fn hs_context_create(
         def: *const hs_context_def,
         context: *mut *mut hs_context,
     ) -> hs_status;
+
+    /// Does one part of what hs_context_defrun_tasks was given.
+    ///
+    /// - `task`: as given to run_tasks, which has not returned yet
+    /// - `index`: from 0 to count - 1, each once
+    ///
+    ///   Thread rule: any thread.
+    pub fn hs_task_run(task: *mut hs_task, index: i32);
 
     /// Ends a context. Its shapes and worlds must have been destroyed before.
     ///
