@@ -94,6 +94,7 @@ hs_status hs_context_create(const hs_context_def* def, hs_context** context) {
 }
 
 void hs_task_run(hs_task* task, std::int32_t index) {
+  if (!task) return;
   const DefaultArithmetic here;
   task->work(task->data, index);
 }

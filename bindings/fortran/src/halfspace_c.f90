@@ -507,8 +507,7 @@ module halfspace_c
     subroutine hs_task_run(task, index) bind(c)
       import
       type(c_ptr), value :: task  !< as given to run_tasks, which has not returned yet
-      integer(c_int32_t), value :: index  !< from 0 to count - 1, each once
-Thread rule: any thread.
+      integer(c_int32_t), value :: index  !< from 0 to count - 1, each once. Thread rule: any thread.
     end subroutine hs_task_run
 
     !> Ends a context. Its shapes and worlds must have been destroyed before.

@@ -53,9 +53,7 @@ HS_API hs_status hs_context_create(const hs_context_def *def, hs_context **conte
 
 /** @brief Does one part of what hs_context_def::run_tasks was given.
  *  @param task as given to run_tasks, which has not returned yet
- *  @param index from 0 to count - 1, each once
- *
- *  Thread rule: any thread. */
+ *  @param index from 0 to count - 1, each once. Thread rule: any thread. */
 HS_API void hs_task_run(hs_task *task, int32_t index);
 
 /** @brief Ends a context. Its shapes and worlds must have been destroyed before.

@@ -777,9 +777,7 @@ extern "C" {
     /// Does one part of what hs_context_defrun_tasks was given.
     ///
     /// - `task`: as given to run_tasks, which has not returned yet
-    /// - `index`: from 0 to count - 1, each once
-    ///
-    ///   Thread rule: any thread.
+    /// - `index`: from 0 to count - 1, each once. Thread rule: any thread.
     pub fn hs_task_run(task: *mut hs_task, index: i32);
 
     /// Ends a context. Its shapes and worlds must have been destroyed before.
