@@ -28,7 +28,7 @@ from ctypes import (
 
 def write(api):
     lines = HEAD.format_map(api).splitlines()
-    for parts in (aliases, constants, callbacks, handles, structs, declare):
+    for parts in (aliases, constants, handles, callbacks, structs, declare):
         lines += ["", *parts(api)]
     return "\n".join(lines) + "\n"
 

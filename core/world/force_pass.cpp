@@ -139,9 +139,9 @@ template <int D>
 void ForcePass<D>::gather() {
   const std::size_t blocks = blocks_.slot_count();
   // Who gathers goes through all contacts: no more rows of blocks than there are workers.
-  const std::size_t per_worker = blocks / std::size_t(worker_count(threads_)) + 1;
   const bool is_short = contacts_.count() <= pairs_per_chunk;
-  for_each_chunk(is_short ? nullptr : threads_, blocks, is_short ? blocks : per_worker,
+  const std::size_t workers = is_short ? 1 : std::size_t(worker_count(threads_));
+  for_each_chunk(threads_, blocks, blocks / workers + 1,
                  [&](const Chunk& row) { gather(row.begin, row.end); });
   known_ = true;
 }

@@ -56,11 +56,12 @@ module halfspace_contexts
 contains
 
   !> Makes a context; what it was before is dropped.
-  subroutine create(self, allocator, stat, errmsg)
+  subroutine create(self, allocator, stat, errmsg, threads)
     class(halfspace_context), intent(inout) :: self
     class(halfspace_allocator), intent(inout), target, optional :: allocator  !< default: the C library's
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
+    integer, intent(in), optional :: threads  !< step a world, 1 to 256; default 1. The same bits for any number
     type(allocator_link), pointer :: link
     type(hs_context_def), target :: def
     type(c_ptr) :: object
@@ -69,6 +70,7 @@ contains
     integer :: failure
     nullify (companion)
     status = hs_context_def_init(def, c_sizeof(def))
+    if (present(threads)) def%threads = int(threads, c_int32_t)
     if (present(allocator)) then
       allocate (link, stat=failure)
       if (.not. had_memory(failure, stat, errmsg)) return

@@ -113,16 +113,6 @@ HS_IMPACT_NEVER = 0  # they do not touch within the duration
 HS_IMPACT_AT_START = 1  # they touch at the start already
 HS_IMPACT_TOUCH = 2  # they are apart at the start and come to touch
 
-# Returns memory aligned to `alignment`, or NULL. NULL here means the C library's allocator.
-hs_context_def_allocate = CFUNCTYPE(c_void_p, c_size_t, c_size_t, c_void_p)
-# Gives back what `allocate` returned. Set both or neither.
-hs_context_def_release = CFUNCTYPE(None, c_void_p, c_size_t, c_size_t, c_void_p)
-# The host's own scheduler, or NULL (default) for threads of the library. Calls hs_task_run(task, i) for i
-# from 0 to count - 1, each once, in whatever order and on whatever threads, and returns when all have ended.
-# `count` is `threads`. It is called within hs_world_ functions, on their thread, and calls nothing else of
-# the library.
-hs_context_def_run_tasks = CFUNCTYPE(None, POINTER(hs_task), c_int32, c_void_p)
-
 
 class hs_context(Structure):
     """Opaque. Owns the allocator settings and the text of the last error."""
@@ -139,6 +129,16 @@ class hs_shape(Structure):
 
 class hs_world(Structure):
     """Opaque."""
+
+# Returns memory aligned to `alignment`, or NULL. NULL here means the C library's allocator.
+hs_context_def_allocate = CFUNCTYPE(c_void_p, c_size_t, c_size_t, c_void_p)
+# Gives back what `allocate` returned. Set both or neither.
+hs_context_def_release = CFUNCTYPE(None, c_void_p, c_size_t, c_size_t, c_void_p)
+# The host's own scheduler, or NULL (default) for threads of the library. Calls hs_task_run(task, i) for i
+# from 0 to count - 1, each once, in whatever order and on whatever threads, and returns when all have ended.
+# `count` is `threads`. It is called within hs_world_ functions, on their thread, and calls nothing else of
+# the library.
+hs_context_def_run_tasks = CFUNCTYPE(None, POINTER(hs_task), c_int32, c_void_p)
 
 
 class hs_contact(Structure):

@@ -36,13 +36,17 @@ class _Keeper:
     and ended after that call or a later one.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, threads: int) -> None:
         self.lock = threading.RLock()
         self.pointer = ctypes.POINTER(_raw.hs_context)()
         self._abandoned: _Abandoned = []
-        status = library.hs_context_create(None, ctypes.byref(self.pointer))
+        definition = _raw.hs_context_def()
+        library.hs_context_def_init(ctypes.byref(definition), ctypes.sizeof(definition))
+        definition.threads = threads
+        status = library.hs_context_create(ctypes.byref(definition), ctypes.byref(self.pointer))
         if status < 0:
-            raise error_of(status, library.hs_context_last_error(None).decode())
+            what = library.hs_status_string(status).decode()  # there is no context that has a text
+            raise error_of(status, f"hs_context_create: {what}: threads is {threads}; it must be from 1 to 256")
         self._finalizer = weakref.finalize(self, _destroy_context, self.pointer, self.lock, self._abandoned)
 
     def call(self, function: Callable[..., int], *arguments: Any) -> int:
@@ -72,7 +76,13 @@ class Context:
     """Owner of shapes and worlds. Simple scripts need none: without one, the default context is used.
 
     A context lets one thread at a time into the library; others wait. Worlds of different contexts run side
-    by side, each in a thread of its own: the interpreter's lock is released during calls.
+    by side, each in a thread of its own: the interpreter's lock is released during calls. And each world may
+    be stepped by several threads of the library.
+
+    Parameters
+    ----------
+    threads
+        How many threads step a world, 1 to 256. Results have the same bits for any number.
 
     Examples
     --------
@@ -83,8 +93,8 @@ class Context:
     True
     """
 
-    def __init__(self) -> None:
-        self._keeper: Optional[_Keeper] = _Keeper()
+    def __init__(self, *, threads: int = 1) -> None:
+        self._keeper: Optional[_Keeper] = _Keeper(threads)
         self._handles: "weakref.WeakSet[Handle]" = weakref.WeakSet()
 
     def __enter__(self) -> "Context":

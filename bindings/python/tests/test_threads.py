@@ -192,3 +192,28 @@ def test_two_contexts_are_held_in_one_order(monkeypatch):
     with held(b, a):
         pass
     assert len(locks) == 4 and locks[:2] == locks[2:]
+
+
+def poses_after_steps(threads):
+    with hs.Context(threads=threads) as context:
+        world = hs.World(context=context)
+        material = world.add_material(2000)
+        shape = hs.Shape.rectangle(1, 1, context=context)
+        for i in range(400):
+            kind = hs.BlockKind.FIXED if i < 20 else hs.BlockKind.RIGID
+            place = (0.99 * (i % 20), 0.99 * (i // 20))
+            world.add_block(shape, place, 0.01 * i, kind=kind, material=material)
+        world.step(20)
+        return np.array(world.poses)
+
+
+def test_any_number_of_threads_finds_the_same_bits():
+    alone = poses_after_steps(1)
+    assert not np.array_equal(alone[:, :2], np.round(alone[:, :2], 2))  # something has moved
+    for threads in (2, 3):
+        assert np.array_equal(poses_after_steps(threads), alone)
+
+
+def test_no_threads_are_refused():
+    with pytest.raises(hs.HalfspaceError, match="threads is 0"):
+        hs.Context(threads=0)

@@ -38,14 +38,27 @@ impl Context {
         unsafe { Self::create(ptr::null()) }
     }
 
-    /// A context that takes its memory from the global allocator of the Rust program.
-    pub fn with_global_allocator() -> Result<Self> {
+    /// A context whose worlds are stepped by so many threads, 1 to 256. Results have the same bits for
+    /// any number.
+    pub fn with_threads(threads: i32) -> Result<Self> {
+        let mut def = Self::defaults();
+        def.threads = threads;
+        // SAFETY: the definition is valid but for the number, which the library checks.
+        unsafe { Self::create(&def) }
+    }
+
+    fn defaults() -> sys::hs_context_def {
         let mut def = MaybeUninit::<sys::hs_context_def>::zeroed();
         // SAFETY: the definition has the size given, and all zero is a valid one.
-        let mut def = unsafe {
+        unsafe {
             sys::hs_context_def_init(def.as_mut_ptr(), size_of::<sys::hs_context_def>());
             def.assume_init()
-        };
+        }
+    }
+
+    /// A context that takes its memory from the global allocator of the Rust program.
+    pub fn with_global_allocator() -> Result<Self> {
+        let mut def = Self::defaults();
         def.allocate = Some(allocate);
         def.release = Some(release);
         // SAFETY: both functions are set and may be called at any time from any thread.
