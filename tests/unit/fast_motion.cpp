@@ -1,0 +1,85 @@
+#include "world/fast_motion.h"
+
+#include <cmath>
+
+#include "catch.h"
+#include "world_parts.h"
+
+using namespace halfspace;
+using namespace halfspace::test;
+
+namespace {
+
+constexpr double time_step = 0x1p-7, thickness = 0x1p-5, distance = 0.25;
+
+/// A bar at a distance from a fixed plate as thin, towards which it flies so many thicknesses a step. The
+/// motion of a step is planned.
+template <int D>
+struct Flight : WorldParts<D> {
+  double speed;
+
+  explicit Flight(double thicknesses, double stiffness = 1, double towards = -1)
+      : WorldParts<D>(normal_spring(stiffness)), speed(thicknesses * thickness / time_step) {
+    Vector<D> sides = Vector<D>::Ones();
+    sides[0] = thickness;
+    this->add(cuboid<D>(sides), BlockKind::fixed, at<D>(0, 0));
+    this->add(cuboid<D>(sides), BlockKind::rigid, at<D>(thickness + distance, 0), at<D>(towards * speed, 0));
+    REQUIRE(this->clock.choose(time_step));
+    this->list_neighbors();
+    double noise = 0;
+    this->fast_motion.note_speeds(this->integrator.begin(time_step, noise));
+    REQUIRE(this->integrator.plan(time_step));
+    if (this->neighbors.used_up()) this->list_neighbors();
+    this->find_contacts();
+  }
+};
+
+}  // namespace
+
+TEMPLATE_TEST_CASE_SIG(
+    "a bar is fast that may cross a plate in a step; one that cannot, or has none in its way, is not", "",
+    ((int D), D), 2, 3) {
+  for (const double thicknesses : {10.0, 100.0, 1e4}) CHECK(Flight<D>(thicknesses).fast_motion.any());
+  CHECK_FALSE(Flight<D>(0.1).fast_motion.any());
+  CHECK_FALSE(Flight<D>(1).fast_motion.any());  // the plate is too far for the list
+
+  WorldParts<D> alone(normal_spring(1));
+  alone.add(cube<D>(), BlockKind::rigid, at<D>(0, 0), at<D>(1e6, 0));
+  REQUIRE(alone.clock.choose(time_step));
+  alone.list_neighbors();
+  double noise = 0;
+  alone.fast_motion.note_speeds(alone.integrator.begin(time_step, noise));
+  REQUIRE(alone.integrator.plan(time_step));
+  CHECK_FALSE(alone.fast_motion.any());
+}
+
+TEMPLATE_TEST_CASE_SIG("a motion goes on until just before the first touch", "", ((int D), D), 2, 3) {
+  for (const double thicknesses : {10.0, 100.0, 1e4}) {
+    Flight<D> flight(thicknesses);
+    const double motion = thicknesses * thickness;
+    // An eighth of the thickness before: half of what is calm, so that the next part does not end beyond.
+    CHECK(flight.fast_motion.calm_part() * motion == Approx(distance - thickness / 8));
+    const FastPair& pair = flight.fast_motion.pair();
+    CHECK(pair.a == 0);
+    CHECK(pair.b == 1);
+    CHECK(pair.speed == Approx(flight.speed));
+    CHECK(pair.thickness == Approx(thickness));
+    CHECK(pair.time_step == Approx(thickness / 4 / flight.speed));
+  }
+}
+
+TEMPLATE_TEST_CASE_SIG("a motion past a plate, or away from it, is made at once however fast it is", "",
+                       ((int D), D), 2, 3) {
+  Flight<D> away(100, 1, 1);
+  CHECK(away.fast_motion.calm_part() == 1);
+  CHECK(away.spring_stop.deepest() == 0);
+}
+
+TEMPLATE_TEST_CASE_SIG(
+    "the calm step is that in which the nearest pair closes by a quarter of the thinner one", "",
+    ((int D), D), 2, 3) {
+  Flight<D> flight(100);
+  CHECK(flight.fast_motion.calm_time_step() == Approx(thickness / 4 / flight.speed));
+  Flight<D> at_rest(0);
+  CHECK(at_rest.fast_motion.calm_time_step() == HUGE_VAL);
+}

@@ -1,0 +1,102 @@
+#include "world/ledger.h"
+
+#include <limits>
+
+#include "catch.h"
+
+using namespace halfspace;
+
+namespace {
+
+/// Rates that grow evenly with time, each in its own way. All numbers here are short binary ones, of which
+/// sums are exact.
+Stock stock_at(double time) {
+  Stock stock;
+  stock.power = {.outer = 1 + 2 * time,
+                 .contact_damping = 2 + 4 * time,
+                 .local_damping = 3 + 6 * time,
+                 .mass_damping = 4 + 8 * time,
+                 .block_damping = 5 + 10 * time};
+  return stock;
+}
+
+}  // namespace
+
+TEST_CASE("of rates that grow evenly the ledger holds the integrals, whatever the motions") {
+  EnergyLedger ledger;
+  ledger.begin(stock_at(0), 0);
+  double time = 0;
+  for (const double duration : {0.5, 0.125, 1.0, 0.375}) {
+    time += duration;
+    ledger.book(stock_at(time), 0.25, duration);
+  }
+  const double integral = time + time * time;  // of 1 + 2 t
+  const Ledger& entries = ledger.entries();
+  CHECK(entries.outer_work == integral + 0.25 * time);
+  CHECK(entries.contact_damping_loss == 2 * integral);
+  CHECK(entries.local_damping_loss == 3 * integral);
+  CHECK(entries.mass_damping_loss == 4 * integral);
+  CHECK(entries.block_damping_loss == 5 * integral);
+  CHECK(entries.losses() == (2 + 3 + 4 + 5) * integral);
+}
+
+TEST_CASE("a residual is what no entry explains") {
+  EnergyLedger ledger;
+  ledger.begin({}, 0);
+  ledger.set_contact_strain(2);
+  ledger.add_friction_loss(4);
+  ledger.add_contact_damping_loss(8);
+  Stock stock;
+  stock.kinetic = 16;
+  stock.gravity = -32;
+  stock.block_strain = 64;
+  ledger.book(stock, 1, 1);
+  CHECK(ledger.entries().total() == 2 + 4 + 8 + 16 - 32 + 64);
+  CHECK(ledger.entries().residual() == 61);
+}
+
+TEST_CASE("what an edit does to the energy is outer work, and no residual is lost by it") {
+  EnergyLedger ledger;
+  Stock stock;
+  stock.kinetic = 1;
+  ledger.begin(stock, 0);
+  CHECK(ledger.entries().outer_work == 1);
+  stock.kinetic = 1.25;  // out of nothing
+  ledger.book(stock, 0, 1);
+  ledger.note_edit();
+  stock.gravity = 8;  // lifted
+  ledger.begin(stock, 0);
+  CHECK(ledger.entries().outer_work == 9);
+  CHECK(ledger.entries().residual() == 0.25);
+}
+
+namespace {
+
+/// Of a world that holds this energy after a motion, and held another before.
+bool makes_energy(double before, double after, double noise, double applied_power = 0) {
+  EnergyLedger ledger;
+  Stock stock;
+  stock.kinetic = before;
+  ledger.begin(stock, noise);
+  stock.kinetic = after;
+  ledger.book(stock, applied_power, 1);
+  return ledger.makes_energy();
+}
+
+}  // namespace
+
+TEST_CASE("energy is made where all but nothing of it was there before") {
+  CHECK(makes_energy(0.004, 1, 0));
+  CHECK_FALSE(makes_energy(0.006, 1, 0));
+  CHECK_FALSE(makes_energy(1, 0.004, 0));         // lost
+  CHECK_FALSE(makes_energy(0.004, 1, 0, 0.996));  // worked in
+  CHECK(makes_energy(1, std::numeric_limits<double>::quiet_NaN(), 0));
+}
+
+TEST_CASE("energy within the noise is not judged, and what a world begins with counts as noise") {
+  CHECK_FALSE(makes_energy(0, 0.9, 1));
+  CHECK(makes_energy(0, 1.1, 1));
+  CHECK_FALSE(makes_energy(0.004, 0.9, 1));
+  CHECK(makes_energy(0.004, 1.1, 1));
+  CHECK_FALSE(makes_energy(0.004, 1.006, 1));  // 1.002 made, 1.004 is noise
+}

@@ -1,0 +1,116 @@
+#pragma once
+
+#include <tuple>
+#include <vector>
+
+#include "bare_law.h"
+#include "polyhedra.h"
+#include "world/clock.h"
+#include "world/contact_list.h"
+#include "world/fast_motion.h"
+#include "world/force_pass.h"
+#include "world/integrator.h"
+#include "world/ledger.h"
+#include "world/model.h"
+#include "world/spring_stop.h"
+#include "world/stable_step.h"
+
+namespace halfspace::test {
+
+/// A rectangle, or in space a box of these sides.
+template <int D>
+Shape<D> cuboid(const Vector<D>& sides) {
+  if constexpr (D == 2) {
+    return shape_of(rectangle(sides[0], sides[1]));
+  } else {
+    return shape_of(completed(box(sides)));
+  }
+}
+template <int D>
+Shape<D> cube() {
+  return cuboid<D>(Vector<D>::Ones());
+}
+/// x and y, and 0 in space.
+template <int D>
+Vector<D> at(double x, double y) {
+  Vector<D> place = Vector<D>::Zero();
+  place.template head<2>() = Vector<2>(x, y);
+  return place;
+}
+
+/// A law per contact with a normal spring and nothing else.
+inline SpringLaw normal_spring(double stiffness) {
+  SpringLaw law = bare_law();
+  law.normal_stiffness = stiffness;
+  law.shear_stiffness = 0;
+  return law;
+}
+
+/// The parts of a world without what orders them: a test calls those that it is about.
+template <int D>
+struct WorldParts {
+  Memory* const memory = std::pmr::get_default_resource();
+  Model<D> model;
+  Blocks<D>& blocks = model.blocks;
+  EnergyLedger ledger;
+  Clock clock;
+  ContactList<D> contacts{model, ledger, memory};
+  NeighborList<D>& neighbors = contacts.neighbors();
+  ForcePass<D> forces{model, neighbors, memory};
+  Integrator<D> integrator{model, neighbors, forces, memory};
+  StableStep<D> stable_step{model, contacts, memory};
+  SpringStop<D> spring_stop{model, contacts};
+  FastMotion<D> fast_motion{model, contacts, integrator, clock, stable_step, spring_stop, memory};
+
+  explicit WorldParts(const SpringLaw& law, const WorldSettings<D>& settings = {}, double density = 1)
+      : model(settings, memory) {
+    model.materials.add(density);
+    model.materials.laws().set_default(law);
+  }
+
+  std::int32_t add(const Shape<D>& shape, BlockKind kind, const Vector<D>& position,
+                   const Vector<D>& velocity = Vector<D>::Zero()) {
+    contacts.make_room_for_block();
+    const std::int32_t slot = blocks.add(shape, kind, 0, model.materials.density(0));
+    contacts.add_fresh(slot, blocks.slot_count());
+    blocks.place(slot, position, {});
+    blocks.set_motion(slot, velocity, Angular<D>::Zero());
+    return slot;
+  }
+
+  /// Makes the neighbour list, and room for what comes of it.
+  void list_neighbors() {
+    const bool with_shear =
+        model.materials.laws().any([](const SpringLaw& law) { return law.resists_shear(); });
+    neighbors.search_again(blocks, model.settings.skin, with_shear);
+    contacts.fit_room();
+    forces.fit_room();
+    forces.fit_rooms();
+    fast_motion.fit_room();
+    integrator.resize(blocks.slot_count());
+    neighbors.renew(blocks, with_shear);
+  }
+
+  /// What becomes of each listed pair, in their order.
+  std::vector<Found> find_contacts() {
+    std::vector<Found> found;
+    Contact<D> contact;
+    contacts.begin();
+    for (std::size_t k = 0; k < neighbors.pairs().size(); ++k) {
+      found.push_back(contacts.find(k, contact));
+      if (found.back() != Found::apart) contacts.keep(k, contact);
+    }
+    contacts.end();
+    return found;
+  }
+
+  /// Loads the blocks with the forces of the contacts found.
+  ContactEnergy load_blocks(double elapsed = 0) {
+    typename ForcePass<D>::Evaluation evaluation = forces.begin(elapsed);
+    for (std::size_t c = 0; c < contacts.count(); ++c)
+      forces.load(contacts.touching()[c], contacts.contact(c), evaluation);
+    return evaluation.energy;
+  }
+};
+
+}  // namespace halfspace::test
