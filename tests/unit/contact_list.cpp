@@ -71,8 +71,12 @@ TEMPLATE_TEST_CASE_SIG("fresh blocks that touch are bonded, and in contact where
   parts.blocks.place(right, at<D>(0.9375, 0), {});
   CHECK(parts.find_contacts() == Finds{Found::in_contact, Found::met});
   CHECK(parts.contacts.contact(0).gap == Approx(0.0625));
-  parts.contacts.bond_fresh();  // no block is fresh any more
-  CHECK_FALSE(parts.neighbors.pairs()[1].bonded);
+  parts.blocks.place(right, at<D>(1, 0), {});
+  parts.contacts.bond_fresh();
+  CHECK_FALSE(parts.neighbors.pairs()[1].bonded);  // no block is fresh any more
+  parts.contacts.add_fresh(right, parts.blocks.slot_count());
+  parts.contacts.bond_fresh();
+  CHECK(parts.neighbors.pairs()[1].bonded);
 }
 
 TEMPLATE_TEST_CASE_SIG("what the shear spring of an ended contact held is lost to friction", "", ((int D), D),

@@ -30,9 +30,11 @@ TEMPLATE_TEST_CASE_SIG("H is the mean length of all edges when forces were first
   CHECK(parts.model.potential_length() == Approx(D));
   const std::int32_t large = parts.add(cuboid<D>(Vector<D>::Constant(3 * D)), BlockKind::fixed, at<D>(50, 0));
   CHECK(parts.model.potential_length() == Approx(2 * D));
-  parts.model.fix_potential_length();
   parts.blocks.remove(large);
-  CHECK(parts.model.potential_length() == Approx(2 * D));
+  CHECK(parts.model.potential_length() == Approx(D));
+  parts.model.fix_potential_length();
+  parts.add(cuboid<D>(Vector<D>::Constant(3 * D)), BlockKind::fixed, at<D>(50, 0));
+  CHECK(parts.model.potential_length() == Approx(D));
 }
 
 TEST_CASE("a given H is taken, and without potentials none is fixed") {
