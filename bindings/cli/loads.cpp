@@ -119,8 +119,8 @@ std::vector<double> loads_of(const Frame& frame, const Point& gravity) {
   }
   if (strength == 0 || free.empty()) return loads;
 
-  // Blocks are gone through from the top: one asks for what is above at the height of its middle, and is above what is lower than
-  // its lowest point. So blocks side by side bear nothing of each other.
+  // Blocks are gone through from the top: one asks for what is above at the height of its middle, and is
+  // above what is lower than its lowest point. So blocks side by side bear nothing of each other.
   struct Event {
     double height;
     bool asks;

@@ -12,7 +12,8 @@
 
 namespace halfspace::cli {
 
-constexpr std::int64_t most_blocks = 10'000'000;  ///< of all generators that tell their number, and of each [[jointed_rock]]
+constexpr std::int64_t most_blocks =
+    10'000'000;  ///< of all generators that tell their number, and of each [[jointed_rock]]
 
 /// A point or vector; in 2D its last component is 0.
 using Point = std::array<double, 3>;

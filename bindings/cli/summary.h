@@ -18,8 +18,8 @@ struct RunOut {
 
 RunOut run_out(const Frame& start, const Frame& end, int dimension);
 
-/// Peaks of what the report tells of the present only, and speeds of the whole run. It is looked at once in a few
-/// steps, as looking costs about as much as a step.
+/// Peaks of what the report tells of the present only, and speeds of the whole run. It is looked at once in a
+/// few steps, as looking costs about as much as a step.
 struct Peaks {
   static constexpr std::int64_t steps_between = 16;
   void add(const hs_world_report& report) {

@@ -35,7 +35,8 @@ constexpr Plan full_plan{1.0, 1.2, 49, 59, 3, 8.6, 0.05, 1.3, 1.5, 1.0, 200};
 constexpr Plan quick_plan{0.2, 0.24, 10, 12, 0, 1.7, 0.002, 0.004, 0.002, 1.0, 20};
 
 constexpr double wall = 0.1;
-constexpr double time_step = 10e-6;  // the paper gives 10 and 20 us; with the latter the packed box is unstable
+constexpr double time_step =
+    10e-6;  // the paper gives 10 and 20 us; with the latter the packed box is unstable
 constexpr double stiffness = 1e8;
 constexpr double friction_angle = 25 * pi / 180;
 constexpr double density = 2500;

@@ -62,8 +62,8 @@ bool is_between_parts(const Scene& scene) {
   return report.steps == 0 && report.time > 0;
 }
 
-/// Fails allocation n of a call, if it comes to that: then nothing may have changed, but for the good parts of a
-/// step, and the next try does what the call does undisturbed. Was there an allocation n?
+/// Fails allocation n of a call, if it comes to that: then nothing may have changed, but for the good parts
+/// of a step, and the next try does what the call does undisturbed. Was there an allocation n?
 bool survives_failure(const EntryPoint& entry, int dimension, long n, const Ending& expected) {
   std::unique_ptr<Scene> scene = scene_for(entry, dimension);
   const std::vector<unsigned char> before = seen(*scene);

@@ -60,8 +60,9 @@ struct SolidPile {
                                         : round_points(random, 4 + i % 12, 0.48);
       Points3 scaled;
       for (const Point3& p : points) scaled.push_back(scale * p);
-      const hs_pose pose = pose_at(scale * Point3{double((i % 9) % 3 - 1), double((i % 9) / 3 - 1), 0.6 + i / 9},
-                                   random_direction(random), uniform_between(random, -3, 3));
+      const hs_pose pose =
+          pose_at(scale * Point3{double((i % 9) % 3 - 1), double((i % 9) / 3 - 1), 0.6 + i / 9},
+                  random_direction(random), uniform_between(random, -3, 3));
       blocks.push_back(add_solid(context, world.get(), scaled, HS_BLOCK_RIGID, &pose));
     }
   }

@@ -2,9 +2,9 @@
 #include <halfspace/halfspace.h>
 #include <stdio.h>
 
-static hs_context *context = NULL;
+static hs_context* context = NULL;
 
-static int fail(const char *what) {
+static int fail(const char* what) {
   fprintf(stderr, "%s: %s\n", what, hs_context_last_error(context));
   return 1;
 }
@@ -20,8 +20,8 @@ int main(void) {
   const hs_pose below = {{0, 0, 0}, {0, 0, 0, 1}};
   const hs_pose touching = {{0.25, 0.75, 0}, {0, 0, 0, 1}}; /* overlaps by 0.25 in height, 0.75 in width */
   const hs_pose apart = {{0.25, 1.5, 0}, {0, 0, 0, 1}};     /* a gap of 0.5 */
-  hs_shape *square = NULL;
-  hs_world *world = NULL;
+  hs_shape* square = NULL;
+  hs_world* world = NULL;
   hs_contact contact;
   hs_world_def world_def;
   hs_block_def block_def;
@@ -62,7 +62,8 @@ int main(void) {
   EXPECT(state.velocity[1] < 0); /* in free fall */
   EXPECT(state.pose.position[1] < 1.5);
 
-  printf("halfspace %s: after %g s the upper square is at %.6f\n", hs_version(), report.time, state.pose.position[1]);
+  printf("halfspace %s: after %g s the upper square is at %.6f\n", hs_version(), report.time,
+         state.pose.position[1]);
   hs_world_destroy(world);
   hs_shape_destroy(square);
   hs_context_destroy(context);

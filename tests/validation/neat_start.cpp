@@ -1,5 +1,5 @@
-// Blocks that were meant to touch do so at first whatever rounding makes of their corners: none is in contact (eq. 11 in its
-// strict form), and once they press on each other they do it squarely.
+// Blocks that were meant to touch do so at first whatever rounding makes of their corners: none is in contact
+// (eq. 11 in its strict form), and once they press on each other they do it squarely.
 
 #include <random>
 
@@ -90,7 +90,8 @@ TEST_CASE("a wall of cuboids in space starts without contacts, turned in any way
       }
       return points;
     };
-    SolidScene scene(solid_world_def(1e-4, -9.81 * axes[2]), stone_law(all_stiffness_kinds[trial / 2 % 3]), 2000);
+    SolidScene scene(solid_world_def(1e-4, -9.81 * axes[2]), stone_law(all_stiffness_kinds[trial / 2 % 3]),
+                     2000);
     const auto add = [&](const Triple& low, const Triple& high, int32_t kind) {
       scene.add_hull_in_place(corners(low, high), kind);
     };

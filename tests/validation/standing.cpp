@@ -1,4 +1,5 @@
-// What friction can hold stands under the damping that laws have by default, although gravity loads it at once.
+// What friction can hold stands under the damping that laws have by default, although gravity loads it at
+// once.
 
 #include "catch.h"
 #include "validation/solid_scene.h"

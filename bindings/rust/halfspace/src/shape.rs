@@ -116,7 +116,10 @@ impl Shape {
         let three = |[x, y]: [f64; 2]| [x, y, 0.0];
         let [first, second] = ends.map(three);
         let [before, after] = neighbours.map(|end| end.map(three));
-        let pointer = |end: &Option<[f64; 3]>| end.as_ref().map_or(ptr::null(), |end| end as *const [f64; 3]);
+        let pointer = |end: &Option<[f64; 3]>| {
+            end.as_ref()
+                .map_or(ptr::null(), |end| end as *const [f64; 3])
+        };
         // SAFETY: all are references or null where that is allowed.
         Self::make(context, |shape| unsafe {
             sys::hs_polygon_create_boundary(

@@ -140,7 +140,10 @@ fn polygons_with_a_skin_touch_within_the_margin() -> Result<()> {
     assert!(!halfspace::detect(a, b)?.is_touching());
     let skinned = Detector::default().margin(0.5);
     let contact = skinned.detect(a, b)?;
-    assert_eq!((contact.kind(), contact.gap()), (ContactType::EdgeEdge, 0.25));
+    assert_eq!(
+        (contact.kind(), contact.gap()),
+        (ContactType::EdgeEdge, 0.25)
+    );
     let bare = skinned.without_region().detect(a, b)?;
     assert_eq!((bare.kind(), bare.gap()), (ContactType::VertexEdge, 0.25));
     assert!(bare.points().is_empty());
