@@ -1,9 +1,9 @@
 // The C++ allocator of the whole process, what it is linked with included, counts its calls.
 
+#include "calls_of_new.h"
+
 #include <cstdlib>
 #include <new>
-
-#include "capi/ledger.h"
 
 std::atomic<long> halfspace_test::calls_of_new{0};
 using halfspace_test::calls_of_new;

@@ -5,15 +5,14 @@
 #include <halfspace/halfspace.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cstdlib>
 #include <cstring>
 #include <map>
 #include <stdexcept>
 
-namespace halfspace_test {
+#include "calls_of_new.h"
 
-extern std::atomic<long> calls_of_new;
+namespace halfspace_test {
 
 /// Counts, checks sizes and alignments, and fails on request.
 class Ledger {
