@@ -104,7 +104,7 @@ class Repose {
 
   std::string save() const {
     std::size_t size = 0;
-    hs_world_save(world_.get(), nullptr, 0, &size);
+    (void)hs_world_save(world_.get(), nullptr, 0, &size);  // which tells the size
     std::string bytes(size, '\0');
     require_ok(hs_world_save(world_.get(), bytes.data(), size, &size), context_);
     return bytes;

@@ -102,7 +102,7 @@ std::vector<ShearSpring> springs_of(const hs_world* world, hs_context* context, 
       {ids.floor, floor_wall}, {ids.walls[0], left_wall}, {ids.walls[1], right_wall}};
   for (std::size_t i = 0; i < ids.grains.size(); ++i) part[ids.grains[i]] = int(i);
   std::int64_t count = 0;
-  hs_world_get_contacts(world, nullptr, 0, &count);
+  (void)hs_world_get_contacts(world, nullptr, 0, &count);  // which tells how many there are
   std::vector<hs_contact> contacts(static_cast<std::size_t>(count));
   require_ok(hs_world_get_contacts(world, contacts.data(), count, nullptr), context);
   std::vector<ShearSpring> springs;

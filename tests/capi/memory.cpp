@@ -127,7 +127,7 @@ std::vector<unsigned char> tour(Ledger& ledger, long& failures) {
   survive(
       [&] {
         std::size_t size = 0;
-        hs_world_save(w, nullptr, 0, &size);
+        (void)hs_world_save(w, nullptr, 0, &size);
         bytes.assign(size, 0);
         return hs_world_save(w, bytes.data(), size, &size);
       },

@@ -81,9 +81,9 @@ void run_for_a_while(hs_context* context, hs_world* world) {
   INFO(hs_status_string(status) << ": " << hs_context_last_error(context));
   CHECK((status == HS_OK || status == HS_ERROR_UNSTABLE || status == HS_ERROR_TOO_FAST ||
          status == HS_ERROR_STATE));
-  hs_world_get_contacts(world, contacts.data(), std::int64_t(contacts.size()), nullptr);
+  CHECK(hs_world_get_contacts(world, contacts.data(), std::int64_t(contacts.size()), nullptr) >= HS_OK);
   hs_world_report report;
-  hs_world_get_report(world, &report, sizeof report);
+  (void)hs_world_get_report(world, &report, sizeof report);
   saved(world);
 }
 

@@ -107,7 +107,7 @@ TEST_CASE("after a placement no contact keeps the force of another") {
   const hs_pose elsewhere = pose_at(50, 50);
   require_ok(hs_world_set_pose(c.world.get(), c.block, &elsewhere), c.context.get());
   int64_t count = -1;
-  hs_world_get_contacts(c.world.get(), nullptr, 0, &count);
+  CHECK(hs_world_get_contacts(c.world.get(), nullptr, 0, &count) == HS_OK);
   CHECK(count == 0);
   const hs_pose overlapping = pose_at(0.4999, 0.5);
   require_ok(hs_world_set_pose(c.world.get(), c.block, &overlapping), c.context.get());
@@ -158,10 +158,10 @@ TEST_CASE("a snapshot damaged so that its checksum holds is refused or runs, and
     refused += status == HS_ERROR_FORMAT;
     if (status != HS_OK) continue;
     const World owner(restored);
-    hs_world_step(restored, 5);
+    (void)hs_world_step(restored, 5);  // which may be unstable
     hs_contact contacts[4];
     int64_t count = 0;
-    hs_world_get_contacts(restored, contacts, 4, &count);
+    CHECK(hs_world_get_contacts(restored, contacts, 4, &count) >= HS_OK);
   }
   std::printf("damaged snapshots: %d tried, %d refused\n", tried, refused);
   CHECK(refused > 0);

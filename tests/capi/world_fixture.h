@@ -53,7 +53,7 @@ inline hs_block add_block(hs_context* context, hs_world* world, const Points& ve
 
 inline std::vector<unsigned char> saved(const hs_world* world) {
   std::size_t size = 0;
-  hs_world_save(world, nullptr, 0, &size);
+  (void)hs_world_save(world, nullptr, 0, &size);
   std::vector<unsigned char> bytes(size);
   if (hs_world_save(world, bytes.data(), bytes.size(), &size) != HS_OK) throw std::runtime_error("not saved");
   return bytes;
@@ -79,7 +79,7 @@ inline hs_block_state state_of(const hs_world* world, hs_block block) {
 
 inline std::vector<hs_pose> poses_of(const hs_world* world) {
   std::int64_t count = 0;
-  hs_world_get_poses(world, nullptr, 0, &count);
+  (void)hs_world_get_poses(world, nullptr, 0, &count);
   std::vector<hs_pose> poses(static_cast<std::size_t>(count));
   if (hs_world_get_poses(world, poses.data(), count, nullptr) != HS_OK) throw std::runtime_error("no poses");
   return poses;
@@ -87,7 +87,7 @@ inline std::vector<hs_pose> poses_of(const hs_world* world) {
 
 inline std::vector<hs_contact> contacts_of(const hs_world* world) {
   std::int64_t count = 0;
-  hs_world_get_contacts(world, nullptr, 0, &count);
+  (void)hs_world_get_contacts(world, nullptr, 0, &count);
   std::vector<hs_contact> contacts(static_cast<std::size_t>(count));
   if (hs_world_get_contacts(world, contacts.data(), count, nullptr) != HS_OK)
     throw std::runtime_error("no contacts");

@@ -32,7 +32,7 @@ static uint64_t hash_of_poses(const hs_world* world) {
   uint64_t hash = UINT64_C(0xcbf29ce484222325);
   int64_t count = 0;
   size_t i;
-  hs_world_get_poses(world, poses, MOST_NAMES, &count);
+  if (hs_world_get_poses(world, poses, MOST_NAMES, &count) != HS_OK) count = 0;
   for (i = 0; i < (size_t)count * sizeof(hs_pose); ++i) hash = (hash ^ bytes[i]) * UINT64_C(0x100000001b3);
   return hash;
 }

@@ -20,7 +20,7 @@ bool all_finite(const double (&numbers)[N]) {
 
 inline std::vector<hs_block> blocks_of(const hs_world* world) {
   std::int64_t count = 0;
-  hs_world_get_blocks(world, nullptr, 0, &count);
+  (void)hs_world_get_blocks(world, nullptr, 0, &count);
   std::vector<hs_block> blocks(static_cast<std::size_t>(count));
   demand(hs_world_get_blocks(world, blocks.data(), count, nullptr) == HS_OK, "blocks are told");
   return blocks;

@@ -163,7 +163,7 @@ class Scene {
 
   std::vector<hs_contact> contacts() const {
     std::int64_t count = 0;
-    hs_world_get_contacts(world(), nullptr, 0, &count);
+    (void)hs_world_get_contacts(world(), nullptr, 0, &count);
     std::vector<hs_contact> contacts(static_cast<std::size_t>(count));
     check(hs_world_get_contacts(world(), contacts.data(), count, nullptr));
     return contacts;

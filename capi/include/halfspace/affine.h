@@ -50,18 +50,21 @@ HS_API hs_status hs_elasticity_def_init(hs_elasticity_def *def, size_t size);
 /** @brief Makes a material elastic, for affine blocks; others do not read it. Blocks that have the material keep their strain.
  *  @param world not NULL @param material index @param elasticity not NULL
  *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID */
-HS_API hs_status hs_world_set_elasticity(hs_world *world, int32_t material, const hs_elasticity_def *elasticity);
+HS_CHECKED hs_status hs_world_set_elasticity(hs_world *world, int32_t material,
+                                             const hs_elasticity_def *elasticity);
 
 /** @brief How a block of any kind is turned and strained.
  *  @param world not NULL @param block id @param deformation receives it
  *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID */
-HS_API hs_status hs_world_get_deformation(const hs_world *world, hs_block block, hs_deformation *deformation);
+HS_CHECKED hs_status hs_world_get_deformation(const hs_world *world, hs_block block,
+                                              hs_deformation *deformation);
 
 /** @brief Bulk: how all blocks are turned and strained, in the order of hs_world_get_blocks().
  *  @param world not NULL @param deformations receives them; may be NULL if capacity is 0 @param capacity in deformations
  *  @param count receives the number of blocks; may be NULL
  *  @return HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT */
-HS_API hs_status hs_world_get_deformations(const hs_world *world, hs_deformation deformations[], int64_t capacity, int64_t *count);
+HS_CHECKED hs_status hs_world_get_deformations(const hs_world *world, hs_deformation deformations[],
+                                               int64_t capacity, int64_t *count);
 
 /** @brief Turns and strains an affine block, and sets how fast it goes on. Its centroid and velocity stay.
  *  @param world not NULL @param block id
@@ -69,24 +72,26 @@ HS_API hs_status hs_world_get_deformations(const hs_world *world, hs_deformation
  *         inverse at most 2^40: a block pressed flatter would be flat to rounding
  *  @param rate of the gradient, 9 values, at most 1e75, 1/s
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine */
-HS_API hs_status hs_world_set_deformation(hs_world *world, hs_block block, const double gradient[9], const double rate[9]);
+HS_CHECKED hs_status hs_world_set_deformation(hs_world *world, hs_block block, const double gradient[9],
+                                              const double rate[9]);
 
 /** @brief Says how an affine block is stressed as it is now, e.g. in situ. What the block is strained by from now on adds to that.
  *  @param world not NULL @param block id @param stress Cauchy's, 9 values, symmetric, at most 1e75, Pa, tension > 0
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine */
-HS_API hs_status hs_world_set_stress(hs_world *world, hs_block block, const double stress[9]);
+HS_CHECKED hs_status hs_world_set_stress(hs_world *world, hs_block block, const double stress[9]);
 
 /** @brief Adds a load that acts on one face of an affine block from now on. It keeps its direction as the block moves, and its size as the
  *  face is strained.
  *  @param world not NULL @param block id @param face index, in 2D of the edge that starts at the vertex of that index
  *  @param traction force per area of the face as it was given, 3 values, Pa
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine */
-HS_API hs_status hs_world_add_surface_load(hs_world *world, hs_block block, int32_t face, const double traction[3]);
+HS_CHECKED hs_status hs_world_add_surface_load(hs_world *world, hs_block block, int32_t face,
+                                               const double traction[3]);
 
 /** @brief Takes all surface loads off an affine block.
  *  @param world not NULL @param block id
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine */
-HS_API hs_status hs_world_clear_surface_loads(hs_world *world, hs_block block);
+HS_CHECKED hs_status hs_world_clear_surface_loads(hs_world *world, hs_block block);
 
 #ifdef __cplusplus
 }

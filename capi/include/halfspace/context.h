@@ -49,7 +49,7 @@ HS_API hs_status hs_context_def_init(hs_context_def *def, size_t size);
  *  @param def NULL for all defaults
  *  @param context receives the context, which the caller owns and ends with hs_context_destroy()
  *  @return HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY, also when the system has no more threads */
-HS_API hs_status hs_context_create(const hs_context_def *def, hs_context **context);
+HS_CHECKED hs_status hs_context_create(const hs_context_def *def, hs_context **context);
 
 /** @brief Does one part of what hs_context_def::run_tasks was given.
  *  @param task as given to run_tasks, which has not returned yet

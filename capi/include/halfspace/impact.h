@@ -62,8 +62,9 @@ HS_API hs_status hs_motion_def_init(hs_motion_def *def, size_t size);
  *  @param duration of the motions, s, finite, >= 0
  *  @param impact receives when, where and how
  *  @return HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY (shapes of many vertices). Thread rule: as for hs_pair_detect(). */
-HS_API hs_status hs_pair_time_of_impact(const hs_shape *shape_a, const hs_motion_def *motion_a, const hs_shape *shape_b,
-                                        const hs_motion_def *motion_b, double duration, hs_impact *impact);
+HS_CHECKED hs_status hs_pair_time_of_impact(const hs_shape *shape_a, const hs_motion_def *motion_a,
+                                            const hs_shape *shape_b, const hs_motion_def *motion_b,
+                                            double duration, hs_impact *impact);
 
 #ifdef __cplusplus
 }

@@ -70,9 +70,9 @@ HS_API hs_status hs_pair_options_init(hs_pair_options *options, size_t size);
  *         contact, keeps the plane through which the pair met
  *  @param[in,out] contact receives type, pair, normal, gap, and of a contact its region; the rest stays
  *  @return HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY (polygons of more than 32 vertices) */
-HS_API hs_status hs_pair_detect(const hs_shape *shape_a, const hs_pose *pose_a, const hs_shape *shape_b,
-                                const hs_pose *pose_b, const hs_pair_options *options, hs_pair_cache *cache,
-                                hs_contact *contact);
+HS_CHECKED hs_status hs_pair_detect(const hs_shape *shape_a, const hs_pose *pose_a, const hs_shape *shape_b,
+                                    const hs_pose *pose_b, const hs_pair_options *options,
+                                    hs_pair_cache *cache, hs_contact *contact);
 
 /** @brief Detects many pairs.
  *  @param context for the error text
@@ -88,10 +88,10 @@ HS_API hs_status hs_pair_detect(const hs_shape *shape_a, const hs_pose *pose_a, 
  *  @param touching receives the number of pairs in contact; may be NULL
  *  @return HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY; then the pairs before the failing one have
  *          been written */
-HS_API hs_status hs_pairs_detect(hs_context *context, const hs_shape *const shapes[], const hs_pose poses[],
-                                 int64_t body_count, const int32_t pairs[], int64_t pair_count,
-                                 const hs_pair_options *options, hs_pair_cache caches[],
-                                 hs_contact contacts[], int64_t *touching);
+HS_CHECKED hs_status hs_pairs_detect(hs_context *context, const hs_shape *const shapes[],
+                                     const hs_pose poses[], int64_t body_count, const int32_t pairs[],
+                                     int64_t pair_count, const hs_pair_options *options,
+                                     hs_pair_cache caches[], hs_contact contacts[], int64_t *touching);
 
 #ifdef __cplusplus
 }

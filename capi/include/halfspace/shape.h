@@ -93,7 +93,7 @@ typedef struct hs_clean_report {
  *  @param vertices clockwise or counter-clockwise
  *  @param fault receives the first fault, or HS_FAULT_NONE
  *  @return HS_OK (also when there is a fault), HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY */
-HS_API hs_status hs_polygon_check(hs_context *context, hs_view vertices, hs_fault *fault);
+HS_CHECKED hs_status hs_polygon_check(hs_context *context, hs_view vertices, hs_fault *fault);
 
 /** @brief Makes a convex polygon. Nothing is welded or repaired: faulty input is refused with its reason.
  *  Small edges and small angles are legal, and there is no limit to the number of vertices.
@@ -102,14 +102,14 @@ HS_API hs_status hs_polygon_check(hs_context *context, hs_view vertices, hs_faul
  *  @param shape receives the shape; end it with hs_shape_destroy()
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (the text names fault and vertex) or
  *          HS_ERROR_OUT_OF_MEMORY */
-HS_API hs_status hs_polygon_create(hs_context *context, hs_view vertices, hs_shape **shape);
+HS_CHECKED hs_status hs_polygon_create(hs_context *context, hs_view vertices, hs_shape **shape);
 
 /** @brief Makes the convex hull of points as a polygon.
  *  @param context owner of the allocator
  *  @param points any order, inner and repeated points allowed
  *  @param shape receives the shape
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (all on one line) or HS_ERROR_OUT_OF_MEMORY */
-HS_API hs_status hs_polygon_create_hull(hs_context *context, hs_view points, hs_shape **shape);
+HS_CHECKED hs_status hs_polygon_create_hull(hs_context *context, hs_view points, hs_shape **shape);
 
 /** @brief Makes a boundary segment: the virtual polygon of which it is an edge, for a block that is fixed or
  *  prescribed (Zheng et al. 2020, section 3.3). A line is a segment that reaches beyond the scene.
@@ -130,9 +130,9 @@ HS_API hs_status hs_polygon_create_hull(hs_context *context, hs_view points, hs_
  *  @param shape receives the shape; end it with hs_shape_destroy()
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (too large, too small or too thin to compute with) or
  *          HS_ERROR_OUT_OF_MEMORY */
-HS_API hs_status hs_polygon_create_boundary(hs_context *context, const double before[3],
-                                            const double first[3], const double second[3],
-                                            const double after[3], double depth, hs_shape **shape);
+HS_CHECKED hs_status hs_polygon_create_boundary(hs_context *context, const double before[3],
+                                                const double first[3], const double second[3],
+                                                const double after[3], double depth, hs_shape **shape);
 
 /** @brief Cleans up a vertex list on request: drops repeated vertices and vertices on the line of their
  *  neighbours, and turns the order counter-clockwise. It reports what it changed and never moves a vertex.
@@ -143,8 +143,8 @@ HS_API hs_status hs_polygon_create_boundary(hs_context *context, const double be
  *  @param count receives the number of vertices that remain
  *  @param report receives what was changed; may be NULL
  *  @return HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY */
-HS_API hs_status hs_polygon_clean(hs_context *context, hs_view vertices, double tolerance,
-                                  hs_mutable_view cleaned, int64_t *count, hs_clean_report *report);
+HS_CHECKED hs_status hs_polygon_clean(hs_context *context, hs_view vertices, double tolerance,
+                                      hs_mutable_view cleaned, int64_t *count, hs_clean_report *report);
 
 /** @brief Says what is wrong with a polyhedron's vertices and faces without making a shape.
  *  @param context for the error text
@@ -156,8 +156,8 @@ HS_API hs_status hs_polygon_clean(hs_context *context, hs_view vertices, double 
  *         sizes add up to
  *  @param fault receives the first fault, or HS_FAULT_NONE
  *  @return HS_OK (also when there is a fault), HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY */
-HS_API hs_status hs_polyhedron_check(hs_context *context, hs_view vertices, const int32_t face_sizes[],
-                                     int64_t face_count, const int32_t face_vertices[], hs_fault *fault);
+HS_CHECKED hs_status hs_polyhedron_check(hs_context *context, hs_view vertices, const int32_t face_sizes[],
+                                         int64_t face_count, const int32_t face_vertices[], hs_fault *fault);
 
 /** @brief Makes a convex polyhedron. Nothing is welded, merged or repaired: faulty input is refused with its
  *  reason. Faces may have any number of vertices, all in one plane to rounding; two neighbours in one plane
@@ -167,8 +167,9 @@ HS_API hs_status hs_polyhedron_check(hs_context *context, hs_view vertices, cons
  *  @param shape receives the shape, its vertices and faces in the order given; end it with hs_shape_destroy()
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (the text names fault, face and vertex) or
  *          HS_ERROR_OUT_OF_MEMORY */
-HS_API hs_status hs_polyhedron_create(hs_context *context, hs_view vertices, const int32_t face_sizes[],
-                                      int64_t face_count, const int32_t face_vertices[], hs_shape **shape);
+HS_CHECKED hs_status hs_polyhedron_create(hs_context *context, hs_view vertices, const int32_t face_sizes[],
+                                          int64_t face_count, const int32_t face_vertices[],
+                                          hs_shape **shape);
 
 /** @brief Makes the convex hull of points as a polyhedron, with whole faces: what is in one plane to rounding
  *  is one face. While it works, it takes memory from malloc as well, for qhull.
@@ -177,7 +178,7 @@ HS_API hs_status hs_polyhedron_create(hs_context *context, hs_view vertices, con
  *  @param shape receives the shape, whose vertices are points, in their order
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (all in one plane, out of range, or so close to
  *          degenerate that rounding hides the hull) or HS_ERROR_OUT_OF_MEMORY */
-HS_API hs_status hs_polyhedron_create_hull(hs_context *context, hs_view points, hs_shape **shape);
+HS_CHECKED hs_status hs_polyhedron_create_hull(hs_context *context, hs_view points, hs_shape **shape);
 
 /** @brief Makes the polyhedron that half-spaces have in common. A half-space that cuts nothing off but
  *  rounding makes no face, so that the shape's face_count may be below their number. Memory as for the hull.
@@ -187,8 +188,8 @@ HS_API hs_status hs_polyhedron_create_hull(hs_context *context, hs_view points, 
  *  @param shape receives the shape, in the coordinates of the half-spaces
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (the text says what keeps them from bounding a region,
  *          or names the half-space that is faulty) or HS_ERROR_OUT_OF_MEMORY */
-HS_API hs_status hs_polyhedron_create_from_halfspaces(hs_context *context, hs_view normals,
-                                                      const double offsets[], hs_shape **shape);
+HS_CHECKED hs_status hs_polyhedron_create_from_halfspaces(hs_context *context, hs_view normals,
+                                                          const double offsets[], hs_shape **shape);
 
 /** @brief Cuts a shape by a plane (a line in 2D) into two.
  *  Coordinates are those the shape was made from, and so are those of the parts. In 3D the new face is the
@@ -201,22 +202,23 @@ HS_API hs_status hs_polyhedron_create_from_halfspaces(hs_context *context, hs_vi
  *  @param ahead receives the part along the normal, or NULL if there is none
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (2D: a part too small to compute with) or
  *          HS_ERROR_OUT_OF_MEMORY */
-HS_API hs_status hs_shape_cut(const hs_shape *shape, const double point[3], const double normal[3],
-                              hs_shape **behind, hs_shape **ahead);
+HS_CHECKED hs_status hs_shape_cut(const hs_shape *shape, const double point[3], const double normal[3],
+                                  hs_shape **behind, hs_shape **ahead);
 
 /** @brief Geometry and mass properties.
  *  @param shape not NULL
  *  @param properties receives them; what this library does not know of a longer struct is 0
  *  @param size sizeof(hs_shape_properties) as the caller was compiled
  *  @return HS_OK or HS_ERROR_ARGUMENT */
-HS_API hs_status hs_shape_get_properties(const hs_shape *shape, hs_shape_properties *properties, size_t size);
+HS_CHECKED hs_status hs_shape_get_properties(const hs_shape *shape, hs_shape_properties *properties,
+                                             size_t size);
 
 /** @brief The vertices in the coordinates the shape was made from; in 2D counter-clockwise.
  *  @param shape not NULL
  *  @param vertices receives them; its count is the capacity
  *  @param count receives the number of vertices; may be NULL
  *  @return HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT */
-HS_API hs_status hs_shape_get_vertices(const hs_shape *shape, hs_mutable_view vertices, int64_t *count);
+HS_CHECKED hs_status hs_shape_get_vertices(const hs_shape *shape, hs_mutable_view vertices, int64_t *count);
 
 /** @brief The faces as lists of vertices, counter-clockwise seen from outside; in 2D each edge with its two
  *  ends. Face f has the vertices face_vertices[first_of_face[f]] to face_vertices[first_of_face[f + 1]], the
@@ -229,9 +231,9 @@ HS_API hs_status hs_shape_get_vertices(const hs_shape *shape, hs_mutable_view ve
  *  @param face_count receives the number of faces; may be NULL
  *  @param vertex_count receives the length of all lists, 2 * hs_shape_properties.edge_count; may be NULL
  *  @return HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT */
-HS_API hs_status hs_shape_get_faces(const hs_shape *shape, int32_t first_of_face[], int64_t face_capacity,
-                                    int32_t face_vertices[], int64_t vertex_capacity, int64_t *face_count,
-                                    int64_t *vertex_count);
+HS_CHECKED hs_status hs_shape_get_faces(const hs_shape *shape, int32_t first_of_face[], int64_t face_capacity,
+                                        int32_t face_vertices[], int64_t vertex_capacity, int64_t *face_count,
+                                        int64_t *vertex_count);
 
 /** @brief The edges by which HS_PAIR_EDGE_EDGE names them: the vertices at their two ends.
  *  @param shape not NULL
@@ -239,8 +241,8 @@ HS_API hs_status hs_shape_get_faces(const hs_shape *shape, int32_t first_of_face
  *  @param capacity in edges
  *  @param count receives the number of edges; may be NULL
  *  @return HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT */
-HS_API hs_status hs_shape_get_edges(const hs_shape *shape, int32_t edge_vertices[], int64_t capacity,
-                                    int64_t *count);
+HS_CHECKED hs_status hs_shape_get_edges(const hs_shape *shape, int32_t edge_vertices[], int64_t capacity,
+                                        int64_t *count);
 
 /** @brief The half-spaces: p is inside when dot(normal, p) <= offset, with outer unit normals.
  *  Half-space i belongs to face i, that of a polygon to the edge from vertex i to vertex i + 1. The frame is
@@ -250,8 +252,8 @@ HS_API hs_status hs_shape_get_edges(const hs_shape *shape, int32_t edge_vertices
  *  @param offsets receives the offsets, normals.count values; may be NULL
  *  @param count receives the number of half-spaces; may be NULL
  *  @return HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT */
-HS_API hs_status hs_shape_get_halfspaces(const hs_shape *shape, hs_mutable_view normals, double offsets[],
-                                         int64_t *count);
+HS_CHECKED hs_status hs_shape_get_halfspaces(const hs_shape *shape, hs_mutable_view normals, double offsets[],
+                                             int64_t *count);
 
 /** @brief Ends a shape. Blocks made from it keep their own copy.
  *  @param shape may be NULL */

@@ -132,7 +132,7 @@ HS_API hs_status hs_world_def_init(hs_world_def *def, size_t size);
  *  @param def not NULL
  *  @param world receives it; end it with hs_world_destroy()
  *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY */
-HS_API hs_status hs_world_create(hs_context *context, const hs_world_def *def, hs_world **world);
+HS_CHECKED hs_status hs_world_create(hs_context *context, const hs_world_def *def, hs_world **world);
 
 /** @brief Ends a world with all it holds. @param world may be NULL */
 HS_API void hs_world_destroy(hs_world *world);
@@ -142,17 +142,18 @@ HS_API void hs_world_destroy(hs_world *world);
  *  @param density > 0
  *  @param material receives its index, counted from 0
  *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY */
-HS_API hs_status hs_world_add_material(hs_world *world, double density, int32_t *material);
+HS_CHECKED hs_status hs_world_add_material(hs_world *world, double density, int32_t *material);
 
 /** @brief Sets the law of all pairs of materials that have none of their own.
  *  @param world not NULL @param law not NULL
  *  @return HS_OK or HS_ERROR_ARGUMENT */
-HS_API hs_status hs_world_set_default_law(hs_world *world, const hs_law_def *law);
+HS_CHECKED hs_status hs_world_set_default_law(hs_world *world, const hs_law_def *law);
 
 /** @brief Sets the law between two materials (either order).
  *  @param world not NULL @param material_a,material_b indices; the same one twice is legal @param law not NULL
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID or HS_ERROR_OUT_OF_MEMORY */
-HS_API hs_status hs_world_set_law(hs_world *world, int32_t material_a, int32_t material_b, const hs_law_def *law);
+HS_CHECKED hs_status hs_world_set_law(hs_world *world, int32_t material_a, int32_t material_b,
+                                      const hs_law_def *law);
 
 /** @brief Fills a block definition with its defaults for a shape.
  *  @param def to fill @param size sizeof(hs_block_def) as the caller was compiled
@@ -164,72 +165,77 @@ HS_API hs_status hs_block_def_init(hs_block_def *def, size_t size, const hs_shap
  *  @param world not NULL @param shape not NULL @param def not NULL @param block receives its id
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID (material), HS_ERROR_STATE (an affine block of a material that is not
  *  elastic) or HS_ERROR_OUT_OF_MEMORY */
-HS_API hs_status hs_world_add_block(hs_world *world, const hs_shape *shape, const hs_block_def *def, hs_block *block);
+HS_CHECKED hs_status hs_world_add_block(hs_world *world, const hs_shape *shape, const hs_block_def *def,
+                                        hs_block *block);
 
 /** @brief Removes a block; its id becomes stale. The cost grows with the size of the world.
  *  @param world not NULL @param block id
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID or HS_ERROR_OUT_OF_MEMORY */
-HS_API hs_status hs_world_remove_block(hs_world *world, hs_block block);
+HS_CHECKED hs_status hs_world_remove_block(hs_world *world, hs_block block);
 
 /** @brief The ids of all blocks in the order of the block arrays below.
  *  @param world not NULL @param blocks receives them; may be NULL if capacity is 0 @param capacity in ids
  *  @param count receives the number of blocks; may be NULL
  *  @return HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT */
-HS_API hs_status hs_world_get_blocks(const hs_world *world, hs_block blocks[], int64_t capacity, int64_t *count);
+HS_CHECKED hs_status hs_world_get_blocks(const hs_world *world, hs_block blocks[], int64_t capacity,
+                                         int64_t *count);
 
 /** @brief One block's motion.
  *  @param world not NULL @param block id @param state receives it
  *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID */
-HS_API hs_status hs_world_get_block_state(const hs_world *world, hs_block block, hs_block_state *state);
+HS_CHECKED hs_status hs_world_get_block_state(const hs_world *world, hs_block block, hs_block_state *state);
 
 /** @brief One block's vertices where they are now, counter-clockwise.
  *  @param world not NULL @param block id @param vertices receives them @param count receives their number; may be NULL
  *  @return HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID */
-HS_API hs_status hs_world_get_block_vertices(const hs_world *world, hs_block block, hs_mutable_view vertices, int64_t *count);
+HS_CHECKED hs_status hs_world_get_block_vertices(const hs_world *world, hs_block block,
+                                                 hs_mutable_view vertices, int64_t *count);
 
 /** @brief Puts a block elsewhere.
  *  @param world not NULL @param block id @param pose where to
  *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID */
-HS_API hs_status hs_world_set_pose(hs_world *world, hs_block block, const hs_pose *pose);
+HS_CHECKED hs_status hs_world_set_pose(hs_world *world, hs_block block, const hs_pose *pose);
 
 /** @brief Sets a block's velocity and angular velocity (3 values each); a fixed block takes none, an affine one
  *  strains on as before.
  *  @param world not NULL @param block id @param velocity of the centroid @param angular_velocity rad/s; 2D uses z
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE for a fixed block */
-HS_API hs_status hs_world_set_velocity(hs_world *world, hs_block block, const double velocity[3],
-                                       const double angular_velocity[3]);
+HS_CHECKED hs_status hs_world_set_velocity(hs_world *world, hs_block block, const double velocity[3],
+                                           const double angular_velocity[3]);
 
 /** @brief Sets the force and torque (3 values each) that act on a rigid or affine block from outside until set again.
  *  @param world not NULL @param block id @param force at the centroid @param torque about the centroid; 2D uses z
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE for other kinds */
-HS_API hs_status hs_world_set_applied_force(hs_world *world, hs_block block, const double force[3], const double torque[3]);
+HS_CHECKED hs_status hs_world_set_applied_force(hs_world *world, hs_block block, const double force[3],
+                                                const double torque[3]);
 
 /** @brief Bulk: poses of all blocks, in the order of hs_world_get_blocks().
  *  @param world not NULL @param poses receives them; may be NULL if capacity is 0 @param capacity in poses @param count receives the number; may be NULL
  *  @return HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT */
-HS_API hs_status hs_world_get_poses(const hs_world *world, hs_pose poses[], int64_t capacity, int64_t *count);
+HS_CHECKED hs_status hs_world_get_poses(const hs_world *world, hs_pose poses[], int64_t capacity,
+                                        int64_t *count);
 
 /** @brief Bulk: sets the poses of all blocks, in the order of hs_world_get_blocks().
  *  @param world not NULL @param poses one per block @param count must be the number of blocks
  *  @return HS_OK or HS_ERROR_ARGUMENT, then no block has moved */
-HS_API hs_status hs_world_set_poses(hs_world *world, const hs_pose poses[], int64_t count);
+HS_CHECKED hs_status hs_world_set_poses(hs_world *world, const hs_pose poses[], int64_t count);
 
 /** @brief Bulk: velocities and angular velocities of all blocks, in the order of hs_world_get_blocks().
  *  @param world not NULL @param velocities receives them; its count is the capacity
  *  @param angular_velocities 2D: z only, x and y are 0; a view with count 0 skips it
  *  @return HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT */
-HS_API hs_status hs_world_get_velocities(const hs_world *world, hs_mutable_view velocities,
-                                         hs_mutable_view angular_velocities);
+HS_CHECKED hs_status hs_world_get_velocities(const hs_world *world, hs_mutable_view velocities,
+                                             hs_mutable_view angular_velocities);
 
 /** @brief Bulk: sets velocities and angular velocities of all blocks; entries of fixed blocks are ignored.
  *  @param world not NULL @param velocities one per block @param angular_velocities one per block; 2D uses z
  *  @return HS_OK or HS_ERROR_ARGUMENT, then no velocity has changed */
-HS_API hs_status hs_world_set_velocities(hs_world *world, hs_view velocities, hs_view angular_velocities);
+HS_CHECKED hs_status hs_world_set_velocities(hs_world *world, hs_view velocities, hs_view angular_velocities);
 
 /** @brief Stage: neighbour search and detection at the present poses.
  *  @param world not NULL @param touching receives the number of pairs in contact; may be NULL
  *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY */
-HS_API hs_status hs_world_detect(hs_world *world, int64_t *touching);
+HS_CHECKED hs_status hs_world_detect(hs_world *world, int64_t *touching);
 
 /** @brief Stage: contact forces at the present poses and velocities, after hs_world_detect().
  *  @param world not NULL
@@ -237,7 +243,8 @@ HS_API hs_status hs_world_detect(hs_world *world, int64_t *touching);
  *  @param forces receives the force on each block, in the order of hs_world_get_blocks()
  *  @param torques receives the torque about each centroid (2D: z); a view with count 0 skips it
  *  @return HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT, or HS_ERROR_STATE before detection at these poses */
-HS_API hs_status hs_world_forces(hs_world *world, double elapsed, hs_mutable_view forces, hs_mutable_view torques);
+HS_CHECKED hs_status hs_world_forces(hs_world *world, double elapsed, hs_mutable_view forces,
+                                     hs_mutable_view torques);
 
 /** @brief Steps the world.
  *  @param world not NULL
@@ -245,21 +252,22 @@ HS_API hs_status hs_world_forces(hs_world *world, double elapsed, hs_mutable_vie
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (no time step given and none can be derived), or HS_ERROR_OUT_OF_MEMORY or
  *  HS_ERROR_UNSTABLE or HS_ERROR_TOO_FAST: the world stays at the last good step and can be read, saved or restored. Where fast blocks had
  *  divided a step (docs/concepts/impact.md), it stays at the last good part of it, and the next call ends that step. */
-HS_API hs_status hs_world_step(hs_world *world, int64_t steps);
+HS_CHECKED hs_status hs_world_step(hs_world *world, int64_t steps);
 
 /** @brief Time, time step, counts, energies. After a change of the world it detects and evaluates forces first, as a step would; that
  *  leaves no trace in the run. Without a time step the energies are those of before the change.
  *  @param world not NULL @param report receives them; what this library does not know of a longer struct is 0
  *  @param size sizeof(hs_world_report) as the caller was compiled
  *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY */
-HS_API hs_status hs_world_get_report(hs_world *world, hs_world_report *report, size_t size);
+HS_CHECKED hs_status hs_world_get_report(hs_world *world, hs_world_report *report, size_t size);
 
 /** @brief The contacts of the last detection, sorted by block index, a before b; none after a change of poses, blocks or laws. Forces
  *  are 0 until they are evaluated.
  *  @param world not NULL @param contacts receives them; may be NULL if capacity is 0 @param capacity in contacts
  *  @param count receives their number; may be NULL
  *  @return HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT */
-HS_API hs_status hs_world_get_contacts(const hs_world *world, hs_contact contacts[], int64_t capacity, int64_t *count);
+HS_CHECKED hs_status hs_world_get_contacts(const hs_world *world, hs_contact contacts[], int64_t capacity,
+                                           int64_t *count);
 
 /** @brief Preloads the shear spring of a contact, e.g. to start from equilibrium.
  *  @param world after hs_world_detect() or a step
@@ -267,20 +275,20 @@ HS_API hs_status hs_world_get_contacts(const hs_world *world, hs_contact contact
  *  @param shear_force on block_b, 3 finite values; what lies in the contact plane counts
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID if the two are not in contact, or HS_ERROR_STATE before detection at these
  *  poses and laws, or when their law has neither friction nor cohesion */
-HS_API hs_status hs_world_set_shear_force(hs_world *world, hs_block block_a, hs_block block_b,
-                                          const double shear_force[3]);
+HS_CHECKED hs_status hs_world_set_shear_force(hs_world *world, hs_block block_a, hs_block block_b,
+                                              const double shear_force[3]);
 
 /** @brief Saves the whole state of motion and contact. A restored world goes on bit for bit.
  *  @param world not NULL @param bytes receives it; may be NULL if capacity is 0 @param capacity in bytes
  *  @param count receives the number of bytes; not NULL
  *  @return HS_OK, HS_NOTE_TRUNCATED (nothing was written) or HS_ERROR_ARGUMENT */
-HS_API hs_status hs_world_save(const hs_world *world, void *bytes, size_t capacity, size_t *count);
+HS_CHECKED hs_status hs_world_save(const hs_world *world, void *bytes, size_t capacity, size_t *count);
 
 /** @brief Makes a world from saved bytes, with its blocks, ids, materials and laws.
  *  @param context owner of the allocator @param bytes from hs_world_save() @param count number of bytes
  *  @param world receives it
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_FORMAT or HS_ERROR_OUT_OF_MEMORY */
-HS_API hs_status hs_world_restore(hs_context *context, const void *bytes, size_t count, hs_world **world);
+HS_CHECKED hs_status hs_world_restore(hs_context *context, const void *bytes, size_t count, hs_world **world);
 
 #ifdef __cplusplus
 }
