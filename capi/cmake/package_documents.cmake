@@ -1,4 +1,5 @@
-# Run by cpack before it builds the packages: every Debian package has its licences and its changes in a folder of its own.
+# Run by cpack before it builds the packages: every Debian package has its licences and its changes in a folder of its
+# own.
 string(TIMESTAMP today "%a, %d %b %Y %H:%M:%S +0000" UTC)
 foreach(component IN LISTS CPACK_COMPONENTS_ALL)
   string(TOUPPER ${component} COMPONENT)

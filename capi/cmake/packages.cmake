@@ -1,4 +1,5 @@
-# Debian packages, by cpack; the preset `packages` has the paths of Debian. Files belong to a package by the COMPONENT they are installed with.
+# Debian packages, by cpack; the preset `packages` has the paths of Debian. Files belong to a package by the COMPONENT
+# they are installed with.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME libhalfspace)
 # An address that nobody has: who gives the packages to others puts theirs here, by cpack -D CPACK_PACKAGE_CONTACT=...
@@ -16,9 +17,9 @@ set(CPACK_HALFSPACE_LICENCE ${PROJECT_SOURCE_DIR}/LICENSE)
 set(CPACK_HALFSPACE_CHANGES ${PROJECT_SOURCE_DIR}/CHANGELOG.md)
 set(CPACK_COMPONENTS_ALL)
 
-# halfspace_package(COMPONENT NAME name SECTION section CONTENT what [DEPENDS a, b] [COMPILED_IN c d] [SHARED_LIBRARIES] [ANY_MACHINE])
-# COMPILED_IN: Debian packages whose headers leave code in its binaries. SHARED_LIBRARIES: what its programs are linked to goes to what it
-# depends on.
+# halfspace_package(COMPONENT NAME name SECTION section CONTENT what [DEPENDS a, b] [COMPILED_IN c d] [SHARED_LIBRARIES]
+# [ANY_MACHINE]) COMPILED_IN: Debian packages whose headers leave code in its binaries. SHARED_LIBRARIES: what its
+# programs are linked to goes to what it depends on.
 macro(halfspace_package component)
   cmake_parse_arguments(package "SHARED_LIBRARIES;ANY_MACHINE" "NAME;SECTION;CONTENT;DEPENDS" "COMPILED_IN" ${ARGN})
   string(TOUPPER ${component} COMPONENT)

@@ -15,22 +15,25 @@ INTRODUCTION = """
 <p>The same scenes stepped with Box2D's own narrow phase and with the half-space narrow phase of the adapter. Solver,
 broad phase and continuous collision are Box2D's in both: the adapter changes which contacts the solver is given, not
 what it makes of them. 60 steps per second, 8 velocity and 3 position iterations, nothing sleeps. Where it is meant for
-the scene, a third world is in <a href="#force_mode">force mode</a>: forces of the library in place of Box2D's solver.</p>
+the scene, a third world is in <a href="#force_mode">force mode</a>: forces of the library in place of Box2D's
+solver.</p>
 """
 
 HOW_TO_READ = """
 <p><b>Cost and pairs.</b> Frames per second are those that one core could do, over the whole run. For the figures of
-pairs both narrow phases are asked about each pair at the same poses, in the world that half-spaces drive, these first, so that
-they fetch what both read; the time is the median over steps. The truth is computed in long double, of the true polygons. A verdict is wrong when manifold points are there and the skins do
-not reach each other, or the reverse. The depth's error is that of the largest gap, the normal's that of the nearest
-face as good as the best to Box2D's own tolerance, 0.5 mm. Points flicker when they come or go while the two bodies have
-moved less than 0.1 mm and 0.1 mrad.</p>
-<p><b>Motion and luck.</b> A stack that falls, falls elsewhere when it is nudged. So each world is run twice more with all
-that moves 0.1 mm to the left and to the right by turns. A figure of motion, or of frames, is called
-<span class="better-words">better</span> or <span class="worse-words">worse</span> only where all three runs with half-spaces are
-so against all three of Box2D's; else the difference says nothing. Where what is to stay falls in all runs, the motion is not judged. Energy gained is summed over all steps that end with more energy than they began with;
-jitter is the root mean square change of velocity from step to step. Where three
-runs in force mode would take minutes there is one, which is called so against all three of Box2D's. Thin lines in the pictures are the nudged runs.</p>
+pairs both narrow phases are asked about each pair at the same poses, in the world that half-spaces drive, these first,
+so that they fetch what both read; the time is the median over steps. The truth is computed in long double, of the true
+polygons. A verdict is wrong when manifold points are there and the skins do not reach each other, or the reverse. The
+depth's error is that of the largest gap, the normal's that of the nearest face as good as the best to Box2D's own
+tolerance, 0.5 mm. Points flicker when they come or go while the two bodies have moved less than 0.1 mm and 0.1
+mrad.</p>
+<p><b>Motion and luck.</b> A stack that falls, falls elsewhere when it is nudged. So each world is run twice more with
+all that moves 0.1 mm to the left and to the right by turns. A figure of motion, or of frames, is called <span
+class="better-words">better</span> or <span class="worse-words">worse</span> only where all three runs with half-spaces
+are so against all three of Box2D's; else the difference says nothing. Where what is to stay falls in all runs, the
+motion is not judged. Energy gained is summed over all steps that end with more energy than they began with; jitter is
+the root mean square change of velocity from step to step. Where three runs in force mode would take minutes there is
+one, which is called so against all three of Box2D's. Thin lines in the pictures are the nudged runs.</p>
 """
 
 
@@ -109,7 +112,8 @@ def overall(scenes) -> str:
     for scene in scenes:
         both = [" | ".join(wrong_verdicts(scene, world) for world in (STOCK, HALFSPACE))]
         both += [" | ".join(figure_of(scene, w, f) for w in (STOCK, HALFSPACE)) for f in (depth, flicker)]
-        cells = [f'<a href="#{scene.name}">{escape(scene.title)}</a>', ratio(scene, COST[0]), ratio(scene, COST[1]), *both]
+        link = f'<a href="#{scene.name}">{escape(scene.title)}</a>'
+        cells = [link, ratio(scene, COST[0]), ratio(scene, COST[1]), *both]
         cells.append(" | ".join(str(len(get(scene, which))) for which in ("better", "worse")))
         text += "<tr>" + "".join(f"<td>{cell}</td>" for cell in cells) + "</tr>"
     return text + "</table>"

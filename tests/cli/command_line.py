@@ -70,7 +70,7 @@ class CommandLine(unittest.TestCase):
             if re.search(rf"(?m)^{key} = ", text):
                 text = re.sub(rf"(?m)^{key} = .*\n", line, text)
             else:
-                text = re.sub(rf"(?m)^(\[output\]\n|\Z)", line, text, count=1)
+                text = re.sub(r"(?m)^(\[output\]\n|\Z)", line, text, count=1)
         scene = Path(self.temporary.name, "endless.toml")
         scene.write_text(text)
         return scene

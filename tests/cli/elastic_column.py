@@ -31,8 +31,8 @@ class ElasticColumn(unittest.TestCase):
     def test_at_rest_each_block_carries_what_lies_on_it_and_half_of_itself(self):
         for block in range(3):
             expected = -WEIGHT * (2.5 - block)
-            # The strain is 5e-4 and the stress Cauchy's, of a width that grows by a quarter of that; what is left of the
-            # motion is less.
+            # The strain is 5e-4 and the stress Cauchy's, of a width that grows by a quarter of that; what is left of
+            # the motion is less.
             self.assertAlmostEqual(self.rows[-1][f"column.{block}.syy"] / expected, 1, delta=1e-3)
             self.assertAlmostEqual(self.rows[-1][f"column.{block}.sxx"] / expected, 0, delta=1e-3)
 
@@ -74,7 +74,8 @@ class ElasticFaults(unittest.TestCase):
 
     def test_elastic_constants_come_together_and_in_range(self):
         self.assertIn("material[0].poisson_ratio: missing", self.faults("poisson_ratio = 0.25\n", ""))
-        self.assertIn("material[0].poisson_ratio: out of range: 0.5", self.faults("poisson_ratio = 0.25", "poisson_ratio = 0.5"))
+        self.assertIn("material[0].poisson_ratio: out of range: 0.5",
+                      self.faults("poisson_ratio = 0.25", "poisson_ratio = 0.5"))
 
     def test_only_affine_blocks_have_a_stress(self):
         answer = self.faults('kind = "affine"', 'kind = "rigid"')

@@ -1,7 +1,8 @@
 """A free fall and a prescribed lift, against their closed forms.
 
-Velocity Verlet is exact under constant acceleration, so only rounding is left. In each of the 500 steps a coordinate below 8
-and a speed below 8 take at most four roundings of half a unit in the last place, 2^-51 = 4.4e-16: 500 * 4 * 4.4e-16 < 1e-12.
+Velocity Verlet is exact under constant acceleration, so only rounding is left. In each of the 500 steps a coordinate
+below 8 and a speed below 8 take at most four roundings of half a unit in the last place, 2^-51 = 4.4e-16: 500 * 4 *
+4.4e-16 < 1e-12.
 """
 import csv
 import math
@@ -49,7 +50,8 @@ class FallingBlock(unittest.TestCase):
             self.assertEqual(row["lift.x"], self.rows[0]["lift.x"])
 
     def test_energy_of_the_fall(self):
-        # The energies are of the order of 2000 kg * 9.81 m/s2 * 5 m = 1e5 J; their rounding grows with the steps likewise.
+        # The energies are of the order of 2000 kg * 9.81 m/s2 * 5 m = 1e5 J; their rounding grows with the steps
+        # likewise.
         for row in self.rows:
             speed2 = 0.25**2 + (0.5 - GRAVITY * row["time"])**2
             kinetic = 2000 * speed2 / 2 + 2000 / 6 * math.radians(30)**2 / 2

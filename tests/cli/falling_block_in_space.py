@@ -1,6 +1,7 @@
 """A free fall and a prescribed lift in space, against their closed forms, and the frames as VTK reads them.
 
-The spin is about the principal axis of a square prism, so it stays, and turns about one axis are exact. Rounding as in falling_block.py, for the quaternion likewise.
+The spin is about the principal axis of a square prism, so it stays, and turns about one axis are exact. Rounding as in
+falling_block.py, for the quaternion likewise.
 """
 import csv
 import math

@@ -29,7 +29,8 @@ def block(name, low, high, more="", material="stone"):
     if len(low) == 2:
         corners = [[low[0], low[1]], [high[0], low[1]], [high[0], high[1]], [low[0], high[1]]]
     else:
-        corners = [[(low, high)[i][0], (low, high)[j][1], (low, high)[k][2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)]
+        corners = [[(low, high)[i][0], (low, high)[j][1], (low, high)[k][2]]
+                   for i in (0, 1) for j in (0, 1) for k in (0, 1)]
     return f'[[block]]\nname = "{name}"\nmaterial = "{material}"\nvertices = {corners}\n{more}\n'
 
 
@@ -63,7 +64,8 @@ class Notes(unittest.TestCase):
         self.assert_one(self.check(pair), r'^22:8: note: block\[1\]: "upper" overlaps "lower" at the start by 0\.4 m, 40 % of '
                                           "the thinner one's thickness")
         for kind in ("fixed", "prescribed", "affine"):
-            other = pair.replace("upper", f'upper"\nkind = "{kind}', 1).replace('material = "stone"', 'material = "rubber"')
+            other = pair.replace("upper", f'upper"\nkind = "{kind}', 1).replace(
+                'material = "stone"', 'material = "rubber"')
             self.assert_one(self.check(other), "by 0.4 m, 40 %")
         solid = block("lower", [0, 0, 0], [1, 1, 1]) + block("upper", [0, 0, 0.999], [1, 1, 1.499])
         self.assert_one(self.check(solid, 3), r"by 0\.001 m, 0\.2 % of")
@@ -71,7 +73,8 @@ class Notes(unittest.TestCase):
             self.assert_one(self.check(pair, stiffness=stiffness), "by 0.4 m, 40 %")
             self.assert_one(self.check(solid, 3, stiffness=stiffness), "by 0.001 m, 0.2 %")
         ground = boundary([[9, 0], [-9, 0]])
-        self.assert_one(self.check(block("sunk", [0, -0.1], [1, 1]) + ground), '"ground" overlaps "sunk" .* by 0.1 m, 20 % of')
+        self.assert_one(self.check(block("sunk", [0, -0.1], [1, 1]) + ground),
+                        '"ground" overlaps "sunk" .* by 0.1 m, 20 % of')
 
     def test_of_many_overlaps_the_deepest_are_told(self):
         row = "".join(block(f"b{i}", [0.9 * i, 0], [0.9 * i + 1 + 0.001 * i, 1]) for i in range(12))
@@ -82,10 +85,12 @@ class Notes(unittest.TestCase):
 
     def test_blocks_that_touch_to_rounding_do_not_overlap(self):
         turned = "rotation = 36.8698341166685\nshift = [1e6, -3e5]\n"
-        wall = "".join(block(f"b{i}.{j}", [i, 0.5 * j], [i + 1, 0.5 * j + 0.5], turned) for i in range(4) for j in range(4))
+        wall = "".join(block(f"b{i}.{j}", [i, 0.5 * j], [i + 1, 0.5 * j + 0.5], turned)
+                       for i in range(4) for j in range(4))
         self.assertEqual(self.check(wall), [])
         rock = '[[jointed_rock]]\nname = "rock"\nmaterial = "stone"\n'
-        joints = "".join(f"[[jointed_rock.joint_set]]\ndip = {dip}\nspacing = {spacing}\n" for dip, spacing in ((31.7, 0.3), (-67.3, 0.4)))
+        joints = "".join(f"[[jointed_rock.joint_set]]\ndip = {dip}\nspacing = {spacing}\n"
+                         for dip, spacing in ((31.7, 0.3), (-67.3, 0.4)))
         self.assertEqual(self.check(rock + "box = [[3000.1, 0.3], [3004.3, 5.7]]\n" + joints), [])
         joints = joints.replace("spacing", "dip_direction = 17.3\nspacing").replace("-67.3", "67.3")
         self.assertEqual(self.check(rock + "box = [[0.1, 0.3, 0.7], [4.3, 5.7, 2.9]]\n" + joints, 3), [])
@@ -113,7 +118,8 @@ class Notes(unittest.TestCase):
 
     def test_a_time_step_above_the_stable_one(self):
         free = block("free", [0, 0], [1, 1])
-        self.assert_one(self.check(free, time_step=0.01), r"^3:13: note: world\.time_step: 0\.01 s is above the stable one, 0\.00\d+ s")
+        self.assert_one(self.check(free, time_step=0.01),
+                        r"^3:13: note: world\.time_step: 0\.01 s is above the stable one, 0\.00\d+ s")
         self.assertEqual(self.check(free, time_step=1e-5), [])
 
     def test_springs_too_soft_for_the_weight(self):
@@ -133,7 +139,8 @@ class Notes(unittest.TestCase):
 
     def test_springs_too_soft_for_the_weight_of_a_pile(self):
         soft = 2500 * 9.81 / 0.009  # each block alone sinks in by 0.9 %
-        stack = block("base", [-1, -1], [3, 0], 'kind = "fixed"') + "".join(block(f"b{i}", [0, i], [1, i + 1]) for i in range(20))
+        stack = block("base", [-1, -1], [3, 0], 'kind = "fixed"')
+        stack += "".join(block(f"b{i}", [0, i], [1, i + 1]) for i in range(20))
         beside = "".join(block(f"c{i}", [i - 3, 0], [i - 2, 1]) for i in range(3))
         solid = block("base", [-1, -1, -1], [2, 2, 0], 'kind = "fixed"') + \
             "".join(block(f"b{i}", [0, 0, i], [1, 1, i + 1]) for i in range(20))
@@ -167,8 +174,10 @@ class Notes(unittest.TestCase):
 
     def test_joints_that_run_through_no_region(self):
         rock = '[[jointed_rock]]\nname = "rock"\nmaterial = "stone"\nbox = [[0.5, 0.5], [1.5, 1.5]]\n'
-        sets = "".join(f"[[jointed_rock.joint_set]]\ndip = {dip}\nspacing = {spacing}\n" for dip, spacing in ((0, 7), (90, 1)))
-        self.assert_one(self.check(rock + sets), r"^22:11: note: jointed_rock\[0\]\.joint_set\[0\]\.spacing: none of these joints, 7 m apart")
+        sets = "".join(
+            f"[[jointed_rock.joint_set]]\ndip = {dip}\nspacing = {spacing}\n" for dip, spacing in ((0, 7), (90, 1)))
+        self.assert_one(self.check(rock + sets),
+                        r"^22:11: note: jointed_rock\[0\]\.joint_set\[0\]\.spacing: none of these joints, 7 m apart")
 
     def test_joint_sets_that_make_too_many_blocks_together_are_refused_at_once(self):
         for dimension, box, dips in ((2, [[0, 0], [4, 4]], (30, -30)), (3, [[0, 0, 0], [4, 4, 4]], (0, 45, 89))):
@@ -176,10 +185,12 @@ class Notes(unittest.TestCase):
                            ("dip_direction = 0\n" if dip < 89 else "dip_direction = 90\n") * (dimension - 2) for dip in dips)
             with tempfile.TemporaryDirectory() as directory:
                 scene = Path(directory, "scene.toml")
-                scene.write_text(HEAD.format(dimension) + f'[[jointed_rock]]\nname = "rock"\nmaterial = "stone"\nbox = {box}\n' + sets)
+                scene.write_text(HEAD.format(dimension) +
+                                 f'[[jointed_rock]]\nname = "rock"\nmaterial = "stone"\nbox = {box}\n' + sets)
                 answer = halfspace("check", scene, timeout=30)
                 self.assertEqual(answer.returncode, 1)
-                self.assertRegex(answer.stderr, r"joint_set\[\d\]\.spacing: about \S+ blocks between the joints of all sets")
+                self.assertRegex(
+                    answer.stderr, r"joint_set\[\d\]\.spacing: about \S+ blocks between the joints of all sets")
 
     def test_pictures_after_the_end(self):
         scene = block("free", [0, 0], [1, 1]) + "[output.picture]\ntimes = [0.005, 5]\n"

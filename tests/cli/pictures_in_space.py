@@ -33,7 +33,8 @@ class PicturesInSpace(unittest.TestCase):
         cls.addClassCleanup(temporary.cleanup)
         text = (SCENES / "falling_block_in_space.toml").read_text()
         scene = Path(temporary.name, "scene.toml")
-        # Straight from the south, at the falling block and what is below it: 1 m is 80 pixels of the drawing, 160 of the image.
+        # Straight from the south, at the falling block and what is below it: 1 m is 80 pixels of the drawing, 160 of
+        # the image.
         scene.write_text(text + "[output.picture]\nwindow = [[-4, -1, -1], [5, 2, 7]]\nazimuth = 180\nelevation = 0\n")
         scene.with_name("tetrahedron.off").write_text((SCENES / "tetrahedron.off").read_text())
         answer = halfspace("run", scene, "-o", Path(temporary.name, "out"))

@@ -76,12 +76,14 @@ class RockValley(unittest.TestCase):
         self.check(self.slopes(SCENE.replace("dip = 75", "dip = -75")), slumping="right", toppling="left")
 
     def test_uncut_each_slope_comes_to_rest(self):
-        # The weight W is there all at once. Until its share sin(30) W on the base is taken up by the shear spring the slope
-        # has gathered speed, it passes the limit cos(30) W tan(32) at the slip s = limit / k_t, and slides until friction has
-        # spent what was left: (share - limit / 2) s = (limit - share) further. From then on it swings in the spring.
+        # The weight W is there all at once. Until its share sin(30) W on the base is taken up by the shear spring the
+        # slope has gathered speed, it passes the limit cos(30) W tan(32) at the slip s = limit / k_t, and slides until
+        # friction has spent what was left: (share - limit / 2) s = (limit - share) further. From then on it swings in
+        # the spring.
         weight = 2700 * 9.81 * (63.9615 - 29.3205) * 30 / 2
         shear_stiffness = 1e8
-        share, limit = weight * math.sin(math.radians(30)), weight * math.cos(math.radians(30)) * math.tan(math.radians(32))
+        share = weight * math.sin(math.radians(30))
+        limit = weight * math.cos(math.radians(30)) * math.tan(math.radians(32))
         slip = limit / shear_stiffness
         slip += (share - limit / 2) * slip / (limit - share)
         swing = (limit - share) / shear_stiffness * math.sqrt(shear_stiffness / (weight / 9.81))  # m/s
@@ -97,7 +99,8 @@ class RockValley(unittest.TestCase):
             speed = max(math.hypot(row[f"{name}.vx"], row[f"{name}.vy"]) for row in rows if row["time"] > 3)
             print(f"{name}: slips {farthest:.4f} m, expected {slip:.4f} m; then no faster than {speed:.4f} m/s, "
                   f"of {swing:.4f} m/s at most")
-            # The limit swings at first, as the slope settles on its base: with 119 rad/s, where its slip takes 8.4 rad/s.
+            # The limit swings at first, as the slope settles on its base: with 119 rad/s, where its slip takes 8.4
+            # rad/s.
             self.assertAlmostEqual(farthest / slip, 1, delta=0.02)
             self.assertLess(speed, swing)
             self.assertLess(abs(rows[-1][f"{name}.angle"]), 1e-4)

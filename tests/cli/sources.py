@@ -62,8 +62,8 @@ class Sources(unittest.TestCase):
         self.check_count(2, chain.replace("fixed", "prescribed"))
 
     def test_segments_of_a_boundary_know_their_neighbours(self):
-        # Down a wall, over a floor, down a step: the floor reaches on behind the wall by 1 / tan(60), and its other flank is
-        # the bisector at the ridge. The wall, whose other end is free, has a flank of 60 degrees there.
+        # Down a wall, over a floor, down a step: the floor reaches on behind the wall by 1 / tan(60), and its other
+        # flank is the bisector at the ridge. The wall, whose other end is free, has a flank of 60 degrees there.
         scene = self.BOUNDARY + "boundary = [[5, 3], [5, 0], [0, 0], [0, -3]]\ndepth = 1\n"
         with tempfile.TemporaryDirectory() as directory:
             path, output = Path(directory, "scene.toml"), Path(directory, "out")

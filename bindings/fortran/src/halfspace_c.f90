@@ -6,7 +6,8 @@
 !! Fortran has no unsigned integers: ids and sizes of structs are signed here, with the same bits. Structs and
 !! numbers that may be NULL, and arrays whose length is not fixed, are passed as c_loc() or c_null_ptr.
 module halfspace_c
-  use, intrinsic :: iso_c_binding, only: c_double, c_funptr, c_int32_t, c_int64_t, c_null_funptr, c_null_ptr, c_ptr, c_size_t
+  use, intrinsic :: iso_c_binding, only: c_double, c_funptr, c_int32_t, c_int64_t, c_null_funptr, &
+    c_null_ptr, c_ptr, c_size_t
   implicit none
   public
 

@@ -64,7 +64,8 @@ contains
   !! counter-clockwise. It never moves a vertex.
   subroutine halfspace_clean_polygon(vertices, tolerance, cleaned, report, rows, context, stat, errmsg)
     real(c_double), intent(in), target :: vertices(:,:)  !< as found, in outline order
-    real(c_double), intent(in) :: tolerance  !< distance, >= 0; 0 drops exact repetitions and what is straight to rounding
+    !> distance, >= 0; 0 drops exact repetitions and what is straight to rounding
+    real(c_double), intent(in) :: tolerance
     real(c_double), intent(inout), allocatable :: cleaned(:,:)  !< receives the vertices that remain, (2,n)
     type(halfspace_clean_report), intent(out), target, optional :: report
     logical, intent(in), optional :: rows  !< layout of `vertices`

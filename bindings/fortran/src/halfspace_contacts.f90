@@ -22,13 +22,16 @@ module halfspace_contacts
     type(halfspace_block) :: block_b  !< in a world
     integer(c_int32_t) :: type = 0  !< an HS_CONTACT_ value
     integer(c_int32_t) :: point_count = 0  !< points of the region, 0 when separated
-    integer(c_int32_t) :: pair_kind = 0  !< an HS_PAIR_ value: of the pair whose half-space is the contact plane, or violated
-    integer(c_int32_t) :: feature_a = 0  !< block a's vertex, edge or face in it; 0: no vertex is behind the face that separates
+    !> an HS_PAIR_ value: of the pair whose half-space is the contact plane, or violated
+    integer(c_int32_t) :: pair_kind = 0
+    !> block a's vertex, edge or face in it; 0: no vertex is behind the face that separates
+    integer(c_int32_t) :: feature_a = 0
     integer(c_int32_t) :: feature_b = 0  !< block b's, likewise
     integer(c_int32_t), private :: reserved = 0
     real(c_double) :: normal(3) = 0  !< unit, from a to b
     real(c_double) :: gap = 0  !< < 0 is overlap; when separated, a lower bound of the distance
-    real(c_double) :: area = 0  !< 2D: overlap length of an edge-edge region times unit thickness; 3D: of a face-face region
+    !> 2D: overlap length of an edge-edge region times unit thickness; 3D: of a face-face region
+    real(c_double) :: area = 0
     real(c_double) :: length = 0  !< overlap length; 2D: of an edge-edge region; 3D: of an edge-face region
     real(c_double) :: center(3) = 0  !< centroid of the region, on the contact plane
     real(c_double) :: center_gap = 0  !< gap there

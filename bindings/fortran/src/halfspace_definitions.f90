@@ -84,7 +84,8 @@ contains
   function elasticity(young_modulus, poisson_ratio, damping_time, plane)
     real(c_double), intent(in), optional :: young_modulus  !< Pa, > 0
     real(c_double), intent(in), optional :: poisson_ratio  !< (-1, 0.5)
-    real(c_double), intent(in), optional :: damping_time  !< s, >= 0: of viscous stress to that by strain (Rayleigh's beta)
+    !> s, >= 0: of viscous stress to that by strain (Rayleigh's beta)
+    real(c_double), intent(in), optional :: damping_time
     integer(c_int32_t), intent(in), optional :: plane  !< HS_PLANE_STRAIN or, in 2D, HS_PLANE_STRESS
     type(halfspace_elasticity) :: elasticity
     ! As for a law.

@@ -9,7 +9,8 @@ module halfspace_deformations
   !> hs_deformation byte for byte, with tensors as they are written: t(row, column). In 2D xx, xy, yx and yy count; the
   !! others are 0, but zz of a gradient 1.
   type, bind(c) :: halfspace_deformation
-    real(c_double) :: gradient(3, 3) = 0  !< from places in the shape's frame to places about the centroid; else a rotation
+    !> from places in the shape's frame to places about the centroid; else a rotation
+    real(c_double) :: gradient(3, 3) = 0
     real(c_double) :: rate(3, 3) = 0  !< of the gradient, 1/s
     real(c_double) :: strain(3, 3) = 0  !< Green's, from the shape as it was given, in the shape's frame; else 0
     real(c_double) :: stress(3, 3) = 0  !< Cauchy's, elastic, in space, Pa, tension > 0; else 0

@@ -40,8 +40,10 @@ contains
     type(halfspace_pair_cache), intent(inout), target, optional :: cache  !< the pair's memory from the last call
     real(c_double), intent(in), optional :: parallel_angle  !< rad, [0, 0.5]: closer to parallel shares a region
     real(c_double), intent(in), optional :: vertex_zone  !< [0, 0.5]: how near its end an edge is a vertex
-    real(c_double), intent(in), optional :: margin  !< m, [0, 1e75], in space 0: polygons whose gap is not above it touch
-    logical, intent(in), optional :: without_region  !< only the pair of largest gap, for hosts that make their own points
+    !> m, [0, 1e75], in space 0: polygons whose gap is not above it touch
+    real(c_double), intent(in), optional :: margin
+    !> only the pair of largest gap, for hosts that make their own points
+    logical, intent(in), optional :: without_region
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     type(c_ptr) :: context, memory
@@ -128,7 +130,8 @@ contains
     real(c_double), intent(in), optional :: parallel_angle, vertex_zone, margin
     logical, intent(in), optional :: without_region
     address = c_null_ptr
-    if (.not. (present(parallel_angle) .or. present(vertex_zone) .or. present(margin) .or. present(without_region))) return
+    if (.not. (present(parallel_angle) .or. present(vertex_zone) .or. present(margin) .or. &
+        present(without_region))) return
     if (hs_pair_options_init(options, c_sizeof(options)) /= HS_OK) return
     if (present(parallel_angle)) options%parallel_angle = parallel_angle
     if (present(vertex_zone)) options%vertex_zone = vertex_zone

@@ -269,7 +269,8 @@ contains
     type(halfspace_shape_properties), intent(out) :: values
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    call conclude(hs_shape_get_properties(self%handle%object(), values, c_sizeof(values)), self%handle%context(), stat, errmsg)
+    call conclude(hs_shape_get_properties(self%handle%object(), values, c_sizeof(values)), self%handle%context(), &
+                  stat, errmsg)
   end subroutine properties
 
   !> The vertices in the coordinates the shape was made from; in 2D counter-clockwise.

@@ -5,7 +5,8 @@
 !! x(3,n); with rows = .true. they are rows, x(n,2) or x(n,3). Sections of arrays are read and written where they
 !! are. Angular velocities and torques have three components, in the plane of which z alone counts.
 module halfspace_worlds
-  use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t, c_int8_t, c_loc, c_null_ptr, c_ptr, c_size_t, c_sizeof
+  use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t, c_int8_t, c_loc, c_null_ptr, c_ptr, &
+    c_size_t, c_sizeof
   use halfspace_c, halfspace_block_state => hs_block_state, halfspace_energy => hs_energy, &
     halfspace_world_report => hs_world_report
   use halfspace_contacts, only: halfspace_block, halfspace_contact
@@ -80,7 +81,8 @@ module halfspace_worlds
       real(c_double), intent(in), optional :: skin  !< reach of the neighbour list, share of a block's size; default 0.1
       real(c_double), intent(in), optional :: parallel_angle  !< rad, [0, 0.5]; default 0.01
       real(c_double), intent(in), optional :: vertex_zone  !< [0, 0.5]; default 1e-6
-      real(c_double), intent(in), optional :: potential_length  !< H of HS_STIFFNESS_POTENTIAL, > 0; default: all edges' mean
+      !> H of HS_STIFFNESS_POTENTIAL, > 0; default: all edges' mean
+      real(c_double), intent(in), optional :: potential_length
       integer(c_int32_t), intent(in), optional :: fast_blocks  !< HS_FAST_DIVIDE (default) or HS_FAST_REFUSE
       type(halfspace_context), intent(in), optional :: context
       integer, intent(out), optional :: stat
@@ -323,7 +325,8 @@ module halfspace_worlds
     module subroutine set_stress(self, block, stress, stat, errmsg)
       class(halfspace_world), intent(inout) :: self
       type(halfspace_block), intent(in) :: block
-      real(c_double), intent(in) :: stress(:,:)  !< Cauchy's, (row, column), 3 of each (2D: or 2), symmetric, Pa, tension > 0
+      !> Cauchy's, (row, column), 3 of each (2D: or 2), symmetric, Pa, tension > 0
+      real(c_double), intent(in) :: stress(:,:)
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine set_stress
@@ -362,7 +365,8 @@ module halfspace_worlds
     !> Stage: contact forces at the present poses and velocities, after detect().
     module subroutine forces(self, elapsed, force, torque, rows, stat, errmsg)
       class(halfspace_world), intent(inout) :: self
-      real(c_double), intent(in) :: elapsed  !< time since the last call, >= 0: shear springs grow by velocity times this
+      !> time since the last call, >= 0: shear springs grow by velocity times this
+      real(c_double), intent(in) :: elapsed
       real(c_double), intent(inout), target :: force(:,:)  !< on each block
       real(c_double), intent(inout), target, optional :: torque(:,:)  !< about each centroid
       logical, intent(in), optional :: rows  !< layout of both
@@ -399,7 +403,8 @@ module halfspace_worlds
     module subroutine set_shear_force(self, block_a, block_b, shear_force, stat, errmsg)
       class(halfspace_world), intent(inout) :: self
       type(halfspace_block), intent(in) :: block_a, block_b
-      real(c_double), intent(in) :: shear_force(:)  !< on block_b, 3 values (2D: or 2); what lies in the contact plane counts
+      !> on block_b, 3 values (2D: or 2); what lies in the contact plane counts
+      real(c_double), intent(in) :: shear_force(:)
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine set_shear_force

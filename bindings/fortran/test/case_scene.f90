@@ -98,9 +98,11 @@ contains
     case ('velocity')
       call s%world%set_velocity(block_named(words(2), s), numbers(words(3:5)), numbers(words(6:8)), s%status, s%text)
     case ('applied_force')
-      call s%world%set_applied_force(block_named(words(2), s), numbers(words(3:5)), numbers(words(6:8)), s%status, s%text)
+      call s%world%set_applied_force(block_named(words(2), s), numbers(words(3:5)), numbers(words(6:8)), s%status, &
+                                     s%text)
     case ('set_deformation')
-      call s%world%set_deformation(block_named(words(2), s), tensor_of(words(3:11)), tensor_of(words(12:20)), s%status, s%text)
+      call s%world%set_deformation(block_named(words(2), s), tensor_of(words(3:11)), tensor_of(words(12:20)), &
+                                   s%status, s%text)
     case ('set_stress')
       call s%world%set_stress(block_named(words(2), s), tensor_of(words(3:11)), s%status, s%text)
     case ('surface_load')
@@ -277,7 +279,8 @@ contains
       i = i + 2
     end do
     call s%world%create(dimension=dimension, gravity=gravity, time_step=time_step, safety=safety, &
-                        potential_length=potential_length, fast_blocks=fast_blocks, context=s%context, stat=s%status, errmsg=s%text)
+                        potential_length=potential_length, fast_blocks=fast_blocks, context=s%context, stat=s%status, &
+                          errmsg=s%text)
   end subroutine make_world
 
   type(halfspace_law) function law_of(words) result(law)
@@ -336,7 +339,8 @@ contains
     type(halfspace_block) :: block
     integer :: i
     call s%world%add_block(s%shapes(shape_named(words(3), s))%shape, block, kind=constant(words(4)), &
-                           material=index_of(words(5)), pose=pose_of(numbers(words(6:12))), stat=s%status, errmsg=s%text)
+                           material=index_of(words(5)), pose=pose_of(numbers(words(6:12))), stat=s%status, &
+                             errmsg=s%text)
     if (s%status /= HS_OK) return
     do i = 1, most_names
       if (s%blocks(i)%name /= words(2) .and. s%blocks(i)%name /= '') cycle

@@ -5,8 +5,10 @@ program test_affine
   use, intrinsic :: iso_fortran_env, only: int32, real64
   implicit none
 
-  real(real64), parameter :: corners(2, 4) = reshape([real(real64) :: -0.5, -0.5, 0.5, -0.5, 0.5, 0.5, -0.5, 0.5], [2, 4])
-  real(real64), parameter :: stretched_and_turned(2, 2) = reshape([0.0_real64, 1.25_real64, -1.0_real64, 0.0_real64], [2, 2])
+  real(real64), parameter :: corners(2, 4) = reshape([real(real64) :: -0.5, -0.5, 0.5, -0.5, 0.5, 0.5, -0.5, 0.5], &
+                                                     [2, 4])
+  real(real64), parameter :: stretched_and_turned(2, 2) = reshape([0.0_real64, 1.25_real64, -1.0_real64, 0.0_real64], &
+                                                                  [2, 2])
   real(real64), parameter :: density = 1000
 
   call elasticities()
@@ -29,13 +31,15 @@ contains
     call world%create(gravity=[0.0_real64, 0.0_real64], time_step=2.0_real64**(-20))
     call world%add_material(density, rock)
     call world%set_elasticity(rock, halfspace_elasticity(young_modulus=2.5e6_real64))
-    call world%add_block(square, block, kind=HS_BLOCK_AFFINE, material=rock, pose=halfspace_pose(3.0_real64, 4.0_real64))
+    call world%add_block(square, block, kind=HS_BLOCK_AFFINE, material=rock, &
+                         pose=halfspace_pose(3.0_real64, 4.0_real64))
   end subroutine make_block
 
   subroutine elasticities()
     type(halfspace_elasticity) :: default, given
     default = halfspace_elasticity()
-    call expect(default%young_modulus == 1e9_real64 .and. default%poisson_ratio == 0.25_real64, 'defaults of an elasticity')
+    call expect(default%young_modulus == 1e9_real64 .and. default%poisson_ratio == 0.25_real64, &
+                'defaults of an elasticity')
     call expect(default%damping_time == 0 .and. default%plane == HS_PLANE_STRAIN, 'its other defaults')
     given = halfspace_elasticity(2e10_real64, 0.3_real64, 1e-5_real64, HS_PLANE_STRESS)
     call expect(given%young_modulus == 2e10_real64 .and. given%poisson_ratio == 0.3_real64, 'what is given')
@@ -56,8 +60,10 @@ contains
     call world%deformation(block, d)
     call expect(all(d%gradient(:2, :2) == stretched_and_turned) .and. d%gradient(3, 3) == 1, 'the gradient')
     call expect(d%rate(1, 2) == 2 .and. d%rate(2, 1) == 3, 'its rate')
-    call expect_close([d%strain(1, 1), d%strain(2, 2)], [0.28125_real64, 0.0_real64], 1e-15_real64, 'strain of the shape')
-    call expect_close([d%stress(1, 1), d%stress(2, 2)], [225000.0_real64, 1054687.5_real64], 1e-9_real64, 'stress in space')
+    call expect_close([d%strain(1, 1), d%strain(2, 2)], [0.28125_real64, 0.0_real64], 1e-15_real64, &
+                      'strain of the shape')
+    call expect_close([d%stress(1, 1), d%stress(2, 2)], [225000.0_real64, 1054687.5_real64], 1e-9_real64, &
+                      'stress in space')
     call expect_close([d%strain_energy], [118652.34375_real64], 1e-10_real64, 'strain energy')
 
     call world%set_deformation(block, stretched_and_turned)
@@ -95,7 +101,8 @@ contains
                       'vertices are at the gradient times their places')
     call world%deformation(block, d)
     call expect(all(d%gradient == gradient), 'the gradient in space')
-    call expect_close([d%stress(1, 1), d%stress(2, 2), d%stress(3, 3)], [225000.0_real64, 1054687.5_real64, 225000.0_real64], &
+    call expect_close([d%stress(1, 1), d%stress(2, 2), d%stress(3, 3)], &
+                      [225000.0_real64, 1054687.5_real64, 225000.0_real64], &
                       1e-9_real64, 'stress in space')
   end subroutine tensors_in_space
 
@@ -112,7 +119,8 @@ contains
     d(3)%rate(1, 2) = 7
     call world%deformations(d)
     call expect(all(d(1)%gradient(:2, :2) == stretched_and_turned), 'the affine block')
-    call expect_close(d(2)%gradient(:, 1), [cos(0.5_real64), sin(0.5_real64), 0.0_real64], 1e-15_real64, 'the rigid block')
+    call expect_close(d(2)%gradient(:, 1), [cos(0.5_real64), sin(0.5_real64), 0.0_real64], 1e-15_real64, &
+                      'the rigid block')
     call expect(d(3)%rate(1, 2) == 7 .and. d(3)%rate(2, 1) == 0, 'what is past the last block stays as it is')
     call world%deformations(one, stat)
     call expect(stat == HS_NOTE_TRUNCATED, 'a note that not all fit')
@@ -137,7 +145,8 @@ contains
     call world%block_state(block, state)
     call expect_close(state%velocity, [0.0_real64, step, 0.0_real64], 1e-15_real64 * step, 'velocity')
     call world%deformation(block, d)
-    call expect_close([d%rate(2, 1), d%rate(1, 2), d%rate(1, 1), d%rate(2, 2)], step * [6, 0, 0, 0], 6 * 4.4e-8_real64 * step, &
+    call expect_close([d%rate(2, 1), d%rate(1, 2), d%rate(1, 1), d%rate(2, 2)], step * [6, 0, 0, 0], &
+                      6 * 4.4e-8_real64 * step, &
                       'rate')
     call expect(state%kind == HS_BLOCK_AFFINE, 'its kind')
   end subroutine load_on_a_face

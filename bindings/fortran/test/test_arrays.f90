@@ -86,7 +86,8 @@ contains
     rows = unset
     call shape%vertices(rows(9:2:-2, 2:3), rows=.true., count=count)
     call expect(count == 4, 'number of vertices')
-    call expect_close(reshape(transpose(rows(9:2:-2, 2:3)), [8]), reshape(corners, [8]), 1e-15_real64, 'vertices as rows')
+    call expect_close(reshape(transpose(rows(9:2:-2, 2:3)), [8]), reshape(corners, [8]), 1e-15_real64, &
+                      'vertices as rows')
     call expect(all(rows(:, [1, 4]) == unset) .and. all(rows(1:8:2, 1) == unset), 'what lies between is left alone')
     normals = unset
     call shape%halfspaces(normals(:, 1:8:2), offsets)

@@ -85,7 +85,8 @@ program test_ownership
   implicit none
 
   real(real64), parameter :: corners(2, 4) = reshape([real(real64) :: 0, 0, 1, 0, 1, 1, 0, 1], [2, 4])
-  real(real64), parameter :: tetrahedron_corners(3, 4) = reshape([real(real64) :: 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1], [3, 4])
+  real(real64), parameter :: tetrahedron_corners(3, 4) = reshape([real(real64) :: 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, &
+                                                                  1], [3, 4])
   integer(int32), parameter :: tetrahedron_faces(12) = [1, 3, 2, 1, 2, 4, 1, 4, 3, 2, 3, 4]
 
   type :: model

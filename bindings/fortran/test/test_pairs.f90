@@ -62,7 +62,8 @@ contains
     call expect(contact%type == HS_CONTACT_VERTEX_EDGE, 'not parallel by the default')
     call halfspace_detect_pair(square, below, square, turned, contact, parallel_angle=0.03_real64)
     call expect(contact%type == HS_CONTACT_EDGE_EDGE, 'parallel within the angle')
-    call halfspace_detect_pair(square, below, square, turned, contact, parallel_angle=2.0_real64, stat=stat, errmsg=text)
+    call halfspace_detect_pair(square, below, square, turned, contact, parallel_angle=2.0_real64, stat=stat, &
+                               errmsg=text)
     call expect(stat == HS_ERROR_ARGUMENT, 'the angle is out of range')
     call expect_text(text, 'parallel_angle is 2')
     turned = halfspace_pose(0.0_real64, 1.25_real64)
@@ -100,7 +101,8 @@ contains
     end do
     call expect(contacts(4)%type == HS_CONTACT_NONE, 'the last is apart')
     call halfspace_detect_pair(square, poses(1), square, poses(2), one)
-    call expect(one%feature_a == contacts(1)%feature_a .and. one%feature_b == contacts(1)%feature_b, 'features as of one pair')
+    call expect(one%feature_a == contacts(1)%feature_a .and. one%feature_b == contacts(1)%feature_b, &
+                'features as of one pair')
     call halfspace_detect_pairs([square, triangle], poses(1:3:2), reshape([1, 2], [2, 1]), contacts(:1))
     call expect(contacts(1)%type == HS_CONTACT_NONE, 'shapes of an array constructor')
     call halfspace_detect_pairs(shapes(:0), poses(:0), pairs(:, :0), contacts(:0), touching=touching)

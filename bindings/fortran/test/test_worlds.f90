@@ -5,7 +5,8 @@ program test_worlds
   use, intrinsic :: iso_fortran_env, only: int8, int32, int64, real64
   implicit none
 
-  real(real64), parameter :: corners(2, 4) = reshape([real(real64) :: -0.5, -0.5, 0.5, -0.5, 0.5, 0.5, -0.5, 0.5], [2, 4])
+  real(real64), parameter :: corners(2, 4) = reshape([real(real64) :: -0.5, -0.5, 0.5, -0.5, 0.5, 0.5, -0.5, 0.5], &
+                                                     [2, 4])
   real(real64), parameter :: ground(2, 4) = reshape([real(real64) :: -4, -1, 4, -1, 4, 0, -4, 0], [2, 4])
   real(real64), parameter :: time_step = 1e-3_real64, density = 2000
 
@@ -28,7 +29,8 @@ contains
     call square%create_polygon(corners)
     call floor%create_polygon(ground)
     call world%create(time_step=time_step)
-    call world%set_law(halfspace_law(normal_stiffness=1e7_real64, shear_stiffness=1e7_real64, friction_angle=0.5_real64))
+    call world%set_law(halfspace_law(normal_stiffness=1e7_real64, shear_stiffness=1e7_real64, &
+                                     friction_angle=0.5_real64))
     call world%add_material(density, stone)
     call world%add_block(floor, kind=HS_BLOCK_FIXED)
     call world%add_block(square, block, material=stone, pose=halfspace_pose(0.25_real64, height))
@@ -87,7 +89,8 @@ contains
     call expect(contacts(1)%feature_a >= 1 .and. contacts(1)%feature_a <= 4, 'its feature, counted from 1')
     call world%set_shear_force(names(1), block, [500.0_real64, 0.0_real64])
     call world%forces(0.0_real64, force)
-    call expect_close(force(:, 2), [500.0_real64, 1e7_real64 / 1024], 1e-8_real64, 'force with a preloaded shear spring')
+    call expect_close(force(:, 2), [500.0_real64, 1e7_real64 / 1024], 1e-8_real64, &
+                      'force with a preloaded shear spring')
   end subroutine pressed_block
 
   subroutine materials_and_laws()
@@ -98,8 +101,10 @@ contains
     character(200) :: text
     law = halfspace_law()
     soft = halfspace_law(normal_stiffness=5e5_real64, stiffness_kind=HS_STIFFNESS_PER_AREA)
-    call expect(law%normal_stiffness == 1e9_real64 .and. law%stiffness_kind == HS_STIFFNESS_PER_CONTACT, 'defaults of a law')
-    call expect(soft%normal_stiffness == 5e5_real64 .and. soft%shear_stiffness == law%shear_stiffness, 'what is given alone')
+    call expect(law%normal_stiffness == 1e9_real64 .and. law%stiffness_kind == HS_STIFFNESS_PER_CONTACT, &
+                'defaults of a law')
+    call expect(soft%normal_stiffness == 5e5_real64 .and. soft%shear_stiffness == law%shear_stiffness, &
+                'what is given alone')
     call world%create()
     call world%add_material(2500.0_real64, stone)
     call world%add_material(600.0_real64, wood)

@@ -3,8 +3,8 @@
 
 Usage: slope.py DIR, DIR being the output of `halfspace run full.toml -o DIR` or small.toml.
 
-The surface is the highest point of any grain in each of a row of upright strips, two grains wide. Of each flank the middle
-part counts, between 15 % and 85 % of the summit's height: the rounded summit and the thin toe are no slope.
+The surface is the highest point of any grain in each of a row of upright strips, two grains wide. Of each flank the
+middle part counts, between 15 % and 85 % of the summit's height: the rounded summit and the thin toe are no slope.
 """
 import pathlib
 import sys
@@ -54,7 +54,8 @@ def flank_angle(x, height, summit):
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
-    frames = sorted(pathlib.Path(sys.argv[1], "frames").glob("frame_*.vtp"), key=lambda path: int(path.stem.split("_")[1]))
+    frames = sorted(pathlib.Path(sys.argv[1], "frames").glob(
+        "frame_*.vtp"), key=lambda path: int(path.stem.split("_")[1]))
     if not frames:
         sys.exit(f"no frames in {sys.argv[1]}/frames")
     x, height = surface(read_grains(frames[-1]))
