@@ -116,14 +116,30 @@ TEMPLATE_TEST_CASE_SIG(
   WorldParts<D> parts(SpringLaw(), falling<D>());
   parts.add(cube<D>(), BlockKind::prescribed, at<D>(0, 0), at<D>(2, 1));
   parts.add(cube<D>(), BlockKind::fixed, at<D>(10, 0));
+  Angular<D> turn = Angular<D>::Zero();
+  turn[0] = 0.5;
+  const Rotation<D> turned = Rotation<D>().turned_by(turn);
+  parts.blocks.place(1, at<D>(10, 0), turned);
   for (Vector<D>& force : parts.blocks.force) force = at<D>(3, 5);
   const Stock stock = run(parts);
   const double time = steps * time_step;
   CHECK(parts.blocks.position[0] == at<D>(2 * time, time));
   CHECK(parts.blocks.velocity[0] == at<D>(2, 1));
   CHECK(parts.blocks.position[1] == at<D>(10, 0));
+  CHECK(parts.blocks.rotation[1].farthest_from(turned) == 0);
   CHECK(stock.power.outer == -(3 * 2 + 5 * 1));
   CHECK(stock.kinetic == 0);
+}
+
+TEMPLATE_TEST_CASE_SIG("energy that blocks gain as they fall by their own size is noise", "", ((int D), D), 2,
+                       3) {
+  WorldParts<D> parts(SpringLaw(), falling<D>(), 4);
+  parts.add(cube<D>(), BlockKind::rigid, at<D>(0, 0));
+  parts.add(cube<D>(), BlockKind::fixed, at<D>(10, 0));
+  parts.list_neighbors();
+  double noise = 0;
+  parts.integrator.begin(time_step, noise);
+  CHECK(noise == Approx(4 * gravity * std::sqrt(D) / 2));
 }
 
 TEST_CASE("work of an applied force is by the velocity in the middle of a motion") {
