@@ -91,9 +91,9 @@ TEMPLATE_TEST_CASE_SIG("what the shear spring of an ended contact held is lost t
   REQUIRE(parts.contacts.count() == 1);
   parts.contacts.shear_of(0).energy = 0.75;
   parts.find_contacts();
-  CHECK(parts.ledger.entries().friction_loss == 0);
+  CHECK(parts.sums.released == 0);
   parts.blocks.place(moved, at<D>(1.0625, 0), {});
   parts.find_contacts();
-  CHECK(parts.ledger.entries().friction_loss == 0.75);
+  CHECK(parts.sums.released == 0.75);
   CHECK(parts.neighbors.shear()[0].energy == 0);
 }

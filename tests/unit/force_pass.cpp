@@ -36,8 +36,8 @@ struct Overlapping : WorldParts<D> {
                                     moment(blocks.position[0], blocks.force[0]) +
                                     moment(blocks.position[1], blocks.force[1]);
     CHECK(about_origin.norm() <= 1e-13 * force);
-    REQUIRE(this->forces.forces().size() == 1);
-    CHECK(this->forces.forces()[0].force == blocks.force[1]);
+    REQUIRE(this->forces.are_known());
+    CHECK(this->forces.of_contact(0).force == blocks.force[1]);
   }
 };
 

@@ -40,6 +40,25 @@ TEST_CASE("of rates that grow evenly the ledger holds the integrals, whatever th
   CHECK(entries.losses() == (2 + 3 + 4 + 5) * integral);
 }
 
+TEST_CASE("sums over parts of a world are those over all of it, and the fastest is the fastest of any") {
+  Stock sum = stock_at(1), other = stock_at(2);
+  sum.kinetic = sum.gravity = sum.block_strain = 1;
+  other.kinetic = other.gravity = other.block_strain = 2;
+  sum.squared_speed = other.squared_swing = 3;
+  sum.add(other);
+  EnergyLedger of_sum;
+  of_sum.begin(sum, 0);
+  CHECK(of_sum.entries().total() == 9);
+  CHECK(sum.squared_speed == 3);
+  CHECK(sum.squared_swing == 3);
+  const Power &power = sum.power, both = stock_at(1).power, more = stock_at(2).power;
+  CHECK(power.outer == both.outer + more.outer);
+  CHECK(power.contact_damping == both.contact_damping + more.contact_damping);
+  CHECK(power.local_damping == both.local_damping + more.local_damping);
+  CHECK(power.mass_damping == both.mass_damping + more.mass_damping);
+  CHECK(power.block_damping == both.block_damping + more.block_damping);
+}
+
 TEST_CASE("a residual is what no entry explains") {
   EnergyLedger ledger;
   ledger.begin({}, 0);

@@ -75,7 +75,7 @@ TEMPLATE_TEST_CASE_SIG("a block that flies away is stopped by nothing, but what 
   CHECK(away.spring_stop.deepest() == 0);
   FlyingPlate<D> noted(normal_spring(stiffness));
   const double before = noted.spring_stop.deepest();
-  noted.spring_stop.note_meeting(noted.neighbors.pairs()[0]);
+  noted.spring_stop.note(noted.spring_stop.of_meeting(noted.neighbors.pairs()[0]));
   noted.blocks.set_motion(1, at<D>(speed, 0), Angular<D>::Zero());
   CHECK(noted.spring_stop.deepest() == before);
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tuple>
+#include <span>
 #include <vector>
 
 #include "bare_law.h"
@@ -10,7 +10,6 @@
 #include "world/fast_motion.h"
 #include "world/force_pass.h"
 #include "world/integrator.h"
-#include "world/ledger.h"
 #include "world/model.h"
 #include "world/spring_stop.h"
 #include "world/stable_step.h"
@@ -52,15 +51,15 @@ struct WorldParts {
   Memory* const memory = std::pmr::get_default_resource();
   Model<D> model;
   Blocks<D>& blocks = model.blocks;
-  EnergyLedger ledger;
   Clock clock;
-  ContactList<D> contacts{model, ledger, memory};
+  ContactList<D> contacts{model, memory};
   NeighborList<D>& neighbors = contacts.neighbors();
-  ForcePass<D> forces{model, neighbors, memory};
-  Integrator<D> integrator{model, neighbors, forces, memory};
+  ForcePass<D> forces{model, contacts, nullptr, memory};
+  Integrator<D> integrator{model, neighbors, forces, nullptr, memory};
   StableStep<D> stable_step{model, contacts, memory};
   SpringStop<D> spring_stop{model, contacts};
-  FastMotion<D> fast_motion{model, contacts, integrator, clock, stable_step, spring_stop, memory};
+  FastMotion<D> fast_motion{model, contacts, integrator, clock, stable_step, spring_stop, 1, memory};
+  PairSums sums;  // of the contacts last found
 
   explicit WorldParts(const SpringLaw& law, const WorldSettings<D>& settings = {}, double density = 1)
       : model(settings, memory) {
@@ -84,23 +83,23 @@ struct WorldParts {
         model.materials.laws().any([](const SpringLaw& law) { return law.resists_shear(); });
     neighbors.search_again(blocks, model.settings.skin, with_shear);
     contacts.fit_room();
-    forces.fit_room();
     forces.fit_rooms();
     fast_motion.fit_room();
     integrator.resize(blocks.slot_count());
     neighbors.renew(blocks, with_shear);
   }
 
-  /// What becomes of each listed pair, in their order.
+  /// What becomes of each listed pair, in their order: one chunk of pairs.
   std::vector<Found> find_contacts() {
     std::vector<Found> found;
     Contact<D> contact;
-    contacts.begin();
+    sums = {};
+    contacts.forget();
     for (std::size_t k = 0; k < neighbors.pairs().size(); ++k) {
-      found.push_back(contacts.find(k, contact));
-      if (found.back() != Found::apart) contacts.keep(k, contact);
+      found.push_back(contacts.find(k, contact, sums));
+      if (found.back() != Found::apart) contacts.keep(k, 0, contact, sums);
     }
-    contacts.end();
+    contacts.end(std::span(&sums, 1));
     return found;
   }
 
@@ -109,6 +108,7 @@ struct WorldParts {
     typename ForcePass<D>::Evaluation evaluation = forces.begin(elapsed);
     for (std::size_t c = 0; c < contacts.count(); ++c)
       forces.load(contacts.touching()[c], contacts.contact(c), evaluation);
+    forces.gather();
     return evaluation.energy;
   }
 };
