@@ -25,8 +25,8 @@ struct Refusal {
 inline void check_refusals(hs_context* context, const std::string& function,
                            const std::vector<Refusal>& refusals) {
   for (const Refusal& r : refusals) {
-    hs_polygon_check(context, {},
-                     nullptr);  // so that a text left over from the case before is not taken for this one's
+    // So that a text left over from the case before is not taken for this one's.
+    (void)hs_polygon_check(context, {}, nullptr);
     INFO(function << ", " << r.argument << " = " << r.value);
     CHECK(r.call() == r.status);
     const std::string text = hs_context_last_error(context);

@@ -73,9 +73,9 @@ void record_whole(Hash& hash, const hs_world_report& report) {
 
 void record_motion(Hash& hash, const hs_world* world) {
   std::int64_t count = 0;
-  hs_world_get_blocks(world, nullptr, 0, &count);
+  (void)hs_world_get_blocks(world, nullptr, 0, &count);
   std::vector<hs_block> blocks(static_cast<std::size_t>(count));
-  hs_world_get_blocks(world, blocks.data(), count, nullptr);
+  (void)hs_world_get_blocks(world, blocks.data(), count, nullptr);
   for (const hs_block block : blocks) {
     hash(block);
     record(hash, state_of(world, block));
@@ -96,7 +96,7 @@ hs_status heard_of(const hs_world* world, hs_status status) {
 
 void record_shape(Hash& hash, const hs_shape* shape) {
   hs_shape_properties p{};
-  hs_shape_get_properties(shape, &p, sizeof p);
+  (void)hs_shape_get_properties(shape, &p, sizeof p);
   hash.all(p.dimension, p.vertex_count, p.edge_count, p.face_count, p.volume, p.centroid, p.second_moment,
            p.bounding_radius, p.shortest_edge);
 
@@ -109,17 +109,17 @@ void record_shape(Hash& hash, const hs_shape* shape) {
   };
   std::vector<Vector> vertices(std::size_t(p.vertex_count)), normals(std::size_t(p.face_count));
   std::vector<double> offsets(normals.size());
-  hs_shape_get_vertices(shape, view_of_all(vertices), nullptr);
-  hs_shape_get_halfspaces(shape, view_of_all(normals), offsets.data(), nullptr);
+  (void)hs_shape_get_vertices(shape, view_of_all(vertices), nullptr);
+  (void)hs_shape_get_halfspaces(shape, view_of_all(normals), offsets.data(), nullptr);
   for (const Vector& vertex : vertices) hash(vertex.values);
   for (const Vector& normal : normals) hash(normal.values);
   hash.first(offsets.data(), offsets.size());
 
   std::vector<std::int32_t> first_of_face(normals.size() + 1), corners(2 * std::size_t(p.edge_count)),
       ends(corners.size());
-  hs_shape_get_faces(shape, first_of_face.data(), std::int64_t(first_of_face.size()), corners.data(),
-                     std::int64_t(corners.size()), nullptr, nullptr);
-  hs_shape_get_edges(shape, ends.data(), p.edge_count, nullptr);
+  (void)hs_shape_get_faces(shape, first_of_face.data(), std::int64_t(first_of_face.size()), corners.data(),
+                           std::int64_t(corners.size()), nullptr, nullptr);
+  (void)hs_shape_get_edges(shape, ends.data(), p.edge_count, nullptr);
   for (const auto& indices : {first_of_face, corners, ends}) hash.first(indices.data(), indices.size());
 }
 
