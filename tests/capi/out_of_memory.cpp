@@ -105,7 +105,7 @@ void survive_every_failure(const EntryPoint& entry, int dimension) {
 TEST_CASE("every exported function is among the entry points") {
   std::vector<std::string> called;
   for (const EntryPoint& entry : entry_points()) called.push_back(entry.name);
-  called.push_back("hs_task_run");  // called within steps: see world_threads_test.cpp
+  called.push_back("hs_task_run");  // called within steps: see world_threads.cpp
   std::sort(called.begin(), called.end());
   std::ifstream ledger(HALFSPACE_SYMBOLS);
   const std::vector<std::string> exported{std::istream_iterator<std::string>(ledger),
