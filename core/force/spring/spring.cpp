@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "force/spring/joint_face.h"
 #include "force/spring/point_springs.h"
@@ -17,7 +18,7 @@ double Spring<D>::viscosity(double share_of_critical, double stiffness) const {
 template <int D>
 typename Spring<D>::NormalPart Spring<D>::per_contact(const Contact<D>& contact, const PairMotion<D>& motion,
                                                       bool bonded, ContactEnergy& energy) const {
-  constexpr int most_points = sizeof contact.gaps / sizeof *contact.gaps;
+  constexpr std::size_t most_points = std::extent_v<decltype(Contact<D>::gaps)>;
   NormalPart normal;
   normal.base = base_of(contact);
   Vector<D> weighted = Vector<D>::Zero(), weighted_viscous = Vector<D>::Zero();

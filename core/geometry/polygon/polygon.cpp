@@ -69,7 +69,7 @@ void Shape<2>::store(std::span<const Vector<2>> vertices) {
 
   shortest_edge_ = HUGE_VAL;
   for (int i = 0; i < count_; ++i) {
-    const Vector<2> here = vertices[std::size_t(i)];
+    const Vector<2>& here = vertices[std::size_t(i)];
     const Vector<2> edge = vertices[std::size_t(i + 1 == count_ ? 0 : i + 1)] - here;
     const double length = edge.stableNorm();
     // Relative to the centroid as it is reported, rounding included: the difference of near numbers is exact,
