@@ -82,13 +82,7 @@ hs_status hs_context_create(const hs_context_def* def, hs_context** context) {
       refuse(HS_ERROR_ARGUMENT, "set allocate and release both, or neither");
     require(known.threads >= 1 && known.threads <= most_threads, known.threads, "threads", "from 1 to 256");
     HostMemory memory(known);
-    void* place = memory.allocate(sizeof(hs_context), alignof(hs_context));
-    try {
-      *context = new (place) hs_context(known);
-    } catch (...) {
-      memory.deallocate(place, sizeof(hs_context), alignof(hs_context));
-      throw;
-    }
+    *context = create_in<hs_context>(memory, known);
     return HS_OK;
   });
 }
@@ -102,8 +96,7 @@ void hs_task_run(hs_task* task, std::int32_t index) {
 void hs_context_destroy(hs_context* context) {
   if (!context) return;
   HostMemory memory = context->memory;
-  context->~hs_context();
-  memory.deallocate(context, sizeof(hs_context), alignof(hs_context));
+  destroy_in(memory, context);
 }
 
 const char* hs_context_last_error(const hs_context* context) {

@@ -59,22 +59,31 @@ struct hs_context {
 
 namespace halfspace::capi {
 
-/// A handle's object, in the context's memory.
+/// A handle's object, in memory of the host.
 template <class T, class... Arguments>
-T* create(hs_context* context, Arguments&&... arguments) {
-  void* place = context->memory.allocate(sizeof(T), alignof(T));
+T* create_in(HostMemory& memory, Arguments&&... arguments) {
+  void* place = memory.allocate(sizeof(T), alignof(T));
   try {
     return new (place) T(std::forward<Arguments>(arguments)...);
   } catch (...) {
-    context->memory.deallocate(place, sizeof(T), alignof(T));
+    memory.deallocate(place, sizeof(T), alignof(T));
     throw;
   }
 }
+template <class T>
+void destroy_in(HostMemory& memory, T* object) {
+  object->~T();
+  memory.deallocate(object, sizeof(T), alignof(T));
+}
 
+/// The same in the context's memory.
+template <class T, class... Arguments>
+T* create(hs_context* context, Arguments&&... arguments) {
+  return create_in<T>(context->memory, std::forward<Arguments>(arguments)...);
+}
 template <class T>
 void destroy(hs_context* context, T* object) {
-  object->~T();
-  context->memory.deallocate(object, sizeof(T), alignof(T));
+  destroy_in(context->memory, object);
 }
 
 }  // namespace halfspace::capi

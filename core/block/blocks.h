@@ -37,6 +37,8 @@ class Blocks {
   bool lives(std::size_t slot) const { return kind[slot] != BlockKind::none; }
   /// By Newton's law.
   bool moves_freely(std::size_t slot) const { return kind[slot] >= BlockKind::rigid; }
+  /// As it is told to, or by Newton's law.
+  bool moves(std::size_t slot) const { return kind[slot] >= BlockKind::prescribed; }
   bool has_affine() const { return !deformations_.empty(); }
   bool is_affine(std::size_t slot) const { return kind[slot] == BlockKind::affine; }
   std::int64_t count() const { return living_; }
@@ -110,7 +112,7 @@ class Blocks {
     return {outline(a), outline(b), position[std::size_t(b)] - position[std::size_t(a)]};
   }
   Box<D> box(std::int32_t slot) const;
-  /// Of the block that has most of them.
+  /// The edges of the block that has most of them.
   std::size_t most_edges() const;
   /// How many doubles the largest block takes that is deformed.
   std::size_t most_components() const;

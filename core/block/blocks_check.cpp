@@ -3,7 +3,7 @@
 #include "block/blocks.h"
 #include "geometry/numbers.h"
 
-// What blocks of a snapshot must be so that no index leads out of an array and no number is none.
+// Blocks of a snapshot are checked, so that no index leads out of an array and no number is none.
 
 namespace halfspace {
 namespace {

@@ -5,7 +5,7 @@
 
 namespace halfspace {
 
-// What numbers that were read from a snapshot must be before they are computed with.
+// Numbers that were read from a snapshot are checked by these before they are computed with.
 
 inline bool is_finite(double value) { return std::isfinite(value); }
 inline bool is_positive(double value) { return value > 0 && std::isfinite(value); }

@@ -16,7 +16,7 @@ class Clock {
   double time_step() const { return time_step_; }
   /// So many steps have been divided.
   std::int64_t divided_steps() const { return divided_steps_; }
-  /// What of the step is still to come.
+  /// The part of the step that is still to come.
   double rest() const { return time_step_ - passed_; }
 
   /// False for what is no step. Another one than before begins where time has come to.
@@ -38,7 +38,7 @@ class Clock {
     ++steps_;
   }
 
-  /// What choosing a step writes to.
+  /// All that choosing a step writes to.
   auto epoch() { return std::tie(epoch_time_, epoch_step_, time_step_, passed_); }
 
   /// False for what no clock can be, after reading a snapshot.

@@ -13,13 +13,13 @@
 
 namespace halfspace {
 
-/// What has become of a pair: `met` when it was not in contact before.
+/// The state of a pair that has been looked at: `met` when it was not in contact before.
 enum class Found { apart, in_contact, met };
 
 /// Pairs that one worker goes through at once.
 constexpr std::size_t pairs_per_chunk = 256;
 
-/// What is summed over a chunk of pairs.
+/// Sums over a chunk of pairs.
 struct PairSums {
   std::uint32_t contacts = 0;
   double released = 0;  // energy of shear springs whose contact has ended
@@ -50,14 +50,14 @@ class ContactList {
     describe(pair_of(c), contact);
     return contact;
   }
-  /// Of a pair that is known to be one.
+  /// Describes the contact of a pair that is known to have one.
   void describe(const Candidate<D>& pair, Contact<D>& contact) const;
 
   bool are_found() const { return found_; }
   /// Contacts are forgotten, and found anew by find() of each pair, chunk by chunk. Is the pair in contact,
   /// or held together by its bond? Then the contact is described, if that is wanted.
   Found find(std::size_t k, Contact<D>& contact, PairSums& sums);
-  /// Of a pair in contact, when its description is final.
+  /// Keeps a pair in contact, when its description is final.
   void keep(std::size_t k, std::size_t first_of_chunk, const Contact<D>& contact, PairSums& sums) {
     found_in_chunks_[first_of_chunk + sums.contacts++] = std::uint32_t(k);
     if (is_always_described(neighbors_.pairs()[k]))
@@ -71,7 +71,6 @@ class ContactList {
     touching_.clear();
     found_ = false;
   }
-  void expire() { found_ = false; }
 
   /// Is a contact described as it is found? In space that costs as much as a force by springs, and potentials
   /// read nothing of it. It is wanted all the same when blocks are first seen, and when another law has

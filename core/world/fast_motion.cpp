@@ -8,7 +8,7 @@
 namespace halfspace {
 namespace {
 
-/// Of the thickness of the thinner block: in a motion that is shorter than this no two sides close in turn.
+/// A share of the thinner block's thickness: in a motion that is shorter no two sides close in turn.
 constexpr double short_share = 0x1p-8;
 
 PairMemory<2> memory_of(const Impact<2>& impact) { return {PairMemory<2>::separated, impact.pair}; }
@@ -34,8 +34,8 @@ void FastMotion<D>::note_speeds(const Stock& stock) {
   fastest_squared_ = 2.001 * (stock.squared_speed + stock.squared_swing);
 }
 
-/// In a whole step it would move far against the thinnest of itself and its neighbours: at its present speed,
-/// or at that of the planned motion. A kick that stops a block makes it no slow one.
+/// A fast block would move far in a whole step against the thinnest of itself and its neighbours: at its
+/// present speed, or at that of the planned motion. A kick that stops a block makes it no slow one.
 template <int D>
 bool FastMotion<D>::is_fast(std::size_t i) const {
   const double calm = integrator_.duration() / clock_.time_step() * contacts_.neighbors().calm_motion(i);
@@ -56,7 +56,7 @@ bool FastMotion<D>::any() const {
   return false;
 }
 
-/// Of the motion that is planned.
+/// The motion that is planned.
 template <int D>
 Sweep<D> FastMotion<D>::planned_sweep(std::size_t i) const {
   Sweep<D> sweep;

@@ -66,7 +66,7 @@ template <int D>
   return load;
 }
 
-/// For k_n / H = 1. In space by a plan, and steps make plans.
+/// The force is that for k_n / H = 1. In space it goes by a plan, and steps make plans.
 template <int D>
 inline PotentialForce<D> ForcePass<D>::potential_between(Candidate<D>& pair, const PlacedBlocks<D>& at,
                                                          int worker, bool is_step) {
@@ -112,7 +112,7 @@ void ForcePass<D>::load(std::size_t k, const Contact<D>& contact, Evaluation& ev
   if (!virials_.empty()) virials_[k] = virials_of(pair, load, is_damped, evaluation);
 }
 
-/// What a contact does to the strain of its blocks, where they have any.
+/// A contact strains those of its blocks that are affine.
 template <int D>
 typename ForcePass<D>::Virials ForcePass<D>::virials_of(const Candidate<D>& pair, const PairLoad<D>& load,
                                                         bool is_damped, Evaluation& evaluation) const {

@@ -32,13 +32,13 @@ class ForcePass {
     for (int worker = 0; worker < workers; ++worker) potential_rooms_.emplace_back(memory);
   }
 
-  /// What the forces of a chunk of contacts have in common, and what they sum up to.
+  /// The common part of the forces of a chunk of contacts, and their sums.
   struct Evaluation {
     double elapsed;
     double potential_length;
     int worker = 0;
     ContactEnergy energy{};
-    // Of the contact at hand, where a block is affine.
+    // These are of the contact at hand, where a block is affine.
     Stretch<D> stretch{};
     StrainRates<D> strain_rates{};
   };
@@ -72,7 +72,7 @@ class ForcePass {
   }
 
  private:
-  /// What the dashpots of its contacts do to a block: what they lose is known with its velocity at the end of
+  /// The load of a block by the dashpots of its contacts: their loss is known with its velocity at the end of
   /// the step.
   struct DashpotLoad {
     Vector<D> force = Vector<D>::Zero();
@@ -84,7 +84,7 @@ class ForcePass {
     }
   };
 
-  /// What a contact does to the strain of affine blocks, and what of that its dashpots do.
+  /// The virials by which a contact strains affine blocks, and the part of them that its dashpots make.
   struct Virials {
     Tensor<D> on_a = Tensor<D>::Zero();
     Tensor<D> on_b = Tensor<D>::Zero();

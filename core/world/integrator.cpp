@@ -102,7 +102,7 @@ bool Integrator<D>::plan(double duration) {
   duration_ = duration;
   const std::size_t slots = blocks_.slot_count();
   next_rotation_.resize(slots);
-  made_.reserve(chunk_count(slots, blocks_per_chunk));
+  stocks_.reserve(chunk_count(slots, blocks_per_chunk));
   planned_.assign(chunk_count(slots, blocks_per_chunk), {});
   for_each_block([&](std::size_t i, std::size_t chunk) {
     Plan& plan = planned_[chunk];
@@ -162,12 +162,12 @@ bool Integrator<D>::plan_block(std::size_t i, const Vector<D>& velocity, double 
   return true;
 }
 
-/// Of blocks that go far the search is told which way.
+/// Tells the search which way blocks go that go far.
 template <int D>
 void Integrator<D>::plan_ways() {
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
-    const bool moves = blocks_.moves_freely(i) || blocks_.kind[i] == BlockKind::prescribed;
-    if (moves && neighbors_.planned_motion(i) > blocks_.radius[i]) neighbors_.plan_way(i, planned_way(i));
+    if (blocks_.moves(i) && neighbors_.planned_motion(i) > blocks_.radius[i])
+      neighbors_.plan_way(i, planned_way(i));
   }
 }
 
@@ -204,33 +204,29 @@ void Integrator<D>::kick_and_drift() {
 }
 
 template <int D>
-Stock Integrator<D>::kick(double& applied_power) {
-  made_.assign(chunk_count(blocks_.slot_count(), blocks_per_chunk), {});
-  for_each_block([&](std::size_t i, std::size_t chunk) { kick(i, made_[chunk]); });
-  Stock stock;
-  applied_power = 0;
-  for (const Made& made : made_) {
-    stock.add(made.stock);
-    applied_power += made.applied_power;
-  }
-  return stock;
+Stock Integrator<D>::kick() {
+  stocks_.assign(chunk_count(blocks_.slot_count(), blocks_per_chunk), {});
+  for_each_block([&](std::size_t i, std::size_t chunk) { kick(i, stocks_[chunk]); });
+  Stock all;
+  for (const Stock& stock : stocks_) all.add(stock);
+  return all;
 }
 
 template <int D>
-void Integrator<D>::kick(std::size_t i, Made& made) {
-  if (blocks_.is_affine(i)) return kick_affine(i, made);
+void Integrator<D>::kick(std::size_t i, Stock& stock) {
+  if (blocks_.is_affine(i)) return kick_affine(i, stock);
   const double half = 0.5 * duration_;
   const Vector<D> middle_velocity = blocks_.velocity[i];
   const Angular<D> middle_spin = blocks_.spin[i];
   if (blocks_.kind[i] == BlockKind::rigid) {
     accelerate_rigid(i);
-    made.applied_power +=
+    stock.applied_power +=
         blocks_.applied_force[i].dot(middle_velocity) + blocks_.applied_torque[i].dot(middle_spin);
     // One beyond all numbers is none: the next motion, which is planned with it, is refused as unstable.
     if (acceleration_[i].allFinite() && momentum_rate_[i].allFinite())
       blocks_.kick(i, half * acceleration_[i], half * momentum_rate_[i]);
   }
-  take_stock(i, middle_velocity, middle_spin, made.stock);
+  take_stock(i, middle_velocity, middle_spin, stock);
 }
 
 template class Integrator<2>;

@@ -29,22 +29,22 @@ class Integrator {
         momentum_rate_(memory),
         next_rotation_(memory),
         planned_(memory),
-        made_(memory) {}
+        stocks_(memory) {}
 
   /// Accelerations of all blocks from the forces at hand, and what there is of energy. The noise is how much
   /// of it the blocks' fall by their own size, and positions that are off by rounding, amount to.
   Stock begin(double time_step, double& noise);
-  /// By the forces at hand.
+  /// Works out the acceleration of a block from the forces at hand.
   void accelerate(std::size_t block);
 
   /// Plans a motion and announces it to the neighbour list. All memory is taken here. False when it is not
   /// finite or presses a block flat: out of hand.
   bool plan(double duration);
   double duration() const { return duration_; }
-  /// Of all blocks in the planned motion.
+  /// The longest way of any block's points in the planned motion, and the largest turn.
   double longest_motion() const { return longest_motion_; }
   double most_turned() const { return most_turned_; }
-  /// Of a block in the planned motion.
+  /// The planned motion of a block.
   Vector<D> planned_way(std::size_t block) const;
   Tensor<D> planned_stretch(std::size_t block) const;
   Angular<D> planned_turn(std::size_t block) const;
@@ -52,7 +52,7 @@ class Integrator {
   /// Velocities to the middle of the planned motion, places to its end.
   void kick_and_drift();
   /// Velocities to its end.
-  Stock kick(double& applied_power);
+  Stock kick();
 
   void reserve(std::size_t slots) {
     acceleration_.reserve(slots);
@@ -77,7 +77,7 @@ class Integrator {
   }
 
  private:
-  /// What drives a block, before damping.
+  /// The force and torque that drive a block, before damping.
   struct Drive {
     Vector<D> force;
     Angular<D> torque;
@@ -86,18 +86,13 @@ class Integrator {
   /// Blocks that one worker goes through at once.
   static constexpr std::size_t blocks_per_chunk = 256;
 
-  /// What has been planned for a chunk of blocks.
+  /// The plan of a chunk of blocks.
   struct Plan {
     bool is_in_hand = true;
     bool uses_list_up = false;
     bool goes_far = false;  // some block by more than its radius
     double longest_motion = 0;
     double most_turned = 0;
-  };
-  /// What a chunk of blocks has come to.
-  struct Made {
-    Stock stock;
-    double applied_power = 0;
   };
 
   template <class Visit>
@@ -107,11 +102,11 @@ class Integrator {
   bool plan_block(std::size_t block, const Vector<D>& velocity, double turn, Plan& plan);
   bool plan_motion_of(std::size_t block, Plan& plan);
   void plan_ways();
-  void kick(std::size_t block, Made& made);
+  void kick(std::size_t block, Stock& stock);
   void take_stock(std::size_t block, const Vector<D>& opposed, const Angular<D>& opposed_spin,
                   Stock& stock) const;
 
-  // Of affine blocks: see integrator_affine.cpp.
+  // The same for affine blocks is in integrator_affine.cpp.
   Vector<D> affine_drive(std::size_t block) const;
   Tensor<D> strain_drive(std::size_t block) const;
   void accelerate_affine(std::size_t block);
@@ -119,7 +114,7 @@ class Integrator {
   void kick_and_drift_affine(std::size_t block);
   void take_affine_stock(std::size_t block, const Vector<D>& opposed, const Tensor<D>& opposed_rate,
                          Stock& stock) const;
-  void kick_affine(std::size_t block, Made& made);
+  void kick_affine(std::size_t block, Stock& stock);
 
   const WorldSettings<D>& settings_;
   const Model<D>& model_;
@@ -131,7 +126,7 @@ class Integrator {
   Array<Angular<D>> momentum_rate_;   // of the angular momentum, likewise
   Array<Rotation<D>> next_rotation_;  // planned
   Array<Plan> planned_;               // of each chunk of blocks
-  Array<Made> made_;                  // likewise
+  Array<Stock> stocks_;               // likewise
   double duration_ = 0;               // of the planned motion: the step or a part of it
   double longest_motion_ = 0;
   double most_turned_ = 0;

@@ -95,21 +95,21 @@ void Integrator<D>::take_affine_stock(std::size_t i, const Vector<D>& opposed, c
 
 /// Second half of a step.
 template <int D>
-void Integrator<D>::kick_affine(std::size_t i, Made& made) {
+void Integrator<D>::kick_affine(std::size_t i, Stock& stock) {
   const double half = 0.5 * duration_;
   const Deformation<D>& deformation = blocks_.deformation(i);
   const Vector<D> middle_velocity = blocks_.velocity[i];
   const Tensor<D> middle_rate = deformation.rate;
   accelerate_affine(i);
-  made.applied_power += blocks_.applied_force[i].dot(middle_velocity) +
-                        deformation.load_force.dot(middle_velocity) +
-                        deformation.load.cwiseProduct(middle_rate).sum();
+  stock.applied_power += blocks_.applied_force[i].dot(middle_velocity) +
+                         deformation.load_force.dot(middle_velocity) +
+                         deformation.load.cwiseProduct(middle_rate).sum();
   // A kick beyond all numbers is none, as with rigid blocks.
   if (acceleration_[i].allFinite() && deformation.acceleration.allFinite()) {
     blocks_.push(i, half * acceleration_[i], Angular<D>::Zero());
     blocks_.strain(i, half * deformation.acceleration);
   }
-  take_affine_stock(i, middle_velocity, middle_rate, made.stock);
+  take_affine_stock(i, middle_velocity, middle_rate, stock);
 }
 
 template class Integrator<2>;

@@ -43,13 +43,14 @@ struct Power {
   }
 };
 
-/// What is summed over the blocks.
+/// Sums over the blocks.
 struct Stock {
   double kinetic = 0;
   double gravity = 0;
   double block_strain = 0;
   double squared_speed = 0;  // of the fastest
   double squared_swing = 0;  // of the points that move fastest about their centroid
+  double applied_power = 0;  // of applied forces, by the velocity in the middle of the motion
   Power power;
 
   void add(const Stock& more) {
@@ -58,6 +59,7 @@ struct Stock {
     block_strain += more.block_strain;
     squared_speed = std::max(squared_speed, more.squared_speed);
     squared_swing = std::max(squared_swing, more.squared_swing);
+    applied_power += more.applied_power;
     power.add(more.power);
   }
 };
@@ -75,24 +77,24 @@ class EnergyLedger {
   /// Before the world is changed from outside, for the first time since the last state known.
   void note_edit() { residual_before_edit_ = entries_.residual(); }
 
-  /// Of a changed world: what the edit has done to the energy is outer work. `noise` is the energy that
-  /// rounding and the blocks' fall by their own size amount to, besides what is there.
+  /// Begins anew with a changed world: its edit's change of the energy is outer work. `noise` is the energy
+  /// that rounding and the blocks' fall by their own size amount to, besides what is there.
   void begin(const Stock& stock, double noise) {
     take(stock);
     noise_energy_ = noise + entries_.kinetic + entries_.strain + entries_.block_strain;
     entries_.outer_work = entries_.total() - residual_before_edit_;
   }
 
-  /// Of a motion. Powers are known at both of its ends: the trapezoid between them is as exact as the step
-  /// itself. `applied_power` is that of applied forces, by the velocity in the middle.
-  void book(const Stock& stock, double applied_power, double duration) {
+  /// Books a motion. Powers are known at both of its ends: the trapezoid between them is as exact as the step
+  /// itself.
+  void book(const Stock& stock, double duration) {
     const double half = 0.5 * duration;
     const Power &before = power_, &after = stock.power;
     entries_.contact_damping_loss += half * (before.contact_damping + after.contact_damping);
     entries_.local_damping_loss += half * (before.local_damping + after.local_damping);
     entries_.mass_damping_loss += half * (before.mass_damping + after.mass_damping);
     entries_.block_damping_loss += half * (before.block_damping + after.block_damping);
-    entries_.outer_work += duration * applied_power + half * (before.outer + after.outer);
+    entries_.outer_work += duration * stock.applied_power + half * (before.outer + after.outer);
     take(stock);
   }
 

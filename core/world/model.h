@@ -6,7 +6,7 @@
 
 namespace halfspace {
 
-/// What a world consists of. Its parts read it and move its blocks.
+/// Settings, materials and blocks of a world. Its parts read them and move the blocks.
 template <int D>
 struct Model {
   Model(const WorldSettings<D>& given, Memory* memory) : settings(given), materials(memory), blocks(memory) {}

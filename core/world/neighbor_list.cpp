@@ -44,9 +44,9 @@ void NeighborList<D>::choose_skins(const Blocks<D>& blocks, double relative_skin
     typical = *middle;
   }
   for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
-    const bool moves = blocks.moves_freely(i) || blocks.kind[i] == BlockKind::prescribed;
     const double planned = ways_.empty() ? planned_[i] : planned_[i] - ways_[i].norm();
-    skin_[i] = moves ? std::max(relative_skin * 2 * std::min(blocks.radius[i], typical), planned) : 0;
+    skin_[i] =
+        blocks.moves(i) ? std::max(relative_skin * 2 * std::min(blocks.radius[i], typical), planned) : 0;
   }
 }
 

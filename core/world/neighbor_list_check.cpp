@@ -4,7 +4,7 @@
 #include "geometry/numbers.h"
 #include "world/neighbor_list.h"
 
-// What a neighbour list of a snapshot must be so that no index leads out of an array.
+// A neighbour list of a snapshot is checked, so that no index leads out of an array.
 
 namespace halfspace {
 namespace {

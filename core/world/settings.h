@@ -8,7 +8,7 @@
 
 namespace halfspace {
 
-/// What becomes of a step in which two blocks would move far against the thinner of them.
+/// A step in which two blocks would move far against the thinner of them is divided or refused.
 enum class FastBlocks : std::int32_t { divide = 0, refuse = 1 };
 
 /// How a world is stepped.

@@ -6,6 +6,7 @@
 #include "narrow_phase/pair.h"
 
 namespace halfspace {
+
 /// The mean area, in the plane the mean width, that a block turns to another.
 template <int D>
 double SpringStop<D>::section(std::size_t i) const {
@@ -44,13 +45,13 @@ template <int D>
 double SpringStop<D>::from(const Candidate<D>& pair, double speed, double depth) const {
   const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
   const double way = speed > 0 ? speed * std::sqrt(blocks_.reduced_mass(a, b) / stiffness_between(pair)) : 0;
-  const double of_way = way / blocks_.thinner(pair.a, pair.b),
-               of_depth = std::max(depth, 0.0) / blocks_.thinner(pair.a, pair.b);
+  const double thickness = blocks_.thinner(pair.a, pair.b);
+  const double of_way = way / thickness, of_depth = std::max(depth, 0.0) / thickness;
   // Not by the C library's hypot, whose last bit is the machine's; springs next to nothing let all through.
   return std::min(std::sqrt(of_way * of_way + of_depth * of_depth), std::numeric_limits<double>::max());
 }
 
-/// The same from where the pair touches or is nearest, at the speed at which it approaches there.
+/// A pair is looked at where it touches or is nearest, and at the speed at which it approaches there.
 template <int D>
 double SpringStop<D>::of(const Candidate<D>& pair) const {
   const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);

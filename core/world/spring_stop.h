@@ -23,7 +23,7 @@ class SpringStop {
   void note(const Candidate<D>& pair) { deepest_ = std::max(deepest_, of(pair)); }
   /// Notes a share found by of_meeting().
   void note(double share) { deepest_ = std::max(deepest_, share); }
-  /// Of two blocks that were apart and touch now, or less where another is known that comes deeper.
+  /// The share of two blocks that were apart and touch now, or less where another is known that comes deeper.
   double of_meeting(const Candidate<D>& pair) const { return most_of(pair) > deepest_ ? of(pair) : 0; }
 
   bool is_consistent() const { return is_from_zero(deepest_); }

@@ -17,7 +17,7 @@ class StableStep {
   void reserve(std::size_t slots) { hardness_.reserve(slots); }
 
  private:
-  /// Of a contact, or of all that a block has.
+  /// The hardness of a contact, or the sum of all that a block has.
   struct Hardness {
     int contacts = 0;
     double stiffness = 0;

@@ -96,14 +96,13 @@ void World<D>::move() {
   const double duration = integrator_.duration();
   model_.fix_potential_length();
   integrator_.kick_and_drift();
-  contacts_.expire();
+  forget_contacts();
   made_ = duration;
   evaluate_forces(duration);
   made_ = 0;
-  double applied_power = 0;
-  const Stock stock = integrator_.kick(applied_power);
+  const Stock stock = integrator_.kick();
   note_speeds(stock);
-  ledger_.book(stock, applied_power, duration);
+  ledger_.book(stock, duration);
   contacts_.neighbors().tidy_plans();
 }
 

@@ -41,8 +41,9 @@ void World<D>::fit_rooms() {
   sums_.reserve(chunk_count(contacts_.neighbors().room(), pairs_per_chunk));
 }
 
-/// With room for a contact at every candidate: detection then asks for no memory. When there is none, nothing
-/// has changed: the contacts known are still those of the list in use, and there is still room for all of it.
+/// The new list has room for a contact at every pair, so that detection asks for no memory. When there is no
+/// room, nothing has changed: the contacts known are still those of the list in use, and there is still room
+/// for all of it.
 template <int D>
 void World<D>::renew_neighbors() {
   NeighborList<D>& neighbors = contacts_.neighbors();
@@ -55,7 +56,7 @@ void World<D>::renew_neighbors() {
   forget_contacts();
 }
 
-/// For contacts that are to be found.
+/// Contacts that are to be found need a list that is not used up.
 template <int D>
 void World<D>::renew_used_up_neighbors() {
   if (!contacts_.are_found() && contacts_.neighbors().used_up()) renew_neighbors();

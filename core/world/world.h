@@ -27,7 +27,7 @@ constexpr int most_motions = 1 << 14;
 template <int D>
 class World {
  public:
-  /// With the context's threads, or none; they must live as long.
+  /// The threads, if any, must live as long.
   World(const WorldSettings<D>& settings, Memory* memory, Threads* threads = nullptr);
 
   // Making and changing.
@@ -88,7 +88,7 @@ class World {
   double peak_speed() const { return peak_speed_; }
   double potential_length() const { return model_.potential_length(); }
   bool knows_potential() const { return model_.materials.laws().knows_potential(); }
-  /// Of the contacts that are known.
+  /// The bound for the contacts that are known.
   double stable_time_step() { return stable_step_.bound(); }
 
   /// Takes the room that laws and times of impact need, which a snapshot does not hold.

@@ -4,7 +4,7 @@
 
 namespace halfspace_test {
 
-/// Of the whole process, what it is linked with included.
+/// The calls of the whole process are counted, those of its libraries included.
 extern std::atomic<long> calls_of_new;
 
 }  // namespace halfspace_test

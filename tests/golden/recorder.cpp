@@ -144,7 +144,7 @@ hs_status hs_world_get_report(hs_world* world, hs_world_report* report, size_t s
     add_status(status);
     return status;
   }
-  // As much of it as the program knows.
+  // The program may know less of it than the library.
   hs_world_report known{};
   std::memcpy(&known, report, std::min(size, sizeof known));
   Hash hash;

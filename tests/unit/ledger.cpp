@@ -28,7 +28,9 @@ TEST_CASE("of rates that grow evenly the ledger holds the integrals, whatever th
   double time = 0;
   for (const double duration : {0.5, 0.125, 1.0, 0.375}) {
     time += duration;
-    ledger.book(stock_at(time), 0.25, duration);
+    Stock stock = stock_at(time);
+    stock.applied_power = 0.25;
+    ledger.book(stock, duration);
   }
   const double integral = time + time * time;  // of 1 + 2 t
   const Ledger& entries = ledger.entries();
@@ -69,7 +71,8 @@ TEST_CASE("a residual is what no entry explains") {
   stock.kinetic = 16;
   stock.gravity = -32;
   stock.block_strain = 64;
-  ledger.book(stock, 1, 1);
+  stock.applied_power = 1;
+  ledger.book(stock, 1);
   CHECK(ledger.entries().total() == 2 + 4 + 8 + 16 - 32 + 64);
   CHECK(ledger.entries().residual() == 61);
 }
@@ -81,7 +84,7 @@ TEST_CASE("what an edit does to the energy is outer work, and no residual is los
   ledger.begin(stock, 0);
   CHECK(ledger.entries().outer_work == 1);
   stock.kinetic = 1.25;  // out of nothing
-  ledger.book(stock, 0, 1);
+  ledger.book(stock, 1);
   ledger.note_edit();
   stock.gravity = 8;  // lifted
   ledger.begin(stock, 0);
@@ -91,14 +94,15 @@ TEST_CASE("what an edit does to the energy is outer work, and no residual is los
 
 namespace {
 
-/// Of a world that holds this energy after a motion, and held another before.
+/// Asks of a world that holds one energy before a motion and another after it.
 bool makes_energy(double before, double after, double noise, double applied_power = 0) {
   EnergyLedger ledger;
   Stock stock;
   stock.kinetic = before;
   ledger.begin(stock, noise);
   stock.kinetic = after;
-  ledger.book(stock, applied_power, 1);
+  stock.applied_power = applied_power;
+  ledger.book(stock, 1);
   return ledger.makes_energy();
 }
 

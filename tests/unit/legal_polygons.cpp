@@ -1,4 +1,4 @@
-// What is right with a polygon, and how it is made so. What is wrong is named in tests/capi/shape.cpp.
+// Legal polygons, and how others are made so. Faults are named in tests/capi/shape.cpp.
 
 #include <algorithm>
 

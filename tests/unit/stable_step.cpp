@@ -36,7 +36,7 @@ struct ClampedBar : WorldParts<2> {
     REQUIRE(contacts.count() == 4);
   }
 
-  /// Of its rocking by four springs at the ends: k x^2 each over m (l^2 + h^2) / 12.
+  /// The frequency of its rocking by four springs at the ends: k x^2 each over m (l^2 + h^2) / 12.
   double frequency() const {
     const double arm = (length - support) / 2;
     return std::sqrt(4 * stiffness * arm * arm / (mass * (length * length + height * height) / 12));
@@ -129,8 +129,8 @@ TEST_CASE("a contact with a block that moves counts twice, as it may come to mee
   CHECK(bound_of<2>(heavy) == Approx(bound_of<2>(fixed) / std::sqrt(2)).epsilon(1e-12));
 }
 
-/// Of a square that rocks on springs at its four corners, against neighbours that rock the other way: 2 k r^2
-/// each over I = m / 6, r^2 = 1 / 2.
+/// The frequency of a square that rocks on springs at its four corners, against neighbours that rock the
+/// other way: 2 k r^2 each over I = m / 6, r^2 = 1 / 2.
 TEST_CASE("contacts that are to come count: four, with blocks that move") {
   WorldParts<2> alone(normal_spring(stiffness)), fixed(normal_spring(stiffness));
   alone.add(cube<2>(), BlockKind::rigid, {0, 0});

@@ -89,7 +89,7 @@ struct WorldParts {
     neighbors.renew(blocks, with_shear);
   }
 
-  /// What becomes of each listed pair, in their order: one chunk of pairs.
+  /// Finds each listed pair, in their order: one chunk of pairs.
   std::vector<Found> find_contacts() {
     std::vector<Found> found;
     Contact<D> contact;

@@ -1,5 +1,5 @@
-// What friction can hold stands under the damping that laws have by default, although gravity loads it at
-// once.
+// A block that friction can hold stands under the damping that laws have by default, although gravity loads
+// it at once.
 
 #include "catch.h"
 #include "validation/solid_scene.h"

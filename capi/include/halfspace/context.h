@@ -16,7 +16,8 @@ extern "C" {
 /** Opaque. Owns the allocator settings and the text of the last error. */
 typedef struct hs_context hs_context;
 
-/** Opaque. Work in parts that may be done at the same time, for a host with a scheduler of its own: hs_task_run() does one. */
+/** Opaque. Work in parts that may be done at the same time, for a host with a scheduler of its own: hs_task_run() does
+ *  one. */
 typedef struct hs_task hs_task;
 
 /** How a context is made. Fill it with hs_context_def_init(), then change what you need. */
@@ -28,13 +29,14 @@ typedef struct hs_context_def {
   /** Gives back what `allocate` returned. Set both or neither. */
   void (*release)(void *memory, size_t bytes, size_t alignment, void *user);
   void *user; /**< passed to both */
-  /** How many threads step a world, 1 to 256; default 1. Results have the same bits for any number. The library makes and
-   *  keeps one less than that, which wait for work; with `run_tasks` it makes none. Below some hundred contacts one is used. */
+  /** How many threads step a world, 1 to 256; default 1. Results have the same bits for any number. The library makes
+   *  and keeps one less than that, which wait for work; with `run_tasks` it makes none. Below some hundred contacts one
+   *  is used. */
   int32_t threads;
   uint32_t reserved_2; /**< 0 */
   /** The host's own scheduler, or NULL (default) for threads of the library. Calls hs_task_run(task, i) for i from 0 to
-   *  count - 1, each once, in whatever order and on whatever threads, and returns when all have ended. `count` is `threads`.
-   *  It is called within hs_world_ functions, on their thread, and calls nothing else of the library. */
+   *  count - 1, each once, in whatever order and on whatever threads, and returns when all have ended. `count` is
+   *  `threads`. It is called within hs_world_ functions, on their thread, and calls nothing else of the library. */
   void (*run_tasks)(hs_task *task, int32_t count, void *scheduler);
   void *scheduler; /**< passed to run_tasks */
 } hs_context_def;

@@ -21,8 +21,8 @@ Angular<3> couple_of_shares(const Contact<3>& contact, const double* depth) {
 
 /// With the depths d0 and d1 = d0 - L theta and the share s of the shallower point, the energy
 /// ((1 - s) d0^2 + s d1^2) / 2 is curved by s'' (d1^2 - d0^2) / 2 - 2 s' d1 L + s L^2. Of s(theta), which
-/// falls from 1/2 to 0 over half the parallel angle (narrow_phase/plane/manifold.cpp), the first two are at most 6.4 d L /
-/// angle, and, as a spring that has opened does not act, at most 6 (d / angle)^2.
+/// falls from 1/2 to 0 over half the parallel angle (narrow_phase/plane/manifold.cpp), the first two are at
+/// most 6.4 d L / angle, and, as a spring that has opened does not act, at most 6 (d / angle)^2.
 double turning_stiffness_of_shares(const Contact<2>& contact, double parallel_angle) {
   if (contact.point_count == 1) return 0;
   const double depth = std::max(0.0, -contact.gap), length = contact.length;

@@ -29,7 +29,7 @@ class Polygon {
     if (count_ < room_) corner_[count_++] = p;
   }
 
-  /// What of another polygon is in the half-plane.
+  /// Keeps the part of another polygon that is in the half-plane.
   void keep_inside(const Polygon& whole, const Halfspace<2>& half_plane) {
     count_ = 0;
     if (whole.is_empty()) return;
