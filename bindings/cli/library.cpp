@@ -14,9 +14,12 @@ void require(const Context& context, hs_status status) {
   throw LibraryError(status, text.empty() ? hs_status_string(status) : text);
 }
 
-Context make_context() {
+Context make_context(int threads) {
+  hs_context_def def;
+  hs_context_def_init(&def, sizeof def);
+  def.threads = threads;
   hs_context* context = nullptr;
-  const hs_status status = hs_context_create(nullptr, &context);
+  const hs_status status = hs_context_create(&def, &context);
   if (status < 0) throw LibraryError(status, hs_status_string(status));
   return Context(context);
 }

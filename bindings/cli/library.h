@@ -32,7 +32,8 @@ using World = std::unique_ptr<hs_world, Destroy>;
 /// @throws LibraryError if the status is an error
 void require(const Context& context, hs_status status);
 
-Context make_context();
+/// Its worlds step on so many threads.
+Context make_context(int threads = 1);
 
 /// Views of points stored one after another; they must outlive the view.
 hs_view view_of(const std::vector<Point>& points);

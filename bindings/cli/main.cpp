@@ -19,17 +19,21 @@ enum ExitCode { exit_ok = 0, exit_failed = 1, exit_usage = 2, exit_unstable = 3 
 
 void print(std::FILE* stream, const std::string& text) { std::fputs(text.c_str(), stream); }
 
-/// A scene and its blocks, both whole only if there are no faults.
+/// A scene, its blocks, and what they are made from; scene and blocks are whole only if there are no faults.
 struct CheckedScene {
+  Context context;
   Scene scene;
   Plan plan;
   Faults faults;
 };
 
-CheckedScene load(const Context& context, const std::string& file) {
+/// The number of threads is the scene's own where none is given.
+CheckedScene load(const std::string& file, int threads) {
   CheckedScene checked;
   checked.scene = read_scene(file, checked.faults);
-  checked.plan = plan_blocks(context, checked.scene, checked.faults);
+  if (threads > 0) checked.scene.threads = threads;
+  checked.context = make_context(checked.scene.threads);
+  checked.plan = plan_blocks(checked.context, checked.scene, checked.faults);
   return checked;
 }
 
@@ -41,11 +45,10 @@ int refuse(const std::string& file, const Faults& faults) {
 }
 
 int check(const std::string& file) {
-  const Context context = make_context();
-  CheckedScene checked = load(context, file);
+  CheckedScene checked = load(file, 1);
   if (!checked.faults.none()) return refuse(file, checked.faults);
-  const Model model(context, checked.scene, std::move(checked.plan));
-  note_start(context, checked.scene, model, checked.faults);
+  const Model model(checked.context, checked.scene, std::move(checked.plan));
+  note_start(checked.context, checked.scene, model, checked.faults);
   std::string text = file + ": no faults, " + std::to_string(model.plan().blocks.size()) + " blocks";
   if (model.plan().left_out > 0)
     text += ", " + std::to_string(model.plan().left_out) + " left out as too small";
@@ -67,13 +70,12 @@ void print_files(const OutputDirectory& directory) {
                     std::to_string(frames) + " frames)\n");
 }
 
-int run(const std::string& file, const std::string& output, bool force) {
-  const Context context = make_context();
-  CheckedScene checked = load(context, file);
+int run(const std::string& file, const std::string& output, bool force, int threads) {
+  CheckedScene checked = load(file, threads);
   if (!checked.faults.none()) return refuse(file, checked.faults);
   OutputDirectory directory(output, force);
-  Model model(context, checked.scene, std::move(checked.plan));
-  note_start(context, checked.scene, model, checked.faults);
+  Model model(checked.context, checked.scene, std::move(checked.plan));
+  note_start(checked.context, checked.scene, model, checked.faults);
   print(stderr, checked.faults.describe_notes(file));
   const RunResult result = run_scene(checked.scene, model, checked.faults.describe_notes("scene"), directory);
   print(stdout, result.summary + result.timings);
@@ -104,10 +106,15 @@ int main_of(int argc, char** argv) {
   std::string file;
   std::string output;
   bool force = false;
+  int threads = 0;
   CLI::App* run_command = app.add_subcommand("run", "Run a scene");
   run_command->add_option("scene", file, "The scene file (TOML)")->required();
   run_command->add_option("-o,--output", output, "Directory for the output; made if missing")->required();
   run_command->add_flag("--force", force, "Replace an earlier run in the directory");
+  run_command
+      ->add_option("-j,--threads", threads,
+                   "Threads that step the world, in place of the scene's number; results have the same bits")
+      ->check(CLI::Range(1, most_threads));
   CLI::App* check_command =
       app.add_subcommand("check", "Tell everything that is wrong with a scene, without running it");
   check_command->add_option("scene", file, "The scene file (TOML)")->required();
@@ -117,7 +124,7 @@ int main_of(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? exit_ok : exit_usage;
   }
-  return run_command->parsed() ? run(file, output, force) : check(file);
+  return run_command->parsed() ? run(file, output, force, threads) : check(file);
 }
 
 }  // namespace

@@ -20,10 +20,9 @@ constexpr int most_names = 8;
 
 void read_world(Keys keys, Scene& scene) {
   hs_world_def& world = scene.world;
-  hs_world_def_init(&world, sizeof world);
-  world.dimension = keys.dimension();
-  Point gravity{};
-  gravity[up_axis(keys.dimension())] = -9.81;
+  hs_world_def_init(&world, sizeof world, keys.dimension());
+  Point gravity;
+  std::copy(std::begin(world.gravity), std::end(world.gravity), gravity.begin());
   gravity = keys.point("gravity", gravity);
   std::copy(gravity.begin(), gravity.end(), world.gravity);
   scene.duration = keys.number("duration", above(0), required);
@@ -40,6 +39,7 @@ void read_world(Keys keys, Scene& scene) {
   world.potential_length = keys.number("potential_length", above(0), world.potential_length);
   world.fast_blocks = keys.word("fast_blocks", {"divide", "refuse"}, world.fast_blocks);
   scene.rest_speed = keys.number("rest_speed", above(0), scene.rest_speed);
+  scene.threads = static_cast<int>(keys.integer("threads", 1, most_threads, scene.threads));
   keys.finish();
 }
 

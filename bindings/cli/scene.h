@@ -139,6 +139,8 @@ struct Output {
   double elevation = 0;  ///< rad above the horizontal
 };
 
+constexpr int most_threads = 256;  // hs_context_def::threads
+
 /// A scene file, checked as far as it can be without making blocks.
 struct Scene {
   std::string folder;  ///< of the scene file; the names of other files are relative to it
@@ -147,6 +149,7 @@ struct Scene {
   Place time_step_place;  ///< for notes
   double duration = 0;
   double rest_speed = 0;  ///< 0: the run never ends early
+  int threads = 1;
   std::vector<Material> materials;
   hs_law_def default_law{};
   std::vector<PairLaw> laws;

@@ -48,7 +48,7 @@ Material material_of(const b2Fixture& fixture, const Polygon& polygon) {
 BlockWorld::BlockWorld(hs_context& context, const hs_law_def& law, const b2Vec2& gravity)
     : context_(context), law_(law) {
   hs_world_def def;
-  require_ok(hs_world_def_init(&def, sizeof def));
+  require_ok(hs_world_def_init(&def, sizeof def, 2));
   def.gravity[0] = gravity.x;
   def.gravity[1] = gravity.y;
   hs_world* world = nullptr;

@@ -13,10 +13,8 @@ namespace halfspace::capi {
 
 template <>
 hs_world_def default_definition() {
-  const WorldSettings<2> defaults;  // but for the gravity those of either dimension
+  const WorldSettings<2> defaults;  // those of either dimension, but for the gravity
   hs_world_def def{};
-  def.dimension = 2;
-  def.gravity[1] = -9.81;
   def.safety = defaults.safety;
   def.skin = defaults.skin;
   def.parallel_angle = defaults.detect.parallel_angle;
@@ -43,6 +41,13 @@ hs_block_def default_definition() {
 }
 
 namespace {
+
+constexpr std::size_t end_of_gravity = offsetof(hs_world_def, gravity) + sizeof hs_world_def::gravity;
+
+bool is_dimension(int32_t number) { return number == 2 || number == 3; }
+
+/// The default that depends on the dimension.
+void point_gravity_down(hs_world_def& def) { def.gravity[def.dimension - 1] = -9.81; }
 
 template <int D>
 WorldSettings<D> read_settings(const hs_world_def& def) {
@@ -114,7 +119,15 @@ void require_mass(const Shape<D>& shape, double density) {
 }  // namespace
 }  // namespace halfspace::capi
 
-hs_status hs_world_def_init(hs_world_def* def, size_t size) { return write_definition(def, size); }
+hs_status hs_world_def_init(hs_world_def* def, size_t size, int32_t dimension) {
+  if (!is_dimension(dimension) || size < end_of_gravity) return HS_ERROR_ARGUMENT;
+  const hs_status status = write_definition(def, size);
+  if (status == HS_OK) {
+    def->dimension = dimension;
+    point_gravity_down(*def);
+  }
+  return status;
+}
 
 hs_status hs_law_def_init(hs_law_def* def, size_t size) { return write_definition(def, size); }
 
@@ -132,7 +145,8 @@ hs_status hs_world_create(hs_context* context, const hs_world_def* def, hs_world
   return guarded(context, __func__, [&] {
     require_pointer(context, "context");
     require_pointer(world, "world");
-    const hs_world_def known = read_definition(def, "def");
+    hs_world_def known = read_definition(def, "def");
+    if (is_dimension(known.dimension) && def->struct_size < end_of_gravity) point_gravity_down(known);
     if (known.dimension == 2) {
       *world = create<WorldHandle<2>>(context, context, read_settings<2>(known));
     } else if (known.dimension == 3) {

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "geometry/angle.h"
 #include "geometry/deformed_outline.h"
@@ -22,7 +23,18 @@ double yield_of(const Outline<D>& own, const Tensor<D>& inverse_mass_matrix) {
   return most;
 }
 
-/// Of a block as it is given.
+/// The least eigenvalue of a symmetric tensor; in the plane the determinant over the largest one.
+double least_eigenvalue(const Tensor<2>& t) {
+  const double mean = 0.5 * (t(0, 0) + t(1, 1));
+  const double difference = 0.5 * (t(0, 0) - t(1, 1)) / mean, across = t(0, 1) / mean;
+  const double largest = mean * (1 + std::sqrt(difference * difference + across * across));
+  return t(0, 0) * (t(1, 1) / largest) - t(0, 1) * (t(0, 1) / largest);
+}
+double least_eigenvalue(const Tensor<3>& t) {
+  return Eigen::SelfAdjointEigenSolver<Tensor<3>>(t, Eigen::EigenvaluesOnly).eigenvalues()[0];
+}
+
+/// The deformation of a block as it is given: none.
 template <int D>
 Deformation<D> undeformed(const Shape<D>& shape, double density, std::int32_t slot) {
   Deformation<D> deformation;
@@ -30,8 +42,7 @@ Deformation<D> undeformed(const Shape<D>& shape, double density, std::int32_t sl
   deformation.volume = mass_of(shape, 1);
   deformation.mass_matrix = density * second_moment_of(shape);
   deformation.inverse_mass_matrix = deformation.mass_matrix.inverse();
-  const Eigen::SelfAdjointEigenSolver<Tensor<D>> principal(deformation.mass_matrix, Eigen::EigenvaluesOnly);
-  deformation.least_moment = principal.eigenvalues()[0];
+  deformation.least_moment = least_eigenvalue(deformation.mass_matrix);
   deformation.yield = yield_of(shape.outline(), deformation.inverse_mass_matrix);
   return deformation;
 }
@@ -167,12 +178,22 @@ void Blocks<D>::place(std::int32_t slot, const Vector<D>& to, const Rotation<D>&
     const Tensor<D> turn = (turned * rotation[s].inverse()).tensor(), gradient = turn * now.gradient;
     const Tensor<D> straining = now.rate - cross_tensor(spin[s]) * now.gradient;
     deform(slot, gradient, cross_tensor(spin[s]) * gradient + turn * straining);
-    rotation[s] = turned;
-    return;
+    return set_rotation(s, turned);
   }
-  rotation[s] = turned;
+  set_rotation(s, turned);
   momentum[s] = inertia[s].momentum(spin[s], turned);
   outlines_.turn(slot, turned);
+}
+
+/// The angle counts whole turns on from where it was.
+template <int D>
+void Blocks<D>::set_rotation(std::size_t slot, const Rotation<D>& turned) {
+  rotation[slot] = turned;
+  if constexpr (D == 2) {
+    constexpr double whole_turn = 2 * std::numbers::pi;
+    const double within_a_turn = angle_at(turned.cosine, turned.sine);
+    angle[slot] = within_a_turn + whole_turn * std::round((angle[slot] - within_a_turn) / whole_turn);
+  }
 }
 
 template <int D>
@@ -204,7 +225,7 @@ void Blocks<D>::deform(std::int32_t slot, const Tensor<D>& gradient, const Tenso
   const std::size_t s = std::size_t(slot);
   deformation(s).gradient = gradient;
   deformation(s).rate = rate;
-  rotation[s] = rotation_of(gradient);
+  set_rotation(s, rotation_of(gradient));
   outlines_.deform(slot, gradient);
   renew_spin(s);
 }
@@ -221,14 +242,9 @@ void Blocks<D>::renew_spin(std::size_t slot) {
 template <int D>
 void Blocks<D>::drift_affine(std::int32_t slot, const Vector<D>& way, double duration) {
   const std::size_t s = std::size_t(slot);
-  const Rotation<D> before = rotation[s];
   const Deformation<D>& now = deformation(s);
   position[s] += way;
   deform(slot, now.gradient + duration * now.rate, now.rate);
-  if constexpr (D == 2) {
-    const Rotation<2> turn = rotation[s] * before.inverse();
-    angle[s] += angle_at(turn.cosine, turn.sine);
-  }
 }
 
 template <int D>

@@ -70,7 +70,7 @@ class Blocks {
   void drift(std::int32_t slot, const Vector<D>& way, const Rotation<D>& turned);
 
   Outline<D> outline(std::int32_t slot) const { return outlines_[slot]; }
-  /// Of the point that a force moves most: its acceleration over the force, besides that of the whole block.
+  /// The acceleration over the force, beside that of the whole block, of the point that a force moves most.
   double yield(std::size_t slot) const;
   /// In its shape's frame.
   Outline<D> own_outline(std::int32_t slot) const { return outlines_.own(slot); }
@@ -99,10 +99,10 @@ class Blocks {
     if (is_affine(slot)) return velocity[slot] + deformation(slot).velocity_gradient() * arm;
     return velocity[slot] + swept(spin[slot], arm);
   }
-  /// Of an affine block.
+  /// The block is affine.
   Deformation<D>& deformation(std::size_t slot) { return deformations_[slot]; }
   const Deformation<D>& deformation(std::size_t slot) const { return deformations_[slot]; }
-  /// Of all affine blocks.
+  /// Those of all affine blocks.
   Deformations<D>& deformations() { return deformations_; }
   const Deformations<D>& deformations() const { return deformations_; }
   /// Sets how an affine block is turned and strained, and how fast.
@@ -116,12 +116,12 @@ class Blocks {
   std::size_t most_edges() const;
   /// How many doubles the largest block takes that is deformed.
   std::size_t most_components() const;
-  /// That two blocks move together, of which one at least moves freely.
+  /// The mass that two blocks move together, of which one at least moves freely.
   double reduced_mass(std::size_t a, std::size_t b) const {
     const auto inverse = [&](std::size_t i) { return moves_freely(i) ? 1 / mass[i] : 0; };
     return 1 / (inverse(a) + inverse(b));
   }
-  /// Of a rigid block.
+  /// The block is rigid.
   double kinetic_energy(std::int32_t slot) const {
     const std::size_t s = std::size_t(slot);
     return 0.5 * (mass[s] * velocity[s].squaredNorm() + spin[s].dot(momentum[s]));
@@ -146,7 +146,7 @@ class Blocks {
   Array<Vector<D>> force;  // of the contacts
   Array<Vector<D>> applied_force;
   Array<Rotation<D>> rotation;
-  Array<double> angle;  // in the plane: turned in all
+  Array<double> angle;  // in the plane: that of the rotation, counting whole turns
   Array<Angular<D>> spin;
   Array<Angular<D>> momentum;  // angular
   Array<Angular<D>> torque;    // of the contacts
@@ -159,6 +159,7 @@ class Blocks {
 
  private:
   void resize(std::size_t slots);
+  void set_rotation(std::size_t slot, const Rotation<D>& turned);
   void renew_spin(std::size_t slot);
 
   Array<std::int32_t> free_slots_;

@@ -76,7 +76,7 @@ struct Deformation {
   }
 
   Angular<D> angular_momentum() const { return moment(Tensor<D>(rate * mass_matrix * gradient.transpose())); }
-  /// Of all motion but the centroid's.
+  /// The energy of all motion but the centroid's.
   double kinetic_energy() const { return 0.5 * rate.cwiseProduct(rate * mass_matrix).sum(); }
   double strain_energy(const Elasticity& elasticity) const {
     const Tensor<D> whole = strain() + prestrain;
@@ -88,7 +88,7 @@ struct Deformation {
     return volume * elasticity.damping_time * viscous.cwiseProduct(rate_of_strain(rate)).sum();
   }
 
-  /// What accelerates the gradient, times the mass matrix. `torque` acts from outside.
+  /// The acceleration of the gradient times the mass matrix. `torque` acts from outside.
   Tensor<D> drive(const Angular<D>& torque, const Elasticity& elasticity) const {
     const Tensor<D> outer = virial + 0.5 * cross_tensor(torque);
     return outer * gradient.inverse().transpose() + load - volume * gradient * inner_stress(elasticity);

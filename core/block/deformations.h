@@ -14,7 +14,7 @@ class Deformations {
   Array<Deformation<D>>& all() { return all_; }
   const Array<Deformation<D>>& all() const { return all_; }
 
-  /// So that the next block can be added without memory, whichever slot below `slots` it gets.
+  /// Takes the memory that the next block will need, whichever slot below `slots` it gets.
   void make_room(std::size_t slots) {
     make_room_for_one(all_);
     if (of_slot_.capacity() < slots) of_slot_.reserve(2 * slots);  // as blocks come one by one

@@ -8,7 +8,7 @@
 
 namespace halfspace {
 
-/// What a stiffness refers to. The values are those of the C API.
+/// A stiffness refers to one of these. The values are those of the C API.
 enum class StiffnessKind : std::int32_t { per_contact = 0, per_area = 1, potential = 2 };
 
 /// Penalty spring with Mohr-Coulomb friction (Wang et al. 2021, section 3), or the potential force with the
@@ -30,7 +30,7 @@ struct SpringLaw {
   bool bonds() const { return cohesion > 0 || tensile_strength > 0; }
   /// False for what no law can be, after reading a snapshot.
   bool is_consistent() const;
-  /// Of the more damped of both dashpots, beside a spring between blocks of this reduced mass.
+  /// The viscosity of the more damped of both dashpots, beside a spring between blocks of this reduced mass.
   double viscosity(double stiffness, double reduced_mass) const {
     return 2 * std::max(normal_damping, shear_damping) * std::sqrt(stiffness * reduced_mass);
   }
@@ -80,7 +80,7 @@ class LawTable {
   }
 
  private:
-  /// Of the lower triangle, row by row: a new material adds a row and moves nothing.
+  /// The place in the lower triangle, row by row: a new material adds a row and moves nothing.
   static std::size_t index(std::int32_t a, std::int32_t b) {
     const std::size_t row = std::size_t(std::max(a, b)), column = std::size_t(std::min(a, b));
     return row * (row + 1) / 2 + column;

@@ -4,7 +4,7 @@
 
 namespace halfspace {
 
-/// Of two blocks; zero of one that is not affine.
+/// The strain rates of two blocks; zero for one that is not affine.
 template <int D>
 struct StrainRates {
   Tensor<D> of_a = Tensor<D>::Zero();

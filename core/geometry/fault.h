@@ -4,7 +4,7 @@
 
 namespace halfspace {
 
-/// What can be wrong with a polygon or polyhedron. The values are those of the C API.
+/// Faults of a polygon or polyhedron. The values are those of the C API.
 enum class Fault : std::int32_t {
   none = 0,
   // A polygon's vertices.
@@ -32,7 +32,7 @@ enum class Fault : std::int32_t {
   face_not_plane = 20,
   vertex_outside_face = 21,
   coplanar_faces = 22,
-  // What keeps points or half-spaces from having a polyhedron.
+  // Reasons why points or half-spaces have no polyhedron.
   hull_failed = 23,
   no_direction = 24,
   unbounded = 25,

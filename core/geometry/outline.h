@@ -78,7 +78,7 @@ struct Outline<3> {
   const double* ny = nullptr;
   const double* nz = nullptr;
   const double* offset = nullptr;
-  /// Of a shape of many vertices in its own orientation; of others there is none.
+  /// A shape of many vertices has one in its own orientation; others have none.
   const GaussMap* gauss_map = nullptr;
 
   int vertex_count() const { return topology->vertex_count; }

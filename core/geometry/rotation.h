@@ -152,7 +152,7 @@ class Rotation<3> {
     first = turned;
   }
 
-  /// Of a rotation off by rounding, the one nearest to it: a Newton step of the polar decomposition.
+  /// The rotation nearest to this one, which is off by rounding: a Newton step of the polar decomposition.
   Rotation straightened() const {
     const Tensor<3> m = tensor();
     const Eigen::Matrix3d gram = m.transpose().lazyProduct(m);

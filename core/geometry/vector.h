@@ -12,7 +12,7 @@ namespace halfspace {
 template <int D>
 using Vector = Eigen::Matrix<double, D, 1>;
 
-/// What turns and stretches a vector.
+/// A matrix that turns and stretches a vector.
 template <int D>
 using Tensor = Eigen::Matrix<double, D, D>;
 

@@ -83,7 +83,7 @@ struct PairState {
   enum State : std::int32_t { unknown = 0, separated = 1, touching = 2, overlapping = 3 };
 };
 
-/// What a pair of blocks remembers from one step to the next.
+/// The memory of a pair of blocks from one step to the next.
 template <int D>
 struct PairMemory;
 
@@ -137,9 +137,8 @@ struct Contact<2> {
   double share_rate;    // of the first point's share as b turns counter-clockwise against a
 };
 
-/// So many points of a contact region are kept at most. The overlap of two faces seldom has more corners; of
-/// one that has, those are kept that lie farthest in as many directions spread evenly round the contact
-/// plane.
+/// The most points of a contact region that are kept. The overlap of two faces seldom has more corners; where
+/// it has, those are kept that lie farthest in as many directions spread evenly round the contact plane.
 constexpr int most_region_points = 8;
 
 /// The contact plane is that of the face of `pair`; where edges or vertices meet it goes through the point

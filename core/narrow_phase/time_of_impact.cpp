@@ -39,11 +39,11 @@ Vector<2> normal_of(const Separation<2>& found, const Outline<2>& a, const Outli
 }
 Vector<3> normal_of(const Separation<3>& found, const Outline<3>&, const Outline<3>&) { return found.normal; }
 
-/// What turns a unit vector by the part of its rate at right angles to it.
+/// The spin that turns a unit vector by the part of its rate at right angles to it.
 Angular<2> turn_by_rate(const Vector<2>& v, const Vector<2>& rate) { return Angular<2>(cross(v, rate)); }
 Angular<3> turn_by_rate(const Vector<3>& v, const Vector<3>& rate) { return cross_product(v, rate); }
 
-/// Of blocks that a mere plane was between, the features that meet there.
+/// Names the features that meet where a mere plane was between the blocks.
 void name_features(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b, Impact<3>& impact) {
   if (impact.pair.kind != PotentialPair<3>::vertex_vertex) return;
   impact.pair = initial_pair(a, b, to_b, {PairMemory<3>::separated, impact.pair, impact.normal});

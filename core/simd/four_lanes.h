@@ -91,7 +91,7 @@ template <class Four>
 }
 inline TwiceTwoLanes magnitude(const TwiceTwoLanes& a) { return {magnitude(a.low), magnitude(a.high)}; }
 
-/// What was lane k of the one at i is lane i of the one at k.
+/// Lane k of row i becomes lane i of row k.
 [[gnu::always_inline]] inline void transpose(FourLanes (&rows)[4]) {
   const FourLanes even_low = __builtin_shufflevector(rows[0], rows[1], 0, 4, 2, 6),
                   odd_low = __builtin_shufflevector(rows[0], rows[1], 1, 5, 3, 7),

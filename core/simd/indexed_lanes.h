@@ -24,7 +24,7 @@ template <class Lanes>
   return {where_less(b.value, a.value, b.value, a.value), where_less(b.value, a.value, b.index, a.index)};
 }
 
-/// Of all lanes.
+/// The smallest of all lanes, with its index.
 template <class Four>
 [[gnu::always_inline]] inline IndexedLanes smallest(const Indexed<Four>& a) {
   const IndexedLanes two = smaller(IndexedLanes{low_half(a.value), low_half(a.index)},

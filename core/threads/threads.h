@@ -18,7 +18,7 @@ class Threads {
   virtual void run(void (*work)(void* data, int worker), void* data) = 0;
 };
 
-/// So many workers may be at work at the same time.
+/// The number of workers that may be at work at the same time.
 inline int worker_count(const Threads* threads) { return threads ? threads->count() : 1; }
 
 /// A chunk of a long row of things, and who is at work on it.

@@ -14,7 +14,7 @@ class Clock {
   double time() const { return epoch_time_ + double(steps_ - epoch_step_) * time_step_ + passed_; }
   std::int64_t steps() const { return steps_; }
   double time_step() const { return time_step_; }
-  /// So many steps have been divided.
+  /// The number of steps that have been divided.
   std::int64_t divided_steps() const { return divided_steps_; }
   /// The part of the step that is still to come.
   double rest() const { return time_step_ - passed_; }

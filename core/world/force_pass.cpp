@@ -6,6 +6,12 @@
 #include "force/potential/space/planned_force.h"
 #include "narrow_phase/pair.h"
 
+// Forces are a row of passes over arrays, chunk by chunk (docs/decisions/threads.md):
+//
+//   load    each pair in contact writes its own force, couple and energies
+//   gather  each block adds up the loads of its pairs, in ascending order of pairs
+//   sums    those of each chunk are added up in the order of chunks
+
 namespace halfspace {
 
 template <int D>

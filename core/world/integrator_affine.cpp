@@ -1,11 +1,11 @@
 #include "world/integrator.h"
 #include "world/local_damping.h"
 
-// What a step does to affine blocks, beside what it does to all.
+// The part of a step that only affine blocks have: their gradient is kicked and drifts beside the centroid.
 
 namespace halfspace {
 
-/// Of the centroid: the loads of its surface push it, too.
+/// The force on the centroid: the loads on the block's surface push it, too.
 template <int D>
 Vector<D> Integrator<D>::affine_drive(std::size_t i) const {
   return drive(i).force + blocks_.deformation(i).load_force;

@@ -22,7 +22,7 @@ struct Ledger {
     return friction_loss + contact_damping_loss + local_damping_loss + mass_damping_loss + block_damping_loss;
   }
   double total() const { return kinetic + gravity + strain + block_strain + losses(); }
-  /// What the numbers themselves made (> 0) or lost (< 0).
+  /// The energy that the numbers themselves made (> 0) or lost (< 0).
   double residual() const { return total() - outer_work; }
 };
 

@@ -50,7 +50,7 @@ void NeighborList<D>::choose_skins(const Blocks<D>& blocks, double relative_skin
   }
 }
 
-/// Of two blocks that each move by no more than half of what they may together, none is fast.
+/// Neither of two blocks is fast when each moves by no more than half of what they may together.
 template <int D>
 void NeighborList<D>::choose_calm_motions(const Blocks<D>& blocks) noexcept {
   std::fill(calm_motion_.begin(), calm_motion_.end(), HUGE_VAL);

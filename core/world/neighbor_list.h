@@ -50,7 +50,8 @@ class NeighborList {
     planned_[slot] = motion;
     return !(moved(blocks, slot) + motion <= skin_[slot]);
   }
-  /// And which way its centroid, when that is far: the search then looks along the way instead of all around.
+  /// The way that the centroid is planned to go, when it is far: the search then looks along it instead of
+  /// all around.
   void plan_way(std::size_t slot, const Vector<D>& way) {
     ways_.resize(planned_.size(), Vector<D>::Zero());
     ways_[slot] = way;
@@ -88,7 +89,7 @@ class NeighborList {
   const Array<Candidate<D>>& pairs() const { return pairs_; }
   /// One per pair; none at all when no law resists shear.
   std::span<ShearSpring<D>> shear() { return shear_; }
-  /// Of the pairs whose contact is of potentials, in space.
+  /// The plans of pairs in space whose contact is by potentials.
   DivisionPlans& plans() {
     plans_.serve_pairs(pairs_.size());
     return plans_;
@@ -100,11 +101,11 @@ class NeighborList {
   void tidy_plans() noexcept {
     if constexpr (D == 3) plans_.tidy(pairs_);
   }
-  /// What lists of contacts need room for: all pairs, and some to spare, so that a settled heap whose pairs
-  /// come and go asks for no memory.
+  /// The room that lists of contacts need: for all pairs, and some to spare, so that a settled heap whose
+  /// pairs come and go asks for no memory.
   std::size_t room() const { return std::max(pairs_.capacity(), next_pairs_.capacity()); }
   std::int64_t builds() const { return builds_; }
-  /// So many slots the list was made for.
+  /// The number of slots that the list was made for.
   std::size_t list_length() const { return skin_.size(); }
   bool has_springs() const { return shear_.size() == pairs_.size(); }
 

@@ -47,8 +47,8 @@ typename StableStep<D>::Hardness StableStep<D>::hardest_contact(std::size_t slot
   return hardest;
 }
 
-/// Of a contact that is there: no stiffer than the smaller of its blocks allows, and braked by dashpots for
-/// the mass that both move together.
+/// The hardness of a contact that is there: no stiffer than the smaller of its blocks allows, and braked by
+/// dashpots for the mass that both move together.
 template <int D>
 typename StableStep<D>::Hardness StableStep<D>::hardness_of(std::size_t c, double potential_length) const {
   const Candidate<D>& pair = contacts_.pair_of(c);

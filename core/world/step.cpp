@@ -5,13 +5,20 @@
 
 #include "world/world.h"
 
+// A step of velocity Verlet, in one motion or in several where fast blocks divide it:
+//
+//   plan    half a kick and a drift are worked out; the neighbour list is renewed if they would use it up
+//   divide  the motion is shortened until no block turns too far and no fast pair enters deep
+//   move    kick and drift; find and describe contacts; load; gather; kick
+//   book    the ledger takes the stock of energies after the motion
+
 namespace halfspace {
 namespace {
 
 /// No motion is a smaller part of a step.
 constexpr double least_part = 0x1p-24;
 
-/// Of what a tuple refers to, with arrays in the given memory.
+/// Copies of all that a tuple refers to, with arrays in the given memory.
 template <class... T>
 std::tuple<T...> copies_of(const std::tuple<T&...>& originals, Memory* memory) {
   return {std::allocator_arg, std::pmr::polymorphic_allocator<std::byte>(memory), originals};
@@ -120,7 +127,7 @@ StepResult World<D>::prepare_and_plan() {
   return result == StepResult::ok ? plan_rest() : result;
 }
 
-/// Of a changed world the contacts are found and bonds made before it shows how much memory the motion takes:
+/// A changed world finds its contacts and makes its bonds before it shows how much memory the motion takes:
 /// when there is too little, what was known before is put back.
 template <int D>
 StepResult World<D>::plan_changed() {

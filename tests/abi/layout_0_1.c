@@ -1,19 +1,13 @@
-/* Sizes, offsets and values that programs compiled with version 0.1 of the headers rely on, on machines with 64-bit pointers.
- * Written once, by write_layout, when that version was frozen. Do not regenerate it, and do not mend it: where it does not
- * compile, a program that is already linked breaks. Definitions and reports may have grown since; nothing else may. */
+/* Sizes, offsets and values that programs compiled with version 0.1 of the headers rely on, on machines
+ * with 64-bit pointers. Written once, by write_layout, when that version was frozen. Do not regenerate it, and do not
+ * mend it: where it does not compile, a program that is already linked breaks. Definitions and reports may have grown
+ * since; nothing else may. */
 #include <halfspace/halfspace.h>
 #include <stddef.h>
 
 #define FIELD(type, field, offset, size) \
   _Static_assert(offsetof(type, field) == offset && sizeof(((type *)0)->field) == size, #type "." #field)
 
-
-_Static_assert(sizeof(hs_context_def) >= 32, "hs_context_def");
-FIELD(hs_context_def, struct_size, 0, 4);
-FIELD(hs_context_def, reserved, 4, 4);
-FIELD(hs_context_def, allocate, 8, 8);
-FIELD(hs_context_def, release, 16, 8);
-FIELD(hs_context_def, user, 24, 8);
 
 _Static_assert(sizeof(hs_contact) == 488, "hs_contact");
 FIELD(hs_contact, block_a, 0, 8);
@@ -49,6 +43,17 @@ FIELD(hs_law_def, cohesion, 32, 8);
 FIELD(hs_law_def, tensile_strength, 40, 8);
 FIELD(hs_law_def, normal_damping, 48, 8);
 FIELD(hs_law_def, shear_damping, 56, 8);
+
+_Static_assert(sizeof(hs_context_def) >= 56, "hs_context_def");
+FIELD(hs_context_def, struct_size, 0, 4);
+FIELD(hs_context_def, reserved, 4, 4);
+FIELD(hs_context_def, allocate, 8, 8);
+FIELD(hs_context_def, release, 16, 8);
+FIELD(hs_context_def, user, 24, 8);
+FIELD(hs_context_def, threads, 32, 4);
+FIELD(hs_context_def, reserved_2, 36, 4);
+FIELD(hs_context_def, run_tasks, 40, 8);
+FIELD(hs_context_def, scheduler, 48, 8);
 
 _Static_assert(sizeof(hs_view) == 40, "hs_view");
 FIELD(hs_view, x, 0, 8);
@@ -92,24 +97,7 @@ FIELD(hs_clean_report, straightened, 8, 8);
 FIELD(hs_clean_report, reversed, 16, 4);
 FIELD(hs_clean_report, reserved, 20, 4);
 
-_Static_assert(sizeof(hs_pair_cache) == 120, "hs_pair_cache");
-FIELD(hs_pair_cache, state, 0, 4);
-FIELD(hs_pair_cache, pair_kind, 4, 4);
-FIELD(hs_pair_cache, feature_a, 8, 4);
-FIELD(hs_pair_cache, feature_b, 12, 4);
-FIELD(hs_pair_cache, shapes, 16, 8);
-FIELD(hs_pair_cache, reach, 24, 8);
-FIELD(hs_pair_cache, normal, 32, 24);
-FIELD(hs_pair_cache, rotation_a, 56, 32);
-FIELD(hs_pair_cache, rotation_b, 88, 32);
-
-_Static_assert(sizeof(hs_pair_options) >= 24, "hs_pair_options");
-FIELD(hs_pair_options, struct_size, 0, 4);
-FIELD(hs_pair_options, reserved, 4, 4);
-FIELD(hs_pair_options, parallel_angle, 8, 8);
-FIELD(hs_pair_options, vertex_zone, 16, 8);
-
-_Static_assert(sizeof(hs_world_def) >= 88, "hs_world_def");
+_Static_assert(sizeof(hs_world_def) >= 104, "hs_world_def");
 FIELD(hs_world_def, struct_size, 0, 4);
 FIELD(hs_world_def, dimension, 4, 4);
 FIELD(hs_world_def, gravity, 8, 24);
@@ -120,6 +108,9 @@ FIELD(hs_world_def, mass_damping, 56, 8);
 FIELD(hs_world_def, skin, 64, 8);
 FIELD(hs_world_def, parallel_angle, 72, 8);
 FIELD(hs_world_def, vertex_zone, 80, 8);
+FIELD(hs_world_def, potential_length, 88, 8);
+FIELD(hs_world_def, fast_blocks, 96, 4);
+FIELD(hs_world_def, reserved, 100, 4);
 
 _Static_assert(sizeof(hs_block_def) >= 120, "hs_block_def");
 FIELD(hs_block_def, struct_size, 0, 4);
@@ -152,7 +143,7 @@ FIELD(hs_energy, mass_damping_loss, 48, 8);
 FIELD(hs_energy, outer_work, 56, 8);
 FIELD(hs_energy, residual, 64, 8);
 
-_Static_assert(sizeof(hs_world_report) >= 160, "hs_world_report");
+_Static_assert(sizeof(hs_world_report) >= 216, "hs_world_report");
 FIELD(hs_world_report, dimension, 0, 4);
 FIELD(hs_world_report, reserved, 4, 4);
 FIELD(hs_world_report, steps, 8, 8);
@@ -166,6 +157,66 @@ FIELD(hs_world_report, list_builds, 64, 8);
 FIELD(hs_world_report, largest_overlap, 72, 8);
 FIELD(hs_world_report, largest_speed, 80, 8);
 FIELD(hs_world_report, energy, 88, 72);
+FIELD(hs_world_report, potential_length, 160, 8);
+FIELD(hs_world_report, block_strain_energy, 168, 8);
+FIELD(hs_world_report, block_damping_loss, 176, 8);
+FIELD(hs_world_report, divided_steps, 184, 8);
+FIELD(hs_world_report, deepest_stop, 192, 8);
+FIELD(hs_world_report, peak_overlap, 200, 8);
+FIELD(hs_world_report, peak_speed, 208, 8);
+
+_Static_assert(sizeof(hs_elasticity_def) >= 32, "hs_elasticity_def");
+FIELD(hs_elasticity_def, struct_size, 0, 4);
+FIELD(hs_elasticity_def, plane, 4, 4);
+FIELD(hs_elasticity_def, young_modulus, 8, 8);
+FIELD(hs_elasticity_def, poisson_ratio, 16, 8);
+FIELD(hs_elasticity_def, damping_time, 24, 8);
+
+_Static_assert(sizeof(hs_deformation) == 296, "hs_deformation");
+FIELD(hs_deformation, gradient, 0, 72);
+FIELD(hs_deformation, rate, 72, 72);
+FIELD(hs_deformation, strain, 144, 72);
+FIELD(hs_deformation, stress, 216, 72);
+FIELD(hs_deformation, strain_energy, 288, 8);
+
+_Static_assert(sizeof(hs_motion_def) >= 256, "hs_motion_def");
+FIELD(hs_motion_def, struct_size, 0, 4);
+FIELD(hs_motion_def, reserved, 4, 4);
+FIELD(hs_motion_def, start, 8, 56);
+FIELD(hs_motion_def, velocity, 64, 24);
+FIELD(hs_motion_def, angular_velocity, 88, 24);
+FIELD(hs_motion_def, gradient, 112, 72);
+FIELD(hs_motion_def, gradient_rate, 184, 72);
+
+_Static_assert(sizeof(hs_impact) == 80, "hs_impact");
+FIELD(hs_impact, state, 0, 4);
+FIELD(hs_impact, pair_kind, 4, 4);
+FIELD(hs_impact, feature_a, 8, 4);
+FIELD(hs_impact, feature_b, 12, 4);
+FIELD(hs_impact, time, 16, 8);
+FIELD(hs_impact, gap, 24, 8);
+FIELD(hs_impact, normal, 32, 24);
+FIELD(hs_impact, point, 56, 24);
+
+_Static_assert(sizeof(hs_pair_cache) == 120, "hs_pair_cache");
+FIELD(hs_pair_cache, state, 0, 4);
+FIELD(hs_pair_cache, pair_kind, 4, 4);
+FIELD(hs_pair_cache, feature_a, 8, 4);
+FIELD(hs_pair_cache, feature_b, 12, 4);
+FIELD(hs_pair_cache, shapes, 16, 8);
+FIELD(hs_pair_cache, reach, 24, 8);
+FIELD(hs_pair_cache, normal, 32, 24);
+FIELD(hs_pair_cache, rotation_a, 56, 32);
+FIELD(hs_pair_cache, rotation_b, 88, 32);
+
+_Static_assert(sizeof(hs_pair_options) >= 40, "hs_pair_options");
+FIELD(hs_pair_options, struct_size, 0, 4);
+FIELD(hs_pair_options, reserved, 4, 4);
+FIELD(hs_pair_options, parallel_angle, 8, 8);
+FIELD(hs_pair_options, vertex_zone, 16, 8);
+FIELD(hs_pair_options, margin, 24, 8);
+FIELD(hs_pair_options, without_region, 32, 4);
+FIELD(hs_pair_options, reserved_2, 36, 4);
 
 _Static_assert(HS_OK == 0, "HS_OK");
 _Static_assert(HS_NOTE_TRUNCATED == 1, "HS_NOTE_TRUNCATED");
@@ -177,6 +228,7 @@ _Static_assert(HS_ERROR_STATE == -5, "HS_ERROR_STATE");
 _Static_assert(HS_ERROR_UNSTABLE == -6, "HS_ERROR_UNSTABLE");
 _Static_assert(HS_ERROR_FORMAT == -7, "HS_ERROR_FORMAT");
 _Static_assert(HS_ERROR_INTERNAL == -8, "HS_ERROR_INTERNAL");
+_Static_assert(HS_ERROR_TOO_FAST == -9, "HS_ERROR_TOO_FAST");
 
 _Static_assert(HS_CONTACT_NONE == 0, "HS_CONTACT_NONE");
 _Static_assert(HS_CONTACT_VERTEX_VERTEX == 1, "HS_CONTACT_VERTEX_VERTEX");
@@ -195,6 +247,7 @@ _Static_assert(HS_CONTACT_POINTS == 8, "HS_CONTACT_POINTS");
 
 _Static_assert(HS_STIFFNESS_PER_CONTACT == 0, "HS_STIFFNESS_PER_CONTACT");
 _Static_assert(HS_STIFFNESS_PER_AREA == 1, "HS_STIFFNESS_PER_AREA");
+_Static_assert(HS_STIFFNESS_POTENTIAL == 2, "HS_STIFFNESS_POTENTIAL");
 
 _Static_assert(HS_FAULT_NONE == 0, "HS_FAULT_NONE");
 _Static_assert(HS_FAULT_TOO_FEW_VERTICES == 1, "HS_FAULT_TOO_FEW_VERTICES");
@@ -227,3 +280,14 @@ _Static_assert(HS_FAULT_NO_COMMON_POINT == 26, "HS_FAULT_NO_COMMON_POINT");
 _Static_assert(HS_BLOCK_FIXED == 0, "HS_BLOCK_FIXED");
 _Static_assert(HS_BLOCK_PRESCRIBED == 1, "HS_BLOCK_PRESCRIBED");
 _Static_assert(HS_BLOCK_RIGID == 2, "HS_BLOCK_RIGID");
+_Static_assert(HS_BLOCK_AFFINE == 3, "HS_BLOCK_AFFINE");
+
+_Static_assert(HS_FAST_DIVIDE == 0, "HS_FAST_DIVIDE");
+_Static_assert(HS_FAST_REFUSE == 1, "HS_FAST_REFUSE");
+
+_Static_assert(HS_PLANE_STRAIN == 0, "HS_PLANE_STRAIN");
+_Static_assert(HS_PLANE_STRESS == 1, "HS_PLANE_STRESS");
+
+_Static_assert(HS_IMPACT_NEVER == 0, "HS_IMPACT_NEVER");
+_Static_assert(HS_IMPACT_AT_START == 1, "HS_IMPACT_AT_START");
+_Static_assert(HS_IMPACT_TOUCH == 2, "HS_IMPACT_TOUCH");

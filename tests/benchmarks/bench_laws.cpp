@@ -113,9 +113,8 @@ class Scene {
   Scene(const Packing& packing, int32_t stiffness_kind, int32_t kind, double time_step)
       : context_(halfspace_test::make_context()) {
     hs_world_def def;
-    check(hs_world_def_init(&def, sizeof def));
-    def.dimension = packing.dimension;
-    def.gravity[1] = 0;
+    check(hs_world_def_init(&def, sizeof def, packing.dimension));
+    def.gravity[packing.dimension - 1] = 0;
     def.time_step = time_step;
     hs_world* made = nullptr;
     check(hs_world_create(context_.get(), &def, &made));

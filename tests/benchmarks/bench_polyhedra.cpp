@@ -49,14 +49,12 @@ struct Heap {
   halfspace_test::World world;
   std::vector<hs_block> grains;
 
-  explicit Heap(double time_step) {
-    const hs_context_def context_def = memory.definition();
+  explicit Heap(double time_step, int threads = 1) {
+    hs_context_def context_def = memory.definition();
+    context_def.threads = threads;
     context = halfspace_test::make_context(&context_def);
     hs_world_def def;
-    hs_world_def_init(&def, sizeof def);
-    def.dimension = 3;
-    def.gravity[1] = 0;
-    def.gravity[2] = -9.81;
+    hs_world_def_init(&def, sizeof def, 3);
     def.time_step = time_step;
     def.local_damping = 0.2;
     hs_world* made = nullptr;
@@ -163,6 +161,20 @@ void write(const Bin& bin, const std::string& path) {
   if (!file) throw std::runtime_error("cannot write " + path);
 }
 
+void compare_threads(const Bin& bin, int bins, const Plan& plan, int threads) {
+  Heap one(0), several(0, threads);
+  for (Heap* heap : {&one, &several})
+    for (int i = 0; i < bins; ++i) heap->add_bin(bin, i * (bin.width + 2));
+  const double blocks = double(one.grains.size());
+  const int steps = std::max(2, int(plan.block_steps / blocks));
+  one.step(std::max(steps, 200));
+  several.step(std::max(steps, 200));
+  std::printf("%8.0f blocks: %d threads are %.2f times as fast as one\n", blocks, threads,
+              speed_up(
+                  passes, [&] { one.step(steps); }, [&] { several.step(steps); }));
+  std::fflush(stdout);
+}
+
 void time_steps(const Bin& bin, int bins, const Plan& plan) {
   Heap heap(0);
   for (int i = 0; i < bins; ++i) heap.add_bin(bin, i * (bin.width + 2));
@@ -201,12 +213,18 @@ int main(int argc, char** argv) {
   const Plan plan = quick      ? Plan{2, 2, 3, 0.2, 2, 1e3}
                     : for_peer ? Plan{4, 5, 5, 4, 10, 4e5}
                                : Plan{10, 10, 10, 4, 10, 1e6};
-  std::printf("libhalfspace %s, core %d\n", hs_version(), pin_to_this_core());
+  const int threads = threads_option(argc, argv);
+  std::printf("libhalfspace %s, core %d\n", hs_version(), threads > 0 ? -1 : pin_to_this_core());
   try {
     const Bin bin = settled_bin(plan);
     if (for_peer) write(bin, std::string(option_value(argc, argv, "--write", "bin.txt")));
-    time_steps(bin, 1, plan);
-    time_steps(bin, plan.bins, plan);
+    for (const int bins : {1, plan.bins}) {
+      if (threads > 0) {
+        compare_threads(bin, bins, plan, threads);
+      } else {
+        time_steps(bin, bins, plan);
+      }
+    }
   } catch (const std::exception& error) {
     std::fprintf(stderr, "bench_polyhedra: %s\n", error.what());
     return 1;

@@ -47,7 +47,7 @@ enum Material { grain_material, plate_material, baffle_material };
 
 World make_world(hs_context* context) {
   hs_world_def def;
-  hs_world_def_init(&def, sizeof def);
+  hs_world_def_init(&def, sizeof def, 2);
   def.time_step = time_step;
   def.local_damping = local_damping;
   hs_world* world = nullptr;

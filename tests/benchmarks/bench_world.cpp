@@ -70,6 +70,38 @@ double run(const Bin& bin, int bins, const Plan& plan, Random& random) {
   return least;
 }
 
+/// The same world on one thread and on several.
+struct ThreadedHeap {
+  halfspace_test::Context context;
+  halfspace_test::World world;
+
+  ThreadedHeap(int threads, const Bin& bin, int bins, const Plan& plan) {
+    hs_context_def def;
+    hs_context_def_init(&def, sizeof def);
+    def.threads = threads;
+    context = halfspace_test::make_context(&def);
+    Random random(2);
+    world = make_heap(context.get(), bin, bins, plan.random_order, random);
+  }
+  void step(int steps) const { require_ok(hs_world_step(world.get(), steps), context.get()); }
+};
+
+void run_threads(const Plan& plan, int threads) {
+  Random random(1);
+  const Bin bin = settle_bin(plan.columns, plan.rows, plan.most_time, random);
+  for (const int bins : plan.bins) {
+    const ThreadedHeap one(1, bin, bins, plan), several(threads, bin, bins, plan);
+    const double blocks = double(bins) * double(bin.grains.size());
+    const int steps = std::max(2, int(plan.block_steps / blocks));
+    one.step(steps);
+    several.step(steps);
+    std::printf("%8.0f blocks: %d threads are %.2f times as fast as one\n", blocks, threads,
+                speed_up(
+                    passes, [&] { one.step(steps); }, [&] { several.step(steps); }));
+    std::fflush(stdout);
+  }
+}
+
 void run_all(const Plan& plan) {
   Random random(1);
   const Bin bin = settle_bin(plan.columns, plan.rows, plan.most_time, random);
@@ -92,9 +124,16 @@ void run_all(const Plan& plan) {
 int main(int argc, char** argv) {
   using namespace halfspace_benchmark;
   const bool random_order = has_option(argc, argv, "--random-order");
-  std::printf("libhalfspace %s, Box2D " BOX2D_VERSION ", core %d\n", hs_version(), pin_to_this_core());
+  const Plan plan = has_option(argc, argv, "--quick") ? quick_plan(random_order) : full_plan(random_order);
+  const int threads = threads_option(argc, argv);
+  std::printf("libhalfspace %s, Box2D " BOX2D_VERSION ", core %d\n", hs_version(),
+              threads > 0 ? -1 : pin_to_this_core());
   try {
-    run_all(has_option(argc, argv, "--quick") ? quick_plan(random_order) : full_plan(random_order));
+    if (threads > 0) {
+      run_threads(plan, threads);
+    } else {
+      run_all(plan);
+    }
   } catch (const std::exception& error) {
     std::fprintf(stderr, "bench_world: %s\n", error.what());
     return 1;

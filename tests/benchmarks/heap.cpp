@@ -20,7 +20,7 @@ constexpr double density = 2500;
 
 World make_world(hs_context* context) {
   hs_world_def def;
-  hs_world_def_init(&def, sizeof def);
+  hs_world_def_init(&def, sizeof def, 2);
   def.local_damping = 0.3;
   hs_world* world = nullptr;
   require_ok(hs_world_create(context, &def, &world), context);

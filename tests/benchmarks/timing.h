@@ -6,7 +6,10 @@
 #include <time.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
+#include <cstdlib>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -55,6 +58,23 @@ class Passes {
   std::vector<double> seconds_;
 };
 
+/// Wall time of work on one thread over that of the same on several: minima of passes that take turns, so
+/// that both see the machine as busy as it is.
+template <class OnOne, class OnSeveral>
+double speed_up(int passes, OnOne&& on_one, OnSeveral&& on_several) {
+  const auto wall_seconds_of = [](auto&& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  Passes one, several;
+  for (int i = 0; i < passes; ++i) {
+    one.add(wall_seconds_of(on_one));
+    several.add(wall_seconds_of(on_several));
+  }
+  return one.minimum() / several.minimum();
+}
+
 /// Was the option given?
 inline bool has_option(int argc, char** argv, std::string_view name) {
   return std::any_of(argv + 1, argv + argc, [&](const char* given) { return name == given; });
@@ -65,6 +85,11 @@ inline std::string_view option_value(int argc, char** argv, std::string_view nam
                                      std::string_view otherwise) {
   const auto found = std::find_if(argv + 1, argv + argc, [&](const char* given) { return name == given; });
   return found < argv + argc - 1 ? found[1] : otherwise;
+}
+
+/// The number after `--threads`; 0 without it.
+inline int threads_option(int argc, char** argv) {
+  return std::atoi(std::string(option_value(argc, argv, "--threads", "0")).c_str());
 }
 
 }  // namespace halfspace_benchmark

@@ -41,9 +41,7 @@ struct Solid3D {
   hs_block affine = 0;
 
   Solid3D() {
-    hs_world_def def = world_def();
-    def.dimension = 3;
-    world = make_world(context.get(), def);
+    world = make_world(context.get(), world_def(3));
     require_ok(hs_world_add_material(world.get(), 2000, &material), context.get());
     const hs_elasticity_def elasticity = elasticity_def(1e8);
     require_ok(hs_world_set_elasticity(world.get(), material, &elasticity), context.get());

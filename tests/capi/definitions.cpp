@@ -69,7 +69,16 @@ void check_report(hs_context* context, const char* function, std::size_t first_v
 TEST_CASE("hs_context_def_init") { check_init<hs_context_def>(hs_context_def_init); }
 TEST_CASE("hs_motion_def_init") { check_init<hs_motion_def>(hs_motion_def_init); }
 TEST_CASE("hs_pair_options_init") { check_init<hs_pair_options>(hs_pair_options_init); }
-TEST_CASE("hs_world_def_init") { check_init<hs_world_def>(hs_world_def_init); }
+TEST_CASE("hs_world_def_init") {
+  for (const int32_t dimension : {2, 3}) {
+    check_init<hs_world_def>(
+        [&](hs_world_def* def, std::size_t size) { return hs_world_def_init(def, size, dimension); });
+  }
+  hs_world_def def{};
+  for (const int32_t dimension : {-1, 0, 1, 4})
+    CHECK(hs_world_def_init(&def, sizeof def, dimension) == HS_ERROR_ARGUMENT);
+  CHECK(def.struct_size == 0);
+}
 TEST_CASE("hs_law_def_init") { check_init<hs_law_def>(hs_law_def_init); }
 TEST_CASE("hs_elasticity_def_init") { check_init<hs_elasticity_def>(hs_elasticity_def_init); }
 
@@ -128,8 +137,15 @@ TEST_CASE("the defaults are those the headers state") {
   CHECK(elasticity.poisson_ratio == 0.25);
   CHECK(elasticity.damping_time == 0);
 
+  hs_world_def in_space;
+  REQUIRE(hs_world_def_init(&in_space, sizeof in_space, 3) == HS_OK);
+  CHECK(in_space.dimension == 3);
+  CHECK(in_space.gravity[0] == 0);
+  CHECK(in_space.gravity[1] == 0);
+  CHECK(in_space.gravity[2] == -9.81);
+
   hs_world_def world;
-  REQUIRE(hs_world_def_init(&world, sizeof world) == HS_OK);
+  REQUIRE(hs_world_def_init(&world, sizeof world, 2) == HS_OK);
   CHECK(world.dimension == 2);
   CHECK(world.gravity[1] == -9.81);
   CHECK(world.safety == 0.5);

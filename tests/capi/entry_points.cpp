@@ -242,7 +242,11 @@ std::vector<EntryPoint> entry_points() {
       {"hs_motion_def_init", Allocates::never, [](S) { return fill<hs_motion_def>(hs_motion_def_init); }},
       {"hs_pair_options_init", Allocates::never,
        [](S) { return fill<hs_pair_options>(hs_pair_options_init); }},
-      {"hs_world_def_init", Allocates::never, [](S) { return fill<hs_world_def>(hs_world_def_init); }},
+      {"hs_world_def_init", Allocates::never,
+       [](S) {
+         return fill<hs_world_def>(
+             [](hs_world_def* def, std::size_t size) { return hs_world_def_init(def, size, 3); });
+       }},
       {"hs_block_def_init", Allocates::never, [](S s) { return block_def(s), HS_OK; }},
 
       {"hs_context_create", Allocates::always,

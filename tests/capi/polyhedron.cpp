@@ -168,7 +168,7 @@ TEST_CASE("a polyhedron is refused where a polygon is wanted") {
   const Context context = make_context();
   const Shape shape = make_polyhedron(context.get(), cube());
   hs_world_def def;
-  REQUIRE(hs_world_def_init(&def, sizeof def) == HS_OK);
+  REQUIRE(hs_world_def_init(&def, sizeof def, 2) == HS_OK);
   hs_world* made = nullptr;
   REQUIRE(hs_world_create(context.get(), &def, &made) == HS_OK);
   const World world(made);

@@ -113,9 +113,8 @@ const std::vector<std::size_t> ends_of_option_fields = {offsetof(hs_pair_options
 }  // namespace
 
 TEST_CASE("sizes of hs_world_def") {
-  const hs_world_def defaults = world_def();
+  const hs_world_def defaults = world_def(3);
   hs_world_def chosen = defaults;
-  chosen.dimension = 3;
   chosen.gravity[0] = 1;
   chosen.time_step = 1e-3;
   chosen.safety = 0.25;

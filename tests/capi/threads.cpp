@@ -70,9 +70,7 @@ Bytes heap(unsigned) {
 /// Cubes that fall on each other.
 Bytes tower(unsigned seed) {
   const Context context = make_context();
-  hs_world_def def = world_def();
-  def.dimension = 3;
-  const World world = make_world(context.get(), def);
+  const World world = make_world(context.get(), world_def(3));
   std::int32_t material = -1;
   require_ok(hs_world_add_material(world.get(), 2000, &material), context.get());
   const hs_law_def law = law_def(1e7, 0.5);
@@ -82,7 +80,7 @@ Bytes tower(unsigned seed) {
   require_ok(hs_block_def_init(&block_def, sizeof block_def, shape.get()), context.get());
   for (int i = 0; i < 4; ++i) {
     block_def.kind = i == 0 ? HS_BLOCK_FIXED : HS_BLOCK_RIGID;
-    block_def.pose = pose_at({0.02 * i * seed, 1.05 * i, 0}, {0, 1, 0}, 0.3 * i);
+    block_def.pose = pose_at({0.02 * i * seed, 0, 1.05 * i}, {0, 0, 1}, 0.3 * i);
     hs_block block = 0;
     require_ok(hs_world_add_block(world.get(), shape.get(), &block_def, &block), context.get());
   }
@@ -131,7 +129,7 @@ TEST_CASE("what needs no context may be called by all threads at once") {
     hs_pair_options options;
     hs_law_def law;
     const bool has_texts = std::strlen(hs_version()) > 0 && std::strlen(hs_status_string(HS_OK)) > 0;
-    status[std::size_t(i)] = has_texts && hs_world_def_init(&world, sizeof world) == HS_OK &&
+    status[std::size_t(i)] = has_texts && hs_world_def_init(&world, sizeof world, 2) == HS_OK &&
                                      hs_context_def_init(&context, sizeof context) == HS_OK &&
                                      hs_pair_options_init(&options, sizeof options) == HS_OK
                                  ? hs_law_def_init(&law, sizeof law)

@@ -9,14 +9,6 @@
 namespace halfspace_test {
 namespace {
 
-hs_world_def solid_world_def() {
-  hs_world_def def = world_def();
-  def.dimension = 3;
-  def.gravity[1] = 0;
-  def.gravity[2] = -9.81;
-  return def;
-}
-
 hs_block add_solid(hs_context* context, hs_world* world, const Points3& points, std::int32_t kind,
                    const hs_pose* pose = nullptr) {
   const Shape shape = make_hull(context, points);
@@ -36,7 +28,7 @@ struct SolidPile {
   std::vector<hs_block> blocks;
 
   SolidPile(hs_context* context, int count, double scale = 1) {
-    hs_world_def def = solid_world_def();
+    hs_world_def def = world_def(3);
     def.gravity[2] *= scale;
     def.time_step = 2e-4;
     world = make_world(context, def);
@@ -146,7 +138,7 @@ TEST_CASE("in space: forces sum to nothing over a pair, and each is what its con
 TEST_CASE("in space: what the plane does without is asked for") {
   const Context context = make_context();
   hs_context* c = context.get();
-  const World world = make_world(c, solid_world_def());
+  const World world = make_world(c, world_def(3));
   hs_world* w = world.get();
   std::int32_t material = -1;
   require_ok(hs_world_add_material(w, 2500, &material), c);

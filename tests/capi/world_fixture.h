@@ -10,9 +10,10 @@
 
 namespace halfspace_test {
 
-inline hs_world_def world_def() {
+inline hs_world_def world_def(int32_t dimension = 2) {
   hs_world_def def;
-  if (hs_world_def_init(&def, sizeof def) != HS_OK) throw std::runtime_error("no world definition");
+  if (hs_world_def_init(&def, sizeof def, dimension) != HS_OK)
+    throw std::runtime_error("no world definition");
   return def;
 }
 

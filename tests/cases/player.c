@@ -144,8 +144,12 @@ static hs_status make_world(Player* player, const Statement* statement) {
   hs_world_def def;
   hs_world* world = NULL;
   hs_status status;
-  hs_world_def_init(&def, sizeof def);
+  hs_world_def_init(&def, sizeof def, 2);
   set_fields(world_def_fields, &def, statement, 1);
+  if (def.dimension == 3) {
+    hs_world_def_init(&def, sizeof def, 3);
+    set_fields(world_def_fields, &def, statement, 1);
+  }
   status = hs_world_create(player->context, &def, &world);
   if (status != HS_OK) return status;
   hs_world_destroy(player->world);

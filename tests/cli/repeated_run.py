@@ -1,4 +1,4 @@
-"""The same scene gives the same bytes, in every file."""
+"""The same scene gives the same bytes, in every file, on any number of threads."""
 import tempfile
 import unittest
 from pathlib import Path
@@ -14,8 +14,8 @@ class RepeatedRun(unittest.TestCase):
     def test_identical_bytes_in_space(self):
         with tempfile.TemporaryDirectory() as directory:
             runs = []
-            for name in ("once", "again"):
-                answer = halfspace("run", SCENES / "cells_fall.toml", "-o", Path(directory, name))
+            for name, threads in (("once", "1"), ("again", "3")):
+                answer = halfspace("run", SCENES / "cells_fall.toml", "-o", Path(directory, name), "--threads", threads)
                 self.assertEqual(answer.returncode, 0, answer.stderr)
                 runs.append(files_of(Path(directory, name)))
             self.assertEqual(*runs)
@@ -29,10 +29,10 @@ class RepeatedRun(unittest.TestCase):
             text = (EXAMPLES / "rock_collapse" / "friction_15.toml").read_text()
             text = text.replace("duration = 7.5", "duration = 0.3").replace("[2.5, 5.0]", "[0.1]")
             text = text.replace("spacing = 1.5", "spacing = 1.5\nspread = 0.4\nseed = 7")
-            scene = Path(directory, "scene.toml")
-            scene.write_text(text)
             runs = []
-            for name in ("once", "again"):
+            for name, threads in (("once", 1), ("again", 2)):
+                scene = Path(directory, f"{name}.toml")
+                scene.write_text(text.replace("[world]", f"[world]\nthreads = {threads}"))
                 answer = halfspace("run", scene, "-o", Path(directory, name))
                 self.assertEqual(answer.returncode, 0, answer.stderr)
                 runs.append(files_of(Path(directory, name)))

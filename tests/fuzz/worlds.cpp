@@ -12,8 +12,7 @@ constexpr int most_blocks = 8;
 constexpr int most_steps = 30;
 
 hs_world_def read_world_def(Bytes& bytes, int dimension) {
-  hs_world_def def = world_def();
-  def.dimension = dimension;
+  hs_world_def def = world_def(dimension);
   if (bytes.flag()) read_into(def.gravity, bytes, dimension);
   if (bytes.below(4) == 0) def.time_step = bytes.positive() / 4096;
   if (bytes.flag()) return def;

@@ -13,17 +13,9 @@ void add_box(Stage& stage, double half, double height) {
   stage.add(stage.cuboid({-half, half, 0}, {half, out, height}), HS_BLOCK_FIXED);
 }
 
-hs_world_def world_in_space() {
-  hs_world_def def = world_def();
-  def.dimension = 3;
-  def.gravity[1] = 0;
-  def.gravity[2] = -9.81;
-  return def;
-}
-
 /// Hulls of a few random points that fall into a box.
 std::uint64_t packing(const LawOfStiffness& of, std::int32_t kind) {
-  hs_world_def def = world_in_space();
+  hs_world_def def = world_def(3);
   def.local_damping = 0.05;
   def.safety = 0.9;
   Stage stage(def);
@@ -45,7 +37,7 @@ std::uint64_t packing(const LawOfStiffness& of, std::int32_t kind) {
 
 /// Bonded bricks on a floor that goes off sideways, all turned by 36.87 degrees about x.
 std::uint64_t wall(const LawOfStiffness& of) {
-  hs_world_def def = world_in_space();
+  hs_world_def def = world_def(3);
   def.gravity[1] = 9.81 * 0.6;
   def.gravity[2] = -9.81 * 0.8;
   Stage stage(def);
@@ -68,7 +60,7 @@ std::uint64_t wall(const LawOfStiffness& of) {
 
 /// A cube on a slope of 3 to 4, its shear spring loaded with what holds it.
 std::uint64_t preload(const LawOfStiffness& of) {
-  Stage stage(world_in_space(), law_of(of, 1e8, 0.7));
+  Stage stage(world_def(3), law_of(of, 1e8, 0.7));
   const auto up_the_slope = [](const Point3& p) {
     return turned_pose({0.8 * p.x - 0.6 * p.z, p.y, 0.6 * p.x + 0.8 * p.z}, {0, -1, 0}, 1.0 / 3);
   };
@@ -82,7 +74,7 @@ std::uint64_t preload(const LawOfStiffness& of) {
 
 /// A needle that spins by more than 0.06 rad in a step and bounces to and fro without loss.
 std::uint64_t needle(const LawOfStiffness& of) {
-  Stage stage = stage_without_loss(world_in_space(), of);
+  Stage stage = stage_without_loss(world_def(3), of);
   add_box(stage, 1, 2);
   stage.add(stage.cuboid({-0.4, -0.02, -0.03}, {0.4, 0.02, 0.03}), HS_BLOCK_RIGID,
             turned_pose({0.1, 0.2, 0.5}, {1, 2, 3}, 0.3), {20, 30, -10}, {100, 900, 1200});
@@ -92,7 +84,7 @@ std::uint64_t needle(const LawOfStiffness& of) {
 /// A cube that would pass a plate within a step.
 std::uint64_t fast(const LawOfStiffness& of, std::int32_t kind) {
   const bool strains = kind == HS_BLOCK_AFFINE;
-  Stage stage = stage_of_fast_blocks(world_in_space(), law_of(of, strains ? 5e6 : 1e8, 0.3, 0.01));
+  Stage stage = stage_of_fast_blocks(world_def(3), law_of(of, strains ? 5e6 : 1e8, 0.3, 0.01));
   stage.add(stage.cuboid({-0.5, -0.5, -0.005}, {0.5, 0.5, 0}), HS_BLOCK_FIXED);
   stage.add(stage.cuboid({-0.05, -0.05, -0.0025}, {0.05, 0.05, 0.0025}), kind,
             turned_pose({0, 0, 0.2}, {2, 1, 0}, 0.02), {20, 10, -150}, {500, 300, 900});
@@ -101,7 +93,7 @@ std::uint64_t fast(const LawOfStiffness& of, std::int32_t kind) {
 
 /// Hulls of so many points that the Gauss map and the descent are asked, and that roll.
 std::uint64_t round_hulls() {
-  Stage stage(world_in_space(), law_def(1e6, 0.3));
+  Stage stage(world_def(3), law_def(1e6, 0.3));
   stage.add(stage.cuboid({-3, -3, -1}, {3, 3, 0}), HS_BLOCK_FIXED);
   Random random(11);
   for (int i = 0; i < 4; ++i)
@@ -113,7 +105,7 @@ std::uint64_t round_hulls() {
 
 /// The parts of a cube cut through thrice, let go.
 std::uint64_t cut_parts(const LawOfStiffness& of) {
-  Stage stage(world_in_space(), law_of(of, 2e7, 0.3));
+  Stage stage(world_def(3), law_of(of, 2e7, 0.3));
   stage.add(stage.cuboid({-3, -3, -1}, {3, 3, 0}), HS_BLOCK_FIXED);
   std::vector<Shape> parts;
   parts.push_back(stage.cuboid({-1, -1, 0}, {1, 1, 2}));

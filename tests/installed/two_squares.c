@@ -43,7 +43,7 @@ int main(void) {
   EXPECT(contact.type == HS_CONTACT_NONE);
   EXPECT(contact.gap == 0.5);
 
-  DO(hs_world_def_init(&world_def, sizeof world_def));
+  DO(hs_world_def_init(&world_def, sizeof world_def, 2));
   world_def.time_step = 1e-3;
   DO(hs_world_create(context, &world_def, &world));
   DO(hs_world_add_material(world, 2000, &stone));

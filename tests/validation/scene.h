@@ -20,7 +20,7 @@ inline double square_of(double x) { return x * x; }
 
 inline hs_world_def world_def(double time_step, double gravity = -9.81) {
   hs_world_def def;
-  hs_world_def_init(&def, sizeof def);
+  hs_world_def_init(&def, sizeof def, 2);
   def.time_step = time_step;
   def.gravity[1] = gravity;
   return def;

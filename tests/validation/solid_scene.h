@@ -40,8 +40,7 @@ inline const char* name_of_type(std::int32_t type) {
 
 inline hs_world_def solid_world_def(double time_step, const Triple& gravity = {0, 0, -9.81}) {
   hs_world_def def;
-  hs_world_def_init(&def, sizeof def);
-  def.dimension = 3;
+  hs_world_def_init(&def, sizeof def, 3);
   def.time_step = time_step;
   for (std::size_t k = 0; k < 3; ++k) def.gravity[k] = gravity[k];
   return def;

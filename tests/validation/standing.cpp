@@ -23,8 +23,7 @@ hs_law_def default_law(int32_t kind, double friction) {
 /// A slope that lies level, and so gravity is turned.
 hs_world_def on_slope(int dimension) {
   hs_world_def def;
-  hs_world_def_init(&def, sizeof def);
-  def.dimension = dimension;
+  hs_world_def_init(&def, sizeof def, dimension);
   const double cosine = 1 / std::hypot(1, tangent_of_slope);
   for (double& g : def.gravity) g = 0;
   def.gravity[0] = weight * cosine * tangent_of_slope;

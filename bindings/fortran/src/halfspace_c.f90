@@ -246,8 +246,8 @@ module halfspace_c
   !> How a world is made. Fill it with hs_world_def_init().
   type, bind(c) :: hs_world_def
     integer(c_int32_t) :: struct_size = 0  !< set by hs_world_def_init()
-    integer(c_int32_t) :: dimension = 0  !< 2 (default) or 3
-    real(c_double) :: gravity(3) = 0.0_c_double  !< acceleration; default 0, -9.81, 0, also in 3D
+    integer(c_int32_t) :: dimension = 0  !< 2 or 3, as given to hs_world_def_init()
+    real(c_double) :: gravity(3) = 0.0_c_double  !< acceleration; default 0, -9.81, 0 in 2D and 0, 0, -9.81 in 3D
     !> > 0, or 0 (default): safety times the stable time step, found when the first step begins and again
     !! after each change of the world from outside
     real(c_double) :: time_step = 0.0_c_double
@@ -280,7 +280,7 @@ module halfspace_c
     integer(c_int32_t) :: kind = 0  !< an HS_BLOCK_ value
     integer(c_int32_t) :: material = 0  !< index
     type(hs_pose) :: pose  !< of the centroid
-    real(c_double) :: angle = 0.0_c_double  !< 2D: turned by motion since the block was added, rad, unbounded
+    real(c_double) :: angle = 0.0_c_double  !< 2D: that of the pose, rad, counting whole turns, so that it is unbounded
     real(c_double) :: velocity(3) = 0.0_c_double  !< of the centroid
     real(c_double) :: angular_velocity(3) = 0.0_c_double  !< 2D: z
     real(c_double) :: force(3) = 0.0_c_double  !< contact force of the last force evaluation
@@ -740,10 +740,11 @@ module halfspace_c
 
     !> Fills a world definition with its defaults.
     !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
-    function hs_world_def_init(def, size) bind(c)
+    function hs_world_def_init(def, size, dimension) bind(c)
       import
       type(hs_world_def), intent(out) :: def  !< to fill
       integer(c_size_t), value :: size  !< sizeof(hs_world_def) as the caller was compiled
+      integer(c_int32_t), value :: dimension  !< 2 or 3
       integer(c_int32_t) :: hs_world_def_init
     end function hs_world_def_init
 

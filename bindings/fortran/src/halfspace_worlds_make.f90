@@ -17,8 +17,11 @@ contains
       if (.not. is_vector(gravity, 'gravity', 2, stat, errmsg)) return
     end if
     if (.not. own_or_given(context, owner, stat, errmsg)) return
-    status = hs_world_def_init(def, c_sizeof(def))
-    if (present(dimension)) def%dimension = dimension
+    status = hs_world_def_init(def, c_sizeof(def), 2_c_int32_t)
+    if (present(dimension)) then
+      if (dimension == 3) status = hs_world_def_init(def, c_sizeof(def), 3_c_int32_t)
+      def%dimension = dimension  ! another than 2 and 3 is refused below, with a text
+    end if
     if (present(gravity)) def%gravity = three_of(gravity)
     if (present(time_step)) def%time_step = time_step
     if (present(safety)) def%safety = safety

@@ -317,8 +317,8 @@ class hs_world_def(Structure):
 
     _fields_ = [
         ("struct_size", c_uint32),  # set by hs_world_def_init()
-        ("dimension", c_int32),  # 2 (default) or 3
-        ("gravity", c_double * 3),  # acceleration; default 0, -9.81, 0, also in 3D
+        ("dimension", c_int32),  # 2 or 3, as given to hs_world_def_init()
+        ("gravity", c_double * 3),  # acceleration; default 0, -9.81, 0 in 2D and 0, 0, -9.81 in 3D
         # > 0, or 0 (default): safety times the stable time step, found when the first step begins and again
         # after each change of the world from outside
         ("time_step", c_double),
@@ -358,7 +358,7 @@ class hs_block_state(Structure):
         ("kind", c_int32),  # an HS_BLOCK_ value
         ("material", c_int32),  # index
         ("pose", hs_pose),  # of the centroid
-        ("angle", c_double),  # 2D: turned by motion since the block was added, rad, unbounded
+        ("angle", c_double),  # 2D: that of the pose, rad, counting whole turns, so that it is unbounded
         ("velocity", c_double * 3),  # of the centroid
         ("angular_velocity", c_double * 3),  # 2D: z
         ("force", c_double * 3),  # contact force of the last force evaluation
@@ -762,6 +762,7 @@ def declare(library):
     library.hs_world_def_init.argtypes = [
         POINTER(hs_world_def),  # def
         c_size_t,  # size
+        c_int32,  # dimension
     ]
     library.hs_world_def_init.restype = hs_status
 

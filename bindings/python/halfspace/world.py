@@ -95,8 +95,10 @@ class World(AffineBlocks):
         context: Optional[Context] = None,
     ) -> None:
         definition = _raw.hs_world_def()
-        library.hs_world_def_init(ctypes.byref(definition), ctypes.sizeof(definition))
-        definition.dimension = index(dimension, "dimension")
+        dimension = index(dimension, "dimension")
+        of_space = dimension == 3
+        library.hs_world_def_init(ctypes.byref(definition), ctypes.sizeof(definition), 3 if of_space else 2)
+        definition.dimension = dimension  # another than 2 and 3 is refused below, with a text
         if gravity is not None:
             definition.gravity = vector(gravity, "gravity")
         settings = dict(

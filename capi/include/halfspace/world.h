@@ -42,8 +42,8 @@ enum {
 /** How a world is made. Fill it with hs_world_def_init(). */
 typedef struct hs_world_def {
   uint32_t struct_size;  /**< set by hs_world_def_init() */
-  int32_t dimension;     /**< 2 (default) or 3 */
-  double gravity[3];     /**< acceleration; default 0, -9.81, 0, also in 3D */
+  int32_t dimension;     /**< 2 or 3, as given to hs_world_def_init() */
+  double gravity[3];     /**< acceleration; default 0, -9.81, 0 in 2D and 0, 0, -9.81 in 3D */
   double time_step;      /**< > 0, or 0 (default): safety times the stable time step, found when the first step begins and
                               again after each change of the world from outside */
   double safety;         /**< (0, 1]; default 0.5 */
@@ -74,7 +74,7 @@ typedef struct hs_block_state {
   int32_t kind;               /**< an HS_BLOCK_ value */
   int32_t material;           /**< index */
   hs_pose pose;               /**< of the centroid */
-  double angle;               /**< 2D: turned by motion since the block was added, rad, unbounded */
+  double angle;               /**< 2D: that of the pose, rad, counting whole turns, so that it is unbounded */
   double velocity[3];         /**< of the centroid */
   double angular_velocity[3]; /**< 2D: z */
   double force[3];            /**< contact force of the last force evaluation */
@@ -123,9 +123,11 @@ typedef struct hs_world_report {
   double peak_speed;         /**< largest speed so far of all blocks that move freely, at the end of every step and part of one */
 } hs_world_report;
 
-/** @brief Fills a world definition with its defaults. @param def to fill @param size sizeof(hs_world_def) as the caller was compiled
+/** @brief Fills a world definition with its defaults.
+ *  @param def to fill @param size sizeof(hs_world_def) as the caller was compiled
+ *  @param dimension 2 or 3
  *  @return HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time. */
-HS_API hs_status hs_world_def_init(hs_world_def *def, size_t size);
+HS_API hs_status hs_world_def_init(hs_world_def *def, size_t size, int32_t dimension);
 
 /** @brief Makes an empty world.
  *  @param context owner of the allocator

@@ -4,8 +4,8 @@
 
 namespace halfspace {
 
-/// What one block's potential, the owner's, does to the other one, and in return to its owner. Summed over
-/// the cells of what they have in common, of which each has one face of the owner for its nearest.
+/// The force of one block's potential, the owner's, on the other one, and in return on its owner. It is a sum
+/// over the cells of their common part, each of which has one face of the owner for its nearest.
 ///
 /// When the owner moves, the depth changes as its face moves where the cell's centroid has its foot: the
 /// force on the owner acts there. When the other one does, the cell moves, and as it is squeezed the energy
@@ -36,7 +36,7 @@ struct FieldForce {
   }
 };
 
-/// Of both potentials; the blocks' centroids are here, and that of what they have in common is seen from a's.
+/// The force of both potentials. The centroid of the common part is seen from that of a.
 template <int D>
 PotentialForce<D> sum_of(const FieldForce<D>& by_a, const FieldForce<D>& by_b, const Vector<D>& centroid_a,
                          const Vector<D>& centroid_b, const Vector<D>& centroid, double content) {

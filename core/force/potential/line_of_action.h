@@ -19,8 +19,8 @@ struct LineOfAction {
                                          // itself^T
 };
 
-/// Of the couple that forces along a normal make, at arms across it: these strain what they turn. Forces
-/// across the normal that twist about it strain nothing.
+/// The virial of the couple that forces along a normal make, at arms across it: these strain what they turn.
+/// Forces across the normal that twist about it strain nothing.
 inline Tensor<2> virial_of_couple(const Angular<2>& couple, const Vector<2>& normal) {
   return -couple[0] * normal * perpendicular(normal).transpose();
 }
@@ -29,7 +29,7 @@ inline Tensor<3> virial_of_couple(const Angular<3>& couple, const Vector<3>& nor
   return normal * cross_product(normal, bend).transpose() + 0.5 * cross_tensor(twist);
 }
 
-/// Of the force of a contact and its couple: force times arm^T.
+/// The virial of a contact's force and its couple: force times arm^T.
 template <int D>
 Tensor<D> virial_of(const Vector<D>& force, const Vector<D>& arm, const Angular<D>& couple,
                     const Vector<D>& normal) {
@@ -82,8 +82,8 @@ LineOfAction<D> line_of_action(const PotentialForce<D>& potential, double stiffn
   return line;
 }
 
-/// What the virials have besides those of the force at the loading point and of the couple: it turns nothing
-/// and strains affine blocks.
+/// The virials beside those of the force at the loading point and of the couple: they turn nothing and strain
+/// affine blocks.
 template <int D>
 struct Stretch {
   Tensor<D> of_a = Tensor<D>::Zero();

@@ -9,8 +9,8 @@
 
 namespace halfspace {
 
-/// What the potentials of two overlapping blocks do to each other, for k_n / H = 1 (Zheng et al. 2020,
-/// section 3).
+/// The force between the potentials of two overlapping blocks, for k_n / H = 1 (Zheng et al. 2020, section
+/// 3).
 template <int D>
 struct PotentialForce {
   Vector<D> force = Vector<D>::Zero();  // on b, opposite on a
@@ -34,7 +34,7 @@ struct PotentialRoom<2> {
   explicit PotentialRoom(Memory* memory)
       : least_depth(memory), near_a(memory), near_b(memory), corners(memory) {}
 
-  /// So that two blocks of so many edges at most ask for no memory.
+  /// Takes the room that two blocks of so many edges at most need.
   void reserve(std::size_t edges) {
     if (near_a.size() >= edges) return;
     corners.resize(3 * polygon_room(edges), Vector<2>::Zero());
@@ -68,7 +68,7 @@ struct PotentialRoom<3> {
         cells(memory),
         planner(memory) {}
 
-  /// So that two blocks of so many edges at most ask for no memory, unless more than 32 faces are the nearest
+  /// Takes the room that two blocks of so many edges at most need, unless more than 32 faces are the nearest
   /// in what they share, or it has very many vertices for them: then the room grows with them, and stays. A
   /// block has at most 2/3 as many faces as edges.
   void reserve(std::size_t edges) {

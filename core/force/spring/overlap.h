@@ -8,7 +8,7 @@
 
 namespace halfspace {
 
-/// What two blocks have in common, as it lies behind the contact plane.
+/// The common part of two blocks, as it lies behind the contact plane.
 template <int D>
 struct Overlap {
   double content = 0;        // area or volume: integral of the depth over the base
@@ -29,9 +29,9 @@ struct Overlap {
   }
 };
 
-/// What two blocks have in common, seen along a contact's unit normal from a to b: the depth is that from the
-/// one's surface to the other's, so that the content is the area or volume of their intersection. In the
-/// plane only what of both outlines lies between the contact plane and the deepest vertex is looked at.
+/// Measures the common part of two blocks along a contact's unit normal from a to b: the depth is that from
+/// the one's surface to the other's, so that the content is the area or volume of their intersection. In the
+/// plane the outlines are looked at between the contact plane and the deepest vertex only.
 Overlap<2> measure_overlap(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
                            const PotentialPair<2>& pair, const Vector<2>& normal);
 

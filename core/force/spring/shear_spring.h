@@ -13,7 +13,7 @@ namespace halfspace {
 template <int D>
 using Shear = Vector<D == 2 ? 1 : 4>;
 
-/// What a sliding contact remembers.
+/// The memory of a sliding contact.
 template <int D>
 struct ShearSpring;
 

@@ -166,7 +166,7 @@ typename Spring<D>::ShearPart Spring<D>::shear_force(const NormalPart& normal, c
   const bool slides = wanted > limit;
   if (slides) force *= limit / wanted;
 
-  // What motion put in and the spring does not hold is lost.
+  // Work that motion put in and the spring does not hold is lost.
   const auto energy_of = [&](const Shear<D>& f) {
     return trial.stiffness > 0 ? 0.5 * f.squaredNorm() / trial.stiffness : 0;
   };

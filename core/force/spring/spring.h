@@ -21,7 +21,7 @@ struct ContactForce {
   Angular<D> torque_on_b(const Vector<D>& to_b) const { return moment(point - to_b, force) + couple; }
 };
 
-/// What of a contact's force its dashpots make, at the same point.
+/// The part of a contact's force that its dashpots make, at the same point.
 template <int D>
 struct DashpotForce {
   Vector<D> force;
@@ -30,7 +30,7 @@ struct DashpotForce {
   static DashpotForce none() { return {Vector<D>::Zero(), Angular<D>::Zero()}; }
 };
 
-/// What a contact does to its two blocks.
+/// The load that a contact puts on its two blocks.
 template <int D>
 struct PairLoad {
   ContactForce<D> contact;
@@ -89,7 +89,7 @@ class Spring {
     Shear<D> viscous = Shear<D>::Zero();  // what of it dashpots make
   };
 
-  /// What the shear spring would be if the contact neither slid nor broke.
+  /// The shear spring as it would be if the contact neither slid nor broke.
   struct ShearTrial {
     double stiffness = 0;
     Shear<D> velocity = Shear<D>::Zero();

@@ -22,7 +22,7 @@ struct BoundarySegment {
 /// hollow bends by more than 60 degrees the segment itself reaches on behind its neighbour, and at a sharper
 /// ridge both polygons meet in the bisector. So nothing stands out, and no gap is left.
 ///
-/// What rounding hides has fewer than 3 vertices.
+/// A polygon that rounding hides has fewer than 3 vertices.
 Array<Vector<2>> polygon_behind(const BoundarySegment& segment, double depth, Memory* memory);
 
 }  // namespace halfspace

@@ -7,7 +7,7 @@
 
 namespace halfspace {
 
-/// What clean_polygon() changed.
+/// The changes that clean_polygon() made.
 struct CleanReport {
   std::int64_t welded = 0;
   std::int64_t straightened = 0;

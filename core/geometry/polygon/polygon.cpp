@@ -79,7 +79,7 @@ void Shape<2>::store(std::span<const Vector<2>> vertices) {
     y[i] = local.y();
     nx[i] = edge.y() / length;
     ny[i] = -edge.x() / length;
-    // Of the edge's middle: so a mirrored shape has the same bits, mirrored.
+    // The offset is that of the edge's middle: so a mirrored shape has the same bits, mirrored.
     const Vector<2> middle = local + 0.5 * edge;
     offset[i] = nx[i] * middle.x() + ny[i] * middle.y();
     bounding_radius_ = std::max(bounding_radius_, local.norm());

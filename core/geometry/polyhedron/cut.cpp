@@ -9,6 +9,12 @@
 #include "geometry/polyhedron/simplify.h"
 #include "geometry/polyhedron/topology.h"
 
+// A plane cuts a polyhedron into two parts:
+//
+//   heights of all vertices over the plane, 0 to rounding
+//   each face keeps its vertices on the part's side; where an edge crosses, both parts get one new vertex
+//   the new face goes along the vertices on the plane, from loop to loop
+
 namespace halfspace {
 namespace {
 

@@ -9,7 +9,7 @@ namespace halfspace {
 struct PolyhedronParts {
   Polyhedron behind;
   Polyhedron ahead;
-  /// What a part cut off would be faulty by, when it is too thin to be a polyhedron; then there is no cut,
+  /// The fault that a part cut off would have, when it is too thin to be a polyhedron; then there is no cut,
   /// and the other part is the whole.
   Fault too_thin = Fault::none;
 };

@@ -22,7 +22,7 @@ class GaussMap {
   /// from memory than they save.
   GaussMap(const Outline<3>& outline, Memory* memory);
 
-  /// Of a direction without length there are some, but no matter which.
+  /// A direction without length has some, but no matter which.
   std::span<const std::int32_t> candidates(const Vector<3>& direction) const {
     const std::size_t cell = std::size_t(cell_of(direction));
     const std::int32_t first = first_of_cell_[cell];

@@ -9,7 +9,7 @@ namespace halfspace {
 /// neighbouring face. Half-edge h starts at corner h of Polyhedron::face_vertices.
 class HalfEdges {
  public:
-  /// Of loops whose vertices are all there.
+  /// All vertices of the polyhedron's loops exist.
   explicit HalfEdges(const Polyhedron& polyhedron);
 
   std::int32_t count() const { return std::int32_t(face_.size()); }
@@ -21,7 +21,7 @@ class HalfEdges {
   /// The half-edge that goes the other way, -1 when there is none, or several, or another goes the same way.
   std::int32_t twin(std::int32_t h) const { return twin_[std::size_t(h)]; }
 
-  /// Those that start at a vertex, in the order of their faces.
+  /// The half-edges that start at a vertex, in the order of their faces.
   std::span<const std::int32_t> leaving(std::int32_t vertex) const;
 
  private:
@@ -49,7 +49,7 @@ inline std::int64_t topology_length(std::int64_t vertices, std::int64_t edges, s
 /// Owns the arrays that a Topology points to.
 class TopologyArrays {
  public:
-  /// Of a polyhedron whose surface check_polyhedron() finds no fault with.
+  /// check_polyhedron() finds no fault with the polyhedron's surface.
   TopologyArrays(const Polyhedron& polyhedron, Memory* memory);
   TopologyArrays(const TopologyArrays&) = delete;  // the view points into its own arrays
   TopologyArrays& operator=(const TopologyArrays&) = delete;

@@ -14,7 +14,7 @@ struct VolumeAndSpread : VolumeAndMoment {
   Tensor<3> spread = Tensor<3>::Zero();  // mean of the way from the centroid times itself^T
 };
 
-/// Of the tetrahedron with the origin for its first vertex.
+/// Six times the volume of the tetrahedron with the origin for its first vertex.
 template <class Number>
 [[gnu::always_inline]] inline Number sixfold_volume(const Coordinates<Number>& p,
                                                     const Coordinates<Number>& q,
@@ -22,7 +22,7 @@ template <class Number>
   return dot_product(p, cross_product(q, r));
 }
 
-/// Of tetrahedra with the origin for a vertex; of lanes, of as many at a time.
+/// Sums over tetrahedra with the origin for a vertex; lanes add up as many at a time.
 template <class Number>
 struct VolumeSums {
   Number volume{};               // six times

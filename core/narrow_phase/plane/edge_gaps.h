@@ -9,8 +9,8 @@
 
 namespace halfspace {
 
-// What follows is inlined by force: called, it would hand its lanes over through memory, in the chain of
-// operations that the first branch on a pair waits for.
+// These functions are inlined by force: called, they would hand their lanes over through memory, in the chain
+// of operations that the first branch on a pair waits for.
 
 /// Heights of points along directions.
 inline TwoLanes heights_along(const DirectionLanes& directions, const DirectionLanes& points) {

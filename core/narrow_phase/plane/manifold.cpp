@@ -4,6 +4,13 @@
 #include "narrow_phase/pair.h"
 #include "narrow_phase/plane/potential_pairs.h"
 
+// The contact region of two polygons at the potential pair of largest gap, an edge and the vertex before it:
+//
+//   the other block's edge at the vertex is near to parallel, and the two overlap: edge on edge, two points
+//   else the foot of the vertex lies on the edge: vertex on edge, one point
+//   else, near an end of the edge: vertex on vertex, along the sum of both half-spaces' normals
+//   else the neighbouring pair beyond that end, from the start
+
 namespace halfspace {
 namespace {
 
@@ -144,7 +151,7 @@ void describe_contact(const Outline<2>& a, const Outline<2>& b, const Vector<2>&
         break;
       }
     }
-    // Of the shorter of both edges: on a long plate a share of its own length would swallow whole grains.
+    // The zone is a share of the shorter of both edges: that of a long plate would swallow whole grains.
     const double facing_length = (f.other.vertex(facing.far_vertex) - f.other.vertex(f.vertex)).norm();
     const double zone = options.vertex_zone * std::min(2 * f.half_length, facing_length);
     if (std::abs(s) < f.half_length - zone) {

@@ -47,7 +47,7 @@ struct Placement {
   DirectionLanes to_other;  // from its centroid to that of the other, in its own frame
 };
 
-/// Of two blocks in one orientation.
+/// The placement of two blocks in one orientation.
 inline Placement<NoTurns> placement_unturned(const Vector<2>& to_b) {
   return {{}, {TwoLanes{to_b.x(), -to_b.x()}, TwoLanes{to_b.y(), -to_b.y()}}};
 }

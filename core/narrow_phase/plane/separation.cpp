@@ -2,6 +2,11 @@
 
 #include "narrow_phase/plane/potential_pairs.h"
 
+// In the plane the half-spaces of both outlines, sorted by direction, merge into the outline of the Minkowski
+// difference: each is a potential pair with the vertex that the merge has come to (docs/theory.md), so that
+// all pairs are seen in count_a + count_b steps. The largest gap decides; one above the margin ends the
+// search.
+
 namespace halfspace {
 
 int walk_to_deepest_vertex(const Outline<2>& block, const Vector<2>& normal, int hint) {

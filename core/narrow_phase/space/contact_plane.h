@@ -52,7 +52,7 @@ class FlatFace {
   int next(int i) const { return i + 1 == count_ ? 0 : i + 1; }
   /// Counter-clockwise about the plane's normal.
   Vector<2> corner(int i) const { return plane_.foot_of(block_.vertex(vertex(i)) + shift_); }
-  /// Of the block's vertices.
+  /// An index among the block's vertices.
   int vertex(int i) const {
     return block_.topology->face_vertex[first_ + (is_opposed_ ? count_ - 1 - i : i)];
   }
@@ -66,8 +66,8 @@ class FlatFace {
   bool is_opposed_;
 };
 
-/// What lies left of a line through two points, in coordinates on a plane. Points within rounding of the line
-/// count as on it: where edges coincide but for rounding there is no corner.
+/// The half-plane left of a line through two points, in coordinates on a plane. Points within rounding of the
+/// line count as on it: where edges coincide but for rounding there is no corner.
 struct HalfPlane {
   Vector<2> start;
   Vector<2> outward;  // as long as the points are apart

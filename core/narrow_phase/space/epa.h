@@ -107,11 +107,11 @@ class ExpandingPolytope {
   int vertex_of_a_[most_corners], vertex_of_b_[most_corners];
   int last_horizon_[most_corners];  // that a corner was on: that of the corner of this index
   Triangle triangles_[most_facets];
-  // Of the facets, read four at a time: normals of any length, the height along them up to which a point is
-  // not outside, and the squares of the distances. Which one is nearest does not wait for a root.
+  // The facets, read four at a time: normals of any length, the height along them up to which a point is not
+  // outside, and the squares of the distances. Which one is nearest does not wait for a root.
   double nx_[most_facets + lanes], ny_[most_facets + lanes], nz_[most_facets + lanes],
       limit_[most_facets + lanes], distance_square_[most_facets + lanes];
-  // Of each edge of the surface, by its ends, the facet that has it on its left.
+  // The facet that has an edge of the surface on its left, by the edge's ends.
   std::uint8_t facet_at_[most_corners][most_corners];
   int corner_count_ = 0;
   int facet_count_ = 0;

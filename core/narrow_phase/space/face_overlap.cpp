@@ -53,8 +53,8 @@ const Piece& cut_by(const Piece& cutter, double rounding, Piece& polygon, Piece&
   return *kept;
 }
 
-/// Of many points, those farthest in directions spread evenly. The directions are turned by an odd angle: of
-/// edges square to one, either end would do, and so would any corner that pieces have in between.
+/// The points of many that are farthest in directions spread evenly. The directions are turned by an odd
+/// angle: of edges square to one, either end would do, and so would any corner that pieces have in between.
 class FarthestPoints {
  public:
   FarthestPoints() { std::fill_n(height_, most_region_points, -HUGE_VAL); }

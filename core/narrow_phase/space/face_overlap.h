@@ -5,8 +5,8 @@
 
 namespace halfspace {
 
-/// What two faces have in common, seen along the normal of a plane. Its area, centroid and lowest value are
-/// of the whole, also when it has more corners than are kept.
+/// The common part of two faces, seen along the normal of a plane. Its area, centroid and lowest value are
+/// those of the whole, also when it has more corners than are kept.
 struct FaceOverlap {
   double area = 0;
   Vector<2> centroid{0, 0};

@@ -10,6 +10,18 @@
 #include "narrow_phase/space/potential_pairs.h"
 #include "narrow_phase/space/simplex.h"
 
+// GJK walks a simplex of corners of the Minkowski difference b - a towards the origin, EPA grows it from
+// there:
+//
+//   corner <- support of the difference towards the origin
+//   repeat: the corner does not pass the origin? then that direction is a plane between the blocks
+//           the simplex gets the corner, and keeps the face of it that is nearest to the origin
+//   the origin is inside: expand the facet nearest to it by its support, until the support is in the facet
+//
+// The last facet names features of both blocks: a face and a vertex, or two edges. Their own gap, which knows
+// of no polytope, is the answer; where the facet is no proof of it, the neighbouring features are tried until
+// none is better.
+
 namespace halfspace {
 namespace {
 
@@ -182,7 +194,7 @@ template <class Four, class Turn>
       plane = between(c, direction);
       return true;
     }
-    // What has been found before brings the simplex no nearer: it touches the origin, to rounding.
+    // A corner that has been found before brings the simplex no nearer: it touches the origin, to rounding.
     if (simplex.has(c)) break;
     simplex.add(c);
     direction = simplex.nearest;
@@ -227,7 +239,7 @@ Separation<3> refined(const MinkowskiDifference<Turn>& difference, const Separat
   return best;
 }
 
-/// Of blocks between which no plane was found. Where rounding has hidden it, the gap found may be above 0.
+/// No plane was found between the blocks. Where rounding has hidden it, the gap found may be above 0.
 template <class Four, class Turn>
 [[gnu::always_inline]] inline Separation<3> least_depth(const MinkowskiDifference<Turn>& difference,
                                                         const Simplex& around_origin) {
@@ -247,7 +259,7 @@ template <class Four, class Turn>
   }
 }
 
-/// Of blocks that lie flat in one plane, to rounding, and meet there: no polytope has room for them. Any face
+/// The blocks lie flat in one plane, to rounding, and meet there: no polytope has room for them. Any face
 /// will do to begin with.
 template <class Turn>
 Separation<3> least_depth_of_flat(const MinkowskiDifference<Turn>& difference, const Simplex& flat) {

@@ -7,6 +7,13 @@
 #include "narrow_phase/space/pair.h"
 #include "narrow_phase/space/potential_pairs.h"
 
+// The contact region of two polyhedra at the potential pair of largest gap:
+//
+//   a plain contact, by far the most, is described at once (manifold_at_point.h)
+//   a face and a vertex: face on face, edge on face or vertex on face (manifold_faces.h)
+//   two edges: the region of a face nearly in their plane, or else the point where they cross
+//   where the nearest points lie beyond an end or a side: the neighbouring pair, from the start
+
 namespace halfspace {
 namespace {
 
@@ -61,7 +68,7 @@ struct FacesAtEdges {
     pair[3] = {Pair::vertex_face, of_a.edge_start[edges.a], of_b.edge_right[edges.b]};
   }
 
-  /// That of least depth, with its vertex brought up to date.
+  /// The potential pair of least depth, with its vertex brought up to date.
   PotentialPair<3> least_deep(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b) {
     int best = 0;
     double best_gap = -HUGE_VAL;

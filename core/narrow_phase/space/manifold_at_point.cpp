@@ -6,7 +6,8 @@
 #include "narrow_phase/space/manifold_faces.h"
 #include "narrow_phase/space/witness.h"
 
-// What a step spends most on: kept apart from what is rare, so that all of it stays in registers.
+// A step spends most of its time here. It is kept apart from what is rare, so that all of it stays in
+// registers.
 
 namespace halfspace {
 namespace {

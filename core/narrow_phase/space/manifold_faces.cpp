@@ -266,8 +266,8 @@ PotentialPair<3> describe_face_vertex(const SeenOutline& a, const SeenOutline& b
   const Facet across =
       facet_across(a, b, side_along(*a.topology, 0, f.face, edge_of_face, f.vertex), f.normal);
   if (place.beyond > place.zone) {
-    // What stands in until the pair has moved, or where it cannot move on: between blocks that touch with
-    // faces in one plane that only meet at their borders.
+    // This contact stands in until the pair has moved, or where it cannot move on: between blocks that touch
+    // with faces in one plane that only meet at their borders.
     describe_border(f, place, contact);
     return across.pair;
   }

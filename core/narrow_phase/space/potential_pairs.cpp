@@ -74,7 +74,7 @@ Facet facet_across(const SeenOutline& a, const SeenOutline& b, const FacetSide& 
     const double climb = std::max(0.0, from.dot(edge));
     const double climb_at_end = to.dot(edge);
     if (climb_at_end >= -rounding_between(vertex, neighbour)) continue;
-    // What stays all but in the plane all the way is parallel to the side's edge, and no plane of its own.
+    // A way that stays all but in the plane is parallel to the side's edge, and has no plane of its own.
     if (are_all_but_parallel(cross_product(along, edge).squaredNorm(), along.squaredNorm(),
                              edge.squaredNorm()))
       continue;

@@ -58,8 +58,8 @@ struct Parallelogram {
         square(across.squaredNorm()),
         sense(across.dot(a.left + a.right) < 0 ? -1 : 1) {}
 
-  /// Of unit length, and out of a as the faces at a's edge point: of an edge-edge potential pair it is the
-  /// normal from a to b. Zero when the edges are exactly parallel.
+  /// The normal has unit length and points out of a as the faces at a's edge do: for an edge-edge potential
+  /// pair it is the normal from a to b. It is zero when the edges are exactly parallel.
   Vector<3> normal() const {
     const double area = std::sqrt(square);
     return (area == 0 ? 0 : sense / area) * across;
@@ -100,11 +100,11 @@ struct FacetSide {
   int vertex;   // of the other block
 };
 
-/// Of the facet of a face of block `owner` and the other's vertex, that at an edge of the face.
+/// The side at an edge of the face, for the facet of a face of block `owner` and the other's vertex.
 FacetSide side_along(const Topology& owner_topology, int owner, int face, int edge, int vertex);
 
-/// Of the facet of an edge of each block, that at an end of one, `ending`, which belongs to the block that is
-/// not `owner`.
+/// The side at an end, `ending`, of one edge, for the facet of an edge of each block. The end belongs to the
+/// block that is not `owner`.
 FacetSide side_at_end(const SeenOutline& owner_block, int owner, int edge, const SeenOutline& other,
                       int ending, int vertex);
 

@@ -7,6 +7,14 @@
 #include "narrow_phase/space/potential_pairs.h"
 #include "narrow_phase/space/support.h"
 
+// SAT over edges: two edges are a potential contact pair where their arcs on the Gauss map cross.
+//
+//   for each face of a block: which edges of the other one descend along its normal (a set of 64 bits)
+//   for each edge: those that descend on one of its sides and climb on the other cross it
+//   a pair of edges that cross each other in the same sense is judged by its gap along a x b
+//
+// Pairs are judged two at a time. In one lane the gap is (start of b - start of a) . (a x b) / |a x b|.
+
 namespace halfspace {
 namespace {
 
@@ -93,7 +101,7 @@ class JudgedPairs {
     for (int k = 0; k < count_; k += 2) judge_two(k, std::min(k + 1, count_ - 1));
   }
 
-  /// Of largest gap; -1 when there is none left.
+  /// The one of largest gap; -1 when there is none left.
   int largest() const {
     int best = -1;
     double gap = -HUGE_VAL;

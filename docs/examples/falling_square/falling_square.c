@@ -25,7 +25,7 @@ int main(void) {
   int line;
 
   /* A definition is filled with its defaults first, then changed where the scene differs. */
-  hs_world_def_init(&world_def, sizeof world_def);
+  hs_world_def_init(&world_def, sizeof world_def, 2);
   world_def.time_step = 5e-4;
   hs_law_def_init(&law, sizeof law);
   law.normal_stiffness = law.shear_stiffness = 1e7;

@@ -440,9 +440,9 @@ const _: () = assert!(std::mem::size_of::<hs_clean_report>() == 24);
 pub struct hs_world_def {
     /// set by hs_world_def_init()
     pub struct_size: u32,
-    /// 2 (default) or 3
+    /// 2 or 3, as given to hs_world_def_init()
     pub dimension: i32,
-    /// acceleration; default 0, -9.81, 0, also in 3D
+    /// acceleration; default 0, -9.81, 0 in 2D and 0, 0, -9.81 in 3D
     pub gravity: [f64; 3],
     /// \> 0, or 0 (default): safety times the stable time step, found when the first step begins and again
     /// after each change of the world from outside
@@ -500,7 +500,7 @@ pub struct hs_block_state {
     pub material: i32,
     /// of the centroid
     pub pose: hs_pose,
-    /// 2D: turned by motion since the block was added, rad, unbounded
+    /// 2D: that of the pose, rad, counting whole turns, so that it is unbounded
     pub angle: f64,
     /// of the centroid
     pub velocity: [f64; 3],
@@ -1071,9 +1071,10 @@ extern "C" {
     ///
     /// - `def`: to fill
     /// - `size`: sizeof(hs_world_def) as the caller was compiled
+    /// - `dimension`: 2 or 3
     ///
     /// Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
-    pub fn hs_world_def_init(def: *mut hs_world_def, size: usize) -> hs_status;
+    pub fn hs_world_def_init(def: *mut hs_world_def, size: usize, dimension: i32) -> hs_status;
 
     /// Makes an empty world.
     ///

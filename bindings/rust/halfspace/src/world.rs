@@ -20,7 +20,7 @@ use crate::Result;
 ///
 /// ```
 /// use halfspace::WorldDef;
-/// let def = WorldDef::in_space().gravity([0.0, 0.0, -9.81]).local_damping(0.1);
+/// let def = WorldDef::in_space().local_damping(0.1);
 /// ```
 #[derive(Clone, Copy, Debug)]
 #[must_use]
@@ -44,15 +44,16 @@ impl WorldDef {
         let mut raw = MaybeUninit::<sys::hs_world_def>::zeroed();
         // SAFETY: the size is that of the struct, for which all zero is valid.
         let mut raw = unsafe {
-            sys::hs_world_def_init(raw.as_mut_ptr(), size_of::<sys::hs_world_def>());
+            let known = if dimension == 3 { 3 } else { 2 };
+            sys::hs_world_def_init(raw.as_mut_ptr(), size_of::<sys::hs_world_def>(), known);
             raw.assume_init()
         };
-        raw.dimension = dimension;
+        raw.dimension = dimension; // another than 2 and 3 is refused when the world is made
         Self { raw }
     }
 
     setters! {
-        /// Acceleration; by default 0, -9.81, 0, also in space.
+        /// Acceleration; by default 9.81 downwards: along -y in the plane, along -z in space.
         gravity: [f64; 3],
         /// Above 0; or 0, the default: safety times the stable time step, found when the first step
         /// begins and again after each change of the world from outside.

@@ -9,6 +9,15 @@
 #include "geometry/polygon/clip.h"
 #include "simd/two_lanes.h"
 
+// The potential of a block at a point is how deep the point lies behind the nearest edge. Its force on
+// another block is the sum over cells of what they have in common, one for each edge that is the nearest
+// somewhere:
+//
+//   near edges      those behind which the other block reaches no deeper than behind the one it reaches least
+//   intersection    the other block cut by the near edges of the owner
+//   cell of an edge the intersection cut by the half-planes where that edge is nearer than each other one
+//   the cell adds   its area times the edge's normal, at the cell's centroid
+
 namespace halfspace {
 namespace {
 

@@ -22,7 +22,7 @@ DepthPoint between(const DepthPoint& from, const DepthPoint& to, double share) {
   return {halfspace::between(from.foot, to.foot, share), from.depth + share * (to.depth - from.depth)};
 }
 
-/// What is summed over triangles on which the depth is linear.
+/// Sums over triangles on which the depth is linear.
 struct DepthSums {
   double volume = 0;
   double depth_squared = 0;
@@ -80,7 +80,7 @@ class DepthPolygon {
   bool is_empty() const { return count_ < 3; }
   void clear() { count_ = 0; }
 
-  /// What of another polygon has a height of at most 0.
+  /// Keeps the part of another polygon whose height is at most 0.
   template <class Height>
   void keep_below(const DepthPolygon& whole, Height height) {
     count_ = 0;
