@@ -1,19 +1,13 @@
 """Pictures of 2D worlds and contacts, by matplotlib, which is needed here only."""
 import io
-from typing import TYPE_CHECKING, Any, Optional
+from typing import Any, Callable, Optional, Sequence
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
-from .constants import BlockKind
-from .context import held
-
-if TYPE_CHECKING:
-    from .shape import Shape
-    from .world import World
+from .shape import Shape
 
 _FIXED, _FREE, _OUTLINE, _CONTACT = "#c9c6bf", "#9db8cf", "#2f3b45", "#b5442e"
-_PICTURE_LIMIT = 20000  # blocks: a notebook shows no picture of more by itself
 
 
 def _axes(ax: Any) -> Any:
@@ -24,59 +18,55 @@ def _axes(ax: Any) -> Any:
     return ax
 
 
-def plot_world(world: "World", ax: Any = None, *, contacts: bool = True) -> Any:
-    """Draws the blocks of a 2D world where they are, fixed and prescribed ones in grey, and its contacts.
+def plot_blocks(
+    blocks: NDArray[np.uint64],
+    outlines: Sequence[NDArray[np.float64]],
+    are_free: Sequence[bool],
+    contacts: Any,
+    ax: Any = None,
+) -> Any:
+    """Draws blocks in the plane where they are, those that do not move freely in grey, and contacts whose
+    forces are known: a line along each force, the thicker the larger the force.
 
     Parameters
     ----------
-    world : World
-        Of dimension 2.
+    blocks : numpy.ndarray
+        Their ids, by which contacts name them.
+    outlines, are_free : sequence
+        Of each block the vertices, and whether forces move it.
+    contacts : numpy.ndarray
+        As `World.contacts` gives them.
     ax : matplotlib.axes.Axes, optional
         Where to; by default the present axes.
-    contacts : bool
-        Also draw the contacts of the last detection, once their forces are evaluated: a line along each
-        force, the thicker the larger the force.
 
     Returns
     -------
     matplotlib.axes.Axes
     """
-    if world.dimension != 2:
-        raise ValueError(
-            "only worlds of dimension 2 are drawn; ParaView reads what the halfspace command writes of others"
-        )
     ax = _axes(ax)
     from matplotlib.collections import LineCollection, PolyCollection
 
-    with held(world):
-        blocks = world.blocks
-        outlines = [world.block_vertices(block) for block in blocks]
-        free = (BlockKind.RIGID, BlockKind.AFFINE)
-        colours = [_FREE if world.state(block).kind in free else _FIXED for block in blocks]
-        touching = world.contacts()
+    colours = [_FREE if is_free else _FIXED for is_free in are_free]
     ax.add_collection(PolyCollection(outlines, facecolors=colours, edgecolors=_OUTLINE, linewidths=0.6))
-    if contacts:
-        size = np.linalg.norm(touching["force"], axis=1)
-        touching, size = touching[size > 0], size[size > 0]
-        if len(touching) > 0:
-            middle, direction = touching["force_point"][:, :2], touching["force"][:, :2] / size[:, None]
-            # As long as the smaller block is wide, so that the lines link up to chains of force.
-            reach = dict(zip(blocks, (np.ptp(outline, axis=0).min() for outline in outlines)))
-            half = (
-                np.array([0.5 * min(reach[c["block_a"]], reach[c["block_b"]]) for c in touching])[:, None]
-                * direction
-            )
-            lines = np.stack((middle - half, middle + half), axis=1)
-            ax.add_collection(
-                LineCollection(lines, colors=_CONTACT, linewidths=0.4 + 3.6 * size / size.max())
-            )
+    size = np.linalg.norm(contacts["force"], axis=1)
+    contacts, size = contacts[size > 0], size[size > 0]
+    if len(contacts) > 0:
+        middle, direction = contacts["force_point"][:, :2], contacts["force"][:, :2] / size[:, None]
+        # As long as the smaller block is wide, so that the lines link up to chains of force.
+        reach = dict(zip(blocks, (np.ptp(outline, axis=0).min() for outline in outlines)))
+        half = (
+            np.array([0.5 * min(reach[c["block_a"]], reach[c["block_b"]]) for c in contacts])[:, None]
+            * direction
+        )
+        lines = np.stack((middle - half, middle + half), axis=1)
+        ax.add_collection(LineCollection(lines, colors=_CONTACT, linewidths=0.4 + 3.6 * size / size.max()))
     ax.set_aspect("equal")
     ax.autoscale_view()
     return ax
 
 
 def plot_pair(
-    shape_a: "Shape", pose_a: ArrayLike, shape_b: "Shape", pose_b: ArrayLike, contact: Any, ax: Any = None
+    shape_a: Shape, pose_a: ArrayLike, shape_b: Shape, pose_b: ArrayLike, contact: Any, ax: Any = None
 ) -> Any:
     """Draws two polygons and what `pair_detect` says of them: the points of the contact and its normal.
 
@@ -107,7 +97,7 @@ def plot_pair(
     return ax
 
 
-def _placed(shape: "Shape", pose: ArrayLike) -> Any:
+def _placed(shape: Shape, pose: ArrayLike) -> Any:
     place = np.asarray(pose, np.float64)
     outline = shape.vertices - shape.centroid
     if place.size == 7:
@@ -117,11 +107,8 @@ def _placed(shape: "Shape", pose: ArrayLike) -> Any:
     return outline + place[:2]
 
 
-def picture_of(world: "World") -> Optional[bytes]:
-    """A PNG for notebooks; None without matplotlib, in 3D, and of a world that is closed, empty or too large
-    to draw in passing."""
-    if world.closed or world.dimension != 2 or not 0 < len(world) <= _PICTURE_LIMIT:
-        return None
+def picture_by(plot: Callable[[Any], Any]) -> Optional[bytes]:
+    """A PNG of what is plotted into the axes given, for notebooks; None without matplotlib."""
     try:
         from matplotlib.backends.backend_agg import FigureCanvasAgg
         from matplotlib.figure import Figure
@@ -129,7 +116,7 @@ def picture_of(world: "World") -> Optional[bytes]:
         return None
     figure = Figure(figsize=(6, 4), layout="tight")
     FigureCanvasAgg(figure)
-    plot_world(world, figure.add_subplot())
+    plot(figure.add_subplot())
     stored = io.BytesIO()
     figure.savefig(stored, format="png", dpi=100, bbox_inches="tight")
     return stored.getvalue()

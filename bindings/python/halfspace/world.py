@@ -27,9 +27,11 @@ from .block_arrays import Floats
 from .constants import BlockKind, FastBlocks
 from .context import Context, default_context, held
 from .law import Law
+from .plot import picture_by, plot_blocks
 from .shape import Shape
 
 _FIRST_PORTION = 16  # steps
+_PICTURE_LIMIT = 20000  # blocks: a notebook shows no picture of more by itself
 
 
 class World(AffineBlocks):
@@ -389,12 +391,22 @@ class World(AffineBlocks):
     # ---- pictures ----
 
     def plot(self, ax: Any = None, *, contacts: bool = True) -> Any:
-        """Draws a 2D world with matplotlib; returns the axes. See `halfspace.plot.plot_world`."""
-        from .plot import plot_world
-
-        return plot_world(self, ax, contacts=contacts)
+        """Draws a 2D world with matplotlib: its blocks, fixed and prescribed ones in grey, and the contacts of
+        the last detection as `halfspace.plot.plot_blocks` does. Returns the axes."""
+        if self.dimension != 2:
+            raise ValueError(
+                "only worlds of dimension 2 are drawn; ParaView reads what the halfspace command writes of others"
+            )
+        with held(self):
+            blocks = self.blocks
+            outlines = [self.block_vertices(block) for block in blocks]
+            free = (BlockKind.RIGID, BlockKind.AFFINE)
+            are_free = [self.state(block).kind in free for block in blocks]
+            touching = self.contacts()
+        return plot_blocks(blocks, outlines, are_free, touching if contacts else touching[:0], ax)
 
     def _repr_png_(self) -> Optional[bytes]:
-        from .plot import picture_of
-
-        return picture_of(self)
+        """None in 3D, and of a world that is closed, empty or too large to draw in passing."""
+        if self.closed or self.dimension != 2 or not 0 < len(self) <= _PICTURE_LIMIT:
+            return None
+        return picture_by(self.plot)
