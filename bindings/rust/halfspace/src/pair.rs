@@ -9,6 +9,7 @@ use halfspace_sys as sys;
 use crate::contact::Contact;
 use crate::context::Context;
 use crate::error::Error;
+use crate::placed::Placed;
 use crate::pose::Pose;
 use crate::shape::Shape;
 use crate::Result;
@@ -18,13 +19,6 @@ use crate::Result;
 #[inline]
 pub fn detect(a: Placed<'_>, b: Placed<'_>) -> Result<Contact> {
     Detector::default().detect(a, b)
-}
-
-/// A shape and where it is, from [`Shape::at`].
-#[derive(Clone, Copy, Debug)]
-pub struct Placed<'a> {
-    pub(crate) shape: &'a Shape,
-    pub(crate) pose: &'a Pose,
 }
 
 /// What a pair remembers between calls: the last violated potential pair with a proof of

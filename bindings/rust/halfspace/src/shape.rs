@@ -9,8 +9,6 @@ use halfspace_sys as sys;
 use crate::context::{Context, Owner};
 use crate::error::Error;
 use crate::mutable_view::ViewMut;
-use crate::pair::Placed;
-use crate::pose::Pose;
 use crate::shape_input::FaceLists;
 use crate::view::View;
 use crate::Result;
@@ -216,12 +214,6 @@ impl Shape {
             behind: part(behind),
             ahead: part(ahead),
         })
-    }
-
-    /// This shape at a pose, for [`detect`](crate::detect).
-    #[inline]
-    pub fn at<'a>(&'a self, pose: &'a Pose) -> Placed<'a> {
-        Placed { shape: self, pose }
     }
 
     /// Geometry and mass properties.
