@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "block/elasticity.h"
+#include "geometry/numbers.h"
 #include "geometry/rotation.h"
 #include "geometry/shape.h"
 #include "geometry/vector.h"
@@ -52,6 +53,12 @@ struct Deformation {
   Tensor<D> virial = Tensor<D>::Zero();          // of the contacts: force times arm^T
   Tensor<D> dashpot_virial = Tensor<D>::Zero();  // the part of it that dashpots make
   Tensor<D> strain_rate = Tensor<D>::Zero();     // in space
+
+  /// False for what none can be, after reading a snapshot.
+  bool is_consistent() const {
+    return is_positive(volume) && is_positive(least_moment) && is_positive(yield) && gradient.allFinite() &&
+           gradient.determinant() > 0 && rate.allFinite();
+  }
 
   Tensor<D> velocity_gradient() const { return rate * gradient.inverse(); }
   /// Green's, from the shape as it was given.

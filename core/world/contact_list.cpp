@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <utility>
 
 #include "narrow_phase/pair.h"
 
@@ -136,6 +137,21 @@ template <int D>
 bool ContactList<D>::names_pairs() const {
   return std::is_sorted(touching_.begin(), touching_.end(), std::less_equal<>()) &&
          (touching_.empty() || touching_.back() < neighbors_.pairs().size());
+}
+
+/// They are sorted as their pairs are.
+template <int D>
+std::optional<std::size_t> ContactList<D>::contact_between(std::int32_t a, std::int32_t b) const {
+  const std::pair wanted(std::min(a, b), std::max(a, b));
+  const auto blocks_of = [&](std::uint32_t k) {
+    const Candidate<D>& pair = neighbors_.pairs()[k];
+    return std::pair(pair.a, pair.b);
+  };
+  const auto found =
+      std::lower_bound(touching_.begin(), touching_.end(), wanted,
+                       [&](std::uint32_t k, const auto& blocks) { return blocks_of(k) < blocks; });
+  if (found == touching_.end() || blocks_of(*found) != wanted) return {};
+  return std::size_t(found - touching_.begin());
 }
 
 template <int D>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <tuple>
 
@@ -52,6 +53,9 @@ class ContactList {
   }
   /// Describes the contact of a pair that is known to have one.
   void describe(const Candidate<D>& pair, Contact<D>& contact) const;
+
+  /// The one between two blocks, in either order, if there is any.
+  std::optional<std::size_t> contact_between(std::int32_t a, std::int32_t b) const;
 
   bool are_found() const { return found_; }
   /// Contacts are forgotten, and found anew by find() of each pair, chunk by chunk. Is the pair in contact,

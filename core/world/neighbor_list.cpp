@@ -2,10 +2,23 @@
 
 #include <algorithm>
 
+#include "geometry/numbers.h"
+#include "narrow_phase/features.h"
 #include "narrow_phase/plane/separation.h"
 #include "narrow_phase/space/separation.h"
 
 namespace halfspace {
+namespace {
+
+bool knows_its_plan(const Candidate<2>&, const DivisionPlans&, const Outline<2>&, const Outline<2>&) {
+  return true;
+}
+bool knows_its_plan(const Candidate<3>& pair, const DivisionPlans& plans, const Outline<3>& a,
+                    const Outline<3>& b) {
+  return !pair.plan.knows() || is_plan(plans[pair.plan], a, b);
+}
+
+}  // namespace
 
 template <int D>
 NeighborList<D>::NeighborList(Memory* memory)
@@ -217,6 +230,38 @@ void NeighborList<D>::forget(std::int32_t slot) {
   pairs_.resize(kept);
   if (!shear_.empty()) shear_.resize(kept);
   used_up_ = true;
+}
+
+template <int D>
+bool NeighborList<D>::is_consistent(const Blocks<D>& blocks) const {
+  const std::size_t slots = blocks.slot_count();
+  const std::size_t listed = list_length();
+  if (listed > slots || planned_.size() != listed || calm_motion_.size() != listed ||
+      (!used_up_ && listed != slots))
+    return false;
+  if (reference_position_.size() != listed || reference_rotation_.size() != listed) return false;
+  if (!shear_.empty() && shear_.size() != pairs_.size()) return false;
+  if constexpr (D == 3) {
+    if (!plans_.are_of(pairs_)) return false;
+  }
+  if (!reference_gradient_.empty() && reference_gradient_.size() > slots) return false;
+  const auto lives = [&](std::int32_t slot) {
+    return slot >= 0 && std::size_t(slot) < slots && blocks.lives(std::size_t(slot));
+  };
+  const auto follows = [](const Candidate<D>& p, const Candidate<D>& q) {
+    return p.a > q.a || (p.a == q.a && p.b >= q.b);
+  };
+  if (std::adjacent_find(pairs_.begin(), pairs_.end(), follows) != pairs_.end()) return false;
+  return all(pairs_, [&](const Candidate<D>& pair) {
+    if (!lives(pair.a) || !lives(pair.b) || pair.a >= pair.b) return false;
+    const PairMemory<D>& memory = pair.memory;
+    constexpr auto last = D == 2 ? PairMemory<D>::touching : PairMemory<D>::overlapping;
+    if (memory.state < PairMemory<D>::unknown || memory.state > last) return false;
+    if (!knows_its_plan(pair, plans_, blocks.outline(pair.a), blocks.outline(pair.b))) return false;
+    const bool separated = memory.state == PairMemory<D>::separated;
+    return (separated || has_a_plane(memory.pair)) &&
+           names_features(memory.pair, blocks.outline(pair.a), blocks.outline(pair.b));
+  });
 }
 
 template class NeighborList<2>;

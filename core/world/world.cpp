@@ -1,6 +1,7 @@
 #include "world/world.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace halfspace {
 
@@ -151,6 +152,29 @@ void World<D>::evaluate_forces_for_host(double elapsed) {
     ledger_.add_contact_damping_loss(elapsed * forces_.dashpot_power(i));
   contacts_.neighbors().tidy_plans();
   model_.fix_potential_length();
+}
+
+template <int D>
+double World<D>::largest_overlap() const {
+  double overlap = 0;
+  for (std::size_t c = 0; c < contact_count(); ++c) overlap = std::max(overlap, -contact(c).gap);
+  return overlap;
+}
+
+template <int D>
+double World<D>::largest_speed() const {
+  double squared = 0;
+  for (std::size_t i = 0; i < blocks().slot_count(); ++i) {
+    if (blocks().moves_freely(i)) squared = std::max(squared, blocks().velocity[i].squaredNorm());
+  }
+  return std::sqrt(squared);
+}
+
+template <int D>
+bool World<D>::is_consistent() const {
+  return model_.is_consistent() && contacts_.is_consistent() && integrator_.is_consistent(edited_) &&
+         (edited_ || contacts_.neighbors().list_length() == model_.blocks.slot_count()) &&
+         clock_.is_consistent() && spring_stop_.is_consistent() && is_from_zero(peak_speed_);
 }
 
 template class World<2>;

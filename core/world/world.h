@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <tuple>
 
@@ -74,6 +75,9 @@ class World {
   bool knows_forces() const { return forces_.are_known(); }
   const ContactForce<D>& contact_force(std::size_t c) const { return forces_.of_contact(c); }
   const Candidate<D>& candidate_of(std::size_t contact) const { return contacts_.pair_of(contact); }
+  std::optional<std::size_t> contact_between(std::int32_t a, std::int32_t b) const {
+    return contacts_.contact_between(a, b);
+  }
   const NeighborList<D>& candidates() const { return contacts_.neighbors(); }
   const Ledger& ledger() const { return ledger_.entries(); }
   double time() const { return clock_.time(); }
@@ -86,6 +90,9 @@ class World {
   double peak_overlap() const { return contacts_.peak_overlap(); }
   /// The largest of all blocks that move freely, at the ends of all motions so far.
   double peak_speed() const { return peak_speed_; }
+  /// The largest at present, of all contacts and of all blocks that move freely.
+  double largest_overlap() const;
+  double largest_speed() const;
   double potential_length() const { return model_.potential_length(); }
   bool knows_potential() const { return model_.materials.laws().knows_potential(); }
   /// The bound for the contacts that are known.

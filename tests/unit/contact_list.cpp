@@ -37,6 +37,8 @@ TEMPLATE_TEST_CASE_SIG("a pair is apart, has met, is in contact, and is apart ag
   const Contact<D> contact = parts.contacts.contact(0);
   CHECK(contact.gap == Approx(-0.125));
   CHECK(contact.normal.isApprox(Vector<D>::UnitX()));
+  CHECK(parts.contacts.contact_between(moved, 0) == 0);
+  CHECK_FALSE(parts.contacts.contact_between(moved, moved + 1));
   CHECK(find_at(0.9375) == Finds{Found::in_contact});
   CHECK(parts.contacts.contact(0).gap == Approx(-0.0625));
   CHECK(find_at(1.0625) == Finds{Found::apart});

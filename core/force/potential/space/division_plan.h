@@ -2,8 +2,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
-#include "geometry/vector.h"
+#include "geometry/outline.h"
 
 namespace halfspace {
 
@@ -45,5 +46,8 @@ constexpr double plan_rounding_followed = 0x1p-44;
 inline double plan_size(const Vector<3>& to_b, double largest_offset) {
   return to_b.cwiseAbs().maxCoeff() + largest_offset;
 }
+
+/// False for what is no plan for these blocks, after reading a snapshot.
+bool is_plan(std::span<const PlanCode> plan, const Outline<3>& a, const Outline<3>& b);
 
 }  // namespace halfspace

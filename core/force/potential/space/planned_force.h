@@ -13,9 +13,6 @@ namespace halfspace {
 std::optional<PotentialForce<3>> follow(std::span<const PlanCode> plan, const Outline<3>& a,
                                         const Outline<3>& b, const Vector<3>& to_b);
 
-/// False for what is no plan for these blocks, after reading a snapshot.
-bool is_plan(std::span<const PlanCode> plan, const Outline<3>& a, const Outline<3>& b);
-
 /// The force of potentials of a pair that may know a plan: by that, or else found anew, and then with a plan
 /// for the next time if one is to be made. In the same places it has the same bits again.
 PotentialForce<3> planned_force(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,

@@ -1,6 +1,7 @@
-#include <algorithm>
+#include "force/potential/space/division_plan.h"
 
-#include "force/potential/space/planned_force.h"
+#include <algorithm>
+#include <initializer_list>
 
 namespace halfspace {
 namespace {
