@@ -1,19 +1,21 @@
 #pragma once
 
 #include "block/blocks.h"
-#include "check.h"
 #include "geometry/vector.h"
-#include "view.h"
+#include "pose_and_vector.h"
+#include "strided_view.h"
 
 // Angular velocities and torques have three components at the interface. In the plane z alone counts.
 
 namespace halfspace::capi {
 
-inline void write_angular(const Angular<2>& angular, double out[3]) {
-  out[0] = out[1] = 0;
-  out[2] = angular[0];
+inline Vector<3> in_space(const Angular<2>& angular) { return {0, 0, angular[0]}; }
+inline const Vector<3>& in_space(const Angular<3>& angular) { return angular; }
+
+template <class Angular>
+void write_angular(const Angular& angular, double out[3]) {
+  write_vector(in_space(angular), out);
 }
-inline void write_angular(const Angular<3>& angular, double out[3]) { write_vector(angular, out); }
 
 template <int D>
 Angular<D> read_finite_angular(const double* values, const char* name) {
@@ -21,11 +23,7 @@ Angular<D> read_finite_angular(const double* values, const char* name) {
   Angular<D> angular;
   for (int k = 0; k < angular.size(); ++k) {
     const int component = D == 2 ? 2 : k;
-    if (!is_within_limits(values[component])) {
-      refuse(HS_ERROR_ARGUMENT, "%s[%d] is %g; it must be finite and at most 1e75", name, component,
-             values[component]);
-    }
-    angular[k] = values[component];
+    angular[k] = require_component(values[component], name, component);
   }
   return angular;
 }
@@ -72,11 +70,9 @@ Angular<D> read_finite_angular(const hs_view& view, std::int64_t i, const char* 
   }
 }
 
-inline void write_angular(const hs_mutable_view& view, std::int64_t i, const Angular<2>& angular) {
-  write_point(view, i, Vector<3>(0, 0, angular[0]));
-}
-inline void write_angular(const hs_mutable_view& view, std::int64_t i, const Angular<3>& angular) {
-  write_point(view, i, angular);
+template <class Angular>
+void write_angular(const hs_mutable_view& view, std::int64_t i, const Angular& angular) {
+  write_point(view, i, in_space(angular));
 }
 
 }  // namespace halfspace::capi

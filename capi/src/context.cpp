@@ -1,11 +1,11 @@
-#include "context.h"
-
 #include <cstdlib>
 #include <system_error>
 
 #include "arithmetic.h"
-#include "check.h"
+#include "context_handle.h"
 #include "guard.h"
+#include "require.h"
+#include "sized_struct.h"
 #include "threads/thread_pool.h"
 
 using namespace halfspace::capi;

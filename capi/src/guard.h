@@ -6,7 +6,7 @@
 #include <new>
 
 #include "arithmetic.h"
-#include "context.h"
+#include "context_handle.h"
 #include "halfspace/status.h"
 
 namespace halfspace::capi {

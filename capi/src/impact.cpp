@@ -1,16 +1,17 @@
 #include "halfspace/impact.h"
 
-#include <Eigen/LU>
 #include <cmath>
 
-#include "check.h"
-#include "contact.h"
 #include "geometry/deformed_outline.h"
 #include "guard.h"
 #include "narrow_phase/time_of_impact.h"
-#include "posed_pair.h"
-#include "shape.h"
+#include "pair_arguments.h"
+#include "pose_and_vector.h"
+#include "require.h"
+#include "shape_handle.h"
+#include "sized_struct.h"
 #include "tensor.h"
+#include "write_contact.h"
 
 using namespace halfspace;
 using namespace halfspace::capi;
@@ -62,32 +63,6 @@ Angular<D> read_turn(const double* rate, double duration, const char* name) {
   }
 }
 
-double volume_bend(const Tensor<2>&) { return 0; }
-double volume_bend(const Tensor<3>& change) { return change.determinant(); }
-
-/// Refuses a stretch that turns a shape inside out between its start and its end. Its volume on the way, as a
-/// share of that at the start, is a polynomial in the invariants of the change.
-template <int D>
-void require_solid(const Tensor<D>& gradient, const Tensor<D>& stretch, const char* name) {
-  const Tensor<D> change = gradient.inverse() * stretch;
-  const double c1 = change.trace(), c2 = 0.5 * (c1 * c1 - (change * change).trace()),
-               c3 = volume_bend(change);
-  const auto require_at = [&](double time) {
-    const double volume = 1 + time * (c1 + time * (c2 + time * c3));
-    if (time > 0 && time < 1 && !(volume > 0)) {
-      refuse(HS_ERROR_ARGUMENT,
-             "%s.gradient_rate turns the shape inside out: its volume is %g of that at the start"
-             " after %g of the duration",
-             name, volume, time);
-    }
-  };
-  const double square = c2 * c2 - 3 * c3 * c1;
-  if (square < 0) return;
-  const double sum = -(c2 + std::copysign(std::sqrt(square), c2));
-  if (c3 != 0) require_at(sum / (3 * c3));
-  if (sum != 0) require_at(c1 / sum);
-}
-
 template <int D>
 Sweep<D> read_motion(const hs_motion_def* given, double duration, const char* name) {
   const hs_motion_def motion = read_definition(given, name);
@@ -103,7 +78,12 @@ Sweep<D> read_motion(const hs_motion_def* given, double duration, const char* na
       duration * read_finite_tensor<D>(motion.gradient_rate, MemberName(name, "gradient_rate"));
   require_gradient<D>(gradient, gradient_name);
   require_gradient<D>(gradient + stretch, MemberName(name, "gradient at the end"));
-  require_solid<D>(gradient, stretch, name);
+  if (const std::optional<Collapse> collapse = collapse_on_the_way<D>(gradient, stretch)) {
+    refuse(HS_ERROR_ARGUMENT,
+           "%s.gradient_rate turns the shape inside out: its volume is %g of that at the start"
+           " after %g of the duration",
+           name, collapse->volume, collapse->time);
+  }
   sweep.gradient = start.rotation.tensor() * gradient;
   sweep.stretch = start.rotation.tensor() * stretch;
   return sweep;
@@ -129,7 +109,7 @@ void find_impact(const hs_shape& a, const hs_motion_def* motion_a, const hs_shap
                  const hs_motion_def* motion_b, double duration, hs_impact& out) {
   const Sweep<D> sweep_of_a = read_motion<D>(motion_a, duration, "motion_a"),
                  sweep_of_b = read_motion<D>(motion_b, duration, "motion_b");
-  const Outline<D> outline_of_a = as<D>(a).shape.outline(), outline_of_b = as<D>(b).shape.outline();
+  const Outline<D> outline_of_a = as<D>(a).outline(), outline_of_b = as<D>(b).outline();
   Array<double> room(component_count(outline_of_a) + component_count(outline_of_b), &a.context->memory);
   const Impact<D> impact = time_of_impact(outline_of_a, sweep_of_a, outline_of_b, sweep_of_b, room.data());
   write_impact<D>(impact, sweep_of_a.position + impact.time * sweep_of_a.way, duration, out);
@@ -143,8 +123,7 @@ hs_status hs_motion_def_init(hs_motion_def* def, size_t size) { return write_def
 hs_status hs_pair_time_of_impact(const hs_shape* shape_a, const hs_motion_def* motion_a,
                                  const hs_shape* shape_b, const hs_motion_def* motion_b, double duration,
                                  hs_impact* impact) {
-  hs_context* context = shape_a ? shape_a->context : shape_b ? shape_b->context : nullptr;
-  return guarded(context, "hs_pair_time_of_impact", [&] {
+  return guarded(context_of(shape_a ? shape_a : shape_b), "hs_pair_time_of_impact", [&] {
     require_pointer(shape_a, "shape_a");
     require_pointer(motion_a, "motion_a");
     require_pointer(shape_b, "shape_b");

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "contact.h"
 #include "guard.h"
 #include "halfspace/pair.h"
+#include "narrow_phase/separation_proof.h"
+#include "write_contact.h"
 
 namespace halfspace::capi {
 
@@ -11,34 +12,32 @@ inline NamedPair pair_in(const hs_pair_cache& cache) {
   return {NamedPair::Kind(cache.pair_kind), cache.feature_a, cache.feature_b};
 }
 
-inline void require_state(const hs_pair_cache& cache) {
-  if (cache.state < PairMemory<2>::unknown || cache.state > PairMemory<2>::touching) {
-    refuse(HS_ERROR_ARGUMENT, "cache->state is %d; it must be 0, 1 or 2", cache.state);
-  }
-}
+/// What core remembers of a pair, checked.
+PairMemory<2> read_cache(const hs_pair_cache& cache, const PosedPair<2>& posed);
+PairMemory<3> read_cache(const hs_pair_cache& cache, const PosedPair<3>& posed);
 
-/// `last` is the last that is allowed, and `when` says for what pairs.
-inline void require_kind(const hs_pair_cache& cache, NamedPair::Kind last, const char* when) {
-  if (cache.pair_kind < NamedPair::face_vertex || cache.pair_kind > last) {
-    refuse(HS_ERROR_ARGUMENT, "cache->pair_kind is %d; for %s it must be from 0 to %d", cache.pair_kind, when,
-           last);
-  }
-}
-
-/// `features` says in words what the shape has `count` of.
-inline void require_index(std::int32_t index, int count, const char* name, const char* features) {
-  if (index < 0 || index >= count) {
-    refuse(HS_ERROR_ARGUMENT, "cache->%s is %d; the shape has %d %s", name, index, count, features);
-  }
-}
-
-/// What is remembered but for a proof.
-inline void write_cache(std::int32_t state, const NamedPair& pair, hs_pair_cache& cache) {
-  cache.state = state;
+/// Keeps what is remembered, and of a separated pair the proof in what has been found.
+template <int D>
+void write_cache(const PairMemory<D>& memory, const PosedPair<D>& posed, const hs_contact& found,
+                 hs_pair_cache& cache) {
+  const NamedPair pair = named(memory.pair);
+  cache.state = memory.state;
   cache.pair_kind = pair.kind;
   cache.feature_a = pair.a;
   cache.feature_b = pair.b;
   cache.shapes = 0;
+  if (memory.state == PairMemory<D>::separated) keep_proof(posed, found.normal, found.gap, cache);
+}
+
+/// The answer when the pair is still proven to be separated by more than the margin.
+template <int D>
+[[gnu::always_inline]] inline bool answer_by_proof(const PosedPair<D>& posed, const hs_pair_cache& cache,
+                                                   hs_contact& out, double margin = 0) {
+  if (cache.state != PairMemory<D>::separated) return false;
+  const double gap = proven_gap(posed, cache, margin);
+  if (!(gap > 0)) return false;
+  write_pair(ContactType::none, 0, separating(pair_in(cache)), Vector<D>(cache.normal), gap, out);
+  return true;
 }
 
 }  // namespace halfspace::capi

@@ -1,6 +1,6 @@
 #include "detection.h"
 #include "guard.h"
-#include "pair.h"
+#include "pair_arguments.h"
 
 using namespace halfspace;
 using namespace halfspace::capi;
@@ -26,7 +26,7 @@ hs_status hs_pairs_detect(hs_context* context, const hs_shape* const shapes[], c
     // All input is judged before anything is written.
     for (std::int64_t i = 0; i < body_count; ++i) {
       require_pointer(shapes[i], {"shapes", i});
-      visit(*shapes[i], [&]<int D>(const ShapeHandle<D>&) { read_pose<D>(&poses[i], {"poses", i}); });
+      visit(*shapes[i], [&]<int D>(const Shape<D>&) { read_pose<D>(&poses[i], {"poses", i}); });
     }
     for (std::int64_t i = 0; i < 2 * pair_count; ++i) {
       if (pairs[i] < 0 || pairs[i] >= body_count) {
@@ -38,17 +38,19 @@ hs_status hs_pairs_detect(hs_context* context, const hs_shape* const shapes[], c
       const std::int32_t a = pairs[2 * i], b = pairs[2 * i + 1];
       visit(*shapes[a], poses[a], *shapes[b], poses[b], use);
     };
-    const auto cache_of = [&](std::int64_t i) { return caches ? &caches[i] : nullptr; };
     for (std::int64_t i = 0; i < pair_count; ++i) {
       const std::int32_t a = pairs[2 * i], b = pairs[2 * i + 1];
       require_one_dimension(*shapes[a], {"shapes", a}, *shapes[b], {"shapes", b});
       require_for(shapes[a]->dimension(), known);
-      visit_pair(i, [&](const auto& posed) { require_readable(posed, cache_of(i)); });
+      if (caches) visit_pair(i, [&](const auto& posed) { read_cache(caches[i], posed); });
     }
 
     std::int64_t count = 0;
     for (std::int64_t i = 0; i < pair_count; ++i) {
-      visit_pair(i, [&](const auto& posed) { detect(posed, known, cache_of(i), contacts[i]); });
+      visit_pair(i, [&](const auto& posed) {
+        detect(posed, known, caches ? &caches[i] : nullptr, &shapes[pairs[2 * i]]->context->memory,
+               contacts[i]);
+      });
       count += contacts[i].type != HS_CONTACT_NONE;
     }
     if (touching) *touching = count;

@@ -1,16 +1,15 @@
-#include "polygon.h"
-
 #include <span>
 
-#include "check.h"
 #include "geometry/orientation.h"
 #include "geometry/polygon/boundary.h"
 #include "geometry/polygon/check.h"
 #include "geometry/polygon/clean.h"
 #include "geometry/polygon/hull.h"
 #include "guard.h"
-#include "shape.h"
-#include "view.h"
+#include "make_polygon.h"
+#include "require.h"
+#include "shape_handle.h"
+#include "strided_view.h"
 
 using namespace halfspace;
 using namespace halfspace::capi;
@@ -21,27 +20,13 @@ namespace {
 using Points = Array<Vector<2>>;
 
 [[noreturn]] void refuse_polygon(const FaultReport& report, const char* name, const Points& points) {
-  if (report.vertex < 0) {
-    refuse(HS_ERROR_GEOMETRY, "%s (%zu points) %s", name, points.size(), fault_text(report.fault));
-  }
-  refuse(HS_ERROR_GEOMETRY, "%s[%lld] = %s %s", name, static_cast<long long>(report.vertex),
-         PointText(points[std::size_t(report.vertex)]).characters, fault_text(report.fault));
-}
-
-/// The end of a boundary segment: of three values the first two.
-Vector<2> read_end(const double point[3], const char* name) {
-  require_pointer(point, name);
-  for (int i = 0; i < 2; ++i) {
-    if (!is_within_limits(point[i]))
-      refuse(HS_ERROR_ARGUMENT, "%s[%d] is %g; it must be finite and at most 1e75", name, i, point[i]);
-  }
-  return {point[0], point[1]};
+  refuse_points<2>(points, report.vertex, name, name, fault_text(report.fault));
 }
 
 /// Another end than the one called so.
 Vector<2> read_other_end(const double point[3], const char* name, const Vector<2>& end,
                          const char* name_of_end) {
-  const Vector<2> other = read_end(point, name);
+  const Vector<2> other = read_finite_vector<2>(point, name);
   if (other == end) {
     refuse(HS_ERROR_ARGUMENT, "%s is %s; it must not be where %s is", name, PointText(other).characters,
            name_of_end);
@@ -83,33 +68,26 @@ hs_status hs_polygon_check(hs_context* context, hs_view vertices, hs_fault* faul
 }
 
 hs_status hs_polygon_create(hs_context* context, hs_view vertices, hs_shape** shape) {
-  return guarded(context, __func__, [&] {
-    require_pointer(context, "context");
-    require_pointer(shape, "shape");
-    *shape = make_polygon(context, read_points<2>(context, vertices, "vertices"), "vertices");
-    return HS_OK;
+  return make_shape(context, shape, __func__, [&]() -> hs_shape* {
+    return make_polygon(context, read_points<2>(context, vertices, "vertices"), "vertices");
   });
 }
 
 hs_status hs_polygon_create_hull(hs_context* context, hs_view points, hs_shape** shape) {
-  return guarded(context, __func__, [&] {
-    require_pointer(context, "context");
-    require_pointer(shape, "shape");
+  return make_shape(context, shape, __func__, [&]() -> hs_shape* {
     const Points given = read_finite_points<2>(context, points, "points");
     const Points hull = convex_hull(given, &context->memory);
     if (hull.size() < 3) refuse_polygon({Fault::zero_area, -1}, "points", given);
-    *shape = make_polygon(context, hull, "hull of points");
-    return HS_OK;
+    return make_polygon(context, hull, "hull of points");
   });
 }
 
 hs_status hs_polygon_create_boundary(hs_context* context, const double before[3], const double first[3],
                                      const double second[3], const double after[3], double depth,
                                      hs_shape** shape) {
-  return guarded(context, __func__, [&] {
-    require_pointer(context, "context");
-    require_pointer(shape, "shape");
-    const Vector<2> start = read_end(first, "first"), end = read_other_end(second, "second", start, "first");
+  return make_shape(context, shape, __func__, [&]() -> hs_shape* {
+    const Vector<2> start = read_finite_vector<2>(first, "first"),
+                    end = read_other_end(second, "second", start, "first");
     const BoundarySegment segment{read_neighbour(before, "before", end, start, "first"), start, end,
                                   read_neighbour(after, "after", start, end, "second")};
     require(depth > 0 && is_within_limits(depth), depth, "depth", "> 0 and at most 1e75");
@@ -119,8 +97,7 @@ hs_status hs_polygon_create_boundary(hs_context* context, const double before[3]
       refuse(HS_ERROR_GEOMETRY, "depth is %g; what is so far behind first %s and second %s %s", depth,
              PointText(start).characters, PointText(end).characters, fault_text(report.fault));
     }
-    *shape = create<ShapeHandle<2>>(context, context, std::span(vertices));
-    return HS_OK;
+    return create<ShapeHandle<2>>(context, context, std::span(vertices));
   });
 }
 
@@ -135,9 +112,7 @@ hs_status hs_polygon_clean(hs_context* context, hs_view vertices, double toleran
     const Points given = read_finite_points<2>(context, vertices, "vertices");
     const Points kept = clean_polygon(given, tolerance, changes, &context->memory);
     *count = std::int64_t(kept.size());
-    const std::int64_t written = std::min(*count, cleaned.count);
-    for (std::int64_t i = 0; i < written; ++i) write_point(cleaned, i, kept[std::size_t(i)]);
     if (report) *report = {changes.welded, changes.straightened, changes.reversed, 0};
-    return fits(*count, cleaned.count);
+    return write_all(*count, cleaned.count, [&](int i) { write_point(cleaned, i, kept[std::size_t(i)]); });
   });
 }

@@ -2,13 +2,13 @@
 
 #include <limits>
 
-#include "check.h"
 #include "geometry/polyhedron/check.h"
 #include "geometry/polyhedron/halfspaces.h"
 #include "geometry/polyhedron/hull.h"
 #include "guard.h"
-#include "shape.h"
-#include "view.h"
+#include "require.h"
+#include "shape_handle.h"
+#include "strided_view.h"
 
 using namespace halfspace;
 using namespace halfspace::capi;
@@ -59,18 +59,13 @@ Polyhedron read_polyhedron(hs_context* context, const hs_view& vertices, const s
   if (report.face >= 0 && report.vertex >= 0)
     refuse(HS_ERROR_GEOMETRY, "face %lld %s: vertices[%lld]", face, text, vertex);
   if (report.face >= 0) refuse(HS_ERROR_GEOMETRY, "face %lld %s", face, text);
-  if (report.vertex < 0) refuse(HS_ERROR_GEOMETRY, "vertices (%zu points) %s", vertices.size(), text);
-  refuse(HS_ERROR_GEOMETRY, "vertices[%lld] = %s %s", vertex,
-         PointText(vertices[std::size_t(report.vertex)]).characters, text);
+  refuse_points<3>(vertices, report.vertex, "vertices", "vertices", text);
 }
 
 /// Only points out of range are faulty each by itself; what else is wrong concerns the whole.
 [[noreturn]] void refuse_hull(const PolyhedronFault& report, const Points& points) {
-  const char* const text = fault_text(report.fault);
-  if (report.fault != Fault::out_of_range || report.vertex < 0)
-    refuse(HS_ERROR_GEOMETRY, "hull of points (%zu points) %s", points.size(), text);
-  refuse(HS_ERROR_GEOMETRY, "points[%lld] = %s %s", static_cast<long long>(report.vertex),
-         PointText(points[std::size_t(report.vertex)]).characters, text);
+  const bool is_one = report.fault == Fault::out_of_range;
+  refuse_points<3>(points, is_one ? report.vertex : -1, "points", "hull of points", fault_text(report.fault));
 }
 
 [[noreturn]] void refuse_halfspaces(const PolyhedronFault& report, const Array<Halfspace<3>>& halfspaces) {
@@ -99,36 +94,28 @@ hs_status hs_polyhedron_check(hs_context* context, hs_view vertices, const int32
 
 hs_status hs_polyhedron_create(hs_context* context, hs_view vertices, const int32_t face_sizes[],
                                int64_t face_count, const int32_t face_vertices[], hs_shape** shape) {
-  return guarded(context, __func__, [&] {
-    require_pointer(context, "context");
-    require_pointer(shape, "shape");
+  return make_shape(context, shape, __func__, [&]() -> hs_shape* {
     Polyhedron polyhedron = read_polyhedron(context, vertices, face_sizes, face_count, face_vertices);
     const PolyhedronFault report = complete_polyhedron(polyhedron);
     if (report.fault != Fault::none) refuse_polyhedron(report, polyhedron.vertices);
-    *shape = create<ShapeHandle<3>>(context, context, polyhedron);
-    return HS_OK;
+    return create<ShapeHandle<3>>(context, context, polyhedron);
   });
 }
 
 hs_status hs_polyhedron_create_hull(hs_context* context, hs_view points, hs_shape** shape) {
-  return guarded(context, __func__, [&] {
-    require_pointer(context, "context");
-    require_pointer(shape, "shape");
+  return make_shape(context, shape, __func__, [&]() -> hs_shape* {
     require_numbered(points.count, "points.count");
     const Points given = read_finite_points<3>(context, points, "points");
     Polyhedron hull(&context->memory);
     const PolyhedronFault report = convex_hull(given, hull);
     if (report.fault != Fault::none) refuse_hull(report, given);
-    *shape = create<ShapeHandle<3>>(context, context, hull);
-    return HS_OK;
+    return create<ShapeHandle<3>>(context, context, hull);
   });
 }
 
 hs_status hs_polyhedron_create_from_halfspaces(hs_context* context, hs_view normals, const double offsets[],
                                                hs_shape** shape) {
-  return guarded(context, __func__, [&] {
-    require_pointer(context, "context");
-    require_pointer(shape, "shape");
+  return make_shape(context, shape, __func__, [&]() -> hs_shape* {
     require_numbered(normals.count, "normals.count");
     require_view<3>(normals, "normals");
     if (normals.count > 0) require_pointer(offsets, "offsets");
@@ -141,7 +128,6 @@ hs_status hs_polyhedron_create_from_halfspaces(hs_context* context, hs_view norm
     std::int64_t redundant = 0;  // the host sees it by the number of faces
     const PolyhedronFault report = polyhedron_from_halfspaces(halfspaces, polyhedron, redundant);
     if (report.fault != Fault::none) refuse_halfspaces(report, halfspaces);
-    *shape = create<ShapeHandle<3>>(context, context, polyhedron);
-    return HS_OK;
+    return create<ShapeHandle<3>>(context, context, polyhedron);
   });
 }

@@ -1,10 +1,9 @@
-#include "shape.h"
-
 #include <algorithm>
 #include <cstddef>
 
-#include "check.h"
-#include "view.h"
+#include "shape_handle.h"
+#include "sized_struct.h"
+#include "strided_view.h"
 
 using namespace halfspace;
 using namespace halfspace::capi;
@@ -12,12 +11,6 @@ using namespace halfspace::capi;
 namespace {
 
 // What both dimensions have, under one name each. In the plane the edges stand for the faces.
-
-int number_of_faces(const Shape<2>& s) { return s.vertex_count(); }
-int number_of_faces(const Shape<3>& s) { return s.face_count(); }
-
-int number_of_edges(const Shape<2>& s) { return s.vertex_count(); }
-int number_of_edges(const Shape<3>& s) { return s.edge_count(); }
 
 /// The vertices of all faces one face after the other: where those of a face begin, and the one at a place.
 int begin_of_face(const Shape<2>&, int face) { return 2 * face; }
@@ -45,8 +38,8 @@ hs_shape_properties properties_of(const Shape<D>& s) {
   hs_shape_properties p{};
   p.dimension = D;
   p.vertex_count = s.vertex_count();
-  p.edge_count = number_of_edges(s);
-  p.face_count = number_of_faces(s);
+  p.edge_count = s.outline().edge_count();
+  p.face_count = s.outline().face_count();
   p.volume = volume(s);
   write_vector(s.centroid(), p.centroid);
   write_second_moment(s, p.second_moment);
@@ -55,93 +48,68 @@ hs_shape_properties properties_of(const Shape<D>& s) {
   return p;
 }
 
-/// Calls write(i) for as many of `count` entries as fit.
-template <class Write>
-hs_status write_all(std::int64_t count, std::int64_t capacity, Write write) {
-  const int written = int(std::min(count, capacity));
-  for (int i = 0; i < written; ++i) write(i);
-  return fits(count, capacity);
-}
-
 }  // namespace
 
 hs_status hs_shape_get_properties(const hs_shape* shape, hs_shape_properties* properties, size_t size) {
-  return guarded(shape ? shape->context : nullptr, __func__, [&] {
-    require_pointer(shape, "shape");
+  return with_shape(shape, __func__, [&](const auto& s) {
     require_pointer(properties, "properties");
     require_report_size(size, offsetof(hs_shape_properties, shortest_edge) + sizeof(double));
-    write_sized(visit(*shape, [](const auto& handle) { return properties_of(handle.shape); }), properties,
-                size);
+    write_sized(properties_of(s), properties, size);
     return HS_OK;
   });
 }
 
 hs_status hs_shape_get_vertices(const hs_shape* shape, hs_mutable_view vertices, int64_t* count) {
-  return guarded(shape ? shape->context : nullptr, __func__, [&] {
-    require_pointer(shape, "shape");
-    return visit(*shape, [&]<int D>(const ShapeHandle<D>& handle) {
-      require_view<D>(vertices, "vertices");
-      const Shape<D>& s = handle.shape;
-      if (count) *count = s.vertex_count();
-      return write_all(s.vertex_count(), vertices.count,
-                       [&](int i) { write_point(vertices, i, s.outline().vertex(i) + s.centroid()); });
-    });
+  return with_shape(shape, __func__, [&]<int D>(const Shape<D>& s) {
+    require_view<D>(vertices, "vertices");
+    if (count) *count = s.vertex_count();
+    return write_all(s.vertex_count(), vertices.count,
+                     [&](int i) { write_point(vertices, i, s.outline().vertex(i) + s.centroid()); });
   });
 }
 
 hs_status hs_shape_get_faces(const hs_shape* shape, int32_t first_of_face[], int64_t face_capacity,
                              int32_t face_vertices[], int64_t vertex_capacity, int64_t* face_count,
                              int64_t* vertex_count) {
-  return guarded(shape ? shape->context : nullptr, __func__, [&] {
-    require_pointer(shape, "shape");
+  return with_shape(shape, __func__, [&](const auto& s) {
     require_count(face_capacity, "face_capacity");
     require_count(vertex_capacity, "vertex_capacity");
     if (face_capacity > 0) require_pointer(first_of_face, "first_of_face");
     if (vertex_capacity > 0) require_pointer(face_vertices, "face_vertices");
-    return visit(*shape, [&](const auto& handle) {
-      const auto& s = handle.shape;
-      const std::int64_t faces = number_of_faces(s), vertices = 2 * number_of_edges(s);
-      if (face_count) *face_count = faces;
-      if (vertex_count) *vertex_count = vertices;
-      const hs_status of_faces =
-          write_all(faces + 1, face_capacity, [&](int f) { first_of_face[f] = begin_of_face(s, f); });
-      const hs_status of_vertices =
-          write_all(vertices, vertex_capacity, [&](int k) { face_vertices[k] = face_vertex(s, k); });
-      return std::max(of_faces, of_vertices);
-    });
+    const std::int64_t faces = s.outline().face_count(), vertices = 2 * s.outline().edge_count();
+    if (face_count) *face_count = faces;
+    if (vertex_count) *vertex_count = vertices;
+    const hs_status of_faces =
+        write_all(faces + 1, face_capacity, [&](int f) { first_of_face[f] = begin_of_face(s, f); });
+    const hs_status of_vertices =
+        write_all(vertices, vertex_capacity, [&](int k) { face_vertices[k] = face_vertex(s, k); });
+    return std::max(of_faces, of_vertices);
   });
 }
 
 hs_status hs_shape_get_edges(const hs_shape* shape, int32_t edge_vertices[], int64_t capacity,
                              int64_t* count) {
-  return guarded(shape ? shape->context : nullptr, __func__, [&] {
-    require_pointer(shape, "shape");
+  return with_shape(shape, __func__, [&](const auto& s) {
     require_count(capacity, "capacity");
     if (capacity > 0) require_pointer(edge_vertices, "edge_vertices");
-    return visit(*shape, [&](const auto& handle) {
-      const auto& s = handle.shape;
-      if (count) *count = number_of_edges(s);
-      return write_all(number_of_edges(s), capacity, [&](int e) {
-        edge_vertices[2 * e] = edge_start(s, e);
-        edge_vertices[2 * e + 1] = edge_end(s, e);
-      });
+    const std::int64_t edges = s.outline().edge_count();
+    if (count) *count = edges;
+    return write_all(edges, capacity, [&](int e) {
+      edge_vertices[2 * e] = edge_start(s, e);
+      edge_vertices[2 * e + 1] = edge_end(s, e);
     });
   });
 }
 
 hs_status hs_shape_get_halfspaces(const hs_shape* shape, hs_mutable_view normals, double offsets[],
                                   int64_t* count) {
-  return guarded(shape ? shape->context : nullptr, __func__, [&] {
-    require_pointer(shape, "shape");
-    return visit(*shape, [&]<int D>(const ShapeHandle<D>& handle) {
-      require_view<D>(normals, "normals");
-      const Shape<D>& s = handle.shape;
-      const Outline<D>& outline = s.outline();
-      if (count) *count = number_of_faces(s);
-      return write_all(number_of_faces(s), normals.count, [&](int i) {
-        write_point(normals, i, outline.normal(i));
-        if (offsets) offsets[i] = outline.offset[i];
-      });
+  return with_shape(shape, __func__, [&]<int D>(const Shape<D>& s) {
+    require_view<D>(normals, "normals");
+    const Outline<D>& outline = s.outline();
+    if (count) *count = outline.face_count();
+    return write_all(outline.face_count(), normals.count, [&](int i) {
+      write_point(normals, i, outline.normal(i));
+      if (offsets) offsets[i] = outline.offset[i];
     });
   });
 }

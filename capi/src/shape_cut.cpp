@@ -1,9 +1,9 @@
-#include "check.h"
 #include "geometry/polygon/cut.h"
 #include "geometry/polyhedron/cut.h"
 #include "guard.h"
-#include "polygon.h"
-#include "shape.h"
+#include "make_polygon.h"
+#include "require.h"
+#include "shape_handle.h"
 
 using namespace halfspace;
 using namespace halfspace::capi;
@@ -49,27 +49,27 @@ Parts make_parts(const Part& behind, const Part& ahead, Make make) {
   return parts;
 }
 
-Parts cut(const ShapeHandle<2>& whole, const Plane<2>& line) {
-  const Outline<2>& outline = whole.shape.outline();
-  Array<Vector<2>> vertices(&whole.context->memory);
+Parts cut(const Shape<2>& whole, const Plane<2>& line, hs_context* context) {
+  const Outline<2>& outline = whole.outline();
+  Array<Vector<2>> vertices(&context->memory);
   vertices.reserve(std::size_t(outline.count));
-  for (int i = 0; i < outline.count; ++i) vertices.push_back(outline.vertex(i) + whole.shape.centroid());
-  const PolygonParts parts = cut_polygon(vertices, line.point, line.normal, &whole.context->memory);
+  for (int i = 0; i < outline.count; ++i) vertices.push_back(outline.vertex(i) + whole.centroid());
+  const PolygonParts parts = cut_polygon(vertices, line.point, line.normal, &context->memory);
   if (!parts.is_cut()) {
-    hs_shape* const copy = create<ShapeHandle<2>>(whole.context, whole.context, whole.shape);
+    hs_shape* const copy = create<ShapeHandle<2>>(context, context, whole);
     return parts.is_rather_ahead ? Parts{nullptr, copy} : Parts{copy, nullptr};
   }
   return make_parts(parts.behind, parts.ahead, [&](const Array<Vector<2>>& part, const char* name) {
-    return make_polygon(whole.context, part, name);
+    return make_polygon(context, part, name);
   });
 }
 
-Parts cut(const ShapeHandle<3>& whole, const Plane<3>& plane) {
-  Memory* const memory = &whole.context->memory;
+Parts cut(const Shape<3>& whole, const Plane<3>& plane, hs_context* context) {
+  Memory* const memory = &context->memory;
   const PolyhedronParts parts =
-      cut_polyhedron(polyhedron_of(whole.shape, memory), plane.point, plane.normal, memory);
+      cut_polyhedron(polyhedron_of(whole, memory), plane.point, plane.normal, memory);
   return make_parts(parts.behind, parts.ahead, [&](const Polyhedron& part, const char*) -> hs_shape* {
-    return part.is_empty() ? nullptr : create<ShapeHandle<3>>(whole.context, whole.context, part);
+    return part.is_empty() ? nullptr : create<ShapeHandle<3>>(context, context, part);
   });
 }
 
@@ -77,14 +77,12 @@ Parts cut(const ShapeHandle<3>& whole, const Plane<3>& plane) {
 
 hs_status hs_shape_cut(const hs_shape* shape, const double point[3], const double normal[3],
                        hs_shape** behind, hs_shape** ahead) {
-  return guarded(shape ? shape->context : nullptr, __func__, [&] {
-    require_pointer(shape, "shape");
+  return with_shape(shape, __func__, [&]<int D>(const Shape<D>& whole) {
     require_pointer(point, "point");
     require_pointer(normal, "normal");
     require_pointer(behind, "behind");
     require_pointer(ahead, "ahead");
-    const Parts parts = visit(
-        *shape, [&]<int D>(const ShapeHandle<D>& whole) { return cut(whole, read_plane<D>(point, normal)); });
+    const Parts parts = cut(whole, read_plane<D>(point, normal), shape->context);
     *behind = parts.behind;
     *ahead = parts.ahead;
     return HS_OK;

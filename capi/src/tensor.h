@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "block/deformation.h"
-#include "check.h"
 #include "guard.h"
+#include "require.h"
 
 namespace halfspace::capi {
 
@@ -17,11 +17,7 @@ Tensor<D> read_finite_tensor(const double* values, const char* name) {
   for (int row = 0; row < D; ++row) {
     for (int column = 0; column < D; ++column) {
       const int i = 3 * row + column;
-      if (!is_within_limits(values[i])) {
-        refuse(HS_ERROR_ARGUMENT, "%s[%d] is %g; it must be finite and at most %g", name, i, values[i],
-               largest_number);
-      }
-      tensor(row, column) = values[i];
+      tensor(row, column) = require_component(values[i], name, i);
     }
   }
   return tensor;

@@ -1,8 +1,9 @@
 #include <cmath>
 
 #include "halfspace/affine.h"
+#include "sized_struct.h"
 #include "tensor.h"
-#include "world.h"
+#include "world_handle.h"
 
 using namespace halfspace;
 using namespace halfspace::capi;
@@ -91,11 +92,8 @@ hs_status hs_world_get_deformations(const hs_world* world, hs_deformation deform
   return with_world(world, __func__, [&]<int D>(const World<D>& w) {
     require_count(capacity, "capacity");
     if (capacity > 0) require_pointer(deformations, "deformations");
-    for_each_block(w.blocks(), [&](std::int64_t i, std::int32_t slot) {
-      if (i < capacity) deformations[i] = deformation_of(w, std::size_t(slot));
-    });
-    if (count) *count = w.blocks().count();
-    return fits(w.blocks().count(), capacity);
+    return write_blocks(w.blocks(), capacity, count,
+                        [&](std::int64_t i, std::size_t slot) { deformations[i] = deformation_of(w, slot); });
   });
 }
 

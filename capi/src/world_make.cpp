@@ -2,9 +2,10 @@
 #include <numbers>
 
 #include "geometry/angle.h"
-#include "pair.h"
-#include "shape.h"
-#include "world.h"
+#include "pair_arguments.h"
+#include "shape_handle.h"
+#include "sized_struct.h"
+#include "world_handle.h"
 
 using namespace halfspace;
 using namespace halfspace::capi;
@@ -101,7 +102,7 @@ const Shape<D>& require_shape(const hs_shape* shape, const char* name) {
   require_pointer(shape, name);
   if (shape->dimension() != D)
     refuse(HS_ERROR_ARGUMENT, "%s has dimension %d; the world has %d", name, shape->dimension(), D);
-  return as<D>(*shape).shape;
+  return as<D>(*shape);
 }
 
 /// Of the inertia the least principal moment.
@@ -136,7 +137,7 @@ hs_status hs_block_def_init(hs_block_def* def, size_t size, const hs_shape* shap
   if (!shape || size < up_to_pose) return HS_ERROR_ARGUMENT;
   const hs_status status = write_definition(def, size);
   if (status == HS_OK) {
-    visit(*shape, [&](const auto& handle) { write_vector(handle.shape.centroid(), def->pose.position); });
+    visit(*shape, [&](const auto& form) { write_vector(form.centroid(), def->pose.position); });
   }
   return status;
 }

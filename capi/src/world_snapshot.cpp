@@ -1,5 +1,5 @@
-#include "world.h"
 #include "world/snapshot.h"
+#include "world_handle.h"
 
 using namespace halfspace;
 using namespace halfspace::capi;

@@ -1,7 +1,5 @@
-#include <algorithm>
-
-#include "view.h"
-#include "world.h"
+#include "strided_view.h"
+#include "world_handle.h"
 
 using namespace halfspace;
 using namespace halfspace::capi;
@@ -11,11 +9,8 @@ hs_status hs_world_get_blocks(const hs_world* world, hs_block blocks[], int64_t 
     require_count(capacity, "capacity");
     if (capacity > 0) require_pointer(blocks, "blocks");
     const Blocks<D>& all = w.blocks();
-    for_each_block(all, [&](std::int64_t i, std::int32_t slot) {
-      if (i < capacity) blocks[i] = id_of(all, std::size_t(slot));
-    });
-    if (count) *count = all.count();
-    return fits(all.count(), capacity);
+    return write_blocks(all, capacity, count,
+                        [&](std::int64_t i, std::size_t s) { blocks[i] = id_of(all, s); });
   });
 }
 
@@ -46,11 +41,10 @@ hs_status hs_world_get_block_vertices(const hs_world* world, hs_block block, hs_
     const Blocks<D>& all = w.blocks();
     const std::int32_t slot = slot_of(all, block, "block");
     const Outline<D> outline = all.outline(slot);
-    const std::int64_t vertex_count = outline.vertex_count();
-    for (std::int64_t i = 0; i < std::min(vertex_count, vertices.count); ++i)
-      write_point(vertices, i, Vector<D>(outline.vertex(int(i)) + all.position[std::size_t(slot)]));
-    if (count) *count = vertex_count;
-    return fits(vertex_count, vertices.count);
+    if (count) *count = outline.vertex_count();
+    return write_all(outline.vertex_count(), vertices.count, [&](int i) {
+      write_point(vertices, i, outline.vertex(i) + all.position[std::size_t(slot)]);
+    });
   });
 }
 
@@ -99,12 +93,9 @@ hs_status hs_world_get_poses(const hs_world* world, hs_pose poses[], int64_t cap
     require_count(capacity, "capacity");
     if (capacity > 0) require_pointer(poses, "poses");
     const Blocks<D>& all = w.blocks();
-    for_each_block(all, [&](std::int64_t i, std::int32_t slot) {
-      if (i < capacity)
-        write_pose(all.position[std::size_t(slot)], all.rotation[std::size_t(slot)], poses[i]);
+    return write_blocks(all, capacity, count, [&](std::int64_t i, std::size_t s) {
+      write_pose(all.position[s], all.rotation[s], poses[i]);
     });
-    if (count) *count = all.count();
-    return fits(all.count(), capacity);
   });
 }
 
@@ -130,13 +121,7 @@ hs_status hs_world_get_velocities(const hs_world* world, hs_mutable_view velocit
   return with_world(world, __func__, [&]<int D>(const World<D>& w) {
     require_view<D>(velocities, "velocities");
     require_angular_view<D>(angular_velocities, "angular_velocities");
-    const Blocks<D>& all = w.blocks();
-    for_each_block(all, [&](std::int64_t i, std::int32_t slot) {
-      if (i < velocities.count) write_point(velocities, i, all.velocity[std::size_t(slot)]);
-      if (i < angular_velocities.count) write_angular(angular_velocities, i, all.spin[std::size_t(slot)]);
-    });
-    const bool all_turns = angular_velocities.count == 0 || angular_velocities.count >= all.count();
-    return all_turns ? fits(all.count(), velocities.count) : HS_NOTE_TRUNCATED;
+    return write_blocks(w.blocks(), w.blocks().velocity, velocities, w.blocks().spin, angular_velocities);
   });
 }
 

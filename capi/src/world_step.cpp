@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 
-#include "contact.h"
-#include "view.h"
-#include "world.h"
+#include "sized_struct.h"
+#include "strided_view.h"
+#include "world_handle.h"
+#include "write_contact.h"
 
 using namespace halfspace;
 using namespace halfspace::capi;
@@ -25,51 +25,10 @@ hs_energy energy_of(const Ledger& ledger) {
 }
 
 template <int D>
-double largest_overlap(const World<D>& world) {
-  double overlap = 0;
-  for (std::size_t c = 0; c < world.contact_count(); ++c) overlap = std::max(overlap, -world.contact(c).gap);
-  return overlap;
-}
-
-template <int D>
-double largest_speed(const Blocks<D>& blocks) {
-  double squared = 0;
-  for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
-    if (blocks.moves_freely(i)) squared = std::max(squared, blocks.velocity[i].squaredNorm());
-  }
-  return std::sqrt(squared);
-}
-
-template <int D>
 void require_detected(const World<D>& world) {
   if (!world.is_detected()) {
     refuse(HS_ERROR_STATE, "poses, blocks or laws have changed; call hs_world_detect() first");
   }
-}
-
-/// Contacts are sorted as their pairs are.
-template <int D>
-std::size_t contact_index(const World<D>& world, std::int32_t a, std::int32_t b) {
-  const auto wanted = std::minmax(a, b);
-  std::size_t first = 0, last = world.contact_count();
-  while (first < last) {
-    const std::size_t middle = first + (last - first) / 2;
-    const Candidate<D>& pair = world.candidate_of(middle);
-    if (std::pair(pair.a, pair.b) < std::pair(wanted.first, wanted.second)) {
-      first = middle + 1;
-    } else {
-      last = middle;
-    }
-  }
-  const bool found = first < world.contact_count() && world.candidate_of(first).a == wanted.first &&
-                     world.candidate_of(first).b == wanted.second;
-  if (!found) {
-    const auto id = [&](std::int32_t slot) {
-      return static_cast<unsigned long long>(id_of(world.blocks(), std::size_t(slot)));
-    };
-    refuse(HS_ERROR_STALE_ID, "block_a %#llx and block_b %#llx are not in contact", id(a), id(b));
-  }
-  return first;
 }
 
 /// What the contact does to its blocks, as far as forces have been evaluated.
@@ -101,13 +60,7 @@ hs_status hs_world_forces(hs_world* world, double elapsed, hs_mutable_view force
     require_angular_view<D>(torques, "torques");
     require_detected(w);
     w.evaluate_forces_for_host(elapsed);
-    const Blocks<D>& all = w.blocks();
-    for_each_block(all, [&](std::int64_t i, std::int32_t slot) {
-      if (i < forces.count) write_point(forces, i, all.force[std::size_t(slot)]);
-      if (i < torques.count) write_angular(torques, i, all.torque[std::size_t(slot)]);
-    });
-    const bool all_turns = torques.count == 0 || torques.count >= all.count();
-    return all_turns ? fits(all.count(), forces.count) : HS_NOTE_TRUNCATED;
+    return write_blocks(w.blocks(), w.blocks().force, forces, w.blocks().torque, torques);
   });
 }
 
@@ -145,7 +98,7 @@ hs_status hs_world_get_report(hs_world* world, hs_world_report* report, size_t s
     require_report_size(size, offsetof(hs_world_report, energy) + sizeof(hs_energy));
     w.prepare();  // energies and the time step of a world that has been changed
     const double stable = w.stable_time_step();
-    const double overlap = largest_overlap(w);
+    const double overlap = w.largest_overlap();
     const hs_world_report ours = {D,
                                   0,
                                   w.steps(),
@@ -157,7 +110,7 @@ hs_status hs_world_get_report(hs_world* world, hs_world_report* report, size_t s
                                   std::int64_t(w.contact_count()),
                                   w.candidates().builds(),
                                   overlap,
-                                  largest_speed(w.blocks()),
+                                  w.largest_speed(),
                                   energy_of(w.ledger()),
                                   w.knows_potential() ? w.potential_length() : 0,
                                   w.ledger().block_strain,
@@ -178,21 +131,21 @@ hs_status hs_world_get_contacts(const hs_world* world, hs_contact contacts[], in
     if (capacity > 0) require_pointer(contacts, "contacts");
     const Blocks<D>& blocks = w.blocks();
     const std::int64_t all = std::int64_t(w.contact_count());
-    for (std::int64_t i = 0; i < std::min(all, capacity); ++i) {
+    if (count) *count = all;
+    return write_all(all, capacity, [&](int i) {
       const std::size_t c = std::size_t(i);
       const Candidate<D>& pair = w.candidate_of(c);
       const Vector<D>& origin = blocks.position[std::size_t(pair.a)];
       hs_contact& out = contacts[i];
       out = {};
-      const Contact<D> contact = w.contact(c);
-      write_contact(contact, Rotation<D>(), origin, out);
       out.block_a = id_of(blocks, std::size_t(pair.a));
       out.block_b = id_of(blocks, std::size_t(pair.b));
-      if (!w.knows_forces()) continue;  // detected, but forces not evaluated yet
-      write_force(w.contact_force(c), contact.normal, origin, out);
-    }
-    if (count) *count = all;
-    return fits(all, capacity);
+      Contact<D> contact = w.contact(c);
+      // Detected, but forces may not have been evaluated yet.
+      if (w.knows_forces()) write_force(w.contact_force(c), contact.normal, origin, out);
+      place(contact, Rotation<D>(), origin);
+      write_contact(contact, out);
+    });
   });
 }
 
@@ -203,8 +156,13 @@ hs_status hs_world_set_shear_force(hs_world* world, hs_block block_a, hs_block b
     const std::int32_t a = slot_of(w.blocks(), block_a, "block_a");
     const std::int32_t b = slot_of(w.blocks(), block_b, "block_b");
     require_detected(w);
+    const std::optional<std::size_t> contact = w.contact_between(a, b);
+    if (!contact) {
+      refuse(HS_ERROR_STALE_ID, "block_a %#llx and block_b %#llx are not in contact",
+             static_cast<unsigned long long>(block_a), static_cast<unsigned long long>(block_b));
+    }
     // The contact is from the lower slot to the higher.
-    if (!w.set_shear_force(contact_index(w, a, b), a < b ? on_second : Vector<D>(-on_second))) {
+    if (!w.set_shear_force(*contact, a < b ? on_second : Vector<D>(-on_second))) {
       refuse(HS_ERROR_STATE, "the law between block_a and block_b has no friction and no shear spring");
     }
     return HS_OK;

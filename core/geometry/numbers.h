@@ -5,6 +5,11 @@
 
 namespace halfspace {
 
+/// Numbers from outside are no larger, as the coordinates of shapes are: no square is infinite then, nor its
+/// product with a mass or a stiffness. False for NaN.
+constexpr double largest_number = 1e75;
+inline bool is_within_limits(double value) { return std::abs(value) <= largest_number; }
+
 // Numbers that were read from a snapshot are checked by these before they are computed with.
 
 inline bool is_finite(double value) { return std::isfinite(value); }

@@ -68,6 +68,14 @@ class Rotation<2> {
     return std::abs(cosine - other.cosine) + std::abs(sine - other.sine);
   }
 
+  /// As a unit quaternion x, y, z, w. Of its two parts the larger is found first, so that no digits cancel.
+  void write_quaternion(double q[4]) const {
+    const double larger = std::sqrt(0.5 * (1 + std::abs(cosine)));
+    q[0] = q[1] = 0;
+    q[2] = cosine >= 0 ? 0.5 * sine / larger : std::copysign(larger, sine);
+    q[3] = cosine >= 0 ? larger : 0.5 * std::abs(sine) / larger;
+  }
+
   Rotation(double c = 1, double s = 0) : cosine(c), sine(s) {}
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -11,13 +12,36 @@
 
 namespace halfspace {
 
+/// What is measured of a shape whatever its dimension.
+template <int D>
+class ShapeMeasures {
+ public:
+  const Vector<D>& centroid() const { return centroid_; }
+  double bounding_radius() const { return bounding_radius_; }
+  double shortest_edge() const { return shortest_edge_; }
+  double longest_edge() const { return longest_edge_; }
+  /// The least width across an edge or, in space, a face: between two edges a polyhedron may be narrower, a
+  /// flat tetrahedron by half.
+  double thickness() const { return thickness_; }
+  /// Tells shapes apart, see Fingerprint.
+  std::uint64_t fingerprint() const { return fingerprint_; }
+
+ protected:
+  Vector<D> centroid_ = Vector<D>::Zero();
+  double bounding_radius_ = 0;
+  double shortest_edge_ = 0;
+  double longest_edge_ = 0;
+  double thickness_ = 0;
+  std::uint64_t fingerprint_ = 0;
+};
+
 /// An immutable convex shape in its own frame, centroid at the origin.
 template <int D>
 class Shape;
 
 /// A convex polygon.
 template <>
-class Shape<2> {
+class Shape<2> : public ShapeMeasures<2> {
  public:
   /// From vertices in either order that check_polygon() found no fault with.
   Shape(std::span<const Vector<2>> vertices, Memory* memory);
@@ -30,16 +54,10 @@ class Shape<2> {
   const Outline<2>& outline() const { return outline_; }
 
   double area() const { return area_; }
-  const Vector<2>& centroid() const { return centroid_; }
   /// Integral of r r^T about the centroid: xx, yy, xy.
   const Eigen::Vector3d& second_moment() const { return second_moment_; }
   /// Polar moment about the centroid, the moment of inertia for unit density.
   double polar_moment() const { return second_moment_[0] + second_moment_[1]; }
-  double bounding_radius() const { return bounding_radius_; }
-  double shortest_edge() const { return shortest_edge_; }
-  double longest_edge() const { return longest_edge_; }
-  /// Its least width, which is that across some edge.
-  double thickness() const { return thickness_; }
 
  private:
   void measure(std::span<const Vector<2>> counter_clockwise);
@@ -49,19 +67,14 @@ class Shape<2> {
 
   int count_ = 0;
   double area_ = 0;
-  Vector<2> centroid_ = Vector<2>::Zero();
   Eigen::Vector3d second_moment_ = Eigen::Vector3d::Zero();
-  double bounding_radius_ = 0;
-  double shortest_edge_ = 0;
-  double longest_edge_ = 0;
-  double thickness_ = 0;
   Array<double> components_;  // x, y, nx, ny, offset, each padded
   Outline<2> outline_;        // into components_
 };
 
 /// A convex polyhedron.
 template <>
-class Shape<3> {
+class Shape<3> : public ShapeMeasures<3> {
  public:
   /// From a polyhedron that check_polyhedron() found no fault with.
   Shape(const Polyhedron& polyhedron, Memory* memory);
@@ -75,18 +88,12 @@ class Shape<3> {
   const Outline<3>& outline() const { return outline_; }
 
   double volume() const { return volume_; }
-  const Vector<3>& centroid() const { return centroid_; }
   /// Integral of r r^T about the centroid: xx, yy, zz, xy, yz, zx.
   const Eigen::Matrix<double, 6, 1>& second_moment() const { return second_moment_; }
   /// About the centroid, for unit density: integral of (r.r) 1 - r r^T.
   Eigen::Matrix3d inertia() const;
-  double bounding_radius() const { return bounding_radius_; }
-  double shortest_edge() const { return shortest_edge_; }
-  double longest_edge() const { return longest_edge_; }
   /// Area.
   double largest_face() const { return largest_face_; }
-  /// The least width across a face. Between two edges a shape may be narrower, a flat tetrahedron by half.
-  double thickness() const { return thickness_; }
 
  private:
   void measure(const Polyhedron& polyhedron);
@@ -96,13 +103,8 @@ class Shape<3> {
   void measure_thickness();
 
   double volume_ = 0;
-  Vector<3> centroid_ = Vector<3>::Zero();
   Eigen::Matrix<double, 6, 1> second_moment_ = Eigen::Matrix<double, 6, 1>::Zero();
-  double bounding_radius_ = 0;
-  double shortest_edge_ = 0;
-  double longest_edge_ = 0;
   double largest_face_ = 0;
-  double thickness_ = 0;
   TopologyArrays topology_;
   Array<double> components_;           // x, y, z, then nx, ny, nz, offset, each padded
   std::optional<GaussMap> gauss_map_;  // of many vertices

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "geometry/rotation.h"
 #include "geometry/vector.h"
 
 namespace halfspace {
@@ -168,5 +169,33 @@ inline Vector<2> middle_of(const Contact<2>& contact) {
   return contact.point_count == 2 ? 0.5 * (contact.points[0] + contact.points[1]) : contact.points[0];
 }
 inline Vector<3> middle_of(const Contact<3>& contact) { return contact.center; }
+inline double gap_in_middle_of(const Contact<2>& contact) {
+  return contact.point_count == 2 ? 0.5 * (contact.gaps[0] + contact.gaps[1]) : contact.gaps[0];
+}
+inline double gap_in_middle_of(const Contact<3>& contact) { return contact.center_gap; }
+
+/// A contact that is its pair alone or, of type none, the proof that there is none.
+template <int D>
+[[gnu::always_inline]] inline Contact<D> contact_without_region(ContactType type,
+                                                                const PotentialPair<D>& pair,
+                                                                const Vector<D>& normal, double gap) {
+  Contact<D> contact;
+  contact.type = type;
+  contact.pair = pair;
+  contact.point_count = 0;
+  contact.gap = gap;
+  contact.normal = normal;
+  return contact;
+}
+
+/// Brings what a contact tells a host into the host's frame: into that `rotation` turns, and what was the
+/// origin is at `origin` there. Shares and their rates, which only forces read, stay as they are.
+template <int D>
+void place(Contact<D>& contact, const Rotation<D>& rotation, const Vector<D>& origin) {
+  contact.normal = rotation * contact.normal;
+  if (contact.point_count == 0) return;
+  if constexpr (D == 3) contact.center = rotation * contact.center + origin;
+  for (int i = 0; i < contact.point_count; ++i) contact.points[i] = rotation * contact.points[i] + origin;
+}
 
 }  // namespace halfspace

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <Eigen/LU>
+#include <cmath>
+#include <optional>
+
 #include "geometry/rotation.h"
 #include "geometry/vector.h"
 
@@ -23,5 +27,32 @@ struct Sweep {
   /// Seen from what turns with the block.
   Tensor<D> stretched_at(double time) const { return gradient + time * stretch; }
 };
+
+inline double volume_bend(const Tensor<2>&) { return 0; }
+inline double volume_bend(const Tensor<3>& change) { return change.determinant(); }
+
+/// When a shape is turned inside out, and its volume then as a share of that at the start.
+struct Collapse {
+  double time;
+  double volume;
+};
+
+/// A stretch may turn a shape inside out between its start and its end. Its volume on the way is a polynomial
+/// in the invariants of the change, which is least where its derivative is 0.
+template <int D>
+std::optional<Collapse> collapse_on_the_way(const Tensor<D>& gradient, const Tensor<D>& stretch) {
+  const Tensor<D> change = gradient.inverse() * stretch;
+  const double c1 = change.trace(), c2 = 0.5 * (c1 * c1 - (change * change).trace()),
+               c3 = volume_bend(change);
+  const double square = c2 * c2 - 3 * c3 * c1;
+  if (square < 0) return {};
+  const double sum = -(c2 + std::copysign(std::sqrt(square), c2));
+  const double times[] = {c3 != 0 ? sum / (3 * c3) : 0, sum != 0 ? c1 / sum : 0};
+  for (const double time : times) {
+    const double volume = 1 + time * (c1 + time * (c2 + time * c3));
+    if (time > 0 && time < 1 && !(volume > 0)) return Collapse{time, volume};
+  }
+  return {};
+}
 
 }  // namespace halfspace

@@ -5,21 +5,19 @@
 #include <limits>
 
 #include "geometry/box.h"
+#include "geometry/numbers.h"
 #include "geometry/orientation.h"
 
 namespace halfspace {
 namespace {
 
-// Second moments grow with the fourth power of the size: within these limits neither they nor their products
-// with a density overflow or vanish.
-constexpr double largest_coordinate = 1e75;
+// Second moments grow with the fourth power of the size: from this to the largest number neither they nor
+// their products with a density overflow or vanish.
 constexpr double smallest_extent = 1e-75;
 
 FaultReport first_not_finite(std::span<const Vector<2>> vertices) {
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const double magnitude = std::max(std::abs(vertices[i].x()), std::abs(vertices[i].y()));
-    if (!vertices[i].allFinite() || magnitude > largest_coordinate)
-      return {Fault::not_finite, std::int64_t(i)};
+    if (!all(vertices[i], is_within_limits)) return {Fault::not_finite, std::int64_t(i)};
   }
   return {};
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/fingerprint.h"
 #include "geometry/polygon/check.h"
 #include "geometry/shape.h"
 
@@ -13,17 +14,14 @@ Shape<2>::Shape(std::span<const Vector<2>> vertices, Memory* memory)
   measure(ordered);
   store(ordered);
   measure_thickness();
+  fingerprint_ = fingerprint_of(outline_);
 }
 
 Shape<2>::Shape(const Shape& other, Memory* memory)
-    : count_(other.count_),
+    : ShapeMeasures(other),
+      count_(other.count_),
       area_(other.area_),
-      centroid_(other.centroid_),
       second_moment_(other.second_moment_),
-      bounding_radius_(other.bounding_radius_),
-      shortest_edge_(other.shortest_edge_),
-      longest_edge_(other.longest_edge_),
-      thickness_(other.thickness_),
       components_(other.components_, memory) {
   point_outline();
 }

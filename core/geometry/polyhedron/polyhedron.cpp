@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/fingerprint.h"
 #include "geometry/precise.h"
 #include "geometry/shape.h"
 #include "geometry/support.h"
@@ -46,6 +47,7 @@ Shape<3>::Shape(const Polyhedron& polyhedron, Memory* memory)
   measure_edges();
   measure_faces();
   measure_thickness();
+  fingerprint_ = fingerprint_of(outline_);
 }
 
 /// Exact moments by tetrahedra from the first vertex to the triangles of the other faces: all coordinates are

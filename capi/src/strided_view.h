@@ -1,12 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 
-#include "check.h"
-#include "context.h"
+#include "context_handle.h"
 #include "geometry/vector.h"
 #include "halfspace/view.h"
+#include "pose_and_vector.h"
 
 namespace halfspace::capi {
 
@@ -53,22 +54,23 @@ Vector<D> read_finite_point(const hs_view& view, std::int64_t i, const char* nam
   return p;
 }
 
-template <int D>
-Array<Vector<D>> read_points(hs_context* context, const hs_view& view, const char* name) {
+/// As read(i) reads them one by one.
+template <int D, class Read>
+Array<Vector<D>> read_points(hs_context* context, const hs_view& view, const char* name, Read&& read) {
   require_view<D>(view, name);
   Array<Vector<D>> points(&context->memory);
   points.reserve(std::size_t(view.count));
-  for (std::int64_t i = 0; i < view.count; ++i) points.push_back(read_point<D>(view, i));
+  for (std::int64_t i = 0; i < view.count; ++i) points.push_back(read(i));
   return points;
 }
-
+template <int D>
+Array<Vector<D>> read_points(hs_context* context, const hs_view& view, const char* name) {
+  return read_points<D>(context, view, name, [&](std::int64_t i) { return read_point<D>(view, i); });
+}
 template <int D>
 Array<Vector<D>> read_finite_points(hs_context* context, const hs_view& view, const char* name) {
-  require_view<D>(view, name);
-  Array<Vector<D>> points(&context->memory);
-  points.reserve(std::size_t(view.count));
-  for (std::int64_t i = 0; i < view.count; ++i) points.push_back(read_finite_point<D>(view, i, name));
-  return points;
+  return read_points<D>(context, view, name,
+                        [&](std::int64_t i) { return read_finite_point<D>(view, i, name); });
 }
 
 template <class Vector>
@@ -81,6 +83,13 @@ void write_point(const hs_mutable_view& view, std::int64_t i, const Eigen::Matri
 /// HS_OK, or the note that `count` entries did not fit.
 inline hs_status fits(std::int64_t count, std::int64_t capacity) {
   return count > capacity ? HS_NOTE_TRUNCATED : HS_OK;
+}
+
+/// Calls write(i) for as many of `count` entries as fit.
+template <class Write>
+hs_status write_all(std::int64_t count, std::int64_t capacity, Write&& write) {
+  for (std::int64_t i = 0; i < std::min(count, capacity); ++i) write(int(i));
+  return fits(count, capacity);
 }
 
 }  // namespace halfspace::capi

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "check.h"
 #include "halfspace/contact.h"
 #include "narrow_phase/contact.h"
+#include "pose_and_vector.h"
 
 namespace halfspace::capi {
 
@@ -11,7 +11,7 @@ static_assert(most_region_points == HS_CONTACT_POINTS);
 /// A pair as the API names it: in the plane the edge stands for the face.
 using NamedPair = PotentialPair<3>;
 
-inline const NamedPair& named(const PotentialPair<3>& pair) { return pair; }
+inline NamedPair named(const PotentialPair<3>& pair) { return pair; }
 
 // Which block owns the edge or face is as good as random: arithmetic instead of branches.
 
@@ -55,45 +55,22 @@ void write_pair(ContactType type, int point_count, const NamedPair& pair, const 
   out.gap = gap;
 }
 
-/// The proof that there is no contact.
-template <int D, class Pair>
-void write_separation(const Pair& pair, const Vector<D>& normal, double gap, hs_contact& out) {
-  write_pair<D>(ContactType::none, 0, separating(pair), normal, gap, out);
-}
+inline double area_of(const Contact<2>& contact) { return contact.length; }  // times unit thickness
+inline double area_of(const Contact<3>& contact) { return contact.area; }
 
-/// A contact in the host's terms, without ids and forces. `frame` turns and `origin` moves it from the frame
-/// of detection to the host's. In the plane the region is a point or a part of an edge, of unit thickness.
-inline void write_contact(const Contact<2>& contact, const Rotation<2>& frame, const Vector<2>& origin,
-                          hs_contact& out) {
-  write_pair<2>(contact.type, contact.point_count, named(contact.pair), frame * contact.normal, contact.gap,
-                out);
+/// A contact in the host's terms, without ids and forces. What it does not say of the region, as when there
+/// is none, is left as it was.
+template <int D>
+[[gnu::always_inline]] inline void write_contact(const Contact<D>& contact, hs_contact& out) {
+  const NamedPair pair = contact.type == ContactType::none ? separating(contact.pair) : named(contact.pair);
+  write_pair(contact.type, contact.point_count, pair, contact.normal, contact.gap, out);
   if (contact.point_count == 0) return;
-  out.area = out.length = contact.length;
-  const Vector<2> first = frame * contact.points[0] + origin;
-  write_vector(first, out.points[0]);
-  out.gaps[0] = contact.gaps[0];
-  if (contact.point_count == 1) {
-    write_vector(first, out.center);
-    out.center_gap = contact.gaps[0];
-    return;
-  }
-  const Vector<2> second = frame * contact.points[1] + origin;
-  write_vector(second, out.points[1]);
-  out.gaps[1] = contact.gaps[1];
-  write_vector(0.5 * (first + second), out.center);
-  out.center_gap = 0.5 * (contact.gaps[0] + contact.gaps[1]);
-}
-
-inline void write_contact(const Contact<3>& contact, const Rotation<3>& frame, const Vector<3>& origin,
-                          hs_contact& out) {
-  write_pair<3>(contact.type, contact.point_count, contact.pair, frame * contact.normal, contact.gap, out);
-  if (contact.point_count == 0) return;
-  out.area = contact.area;
+  out.area = area_of(contact);
   out.length = contact.length;
-  write_vector(frame * contact.center + origin, out.center);
-  out.center_gap = contact.center_gap;
+  write_vector(middle_of(contact), out.center);
+  out.center_gap = gap_in_middle_of(contact);
   for (int i = 0; i < contact.point_count; ++i) {
-    write_vector(frame * contact.points[i] + origin, out.points[i]);
+    write_vector(contact.points[i], out.points[i]);
     out.gaps[i] = contact.gaps[i];
   }
 }

@@ -5,7 +5,7 @@
 
 #include "geometry/outline.h"
 
-namespace halfspace::capi {
+namespace halfspace {
 
 /// A number that tells shapes apart, the same in every process. Odd.
 class Fingerprint {
@@ -39,4 +39,4 @@ inline std::uint64_t fingerprint_of(const Outline<3>& outline) {
   return fingerprint.value();
 }
 
-}  // namespace halfspace::capi
+}  // namespace halfspace

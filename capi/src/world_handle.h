@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "angular.h"
-#include "check.h"
-#include "context.h"
+#include "context_handle.h"
 #include "guard.h"
 #include "halfspace/world.h"
+#include "require.h"
 #include "world/world.h"
 
 /// What worlds of either dimension have. The world itself follows, see WorldHandle.
@@ -77,23 +77,33 @@ void for_each_block(const Blocks<D>& blocks, Visitor&& visit) {
   }
 }
 
+/// Calls write(i, slot) for as many of them as fit, and tells how many there are.
+template <int D, class Write>
+hs_status write_blocks(const Blocks<D>& blocks, std::int64_t capacity, std::int64_t* count, Write&& write) {
+  for_each_block(blocks, [&](std::int64_t i, std::int32_t slot) {
+    if (i < capacity) write(i, std::size_t(slot));
+  });
+  if (count) *count = blocks.count();
+  return fits(blocks.count(), capacity);
+}
+
+/// Writes a vector and an angular one of each into the host's views; the latter may be none.
+template <int D>
+hs_status write_blocks(const Blocks<D>& blocks, const Array<Vector<D>>& vectors, const hs_mutable_view& out,
+                       const Array<Angular<D>>& angulars, const hs_mutable_view& angular_out) {
+  for_each_block(blocks, [&](std::int64_t i, std::int32_t slot) {
+    if (i < out.count) write_point(out, i, vectors[std::size_t(slot)]);
+    if (i < angular_out.count) write_angular(angular_out, i, angulars[std::size_t(slot)]);
+  });
+  const bool all_angulars = angular_out.count == 0 || angular_out.count >= blocks.count();
+  return all_angulars ? fits(blocks.count(), out.count) : HS_NOTE_TRUNCATED;
+}
+
 template <int D>
 void require_material(const World<D>& world, std::int32_t material, const char* name) {
   if (material < 0 || material >= world.material_count()) {
     refuse(HS_ERROR_STALE_ID, "%s is %d; the world has %d materials", name, material, world.material_count());
   }
-}
-
-template <int D>
-Vector<D> read_finite_vector(const double* values, const char* name) {
-  require_pointer(values, name);
-  Vector<D> vector;
-  for (int i = 0; i < D; ++i) {
-    if (!is_within_limits(values[i]))
-      refuse(HS_ERROR_ARGUMENT, "%s[%d] is %g; it must be finite and at most 1e75", name, i, values[i]);
-    vector[i] = values[i];
-  }
-  return vector;
 }
 
 }  // namespace halfspace::capi
