@@ -19,6 +19,11 @@ void check_content(const VolumeAndMoment& found, const Polyhedron& expected) {
 /// Behind a plane through a point.
 CuttingPlane plane_at(const Vector<3>& point, const Vector<3>& normal) { return {normal, normal.dot(point)}; }
 
+/// Of a new face: the block's own come before it.
+DividedPolyhedron::Index first_number(const Shape<3>& block) {
+  return DividedPolyhedron::Index(block.outline().face_count());
+}
+
 }  // namespace
 
 TEST_CASE("the parts of a divided polyhedron are those that cutting it leaves") {
@@ -35,7 +40,7 @@ TEST_CASE("the parts of a divided polyhedron are those that cutting it leaves") 
     const DepthRange height = sounding.take(block.outline(), plane_at(point, normal));
     if (height.least > -0.01 || height.most < 0.01) continue;
     DividedPolyhedron divided(memory);
-    divided.begin(block.outline(), sounding);
+    divided.begin(block.outline(), sounding, first_number(block));
     Array<DividedPolyhedron::Index> part(divided.inside().begin(), divided.inside().end());
     const VolumeAndMoment content = divided.measure(part);
     check_content(content, first);
@@ -47,7 +52,7 @@ TEST_CASE("the parts of a divided polyhedron are those that cutting it leaves") 
     const PolyhedronParts parts = cut_polyhedron(first, next_point, next_normal, memory);
     divided.cut_edges(part);
     check_content(divided.measure_inside(), parts.behind);
-    divided.close_both();
+    divided.close_both(first_number(block) + 1);
     const Array<DividedPolyhedron::Index> inside(divided.inside().begin(), divided.inside().end()),
         outside(divided.outside().begin(), divided.outside().end());
     check_content(divided.measure(inside), parts.behind);
@@ -71,14 +76,14 @@ TEST_CASE("a divided polyhedron loses nothing where planes pass through its vert
     const CuttingPlane first = draw_plane();
     if (sounding.take(cube.outline(), first).most <= 0) continue;
     DividedPolyhedron divided(memory);
-    divided.begin(cube.outline(), sounding);
+    divided.begin(cube.outline(), sounding, first_number(cube));
     Array<DividedPolyhedron::Index> part(divided.inside().begin(), divided.inside().end());
     for (int cut = 0; cut < 4; ++cut) {
       const VolumeAndMoment content = divided.measure(part);
       divided.sound(part, draw_plane());
       divided.cut_edges(part);
       const VolumeAndMoment inside = divided.measure_inside();
-      divided.close_both();
+      divided.close_both(first_number(cube) + 1 + DividedPolyhedron::Index(cut));
       const Array<DividedPolyhedron::Index> kept(divided.inside().begin(), divided.inside().end()),
           rest(divided.outside().begin(), divided.outside().end());
       const VolumeAndMoment outside = divided.measure(rest);

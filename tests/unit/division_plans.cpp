@@ -287,10 +287,7 @@ TEST_CASE("plans are kept one by one, and room that none uses is given free") {
     } else {
       ++refused;
     }
-    if (step % 7 == 0 && pair.plan.knows()) pair.plan.serve();
-    const bool has_served = pair.plan.has_served();
     if (step % 3 == 0) plans.tidy(pairs);
-    CHECK(pair.plan.has_served() == has_served);
     CHECK(plans.are_of(pairs));
     for (const Known& known : pairs) {
       if (!known.plan.knows()) continue;
@@ -316,22 +313,6 @@ TEST_CASE("plans are kept one by one, and room that none uses is given free") {
   }
   plans.tidy(pairs);
   CHECK(plans.size() < 4100);
-}
-
-TEST_CASE("a pair that finds no plan of use waits some steps for the next") {
-  PlanMemory known;
-  CHECK_FALSE(known.knows());
-  CHECK_FALSE(known.waits());
-  known.wait(2);
-  CHECK(known.waits());
-  CHECK(known.waits());
-  CHECK_FALSE(known.waits());
-  known.remember(7);
-  CHECK(known.first() == 7);
-  CHECK_FALSE(known.has_served());
-  known.serve();
-  CHECK(known.has_served());
-  CHECK(known.first() == 7);
 }
 
 TEST_CASE("what is no plan for two blocks is told, and whatever is taken for one leads nowhere else") {

@@ -3,7 +3,8 @@
 #include <algorithm>
 
 #include "force/potential/space/cell_division.h"
-#include "force/potential/space/division_planner.h"
+#include "force/potential/space/division_plan.h"
+#include "force/potential/space/division_record.h"
 #include "geometry/outline.h"
 #include "geometry/polyhedron/division.h"
 
@@ -60,13 +61,15 @@ template <>
 struct PotentialRoom<3> {
   explicit PotentialRoom(Memory* memory)
       : least_depth(memory),
-        near(memory),
+        near_a(memory),
+        near_b(memory),
         sounding_of_a(memory),
         sounding_of_b(memory),
         vertices(memory),
         intersection(memory),
         cells(memory),
-        planner(memory) {}
+        record(memory),
+        plan(memory) {}
 
   /// Takes the room that two blocks of so many edges at most need, unless more than 32 faces are the nearest
   /// in what they share, or it has very many vertices for them: then the room grows with them, and stays. A
@@ -74,23 +77,27 @@ struct PotentialRoom<3> {
   void reserve(std::size_t edges) {
     const std::size_t faces = edges, vertices_of_parts = 256 + 8 * edges;
     least_depth.resize(std::max(least_depth.size(), faces));
-    near.reserve(faces);
+    near_a.reserve(faces);
+    near_b.reserve(faces);
     sounding_of_a.reserve(edges);
     sounding_of_b.reserve(edges);
     vertices.reserve(vertices_of_parts);
     intersection.reserve(edges, vertices_of_parts);
     cells.reserve(edges, vertices_of_parts, std::min<std::size_t>(faces, 32));
-    planner.reserve();
+    record.reserve(edges);
+    plan.reserve(most_plan_codes);
   }
 
   Array<double> least_depth;  // of the intersection behind each face, or less
-  Array<NearFace> near;
+  Array<NearFace> near_a;     // can be the nearest one to some point of the intersection
+  Array<NearFace> near_b;
   Sounding sounding_of_a;
   Sounding sounding_of_b;
   Array<DividedPolyhedron::Index> vertices;  // of the intersection
   DividedPolyhedron intersection;
   CellDivision cells;
-  DivisionPlanner planner;
+  DivisionRecord record;
+  Array<PlanCode> plan;
 };
 
 /// A point inside a block has its distance to the nearest edge as potential; what two blocks have in common
@@ -104,8 +111,8 @@ struct PotentialRoom<3> {
 PotentialForce<2> potential_force(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
                                   PotentialRoom<2>& room);
 
-/// In space the cells are volumes. A planner is told of them.
+/// In space the cells are volumes. How they are found is written down where there is a record.
 PotentialForce<3> potential_force(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
-                                  PotentialRoom<3>& room, DivisionPlanner* planner = nullptr);
+                                  PotentialRoom<3>& room, DivisionRecord* record = nullptr);
 
 }  // namespace halfspace

@@ -30,21 +30,21 @@ void DividedPolyhedron::reserve(std::size_t edges, std::size_t vertices) {
   grow(half_of_edge_, 2 * edges);
 }
 
-void DividedPolyhedron::begin(const Outline<3>& block, const Sounding& sounding) {
+void DividedPolyhedron::begin(const Outline<3>& block, const Sounding& sounding, Index new_face) {
   const Topology& t = *block.topology;
   make_room(std::size_t(2 * t.edge_count));
   grow(first_of_vertex_, std::size_t(t.vertex_count));
   grow(half_of_edge_, std::size_t(2 * t.edge_count));
-  extent_ = {0, Index(t.face_count)};
+  vertex_count_ = 0;
   inside_count_ = 0;
   outside_count_ = 0;
   for (std::int32_t v = 0; v < t.vertex_count; ++v) {
-    first_of_vertex_[std::size_t(v)] = extent_.vertices;
+    first_of_vertex_[std::size_t(v)] = vertex_count_;
     add_block_vertex(block, v, sounding.depth(v));
   }
   join_block_vertices(block);
   cut_edges_of_inside();
-  close_inside();
+  close_inside(new_face);
 }
 
 /// Where d edges meet inside there is a row of d - 2 vertices, from each to the next an edge without length
@@ -53,7 +53,7 @@ void DividedPolyhedron::begin(const Outline<3>& block, const Sounding& sounding)
 void DividedPolyhedron::add_block_vertex(const Outline<3>& block, std::int32_t v, double depth) {
   const Vertex vertex{block.x[v], block.y[v], block.z[v], depth};
   if (depth < 0) {
-    vertex_[extent_.vertices++] = vertex;
+    vertex_[vertex_count_++] = vertex;
     return;
   }
   const Topology& t = *block.topology;
@@ -62,19 +62,19 @@ void DividedPolyhedron::add_block_vertex(const Outline<3>& block, std::int32_t v
   const auto put = [&](std::int32_t k, Index half) {
     half_of_edge_[std::size_t(2 * edge[k] + (t.edge_start[edge[k]] == v))] = half;
   };
-  put(0, 4 * extent_.vertices);
+  put(0, 4 * vertex_count_);
   for (std::int32_t k = 1; k < degree - 1; ++k) {
-    const Index half = 4 * extent_.vertices;
+    const Index half = 4 * vertex_count_;
     put(k, half + 1);
     face_[half] = Index(face[k - 1]);
     face_[half + 1] = Index(face[k]);
     face_[half + 2] = Index(face[degree - 1]);
     if (k > 1) twin_[half] = half - 2;
     if (k < degree - 2) twin_[half + 2] = half + 4;
-    vertex_[extent_.vertices] = vertex;
-    inside_[inside_count_++] = extent_.vertices++;
+    vertex_[vertex_count_] = vertex;
+    inside_[inside_count_++] = vertex_count_++;
   }
-  put(degree - 1, 4 * (extent_.vertices - 1) + 2);
+  put(degree - 1, 4 * (vertex_count_ - 1) + 2);
 }
 
 void DividedPolyhedron::join_block_vertices(const Outline<3>& block) {
@@ -91,11 +91,11 @@ void DividedPolyhedron::join_block_vertices(const Outline<3>& block) {
 }
 
 void DividedPolyhedron::begin(const DividedPolyhedron& other) {
-  extent_ = other.extent_;
-  make_room(extent_.vertices);
-  std::copy_n(other.vertex_.begin(), extent_.vertices, vertex_.begin());
-  std::copy_n(other.twin_.begin(), 4 * extent_.vertices, twin_.begin());
-  std::copy_n(other.face_.begin(), 4 * extent_.vertices, face_.begin());
+  vertex_count_ = other.vertex_count_;
+  make_room(vertex_count_);
+  std::copy_n(other.vertex_.begin(), vertex_count_, vertex_.begin());
+  std::copy_n(other.twin_.begin(), 4 * vertex_count_, twin_.begin());
+  std::copy_n(other.face_.begin(), 4 * vertex_count_, face_.begin());
 }
 
 DepthRange DividedPolyhedron::sound(Part part, const CuttingPlane& plane) {
@@ -115,7 +115,7 @@ void DividedPolyhedron::cut_edges(Part part) {
 
 void DividedPolyhedron::cut_edges_of_inside() {
   // For two vertices at each of their edges; and for one crossing more than there is.
-  make_room(extent_.vertices + 6 * inside_count_ + 1);
+  make_room(vertex_count_ + 6 * inside_count_ + 1);
   Vertex* const vertex = vertex_.data();
   Index* const twin = twin_.data();
   Crossing* end = crossings_.data();
@@ -127,7 +127,7 @@ void DividedPolyhedron::cut_edges_of_inside() {
     }
   }
   crossing_count_ = std::size_t(end - crossings_.data());
-  Index added = extent_.vertices;
+  Index added = vertex_count_;
   for (Crossing* crossing = crossings_.data(); crossing != end; ++crossing, ++added) {
     const Vertex &p = vertex[crossing->inner()], &q = vertex[crossing->outer()];
     crossing->share = p.depth / (p.depth - q.depth);
@@ -142,9 +142,9 @@ void DividedPolyhedron::cut_edges_of_inside() {
 
 /// Of the edges of a new vertex one is that which has been cut; the others lead to those before it and behind
 /// it along the new face.
-inline void DividedPolyhedron::surround(Index vertex, Index left, Index right) {
+inline void DividedPolyhedron::surround(Index vertex, Index left, Index right, Index new_face) {
   face_[4 * vertex] = right;
-  face_[4 * vertex + 1] = extent_.faces;
+  face_[4 * vertex + 1] = new_face;
   face_[4 * vertex + 2] = left;
 }
 
@@ -157,36 +157,36 @@ inline void DividedPolyhedron::join(Index exit, Index entry) {
 /// Calls `join(exit, entry)`. Where rounding has torn a face, its outline may come and go more than once.
 template <class Join>
 inline void DividedPolyhedron::join_along_faces(Join join) {
-  Index entry = extent_.vertices;
+  Index entry = vertex_count_;
   for (const Crossing& crossing : crossings()) {
     Index half = clockwise(crossing.inner_half);
-    while (twin_[half] < 4 * extent_.vertices) half = clockwise(twin_[half]);
+    while (twin_[half] < 4 * vertex_count_) half = clockwise(twin_[half]);
     join(twin_[half] / 4, entry++);
   }
 }
 
-void DividedPolyhedron::close_inside() {
-  Index added = extent_.vertices;
+void DividedPolyhedron::close_inside(Index new_face) {
+  Index added = vertex_count_;
   for (const Crossing& crossing : crossings()) {
-    surround(added, face_[crossing.inner_half], face_[clockwise(crossing.inner_half)]);
+    const auto [left, right] = faces_along(crossing);
+    surround(added, left, right, new_face);
     inside_[inside_count_++] = added++;
   }
   join_along_faces([this](Index exit, Index entry) { join(exit, entry); });
-  extent_.vertices = added;
-  ++extent_.faces;
+  vertex_count_ = added;
 }
 
-void DividedPolyhedron::close_both() {
+void DividedPolyhedron::close_both(Index new_face) {
   const Index count = Index(crossing_count_);
-  Index added = extent_.vertices;
+  Index added = vertex_count_;
   for (const Crossing& crossing : crossings()) {
-    const Index left = face_[crossing.inner_half], right = face_[clockwise(crossing.inner_half)];
+    const auto [left, right] = faces_along(crossing);
     const Index other = added + count;
     vertex_[other] = vertex_[added];
     twin_[4 * other] = crossing.outer_half;
     twin_[crossing.outer_half] = 4 * other;
-    surround(added, left, right);
-    surround(other, right, left);
+    surround(added, left, right, new_face);
+    surround(other, right, left, new_face);
     inside_[inside_count_++] = added++;
     outside_[outside_count_++] = other;
   }
@@ -194,8 +194,7 @@ void DividedPolyhedron::close_both() {
     join(exit, entry);
     join(entry + count, exit + count);
   });
-  extent_.vertices += 2 * count;
-  ++extent_.faces;
+  vertex_count_ += 2 * count;
 }
 
 /// Of tetrahedra from one vertex, the top, to the triangles of the faces that are not at it. What is inside
@@ -209,7 +208,7 @@ inline void DividedPolyhedron::sum_up_inside(Index top_vertex, Sums& sums) {
   const auto point = [&](Index v) { return Coordinates<double>{vertex[v].x, vertex[v].y, vertex[v].z}; };
   const Coordinates<double> top = point(top_vertex);
   const auto seen_from_top = [&](Index v) { return point(v) - top; };
-  const Index first_new = extent_.vertices;
+  const Index first_new = vertex_count_;
   std::size_t walked = 0;
   // Along the outline of a face from a corner, until it leaves or, when it is whole, comes back.
   const auto add_face = [&](Index corner, Index half, bool at_top, bool is_whole) {
@@ -248,7 +247,7 @@ inline void DividedPolyhedron::sum_up_inside(Index top_vertex, Sums& sums) {
 
 VolumeAndMoment DividedPolyhedron::measure_inside() {
   if (inside_count_ == 0) return {};
-  const Index top = crossing_count_ > 0 ? extent_.vertices : inside_[0];
+  const Index top = crossing_count_ > 0 ? vertex_count_ : inside_[0];
   VolumeSums<double> sums;
   sum_up_inside(top, sums);
   return with_origin_at(position(top), sums);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -30,6 +31,8 @@ void grow(Array<T>& array, std::size_t room) {
 /// rounding places the vertices.
 ///
 /// Three edges meet at each vertex; where a block has more, there are several vertices in one place.
+///
+/// A face has the number that it is told to have: those that meet at a vertex tell where it comes from.
 class DividedPolyhedron {
  public:
   using Index = std::uint32_t;
@@ -58,22 +61,26 @@ class DividedPolyhedron {
   /// For blocks of so many edges at most, until there are more than so many vertices.
   void reserve(std::size_t edges, std::size_t vertices);
 
-  /// Begins with what of a block is inside a plane, behind which it has been sounded.
-  void begin(const Outline<3>& block, const Sounding& sounding);
+  /// Begins with what of a block is inside a plane, behind which it has been sounded. The block's faces keep
+  /// their numbers.
+  void begin(const Outline<3>& block, const Sounding& sounding, Index new_face);
   void begin(const DividedPolyhedron& other);
 
-  /// How much there is of it, parts that are wanted no more included.
-  struct Extent {
-    Index vertices = 0;
-    Index faces = 0;
-  };
-  const Extent& extent() const { return extent_; }
-  /// Takes back what has been added since then.
-  void shrink_to(const Extent& extent) { extent_ = extent; }
+  /// Of all parts, those that are wanted no more included.
+  Index vertex_count() const { return vertex_count_; }
+  /// Takes back what has been added since there were so many vertices.
+  void shrink_to(Index vertices) { vertex_count_ = vertices; }
 
   Vector<3> position(Index vertex) const {
     const Vertex& v = vertex_[vertex];
     return {v.x, v.y, v.z};
+  }
+  std::array<Index, 3> faces_at(Index vertex) const {
+    return {face_[4 * vertex], face_[4 * vertex + 1], face_[4 * vertex + 2]};
+  }
+  /// On either side of the edge.
+  std::array<Index, 2> faces_along(const Crossing& crossing) const {
+    return {face_[crossing.inner_half], face_[clockwise(crossing.inner_half)]};
   }
 
   /// How deep the vertices of a part lie behind a plane: what is known before it is cut there.
@@ -91,8 +98,8 @@ class DividedPolyhedron {
   void cut_edges(Part part, DepthOf depth_of);
   /// Closes what is inside, or both parts, by a new face. The new vertices are the last ones of either part,
   /// in the order of the crossings.
-  void close_inside();
-  void close_both();
+  void close_inside(Index new_face);
+  void close_both(Index new_face);
   /// As if the part had not been cut.
   void take_back_cut() {
     for (const Crossing& crossing : crossings()) twin_[crossing.inner_half] = crossing.outer_half;
@@ -117,7 +124,7 @@ class DividedPolyhedron {
   void add_block_vertex(const Outline<3>& block, std::int32_t v, double depth);
   void join_block_vertices(const Outline<3>& block);
   void cut_edges_of_inside();
-  void surround(Index vertex, Index left, Index right);
+  void surround(Index vertex, Index left, Index right, Index new_face);
   void join(Index exit, Index entry);
   template <class Join>
   void join_along_faces(Join join);
@@ -133,7 +140,7 @@ class DividedPolyhedron {
   Array<std::uint8_t> walked_;    // which halves of edges have been measured
   Array<Index> first_of_vertex_;  // of the block's
   Array<Index> half_of_edge_;     // of the block's, seen from its end and from its start
-  Extent extent_;
+  Index vertex_count_ = 0;
   std::size_t inside_count_ = 0;
   std::size_t outside_count_ = 0;
   std::size_t crossing_count_ = 0;

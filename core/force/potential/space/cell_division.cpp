@@ -21,12 +21,13 @@ void CellDivision::reserve(std::size_t edges, std::size_t vertices, std::size_t 
   grow(lists_, vertices + near * near);
   waiting_.reserve(near);
   grow(depth_, vertices * near);
-  crossings_.reserve(most_division_crossings);
 }
 
 void CellDivision::divide(const DividedPolyhedron& polyhedron, DividedPolyhedron::Part whole,
-                          const VolumeAndMoment& content, double largest_coordinate, Array<NearFace>& near) {
-  crossings_.clear();
+                          const VolumeAndMoment& content, double largest_coordinate, Index first_new_face,
+                          Array<NearFace>& near, DivisionRecord* record) {
+  record_ = record;
+  first_new_face_ = first_new_face;
   find_depths(polyhedron, whole, largest_coordinate, near);
   const std::size_t count = list_near_faces(near);
   if (count == 0) return;  // where depths are no numbers
@@ -39,11 +40,11 @@ void CellDivision::divide(const DividedPolyhedron& polyhedron, DividedPolyhedron
   std::copy(whole.begin(), whole.end(), lists_.begin() + std::ptrdiff_t(count));
   // Where memory ran out before there may be parts left.
   waiting_.clear();
-  waiting_.push_back({0, count, whole.size(), content, parts_.extent()});
+  waiting_.push_back({0, count, whole.size(), content, parts_.vertex_count()});
   while (!waiting_.empty()) {
     const Part part = waiting_.back();
     waiting_.pop_back();
-    parts_.shrink_to(part.extent);
+    parts_.shrink_to(part.vertices_of_all);
     divide_part(part, near);
   }
 }
@@ -51,7 +52,7 @@ void CellDivision::divide(const DividedPolyhedron& polyhedron, DividedPolyhedron
 void CellDivision::find_depths(const DividedPolyhedron& polyhedron, DividedPolyhedron::Part whole,
                                double largest_coordinate, Array<NearFace>& near) {
   stride_ = near.size() + (near.size() & 1);
-  grow(depth_, polyhedron.extent().vertices * stride_);
+  grow(depth_, polyhedron.vertex_count() * stride_);
   double largest = largest_coordinate;
   for (std::size_t k = 0; k < near.size(); k += 2) {
     NearFace &one = near[k], &other = near[std::min(k + 1, near.size() - 1)];
@@ -98,12 +99,12 @@ void CellDivision::divide_part(const Part& part, Array<NearFace>& near) {
   for (std::size_t count = find_rivals(part); count > 1; --count) {
     cut_edges(part);
     const VolumeAndMoment inside = parts_.measure_inside();
-    remember_crossings();
+    if (record_) record_->add_crossings(parts_);
     rest.volume -= inside.volume;
     rest.moment -= inside.moment;
     if (!others_have_nothing_inside({face, count})) {
-      const Index first_new = parts_.extent().vertices;
-      parts_.close_both();
+      const Index first_new = parts_.vertex_count();
+      parts_.close_both(first_new_face_ + first_new);
       interpolate_depths(first_new, {face, count});
       return put_aside(part, count, inside, rest);
     }
@@ -112,11 +113,6 @@ void CellDivision::divide_part(const Part& part, Array<NearFace>& near) {
     face[1] = face[count - 1];
   }
   add(rest, near[face[0]]);
-}
-
-void CellDivision::remember_crossings() {
-  const Index count = Index(std::min(parts_.crossings().size(), most_division_crossings - crossings_.size()));
-  for (Index k = 0; k < count; ++k) crossings_.push_back(parts_.position(parts_.extent().vertices + k));
 }
 
 /// Puts first a face that is nearer than others, behind it the one that is before it by most somewhere, and
@@ -194,7 +190,7 @@ bool CellDivision::others_have_nothing_inside(std::span<const Index> faces) {
 }
 
 void CellDivision::interpolate_depths(Index first_new, std::span<const Index> faces) {
-  grow(depth_, parts_.extent().vertices * stride_);
+  grow(depth_, parts_.vertex_count() * stride_);
   const Index count = Index(parts_.crossings().size());
   Index added = first_new;
   for (const DividedPolyhedron::Crossing& crossing : parts_.crossings()) {
@@ -217,8 +213,8 @@ void CellDivision::put_aside(const Part& part, std::size_t near_count, const Vol
   list_outside[0] = list[0];
   std::copy_n(list + 2, near - 1, list_outside + 1);
   std::copy(vertices_outside.begin(), vertices_outside.end(), list_outside + near);
-  waiting_.push_back({first_inside, near, vertices_inside.size(), inside, parts_.extent()});
-  waiting_.push_back({first_outside, near, vertices_outside.size(), outside, parts_.extent()});
+  waiting_.push_back({first_inside, near, vertices_inside.size(), inside, parts_.vertex_count()});
+  waiting_.push_back({first_outside, near, vertices_outside.size(), outside, parts_.vertex_count()});
 }
 
 }  // namespace halfspace

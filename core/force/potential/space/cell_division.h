@@ -2,21 +2,11 @@
 
 #include <array>
 
+#include "force/potential/space/division_record.h"
+#include "force/potential/space/near_face.h"
 #include "geometry/polyhedron/division.h"
-#include "geometry/polyhedron/sounding.h"
 
 namespace halfspace {
-
-/// A face of a block that can be the nearest one to some point of what it has in common with another, and its
-/// cell: where it is the nearest.
-struct NearFace {
-  int face;
-  CuttingPlane plane;
-  DepthRange depths;  // of what the blocks have in common
-  VolumeAndMoment cell;
-};
-
-constexpr std::size_t most_division_crossings = 512;  // that are remembered
 
 /// Divides a polyhedron among the faces that its points are nearest to. Two faces have a part of it each,
 /// where they are nearer than the other; of what they do not win against one there, a third one has nothing
@@ -26,20 +16,17 @@ class CellDivision {
  public:
   using Index = DividedPolyhedron::Index;
 
-  explicit CellDivision(Memory* memory)
-      : parts_(memory), lists_(memory), waiting_(memory), depth_(memory), crossings_(memory) {}
+  explicit CellDivision(Memory* memory) : parts_(memory), lists_(memory), waiting_(memory), depth_(memory) {}
 
   /// For blocks of so many edges at most, until there are more than so many vertices or near faces.
   void reserve(std::size_t edges, std::size_t vertices, std::size_t near);
 
   /// Finds the cells in a part of a polyhedron. The largest coordinate of its vertices, or a little more,
-  /// tells how they are rounded.
+  /// tells how they are rounded. New faces get numbers from the first one on; where planes between near faces
+  /// cross edges is written down where there is a record.
   void divide(const DividedPolyhedron& polyhedron, DividedPolyhedron::Part whole,
-              const VolumeAndMoment& content, double largest_coordinate, Array<NearFace>& near);
-
-  /// Where planes between faces have crossed edges, the first ones of too many: the corners of the cells are
-  /// among these places and the vertices of the polyhedron.
-  const Array<Vector<3>>& crossings() const { return crossings_; }
+              const VolumeAndMoment& content, double largest_coordinate, Index first_new_face,
+              Array<NearFace>& near, DivisionRecord* record);
 
  private:
   /// Of the lists from `first` on: its near faces and its vertices. To each point of its content one of these
@@ -50,14 +37,13 @@ class CellDivision {
     std::size_t near_count;
     std::size_t vertex_count;
     VolumeAndMoment content;
-    DividedPolyhedron::Extent extent;  // when it was put aside: what has been added since is of others
+    Index vertices_of_all;  // when it was put aside: what has been added since is of others
   };
 
   void find_depths(const DividedPolyhedron& polyhedron, DividedPolyhedron::Part whole,
                    double largest_coordinate, Array<NearFace>& near);
   std::size_t list_near_faces(const Array<NearFace>& near);
   void divide_part(const Part& part, Array<NearFace>& near);
-  void remember_crossings();
   std::size_t find_rivals(const Part& part);
   std::array<DepthRange, 2> find_leads(DividedPolyhedron::Part vertices, Index nearest, Index rival,
                                        Index other);
@@ -73,8 +59,9 @@ class CellDivision {
   Array<Index> lists_;
   Array<Part> waiting_;
   Array<double> depth_;  // of each vertex behind each near face
-  Array<Vector<3>> crossings_;
+  DivisionRecord* record_ = nullptr;
   std::size_t stride_ = 0;
+  Index first_new_face_ = 0;
   double rounding_ = 0;  // of a difference of depths
 };
 

@@ -38,9 +38,10 @@ constexpr int most_faces_to_plan = 1024;  // of a block, whether they matter or 
 constexpr int plan_depth(int face, int corner) { return most_plan_corners * face + corner; }
 constexpr int corner_of_plan_depth(int number) { return int(unsigned(number) % most_plan_corners); }
 
-/// Distances below this share of the blocks' size are rounding, where a plan is made and where it is
-/// followed: what is made out to lie together still does when it is looked at again.
-constexpr double plan_rounding_made = 0x1p-46;
+/// Depths that differ by less than this share of the blocks' size are taken for one where a plan is made: so
+/// far the cutter may round. Whether they are is then told as in every step: who follows a plan takes for
+/// rounding what is below the second one.
+constexpr double plan_rounding_made = 0x1p-34;
 constexpr double plan_rounding_followed = 0x1p-44;
 /// By the way between the blocks, and the largest offset of the faces that matter.
 inline double plan_size(const Vector<3>& to_b, double largest_offset) {

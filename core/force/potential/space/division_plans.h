@@ -14,26 +14,14 @@ namespace halfspace {
 /// What a pair of blocks remembers of its plan.
 class PlanMemory {
  public:
-  bool knows() const { return state_ >= 0; }
+  bool knows() const { return first_ >= 0; }
   /// Where the plan begins that it knows.
-  std::int32_t first() const { return state_ / 2; }
-  void remember(std::int32_t first) { state_ = 2 * first; }
-  void move_to(std::int32_t first) { state_ = 2 * first + state_ % 2; }
-
-  /// A plan that could not be followed even once was not worth to be made: then some steps pass until the
-  /// next one is.
-  bool has_served() const { return knows() && state_ % 2 == 1; }
-  void serve() { state_ |= 1; }
-  void wait(std::int32_t steps) { state_ = -1 - steps; }
-  bool waits() {
-    if (state_ >= -1) return false;
-    ++state_;
-    return true;
-  }
+  std::int32_t first() const { return first_; }
+  void remember(std::int32_t first) { first_ = first; }
+  void forget() { first_ = -1; }
 
  private:
-  /// Twice where the plan begins, and 1 more when it has served; or -1 less the steps to wait.
-  std::int32_t state_ = -1;
+  std::int32_t first_ = -1;
 };
 
 /// The plans of all pairs of blocks, one behind the other. One that is no more used takes its room until the
@@ -79,7 +67,7 @@ class DivisionPlans {
       const std::size_t owner = owner_of(at);
       if (owner >= pairs.size() || !pairs[owner].plan.knows()) continue;
       if (std::size_t(pairs[owner].plan.first()) != at) continue;
-      pairs[owner].plan.move_to(std::int32_t(kept));
+      pairs[owner].plan.remember(std::int32_t(kept));
       std::copy(codes_.begin() + std::ptrdiff_t(at), codes_.begin() + std::ptrdiff_t(next),
                 codes_.begin() + std::ptrdiff_t(kept));
       kept += next - at;

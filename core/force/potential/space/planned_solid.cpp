@@ -1,71 +1,90 @@
 #include "force/potential/space/planned_solid.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace halfspace {
 namespace {
 
-/// Grows with the angle of a direction in the plane, and jumps where that does.
-double angle_of(double x, double y) {
-  const double sum = std::abs(x) + std::abs(y);
-  return sum > 0 ? std::copysign(1 - x / sum, y) : 0;
-}
+std::uint64_t set_of(std::size_t corner) { return std::uint64_t(1) << corner; }
+
+bool has_two(std::uint64_t set) { return (set & (set - 1)) != 0; }
 
 }  // namespace
 
-/// One that has all corners of others takes their place: where faces of both blocks lie in one plane.
-void PlannedSolid::add_facet(const CornerSet& corners, const Vector<3>& outward) {
-  if (corners.count() < 3) return;
-  for (const Facet& facet : facets_)
-    if (corners.is_within(facet.corners)) return;
-  std::erase_if(facets_, [&](const Facet& facet) { return facet.corners.is_within(corners); });
-  facets_.emplace_back().outward = outward;
-  facets_.back().corners = corners;
+bool PlannedSolid::add_corner(int number, const Vector<3>& at, FaceSet first_sort, FaceSet second_sort) {
+  if (count_ == most_corners) return false;
+  number_[count_] = number;
+  at_[count_] = at;
+  planes_[count_] = {first_sort, second_sort};
+  for_each(first_sort, [&](int plane) { on_[0][plane] |= set_of(count_); });
+  for_each(second_sort, [&](int plane) { on_[1][plane] |= set_of(count_); });
+  met_[0] |= first_sort;
+  met_[1] |= second_sort;
+  ++count_;
+  return true;
 }
 
-void PlannedSolid::go_around(Facet& facet) const {
-  Vector<3> center = Vector<3>::Zero();
-  facet.corners.for_each([&](int c) { center += at_[std::size_t(c)]; });
-  center /= facet.corners.count();
-  const Vector<3> normal = facet.outward.normalized();
-  Vector<3> axis = Vector<3>::Zero();
-  axis[std::abs(normal.x()) < 0.5 ? 0 : 1] = 1;
-  const Vector<3> u = cross_product(normal, axis), w = cross_product(normal, u);
-  double angle[most_plan_corners];
-  std::uint8_t* end = facet.around;
-  facet.corners.for_each([&](int c) {
-    const Vector<3> arm = at_[std::size_t(c)] - center;
-    angle[c] = angle_of(u.dot(arm), w.dot(arm));
-    *end++ = std::uint8_t(c);
-  });
-  std::sort(facet.around, end, [&](int c, int d) { return angle[c] < angle[d]; });
-}
-
-bool PlannedSolid::close() {
-  CornerSet to[most_plan_corners], from[most_plan_corners];
-  for (Facet& facet : facets_) {
-    go_around(facet);
-    const int count = facet.corners.count();
-    for (int i = 0; i < count; ++i) {
-      const int c = facet.around[i], d = facet.around[i + 1 < count ? i + 1 : 0];
-      if (to[c].has(d)) return false;
-      to[c].add(d);
-      from[d].add(c);
+/// From one corner to another along which two planes meet. The top has the most: then tetrahedra are few.
+void PlannedSolid::find_edges() {
+  std::fill_n(neighbors_.begin(), count_, 0);
+  for (std::size_t c = 0; c < count_; ++c) {
+    for (std::size_t d = 0; d < c; ++d) {
+      const FaceSet first = planes_[c][0] & planes_[d][0], second = planes_[c][1] & planes_[d][1];
+      if (!has_two(first) && !has_two(second) && (first == 0 || second == 0)) continue;
+      neighbors_[c] |= set_of(d);
+      neighbors_[d] |= set_of(c);
     }
   }
-  return std::equal(to, to + at_.size(), from);
+  int most = 0;
+  for (std::size_t c = 0; c < count_; ++c) {
+    const int edges = std::popcount(neighbors_[c]);
+    if (edges <= most) continue;
+    most = edges;
+    top_ = c;
+  }
 }
 
-int PlannedSolid::top() const {
-  int facets_at[most_plan_corners] = {};
-  for (const Facet& facet : facets_) facet.corners.for_each([&](int c) { ++facets_at[c]; });
-  return int(std::max_element(facets_at, facets_at + at_.size()) - facets_at);
+/// Goes around it from corner to corner.
+bool PlannedSolid::add_facet(CornerSet corners, const Vector<3>& outward) {
+  std::array<std::size_t, most_corners> around;
+  std::size_t size = 0;
+  CornerSet rest = corners, next = corners;
+  while (next != 0) {
+    const std::size_t corner = std::size_t(std::countr_zero(next));
+    around[size++] = corner;
+    rest &= ~set_of(corner);
+    next = neighbors_[corner] & rest;
+  }
+  const std::span<std::size_t> loop(around.data(), size);
+  if (rest != 0 || (neighbors_[loop.back()] & set_of(loop.front())) == 0) return false;
+  if (area_of(loop).dot(outward) < 0) std::reverse(loop.begin(), loop.end());
+  if (!add_edges(loop)) return false;
+  if ((corners & set_of(top_)) != 0) return true;
+  if (triangle_count_ + size > triangles_.size()) return false;
+  for (std::size_t k = 2; k < size; ++k)
+    triangles_[triangle_count_++] = {number_[loop[0]], number_[loop[k - 1]], number_[loop[k]]};
+  return true;
 }
 
-double PlannedSolid::volume_of(int top, int p, int q, int r) const {
-  const auto seen_from_top = [&](int c) { return Vector<3>(at_[std::size_t(c)] - at_[std::size_t(top)]); };
-  return seen_from_top(p).dot(cross_product(seen_from_top(q), seen_from_top(r))) / 6;
+bool PlannedSolid::add_edges(std::span<const std::size_t> loop) {
+  std::size_t from = loop.back();
+  for (const std::size_t to : loop) {
+    if ((to_[from] & set_of(to)) != 0) return false;
+    to_[from] |= set_of(to);
+    from_[to] |= set_of(from);
+    from = to;
+  }
+  return true;
+}
+
+Vector<3> PlannedSolid::area_of(std::span<const std::size_t> loop) const {
+  Vector<3> area = Vector<3>::Zero(), previous = at_[loop[1]] - at_[loop[0]];
+  for (const std::size_t corner : loop.subspan(2)) {
+    const Vector<3> arm = at_[corner] - at_[loop[0]];
+    area += cross_product(previous, arm);
+    previous = arm;
+  }
+  return area;
 }
 
 }  // namespace halfspace

@@ -1,59 +1,67 @@
 #pragma once
 
+#include <array>
+#include <bit>
 #include <cstdint>
 #include <span>
 
-#include "force/potential/space/corner_set.h"
-#include "geometry/vector.h"
+#include "force/potential/space/division_record.h"
 
 namespace halfspace {
 
-/// A convex solid by the corners that lie in each of its facets.
+template <class Visit>
+void for_each(std::uint64_t set, Visit visit) {
+  for (; set != 0; set &= set - 1) visit(std::countr_zero(set));
+}
+
+/// A convex solid, told by which planes meet at each of its corners. There are two sorts of planes, so that a
+/// set of either sort is one number.
 class PlannedSolid {
  public:
-  explicit PlannedSolid(Memory* memory) : facets_(memory) {}
+  static constexpr std::size_t most_corners = 64;
 
-  void reserve() { facets_.reserve(3 * most_plan_faces); }
-  /// The corners are read until the next one is begun.
-  void begin(std::span<const Vector<3>> corners) {
-    at_ = corners;
-    facets_.clear();
-  }
-  void add_facet(const CornerSet& corners, const Vector<3>& outward);
+  /// False when there are too many.
+  bool add_corner(int number, const Vector<3>& at, FaceSet first_sort, FaceSet second_sort);
 
-  /// Goes around all facets. False when something is missing: along each edge there are two facets, one on
-  /// either side.
-  bool close();
-
-  /// A corner in most facets: tetrahedra that share it are the fewest.
-  int top() const;
-  /// Shows the other corners of each, once the facets have been gone around, and returns the volume of all.
-  template <class Show>
-  double divide(int top, Show show) const {
-    double volume = 0;
-    for (const Facet& facet : facets_) {
-      if (facet.corners.has(top)) continue;
-      for (int i = 1; i + 1 < facet.corners.count(); ++i) {
-        const int p = facet.around[0], q = facet.around[i], r = facet.around[i + 1];
-        volume += volume_of(top, p, q, r);
-        show(p, q, r);
-      }
+  /// Divides it into tetrahedra that have one corner in common. `outward(sort, plane)` tells on which side of
+  /// a plane it is not. False when something is missing: along each edge there are two facets, one on either
+  /// side.
+  template <class Outward>
+  bool divide(Outward outward) {
+    find_edges();
+    bool is_closed = true;
+    for (int sort = 0; sort < 2; ++sort) {
+      for_each(met_[sort], [&](int plane) {
+        const CornerSet corners = on_[sort][plane], all_but_one = corners & (corners - 1);
+        if ((all_but_one & (all_but_one - 1)) == 0) return;  // touched by fewer than three
+        is_closed = is_closed && add_facet(corners, outward(sort, plane));
+      });
     }
-    return volume;
+    return is_closed && std::equal(to_.begin(), to_.begin() + count_, from_.begin());
   }
+  int top() const { return number_[top_]; }
+  /// The other corners of each tetrahedron, counter-clockwise seen from outside.
+  std::span<const std::array<int, 3>> triangles() const { return {triangles_.data(), triangle_count_}; }
 
  private:
-  struct Facet {
-    Vector<3> outward;
-    CornerSet corners;
-    std::uint8_t around[most_plan_corners];  // counter-clockwise seen from outside
-  };
+  using CornerSet = std::uint64_t;
 
-  void go_around(Facet& facet) const;
-  double volume_of(int top, int p, int q, int r) const;
+  void find_edges();
+  bool add_facet(CornerSet corners, const Vector<3>& outward);
+  bool add_edges(std::span<const std::size_t> loop);
+  Vector<3> area_of(std::span<const std::size_t> loop) const;
 
-  std::span<const Vector<3>> at_;
-  Array<Facet> facets_;
+  std::size_t count_ = 0;
+  std::size_t top_ = 0;
+  std::array<int, most_corners> number_;
+  std::array<Vector<3>, most_corners> at_;
+  std::array<std::array<FaceSet, 2>, most_corners> planes_;  // of each corner
+  CornerSet on_[2][most_near_faces] = {};                    // corners in each plane
+  FaceSet met_[2] = {};
+  std::array<CornerSet, most_corners> neighbors_;      // along edges
+  std::array<CornerSet, most_corners> to_{}, from_{};  // along edges of facets, as these go around
+  std::array<std::array<int, 3>, 2 * most_corners> triangles_;
+  std::size_t triangle_count_ = 0;
 };
 
 }  // namespace halfspace

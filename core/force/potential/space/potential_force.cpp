@@ -53,7 +53,7 @@ class Intersection {
   /// `first` is the cutter's face to begin with, behind which the whole has been sounded. False when there
   /// is nothing.
   bool find(int first, const Sounding& sounding) {
-    room_.intersection.begin(whole_.outline, sounding);
+    room_.intersection.begin(whole_.outline, sounding, plane_of_cutter(first));
     take_inside();
     find_least_depths(cutter_, Bounds(room_.intersection, room_.vertices));
     for (int f = 0; f < cutter_.outline.face_count(); ++f) {
@@ -66,31 +66,35 @@ class Intersection {
 
   const VolumeAndSpread& content() const { return content_; }
 
-  FieldForce<3> force_of(const PlacedBlock& owner) {
-    find_near_faces(owner);
+  /// By its bounds, no point of the intersection is deeper in the owner than this. A face that all of it is
+  /// deeper behind is nowhere the nearest.
+  void find_near_faces(const PlacedBlock& owner, Array<NearFace>& near) {
+    const double reach = find_least_depths(owner, bounds_);
+    near.clear();
+    for (int f = 0; f < owner.outline.face_count(); ++f) {
+      const double least = room_.least_depth[std::size_t(f)];
+      if (least <= reach) near.push_back({f, owner.plane(f), {least, reach}, {}});
+    }
+  }
+
+  void put_down(DivisionRecord& record) const { record.add_corners(room_.intersection, room_.vertices); }
+
+  FieldForce<3> force_by(Array<NearFace>& near, DivisionRecord* record) {
+    const int block_faces = whole_.outline.face_count() + cutter_.outline.face_count();
     room_.cells.divide(room_.intersection, room_.vertices, content_, bounds_.largest_coordinate(),
-                       room_.near);
-    return sum_over_cells();
-  }
-
-  void show_corners(DivisionPlanner& planner) const {
-    for (const DividedPolyhedron::Index v : room_.vertices)
-      planner.add_corner(room_.intersection.position(v));
-  }
-  /// After the force of this owner.
-  void show_cells(int owner, DivisionPlanner& planner) const {
-    planner.add_cells(owner, room_.near, room_.least_depth, room_.cells.crossings());
-  }
-
- private:
-  FieldForce<3> sum_over_cells() const {
+                       DividedPolyhedron::Index(block_faces), near, record);
     FieldForce<3> sum;
-    for (const NearFace& face : room_.near) {
+    for (const NearFace& face : near) {
       const auto& [normal, offset] = face.plane;
       const auto& [volume, moment] = face.cell;
       if (volume != 0) sum.add_cell(volume, moment, offset * volume - normal.dot(moment), normal);
     }
     return sum;
+  }
+
+ private:
+  DividedPolyhedron::Index plane_of_cutter(int face) const {
+    return DividedPolyhedron::Index(whole_.outline.face_count() + face);
   }
 
   void take_inside() {
@@ -103,7 +107,7 @@ class Intersection {
     if (depths.most <= 0) return false;
     if (depths.least < 0) {
       room_.intersection.cut_edges(room_.vertices);
-      room_.intersection.close_inside();
+      room_.intersection.close_inside(plane_of_cutter(face));
       take_inside();
     }
     return true;
@@ -130,15 +134,6 @@ class Intersection {
     return std::min(reach[0], reach[1]);
   }
 
-  /// By its bounds, no point of the intersection is deeper in the owner than this. A face that all of it is
-  /// deeper behind is nowhere the nearest.
-  void find_near_faces(const PlacedBlock& owner) {
-    const double reach = find_least_depths(owner, bounds_);
-    room_.near.clear();
-    for (int f = 0; f < owner.outline.face_count(); ++f)
-      if (room_.least_depth[std::size_t(f)] <= reach) room_.near.push_back({f, owner.plane(f), {}, {}});
-  }
-
   const PlacedBlock& whole_;
   const PlacedBlock& cutter_;
   PotentialRoom<3>& room_;
@@ -150,7 +145,7 @@ class Intersection {
 
 /// The block is cut that the other reaches into less: that leaves less to cut.
 PotentialForce<3> potential_force(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
-                                  PotentialRoom<3>& room, DivisionPlanner* planner) {
+                                  PotentialRoom<3>& room, DivisionRecord* record) {
   const int of_a = face_nearest_to(a, to_b), of_b = face_nearest_to(b, -to_b);
   const double into_a = room.sounding_of_b.take(b, PlacedBlock{a, -to_b}.plane(of_a)).most;
   if (into_a <= 0) return {};
@@ -162,14 +157,16 @@ PotentialForce<3> potential_force(const Outline<3>& a, const Outline<3>& b, cons
   Intersection intersection(cuts_b ? placed_b : placed_a, cuts_b ? placed_a : placed_b, room);
   if (!intersection.find(cuts_b ? of_a : of_b, cuts_b ? room.sounding_of_b : room.sounding_of_a)) return {};
   const VolumeAndSpread& content = intersection.content();
-  if (planner) {
-    planner->begin(placed_a, placed_b, content);
-    intersection.show_corners(*planner);
+  intersection.find_near_faces(placed_a, room.near_a);
+  intersection.find_near_faces(placed_b, room.near_b);
+  if (record) {
+    record->begin(placed_a, placed_b, cuts_b ? 1 : 0, room.near_a, room.near_b);
+    intersection.put_down(*record);
+    record->divide_by(0);
   }
-  const FieldForce<3> by_a = intersection.force_of(placed_a);
-  if (planner) intersection.show_cells(0, *planner);
-  const FieldForce<3> by_b = intersection.force_of(placed_b);
-  if (planner) intersection.show_cells(1, *planner);
+  const FieldForce<3> by_a = intersection.force_by(room.near_a, record);
+  if (record) record->divide_by(1);
+  const FieldForce<3> by_b = intersection.force_by(room.near_b, record);
   PotentialForce<3> sum = sum_of<3>(by_a, by_b, placed_a.at, placed_b.at,
                                     content.moment / content.volume - placed_a.at, content.volume);
   sum.spread = content.spread;
