@@ -32,7 +32,7 @@ using World = std::unique_ptr<hs_world, Destroy>;
 /// @throws LibraryError if the status is an error
 void require(const Context& context, hs_status status);
 
-/// Its worlds step on so many threads.
+/// A context whose worlds step on so many threads.
 Context make_context(int threads = 1);
 
 /// Views of points stored one after another; they must outlive the view.

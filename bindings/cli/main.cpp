@@ -19,7 +19,8 @@ enum ExitCode { exit_ok = 0, exit_failed = 1, exit_usage = 2, exit_unstable = 3 
 
 void print(std::FILE* stream, const std::string& text) { std::fputs(text.c_str(), stream); }
 
-/// A scene, its blocks, and what they are made from; scene and blocks are whole only if there are no faults.
+/// A scene, its blocks and the context that owns them. Scene and blocks are whole only if there are no
+/// faults.
 struct CheckedScene {
   Context context;
   Scene scene;

@@ -28,8 +28,8 @@ Angular<D> read_finite_angular(const double* values, const char* name) {
   return angular;
 }
 
-/// Of what a block would have: so far below infinity that sums over blocks stay finite. `prefix` stands
-/// before the arguments' names.
+/// The energy that a block would have is so far below infinity that sums over blocks stay finite. `prefix`
+/// stands before the arguments' names.
 template <int D>
 void require_energy(double mass, const Inertia<D>& inertia, const Rotation<D>& rotation,
                     const Vector<D>& velocity, const Angular<D>& spin, const char* prefix = "") {

@@ -22,10 +22,10 @@ template <int D>
 void judge(const PosedPair<D>& posed, const PairOptions& options, hs_pair_cache* cache, Memory* room,
            hs_contact& out) {
   const Frames<D> frames = read_frames(posed);
-  PairMemory<D> memory;
-  if (cache) memory = read_cache(*cache, posed);
-  write_contact(search_pair(posed, frames, options, memory, room), out);
-  if (cache) write_cache(memory, posed, out, *cache);
+  Witness<D> witness;
+  if (cache) witness = read_cache(*cache, posed);
+  write_contact(search_pair(posed, frames, options, witness, room), out);
+  if (cache) write_cache(witness, posed, out, *cache);
 }
 
 template void judge(const PosedPair<2>&, const PairOptions&, hs_pair_cache*, Memory*, hs_contact&);

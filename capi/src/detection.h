@@ -6,12 +6,12 @@ namespace halfspace::capi {
 
 // Detection of one pair in either dimension. The cache may be NULL.
 
-/// By looking at the shapes. Refuses poses and a cache that are wrong.
+/// Detects by looking at the shapes. Refuses poses and a cache that are wrong.
 template <int D>
 void judge(const PosedPair<D>& posed, const PairOptions& options, hs_pair_cache* cache, Memory* room,
            hs_contact& out);
 
-/// By the proof in the cache, or else by looking at the shapes.
+/// Detects by the proof in the cache, or else by looking at the shapes.
 template <int D>
 void detect(const PosedPair<D>& posed, const PairOptions& options, hs_pair_cache* cache, Memory* room,
             hs_contact& out) {

@@ -32,7 +32,7 @@ inline void report(hs_context* context, const char* function, const char* text) 
   if (context) std::snprintf(context->last_error, sizeof context->last_error, "%s: %s", function, text);
 }
 
-/// Turns what the body throws into a status and a text: for detection of single pairs, which springs no trap:
+/// Turns what the body throws into a status and a text. Single pairs are detected so, which raise no trap:
 /// setting the processor's arithmetic waits for all that it computes, for a tenth of a pair's time
 /// (bench_pairs_3d, November 2026).
 template <class Body>

@@ -43,7 +43,7 @@ struct MemberName {
   char characters[40];
 };
 
-/// Of what is given per time, what component i comes to in the duration.
+/// The change in the duration of component i, which is given per time.
 double read_change(const double* rate, int i, double duration, double largest, const char* name) {
   const double change = duration * rate[i];
   if (!(std::abs(change) <= largest)) {

@@ -7,7 +7,7 @@
 
 namespace halfspace::capi {
 
-/// Of shapes whose dimension is D.
+/// The shapes have dimension D.
 template <int D>
 PosedPair<D> posed_as(const hs_shape& a, const hs_pose& at_a, const hs_shape& b, const hs_pose& at_b) {
   return {as<D>(a), given(at_a), as<D>(b), given(at_b)};

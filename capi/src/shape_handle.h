@@ -33,7 +33,7 @@ struct ShapeHandle : hs_shape {
 
 inline hs_context* context_of(const hs_shape* shape) { return shape ? shape->context : nullptr; }
 
-/// Of a handle whose dimension is D.
+/// The handle has dimension D.
 template <int D>
 const Shape<D>& as(const hs_shape& handle) {
   return static_cast<const ShapeHandle<D>&>(handle).shape;

@@ -105,7 +105,7 @@ const Shape<D>& require_shape(const hs_shape* shape, const char* name) {
   return as<D>(*shape);
 }
 
-/// Of the inertia the least principal moment.
+/// The inertia is judged by its least principal moment.
 template <int D>
 void require_mass(const Shape<D>& shape, double density) {
   constexpr double least = 1e-300, most_of_mass = 1e150, most_of_inertia = 1e300;

@@ -17,7 +17,7 @@ double largest_face_of(const Shape<3>& shape) { return shape.largest_face(); }
 
 /// A force at X accelerates the gradient by force X^T M^-1, and with it the point X: most at a vertex.
 template <int D>
-double yield_of(const Outline<D>& own, const Tensor<D>& inverse_mass_matrix) {
+double strain_mobility_of(const Outline<D>& own, const Tensor<D>& inverse_mass_matrix) {
   double most = 0;
   for (int i = 0; i < own.vertex_count(); ++i)
     most = std::max(most, own.vertex(i).dot(inverse_mass_matrix * own.vertex(i)));
@@ -44,7 +44,7 @@ Deformation<D> undeformed(const Shape<D>& shape, double density, std::int32_t sl
   deformation.mass_matrix = density * second_moment_of(shape);
   deformation.inverse_mass_matrix = deformation.mass_matrix.inverse();
   deformation.least_moment = least_eigenvalue(deformation.mass_matrix);
-  deformation.yield = yield_of(shape.outline(), deformation.inverse_mass_matrix);
+  deformation.strain_mobility = strain_mobility_of(shape.outline(), deformation.inverse_mass_matrix);
   return deformation;
 }
 
@@ -118,8 +118,8 @@ void Blocks<D>::resize(std::size_t slots) {
 }
 
 template <int D>
-double Blocks<D>::yield(std::size_t slot) const {
-  if (is_affine(slot)) return deformation(slot).yield;
+double Blocks<D>::strain_mobility(std::size_t slot) const {
+  if (is_affine(slot)) return deformation(slot).strain_mobility;
   const Outline<D> own = outlines_.own(std::int32_t(slot));
   double most = 0;
   for (int i = 0; i < own.vertex_count(); ++i) most = std::max(most, inertia[slot].yield_at(own.vertex(i)));

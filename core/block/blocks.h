@@ -71,7 +71,7 @@ class Blocks {
 
   Outline<D> outline(std::int32_t slot) const { return outlines_[slot]; }
   /// The acceleration over the force, beside that of the whole block, of the point that a force moves most.
-  double yield(std::size_t slot) const;
+  double strain_mobility(std::size_t slot) const;
   /// In its shape's frame.
   Outline<D> own_outline(std::int32_t slot) const { return outlines_.own(slot); }
   /// As the shape is turned, and strained.
@@ -99,7 +99,7 @@ class Blocks {
     if (is_affine(slot)) return velocity[slot] + deformation(slot).velocity_gradient() * arm;
     return velocity[slot] + swept(spin[slot], arm);
   }
-  /// The block is affine.
+  /// For an affine block.
   Deformation<D>& deformation(std::size_t slot) { return deformations_[slot]; }
   const Deformation<D>& deformation(std::size_t slot) const { return deformations_[slot]; }
   /// Those of all affine blocks.
@@ -121,7 +121,7 @@ class Blocks {
     const auto inverse = [&](std::size_t i) { return moves_freely(i) ? 1 / mass[i] : 0; };
     return 1 / (inverse(a) + inverse(b));
   }
-  /// The block is rigid.
+  /// For a rigid block.
   double kinetic_energy(std::int32_t slot) const {
     const std::size_t s = std::size_t(slot);
     return 0.5 * (mass[s] * velocity[s].squaredNorm() + spin[s].dot(momentum[s]));

@@ -39,9 +39,9 @@ template <int D>
 struct Deformation {
   std::int32_t slot = -1;  // of the block
   std::int32_t reserved = 0;
-  double volume = 0;        // of the shape
-  double least_moment = 0;  // of the mass matrix
-  double yield = 0;         // of the point that a force moves most: its acceleration over the force
+  double volume = 0;           // of the shape
+  double least_moment = 0;     // of the mass matrix
+  double strain_mobility = 0;  // of the point that a force moves most: its acceleration over the force
   Tensor<D> gradient = Tensor<D>::Identity();
   Tensor<D> rate = Tensor<D>::Zero();          // of the gradient
   Tensor<D> acceleration = Tensor<D>::Zero();  // of the gradient
@@ -56,8 +56,8 @@ struct Deformation {
 
   /// False for what none can be, after reading a snapshot.
   bool is_consistent() const {
-    return is_positive(volume) && is_positive(least_moment) && is_positive(yield) && gradient.allFinite() &&
-           gradient.determinant() > 0 && rate.allFinite();
+    return is_positive(volume) && is_positive(least_moment) && is_positive(strain_mobility) &&
+           gradient.allFinite() && gradient.determinant() > 0 && rate.allFinite();
   }
 
   Tensor<D> velocity_gradient() const { return rate * gradient.inverse(); }

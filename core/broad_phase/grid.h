@@ -19,9 +19,9 @@ struct BlockPair {
 /// and looks for others in its own grid and in all coarser ones, at most 3^D cells in each. A cell as large
 /// as the largest block, as in the papers, would put all grains on a plate into one cell.
 template <int D>
-class NeighborSearch {
+class Grid {
  public:
-  explicit NeighborSearch(Memory* memory) : cells_(memory), first_of_bucket_(memory), levels_(memory) {}
+  explicit Grid(Memory* memory) : cells_(memory), first_of_bucket_(memory), levels_(memory) {}
 
   /// Calls `found(BlockPair)` for each pair among the given boxes, each once, in an order fixed by the input.
   /// `is_member(i)` tells which entries are blocks at all.

@@ -16,14 +16,14 @@
 namespace halfspace {
 
 template <int D>
-std::int32_t NeighborSearch<D>::level_of(const Box<D>& box) {
+std::int32_t Grid<D>::level_of(const Box<D>& box) {
   int exponent;
   std::frexp(box.extent(), &exponent);  // extent < 2^exponent
   return exponent;
 }
 
 template <int D>
-std::int64_t NeighborSearch<D>::cell_index(double coordinate, double cell_size) {
+std::int64_t Grid<D>::cell_index(double coordinate, double cell_size) {
   // Beyond this the cells of a far-off block run together: slower there, but no pair is lost.
   constexpr double farthest = 0x1p60;
   // In this order what is not a number, which only a damaged snapshot holds, counts as far off too.
@@ -31,7 +31,7 @@ std::int64_t NeighborSearch<D>::cell_index(double coordinate, double cell_size) 
 }
 
 template <int D>
-std::size_t NeighborSearch<D>::bucket_of(const Cell& cell) const {
+std::size_t Grid<D>::bucket_of(const Cell& cell) const {
   std::uint64_t hash = std::uint64_t(cell.level) * 0x9E3779B97F4A7C15u;
   for (int k = 0; k < D; ++k) {
     hash = (hash ^ std::uint64_t(cell.index[k])) * 0xBF58476D1CE4E5B9u;
@@ -41,7 +41,7 @@ std::size_t NeighborSearch<D>::bucket_of(const Cell& cell) const {
 }
 
 template <int D>
-typename NeighborSearch<D>::Cell NeighborSearch<D>::cell_of(const Box<D>& box, std::size_t block) {
+typename Grid<D>::Cell Grid<D>::cell_of(const Box<D>& box, std::size_t block) {
   Cell cell;
   cell.level = level_of(box);
   cell.block = std::int32_t(block);
@@ -54,7 +54,7 @@ typename NeighborSearch<D>::Cell NeighborSearch<D>::cell_of(const Box<D>& box, s
 /// By counting: within a bucket the order of the blocks stays.
 template <int D>
 template <class IsMember>
-void NeighborSearch<D>::sort_into_buckets(std::span<const Box<D>> boxes, IsMember is_member) {
+void Grid<D>::sort_into_buckets(std::span<const Box<D>> boxes, IsMember is_member) {
   const std::size_t buckets = std::bit_ceil(std::max<std::size_t>(boxes.size(), 1));
   first_of_bucket_.assign(buckets + 1, 0);
   std::size_t members = 0;
@@ -77,7 +77,7 @@ void NeighborSearch<D>::sort_into_buckets(std::span<const Box<D>> boxes, IsMembe
 
 template <int D>
 template <class IsMember, class Found>
-void NeighborSearch<D>::search(std::span<const Box<D>> boxes, IsMember is_member, Found found) {
+void Grid<D>::search(std::span<const Box<D>> boxes, IsMember is_member, Found found) {
   sort_into_buckets(boxes, is_member);
   levels_.clear();
   for (const Cell& cell : cells_) {

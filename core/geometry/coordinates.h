@@ -44,8 +44,8 @@ template <class Four>
   return {all_four<Four>(a.x()), all_four<Four>(a.y()), all_four<Four>(a.z())};
 }
 template <class Number>
-[[gnu::always_inline]] inline Vector<3> sum_of_lanes(const Coordinates<Number>& a) {
-  return {sum_of_lanes(a.x), sum_of_lanes(a.y), sum_of_lanes(a.z)};
+[[gnu::always_inline]] inline Vector<3> reduce(const Coordinates<Number>& a) {
+  return {reduce(a.x), reduce(a.y), reduce(a.z)};
 }
 
 }  // namespace halfspace

@@ -23,17 +23,17 @@ struct GivenPose {
   const double* quaternion;
 };
 
-/// A quaternion may be off unit length by 1e-6: so much its squared length may be off 1. Other faults of a
-/// pose are weighed so that this is their limit, too.
+/// The length of a quaternion may be off 1 by 1e-6, and so its square by this. Other faults of a pose are
+/// weighed so that this is their limit, too.
 constexpr double largest_fault = 2e-6;
 /// Squares of a quaternion's x and y are weighed by this in the plane: either may be 1e-6.
 constexpr double weight_off_axis = 1e6;
-/// Coordinates are weighed by this: they are nothing unless they come near the largest number, and make what
-/// is not finite no number.
+/// Coordinates are weighed by this: they count only near the largest number. What is not finite exceeds the
+/// limit or fails the comparison.
 constexpr double weight_far_off = largest_fault / largest_number;
 
 inline double fault_of_quaternion(const double q[4]) {
-  return magnitude(1.0 - ((q[0] * q[0] + q[1] * q[1]) + (q[2] * q[2] + q[3] * q[3])));
+  return abs(1.0 - ((q[0] * q[0] + q[1] * q[1]) + (q[2] * q[2] + q[3] * q[3])));
 }
 
 /// Quaternions about z as turns, and by how much their squared lengths are off 1. Number is a double, or
@@ -47,11 +47,11 @@ struct TurnAboutZ {
 template <class Number>
 TurnAboutZ<Number> turn_about_z(const Number& z, const Number& w) {
   const Number deficit = 1.0 - (z * z + w * w);
-  return {cosine_and_sine(z, w, deficit), magnitude(deficit)};
+  return {cosine_and_sine(z, w, deficit), abs(deficit)};
 }
 
 inline TurnAboutZ<TwoLanes> turns_about_z(const GivenPose& a, const GivenPose& b) {
-  const TwoLanes zw_a = two_at(a.quaternion + 2), zw_b = two_at(b.quaternion + 2);
+  const TwoLanes zw_a = load_two(a.quaternion + 2), zw_b = load_two(b.quaternion + 2);
   return turn_about_z(firsts(zw_a, zw_b), seconds(zw_a, zw_b));
 }
 
@@ -73,15 +73,15 @@ bool is_tolerable(const GivenPose& given) {
   return turn_about_z(q[2], q[3]).fault + weight_off_axis * off_axis <= largest_fault;
 }
 
-/// The same of both poses of a pair, sooner. False also for some that are tolerable each by itself.
+/// True only when both poses are tolerable; faster. It may be false for some that are.
 template <int D>
 [[gnu::always_inline]] inline bool are_tolerable(const GivenPose& a, const GivenPose& b) {
-  const TwoLanes far_off = magnitude(two_at(a.position)) + magnitude(two_at(b.position));
+  const TwoLanes far_off = abs(load_two(a.position)) + abs(load_two(b.position));
   if constexpr (D == 2) {
     const TwoLanes fault = turns_about_z(a, b).fault + both(weight_far_off) * far_off;
     return fault[0] + fault[1] <= largest_fault && turn_exactly_about_z(a, b);
   }
-  const double farthest = far_off[0] + far_off[1] + magnitude(a.position[2]) + magnitude(b.position[2]);
+  const double farthest = far_off[0] + far_off[1] + abs(a.position[2]) + abs(b.position[2]);
   return fault_of_quaternion(a.quaternion) <= largest_fault &&
          fault_of_quaternion(b.quaternion) <= largest_fault && weight_far_off * farthest <= largest_fault;
 }

@@ -12,7 +12,7 @@
 
 namespace halfspace {
 
-/// What is measured of a shape whatever its dimension.
+/// Measures of a shape of either dimension.
 template <int D>
 class ShapeMeasures {
  public:

@@ -84,12 +84,12 @@ struct PairState {
   enum State : std::int32_t { unknown = 0, separated = 1, touching = 2, overlapping = 3 };
 };
 
-/// The memory of a pair of blocks from one step to the next.
+/// The proof of the verdict on a pair of blocks, which is tried first in the next step.
 template <int D>
-struct PairMemory;
+struct Witness;
 
 template <>
-struct PairMemory<2> {
+struct Witness<2> {
   using State = PairState::State;
   using enum PairState::State;
   State state = unknown;
@@ -101,7 +101,7 @@ struct PairMemory<2> {
 /// still holds. Separated blocks may have a plane between them that no feature of theirs tells; then the pair
 /// is of two vertices, and says where to look first for what is deepest along the plane's normal.
 template <>
-struct PairMemory<3> {
+struct Witness<3> {
   using State = PairState::State;
   using enum PairState::State;
   State state = unknown;
@@ -113,8 +113,8 @@ struct PairMemory<3> {
 };
 
 template <int D>
-bool touching(const PairMemory<D>& memory) {
-  return memory.state >= PairMemory<D>::touching;
+bool touching(const Witness<D>& witness) {
+  return witness.state >= Witness<D>::touching;
 }
 
 /// A contact between blocks a and b, relative to the centroid of a, or the proof that there is none.
@@ -188,8 +188,8 @@ template <int D>
   return contact;
 }
 
-/// Brings what a contact tells a host into the host's frame: into that `rotation` turns, and what was the
-/// origin is at `origin` there. Shares and their rates, which only forces read, stay as they are.
+/// Moves a contact into the host's frame: `rotation` turns into it, and the old origin lies at `origin`
+/// there. Shares and their rates, which only forces read, stay as they are.
 template <int D>
 void place(Contact<D>& contact, const Rotation<D>& rotation, const Vector<D>& origin) {
   contact.normal = rotation * contact.normal;

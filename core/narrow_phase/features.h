@@ -14,7 +14,7 @@ struct FeaturesOfPair {
   Feature b;
 };
 
-/// By the kind of pair.
+/// Indexed by the kind of pair.
 constexpr FeaturesOfPair features_of_kind[] = {{Feature::face, Feature::vertex},
                                                {Feature::vertex, Feature::face},
                                                {Feature::edge, Feature::edge},

@@ -29,14 +29,14 @@ struct Frames<3> {
   Vector<3> to_b;      // from the centroid of a
 };
 
-/// Of tolerable poses.
+/// The frames of two poses, which must be tolerable.
 template <int D>
 Frames<D> frames_of(const GivenPose& a, const GivenPose& b);
 
 template <>
 [[gnu::always_inline]] inline Frames<2> frames_of(const GivenPose& a, const GivenPose& b) {
   const Turns turns = turns_about_z(a, b).turn;
-  const TwoLanes position_a = two_at(a.position), position_b = two_at(b.position);
+  const TwoLanes position_a = load_two(a.position), position_b = load_two(b.position);
   const TwoLanes to_b = position_b - position_a, to_a = position_a - position_b;
   const auto& [c, s] = turns;
   const TwoLanes crossed = c * exchanged(s);

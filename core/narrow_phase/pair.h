@@ -28,27 +28,26 @@ inline double refresh(const Outline<2>& a, const Outline<2>& b, const Vector<2>&
 }
 
 /// Gap of the pair that keeps two blocks apart.
-inline double refresh(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
-                      PairMemory<2>& memory) {
-  return refresh(a, b, to_b, memory.pair);
+inline double refresh(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b, Witness<2>& witness) {
+  return refresh(a, b, to_b, witness.pair);
 }
 
 /// The pair through which blocks begin to meet that were separated at last (Wang et al. 2021, section 2.5).
 inline PotentialPair<2> initial_pair(const Outline<2>&, const Outline<2>&, const Vector<2>&,
-                                     const PairMemory<2>& memory) {
-  return memory.pair;
+                                     const Witness<2>& witness) {
+  return witness.pair;
 }
 
 /// In the plane a search is as fast as a proof of contact.
-inline bool still_touching(const Outline<2>&, const Outline<2>&, const Vector<2>&, PairMemory<2>&) {
+inline bool still_touching(const Outline<2>&, const Outline<2>&, const Vector<2>&, Witness<2>&) {
   return false;
 }
 inline bool describe_plainly_touching(const Outline<2>&, const Outline<2>&, const Vector<2>&,
-                                      const PairMemory<2>&, const DetectOptions&, Contact<2>&) {
+                                      const Witness<2>&, const DetectOptions&, Contact<2>&) {
   return false;
 }
-inline void remember_proof(const Contact<2>&, const Vector<2>&, PairMemory<2>&) {}
-inline void remember_point(const Vector<2>&, PairMemory<2>&) {}
+inline void remember_proof(const Contact<2>&, const Vector<2>&, Witness<2>&) {}
+inline void remember_point(const Vector<2>&, Witness<2>&) {}
 
 /// Walks around the Minkowski difference to the pair of least depth that is reached without passing a deeper
 /// one. So the contact keeps the side through which the blocks met, also when a thin block is overlapped past
@@ -61,8 +60,8 @@ PotentialPair<2> descend(const Outline<2>& a, const Outline<2>& b, const Vector<
 void describe_contact(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b, PotentialPair<2>& pair,
                       const DetectOptions& options, Contact<2>& contact);
 
-inline PairMemory<2> memory_of(const Separation<2>& separation) {
-  return {PairMemory<2>::separated, separation.pair};
+inline Witness<2> witness_of(const Separation<2>& separation) {
+  return {Witness<2>::separated, separation.pair};
 }
 
 // From here on the plane and space are alike. Outlines are in one orientation, each relative to its own
@@ -70,8 +69,8 @@ inline PairMemory<2> memory_of(const Separation<2>& separation) {
 
 /// True when what is remembered still proves separation by itself (eqs. 12 and 31).
 template <int D>
-bool still_separated(const Outline<D>& a, const Outline<D>& b, const Vector<D>& to_b, PairMemory<D>& memory) {
-  return memory.state == PairMemory<D>::separated && refresh(a, b, to_b, memory) > 0;
+bool still_separated(const Outline<D>& a, const Outline<D>& b, const Vector<D>& to_b, Witness<D>& witness) {
+  return witness.state == Witness<D>::separated && refresh(a, b, to_b, witness) > 0;
 }
 
 /// The pair through which blocks meet that are found to overlap: the one through which they begin to, or
@@ -79,74 +78,74 @@ bool still_separated(const Outline<D>& a, const Outline<D>& b, const Vector<D>& 
 /// history the given one, of least depth (section 2.5). Remembers it, with its vertex brought up to date.
 template <int D>
 void remember_contact(const Seen<D>& a, const Seen<D>& b, const Vector<D>& to_b,
-                      const PotentialPair<D>& least_depth, PairMemory<D>& memory) {
-  if (memory.state == PairMemory<D>::separated) {
-    memory.pair = descend(a, b, to_b, initial_pair(a, b, to_b, memory));
+                      const PotentialPair<D>& least_depth, Witness<D>& witness) {
+  if (witness.state == Witness<D>::separated) {
+    witness.pair = descend(a, b, to_b, initial_pair(a, b, to_b, witness));
   } else {
-    if (memory.state != PairMemory<D>::touching) memory.pair = least_depth;
-    refresh(a, b, to_b, memory.pair);
+    if (witness.state != Witness<D>::touching) witness.pair = least_depth;
+    refresh(a, b, to_b, witness.pair);
   }
-  memory.state = PairMemory<D>::touching;
+  witness.state = Witness<D>::touching;
 }
 
 /// Type, normal, gap and region of the contact at the remembered pair. In space, a point of both blocks is
 /// remembered as well, by which the next step may know sooner that they are still in contact.
 template <int D>
-void describe_contact(const Seen<D>& a, const Seen<D>& b, const Vector<D>& to_b, PairMemory<D>& memory,
+void describe_contact(const Seen<D>& a, const Seen<D>& b, const Vector<D>& to_b, Witness<D>& witness,
                       const DetectOptions& options, Contact<D>& contact) {
-  describe_contact(a, b, to_b, memory.pair, options, contact);
-  if (memory.state == PairMemory<D>::touching) remember_proof(contact, to_b, memory);
+  describe_contact(a, b, to_b, witness.pair, options, contact);
+  if (witness.state == Witness<D>::touching) remember_proof(contact, to_b, witness);
 }
 
 /// Describes the contact of two blocks that overlap.
 template <int D>
 void describe_overlap(const Seen<D>& a, const Seen<D>& b, const Vector<D>& to_b,
-                      const PotentialPair<D>& least_depth, const DetectOptions& options,
-                      PairMemory<D>& memory, Contact<D>& contact) {
-  remember_contact(a, b, to_b, least_depth, memory);
-  describe_contact(a, b, to_b, memory, options, contact);
+                      const PotentialPair<D>& least_depth, const DetectOptions& options, Witness<D>& witness,
+                      Contact<D>& contact) {
+  remember_contact(a, b, to_b, least_depth, witness);
+  describe_contact(a, b, to_b, witness, options, contact);
 }
 
 /// Judges all potential pairs of two blocks, unless they are known still to touch, and remembers the contact
 /// or the separation.
 template <int D>
-void judge_pair(const Outline<D>& a, const Outline<D>& b, const Vector<D>& to_b, PairMemory<D>& memory) {
-  if (still_touching(a, b, to_b, memory)) return;
+void judge_pair(const Outline<D>& a, const Outline<D>& b, const Vector<D>& to_b, Witness<D>& witness) {
+  if (still_touching(a, b, to_b, witness)) return;
   const Separation<D> separation = find_separation(a, b, to_b);
   if (separation.gap > 0) {
-    memory = memory_of(separation);
+    witness = witness_of(separation);
   } else {
-    remember_contact(a, b, to_b, separation.pair, memory);
+    remember_contact(a, b, to_b, separation.pair, witness);
   }
 }
 
 /// True when two blocks touch.
 template <int D>
-bool touch(const Outline<D>& a, const Outline<D>& b, const Vector<D>& to_b, PairMemory<D>& memory) {
-  if (!still_separated(a, b, to_b, memory)) judge_pair(a, b, to_b, memory);
-  return touching(memory);
+bool touch(const Outline<D>& a, const Outline<D>& b, const Vector<D>& to_b, Witness<D>& witness) {
+  if (!still_separated(a, b, to_b, witness)) judge_pair(a, b, to_b, witness);
+  return touching(witness);
 }
 
 /// The pair through which blocks that touch do so: the remembered one, or that of least depth.
 template <int D>
 PotentialPair<D> pair_in_contact(const Outline<D>& a, const Outline<D>& b, const Vector<D>& to_b,
-                                 const PairMemory<D>& memory) {
-  if (memory.state != PairMemory<D>::overlapping) return memory.pair;
+                                 const Witness<D>& witness) {
+  if (witness.state != Witness<D>::overlapping) return witness.pair;
   const Separation<D> separation = find_separation(a, b, to_b);
   // To rounding they may be apart.
-  return separation.gap > 0 ? initial_pair(a, b, to_b, memory_of(separation)) : separation.pair;
+  return separation.gap > 0 ? initial_pair(a, b, to_b, witness_of(separation)) : separation.pair;
 }
 
 /// True when two blocks touch; then their contact is described. The same as to judge the pair and to describe
 /// the contact after that, but that a contact which has hardly changed is known to be one by its description.
 template <int D>
 bool find_contact(const Outline<D>& a, const Outline<D>& b, const Vector<D>& to_b,
-                  const DetectOptions& options, PairMemory<D>& memory, Contact<D>& contact) {
-  if (describe_plainly_touching(a, b, to_b, memory, options, contact)) return true;
-  if (!touch(a, b, to_b, memory)) return false;
-  memory.pair = pair_in_contact(a, b, to_b, memory);
-  memory.state = PairMemory<D>::touching;
-  describe_contact<D>(a, b, to_b, memory, options, contact);
+                  const DetectOptions& options, Witness<D>& witness, Contact<D>& contact) {
+  if (describe_plainly_touching(a, b, to_b, witness, options, contact)) return true;
+  if (!touch(a, b, to_b, witness)) return false;
+  witness.pair = pair_in_contact(a, b, to_b, witness);
+  witness.state = Witness<D>::touching;
+  describe_contact<D>(a, b, to_b, witness, options, contact);
   return true;
 }
 

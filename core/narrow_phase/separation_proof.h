@@ -9,9 +9,9 @@
 
 namespace halfspace {
 
-/// What proves two shapes separated also after they have moved: along the normal their centroids were farther
-/// apart than they reach together, as they were turned then. Below, a Proof is one of these or what a host
-/// keeps with the same members.
+/// A proof that two shapes stay separated after they have moved: along the normal their centroids were
+/// farther apart than they reach together, as they were turned then. Below, a Proof is one of these or what a
+/// host keeps with the same members.
 struct SeparationProof {
   std::uint64_t shapes;  // fingerprint_of() these; 0 if there is no proof
   double reach;          // of both together along the normal, or more
@@ -24,7 +24,7 @@ struct SeparationProof {
 template <int D>
 double distance_along(const double normal[3], const PosedPair<D>& posed) {
   const double *a = posed.at_a.position, *b = posed.at_b.position;
-  const TwoLanes along = (two_at(b) - two_at(a)) * two_at(normal);
+  const TwoLanes along = (load_two(b) - load_two(a)) * load_two(normal);
   return D == 2 ? along[0] + along[1] : along[0] + along[1] + (b[2] - a[2]) * normal[2];
 }
 
@@ -35,13 +35,13 @@ template <int D>
 double reach_of(const PosedPair<D>& posed, const double normal[3], double gap) {
   const double *a = posed.at_a.position, *b = posed.at_b.position;
   const double radii = posed.a.bounding_radius() + posed.b.bounding_radius();
-  const TwoLanes way = magnitude(two_at(b) - two_at(a));
+  const TwoLanes way = abs(load_two(b) - load_two(a));
   const double size = radii + way[0] + way[1] + (D == 2 ? 0 : std::abs(b[2] - a[2]));
   const double reach = distance_along(normal, posed) - gap + 0x1p-48 * size;
   return std::min(reach, (1 + largest_fault) * radii);
 }
 
-/// From the gap by which a pair has been found separated along a normal.
+/// Keeps a proof from the gap by which a pair has been found separated along a normal.
 template <int D, class Proof>
 void keep_proof(const PosedPair<D>& posed, const double normal[3], double gap, Proof& proof) {
   proof.shapes = fingerprint_of(posed);
@@ -51,18 +51,18 @@ void keep_proof(const PosedPair<D>& posed, const double normal[3], double gap, P
   std::copy_n(posed.at_b.quaternion, 4, proof.rotation_b);
 }
 
-/// What the poses leave of the gap, at least. A block that turns by an angle moves none of its points by more
-/// than 2 R sin(angle / 2), and its quaternion by 2 sin(angle / 4): the reach grows by at most 2 R times the
-/// latter, here summed over the components, and by a little more as quaternions may be off unit length.
+/// The gap that is left at these poses, at least. A block that turns by an angle moves none of its points by
+/// more than 2 R sin(angle / 2), and its quaternion by 2 sin(angle / 4): the reach grows by at most 2 R times
+/// the latter, here summed over the components, and by a little more as quaternions may be off unit length.
 /// Translation counts as it is.
 template <int D, class Proof>
 [[gnu::always_inline]] inline double gap_left(const PosedPair<D>& posed, const Proof& proof) {
   const double *a = posed.at_a.quaternion, *b = posed.at_b.quaternion;
-  TwoLanes turned = sums(magnitude(two_at(a + 2) - two_at(proof.rotation_a + 2)),
-                         magnitude(two_at(b + 2) - two_at(proof.rotation_b + 2)));
+  TwoLanes turned = sums(abs(load_two(a + 2) - load_two(proof.rotation_a + 2)),
+                         abs(load_two(b + 2) - load_two(proof.rotation_b + 2)));
   if (D == 3)
-    turned += sums(magnitude(two_at(a) - two_at(proof.rotation_a)),
-                   magnitude(two_at(b) - two_at(proof.rotation_b)));
+    turned +=
+        sums(abs(load_two(a) - load_two(proof.rotation_a)), abs(load_two(b) - load_two(proof.rotation_b)));
   const TwoLanes moved = turned * TwoLanes{posed.a.bounding_radius(), posed.b.bounding_radius()};
   constexpr double points_per_quaternion = 2 * (1 + largest_fault);
   return (distance_along(proof.normal, posed) - proof.reach) - points_per_quaternion * (moved[0] + moved[1]);

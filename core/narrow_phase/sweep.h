@@ -31,7 +31,7 @@ struct Sweep {
 inline double volume_bend(const Tensor<2>&) { return 0; }
 inline double volume_bend(const Tensor<3>& change) { return change.determinant(); }
 
-/// When a shape is turned inside out, and its volume then as a share of that at the start.
+/// A time on the way at which a shape is flat or inside out, and its volume then as a share of that at first.
 struct Collapse {
   double time;
   double volume;

@@ -44,13 +44,13 @@ template <class Four>
   return four_of<Four>(value, value, value, value);
 }
 template <class Four>
-[[gnu::always_inline]] inline Four four_at(const double* p) {
+[[gnu::always_inline]] inline Four load_four(const double* p) {
   Four lanes;
   __builtin_memcpy(&lanes, p, sizeof lanes);
   return lanes;
 }
 template <class Four>
-[[gnu::always_inline]] inline void put_four_at(double* p, const Four& lanes) {
+[[gnu::always_inline]] inline void store_four(double* p, const Four& lanes) {
   __builtin_memcpy(p, &lanes, sizeof lanes);
 }
 
@@ -60,36 +60,36 @@ inline TwoLanes low_half(const TwiceTwoLanes& a) { return a.low; }
 inline TwoLanes high_half(const TwiceTwoLanes& a) { return a.high; }
 
 /// Where a is less than b, the lane of `then`; elsewhere that of `otherwise`.
-inline TwoLanes where_less(TwoLanes a, TwoLanes b, TwoLanes then, TwoLanes otherwise) {
+inline TwoLanes select_less(TwoLanes a, TwoLanes b, TwoLanes then, TwoLanes otherwise) {
   return a < b ? then : otherwise;
 }
-[[gnu::always_inline]] inline FourLanes where_less(const FourLanes& a, const FourLanes& b,
-                                                   const FourLanes& then, const FourLanes& otherwise) {
+[[gnu::always_inline]] inline FourLanes select_less(const FourLanes& a, const FourLanes& b,
+                                                    const FourLanes& then, const FourLanes& otherwise) {
   return a < b ? then : otherwise;
 }
-inline TwiceTwoLanes where_less(const TwiceTwoLanes& a, const TwiceTwoLanes& b, const TwiceTwoLanes& then,
-                                const TwiceTwoLanes& otherwise) {
-  return {where_less(a.low, b.low, then.low, otherwise.low),
-          where_less(a.high, b.high, then.high, otherwise.high)};
+inline TwiceTwoLanes select_less(const TwiceTwoLanes& a, const TwiceTwoLanes& b, const TwiceTwoLanes& then,
+                                 const TwiceTwoLanes& otherwise) {
+  return {select_less(a.low, b.low, then.low, otherwise.low),
+          select_less(a.high, b.high, then.high, otherwise.high)};
 }
 
 /// Lane by lane, the smaller one.
 template <class Four>
-[[gnu::always_inline]] inline Four smaller(const Four& a, const Four& b) {
-  return where_less(a, b, a, b);
+[[gnu::always_inline]] inline Four min(const Four& a, const Four& b) {
+  return select_less(a, b, a, b);
 }
 
 /// Lane by lane, the larger one.
 template <class Four>
-[[gnu::always_inline]] inline Four larger(const Four& a, const Four& b) {
-  return where_less(b, a, a, b);
+[[gnu::always_inline]] inline Four max(const Four& a, const Four& b) {
+  return select_less(b, a, a, b);
 }
 
-[[gnu::always_inline]] inline FourLanes magnitude(const FourLanes& a) {
+[[gnu::always_inline]] inline FourLanes abs(const FourLanes& a) {
   using Bits = long long __attribute__((vector_size(32)));
   return FourLanes(Bits(a) & ~Bits(FourLanes{-0.0, -0.0, -0.0, -0.0}));
 }
-inline TwiceTwoLanes magnitude(const TwiceTwoLanes& a) { return {magnitude(a.low), magnitude(a.high)}; }
+inline TwiceTwoLanes abs(const TwiceTwoLanes& a) { return {abs(a.low), abs(a.high)}; }
 
 /// Lane k of row i becomes lane i of row k.
 [[gnu::always_inline]] inline void transpose(FourLanes (&rows)[4]) {
@@ -110,25 +110,25 @@ inline void transpose(TwiceTwoLanes (&rows)[4]) {
   rows[3] = {seconds(a.high, b.high), seconds(c.high, d.high)};
 }
 
-inline double sum_of_lanes(double a) { return a; }
+inline double reduce(double a) { return a; }
 template <class Four>
-[[gnu::always_inline]] inline double sum_of_lanes(const Four& a) {
+[[gnu::always_inline]] inline double reduce(const Four& a) {
   const TwoLanes two = low_half(a) + high_half(a);
   return two[0] + two[1];
 }
 template <class Four>
-[[gnu::always_inline]] inline double smallest_lane(const Four& a) {
-  const TwoLanes two = smaller(low_half(a), high_half(a));
+[[gnu::always_inline]] inline double reduce_min(const Four& a) {
+  const TwoLanes two = min(low_half(a), high_half(a));
   return std::min(two[0], two[1]);
 }
 template <class Four>
-[[gnu::always_inline]] inline double largest_lane(const Four& a) {
-  const TwoLanes two = larger(low_half(a), high_half(a));
+[[gnu::always_inline]] inline double reduce_max(const Four& a) {
+  const TwoLanes two = max(low_half(a), high_half(a));
   return std::max(two[0], two[1]);
 }
 
 template <class Four>
-[[gnu::always_inline]] inline Four square_roots(const Four& a) {
+[[gnu::always_inline]] inline Four sqrt(const Four& a) {
   return four_of<Four>(std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3]));
 }
 

@@ -16,20 +16,20 @@ using IndexedLanes = Indexed<TwoLanes>;
 
 /// Lane by lane, the one of the larger (smaller) value. Without branches: which one wins is as good as
 /// random.
-inline IndexedLanes larger(const IndexedLanes& a, const IndexedLanes& b) {
-  return {larger(a.value, b.value), b.value > a.value ? b.index : a.index};
+inline IndexedLanes max(const IndexedLanes& a, const IndexedLanes& b) {
+  return {max(a.value, b.value), b.value > a.value ? b.index : a.index};
 }
 template <class Lanes>
-[[gnu::always_inline]] inline Indexed<Lanes> smaller(const Indexed<Lanes>& a, const Indexed<Lanes>& b) {
-  return {where_less(b.value, a.value, b.value, a.value), where_less(b.value, a.value, b.index, a.index)};
+[[gnu::always_inline]] inline Indexed<Lanes> min(const Indexed<Lanes>& a, const Indexed<Lanes>& b) {
+  return {select_less(b.value, a.value, b.value, a.value), select_less(b.value, a.value, b.index, a.index)};
 }
 
 /// The smallest of all lanes, with its index.
 template <class Four>
-[[gnu::always_inline]] inline IndexedLanes smallest(const Indexed<Four>& a) {
-  const IndexedLanes two = smaller(IndexedLanes{low_half(a.value), low_half(a.index)},
-                                   IndexedLanes{high_half(a.value), high_half(a.index)});
-  return smaller(two, {exchanged(two.value), exchanged(two.index)});
+[[gnu::always_inline]] inline IndexedLanes reduce_min(const Indexed<Four>& a) {
+  const IndexedLanes two = min(IndexedLanes{low_half(a.value), low_half(a.index)},
+                               IndexedLanes{high_half(a.value), high_half(a.index)});
+  return min(two, {exchanged(two.value), exchanged(two.index)});
 }
 
 }  // namespace halfspace

@@ -9,13 +9,13 @@ namespace halfspace {
 /// does, so the bits do not depend on it.
 using TwoLanes = double __attribute__((vector_size(16)));
 
-inline TwoLanes two_at(const double* p) {
+inline TwoLanes load_two(const double* p) {
   TwoLanes lanes;
   __builtin_memcpy(&lanes, p, sizeof lanes);
   return lanes;
 }
 
-inline void put_two_at(double* p, TwoLanes lanes) { __builtin_memcpy(p, &lanes, sizeof lanes); }
+inline void store_two(double* p, TwoLanes lanes) { __builtin_memcpy(p, &lanes, sizeof lanes); }
 
 inline TwoLanes both(double value) { return TwoLanes{value, value}; }
 
@@ -37,11 +37,11 @@ inline unsigned signs(TwoLanes a) {
 #endif
 }
 
-inline TwoLanes smaller(TwoLanes a, TwoLanes b) { return a < b ? a : b; }
-inline TwoLanes larger(TwoLanes a, TwoLanes b) { return a > b ? a : b; }
+inline TwoLanes min(TwoLanes a, TwoLanes b) { return a < b ? a : b; }
+inline TwoLanes max(TwoLanes a, TwoLanes b) { return a > b ? a : b; }
 
-inline double magnitude(double a) { return std::abs(a); }
-inline TwoLanes magnitude(TwoLanes a) {
+inline double abs(double a) { return std::abs(a); }
+inline TwoLanes abs(TwoLanes a) {
   using Bits = long long __attribute__((vector_size(16)));
   return TwoLanes(Bits(a) & ~Bits(TwoLanes{-0.0, -0.0}));
 }

@@ -35,7 +35,7 @@ double ContactList<D>::rounding_of_touch(const Candidate<D>& pair) const {
 
 template <int D>
 bool ContactList<D>::is_described(const Candidate<D>& pair) const {
-  return is_always_described(pair) || pair.memory.state == PairMemory<D>::unknown || pair.bonded;
+  return is_always_described(pair) || pair.witness.state == Witness<D>::unknown || pair.bonded;
 }
 
 /// A contact that has ended gives up what its shear spring held.
@@ -50,30 +50,30 @@ void ContactList<D>::release_shear(std::size_t k, PairSums& sums) {
 template <int D>
 Found ContactList<D>::find(std::size_t k, Contact<D>& contact, PairSums& sums) {
   Candidate<D>& pair = neighbors_.pairs()[k];
-  PairMemory<D>& memory = pair.memory;
+  Witness<D>& witness = pair.witness;
   const auto [a, b, to_b] = model_.blocks.placed(pair.a, pair.b);
-  const typename PairMemory<D>::State before = memory.state;
+  const typename Witness<D>::State before = witness.state;
   bool has_met = false;
   const bool describes = is_described(pair);
-  if (describes ? find_contact(a, b, to_b, model_.settings.detect, memory, contact)
-                : touch(a, b, to_b, memory)) {
-    if (!describes) memory.state = PairMemory<D>::overlapping;
-    has_met = before < PairMemory<D>::touching;
+  if (describes ? find_contact(a, b, to_b, model_.settings.detect, witness, contact)
+                : touch(a, b, to_b, witness)) {
+    if (!describes) witness.state = Witness<D>::overlapping;
+    has_met = before < Witness<D>::touching;
   } else {
     if (!pair.bonded) {
-      if (before >= PairMemory<D>::touching) release_shear(k, sums);
-      if (before == PairMemory<D>::unknown && refresh(a, b, to_b, memory) <= rounding_of_touch(pair))
-        memory.state = PairMemory<D>::unknown;
+      if (before >= Witness<D>::touching) release_shear(k, sums);
+      if (before == Witness<D>::unknown && refresh(a, b, to_b, witness) <= rounding_of_touch(pair))
+        witness.state = Witness<D>::unknown;
       return Found::apart;
     }
-    memory.pair = initial_pair(a, b, to_b, memory);  // a contact has no two vertices
-    describe_contact<D>(a, b, to_b, memory, model_.settings.detect, contact);
+    witness.pair = initial_pair(a, b, to_b, witness);  // a contact has no two vertices
+    describe_contact<D>(a, b, to_b, witness, model_.settings.detect, contact);
   }
-  if (before == PairMemory<D>::unknown && contact.gap >= -rounding_of_touch(pair)) {
+  if (before == Witness<D>::unknown && contact.gap >= -rounding_of_touch(pair)) {
     // Neatly stacked: at first sight the strict form of inclusion holds (eq. 11). Which pair they touch
     // through rounding alone would decide, so the pair of least depth will be the initial one, once they
     // overlap.
-    memory.state = PairMemory<D>::unknown;
+    witness.state = Witness<D>::unknown;
     if (!pair.bonded) return Found::apart;
   }
   return has_met ? Found::met : Found::in_contact;
@@ -98,7 +98,7 @@ std::span<const std::uint32_t> ContactList<D>::touching_in(const Chunk& pairs) c
 template <int D>
 void ContactList<D>::describe(const Candidate<D>& pair, Contact<D>& contact) const {
   const PlacedBlocks<D> at = model_.blocks.placed(pair.a, pair.b);
-  PotentialPair<D> found = pair_in_contact(at.a, at.b, at.to_b, pair.memory);
+  PotentialPair<D> found = pair_in_contact(at.a, at.b, at.to_b, pair.witness);
   describe_contact(at.a, at.b, at.to_b, found, model_.settings.detect, contact);
 }
 
@@ -120,8 +120,8 @@ void ContactList<D>::bond_fresh() {
     if (!is_fresh || !model_.law_of(pair).bonds()) continue;
     const PlacedBlocks<D> at = blocks.placed(pair.a, pair.b);
     Contact<D> contact;
-    pair.memory.pair = initial_pair(at.a, at.b, at.to_b, pair.memory);
-    describe_contact(at.a, at.b, at.to_b, pair.memory.pair, model_.settings.detect, contact);
+    pair.witness.pair = initial_pair(at.a, at.b, at.to_b, pair.witness);
+    describe_contact(at.a, at.b, at.to_b, pair.witness.pair, model_.settings.detect, contact);
     pair.bonded = std::abs(contact.gap) <= bond_reach * std::min(blocks.radius[a], blocks.radius[b]);
   }
 }
@@ -165,7 +165,7 @@ bool ContactList<D>::is_consistent() const {
   const bool is_list_in_use = found_ || !neighbors_.used_up();
   if (is_list_in_use && !neighbors_.has_springs() && std::any_of(pairs.begin(), pairs.end(), wants_spring))
     return false;
-  return names_pairs() && all(touching_, [&](std::uint32_t k) { return has_a_plane(pairs[k].memory.pair); });
+  return names_pairs() && all(touching_, [&](std::uint32_t k) { return has_a_plane(pairs[k].witness.pair); });
 }
 
 template class ContactList<2>;

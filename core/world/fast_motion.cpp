@@ -11,10 +11,8 @@ namespace {
 /// A share of the thinner block's thickness: in a motion that is shorter no two sides close in turn.
 constexpr double short_share = 0x1p-8;
 
-PairMemory<2> memory_of(const Impact<2>& impact) { return {PairMemory<2>::separated, impact.pair}; }
-PairMemory<3> memory_of(const Impact<3>& impact) {
-  return {PairMemory<3>::separated, impact.pair, impact.normal};
-}
+Witness<2> witness_of(const Impact<2>& impact) { return {Witness<2>::separated, impact.pair}; }
+Witness<3> witness_of(const Impact<3>& impact) { return {Witness<3>::separated, impact.pair, impact.normal}; }
 
 }  // namespace
 
@@ -102,10 +100,10 @@ void FastMotion<D>::describe_entrance(Candidate<D>& pair, double made, int worke
                      blocks_.own_outline(pair.b), made_sweep(std::size_t(pair.b), made), room_of(worker));
   if (impact.state != Impact<D>::touches) return;
   if (impact.time * made * blocks_.speed_between(pair.a, pair.b) <= contacts_.rounding_of_touch(pair)) return;
-  pair.memory = memory_of(impact);
-  pair.memory.state = PairMemory<D>::touching;
+  pair.witness = witness_of(impact);
+  pair.witness.state = Witness<D>::touching;
   const PlacedBlocks<D> at = blocks_.placed(pair.a, pair.b);
-  describe_contact<D>(at.a, at.b, at.to_b, pair.memory, model_.settings.detect, contact);
+  describe_contact<D>(at.a, at.b, at.to_b, pair.witness, model_.settings.detect, contact);
 }
 
 /// The part of the planned motion that a pair may make at once. Where it meets in that part, it is told
@@ -124,7 +122,7 @@ double FastMotion<D>::calm_part_of(Candidate<D>& pair, double& stable_duration) 
   pair_ = {pair.a, pair.b, motion / integrator_.duration(), thickness,
            calm_share * thickness * integrator_.duration() / motion};
   double time_of_touch = 0;
-  if (touching(pair.memory)) {
+  if (touching(pair.witness)) {
     stop_.note(pair);
   } else {
     const Impact<D> impact =
@@ -132,7 +130,7 @@ double FastMotion<D>::calm_part_of(Candidate<D>& pair, double& stable_duration) 
     if (impact.state == Impact<D>::never) return 1;
     if (impact.state == Impact<D>::touches) {
       time_of_touch = impact.time;
-      pair.memory = memory_of(impact);
+      pair.witness = witness_of(impact);
     }
   }
   if (stable_duration == 0) stable_duration = model_.settings.safety * stable_step_.bound();

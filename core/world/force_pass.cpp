@@ -95,7 +95,7 @@ PairLoad<D> ForcePass<D>::potential_load(Candidate<D>& pair, const SpringLaw& la
   const PotentialForce<D> potential = potential_between(pair, at, evaluation.worker, evaluation.elapsed > 0);
   const double stiffness = law.normal_stiffness / evaluation.potential_length;
   const LineOfAction<D> line = line_of_action(potential, stiffness, at.to_b);
-  if (line.energy > 0) remember_point(potential.centroid, pair.memory);
+  if (line.energy > 0) remember_point(potential.centroid, pair.witness);
   const PairMotion<D> motion = motion_of(pair, evaluation);
   if (motion.strain_rates) evaluation.stretch = stretch_besides(line, potential, stiffness, at.to_b);
   return spring.evaluate(line, motion, shear, evaluation.energy);

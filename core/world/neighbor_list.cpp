@@ -254,13 +254,13 @@ bool NeighborList<D>::is_consistent(const Blocks<D>& blocks) const {
   if (std::adjacent_find(pairs_.begin(), pairs_.end(), follows) != pairs_.end()) return false;
   return all(pairs_, [&](const Candidate<D>& pair) {
     if (!lives(pair.a) || !lives(pair.b) || pair.a >= pair.b) return false;
-    const PairMemory<D>& memory = pair.memory;
-    constexpr auto last = D == 2 ? PairMemory<D>::touching : PairMemory<D>::overlapping;
-    if (memory.state < PairMemory<D>::unknown || memory.state > last) return false;
+    const Witness<D>& witness = pair.witness;
+    constexpr auto last = D == 2 ? Witness<D>::touching : Witness<D>::overlapping;
+    if (witness.state < Witness<D>::unknown || witness.state > last) return false;
     if (!knows_its_plan(pair, plans_, blocks.outline(pair.a), blocks.outline(pair.b))) return false;
-    const bool separated = memory.state == PairMemory<D>::separated;
-    return (separated || has_a_plane(memory.pair)) &&
-           names_features(memory.pair, blocks.outline(pair.a), blocks.outline(pair.b));
+    const bool separated = witness.state == Witness<D>::separated;
+    return (separated || has_a_plane(witness.pair)) &&
+           names_features(witness.pair, blocks.outline(pair.a), blocks.outline(pair.b));
   });
 }
 

@@ -22,7 +22,7 @@ template <int D>
 struct Candidate {
   std::int32_t a;
   std::int32_t b;
-  PairMemory<D> memory;
+  Witness<D> witness;
   std::int32_t bonded = 0;
   [[no_unique_address]] std::conditional_t<D == 2, NoPlan, PlanMemory> plan;
 };
@@ -73,7 +73,7 @@ class NeighborList {
   /// remembered. `relative_skin` is the skin as a share of a block's size; `with_shear` says whether any law
   /// needs a shear spring.
   void search_again(const Blocks<D>& blocks, double relative_skin, bool with_shear);
-  /// Takes the new list into use. Pairs that stay keep their memory.
+  /// Takes the new list into use. Pairs that stay keep their witness.
   void renew(const Blocks<D>& blocks, bool with_shear) noexcept;
 
   /// Keeps a copy of the pairs and their springs, until the list is renewed.
@@ -152,7 +152,7 @@ class NeighborList {
   std::int64_t builds_ = 0;
 
   // Working memory of the search, kept so that it allocates nothing in a steady run.
-  NeighborSearch<D> search_;
+  Grid<D> search_;
   Array<Box<D>> boxes_;
   Array<double> sizes_;
   std::size_t room_ = 0;

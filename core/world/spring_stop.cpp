@@ -28,12 +28,12 @@ double SpringStop<D>::stiffness_between(const Candidate<D>& pair) const {
 template <int D>
 Contact<D> SpringStop<D>::nearest_of(const Candidate<D>& pair) const {
   Contact<D> contact;
-  if (touching(pair.memory)) {
+  if (touching(pair.witness)) {
     contacts_.describe(pair, contact);
   } else {
     const PlacedBlocks<D> at = blocks_.placed(pair.a, pair.b);
     PotentialPair<D> apart =
-        initial_pair(at.a, at.b, at.to_b, memory_of(find_largest_separation(at.a, at.b, at.to_b)));
+        initial_pair(at.a, at.b, at.to_b, witness_of(find_largest_separation(at.a, at.b, at.to_b)));
     describe_contact(at.a, at.b, at.to_b, apart, model_.settings.detect, contact);
   }
   return contact;
@@ -71,7 +71,7 @@ template <int D>
 double SpringStop<D>::deepest() const {
   double deepest = deepest_;
   for (const Candidate<D>& pair : contacts_.neighbors().pairs()) {
-    if (touching(pair.memory) || most_of(pair) > deepest) deepest = std::max(deepest, of(pair));
+    if (touching(pair.witness) || most_of(pair) > deepest) deepest = std::max(deepest, of(pair));
   }
   return deepest;
 }

@@ -98,7 +98,7 @@ double StableStep<D>::bound() {
     all.add(hardest_contact(i, length), 2 * std::max(least_contacts - all.contacts, 0));
     const bool is_affine = blocks_.is_affine(i);
     const double moment = is_affine ? blocks_.deformation(i).least_moment : blocks_.inertia[i].least_moment();
-    const double mobility = 1 / blocks_.mass[i] + blocks_.yield(i);
+    const double mobility = 1 / blocks_.mass[i] + blocks_.strain_mobility(i);
     double omega_squared = all.stiffness * mobility + all.turning_stiffness / moment;
     double gamma = all.viscosity * mobility;
     if (is_affine) {

@@ -44,7 +44,7 @@ class World {
   void remove_block(std::int32_t slot);
   void set_pose(std::int32_t slot, const Vector<D>& position, const Rotation<D>& rotation);
   void set_velocity(std::int32_t slot, const Vector<D>& velocity, const Angular<D>& spin);
-  /// The block is affine.
+  /// For an affine block.
   void set_deformation(std::int32_t slot, const Tensor<D>& gradient, const Tensor<D>& rate);
   void set_stress(std::int32_t slot, const Tensor<D>& stress);
   /// Force per area of a face, in the plane of an edge, as the shape was given.

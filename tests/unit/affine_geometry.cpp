@@ -163,14 +163,14 @@ void check_mass_matrix() {
     CHECK(deformation.volume == Approx(content_of(shape.outline())).epsilon(1e-13));
     const Eigen::JacobiSVD<Eigen::MatrixXd> parts(expected);
     CHECK(deformation.least_moment == Approx(parts.singularValues()[D - 1]).epsilon(1e-12));
-    // Accelerations of points by forces on them: none more than the yield, and one as much.
+    // Accelerations of points by forces on them: none more than the mobility, and one as much.
     double most = 0;
     for (int v = 0; v < vertex_count(shape.outline()); ++v) {
       const Vector<D> point = shape.outline().vertex(v), force = Vector<D>::Unit(i % D);
       const Tensor<D> acceleration = (force * point.transpose()) * expected.inverse();
       most = std::max(most, (acceleration * point).dot(force));
     }
-    CHECK(deformation.yield == Approx(most).epsilon(1e-12));
+    CHECK(deformation.strain_mobility == Approx(most).epsilon(1e-12));
     const double condition = parts.singularValues()[0] / parts.singularValues()[D - 1];
     CHECK((deformation.mass_matrix * deformation.inverse_mass_matrix - Tensor<D>::Identity()).norm() <=
           16 * condition * 0x1p-52);

@@ -92,15 +92,15 @@ TEST_CASE("a tip that slides over a cube's edge goes on at the next pair") {
   const Shape<3> block = block_of(cube), above = block_of(octahedron(0.3, 0.3, 0.3));
   Met met = meet(block, above, {0.4, 0.125, 0.79});
   REQUIRE(met.contact.type == ContactType::vertex_face);
-  Pair last = met.memory.pair;
+  Pair last = met.witness.pair;
   int moves = 0;
   for (double x = 0.4; x < 0.7; x += 0.005) {
-    met = meet(block, above, {x, 0.125, 0.79 - (x > 0.5 ? x - 0.5 : 0)}, met.memory);
+    met = meet(block, above, {x, 0.125, 0.79 - (x > 0.5 ? x - 0.5 : 0)}, met.witness);
     REQUIRE(met.contact.type != ContactType::none);
     CHECK(met.contact.normal.dot(Vector<3>(1, 0, 1)) > 0);
     CHECK(met.contact.gap > -0.02);
-    moves += met.memory.pair != last;
-    last = met.memory.pair;
+    moves += met.witness.pair != last;
+    last = met.witness.pair;
   }
   CHECK(moves >= 1);
   CHECK(met.contact.normal.x() > 0.5);
@@ -113,9 +113,9 @@ TEST_CASE("edges that have ceased to be a potential pair lead on to one") {
   REQUIRE(met.contact.type == ContactType::edge_edge);
   // The upper block turns until its faces are level: the edge that was its lowest is not any more.
   const Shape<3> upper = turned_block(ridge, pi / 4, 1);
-  REQUIRE_FALSE(is_edge_pair(SeenEdge(lower.outline(), met.memory.pair.a),
-                             SeenEdge(upper.outline(), met.memory.pair.b)));
-  met = meet(lower, upper, {0.1, 0, 0.84}, met.memory);
+  REQUIRE_FALSE(is_edge_pair(SeenEdge(lower.outline(), met.witness.pair.a),
+                             SeenEdge(upper.outline(), met.witness.pair.b)));
+  met = meet(lower, upper, {0.1, 0, 0.84}, met.witness);
   CHECK(met.contact.type == ContactType::edge_face);
   CHECK(met.contact.normal.isApprox(z_axis));
   check_by_definition(lower, upper, {0.1, 0, 0.84}, met.contact);
@@ -126,7 +126,7 @@ TEST_CASE(
   const Shape<3> slab = block_of(prism(rectangle(10, 10), 0.1)), above = block_of(octahedron(1, 1, 1));
   const Met apart = meet(slab, above, {0, 0, 1.06});
   REQUIRE(apart.contact.type == ContactType::none);
-  const Met through = meet(slab, above, {0, 0, 0.96}, apart.memory);
+  const Met through = meet(slab, above, {0, 0, 0.96}, apart.witness);
   CHECK(through.contact.normal == z_axis);
   CHECK(through.contact.gap == Approx(-0.09));
   CHECK(meet(slab, above, {0, 0, -0.96}).contact.normal == -z_axis);
@@ -139,7 +139,7 @@ TEST_CASE("sides of a thin wedge that share an edge are not mixed up") {
   const Shape<3> above = block_of(octahedron(1, 1, 1));
   const Met apart = meet(slice, above, {0, 0, 1.06});
   REQUIRE(apart.contact.type == ContactType::none);
-  const Met through = meet(slice, above, {0, 0, 0.97}, apart.memory);
+  const Met through = meet(slice, above, {0, 0, 0.97}, apart.witness);
   CHECK(through.contact.normal.z() > 0.99);
   CHECK(through.contact.gap < -0.05);
 }
@@ -150,7 +150,7 @@ TEST_CASE("from the violated pair the walk finds the side that is less deep, pas
     for (const Vector<3>& axis : {y_axis, z_axis}) {
       for (const double sign : {-1.0, 1.0}) {
         const Shape<3> other = block_of(turned(cube, angle, axis));
-        const PairMemory<3> through_side{PairMemory<3>::separated, touching_through(block, x_axis).pair};
+        const Witness<3> through_side{Witness<3>::separated, touching_through(block, x_axis).pair};
         const Met met = meet(block, other, 0.5 * x_axis + 0.9 * sign * axis, through_side);
         CHECK(met.contact.normal.isApprox(sign * axis));
         CHECK(met.contact.type == ContactType::face_face);
@@ -191,12 +191,12 @@ TEST_CASE("the walk ends at a pair less deep than all its neighbours") {
     for (int f = 0; f < a.face_count(); ++f) {
       Pair start{Pair::face_vertex, f, 0};
       const double gap_at_start = refresh(a, b, to_b, start);
-      PairMemory<3> memory{PairMemory<3>::separated, start};
-      remember_contact(a, b, to_b, least.pair, memory);
-      const double gap = refresh(a, b, to_b, memory.pair);
+      Witness<3> witness{Witness<3>::separated, start};
+      remember_contact(a, b, to_b, least.pair, witness);
+      const double gap = refresh(a, b, to_b, witness.pair);
       CHECK(gap >= gap_at_start);
-      for_each_side(a, b, memory.pair, [&](const FacetSide& side) {
-        Pair neighbour = facet_across(a, b, side, normal_of(a, b, memory.pair)).pair;
+      for_each_side(a, b, witness.pair, [&](const FacetSide& side) {
+        Pair neighbour = facet_across(a, b, side, normal_of(a, b, witness.pair)).pair;
         CHECK(refresh(a, b, to_b, neighbour) <= gap);
       });
     }
@@ -206,25 +206,25 @@ TEST_CASE("the walk ends at a pair less deep than all its neighbours") {
 TEST_CASE("in space, the violated pair is tried first, and left when it no longer holds") {
   const Shape<3> block = block_of(cube), other = block_of(tip);
   const Met apart = meet(block, other, {0, 0, 1.6});
-  REQUIRE(apart.memory.state == PairMemory<3>::separated);
-  PairMemory<3> memory = apart.memory;
-  CHECK(still_separated(block.outline(), other.outline(), {0.1, 0.1, 1.55}, memory));
-  CHECK(memory.pair == apart.memory.pair);
-  CHECK_FALSE(still_separated(block.outline(), other.outline(), {1, 0, 0}, memory));
+  REQUIRE(apart.witness.state == Witness<3>::separated);
+  Witness<3> witness = apart.witness;
+  CHECK(still_separated(block.outline(), other.outline(), {0.1, 0.1, 1.55}, witness));
+  CHECK(witness.pair == apart.witness.pair);
+  CHECK_FALSE(still_separated(block.outline(), other.outline(), {1, 0, 0}, witness));
 }
 
 TEST_CASE("a plane between blocks is kept until it no longer holds") {
   const Shape<3> block = block_of(cube), other = block_of(tip);
   const Outline<3>&a = block.outline(), &b = other.outline();
   const Vector<3> diagonal = Vector<3>(1, 1, 1).normalized();
-  PairMemory<3> memory{PairMemory<3>::separated, {Pair::vertex_vertex, 0, 0}, diagonal};
+  Witness<3> witness{Witness<3>::separated, {Pair::vertex_vertex, 0, 0}, diagonal};
   // Along it the cube reaches 1.5 / sqrt(3) and the tip 1 / sqrt(3).
   const Vector<3> apart = 2.51 / std::sqrt(3) * diagonal, together = 2.49 / std::sqrt(3) * diagonal;
-  CHECK(still_separated(a, b, apart, memory));
-  CHECK(memory.proof == diagonal);
-  CHECK_FALSE(still_separated(a, b, together, memory));
+  CHECK(still_separated(a, b, apart, witness));
+  CHECK(witness.proof == diagonal);
+  CHECK_FALSE(still_separated(a, b, together, witness));
   // From there the blocks meet through a face that looks along the plane, whatever vertices are remembered.
-  CHECK(normal_of(a, b, initial_pair(a, b, together, memory)).dot(diagonal) > 0.57);
+  CHECK(normal_of(a, b, initial_pair(a, b, together, witness)).dot(diagonal) > 0.57);
 }
 
 TEST_CASE("a fast block of many vertices that is all but through a thin plate keeps the side it came from") {
@@ -235,13 +235,13 @@ TEST_CASE("a fast block of many vertices that is all but through a thin plate ke
     const Outline<3>&a = plate.outline(), &b = block.outline();
     const auto [lowest, highest] = std::minmax_element(b.z, b.z + b.vertex_count());
     const double x = random.uniform(-3, 3), y = random.uniform(-3, 3);
-    PairMemory<3> memory, none;
-    judge_pair(a, b, Vector<3>(x, y, 0.05 - *lowest + 0.03), memory);
-    REQUIRE(memory.state == PairMemory<3>::separated);
+    Witness<3> witness, none;
+    judge_pair(a, b, Vector<3>(x, y, 0.05 - *lowest + 0.03), witness);
+    REQUIRE(witness.state == Witness<3>::separated);
     const Vector<3> within(x, y, -0.05 - *highest + 0.03);
-    judge_pair(a, b, within, memory);
-    REQUIRE(memory.state == PairMemory<3>::touching);
-    CHECK(normal_of(a, b, memory.pair).z() > 0.9);
+    judge_pair(a, b, within, witness);
+    REQUIRE(witness.state == Witness<3>::touching);
+    CHECK(normal_of(a, b, witness.pair).z() > 0.9);
     // Without its history it is pushed on.
     judge_pair(a, b, within, none);
     CHECK(normal_of(a, b, none.pair).z() < -0.9);
@@ -256,22 +256,22 @@ TEST_CASE("what is remembered saves searches along a motion, and never changes t
     const Shape<3> shape_a = random_block(random, random.integer(4, 40));
     const Vector<3> axis = random_direction(random), from = random.uniform(1, 2) * axis;
     const Vector<3> path = 0.4 * random_direction(random);
-    PairMemory<3> memory;
+    Witness<3> witness;
     for (double time = 0; time < 1; time += 0.02) {
       const Shape<3> shape_b = block_of(turned(points, 0.2 * time, axis));
       const Outline<3>&a = shape_a.outline(), &b = shape_b.outline();
       const Vector<3> to_b = from + time * path;
-      const PairMemory<3>::State before = memory.state;
-      const bool is_proven = still_separated(a, b, to_b, memory) || still_touching(a, b, to_b, memory);
-      if (!still_separated(a, b, to_b, memory)) judge_pair(a, b, to_b, memory);
-      CHECK((memory.state == PairMemory<3>::separated) == (find_separation(a, b, to_b).gap > 0));
+      const Witness<3>::State before = witness.state;
+      const bool is_proven = still_separated(a, b, to_b, witness) || still_touching(a, b, to_b, witness);
+      if (!still_separated(a, b, to_b, witness)) judge_pair(a, b, to_b, witness);
+      CHECK((witness.state == Witness<3>::separated) == (find_separation(a, b, to_b).gap > 0));
       ++steps;
       proven += is_proven;
-      changes += time > 0 && memory.state != before;
-      if (is_proven) CHECK(memory.state == before);
-      if (memory.state == PairMemory<3>::separated) continue;
+      changes += time > 0 && witness.state != before;
+      if (is_proven) CHECK(witness.state == before);
+      if (witness.state == Witness<3>::separated) continue;
       Contact<3> contact;
-      describe_contact(a, b, to_b, memory, {}, contact);
+      describe_contact(a, b, to_b, witness, {}, contact);
     }
   }
   CHECK(changes > 10);
@@ -286,7 +286,7 @@ TEST_CASE("a contact that is known by its description is the one that is found w
     const Shape<3> shape_a = random_block(random, random.integer(4, 40));
     const Vector<3> axis = random_direction(random), path = 0.05 * random_direction(random);
     const Outline<3>& a = shape_a.outline();
-    PairMemory<3> memory, judged;
+    Witness<3> witness, judged;
     Vector<3> from = 2 * axis;
     for (double time = 0; time < 1; time += 0.05) {
       const Shape<3> shape_b = block_of(turned(points, 0.01 * time, axis));
@@ -298,18 +298,18 @@ TEST_CASE("a contact that is known by its description is the one that is found w
       }
       const Vector<3> to_b = from + time * path;
       Contact<3> contact, described;
-      PairMemory<3> before = memory;
+      Witness<3> before = witness;
       known += describe_plainly_touching(a, b, to_b, before, {}, contact);
-      const bool found = find_contact(a, b, to_b, {}, memory, contact);
+      const bool found = find_contact(a, b, to_b, {}, witness, contact);
       if (!still_separated(a, b, to_b, judged)) judge_pair(a, b, to_b, judged);
-      REQUIRE(found == (judged.state == PairMemory<3>::touching));
+      REQUIRE(found == (judged.state == Witness<3>::touching));
       REQUIRE(found == (find_separation(a, b, to_b).gap <= 0));
       if (!found) continue;
       ++touching;
       describe_contact<3>(a, b, to_b, judged, {}, described);
       CHECK(contact.type == described.type);
       CHECK(contact.pair == described.pair);
-      CHECK(memory.pair == judged.pair);
+      CHECK(witness.pair == judged.pair);
       CHECK(contact.gap == described.gap);
       CHECK(contact.normal == described.normal);
       CHECK(contact.center == described.center);
@@ -325,12 +325,12 @@ TEST_CASE("no memory, whatever it holds, makes blocks touch or lie apart that do
   const double nothing = std::numeric_limits<double>::quiet_NaN();
   for (const Vector<3>& proof :
        {Vector<3>(0, 0, 0), Vector<3>(0.5, 0, 0), Vector<3>(nothing, 0, 0), Vector<3>(HUGE_VAL, 0, 0)}) {
-    for (const auto state : {PairMemory<3>::separated, PairMemory<3>::touching}) {
+    for (const auto state : {Witness<3>::separated, Witness<3>::touching}) {
       for (const double x : {0.75, 1.25}) {
-        PairMemory<3> memory{state, {Pair::vertex_vertex, 0, 0}, proof};
-        if (state == PairMemory<3>::touching) memory.pair = {Pair::face_vertex, 0, 0};
-        if (!still_separated(o, o, {x, 0.1, 0.2}, memory)) judge_pair(o, o, {x, 0.1, 0.2}, memory);
-        CHECK((memory.state == PairMemory<3>::touching) == (x < 1));
+        Witness<3> witness{state, {Pair::vertex_vertex, 0, 0}, proof};
+        if (state == Witness<3>::touching) witness.pair = {Pair::face_vertex, 0, 0};
+        if (!still_separated(o, o, {x, 0.1, 0.2}, witness)) judge_pair(o, o, {x, 0.1, 0.2}, witness);
+        CHECK((witness.state == Witness<3>::touching) == (x < 1));
       }
     }
   }

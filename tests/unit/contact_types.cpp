@@ -10,15 +10,15 @@ namespace {
 
 struct Met {
   Contact<2> contact;
-  PairMemory<2> memory;
+  Witness<2> witness;
 };
 
-Met meet(const Shape<2>& a, const Shape<2>& b, const Vector<2>& to_b, PairMemory<2> memory = {},
+Met meet(const Shape<2>& a, const Shape<2>& b, const Vector<2>& to_b, Witness<2> witness = {},
          const DetectOptions& options = {}) {
-  Met met{{}, memory};  // no contact yet
-  judge_pair(a.outline(), b.outline(), to_b, met.memory);
-  if (met.memory.state == PairMemory<2>::touching)
-    describe_contact(a.outline(), b.outline(), to_b, met.memory.pair, options, met.contact);
+  Met met{{}, witness};  // no contact yet
+  judge_pair(a.outline(), b.outline(), to_b, met.witness);
+  if (met.witness.state == Witness<2>::touching)
+    describe_contact(a.outline(), b.outline(), to_b, met.witness.pair, options, met.contact);
   return met;
 }
 
@@ -82,7 +82,7 @@ TEST_CASE("a thin block that is overlapped past its middle keeps the side throug
   const Met above = meet(slab, diamond, {0, 1.06});
   REQUIRE(above.contact.type == ContactType::none);
   // Nine tenths through in one step: the least depth would push it out below.
-  const Met through = meet(slab, diamond, {0, 0.96}, above.memory);
+  const Met through = meet(slab, diamond, {0, 0.96}, above.witness);
   CHECK(through.contact.normal == Vector<2>(0, 1));
   CHECK(through.contact.gap == Approx(-0.09));
   // With no history the least depth stands in; here it is above, too, until past the middle of the whole.
@@ -91,14 +91,14 @@ TEST_CASE("a thin block that is overlapped past its middle keeps the side throug
 
 TEST_CASE("the violated pair is kept, tried first, and left when it no longer holds") {
   const Met apart = meet(square, diamond, {2.5, 0});
-  REQUIRE(apart.memory.state == PairMemory<2>::separated);
-  PairMemory<2> memory = apart.memory;
-  CHECK(still_separated(square.outline(), diamond.outline(), {2.4, 0.1}, memory));
-  CHECK(memory.pair.edge == apart.memory.pair.edge);
-  CHECK_FALSE(still_separated(square.outline(), diamond.outline(), {0, 2.5}, memory));
-  Met around = meet(square, diamond, {0, 2.5}, apart.memory);
-  CHECK(around.memory.pair.edge != apart.memory.pair.edge);
-  CHECK(still_separated(square.outline(), diamond.outline(), {0, 2.5}, around.memory));
+  REQUIRE(apart.witness.state == Witness<2>::separated);
+  Witness<2> witness = apart.witness;
+  CHECK(still_separated(square.outline(), diamond.outline(), {2.4, 0.1}, witness));
+  CHECK(witness.pair.edge == apart.witness.pair.edge);
+  CHECK_FALSE(still_separated(square.outline(), diamond.outline(), {0, 2.5}, witness));
+  Met around = meet(square, diamond, {0, 2.5}, apart.witness);
+  CHECK(around.witness.pair.edge != apart.witness.pair.edge);
+  CHECK(still_separated(square.outline(), diamond.outline(), {0, 2.5}, around.witness));
 }
 
 TEST_CASE("a vertex that slides off the end of an edge goes on at the next one") {
@@ -107,7 +107,7 @@ TEST_CASE("a vertex that slides off the end of an edge goes on at the next one")
   // Round the octagon in small steps, always overlapping: the normal follows, from a to b.
   for (double angle = 1.0; angle < 7; angle += 0.01) {
     const Vector<2> to_b = 1.7 * Vector<2>(std::cos(angle), std::sin(angle));
-    met = meet(octagon, diamond, to_b, met.memory);
+    met = meet(octagon, diamond, to_b, met.witness);
     REQUIRE(met.contact.type != ContactType::none);
     CHECK(met.contact.normal.dot(to_b) > 0);
   }

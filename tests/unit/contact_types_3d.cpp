@@ -60,7 +60,7 @@ struct Case {
 
   Met met(const Shape<3>& shape_a, const Shape<3>& shape_b, const Vector<3>& from_a_to_b) const {
     return meet(shape_a, shape_b, from_a_to_b,
-                through_upper_face ? touching_through(shape_a, z_axis) : PairMemory<3>());
+                through_upper_face ? touching_through(shape_a, z_axis) : Witness<3>());
   }
   Met met() const { return met(block_of(a), block_of(b), to_b); }
 };
@@ -91,7 +91,7 @@ TEST_CASE("each contact type in space by its name, and from either block") {
     CHECK(met.contact.type == c.type);
     CHECK(met.contact.normal.z() > 0);
     check_by_definition(a, b, c.to_b, met.contact);
-    const Met from_b = meet(b, a, -c.to_b, swapped(met.memory));
+    const Met from_b = meet(b, a, -c.to_b, swapped(met.witness));
     CHECK(from_b.contact.type == c.type);
     check_by_definition(b, a, -c.to_b, from_b.contact);
   }
@@ -316,7 +316,7 @@ TEST_CASE("in space, swapping the blocks turns the normal and nothing else") {
     const Shape<3> a = block_of(c.a), b = block_of(c.b);
     // At the same pair: of two faces that meet, either may own the contact plane.
     const Met met = c.met(a, b, c.to_b);
-    const Contact<3> contact = met.contact, from_b = meet(b, a, -c.to_b, swapped(met.memory)).contact;
+    const Contact<3> contact = met.contact, from_b = meet(b, a, -c.to_b, swapped(met.witness)).contact;
     CHECK(from_b.type == contact.type);
     CHECK(from_b.gap == contact.gap);
     CHECK(from_b.normal == -contact.normal);
@@ -368,8 +368,7 @@ TEST_CASE("in space, a turned scene has the turned contact") {
       const Shape<3> a = block_of(turned(c.a, turn)), b = block_of(turned(c.b, turn));
       const Vector<3> to_b = turn * c.to_b;
       const Contact<3> other =
-          meet(a, b, to_b, c.through_upper_face ? touching_through(a, turn * z_axis) : PairMemory<3>())
-              .contact;
+          meet(a, b, to_b, c.through_upper_face ? touching_through(a, turn * z_axis) : Witness<3>()).contact;
       CHECK(other.type == contact.type);
       CHECK(other.gap == Approx(contact.gap).margin(1e-15));
       CHECK(other.area == Approx(contact.area));

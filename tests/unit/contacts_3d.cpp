@@ -79,32 +79,32 @@ Separation<3> pair_of_largest_gap(const Outline<3>& a, const Outline<3>& b, cons
   return best;
 }
 
-Met meet(const Shape<3>& a, const Shape<3>& b, const Vector<3>& to_b, const PairMemory<3>& memory,
+Met meet(const Shape<3>& a, const Shape<3>& b, const Vector<3>& to_b, const Witness<3>& witness,
          const DetectOptions& options) {
-  Met met{{}, memory};
+  Met met{{}, witness};
   const Separation<3> found = pair_of_largest_gap(a.outline(), b.outline(), to_b);
   if (found.gap > 0) {
-    met.memory = memory_of(found);
+    met.witness = witness_of(found);
   } else {
-    describe_overlap(a.outline(), b.outline(), to_b, found.pair, options, met.memory, met.contact);
+    describe_overlap(a.outline(), b.outline(), to_b, found.pair, options, met.witness, met.contact);
   }
   return met;
 }
 
-PairMemory<3> touching_through(const Shape<3>& a, const Vector<3>& direction) {
+Witness<3> touching_through(const Shape<3>& a, const Vector<3>& direction) {
   const Outline<3>& o = a.outline();
   Pair pair{Pair::face_vertex, 0, 0};
   for (int f = 1; f < o.face_count(); ++f)
     if (o.normal(f).dot(direction) > o.normal(pair.a).dot(direction)) pair.a = f;
-  return {PairMemory<3>::touching, pair};
+  return {Witness<3>::touching, pair};
 }
 
-PairMemory<3> swapped(const PairMemory<3>& memory) {
-  const Pair& p = memory.pair;
+Witness<3> swapped(const Witness<3>& witness) {
+  const Pair& p = witness.pair;
   const Pair::Kind kind = p.kind == Pair::face_vertex   ? Pair::vertex_face
                           : p.kind == Pair::vertex_face ? Pair::face_vertex
                                                         : p.kind;
-  return {memory.state, {kind, p.b, p.a}, -memory.proof};
+  return {witness.state, {kind, p.b, p.a}, -witness.proof};
 }
 
 void check_by_definition(const Shape<3>& a, const Shape<3>& b, const Vector<3>& to_b, const Contact<3>& c) {

@@ -17,7 +17,7 @@ void check_content(const VolumeAndMoment& found, const Polyhedron& expected) {
 }
 
 /// Behind a plane through a point.
-CuttingPlane plane_at(const Vector<3>& point, const Vector<3>& normal) { return {normal, normal.dot(point)}; }
+Halfspace<3> plane_at(const Vector<3>& point, const Vector<3>& normal) { return {normal, normal.dot(point)}; }
 
 /// Of a new face: the block's own come before it.
 DividedPolyhedron::Index first_number(const Shape<3>& block) {
@@ -70,10 +70,10 @@ TEST_CASE("a divided polyhedron loses nothing where planes pass through its vert
       do {
         for (double& component : normal) component = random.integer(-1, 1);
       } while (normal.isZero(0));
-      return CuttingPlane{normal, double(random.integer(-1, 1))};
+      return Halfspace<3>{normal, double(random.integer(-1, 1))};
     };
     Sounding sounding(memory);
-    const CuttingPlane first = draw_plane();
+    const Halfspace<3> first = draw_plane();
     if (sounding.take(cube.outline(), first).most <= 0) continue;
     DividedPolyhedron divided(memory);
     divided.begin(cube.outline(), sounding, first_number(cube));

@@ -55,24 +55,24 @@ template <class Four>
 TEST_CASE("four lanes are compared, turned over and summed as their numbers are") {
   const double a[] = {1, -2, 3, -0.0}, b[] = {-1, 5, 3, 0.5};
   check_same_with_both([&]<class Four>() {
-    const Four p = four_at<Four>(a), q = four_at<Four>(b);
-    const Four most = larger(p, q), least = smaller(p, q), sizes = magnitude(p);
+    const Four p = load_four<Four>(a), q = load_four<Four>(b);
+    const Four most = max(p, q), least = min(p, q), sizes = abs(p);
     for (int i = 0; i < 4; ++i) {
       CHECK(most[i] == std::max(a[i], b[i]));
       CHECK(least[i] == std::min(a[i], b[i]));
       CHECK(sizes[i] == std::abs(a[i]));
       CHECK_FALSE(std::signbit(sizes[i]));
     }
-    CHECK(smallest_lane(p) == -2);
-    CHECK(largest_lane(p) == 3);
+    CHECK(reduce_min(p) == -2);
+    CHECK(reduce_max(p) == 3);
     Four rows[] = {p, q, most, least};
     const Four before[] = {p, q, most, least};
     transpose(rows);
     for (int i = 0; i < 4; ++i)
       for (int k = 0; k < 4; ++k) CHECK(rows[i][k] == before[k][i]);
-    return sum_of_lanes(p);
+    return reduce(p);
   });
-  CHECK(sum_of_lanes(four_at<TwiceTwoLanes>(b)) == 7.5);
+  CHECK(reduce(load_four<TwiceTwoLanes>(b)) == 7.5);
 }
 
 TEST_CASE("three planes meet in their corner, and tetrahedra sum up to the same bits, whatever the lanes") {

@@ -122,14 +122,14 @@ TEMPLATE_TEST_CASE_SIG("a pair that stays keeps what it remembers, and a bonded 
   for (const double x : {0.0, 1.0, 2.0, 3.0}) parts.add(cube<D>(), BlockKind::rigid, at<D>(x, 0));
   parts.list_neighbors();
   REQUIRE(listed(parts.neighbors) == PairSet{{0, 1}, {1, 2}, {2, 3}});
-  parts.neighbors.pairs()[1].memory.state = PairMemory<D>::overlapping;
+  parts.neighbors.pairs()[1].witness.state = Witness<D>::overlapping;
   parts.neighbors.pairs()[2].bonded = true;
   parts.blocks.place(0, at<D>(-9, 0), {});
   parts.blocks.place(3, at<D>(12, 0), {});
   parts.list_neighbors();
   REQUIRE(listed(parts.neighbors) == PairSet{{1, 2}, {2, 3}});
-  CHECK(parts.neighbors.pairs()[0].memory.state == PairMemory<D>::overlapping);
-  CHECK(parts.neighbors.pairs()[1].memory.state == PairMemory<D>::unknown);
+  CHECK(parts.neighbors.pairs()[0].witness.state == Witness<D>::overlapping);
+  CHECK(parts.neighbors.pairs()[1].witness.state == Witness<D>::unknown);
   CHECK(parts.neighbors.builds() == 2);
   parts.neighbors.forget(2);
   CHECK(parts.neighbors.pairs().empty());

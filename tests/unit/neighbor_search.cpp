@@ -25,7 +25,7 @@ PairSet by_all_pairs(const std::vector<Box<D>>& boxes) {
 template <int D>
 PairSet by_search(const std::vector<Box<D>>& boxes) {
   PairSet pairs;
-  NeighborSearch<D> search(std::pmr::get_default_resource());
+  Grid<D> search(std::pmr::get_default_resource());
   search.search(
       std::span<const Box<D>>(boxes), [](std::size_t) { return true; },
       [&](const BlockPair& p) {

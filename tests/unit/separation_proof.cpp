@@ -48,8 +48,8 @@ Kept moved(const Kept& before, Random& random, double by) {
 
 template <int D>
 Contact<D> look_at(const PosedPair<D>& posed) {
-  PairMemory<D> memory;
-  return search_pair(posed, frames_of<D>(posed.at_a, posed.at_b), {}, memory,
+  Witness<D> witness;
+  return search_pair(posed, frames_of<D>(posed.at_a, posed.at_b), {}, witness,
                      std::pmr::get_default_resource());
 }
 

@@ -73,7 +73,7 @@ module halfspace_worlds
                              parallel_angle, vertex_zone, potential_length, fast_blocks, context, stat, errmsg)
       class(halfspace_world), intent(inout) :: self
       integer, intent(in), optional :: dimension  !< 2 (default) or 3
-      real(c_double), intent(in), optional :: gravity(:)  !< acceleration; default 0, -9.81, 0
+      real(c_double), intent(in), optional :: gravity(:)  !< acceleration; default 9.81 downwards: -y, in 3D -z
       real(c_double), intent(in), optional :: time_step  !< > 0; default: safety times the stable time step
       real(c_double), intent(in), optional :: safety  !< (0, 1]; default 0.5
       real(c_double), intent(in), optional :: local_damping  !< [0, 1): share of the force

@@ -20,7 +20,7 @@ contains
     status = hs_world_def_init(def, c_sizeof(def), 2_c_int32_t)
     if (present(dimension)) then
       if (dimension == 3) status = hs_world_def_init(def, c_sizeof(def), 3_c_int32_t)
-      def%dimension = dimension  ! another than 2 and 3 is refused below, with a text
+      def%dimension = dimension  ! any other than 2 or 3 is refused below, with a text
     end if
     if (present(gravity)) def%gravity = three_of(gravity)
     if (present(time_step)) def%time_step = time_step

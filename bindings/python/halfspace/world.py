@@ -45,7 +45,7 @@ class World(AffineBlocks):
     dimension : int
         2 or 3.
     gravity : array_like
-        Acceleration; (0, -9.81, 0) by default, also in 3D.
+        Acceleration; by default 9.81 downwards: along -y in 2D, along -z in 3D.
     time_step : float
         0 (default) finds one: `safety` times the stable time step.
     safety : float
@@ -100,7 +100,7 @@ class World(AffineBlocks):
         dimension = index(dimension, "dimension")
         of_space = dimension == 3
         library.hs_world_def_init(ctypes.byref(definition), ctypes.sizeof(definition), 3 if of_space else 2)
-        definition.dimension = dimension  # another than 2 and 3 is refused below, with a text
+        definition.dimension = dimension  # any other than 2 or 3 is refused below, with a text
         if gravity is not None:
             definition.gravity = vector(gravity, "gravity")
         settings = dict(

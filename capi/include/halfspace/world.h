@@ -2,8 +2,8 @@
  *  @brief A world: blocks, materials, laws, and time. Used whole (step) or stage by stage (detect, forces).
  *
  *  Stage by stage, a host with its own integrator sets poses and velocities, calls hs_world_detect(), then
- *  hs_world_forces(), and moves its bodies itself. hs_world_step() does all of it, by velocity Verlet. What strains affine blocks only
- *  hs_world_step() knows.
+ *  hs_world_forces(), and moves its bodies itself. hs_world_step() does all of it, by velocity Verlet. Only hs_world_step() strains
+ *  affine blocks.
  */
 #ifndef HALFSPACE_WORLD_H
 #define HALFSPACE_WORLD_H

@@ -98,7 +98,7 @@ void DividedPolyhedron::begin(const DividedPolyhedron& other) {
   std::copy_n(other.face_.begin(), 4 * vertex_count_, face_.begin());
 }
 
-DepthRange DividedPolyhedron::sound(Part part, const CuttingPlane& plane) {
+DepthRange DividedPolyhedron::sound(Part part, const Halfspace<3>& plane) {
   double least = HUGE_VAL, most = -HUGE_VAL;
   for (const Index v : part) {
     Vertex& p = vertex_[v];
@@ -132,15 +132,15 @@ void DividedPolyhedron::cut_edges_of_inside() {
     const Vertex &p = vertex[crossing->inner()], &q = vertex[crossing->outer()];
     crossing->share = p.depth / (p.depth - q.depth);
     // Depths as if they were coordinates, too: nobody reads them before they are sounded again.
-    const TwoLanes share = both(crossing->share), p_xy = two_at(&p.x), p_z = two_at(&p.z);
-    put_two_at(&vertex[added].x, p_xy + share * (two_at(&q.x) - p_xy));
-    put_two_at(&vertex[added].z, p_z + share * (two_at(&q.z) - p_z));
+    const TwoLanes share = both(crossing->share), p_xy = load_two(&p.x), p_z = load_two(&p.z);
+    store_two(&vertex[added].x, p_xy + share * (load_two(&q.x) - p_xy));
+    store_two(&vertex[added].z, p_z + share * (load_two(&q.z) - p_z));
     twin[4 * added] = crossing->inner_half;
     twin[crossing->inner_half] = 4 * added;
   }
 }
 
-/// Of the edges of a new vertex one is that which has been cut; the others lead to those before it and behind
+/// One edge of a new vertex is that which has been cut; the others lead to those before it and behind
 /// it along the new face.
 inline void DividedPolyhedron::surround(Index vertex, Index left, Index right, Index new_face) {
   face_[4 * vertex] = right;
@@ -197,10 +197,10 @@ void DividedPolyhedron::close_both(Index new_face) {
   vertex_count_ += 2 * count;
 }
 
-/// Of tetrahedra from one vertex, the top, to the triangles of the faces that are not at it. What is inside
-/// of a face that is cut is seen from where its outline comes in: with the top in the plane as well, what is
-/// missing, the new edges, counts for nothing. Where rounding has torn a face, each of its loops counts by
-/// itself.
+/// A sum over tetrahedra from one vertex, the top, to the triangles of the faces that are not at it. What is
+/// inside of a face that is cut is seen from where its outline comes in: with the top in the plane as well,
+/// what is missing, the new edges, counts for nothing. Where rounding has torn a face, each of its loops
+/// counts by itself.
 template <class Sums>
 inline void DividedPolyhedron::sum_up_inside(Index top_vertex, Sums& sums) {
   const Vertex* const vertex = vertex_.data();

@@ -66,7 +66,7 @@ class DividedPolyhedron {
   void begin(const Outline<3>& block, const Sounding& sounding, Index new_face);
   void begin(const DividedPolyhedron& other);
 
-  /// Of all parts, those that are wanted no more included.
+  /// The number of all parts, those that are wanted no more included.
   Index vertex_count() const { return vertex_count_; }
   /// Takes back what has been added since there were so many vertices.
   void shrink_to(Index vertices) { vertex_count_ = vertices; }
@@ -84,9 +84,9 @@ class DividedPolyhedron {
   }
 
   /// How deep the vertices of a part lie behind a plane: what is known before it is cut there.
-  DepthRange sound(Part part, const CuttingPlane& plane);
+  DepthRange sound(Part part, const Halfspace<3>& plane);
 
-  /// Of a part that has not been cut, and of what is inside the plane where one has just been cut.
+  /// Measures a part that has not been cut, or what is inside the plane where one has just been cut.
   VolumeAndSpread measure(Part part);
   VolumeAndMoment measure_inside();
 

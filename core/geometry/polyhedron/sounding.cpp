@@ -7,16 +7,16 @@
 namespace halfspace {
 
 DepthRange Sounding::take(std::size_t count, const double* x, const double* y, const double* z,
-                          const CuttingPlane& plane) {
+                          const Halfspace<3>& plane) {
   reserve(count);
   const TwoLanes nx = both(plane.normal.x()), ny = both(plane.normal.y()), nz = both(plane.normal.z());
   const TwoLanes offset = both(plane.offset);
   TwoLanes least = both(HUGE_VAL), most = both(-HUGE_VAL);
   for (std::size_t v = 0; v < count; v += 2) {
-    const TwoLanes depth = offset - (nx * two_at(x + v) + ny * two_at(y + v) + nz * two_at(z + v));
-    put_two_at(depth_.data() + v, depth);
-    least = smaller(least, depth);
-    most = larger(most, depth);
+    const TwoLanes depth = offset - (nx * load_two(x + v) + ny * load_two(y + v) + nz * load_two(z + v));
+    store_two(depth_.data() + v, depth);
+    least = min(least, depth);
+    most = max(most, depth);
   }
   return {std::min(least[0], least[1]), std::max(most[0], most[1])};
 }

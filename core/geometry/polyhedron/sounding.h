@@ -1,16 +1,9 @@
 #pragma once
 
+#include "geometry/halfspace.h"
 #include "geometry/outline.h"
 
 namespace halfspace {
-
-/// Inside is where the depth is not negative. The normal has any length.
-struct CuttingPlane {
-  Vector<3> normal;
-  double offset;
-
-  double depth(const Vector<3>& p) const { return offset - normal.dot(p); }
-};
 
 struct DepthRange {
   double least;
@@ -22,7 +15,7 @@ class Sounding {
  public:
   explicit Sounding(Memory* memory) : depth_(memory) {}
 
-  DepthRange take(const Outline<3>& block, const CuttingPlane& plane) {
+  DepthRange take(const Outline<3>& block, const Halfspace<3>& plane) {
     return take(std::size_t(block.vertex_count()), block.x, block.y, block.z, plane);
   }
 
@@ -34,7 +27,7 @@ class Sounding {
 
  private:
   DepthRange take(std::size_t count, const double* x, const double* y, const double* z,
-                  const CuttingPlane& plane);
+                  const Halfspace<3>& plane);
 
   Array<double> depth_;
 };

@@ -9,7 +9,7 @@ namespace halfspace {
 /// neighbouring face. Half-edge h starts at corner h of Polyhedron::face_vertices.
 class HalfEdges {
  public:
-  /// All vertices of the polyhedron's loops exist.
+  /// Requires that all vertices of the loops exist.
   explicit HalfEdges(const Polyhedron& polyhedron);
 
   std::int32_t count() const { return std::int32_t(face_.size()); }
@@ -49,7 +49,7 @@ inline std::int64_t topology_length(std::int64_t vertices, std::int64_t edges, s
 /// Owns the arrays that a Topology points to.
 class TopologyArrays {
  public:
-  /// check_polyhedron() finds no fault with the polyhedron's surface.
+  /// Requires a polyhedron with whose surface check_polyhedron() finds no fault.
   TopologyArrays(const Polyhedron& polyhedron, Memory* memory);
   TopologyArrays(const TopologyArrays&) = delete;  // the view points into its own arrays
   TopologyArrays& operator=(const TopologyArrays&) = delete;

@@ -67,15 +67,14 @@ inline Tensor<3> symmetric_tensor(const Vector<3>& squares, const Vector<3>& acr
 
 template <class Number>
 VolumeAndMoment with_origin_at(const Vector<3>& p, const VolumeSums<Number>& sums) {
-  const double volume = sum_of_lanes(sums.volume) / 6;
-  return {volume, sum_of_lanes(sums.moment) / 24 + volume * p};
+  const double volume = reduce(sums.volume) / 6;
+  return {volume, reduce(sums.moment) / 24 + volume * p};
 }
 template <class Number>
 VolumeAndSpread with_origin_at(const Vector<3>& p, const SpreadSums<Number>& sums) {
-  const double sixfold = sum_of_lanes(sums.volume);
-  const Vector<3> centroid = sum_of_lanes(sums.moment) / (4 * sixfold);
-  const Tensor<3> mean =
-      symmetric_tensor(sum_of_lanes(sums.squares), sum_of_lanes(sums.across)) / (20 * sixfold);
+  const double sixfold = reduce(sums.volume);
+  const Vector<3> centroid = reduce(sums.moment) / (4 * sixfold);
+  const Tensor<3> mean = symmetric_tensor(reduce(sums.squares), reduce(sums.across)) / (20 * sixfold);
   return {with_origin_at<Number>(p, static_cast<const VolumeSums<Number>&>(sums)),
           mean - centroid * centroid.transpose()};
 }

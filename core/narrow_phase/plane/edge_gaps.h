@@ -29,7 +29,7 @@ struct EdgesOfOne {
   const Outline<2>& other;
 
   [[gnu::always_inline]] HalfspaceLanes edges(int e) const {
-    return {{two_at(owner.nx + e), two_at(owner.ny + e)}, two_at(owner.offset + e)};
+    return {{load_two(owner.nx + e), load_two(owner.ny + e)}, load_two(owner.offset + e)};
   }
   [[gnu::always_inline]] DirectionLanes vertices(int v) const { return {both(other.x[v]), both(other.y[v])}; }
   [[gnu::always_inline]] int vertex_count() const { return other.count; }
@@ -70,11 +70,11 @@ template <int pairs, class Blocks, class Lanes>
   for (int k = 0; k < pairs; ++k) {
     normal[k] = turned(at.into_other, blocks.edges(e + 2 * k).normal);
     gap[k] = heights_along(normal[k], blocks.vertices(0));
-    gap[k] = smaller(gap[k], heights_along(normal[k], blocks.vertices(1)));
-    gap[k] = smaller(gap[k], heights_along(normal[k], blocks.vertices(2)));
+    gap[k] = min(gap[k], heights_along(normal[k], blocks.vertices(1)));
+    gap[k] = min(gap[k], heights_along(normal[k], blocks.vertices(2)));
   }
   for (int v = 3; v < blocks.vertex_count(); ++v) {
-    for (int k = 0; k < pairs; ++k) gap[k] = smaller(gap[k], heights_along(normal[k], blocks.vertices(v)));
+    for (int k = 0; k < pairs; ++k) gap[k] = min(gap[k], heights_along(normal[k], blocks.vertices(v)));
   }
   for (int k = 0; k < pairs; ++k) {
     const HalfspaceLanes edges = blocks.edges(e + 2 * k);
@@ -85,7 +85,7 @@ template <int pairs, class Blocks, class Lanes>
 
 /// The larger of each lane of two pairs of edges that follow one another.
 inline IndexedLanes larger_of_two(const std::array<TwoLanes, 2>& gaps, TwoLanes first_edges) {
-  return larger(IndexedLanes{gaps[0], first_edges}, IndexedLanes{gaps[1], first_edges + both(2)});
+  return max(IndexedLanes{gaps[0], first_edges}, IndexedLanes{gaps[1], first_edges + both(2)});
 }
 
 /// The largest gap among the edges of `owner`. Of the other's arrays only the vertices are read.
@@ -98,10 +98,10 @@ template <class Lanes>
   int e = 4;
   for (; e + 2 < owner.count; e += 4) {
     edge += both(4);
-    largest = larger(largest, larger_of_two(gaps_at<2>(e, blocks, at), edge));
+    largest = max(largest, larger_of_two(gaps_at<2>(e, blocks, at), edge));
   }
-  if (e < owner.count) largest = larger(largest, IndexedLanes{gaps_at<1>(e, blocks, at)[0], edge + both(4)});
-  return larger(largest, IndexedLanes{exchanged(largest.value), exchanged(largest.index)});
+  if (e < owner.count) largest = max(largest, IndexedLanes{gaps_at<1>(e, blocks, at)[0], edge + both(4)});
+  return max(largest, IndexedLanes{exchanged(largest.value), exchanged(largest.index)});
 }
 
 /// The largest gap of each of two triangles, both side by side: no lane is lost on padding, and there is no
@@ -111,7 +111,7 @@ template <class Lanes>
                                                                const Placement<Lanes>& at) {
   const EdgesOfTriangles blocks{a, b};
   const auto gaps_of = [&](int e) { return IndexedLanes{gaps_at<1>(e, blocks, at)[0], both(e)}; };
-  return larger(larger(gaps_of(0), gaps_of(1)), gaps_of(2));
+  return max(max(gaps_of(0), gaps_of(1)), gaps_of(2));
 }
 
 }  // namespace halfspace

@@ -4,7 +4,8 @@
 #include "narrow_phase/pair.h"
 #include "narrow_phase/plane/potential_pairs.h"
 
-// The contact region of two polygons at the potential pair of largest gap, an edge and the vertex before it:
+// The contact region of two polygons at a potential pair, an edge and the vertex before it; most often the
+// remembered one:
 //
 //   the other block's edge at the vertex is near to parallel, and the two overlap: edge on edge, two points
 //   else the foot of the vertex lies on the edge: vertex on edge, one point

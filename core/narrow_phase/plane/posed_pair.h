@@ -6,8 +6,8 @@
 
 namespace halfspace {
 
-/// Judges all pairs of polygons that have so many vertices at most, and within most_combinations. Compiled
-/// once more for few, where the loops over them come to an end that is known.
+/// Judges all potential pairs of polygons with at most `most_vertices` each, within most_combinations. A
+/// known bound lets the loops be unrolled.
 template <int most_vertices>
 [[gnu::always_inline]] inline Separation<2> find_separation_of_few(const PosedPair<2>& posed,
                                                                    const Placement<Turns>& seen) {
@@ -28,29 +28,29 @@ template <int most_vertices>
 /// The contact of polygons that overlap, given b as it is seen from a.
 inline Contact<2> describe_overlap(const PosedPair<2>& posed, const Outline<2>& b, const Vector<2>& to_b,
                                    const Rotation<2>& frame_of_a, const PotentialPair<2>& least_depth,
-                                   const DetectOptions& options, PairMemory<2>& memory) {
+                                   const DetectOptions& options, Witness<2>& witness) {
   Contact<2> contact;
-  describe_overlap(posed.a.outline(), b, to_b, least_depth, options, memory, contact);
+  describe_overlap(posed.a.outline(), b, to_b, least_depth, options, witness, contact);
   place(contact, frame_of_a, Vector<2>(posed.at_a.position));
   return contact;
 }
 
 /// Looks at the shapes, each in its own frame as long as that will do, and remembers the pair that it finds.
 /// The contact is in the host's frame. `room` is for the outline of a polygon of many vertices. Inlined by
-/// force: what it finds would go through memory else.
+/// force: what it finds would go through memory otherwise.
 [[gnu::always_inline]] inline Contact<2> search_pair(const PosedPair<2>& posed, const Frames<2>& frames,
-                                                     const PairOptions& options, PairMemory<2>& memory,
+                                                     const PairOptions& options, Witness<2>& witness,
                                                      Memory* room) {
   const Outline<2>&a = posed.a.outline(), &b = posed.b.outline();
   const auto without_region = [&](Separation<2> found) {
     const bool apart = found.gap > options.margin;
     if (!apart) found.gap = refresh(a, b, frames.seen, found.pair);  // looks for its vertex, only now
-    memory = {apart ? PairMemory<2>::separated : PairMemory<2>::unknown, found.pair};
+    witness = {apart ? Witness<2>::separated : Witness<2>::unknown, found.pair};
     return contact_at(found, apart ? ContactType::none : ContactType::vertex_edge, posed, frames.turns);
   };
-  if (memory.state == PairMemory<2>::separated) {
-    const double gap = refresh(a, b, frames.seen, memory.pair);
-    if (gap > options.margin) return without_region({gap, memory.pair});
+  if (witness.state == Witness<2>::separated) {
+    const double gap = refresh(a, b, frames.seen, witness.pair);
+    if (gap > options.margin) return without_region({gap, witness.pair});
   }
   Separation<2> found;
   const auto is_found = [&] { return found.gap > options.margin || !options.with_region; };
@@ -60,12 +60,12 @@ inline Contact<2> describe_overlap(const PosedPair<2>& posed, const Outline<2>& 
     if (is_found()) return without_region(found);
   }
   const Vector<2> to_b = frames.to_b();
-  const TurnedOutline turned(b, frames.b_in_a(), room);
+  const TurnedPolygon turned(b, frames.b_in_a(), room);
   if (!by_all) {
     found = find_separation_by_merge(a, turned.outline(), to_b, options.margin);
     if (is_found()) return without_region(found);
   }
-  return describe_overlap(posed, turned.outline(), to_b, frames.of_a(), found.pair, options, memory);
+  return describe_overlap(posed, turned.outline(), to_b, frames.of_a(), found.pair, options, witness);
 }
 
 }  // namespace halfspace

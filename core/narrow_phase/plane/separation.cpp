@@ -2,10 +2,10 @@
 
 #include "narrow_phase/plane/potential_pairs.h"
 
-// In the plane the half-spaces of both outlines, sorted by direction, merge into the outline of the Minkowski
-// difference: each is a potential pair with the vertex that the merge has come to (docs/theory.md), so that
-// all pairs are seen in count_a + count_b steps. The largest gap decides; one above the margin ends the
-// search.
+// Polygons of many vertices: the half-spaces of both outlines, sorted by direction, merge into the outline of
+// the Minkowski difference. Each is a potential pair with the vertex that the merge has come to
+// (docs/theory.md), so that all pairs are seen in count_a + count_b steps. The largest gap decides; one above
+// the margin ends the search. Others go by all combinations (separation.h).
 
 namespace halfspace {
 

@@ -34,14 +34,14 @@ inline double height_along(const Vector<2>& normal, const Outline<2>& block, int
 /// out. Two vertices at a time, and selections instead of branches: which vertex it is is as good as random.
 inline int deepest_vertex(const Outline<2>& block, const Vector<2>& normal) {
   const TwoLanes nx = both(normal.x()), ny = both(normal.y());
-  const auto heights_at = [&](int v) { return nx * two_at(block.x + v) + ny * two_at(block.y + v); };
+  const auto heights_at = [&](int v) { return nx * load_two(block.x + v) + ny * load_two(block.y + v); };
   TwoLanes vertex = {0, 1};
   IndexedLanes deepest = {heights_at(0), vertex};
   for (int v = 2; v < block.count; v += 2) {
     vertex += both(2);
-    deepest = smaller(deepest, {heights_at(v), vertex});
+    deepest = min(deepest, {heights_at(v), vertex});
   }
-  return int(smaller(deepest, {exchanged(deepest.value), exchanged(deepest.index)}).index[0]);
+  return int(min(deepest, {exchanged(deepest.value), exchanged(deepest.index)}).index[0]);
 }
 
 /// The same for a block of many vertices, by a walk from a vertex near it.

@@ -8,31 +8,31 @@
 namespace halfspace {
 
 /// An outline turned into another frame, in memory of its own: on the stack for most shapes.
-class TurnedOutline {
+class TurnedPolygon {
  public:
-  TurnedOutline(const Outline<2>& given, const Rotation<2>& rotation, Memory* memory)
+  TurnedPolygon(const Outline<2>& given, const Rotation<2>& rotation, Memory* memory)
       : given_(given), memory_(memory) {
     const int stride = Outline<2>::padded(given.count);
     components_ =
         stride <= most_inline ? inline_ : static_cast<double*>(memory_->allocate(bytes(), alignof(double)));
     const TwoLanes c = both(rotation.cosine), s = both(rotation.sine);
     const auto turn = [&](const double* x, const double* y, double* out_x, double* out_y) {
-      const TwoLanes px = two_at(x), py = two_at(y);
-      put_two_at(out_x, c * px - s * py);
-      put_two_at(out_y, s * px + c * py);
+      const TwoLanes px = load_two(x), py = load_two(y);
+      store_two(out_x, c * px - s * py);
+      store_two(out_y, s * px + c * py);
     };
     double *x = component(0), *y = component(1), *nx = component(2), *ny = component(3);
     for (int i = 0, count = given.count; i < count; i += 2) {
       turn(given.x + i, given.y + i, x + i, y + i);
       turn(given.nx + i, given.ny + i, nx + i, ny + i);
-      put_two_at(component(4) + i, two_at(given.offset + i));
+      store_two(component(4) + i, load_two(given.offset + i));
     }
   }
-  ~TurnedOutline() {
+  ~TurnedPolygon() {
     if (components_ != inline_) memory_->deallocate(components_, bytes(), alignof(double));
   }
-  TurnedOutline(const TurnedOutline&) = delete;
-  TurnedOutline& operator=(const TurnedOutline&) = delete;
+  TurnedPolygon(const TurnedPolygon&) = delete;
+  TurnedPolygon& operator=(const TurnedPolygon&) = delete;
 
   Outline<2> outline() const {
     return {given_.count, component(0), component(1), component(2), component(3), component(4)};

@@ -161,12 +161,12 @@ inline void ExpandingPolytope<Four>::put_fan(const Edge* edges, int count, int t
     const Four nx = from_y * to_z - from_z * to_y, ny = from_z * to_x - from_x * to_z,
                nz = from_x * to_y - from_y * to_x;
     const Four square = nx * nx + ny * ny + nz * nz, height = nx * apex_x + ny * apex_y + nz * apex_z;
-    const Four limit = height + all_four<Four>(rounding_) * square_roots(square);
+    const Four limit = height + all_four<Four>(rounding_) * sqrt(square);
     // Three corners on a line span no plane: never the nearest, and nothing lies beyond it.
-    const Four divisor = where_less(zero, square, square, all_four<Four>(1));
+    const Four divisor = select_less(zero, square, square, all_four<Four>(1));
     const Four distance_square =
-        where_less(zero, square, height / divisor * where_less(height, zero, zero - height, height),
-                   all_four<Four>(HUGE_VAL));
+        select_less(zero, square, height / divisor * select_less(height, zero, zero - height, height),
+                    all_four<Four>(HUGE_VAL));
     for (int lane = 0; lane < lanes && first + lane < count; ++lane) {
       const auto [start, end] = edges[first + lane];
       const int f = places[first + lane];
@@ -192,11 +192,11 @@ inline void ExpandingPolytope<Four>::forget_facet(int f) {
 /// Places in which there is no facet yet.
 template <class Four>
 inline void ExpandingPolytope<Four>::forget_four_facets(int first) {
-  put_four_at(nx_ + first, all_four<Four>(0));
-  put_four_at(ny_ + first, all_four<Four>(0));
-  put_four_at(nz_ + first, all_four<Four>(0));
-  put_four_at(limit_ + first, all_four<Four>(0));
-  put_four_at(distance_square_ + first, all_four<Four>(HUGE_VAL));
+  store_four(nx_ + first, all_four<Four>(0));
+  store_four(ny_ + first, all_four<Four>(0));
+  store_four(nz_ + first, all_four<Four>(0));
+  store_four(limit_ + first, all_four<Four>(0));
+  store_four(distance_square_ + first, all_four<Four>(HUGE_VAL));
 }
 
 /// Which facets they are is as good as random: no branches.
@@ -211,17 +211,17 @@ inline void ExpandingPolytope<Four>::find_visible(const Vector<3>& from, Visible
     std::uint64_t bits = 0;
     for (int f = word; f < std::min(word + 64, facet_count_); f += lanes) {
       const Four height =
-          four_at<Four>(nx_ + f) * x + four_at<Four>(ny_ + f) * y + four_at<Four>(nz_ + f) * z;
-      const Four clearance = four_at<Four>(limit_ + f) - height;
+          load_four<Four>(nx_ + f) * x + load_four<Four>(ny_ + f) * y + load_four<Four>(nz_ + f) * z;
+      const Four clearance = load_four<Four>(limit_ + f) - height;
       bits |= std::uint64_t(signs_of_four(clearance)) << f % 64;
-      least = smaller(
+      least = min(
           least,
-          {where_less(clearance, all_four<Four>(0), never, four_at<Four>(distance_square_ + f)), index});
+          {select_less(clearance, all_four<Four>(0), never, load_four<Four>(distance_square_ + f)), index});
       index = index + all_four<Four>(lanes);
     }
     visible.bits[visible.words++] = bits;
   }
-  const IndexedLanes nearest = smallest(least);
+  const IndexedLanes nearest = reduce_min(least);
   visible.nearest_other = {nearest.value[0], int(nearest.index[0])};
 }
 

@@ -239,7 +239,7 @@ Separation<3> refined(const MinkowskiDifference<Turn>& difference, const Separat
   return best;
 }
 
-/// No plane was found between the blocks. Where rounding has hidden it, the gap found may be above 0.
+/// For blocks between which no plane was found. Where rounding has hidden it, the gap found may be above 0.
 template <class Four, class Turn>
 [[gnu::always_inline]] inline Separation<3> least_depth(const MinkowskiDifference<Turn>& difference,
                                                         const Simplex& around_origin) {
@@ -259,8 +259,8 @@ template <class Four, class Turn>
   }
 }
 
-/// The blocks lie flat in one plane, to rounding, and meet there: no polytope has room for them. Any face
-/// will do to begin with.
+/// For blocks that lie flat in one plane, to rounding, and meet there: no polytope has room for them. Any
+/// face will do to begin with.
 template <class Turn>
 Separation<3> least_depth_of_flat(const MinkowskiDifference<Turn>& difference, const Simplex& flat) {
   const FoundFacet facet{flat.nearest, flat.corner[0], false};

@@ -7,7 +7,7 @@
 #include "narrow_phase/space/pair.h"
 #include "narrow_phase/space/potential_pairs.h"
 
-// The contact region of two polyhedra at the potential pair of largest gap:
+// The contact region of two polyhedra at a potential pair, most often the remembered one:
 //
 //   a plain contact, by far the most, is described at once (manifold_at_point.h)
 //   a face and a vertex: face on face, edge on face or vertex on face (manifold_faces.h)
@@ -168,12 +168,11 @@ void describe_contact(const SeenOutline& a, const SeenOutline& b, const Vector<3
 }
 
 bool describe_plainly_touching(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
-                               const PairMemory<3>& memory, const DetectOptions& options,
-                               Contact<3>& contact) {
-  if (memory.state != PairMemory<3>::touching ||
-      describe_plain_contact(a, b, to_b, memory.pair, options, contact) != Plain::and_touching)
+                               const Witness<3>& witness, const DetectOptions& options, Contact<3>& contact) {
+  if (witness.state != Witness<3>::touching ||
+      describe_plain_contact(a, b, to_b, witness.pair, options, contact) != Plain::and_touching)
     return false;
-  contact.pair = memory.pair;
+  contact.pair = witness.pair;
   return true;
 }
 

@@ -51,14 +51,14 @@ double gap_at_face(const Outline<3>& owner, int face, const Outline<3>& other, c
   });
 }
 
-double gap_at_plane(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, PairMemory<3>& memory) {
-  const Vector<3>& normal = memory.proof;
+double gap_at_plane(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, Witness<3>& witness) {
+  const Vector<3>& normal = witness.proof;
   if (are_few(std::max(a.vertex_count(), b.vertex_count()))) {
     return with_widest_lanes([&]<class Four>() __attribute__((always_inline)) {
       return (least_height<Four>(b, normal) + least_height<Four>(a, -normal)) + normal.dot(to_b);
     });
   }
-  PotentialPair<3>& pair = memory.pair;
+  PotentialPair<3>& pair = witness.pair;
   if (pair.kind == PotentialPair<3>::vertex_vertex) return gap_along(a, b, to_b, normal, pair.a, pair.b);
   std::int32_t near_a = a.topology->edge_start[pair.a], near_b = b.topology->edge_start[pair.b];
   return gap_along(a, b, to_b, normal, near_a, near_b);
@@ -141,28 +141,28 @@ double refresh(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b
   }
 }
 
-double refresh(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, PairMemory<3>& memory) {
+double refresh(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, Witness<3>& witness) {
   using Pair = PotentialPair<3>;
-  Pair& pair = memory.pair;
+  Pair& pair = witness.pair;
   if (pair.kind == Pair::face_vertex) return gap_at_face(a, pair.a, b, to_b, pair.b);
   if (pair.kind == Pair::vertex_face) return gap_at_face(b, pair.b, a, -to_b, pair.a);
-  const double gap = gap_at_plane(a, b, to_b, memory);
+  const double gap = gap_at_plane(a, b, to_b, witness);
   if (gap > 0 || pair.kind == Pair::vertex_vertex) return gap;
   // The edges may still keep them apart, with the normal that they have by now.
-  memory.proof = edge_pair_normal(a, pair.a, b, pair.b);
-  return gap_at_plane(a, b, to_b, memory);
+  witness.proof = edge_pair_normal(a, pair.a, b, pair.b);
+  return gap_at_plane(a, b, to_b, witness);
 }
 
 PotentialPair<3> initial_pair(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
-                              const PairMemory<3>& memory) {
-  const PotentialPair<3>& pair = memory.pair;
+                              const Witness<3>& witness) {
+  const PotentialPair<3>& pair = witness.pair;
   if (pair.kind != PotentialPair<3>::vertex_vertex) return pair;
-  const int deepest_of_a = a.deepest_near(-memory.proof, pair.a).vertex;
-  const int deepest_of_b = b.deepest_near(memory.proof, pair.b).vertex;
-  PotentialPair<3> of_a{PotentialPair<3>::face_vertex, face_along(a, deepest_of_a, memory.proof),
+  const int deepest_of_a = a.deepest_near(-witness.proof, pair.a).vertex;
+  const int deepest_of_b = b.deepest_near(witness.proof, pair.b).vertex;
+  PotentialPair<3> of_a{PotentialPair<3>::face_vertex, face_along(a, deepest_of_a, witness.proof),
                         deepest_of_b};
   PotentialPair<3> of_b{PotentialPair<3>::vertex_face, deepest_of_a,
-                        face_along(b, deepest_of_b, -memory.proof)};
+                        face_along(b, deepest_of_b, -witness.proof)};
   const double gap_of_a = refresh(a, b, to_b, of_a), gap_of_b = refresh(a, b, to_b, of_b);
   return gap_of_a >= gap_of_b ? of_a : of_b;
 }

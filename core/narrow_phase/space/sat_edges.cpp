@@ -58,7 +58,7 @@ struct CrossingEdges {
       EdgeSet set = 0;
       for (int e = 0; e < other_count; e += 2) {
         const TwoLanes climb =
-            two_at(others.x + e) * nx + two_at(others.y + e) * ny + two_at(others.z + e) * nz;
+            load_two(others.x + e) * nx + load_two(others.y + e) * ny + load_two(others.z + e) * nz;
         set |= EdgeSet(signs(climb)) << e;
       }
       descending[f] = set;

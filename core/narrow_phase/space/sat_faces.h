@@ -21,7 +21,7 @@ inline FaceGap largest_face_gap(const Outline<3>& owner, const Outline<3>& other
     TwoLanes along(TwoLanes px, TwoLanes py, TwoLanes pz) const { return x * px + y * py + z * pz; }
   };
   const auto normals_at = [&](int f) {
-    return Normals{two_at(owner.nx + f), two_at(owner.ny + f), two_at(owner.nz + f)};
+    return Normals{load_two(owner.nx + f), load_two(owner.ny + f), load_two(owner.nz + f)};
   };
   const int vertices = other.vertex_count();
   IndexedLanes largest = {both(-HUGE_VAL), both(0)};
@@ -31,17 +31,17 @@ inline FaceGap largest_face_gap(const Outline<3>& owner, const Outline<3>& other
     TwoLanes deepest_first = both(HUGE_VAL), deepest_second = both(HUGE_VAL);
     for (int v = 0; v < vertices; ++v) {
       const TwoLanes x = both(other.x[v]), y = both(other.y[v]), z = both(other.z[v]);
-      deepest_first = smaller(deepest_first, first.along(x, y, z));
-      deepest_second = smaller(deepest_second, second.along(x, y, z));
+      deepest_first = min(deepest_first, first.along(x, y, z));
+      deepest_second = min(deepest_second, second.along(x, y, z));
     }
     const double index = f;
-    const TwoLanes gap_first = (deepest_first + first.along(to_x, to_y, to_z)) - two_at(owner.offset + f);
+    const TwoLanes gap_first = (deepest_first + first.along(to_x, to_y, to_z)) - load_two(owner.offset + f);
     const TwoLanes gap_second =
-        (deepest_second + second.along(to_x, to_y, to_z)) - two_at(owner.offset + f + 2);
-    largest = larger(largest, {gap_first, TwoLanes{index, index + 1}});
-    largest = larger(largest, {gap_second, TwoLanes{index + 2, index + 3}});
+        (deepest_second + second.along(to_x, to_y, to_z)) - load_two(owner.offset + f + 2);
+    largest = max(largest, {gap_first, TwoLanes{index, index + 1}});
+    largest = max(largest, {gap_second, TwoLanes{index + 2, index + 3}});
   }
-  const IndexedLanes best = larger(largest, {exchanged(largest.value), exchanged(largest.index)});
+  const IndexedLanes best = max(largest, {exchanged(largest.value), exchanged(largest.index)});
   return {best.value[0], std::min(int(best.index[0]), owner.face_count() - 1)};  // padding repeats the last
 }
 

@@ -48,7 +48,7 @@ Separation<3> find_largest_separation(const Outline<3>& a, const Outline<3>& b, 
   if (by_all_combinations(a, b)) return find_separation_by_all(a, b, to_b, HUGE_VAL);
   const Separation<3> found = find_separation(a, b, to_b);
   if (found.gap <= 0) return found;
-  PotentialPair<3> pair = descend(a, b, to_b, initial_pair(a, b, to_b, memory_of(found)));
+  PotentialPair<3> pair = descend(a, b, to_b, initial_pair(a, b, to_b, witness_of(found)));
   const double gap = refresh(SeenOutline(a), SeenOutline(b), to_b, pair);
   return gap >= found.gap ? Separation<3>{gap, pair, normal_of(a, b, pair)} : found;
 }

@@ -19,21 +19,21 @@ template <class Four = TwiceTwoLanes>
   const Four nx = all_four<Four>(direction.x()), ny = all_four<Four>(direction.y()),
              nz = all_four<Four>(direction.z()), eight = all_four<Four>(8);
   const auto heights = [&](int v) __attribute__((always_inline)) {
-    return nx * four_at<Four>(block.x + v) + ny * four_at<Four>(block.y + v) +
-           nz * four_at<Four>(block.z + v);
+    return nx * load_four<Four>(block.x + v) + ny * load_four<Four>(block.y + v) +
+           nz * load_four<Four>(block.z + v);
   };
   Four even = four_of<Four>(0, 1, 2, 3), odd = four_of<Four>(4, 5, 6, 7);
   Indexed<Four> deepest_even = {all_four<Four>(HUGE_VAL), even},
                 deepest_odd = {all_four<Four>(HUGE_VAL), odd};
   int v = 0;
   for (; v + 4 < block.vertex_count(); v += 8) {
-    deepest_even = smaller(deepest_even, {heights(v), even});
-    deepest_odd = smaller(deepest_odd, {heights(v + 4), odd});
+    deepest_even = min(deepest_even, {heights(v), even});
+    deepest_odd = min(deepest_odd, {heights(v + 4), odd});
     even = even + eight;
     odd = odd + eight;
   }
-  if (v < block.vertex_count()) deepest_even = smaller(deepest_even, {heights(v), even});
-  const IndexedLanes least = smallest(smaller(deepest_even, deepest_odd));
+  if (v < block.vertex_count()) deepest_even = min(deepest_even, {heights(v), even});
+  const IndexedLanes least = reduce_min(min(deepest_even, deepest_odd));
   return {least.value[0],
           std::min(int(least.index[0]), block.vertex_count() - 1)};  // padding repeats the last
 }
@@ -68,13 +68,13 @@ template <class Four>
   const Four nx = all_four<Four>(direction.x()), ny = all_four<Four>(direction.y()),
              nz = all_four<Four>(direction.z());
   const auto heights = [&](int v) __attribute__((always_inline)) {
-    return nx * four_at<Four>(block.x + v) + ny * four_at<Four>(block.y + v) +
-           nz * four_at<Four>(block.z + v);
+    return nx * load_four<Four>(block.x + v) + ny * load_four<Four>(block.y + v) +
+           nz * load_four<Four>(block.z + v);
   };
   Four least = all_four<Four>(HUGE_VAL);
   // In this order, NaN is passed over.
-  for (int v = 0; v < block.vertex_count(); v += 4) least = smaller(heights(v), least);
-  return smallest_lane(least);
+  for (int v = 0; v < block.vertex_count(); v += 4) least = min(heights(v), least);
+  return reduce_min(least);
 }
 
 }  // namespace halfspace

@@ -34,13 +34,13 @@ class TurnedPolyhedron {
     const Vector<3> axes[] = {rotation * Vector<3>::UnitX(), rotation * Vector<3>::UnitY(),
                               rotation * Vector<3>::UnitZ()};
     for (int i = 0; i < count; i += 2) {
-      const TwoLanes px = two_at(x + i), py = two_at(y + i), pz = two_at(z + i);
+      const TwoLanes px = load_two(x + i), py = load_two(y + i), pz = load_two(z + i);
       const auto component = [&](int c) {
         return px * both(axes[0][c]) + py * both(axes[1][c]) + pz * both(axes[2][c]);
       };
-      put_two_at(turned_x + i, component(0));
-      put_two_at(turned_y + i, component(1));
-      put_two_at(turned_z + i, component(2));
+      store_two(turned_x + i, component(0));
+      store_two(turned_y + i, component(1));
+      store_two(turned_z + i, component(2));
     }
   }
 

@@ -54,9 +54,9 @@ template <class Four>
   // Summed up, so that no NaN gets lost.
   Four outside = none;
   for (int f = 0; f < block.face_count(); f += 4) {
-    const Four height = four_at<Four>(block.nx + f) * x + four_at<Four>(block.ny + f) * y +
-                        four_at<Four>(block.nz + f) * z - four_at<Four>(block.offset + f);
-    outside = outside + where_less(height, none, none, height);
+    const Four height = load_four<Four>(block.nx + f) * x + load_four<Four>(block.ny + f) * y +
+                        load_four<Four>(block.nz + f) * z - load_four<Four>(block.offset + f);
+    outside = outside + select_less(height, none, none, height);
   }
   const TwoLanes two = low_half(outside) + high_half(outside);
   return two[0] + two[1] == 0;
@@ -79,20 +79,21 @@ bool overlap_at_pair(const Outline<3>& a, const Outline<3>& b, const Vector<3>& 
 
 }  // namespace
 
-bool still_touching(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, PairMemory<3>& memory) {
-  if (!touching(memory)) return false;
-  if (memory.state == PairMemory<3>::overlapping) return both_contain(a, b, to_b, memory.proof);
+bool still_touching(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, Witness<3>& witness) {
+  if (!touching(witness)) return false;
+  if (witness.state == Witness<3>::overlapping) return both_contain(a, b, to_b, witness.proof);
   // The faster one first (bench_pairs_3d, stepped pairs).
   constexpr int few_faces = 32;
   const bool point_first =
-      memory.pair.kind != PotentialPair<3>::edge_edge && a.face_count() + b.face_count() <= few_faces;
-  if (point_first && both_contain(a, b, to_b, memory.proof)) return true;
-  return overlap_at_pair(a, b, to_b, memory.pair) || (!point_first && both_contain(a, b, to_b, memory.proof));
+      witness.pair.kind != PotentialPair<3>::edge_edge && a.face_count() + b.face_count() <= few_faces;
+  if (point_first && both_contain(a, b, to_b, witness.proof)) return true;
+  return overlap_at_pair(a, b, to_b, witness.pair) ||
+         (!point_first && both_contain(a, b, to_b, witness.proof));
 }
 
-void remember_proof(const Contact<3>& contact, const Vector<3>& to_b, PairMemory<3>& memory) {
+void remember_proof(const Contact<3>& contact, const Vector<3>& to_b, Witness<3>& witness) {
   if (contact.pair.kind == PotentialPair<3>::edge_edge) {
-    memory.proof = contact.center;
+    witness.proof = contact.center;
     return;
   }
   // From the point that lies behind the face halfway out towards the centroid of its own block: inside that,
@@ -104,7 +105,7 @@ void remember_proof(const Contact<3>& contact, const Vector<3>& to_b, PairMemory
   const double rise = (is_of_a ? 1 : -1) * contact.normal.dot(inward);
   const bool has_inside = is_told_from_0(rise, inward);  // not a block as small as the other's rounding
   const double above_zero = rise + (has_inside ? 0 : HUGE_VAL);  // as compilers divide ahead of the choice
-  memory.proof = point - 0.5 * contact.center_gap / above_zero * inward;
+  witness.proof = point - 0.5 * contact.center_gap / above_zero * inward;
 }
 
 }  // namespace halfspace

@@ -159,7 +159,7 @@ pub struct BlockState {
     pub material: Material,
     /// Of the centroid.
     pub pose: Pose,
-    /// In the plane: turned by motion since the block was added, in radians, unbounded.
+    /// In the plane: the angle of the pose, in radians, counting whole turns.
     pub angle: f64,
     /// Of the centroid.
     pub velocity: [f64; 3],

@@ -21,7 +21,7 @@ pub struct Energy {
     pub local_damping_loss: f64,
     /// By mass-proportional damping, so far.
     pub mass_damping_loss: f64,
-    /// By prescribed blocks, applied forces and edits, so far.
+    /// By prescribed blocks, applied forces, surface loads and edits, so far.
     pub outer_work: f64,
     /// All but the outer work, minus the outer work: what the numbers themselves made or lost.
     pub residual: f64,

@@ -48,7 +48,7 @@ impl WorldDef {
             sys::hs_world_def_init(raw.as_mut_ptr(), size_of::<sys::hs_world_def>(), known);
             raw.assume_init()
         };
-        raw.dimension = dimension; // another than 2 and 3 is refused when the world is made
+        raw.dimension = dimension; // any other than 2 or 3 is refused when the world is made
         Self { raw }
     }
 

@@ -13,7 +13,9 @@
 // another block is the sum over cells of what they have in common, one for each edge that is the nearest
 // somewhere:
 //
-//   near edges      those behind which the other block reaches no deeper than behind the one it reaches least
+//   near edges      those behind which the shallowest vertex of the other block is no deeper than the deepest
+//   one
+//                   behind the edge that the other block reaches least
 //   intersection    the other block cut by the near edges of the owner
 //   cell of an edge the intersection cut by the half-planes where that edge is nearer than each other one
 //   the cell adds   its area times the edge's normal, at the cell's centroid
@@ -120,17 +122,17 @@ void find_near_edges(Owner& owner, const Outline<2>& other, const Vector<2>& shi
   const Vector<2> to_other = shift_of_other - owner.shift;
   TwoLanes reach = both(HUGE_VAL), reaching{}, edge{0, 1};
   for (int e = 0; e < block.count; e += 2, edge += both(2)) {
-    const TwoLanes nx = two_at(block.nx + e), ny = two_at(block.ny + e);
-    const TwoLanes offset = two_at(block.offset + e) - nx * both(to_other.x()) - ny * both(to_other.y());
+    const TwoLanes nx = load_two(block.nx + e), ny = load_two(block.ny + e);
+    const TwoLanes offset = load_two(block.offset + e) - nx * both(to_other.x()) - ny * both(to_other.y());
     TwoLanes least = both(HUGE_VAL), most = both(-HUGE_VAL);
     for (int v = 0; v < other.count; ++v) {
       const TwoLanes depth = offset - nx * both(other.x[v]) - ny * both(other.y[v]);
-      least = smaller(least, depth);
-      most = larger(most, depth);
+      least = min(least, depth);
+      most = max(most, depth);
     }
-    put_two_at(least_depth + e, least);
+    store_two(least_depth + e, least);
     reaching = most < reach ? edge : reaching;
-    reach = smaller(most, reach);
+    reach = min(most, reach);
   }
   const double depth = std::min(reach[0], reach[1]);
   const int first = std::min(int(reach[1] < reach[0] ? reaching[1] : reaching[0]), block.count - 1);

@@ -56,16 +56,16 @@ void CellDivision::find_depths(const DividedPolyhedron& polyhedron, DividedPolyh
   double largest = largest_coordinate;
   for (std::size_t k = 0; k < near.size(); k += 2) {
     NearFace &one = near[k], &other = near[std::min(k + 1, near.size() - 1)];
-    const CuttingPlane &p = one.plane, &q = other.plane;
+    const Halfspace<3>&p = one.plane, &q = other.plane;
     const TwoLanes nx{p.normal.x(), q.normal.x()}, ny{p.normal.y(), q.normal.y()},
         nz{p.normal.z(), q.normal.z()}, offset{p.offset, q.offset};
     TwoLanes least = both(HUGE_VAL), most = both(-HUGE_VAL);
     for (const Index v : whole) {
       const Vector<3> at = polyhedron.position(v);
       const TwoLanes depth = offset - (nx * both(at.x()) + ny * both(at.y()) + nz * both(at.z()));
-      put_two_at(depths(v) + k, depth);
-      least = smaller(least, depth);
-      most = larger(most, depth);
+      store_two(depths(v) + k, depth);
+      least = min(least, depth);
+      most = max(most, depth);
     }
     one.depths = {least[0], most[0]};
     other.depths = {least[1], most[1]};
@@ -91,8 +91,8 @@ std::size_t CellDivision::list_near_faces(const Array<NearFace>& near) {
   return count;
 }
 
-/// Of what one face wins against another it is enough to know how much it is, where no third one wins against
-/// either: the part stays whole, as if this face were not there.
+/// Where no third face wins against either of two, it is enough to know how much the one wins against the
+/// other: the part stays whole, as if this face were not there.
 void CellDivision::divide_part(const Part& part, Array<NearFace>& near) {
   Index* const face = lists_.data() + part.first;
   VolumeAndMoment rest = part.content;
@@ -149,15 +149,15 @@ std::size_t CellDivision::find_rivals(const Part& part) {
   return kept;
 }
 
-/// Of the nearest face before two rivals: how much deeper the vertices are behind these.
+/// The leads of the nearest face before two rivals: how much deeper the vertices are behind these.
 std::array<DepthRange, 2> CellDivision::find_leads(DividedPolyhedron::Part vertices, Index nearest,
                                                    Index rival, Index other) {
   TwoLanes least = both(HUGE_VAL), most = both(-HUGE_VAL);
   for (const Index v : vertices) {
     const double* const depth = depths(v);
     const TwoLanes lead = TwoLanes{depth[rival], depth[other]} - both(depth[nearest]);
-    least = smaller(least, lead);
-    most = larger(most, lead);
+    least = min(least, lead);
+    most = max(most, lead);
   }
   return {{{least[0], most[0]}, {least[1], most[1]}}};
 }
@@ -175,7 +175,7 @@ void CellDivision::cut_edges(const Part& part) {
   });
 }
 
-/// Of the faces from the third one on: where the second one is nearer than the first one, they are not.
+/// Are the faces from the third one on not nearer where the second one is nearer than the first one?
 bool CellDivision::others_have_nothing_inside(std::span<const Index> faces) {
   for (const Index other : faces.subspan(2)) {
     const auto lead = [&](Index v) { return depths(v)[other] - depths(v)[faces[0]]; };

@@ -29,9 +29,9 @@ class CellDivision {
               Array<NearFace>& near, DivisionRecord* record);
 
  private:
-  /// Of the lists from `first` on: its near faces and its vertices. To each point of its content one of these
-  /// faces is the nearest. What other faces have been given already is still within its vertices, but not in
-  /// its content; there none of its faces is nearer than the first one.
+  /// A part has its near faces and vertices in the lists from `first` on. To each point of its content one of
+  /// these faces is the nearest. What other faces have been given already is still within its vertices, but
+  /// not in its content; there none of its faces is nearer than the first one.
   struct Part {
     std::size_t first;
     std::size_t near_count;

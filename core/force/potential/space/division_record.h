@@ -41,7 +41,7 @@ class DivisionRecord {
   /// ones begin.
   void begin(const PlacedBlock& a, const PlacedBlock& b, int whole, const Array<NearFace>& near_a,
              const Array<NearFace>& near_b);
-  /// Of what the blocks have in common.
+  /// The record of the common part of the blocks.
   void add_corners(const DividedPolyhedron& intersection, DividedPolyhedron::Part vertices);
   /// From here on it is divided by the near faces of this block.
   void divide_by(int owner) { owner_ = owner; }

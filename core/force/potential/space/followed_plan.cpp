@@ -46,7 +46,7 @@ class Follower {
 
   PlanCode next() { return *code_++; }
 
-  /// Of the next four of a list that has so many codes each: a code of each. Of fewer, the last one's again.
+  /// A code of each of the next four in a list that has so many codes each; of fewer, the last one's again.
   template <int codes_each>
   [[gnu::always_inline]] FourOf of_next_four(int which, int count = 4) const {
     const PlanCode* const code = code_ + which;
@@ -72,13 +72,13 @@ class Follower {
                               faces.lanes<Four>(outline.nz)};
         const Four offset = faces.lanes<Four>(outline.offset);
         normal_.put_four(plane_count_, normal);
-        put_four_at(offset_ + plane_count_, offset + dot_product(normal, all_four<Four>(at)));
-        largest_offset = larger(largest_offset, offset);
+        store_four(offset_ + plane_count_, offset + dot_product(normal, all_four<Four>(at)));
+        largest_offset = max(largest_offset, offset);
         pass(rest, 1, plane_count_);
       }
     }
     first_face_[2] = plane_count_;
-    rounding_ = plan_rounding_followed * plan_size(blocks_[1].at, largest_lane(largest_offset));
+    rounding_ = plan_rounding_followed * plan_size(blocks_[1].at, reduce_max(largest_offset));
   }
 
   /// Goes on behind the next four of a list, or the rest of it, and counts them.
@@ -96,7 +96,7 @@ class Follower {
     }
     // What lies behind the last plane is moved as well.
     normal_.put_four(plane_count_, Lanes{});
-    put_four_at(offset_ + plane_count_, Four{});
+    store_four(offset_ + plane_count_, Four{});
   }
 
   void move_to_first_corner() {
@@ -104,7 +104,7 @@ class Follower {
     for (PlacedBlock& block : blocks_) block.at -= origin;
     for (int f = 0; f < plane_count_; f += 4) {
       const Four height = dot_product(normal_.template four_from<Four>(f), all_four<Four>(origin));
-      put_four_at(offset_ + f, four_at<Four>(offset_ + f) - height);
+      store_four(offset_ + f, load_four<Four>(offset_ + f) - height);
     }
   }
 
@@ -138,11 +138,11 @@ class Follower {
     Lanes lower = corners_.template four_from<Four>(0), upper = lower;
     for (int c = 4; c < corner_count_; c += 4) {
       const Lanes here = corners_.template four_from<Four>(c);
-      lower = {smaller(lower.x, here.x), smaller(lower.y, here.y), smaller(lower.z, here.z)};
-      upper = {larger(upper.x, here.x), larger(upper.y, here.y), larger(upper.z, here.z)};
+      lower = {min(lower.x, here.x), min(lower.y, here.y), min(lower.z, here.z)};
+      upper = {max(upper.x, here.x), max(upper.y, here.y), max(upper.z, here.z)};
     }
-    const Vector<3> least(smallest_lane(lower.x), smallest_lane(lower.y), smallest_lane(lower.z));
-    const Vector<3> most(largest_lane(upper.x), largest_lane(upper.y), largest_lane(upper.z));
+    const Vector<3> least(reduce_min(lower.x), reduce_min(lower.y), reduce_min(lower.z));
+    const Vector<3> most(reduce_max(upper.x), reduce_max(upper.y), reduce_max(upper.z));
     center_ = 0.5 * (least + most);
     half_size_ = most - center_;
   }
@@ -179,19 +179,19 @@ class Follower {
         const Four offset = all_four<Four>(offset_[plane]);
         const Four depth = offset - dot_product(normal, corners),
                    depth_of_others = offset - dot_product(normal, others);
-        put_four_at(row, depth);
-        put_four_at(row + 4, depth_of_others);
-        least = smaller(depth, least);
-        least_of_others = smaller(depth_of_others, least_of_others);
+        store_four(row, depth);
+        store_four(row + 4, depth_of_others);
+        least = min(depth, least);
+        least_of_others = min(depth_of_others, least_of_others);
       }
       const Four rounding = all_four<Four>(rounding_);
-      put_four_at(deepest_if_nearest_ + c, least + rounding);
-      put_four_at(deepest_if_nearest_ + c + 4, least_of_others + rounding);
-      shallowest = smaller(shallowest, smaller(least, least_of_others));
-      deepest = larger(deepest, larger(least, least_of_others));
+      store_four(deepest_if_nearest_ + c, least + rounding);
+      store_four(deepest_if_nearest_ + c + 4, least_of_others + rounding);
+      shallowest = min(shallowest, min(least, least_of_others));
+      deepest = max(deepest, max(least, least_of_others));
     }
-    shallowest_ = smallest_lane(shallowest);
-    deepest_ = largest_lane(deepest);
+    shallowest_ = reduce_min(shallowest);
+    deepest_ = reduce_max(deepest);
   }
 
   /// None outside, each nearest to the same faces, and those of what the blocks have in common on the same
@@ -215,10 +215,10 @@ class Follower {
     const PlanCode* matter = which_matter_[owner];
     int near = 0;
     for (int f = 0; f < outline.face_count(); f += 4, ++matter) {
-      const Lanes normal = {four_at<Four>(outline.nx + f), four_at<Four>(outline.ny + f),
-                            four_at<Four>(outline.nz + f)};
-      const Lanes slope = {magnitude(normal.x), magnitude(normal.y), magnitude(normal.z)};
-      const Four depth = four_at<Four>(outline.offset + f) - dot_product(normal, center);
+      const Lanes normal = {load_four<Four>(outline.nx + f), load_four<Four>(outline.ny + f),
+                            load_four<Four>(outline.nz + f)};
+      const Lanes slope = {abs(normal.x), abs(normal.y), abs(normal.z)};
+      const Four depth = load_four<Four>(outline.offset + f) - dot_product(normal, center);
       near |= int(signs_of_four(depth - dot_product(slope, half_size) - deepest)) & ~*matter;
     }
     return near != 0;
@@ -247,7 +247,7 @@ class Follower {
 
   [[gnu::always_inline]] void add_to_cell(int face, const Four& moment_and_volume) {
     double* const cell = cells_ + 4 * face;
-    put_four_at(cell, four_at<Four>(cell) + moment_and_volume);
+    store_four(cell, load_four<Four>(cell) + moment_and_volume);
   }
 
   /// Returns the volume of all. What a face adds is a multiple of its normal, row by row: of the cell, and of
@@ -260,7 +260,7 @@ class Follower {
       const Vector<3> normal = normal_[plane];
       const double energy_here =
           4 * offset_[plane] * cell[3] - (normal.x() * cell[0] + normal.y() * cell[1] + normal.z() * cell[2]);
-      const Four moment_and_volume = four_at<Four>(cell);
+      const Four moment_and_volume = load_four<Four>(cell);
       const Four to_foot = all_four<Four>(energy_here) * four_of<Four>(normal.x(), normal.y(), normal.z(), 0);
       for (int i = 0; i < 3; ++i) {
         const Four slope = all_four<Four>(normal[i]);

@@ -9,7 +9,7 @@ namespace halfspace {
 /// cell: where it is the nearest.
 struct NearFace {
   int face;
-  CuttingPlane plane;
+  Halfspace<3> plane;
   DepthRange depths;  // of what the blocks have in common; at first by its bounds
   VolumeAndMoment cell;
 };

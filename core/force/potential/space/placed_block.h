@@ -10,7 +10,7 @@ struct PlacedBlock {
   const Outline<3>& outline;
   Vector<3> at;
 
-  CuttingPlane plane(int face) const {
+  Halfspace<3> plane(int face) const {
     const Vector<3> normal = outline.normal(face);
     return {normal, outline.offset[face] + normal.dot(at)};
   }

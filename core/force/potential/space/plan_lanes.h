@@ -18,13 +18,13 @@ struct Places {
   }
   template <class Four>
   [[gnu::always_inline]] Coordinates<Four> four_from(int first) const {
-    return {four_at<Four>(x + first), four_at<Four>(y + first), four_at<Four>(z + first)};
+    return {load_four<Four>(x + first), load_four<Four>(y + first), load_four<Four>(z + first)};
   }
   template <class Four>
   [[gnu::always_inline]] void put_four(int first, const Coordinates<Four>& four) {
-    put_four_at(x + first, four.x);
-    put_four_at(y + first, four.y);
-    put_four_at(z + first, four.z);
+    store_four(x + first, four.x);
+    store_four(y + first, four.y);
+    store_four(z + first, four.z);
   }
 };
 

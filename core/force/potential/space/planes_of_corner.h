@@ -42,7 +42,7 @@ class PlanesOfCorner {
   }
 
  private:
-  /// Of the volume that normals of their lengths span at most.
+  /// A share of the volume that normals of their lengths span at most.
   static constexpr double least_share = 1e-6;
 
   struct Plane {

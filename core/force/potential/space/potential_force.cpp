@@ -15,10 +15,11 @@ int face_nearest_to(const Outline<3>& block, const Vector<3>& p) {
   const TwoLanes x = both(p.x()), y = both(p.y()), z = both(p.z());
   TwoLanes least = both(HUGE_VAL), nearest{}, face{0, 1};
   for (int f = 0; f < block.face_count(); f += 2) {
-    const TwoLanes height = two_at(block.nx + f) * x + two_at(block.ny + f) * y + two_at(block.nz + f) * z;
-    const TwoLanes depth = two_at(block.offset + f) - height;
+    const TwoLanes height =
+        load_two(block.nx + f) * x + load_two(block.ny + f) * y + load_two(block.nz + f) * z;
+    const TwoLanes depth = load_two(block.offset + f) - height;
     nearest = depth < least ? face : nearest;
-    least = smaller(least, depth);
+    least = min(least, depth);
     face += both(2);
   }
   // The last face may have been looked at twice.
@@ -122,14 +123,13 @@ class Intersection {
     if (room_.least_depth.size() < count) room_.least_depth.resize(count);
     TwoLanes reach = both(HUGE_VAL);
     for (std::size_t f = 0; f < count; f += 2) {
-      const TwoLanes nx = two_at(o.nx + f), ny = two_at(o.ny + f), nz = two_at(o.nz + f);
+      const TwoLanes nx = load_two(o.nx + f), ny = load_two(o.ny + f), nz = load_two(o.nz + f);
       const TwoLanes height = nx * both(center.x()) + ny * both(center.y()) + nz * both(center.z());
-      const TwoLanes depth = two_at(o.offset + f) - height;
-      const TwoLanes spread = magnitude(nx) * both(bounds.half_size.x()) +
-                              magnitude(ny) * both(bounds.half_size.y()) +
-                              magnitude(nz) * both(bounds.half_size.z());
-      put_two_at(room_.least_depth.data() + f, depth - spread);
-      reach = smaller(reach, depth + spread);
+      const TwoLanes depth = load_two(o.offset + f) - height;
+      const TwoLanes spread = abs(nx) * both(bounds.half_size.x()) + abs(ny) * both(bounds.half_size.y()) +
+                              abs(nz) * both(bounds.half_size.z());
+      store_two(room_.least_depth.data() + f, depth - spread);
+      reach = min(reach, depth + spread);
     }
     return std::min(reach[0], reach[1]);
   }
