@@ -1,6 +1,7 @@
 #include "read_scene.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <utility>
 
@@ -21,9 +22,7 @@ constexpr int most_names = 8;
 void read_world(Keys keys, Scene& scene) {
   hs_world_def& world = scene.world;
   hs_world_def_init(&world, sizeof world, keys.dimension());
-  Point gravity;
-  std::copy(std::begin(world.gravity), std::end(world.gravity), gravity.begin());
-  gravity = keys.point("gravity", gravity);
+  const Point gravity = keys.point("gravity", std::to_array(world.gravity));
   std::copy(gravity.begin(), gravity.end(), world.gravity);
   scene.duration = keys.number("duration", above(0), required);
   world.time_step = keys.number("time_step", above(0), world.time_step);

@@ -58,7 +58,7 @@ Witness<3> read_cache(const hs_pair_cache& cache, const PosedPair<3>& posed) {
   require_feature(cache.feature_b, features.b, posed.b, "feature_b");
   Witness<3> witness{PairState::State(cache.state), pair_in(cache)};
   if (is_separated) {
-    // What has kept other shapes apart is not remembered.
+    // A plane that has kept other shapes apart is not remembered.
     if (cache.shapes != fingerprint_of(posed)) return {};
     for (const double component : cache.normal) require_finite(component, "cache->normal");
     witness.proof = Vector<3>(cache.normal);

@@ -9,7 +9,7 @@
 
 namespace halfspace::capi {
 
-/// What a refusal calls an argument: "pose", or "poses[3]" for one of an array. Put into words only then.
+/// The name of an argument in a refusal: "pose", or "poses[3]" for one of an array. Put into words only then.
 struct ArgumentName {
   ArgumentName(const char* alone) : name(alone) {}
   ArgumentName(const char* array, std::int64_t at) : name(array), index(at) {}

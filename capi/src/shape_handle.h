@@ -6,7 +6,7 @@
 #include "halfspace/shape.h"
 #include "require.h"
 
-/// What shapes of either dimension have. The shape itself follows, see ShapeHandle.
+/// The part that shapes of either dimension have. The shape itself follows, see ShapeHandle.
 struct hs_shape {
   int dimension() const { return polygon_vertices < no_polygon ? 2 : 3; }
 

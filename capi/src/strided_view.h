@@ -54,7 +54,7 @@ Vector<D> read_finite_point(const hs_view& view, std::int64_t i, const char* nam
   return p;
 }
 
-/// As read(i) reads them one by one.
+/// The points as read(i) reads them one by one.
 template <int D, class Read>
 Array<Vector<D>> read_points(hs_context* context, const hs_view& view, const char* name, Read&& read) {
   require_view<D>(view, name);

@@ -102,7 +102,7 @@ class Blocks {
   /// For an affine block.
   Deformation<D>& deformation(std::size_t slot) { return deformations_[slot]; }
   const Deformation<D>& deformation(std::size_t slot) const { return deformations_[slot]; }
-  /// Those of all affine blocks.
+  /// The deformations of all affine blocks.
   Deformations<D>& deformations() { return deformations_; }
   const Deformations<D>& deformations() const { return deformations_; }
   /// Sets how an affine block is turned and strained, and how fast.

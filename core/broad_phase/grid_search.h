@@ -9,8 +9,7 @@
 // The search of a grid per power of two, as plain loops (grid.h has the idea):
 //
 //   put each block, by the cell of its centre, into a bucket by the hash of the cell
-//   for each block, and each grid at least as coarse as its own: for the at most 3^D cells that its box
-//   reaches
+//   for each block, each grid at least as coarse as its own, and each cell there that its box reaches:
 //     for each block of that cell's bucket: report the two once if their boxes overlap
 
 namespace halfspace {

@@ -7,7 +7,7 @@
 
 namespace halfspace {
 
-/// What a potential pair in space is made of.
+/// A potential pair in space is made of these.
 enum class Feature { vertex, edge, face };
 struct FeaturesOfPair {
   Feature a;

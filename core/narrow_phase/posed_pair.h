@@ -21,7 +21,7 @@ std::uint64_t fingerprint_of(const PosedPair<D>& posed) {
   return posed.a.fingerprint() + 2 * posed.b.fingerprint();
 }
 
-/// What a host may ask of one pair. Polyhedra take the defaults of what is said here.
+/// The questions that a host may ask of one pair. Polyhedra take the defaults of what is said here.
 struct PairOptions : DetectOptions {
   double margin = 0;        // blocks with no gap above it are in contact
   bool with_region = true;  // else a contact is its pair alone

@@ -169,10 +169,8 @@ void compare_threads(const Bin& bin, int bins, const Plan& plan, int threads) {
   const int steps = std::max(2, int(plan.block_steps / blocks));
   one.step(std::max(steps, 200));
   several.step(std::max(steps, 200));
-  std::printf("%8.0f blocks: %d threads are %.2f times as fast as one\n", blocks, threads,
-              speed_up(
-                  passes, [&] { one.step(steps); }, [&] { several.step(steps); }));
-  std::fflush(stdout);
+  print_speed_up(
+      blocks, threads, passes, [&] { one.step(steps); }, [&] { several.step(steps); });
 }
 
 void time_steps(const Bin& bin, int bins, const Plan& plan) {

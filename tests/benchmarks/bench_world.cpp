@@ -95,10 +95,8 @@ void run_threads(const Plan& plan, int threads) {
     const int steps = std::max(2, int(plan.block_steps / blocks));
     one.step(steps);
     several.step(steps);
-    std::printf("%8.0f blocks: %d threads are %.2f times as fast as one\n", blocks, threads,
-                speed_up(
-                    passes, [&] { one.step(steps); }, [&] { several.step(steps); }));
-    std::fflush(stdout);
+    print_speed_up(
+        blocks, threads, passes, [&] { one.step(steps); }, [&] { several.step(steps); });
   }
 }
 

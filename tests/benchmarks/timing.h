@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <string_view>
@@ -58,10 +59,10 @@ class Passes {
   std::vector<double> seconds_;
 };
 
-/// Wall time of work on one thread over that of the same on several: minima of passes that take turns, so
-/// that both see the machine as busy as it is.
+/// Prints the wall time of work on one thread over that of the same on several: minima of passes that take
+/// turns, so that both see the machine as busy as it is.
 template <class OnOne, class OnSeveral>
-double speed_up(int passes, OnOne&& on_one, OnSeveral&& on_several) {
+void print_speed_up(double blocks, int threads, int passes, OnOne&& on_one, OnSeveral&& on_several) {
   const auto wall_seconds_of = [](auto&& work) {
     const auto start = std::chrono::steady_clock::now();
     work();
@@ -72,7 +73,9 @@ double speed_up(int passes, OnOne&& on_one, OnSeveral&& on_several) {
     one.add(wall_seconds_of(on_one));
     several.add(wall_seconds_of(on_several));
   }
-  return one.minimum() / several.minimum();
+  std::printf("%8.0f blocks: %d threads are %.2f times as fast as one\n", blocks, threads,
+              one.minimum() / several.minimum());
+  std::fflush(stdout);
 }
 
 /// Was the option given?

@@ -19,7 +19,7 @@ void check_content(const VolumeAndMoment& found, const Polyhedron& expected) {
 /// Behind a plane through a point.
 Halfspace<3> plane_at(const Vector<3>& point, const Vector<3>& normal) { return {normal, normal.dot(point)}; }
 
-/// Of a new face: the block's own come before it.
+/// The number of a new face: the block's own come before it.
 DividedPolyhedron::Index first_number(const Shape<3>& block) {
   return DividedPolyhedron::Index(block.outline().face_count());
 }

@@ -3,21 +3,11 @@
 #include <cmath>
 
 #include "catch.h"
+#include "kept_pose.h"
 #include "polyhedra.h"
 
 using namespace halfspace;
 using namespace halfspace::test;
-
-namespace {
-
-struct Kept {
-  double position[3];
-  double quaternion[4];
-
-  GivenPose given() const { return {position, quaternion}; }
-};
-
-}  // namespace
 
 TEST_CASE("a pose may be off by as much as its limits, and by no more") {
   const auto is_read = [](const Kept& kept, bool in_plane, bool in_space) {

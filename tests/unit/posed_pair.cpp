@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "catch.h"
+#include "kept_pose.h"
 #include "narrow_phase/plane/posed_pair.h"
 #include "narrow_phase/space/posed_pair.h"
 #include "polyhedra.h"
@@ -11,13 +12,6 @@ using namespace halfspace;
 using namespace halfspace::test;
 
 namespace {
-
-struct Kept {
-  double position[3];
-  double quaternion[4] = {0, 0, 0, 1};
-
-  GivenPose given() const { return {position, quaternion}; }
-};
 
 template <int D>
 Contact<D> look(const Shape<D>& shape, const Kept& at_a, const Kept& at_b, Witness<D>& witness,

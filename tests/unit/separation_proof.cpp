@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "catch.h"
+#include "kept_pose.h"
 #include "narrow_phase/plane/posed_pair.h"
 #include "narrow_phase/space/posed_pair.h"
 #include "polyhedra.h"
@@ -12,13 +13,6 @@ using namespace halfspace;
 using namespace halfspace::test;
 
 namespace {
-
-struct Kept {
-  double position[3];
-  double quaternion[4];
-
-  GivenPose given() const { return {position, quaternion}; }
-};
 
 template <int D>
 Kept random_pose(Random& random, double farthest) {
@@ -67,7 +61,7 @@ double gap_along(const double normal[3], const PosedPair<D>& posed) {
   return lowest_of_b - highest_of_a;
 }
 
-/// What is left of a gap is never more than there is, and most of it as long as the blocks hardly move.
+/// The rest of a gap is never more than there is, and most of it as long as the blocks hardly move.
 template <int D>
 void check_proofs(const Shape<D>& a, const Shape<D>& b, Random& random) {
   int proven = 0;

@@ -17,7 +17,7 @@ template <int most_vertices>
   return find_separation_by_all(a, b, seen);
 }
 
-/// The same as contact_without_region(), of a pair that has been found.
+/// A contact without region at a pair that has been found.
 [[gnu::always_inline]] inline Contact<2> contact_at(const Separation<2>& found, ContactType type,
                                                     const PosedPair<2>& posed, const Turns& turns) {
   const Owner owner(posed.a.outline(), posed.b.outline(), found.pair);

@@ -13,9 +13,9 @@
 // another block is the sum over cells of what they have in common, one for each edge that is the nearest
 // somewhere:
 //
-//   near edges      those behind which the shallowest vertex of the other block is no deeper than the deepest
-//   one
-//                   behind the edge that the other block reaches least
+//   near edges      where the other block's shallowest vertex is no deeper than its reach, which is how deep
+//   its
+//                   deepest vertex is behind the edge that it reaches least
 //   intersection    the other block cut by the near edges of the owner
 //   cell of an edge the intersection cut by the half-planes where that edge is nearer than each other one
 //   the cell adds   its area times the edge's normal, at the cell's centroid

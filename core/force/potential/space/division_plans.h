@@ -11,7 +11,7 @@
 
 namespace halfspace {
 
-/// What a pair of blocks remembers of its plan.
+/// The memory that a pair of blocks has of its plan.
 class PlanMemory {
  public:
   bool knows() const { return first_ >= 0; }

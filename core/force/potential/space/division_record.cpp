@@ -11,8 +11,6 @@ namespace {
 
 constexpr std::uint8_t not_near = 255;
 
-FaceSet face_set(std::size_t face) { return FaceSet(1) << face; }
-
 }  // namespace
 
 void DivisionRecord::reserve(std::size_t edges) {
@@ -102,7 +100,10 @@ void DivisionRecord::find_nearest(int owner, DivisionCorner& corner) const {
   FaceSet& nearest = corner.nearest[owner];
   for (std::size_t k = 0; k < count; ++k)
     if (depth[k] <= least + rounding_) nearest |= face_set(k);
-  if (corner.on[owner] != 0 || least <= rounding_) nearest = corner.on[owner] |= nearest;
+  if (corner.on[owner] != 0 || least <= rounding_) {
+    corner.on[owner] |= nearest;
+    nearest = corner.on[owner];
+  }
 }
 
 void DivisionRecord::add(DivisionCorner& corner) {

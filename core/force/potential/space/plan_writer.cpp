@@ -14,8 +14,6 @@ namespace {
 
 constexpr int most_near = int(most_near_faces);
 
-FaceSet face_set(int face) { return FaceSet(1) << face; }
-
 /// Numbers what a record has as a plan does, and puts that down. Every solid is the convex one that has those
 /// corners which lie in its faces.
 class PlanWriter {
@@ -66,7 +64,7 @@ class PlanWriter {
     return planes;
   }
 
-  /// Those with cells come first, then others that matter: no corner is as deep as the whole may be behind
+  /// Faces with cells come first, then others that matter: no corner is as deep as the whole may be behind
   /// them, or they meet at one.
   bool number_faces() {
     for (int owner = 0; owner < 2; ++owner) {
@@ -80,7 +78,7 @@ class PlanWriter {
           deepest = std::max(deepest, near(owner, std::countr_zero(nearest)).plane.depth(corners_[c]->at));
       }
       for (std::size_t f = 0; f < record_.near(owner).size(); ++f)
-        if (near(owner, int(f)).depths.least <= deepest) met |= face_set(int(f));
+        if (near(owner, int(f)).depths.least <= deepest) met |= face_set(f);
       const auto number = [&](int f) {
         number_of_face_[owner][f] = face_count_ + face_count_of_[owner];
         faces_[owner][face_count_of_[owner]++] = f;
@@ -101,7 +99,7 @@ class PlanWriter {
     return fits_;
   }
 
-  /// That one before a face from which it is turned the least: where faces all but agree, the planes between
+  /// The one before a face from which it is turned the least: where faces all but agree, the planes between
   /// them tell best where they meet.
   int closest_before(int owner, FaceSet together, int face) const {
     const auto turn = [&](int f) { return near(owner, f).plane.normal.dot(near(owner, face).plane.normal); };

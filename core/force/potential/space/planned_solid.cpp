@@ -7,8 +7,6 @@ namespace {
 
 std::uint64_t set_of(std::size_t corner) { return std::uint64_t(1) << corner; }
 
-bool has_two(std::uint64_t set) { return (set & (set - 1)) != 0; }
-
 }  // namespace
 
 bool PlannedSolid::add_corner(int number, const Vector<3>& at, FaceSet first_sort, FaceSet second_sort) {
@@ -24,7 +22,8 @@ bool PlannedSolid::add_corner(int number, const Vector<3>& at, FaceSet first_sor
   return true;
 }
 
-/// From one corner to another along which two planes meet. The top has the most: then tetrahedra are few.
+/// An edge leads from one corner to another along which two planes meet. The top has the most edges: then
+/// tetrahedra are few.
 void PlannedSolid::find_edges() {
   std::fill_n(neighbors_.begin(), count_, 0);
   for (std::size_t c = 0; c < count_; ++c) {
@@ -44,7 +43,7 @@ void PlannedSolid::find_edges() {
   }
 }
 
-/// Goes around it from corner to corner.
+/// Goes around the facet from corner to corner.
 bool PlannedSolid::add_facet(CornerSet corners, const Vector<3>& outward) {
   std::array<std::size_t, most_corners> around;
   std::size_t size = 0;

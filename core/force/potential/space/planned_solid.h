@@ -9,6 +9,8 @@
 
 namespace halfspace {
 
+inline bool has_two(std::uint64_t set) { return (set & (set - 1)) != 0; }
+
 template <class Visit>
 void for_each(std::uint64_t set, Visit visit) {
   for (; set != 0; set &= set - 1) visit(std::countr_zero(set));
@@ -32,8 +34,8 @@ class PlannedSolid {
     bool is_closed = true;
     for (int sort = 0; sort < 2; ++sort) {
       for_each(met_[sort], [&](int plane) {
-        const CornerSet corners = on_[sort][plane], all_but_one = corners & (corners - 1);
-        if ((all_but_one & (all_but_one - 1)) == 0) return;  // touched by fewer than three
+        const CornerSet corners = on_[sort][plane];
+        if (!has_two(corners & (corners - 1))) return;  // touched by fewer than three
         is_closed = is_closed && add_facet(corners, outward(sort, plane));
       });
     }
