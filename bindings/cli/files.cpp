@@ -34,7 +34,8 @@ void remove_numbered(const fs::path& directory, std::string_view begin, std::str
 void remove_earlier_run(const fs::path& path) {
   const fs::path frames = path / "frames";
   if (fs::is_symlink(frames)) fs::remove(frames);
-  for (const char* name : {"run.pvd", "history.csv", "first.svg", "last.svg", "summary.txt"})
+  for (const char* name : {"run.pvd", "history.csv", "first.svg", "last.svg", "summary.txt", "trade.csv",
+                           "trade.txt", "trade.svg"})
     fs::remove(path / name);
   remove_numbered(path, "at_", "s.svg");
   remove_numbered(frames, "frame_", ".vtp");
@@ -62,16 +63,15 @@ std::string content_of(const std::string& file) {
   return content;
 }
 
-OutputDirectory::OutputDirectory(fs::path path, bool force) : path_(std::move(path)) {
+OutputDirectory::OutputDirectory(fs::path path, Earlier earlier) : path_(std::move(path)) {
   try {
     fs::create_directories(path_);
     if (!fs::is_directory(path_)) throw std::runtime_error(path_.string() + " is not a directory");
-    if (!force && !fs::is_empty(path_)) {
+    if (earlier == Earlier::refuse && !fs::is_empty(path_)) {
       throw std::runtime_error("the directory " + path_.string() +
                                " is not empty; --force replaces an earlier run in it");
     }
-    remove_earlier_run(path_);
-    fs::create_directories(path_ / "frames");
+    if (earlier == Earlier::replace) remove_earlier_run(path_);
   } catch (const fs::filesystem_error& error) {
     throw std::runtime_error("cannot use the directory " + path_.string() + ": " + error.code().message());
   }
@@ -80,8 +80,9 @@ OutputDirectory::OutputDirectory(fs::path path, bool force) : path_(std::move(pa
 void OutputDirectory::write(const std::string& name, const std::string& content) {
   const fs::path target = path_ / name;
   const fs::path temporary = target.string() + ".part";
-  const bool whole = write_anew(temporary, content);
   std::error_code error;
+  fs::create_directories(target.parent_path(), error);
+  const bool whole = write_anew(temporary, content);
   if (whole) fs::rename(temporary, target, error);
   if (!whole || error) {
     std::error_code ignored;

@@ -9,13 +9,16 @@ namespace halfspace::cli {
 /// All bytes of a file. @throws std::runtime_error if it cannot be read
 std::string content_of(const std::string& file);
 
+/// The fate of files of an earlier run.
+enum class Earlier { refuse, replace, keep };
+
 /// The directory of one run. A file in it is either whole or not there: it is written under another name and
 /// renamed.
 class OutputDirectory {
  public:
-  /// @throws std::runtime_error if the directory cannot be made, or holds files and `force` is not set. With
-  /// `force`, what an earlier run wrote there is removed; other files stay.
-  OutputDirectory(std::filesystem::path path, bool force);
+  /// @throws std::runtime_error if the directory cannot be made, or holds files that are refused. What an
+  /// earlier run wrote there is removed where it is replaced; other files stay.
+  OutputDirectory(std::filesystem::path path, Earlier earlier);
 
   /// Writes a file, given its path in the directory. @throws std::runtime_error
   void write(const std::string& name, const std::string& content);

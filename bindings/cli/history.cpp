@@ -32,18 +32,18 @@ std::vector<double> motion_of_block(const hs_block_state& state, int dimension) 
 
 }  // namespace
 
-History::History(const Plan& plan) {
+History::History(const Layout& layout) {
   text_ =
       "time,steps,contacts,largest_overlap,largest_speed,kinetic,gravity,strain,friction_loss,contact_"
       "damping_loss,"
       "local_damping_loss,mass_damping_loss,outer_work,residual";
-  if (plan.has_affine()) text_ += ",block_strain,block_damping_loss";
-  for (std::size_t block : plan.tracked) {
-    for (const char* column : columns_of_block(plan.dimension))
-      text_ += ',' + plan.blocks[block].name + column;
-    if (plan.blocks[block].kind != HS_BLOCK_AFFINE) continue;
-    for (const auto& [column, component] : stress_columns(plan.dimension))
-      text_ += ',' + plan.blocks[block].name + column;
+  if (layout.has_affine()) text_ += ",block_strain,block_damping_loss";
+  for (std::size_t block : layout.tracked) {
+    for (const char* column : columns_of_block(layout.dimension))
+      text_ += ',' + layout.blocks[block].name + column;
+    if (layout.blocks[block].kind != HS_BLOCK_AFFINE) continue;
+    for (const auto& [column, component] : stress_columns(layout.dimension))
+      text_ += ',' + layout.blocks[block].name + column;
   }
   text_ += '\n';
 }
@@ -59,15 +59,15 @@ void History::add(const Model& model) {
         energy.mass_damping_loss, energy.outer_work, energy.residual}) {
     text_ += ',' + shortest(value);
   }
-  const Plan& plan = model.plan();
-  if (plan.has_affine())
+  const Layout& layout = model.layout();
+  if (layout.has_affine())
     text_ += ',' + shortest(report.block_strain_energy) + ',' + shortest(report.block_damping_loss);
-  for (std::size_t block : plan.tracked) {
-    for (double value : motion_of_block(model.state_of(block), plan.dimension))
+  for (std::size_t block : layout.tracked) {
+    for (double value : motion_of_block(model.state_of(block), layout.dimension))
       text_ += ',' + shortest(value);
-    if (plan.blocks[block].kind != HS_BLOCK_AFFINE) continue;
+    if (layout.blocks[block].kind != HS_BLOCK_AFFINE) continue;
     const hs_deformation deformation = model.deformation_of(block);
-    for (const auto& [column, component] : stress_columns(plan.dimension))
+    for (const auto& [column, component] : stress_columns(layout.dimension))
       text_ += ',' + shortest(deformation.stress[component]);
   }
   text_ += '\n';

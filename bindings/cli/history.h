@@ -9,7 +9,7 @@ namespace halfspace::cli {
 /// history.csv: one row for each moment, with time, energies, contacts, and the motion of the tracked blocks.
 class History {
  public:
-  explicit History(const Plan& plan);
+  explicit History(const Layout& layout);
   void add(const Model& model);
   const std::string& text() const { return text_; }
 

@@ -66,6 +66,7 @@ class Keys {
   std::vector<Keys> tables(std::string_view key, bool is_required);
 
   bool has(std::string_view key) const { return table_->contains(key); }
+  bool has_text(std::string_view key) const { return (*table_)[key].is_string(); }
   /// Of keys that go together: when there is none, they need not be asked for and are allowed none the less.
   bool has_any(std::initializer_list<std::string_view> keys);
   Place place() const { return place_of(*table_); }

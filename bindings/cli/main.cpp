@@ -1,16 +1,22 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
+#include <map>
 #include <string>
 
 #include "faults.h"
 #include "files.h"
+#include "layout.h"
 #include "library.h"
 #include "model.h"
 #include "notes.h"
-#include "plan.h"
+#include "plan/plan.h"
 #include "read_scene.h"
 #include "run.h"
+#include "trade/trade.h"
 
 namespace halfspace::cli {
 namespace {
@@ -24,7 +30,7 @@ void print(std::FILE* stream, const std::string& text) { std::fputs(text.c_str()
 struct CheckedScene {
   Context context;
   Scene scene;
-  Plan plan;
+  Layout layout;
   Faults faults;
 };
 
@@ -34,7 +40,7 @@ CheckedScene load(const std::string& file, int threads) {
   checked.scene = read_scene(file, checked.faults);
   if (threads > 0) checked.scene.threads = threads;
   checked.context = make_context(checked.scene.threads);
-  checked.plan = plan_blocks(checked.context, checked.scene, checked.faults);
+  checked.layout = lay_out_blocks(checked.context, checked.scene, checked.faults);
   return checked;
 }
 
@@ -48,11 +54,11 @@ int refuse(const std::string& file, const Faults& faults) {
 int check(const std::string& file) {
   CheckedScene checked = load(file, 1);
   if (!checked.faults.none()) return refuse(file, checked.faults);
-  const Model model(checked.context, checked.scene, std::move(checked.plan));
+  const Model model(checked.context, checked.scene, std::move(checked.layout));
   note_start(checked.context, checked.scene, model, checked.faults);
-  std::string text = file + ": no faults, " + std::to_string(model.plan().blocks.size()) + " blocks";
-  if (model.plan().left_out > 0)
-    text += ", " + std::to_string(model.plan().left_out) + " left out as too small";
+  std::string text = file + ": no faults, " + std::to_string(model.layout().blocks.size()) + " blocks";
+  if (model.layout().left_out > 0)
+    text += ", " + std::to_string(model.layout().left_out) + " left out as too small";
   print(stdout, text + '\n' + checked.faults.describe_notes(file));
   return exit_ok;
 }
@@ -71,11 +77,11 @@ void print_files(const OutputDirectory& directory) {
                     std::to_string(frames) + " frames)\n");
 }
 
-int run(const std::string& file, const std::string& output, bool force, int threads) {
+int run(const std::string& file, const std::string& output, Earlier earlier, int threads) {
   CheckedScene checked = load(file, threads);
   if (!checked.faults.none()) return refuse(file, checked.faults);
-  OutputDirectory directory(output, force);
-  Model model(checked.context, checked.scene, std::move(checked.plan));
+  OutputDirectory directory(output, earlier);
+  Model model(checked.context, checked.scene, std::move(checked.layout));
   note_start(checked.context, checked.scene, model, checked.faults);
   print(stderr, checked.faults.describe_notes(file));
   const RunResult result = run_scene(checked.scene, model, checked.faults.describe_notes("scene"), directory);
@@ -95,6 +101,76 @@ int run(const std::string& file, const std::string& output, bool force, int thre
   return result.outcome == Outcome::interrupted ? exit_failed : exit_ok;
 }
 
+/// The bytes that make a scene: its own file, and those that its blocks come from.
+std::string bytes_of(const std::string& file, const Scene& scene) {
+  std::string bytes = content_of(file);
+  for (const Block& block : scene.blocks)
+    if (!block.file.empty()) bytes += content_of(block.file);
+  return bytes;
+}
+
+void require_free_block(CheckedScene& checked, const std::string& by) {
+  const auto is_free = [](const LayoutBlock& block) { return moves_freely(block.kind); };
+  const std::vector<LayoutBlock>& blocks = checked.layout.blocks;
+  if (checked.faults.none() && std::none_of(blocks.begin(), blocks.end(), is_free))
+    checked.faults.add({}, "", "no block is free to move; required for " + by + ": a rigid or an affine one");
+}
+
+void require_no_stages(CheckedScene& checked, const std::string& by) {
+  if (checked.scene.stages.empty()) return;
+  checked.faults.add({}, "stage",
+                     by + " runs a scene for its duration; allowed: a scene without a [[stage]]");
+}
+
+int trade(const std::string& file, const std::string& output, Earlier earlier, const TradeOptions& options) {
+  CheckedScene checked = load(file, 0);
+  require_free_block(checked, "a trade");
+  require_no_stages(checked, "a trade");
+  if (!checked.faults.none()) return refuse(file, checked.faults);
+  if (options.resumes && !std::filesystem::exists(std::filesystem::path(output) / "trade.csv"))
+    throw std::runtime_error("cannot resume: there is no trade.csv in " + output);
+  OutputDirectory directory(output, options.resumes ? Earlier::keep : earlier);
+  const TradeResult result = trade(checked.scene, bytes_of(file, checked.scene), options, directory);
+  print(stdout, result.report);
+  if (result.is_interrupted) print(stderr, "\nhalfspace: interrupted; --resume goes on\n");
+  if (result.is_interrupted) return exit_failed;
+  return result.has_results ? exit_ok : exit_unstable;
+}
+
+int plan(const std::string& file, const PlanOptions& options) {
+  CheckedScene checked = load(file, 0);
+  require_free_block(checked, "a plan");
+  require_no_stages(checked, "a plan");
+  if (!checked.faults.none()) return refuse(file, checked.faults);
+  const PlanResult result = plan(checked.scene, options);
+  print(stdout, result.report);
+  switch (result.end) {
+    case RunEnd::whole:
+      return exit_ok;
+    case RunEnd::interrupted:
+      print(stderr, "\nhalfspace: interrupted\n");
+      return exit_failed;
+    case RunEnd::too_few_steps:
+      print(stderr, "halfspace: --time is too short: it takes too few steps\n");
+      return exit_failed;
+    default:
+      print(stderr, "halfspace: the scene as it is does not run to its end\n");
+      return exit_unstable;
+  }
+}
+
+/// A check of its own, as NaN is within each of CLI11's ranges.
+CLI::Validator finite_above_zero() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        double value = 0;
+        const bool is_number = CLI::detail::lexical_cast(text, value);
+        return is_number && std::isfinite(value) && value > 0 ? std::string()
+                                                              : "must be a number above 0: " + text;
+      },
+      "ABOVE ZERO");
+}
+
 int main_of(int argc, char** argv) {
   CLI::App app("Moves convex blocks in contact, from a scene file to pictures.", "halfspace");
   app.set_version_flag("--version", std::string("halfspace ") + hs_version());
@@ -110,8 +186,11 @@ int main_of(int argc, char** argv) {
   int threads = 0;
   CLI::App* run_command = app.add_subcommand("run", "Run a scene");
   run_command->add_option("scene", file, "The scene file (TOML)")->required();
-  run_command->add_option("-o,--output", output, "Directory for the output; made if missing")->required();
-  run_command->add_flag("--force", force, "Replace an earlier run in the directory");
+  const auto add_output = [&](CLI::App* command) {
+    command->add_option("-o,--output", output, "Directory for the output; made if missing")->required();
+    return command->add_flag("--force", force, "Replace an earlier run in the directory");
+  };
+  add_output(run_command);
   run_command
       ->add_option("-j,--threads", threads,
                    "Threads that step the world, in place of the scene's number; results have the same bits")
@@ -120,12 +199,46 @@ int main_of(int argc, char** argv) {
       app.add_subcommand("check", "Tell everything that is wrong with a scene, without running it");
   check_command->add_option("scene", file, "The scene file (TOML)")->required();
 
+  TradeOptions trade_options;
+  CLI::App* trade_command = app.add_subcommand(
+      "trade", "Run a scene with its knobs turned: what error each setting has, and what it costs");
+  trade_command->add_option("scene", file, "The scene file (TOML); [reference] says what is measured")
+      ->required();
+  CLI::Option* force_option = add_output(trade_command);
+  trade_command->add_flag("--resume", trade_options.resumes, "Go on from the runs that the directory holds")
+      ->excludes(force_option);
+  trade_command
+      ->add_option("--tolerance", trade_options.tolerance, "The error that the cheapest setting may have")
+      ->capture_default_str()
+      ->check(finite_above_zero());
+  trade_command
+      ->add_option("--budget", trade_options.budget,
+                   "Time for all runs, as 90s, 10min or 2h; none by default")
+      ->transform(CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1}, {"min", 60}, {"h", 3600}}))
+      ->check(finite_above_zero());
+
+  PlanOptions plan_options;
+  CLI::App* plan_command = app.add_subcommand(
+      "plan", "Tell what a scene makes the library compute, what that costs, and what could be left out");
+  plan_command->add_option("scene", file, "The scene file (TOML)")->required();
+  plan_command
+      ->add_option("--time", plan_options.time, "How far to run, in s; the scene's duration by default")
+      ->check(finite_above_zero());
+  plan_command
+      ->add_option("--tolerance", plan_options.tolerance,
+                   "How far a block may end off, as a share of its size, where a part is left out")
+      ->capture_default_str()
+      ->check(finite_above_zero());
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? exit_ok : exit_usage;
   }
-  return run_command->parsed() ? run(file, output, force, threads) : check(file);
+  const Earlier earlier = force ? Earlier::replace : Earlier::refuse;
+  if (plan_command->parsed()) return plan(file, plan_options);
+  if (trade_command->parsed()) return trade(file, output, earlier, trade_options);
+  return run_command->parsed() ? run(file, output, earlier, threads) : check(file);
 }
 
 }  // namespace

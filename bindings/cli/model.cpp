@@ -40,8 +40,11 @@ void set_velocity(hs_block_def& def, const Motion& motion) {
 
 }  // namespace
 
-Model::Model(const Context& context, const Scene& scene, Plan plan)
-    : context_(context), plan_(std::move(plan)) {
+Model::Model(const Context& context, const Scene& scene, Layout layout)
+    : context_(context),
+      layout_(std::move(layout)),
+      local_damping_(scene.world.local_damping),
+      mass_damping_(scene.world.mass_damping) {
   hs_world* world = nullptr;
   require(context, hs_world_create(context.get(), &scene.world, &world));
   world_.reset(world);
@@ -52,18 +55,20 @@ Model::Model(const Context& context, const Scene& scene, Plan plan)
   }
   require(context, hs_world_set_default_law(world, &scene.default_law));
   for (const PairLaw& pair : scene.laws) require(context, hs_world_set_law(world, pair.a, pair.b, &pair.law));
-  for (const PlannedBlock& planned : plan_.blocks) {
+  for (const LayoutBlock& given : layout_.blocks) {
     hs_block_def def;
-    require(context, hs_block_def_init(&def, sizeof def, planned.shape.get()));
-    def.kind = planned.kind;
-    def.material = planned.material;
-    place(def.pose, planned.placing);
-    if (planned.motion.start == 0) set_velocity(def, planned.motion);
+    require(context, hs_block_def_init(&def, sizeof def, given.shape.get()));
+    def.kind = given.kind;
+    def.material = given.material;
+    place(def.pose, given.placing);
+    if (given.motion.start == 0) set_velocity(def, given.motion);
     hs_block block = 0;
-    require(context, hs_world_add_block(world, planned.shape.get(), &def, &block));
-    if (planned.stress) require(context, hs_world_set_stress(world, block, planned.stress->data()));
+    require(context, hs_world_add_block(world, given.shape.get(), &def, &block));
+    if (given.stress) require(context, hs_world_set_stress(world, block, given.stress->data()));
     blocks_.push_back(block);
   }
+  for (const PairBond& pair : scene.bonds)
+    require(context, hs_world_bond_materials(world, pair.a, pair.b, &pair.def, nullptr));
   update_report();
 }
 
@@ -78,9 +83,33 @@ void Model::step_towards(double time, std::int64_t most_steps) {
   set_due_motions();
 }
 
+void Model::begin(const SceneStage& stage) {
+  hs_world* world = world_.get();
+  if (stage.gravity) require(context_, hs_world_set_gravity(world, stage.gravity->data()));
+  local_damping_ = stage.local_damping.value_or(local_damping_);
+  mass_damping_ = stage.mass_damping.value_or(mass_damping_);
+  require(context_, hs_world_set_damping(world, local_damping_, mass_damping_));
+  if (stage.strength_factor) require(context_, hs_world_set_strength_factor(world, *stage.strength_factor));
+  update_report();
+}
+
+bool Model::settle(const hs_relaxation_def& relaxation, hs_balance& balance) {
+  const hs_status status = hs_world_relax(world_.get(), &relaxation, &balance, sizeof balance);
+  update_report();
+  require(context_, status);
+  set_due_motions();
+  return status != HS_NOTE_NOT_AT_REST;
+}
+
+hs_bond_report Model::bond_report() const {
+  hs_bond_report report;
+  require(context_, hs_world_get_bond_report(world_.get(), &report, sizeof report));
+  return report;
+}
+
 double Model::next_motion_change() const {
   double next = never;
-  for (const PlannedBlock& block : plan_.blocks) {
+  for (const LayoutBlock& block : layout_.blocks) {
     for (double change : {block.motion.start, block.motion.stop}) {
       if (!reached(change)) next = std::min(next, change);
     }
@@ -90,7 +119,7 @@ double Model::next_motion_change() const {
 
 void Model::set_due_motions() {
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
-    const PlannedBlock& block = plan_.blocks[i];
+    const LayoutBlock& block = layout_.blocks[i];
     if (block.kind != HS_BLOCK_PRESCRIBED) continue;
     const bool moves = reached(block.motion.start) && !reached(block.motion.stop);
     const Point velocity = moves ? block.motion.velocity : Point{};
@@ -105,6 +134,16 @@ void Model::set_due_motions() {
 
 void Model::update_report() {
   require(context_, hs_world_get_report(world_.get(), &report_, sizeof report_));
+}
+
+hs_world_plan Model::account(std::int64_t steps) const {
+  hs_world_plan account{};
+  require(context_, hs_world_get_plan(world_.get(), steps, &account, sizeof account));
+  return account;
+}
+
+std::size_t Model::index_of(hs_block block) const {
+  return static_cast<std::size_t>(std::find(blocks_.begin(), blocks_.end(), block) - blocks_.begin());
 }
 
 hs_block_state Model::state_of(std::size_t block) const {
@@ -125,11 +164,11 @@ std::vector<hs_contact> Model::contacts() const {
   require(context_, status);
   std::vector<hs_contact> contacts(static_cast<std::size_t>(count));
   require(context_, hs_world_get_contacts(world_.get(), contacts.data(), count, nullptr));
-  std::map<hs_block, std::size_t> index_of;
-  for (std::size_t i = 0; i < blocks_.size(); ++i) index_of[blocks_[i]] = i;
+  std::map<hs_block, std::size_t> indices;
+  for (std::size_t i = 0; i < blocks_.size(); ++i) indices[blocks_[i]] = i;
   for (hs_contact& contact : contacts) {
-    contact.block_a = index_of.at(contact.block_a);
-    contact.block_b = index_of.at(contact.block_b);
+    contact.block_a = indices.at(contact.block_a);
+    contact.block_b = indices.at(contact.block_b);
   }
   return contacts;
 }
@@ -141,7 +180,7 @@ Frame Model::frame() const {
     block.state = state_of(i);
     if (block.state.kind == HS_BLOCK_AFFINE) block.deformation = deformation_of(i);
     block.vertices.resize(
-        static_cast<std::size_t>(properties_of(context_, plan_.blocks[i].shape).vertex_count));
+        static_cast<std::size_t>(properties_of(context_, layout_.blocks[i].shape).vertex_count));
     require(context_,
             hs_world_get_block_vertices(world_.get(), blocks_[i], view_of(block.vertices), nullptr));
   }

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "layout.h"
 #include "library.h"
-#include "plan.h"
 #include "scene.h"
 
 namespace halfspace::cli {
@@ -15,7 +15,7 @@ struct BlockFrame {
   std::vector<Point> vertices;   ///< counter-clockwise, where they are now
 };
 
-/// All blocks at one time, in the order of the plan.
+/// All blocks at one time, in the order of the layout.
 struct Frame {
   double time = 0;
   std::vector<BlockFrame> blocks;
@@ -24,11 +24,16 @@ struct Frame {
 /// The world of a scene, and the motions that start and stop in it.
 class Model {
  public:
-  Model(const Context& context, const Scene& scene, Plan plan);
+  Model(const Context& context, const Scene& scene, Layout layout);
 
   /// Steps the world, stopping on the way wherever a prescribed motion starts or stops, to the step nearest
   /// to a time. Does at most `most_steps` steps. @throws LibraryError
   void step_towards(double time, std::int64_t most_steps);
+
+  /// Changes the world as a stage says.
+  void begin(const SceneStage& stage);
+  /// Brings the world to rest, in at most so many steps; true when it is. @throws LibraryError
+  bool settle(const hs_relaxation_def& relaxation, hs_balance& balance);
 
   /// Has the step nearest to this time been done?
   bool reached(double time) const { return time - report_.time < report_.time_step / 2; }
@@ -36,11 +41,17 @@ class Model {
   bool motions_over() const { return next_motion_change() == never; }
   const hs_world_report& report() const { return report_; }
   Frame frame() const;
-  /// The contacts there are; blocks are named by their indices in the plan.
+  /// The contacts there are; blocks are named by their indices in the layout.
   std::vector<hs_contact> contacts() const;
+  /// What has been bonded, and has failed of it.
+  hs_bond_report bond_report() const;
   hs_block_state state_of(std::size_t block) const;
   hs_deformation deformation_of(std::size_t block) const;
-  const Plan& plan() const { return plan_; }
+  /// What the world computes, and what so many steps of a copy of it cost.
+  hs_world_plan account(std::int64_t steps) const;
+  /// Where a block of the world stands in the layout.
+  std::size_t index_of(hs_block block) const;
+  const Layout& layout() const { return layout_; }
 
  private:
   static constexpr double never = std::numeric_limits<double>::infinity();
@@ -50,10 +61,12 @@ class Model {
   void update_report();
 
   const Context& context_;
-  Plan plan_;
+  Layout layout_;
   World world_;
   std::vector<hs_block> blocks_;
   hs_world_report report_{};
+  double local_damping_;
+  double mass_damping_;
 };
 
 }  // namespace halfspace::cli

@@ -48,12 +48,12 @@ struct Body {
 
 std::vector<Body> bodies_of(const Context& context, const Model& model) {
   std::vector<Body> bodies;
-  for (std::size_t i = 0; i < model.plan().blocks.size(); ++i) {
-    const PlannedBlock& planned = model.plan().blocks[i];
-    const hs_shape_properties properties = properties_of(context, planned.shape);
-    const double speed = length(planned.motion.velocity) +
-                         length(planned.motion.angular_velocity) * properties.bounding_radius;
-    bodies.push_back({model.state_of(i), thickness_of(context, planned.shape), properties.volume, speed});
+  for (std::size_t i = 0; i < model.layout().blocks.size(); ++i) {
+    const LayoutBlock& given = model.layout().blocks[i];
+    const hs_shape_properties properties = properties_of(context, given.shape);
+    const double speed =
+        length(given.motion.velocity) + length(given.motion.angular_velocity) * properties.bounding_radius;
+    bodies.push_back({model.state_of(i), thickness_of(context, given.shape), properties.volume, speed});
   }
   return bodies;
 }
@@ -81,7 +81,7 @@ void note_overlaps(const Model& model, const std::vector<Body>& bodies, Faults& 
   std::stable_sort(found.begin(), found.end(), [](const Found& first, const Found& second) {
     return first.depth / first.thinner > second.depth / second.thinner;
   });
-  const auto& blocks = model.plan().blocks;
+  const auto& blocks = model.layout().blocks;
   for (std::size_t i = 0; i < std::min(found.size(), most_lines); ++i) {
     const Found& pair = found[i];
     std::string text = quoted(blocks[pair.b].name) + " overlaps " + quoted(blocks[pair.a].name) +
@@ -223,7 +223,7 @@ void note_weights(const Scene& scene, const Model& model, const std::vector<Body
   const bool is_pile = in_a_pile.share >= told_share_in_a_pile && in_a_pile.share > 1.01 * alone.share;
   const Worst& worst = is_pile ? in_a_pile : alone;
   if (worst.share < told_share_alone) return;
-  const PlannedBlock& block = model.plan().blocks[worst.block];
+  const LayoutBlock& block = model.layout().blocks[worst.block];
   const std::string cause = is_pile ? "its weight and that of what is above it" : "its weight alone";
   faults.note(block.place, block.key,
               quoted(block.name) + " sinks " + rounded(worst.depth, 3) + " m, " + share_of_it(worst.share) +
@@ -240,17 +240,17 @@ void note_speeds(const Scene& scene, const Model& model, const std::vector<Body>
     for (std::size_t j = 0; j < bodies.size(); ++j) {
       const double inverse = inverse_mass(bodies[i]) + inverse_mass(bodies[j]);
       if (i == j || inverse == 0) continue;
-      const Motion &one = model.plan().blocks[i].motion, &other = model.plan().blocks[j].motion;
+      const Motion &one = model.layout().blocks[i].motion, &other = model.layout().blocks[j].motion;
       if (one.velocity == other.velocity && one.angular_velocity == other.angular_velocity) continue;
       const double depth = bodies[i].speed / std::sqrt(inverse * springs.stiffness(bodies[i], bodies[j]));
       worst.add(i, j, depth, std::min(bodies[i].thickness, bodies[j].thickness));
     }
   }
   if (worst.share < told_share) return;
-  const PlannedBlock& block = model.plan().blocks[worst.block];
+  const LayoutBlock& block = model.layout().blocks[worst.block];
   faults.note(block.place, block.key,
               quoted(block.name) + " at " + rounded(bodies[worst.block].speed, 3) +
-                  " m/s would be stopped by " + quoted(model.plan().blocks[worst.partner].name) +
+                  " m/s would be stopped by " + quoted(model.layout().blocks[worst.partner].name) +
                   " only at a depth of " + rounded(worst.depth, 3) + " m, " + share_of_it(worst.share) +
                   " the thinner one's thickness, v (m/k)^1/2: a stiffer normal_stiffness stops it earlier");
 }

@@ -26,11 +26,11 @@ std::string clock_text(double seconds) {
 
 }  // namespace
 
-std::string progress_line(double time, double duration, double elapsed) {
-  const double done = std::clamp(time / duration, 0.0, 1.0);
+std::string progress_line(double share, const std::string& where, double elapsed) {
+  const double done = std::clamp(share, 0.0, 1.0);
   const auto filled = static_cast<std::size_t>(done * bar_width);
   std::string line = '[' + std::string(filled, '#') + std::string(bar_width - filled, ' ') + "] ";
-  line += decimals(100 * done, 0) + " %  t = " + rounded(time, 4) + " of " + rounded(duration, 4) + " s";
+  line += decimals(100 * done, 0) + " %  " + where;
   if (done > 0) line += "  " + clock_text(elapsed * (1 - done) / done) + " left";
   return line;
 }
@@ -41,11 +41,11 @@ Progress::~Progress() {
   if (drawn_) std::fputs("\r\033[K", stderr);  // leaves a clean line
 }
 
-void Progress::show(double time, double duration) {
+void Progress::show(double share, const std::string& where) {
   const Clock::time_point now = Clock::now();
   if (!on_terminal_ || (drawn_ && now - last_drawn_ < std::chrono::milliseconds(200))) return;
   const double elapsed = std::chrono::duration<double>(now - start_).count();
-  std::fprintf(stderr, "\r\033[K%s", progress_line(time, duration, elapsed).c_str());
+  std::fprintf(stderr, "\r\033[K%s", progress_line(share, where, elapsed).c_str());
   std::fflush(stderr);
   drawn_ = true;
   last_drawn_ = now;

@@ -13,8 +13,8 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Shows how far the run is. Redraws a few times a second at most.
-  void show(double time, double duration);
+  /// Shows what share is done, and in words where the work is. Redraws a few times a second at most.
+  void show(double share, const std::string& where);
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -26,6 +26,6 @@ class Progress {
 };
 
 /// What the bar looks like after `elapsed` seconds of work.
-std::string progress_line(double time, double duration, double elapsed);
+std::string progress_line(double share, const std::string& where, double elapsed);
 
 }  // namespace halfspace::cli

@@ -9,6 +9,8 @@
 #include "files.h"
 #include "keys.h"
 #include "read_blocks.h"
+#include "read_reference.h"
+#include "read_stages.h"
 #include "read_values.h"
 #include "text.h"
 
@@ -19,12 +21,12 @@ namespace {
 /// each table inside, so that very deep ones would use up the stack.
 constexpr int most_names = 8;
 
-void read_world(Keys keys, Scene& scene) {
+void read_world(Keys keys, bool has_stages, Scene& scene) {
   hs_world_def& world = scene.world;
   hs_world_def_init(&world, sizeof world, keys.dimension());
   const Point gravity = keys.point("gravity", std::to_array(world.gravity));
   std::copy(gravity.begin(), gravity.end(), world.gravity);
-  scene.duration = keys.number("duration", above(0), required);
+  scene.duration = has_stages ? 0 : keys.number("duration", above(0), required);
   world.time_step = keys.number("time_step", above(0), world.time_step);
   scene.time_step_place = keys.place("time_step");
   world.safety = keys.number("safety", {.low = 0, .high = 1, .with_low = false}, world.safety);
@@ -37,6 +39,9 @@ void read_world(Keys keys, Scene& scene) {
   world.vertex_zone = keys.number("vertex_zone", {.low = 0, .high = 0.5}, world.vertex_zone);
   world.potential_length = keys.number("potential_length", above(0), world.potential_length);
   world.fast_blocks = keys.word("fast_blocks", {"divide", "refuse"}, world.fast_blocks);
+  if (has_stages && keys.has("rest_speed"))
+    keys.fault("rest_speed",
+               "a scene with stages has it in them; allowed: rest_speed in a [[stage]] that runs");
   scene.rest_speed = keys.number("rest_speed", above(0), scene.rest_speed);
   scene.threads = static_cast<int>(keys.integer("threads", 1, most_threads, scene.threads));
   keys.finish();
@@ -72,7 +77,7 @@ void read_materials(std::vector<Keys> tables, Scene& scene) {
 void read_law_values(Keys& keys, hs_law_def& law, bool is_whole) {
   const bool changes_kind = !is_whole && keys.has("stiffness");
   const std::optional<int> kind = is_whole ? std::nullopt : std::optional(law.stiffness_kind);
-  law.stiffness_kind = keys.word("stiffness", {"per contact", "per area", "potential"}, kind);
+  law.stiffness_kind = keys.word("stiffness", {law_names[0], law_names[1], law_names[2]}, kind);
   const auto stiffness = [&](double inherited) {
     // A stiffness in other units than the default law's cannot come from it.
     return is_whole || changes_kind ? std::optional<double>() : inherited;
@@ -125,7 +130,9 @@ void read_laws(std::vector<Keys> tables, Scene& scene) {
 
 void read_output(Keys keys, Scene& scene) {
   Output& output = scene.output;
-  output.frame_interval = keys.number("frame_interval", above(0), scene.duration / 50);
+  output.frame_interval =
+      keys.number("frame_interval", above(0),
+                  scene.duration > 0 ? scene.duration / 50 : std::numeric_limits<double>::infinity());
   output.history_interval = keys.number("history_interval", above(0), output.frame_interval);
   output.tracked = keys.texts("tracked", output.tracked_places, std::vector<std::string>{});
   Keys picture = keys.table("picture", false);
@@ -156,12 +163,15 @@ Scene read_top(Keys keys, const std::string& folder, Faults& faults) {
   scene.folder = folder;
   scene.title = keys.text("title", std::string());
   keys.set_dimension(static_cast<int>(keys.integer("dimension", 2, 3, required)));
-  read_world(keys.table("world", true), scene);
+  read_world(keys.table("world", true), keys.has("stage"), scene);
   read_materials(keys.tables("material", true), scene);
   read_default_law(keys.table("default_law", true), scene);
   read_laws(keys.tables("law", false), scene);
+  read_bonds(keys.tables("bond", false), scene);
+  read_stages(keys.tables("stage", false), scene);
   const bool has_blocks = read_blocks(keys, scene);
   read_output(keys.table("output", false), scene);
+  read_reference(keys.table("reference", false), scene);
   keys.finish();
   if (!has_blocks && faults.none()) {
     faults.add({}, "",

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <csignal>
 #include <limits>
 #include <utility>
 
 #include "history.h"
+#include "interrupt.h"
 #include "model.h"
 #include "picture/picture.h"
 #include "progress.h"
@@ -19,19 +19,6 @@ namespace halfspace::cli {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-volatile std::sig_atomic_t interrupt_asked = 0;
-void ask_for_interrupt(int) { interrupt_asked = 1; }
-
-/// Signals that ask for the end, of a user, a terminal that closes or a batch system, end the run as if its
-/// time were over. Those that the caller has switched off, as nohup does, stay so. A reader of the output
-/// that goes away ends no run.
-void end_run_on_signals() {
-  for (int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGALRM, SIGUSR1, SIGUSR2}) {
-    if (std::signal(signal, ask_for_interrupt) == SIG_IGN) std::signal(signal, SIG_IGN);
-  }
-  std::signal(SIGPIPE, SIG_IGN);
-}
 
 /// Something to be done at every multiple of an interval, but not twice at a step.
 class Every {
@@ -87,45 +74,41 @@ class Recorder {
       : scene_(scene),
         model_(model),
         directory_(directory),
-        series_(model.plan(), directory),
-        history_(model.plan()),
+        series_(model.layout(), directory),
+        history_(model.layout()),
         start_(model.frame()),
-        stage_(scene, start_) {
+        stage_(scene, start_),
+        frames_(scene.output.frame_interval),
+        rows_(scene.output.history_interval) {
     peaks_.add(model_.report());
     record_frame();
     history_.add(model_);
     save_history();
   }
 
+  /// Stage by stage, or for the scene's duration when it has none.
   Outcome run(std::string& trouble) {
-    Every frames(scene_.output.frame_interval);
-    Every rows(scene_.output.history_interval);
-    RestWatch rest(scene_.rest_speed);
-    Batch batch;
-    Progress progress;
-    while (!model_.reached(scene_.duration)) {
-      const Clock::time_point before = Clock::now();
-      const std::int64_t steps_before = model_.report().steps;
-      try {
-        model_.step_towards(std::min({frames.next(), rows.next(), next_picture(), scene_.duration}),
-                            batch.steps());
-      } catch (const LibraryError& error) {
-        if (error.status != HS_ERROR_UNSTABLE && error.status != HS_ERROR_TOO_FAST) throw;
-        trouble = error.what();
-        return error.status == HS_ERROR_UNSTABLE ? Outcome::unstable : Outcome::too_fast;
+    try {
+      if (scene_.stages.empty()) return run_until(scene_.duration, scene_.rest_speed);
+      Outcome outcome = Outcome::complete;
+      for (const SceneStage& stage : scene_.stages) {
+        model_.begin(stage);
+        outcome = stage.settles ? settle(stage)
+                                : run_until(model_.report().time + stage.duration, stage.rest_speed);
+        if (!stage.settles)
+          told_ += stage_line(stage, outcome == Outcome::at_rest ? "at rest before its end" : "");
+        if (outcome == Outcome::interrupted) break;
       }
-      peaks_.add(model_.report());
-      batch.adapt(model_.report().steps - steps_before, Clock::now() - before);
-      progress.show(model_.report().time, scene_.duration);
-      const bool row_due = rows.due(model_);
-      if (row_due) record_row();
-      if (frames.due(model_)) record_frame();
-      while (model_.reached(next_picture())) record_picture();
-      if (row_due && rest.at_rest(model_)) return Outcome::at_rest;
-      if (interrupt_asked) return Outcome::interrupted;
+      return outcome;
+    } catch (const LibraryError& error) {
+      if (error.status != HS_ERROR_UNSTABLE && error.status != HS_ERROR_TOO_FAST) throw;
+      trouble = error.what();
+      return error.status == HS_ERROR_UNSTABLE ? Outcome::unstable : Outcome::too_fast;
     }
-    return Outcome::complete;
   }
+
+  /// What has become of each stage, a line each.
+  const std::string& told() const { return told_; }
 
   /// The last moment, if it was not recorded yet, and the pictures.
   Frame finish() {
@@ -135,12 +118,12 @@ class Recorder {
     const Frame end = model_.frame();
     stage_.add(end);
     const Stage stage = stage_.stage();
-    directory_.write("first.svg", picture(stage, scene_, model_.plan(), start_, start_));
+    directory_.write("first.svg", picture(stage, scene_, model_.layout(), start_, start_));
     for (std::size_t i = 0; i < pictured_.size(); ++i) {
       directory_.write("at_" + shortest(scene_.output.picture_times[i]) + "s.svg",
-                       picture(stage, scene_, model_.plan(), start_, pictured_[i]));
+                       picture(stage, scene_, model_.layout(), start_, pictured_[i]));
     }
-    directory_.write("last.svg", picture(stage, scene_, model_.plan(), start_, end));
+    directory_.write("last.svg", picture(stage, scene_, model_.layout(), start_, end));
     return end;
   }
 
@@ -148,6 +131,64 @@ class Recorder {
   const Peaks& peaks() const { return peaks_; }
 
  private:
+  Outcome run_until(double end, double rest_speed) {
+    RestWatch rest(rest_speed);
+    Batch batch;
+    const double start = model_.report().time;
+    while (!model_.reached(end)) {
+      const Clock::time_point before = Clock::now();
+      const std::int64_t steps_before = model_.report().steps;
+      model_.step_towards(std::min({frames_.next(), rows_.next(), next_picture(), end}), batch.steps());
+      batch.adapt(model_.report().steps - steps_before, Clock::now() - before);
+      const double time = model_.report().time;
+      progress_.show((time - start) / (end - start),
+                     "t = " + rounded(time, 4) + " of " + rounded(end, 4) + " s");
+      const bool row_due = record_due();
+      if (row_due && rest.at_rest(model_)) return Outcome::at_rest;
+      if (interrupt_asked()) return Outcome::interrupted;
+    }
+    return Outcome::complete;
+  }
+
+  /// Piece by piece, so that who interrupts it does not wait for long.
+  Outcome settle(const SceneStage& stage) {
+    constexpr std::int64_t steps_of_piece = 20000;
+    std::int64_t steps = 0;
+    hs_balance balance{};
+    bool is_at_rest = false, is_interrupted = false;
+    while (!is_at_rest && !is_interrupted && steps < stage.relaxation.most_steps) {
+      hs_relaxation_def piece = stage.relaxation;
+      piece.most_steps = std::min(steps_of_piece, stage.relaxation.most_steps - steps);
+      is_at_rest = model_.settle(piece, balance);
+      steps += balance.steps;
+      progress_.show(static_cast<double>(steps) / static_cast<double>(stage.relaxation.most_steps),
+                     "unbalanced " + rounded(balance.mean, 2));
+      record_due();
+      is_interrupted = !is_at_rest && interrupt_asked();
+    }
+    told_ +=
+        stage_line(stage, (is_at_rest ? "at rest after " : "NOT AT REST after ") + std::to_string(steps) +
+                              " steps, unbalanced by " + rounded(balance.mean, 2) + " of all forces, by " +
+                              rounded(balance.largest, 2) + " of a single block's");
+    if (last_frame_step_ != model_.report().steps) record_frame();
+    return is_interrupted ? Outcome::interrupted : Outcome::complete;
+  }
+
+  std::string stage_line(const SceneStage& stage, const std::string& end) const {
+    const std::string name = stage.name.empty() ? "" : " " + stage.name;
+    return padded("stage" + name, 20) + (stage.settles ? "settled" : "ran") + " until " +
+           rounded(model_.report().time, 4) + " s" + (end.empty() ? "" : ", ") + end + '\n';
+  }
+
+  /// Records what is due now; true when that is a row of the history.
+  bool record_due() {
+    peaks_.add(model_.report());
+    const bool row_due = rows_.due(model_);
+    if (row_due) record_row();
+    if (frames_.due(model_)) record_frame();
+    while (model_.reached(next_picture())) record_picture();
+    return row_due;
+  }
   double next_picture() const {
     const std::vector<double>& times = scene_.output.picture_times;
     return pictured_.size() < times.size() ? times[pictured_.size()]
@@ -180,6 +221,10 @@ class Recorder {
   Peaks peaks_;
   std::vector<Frame>
       pictured_;  ///< at the picture times; all pictures share a stage that is known at the end
+  Every frames_;
+  Every rows_;
+  Progress progress_;
+  std::string told_;
   std::int64_t last_row_step_ = 0;
   std::int64_t last_frame_step_ = 0;
 };
@@ -187,14 +232,15 @@ class Recorder {
 }  // namespace
 
 RunResult run_scene(const Scene& scene, Model& model, const std::string& notes, OutputDirectory& directory) {
-  end_run_on_signals();
+  remember_interrupts();
   RunResult result;
   Recorder recorder(scene, model, directory);
   const Clock::time_point before = Clock::now();
   result.outcome = recorder.run(result.trouble);
   const std::chrono::duration<double> took = Clock::now() - before;
   const Frame end = recorder.finish();
-  result.summary = summary(scene, model, recorder.peaks(), recorder.start(), end, result.outcome) + notes;
+  result.summary = summary(scene, model, recorder.peaks(), recorder.start(), end, result.outcome) +
+                   recorder.told() + notes;
   result.timings = timings(model.report(), took.count());
   directory.write("summary.txt", result.summary);
   return result;

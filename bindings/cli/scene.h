@@ -1,10 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "faults.h"
@@ -39,6 +41,30 @@ struct PairLaw {
   int b = 0;
   hs_law_def law{};
 };
+
+/// The bonds between the blocks of two materials, named by their indices.
+struct PairBond {
+  int a = 0;
+  int b = 0;
+  hs_bond_def def{};
+};
+
+/// A part of a run with an end of its own: the world is brought to rest, or runs on. What changes does so
+/// when it begins, and stays.
+struct SceneStage {
+  std::string name;
+  bool settles = false;
+  hs_relaxation_def relaxation{};  ///< of one that settles
+  double duration = 0;             ///< of one that runs
+  double rest_speed = 0;           ///< likewise; 0: it never ends early
+  std::optional<Point> gravity;
+  std::optional<double> local_damping;
+  std::optional<double> mass_damping;
+  std::optional<double> strength_factor;
+};
+
+/// The names of laws in scene files, in the order of the HS_STIFFNESS_ values.
+inline constexpr std::array<std::string_view, 3> law_names = {"per contact", "per area", "potential"};
 
 /// How a block moves: the initial motion of a rigid block, the motion of a prescribed one between start and
 /// stop.
@@ -139,6 +165,21 @@ struct Output {
   double elevation = 0;  ///< rad above the horizontal
 };
 
+/// A figure taken of a run, which `halfspace trade` compares with its reference.
+enum class Quantity { run_out, height, position, force, stands, friction_angle };
+
+/// The figure that `halfspace trade` asks for, and what it should be.
+struct Reference {
+  Quantity quantity = Quantity::run_out;
+  std::string block;            ///< whose position or force, and
+  Place block_place;            ///< where that stands
+  std::size_t axis = 0;         ///< of a position
+  double time = 0;              ///< s
+  std::optional<double> value;  ///< none: that of the finest run
+  std::optional<double> scale;  ///< the error that counts as 1
+  double limit = 0;             ///< m: what moves farther has fallen; 0: a tenth of its size
+};
+
 constexpr int most_threads = 256;  // hs_context_def::threads
 
 /// A scene file, checked as far as it can be without making blocks.
@@ -153,11 +194,34 @@ struct Scene {
   std::vector<Material> materials;
   hs_law_def default_law{};
   std::vector<PairLaw> laws;
+  std::vector<PairBond> bonds;
+  std::vector<SceneStage> stages;  ///< none: the scene runs for its duration
   std::vector<Block> blocks;
   std::vector<JointedRock> jointed_rocks;
   std::vector<Triangulated> triangulated;
   std::vector<Voronoi> voronoi;
   Output output;
+  Reference reference;
 };
+
+/// Calls `visit` for the making of each block and generator.
+template <class AnyScene, class Visit>
+void for_each_making(AnyScene& scene, Visit visit) {
+  const auto visit_all = [&](auto& makers) {
+    for (auto& maker : makers) visit(maker.making);
+  };
+  visit_all(scene.blocks);
+  visit_all(scene.jointed_rocks);
+  visit_all(scene.triangulated);
+  visit_all(scene.voronoi);
+}
+
+/// Does the condition hold for the default law or one between two materials?
+template <class Condition>
+bool any_law(const Scene& scene, Condition condition) {
+  return condition(scene.default_law) ||
+         std::any_of(scene.laws.begin(), scene.laws.end(),
+                     [&](const PairLaw& pair) { return condition(pair.law); });
+}
 
 }  // namespace halfspace::cli

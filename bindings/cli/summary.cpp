@@ -8,9 +8,8 @@
 namespace halfspace::cli {
 namespace {
 
-std::string line(std::string name, const std::string& value) {
-  name.resize(20, ' ');
-  return name + value + '\n';
+std::string line(const std::string& name, const std::string& value) {
+  return padded(name, 20) + value + '\n';
 }
 
 /// Horizontal bounds of all blocks that move freely.
@@ -40,17 +39,17 @@ Extent extent_of(const Frame& frame) {
   return extent;
 }
 
-std::string blocks_text(const Plan& plan) {
+std::string blocks_text(const Layout& layout) {
   int counts[4] = {};
-  for (const PlannedBlock& block : plan.blocks) ++counts[block.kind];
-  std::string text = std::to_string(plan.blocks.size()) + " (" + std::to_string(counts[HS_BLOCK_RIGID]) +
+  for (const LayoutBlock& block : layout.blocks) ++counts[block.kind];
+  std::string text = std::to_string(layout.blocks.size()) + " (" + std::to_string(counts[HS_BLOCK_RIGID]) +
                      " rigid, " + std::to_string(counts[HS_BLOCK_FIXED]) + " fixed, " +
                      std::to_string(counts[HS_BLOCK_PRESCRIBED]) + " prescribed";
   if (counts[HS_BLOCK_AFFINE] > 0) text += ", " + std::to_string(counts[HS_BLOCK_AFFINE]) + " affine";
   text += ')';
-  if (plan.left_out > 0) {
-    text += "; " + std::to_string(plan.left_out) + " left out as too small, " +
-            rounded(plan.size_left_out, 3) + (plan.dimension == 3 ? " m3 in all" : " m2 in all");
+  if (layout.left_out > 0) {
+    text += "; " + std::to_string(layout.left_out) + " left out as too small, " +
+            rounded(layout.size_left_out, 3) + (layout.dimension == 3 ? " m3 in all" : " m2 in all");
   }
   return text;
 }
@@ -71,17 +70,28 @@ const char* describe(Outcome outcome) {
   return "";
 }
 
-std::string energy_text(const hs_world_report& report) {
+std::string energy_text(const hs_world_report& report, const hs_bond_report& bonds) {
   const hs_energy& energy = report.energy;
-  const double turned_over = report.block_strain_energy + report.block_damping_loss + energy.kinetic +
-                             energy.strain + energy.friction_loss + energy.contact_damping_loss +
-                             energy.local_damping_loss + energy.mass_damping_loss;
+  const double turned_over = bonds.fracture_loss + report.block_strain_energy + report.block_damping_loss +
+                             energy.kinetic + energy.strain + energy.friction_loss +
+                             energy.contact_damping_loss + energy.local_damping_loss +
+                             energy.mass_damping_loss;
   std::string text = rounded(energy.residual, 3) + " J";
   if (turned_over > 0) {
     text += ", " + rounded(energy.residual / turned_over, 2) + " of the " + rounded(turned_over, 4) +
             " J set free";
   }
   return text;
+}
+
+/// Nothing of a scene without bonds.
+std::string bonds_text(const Scene& scene, const hs_bond_report& bonds) {
+  if (scene.bonds.empty()) return {};
+  std::string text = std::to_string(bonds.bond_count) + " made, " +
+                     std::to_string(bonds.bond_count - bonds.joint_count) + " have come apart; cracks of " +
+                     rounded(bonds.crack_area, 4) + (scene.world.dimension == 3 ? " m2" : " m");
+  if (bonds.event_count > 0) text += " took " + rounded(bonds.fracture_loss, 4) + " J";
+  return line("bonds", text);
 }
 
 /// Nothing of a step that was a stable one all the time.
@@ -141,9 +151,10 @@ RunOut run_out(const Frame& start, const Frame& end, int dimension) {
 std::string summary(const Scene& scene, const Model& model, const Peaks& peaks, const Frame& start,
                     const Frame& end, Outcome outcome) {
   const hs_world_report& report = model.report();
+  const hs_bond_report bonds = model.bond_report();
   const RunOut reach = run_out(start, end, scene.world.dimension);
   return line("scene", scene.title) + line("outcome", describe(outcome)) +
-         line("blocks", blocks_text(model.plan())) +
+         line("blocks", blocks_text(model.layout())) +
          line("simulated", rounded(report.time, 6) + " s in " + std::to_string(report.steps) + " steps of " +
                                rounded(report.time_step, 4) +
                                " s (stable: " + rounded(report.stable_time_step, 4) + " s)") +
@@ -155,7 +166,7 @@ std::string summary(const Scene& scene, const Model& model, const Peaks& peaks, 
          time_step_text(report, peaks) + fast_blocks_text(report, peaks) +
          (report.potential_length > 0 ? line("potential length", rounded(report.potential_length, 6) + " m")
                                       : std::string()) +
-         line("energy residual", energy_text(report)) +
+         bonds_text(scene, bonds) + line("energy residual", energy_text(report, bonds)) +
          line("run-out", run_out_text(reach, scene.world.dimension));
 }
 

@@ -26,6 +26,12 @@ inline std::string decimals(double value, int count) {
       buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, count).ptr);
 }
 
+/// Followed by blanks up to a width, so that columns line up.
+inline std::string padded(std::string text, std::size_t width) {
+  if (text.size() < width) text.resize(width, ' ');
+  return text;
+}
+
 /// A point as scene files have it: [x, y] or [x, y, z].
 inline std::string described(const std::array<double, 3>& point, int dimension = 3) {
   std::string text = '[' + shortest(point[0]) + ", " + shortest(point[1]);

@@ -49,8 +49,8 @@ void add_turning(const hs_block_state& state, CellArray& turned, CellArray& spin
   spin.add(spin.count == 1 ? &state.angular_velocity[2] : state.angular_velocity);
 }
 
-std::string cell_data(const Plan& plan, const Frame& frame, const Frame& start, Appended& data) {
-  const bool in_plane = plan.dimension == 2;
+std::string cell_data(const Layout& layout, const Frame& frame, const Frame& start, Appended& data) {
+  const bool in_plane = layout.dimension == 2;
   std::vector<std::int64_t> block;
   std::vector<std::int32_t> kind, material;
   CellArray velocity{"velocity", 3}, displacement{"displacement", 3}, force{"contact_force", 3};
@@ -62,7 +62,7 @@ std::string cell_data(const Plan& plan, const Frame& frame, const Frame& start, 
     const hs_block_state& then = start.blocks[i].state;
     double moved[3];
     for (int axis = 0; axis < 3; ++axis) moved[axis] = now.pose.position[axis] - then.pose.position[axis];
-    for (std::size_t face = 0; face < plan.blocks[i].faces.size(); ++face) {
+    for (std::size_t face = 0; face < layout.blocks[i].faces.size(); ++face) {
       block.push_back(static_cast<std::int64_t>(i));
       kind.push_back(now.kind);
       material.push_back(now.material);
@@ -80,7 +80,7 @@ std::string cell_data(const Plan& plan, const Frame& frame, const Frame& start, 
   text += data.add("Int32", "material", 1, material);
   for (const CellArray* array : {&velocity, &displacement, &turned, &spin, &force})
     text += data.add("Float64", array->name, array->count, array->values);
-  if (plan.has_affine()) {
+  if (layout.has_affine()) {
     for (const CellArray* array : {&stress, &strain})
       text += data.add("Float64", array->name, array->count, array->values);
   }
@@ -89,13 +89,13 @@ std::string cell_data(const Plan& plan, const Frame& frame, const Frame& start, 
 
 }  // namespace
 
-std::string vtk_polygons(const Plan& plan, const Frame& frame, const Frame& start) {
+std::string vtk_polygons(const Layout& layout, const Frame& frame, const Frame& start) {
   std::vector<double> points;
   std::vector<std::int64_t> connectivity, offsets;
   for (std::size_t i = 0; i < frame.blocks.size(); ++i) {
     const std::size_t first = points.size() / 3;
     for (const Point& p : frame.blocks[i].vertices) points.insert(points.end(), p.begin(), p.end());
-    for (const std::vector<int>& face : plan.blocks[i].faces) {
+    for (const std::vector<int>& face : layout.blocks[i].faces) {
       for (int vertex : face) connectivity.push_back(static_cast<std::int64_t>(first) + vertex);
       offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
     }
@@ -109,7 +109,7 @@ std::string vtk_polygons(const Plan& plan, const Frame& frame, const Frame& star
           shortest(frame.time) + "</DataArray>\n</FieldData>\n";
   text += "<Piece NumberOfPoints=\"" + std::to_string(points.size() / 3) + "\" NumberOfPolys=\"" +
           std::to_string(offsets.size()) + "\">\n";
-  text += cell_data(plan, frame, start, data);
+  text += cell_data(layout, frame, start, data);
   text += "<Points>\n" + data.add("Float64", "points", 3, points) + "</Points>\n";
   text += "<Polys>\n" + data.add("Int64", "connectivity", 1, connectivity) +
           data.add("Int64", "offsets", 1, offsets) + "</Polys>\n";
@@ -121,7 +121,7 @@ std::string vtk_polygons(const Plan& plan, const Frame& frame, const Frame& star
 void VtkSeries::add(const Frame& frame, const Frame& start) {
   char name[32];
   std::snprintf(name, sizeof name, "frames/frame_%04d.vtp", count_++);
-  directory_.write(name, vtk_polygons(plan_, frame, start));
+  directory_.write(name, vtk_polygons(layout_, frame, start));
   entries_ += "<DataSet timestep=\"" + shortest(frame.time) + "\" part=\"0\" file=\"" + name + "\"/>\n";
   directory_.write("run.pvd",
                    "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n" +

@@ -37,6 +37,21 @@ Pose<D> read_pose(const hs_pose* pose, const ArgumentName& name) {
   return pose_of<D>(given(*pose));
 }
 
+/// The pose of a block of a world.
+template <int D>
+Pose<D> read_place(const hs_pose* pose, double radius, const ArgumentName& name) {
+  const Pose<D> place = read_pose<D>(pose, name);
+  const double farthest = farthest_place * radius;
+  for (int i = 0; i < D; ++i) {
+    if (std::abs(place.position[i]) <= farthest) continue;
+    refuse(HS_ERROR_ARGUMENT,
+           "%s->position[%d] is %g; for a block of radius %g it must be at most %g, as rounding would "
+           "move it by too large a part of its size",
+           NameText(name).characters, i, place.position[i], radius, farthest);
+  }
+  return place;
+}
+
 template <int D>
 Vector<D> read_finite_vector(const double* values, const char* name) {
   require_pointer(values, name);

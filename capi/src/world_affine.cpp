@@ -50,7 +50,7 @@ hs_deformation deformation_of(const World<D>& world, std::size_t slot) {
   const Blocks<D>& blocks = world.blocks();
   hs_deformation out{};
   out.gradient[8] = 1;
-  if (!blocks.is_affine(slot)) {
+  if (!blocks.is_deformable(slot)) {
     const Tensor<D> rotation = blocks.rotation[slot].tensor();
     write_tensor<D>(rotation, out.gradient);
     write_tensor<D>(cross_tensor(blocks.spin[slot]) * rotation, out.rate);

@@ -6,6 +6,7 @@
 #include "angular.h"
 #include "context_handle.h"
 #include "guard.h"
+#include "halfspace/mesh.h"
 #include "halfspace/world.h"
 #include "require.h"
 #include "world/world.h"
@@ -68,6 +69,23 @@ std::int32_t slot_of(const Blocks<D>& blocks, hs_block id, const char* name) {
   return std::int32_t(slot);
 }
 
+/// Ids of bodies are made likewise.
+template <int D>
+hs_body id_of(const Meshes<D>& meshes, std::int32_t body) {
+  return (std::uint64_t(meshes.body(body).generation) << 32) | (std::uint64_t(body) + 1);
+}
+
+/// Which of the bodies an id names that are there.
+template <int D>
+std::int32_t body_of(const Meshes<D>& meshes, hs_body id, const char* name) {
+  const std::uint64_t body = (id & 0xffffffffu) - 1;
+  if (body >= meshes.bodies().size() || !meshes.body(std::int32_t(body)).lives ||
+      id_of(meshes, std::int32_t(body)) != id) {
+    refuse(HS_ERROR_STALE_ID, "%s is %#llx; no body has that id", name, static_cast<unsigned long long>(id));
+  }
+  return std::int32_t(body);
+}
+
 /// Visits the living blocks in the order of the block arrays.
 template <int D, class Visitor>
 void for_each_block(const Blocks<D>& blocks, Visitor&& visit) {
@@ -99,10 +117,20 @@ hs_status write_blocks(const Blocks<D>& blocks, const Array<Vector<D>>& vectors,
   return all_angulars ? fits(blocks.count(), out.count) : HS_NOTE_TRUNCATED;
 }
 
+/// Refuses a block of a mesh, for what only its nodes can do.
 template <int D>
-void require_material(const World<D>& world, std::int32_t material, const char* name) {
+void require_no_mesh(const Blocks<D>& blocks, std::int32_t slot, const char* name) {
+  if (blocks.is_of_mesh(std::size_t(slot))) {
+    refuse(HS_ERROR_STATE, "%s is %#llx, which is of a mesh: its nodes move it", name,
+           static_cast<unsigned long long>(id_of(blocks, std::size_t(slot))));
+  }
+}
+
+template <int D>
+void require_material(const World<D>& world, std::int32_t material, const ArgumentName& name) {
   if (material < 0 || material >= world.material_count()) {
-    refuse(HS_ERROR_STALE_ID, "%s is %d; the world has %d materials", name, material, world.material_count());
+    refuse(HS_ERROR_STALE_ID, "%s is %d; the world has %d materials", NameText(name).characters, material,
+           world.material_count());
   }
 }
 

@@ -105,16 +105,15 @@ const Shape<D>& require_shape(const hs_shape* shape, const char* name) {
   return as<D>(*shape);
 }
 
-/// The inertia is judged by its least principal moment.
 template <int D>
 void require_mass(const Shape<D>& shape, double density) {
-  constexpr double least = 1e-300, most_of_mass = 1e150, most_of_inertia = 1e300;
-  const double mass = mass_of(shape, density), inertia = Inertia<D>::of(shape, density).least_moment();
-  if (mass >= least && inertia >= least && mass <= most_of_mass && inertia <= most_of_inertia) return;
+  const double mass = mass_of(shape, density);
+  const Inertia<D> inertia = Inertia<D>::of(shape, density);
+  if (is_within_bounds(mass, inertia)) return;
   refuse(HS_ERROR_ARGUMENT,
          "shape and def.material give a mass of %g and a moment of inertia of %g; they must be from %g to %g "
          "and to %g",
-         mass, inertia, least, most_of_mass, most_of_inertia);
+         mass, inertia.least_moment(), least_mass, largest_mass, largest_inertia);
 }
 
 }  // namespace
@@ -200,10 +199,11 @@ hs_status hs_world_add_block(hs_world* world, const hs_shape* shape, const hs_bl
     require_pointer(block, "block");
     const hs_block_def known = read_definition(def, "def");
     if (known.kind < HS_BLOCK_FIXED || known.kind > HS_BLOCK_AFFINE) {
-      refuse(HS_ERROR_ARGUMENT, "def.kind is %d; it must be an HS_BLOCK_ value", known.kind);
+      refuse(HS_ERROR_ARGUMENT, "def.kind is %d; it must be an HS_BLOCK_ value other than HS_BLOCK_MESH",
+             known.kind);
     }
     require_material(w, known.material, "def.material");
-    const Pose<D> pose = read_pose<D>(&known.pose, "def.pose");
+    const Pose<D> pose = read_place<D>(&known.pose, form.bounding_radius(), "def.pose");
     const Vector<D> velocity = read_finite_vector<D>(known.velocity, "def.velocity");
     const Angular<D> spin = read_finite_angular<D>(known.angular_velocity, "def.angular_velocity");
     if (known.kind == HS_BLOCK_FIXED && (velocity != Vector<D>::Zero() || spin != Angular<D>::Zero())) {
@@ -230,7 +230,9 @@ hs_status hs_world_add_block(hs_world* world, const hs_shape* shape, const hs_bl
 
 hs_status hs_world_remove_block(hs_world* world, hs_block block) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
-    w.remove_block(slot_of(w.blocks(), block, "block"));
+    const std::int32_t slot = slot_of(w.blocks(), block, "block");
+    require_no_mesh(w.blocks(), slot, "block");
+    w.remove_block(slot);
     return HS_OK;
   });
 }

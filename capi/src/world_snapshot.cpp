@@ -1,5 +1,4 @@
-#include "world/snapshot.h"
-#include "world_handle.h"
+#include "world_bytes.h"
 
 using namespace halfspace;
 using namespace halfspace::capi;
@@ -14,35 +13,6 @@ struct Header {
   std::uint64_t checksum = 0;
 };
 
-/// One visit() serves reading and writing.
-template <int D>
-World<D>& visitable(const World<D>& world) {
-  return const_cast<World<D>&>(world);
-}
-
-template <int D>
-std::size_t state_size(const World<D>& world) {
-  snapshot::Writer counter(nullptr);
-  visitable(world).visit(counter);
-  return counter.size();
-}
-
-template <int D>
-hs_world* restore(hs_context* context, std::span<const std::byte> state) {
-  WorldHandle<D>* restored = create<WorldHandle<D>>(context, context, WorldSettings<D>());
-  try {
-    snapshot::Reader reader(state);
-    restored->world.visit(reader);
-    if (reader.failed() || !reader.at_end() || !restored->world.is_consistent())
-      refuse(HS_ERROR_FORMAT, "bytes do not hold what a snapshot holds");
-    restored->world.fit_rooms();
-  } catch (...) {
-    hs_world_destroy(restored);
-    throw;
-  }
-  return restored;
-}
-
 }  // namespace
 
 hs_status hs_world_save(const hs_world* world, void* bytes, size_t capacity, size_t* count) {
@@ -53,8 +23,7 @@ hs_status hs_world_save(const hs_world* world, void* bytes, size_t capacity, siz
     *count = sizeof(Header) + size;
     if (*count > capacity) return HS_NOTE_TRUNCATED;
     std::byte* state = static_cast<std::byte*>(bytes) + sizeof(Header);
-    snapshot::Writer writer(state);
-    visitable(w).visit(writer);
+    write_state(w, state);
     Header header;
     header.dimension = D;
     header.size = size;
@@ -87,7 +56,10 @@ hs_status hs_world_restore(hs_context* context, const void* bytes, size_t count,
     }
     if (header.checksum != snapshot::checksum(state))
       refuse(HS_ERROR_FORMAT, "bytes are damaged: the checksum differs");
-    *world = header.dimension == 2 ? restore<2>(context, state) : restore<3>(context, state);
+    if (header.dimension == 2)
+      *world = restore<2>(context, state);
+    else
+      *world = restore<3>(context, state);
     return HS_OK;
   });
 }

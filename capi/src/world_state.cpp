@@ -51,7 +51,8 @@ hs_status hs_world_get_block_vertices(const hs_world* world, hs_block block, hs_
 hs_status hs_world_set_pose(hs_world* world, hs_block block, const hs_pose* pose) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     const std::int32_t slot = slot_of(w.blocks(), block, "block");
-    const Pose<D> to = read_pose<D>(pose, "pose");
+    require_no_mesh(w.blocks(), slot, "block");
+    const Pose<D> to = read_place<D>(pose, w.blocks().radius[std::size_t(slot)], "pose");
     w.set_pose(slot, to.position, to.rotation);
     return HS_OK;
   });
@@ -61,6 +62,7 @@ hs_status hs_world_set_velocity(hs_world* world, hs_block block, const double ve
                                 const double angular_velocity[3]) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     const std::int32_t slot = slot_of(w.blocks(), block, "block");
+    require_no_mesh(w.blocks(), slot, "block");
     const Vector<D> v = read_finite_vector<D>(velocity, "velocity");
     const Angular<D> spin = read_finite_angular<D>(angular_velocity, "angular_velocity");
     if (w.blocks().kind[std::size_t(slot)] == BlockKind::fixed) {
@@ -79,6 +81,7 @@ hs_status hs_world_set_applied_force(hs_world* world, hs_block block, const doub
     const std::int32_t slot = slot_of(w.blocks(), block, "block");
     const Vector<D> f = read_finite_vector<D>(force, "force");
     const Angular<D> t = read_finite_angular<D>(torque, "torque");
+    require_no_mesh(w.blocks(), slot, "block");
     if (!w.blocks().moves_freely(std::size_t(slot))) {
       refuse(HS_ERROR_STATE, "block %#llx is neither rigid nor affine: no force moves it",
              static_cast<unsigned long long>(block));
@@ -106,11 +109,13 @@ hs_status hs_world_set_poses(hs_world* world, const hs_pose poses[], int64_t cou
              static_cast<long long>(w.blocks().count()));
     }
     if (count > 0) require_pointer(poses, "poses");
-    const auto read = [&](std::int64_t i) { return read_pose<D>(&poses[i], {"poses", i}); };
-    for (std::int64_t i = 0; i < count; ++i) read(i);  // all are judged before any block moves
+    const auto read = [&](std::int64_t i, std::int32_t slot) {
+      return read_place<D>(&poses[i], w.blocks().radius[std::size_t(slot)], {"poses", i});
+    };
+    for_each_block(w.blocks(), read);  // all are judged before any block moves
     for_each_block(w.blocks(), [&](std::int64_t i, std::int32_t slot) {
-      const Pose<D> to = read(i);
-      w.set_pose(slot, to.position, to.rotation);
+      const Pose<D> to = read(i, slot);
+      if (!w.blocks().is_of_mesh(std::size_t(slot))) w.set_pose(slot, to.position, to.rotation);
     });
     return HS_OK;
   });
@@ -145,7 +150,8 @@ hs_status hs_world_set_velocities(hs_world* world, hs_view velocities, hs_view a
         const Angular<D> spin = with_turns
                                     ? read_finite_angular<D>(angular_velocities, i, "angular_velocities")
                                     : w.blocks().spin[std::size_t(slot)];
-        if (w.blocks().kind[std::size_t(slot)] != BlockKind::fixed) use(slot, velocity, spin);
+        const BlockKind kind = w.blocks().kind[std::size_t(slot)];
+        if (kind != BlockKind::fixed && kind != BlockKind::mesh) use(slot, velocity, spin);
       });
     };
     // All are judged before any velocity changes.

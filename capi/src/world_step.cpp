@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "refuse_step.h"
 #include "sized_struct.h"
 #include "strided_view.h"
 #include "world_handle.h"
@@ -67,27 +68,7 @@ hs_status hs_world_forces(hs_world* world, double elapsed, hs_mutable_view force
 hs_status hs_world_step(hs_world* world, int64_t steps) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     require_count(steps, "steps");
-    for (std::int64_t i = 0; i < steps; ++i) {
-      const StepResult result = w.step();
-      if (result == StepResult::no_time_step) {
-        refuse(HS_ERROR_STATE,
-               "no time step was given, and without blocks that move freely none can be derived");
-      }
-      if (result == StepResult::too_fast) {
-        const FastPair& pair = w.fast_pair();
-        refuse(HS_ERROR_TOO_FAST,
-               "blocks %#llx and %#llx meet at time %g (step %lld) by up to %g m/s: too fast for the time "
-               "step %g "
-               "where the thinner is %g m thick; a step of %g would do",
-               static_cast<unsigned long long>(id_of(w.blocks(), std::size_t(pair.a))),
-               static_cast<unsigned long long>(id_of(w.blocks(), std::size_t(pair.b))), w.time(),
-               static_cast<long long>(w.steps()), pair.speed, w.time_step(), pair.thickness, pair.time_step);
-      }
-      if (result == StepResult::unstable) {
-        refuse(HS_ERROR_UNSTABLE, "unstable at time %g (step %lld): time step %g, stable time step %g",
-               w.time(), static_cast<long long>(w.steps()), w.time_step(), w.stable_time_step());
-      }
-    }
+    for (std::int64_t i = 0; i < steps; ++i) require_stepped(w, w.step());
     return HS_OK;
   });
 }

@@ -92,10 +92,13 @@ Blocks<D>::Blocks(Memory* memory)
       thickness(memory),
       free_slots_(memory),
       outlines_(memory),
-      deformations_(memory) {}
+      deformations_(memory),
+      meshes_(memory),
+      bonds_(memory) {}
 
 template <int D>
 void Blocks<D>::resize(std::size_t slots) {
+  if (free_slots_.capacity() < slots) free_slots_.reserve(2 * slots);  // removing a block takes no memory
   kind.resize(slots, BlockKind::none);
   material.resize(slots);
   generation.resize(slots);
@@ -119,7 +122,7 @@ void Blocks<D>::resize(std::size_t slots) {
 
 template <int D>
 double Blocks<D>::strain_mobility(std::size_t slot) const {
-  if (is_affine(slot)) return deformation(slot).strain_mobility;
+  if (is_deformable(slot)) return deformation(slot).strain_mobility;
   const Outline<D> own = outlines_.own(std::int32_t(slot));
   double most = 0;
   for (int i = 0; i < own.vertex_count(); ++i) most = std::max(most, inertia[slot].yield_at(own.vertex(i)));
@@ -136,7 +139,7 @@ std::int32_t Blocks<D>::add(const Shape<D>& shape, BlockKind block_kind, std::in
   const typename Outlines<D>::Taken outline = outlines_.take_in(shape);
   try {
     if (appended) resize(slots + 1);
-    if (block_kind == BlockKind::affine) deformations_.make_room(slots + 1);
+    if (block_kind >= BlockKind::affine) deformations_.make_room(slots + 1);
   } catch (...) {
     outlines_.undo(outline);
     resize(slots);
@@ -160,7 +163,7 @@ std::int32_t Blocks<D>::add(const Shape<D>& shape, BlockKind block_kind, std::in
   thickness[s] = shape.thickness();
   rotation[s] = Rotation<D>();
   spin[s] = Angular<D>::Zero();
-  if (block_kind == BlockKind::affine) deformations_.add(undeformed(shape, density, slot));
+  if (block_kind >= BlockKind::affine) deformations_.add(undeformed(shape, density, slot));
   place(slot, shape.centroid(), Rotation<D>());
   set_motion(slot, Vector<D>::Zero(), Angular<D>::Zero());
   return slot;
@@ -168,18 +171,34 @@ std::int32_t Blocks<D>::add(const Shape<D>& shape, BlockKind block_kind, std::in
 
 template <int D>
 void Blocks<D>::remove(std::int32_t slot) {
-  free_slots_.push_back(slot);  // the one line that may fail comes first
+  free_slots_.push_back(slot);
   outlines_.drop(slot);
-  if (is_affine(std::size_t(slot))) deformations_.remove(slot);
+  if (is_deformable(std::size_t(slot))) deformations_.remove(slot);
+  bonds_.forget(slot);
   kind[std::size_t(slot)] = BlockKind::none;
   --living_;
+}
+
+/// A slot of the first generation has come with its block; another one goes back to those that are free.
+template <int D>
+void Blocks<D>::take_back(std::int32_t slot) {
+  const std::size_t s = std::size_t(slot);
+  outlines_.take_back(slot);
+  if (is_deformable(s)) deformations_.remove(slot);
+  kind[s] = BlockKind::none;
+  --living_;
+  if (--generation[s] == 0) {
+    resize(s);
+  } else {
+    free_slots_.push_back(slot);
+  }
 }
 
 template <int D>
 void Blocks<D>::place(std::int32_t slot, const Vector<D>& to, const Rotation<D>& turned) {
   const std::size_t s = std::size_t(slot);
   position[s] = to;
-  if (is_affine(s)) {
+  if (is_deformable(s)) {
     // Turned as a whole, its strain and strain rate with it.
     const Deformation<D>& now = deformation(s);
     const Tensor<D> turn = (turned * rotation[s].inverse()).tensor(), gradient = turn * now.gradient;
@@ -207,7 +226,7 @@ template <int D>
 void Blocks<D>::set_motion(std::int32_t slot, const Vector<D>& new_velocity, const Angular<D>& new_spin) {
   const std::size_t s = std::size_t(slot);
   velocity[s] = new_velocity;
-  if (is_affine(s)) {
+  if (is_deformable(s)) {
     // Its strain rate stays.
     const Deformation<D>& now = deformation(s);
     const Angular<D> change = new_spin - spin[s];
@@ -254,6 +273,32 @@ void Blocks<D>::drift_affine(std::int32_t slot, const Vector<D>& way, double dur
   deform(slot, now.gradient + duration * now.rate, now.rate);
 }
 
+/// The point that a force moves most is the node of least mass.
+template <int D>
+void Blocks<D>::put_on_surface(const SurfaceCell<D>& cell, const Eigen::Matrix<double, D + 1, 1>& masses) {
+  const std::size_t s = std::size_t(cell.block);
+  mass[s] = masses.sum();
+  deformation(s).strain_mobility = 1 / masses.minCoeff() - 1 / mass[s];
+  meshes_.add_to_surface(cell);
+  follow_nodes(cell);
+}
+
+template <int D>
+void Blocks<D>::follow_nodes(const SurfaceCell<D>& cell) {
+  const std::size_t s = std::size_t(cell.block);
+  position[s] = meshes_.body(cell.body).origin + cell.mean_of(meshes_.place);
+  velocity[s] = cell.mean_of(meshes_.velocity);
+  deform(cell.block, cell.gradient_of(meshes_.place), cell.gradient_of(meshes_.velocity));
+}
+
+template <int D>
+void Blocks<D>::follow_node_velocities(const SurfaceCell<D>& cell) {
+  const std::size_t s = std::size_t(cell.block);
+  velocity[s] = cell.mean_of(meshes_.velocity);
+  deformation(s).rate = cell.gradient_of(meshes_.velocity);
+  renew_spin(s);
+}
+
 template <int D>
 Box<D> Blocks<D>::box(std::int32_t slot) const {
   const Box<D> about_centroid = box_of(outline(slot));
@@ -294,7 +339,7 @@ bool Blocks<D>::is_consistent(std::int32_t material_count) const {
   for (std::size_t i = 0; i < slots; ++i) {
     if (kind[i] == BlockKind::none) continue;
     living.push_back(std::int32_t(i));
-    if (kind[i] < BlockKind::fixed || kind[i] > BlockKind::affine) return false;
+    if (kind[i] < BlockKind::fixed || kind[i] > BlockKind::mesh) return false;
     if (material[i] < 0 || material[i] >= material_count) return false;
     const bool is_placed = position[i].allFinite() && is_turn<D>(rotation[i]);
     const bool moves = velocity[i].allFinite() && spin[i].allFinite() && momentum[i].allFinite();
@@ -308,10 +353,19 @@ bool Blocks<D>::is_consistent(std::int32_t material_count) const {
     return slot >= 0 && std::size_t(slot) < slots && !lives(std::size_t(slot)) &&
            !is_taken[std::size_t(slot)]++;
   };
+  const auto is_on_surface = [&](const SurfaceCell<D>& cell) {
+    return std::size_t(cell.block) < slots && is_of_mesh(std::size_t(cell.block));
+  };
+  const auto joins_living = [&](const Bond<D>& bond) {
+    return bond.a < 0 || (lives(std::size_t(bond.a)) && lives(std::size_t(bond.b)));
+  };
   return std::int64_t(living.size()) == living_ && free_slots_.size() == slots - living.size() &&
          all(free_slots_, is_free) && outlines_.is_consistent(living) &&
          all(deformations_.all(), [](const Deformation<D>& d) { return d.is_consistent(); }) &&
-         deformations_.is_consistent(slots, [&](std::size_t slot) { return is_affine(slot); });
+         deformations_.is_consistent(slots, [&](std::size_t slot) { return is_deformable(slot); }) &&
+         bonds_.is_consistent(slots) && all(bonds_.all(), joins_living) &&
+         meshes_.is_consistent(material_count) && all(meshes_.surface(), is_on_surface) &&
+         std::count(kind.begin(), kind.end(), BlockKind::mesh) == std::ptrdiff_t(meshes_.surface().size());
 }
 
 template class Blocks<2>;

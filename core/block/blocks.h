@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "block/bond/bonds.h"
 #include "block/deformations.h"
 #include "block/face.h"
 #include "block/inertia.h"
+#include "block/mesh/meshes.h"
 #include "block/outlines.h"
 #include "geometry/box.h"
 #include "geometry/outline.h"
@@ -16,7 +18,7 @@
 namespace halfspace {
 
 /// How a block moves. The values are those of the C API; `none` marks a free slot.
-enum class BlockKind : std::int32_t { none = -1, fixed = 0, prescribed = 1, rigid = 2, affine = 3 };
+enum class BlockKind : std::int32_t { none = -1, fixed = 0, prescribed = 1, rigid = 2, affine = 3, mesh = 4 };
 
 /// Two blocks where they are: their outlines, and the way from a's centroid to b's.
 template <int D>
@@ -39,12 +41,23 @@ class Blocks {
   bool moves_freely(std::size_t slot) const { return kind[slot] >= BlockKind::rigid; }
   /// As it is told to, or by Newton's law.
   bool moves(std::size_t slot) const { return kind[slot] >= BlockKind::prescribed; }
-  bool has_affine() const { return !deformations_.empty(); }
+  bool has_deformable() const { return !deformations_.empty(); }
   bool is_affine(std::size_t slot) const { return kind[slot] == BlockKind::affine; }
+  /// At the surface of a mesh, whose nodes move it.
+  bool is_of_mesh(std::size_t slot) const { return kind[slot] == BlockKind::mesh; }
+  /// Strains as a whole: as an unknown of its own, or as the nodes of its mesh do.
+  bool is_deformable(std::size_t slot) const { return kind[slot] >= BlockKind::affine; }
+  /// Two blocks that a bond holds, or of one mesh and with a common node, never touch.
+  bool are_joined(std::size_t a, std::size_t b) const {
+    return (is_of_mesh(a) && is_of_mesh(b) && meshes_.are_joined(a, b)) ||
+           (!bonds_.empty() && bonds_.keeps(std::int32_t(a), std::int32_t(b)));
+  }
   std::int64_t count() const { return living_; }
 
   std::int32_t add(const Shape<D>& shape, BlockKind block_kind, std::int32_t block_material, double density);
   void remove(std::int32_t slot);
+  /// Takes the block back that was added last, as if it had never been.
+  void take_back(std::int32_t slot);
 
   /// Puts a block somewhere and turns its outline. Its spin stays.
   void place(std::int32_t slot, const Vector<D>& to, const Rotation<D>& turned);
@@ -76,18 +89,19 @@ class Blocks {
   Outline<D> own_outline(std::int32_t slot) const { return outlines_.own(slot); }
   /// As the shape is turned, and strained.
   Tensor<D> gradient(std::size_t slot) const {
-    return is_affine(slot) ? deformation(slot).gradient : rotation[slot].tensor();
+    return is_deformable(slot) ? deformation(slot).gradient : rotation[slot].tensor();
   }
   /// As thick as it is strained, or less.
   double strained_thickness(std::size_t slot) const {
-    return is_affine(slot) ? thickness[slot] / deformation(slot).gradient.inverse().norm() : thickness[slot];
+    return is_deformable(slot) ? thickness[slot] / deformation(slot).gradient.inverse().norm()
+                               : thickness[slot];
   }
   double thinner(std::int32_t a, std::int32_t b) const {
     return std::min(strained_thickness(std::size_t(a)), strained_thickness(std::size_t(b)));
   }
   /// How fast the points of a block move at most beside its centroid, now.
   double swing(std::size_t slot) const {
-    return radius[slot] * (is_affine(slot) ? deformation(slot).rate.norm() : spin[slot].norm());
+    return radius[slot] * (is_deformable(slot) ? deformation(slot).rate.norm() : spin[slot].norm());
   }
   /// At most: of any point of one against any of the other, now.
   double speed_between(std::int32_t a, std::int32_t b) const {
@@ -96,15 +110,26 @@ class Blocks {
   }
   /// The velocity of a point of a block, at a place seen from its centroid.
   Vector<D> velocity_at(std::size_t slot, const Vector<D>& arm) const {
-    if (is_affine(slot)) return velocity[slot] + deformation(slot).velocity_gradient() * arm;
+    if (is_deformable(slot)) return velocity[slot] + deformation(slot).velocity_gradient() * arm;
     return velocity[slot] + swept(spin[slot], arm);
   }
-  /// For an affine block.
+  /// For a deformable block.
   Deformation<D>& deformation(std::size_t slot) { return deformations_[slot]; }
   const Deformation<D>& deformation(std::size_t slot) const { return deformations_[slot]; }
-  /// The deformations of all affine blocks.
+  /// The deformations of all deformable blocks.
   Deformations<D>& deformations() { return deformations_; }
   const Deformations<D>& deformations() const { return deformations_; }
+  Bonds<D>& bonds() { return bonds_; }
+  const Bonds<D>& bonds() const { return bonds_; }
+  /// What the blocks of meshes belong to.
+  Meshes<D>& meshes() { return meshes_; }
+  const Meshes<D>& meshes() const { return meshes_; }
+  /// Makes a new block one of a mesh. `masses` are those of its nodes, as far as they are its own.
+  void put_on_surface(const SurfaceCell<D>& cell, const Eigen::Matrix<double, D + 1, 1>& masses);
+  /// Puts a block of a mesh where its nodes are, and moves it as they do.
+  void follow_nodes(const SurfaceCell<D>& cell);
+  /// The same where the nodes' velocities have changed alone.
+  void follow_node_velocities(const SurfaceCell<D>& cell);
   /// Sets how an affine block is turned and strained, and how fast.
   void deform(std::int32_t slot, const Tensor<D>& gradient, const Tensor<D>& rate);
   Face<D> undeformed_face(std::int32_t slot, int face) const { return face_of(outlines_.own(slot), face); }
@@ -135,7 +160,8 @@ class Blocks {
   void visit(Archive& archive) {
     archive(kind, material, generation, position, velocity, force, applied_force, rotation, angle, spin,
             momentum, torque, applied_torque, mass, inertia, radius, largest_face, thickness, free_slots_,
-            outlines_, deformations_, living_);
+            outlines_, deformations_, meshes_, bonds_, living_);
+    if constexpr (Archive::reads) free_slots_.reserve(slot_count());
   }
 
   Array<BlockKind> kind;
@@ -162,9 +188,11 @@ class Blocks {
   void set_rotation(std::size_t slot, const Rotation<D>& turned);
   void renew_spin(std::size_t slot);
 
-  Array<std::int32_t> free_slots_;
+  Array<std::int32_t> free_slots_;  // there is room for all
   Outlines<D> outlines_;
   Deformations<D> deformations_;
+  Meshes<D> meshes_;
+  Bonds<D> bonds_;
   std::int64_t living_ = 0;
 };
 

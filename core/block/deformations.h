@@ -4,7 +4,7 @@
 
 namespace halfspace {
 
-/// The deformations of a world's affine blocks, side by side. A world without any has none of it.
+/// The deformations of a world's deformable blocks, side by side. A world without any has none of it.
 template <int D>
 class Deformations {
  public:
@@ -31,26 +31,27 @@ class Deformations {
     all_[std::size_t(here)] = all_.back();
     of_slot_[std::size_t(all_.back().slot)] = here;
     of_slot_[std::size_t(slot)] = -1;
+    while (!of_slot_.empty() && of_slot_.back() < 0) of_slot_.pop_back();
     all_.pop_back();
   }
   Deformation<D>& operator[](std::size_t slot) { return all_[std::size_t(of_slot_[slot])]; }
   const Deformation<D>& operator[](std::size_t slot) const { return all_[std::size_t(of_slot_[slot])]; }
 
-  /// False for what cannot be, after reading a snapshot. So many blocks are affine: those for which
-  /// `is_affine(slot)`.
-  template <class IsAffine>
-  bool is_consistent(std::size_t slots, IsAffine is_affine) const {
+  /// False for what cannot be, after reading a snapshot. So many blocks are deformable: those for which
+  /// `is_deformable(slot)`.
+  template <class IsDeformable>
+  bool is_consistent(std::size_t slots, IsDeformable is_deformable) const {
     if (of_slot_.size() > slots) return false;
-    std::size_t affine = 0;
+    std::size_t deformable = 0;
     for (std::size_t slot = 0; slot < slots; ++slot) {
-      if (!is_affine(slot)) continue;
-      ++affine;
+      if (!is_deformable(slot)) continue;
+      ++deformable;
       if (slot >= of_slot_.size()) return false;
       const std::int32_t here = of_slot_[slot];
       if (here < 0 || std::size_t(here) >= all_.size() || all_[std::size_t(here)].slot != std::int32_t(slot))
         return false;
     }
-    return affine == all_.size();
+    return deformable == all_.size();
   }
 
   template <class Archive>
@@ -59,7 +60,7 @@ class Deformations {
   }
 
  private:
-  Array<std::int32_t> of_slot_;  // where in all_; short of the slots after the last affine block
+  Array<std::int32_t> of_slot_;  // where in all_; short of the slots after the last deformable block
   Array<Deformation<D>> all_;
 };
 

@@ -12,6 +12,10 @@ namespace halfspace {
 inline double mass_of(const Shape<2>& shape, double density) { return density * shape.area(); }
 inline double mass_of(const Shape<3>& shape, double density) { return density * shape.volume(); }
 
+// Masses and moments of inertia within these bounds can be computed with: neither they nor their products
+// with velocities vanish or are infinite.
+constexpr double least_mass = 1e-300, least_inertia = 1e-300, largest_mass = 1e150, largest_inertia = 1e300;
+
 /// How a block resists turning about its centroid.
 template <int D>
 struct Inertia;
@@ -55,5 +59,12 @@ struct Inertia<3> {
     return 0.5 * (sum + std::sqrt(std::max(0.0, sum * sum - 4 * product)));
   }
 };
+
+/// The inertia is judged by its least principal moment.
+template <int D>
+bool is_within_bounds(double mass, const Inertia<D>& inertia) {
+  const double moment = inertia.least_moment();
+  return mass >= least_mass && mass <= largest_mass && moment >= least_inertia && moment <= largest_inertia;
+}
 
 }  // namespace halfspace

@@ -34,6 +34,8 @@ class Outlines {
   Taken take_in(const Shape<D>& shape);
   void assign(std::int32_t slot, const Taken& taken);
   void undo(const Taken& taken);
+  /// The same for the block that was added last.
+  void take_back(std::int32_t slot) { undo({first_[std::size_t(slot)], form_[std::size_t(slot)]}); }
   /// Closes the gap that a removed block leaves.
   void drop(std::int32_t slot);
 

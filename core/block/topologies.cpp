@@ -103,6 +103,7 @@ void Topologies::release(std::int32_t which) {
     if (kept.first > released.first) kept.first -= released.length();
   }
   released = {};
+  while (!kept_.empty() && kept_.back().users == 0) kept_.pop_back();
   find_anew();
 }
 

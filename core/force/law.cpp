@@ -1,5 +1,7 @@
 #include "force/law.h"
 
+#include <algorithm>
+
 #include "geometry/numbers.h"
 
 namespace halfspace {
@@ -11,6 +13,14 @@ bool SpringLaw::is_consistent() const {
          is_from_zero(shear_damping);
 }
 
+SpringLaw SpringLaw::weaker_by(double factor) const {
+  SpringLaw weaker = *this;
+  weaker.tan_friction /= factor;
+  weaker.cohesion /= factor;
+  weaker.tensile_strength /= factor;
+  return weaker;
+}
+
 void LawTable::set(std::int32_t a, std::int32_t b, const SpringLaw& law) {
   std::int32_t& own = law_of_pair_[index(a, b)];
   if (own < 0) {
@@ -20,6 +30,11 @@ void LawTable::set(std::int32_t a, std::int32_t b, const SpringLaw& law) {
     own_[std::size_t(own)] = law;
   }
   knows_potential_ |= law.is_potential();
+}
+
+void LawTable::weaken(double factor) {
+  default_ = default_.weaker_by(factor);
+  for (SpringLaw& law : own_) law = law.weaker_by(factor);
 }
 
 bool LawTable::is_consistent() const {

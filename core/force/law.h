@@ -28,6 +28,8 @@ struct SpringLaw {
   bool is_damped() const { return normal_damping + shear_damping > 0; }
   bool is_potential() const { return stiffness_kind == StiffnessKind::potential; }
   bool bonds() const { return cohesion > 0 || tensile_strength > 0; }
+  /// The same with all strengths divided by a factor.
+  SpringLaw weaker_by(double factor) const;
   /// False for what no law can be, after reading a snapshot.
   bool is_consistent() const;
   /// The viscosity of the more damped of both dashpots, beside a spring between blocks of this reduced mass.
@@ -53,6 +55,9 @@ class LawTable {
     knows_potential_ |= law.is_potential();
   }
   void set(std::int32_t a, std::int32_t b, const SpringLaw& law);
+
+  /// Divides all strengths by a factor.
+  void weaken(double factor);
 
   const SpringLaw& between(std::int32_t a, std::int32_t b) const {
     const std::int32_t own = law_of_pair_[index(a, b)];

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 
 #include "narrow_phase/posed_pair.h"
@@ -10,14 +11,15 @@
 namespace halfspace {
 
 /// A proof that two shapes stay separated after they have moved: along the normal their centroids were
-/// farther apart than they reach together, as they were turned then. Below, a Proof is one of these or what a
-/// host keeps with the same members.
-struct SeparationProof {
-  std::uint64_t shapes;  // fingerprint_of() these; 0 if there is no proof
-  double reach;          // of both together along the normal, or more
-  double normal[3];      // unit, from a to b
-  double rotation_a[4];  // quaternions
-  double rotation_b[4];
+/// farther apart than they reach together, as they were turned then. The host keeps it, with other things of
+/// its own.
+template <class Proof>
+concept SeparationProof = requires(Proof& proof) {
+  { (proof.shapes) } -> std::same_as<std::uint64_t&>;    // fingerprint_of() these; 0 if there is no proof
+  { (proof.reach) } -> std::same_as<double&>;            // of both together along the normal, or more
+  { (proof.normal) } -> std::same_as<double(&)[3]>;      // unit, from a to b
+  { (proof.rotation_a) } -> std::same_as<double(&)[4]>;  // quaternions
+  { (proof.rotation_b) } -> std::same_as<double(&)[4]>;
 };
 
 /// How far a unit vector leads from a's centroid to b's.
@@ -42,7 +44,7 @@ double reach_of(const PosedPair<D>& posed, const double normal[3], double gap) {
 }
 
 /// Keeps a proof from the gap by which a pair has been found separated along a normal.
-template <int D, class Proof>
+template <int D, SeparationProof Proof>
 void keep_proof(const PosedPair<D>& posed, const double normal[3], double gap, Proof& proof) {
   proof.shapes = fingerprint_of(posed);
   proof.reach = reach_of(posed, normal, gap);
@@ -55,7 +57,7 @@ void keep_proof(const PosedPair<D>& posed, const double normal[3], double gap, P
 /// more than 2 R sin(angle / 2), and its quaternion by 2 sin(angle / 4): the reach grows by at most 2 R times
 /// the latter, here summed over the components, and by a little more as quaternions may be off unit length.
 /// Translation counts as it is.
-template <int D, class Proof>
+template <int D, SeparationProof Proof>
 [[gnu::always_inline]] inline double gap_left(const PosedPair<D>& posed, const Proof& proof) {
   const double *a = posed.at_a.quaternion, *b = posed.at_b.quaternion;
   TwoLanes turned = sums(abs(load_two(a + 2) - load_two(proof.rotation_a + 2)),
@@ -71,7 +73,7 @@ template <int D, class Proof>
 /// The gap that is left when it still proves the pair separated by more than the margin, else 0. Poses that
 /// are to be refused prove nothing, nor do those in the plane whose quaternions turn about z but for
 /// rounding.
-template <int D, class Proof>
+template <int D, SeparationProof Proof>
 [[gnu::always_inline]] inline double proven_gap(const PosedPair<D>& posed, const Proof& proof,
                                                 double margin) {
   if (proof.shapes != fingerprint_of(posed)) return 0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <exception>
@@ -33,31 +34,82 @@ inline std::size_t chunk_count(std::size_t things, std::size_t per_chunk) {
   return (things + per_chunk - 1) / per_chunk;
 }
 
+/// Which chunks of a row are still to be taken. Each worker has a range of its own, the same in every pass
+/// over the row: what it wrote in one pass is in its own cache in the next. A chunk that another takes costs
+/// several times as much. So a worker that has ended helps only those that are far behind.
+class ChunkQueue {
+ public:
+  ChunkQueue(std::size_t chunks, std::size_t workers)
+      : chunks_(chunks), ranges_(std::min({workers, chunks / 2, most_ranges})) {}
+
+  /// Calls `visit(index)` for chunks that nobody has taken, until none is left for it or it returns false.
+  template <class Visit>
+  void take(int worker, Visit visit) {
+    for (std::size_t turn = 0; turn < ranges_; ++turn) {
+      const std::size_t range = (std::size_t(worker) + turn) % ranges_;
+      const std::size_t begin = range * chunks_ / ranges_, end = (range + 1) * chunks_ / ranges_;
+      const bool is_own = range == std::size_t(worker);
+      const std::size_t left_alone = is_own ? 0 : 1 + (end - begin) / 8;
+      std::atomic<std::size_t>& taken = taken_[range].count;
+      while (begin + taken + left_alone < end) {
+        const std::size_t index = begin + taken++;
+        if (index < end && !visit(index)) return;
+      }
+    }
+  }
+
+ private:
+  static constexpr std::size_t most_ranges = 16;
+  struct alignas(64) Taken {  // a cache line each
+    std::atomic<std::size_t> count = 0;
+  };
+
+  std::size_t chunks_;
+  std::size_t ranges_;
+  std::array<Taken, most_ranges> taken_;
+};
+
 /// Calls `visit(chunk)` for all chunks of a row. How the row is cut does not depend on the threads: what is
 /// summed up chunk by chunk, and then over the chunks in order, has the same bits for any number of them.
-/// Each worker takes the next chunk that nobody has taken.
 template <class Visit>
 void for_each_chunk(Threads* threads, std::size_t things, std::size_t per_chunk, Visit visit) {
   const std::size_t chunks = chunk_count(things, per_chunk);
   const auto visit_chunk = [&](std::size_t index, int worker) {
     visit(Chunk{index, index * per_chunk, std::min(things, (index + 1) * per_chunk), worker});
   };
-  if (worker_count(threads) == 1 || chunks <= 1) {
+  const std::size_t workers = std::size_t(worker_count(threads));
+  if (workers == 1 || chunks < 4) {  // to hand over so little costs as much as to do it
     for (std::size_t index = 0; index < chunks; ++index) visit_chunk(index, 0);
     return;
   }
-  std::atomic<std::size_t> next = 0;
+  ChunkQueue queue(chunks, workers);
   std::atomic<bool> has_failed = false;
   std::exception_ptr fault;
   auto work = [&](int worker) {
     try {
-      for (std::size_t index; !has_failed && (index = next++) < chunks;) visit_chunk(index, worker);
+      queue.take(worker, [&](std::size_t index) {
+        visit_chunk(index, worker);
+        return !has_failed.load(std::memory_order_relaxed);
+      });
     } catch (...) {
       if (!has_failed.exchange(true)) fault = std::current_exception();
     }
   };
   threads->run([](void* data, int worker) { (*static_cast<decltype(work)*>(data))(worker); }, &work);
   if (fault) std::rethrow_exception(fault);
+}
+
+/// Calls `visit(chunk, sum)` for all chunks of a row; `sums` holds those of all chunks, in order, at the end.
+/// A worker keeps the sum to itself while it is at work: two that write side by side into one cache line wait
+/// for each other.
+template <class Sums, class Visit>
+void sum_each_chunk(Threads* threads, std::size_t things, std::size_t per_chunk, Sums& sums, Visit visit) {
+  sums.assign(chunk_count(things, per_chunk), {});
+  for_each_chunk(threads, things, per_chunk, [&](const Chunk& chunk) {
+    typename Sums::value_type sum{};
+    visit(chunk, sum);
+    sums[chunk.index] = sum;
+  });
 }
 
 }  // namespace halfspace

@@ -90,9 +90,10 @@ void ContactList<D>::end(std::span<const PairSums> chunks) {
 }
 
 template <int D>
-std::span<const std::uint32_t> ContactList<D>::touching_in(const Chunk& pairs) const {
-  const auto first = std::lower_bound(touching_.begin(), touching_.end(), pairs.begin);
-  return {first, std::lower_bound(first, touching_.end(), pairs.end)};
+std::span<const std::uint32_t> ContactList<D>::touching_in(std::size_t chunk) const {
+  const std::size_t begin = chunk * pairs_per_chunk;
+  const auto first = std::lower_bound(touching_.begin(), touching_.end(), begin);
+  return {first, std::lower_bound(first, touching_.end(), begin + pairs_per_chunk)};
 }
 
 template <int D>

@@ -27,6 +27,7 @@ struct PairSums {
   double peak_overlap = 0;
   double deepest_stop = 0;
   ContactEnergy energy{};
+  std::int32_t last_block = -1;  // of those that its loads act on
 };
 
 /// The contacts of a world: which of the neighbour list's pairs touch. A contact is not kept: it follows from
@@ -70,7 +71,7 @@ class ContactList {
   /// When all chunks have been gone through.
   void end(std::span<const PairSums> chunks);
   /// The contacts in a chunk of pairs.
-  std::span<const std::uint32_t> touching_in(const Chunk& pairs) const;
+  std::span<const std::uint32_t> touching_in(std::size_t chunk) const;
   void forget() {
     touching_.clear();
     found_ = false;
@@ -87,6 +88,7 @@ class ContactList {
   /// A block whose first step has not begun.
   void add_fresh(std::int32_t slot, std::size_t slots);
   void make_room_for_block() { make_room_for_one(fresh_); }
+  void make_room_for_blocks(std::size_t slots) { fresh_.reserve(slots); }
   bool has_fresh() const { return any_fresh_; }
   /// Bonds what fresh blocks touch; contacts are known. Bonded pairs count as contacts from then on.
   void bond_fresh();

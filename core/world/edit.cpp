@@ -27,13 +27,13 @@ void World<D>::change_laws() {
 
 template <int D>
 void World<D>::set_default_law(const SpringLaw& law) {
-  model_.materials.laws().set_default(law);
+  model_.materials.laws().set_default(law.weaker_by(strength_factor_));
   change_laws();
 }
 
 template <int D>
 void World<D>::set_law(std::int32_t a, std::int32_t b, const SpringLaw& law) {
-  model_.materials.laws().set(a, b, law);
+  model_.materials.laws().set(a, b, law.weaker_by(strength_factor_));
   change_laws();
 }
 
@@ -74,6 +74,7 @@ void World<D>::set_velocity(std::int32_t slot, const Vector<D>& velocity, const 
 template <int D>
 void World<D>::set_elasticity(std::int32_t material, const Elasticity& elasticity) {
   model_.materials.set_elasticity(material, elasticity);
+  model_.blocks.meshes().renew_elasticity(model_.materials.bulk());
   edit();
 }
 

@@ -62,7 +62,7 @@ Sweep<D> FastMotion<D>::planned_sweep(std::size_t i) const {
   sweep.gradient = blocks_.gradient(i);
   if (blocks_.kind[i] == BlockKind::fixed) return sweep;
   sweep.way = integrator_.planned_way(i);
-  if (blocks_.is_affine(i)) {
+  if (blocks_.is_deformable(i)) {
     sweep.stretch = integrator_.planned_stretch(i);
   } else {
     sweep.turn = integrator_.planned_turn(i);
@@ -80,7 +80,7 @@ Sweep<D> FastMotion<D>::made_sweep(std::size_t i, double made) const {
   if (blocks_.kind[i] == BlockKind::fixed) return sweep;
   sweep.way = made * blocks_.velocity[i];
   sweep.position -= sweep.way;
-  if (blocks_.is_affine(i)) {
+  if (blocks_.is_deformable(i)) {
     sweep.stretch = made * blocks_.deformation(i).rate;
     sweep.gradient -= sweep.stretch;
   } else {

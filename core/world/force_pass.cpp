@@ -9,7 +9,8 @@
 // Forces are a row of passes over arrays, chunk by chunk (docs/decisions/threads.md):
 //
 //   load    each pair in contact writes its own force, couple and energies
-//   gather  each block adds up the loads of its pairs, in ascending order of pairs
+//   gather  each block adds up the loads of its pairs, in ascending order of pairs; a row of blocks passes by
+//           the chunks of pairs without any of its own, so that who gathers reads little that others wrote
 //   sums    those of each chunk are added up in the order of chunks
 
 namespace halfspace {
@@ -22,7 +23,7 @@ void ForcePass<D>::fit_rooms() {
   const std::size_t pairs = neighbors_.room();
   forces_.resize(pairs);
   dashpots_.resize(is_damped ? pairs : 0);
-  virials_.resize(blocks_.has_affine() ? pairs : 0);
+  virials_.resize(blocks_.has_deformable() ? pairs : 0);
   if (!laws.knows_potential()) return;
   for (PotentialRoom<D>& room : potential_rooms_) room.reserve(blocks_.most_edges());
   if constexpr (D == 3) neighbors_.reserve_plans();
@@ -40,14 +41,14 @@ template <int D>
   const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
   PairMotion<D> motion{blocks_.velocity[b] - blocks_.velocity[a], blocks_.position[b] - blocks_.position[a],
                        blocks_.spin[a], blocks_.spin[b]};
-  if (blocks_.has_affine()) motion.strain_rates = strain_rates_of(a, b, evaluation);
+  if (blocks_.has_deformable()) motion.strain_rates = strain_rates_of(a, b, evaluation);
   return motion;
 }
 
 template <int D>
 const StrainRates<D>* ForcePass<D>::strain_rates_of(std::size_t a, std::size_t b,
                                                     Evaluation& evaluation) const {
-  const bool a_strains = blocks_.is_affine(a), b_strains = blocks_.is_affine(b);
+  const bool a_strains = blocks_.is_deformable(a), b_strains = blocks_.is_deformable(b);
   if (!a_strains && !b_strains) return nullptr;
   evaluation.strain_rates = {};
   if (a_strains) evaluation.strain_rates.of_a = blocks_.deformation(a).strain_rate;
@@ -106,6 +107,7 @@ template <int D>
 void ForcePass<D>::load(std::size_t k, const Contact<D>& contact, Evaluation& evaluation) {
   Candidate<D>& pair = neighbors_.pairs()[k];
   const SpringLaw& law = model_.law_of(pair);
+  evaluation.last_block = std::max(evaluation.last_block, pair.b);
   const bool is_damped = law.is_damped();
   const double reduced_mass = is_damped ? blocks_.reduced_mass(std::size_t(pair.a), std::size_t(pair.b)) : 0;
   const Spring<D> spring(law, reduced_mass, evaluation.elapsed);
@@ -128,12 +130,12 @@ typename ForcePass<D>::Virials ForcePass<D>::virials_of(const Candidate<D>& pair
     return virial_of<D>(on_b.force, on_b.point - centroid, on_b.couple, load.normal);
   };
   Virials virials;
-  if (blocks_.is_affine(a)) {
+  if (blocks_.is_deformable(a)) {
     const Vector<D> here = Vector<D>::Zero();
     virials.on_a = stretch.of_a - virial(load.contact, here);
     if (is_damped) virials.of_dashpots_on_a = -virial(load.dashpots(), here);
   }
-  if (blocks_.is_affine(b)) {
+  if (blocks_.is_deformable(b)) {
     const Vector<D> to_b = blocks_.position[b] - blocks_.position[a];
     virials.on_b = stretch.of_b + virial(load.contact, to_b);
     if (is_damped) virials.of_dashpots_on_b = virial(load.dashpots(), to_b);
@@ -142,23 +144,35 @@ typename ForcePass<D>::Virials ForcePass<D>::virials_of(const Candidate<D>& pair
 }
 
 template <int D>
-void ForcePass<D>::gather() {
+void ForcePass<D>::gather(std::span<const PairSums> chunks) {
   const std::size_t blocks = blocks_.slot_count();
-  // Who gathers goes through all contacts: no more rows of blocks than there are workers.
-  const bool is_short = contacts_.count() <= pairs_per_chunk;
-  const std::size_t workers = is_short ? 1 : std::size_t(worker_count(threads_));
-  for_each_chunk(threads_, blocks, blocks / workers + 1,
-                 [&](const Chunk& row) { gather(row.begin, row.end); });
+  // A few rows of blocks for each worker: each row looks at all chunks of pairs.
+  const bool is_shared = worker_count(threads_) > 1 && contacts_.count() > 4 * pairs_per_chunk;
+  const std::size_t rows = is_shared ? 4 * std::size_t(worker_count(threads_)) : 1;
+  for_each_chunk(threads_, blocks, blocks / rows + 1,
+                 [&](const Chunk& row) { gather_row(row.begin, row.end, chunks); });
   known_ = true;
 }
 
-/// Each block of a row in ascending order of its contacts.
+/// Each block of a row in ascending order of its contacts. Pairs are in ascending order of their first
+/// blocks.
 template <int D>
-void ForcePass<D>::gather(std::size_t first, std::size_t last) {
+void ForcePass<D>::gather_row(std::size_t first, std::size_t last, std::span<const PairSums> chunks) {
   unload(first, last);
-  const bool is_damped = !dashpots_.empty(), has_affine = !virials_.empty();
+  for (std::size_t c = 0; c < chunks.size(); ++c) {
+    if (chunks[c].last_block < std::int32_t(first)) continue;
+    const auto contacts = contacts_.touching_in(c);
+    if (std::size_t(neighbors_.pairs()[contacts.front()].a) >= last) return;
+    gather_contacts(first, last, contacts);
+  }
+}
+
+template <int D>
+void ForcePass<D>::gather_contacts(std::size_t first, std::size_t last,
+                                   std::span<const std::uint32_t> contacts) {
+  const bool is_damped = !dashpots_.empty(), has_deformable = !virials_.empty();
   const auto is_here = [&](std::size_t i) { return i - first < last - first; };
-  for (const std::uint32_t k : contacts_.touching()) {
+  for (const std::uint32_t k : contacts) {
     const Candidate<D>& pair = neighbors_.pairs()[k];
     const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
     const ContactForce<D>& load = forces_[k];
@@ -169,13 +183,13 @@ void ForcePass<D>::gather(std::size_t first, std::size_t last) {
       blocks_.force[a] -= load.force;
       blocks_.torque[a] += load.torque_on_a();
       if (is_damped) dashpot_load_[a].add(-dashpots.force, dashpots.torque_on_a());
-      if (has_affine) strain(a, virials_[k].on_a, virials_[k].of_dashpots_on_a);
+      if (has_deformable) strain(a, virials_[k].on_a, virials_[k].of_dashpots_on_a);
     }
     if (is_here(b)) {
       blocks_.force[b] += load.force;
       blocks_.torque[b] += load.torque_on_b(to_b);
       if (is_damped) dashpot_load_[b].add(dashpots.force, dashpots.torque_on_b(to_b));
-      if (has_affine) strain(b, virials_[k].on_b, virials_[k].of_dashpots_on_b);
+      if (has_deformable) strain(b, virials_[k].on_b, virials_[k].of_dashpots_on_b);
     }
   }
 }
@@ -189,16 +203,16 @@ void ForcePass<D>::unload(std::size_t first, std::size_t last) {
   clear(blocks_.force, Vector<D>(Vector<D>::Zero()));
   clear(blocks_.torque, Angular<D>(Angular<D>::Zero()));
   clear(dashpot_load_, DashpotLoad());
-  if (!blocks_.has_affine()) return;
+  if (!blocks_.has_deformable()) return;
   for (std::size_t i = first; i < last; ++i) {
-    if (!blocks_.is_affine(i)) continue;
+    if (!blocks_.is_deformable(i)) continue;
     blocks_.deformation(i).virial = blocks_.deformation(i).dashpot_virial = Tensor<D>::Zero();
   }
 }
 
 template <int D>
 void ForcePass<D>::strain(std::size_t i, const Tensor<D>& virial, const Tensor<D>& of_dashpots) {
-  if (!blocks_.is_affine(i)) return;
+  if (!blocks_.is_deformable(i)) return;
   blocks_.deformation(i).virial += virial;
   blocks_.deformation(i).dashpot_virial += of_dashpots;
 }
@@ -207,7 +221,7 @@ template <int D>
 double ForcePass<D>::dashpot_power(std::size_t i) const {
   if (dashpot_load_.empty()) return 0;
   const double pushed = dashpot_load_[i].force.dot(blocks_.velocity[i]);
-  if (blocks_.is_affine(i)) {
+  if (blocks_.is_deformable(i)) {
     const Deformation<D>& deformation = blocks_.deformation(i);
     return -pushed - deformation.dashpot_virial.cwiseProduct(deformation.velocity_gradient()).sum();
   }

@@ -38,6 +38,7 @@ class ForcePass {
     double potential_length;
     int worker = 0;
     ContactEnergy energy{};
+    std::int32_t last_block = -1;
     // These are of the contact at hand, where a block is affine.
     Stretch<D> stretch{};
     StrainRates<D> strain_rates{};
@@ -47,8 +48,8 @@ class ForcePass {
   Evaluation begin(double elapsed) const;
   /// Works out what the contact of a pair in the list does to its two blocks.
   void load(std::size_t k, const Contact<D>& contact, Evaluation& evaluation);
-  /// Loads the blocks with that of all contacts.
-  void gather();
+  /// Loads the blocks with that of all contacts. `chunks` are those whose pairs have been loaded.
+  void gather(std::span<const PairSums> chunks);
   void forget() { known_ = false; }
 
   bool are_known() const { return known_; }
@@ -102,7 +103,9 @@ class ForcePass {
                              ShearSpring<D>& shear, Evaluation& evaluation);
   Virials virials_of(const Candidate<D>& pair, const PairLoad<D>& load, bool is_damped,
                      Evaluation& evaluation) const;
-  void gather(std::size_t first_block, std::size_t last_block);
+  void gather_row(std::size_t first_block, std::size_t last_block, std::span<const PairSums> chunks);
+  void gather_contacts(std::size_t first_block, std::size_t last_block,
+                       std::span<const std::uint32_t> contacts);
   void unload(std::size_t first_block, std::size_t last_block);
   void strain(std::size_t block, const Tensor<D>& virial, const Tensor<D>& of_dashpots);
 

@@ -72,6 +72,7 @@ Stock Integrator<D>::begin(double time_step, double& noise) {
   Stock stock;
   double weight_times_size = 0, rounding_energy = 0;
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
+    if (blocks_.is_of_mesh(i)) continue;
     if (blocks_.moves_freely(i)) {
       accelerate(i);
       weight_times_size += blocks_.mass[i] * settings_.gravity.norm() * blocks_.radius[i];
@@ -86,14 +87,15 @@ Stock Integrator<D>::begin(double time_step, double& noise) {
     }
   }
   noise = weight_times_size + rounding_energy;
+  meshes_.begin(time_step, stock, noise);
   return stock;
 }
 
 template <int D>
-template <class Visit>
-void Integrator<D>::for_each_block(Visit visit) {
-  for_each_chunk(threads_, blocks_.slot_count(), blocks_per_chunk, [&](const Chunk& chunk) {
-    for (std::size_t i = chunk.begin; i < chunk.end; ++i) visit(i, chunk.index);
+template <class Sums, class Visit>
+void Integrator<D>::sum_each_block(Sums& sums, Visit visit) {
+  sum_each_chunk(threads_, blocks_.slot_count(), blocks_per_chunk, sums, [&](const Chunk& chunk, auto& sum) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) visit(i, sum);
   });
 }
 
@@ -103,9 +105,8 @@ bool Integrator<D>::plan(double duration) {
   const std::size_t slots = blocks_.slot_count();
   next_rotation_.resize(slots);
   stocks_.reserve(chunk_count(slots, blocks_per_chunk));
-  planned_.assign(chunk_count(slots, blocks_per_chunk), {});
-  for_each_block([&](std::size_t i, std::size_t chunk) {
-    Plan& plan = planned_[chunk];
+  if (!meshes_.plan(duration)) return false;
+  sum_each_block(planned_, [&](std::size_t i, Plan& plan) {
     plan.is_in_hand = plan.is_in_hand && plan_motion_of(i, plan);
   });
   Plan all;
@@ -132,6 +133,8 @@ bool Integrator<D>::plan_motion_of(std::size_t i, Plan& plan) {
   switch (blocks_.kind[i]) {
     case BlockKind::affine:
       return plan_affine(i, plan);
+    case BlockKind::mesh:
+      return plan_block(i, meshes_.planned_way(i) / duration_, meshes_.planned_stretch(i).norm(), plan);
     case BlockKind::rigid: {
       velocity += half * acceleration_[i];
       const Angular<D> momentum = blocks_.momentum[i] + half * momentum_rate_[i];
@@ -173,12 +176,14 @@ void Integrator<D>::plan_ways() {
 
 template <int D>
 Vector<D> Integrator<D>::planned_way(std::size_t i) const {
+  if (blocks_.is_of_mesh(i)) return meshes_.planned_way(i);
   Vector<D> velocity = blocks_.velocity[i];
   if (blocks_.moves_freely(i)) velocity += 0.5 * duration_ * acceleration_[i];
   return duration_ * velocity;
 }
 template <int D>
 Tensor<D> Integrator<D>::planned_stretch(std::size_t i) const {
+  if (blocks_.is_of_mesh(i)) return meshes_.planned_stretch(i);
   const Deformation<D>& deformation = blocks_.deformation(i);
   return duration_ * (deformation.rate + 0.5 * duration_ * deformation.acceleration);
 }
@@ -190,7 +195,7 @@ Angular<D> Integrator<D>::planned_turn(std::size_t i) const {
 template <int D>
 void Integrator<D>::kick_and_drift() {
   const double half = 0.5 * duration_;
-  for_each_block([&](std::size_t i, std::size_t) {
+  const auto move = [&](std::size_t i) {
     if (blocks_.kind[i] == BlockKind::rigid) {
       blocks_.push(i, half * acceleration_[i], half * momentum_rate_[i]);
     } else if (blocks_.is_affine(i)) {
@@ -200,21 +205,26 @@ void Integrator<D>::kick_and_drift() {
     }
     blocks_.drift(std::int32_t(i), duration_ * blocks_.velocity[i], next_rotation_[i]);
     if constexpr (D == 2) blocks_.angle[i] += duration_ * blocks_.spin[i][0];
+  };
+  for_each_chunk(threads_, blocks_.slot_count(), blocks_per_chunk, [&](const Chunk& chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) move(i);
   });
+  meshes_.kick_and_drift(duration_);
 }
 
 template <int D>
 Stock Integrator<D>::kick() {
-  stocks_.assign(chunk_count(blocks_.slot_count(), blocks_per_chunk), {});
-  for_each_block([&](std::size_t i, std::size_t chunk) { kick(i, stocks_[chunk]); });
+  sum_each_block(stocks_, [&](std::size_t i, Stock& stock) { kick(i, stock); });
   Stock all;
   for (const Stock& stock : stocks_) all.add(stock);
+  meshes_.kick(duration_, all);
   return all;
 }
 
 template <int D>
 void Integrator<D>::kick(std::size_t i, Stock& stock) {
   if (blocks_.is_affine(i)) return kick_affine(i, stock);
+  if (blocks_.is_of_mesh(i)) return;
   const double half = 0.5 * duration_;
   const Vector<D> middle_velocity = blocks_.velocity[i];
   const Angular<D> middle_spin = blocks_.spin[i];

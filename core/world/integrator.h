@@ -4,6 +4,7 @@
 
 #include "world/force_pass.h"
 #include "world/ledger.h"
+#include "world/mesh_motion.h"
 #include "world/model.h"
 #include "world/neighbor_list.h"
 
@@ -19,7 +20,8 @@ class Integrator {
  public:
   Integrator(Model<D>& model, NeighborList<D>& neighbors, const ForcePass<D>& forces, Threads* threads,
              Memory* memory)
-      : settings_(model.settings),
+      : meshes_(model, forces, memory),
+        settings_(model.settings),
         model_(model),
         blocks_(model.blocks),
         neighbors_(neighbors),
@@ -38,8 +40,10 @@ class Integrator {
   void accelerate(std::size_t block);
 
   /// Plans a motion and announces it to the neighbour list. All memory is taken here. False when it is not
-  /// finite or presses a block flat: out of hand.
+  /// finite, presses a block flat or turns a cell of a mesh inside out: out of hand.
   bool plan(double duration);
+  /// The cell that the last plan would have turned inside out, if any.
+  const InvertedCell& inverted() const { return meshes_.inverted(); }
   double duration() const { return duration_; }
   /// The longest way of any block's points in the planned motion, and the largest turn.
   double longest_motion() const { return longest_motion_; }
@@ -57,23 +61,26 @@ class Integrator {
   void reserve(std::size_t slots) {
     acceleration_.reserve(slots);
     momentum_rate_.reserve(slots);
+    meshes_.reserve();
   }
   /// Memory has been reserved.
   void resize(std::size_t slots) {
     acceleration_.resize(slots, Vector<D>::Zero());
     momentum_rate_.resize(slots, Angular<D>::Zero());
+    meshes_.resize();
   }
 
   /// False for what cannot be, after reading a snapshot.
   bool is_consistent(bool is_edited) const {
     const std::size_t slots = blocks_.slot_count();
     if (!is_edited && (acceleration_.size() != slots || momentum_rate_.size() != slots)) return false;
+    if (!meshes_.is_consistent(is_edited)) return false;
     return acceleration_.size() <= slots && momentum_rate_.size() <= slots;
   }
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(acceleration_, momentum_rate_);
+    archive(acceleration_, momentum_rate_, meshes_);
   }
 
  private:
@@ -95,8 +102,8 @@ class Integrator {
     double most_turned = 0;
   };
 
-  template <class Visit>
-  void for_each_block(Visit visit);
+  template <class Sums, class Visit>
+  void sum_each_block(Sums& sums, Visit visit);
   Drive drive(std::size_t block) const;
   void accelerate_rigid(std::size_t block);
   bool plan_block(std::size_t block, const Vector<D>& velocity, double turn, Plan& plan);
@@ -116,6 +123,7 @@ class Integrator {
                          Stock& stock) const;
   void kick_affine(std::size_t block, Stock& stock);
 
+  MeshMotion<D> meshes_;
   const WorldSettings<D>& settings_;
   const Model<D>& model_;
   Blocks<D>& blocks_;

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "block/elasticity.h"
+#include "block/mesh/meshes.h"
 #include "force/law.h"
 #include "geometry/numbers.h"
 #include "geometry/vector.h"
@@ -28,6 +29,7 @@ class Materials {
     elasticity_[std::size_t(material)] = elasticity;
   }
   const Elasticity& elasticity(std::int32_t material) const { return elasticity_[std::size_t(material)]; }
+  BulkMaterials bulk() const { return {density_, elasticity_}; }
   LawTable& laws() { return laws_; }
   const LawTable& laws() const { return laws_; }
 

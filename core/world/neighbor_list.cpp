@@ -83,7 +83,7 @@ void NeighborList<D>::choose_calm_motions(const Blocks<D>& blocks) noexcept {
 template <int D>
 bool NeighborList<D>::may_touch(const Blocks<D>& blocks, const BlockPair& pair) const {
   const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
-  if (!blocks.moves_freely(a) && !blocks.moves_freely(b)) return false;
+  if ((!blocks.moves_freely(a) && !blocks.moves_freely(b)) || blocks.are_joined(a, b)) return false;
   const PlacedBlocks<D> at = blocks.placed(pair.a, pair.b);
   const double reach = skin_[a] + skin_[b] + way(a).norm() + way(b).norm();
   return find_separation(at.a, at.b, at.to_b).gap <= reach;

@@ -122,7 +122,7 @@ class NeighborList {
   /// How far a block's farthest point can have moved since the search.
   double moved(const Blocks<D>& blocks, std::size_t slot) const {
     const double way = (blocks.position[slot] - reference_position_[slot]).norm();
-    if (!blocks.is_affine(slot))
+    if (!blocks.is_deformable(slot))
       return way + blocks.radius[slot] * blocks.rotation[slot].farthest_from(reference_rotation_[slot]);
     if (slot >= reference_gradient_.size()) return HUGE_VAL;
     return way + blocks.radius[slot] * (blocks.deformation(slot).gradient - reference_gradient_[slot]).norm();
@@ -142,7 +142,7 @@ class NeighborList {
   DivisionPlans plans_;
   Array<Vector<D>> reference_position_;
   Array<Rotation<D>> reference_rotation_;
-  Array<Tensor<D>> reference_gradient_;  // of affine blocks, if there are any
+  Array<Tensor<D>> reference_gradient_;  // of deformable blocks, if there are any
   Array<double> skin_;
   Array<double> planned_;         // motion announced for the coming step
   Array<double> calm_motion_;     // up to which a block is not fast, whichever neighbour it meets

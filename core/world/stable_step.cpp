@@ -66,22 +66,38 @@ typename StableStep<D>::Hardness StableStep<D>::hardness_of(std::size_t c, doubl
   return hardness;
 }
 
-/// Square of the largest frequency at which an affine block can vibrate by itself.
 template <int D>
-double StableStep<D>::wave_of(std::size_t slot) const {
+typename StableStep<D>::Hardness StableStep<D>::hardness_of(const Bond<D>& bond) const {
+  const BondLaw& law = blocks_.bonds().law_of(bond);
+  Hardness hardness;  // no contact: when it has failed there may be some besides
+  for (const BondPoint<D>& point : blocks_.bonds().points_of(bond))
+    hardness.stiffness += point.area * std::max(law.normal_stiffness, law.shear_stiffness);
+  return hardness;
+}
+
+/// How a deformable block can vibrate by itself, or the mesh that it is of.
+template <int D>
+typename StableStep<D>::Wave StableStep<D>::wave_of(std::size_t slot) const {
+  if (blocks_.is_of_mesh(slot)) {
+    const Meshes<D>& meshes = blocks_.meshes();
+    const Body<D>& body = meshes.body(meshes.surface_of_block(slot).body);
+    return {body.squared_frequency, body.damping_time};
+  }
   const Deformation<D>& deformation = blocks_.deformation(slot);
-  return deformation.volume * model_.elasticity_of(slot).template largest_stiffness<D>() /
-         deformation.least_moment;
+  const Elasticity& elasticity = model_.elasticity_of(slot);
+  return {deformation.volume * elasticity.template largest_stiffness<D>() / deformation.least_moment,
+          elasticity.damping_time};
 }
 
 /// Gershgorin: no frequency exceeds omega^2 = sum_contacts n (K (1/m + y) + E/I), with y = r^2/I of the point
 /// that yields most to a force, E what the shares of a region's stiffness add to it as they change with the
 /// tilt, and n = 2, or 1 where the other block stands still; and no decay gamma = sum_contacts n c (1/m + y).
 /// Dashpots read the velocity of half a step before, so that central differences are stable as long as
-/// dt^2 omega^2 + 2 dt gamma < 4. Blocks will meet others: never fewer than four contacts are counted.
+/// dt^2 omega^2 + 2 dt gamma < 4. Blocks will meet others: never fewer than so many contacts are counted.
 template <int D>
-double StableStep<D>::bound() {
-  constexpr int least_contacts = 4;
+typename StableStep<D>::Limit StableStep<D>::limit() {
+  // Blocks of a mesh share their nodes with others, which count theirs.
+  constexpr int least_contacts = 4, least_contacts_of_mesh = 1;
   const double length = model_.materials.laws().knows_potential() ? model_.potential_length() : 0;
   hardness_.assign(blocks_.slot_count(), {});
   for (std::size_t c = 0; c < contacts_.count(); ++c) {
@@ -91,24 +107,51 @@ double StableStep<D>::bound() {
     hardness_[a].add(hardness, times);
     hardness_[b].add(hardness, times);
   }
-  double stable = HUGE_VAL;
+  for (const Bond<D>& bond : blocks_.bonds().all()) {
+    if (!bond.is_joint) continue;
+    const std::size_t a = std::size_t(bond.a), b = std::size_t(bond.b);
+    const Hardness hardness = hardness_of(bond);
+    const int times = blocks_.moves_freely(a) && blocks_.moves_freely(b) ? 2 : 1;
+    hardness_[a].add(hardness, times);
+    hardness_[b].add(hardness, times);
+  }
+  Limit limit;
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
     if (!blocks_.moves_freely(i)) continue;
     Hardness& all = hardness_[i];
-    all.add(hardest_contact(i, length), 2 * std::max(least_contacts - all.contacts, 0));
-    const bool is_affine = blocks_.is_affine(i);
-    const double moment = is_affine ? blocks_.deformation(i).least_moment : blocks_.inertia[i].least_moment();
+    const int least = blocks_.is_of_mesh(i) ? least_contacts_of_mesh : least_contacts;
+    all.add(hardest_contact(i, length), 2 * std::max(least - all.contacts, 0));
+    const bool is_deformable = blocks_.is_deformable(i);
+    const double moment =
+        is_deformable ? blocks_.deformation(i).least_moment : blocks_.inertia[i].least_moment();
     const double mobility = 1 / blocks_.mass[i] + blocks_.strain_mobility(i);
     double omega_squared = all.stiffness * mobility + all.turning_stiffness / moment;
     double gamma = all.viscosity * mobility;
-    if (is_affine) {
-      const double wave = wave_of(i);
-      omega_squared += wave;
-      gamma += model_.elasticity_of(i).damping_time * wave;
+    if (is_deformable) {
+      const Wave wave = wave_of(i);
+      omega_squared += wave.squared_frequency;
+      if (wave.damping_time > 0) gamma += wave.damping_time * wave.squared_frequency;
     }
-    stable = std::min(stable, 4 / (gamma + std::sqrt(gamma * gamma + 4 * omega_squared)));
+    const double step = 4 / (gamma + std::sqrt(gamma * gamma + 4 * omega_squared));
+    if (step < limit.step) limit = {step, std::int32_t(i)};
   }
-  return stable;
+  return limit;
+}
+
+template <int D>
+std::optional<std::size_t> StableStep<D>::stiffest_contact_of(std::int32_t block) const {
+  const double length = model_.materials.laws().knows_potential() ? model_.potential_length() : 0;
+  std::optional<std::size_t> stiffest;
+  double most = 0;
+  for (std::size_t c = 0; c < contacts_.count(); ++c) {
+    const Candidate<D>& pair = contacts_.pair_of(c);
+    if (pair.a != block && pair.b != block) continue;
+    const Hardness hardness = hardness_of(c, length);
+    if (stiffest && hardness.stiffness <= most) continue;
+    stiffest = c;
+    most = hardness.stiffness;
+  }
+  return stiffest;
 }
 
 template class StableStep<2>;

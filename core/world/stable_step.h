@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
 #include "world/contact_list.h"
 #include "world/model.h"
 
@@ -12,8 +16,17 @@ class StableStep {
   StableStep(const Model<D>& model, const ContactList<D>& contacts, Memory* memory)
       : model_(model), blocks_(model.blocks), contacts_(contacts), hardness_(memory) {}
 
-  /// The largest step that is stable for certain, infinite when nothing can touch. Contacts are known.
-  double bound();
+  /// The largest step that is stable for certain, and the block that sets it.
+  struct Limit {
+    double step = HUGE_VAL;   // when nothing can touch
+    std::int32_t block = -1;  // -1 then
+  };
+
+  /// Contacts are known.
+  Limit limit();
+  double bound() { return limit().step; }
+  /// The stiffest contact of a block, or nothing when it has none.
+  std::optional<std::size_t> stiffest_contact_of(std::int32_t block) const;
   void reserve(std::size_t slots) { hardness_.reserve(slots); }
 
  private:
@@ -35,7 +48,13 @@ class StableStep {
   double largest_stiffness(const SpringLaw& law, std::size_t block, double potential_length) const;
   Hardness hardest_contact(std::size_t block, double potential_length) const;
   Hardness hardness_of(std::size_t contact, double potential_length) const;
-  double wave_of(std::size_t block) const;
+  Hardness hardness_of(const Bond<D>& bond) const;
+  /// The largest frequency of a deformable block, and how fast its damping acts.
+  struct Wave {
+    double squared_frequency;
+    double damping_time;
+  };
+  Wave wave_of(std::size_t block) const;
 
   const Model<D>& model_;
   const Blocks<D>& blocks_;

@@ -31,7 +31,8 @@ std::tuple<T...> copies_of(const std::tuple<T&...>& originals, Memory* memory) {
 template <int D>
 auto World<D>::state() {
   return std::tuple_cat(contacts_.state(), forces_.state(), ledger_.state(), clock_.epoch(),
-                        std::tie(peak_speed_, edited_));
+                        model_.blocks.bonds().state(), model_.blocks.meshes().state(),
+                        std::tie(peak_speed_, bond_strain_energy_, edited_));
 }
 
 /// Plans the coming motion: false when it is out of hand. Brings the neighbour list up to date when the
@@ -39,8 +40,18 @@ auto World<D>::state() {
 template <int D>
 bool World<D>::plan_motion(double duration) {
   if (!integrator_.plan(duration)) return false;
-  if (contacts_.neighbors().used_up()) renew_neighbors();
+  if (contacts_.neighbors().used_up()) {
+    lap(Pass::motion);
+    renew_neighbors();
+    lap(Pass::search);
+  }
   return true;
+}
+
+/// What a motion that cannot be planned says of the run.
+template <int D>
+StepResult World<D>::out_of_hand() const {
+  return inverted_cell().body >= 0 ? StepResult::inverted : StepResult::unstable;
 }
 
 /// Shortens the planned motion until it is one that can be made at once: no block turns by more than an angle
@@ -57,7 +68,7 @@ StepResult World<D>::divide() {
     }
     if (part >= 1) return StepResult::ok;
     if (!(part * integrator_.duration() >= least_part * clock_.time_step())) return StepResult::unstable;
-    if (!plan_motion(part * integrator_.duration())) return StepResult::unstable;
+    if (!plan_motion(part * integrator_.duration())) return out_of_hand();
   }
 }
 
@@ -105,19 +116,22 @@ void World<D>::move() {
   integrator_.kick_and_drift();
   forget_contacts();
   made_ = duration;
+  lap(Pass::motion);
   evaluate_forces(duration);
   made_ = 0;
   const Stock stock = integrator_.kick();
+  lap(Pass::motion);
   note_speeds(stock);
   ledger_.book(stock, duration);
   contacts_.neighbors().tidy_plans();
+  lap(Pass::book);
 }
 
 /// Plans what is left of the step: in one go, or as much of it as fast blocks may do at once.
 template <int D>
 StepResult World<D>::plan_rest() {
-  if (ledger_.makes_energy() || !plan_motion(clock_.rest())) return StepResult::unstable;
-  return divide();
+  if (ledger_.makes_energy()) return StepResult::unstable;
+  return plan_motion(clock_.rest()) ? divide() : out_of_hand();
 }
 
 template <int D>

@@ -11,6 +11,7 @@ World<D>::World(const WorldSettings<D>& settings, Memory* memory, Threads* threa
       model_(settings, memory),
       contacts_(model_, memory),
       forces_(model_, contacts_, threads, memory),
+      bond_pass_(model_),
       integrator_(model_, contacts_.neighbors(), forces_, threads, memory),
       stable_step_(model_, contacts_, memory),
       spring_stop_(model_, contacts_),
@@ -67,9 +68,8 @@ void World<D>::renew_used_up_neighbors() {
 /// described if that is wanted.
 template <int D>
 template <class OnContact>
-void World<D>::find_in(const Chunk& chunk, OnContact on_contact) {
+void World<D>::find_in(const Chunk& chunk, PairSums& sums, OnContact on_contact) {
   Array<Candidate<D>>& pairs = contacts_.neighbors().pairs();
-  PairSums& sums = sums_[chunk.index];
   Contact<D> contact;
   for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
     const Found found = contacts_.find(k, contact, sums);
@@ -84,14 +84,13 @@ void World<D>::find_in(const Chunk& chunk, OnContact on_contact) {
   }
 }
 
-/// Calls `visit(chunk)` for all pairs in the neighbour list. Potentials in space make their plans one after
-/// the other.
+/// Calls `visit(chunk, sums)` for all pairs in the neighbour list. Potentials in space make their plans one
+/// after the other.
 template <int D>
 template <class Visit>
 void World<D>::pass_over_pairs(Visit visit) {
   const std::size_t pairs = contacts_.neighbors().pairs().size();
-  sums_.assign(chunk_count(pairs, pairs_per_chunk), {});
-  for_each_chunk(D == 3 && knows_potential() ? nullptr : threads_, pairs, pairs_per_chunk, visit);
+  sum_each_chunk(D == 3 && knows_potential() ? nullptr : threads_, pairs, pairs_per_chunk, sums_, visit);
 }
 
 template <int D>
@@ -108,7 +107,9 @@ void World<D>::detect() {
   if (contacts_.are_found()) return;
   renew_used_up_neighbors();
   forget_contacts();
-  pass_over_pairs([&](const Chunk& chunk) { find_in(chunk, [](std::size_t, const Contact<D>&) {}); });
+  pass_over_pairs([&](const Chunk& chunk, PairSums& sums) {
+    find_in(chunk, sums, [](std::size_t, const Contact<D>&) {});
+  });
   end_finding();
 }
 
@@ -118,29 +119,46 @@ void World<D>::evaluate_forces(double elapsed) {
   renew_used_up_neighbors();
   const bool are_found = contacts_.are_found();
   if (!are_found) forget_contacts();
-  pass_over_pairs([&, common = forces_.begin(elapsed)](const Chunk& chunk) {
+  pass_over_pairs([&, common = forces_.begin(elapsed)](const Chunk& chunk, PairSums& sums) {
     typename ForcePass<D>::Evaluation evaluation = common;
     evaluation.worker = chunk.worker;
     if (are_found) {
       Contact<D> contact;
-      for (const std::uint32_t k : contacts_.touching_in(chunk)) {
+      for (const std::uint32_t k : contacts_.touching_in(chunk.index)) {
         const Candidate<D>& pair = contacts_.neighbors().pairs()[k];
         if (!model_.law_of(pair).is_potential()) contacts_.describe(pair, contact);
         forces_.load(k, contact, evaluation);
       }
     } else {
-      find_in(chunk, [&](std::size_t k, const Contact<D>& contact) { forces_.load(k, contact, evaluation); });
+      find_in(chunk, sums,
+              [&](std::size_t k, const Contact<D>& contact) { forces_.load(k, contact, evaluation); });
     }
-    sums_[chunk.index].energy = evaluation.energy;
+    sums.energy = evaluation.energy;
+    sums.last_block = evaluation.last_block;
   });
   if (!are_found) end_finding();
-  forces_.gather();
+  lap(Pass::pairs);
+  forces_.gather(sums_);
   ContactEnergy energy;
   for (const PairSums& sums : sums_) {
     energy.strain += sums.energy.strain;
     energy.friction_loss += sums.energy.friction_loss;
   }
   ledger_.set_contact_strain(energy.strain);
+  ledger_.add_friction_loss(energy.friction_loss);
+  if (!model_.blocks.bonds().empty()) load_by_bonds(elapsed);
+  lap(Pass::gather);
+}
+
+/// After the contacts have loaded the blocks. Those that have come apart are found as contacts from the next
+/// motion on.
+template <int D>
+void World<D>::load_by_bonds(double elapsed) {
+  BondEnergy energy;
+  if (bond_pass_.load(clock_.steps(), clock_.time() + elapsed, energy)) contacts_.neighbors().expire();
+  bond_strain_energy_ = energy.strain;
+  ledger_.set_contact_strain(ledger_.entries().strain + energy.strain);
+  ledger_.add_fracture_loss(energy.fracture_loss);
   ledger_.add_friction_loss(energy.friction_loss);
 }
 
@@ -174,7 +192,8 @@ template <int D>
 bool World<D>::is_consistent() const {
   return model_.is_consistent() && contacts_.is_consistent() && integrator_.is_consistent(edited_) &&
          (edited_ || contacts_.neighbors().list_length() == model_.blocks.slot_count()) &&
-         clock_.is_consistent() && spring_stop_.is_consistent() && is_from_zero(peak_speed_);
+         clock_.is_consistent() && spring_stop_.is_consistent() && is_from_zero(peak_speed_) &&
+         is_finite(bond_strain_energy_) && is_positive(strength_factor_);
 }
 
 template class World<2>;

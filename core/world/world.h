@@ -5,6 +5,9 @@
 #include <span>
 #include <tuple>
 
+#include "block/mesh/surface.h"
+#include "world/balance.h"
+#include "world/bond_pass.h"
 #include "world/clock.h"
 #include "world/contact_list.h"
 #include "world/fast_motion.h"
@@ -14,10 +17,26 @@
 #include "world/model.h"
 #include "world/spring_stop.h"
 #include "world/stable_step.h"
+#include "world/stopwatch.h"
 
 namespace halfspace {
 
-enum class StepResult { ok, unstable, no_time_step, too_fast };
+enum class StepResult { ok, unstable, no_time_step, too_fast, inverted };
+
+/// A mesh that has become a body, or what keeps it from that.
+struct PlacedMesh {
+  MeshFaultReport report;
+  std::int32_t body = -1;
+};
+
+/// How bringing a world to rest has ended.
+struct Relaxed {
+  StepResult result = StepResult::ok;
+  bool is_at_rest = false;
+  bool has_fallen = false;  // some block or node has moved too far
+  std::int64_t steps = 0;
+  Balance balance;
+};
 
 /// The most motions in one call of step().
 constexpr int most_motions = 1 << 14;
@@ -44,6 +63,24 @@ class World {
   void remove_block(std::int32_t slot);
   void set_pose(std::int32_t slot, const Vector<D>& position, const Rotation<D>& rotation);
   void set_velocity(std::int32_t slot, const Vector<D>& velocity, const Angular<D>& spin);
+  /// Puts a mesh into the world, at a pose of its frame, with a material for each cell; and its surface's
+  /// cells, as blocks. When memory runs out nothing has changed.
+  PlacedMesh add_mesh(const Mesh<D>& mesh, const Pose<D>& pose, std::span<const std::int32_t> cell_materials);
+  void remove_mesh(std::int32_t body);
+  /// Bonds two blocks along their common face, as they are now: false when they have none, or hold together
+  /// already.
+  bool bond_pair(std::int32_t a, std::int32_t b, const BondLaw& law);
+  /// Bonds all pairs of blocks of two materials along their common faces, and tells how many.
+  std::int64_t bond_materials(std::int32_t material_a, std::int32_t material_b, const BondLaw& law);
+  /// Held bonds do not fail.
+  void hold_bonds(bool are_held);
+  /// Components of a node's velocity that are held stay as they are set; bit k of `held` stands for component
+  /// k.
+  void hold_node(std::size_t node, std::uint8_t held);
+  void set_node_velocity(std::size_t node, const Vector<D>& velocity);
+  void set_node_force(std::size_t node, const Vector<D>& force);
+  /// The blocks at the surface take up what has been set for nodes.
+  void end_node_edits();
   /// For an affine block.
   void set_deformation(std::int32_t slot, const Tensor<D>& gradient, const Tensor<D>& rate);
   void set_stress(std::int32_t slot, const Tensor<D>& stress);
@@ -64,6 +101,16 @@ class World {
   /// One step of velocity Verlet. When memory runs out the world is as it was before; when the motion is not
   /// stable no block has moved.
   StepResult step();
+  /// Steps under strong damping until forces are in balance. What is at rest then has no
+  /// velocity; damping and bonds are as before.
+  Relaxed relax(const Relaxation& relaxation);
+  Balance balance();
+  void set_gravity(const Vector<D>& gravity);
+  void set_damping(double local_damping, double mass_damping);
+  void set_time_step(double time_step);
+  /// All strengths of laws and bonds are those given over this factor: friction, cohesion, tensile strength.
+  void set_strength_factor(double factor);
+  double strength_factor() const { return strength_factor_; }
   /// Brings time step, contacts, forces and ledger up to date after changes.
   StepResult prepare();
 
@@ -84,6 +131,11 @@ class World {
   std::int64_t steps() const { return clock_.steps(); }
   double time_step() const { return clock_.time_step(); }
   std::int64_t divided_steps() const { return clock_.divided_steps(); }
+  const Bonds<D>& bonds() const { return model_.blocks.bonds(); }
+  double bond_strain_energy() const { return bond_strain_energy_; }
+  const Meshes<D>& meshes() const { return model_.blocks.meshes(); }
+  /// After StepResult::inverted.
+  const InvertedCell& inverted_cell() const { return integrator_.inverted(); }
   /// After StepResult::too_fast.
   const FastPair& fast_pair() const { return fast_motion_.pair(); }
   double deepest_stop() const { return spring_stop_.deepest(); }
@@ -97,6 +149,16 @@ class World {
   bool knows_potential() const { return model_.materials.laws().knows_potential(); }
   /// The bound for the contacts that are known.
   double stable_time_step() { return stable_step_.bound(); }
+  /// The block that sets it, and the stiffest contact that this has.
+  typename StableStep<D>::Limit stable_limit() { return stable_step_.limit(); }
+  std::optional<std::size_t> stiffest_contact_of(std::int32_t slot) const {
+    return stable_step_.stiffest_contact_of(slot);
+  }
+  const Model<D>& model() const { return model_; }
+  const ContactList<D>& contacts() const { return contacts_; }
+
+  /// Steps tell it their passes, until it is taken away by a null pointer.
+  void set_stopwatch(Stopwatch* stopwatch) { stopwatch_ = stopwatch; }
 
   /// Takes the room that laws and times of impact need, which a snapshot does not hold.
   void fit_rooms();
@@ -105,21 +167,31 @@ class World {
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(model_, contacts_, forces_, integrator_, ledger_, clock_, spring_stop_, peak_speed_, edited_);
+    archive(model_, contacts_, forces_, integrator_, ledger_, clock_, spring_stop_, peak_speed_,
+            bond_strain_energy_, strength_factor_, edited_);
   }
 
  private:
   void edit();
   void change_laws();
+  MeshFaultReport add_surface(std::int32_t body, std::span<const SurfaceSimplex<D>> simplices,
+                              std::span<const std::int32_t> cell_materials);
   void make_bonds();
+  template <class Make>
+  std::int64_t make_bonds_of(const BondLaw& law, Make make);
   void forget_contacts();
   void renew_neighbors();
   void renew_used_up_neighbors();
   template <class OnContact>
-  void find_in(const Chunk& pairs, OnContact on_contact);
+  void find_in(const Chunk& pairs, PairSums& sums, OnContact on_contact);
   template <class Visit>
   void pass_over_pairs(Visit visit);
   void end_finding();
+  bool bond_pair(std::int32_t a, std::int32_t b, std::int32_t law);
+  void load_by_bonds(double elapsed);
+  void stop_all();
+  template <class Watch>
+  void relax_under_damping(const Relaxation& relaxation, Watch& watch, Relaxed& relaxed);
   void evaluate_forces(double elapsed);
   bool choose_time_step();
   void note_speeds(const Stock& stock);
@@ -129,20 +201,28 @@ class World {
   StepResult plan_changed();
   StepResult plan_rest();
   StepResult divide();
+  StepResult out_of_hand() const;
   void move();
+  void lap(Pass pass) {
+    if (stopwatch_) stopwatch_->lap(pass);
+  }
 
   Threads* threads_;
+  Stopwatch* stopwatch_ = nullptr;
   Model<D> model_;
   EnergyLedger ledger_;
   Clock clock_;
   ContactList<D> contacts_;
   ForcePass<D> forces_;
+  BondPass<D> bond_pass_;
   Integrator<D> integrator_;
   StableStep<D> stable_step_;
   SpringStop<D> spring_stop_;
   FastMotion<D> fast_motion_;
   Array<PairSums> sums_;  // of each chunk of pairs
   double peak_speed_ = 0;
+  double bond_strain_energy_ = 0;
+  double strength_factor_ = 1;
   double made_ = 0;          // duration of the motion just made, while contacts are found that it has led to
   std::int32_t edited_ = 1;  // since the last step: forces, accelerations and ledger are of another state
 };

@@ -2,7 +2,7 @@
 #include <stddef.h>
 #include <stdint.h>
 typedef int32_t hs_status;
-enum { HS_OK = 0, HS_NOTE_TRUNCATED = 1, HS_ERROR_ARGUMENT = -1, HS_ERROR_GEOMETRY = -2, HS_ERROR_STALE_ID = -3, HS_ERROR_OUT_OF_MEMORY = -4, HS_ERROR_STATE = -5, HS_ERROR_UNSTABLE = -6, HS_ERROR_FORMAT = -7, HS_ERROR_INTERNAL = -8, HS_ERROR_TOO_FAST = -9, };
+enum { HS_OK = 0, HS_NOTE_TRUNCATED = 1, HS_NOTE_NOT_AT_REST = 2, HS_ERROR_ARGUMENT = -1, HS_ERROR_GEOMETRY = -2, HS_ERROR_STALE_ID = -3, HS_ERROR_OUT_OF_MEMORY = -4, HS_ERROR_STATE = -5, HS_ERROR_UNSTABLE = -6, HS_ERROR_FORMAT = -7, HS_ERROR_INTERNAL = -8, HS_ERROR_TOO_FAST = -9, HS_ERROR_INVERTED = -10, };
 __attribute__((visibility("default"))) const char *hs_status_string(hs_status status);
 __attribute__((visibility("default"))) const char *hs_version(void);
 enum {
@@ -187,7 +187,8 @@ enum {
   HS_BLOCK_FIXED = 0,
   HS_BLOCK_PRESCRIBED = 1,
   HS_BLOCK_RIGID = 2,
-  HS_BLOCK_AFFINE = 3
+  HS_BLOCK_AFFINE = 3,
+  HS_BLOCK_MESH = 4
 };
 enum {
   HS_FAST_DIVIDE = 0,
@@ -330,6 +331,66 @@ __attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_st
 __attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_add_surface_load(hs_world *world, hs_block block, int32_t face,
                                                const double traction[3]);
 __attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_clear_surface_loads(hs_world *world, hs_block block);
+typedef struct hs_bond_def {
+  uint32_t struct_size;
+  int32_t reserved;
+  double normal_stiffness;
+  double shear_stiffness;
+  double tensile_strength;
+  double cohesion;
+  double friction_angle;
+  double residual_cohesion;
+  double residual_friction_angle;
+  double tensile_fracture_energy;
+  double shear_fracture_energy;
+} hs_bond_def;
+enum {
+  HS_BOND_HOLDS = 0,
+  HS_BOND_TENSION = 1,
+  HS_BOND_SHEAR = 2
+};
+typedef struct hs_bond {
+  hs_block block_a;
+  hs_block block_b;
+  int32_t is_joint;
+  int32_t point_count;
+  int32_t broken_count;
+  int32_t reserved;
+  double area;
+  double damage;
+  double normal_force;
+  double shear_force[3];
+} hs_bond;
+typedef struct hs_bond_event {
+  int64_t bond;
+  int64_t step;
+  int32_t failure;
+  int32_t point;
+  double time;
+  double position[3];
+  double normal[3];
+  double area;
+  double normal_traction;
+  double shear_traction;
+  double energy;
+} hs_bond_event;
+typedef struct hs_bond_report {
+  int64_t bond_count;
+  int64_t joint_count;
+  int64_t event_count;
+  double crack_area;
+  double strain_energy;
+  double fracture_loss;
+} hs_bond_report;
+__attribute__((visibility("default"))) hs_status hs_bond_def_init(hs_bond_def *def, size_t size);
+__attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_bond_blocks(hs_world *world, hs_block block_a, hs_block block_b, const hs_bond_def *def);
+__attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_bond_materials(hs_world *world, int32_t material_a, int32_t material_b, const hs_bond_def *def,
+                                             int64_t *count);
+__attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_hold_bonds(hs_world *world, int32_t are_held);
+__attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_get_bonds(const hs_world *world, hs_bond bonds[], int64_t capacity, int64_t *count);
+__attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_get_bond_events(const hs_world *world, int64_t first, hs_bond_event events[], int64_t capacity,
+                                              int64_t *count);
+__attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_get_bond_report(const hs_world *world, hs_bond_report *report, size_t size);
 enum {
   HS_IMPACT_NEVER = 0,
   HS_IMPACT_AT_START = 1,
@@ -358,6 +419,69 @@ __attribute__((visibility("default"))) hs_status hs_motion_def_init(hs_motion_de
 __attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_pair_time_of_impact(const hs_shape *shape_a, const hs_motion_def *motion_a,
                                             const hs_shape *shape_b, const hs_motion_def *motion_b,
                                             double duration, hs_impact *impact);
+typedef struct hs_mesh hs_mesh;
+typedef uint64_t hs_body;
+enum {
+  HS_CELL_TRIANGLE = 0,
+  HS_CELL_QUAD = 1,
+  HS_CELL_TETRAHEDRON = 2,
+  HS_CELL_PRISM = 3,
+  HS_CELL_HEXAHEDRON = 4
+};
+enum {
+  HS_AXIS_X = 1,
+  HS_AXIS_Y = 2,
+  HS_AXIS_Z = 4
+};
+typedef struct hs_mesh_properties {
+  int32_t dimension;
+  int32_t reserved;
+  int64_t node_count;
+  int64_t cell_count;
+  int64_t surface_face_count;
+  double volume;
+} hs_mesh_properties;
+typedef struct hs_body_def {
+  uint32_t struct_size;
+  int32_t material;
+  hs_pose pose;
+  double velocity[3];
+} hs_body_def;
+typedef struct hs_body_state {
+  int64_t node_count;
+  int64_t cell_count;
+  double mass;
+  double centroid[3];
+  double momentum[3];
+  double kinetic_energy;
+  double strain_energy;
+} hs_body_state;
+typedef struct hs_cell_state {
+  double strain[9];
+  double stress[9];
+  double strain_energy;
+} hs_cell_state;
+__attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_mesh_create(hs_context *context, int32_t dimension, hs_view nodes, const int32_t cell_kinds[],
+                                    int64_t cell_count, const int32_t cell_nodes[], int64_t cell_node_count, hs_mesh **mesh);
+__attribute__((visibility("default"))) void hs_mesh_destroy(hs_mesh *mesh);
+__attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_mesh_get_properties(const hs_mesh *mesh, hs_mesh_properties *properties, size_t size);
+__attribute__((visibility("default"))) hs_status hs_body_def_init(hs_body_def *def, size_t size);
+__attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_add_mesh(hs_world *world, const hs_mesh *mesh, const hs_body_def *def,
+                                       const int32_t cell_materials[], hs_body *body);
+__attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_remove_body(hs_world *world, hs_body body);
+__attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_get_body_state(const hs_world *world, hs_body body, hs_body_state *state, size_t size);
+__attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_get_node_positions(const hs_world *world, hs_body body, hs_mutable_view positions, int64_t *count);
+__attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_get_node_velocities(const hs_world *world, hs_body body, hs_mutable_view velocities,
+                                                  int64_t *count);
+__attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_get_node_forces(const hs_world *world, hs_body body, hs_mutable_view forces, int64_t *count);
+__attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_set_node_velocities(hs_world *world, hs_body body, hs_view velocities);
+__attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_hold_nodes(hs_world *world, hs_body body, const int32_t nodes[], int64_t count, int32_t axes,
+                                         const double velocity[3]);
+__attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_set_node_force(hs_world *world, hs_body body, const int32_t nodes[], int64_t count,
+                                             const double force[3]);
+__attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_get_cells(const hs_world *world, hs_body body, hs_cell_state cells[], int64_t capacity,
+                                        int64_t *count);
+__attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_get_body_of_block(const hs_world *world, hs_block block, hs_body *body, int32_t *cell);
 typedef struct hs_pair_cache {
   int32_t state;
   int32_t pair_kind;
@@ -386,3 +510,83 @@ __attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_st
                                      const hs_pose poses[], int64_t body_count, const int32_t pairs[],
                                      int64_t pair_count, const hs_pair_options *options,
                                      hs_pair_cache caches[], hs_contact contacts[], int64_t *touching);
+enum {
+  HS_PART_FRICTION = 1,
+  HS_PART_BONDS = 2,
+  HS_PART_CONTACT_DAMPING = 4,
+  HS_PART_AREA = 8,
+  HS_PART_POTENTIAL = 16,
+  HS_PART_STRAIN = 32,
+  HS_PART_LOCAL_DAMPING = 64,
+  HS_PART_MASS_DAMPING = 128
+};
+typedef struct hs_world_plan {
+  int32_t dimension;
+  int32_t parts;
+  int64_t fixed_count;
+  int64_t prescribed_count;
+  int64_t rigid_count;
+  int64_t affine_count;
+  int64_t candidate_count;
+  int64_t contact_count;
+  int64_t block_bytes;
+  int64_t pair_bytes;
+  double stable_time_step;
+  hs_block limiting_block;
+  hs_block limiting_neighbor;
+  int64_t measured_steps;
+  double search_seconds;
+  double pair_seconds;
+  double gather_seconds;
+  double motion_seconds;
+  double book_seconds;
+} hs_world_plan;
+__attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_get_plan(const hs_world *world, int64_t steps, hs_world_plan *plan, size_t size);
+enum {
+  HS_UNBALANCED_MEAN = 0,
+  HS_UNBALANCED_LARGEST = 1
+};
+typedef struct hs_relaxation_def {
+  uint32_t struct_size;
+  int32_t measure;
+  double ratio;
+  int64_t most_steps;
+  double local_damping;
+  int32_t is_adaptive;
+  int32_t hold_bonds;
+} hs_relaxation_def;
+typedef struct hs_balance {
+  double mean;
+  double largest;
+  double largest_force;
+  int64_t steps;
+} hs_balance;
+__attribute__((visibility("default"))) hs_status hs_relaxation_def_init(hs_relaxation_def *def, size_t size);
+__attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_relax(hs_world *world, const hs_relaxation_def *def, hs_balance *balance, size_t size);
+__attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_get_balance(hs_world *world, hs_balance *balance, size_t size);
+__attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_set_gravity(hs_world *world, const double gravity[3]);
+__attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_set_damping(hs_world *world, double local_damping, double mass_damping);
+__attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_set_time_step(hs_world *world, double time_step);
+typedef struct hs_strength_def {
+  uint32_t struct_size;
+  int32_t reserved;
+  double low;
+  double high;
+  double resolution;
+  double ratio;
+  double most_way;
+  int64_t most_steps;
+} hs_strength_def;
+typedef struct hs_strength_report {
+  double factor;
+  double low;
+  double high;
+  int32_t stands_at_low;
+  int32_t falls_at_high;
+  int32_t trials;
+  int32_t reserved;
+} hs_strength_report;
+__attribute__((visibility("default"))) hs_status hs_strength_def_init(hs_strength_def *def, size_t size);
+__attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_set_strength_factor(hs_world *world, double factor);
+__attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_find_strength_factor(const hs_world *world, const hs_strength_def *def, hs_strength_report *report,
+                                                   size_t size, hs_world **fallen);

@@ -179,6 +179,52 @@ FIELD(hs_deformation, strain, 144, 72);
 FIELD(hs_deformation, stress, 216, 72);
 FIELD(hs_deformation, strain_energy, 288, 8);
 
+_Static_assert(sizeof(hs_bond_def) >= 80, "hs_bond_def");
+FIELD(hs_bond_def, struct_size, 0, 4);
+FIELD(hs_bond_def, reserved, 4, 4);
+FIELD(hs_bond_def, normal_stiffness, 8, 8);
+FIELD(hs_bond_def, shear_stiffness, 16, 8);
+FIELD(hs_bond_def, tensile_strength, 24, 8);
+FIELD(hs_bond_def, cohesion, 32, 8);
+FIELD(hs_bond_def, friction_angle, 40, 8);
+FIELD(hs_bond_def, residual_cohesion, 48, 8);
+FIELD(hs_bond_def, residual_friction_angle, 56, 8);
+FIELD(hs_bond_def, tensile_fracture_energy, 64, 8);
+FIELD(hs_bond_def, shear_fracture_energy, 72, 8);
+
+_Static_assert(sizeof(hs_bond) == 80, "hs_bond");
+FIELD(hs_bond, block_a, 0, 8);
+FIELD(hs_bond, block_b, 8, 8);
+FIELD(hs_bond, is_joint, 16, 4);
+FIELD(hs_bond, point_count, 20, 4);
+FIELD(hs_bond, broken_count, 24, 4);
+FIELD(hs_bond, reserved, 28, 4);
+FIELD(hs_bond, area, 32, 8);
+FIELD(hs_bond, damage, 40, 8);
+FIELD(hs_bond, normal_force, 48, 8);
+FIELD(hs_bond, shear_force, 56, 24);
+
+_Static_assert(sizeof(hs_bond_event) == 112, "hs_bond_event");
+FIELD(hs_bond_event, bond, 0, 8);
+FIELD(hs_bond_event, step, 8, 8);
+FIELD(hs_bond_event, failure, 16, 4);
+FIELD(hs_bond_event, point, 20, 4);
+FIELD(hs_bond_event, time, 24, 8);
+FIELD(hs_bond_event, position, 32, 24);
+FIELD(hs_bond_event, normal, 56, 24);
+FIELD(hs_bond_event, area, 80, 8);
+FIELD(hs_bond_event, normal_traction, 88, 8);
+FIELD(hs_bond_event, shear_traction, 96, 8);
+FIELD(hs_bond_event, energy, 104, 8);
+
+_Static_assert(sizeof(hs_bond_report) >= 48, "hs_bond_report");
+FIELD(hs_bond_report, bond_count, 0, 8);
+FIELD(hs_bond_report, joint_count, 8, 8);
+FIELD(hs_bond_report, event_count, 16, 8);
+FIELD(hs_bond_report, crack_area, 24, 8);
+FIELD(hs_bond_report, strain_energy, 32, 8);
+FIELD(hs_bond_report, fracture_loss, 40, 8);
+
 _Static_assert(sizeof(hs_motion_def) >= 256, "hs_motion_def");
 FIELD(hs_motion_def, struct_size, 0, 4);
 FIELD(hs_motion_def, reserved, 4, 4);
@@ -197,6 +243,34 @@ FIELD(hs_impact, time, 16, 8);
 FIELD(hs_impact, gap, 24, 8);
 FIELD(hs_impact, normal, 32, 24);
 FIELD(hs_impact, point, 56, 24);
+
+_Static_assert(sizeof(hs_mesh_properties) >= 40, "hs_mesh_properties");
+FIELD(hs_mesh_properties, dimension, 0, 4);
+FIELD(hs_mesh_properties, reserved, 4, 4);
+FIELD(hs_mesh_properties, node_count, 8, 8);
+FIELD(hs_mesh_properties, cell_count, 16, 8);
+FIELD(hs_mesh_properties, surface_face_count, 24, 8);
+FIELD(hs_mesh_properties, volume, 32, 8);
+
+_Static_assert(sizeof(hs_body_def) >= 88, "hs_body_def");
+FIELD(hs_body_def, struct_size, 0, 4);
+FIELD(hs_body_def, material, 4, 4);
+FIELD(hs_body_def, pose, 8, 56);
+FIELD(hs_body_def, velocity, 64, 24);
+
+_Static_assert(sizeof(hs_body_state) >= 88, "hs_body_state");
+FIELD(hs_body_state, node_count, 0, 8);
+FIELD(hs_body_state, cell_count, 8, 8);
+FIELD(hs_body_state, mass, 16, 8);
+FIELD(hs_body_state, centroid, 24, 24);
+FIELD(hs_body_state, momentum, 48, 24);
+FIELD(hs_body_state, kinetic_energy, 72, 8);
+FIELD(hs_body_state, strain_energy, 80, 8);
+
+_Static_assert(sizeof(hs_cell_state) == 152, "hs_cell_state");
+FIELD(hs_cell_state, strain, 0, 72);
+FIELD(hs_cell_state, stress, 72, 72);
+FIELD(hs_cell_state, strain_energy, 144, 8);
 
 _Static_assert(sizeof(hs_pair_cache) == 120, "hs_pair_cache");
 FIELD(hs_pair_cache, state, 0, 4);
@@ -218,8 +292,64 @@ FIELD(hs_pair_options, margin, 24, 8);
 FIELD(hs_pair_options, without_region, 32, 4);
 FIELD(hs_pair_options, reserved_2, 36, 4);
 
+_Static_assert(sizeof(hs_world_plan) >= 144, "hs_world_plan");
+FIELD(hs_world_plan, dimension, 0, 4);
+FIELD(hs_world_plan, parts, 4, 4);
+FIELD(hs_world_plan, fixed_count, 8, 8);
+FIELD(hs_world_plan, prescribed_count, 16, 8);
+FIELD(hs_world_plan, rigid_count, 24, 8);
+FIELD(hs_world_plan, affine_count, 32, 8);
+FIELD(hs_world_plan, candidate_count, 40, 8);
+FIELD(hs_world_plan, contact_count, 48, 8);
+FIELD(hs_world_plan, block_bytes, 56, 8);
+FIELD(hs_world_plan, pair_bytes, 64, 8);
+FIELD(hs_world_plan, stable_time_step, 72, 8);
+FIELD(hs_world_plan, limiting_block, 80, 8);
+FIELD(hs_world_plan, limiting_neighbor, 88, 8);
+FIELD(hs_world_plan, measured_steps, 96, 8);
+FIELD(hs_world_plan, search_seconds, 104, 8);
+FIELD(hs_world_plan, pair_seconds, 112, 8);
+FIELD(hs_world_plan, gather_seconds, 120, 8);
+FIELD(hs_world_plan, motion_seconds, 128, 8);
+FIELD(hs_world_plan, book_seconds, 136, 8);
+
+_Static_assert(sizeof(hs_relaxation_def) >= 40, "hs_relaxation_def");
+FIELD(hs_relaxation_def, struct_size, 0, 4);
+FIELD(hs_relaxation_def, measure, 4, 4);
+FIELD(hs_relaxation_def, ratio, 8, 8);
+FIELD(hs_relaxation_def, most_steps, 16, 8);
+FIELD(hs_relaxation_def, local_damping, 24, 8);
+FIELD(hs_relaxation_def, is_adaptive, 32, 4);
+FIELD(hs_relaxation_def, hold_bonds, 36, 4);
+
+_Static_assert(sizeof(hs_balance) >= 32, "hs_balance");
+FIELD(hs_balance, mean, 0, 8);
+FIELD(hs_balance, largest, 8, 8);
+FIELD(hs_balance, largest_force, 16, 8);
+FIELD(hs_balance, steps, 24, 8);
+
+_Static_assert(sizeof(hs_strength_def) >= 56, "hs_strength_def");
+FIELD(hs_strength_def, struct_size, 0, 4);
+FIELD(hs_strength_def, reserved, 4, 4);
+FIELD(hs_strength_def, low, 8, 8);
+FIELD(hs_strength_def, high, 16, 8);
+FIELD(hs_strength_def, resolution, 24, 8);
+FIELD(hs_strength_def, ratio, 32, 8);
+FIELD(hs_strength_def, most_way, 40, 8);
+FIELD(hs_strength_def, most_steps, 48, 8);
+
+_Static_assert(sizeof(hs_strength_report) >= 40, "hs_strength_report");
+FIELD(hs_strength_report, factor, 0, 8);
+FIELD(hs_strength_report, low, 8, 8);
+FIELD(hs_strength_report, high, 16, 8);
+FIELD(hs_strength_report, stands_at_low, 24, 4);
+FIELD(hs_strength_report, falls_at_high, 28, 4);
+FIELD(hs_strength_report, trials, 32, 4);
+FIELD(hs_strength_report, reserved, 36, 4);
+
 _Static_assert(HS_OK == 0, "HS_OK");
 _Static_assert(HS_NOTE_TRUNCATED == 1, "HS_NOTE_TRUNCATED");
+_Static_assert(HS_NOTE_NOT_AT_REST == 2, "HS_NOTE_NOT_AT_REST");
 _Static_assert(HS_ERROR_ARGUMENT == -1, "HS_ERROR_ARGUMENT");
 _Static_assert(HS_ERROR_GEOMETRY == -2, "HS_ERROR_GEOMETRY");
 _Static_assert(HS_ERROR_STALE_ID == -3, "HS_ERROR_STALE_ID");
@@ -229,6 +359,7 @@ _Static_assert(HS_ERROR_UNSTABLE == -6, "HS_ERROR_UNSTABLE");
 _Static_assert(HS_ERROR_FORMAT == -7, "HS_ERROR_FORMAT");
 _Static_assert(HS_ERROR_INTERNAL == -8, "HS_ERROR_INTERNAL");
 _Static_assert(HS_ERROR_TOO_FAST == -9, "HS_ERROR_TOO_FAST");
+_Static_assert(HS_ERROR_INVERTED == -10, "HS_ERROR_INVERTED");
 
 _Static_assert(HS_CONTACT_NONE == 0, "HS_CONTACT_NONE");
 _Static_assert(HS_CONTACT_VERTEX_VERTEX == 1, "HS_CONTACT_VERTEX_VERTEX");
@@ -281,6 +412,7 @@ _Static_assert(HS_BLOCK_FIXED == 0, "HS_BLOCK_FIXED");
 _Static_assert(HS_BLOCK_PRESCRIBED == 1, "HS_BLOCK_PRESCRIBED");
 _Static_assert(HS_BLOCK_RIGID == 2, "HS_BLOCK_RIGID");
 _Static_assert(HS_BLOCK_AFFINE == 3, "HS_BLOCK_AFFINE");
+_Static_assert(HS_BLOCK_MESH == 4, "HS_BLOCK_MESH");
 
 _Static_assert(HS_FAST_DIVIDE == 0, "HS_FAST_DIVIDE");
 _Static_assert(HS_FAST_REFUSE == 1, "HS_FAST_REFUSE");
@@ -288,6 +420,32 @@ _Static_assert(HS_FAST_REFUSE == 1, "HS_FAST_REFUSE");
 _Static_assert(HS_PLANE_STRAIN == 0, "HS_PLANE_STRAIN");
 _Static_assert(HS_PLANE_STRESS == 1, "HS_PLANE_STRESS");
 
+_Static_assert(HS_BOND_HOLDS == 0, "HS_BOND_HOLDS");
+_Static_assert(HS_BOND_TENSION == 1, "HS_BOND_TENSION");
+_Static_assert(HS_BOND_SHEAR == 2, "HS_BOND_SHEAR");
+
 _Static_assert(HS_IMPACT_NEVER == 0, "HS_IMPACT_NEVER");
 _Static_assert(HS_IMPACT_AT_START == 1, "HS_IMPACT_AT_START");
 _Static_assert(HS_IMPACT_TOUCH == 2, "HS_IMPACT_TOUCH");
+
+_Static_assert(HS_CELL_TRIANGLE == 0, "HS_CELL_TRIANGLE");
+_Static_assert(HS_CELL_QUAD == 1, "HS_CELL_QUAD");
+_Static_assert(HS_CELL_TETRAHEDRON == 2, "HS_CELL_TETRAHEDRON");
+_Static_assert(HS_CELL_PRISM == 3, "HS_CELL_PRISM");
+_Static_assert(HS_CELL_HEXAHEDRON == 4, "HS_CELL_HEXAHEDRON");
+
+_Static_assert(HS_AXIS_X == 1, "HS_AXIS_X");
+_Static_assert(HS_AXIS_Y == 2, "HS_AXIS_Y");
+_Static_assert(HS_AXIS_Z == 4, "HS_AXIS_Z");
+
+_Static_assert(HS_PART_FRICTION == 1, "HS_PART_FRICTION");
+_Static_assert(HS_PART_BONDS == 2, "HS_PART_BONDS");
+_Static_assert(HS_PART_CONTACT_DAMPING == 4, "HS_PART_CONTACT_DAMPING");
+_Static_assert(HS_PART_AREA == 8, "HS_PART_AREA");
+_Static_assert(HS_PART_POTENTIAL == 16, "HS_PART_POTENTIAL");
+_Static_assert(HS_PART_STRAIN == 32, "HS_PART_STRAIN");
+_Static_assert(HS_PART_LOCAL_DAMPING == 64, "HS_PART_LOCAL_DAMPING");
+_Static_assert(HS_PART_MASS_DAMPING == 128, "HS_PART_MASS_DAMPING");
+
+_Static_assert(HS_UNBALANCED_MEAN == 0, "HS_UNBALANCED_MEAN");
+_Static_assert(HS_UNBALANCED_LARGEST == 1, "HS_UNBALANCED_LARGEST");

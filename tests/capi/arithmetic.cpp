@@ -4,8 +4,7 @@
 #include <cfenv>
 #include <cstring>
 
-#include "capi/polyhedra.h"
-#include "capi/world_fixture.h"
+#include "capi/meshes.h"
 #include "catch.h"
 
 #ifdef __GLIBC__
@@ -42,7 +41,8 @@ hs_block_def block_of(const hs_shape* shape, const Kind& kind, const hs_pose& po
   return def;
 }
 
-/// Blocks stacked on a plate, each a little off the one below; one overlaps none of them and is thrown.
+/// Blocks stacked on a plate, each a little off the one below; one overlaps none of them and is thrown. For
+/// the kind of meshes there are bodies in their place, which stick together.
 World stack(hs_context* context, const Kind& kind) {
   hs_world_def def = world_def();
   def.dimension = kind.dimension;
@@ -63,9 +63,34 @@ World stack(hs_context* context, const Kind& kind) {
     if (i == 0) block.kind = HS_BLOCK_FIXED;
     if (i == 5) block.pose = pose_at({3, 1, 0}, {0, 0, 1}, 0.5);
     hs_block id = 0;
+    if (kind.block == HS_BLOCK_MESH && i > 0) {
+      const double half = kind.dimension == 2 ? 0 : 0.5;
+      add_body(context, world.get(), bar(kind.dimension),
+               body_def(pose_at({0, i * 1.0 - 0.5, -half}, {0, 0, 1}, 0)));
+      continue;
+    }
     require_ok(hs_world_add_block(world.get(), unit.get(), &block, &id), context);
   }
+  if (kind.block == HS_BLOCK_MESH) {
+    hs_bond_def bond = bond_def(1e9, 1e3);
+    bond.tensile_fracture_energy = 1;
+    require_ok(hs_world_bond_materials(world.get(), 0, 0, &bond, nullptr), context);
+  }
   return world;
+}
+
+/// Reads what leaves no trace.
+void read_bodies_and_bonds(hs_world* world) {
+  hs_balance balance;
+  if (hs_world_get_balance(world, &balance, sizeof balance) != HS_OK) throw std::runtime_error("no balance");
+  bonds_of(world);
+  bond_events_of(world);
+  for (const std::uint64_t body : {1, 2, 3, 4, 5}) {
+    const hs_body id = (hs_body(1) << 32) | body;
+    std::vector<hs_cell_state> cells(std::size_t(state_of_body(world, id).cell_count));
+    if (hs_world_get_cells(world, id, cells.data(), std::int64_t(cells.size()), nullptr) != HS_OK)
+      throw std::runtime_error("no cells");
+  }
 }
 
 std::vector<unsigned char> run_stack(const Kind& kind) {
@@ -73,6 +98,7 @@ std::vector<unsigned char> run_stack(const Kind& kind) {
   const World world = stack(context.get(), kind);
   require_ok(hs_world_step(world.get(), 200), context.get());
   report_of(world.get());
+  if (kind.block == HS_BLOCK_MESH) read_bodies_and_bonds(world.get());
   const World copy = restored(context.get(), saved(world.get()));
   require_ok(hs_world_step(copy.get(), 20), context.get());
   return saved(copy.get());
@@ -82,7 +108,8 @@ template <class Use>
 void for_each_kind(Use use) {
   for (const int dimension : {2, 3})
     for (const std::int32_t law : {HS_STIFFNESS_PER_CONTACT, HS_STIFFNESS_PER_AREA, HS_STIFFNESS_POTENTIAL})
-      for (const std::int32_t block : {HS_BLOCK_RIGID, HS_BLOCK_AFFINE}) use(Kind{dimension, law, block});
+      for (const std::int32_t block : {HS_BLOCK_RIGID, HS_BLOCK_AFFINE, HS_BLOCK_MESH})
+        use(Kind{dimension, law, block});
 }
 
 /// Hulls, cuts and detection of what is found there, cold and by a cache.

@@ -4,8 +4,8 @@
 #include <cstring>
 #include <vector>
 
+#include "capi/meshes.h"
 #include "capi/refusals.h"
-#include "capi/world_fixture.h"
 
 namespace halfspace_test {
 namespace {
@@ -81,6 +81,10 @@ TEST_CASE("hs_world_def_init") {
 }
 TEST_CASE("hs_law_def_init") { check_init<hs_law_def>(hs_law_def_init); }
 TEST_CASE("hs_elasticity_def_init") { check_init<hs_elasticity_def>(hs_elasticity_def_init); }
+TEST_CASE("hs_body_def_init") { check_init<hs_body_def>(hs_body_def_init); }
+TEST_CASE("hs_bond_def_init") { check_init<hs_bond_def>(hs_bond_def_init); }
+TEST_CASE("hs_relaxation_def_init") { check_init<hs_relaxation_def>(hs_relaxation_def_init); }
+TEST_CASE("hs_strength_def_init") { check_init<hs_strength_def>(hs_strength_def_init); }
 
 TEST_CASE("hs_block_def_init") {
   const Context context = make_context();
@@ -110,6 +114,95 @@ TEST_CASE("hs_world_get_report: sizes of its report") {
                                 [&](hs_world_report* report, std::size_t size) {
                                   return hs_world_get_report(scene.world.get(), report, size);
                                 });
+}
+
+TEST_CASE("hs_world_get_plan: sizes of its report") {
+  const TwoBoxes scene;
+  check_report<hs_world_plan>(scene.context.get(), "hs_world_get_plan", sizeof(hs_world_plan),
+                              [&](hs_world_plan* plan, std::size_t size) {
+                                return hs_world_get_plan(scene.world.get(), 0, plan, size);
+                              });
+}
+
+TEST_CASE("sizes of the reports on meshes and bodies") {
+  const TwoBoxes scene;
+  hs_context* c = scene.context.get();
+  const hs_elasticity_def elasticity = elasticity_def(1e8);
+  require_ok(hs_world_set_elasticity(scene.world.get(), 0, &elasticity), c);
+  const Mesh mesh = make_mesh(c, bar(2));
+  check_report<hs_mesh_properties>(c, "hs_mesh_get_properties", sizeof(hs_mesh_properties),
+                                   [&](hs_mesh_properties* properties, std::size_t size) {
+                                     return hs_mesh_get_properties(mesh.get(), properties, size);
+                                   });
+  const hs_body body = add_body(c, scene.world.get(), bar(2), body_def(pose_at(0, 5)));
+  check_report<hs_body_state>(c, "hs_world_get_body_state", sizeof(hs_body_state),
+                              [&](hs_body_state* state, std::size_t size) {
+                                return hs_world_get_body_state(scene.world.get(), body, state, size);
+                              });
+}
+
+TEST_CASE("sizes of the reports on bonds, balance and strength") {
+  const TwoBoxes scene;
+  hs_context* c = scene.context.get();
+  hs_world* w = scene.world.get();
+  require_ok(hs_world_remove_block(w, scene.box_away), c);
+  check_report<hs_bond_report>(
+      c, "hs_world_get_bond_report", sizeof(hs_bond_report),
+      [&](hs_bond_report* report, std::size_t size) { return hs_world_get_bond_report(w, report, size); });
+  check_report<hs_balance>(
+      c, "hs_world_get_balance", sizeof(hs_balance),
+      [&](hs_balance* balance, std::size_t size) { return hs_world_get_balance(w, balance, size); });
+  check_report<hs_balance>(c, "hs_world_relax", sizeof(hs_balance),
+                           [&](hs_balance* balance, std::size_t size) {
+                             const World copy = restored(c, saved(w));
+                             const hs_relaxation_def def = relaxation_def(1, 1e9);
+                             return hs_world_relax(copy.get(), &def, balance, size);
+                           });
+  check_report<hs_strength_report>(c, "hs_world_find_strength_factor", sizeof(hs_strength_report),
+                                   [&](hs_strength_report* report, std::size_t size) {
+                                     hs_strength_def def;
+                                     require_ok(hs_strength_def_init(&def, sizeof def), c);
+                                     def.most_steps = 1;
+                                     return hs_world_find_strength_factor(w, &def, report, size, nullptr);
+                                   });
+}
+
+TEST_CASE(
+    "the defaults of bodies, bonds, relaxation and the search for strength are those the headers state") {
+  const hs_body_def body = body_def();
+  CHECK(body.material == 0);
+  for (const double zero :
+       {body.pose.position[0], body.pose.position[1], body.pose.position[2], body.pose.rotation[0],
+        body.pose.rotation[1], body.pose.rotation[2], body.velocity[0], body.velocity[1], body.velocity[2]})
+    CHECK(zero == 0);
+  CHECK(body.pose.rotation[3] == 1);
+
+  hs_bond_def bond;
+  REQUIRE(hs_bond_def_init(&bond, sizeof bond) == HS_OK);
+  CHECK(bond.normal_stiffness == 1e11);
+  for (const double zero : {bond.shear_stiffness, bond.tensile_strength, bond.cohesion, bond.friction_angle,
+                            bond.residual_cohesion, bond.tensile_fracture_energy, bond.shear_fracture_energy})
+    CHECK(zero == 0);
+
+  CHECK(bond.residual_friction_angle < 0);  // the friction angle
+
+  hs_relaxation_def relaxation;
+  REQUIRE(hs_relaxation_def_init(&relaxation, sizeof relaxation) == HS_OK);
+  CHECK(relaxation.measure == HS_UNBALANCED_MEAN);
+  CHECK(relaxation.ratio == 1e-5);
+  CHECK(relaxation.most_steps == 1000000);
+  CHECK(relaxation.local_damping == 0.1);
+  CHECK(relaxation.is_adaptive == 1);
+  CHECK(relaxation.hold_bonds == 1);
+
+  hs_strength_def strength;
+  REQUIRE(hs_strength_def_init(&strength, sizeof strength) == HS_OK);
+  CHECK(strength.low == 0.5);
+  CHECK(strength.high == 5);
+  CHECK(strength.resolution == 0.005);
+  CHECK(strength.ratio == 1e-5);
+  CHECK(strength.most_way == 0.1);
+  CHECK(strength.most_steps == 100000);
 }
 
 TEST_CASE("the defaults are those the headers state") {

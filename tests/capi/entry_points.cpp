@@ -5,28 +5,6 @@ namespace {
 
 constexpr double nowhere[3] = {0, 0, 0}, aslant[3] = {1, 2, 0};
 
-hs_mutable_view room(Scene& s, int which) {
-  double(*v)[3] = s.written.vectors[which];
-  return {&v[0][0], &v[0][1], &v[0][2], sizeof v[0], 128};
-}
-
-/// Calls make(&handle) and keeps what it made.
-template <class Owner, class Make>
-hs_status keep(Owner& owner, Make make) {
-  auto* const untouched = reinterpret_cast<typename Owner::pointer>(0x10);
-  typename Owner::pointer made = untouched;
-  const hs_status status = make(&made);
-  if (status == HS_OK) owner.reset(made);
-  if (status != HS_OK && made != untouched) throw std::runtime_error("a failed call wrote a handle");
-  return status;
-}
-
-template <class Def, class Init>
-hs_status fill(Init init) {
-  Def def;
-  return init(&def, sizeof def);
-}
-
 hs_block_def block_def(Scene& s) {
   hs_block_def def;
   require_ok(hs_block_def_init(&def, sizeof def, s.round.get()), s.context.get());
@@ -119,8 +97,6 @@ hs_status set_elasticity(Scene& s) {
   return hs_world_set_elasticity(s.world.get(), 0, &elasticity);
 }
 
-void make_material_elastic(Scene& s) { require_ok(set_elasticity(s), s.context.get()); }
-
 hs_status add_affine(Scene& s, hs_block* block) {
   hs_block_def def = block_def(s);
   def.kind = HS_BLOCK_AFFINE;
@@ -185,6 +161,8 @@ hs_view polygon(Scene& s) {
 
 }  // namespace
 
+void make_material_elastic(Scene& s) { require_ok(set_elasticity(s), s.context.get()); }
+
 Scene::Scene(int d) : dimension(d) {
   hs_context* c = context.get();
   hs_shape* made_round = nullptr;
@@ -200,6 +178,7 @@ Scene::Scene(int d) : dimension(d) {
   }
   round.reset(made_round);
   halfspaces = halfspaces_of(make_polyhedron(c, solid).get());
+  bar = make_mesh(c, halfspace_test::bar(d));
 
   hs_world_def settings = world_def();
   settings.dimension = d;
@@ -223,10 +202,11 @@ Scene::Scene(int d) : dimension(d) {
   std::memset(static_cast<void*>(&written), 0xee, sizeof written);
   made.context = make_context(&context_def);
   made.shapes[0] = make_shape(c, halfspace_test::box(0, 0, 1, 1));
+  made.mesh = make_mesh(c, halfspace_test::bar(d));
   made.world = make_world(c, settings);
 }
 
-std::vector<EntryPoint> entry_points() {
+std::vector<EntryPoint> entry_points_of_shapes_and_blocks() {
   using S = Scene&;
   return {
       {"hs_status_string", Allocates::never,
@@ -349,7 +329,7 @@ std::vector<EntryPoint> entry_points() {
          const hs_block_def def = block_def(s);
          return hs_world_add_block(s.world.get(), s.round.get(), &def, &s.written.blocks[0]);
        }},
-      {"hs_world_remove_block", Allocates::always,
+      {"hs_world_remove_block", Allocates::never,
        [](S s) { return hs_world_remove_block(s.world.get(), s.lower); }},
       {"hs_world_get_blocks", Allocates::never,
        [](S s) { return hs_world_get_blocks(s.world.get(), s.written.blocks, 4, &s.written.counts[0]); }},
@@ -383,6 +363,11 @@ std::vector<EntryPoint> entry_points() {
       {"hs_world_step", Allocates::always, step, throw_upper_prepared},
       {"hs_world_get_report", Allocates::always,
        [](S s) { return hs_world_get_report(s.world.get(), &s.written.report, sizeof s.written.report); }},
+      {"hs_world_get_plan", Allocates::always,
+       [](S s) {
+         hs_world_plan plan;
+         return hs_world_get_plan(s.world.get(), 1, &plan, sizeof plan);
+       }},
       {"hs_world_get_contacts", Allocates::never,
        [](S s) { return hs_world_get_contacts(s.world.get(), &s.written.contact, 1, &s.written.counts[0]); },
        detect},
@@ -419,6 +404,14 @@ std::vector<EntryPoint> entry_points() {
          });
        }},
   };
+}
+
+std::vector<EntryPoint> entry_points() {
+  std::vector<EntryPoint> all;
+  for (const auto& part : {entry_points_of_shapes_and_blocks(), entry_points_of_meshes(),
+                           entry_points_of_bonds(), entry_points_of_rest()})
+    all.insert(all.end(), part.begin(), part.end());
+  return all;
 }
 
 std::vector<EntryPoint> steps_of_changed_worlds() {

@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "capi/ledger.h"
-#include "capi/polyhedra.h"
-#include "capi/world_fixture.h"
+#include "capi/meshes.h"
 
 namespace halfspace_test {
 
@@ -23,6 +22,15 @@ struct Written {
   hs_block_state state;
   hs_deformation deformations[4];
   hs_world_report report;
+  hs_mesh_properties mesh;
+  hs_body_state body_state;
+  hs_cell_state cells[4];
+  hs_bond bonds[2];
+  hs_bond_event events[2];
+  hs_bond_report bond_report;
+  hs_balance balance;
+  hs_strength_report strength;
+  hs_body body;
   hs_pose poses[4];
   double vectors[2][128][3];
   std::int32_t indices[2][512];
@@ -34,6 +42,7 @@ struct Written {
 struct Made {
   Context context;
   Shape shapes[2];
+  Mesh mesh;
   World world;
 };
 
@@ -49,8 +58,11 @@ struct Scene {
   Solid solid = cube();
   Halfspaces halfspaces;
   Shape round, box;
+  Mesh bar;
   World world;
   hs_block lower = 0, upper = 0;
+  hs_block beside = 0;  // of the lower one, where there are bonds
+  hs_body body = 0;     // where there are bodies
   hs_pose poses[2];
   std::vector<unsigned char> snapshot;
   Written written;
@@ -67,9 +79,48 @@ struct EntryPoint {
   void (*arrange)(Scene&) = nullptr;  // what must have happened before
 };
 
+/// All of them.
 std::vector<EntryPoint> entry_points();
+std::vector<EntryPoint> entry_points_of_shapes_and_blocks();
+std::vector<EntryPoint> entry_points_of_meshes();
+std::vector<EntryPoint> entry_points_of_bonds();
+std::vector<EntryPoint> entry_points_of_rest();
 
 /// A step after changes that leave different things known: contacts, forces, bonds.
 std::vector<EntryPoint> steps_of_changed_worlds();
+/// Calls for worlds with bodies and bonds of which some have been removed or have failed.
+std::vector<EntryPoint> calls_on_bodies_and_bonds();
+
+// What scenes are arranged by.
+
+void make_material_elastic(Scene& scene);
+void add_body(Scene& scene);
+/// A box beside the lower one, which both touch with a whole face.
+void add_box_beside(Scene& scene);
+void bond_boxes(Scene& scene);
+
+// What entries are made by.
+
+/// Calls make(&handle) and keeps what it made.
+template <class Owner, class Make>
+hs_status keep(Owner& owner, Make make) {
+  auto* const untouched = reinterpret_cast<typename Owner::pointer>(0x10);
+  typename Owner::pointer made = untouched;
+  const hs_status status = make(&made);
+  if (status == HS_OK) owner.reset(made);
+  if (status != HS_OK && made != untouched) throw std::runtime_error("a failed call wrote a handle");
+  return status;
+}
+
+template <class Def, class Init>
+hs_status fill(Init init) {
+  Def def;
+  return init(&def, sizeof def);
+}
+
+inline hs_mutable_view room(Scene& s, int which) {
+  double(*v)[3] = s.written.vectors[which];
+  return {&v[0][0], &v[0][1], &v[0][2], sizeof v[0], 128};
+}
 
 }  // namespace halfspace_test

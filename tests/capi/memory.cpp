@@ -2,8 +2,7 @@
 // is survived. The C++ allocator must not be used behind the host's back.
 
 #include "capi/ledger.h"
-#include "capi/polyhedra.h"
-#include "capi/world_fixture.h"
+#include "capi/meshes.h"
 #include "catch.h"
 
 namespace halfspace_test {
@@ -230,6 +229,41 @@ TEST_CASE("a steady step of affine blocks that meet by potentials asks for no me
   require_ok(hs_world_set_velocity(w, spinner, standing, turning), context.get());
   run(context.get(), w, 0.3);
   CHECK(run_without_memory(context.get(), w, 0.7, ledger) == 2);
+}
+
+TEST_CASE("a steady step of bodies and bonds asks for no memory") {
+  Ledger ledger;
+  const hs_context_def def = ledger.definition();
+  const Context context = make_context(&def);
+  const World world = make_world(context.get(), world_def());
+  hs_world* w = world.get();
+  const hs_elasticity_def elasticity = elasticity_def(1e8, 1e-4);
+  for (std::int32_t material : {0, 1}) {
+    require_ok(hs_world_add_material(w, 2000, &material), context.get());
+    require_ok(hs_world_set_elasticity(w, material, &elasticity), context.get());
+  }
+  hs_law_def law = law_def(1e9, 0);
+  law.stiffness_kind = HS_STIFFNESS_PER_AREA;
+  require_ok(hs_world_set_default_law(w, &law), context.get());
+  // Two bars that hold together glide along on a floor, and a bond fails at once.
+  add_block(context.get(), w, box(-5, -1, 50, 0), HS_BLOCK_FIXED, 1);
+  hs_body_def gliding = body_def();
+  gliding.velocity[0] = 3;
+  for (const double y : {0.0, 1.0}) {
+    gliding.pose.position[1] = y;
+    add_body(context.get(), w, bar(2), gliding);
+  }
+  hs_bond_def bond = bond_def(1e10, 1e9);
+  std::int64_t bonds = 0;
+  require_ok(hs_world_bond_materials(w, 0, 0, &bond, &bonds), context.get());
+  CHECK(bonds > 0);
+  const hs_block wall = add_block(context.get(), w, box(30, 4, 31, 5), HS_BLOCK_FIXED, 1);
+  const hs_block brittle = add_block(context.get(), w, box(31, 4, 32, 5), HS_BLOCK_RIGID, 1);
+  bond = bond_def(1e10, 0);
+  require_ok(hs_world_bond_blocks(w, wall, brittle, &bond), context.get());
+  run(context.get(), w, 0.3);
+  CHECK(!bond_events_of(w).empty());
+  CHECK(run_without_memory(context.get(), w, 0.7, ledger) > 0);
 }
 
 }  // namespace halfspace_test

@@ -23,9 +23,18 @@ std::vector<unsigned char> seen(const Scene& scene) {
   append(bytes, &scene.written, 1);
   const std::vector<hs_contact> contacts = contacts_of(world);
   append(bytes, contacts.data(), contacts.size());
-  hs_block blocks[8];
+  const std::vector<hs_bond> bonds = bonds_of(world);
+  append(bytes, bonds.data(), bonds.size());
+  if (scene.body != 0) {
+    for (const auto get :
+         {hs_world_get_node_positions, hs_world_get_node_velocities, hs_world_get_node_forces}) {
+      const Points3 nodes = of_nodes(get, world, scene.body);
+      append(bytes, nodes.data(), nodes.size());
+    }
+  }
+  hs_block blocks[64];
   std::int64_t count = 0;
-  if (hs_world_get_blocks(world, blocks, 8, &count) != HS_OK) throw std::runtime_error("no blocks");
+  if (hs_world_get_blocks(world, blocks, 64, &count) != HS_OK) throw std::runtime_error("no blocks");
   append(bytes, blocks, std::size_t(count));
   for (std::int64_t i = 0; i < count; ++i) {
     const hs_block_state state = state_of(world, blocks[i]);
@@ -48,6 +57,7 @@ std::unique_ptr<Scene> scene_for(const EntryPoint& entry, int dimension) {
 void check_all_is_given_back(std::unique_ptr<Scene> scene) {
   scene->made = {};
   scene->world.reset();
+  scene->bar.reset();
   scene->round.reset();
   scene->box.reset();
   scene->context.reset();
@@ -116,6 +126,11 @@ TEST_CASE("every exported function is among the entry points") {
 TEST_CASE("any allocation of any function may fail") {
   const int dimension = GENERATE(2, 3);
   for (const EntryPoint& entry : entry_points()) survive_every_failure(entry, dimension);
+}
+
+TEST_CASE("any allocation of a call on a world with bodies and bonds may fail") {
+  const int dimension = GENERATE(2, 3);
+  for (const EntryPoint& entry : calls_on_bodies_and_bonds()) survive_every_failure(entry, dimension);
 }
 
 TEST_CASE("any allocation of a step from a changed world may fail") {

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "capi/refusals.h"
-#include "capi/world_fixture.h"
+#include "capi/snapshot_worlds.h"
 
 namespace halfspace_test {
 namespace {
@@ -55,6 +55,57 @@ TEST_CASE("saving and restoring at every step changes no bit") {
   }
   REQUIRE(hs_world_step(pile.world.get(), 50) == HS_OK);
   CHECK(same(saved(carried.get()), saved(pile.world.get())));
+}
+
+TEST_CASE("a world with bodies, bonds and failed points goes on bit for bit") {
+  for (const int dimension : {2, 3}) {
+    for (const std::int32_t law : {HS_STIFFNESS_PER_CONTACT, HS_STIFFNESS_PER_AREA, HS_STIFFNESS_POTENTIAL}) {
+      INFO(dimension << "D, law " << law);
+      const Context context = make_context(), elsewhere = make_context();
+      const std::vector<unsigned char> bytes = snapshot_of(context.get(), {dimension, law, HS_BLOCK_MESH});
+      const World one = restored(context.get(), bytes);
+      World other = restored(elsewhere.get(), bytes);
+      CHECK(same(saved(one.get()), bytes));
+      const std::vector<hs_bond_event> failed = bond_events_of(one.get());
+      REQUIRE(!failed.empty());
+      const std::vector<hs_bond> bonds = bonds_of(one.get());
+      REQUIRE(bonds.size() == 3);
+      CHECK(bonds[0].damage == 0);
+      CHECK(bonds[1].damage > 0);
+      CHECK(bonds[1].damage < 1);
+      CHECK(bonds[2].damage == 1);
+      hs_block of_body = 0;
+      for (int i = 0; i < 30; ++i) {
+        REQUIRE(hs_world_step(one.get(), 1) == HS_OK);
+        REQUIRE(hs_world_step(other.get(), 1) == HS_OK);
+        other = restored(elsewhere.get(), saved(other.get()));
+      }
+      CHECK(same(saved(one.get()), saved(other.get())));
+      // Edits, relaxation and strengths live on as well, and so do ids.
+      const hs_relaxation_def relaxation = relaxation_def(25, 1e-12);
+      for (hs_world* w : {one.get(), other.get()}) {
+        REQUIRE(hs_world_set_strength_factor(w, 1.7) == HS_OK);
+        const World carried = restored(context.get(), saved(w));
+        REQUIRE(hs_world_set_strength_factor(w, 1) == HS_OK);
+        REQUIRE(hs_world_set_strength_factor(carried.get(), 1) == HS_OK);
+        CHECK(same(saved(carried.get()), saved(w)));
+        CHECK(hs_world_relax(w, &relaxation, nullptr, 0) == HS_NOTE_NOT_AT_REST);
+        hs_block blocks[64];
+        std::int64_t count = 0;
+        REQUIRE(hs_world_get_blocks(w, blocks, 64, &count) == HS_OK);
+        for (std::int64_t k = 0; k < count; ++k)
+          if (state_of(w, blocks[k]).kind == HS_BLOCK_MESH) of_body = blocks[k];
+        hs_body body = 0;
+        REQUIRE(hs_world_get_body_of_block(w, of_body, &body, nullptr) == HS_OK);
+        CHECK(body != 0);
+        add_body(w == one.get() ? context.get() : elsewhere.get(), w, bar(dimension, 0.5),
+                 body_def(pose_at(-9, 0)));
+        REQUIRE(hs_world_remove_body(w, body) == HS_OK);
+        REQUIRE(hs_world_step(w, 3) == HS_OK);
+      }
+      CHECK(same(saved(one.get()), saved(other.get())));
+    }
+  }
 }
 
 TEST_CASE("ids, edits and laws live on in a restored world") {

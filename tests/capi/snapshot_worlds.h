@@ -4,12 +4,11 @@
 
 #include <cstring>
 
-#include "capi/polyhedra.h"
-#include "capi/world_fixture.h"
+#include "capi/meshes.h"
 
 namespace halfspace_test {
 
-/// The parts that a world is made of.
+/// The parts that a world is made of; HS_BLOCK_MESH stands for bodies and bonds.
 struct WorldKind {
   int dimension;
   std::int32_t law;
@@ -25,7 +24,32 @@ inline Shape shape_of(hs_context* context, int dimension, int corners, Random& r
   return Shape(shape);
 }
 
-/// Five blocks that lie on a plate and on each other, after some steps; one has been removed.
+/// Half a unit wide.
+inline Shape shape_of_box(hs_context* context, int dimension) {
+  return dimension == 2 ? make_shape(context, box(-0.25, -0.25, 0.25, 0.25))
+                        : make_polyhedron(context, cube(0.5));
+}
+
+/// A row of three boxes, far off: one bond holds, one has failed at once, and one loses its strength slowly.
+inline void add_bonded_row(hs_context* context, hs_world* world, int dimension) {
+  const Shape shape = shape_of_box(context, dimension);
+  hs_block row[4];
+  for (int i = 0; i < 4; ++i) {
+    hs_block_def block;
+    require_ok(hs_block_def_init(&block, sizeof block, shape.get()), context);
+    block.kind = i == 0 ? HS_BLOCK_FIXED : HS_BLOCK_RIGID;
+    block.pose = pose_at(20 + 0.5 * i, 0);
+    require_ok(hs_world_add_block(world, shape.get(), &block, &row[i]), context);
+  }
+  hs_bond_def fading = bond_def(1e9, 1);
+  fading.tensile_fracture_energy = fading.shear_fracture_energy = 10;
+  const hs_bond_def bonds[3] = {bond_def(1e9, 1e8), fading, bond_def(1e9, 0)};
+  for (int i = 0; i < 3; ++i) require_ok(hs_world_bond_blocks(world, row[i], row[i + 1], &bonds[i]), context);
+}
+
+/// Five blocks that lie on a plate and on each other, after some steps; one has been removed. Where the kind
+/// is that of meshes, the blocks are rigid, and there are a body that touches the plate, the gap of another
+/// one, and bonds.
 inline std::vector<unsigned char> snapshot_of(hs_context* context, const WorldKind& kind) {
   Random random(7);
   hs_world_def def = world_def();
@@ -48,14 +72,28 @@ inline std::vector<unsigned char> snapshot_of(hs_context* context, const WorldKi
     const Shape shape = shape_of(context, kind.dimension, i == 0 ? 30 : 6 + 4 * (i % 3), random);
     hs_block_def block;
     require_ok(hs_block_def_init(&block, sizeof block, shape.get()), context);
-    block.kind = i == 0 ? HS_BLOCK_FIXED : i == 1 ? HS_BLOCK_PRESCRIBED : kind.block;
+    const std::int32_t common = kind.block == HS_BLOCK_MESH ? HS_BLOCK_RIGID : kind.block;
+    block.kind = i == 0 ? HS_BLOCK_FIXED : i == 1 ? HS_BLOCK_PRESCRIBED : common;
     block.material = materials[i % 2];
     block.pose = pose_at({0.2 * (i % 3), 0.2 * i, 0.1 * (i % 2)}, {0, 0, 1}, 0.3 * i);
     hs_block id = 0;
     require_ok(hs_world_add_block(world.get(), shape.get(), &block, &id), context);
     if (i == 2) removed = id;
   }
+  hs_body gone = 0;
+  if (kind.block == HS_BLOCK_MESH) {
+    gone = add_body(context, world.get(), bar(kind.dimension, 0.5), body_def(pose_at(-9, 0)));
+    hs_body_def def = body_def(pose_at({0.48, -0.25, -0.25}, {0, 0, 1}, 0.1));
+    def.material = materials[1];
+    const hs_body body = add_body(context, world.get(), bar(kind.dimension, 0.5), def);
+    const std::int32_t held[] = {2, 5};
+    const double still[3] = {0, 0, 0}, force[3] = {0, -50, 0};
+    require_ok(hs_world_hold_nodes(world.get(), body, held, 2, HS_AXIS_X, still), context);
+    require_ok(hs_world_set_node_force(world.get(), body, held, 1, force), context);
+    add_bonded_row(context, world.get(), kind.dimension);
+  }
   require_ok(hs_world_step(world.get(), 3), context);
+  if (gone != 0) require_ok(hs_world_remove_body(world.get(), gone), context);
   require_ok(hs_world_remove_block(world.get(), removed), context);
   require_ok(hs_world_step(world.get(), 3), context);
   return saved(world.get());

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <memory>
 
-#include "capi/world_fixture.h"
+#include "capi/meshes.h"
 #include "catch.h"
 
 namespace halfspace_test {
@@ -180,6 +180,109 @@ TEST_CASE("sizes of hs_block_def") {
     hs_block block = 0;
     require_ok(hs_world_add_block(scene.world.get(), shape.get(), def, &block), scene.context.get());
     return saved(scene.world.get());
+  });
+}
+
+TEST_CASE("sizes of hs_body_def") {
+  const hs_body_def defaults = body_def();
+  hs_body_def chosen = defaults;
+  chosen.material = 1;
+  chosen.pose = pose_at(0, 7, 0.6, 0.8);
+  chosen.velocity[1] = 2;
+  check_sizes(defaults, chosen, {offsetof(hs_body_def, pose), offsetof(hs_body_def, velocity)},
+              [&](const hs_body_def* def) {
+                const TwoBoxes scene;
+                hs_context* c = scene.context.get();
+                std::int32_t material = -1;
+                require_ok(hs_world_add_material(scene.world.get(), 500, &material), c);
+                const hs_elasticity_def elasticity = elasticity_def(1e8);
+                for (const std::int32_t of : {0, 1})
+                  require_ok(hs_world_set_elasticity(scene.world.get(), of, &elasticity), c);
+                const Mesh mesh = make_mesh(c, bar(2));
+                hs_body body = 0;
+                require_ok(hs_world_add_mesh(scene.world.get(), mesh.get(), def, nullptr, &body), c);
+                return saved(scene.world.get());
+              });
+}
+
+TEST_CASE("sizes of hs_bond_def") {
+  hs_bond_def defaults;
+  REQUIRE(hs_bond_def_init(&defaults, sizeof defaults) == HS_OK);
+  hs_bond_def chosen = defaults;
+  chosen.normal_stiffness = 2e9;
+  chosen.shear_stiffness = 3e9;
+  chosen.tensile_strength = 1e5;
+  chosen.cohesion = 2e5;
+  chosen.friction_angle = 0.3;
+  chosen.residual_cohesion = 1e4;
+  chosen.residual_friction_angle = 0.2;
+  chosen.tensile_fracture_energy = 10;
+  chosen.shear_fracture_energy = 20;
+  const std::vector<std::size_t> ends = {
+      offsetof(hs_bond_def, normal_stiffness),        offsetof(hs_bond_def, shear_stiffness),
+      offsetof(hs_bond_def, tensile_strength),        offsetof(hs_bond_def, cohesion),
+      offsetof(hs_bond_def, friction_angle),          offsetof(hs_bond_def, residual_cohesion),
+      offsetof(hs_bond_def, residual_friction_angle), offsetof(hs_bond_def, tensile_fracture_energy),
+      offsetof(hs_bond_def, shear_fracture_energy)};
+  for (const bool by_material : {false, true}) {
+    check_sizes(defaults, chosen, ends, [&](const hs_bond_def* def) {
+      const TwoBoxes scene;
+      hs_world* w = scene.world.get();
+      const hs_block beside = add_block(scene.context.get(), w, box(5, -1, 7, 0), HS_BLOCK_RIGID);
+      require_ok(by_material ? hs_world_bond_materials(w, 0, 0, def, nullptr)
+                             : hs_world_bond_blocks(w, scene.floor, beside, def),
+                 scene.context.get());
+      return saved(w);
+    });
+  }
+}
+
+TEST_CASE("sizes of hs_relaxation_def") {
+  hs_relaxation_def defaults;
+  REQUIRE(hs_relaxation_def_init(&defaults, sizeof defaults) == HS_OK);
+  hs_relaxation_def chosen = defaults;
+  chosen.measure = HS_UNBALANCED_LARGEST;
+  chosen.ratio = 1e-3;
+  chosen.most_steps = 7;
+  chosen.local_damping = 0.5;
+  chosen.is_adaptive = 0;
+  chosen.hold_bonds = 0;
+  const std::vector<std::size_t> ends = {
+      offsetof(hs_relaxation_def, ratio), offsetof(hs_relaxation_def, most_steps),
+      offsetof(hs_relaxation_def, local_damping), offsetof(hs_relaxation_def, is_adaptive),
+      offsetof(hs_relaxation_def, hold_bonds)};
+  check_sizes(defaults, chosen, ends, [](const hs_relaxation_def* def) {
+    const TwoBoxes scene;
+    require_ok(hs_world_remove_block(scene.world.get(), scene.box_away), scene.context.get());
+    const double push[3] = {0, -1e3, 0}, none[3] = {0, 0, 0};
+    require_ok(hs_world_set_applied_force(scene.world.get(), scene.box_on_floor, push, none),
+               scene.context.get());
+    if (hs_world_relax(scene.world.get(), def, nullptr, 0) < 0) throw std::runtime_error("not relaxed");
+    return saved(scene.world.get());
+  });
+}
+
+TEST_CASE("sizes of hs_strength_def") {
+  hs_strength_def defaults;
+  REQUIRE(hs_strength_def_init(&defaults, sizeof defaults) == HS_OK);
+  hs_strength_def chosen = defaults;
+  chosen.low = 0.7;
+  chosen.high = 3;
+  chosen.resolution = 1;
+  chosen.ratio = 1e-3;
+  chosen.most_way = 0.2;
+  chosen.most_steps = 50;
+  const std::vector<std::size_t> ends = {
+      offsetof(hs_strength_def, low),      offsetof(hs_strength_def, high),
+      offsetof(hs_strength_def, ratio),    offsetof(hs_strength_def, resolution),
+      offsetof(hs_strength_def, most_way), offsetof(hs_strength_def, most_steps)};
+  check_sizes(defaults, chosen, ends, [](const hs_strength_def* def) {
+    const TwoBoxes scene;
+    require_ok(hs_world_remove_block(scene.world.get(), scene.box_away), scene.context.get());
+    hs_strength_report report{};
+    require_ok(hs_world_find_strength_factor(scene.world.get(), def, &report, sizeof report, nullptr),
+               scene.context.get());
+    return bytes_of(report);
   });
 }
 

@@ -360,6 +360,10 @@ TEST_CASE("stages, steps, reports and contacts refuse bad input") {
   check_unchanged(
       s, "hs_world_get_report",
       {{"report", "NULL", [&] { return hs_world_get_report(w, nullptr, sizeof(hs_world_report)); }}});
+  hs_world_plan plan;
+  check_unchanged(s, "hs_world_get_plan",
+                  {{"steps", "-1", [&] { return hs_world_get_plan(w, -1, &plan, sizeof plan); }},
+                   {"plan", "NULL", [&] { return hs_world_get_plan(w, 1, nullptr, sizeof plan); }}});
   check_unchanged(s, "hs_world_get_contacts",
                   {{"contacts", "NULL", [&] { return hs_world_get_contacts(w, nullptr, 1, nullptr); }},
                    {"capacity", "-1", [&] { return hs_world_get_contacts(w, &contact, -1, nullptr); }}});
@@ -383,6 +387,7 @@ TEST_CASE("stages, steps, reports and contacts refuse bad input") {
   CHECK(hs_world_forces(nullptr, 0, forces, none) == HS_ERROR_ARGUMENT);
   CHECK(hs_world_step(nullptr, 1) == HS_ERROR_ARGUMENT);
   CHECK(hs_world_get_report(nullptr, &report, sizeof report) == HS_ERROR_ARGUMENT);
+  CHECK(hs_world_get_plan(nullptr, 0, &plan, sizeof plan) == HS_ERROR_ARGUMENT);
   CHECK(hs_world_get_contacts(nullptr, nullptr, 0, nullptr) == HS_ERROR_ARGUMENT);
   CHECK(hs_world_set_shear_force(nullptr, 1, 2, zero) == HS_ERROR_ARGUMENT);
 }

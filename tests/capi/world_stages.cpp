@@ -194,9 +194,7 @@ TEST_CASE(
     hs_world* w = pile.world.get();
     hs_status status = HS_OK;
     std::int64_t good_steps = 0;
-    std::vector<unsigned char> good;
     for (int i = 0; i < 4000 && status == HS_OK; ++i) {
-      good = saved(w);
       good_steps = report_of(w).steps;
       status = hs_world_step(w, 1);
       for (const hs_pose& p : poses_of(w)) {

@@ -11,7 +11,7 @@ SCENES = pathlib.Path(__file__).parent / "scenes"
 
 def halfspace(*arguments, **options):
     """Runs the command with its output captured, so that it has no terminal."""
-    return subprocess.run([COMMAND, *map(str, arguments)], capture_output=True, text=True, **{"timeout": 300} | options)
+    return subprocess.run([COMMAND, *map(str, arguments)], capture_output=True, text=True, **{"timeout": 1800} | options)
 
 
 def main():

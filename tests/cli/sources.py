@@ -132,7 +132,8 @@ class Sources(unittest.TestCase):
             self.assertIn("jointed_rock[0].joint_set[0].spacing: about ", answer.stderr)
             self.assertIn("1 fault in", answer.stderr)
         self.assertIn("joint_set[0].spacing: lost in the rounding", self.check(rock + joints.format(0.1, 1e20)).stderr)
-        self.check_count(20_000, rock + joints.format(5e-5, 0))  # each block is cut by its own joints only
+        column = rock.replace("[1, 1]", "[5e-5, 1]")
+        self.check_count(20_000, column + joints.format(5e-5, 0))  # each block is cut by its own joints only
 
     def test_cells_fill_a_region(self):
         self.check_count(25, '[[voronoi]]\nname = "cell"\nmaterial = "rock"\ncount = 25\nrelaxation = 3\n'

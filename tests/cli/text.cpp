@@ -27,7 +27,9 @@ TEST_CASE("axis steps are 1, 2 or 5 times a power of ten") {
 }
 
 TEST_CASE("a progress line") {
-  CHECK(progress_line(2.5, 5, 60) == "[###############               ] 50 %  t = 2.5 of 5 s  1:00 left");
-  CHECK(progress_line(0, 5, 1) == "[                              ] 0 %  t = 0 of 5 s");
-  CHECK(progress_line(1, 11, 720) == "[##                            ] 9 %  t = 1 of 11 s  2:00:00 left");
+  CHECK(progress_line(0.5, "t = 2.5 of 5 s", 60) ==
+        "[###############               ] 50 %  t = 2.5 of 5 s  1:00 left");
+  CHECK(progress_line(0, "t = 0 of 5 s", 1) == "[                              ] 0 %  t = 0 of 5 s");
+  CHECK(progress_line(1.0 / 11, "t = 1 of 11 s", 720) ==
+        "[##                            ] 9 %  t = 1 of 11 s  2:00:00 left");
 }

@@ -2,9 +2,9 @@
 
 #include "fuzz/bytes.h"
 #include "fuzz/demand.h"
+#include "layout.h"
 #include "model.h"
 #include "notes.h"
-#include "plan.h"
 #include "read_scene.h"
 
 namespace halfspace_fuzz {
@@ -45,12 +45,12 @@ bool takes_long(const Scene& scene) {
   return blocks > many;
 }
 
-void start(const Context& context, const Scene& scene, Plan plan, Faults& faults) {
+void start(const Context& context, const Scene& scene, Layout layout, Faults& faults) {
   try {
-    Model model(context, scene, std::move(plan));
+    Model model(context, scene, std::move(layout));
     note_start(context, scene, model, faults);
     model.step_towards(scene.duration, 3);
-    demand(model.frame().blocks.size() == model.plan().blocks.size(), "a frame shows all blocks");
+    demand(model.frame().blocks.size() == model.layout().blocks.size(), "a frame shows all blocks");
   } catch (const LibraryError& error) {
     demand(*error.what() != 0, "an error has a text");
   }
@@ -61,15 +61,15 @@ void run(const std::string& text) {
   Faults faults;
   const Scene scene = read_scene_text(text, "scene.toml", faults);
   if (takes_long(scene)) return;
-  Plan plan;
+  Layout layout;
   try {
-    plan = plan_blocks(context, scene, faults);
+    layout = lay_out_blocks(context, scene, faults);
   } catch (const LibraryError& error) {
     demand(*error.what() != 0, "an error has a text");
     return;
   }
   demand(faults.none() == faults.describe("scene.toml").empty(), "faults are told");
-  if (faults.none()) start(context, scene, std::move(plan), faults);
+  if (faults.none()) start(context, scene, std::move(layout), faults);
 }
 
 }  // namespace

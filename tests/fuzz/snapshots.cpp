@@ -14,12 +14,14 @@ namespace {
 using namespace halfspace_test;
 using Snapshot = std::vector<unsigned char>;
 
-/// Two dimensions, three laws, blocks of two kinds.
+/// Two dimensions, three laws, blocks of two kinds; then bodies and bonds in both dimensions.
 const Snapshot& snapshot_of_kind(int index) {
-  static std::array<Snapshot, 12> snapshots;
+  static std::array<Snapshot, 14> snapshots;
   Snapshot& snapshot = snapshots[std::size_t(index)];
   const Context context = make_context();
-  if (snapshot.empty()) {
+  if (snapshot.empty() && index >= 12) {
+    snapshot = snapshot_of(context.get(), {index - 10, HS_STIFFNESS_PER_AREA, HS_BLOCK_MESH});
+  } else if (snapshot.empty()) {
     snapshot = snapshot_of(context.get(), {.dimension = 2 + index / 6,
                                            .law = index / 2 % 3,
                                            .block = index % 2 ? HS_BLOCK_AFFINE : HS_BLOCK_RIGID});
@@ -59,7 +61,8 @@ void change(Snapshot& snapshot, Bytes& bytes) {
 }
 
 void run(Bytes bytes) {
-  Snapshot snapshot = snapshot_of_kind(bytes.below(12));
+  const int kind = bytes.byte();
+  Snapshot snapshot = snapshot_of_kind(kind < 240 ? kind % 12 : 12 + kind % 2);
   while (!bytes.empty() && snapshot.size() > snapshot_header + 8) change(snapshot, bytes);
   mend_header(snapshot);
   const Context context = make_context();

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "capi/world_fixture.h"
+#include "capi/meshes.h"
 #include "fuzz/geometry.h"
 
 namespace halfspace_fuzz {
@@ -43,11 +43,50 @@ inline void check_forces(const hs_world* world) {
   }
 }
 
+/// Nodes are somewhere and have a velocity; bonds and what has failed of them can be read.
+inline void check_bodies(const hs_world* world, const std::vector<hs_body>& bodies) {
+  for (const hs_body body : bodies) {
+    for (const auto get : {hs_world_get_node_positions, hs_world_get_node_velocities}) {
+      for (const Point3& p : halfspace_test::of_nodes(get, world, body))
+        demand(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z), "nodes are of numbers");
+    }
+    hs_cell_state cells[8];
+    demand(hs_world_get_cells(world, body, cells, 8, nullptr) == HS_OK, "cells are told");
+  }
+  for (const hs_bond& bond : halfspace_test::bonds_of(world)) {
+    demand(bond.area > 0, "a bond has an area");
+    demand(bond.damage >= 0 && bond.damage <= 1 + 1e-12, "a bond's damage is a share");
+  }
+  const auto events = halfspace_test::bond_events_of(world);
+  for (const hs_bond_event& event : events)
+    demand(event.failure == HS_BOND_TENSION || event.failure == HS_BOND_SHEAR, "what fails opens or slides");
+  hs_bond_report report;
+  demand(hs_world_get_bond_report(world, &report, sizeof report) == HS_OK, "bonds are reported");
+  demand(report.event_count == std::int64_t(events.size()), "events are counted");
+}
+
 /// A step may end without having done what was asked for.
 inline bool step(hs_world* world, std::int64_t steps) {
   const hs_status status = hs_world_step(world, steps);
-  return succeeds_or(status, {HS_ERROR_ARGUMENT, HS_ERROR_STATE, HS_ERROR_UNSTABLE, HS_ERROR_TOO_FAST},
-                     "step");
+  return succeeds_or(
+      status, {HS_ERROR_ARGUMENT, HS_ERROR_STATE, HS_ERROR_UNSTABLE, HS_ERROR_TOO_FAST, HS_ERROR_INVERTED},
+      "step");
+}
+
+/// Nor may relaxation have done it.
+inline bool relax(hs_world* world, const hs_relaxation_def& def) {
+  hs_balance balance{};
+  const hs_status status = hs_world_relax(world, &def, &balance, sizeof balance);
+  if (status == HS_NOTE_NOT_AT_REST) return true;
+  return succeeds_or(
+      status, {HS_ERROR_ARGUMENT, HS_ERROR_STATE, HS_ERROR_UNSTABLE, HS_ERROR_TOO_FAST, HS_ERROR_INVERTED},
+      "relax");
+}
+
+inline void check_balance(hs_world* world) {
+  hs_balance balance{};
+  if (!succeeds_or(hs_world_get_balance(world, &balance, sizeof balance), {}, "get_balance")) return;
+  demand(!(balance.mean < 0) && !(balance.largest < 0), "a balance is a share");
 }
 
 inline void check_report(hs_world* world) {

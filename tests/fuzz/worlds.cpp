@@ -1,15 +1,14 @@
 // Sequences of world calls: one that fails changes nothing, a restored world goes on bit for bit, and nothing
 // that moves is ever no number.
 
-#include "fuzz/world_calls.h"
+#include "fuzz/body_calls.h"
 
 namespace halfspace_fuzz {
 namespace {
 
-using namespace halfspace_test;
-
 constexpr int most_blocks = 8;
-constexpr int most_steps = 30;
+/// Bytes below choose among the calls of blocks, 17 of them one after the other.
+constexpr int first_call_of_bodies = 221;
 
 hs_world_def read_world_def(Bytes& bytes, int dimension) {
   hs_world_def def = world_def(dimension);
@@ -42,9 +41,9 @@ hs_law_def read_law(Bytes& bytes) {
   return law;
 }
 
-class Calls {
+class Calls : BodyCalls {
  public:
-  Calls(Bytes bytes, hs_context* context) : bytes_(bytes), context_(context) {
+  Calls(Bytes bytes, hs_context* context) : BodyCalls(bytes, context) {
     dimension_ = bytes_.between(2, 3);
     const hs_world_def def = read_world_def(bytes_, dimension_);
     hs_world* world = nullptr;
@@ -57,15 +56,19 @@ class Calls {
 
   void run() {
     while (world_ && !bytes_.empty()) {
-      call(bytes_.below(17));
+      const int byte = bytes_.byte();
+      if (byte < first_call_of_bodies) {
+        call(byte % 17);
+      } else {
+        call_of_bodies(byte - first_call_of_bodies);
+      }
       check_motion(world());
       check_forces(world());
+      check_bodies(world(), bodies_);
     }
   }
 
  private:
-  hs_world* world() const { return world_.get(); }
-
   void call(int which) {
     switch (which) {
       case 0:
@@ -103,24 +106,8 @@ class Calls {
     }
   }
 
-  /// Whether it has succeeded; else the world is bit for bit what it was.
-  template <class Call>
-  bool unless_refused(const char* name, Call call) {
-    const std::vector<unsigned char> before = saved(world());
-    if (succeeds_or(call(), {HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, HS_ERROR_STATE}, name)) return true;
-    demand(saved(world()) == before, "a call that fails changes nothing");
-    demand(*hs_context_last_error(context_) != 0, "a refusal has a text");
-    return false;
-  }
-
-  /// Now and then one that is no longer there, or never was.
-  hs_block any_block() {
-    if (ids_.empty() || bytes_.byte() == 0) return bytes_.raw<std::uint8_t>();
-    return ids_[std::size_t(bytes_.below(int(ids_.size())))];
-  }
-
   void add_block() {
-    if (blocks_of(world()).size() >= most_blocks) return;
+    if (blocks_of(world()).size() >= most_blocks + 12 * bodies_.size()) return;
     const Shape shape = read_hull(bytes_, context_, dimension_);
     if (!shape) return;
     hs_block_def def;
@@ -256,13 +243,6 @@ class Calls {
     demand(one == other, "a restored world goes on as the one that was saved");
     demand(saved(twin.get()) == saved(world()), "a restored world goes on bit for bit");
   }
-
-  Bytes bytes_;
-  hs_context* context_;
-  int dimension_ = 2;
-  World world_;
-  std::vector<hs_block> ids_;
-  int steps_ = 0;
 };
 
 }  // namespace

@@ -47,6 +47,11 @@ Contact<D> look_at(const PosedPair<D>& posed) {
                      std::pmr::get_default_resource());
 }
 
+struct Proof {
+  std::uint64_t shapes;
+  double reach, normal[3], rotation_a[4], rotation_b[4];
+};
+
 /// The least that the blocks are apart along the normal of the proof, found anew.
 template <int D>
 double gap_along(const double normal[3], const PosedPair<D>& posed) {
@@ -72,7 +77,7 @@ void check_proofs(const Shape<D>& a, const Shape<D>& b, Random& random) {
     if (apart.type != ContactType::none) continue;
     double normal[3] = {};
     for (int k = 0; k < D; ++k) normal[k] = apart.normal[k];
-    SeparationProof proof;
+    Proof proof;
     keep_proof(before, normal, apart.gap, proof);
     CHECK(proven_gap(before, proof, 0) == Approx(apart.gap).margin(1e-12));
     CHECK(proven_gap(before, proof, 2 * apart.gap) == 0);

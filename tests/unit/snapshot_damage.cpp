@@ -66,6 +66,8 @@ struct ForgetSprings {
 
 /// Of the slots that are free names one twice.
 struct RepeatFreeSlot {
+  static constexpr bool reads = true;
+
   template <class... Members>
   void operator()(Members&... members) {
     (repeat(members), ...);

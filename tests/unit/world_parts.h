@@ -108,7 +108,8 @@ struct WorldParts {
     typename ForcePass<D>::Evaluation evaluation = forces.begin(elapsed);
     for (std::size_t c = 0; c < contacts.count(); ++c)
       forces.load(contacts.touching()[c], contacts.contact(c), evaluation);
-    forces.gather();
+    sums.last_block = evaluation.last_block;
+    forces.gather(std::span(&sums, 1));
     return evaluation.energy;
   }
 };

@@ -57,7 +57,7 @@ void draw_colours(Svg& svg, const Plot& plot, const Scene& scene) {
 
 }  // namespace
 
-std::string picture(const Stage& stage, const Scene& scene, const Plan& plan, const Frame& start,
+std::string picture(const Stage& stage, const Scene& scene, const Layout& layout, const Frame& start,
                     const Frame& frame) {
   const Plot plot(stage);
   const double width = std::max(plot.right() + right_margin, 420.0);
@@ -69,7 +69,7 @@ std::string picture(const Stage& stage, const Scene& scene, const Plan& plan, co
   if (stage.dimension == 2) {
     draw_in_plane(svg, plot, start, frame);
   } else {
-    draw_in_space(svg, plot, plan, start, frame);
+    draw_in_space(svg, plot, layout, start, frame);
   }
   draw_scale_bar(svg, plot);
   draw_colours(svg, plot, scene);

@@ -52,12 +52,12 @@ void draw_directions(Svg& svg, const Plot& plot) {
 
 }  // namespace
 
-void draw_in_space(Svg& svg, const Plot& plot, const Plan& plan, const Frame& start, const Frame& frame) {
+void draw_in_space(Svg& svg, const Plot& plot, const Layout& layout, const Frame& start, const Frame& frame) {
   Canvas canvas(static_cast<int>(std::lround(density * plot.width)),
                 static_cast<int>(std::lround(density * plot.height)));
   for (std::size_t i = 0; i < frame.blocks.size(); ++i) {
     const BlockFrame& block = frame.blocks[i];
-    draw_block(canvas, plot, plan.blocks[i].faces, block.vertices,
+    draw_block(canvas, plot, layout.blocks[i].faces, block.vertices,
                colour_of(plot.stage, start.blocks[i], block));
   }
   const double line = outline_width(plot, frame) * density * Canvas::samples;

@@ -41,6 +41,6 @@ inline double outline_width(const Plot& plot, const Frame& frame) {
 void draw_in_plane(Svg& svg, const Plot& plot, const Frame& start, const Frame& frame);
 
 /// The blocks of a frame in space, shaded, with the directions of the axes.
-void draw_in_space(Svg& svg, const Plot& plot, const Plan& plan, const Frame& start, const Frame& frame);
+void draw_in_space(Svg& svg, const Plot& plot, const Layout& layout, const Frame& start, const Frame& frame);
 
 }  // namespace halfspace::cli

@@ -14,6 +14,7 @@ module halfspace_c
   !> Status codes.
   integer(c_int32_t), parameter :: HS_OK = 0  !< ok
   integer(c_int32_t), parameter :: HS_NOTE_TRUNCATED = 1  !< the output did not fit: only as much as the capacity holds was written
+  integer(c_int32_t), parameter :: HS_NOTE_NOT_AT_REST = 2  !< forces are still unbalanced after as many steps as were allowed
   integer(c_int32_t), parameter :: HS_ERROR_ARGUMENT = -1  !< an argument is null, out of range or not finite
   integer(c_int32_t), parameter :: HS_ERROR_GEOMETRY = -2  !< the vertices do not describe a convex shape
   integer(c_int32_t), parameter :: HS_ERROR_STALE_ID = -3  !< the id does not name a living block, material or contact
@@ -23,6 +24,7 @@ module halfspace_c
   integer(c_int32_t), parameter :: HS_ERROR_FORMAT = -7  !< the bytes are not a snapshot that this library can read
   integer(c_int32_t), parameter :: HS_ERROR_INTERNAL = -8  !< a defect of the library: please report it
   integer(c_int32_t), parameter :: HS_ERROR_TOO_FAST = -9  !< two blocks meet too fast for the time step against their thickness
+  integer(c_int32_t), parameter :: HS_ERROR_INVERTED = -10  !< a cell of a mesh would be turned inside out
 
   !> Contact types (Wang et al. 2021, section 2.5).
   integer(c_int32_t), parameter :: HS_CONTACT_NONE = 0  !< separated: one violated potential pair, or a plane between, proves it
@@ -87,6 +89,7 @@ module halfspace_c
   integer(c_int32_t), parameter :: HS_BLOCK_PRESCRIBED = 1  !< with the velocity and spin given, whatever the forces
   integer(c_int32_t), parameter :: HS_BLOCK_RIGID = 2  !< by Newton's law
   integer(c_int32_t), parameter :: HS_BLOCK_AFFINE = 3  !< by Newton's law, and straining as a whole: see affine.h
+  integer(c_int32_t), parameter :: HS_BLOCK_MESH = 4  !< as the nodes of its mesh do: see mesh.h, whose hs_world_add_mesh() makes it
 
   !> What becomes of a step in which two blocks would move far against the thinner of them: more than a
   !! quarter of its thickness.
@@ -99,10 +102,48 @@ module halfspace_c
   integer(c_int32_t), parameter :: HS_PLANE_STRAIN = 0  !< a body that cannot strain across the plane
   integer(c_int32_t), parameter :: HS_PLANE_STRESS = 1  !< a sheet without stress across the plane
 
+  !> How a point of a bond has failed.
+  integer(c_int32_t), parameter :: HS_BOND_HOLDS = 0  !< it has not
+  integer(c_int32_t), parameter :: HS_BOND_TENSION = 1  !< by opening
+  integer(c_int32_t), parameter :: HS_BOND_SHEAR = 2  !< by sliding
+
   !> What comes of two motions.
   integer(c_int32_t), parameter :: HS_IMPACT_NEVER = 0  !< they do not touch within the duration
   integer(c_int32_t), parameter :: HS_IMPACT_AT_START = 1  !< they touch at the start already
   integer(c_int32_t), parameter :: HS_IMPACT_TOUCH = 2  !< they are apart at the start and come to touch
+
+  !> Kinds of cells. Nodes are numbered as Gmsh and VTK do: those of triangles and quads counter-clockwise; of
+  !! a tetrahedron the fourth lies where the first three run counter-clockwise seen from the other side; of
+  !! prisms and hexahedra those at the bottom come first, counter-clockwise seen from above, then those above
+  !! them in the same order.
+  integer(c_int32_t), parameter :: HS_CELL_TRIANGLE = 0  !< 3 nodes, 2D
+  integer(c_int32_t), parameter :: HS_CELL_QUAD = 1  !< 4 nodes, 2D, convex
+  integer(c_int32_t), parameter :: HS_CELL_TETRAHEDRON = 2  !< 4 nodes, 3D
+  integer(c_int32_t), parameter :: HS_CELL_PRISM = 3  !< 6 nodes, 3D
+  integer(c_int32_t), parameter :: HS_CELL_HEXAHEDRON = 4  !< 8 nodes, 3D
+
+  !> Axes along which nodes are held; their sum holds along several.
+  integer(c_int32_t), parameter :: HS_AXIS_X = 1  !< along x
+  integer(c_int32_t), parameter :: HS_AXIS_Y = 2  !< along y
+  integer(c_int32_t), parameter :: HS_AXIS_Z = 4  !< along z, in 3D
+
+  !> What a step computes besides detection and normal forces of rigid blocks. What is not active is neither
+  !! stored nor computed.
+  integer(c_int32_t), parameter :: HS_PART_FRICTION = 1  !< a law resists shear: each pair keeps a shear spring
+  integer(c_int32_t), parameter :: HS_PART_BONDS = 2  !< a law has cohesion or tensile strength
+  integer(c_int32_t), parameter :: HS_PART_CONTACT_DAMPING = 4  !< a law has dashpots
+  integer(c_int32_t), parameter :: HS_PART_AREA = 8  !< a law is per area: overlaps are measured
+  !> a law is one of potentials: overlaps are divided; in space each pair keeps a plan of that
+  integer(c_int32_t), parameter :: HS_PART_POTENTIAL = 16
+  integer(c_int32_t), parameter :: HS_PART_STRAIN = 32  !< a block is affine
+  integer(c_int32_t), parameter :: HS_PART_LOCAL_DAMPING = 64  !< the world has local damping
+  integer(c_int32_t), parameter :: HS_PART_MASS_DAMPING = 128  !< the world has mass damping
+
+  !> By which forces are compared.
+  !> all unbalanced forces over all forces: of cells, contacts, bonds, weight and loads
+  integer(c_int32_t), parameter :: HS_UNBALANCED_MEAN = 0
+  !> the largest such ratio of a single block or node; where next to nothing acts, over the mean force
+  integer(c_int32_t), parameter :: HS_UNBALANCED_LARGEST = 1
 
   !> One contact, or the proof that there is none. Points are in the frame of the poses given, directions in
   !! its orientation. Detection of single pairs leaves what has no meaning there as it was: ids, forces,
@@ -319,8 +360,8 @@ module halfspace_c
     real(c_double) :: largest_speed = 0.0_c_double  !< of all blocks that move freely, now
     type(hs_energy) :: energy  !< the ledger
     real(c_double) :: potential_length = 0.0_c_double  !< in use; 0 without a law of potentials
-    real(c_double) :: block_strain_energy = 0.0_c_double  !< of affine blocks, now; counts in the residual
-    real(c_double) :: block_damping_loss = 0.0_c_double  !< in affine blocks, so far; counts in the residual
+    real(c_double) :: block_strain_energy = 0.0_c_double  !< of affine blocks and meshes, now; counts in the residual
+    real(c_double) :: block_damping_loss = 0.0_c_double  !< in affine blocks and meshes, so far; counts in the residual
     integer(c_int64_t) :: divided_steps = 0  !< steps so far that fast blocks have divided
     !> largest share of the thinner block's thickness up to which springs let two blocks come, the root of d^2
     !! + v^2 m/k for those that approach at v where they are nearest and lie d deep: of all when they met, of
@@ -354,6 +395,63 @@ module halfspace_c
     real(c_double) :: strain_energy = 0.0_c_double  !< J, in 2D per unit thickness; 0 without stress
   end type hs_deformation
 
+  !> What a bond is like. Fill it with hs_bond_def_init().
+  type, bind(c) :: hs_bond_def
+    integer(c_int32_t) :: struct_size = 0  !< set by hs_bond_def_init()
+    integer(c_int32_t) :: reserved = 0  !< 0
+    real(c_double) :: normal_stiffness = 0.0_c_double  !< Pa/m, > 0; default 1e11
+    real(c_double) :: shear_stiffness = 0.0_c_double  !< Pa/m, > 0, or 0 (default): as the normal one
+    real(c_double) :: tensile_strength = 0.0_c_double  !< Pa, >= 0; default 0
+    real(c_double) :: cohesion = 0.0_c_double  !< Pa, >= 0; default 0
+    real(c_double) :: friction_angle = 0.0_c_double  !< [0, pi/2), of what holds; default 0
+    !> Pa, from 0 to the cohesion, of what has failed and is pressed together; default 0
+    real(c_double) :: residual_cohesion = 0.0_c_double
+    real(c_double) :: residual_friction_angle = 0.0_c_double  !< [0, pi/2), likewise; or below 0 (default): the friction angle
+    !> J/m2, >= 0: tension fades linearly with opening and takes so much from its peak on; default 0: at once
+    real(c_double) :: tensile_fracture_energy = 0.0_c_double
+    !> J/m2, >= 0: likewise what shear strength loses with slip; default 0: at once
+    real(c_double) :: shear_fracture_energy = 0.0_c_double
+  end type hs_bond_def
+
+  !> A bond now.
+  type, bind(c) :: hs_bond
+    integer(c_int64_t) :: block_a = 0  !< 0 when one of both has been removed
+    integer(c_int64_t) :: block_b = 0  !< likewise
+    integer(c_int32_t) :: is_joint = 0  !< 1; or 0 when it has come apart and contact has taken over
+    integer(c_int32_t) :: point_count = 0  !< integration points
+    integer(c_int32_t) :: broken_count = 0  !< of them that have failed
+    integer(c_int32_t) :: reserved = 0  !< 0
+    real(c_double) :: area = 0.0_c_double  !< of the common face, in 2D its length
+    real(c_double) :: damage = 0.0_c_double  !< mean over the area: 0 whole, 1 failed
+    real(c_double) :: normal_force = 0.0_c_double  !< > 0 in tension
+    real(c_double) :: shear_force(3) = 0.0_c_double  !< on block_b
+  end type hs_bond
+
+  !> A point of a bond that has failed.
+  type, bind(c) :: hs_bond_event
+    integer(c_int64_t) :: bond = 0  !< its place in the list of bonds, counted from 0
+    integer(c_int64_t) :: step = 0  !< steps done before
+    integer(c_int32_t) :: failure = 0  !< HS_BOND_TENSION or HS_BOND_SHEAR
+    integer(c_int32_t) :: point = 0  !< of the bond, counted from 0
+    real(c_double) :: time = 0.0_c_double  !< s
+    real(c_double) :: position(3) = 0.0_c_double  !< m
+    real(c_double) :: normal(3) = 0.0_c_double  !< of the face, from block_a to block_b
+    real(c_double) :: area = 0.0_c_double  !< of the point's share of the face, in 2D a length
+    real(c_double) :: normal_traction = 0.0_c_double  !< Pa, > 0 in tension, at the end of the step before
+    real(c_double) :: shear_traction = 0.0_c_double  !< Pa, likewise
+    real(c_double) :: energy = 0.0_c_double  !< J, lost in this step
+  end type hs_bond_event
+
+  !> The bonds of a world in numbers. Later versions may append to it.
+  type, bind(c) :: hs_bond_report
+    integer(c_int64_t) :: bond_count = 0  !< made so far
+    integer(c_int64_t) :: joint_count = 0  !< that have not come apart
+    integer(c_int64_t) :: event_count = 0  !< points that have failed so far
+    real(c_double) :: crack_area = 0.0_c_double  !< of these points, in 2D their length
+    real(c_double) :: strain_energy = 0.0_c_double  !< in the springs of bonds now; part of hs_energystrain
+    real(c_double) :: fracture_loss = 0.0_c_double  !< so far; counts in the residual
+  end type hs_bond_report
+
   !> How a shape moves: its centroid straight and its turn even. Fill it with hs_motion_def_init(): then it
   !! rests at the origin. At time t the point that is at X in the shape's frame is at position + t velocity +
   !! R(t angular_velocity) Q (gradient + t gradient_rate) X, with position and Q those of `start`, and R(v)
@@ -381,6 +479,42 @@ module halfspace_c
     real(c_double) :: normal(3) = 0.0_c_double  !< unit, from a to b then
     real(c_double) :: point(3) = 0.0_c_double  !< where they touch: the middle of the contact region
   end type hs_impact
+
+  !> What a mesh is. Later versions may append to it.
+  type, bind(c) :: hs_mesh_properties
+    integer(c_int32_t) :: dimension = 0  !< 2 or 3
+    integer(c_int32_t) :: reserved = 0  !< 0
+    integer(c_int64_t) :: node_count = 0  !< nodes
+    integer(c_int64_t) :: cell_count = 0  !< cells
+    integer(c_int64_t) :: surface_face_count = 0  !< faces, in 2D edges, that only one cell has
+    real(c_double) :: volume = 0.0_c_double  !< of all cells, in 2D their area
+  end type hs_mesh_properties
+
+  !> How a mesh is put into a world. Fill it with hs_body_def_init().
+  type, bind(c) :: hs_body_def
+    integer(c_int32_t) :: struct_size = 0  !< set by hs_body_def_init()
+    integer(c_int32_t) :: material = 0  !< from hs_world_add_material(), made elastic by hs_world_set_elasticity(); default 0
+    type(hs_pose) :: pose  !< of the frame that the nodes were given in; default: where they were given
+    real(c_double) :: velocity(3) = 0.0_c_double  !< of all nodes; default 0
+  end type hs_body_def
+
+  !> How a body moves. Later versions may append to it.
+  type, bind(c) :: hs_body_state
+    integer(c_int64_t) :: node_count = 0  !< nodes
+    integer(c_int64_t) :: cell_count = 0  !< cells
+    real(c_double) :: mass = 0.0_c_double  !< in 2D per unit thickness
+    real(c_double) :: centroid(3) = 0.0_c_double  !< of the nodes' masses
+    real(c_double) :: momentum(3) = 0.0_c_double  !< of all nodes
+    real(c_double) :: kinetic_energy = 0.0_c_double  !< of all nodes
+    real(c_double) :: strain_energy = 0.0_c_double  !< of all cells
+  end type hs_body_state
+
+  !> How a cell is strained and stressed, on average over the cell.
+  type, bind(c) :: hs_cell_state
+    real(c_double) :: strain(9) = 0.0_c_double  !< Green's, from the cell as it was put into the world
+    real(c_double) :: stress(9) = 0.0_c_double  !< Cauchy's, elastic, in space, Pa, tension > 0
+    real(c_double) :: strain_energy = 0.0_c_double  !< J, in 2D per unit thickness; with that of bending
+  end type hs_cell_state
 
   !> What a pair remembers between calls: the last violated potential pair while separated, the initial
   !! contact pair while in contact. All zero is an empty cache. Copy it freely, also to another process.
@@ -426,6 +560,75 @@ module halfspace_c
     integer(c_int32_t) :: without_region = 0
     integer(c_int32_t) :: reserved_2 = 0  !< 0
   end type hs_pair_options
+
+  !> The account of a world. Later versions may append to it.
+  type, bind(c) :: hs_world_plan
+    integer(c_int32_t) :: dimension = 0  !< 2 or 3
+    integer(c_int32_t) :: parts = 0  !< HS_PART_ bits: what is active
+    integer(c_int64_t) :: fixed_count = 0  !< blocks that never move
+    integer(c_int64_t) :: prescribed_count = 0  !< blocks that move as they are told
+    integer(c_int64_t) :: rigid_count = 0  !< blocks that move by Newton's law
+    integer(c_int64_t) :: affine_count = 0  !< blocks that strain
+    integer(c_int64_t) :: candidate_count = 0  !< pairs in the neighbour list
+    integer(c_int64_t) :: contact_count = 0  !< pairs in contact
+    integer(c_int64_t) :: block_bytes = 0  !< state of all blocks with their shapes, as a snapshot holds it
+    integer(c_int64_t) :: pair_bytes = 0  !< state of all pairs: neighbour list, shear springs, plans; likewise
+    real(c_double) :: stable_time_step = 0.0_c_double  !< as in the report; 0 without blocks that move freely
+    integer(c_int64_t) :: limiting_block = 0  !< sets it: the stiffest for its mass; 0 without blocks that move freely
+    !> at its stiffest contact; 0 while it has none: then contacts that it may get limit the step
+    integer(c_int64_t) :: limiting_neighbor = 0
+    integer(c_int64_t) :: measured_steps = 0  !< done to measure the times below
+    real(c_double) :: search_seconds = 0.0_c_double  !< of a step: building neighbour lists
+    real(c_double) :: pair_seconds = 0.0_c_double  !< of a step: detecting pairs and loading contacts
+    real(c_double) :: gather_seconds = 0.0_c_double  !< of a step: adding up the forces on blocks
+    real(c_double) :: motion_seconds = 0.0_c_double  !< of a step: moving, turning and straining blocks
+    real(c_double) :: book_seconds = 0.0_c_double  !< of a step: the energy ledger
+  end type hs_world_plan
+
+  !> How a world is brought to rest. Fill it with hs_relaxation_def_init().
+  type, bind(c) :: hs_relaxation_def
+    integer(c_int32_t) :: struct_size = 0  !< set by hs_relaxation_def_init()
+    integer(c_int32_t) :: measure = 0  !< an HS_UNBALANCED_ value; default HS_UNBALANCED_MEAN
+    real(c_double) :: ratio = 0.0_c_double  !< at which it is at rest, > 0; default 1e-5
+    integer(c_int64_t) :: most_steps = 0  !< >= 1; default 1000000
+    !> [0, 1) meanwhile; default 0.1, beside adaptive damping; by itself 0.8 does best
+    real(c_double) :: local_damping = 0.0_c_double
+    !> 1 (default): mass damping twice as fast as the slowest motion that is left swings, found anew all the
+    !! time; or 0: that of the world
+    integer(c_int32_t) :: is_adaptive = 0
+    integer(c_int32_t) :: hold_bonds = 0  !< 1 (default): bonds do not fail meanwhile; or 0
+  end type hs_relaxation_def
+
+  !> How balanced a world is. Later versions may append to it.
+  type, bind(c) :: hs_balance
+    real(c_double) :: mean = 0.0_c_double  !< see HS_UNBALANCED_MEAN; 0 where no force acts
+    real(c_double) :: largest = 0.0_c_double  !< see HS_UNBALANCED_LARGEST
+    real(c_double) :: largest_force = 0.0_c_double  !< that is unbalanced, N
+    integer(c_int64_t) :: steps = 0  !< that hs_world_relax() has taken; else 0
+  end type hs_balance
+
+  !> How the factor of safety is looked for. Fill it with hs_strength_def_init().
+  type, bind(c) :: hs_strength_def
+    integer(c_int32_t) :: struct_size = 0  !< set by hs_strength_def_init()
+    integer(c_int32_t) :: reserved = 0  !< 0
+    real(c_double) :: low = 0.0_c_double  !< > 0: a factor at which the world should stand; default 0.5
+    real(c_double) :: high = 0.0_c_double  !< above low: one at which it should fall; default 5
+    real(c_double) :: resolution = 0.0_c_double  !< > 0: the bracket that is narrow enough; default 0.005
+    real(c_double) :: ratio = 0.0_c_double  !< > 0: unbalanced forces at which a world stands, see hs_relaxation_def; default 1e-5
+    real(c_double) :: most_way = 0.0_c_double  !< > 0: share of its size by which a block that moves has fallen; default 0.1
+    integer(c_int64_t) :: most_steps = 0  !< >= 1: what is not at rest by then falls as well; default 100000
+  end type hs_strength_def
+
+  !> What was found. Later versions may append to it.
+  type, bind(c) :: hs_strength_report
+    real(c_double) :: factor = 0.0_c_double  !< the middle of the bracket
+    real(c_double) :: low = 0.0_c_double  !< the world stands at it, if stands_at_low
+    real(c_double) :: high = 0.0_c_double  !< the world falls at it, if falls_at_high
+    integer(c_int32_t) :: stands_at_low = 0  !< 1; or 0: it falls even at def.low, and nothing else was tried
+    integer(c_int32_t) :: falls_at_high = 0  !< 1; or 0: it stands even at def.high
+    integer(c_int32_t) :: trials = 0  !< worlds tried
+    integer(c_int32_t) :: reserved = 0  !< 0
+  end type hs_strength_report
 
   abstract interface
 
@@ -804,7 +1007,8 @@ module halfspace_c
       integer(c_int32_t) :: hs_block_def_init
     end function hs_block_def_init
 
-    !> Adds a block. The world copies the shape.
+    !> Adds a block. The world copies the shape. No component of its position may exceed 2^32 of its bounding
+    !! radius: farther off, rounding would move it by too large a part of its size.
     !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID (material), HS_ERROR_STATE (an affine block of a
     !! material that is not elastic) or HS_ERROR_OUT_OF_MEMORY
     function hs_world_add_block(world, shape, def, block) bind(c)
@@ -863,7 +1067,7 @@ module halfspace_c
       import
       type(c_ptr), value :: world  !< not NULL
       integer(c_int64_t), value :: block  !< id
-      type(hs_pose), intent(in) :: pose  !< where to
+      type(hs_pose), intent(in) :: pose  !< where to, no farther off than hs_world_add_block() allows
       integer(c_int32_t) :: hs_world_set_pose
     end function hs_world_set_pose
 
@@ -907,7 +1111,7 @@ module halfspace_c
     function hs_world_set_poses(world, poses, count) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
-      type(c_ptr), value :: poses  !< one per block
+      type(c_ptr), value :: poses  !< one per block, no farther off than hs_world_add_block() allows
       integer(c_int64_t), value :: count  !< must be the number of blocks
       integer(c_int32_t) :: hs_world_set_poses
     end function hs_world_set_poses
@@ -1031,8 +1235,8 @@ module halfspace_c
       integer(c_int32_t) :: hs_elasticity_def_init
     end function hs_elasticity_def_init
 
-    !> Makes a material elastic, for affine blocks; others do not read it. Blocks that have the material keep
-    !! their strain.
+    !> Makes a material elastic, for affine blocks and meshes; others do not read it. What has the material
+    !! keeps its strain.
     !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
     function hs_world_set_elasticity(world, material, elasticity) bind(c)
       import
@@ -1108,6 +1312,83 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_clear_surface_loads
     end function hs_world_clear_surface_loads
 
+    !> Fills a bond's definition with its defaults.
+    !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
+    function hs_bond_def_init(def, size) bind(c)
+      import
+      type(hs_bond_def), intent(out) :: def  !< to fill
+      integer(c_size_t), value :: size  !< sizeof(hs_bond_def) as the caller was compiled
+      integer(c_int32_t) :: hs_bond_def_init
+    end function hs_bond_def_init
+
+    !> Bonds two blocks along their largest common face, as they are now: both faces lie in one plane but for
+    !! rounding.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, HS_ERROR_OUT_OF_MEMORY, or HS_ERROR_STATE when
+    !! they have no common face, hold together already, or neither moves
+    function hs_world_bond_blocks(world, block_a, block_b, def) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int64_t), value :: block_a  !< two blocks of any kind
+      integer(c_int64_t), value :: block_b  !< two blocks of any kind
+      type(hs_bond_def), intent(in) :: def  !< not NULL
+      integer(c_int32_t) :: hs_world_bond_blocks
+    end function hs_world_bond_blocks
+
+    !> Bonds all pairs of blocks of two materials along their common faces; what holds together already stays
+    !! as it is.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID or HS_ERROR_OUT_OF_MEMORY
+    function hs_world_bond_materials(world, material_a, material_b, def, count) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int32_t), value :: material_a  !< indices, may be the same
+      integer(c_int32_t), value :: material_b  !< indices, may be the same
+      type(hs_bond_def), intent(in) :: def  !< not NULL
+      type(c_ptr), value :: count  !< receives the number of bonds made; may be NULL
+      integer(c_int32_t) :: hs_world_bond_materials
+    end function hs_world_bond_materials
+
+    !> Holds all bonds, which then never fail, while a world comes to rest; or lets them fail again.
+    !! Returns HS_OK or HS_ERROR_ARGUMENT
+    function hs_world_hold_bonds(world, are_held) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int32_t), value :: are_held  !< 1 or 0
+      integer(c_int32_t) :: hs_world_hold_bonds
+    end function hs_world_hold_bonds
+
+    !> Bulk: all bonds made so far, in their order.
+    !! Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
+    function hs_world_get_bonds(world, bonds, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      type(c_ptr), value :: bonds  !< receives them; may be NULL if capacity is 0
+      integer(c_int64_t), value :: capacity  !< in bonds
+      type(c_ptr), value :: count  !< receives their number; may be NULL
+      integer(c_int32_t) :: hs_world_get_bonds
+    end function hs_world_get_bonds
+
+    !> Bulk: what has failed so far, in order of time.
+    !! Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
+    function hs_world_get_bond_events(world, first, events, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int64_t), value :: first  !< the first event wanted, counted from 0
+      type(c_ptr), value :: events  !< receives them; may be NULL if capacity is 0
+      integer(c_int64_t), value :: capacity  !< in events
+      type(c_ptr), value :: count  !< receives the number of events from the first one on; may be NULL
+      integer(c_int32_t) :: hs_world_get_bond_events
+    end function hs_world_get_bond_events
+
+    !> The bonds in numbers, as of the last step.
+    !! Returns HS_OK or HS_ERROR_ARGUMENT
+    function hs_world_get_bond_report(world, report, size) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      type(hs_bond_report), intent(out) :: report  !< receives it
+      integer(c_size_t), value :: size  !< sizeof(hs_bond_report) as the caller was compiled
+      integer(c_int32_t) :: hs_world_get_bond_report
+    end function hs_world_get_bond_report
+
     !> Fills a motion with its defaults: at the origin, not turned, at rest.
     !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
     function hs_motion_def_init(def, size) bind(c)
@@ -1137,6 +1418,175 @@ module halfspace_c
       type(hs_impact), intent(out) :: impact  !< receives when, where and how
       integer(c_int32_t) :: hs_pair_time_of_impact
     end function hs_pair_time_of_impact
+
+    !> Makes a mesh. What is given is copied.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_OUT_OF_MEMORY, or HS_ERROR_GEOMETRY when a node is named
+    !! twice in a cell or belongs to none, a cell is inside out or flat somewhere, or a face is in more than
+    !! two cells
+    function hs_mesh_create(context, dimension, nodes, cell_kinds, cell_count, cell_nodes, cell_node_count, mesh) bind(c)
+      import
+      type(c_ptr), value :: context  !< owner of the allocator
+      integer(c_int32_t), value :: dimension  !< 2 or 3
+      type(hs_view), value :: nodes  !< their places, m
+      type(c_ptr), value :: cell_kinds  !< an HS_CELL_ value for each cell of this dimension
+      integer(c_int64_t), value :: cell_count  !< at least 1
+      type(c_ptr), value :: cell_nodes  !< the nodes of all cells, those of one cell after those of the other, counted from 0
+      integer(c_int64_t), value :: cell_node_count  !< their number: what the kinds need
+      type(c_ptr), intent(out) :: mesh  !< receives it; end it with hs_mesh_destroy()
+      integer(c_int32_t) :: hs_mesh_create
+    end function hs_mesh_create
+
+    !> Ends a mesh. Bodies made of it stay as they are.
+    subroutine hs_mesh_destroy(mesh) bind(c)
+      import
+      type(c_ptr), value :: mesh  !< may be NULL
+    end subroutine hs_mesh_destroy
+
+    !> What a mesh is.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
+    function hs_mesh_get_properties(mesh, properties, size) bind(c)
+      import
+      type(c_ptr), value :: mesh  !< not NULL
+      type(hs_mesh_properties), intent(out) :: properties  !< receives it
+      integer(c_size_t), value :: size  !< sizeof(hs_mesh_properties) as the caller was compiled
+      integer(c_int32_t) :: hs_mesh_get_properties
+    end function hs_mesh_get_properties
+
+    !> Fills a body's definition with its defaults.
+    !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
+    function hs_body_def_init(def, size) bind(c)
+      import
+      type(hs_body_def), intent(out) :: def  !< to fill
+      integer(c_size_t), value :: size  !< sizeof(hs_body_def) as the caller was compiled
+      integer(c_int32_t) :: hs_body_def_init
+    end function hs_body_def_init
+
+    !> Puts a mesh into a world.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, HS_ERROR_OUT_OF_MEMORY, HS_ERROR_GEOMETRY when a
+    !! cell is inside out or flat where it is put, or HS_ERROR_STATE for a material that is not elastic
+    function hs_world_add_mesh(world, mesh, def, cell_materials, body) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      type(c_ptr), value :: mesh  !< of the world's dimension; may be ended afterwards
+      type(hs_body_def), intent(in) :: def  !< not NULL
+      type(c_ptr), value :: cell_materials  !< a material for each cell, or NULL: def.material for all
+      integer(c_int64_t), intent(out) :: body  !< receives its id
+      integer(c_int32_t) :: hs_world_add_mesh
+    end function hs_world_add_mesh
+
+    !> Takes a body out of the world, with the blocks at its surface.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    function hs_world_remove_body(world, body) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int64_t), value :: body  !< id
+      integer(c_int32_t) :: hs_world_remove_body
+    end function hs_world_remove_body
+
+    !> How a body moves.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    function hs_world_get_body_state(world, body, state, size) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int64_t), value :: body  !< id
+      type(hs_body_state), intent(out) :: state  !< receives it
+      integer(c_size_t), value :: size  !< sizeof(hs_body_state) as the caller was compiled
+      integer(c_int32_t) :: hs_world_get_body_state
+    end function hs_world_get_body_state
+
+    !> Bulk: where a body's nodes are, in the order of its mesh.
+    !! Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    function hs_world_get_node_positions(world, body, positions, count) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int64_t), value :: body  !< id
+      type(hs_mutable_view), value :: positions  !< receives as many as fit
+      type(c_ptr), value :: count  !< receives their number; may be NULL
+      integer(c_int32_t) :: hs_world_get_node_positions
+    end function hs_world_get_node_positions
+
+    !> Bulk: how fast a body's nodes are.
+    !! Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    function hs_world_get_node_velocities(world, body, velocities, count) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int64_t), value :: body  !< id
+      type(hs_mutable_view), value :: velocities  !< receives as many as fit
+      type(c_ptr), value :: count  !< receives their number; may be NULL
+      integer(c_int32_t) :: hs_world_get_node_velocities
+    end function hs_world_get_node_velocities
+
+    !> Bulk: all forces on a body's nodes at the end of the last step: of cells, contacts, gravity, and
+    !! applied ones. At rest they are 0, but at nodes that are held: there they are what these press on their
+    !! support.
+    !! Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    function hs_world_get_node_forces(world, body, forces, count) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int64_t), value :: body  !< id
+      type(hs_mutable_view), value :: forces  !< receives as many as fit
+      type(c_ptr), value :: count  !< receives their number; may be NULL
+      integer(c_int32_t) :: hs_world_get_node_forces
+    end function hs_world_get_node_forces
+
+    !> Sets the velocities of all nodes of a body, also of those that are held.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    function hs_world_set_node_velocities(world, body, velocities) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int64_t), value :: body  !< id
+      type(hs_view), value :: velocities  !< one for each node
+      integer(c_int32_t) :: hs_world_set_node_velocities
+    end function hs_world_set_node_velocities
+
+    !> Holds nodes along axes, besides those along which they are held already: there they go on with a
+    !! velocity that stays, whatever the forces. Without axes they are free from now on, along all of them.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    function hs_world_hold_nodes(world, body, nodes, count, axes, velocity) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int64_t), value :: body  !< id
+      type(c_ptr), value :: nodes  !< of the mesh, counted from 0
+      integer(c_int64_t), value :: count  !< in nodes
+      integer(c_int32_t), value :: axes  !< a sum of HS_AXIS_ values, or 0: free
+      type(c_ptr), value :: velocity  !< along these axes, m/s; what it has along others is not read; may be NULL without axes
+      integer(c_int32_t) :: hs_world_hold_nodes
+    end function hs_world_hold_nodes
+
+    !> Sets the force that acts on each of these nodes from outside, from now on.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    function hs_world_set_node_force(world, body, nodes, count, force) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int64_t), value :: body  !< id
+      type(c_ptr), value :: nodes  !< of the mesh, counted from 0
+      integer(c_int64_t), value :: count  !< in nodes
+      real(c_double), intent(in) :: force(3)  !< N, in 2D per unit thickness
+      integer(c_int32_t) :: hs_world_set_node_force
+    end function hs_world_set_node_force
+
+    !> Bulk: how a body's cells are strained and stressed, in the order of its mesh.
+    !! Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    function hs_world_get_cells(world, body, cells, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int64_t), value :: body  !< id
+      type(c_ptr), value :: cells  !< receives them; may be NULL if capacity is 0
+      integer(c_int64_t), value :: capacity  !< in cells
+      type(c_ptr), value :: count  !< receives the number of cells; may be NULL
+      integer(c_int32_t) :: hs_world_get_cells
+    end function hs_world_get_cells
+
+    !> The body that a block is at the surface of.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    function hs_world_get_body_of_block(world, block, body, cell) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int64_t), value :: block  !< id
+      integer(c_int64_t), intent(out) :: body  !< receives the body's id, or 0 for a block of another kind
+      type(c_ptr), value :: cell  !< receives the cell of the body's mesh, or -1; may be NULL
+      integer(c_int32_t) :: hs_world_get_body_of_block
+    end function hs_world_get_body_of_block
 
     !> Fills detection options with their defaults.
     !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
@@ -1180,6 +1630,114 @@ module halfspace_c
       type(c_ptr), value :: touching  !< receives the number of pairs in contact; may be NULL
       integer(c_int32_t) :: hs_pairs_detect
     end function hs_pairs_detect
+
+    !> Says what a world computes and what limits its step and, by steps, what that costs. All is found out on
+    !! a copy, which takes as much memory again for as long: the world stays as it is.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY. Thread rule: as for the world.
+    function hs_world_get_plan(world, steps, plan, size) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      !> to measure, >= 0; 0 measures no times. If the copy cannot go on, the times are of the steps that it
+      !! did
+      integer(c_int64_t), value :: steps
+      type(hs_world_plan), intent(out) :: plan  !< receives it; what this library does not know of a longer struct is 0
+      integer(c_size_t), value :: size  !< sizeof(hs_world_plan) as the caller was compiled
+      integer(c_int32_t) :: hs_world_get_plan
+    end function hs_world_get_plan
+
+    !> Fills a relaxation's definition with its defaults.
+    !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
+    function hs_relaxation_def_init(def, size) bind(c)
+      import
+      type(hs_relaxation_def), intent(out) :: def  !< to fill
+      integer(c_size_t), value :: size  !< sizeof(hs_relaxation_def) as the caller was compiled
+      integer(c_int32_t) :: hs_relaxation_def_init
+    end function hs_relaxation_def_init
+
+    !> Steps a world until it is at rest. Its own damping, and whether bonds are held, come back afterwards;
+    !! at rest, velocities are set to 0.
+    !! Returns HS_OK, HS_NOTE_NOT_AT_REST after def.most_steps, or what hs_world_step() returns: the world
+    !! stays where it has come to
+    function hs_world_relax(world, def, balance, size) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      type(hs_relaxation_def), intent(in) :: def  !< not NULL
+      type(c_ptr), value :: balance  !< receives how balanced it is then; may be NULL
+      integer(c_size_t), value :: size  !< sizeof(hs_balance) as the caller was compiled
+      integer(c_int32_t) :: hs_world_relax
+    end function hs_world_relax
+
+    !> How balanced a world is now. Takes as long as a step.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
+    function hs_world_get_balance(world, balance, size) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      type(hs_balance), intent(out) :: balance  !< receives it
+      integer(c_size_t), value :: size  !< sizeof(hs_balance) as the caller was compiled
+      integer(c_int32_t) :: hs_world_get_balance
+    end function hs_world_get_balance
+
+    !> Sets gravity from now on; what that changes of the energy is booked as outer work.
+    !! Returns HS_OK or HS_ERROR_ARGUMENT
+    function hs_world_set_gravity(world, gravity) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      real(c_double), intent(in) :: gravity(3)  !< 3 values, m/s2
+      integer(c_int32_t) :: hs_world_set_gravity
+    end function hs_world_set_gravity
+
+    !> Sets damping from now on.
+    !! Returns HS_OK or HS_ERROR_ARGUMENT
+    function hs_world_set_damping(world, local_damping, mass_damping) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      real(c_double), value :: local_damping  !< [0, 1)
+      real(c_double), value :: mass_damping  !< >= 0, 1/s; see hs_world_def
+      integer(c_int32_t) :: hs_world_set_damping
+    end function hs_world_set_damping
+
+    !> Sets the time step from now on.
+    !! Returns HS_OK or HS_ERROR_ARGUMENT
+    function hs_world_set_time_step(world, time_step) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      real(c_double), value :: time_step  !< > 0, s, or 0: def.safety times the stable one
+      integer(c_int32_t) :: hs_world_set_time_step
+    end function hs_world_set_time_step
+
+    !> Fills a search's definition with its defaults.
+    !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
+    function hs_strength_def_init(def, size) bind(c)
+      import
+      type(hs_strength_def), intent(out) :: def  !< to fill
+      integer(c_size_t), value :: size  !< sizeof(hs_strength_def) as the caller was compiled
+      integer(c_int32_t) :: hs_strength_def_init
+    end function hs_strength_def_init
+
+    !> Divides all strengths, as they were given, by a factor, from now on.
+    !! Returns HS_OK or HS_ERROR_ARGUMENT
+    function hs_world_set_strength_factor(world, factor) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      real(c_double), value :: factor  !< > 0; 1 gives them back but for rounding
+      integer(c_int32_t) :: hs_world_set_strength_factor
+    end function hs_world_set_strength_factor
+
+    !> Looks for the factor of safety by bisection. Each trial relaxes a copy of the world, see
+    !! hs_world_relax(), with bonds that may fail: the world stays as it is. It should be at rest.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_OUT_OF_MEMORY, or HS_ERROR_STATE without blocks that move. A
+    !! trial that becomes unstable has fallen
+    function hs_world_find_strength_factor(world, def, report, size, fallen) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      type(hs_strength_def), intent(in) :: def  !< not NULL
+      type(hs_strength_report), intent(out) :: report  !< receives what was found
+      integer(c_size_t), value :: size  !< sizeof(hs_strength_report) as the caller was compiled
+      !> receives the copy that fell last, as it was then, or NULL where none did: its velocities and bond
+      !! events show how; end it with hs_world_destroy(); may be NULL
+      type(c_ptr), intent(out) :: fallen
+      integer(c_int32_t) :: hs_world_find_strength_factor
+    end function hs_world_find_strength_factor
 
   end interface
 

@@ -5,349 +5,165 @@
 !! x(3,n); with rows = .true. they are rows, x(n,2) or x(n,3). Sections of arrays are read and written where they
 !! are. Angular velocities and torques have three components, in the plane of which z alone counts.
 module halfspace_worlds
-  use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t, c_int8_t, c_loc, c_null_ptr, c_ptr, &
-    c_size_t, c_sizeof
-  use halfspace_c, halfspace_block_state => hs_block_state, halfspace_energy => hs_energy, &
+  use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t, c_loc, c_null_ptr, c_ptr, c_sizeof
+  use halfspace_c, halfspace_energy => hs_energy, halfspace_world_plan => hs_world_plan, &
     halfspace_world_report => hs_world_report
+  use halfspace_block_worlds, only: halfspace_block_state
+  use halfspace_bodies, only: halfspace_body, halfspace_body_state, halfspace_cell_state
+  use halfspace_bonded_worlds, only: bonded_world
   use halfspace_contacts, only: halfspace_block, halfspace_contact
-  use halfspace_contexts, only: halfspace_context
-  use halfspace_definitions, only: halfspace_elasticity, halfspace_law, halfspace_pose
-  use halfspace_deformations, only: halfspace_deformation
-  use halfspace_handles, only: shared_handle
-  use halfspace_shapes, only: halfspace_shape
+  use halfspace_definitions, only: halfspace_pose
+  use halfspace_meshes, only: halfspace_mesh
   implicit none
   private
-  public :: halfspace_block_state, halfspace_energy, halfspace_world, halfspace_world_report
+  public :: halfspace_block_state, halfspace_energy, halfspace_world, halfspace_world_plan, halfspace_world_report
 
   !> Assignment shares: all copies are the same world, which ends with the last of them. To have a second one,
-  !! restore() what save() gave.
-  type :: halfspace_world
-    private
-    type(shared_handle) :: handle
+  !! restore() what save() gave. What concerns single blocks is declared in halfspace_block_worlds, bonds and rest in
+  !! halfspace_bonded_worlds.
+  type, extends(bonded_world) :: halfspace_world
   contains
-    procedure :: create
-    procedure :: restore
-    procedure :: destroy
-    procedure :: exists
-    procedure :: add_material
-    procedure, private :: set_default_law
-    procedure, private :: set_law_between
-    generic :: set_law => set_default_law, set_law_between
-    procedure :: set_elasticity
-    procedure :: add_block
-    procedure :: remove_block
-    procedure :: blocks
-    procedure :: block_count
-    procedure :: block_state
-    procedure :: block_vertices
-    procedure :: set_pose
-    procedure :: set_velocity
-    procedure :: set_applied_force
-    procedure :: poses
-    procedure :: set_poses
-    procedure :: velocities
-    procedure :: set_velocities
-    procedure :: deformation
-    procedure :: deformations
-    procedure :: set_deformation
-    procedure :: set_stress
-    procedure :: add_surface_load
-    procedure :: clear_surface_loads
+    procedure :: add_mesh
+    procedure :: remove_body
+    procedure :: body_state
+    procedure :: body_of_block
+    procedure :: node_positions
+    procedure :: node_velocities
+    procedure :: node_forces
+    procedure :: set_node_velocities
+    procedure :: hold_nodes
+    procedure :: set_node_force
+    procedure :: cells
     procedure :: detect
     procedure :: forces
     procedure :: step
     procedure :: report
+    procedure :: plan
     procedure :: contacts
     procedure :: set_shear_force
-    procedure :: save => save_state
-    procedure :: c_handle
-    procedure, private :: share
-    generic :: assignment(=) => share
   end type halfspace_world
 
-  ! What a world is made of: halfspace_worlds_make.f90.
+  ! Bodies of finite elements: halfspace_worlds_meshes.f90. Arrays are in the order of the mesh's nodes or cells, which
+  ! are counted from 1.
   interface
 
-    !> Makes an empty world; what it was before is dropped. What is not given is the library's default.
-    module subroutine create(self, dimension, gravity, time_step, safety, local_damping, mass_damping, skin, &
-                             parallel_angle, vertex_zone, potential_length, fast_blocks, context, stat, errmsg)
+    !> Puts a mesh into the world. The cells at its surface become blocks of the kind HS_BLOCK_MESH.
+    module subroutine add_mesh(self, mesh, body, material, pose, velocity, cell_materials, stat, errmsg)
       class(halfspace_world), intent(inout) :: self
-      integer, intent(in), optional :: dimension  !< 2 (default) or 3
-      real(c_double), intent(in), optional :: gravity(:)  !< acceleration; default 9.81 downwards: -y, in 3D -z
-      real(c_double), intent(in), optional :: time_step  !< > 0; default: safety times the stable time step
-      real(c_double), intent(in), optional :: safety  !< (0, 1]; default 0.5
-      real(c_double), intent(in), optional :: local_damping  !< [0, 1): share of the force
-      real(c_double), intent(in), optional :: mass_damping  !< 1/s, >= 0
-      real(c_double), intent(in), optional :: skin  !< reach of the neighbour list, share of a block's size; default 0.1
-      real(c_double), intent(in), optional :: parallel_angle  !< rad, [0, 0.5]; default 0.01
-      real(c_double), intent(in), optional :: vertex_zone  !< [0, 0.5]; default 1e-6
-      !> H of HS_STIFFNESS_POTENTIAL, > 0; default: all edges' mean
-      real(c_double), intent(in), optional :: potential_length
-      integer(c_int32_t), intent(in), optional :: fast_blocks  !< HS_FAST_DIVIDE (default) or HS_FAST_REFUSE
-      type(halfspace_context), intent(in), optional :: context
+      type(halfspace_mesh), intent(in) :: mesh  !< of the world's dimension
+      type(halfspace_body), intent(out), optional :: body  !< its name
+      integer(c_int32_t), intent(in), optional :: material  !< made elastic by set_elasticity(); default 1, the first
+      type(halfspace_pose), intent(in), optional :: pose  !< of the nodes' frame; default: where they were given
+      real(c_double), intent(in), optional :: velocity(:)  !< of all nodes, m/s, 3 values (2D: or 2); default 0
+      integer(c_int32_t), intent(in), optional :: cell_materials(:)  !< one for each cell, instead of `material`
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
-    end subroutine create
+    end subroutine add_mesh
 
-    !> Adds a material of some density.
-    module subroutine add_material(self, density, material, stat, errmsg)
+    !> Takes a body out of the world, with the blocks at its surface; its name becomes stale.
+    module subroutine remove_body(self, body, stat, errmsg)
       class(halfspace_world), intent(inout) :: self
-      real(c_double), intent(in) :: density  !< > 0
-      integer(c_int32_t), intent(out) :: material  !< its index, counted from 1
+      type(halfspace_body), intent(in) :: body
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
-    end subroutine add_material
+    end subroutine remove_body
 
-    !> Sets the law of all pairs of materials that have none of their own.
-    module subroutine set_default_law(self, law, stat, errmsg)
-      class(halfspace_world), intent(inout) :: self
-      type(halfspace_law), intent(in) :: law
-      integer, intent(out), optional :: stat
-      character(*), intent(inout), optional :: errmsg
-    end subroutine set_default_law
-
-    !> Sets the law between two materials, in either order.
-    module subroutine set_law_between(self, law, material_a, material_b, stat, errmsg)
-      class(halfspace_world), intent(inout) :: self
-      type(halfspace_law), intent(in) :: law
-      integer(c_int32_t), intent(in) :: material_a, material_b
-      integer, intent(out), optional :: stat
-      character(*), intent(inout), optional :: errmsg
-    end subroutine set_law_between
-
-    !> Adds a block. The world copies the shape.
-    module subroutine add_block(self, shape, block, kind, material, pose, velocity, angular_velocity, stat, errmsg)
-      class(halfspace_world), intent(inout) :: self
-      type(halfspace_shape), intent(in) :: shape
-      type(halfspace_block), intent(out), optional :: block  !< its name
-      integer(c_int32_t), intent(in), optional :: kind  !< HS_BLOCK_RIGID (default), _FIXED, _PRESCRIBED or _AFFINE
-      integer(c_int32_t), intent(in), optional :: material  !< from add_material(); default 1, the first
-      type(halfspace_pose), intent(in), optional :: pose  !< default: where the shape's vertices were given
-      real(c_double), intent(in), optional :: velocity(:)  !< of the centroid, 3 values (2D: or 2); default 0
-      real(c_double), intent(in), optional :: angular_velocity(:)  !< rad/s, 3 values (2D: or 1, about z); default 0
-      integer, intent(out), optional :: stat
-      character(*), intent(inout), optional :: errmsg
-    end subroutine add_block
-
-    !> Removes a block; its name becomes stale. The cost grows with the size of the world.
-    module subroutine remove_block(self, block, stat, errmsg)
-      class(halfspace_world), intent(inout) :: self
-      type(halfspace_block), intent(in) :: block
-      integer, intent(out), optional :: stat
-      character(*), intent(inout), optional :: errmsg
-    end subroutine remove_block
-
-    !> Makes a world from saved bytes, with its blocks, their names, materials and laws. It goes on bit for bit.
-    module subroutine restore(self, bytes, context, stat, errmsg)
-      class(halfspace_world), intent(inout) :: self
-      integer(c_int8_t), intent(in), target, contiguous :: bytes(:)  !< from save()
-      type(halfspace_context), intent(in), optional :: context
-      integer, intent(out), optional :: stat
-      character(*), intent(inout), optional :: errmsg
-    end subroutine restore
-
-    !> Saves the whole state of motion and contact.
-    module subroutine save_state(self, bytes, stat, errmsg)
+    !> A body's motion: its mass, centroid, momentum and energies.
+    module subroutine body_state(self, body, state, stat, errmsg)
       class(halfspace_world), intent(in) :: self
-      integer(c_int8_t), intent(inout), allocatable, target :: bytes(:)
+      type(halfspace_body), intent(in) :: body
+      type(halfspace_body_state), intent(out) :: state
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
-    end subroutine save_state
+    end subroutine body_state
 
-    !> Gives up this reference now instead of at the end of the scope.
-    impure elemental module subroutine destroy(self)
-      class(halfspace_world), intent(inout) :: self
-    end subroutine destroy
-
-    !> Is there a world?
-    elemental module function exists(self)
-      class(halfspace_world), intent(in) :: self
-      logical :: exists
-    end function exists
-
-    !> For calls of halfspace_c; the object stays the owner.
-    module function c_handle(self)
-      class(halfspace_world), intent(in) :: self
-      type(c_ptr) :: c_handle
-    end function c_handle
-
-    impure elemental module subroutine share(self, other)
-      class(halfspace_world), intent(inout) :: self
-      class(halfspace_world), intent(in) :: other
-    end subroutine share
-
-  end interface
-
-  ! Where the blocks are and how they move: halfspace_worlds_motion.f90.
-  interface
-
-    !> The names of all blocks.
-    module subroutine blocks(self, names, stat, errmsg)
-      class(halfspace_world), intent(in) :: self
-      type(halfspace_block), intent(inout), allocatable, target :: names(:)
-      integer, intent(out), optional :: stat
-      character(*), intent(inout), optional :: errmsg
-    end subroutine blocks
-
-    !> Number of living blocks; 0 if there is no world.
-    module function block_count(self) result(count)
-      class(halfspace_world), intent(in) :: self
-      integer(c_int64_t) :: count
-    end function block_count
-
-    !> One block's motion; its material is counted from 1.
-    module subroutine block_state(self, block, state, stat, errmsg)
+    !> The body that a block is at the surface of. A block of another kind gives no body, and cell 0.
+    module subroutine body_of_block(self, block, body, cell, stat, errmsg)
       class(halfspace_world), intent(in) :: self
       type(halfspace_block), intent(in) :: block
-      type(halfspace_block_state), intent(out) :: state
+      type(halfspace_body), intent(out) :: body
+      integer(c_int32_t), intent(out), optional :: cell  !< of the body's mesh
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
-    end subroutine block_state
+    end subroutine body_of_block
 
-    !> One block's vertices where they are now, in 2D counter-clockwise.
-    module subroutine block_vertices(self, block, points, rows, count, stat, errmsg)
+    !> The places of a body's nodes, m.
+    module subroutine node_positions(self, body, points, rows, count, stat, errmsg)
       class(halfspace_world), intent(in) :: self
-      type(halfspace_block), intent(in) :: block
+      type(halfspace_body), intent(in) :: body
       real(c_double), intent(inout), target :: points(:,:)
       logical, intent(in), optional :: rows
-      integer(c_int64_t), intent(out), target, optional :: count  !< number of vertices, also when they do not fit
+      integer(c_int64_t), intent(out), target, optional :: count  !< number of nodes, also when they do not fit
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
-    end subroutine block_vertices
+    end subroutine node_positions
 
-    !> Puts a block elsewhere.
-    module subroutine set_pose(self, block, pose, stat, errmsg)
-      class(halfspace_world), intent(inout) :: self
-      type(halfspace_block), intent(in) :: block
-      type(halfspace_pose), intent(in) :: pose
-      integer, intent(out), optional :: stat
-      character(*), intent(inout), optional :: errmsg
-    end subroutine set_pose
-
-    !> Sets a block's velocity; a fixed block takes none.
-    module subroutine set_velocity(self, block, velocity, angular_velocity, stat, errmsg)
-      class(halfspace_world), intent(inout) :: self
-      type(halfspace_block), intent(in) :: block
-      real(c_double), intent(in) :: velocity(:)  !< of the centroid, 3 values (2D: or 2)
-      real(c_double), intent(in), optional :: angular_velocity(:)  !< rad/s, 3 values (2D: or 1, about z); default 0
-      integer, intent(out), optional :: stat
-      character(*), intent(inout), optional :: errmsg
-    end subroutine set_velocity
-
-    !> Sets the force and torque that act on a rigid or affine block from outside until set again.
-    module subroutine set_applied_force(self, block, force, torque, stat, errmsg)
-      class(halfspace_world), intent(inout) :: self
-      type(halfspace_block), intent(in) :: block
-      real(c_double), intent(in) :: force(:)  !< at the centroid, 3 values (2D: or 2)
-      real(c_double), intent(in), optional :: torque(:)  !< about the centroid, 3 values (2D: or 1, about z); default 0
-      integer, intent(out), optional :: stat
-      character(*), intent(inout), optional :: errmsg
-    end subroutine set_applied_force
-
-    !> Poses of all blocks.
-    module subroutine poses(self, values, stat, errmsg)
+    !> The velocities of a body's nodes, m/s.
+    module subroutine node_velocities(self, body, velocities, rows, count, stat, errmsg)
       class(halfspace_world), intent(in) :: self
-      type(halfspace_pose), intent(inout), target, contiguous :: values(:)
+      type(halfspace_body), intent(in) :: body
+      real(c_double), intent(inout), target :: velocities(:,:)
+      logical, intent(in), optional :: rows
+      integer(c_int64_t), intent(out), target, optional :: count  !< likewise
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
-    end subroutine poses
+    end subroutine node_velocities
 
-    !> Sets the poses of all blocks; after an error, none has moved.
-    module subroutine set_poses(self, values, stat, errmsg)
-      class(halfspace_world), intent(inout) :: self
-      type(halfspace_pose), intent(in), target, contiguous :: values(:)
-      integer, intent(out), optional :: stat
-      character(*), intent(inout), optional :: errmsg
-    end subroutine set_poses
-
-    !> Velocities of all blocks.
-    module subroutine velocities(self, linear, angular, rows, stat, errmsg)
+    !> All forces on a body's nodes at the end of the last step, N, in 2D per unit thickness: of cells, contacts,
+    !! gravity, and applied ones. At rest they are 0, but at nodes that are held: there they are what these press on
+    !! their support.
+    module subroutine node_forces(self, body, forces, rows, count, stat, errmsg)
       class(halfspace_world), intent(in) :: self
-      real(c_double), intent(inout), target :: linear(:,:)
-      real(c_double), intent(inout), target, optional :: angular(:,:)
-      logical, intent(in), optional :: rows  !< layout of both
+      type(halfspace_body), intent(in) :: body
+      real(c_double), intent(inout), target :: forces(:,:)
+      logical, intent(in), optional :: rows
+      integer(c_int64_t), intent(out), target, optional :: count  !< likewise
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
-    end subroutine velocities
+    end subroutine node_forces
 
-    !> Sets the velocities of all blocks; entries of fixed blocks are ignored. Without `angular`, spins stay.
-    module subroutine set_velocities(self, linear, angular, rows, stat, errmsg)
+    !> Sets the velocities of all nodes of a body, also of those that are held.
+    module subroutine set_node_velocities(self, body, velocities, rows, stat, errmsg)
       class(halfspace_world), intent(inout) :: self
-      real(c_double), intent(in), target :: linear(:,:)
-      real(c_double), intent(in), target, optional :: angular(:,:)
-      logical, intent(in), optional :: rows  !< layout of both
+      type(halfspace_body), intent(in) :: body
+      real(c_double), intent(in), target :: velocities(:,:)  !< m/s, one for each node
+      logical, intent(in), optional :: rows
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
-    end subroutine set_velocities
+    end subroutine set_node_velocities
 
-  end interface
-
-  ! How blocks are strained: halfspace_worlds_affine.f90.
-  interface
-
-    !> Makes a material elastic, for affine blocks; others do not read it. Blocks that have it keep their strain.
-    module subroutine set_elasticity(self, material, elasticity, stat, errmsg)
+    !> Holds nodes along axes: there they go on with a velocity that stays, whatever the forces. Along other axes they
+    !! are free from now on.
+    module subroutine hold_nodes(self, body, nodes, axes, velocity, stat, errmsg)
       class(halfspace_world), intent(inout) :: self
-      integer(c_int32_t), intent(in) :: material
-      type(halfspace_elasticity), intent(in) :: elasticity
+      type(halfspace_body), intent(in) :: body
+      integer(c_int32_t), intent(in) :: nodes(:)  !< of the mesh
+      integer(c_int32_t), intent(in) :: axes  !< a sum of HS_AXIS_ values, or 0: free
+      !> along the axes held, m/s, 3 values (2D: or 2); default 0
+      real(c_double), intent(in), optional :: velocity(:)
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
-    end subroutine set_elasticity
+    end subroutine hold_nodes
 
-    !> How a block of any kind is turned and strained.
-    module subroutine deformation(self, block, values, stat, errmsg)
+    !> Sets the force that acts on each of these nodes from outside, from now on.
+    module subroutine set_node_force(self, body, nodes, force, stat, errmsg)
+      class(halfspace_world), intent(inout) :: self
+      type(halfspace_body), intent(in) :: body
+      integer(c_int32_t), intent(in) :: nodes(:)  !< of the mesh
+      real(c_double), intent(in) :: force(:)  !< N, in 2D per unit thickness, 3 values (2D: or 2)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_node_force
+
+    !> Strain and stress of a body's cells.
+    module subroutine cells(self, body, values, count, stat, errmsg)
       class(halfspace_world), intent(in) :: self
-      type(halfspace_block), intent(in) :: block
-      type(halfspace_deformation), intent(out) :: values
+      type(halfspace_body), intent(in) :: body
+      type(halfspace_cell_state), intent(inout), target, contiguous :: values(:)
+      integer(c_int64_t), intent(out), optional :: count  !< number of cells, also when they do not fit
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
-    end subroutine deformation
-
-    !> How all blocks are turned and strained.
-    module subroutine deformations(self, values, stat, errmsg)
-      class(halfspace_world), intent(in) :: self
-      type(halfspace_deformation), intent(inout), target, contiguous :: values(:)
-      integer, intent(out), optional :: stat
-      character(*), intent(inout), optional :: errmsg
-    end subroutine deformations
-
-    !> Turns and strains an affine block, and sets how fast it goes on. Its centroid and velocity stay.
-    module subroutine set_deformation(self, block, gradient, rate, stat, errmsg)
-      class(halfspace_world), intent(inout) :: self
-      type(halfspace_block), intent(in) :: block
-      real(c_double), intent(in) :: gradient(:,:)  !< (row, column), 3 of each (2D: or 2); its determinant is > 0
-      real(c_double), intent(in), optional :: rate(:,:)  !< of the gradient, 1/s, likewise; default 0
-      integer, intent(out), optional :: stat
-      character(*), intent(inout), optional :: errmsg
-    end subroutine set_deformation
-
-    !> Says how an affine block is stressed now, e.g. in situ. What it is strained by from now on adds to that.
-    module subroutine set_stress(self, block, stress, stat, errmsg)
-      class(halfspace_world), intent(inout) :: self
-      type(halfspace_block), intent(in) :: block
-      !> Cauchy's, (row, column), 3 of each (2D: or 2), symmetric, Pa, tension > 0
-      real(c_double), intent(in) :: stress(:,:)
-      integer, intent(out), optional :: stat
-      character(*), intent(inout), optional :: errmsg
-    end subroutine set_stress
-
-    !> Adds a load on a face of an affine block. It keeps its direction, and its size as the face is strained.
-    module subroutine add_surface_load(self, block, face, traction, stat, errmsg)
-      class(halfspace_world), intent(inout) :: self
-      type(halfspace_block), intent(in) :: block
-      integer(c_int32_t), intent(in) :: face  !< counted from 1; in 2D the edge that starts at the vertex of that number
-      real(c_double), intent(in) :: traction(:)  !< force per area of the face as it was given, Pa, 3 values (2D: or 2)
-      integer, intent(out), optional :: stat
-      character(*), intent(inout), optional :: errmsg
-    end subroutine add_surface_load
-
-    !> Takes all surface loads off an affine block.
-    module subroutine clear_surface_loads(self, block, stat, errmsg)
-      class(halfspace_world), intent(inout) :: self
-      type(halfspace_block), intent(in) :: block
-      integer, intent(out), optional :: stat
-      character(*), intent(inout), optional :: errmsg
-    end subroutine clear_surface_loads
+    end subroutine cells
 
   end interface
 
@@ -389,6 +205,16 @@ module halfspace_worlds
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine report
+
+    !> What the world computes and what limits its step, and the times of so many steps of a copy. Blocks in it are
+    !! numbers as halfspace_block has them; iand(values%parts, HS_PART_FRICTION) > 0 tells that friction is active.
+    module subroutine plan(self, values, steps, stat, errmsg)
+      class(halfspace_world), intent(in) :: self
+      type(halfspace_world_plan), intent(out) :: values
+      integer, intent(in), optional :: steps  !< >= 0; default 0: no times are measured
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine plan
 
     !> The contacts of the last detection, sorted by block, a before b; none after a change of poses, blocks or
     !! laws. Memory is allocated only when their number has changed.

@@ -1,5 +1,5 @@
 !> How blocks are strained.
-submodule(halfspace_worlds) halfspace_worlds_affine
+submodule(halfspace_block_worlds) halfspace_worlds_affine
   use halfspace_contacts, only: id_of
   use halfspace_deformations, only: count_rows_first, is_tensor, nine_of
   use halfspace_errors, only: conclude

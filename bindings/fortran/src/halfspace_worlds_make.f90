@@ -1,5 +1,5 @@
 !> What a world is made of.
-submodule(halfspace_worlds) halfspace_worlds_make
+submodule(halfspace_block_worlds) halfspace_worlds_make
   use halfspace_contacts, only: id_of
   use halfspace_contexts, only: own_or_given
   use halfspace_errors, only: conclude, had_memory
@@ -121,8 +121,16 @@ contains
     c_handle = self%handle%object()
   end procedure c_handle
 
+  module procedure c_context
+    c_context = self%handle%context()
+  end procedure c_context
+
   module procedure share
     self%handle = other%handle
   end procedure share
+
+  module procedure takes_world
+    takes = self%handle%takes(object, hs_world_destroy, origin%handle, stat=stat, errmsg=errmsg)
+  end procedure takes_world
 
 end submodule halfspace_worlds_make

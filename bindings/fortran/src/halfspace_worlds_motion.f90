@@ -1,5 +1,5 @@
 !> Where the blocks are and how they move.
-submodule(halfspace_worlds) halfspace_worlds_motion
+submodule(halfspace_block_worlds) halfspace_worlds_motion
   use halfspace_contacts, only: id_of
   use halfspace_errors, only: conclude, had_memory
   use halfspace_views, only: address_of, are_points, is_vector, mutable_view, three_of, view

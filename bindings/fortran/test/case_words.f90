@@ -58,6 +58,7 @@ contains
     case ('HS_ERROR_STATE'); constant = HS_ERROR_STATE
     case ('HS_ERROR_UNSTABLE'); constant = HS_ERROR_UNSTABLE
     case ('HS_ERROR_TOO_FAST'); constant = HS_ERROR_TOO_FAST
+    case ('HS_ERROR_INVERTED'); constant = HS_ERROR_INVERTED
     case ('HS_FAST_DIVIDE'); constant = HS_FAST_DIVIDE
     case ('HS_FAST_REFUSE'); constant = HS_FAST_REFUSE
     case ('HS_ERROR_FORMAT'); constant = HS_ERROR_FORMAT
@@ -84,6 +85,7 @@ contains
     case ('HS_BLOCK_PRESCRIBED'); constant = HS_BLOCK_PRESCRIBED
     case ('HS_BLOCK_RIGID'); constant = HS_BLOCK_RIGID
     case ('HS_BLOCK_AFFINE'); constant = HS_BLOCK_AFFINE
+    case ('HS_BLOCK_MESH'); constant = HS_BLOCK_MESH
     case default; error stop 'a case names a constant that this reader does not know'
     end select
   end function constant

@@ -1,82 +1,5 @@
 ! Who owns what: everything that was allocated is released when the last owner goes, in whichever order; copies
 ! made by assignment share; copies made behind the modules' back are refused and release nothing.
-module counting
-  use, intrinsic :: iso_c_binding, only: c_associated, c_null_ptr, c_ptr, c_size_t
-  use halfspace, only: halfspace_allocator
-  implicit none
-
-  type, extends(halfspace_allocator) :: counting_allocator
-    integer :: requests = 0
-    integer :: living = 0
-    integer(c_size_t) :: bytes = 0
-    integer :: most_requests = huge(0)
-  contains
-    procedure :: allocate => allocate_counted
-    procedure :: release => release_counted
-  end type counting_allocator
-
-  !> Requests of allocate statements, which the linker leads here. Smaller ones are the compiler's: gfortran 12
-  !! takes up to 16 bytes to finalize, and does not look whether it got them.
-  integer(c_size_t), parameter :: least_bytes = 24
-  integer :: statements = 0
-  integer :: refused_statement = 0  !< the one that finds no memory
-
-  interface
-    function real_malloc(bytes) bind(c, name='__real_malloc')
-      import
-      integer(c_size_t), value :: bytes
-      type(c_ptr) :: real_malloc
-    end function real_malloc
-
-    function aligned_alloc(alignment, size) bind(c)
-      import
-      integer(c_size_t), value :: alignment, size
-      type(c_ptr) :: aligned_alloc
-    end function aligned_alloc
-
-    subroutine free(memory) bind(c)
-      import
-      type(c_ptr), value :: memory
-    end subroutine free
-  end interface
-
-contains
-
-  function wrapped_malloc(bytes) bind(c, name='__wrap_malloc') result(memory)
-    integer(c_size_t), value :: bytes
-    type(c_ptr) :: memory
-    if (bytes >= least_bytes) statements = statements + 1
-    if (bytes >= least_bytes .and. statements == refused_statement) then
-      memory = c_null_ptr
-    else
-      memory = real_malloc(bytes)
-    end if
-  end function wrapped_malloc
-
-  type(c_ptr) function allocate_counted(self, bytes, alignment) result(memory)
-    class(counting_allocator), intent(inout) :: self
-    integer(c_size_t), intent(in) :: bytes, alignment
-    memory = c_null_ptr
-    self%requests = self%requests + 1
-    if (self%requests > self%most_requests) return
-    memory = aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment)
-    if (.not. c_associated(memory)) return
-    self%living = self%living + 1
-    self%bytes = self%bytes + bytes
-  end function allocate_counted
-
-  subroutine release_counted(self, memory, bytes, alignment)
-    class(counting_allocator), intent(inout) :: self
-    type(c_ptr), intent(in) :: memory
-    integer(c_size_t), intent(in) :: bytes, alignment
-    if (alignment < 1) error stop 'alignment'
-    call free(memory)
-    self%living = self%living - 1
-    self%bytes = self%bytes - bytes
-  end subroutine release_counted
-
-end module counting
-
 program test_ownership
   use checking
   use counting
@@ -88,6 +11,8 @@ program test_ownership
   real(real64), parameter :: tetrahedron_corners(3, 4) = reshape([real(real64) :: 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, &
                                                                   1], [3, 4])
   integer(int32), parameter :: tetrahedron_faces(12) = [1, 3, 2, 1, 2, 4, 1, 4, 3, 2, 3, 4]
+
+  integer(int32), parameter :: quad(4, 1) = reshape([1, 2, 3, 4], [4, 1])
 
   type :: model
     type(halfspace_shape) :: shape
@@ -138,11 +63,13 @@ contains
     type(halfspace_context) :: context
     type(halfspace_world) :: world
     type(halfspace_shape) :: shape
+    type(halfspace_mesh) :: mesh
     type(halfspace_context) :: again
     integer :: material
     call context%create(memory)
     again = context
     call make_square(shape, context)
+    call mesh%create(corners, HS_CELL_QUAD, quad, context=again)
     call world%create(context=again)
     call world%add_material(1.0_real64, material)
     call world%add_block(shape)
@@ -328,12 +255,18 @@ contains
     character(*), intent(inout) :: text
     type(halfspace_context) :: context
     type(halfspace_shape) :: shape, left, right
-    type(halfspace_world) :: world, restored
+    type(halfspace_world) :: world, restored, fallen
+    type(halfspace_bond_state), allocatable :: bonds(:)
+    type(halfspace_bond_event), allocatable :: events(:)
+    type(halfspace_strength_report) :: report
     type(halfspace_contact), allocatable :: contacts(:)
     type(halfspace_contact) :: found(3)
     type(halfspace_block), allocatable :: blocks(:)
     type(halfspace_pose) :: poses(3)
     type(halfspace_shape) :: shapes(3), tetrahedron
+    type(halfspace_mesh) :: mesh
+    type(halfspace_body) :: body
+    type(halfspace_block) :: pulled
     integer(int32), parameter :: pairs(2, 3) = reshape([1, 2, 2, 3, 3, 1], [2, 3])
     integer(int32), allocatable :: first_of_face(:), face_vertices(:), edges(:,:)
     integer(int8), allocatable :: bytes(:)
@@ -362,6 +295,36 @@ contains
     if (stat /= HS_OK) return
     call world%blocks(blocks, stat, text)
     if (stat /= HS_OK) return
+    call mesh%create(corners, HS_CELL_QUAD, quad, context=context, stat=stat, errmsg=text)
+    if (stat /= HS_OK) return
+    call world%set_elasticity(material, halfspace_elasticity(), stat, text)
+    if (stat /= HS_OK) return
+    call world%add_mesh(mesh, body, pose=poses(1), cell_materials=[material], stat=stat, errmsg=text)
+    if (stat /= HS_OK) return
+    call world%hold_nodes(body, [1, 2], HS_AXIS_X, stat=stat, errmsg=text)
+    if (stat /= HS_OK) return
+    call world%set_node_force(body, [3, 4], [1.0_real64, 0.0_real64], stat, text)
+    if (stat /= HS_OK) return
+    do i = 1, 2  ! side by side, of which the second is pulled away
+      call world%add_block(left, pulled, pose=halfspace_pose(4 + 0.5_real64 * i, 0.0_real64), stat=stat, errmsg=text)
+      if (stat /= HS_OK) return
+    end do
+    call world%set_applied_force(pulled, [1.0_real64, 0.0_real64], stat=stat, errmsg=text)
+    if (stat /= HS_OK) return
+    call world%bond_materials(material, material, halfspace_bond(), stat=stat, errmsg=text)
+    if (stat /= HS_OK) return
+    call world%bonds(bonds, stat, text)
+    if (stat /= HS_OK) return
+    call world%step(10, stat, text)
+    if (stat /= HS_OK) return
+    call world%bond_events(events, stat=stat, errmsg=text)
+    if (stat /= HS_OK) return
+    call expect(size(bonds) == 1 .and. size(events) == 3, 'a bond has failed')
+    call world%find_strength_factor(report, most_steps=10, fallen=fallen, stat=stat, errmsg=text)
+    if (stat /= HS_OK) return
+    call world%find_strength_factor(report, most_steps=10, stat=stat, errmsg=text)
+    if (stat /= HS_OK) return
+    call expect(fallen%exists(), 'a world has fallen')
     call world%save(bytes, stat, text)
     if (stat /= HS_OK) return
     call restored%restore(bytes, context, stat, text)

@@ -10,10 +10,40 @@ Examples
 >>> print(hs.pair_detect(square, (0, 0), square, (0.25, 0.875)).gap)
 -0.125
 """
-from ._arrays import BLOCK_STATE, CONTACT, DEFORMATION, IMPACT, PAIR_CACHE, SHAPE_PROPERTIES, WORLD_REPORT, pose
+from ._arrays import (
+    BALANCE,
+    BLOCK_STATE,
+    BODY_STATE,
+    BOND,
+    BOND_EVENT,
+    BOND_REPORT,
+    CELL_STATE,
+    CONTACT,
+    DEFORMATION,
+    IMPACT,
+    PAIR_CACHE,
+    SHAPE_PROPERTIES,
+    STRENGTH_REPORT,
+    WORLD_REPORT,
+    pose,
+)
 from ._library import status_text, version
 from .affine import Elasticity
-from .constants import BlockKind, ContactType, FastBlocks, Fault, ImpactState, PairKind, Plane, StiffnessKind
+from .bond import Bond
+from .constants import (
+    BlockKind,
+    BondFailure,
+    CellKind,
+    ContactType,
+    FastBlocks,
+    Fault,
+    ImpactState,
+    PairKind,
+    Plane,
+    StiffnessKind,
+    Unbalanced,
+    WorldPart,
+)
 from .context import Context, default_context
 from .errors import (
     ArgumentError,
@@ -22,6 +52,7 @@ from .errors import (
     GeometryError,
     HalfspaceError,
     InternalError,
+    InvertedError,
     OutOfMemoryError,
     StaleIdError,
     StateError,
@@ -30,6 +61,7 @@ from .errors import (
 )
 from .impact import Motion, pair_time_of_impact
 from .law import Law
+from .mesh import Mesh
 from .pair import PairCache, pair_caches, pair_detect, pairs_detect
 from .shape import Shape, check_polygon, check_polyhedron, clean_polygon
 from .world import World
@@ -37,15 +69,25 @@ from .world import World
 __version__ = version()
 
 __all__ = [
+    "BALANCE",
     "BLOCK_STATE",
+    "BODY_STATE",
+    "BOND",
+    "BOND_EVENT",
+    "BOND_REPORT",
+    "CELL_STATE",
     "CONTACT",
     "DEFORMATION",
     "IMPACT",
     "PAIR_CACHE",
     "SHAPE_PROPERTIES",
+    "STRENGTH_REPORT",
     "WORLD_REPORT",
     "ArgumentError",
     "BlockKind",
+    "Bond",
+    "BondFailure",
+    "CellKind",
     "ClosedError",
     "ContactType",
     "Context",
@@ -57,7 +99,9 @@ __all__ = [
     "HalfspaceError",
     "ImpactState",
     "InternalError",
+    "InvertedError",
     "Law",
+    "Mesh",
     "Motion",
     "OutOfMemoryError",
     "PairCache",
@@ -68,8 +112,10 @@ __all__ = [
     "StateError",
     "StiffnessKind",
     "TooFastError",
+    "Unbalanced",
     "UnstableError",
     "World",
+    "WorldPart",
     "check_polygon",
     "check_polyhedron",
     "clean_polygon",

@@ -35,8 +35,26 @@ IMPACT = record_type(_raw.hs_impact)
 BLOCK_STATE = record_type(_raw.hs_block_state)
 #: How a block is turned and strained: the struct ``hs_deformation``, with tensors of shape (3, 3).
 DEFORMATION = _with_tensors(_raw.hs_deformation)
+#: What a mesh is: the struct ``hs_mesh_properties``.
+MESH_PROPERTIES = record_type(_raw.hs_mesh_properties)
+#: How a body of finite elements moves: the struct ``hs_body_state``.
+BODY_STATE = record_type(_raw.hs_body_state)
+#: How a cell is strained and stressed: the struct ``hs_cell_state``, with tensors of shape (3, 3).
+CELL_STATE = _with_tensors(_raw.hs_cell_state)
+#: A bond now: the struct ``hs_bond``.
+BOND = record_type(_raw.hs_bond)
+#: A point of a bond that has failed: the struct ``hs_bond_event``.
+BOND_EVENT = record_type(_raw.hs_bond_event)
+#: The bonds of a world in numbers: the struct ``hs_bond_report``.
+BOND_REPORT = record_type(_raw.hs_bond_report)
+#: How balanced a world is: the struct ``hs_balance``; its mean is ``["mean"]``, as records have a method of that name.
+BALANCE = record_type(_raw.hs_balance)
+#: What strength reduction found: the struct ``hs_strength_report``.
+STRENGTH_REPORT = record_type(_raw.hs_strength_report)
 #: A world in numbers: the struct ``hs_world_report``.
 WORLD_REPORT = record_type(_raw.hs_world_report)
+#: What a world computes and costs: the struct ``hs_world_plan``.
+WORLD_PLAN = record_type(_raw.hs_world_plan)
 #: Geometry and mass per unit density: the struct ``hs_shape_properties``.
 SHAPE_PROPERTIES = record_type(_raw.hs_shape_properties)
 #: What is wrong with vertices or faces: the struct ``hs_fault``.

@@ -20,10 +20,13 @@ from ctypes import (
 hs_status = c_int32
 # Names a block: index and generation. 0 is no block; a removed block's id never names another.
 hs_block = c_uint64
+# Names a body in a world: index and generation. 0 is no body.
+hs_body = c_uint64
 
 # Status codes.
 HS_OK = 0  # ok
 HS_NOTE_TRUNCATED = 1  # the output did not fit: only as much as the capacity holds was written
+HS_NOTE_NOT_AT_REST = 2  # forces are still unbalanced after as many steps as were allowed
 HS_ERROR_ARGUMENT = -1  # an argument is null, out of range or not finite
 HS_ERROR_GEOMETRY = -2  # the vertices do not describe a convex shape
 HS_ERROR_STALE_ID = -3  # the id does not name a living block, material or contact
@@ -33,6 +36,7 @@ HS_ERROR_UNSTABLE = -6  # the run became unstable: the time step is too large
 HS_ERROR_FORMAT = -7  # the bytes are not a snapshot that this library can read
 HS_ERROR_INTERNAL = -8  # a defect of the library: please report it
 HS_ERROR_TOO_FAST = -9  # two blocks meet too fast for the time step against their thickness
+HS_ERROR_INVERTED = -10  # a cell of a mesh would be turned inside out
 
 # Contact types (Wang et al. 2021, section 2.5).
 HS_CONTACT_NONE = 0  # separated: one violated potential pair, or a plane between, proves it
@@ -96,6 +100,7 @@ HS_BLOCK_FIXED = 0  # never
 HS_BLOCK_PRESCRIBED = 1  # with the velocity and spin given, whatever the forces
 HS_BLOCK_RIGID = 2  # by Newton's law
 HS_BLOCK_AFFINE = 3  # by Newton's law, and straining as a whole: see affine.h
+HS_BLOCK_MESH = 4  # as the nodes of its mesh do: see mesh.h, whose hs_world_add_mesh() makes it
 
 # What becomes of a step in which two blocks would move far against the thinner of them: more than a quarter
 # of its thickness.
@@ -108,10 +113,47 @@ HS_FAST_REFUSE = 1  # when they meet, or are in touch, it is refused with HS_ERR
 HS_PLANE_STRAIN = 0  # a body that cannot strain across the plane
 HS_PLANE_STRESS = 1  # a sheet without stress across the plane
 
+# How a point of a bond has failed.
+HS_BOND_HOLDS = 0  # it has not
+HS_BOND_TENSION = 1  # by opening
+HS_BOND_SHEAR = 2  # by sliding
+
 # What comes of two motions.
 HS_IMPACT_NEVER = 0  # they do not touch within the duration
 HS_IMPACT_AT_START = 1  # they touch at the start already
 HS_IMPACT_TOUCH = 2  # they are apart at the start and come to touch
+
+# Kinds of cells. Nodes are numbered as Gmsh and VTK do: those of triangles and quads counter-clockwise; of a
+# tetrahedron the fourth lies where the first three run counter-clockwise seen from the other side; of prisms
+# and hexahedra those at the bottom come first, counter-clockwise seen from above, then those above them in
+# the same order.
+HS_CELL_TRIANGLE = 0  # 3 nodes, 2D
+HS_CELL_QUAD = 1  # 4 nodes, 2D, convex
+HS_CELL_TETRAHEDRON = 2  # 4 nodes, 3D
+HS_CELL_PRISM = 3  # 6 nodes, 3D
+HS_CELL_HEXAHEDRON = 4  # 8 nodes, 3D
+
+# Axes along which nodes are held; their sum holds along several.
+HS_AXIS_X = 1  # along x
+HS_AXIS_Y = 2  # along y
+HS_AXIS_Z = 4  # along z, in 3D
+
+# What a step computes besides detection and normal forces of rigid blocks. What is not active is neither
+# stored nor computed.
+HS_PART_FRICTION = 1  # a law resists shear: each pair keeps a shear spring
+HS_PART_BONDS = 2  # a law has cohesion or tensile strength
+HS_PART_CONTACT_DAMPING = 4  # a law has dashpots
+HS_PART_AREA = 8  # a law is per area: overlaps are measured
+# a law is one of potentials: overlaps are divided; in space each pair keeps a plan of that
+HS_PART_POTENTIAL = 16
+HS_PART_STRAIN = 32  # a block is affine
+HS_PART_LOCAL_DAMPING = 64  # the world has local damping
+HS_PART_MASS_DAMPING = 128  # the world has mass damping
+
+# By which forces are compared.
+HS_UNBALANCED_MEAN = 0  # all unbalanced forces over all forces: of cells, contacts, bonds, weight and loads
+# the largest such ratio of a single block or node; where next to nothing acts, over the mean force
+HS_UNBALANCED_LARGEST = 1
 
 
 class hs_context(Structure):
@@ -129,6 +171,10 @@ class hs_shape(Structure):
 
 class hs_world(Structure):
     """Opaque."""
+
+
+class hs_mesh(Structure):
+    """Opaque; never changes."""
 
 # Returns memory aligned to `alignment`, or NULL. NULL here means the C library's allocator.
 hs_context_def_allocate = CFUNCTYPE(c_void_p, c_size_t, c_size_t, c_void_p)
@@ -404,8 +450,8 @@ class hs_world_report(Structure):
         ("largest_speed", c_double),  # of all blocks that move freely, now
         ("energy", hs_energy),  # the ledger
         ("potential_length", c_double),  # in use; 0 without a law of potentials
-        ("block_strain_energy", c_double),  # of affine blocks, now; counts in the residual
-        ("block_damping_loss", c_double),  # in affine blocks, so far; counts in the residual
+        ("block_strain_energy", c_double),  # of affine blocks and meshes, now; counts in the residual
+        ("block_damping_loss", c_double),  # in affine blocks and meshes, so far; counts in the residual
         ("divided_steps", c_int64),  # steps so far that fast blocks have divided
         # largest share of the thinner block's thickness up to which springs let two blocks come, the root of
         # d^2 + v^2 m/k for those that approach at v where they are nearest and lie d deep: of all when they
@@ -450,6 +496,77 @@ class hs_deformation(Structure):
     ]
 
 
+class hs_bond_def(Structure):
+    """What a bond is like. Fill it with hs_bond_def_init()."""
+
+    _fields_ = [
+        ("struct_size", c_uint32),  # set by hs_bond_def_init()
+        ("reserved", c_int32),  # 0
+        ("normal_stiffness", c_double),  # Pa/m, > 0; default 1e11
+        ("shear_stiffness", c_double),  # Pa/m, > 0, or 0 (default): as the normal one
+        ("tensile_strength", c_double),  # Pa, >= 0; default 0
+        ("cohesion", c_double),  # Pa, >= 0; default 0
+        ("friction_angle", c_double),  # [0, pi/2), of what holds; default 0
+        # Pa, from 0 to the cohesion, of what has failed and is pressed together; default 0
+        ("residual_cohesion", c_double),
+        # [0, pi/2), likewise; or below 0 (default): the friction angle
+        ("residual_friction_angle", c_double),
+        # J/m2, >= 0: tension fades linearly with opening and takes so much from its peak on; default 0: at
+        # once
+        ("tensile_fracture_energy", c_double),
+        # J/m2, >= 0: likewise what shear strength loses with slip; default 0: at once
+        ("shear_fracture_energy", c_double),
+    ]
+
+
+class hs_bond(Structure):
+    """A bond now."""
+
+    _fields_ = [
+        ("block_a", hs_block),  # 0 when one of both has been removed
+        ("block_b", hs_block),  # likewise
+        ("is_joint", c_int32),  # 1; or 0 when it has come apart and contact has taken over
+        ("point_count", c_int32),  # integration points
+        ("broken_count", c_int32),  # of them that have failed
+        ("reserved", c_int32),  # 0
+        ("area", c_double),  # of the common face, in 2D its length
+        ("damage", c_double),  # mean over the area: 0 whole, 1 failed
+        ("normal_force", c_double),  # > 0 in tension
+        ("shear_force", c_double * 3),  # on block_b
+    ]
+
+
+class hs_bond_event(Structure):
+    """A point of a bond that has failed."""
+
+    _fields_ = [
+        ("bond", c_int64),  # its place in the list of bonds, counted from 0
+        ("step", c_int64),  # steps done before
+        ("failure", c_int32),  # HS_BOND_TENSION or HS_BOND_SHEAR
+        ("point", c_int32),  # of the bond, counted from 0
+        ("time", c_double),  # s
+        ("position", c_double * 3),  # m
+        ("normal", c_double * 3),  # of the face, from block_a to block_b
+        ("area", c_double),  # of the point's share of the face, in 2D a length
+        ("normal_traction", c_double),  # Pa, > 0 in tension, at the end of the step before
+        ("shear_traction", c_double),  # Pa, likewise
+        ("energy", c_double),  # J, lost in this step
+    ]
+
+
+class hs_bond_report(Structure):
+    """The bonds of a world in numbers. Later versions may append to it."""
+
+    _fields_ = [
+        ("bond_count", c_int64),  # made so far
+        ("joint_count", c_int64),  # that have not come apart
+        ("event_count", c_int64),  # points that have failed so far
+        ("crack_area", c_double),  # of these points, in 2D their length
+        ("strain_energy", c_double),  # in the springs of bonds now; part of hs_energystrain
+        ("fracture_loss", c_double),  # so far; counts in the residual
+    ]
+
+
 class hs_motion_def(Structure):
     """How a shape moves: its centroid straight and its turn even. Fill it with hs_motion_def_init(): then it
     rests at the origin. At time t the point that is at X in the shape's frame is at position + t velocity +
@@ -484,6 +601,55 @@ class hs_impact(Structure):
         ("gap", c_double),  # of the pair then: small to rounding; <= 0 when touching at the start
         ("normal", c_double * 3),  # unit, from a to b then
         ("point", c_double * 3),  # where they touch: the middle of the contact region
+    ]
+
+
+class hs_mesh_properties(Structure):
+    """What a mesh is. Later versions may append to it."""
+
+    _fields_ = [
+        ("dimension", c_int32),  # 2 or 3
+        ("reserved", c_int32),  # 0
+        ("node_count", c_int64),  # nodes
+        ("cell_count", c_int64),  # cells
+        ("surface_face_count", c_int64),  # faces, in 2D edges, that only one cell has
+        ("volume", c_double),  # of all cells, in 2D their area
+    ]
+
+
+class hs_body_def(Structure):
+    """How a mesh is put into a world. Fill it with hs_body_def_init()."""
+
+    _fields_ = [
+        ("struct_size", c_uint32),  # set by hs_body_def_init()
+        # from hs_world_add_material(), made elastic by hs_world_set_elasticity(); default 0
+        ("material", c_int32),
+        ("pose", hs_pose),  # of the frame that the nodes were given in; default: where they were given
+        ("velocity", c_double * 3),  # of all nodes; default 0
+    ]
+
+
+class hs_body_state(Structure):
+    """How a body moves. Later versions may append to it."""
+
+    _fields_ = [
+        ("node_count", c_int64),  # nodes
+        ("cell_count", c_int64),  # cells
+        ("mass", c_double),  # in 2D per unit thickness
+        ("centroid", c_double * 3),  # of the nodes' masses
+        ("momentum", c_double * 3),  # of all nodes
+        ("kinetic_energy", c_double),  # of all nodes
+        ("strain_energy", c_double),  # of all cells
+    ]
+
+
+class hs_cell_state(Structure):
+    """How a cell is strained and stressed, on average over the cell."""
+
+    _fields_ = [
+        ("strain", c_double * 9),  # Green's, from the cell as it was put into the world
+        ("stress", c_double * 9),  # Cauchy's, elastic, in space, Pa, tension > 0
+        ("strain_energy", c_double),  # J, in 2D per unit thickness; with that of bending
     ]
 
 
@@ -534,6 +700,91 @@ class hs_pair_options(Structure):
         # were, and the cache remembers nothing of it; polyhedra 0; default 0
         ("without_region", c_int32),
         ("reserved_2", c_int32),  # 0
+    ]
+
+
+class hs_world_plan(Structure):
+    """The account of a world. Later versions may append to it."""
+
+    _fields_ = [
+        ("dimension", c_int32),  # 2 or 3
+        ("parts", c_int32),  # HS_PART_ bits: what is active
+        ("fixed_count", c_int64),  # blocks that never move
+        ("prescribed_count", c_int64),  # blocks that move as they are told
+        ("rigid_count", c_int64),  # blocks that move by Newton's law
+        ("affine_count", c_int64),  # blocks that strain
+        ("candidate_count", c_int64),  # pairs in the neighbour list
+        ("contact_count", c_int64),  # pairs in contact
+        ("block_bytes", c_int64),  # state of all blocks with their shapes, as a snapshot holds it
+        ("pair_bytes", c_int64),  # state of all pairs: neighbour list, shear springs, plans; likewise
+        ("stable_time_step", c_double),  # as in the report; 0 without blocks that move freely
+        ("limiting_block", hs_block),  # sets it: the stiffest for its mass; 0 without blocks that move freely
+        # at its stiffest contact; 0 while it has none: then contacts that it may get limit the step
+        ("limiting_neighbor", hs_block),
+        ("measured_steps", c_int64),  # done to measure the times below
+        ("search_seconds", c_double),  # of a step: building neighbour lists
+        ("pair_seconds", c_double),  # of a step: detecting pairs and loading contacts
+        ("gather_seconds", c_double),  # of a step: adding up the forces on blocks
+        ("motion_seconds", c_double),  # of a step: moving, turning and straining blocks
+        ("book_seconds", c_double),  # of a step: the energy ledger
+    ]
+
+
+class hs_relaxation_def(Structure):
+    """How a world is brought to rest. Fill it with hs_relaxation_def_init()."""
+
+    _fields_ = [
+        ("struct_size", c_uint32),  # set by hs_relaxation_def_init()
+        ("measure", c_int32),  # an HS_UNBALANCED_ value; default HS_UNBALANCED_MEAN
+        ("ratio", c_double),  # at which it is at rest, > 0; default 1e-5
+        ("most_steps", c_int64),  # >= 1; default 1000000
+        # [0, 1) meanwhile; default 0.1, beside adaptive damping; by itself 0.8 does best
+        ("local_damping", c_double),
+        # 1 (default): mass damping twice as fast as the slowest motion that is left swings, found anew all
+        # the time; or 0: that of the world
+        ("is_adaptive", c_int32),
+        ("hold_bonds", c_int32),  # 1 (default): bonds do not fail meanwhile; or 0
+    ]
+
+
+class hs_balance(Structure):
+    """How balanced a world is. Later versions may append to it."""
+
+    _fields_ = [
+        ("mean", c_double),  # see HS_UNBALANCED_MEAN; 0 where no force acts
+        ("largest", c_double),  # see HS_UNBALANCED_LARGEST
+        ("largest_force", c_double),  # that is unbalanced, N
+        ("steps", c_int64),  # that hs_world_relax() has taken; else 0
+    ]
+
+
+class hs_strength_def(Structure):
+    """How the factor of safety is looked for. Fill it with hs_strength_def_init()."""
+
+    _fields_ = [
+        ("struct_size", c_uint32),  # set by hs_strength_def_init()
+        ("reserved", c_int32),  # 0
+        ("low", c_double),  # > 0: a factor at which the world should stand; default 0.5
+        ("high", c_double),  # above low: one at which it should fall; default 5
+        ("resolution", c_double),  # > 0: the bracket that is narrow enough; default 0.005
+        # > 0: unbalanced forces at which a world stands, see hs_relaxation_def; default 1e-5
+        ("ratio", c_double),
+        ("most_way", c_double),  # > 0: share of its size by which a block that moves has fallen; default 0.1
+        ("most_steps", c_int64),  # >= 1: what is not at rest by then falls as well; default 100000
+    ]
+
+
+class hs_strength_report(Structure):
+    """What was found. Later versions may append to it."""
+
+    _fields_ = [
+        ("factor", c_double),  # the middle of the bracket
+        ("low", c_double),  # the world stands at it, if stands_at_low
+        ("high", c_double),  # the world falls at it, if falls_at_high
+        ("stands_at_low", c_int32),  # 1; or 0: it falls even at def.low, and nothing else was tried
+        ("falls_at_high", c_int32),  # 1; or 0: it stands even at def.high
+        ("trials", c_int32),  # worlds tried
+        ("reserved", c_int32),  # 0
     ]
 
 
@@ -812,7 +1063,8 @@ def declare(library):
     ]
     library.hs_block_def_init.restype = hs_status
 
-    # Adds a block. The world copies the shape.
+    # Adds a block. The world copies the shape. No component of its position may exceed 2^32 of its bounding
+    # radius: farther off, rounding would move it by too large a part of its size.
     library.hs_world_add_block.argtypes = [
         POINTER(hs_world),  # world
         POINTER(hs_shape),  # shape
@@ -992,8 +1244,8 @@ def declare(library):
     ]
     library.hs_elasticity_def_init.restype = hs_status
 
-    # Makes a material elastic, for affine blocks; others do not read it. Blocks that have the material keep
-    # their strain.
+    # Makes a material elastic, for affine blocks and meshes; others do not read it. What has the material
+    # keeps its strain.
     library.hs_world_set_elasticity.argtypes = [
         POINTER(hs_world),  # world
         c_int32,  # material
@@ -1053,6 +1305,68 @@ def declare(library):
     ]
     library.hs_world_clear_surface_loads.restype = hs_status
 
+    # Fills a bond's definition with its defaults.
+    library.hs_bond_def_init.argtypes = [
+        POINTER(hs_bond_def),  # def
+        c_size_t,  # size
+    ]
+    library.hs_bond_def_init.restype = hs_status
+
+    # Bonds two blocks along their largest common face, as they are now: both faces lie in one plane but for
+    # rounding.
+    library.hs_world_bond_blocks.argtypes = [
+        POINTER(hs_world),  # world
+        hs_block,  # block_a
+        hs_block,  # block_b
+        POINTER(hs_bond_def),  # def
+    ]
+    library.hs_world_bond_blocks.restype = hs_status
+
+    # Bonds all pairs of blocks of two materials along their common faces; what holds together already stays
+    # as it is.
+    library.hs_world_bond_materials.argtypes = [
+        POINTER(hs_world),  # world
+        c_int32,  # material_a
+        c_int32,  # material_b
+        POINTER(hs_bond_def),  # def
+        POINTER(c_int64),  # count
+    ]
+    library.hs_world_bond_materials.restype = hs_status
+
+    # Holds all bonds, which then never fail, while a world comes to rest; or lets them fail again.
+    library.hs_world_hold_bonds.argtypes = [
+        POINTER(hs_world),  # world
+        c_int32,  # are_held
+    ]
+    library.hs_world_hold_bonds.restype = hs_status
+
+    # Bulk: all bonds made so far, in their order.
+    library.hs_world_get_bonds.argtypes = [
+        POINTER(hs_world),  # world
+        c_void_p,  # bonds
+        c_int64,  # capacity
+        POINTER(c_int64),  # count
+    ]
+    library.hs_world_get_bonds.restype = hs_status
+
+    # Bulk: what has failed so far, in order of time.
+    library.hs_world_get_bond_events.argtypes = [
+        POINTER(hs_world),  # world
+        c_int64,  # first
+        c_void_p,  # events
+        c_int64,  # capacity
+        POINTER(c_int64),  # count
+    ]
+    library.hs_world_get_bond_events.restype = hs_status
+
+    # The bonds in numbers, as of the last step.
+    library.hs_world_get_bond_report.argtypes = [
+        POINTER(hs_world),  # world
+        POINTER(hs_bond_report),  # report
+        c_size_t,  # size
+    ]
+    library.hs_world_get_bond_report.restype = hs_status
+
     # Fills a motion with its defaults: at the origin, not turned, at rest.
     library.hs_motion_def_init.argtypes = [
         POINTER(hs_motion_def),  # def
@@ -1077,6 +1391,143 @@ def declare(library):
         POINTER(hs_impact),  # impact
     ]
     library.hs_pair_time_of_impact.restype = hs_status
+
+    # Makes a mesh. What is given is copied.
+    library.hs_mesh_create.argtypes = [
+        POINTER(hs_context),  # context
+        c_int32,  # dimension
+        hs_view,  # nodes
+        c_void_p,  # cell_kinds
+        c_int64,  # cell_count
+        c_void_p,  # cell_nodes
+        c_int64,  # cell_node_count
+        POINTER(POINTER(hs_mesh)),  # mesh
+    ]
+    library.hs_mesh_create.restype = hs_status
+
+    # Ends a mesh. Bodies made of it stay as they are.
+    library.hs_mesh_destroy.argtypes = [
+        POINTER(hs_mesh),  # mesh
+    ]
+    library.hs_mesh_destroy.restype = None
+
+    # What a mesh is.
+    library.hs_mesh_get_properties.argtypes = [
+        POINTER(hs_mesh),  # mesh
+        POINTER(hs_mesh_properties),  # properties
+        c_size_t,  # size
+    ]
+    library.hs_mesh_get_properties.restype = hs_status
+
+    # Fills a body's definition with its defaults.
+    library.hs_body_def_init.argtypes = [
+        POINTER(hs_body_def),  # def
+        c_size_t,  # size
+    ]
+    library.hs_body_def_init.restype = hs_status
+
+    # Puts a mesh into a world.
+    library.hs_world_add_mesh.argtypes = [
+        POINTER(hs_world),  # world
+        POINTER(hs_mesh),  # mesh
+        POINTER(hs_body_def),  # def
+        c_void_p,  # cell_materials
+        POINTER(hs_body),  # body
+    ]
+    library.hs_world_add_mesh.restype = hs_status
+
+    # Takes a body out of the world, with the blocks at its surface.
+    library.hs_world_remove_body.argtypes = [
+        POINTER(hs_world),  # world
+        hs_body,  # body
+    ]
+    library.hs_world_remove_body.restype = hs_status
+
+    # How a body moves.
+    library.hs_world_get_body_state.argtypes = [
+        POINTER(hs_world),  # world
+        hs_body,  # body
+        POINTER(hs_body_state),  # state
+        c_size_t,  # size
+    ]
+    library.hs_world_get_body_state.restype = hs_status
+
+    # Bulk: where a body's nodes are, in the order of its mesh.
+    library.hs_world_get_node_positions.argtypes = [
+        POINTER(hs_world),  # world
+        hs_body,  # body
+        hs_mutable_view,  # positions
+        POINTER(c_int64),  # count
+    ]
+    library.hs_world_get_node_positions.restype = hs_status
+
+    # Bulk: how fast a body's nodes are.
+    library.hs_world_get_node_velocities.argtypes = [
+        POINTER(hs_world),  # world
+        hs_body,  # body
+        hs_mutable_view,  # velocities
+        POINTER(c_int64),  # count
+    ]
+    library.hs_world_get_node_velocities.restype = hs_status
+
+    # Bulk: all forces on a body's nodes at the end of the last step: of cells, contacts, gravity, and applied
+    # ones. At rest they are 0, but at nodes that are held: there they are what these press on their support.
+    library.hs_world_get_node_forces.argtypes = [
+        POINTER(hs_world),  # world
+        hs_body,  # body
+        hs_mutable_view,  # forces
+        POINTER(c_int64),  # count
+    ]
+    library.hs_world_get_node_forces.restype = hs_status
+
+    # Sets the velocities of all nodes of a body, also of those that are held.
+    library.hs_world_set_node_velocities.argtypes = [
+        POINTER(hs_world),  # world
+        hs_body,  # body
+        hs_view,  # velocities
+    ]
+    library.hs_world_set_node_velocities.restype = hs_status
+
+    # Holds nodes along axes, besides those along which they are held already: there they go on with a
+    # velocity that stays, whatever the forces. Without axes they are free from now on, along all of them.
+    library.hs_world_hold_nodes.argtypes = [
+        POINTER(hs_world),  # world
+        hs_body,  # body
+        c_void_p,  # nodes
+        c_int64,  # count
+        c_int32,  # axes
+        c_void_p,  # velocity
+    ]
+    library.hs_world_hold_nodes.restype = hs_status
+
+    # Sets the force that acts on each of these nodes from outside, from now on.
+    library.hs_world_set_node_force.argtypes = [
+        POINTER(hs_world),  # world
+        hs_body,  # body
+        c_void_p,  # nodes
+        c_int64,  # count
+        c_void_p,  # force
+    ]
+    library.hs_world_set_node_force.restype = hs_status
+
+    # Bulk: how a body's cells are strained and stressed, in the order of its mesh.
+    library.hs_world_get_cells.argtypes = [
+        POINTER(hs_world),  # world
+        hs_body,  # body
+        c_void_p,  # cells
+        c_int64,  # capacity
+        POINTER(c_int64),  # count
+    ]
+    library.hs_world_get_cells.restype = hs_status
+
+    # The body that a block is at the surface of.
+    library.hs_world_get_body_of_block.argtypes = [
+        POINTER(hs_world),  # world
+        hs_block,  # block
+        POINTER(hs_body),  # body
+        POINTER(c_int32),  # cell
+    ]
+    library.hs_world_get_body_of_block.restype = hs_status
 
     # Fills detection options with their defaults.
     library.hs_pair_options_init.argtypes = [
@@ -1111,3 +1562,85 @@ def declare(library):
         POINTER(c_int64),  # touching
     ]
     library.hs_pairs_detect.restype = hs_status
+
+    # Says what a world computes and what limits its step and, by steps, what that costs. All is found out on
+    # a copy, which takes as much memory again for as long: the world stays as it is.
+    library.hs_world_get_plan.argtypes = [
+        POINTER(hs_world),  # world
+        c_int64,  # steps
+        POINTER(hs_world_plan),  # plan
+        c_size_t,  # size
+    ]
+    library.hs_world_get_plan.restype = hs_status
+
+    # Fills a relaxation's definition with its defaults.
+    library.hs_relaxation_def_init.argtypes = [
+        POINTER(hs_relaxation_def),  # def
+        c_size_t,  # size
+    ]
+    library.hs_relaxation_def_init.restype = hs_status
+
+    # Steps a world until it is at rest. Its own damping, and whether bonds are held, come back afterwards; at
+    # rest, velocities are set to 0.
+    library.hs_world_relax.argtypes = [
+        POINTER(hs_world),  # world
+        POINTER(hs_relaxation_def),  # def
+        POINTER(hs_balance),  # balance
+        c_size_t,  # size
+    ]
+    library.hs_world_relax.restype = hs_status
+
+    # How balanced a world is now. Takes as long as a step.
+    library.hs_world_get_balance.argtypes = [
+        POINTER(hs_world),  # world
+        POINTER(hs_balance),  # balance
+        c_size_t,  # size
+    ]
+    library.hs_world_get_balance.restype = hs_status
+
+    # Sets gravity from now on; what that changes of the energy is booked as outer work.
+    library.hs_world_set_gravity.argtypes = [
+        POINTER(hs_world),  # world
+        c_void_p,  # gravity
+    ]
+    library.hs_world_set_gravity.restype = hs_status
+
+    # Sets damping from now on.
+    library.hs_world_set_damping.argtypes = [
+        POINTER(hs_world),  # world
+        c_double,  # local_damping
+        c_double,  # mass_damping
+    ]
+    library.hs_world_set_damping.restype = hs_status
+
+    # Sets the time step from now on.
+    library.hs_world_set_time_step.argtypes = [
+        POINTER(hs_world),  # world
+        c_double,  # time_step
+    ]
+    library.hs_world_set_time_step.restype = hs_status
+
+    # Fills a search's definition with its defaults.
+    library.hs_strength_def_init.argtypes = [
+        POINTER(hs_strength_def),  # def
+        c_size_t,  # size
+    ]
+    library.hs_strength_def_init.restype = hs_status
+
+    # Divides all strengths, as they were given, by a factor, from now on.
+    library.hs_world_set_strength_factor.argtypes = [
+        POINTER(hs_world),  # world
+        c_double,  # factor
+    ]
+    library.hs_world_set_strength_factor.restype = hs_status
+
+    # Looks for the factor of safety by bisection. Each trial relaxes a copy of the world, see
+    # hs_world_relax(), with bonds that may fail: the world stays as it is. It should be at rest.
+    library.hs_world_find_strength_factor.argtypes = [
+        POINTER(hs_world),  # world
+        POINTER(hs_strength_def),  # def
+        POINTER(hs_strength_report),  # report
+        c_size_t,  # size
+        POINTER(POINTER(hs_world)),  # fallen
+    ]
+    library.hs_world_find_strength_factor.restype = hs_status

@@ -1,5 +1,5 @@
 """The library's constants as enumerations."""
-from enum import IntEnum
+from enum import IntEnum, IntFlag
 
 from . import _raw
 
@@ -40,6 +40,32 @@ class BlockKind(IntEnum):
     PRESCRIBED = _raw.HS_BLOCK_PRESCRIBED
     RIGID = _raw.HS_BLOCK_RIGID
     AFFINE = _raw.HS_BLOCK_AFFINE
+    MESH = _raw.HS_BLOCK_MESH
+
+
+class CellKind(IntEnum):
+    """What a cell of a mesh is."""
+
+    TRIANGLE = _raw.HS_CELL_TRIANGLE
+    QUAD = _raw.HS_CELL_QUAD
+    TETRAHEDRON = _raw.HS_CELL_TETRAHEDRON
+    PRISM = _raw.HS_CELL_PRISM
+    HEXAHEDRON = _raw.HS_CELL_HEXAHEDRON
+
+
+class BondFailure(IntEnum):
+    """How a point of a bond has failed (`event["failure"]`)."""
+
+    HOLDS = _raw.HS_BOND_HOLDS
+    TENSION = _raw.HS_BOND_TENSION
+    SHEAR = _raw.HS_BOND_SHEAR
+
+
+class Unbalanced(IntEnum):
+    """By which forces are compared: all unbalanced ones over all, or the largest such ratio of a block or node."""
+
+    MEAN = _raw.HS_UNBALANCED_MEAN
+    LARGEST = _raw.HS_UNBALANCED_LARGEST
 
 
 class StiffnessKind(IntEnum):
@@ -96,3 +122,16 @@ class Fault(IntEnum):
     NO_DIRECTION = _raw.HS_FAULT_NO_DIRECTION
     UNBOUNDED = _raw.HS_FAULT_UNBOUNDED
     NO_COMMON_POINT = _raw.HS_FAULT_NO_COMMON_POINT
+
+
+class WorldPart(IntFlag):
+    """What a step computes besides detection and normal forces of rigid blocks (`plan.parts`)."""
+
+    FRICTION = _raw.HS_PART_FRICTION
+    BONDS = _raw.HS_PART_BONDS
+    CONTACT_DAMPING = _raw.HS_PART_CONTACT_DAMPING
+    AREA = _raw.HS_PART_AREA
+    POTENTIAL = _raw.HS_PART_POTENTIAL
+    STRAIN = _raw.HS_PART_STRAIN
+    LOCAL_DAMPING = _raw.HS_PART_LOCAL_DAMPING
+    MASS_DAMPING = _raw.HS_PART_MASS_DAMPING

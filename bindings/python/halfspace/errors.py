@@ -54,6 +54,10 @@ class TooFastError(HalfspaceError, ArithmeticError):
     stays at the last good step."""
 
 
+class InvertedError(HalfspaceError, ArithmeticError):
+    """A cell of a mesh would be turned inside out. The world stays at the last good step."""
+
+
 class FormatError(HalfspaceError, ValueError):
     """The bytes are not a snapshot that this library can read."""
 
@@ -80,6 +84,7 @@ _ERROR_OF_STATUS: Dict[int, Type[HalfspaceError]] = {
     _raw.HS_ERROR_STATE: StateError,
     _raw.HS_ERROR_UNSTABLE: UnstableError,
     _raw.HS_ERROR_TOO_FAST: TooFastError,
+    _raw.HS_ERROR_INVERTED: InvertedError,
     _raw.HS_ERROR_FORMAT: FormatError,
     _raw.HS_ERROR_INTERNAL: InternalError,
 }

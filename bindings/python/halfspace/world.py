@@ -11,6 +11,7 @@ from . import _raw
 from ._arrays import (
     BLOCK_STATE,
     CONTACT,
+    WORLD_PLAN,
     WORLD_REPORT,
     as_pose,
     block_id,
@@ -22,19 +23,19 @@ from ._arrays import (
     vector,
 )
 from ._library import library
-from .affine import AffineBlocks
 from .block_arrays import Floats
 from .constants import BlockKind, FastBlocks
 from .context import Context, default_context, held
 from .law import Law
 from .plot import picture_by, plot_blocks
+from .relax import Statics
 from .shape import Shape
 
 _FIRST_PORTION = 16  # steps
 _PICTURE_LIMIT = 20000  # blocks: a notebook shows no picture of more by itself
 
 
-class World(AffineBlocks):
+class World(Statics):
     """Blocks, materials, laws and time.
 
     Bulk arrays are in the order of `blocks`; in 2D vectors have 2 components, angular velocities and torques
@@ -376,6 +377,14 @@ class World(AffineBlocks):
         """Time, time step, counts and energies: a record with the fields of ``hs_world_report``."""
         array, address = empty_record(WORLD_REPORT)
         self._call(library.hs_world_get_report, _raw.hs_world_report.from_address(address), array.nbytes)
+        return array[0]
+
+    def plan(self, steps: int = 0) -> Any:
+        """What the world computes and what limits its step: a record with the fields of ``hs_world_plan``.
+
+        Its times are those of so many steps of a copy. ``WorldPart(int(plan.parts))`` names what is active."""
+        array, address = empty_record(WORLD_PLAN)
+        self._call(library.hs_world_get_plan, steps, _raw.hs_world_plan.from_address(address), array.nbytes)
         return array[0]
 
     @property

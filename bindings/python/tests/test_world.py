@@ -96,6 +96,18 @@ def test_many_steps_are_so_many_single_ones(resting_world):
         resting_world.step(-1)
 
 
+def test_a_plan_says_what_is_active_and_limits_the_step(resting_world):
+    resting_world.step(1000)
+    plan = resting_world.plan(steps=10)
+    parts = hs.WorldPart(int(plan.parts))
+    assert hs.WorldPart.FRICTION in parts and hs.WorldPart.STRAIN not in parts
+    assert (plan.fixed_count, plan.rigid_count, plan.contact_count, plan.measured_steps) == (1, 1, 1, 10)
+    assert plan.limiting_block == resting_world.blocks[1] and plan.limiting_neighbor == resting_world.blocks[0]
+    assert plan.stable_time_step == resting_world.report.stable_time_step
+    assert plan.pair_seconds > 0
+    assert resting_world.report.steps == 1000
+
+
 def test_a_long_run_can_be_interrupted(resting_world):
     main = threading.main_thread().ident
     timer = threading.Timer(0.3, signal.pthread_kill, (main, signal.SIGINT))

@@ -47,7 +47,7 @@ typedef struct hs_deformation {
  *  @return HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time. */
 HS_API hs_status hs_elasticity_def_init(hs_elasticity_def *def, size_t size);
 
-/** @brief Makes a material elastic, for affine blocks; others do not read it. Blocks that have the material keep their strain.
+/** @brief Makes a material elastic, for affine blocks and meshes; others do not read it. What has the material keeps its strain.
  *  @param world not NULL @param material index @param elasticity not NULL
  *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID */
 HS_CHECKED hs_status hs_world_set_elasticity(hs_world *world, int32_t material,

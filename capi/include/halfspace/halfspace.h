@@ -26,13 +26,18 @@
 #define HALFSPACE_H
 
 #include "halfspace/affine.h"
+#include "halfspace/bond.h"
 #include "halfspace/context.h"
 #include "halfspace/contact.h"
 #include "halfspace/impact.h"
 #include "halfspace/law.h"
+#include "halfspace/mesh.h"
 #include "halfspace/pair.h"
+#include "halfspace/plan.h"
+#include "halfspace/relax.h"
 #include "halfspace/shape.h"
 #include "halfspace/status.h"
+#include "halfspace/strength.h"
 #include "halfspace/view.h"
 #include "halfspace/world.h"
 

@@ -19,6 +19,7 @@ typedef int32_t hs_status;
 #define HS_STATUS_LIST(X)                                                                        \
   X(HS_OK, 0, "ok")                                                                              \
   X(HS_NOTE_TRUNCATED, 1, "the output did not fit: only as much as the capacity holds was written") \
+  X(HS_NOTE_NOT_AT_REST, 2, "forces are still unbalanced after as many steps as were allowed")   \
   X(HS_ERROR_ARGUMENT, -1, "an argument is null, out of range or not finite")                    \
   X(HS_ERROR_GEOMETRY, -2, "the vertices do not describe a convex shape")                        \
   X(HS_ERROR_STALE_ID, -3, "the id does not name a living block, material or contact")           \
@@ -27,7 +28,8 @@ typedef int32_t hs_status;
   X(HS_ERROR_UNSTABLE, -6, "the run became unstable: the time step is too large")                \
   X(HS_ERROR_FORMAT, -7, "the bytes are not a snapshot that this library can read")              \
   X(HS_ERROR_INTERNAL, -8, "a defect of the library: please report it")                          \
-  X(HS_ERROR_TOO_FAST, -9, "two blocks meet too fast for the time step against their thickness")
+  X(HS_ERROR_TOO_FAST, -9, "two blocks meet too fast for the time step against their thickness")  \
+  X(HS_ERROR_INVERTED, -10, "a cell of a mesh would be turned inside out")
 
 /** One line of the list as an enumerator. */
 #define HS_STATUS_ENUM(name, value, text) name = value,

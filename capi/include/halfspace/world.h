@@ -29,7 +29,8 @@ enum {
   HS_BLOCK_FIXED = 0,      /**< never */
   HS_BLOCK_PRESCRIBED = 1, /**< with the velocity and spin given, whatever the forces */
   HS_BLOCK_RIGID = 2,      /**< by Newton's law */
-  HS_BLOCK_AFFINE = 3      /**< by Newton's law, and straining as a whole: see affine.h */
+  HS_BLOCK_AFFINE = 3,     /**< by Newton's law, and straining as a whole: see affine.h */
+  HS_BLOCK_MESH = 4        /**< as the nodes of its mesh do: see mesh.h, whose hs_world_add_mesh() makes it */
 };
 
 /** What becomes of a step in which two blocks would move far against the thinner of them: more than a quarter of its thickness. */
@@ -112,8 +113,8 @@ typedef struct hs_world_report {
   double largest_speed;      /**< of all blocks that move freely, now */
   hs_energy energy;          /**< the ledger */
   double potential_length;   /**< in use; 0 without a law of potentials */
-  double block_strain_energy; /**< of affine blocks, now; counts in the residual */
-  double block_damping_loss; /**< in affine blocks, so far; counts in the residual */
+  double block_strain_energy; /**< of affine blocks and meshes, now; counts in the residual */
+  double block_damping_loss; /**< in affine blocks and meshes, so far; counts in the residual */
   int64_t divided_steps;     /**< steps so far that fast blocks have divided */
   double deepest_stop;       /**< largest share of the thinner block's thickness up to which springs let two blocks come, the root of
                                   d^2 + v^2 m/k for those that approach at v where they are nearest and lie d deep: of all when they
@@ -163,7 +164,8 @@ HS_CHECKED hs_status hs_world_set_law(hs_world *world, int32_t material_a, int32
  *  @return HS_OK or HS_ERROR_ARGUMENT */
 HS_API hs_status hs_block_def_init(hs_block_def *def, size_t size, const hs_shape *shape);
 
-/** @brief Adds a block. The world copies the shape.
+/** @brief Adds a block. The world copies the shape. No component of its position may exceed 2^32 of its bounding radius: farther
+ *  off, rounding would move it by too large a part of its size.
  *  @param world not NULL @param shape not NULL @param def not NULL @param block receives its id
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID (material), HS_ERROR_STATE (an affine block of a material that is not
  *  elastic) or HS_ERROR_OUT_OF_MEMORY */
@@ -194,7 +196,7 @@ HS_CHECKED hs_status hs_world_get_block_vertices(const hs_world *world, hs_block
                                                  hs_mutable_view vertices, int64_t *count);
 
 /** @brief Puts a block elsewhere.
- *  @param world not NULL @param block id @param pose where to
+ *  @param world not NULL @param block id @param pose where to, no farther off than hs_world_add_block() allows
  *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID */
 HS_CHECKED hs_status hs_world_set_pose(hs_world *world, hs_block block, const hs_pose *pose);
 
@@ -218,7 +220,7 @@ HS_CHECKED hs_status hs_world_get_poses(const hs_world *world, hs_pose poses[], 
                                         int64_t *count);
 
 /** @brief Bulk: sets the poses of all blocks, in the order of hs_world_get_blocks().
- *  @param world not NULL @param poses one per block @param count must be the number of blocks
+ *  @param world not NULL @param poses one per block, no farther off than hs_world_add_block() allows @param count must be the number of blocks
  *  @return HS_OK or HS_ERROR_ARGUMENT, then no block has moved */
 HS_CHECKED hs_status hs_world_set_poses(hs_world *world, const hs_pose poses[], int64_t count);
 

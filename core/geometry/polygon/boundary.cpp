@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "geometry/polygon/cut.h"
+#include "geometry/unit_vector.h"
 
 namespace halfspace {
 namespace {
@@ -21,7 +22,7 @@ Vector<2> flank(const Vector<2>& along, const Vector<2>& next, double side) {
 
 Array<Vector<2>> polygon_behind(const BoundarySegment& segment, double depth, Memory* memory) {
   const auto& [before, first, second, after] = segment;
-  const Vector<2> along = (second - first).stableNormalized();
+  const Vector<2> along = unit_vector<2>(second - first);
   const Vector<2> inwards = depth * perpendicular(along);
   const Vector<2> beyond = depth * std::numbers::inv_sqrt3 * along;
   const Vector<2> start = first - beyond, end = second + beyond;
@@ -30,7 +31,7 @@ Array<Vector<2>> polygon_behind(const BoundarySegment& segment, double depth, Me
   Array<Vector<2>> polygon(std::begin(box), std::end(box), memory);
   const auto cut = [&](const Vector<2>& from, const Vector<2>& towards, const Vector<2>& neighbour,
                        double side) {
-    const Vector<2> under = flank(towards, (neighbour - from).stableNormalized(), side);
+    const Vector<2> under = flank(towards, unit_vector<2>(neighbour - from), side);
     polygon = cut_polygon(polygon, from, -side * perpendicular(under), memory).behind;
   };
   cut(second, along, after, 1);

@@ -6,6 +6,7 @@
 
 #include "geometry/polygon/clip.h"
 #include "geometry/polygon/hull.h"
+#include "geometry/unit_vector.h"
 
 namespace halfspace {
 namespace {
@@ -21,7 +22,7 @@ void keep_if_polygon(Array<Vector<2>>& part, Memory* memory) {
 PolygonParts cut_polygon(std::span<const Vector<2>> vertices, const Vector<2>& point, const Vector<2>& normal,
                          Memory* memory) {
   const std::size_t n = vertices.size();
-  const Vector<2> unit = normal.stableNormalized();
+  const Vector<2> unit = unit_vector(normal);
   Array<double> heights(n, memory);
   double reach = 0, lowest = HUGE_VAL, highest = -HUGE_VAL;
   for (std::size_t i = 0; i < n; ++i) {

@@ -8,6 +8,7 @@
 #include "geometry/polyhedron/surface.h"
 #include "geometry/polyhedron/topology.h"
 #include "geometry/precise.h"
+#include "geometry/unit_vector.h"
 
 namespace halfspace {
 namespace {
@@ -163,7 +164,7 @@ PolyhedronFault fit_normals(Polyhedron& p) {
       longest = std::max(longest, (p.corner(f, i) - p.corner(f, 0)).squaredNorm());
     // Narrower than a few roundings of its length, a face has no direction of its own.
     if (area.norm() <= 8 * epsilon * longest) return {Fault::face_without_area, -1, f};
-    p.normals.push_back(area.normalized());
+    p.normals.push_back((area / power_of_two_in(area)).normalized());
   }
   return {};
 }

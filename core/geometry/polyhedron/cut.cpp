@@ -8,6 +8,7 @@
 #include "geometry/polyhedron/check.h"
 #include "geometry/polyhedron/simplify.h"
 #include "geometry/polyhedron/topology.h"
+#include "geometry/unit_vector.h"
 
 // A plane cuts a polyhedron into two parts:
 //
@@ -23,7 +24,7 @@ using Flags = Array<std::uint8_t>;
 /// The vertices' heights over the cutting plane, 0 when they are on it to rounding.
 struct Section {
   Section(const Polyhedron& whole, const Vector<3>& point, const Vector<3>& normal, Memory* memory)
-      : unit(normal.stableNormalized()), heights(whole.vertices.size(), memory) {
+      : unit(unit_vector(normal)), heights(whole.vertices.size(), memory) {
     for (std::size_t i = 0; i < heights.size(); ++i) {
       const Vector<3> from_point = whole.vertices[i] - point;
       heights[i] = unit.dot(from_point);

@@ -9,6 +9,7 @@
 #include "geometry/polyhedron/hull.h"
 #include "geometry/polyhedron/simplify.h"
 #include "geometry/polyhedron/topology.h"
+#include "geometry/unit_vector.h"
 
 namespace halfspace {
 namespace {
@@ -17,9 +18,11 @@ PolyhedronFault to_unit_normals(Array<Halfspace<3>>& halfspaces) {
   for (std::size_t i = 0; i < halfspaces.size(); ++i) {
     Halfspace<3>& h = halfspaces[i];
     if (!h.normal.allFinite() || !std::isfinite(h.offset)) return {Fault::out_of_range, -1, std::int64_t(i)};
-    const double length = h.normal.stableNorm();
-    if (length == 0) return {Fault::no_direction, -1, std::int64_t(i)};
-    h = {h.normal / length, h.offset / length};
+    if (h.normal.isZero(0)) return {Fault::no_direction, -1, std::int64_t(i)};
+    const double power = power_of_two_in(h.normal);
+    const Vector<3> normal = h.normal / power;
+    const double length = normal.stableNorm();
+    h = {normal / length, h.offset / power / length};
   }
   return {};
 }

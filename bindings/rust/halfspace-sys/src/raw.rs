@@ -11,11 +11,15 @@ use std::os::raw::{c_char, c_void};
 pub type hs_status = i32;
 /// Names a block: index and generation. 0 is no block; a removed block's id never names another.
 pub type hs_block = u64;
+/// Names a body in a world: index and generation. 0 is no body.
+pub type hs_body = u64;
 
 /// ok
 pub const HS_OK: hs_status = 0;
 /// the output did not fit: only as much as the capacity holds was written
 pub const HS_NOTE_TRUNCATED: hs_status = 1;
+/// forces are still unbalanced after as many steps as were allowed
+pub const HS_NOTE_NOT_AT_REST: hs_status = 2;
 /// an argument is null, out of range or not finite
 pub const HS_ERROR_ARGUMENT: hs_status = -1;
 /// the vertices do not describe a convex shape
@@ -34,6 +38,8 @@ pub const HS_ERROR_FORMAT: hs_status = -7;
 pub const HS_ERROR_INTERNAL: hs_status = -8;
 /// two blocks meet too fast for the time step against their thickness
 pub const HS_ERROR_TOO_FAST: hs_status = -9;
+/// a cell of a mesh would be turned inside out
+pub const HS_ERROR_INVERTED: hs_status = -10;
 
 // Contact types (Wang et al. 2021, section 2.5).
 /// separated: one violated potential pair, or a plane between, proves it
@@ -140,6 +146,8 @@ pub const HS_BLOCK_PRESCRIBED: i32 = 1;
 pub const HS_BLOCK_RIGID: i32 = 2;
 /// by Newton's law, and straining as a whole: see affine.h
 pub const HS_BLOCK_AFFINE: i32 = 3;
+/// as the nodes of its mesh do: see mesh.h, whose hs_world_add_mesh() makes it
+pub const HS_BLOCK_MESH: i32 = 4;
 
 // What becomes of a step in which two blocks would move far against the thinner of them: more than a quarter
 // of its thickness.
@@ -155,6 +163,14 @@ pub const HS_PLANE_STRAIN: i32 = 0;
 /// a sheet without stress across the plane
 pub const HS_PLANE_STRESS: i32 = 1;
 
+// How a point of a bond has failed.
+/// it has not
+pub const HS_BOND_HOLDS: i32 = 0;
+/// by opening
+pub const HS_BOND_TENSION: i32 = 1;
+/// by sliding
+pub const HS_BOND_SHEAR: i32 = 2;
+
 // What comes of two motions.
 /// they do not touch within the duration
 pub const HS_IMPACT_NEVER: i32 = 0;
@@ -162,6 +178,54 @@ pub const HS_IMPACT_NEVER: i32 = 0;
 pub const HS_IMPACT_AT_START: i32 = 1;
 /// they are apart at the start and come to touch
 pub const HS_IMPACT_TOUCH: i32 = 2;
+
+// Kinds of cells. Nodes are numbered as Gmsh and VTK do: those of triangles and quads counter-clockwise; of a
+// tetrahedron the fourth lies where the first three run counter-clockwise seen from the other side; of prisms
+// and hexahedra those at the bottom come first, counter-clockwise seen from above, then those above them in
+// the same order.
+/// 3 nodes, 2D
+pub const HS_CELL_TRIANGLE: i32 = 0;
+/// 4 nodes, 2D, convex
+pub const HS_CELL_QUAD: i32 = 1;
+/// 4 nodes, 3D
+pub const HS_CELL_TETRAHEDRON: i32 = 2;
+/// 6 nodes, 3D
+pub const HS_CELL_PRISM: i32 = 3;
+/// 8 nodes, 3D
+pub const HS_CELL_HEXAHEDRON: i32 = 4;
+
+// Axes along which nodes are held; their sum holds along several.
+/// along x
+pub const HS_AXIS_X: i32 = 1;
+/// along y
+pub const HS_AXIS_Y: i32 = 2;
+/// along z, in 3D
+pub const HS_AXIS_Z: i32 = 4;
+
+// What a step computes besides detection and normal forces of rigid blocks. What is not active is neither
+// stored nor computed.
+/// a law resists shear: each pair keeps a shear spring
+pub const HS_PART_FRICTION: i32 = 1;
+/// a law has cohesion or tensile strength
+pub const HS_PART_BONDS: i32 = 2;
+/// a law has dashpots
+pub const HS_PART_CONTACT_DAMPING: i32 = 4;
+/// a law is per area: overlaps are measured
+pub const HS_PART_AREA: i32 = 8;
+/// a law is one of potentials: overlaps are divided; in space each pair keeps a plan of that
+pub const HS_PART_POTENTIAL: i32 = 16;
+/// a block is affine
+pub const HS_PART_STRAIN: i32 = 32;
+/// the world has local damping
+pub const HS_PART_LOCAL_DAMPING: i32 = 64;
+/// the world has mass damping
+pub const HS_PART_MASS_DAMPING: i32 = 128;
+
+// By which forces are compared.
+/// all unbalanced forces over all forces: of cells, contacts, bonds, weight and loads
+pub const HS_UNBALANCED_MEAN: i32 = 0;
+/// the largest such ratio of a single block or node; where next to nothing acts, over the mean force
+pub const HS_UNBALANCED_LARGEST: i32 = 1;
 
 /// Opaque. Owns the allocator settings and the text of the last error.
 #[repr(C)]
@@ -191,6 +255,14 @@ pub struct hs_shape {
 /// Opaque.
 #[repr(C)]
 pub struct hs_world {
+    _opaque: [u8; 0],
+    // Belongs to one thread at a time, and stays where the library made it.
+    _marker: PhantomData<(*mut u8, PhantomPinned)>,
+}
+
+/// Opaque; never changes.
+#[repr(C)]
+pub struct hs_mesh {
     _opaque: [u8; 0],
     // Belongs to one thread at a time, and stays where the library made it.
     _marker: PhantomData<(*mut u8, PhantomPinned)>,
@@ -573,9 +645,9 @@ pub struct hs_world_report {
     pub energy: hs_energy,
     /// in use; 0 without a law of potentials
     pub potential_length: f64,
-    /// of affine blocks, now; counts in the residual
+    /// of affine blocks and meshes, now; counts in the residual
     pub block_strain_energy: f64,
-    /// in affine blocks, so far; counts in the residual
+    /// in affine blocks and meshes, so far; counts in the residual
     pub block_damping_loss: f64,
     /// steps so far that fast blocks have divided
     pub divided_steps: i64,
@@ -625,6 +697,110 @@ pub struct hs_deformation {
 }
 const _: () = assert!(std::mem::size_of::<hs_deformation>() == 296);
 
+/// What a bond is like. Fill it with hs_bond_def_init().
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct hs_bond_def {
+    /// set by hs_bond_def_init()
+    pub struct_size: u32,
+    /// 0
+    pub reserved: i32,
+    /// Pa/m, > 0; default 1e11
+    pub normal_stiffness: f64,
+    /// Pa/m, > 0, or 0 (default): as the normal one
+    pub shear_stiffness: f64,
+    /// Pa, >= 0; default 0
+    pub tensile_strength: f64,
+    /// Pa, >= 0; default 0
+    pub cohesion: f64,
+    /// \[0, pi/2), of what holds; default 0
+    pub friction_angle: f64,
+    /// Pa, from 0 to the cohesion, of what has failed and is pressed together; default 0
+    pub residual_cohesion: f64,
+    /// \[0, pi/2), likewise; or below 0 (default): the friction angle
+    pub residual_friction_angle: f64,
+    /// J/m2, >= 0: tension fades linearly with opening and takes so much from its peak on; default 0: at once
+    pub tensile_fracture_energy: f64,
+    /// J/m2, >= 0: likewise what shear strength loses with slip; default 0: at once
+    pub shear_fracture_energy: f64,
+}
+const _: () = assert!(std::mem::size_of::<hs_bond_def>() == 80);
+
+/// A bond now.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct hs_bond {
+    /// 0 when one of both has been removed
+    pub block_a: hs_block,
+    /// likewise
+    pub block_b: hs_block,
+    /// 1; or 0 when it has come apart and contact has taken over
+    pub is_joint: i32,
+    /// integration points
+    pub point_count: i32,
+    /// of them that have failed
+    pub broken_count: i32,
+    /// 0
+    pub reserved: i32,
+    /// of the common face, in 2D its length
+    pub area: f64,
+    /// mean over the area: 0 whole, 1 failed
+    pub damage: f64,
+    /// \> 0 in tension
+    pub normal_force: f64,
+    /// on block_b
+    pub shear_force: [f64; 3],
+}
+const _: () = assert!(std::mem::size_of::<hs_bond>() == 80);
+
+/// A point of a bond that has failed.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct hs_bond_event {
+    /// its place in the list of bonds, counted from 0
+    pub bond: i64,
+    /// steps done before
+    pub step: i64,
+    /// HS_BOND_TENSION or HS_BOND_SHEAR
+    pub failure: i32,
+    /// of the bond, counted from 0
+    pub point: i32,
+    /// s
+    pub time: f64,
+    /// m
+    pub position: [f64; 3],
+    /// of the face, from block_a to block_b
+    pub normal: [f64; 3],
+    /// of the point's share of the face, in 2D a length
+    pub area: f64,
+    /// Pa, > 0 in tension, at the end of the step before
+    pub normal_traction: f64,
+    /// Pa, likewise
+    pub shear_traction: f64,
+    /// J, lost in this step
+    pub energy: f64,
+}
+const _: () = assert!(std::mem::size_of::<hs_bond_event>() == 112);
+
+/// The bonds of a world in numbers. Later versions may append to it.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct hs_bond_report {
+    /// made so far
+    pub bond_count: i64,
+    /// that have not come apart
+    pub joint_count: i64,
+    /// points that have failed so far
+    pub event_count: i64,
+    /// of these points, in 2D their length
+    pub crack_area: f64,
+    /// in the springs of bonds now; part of hs_energystrain
+    pub strain_energy: f64,
+    /// so far; counts in the residual
+    pub fracture_loss: f64,
+}
+const _: () = assert!(std::mem::size_of::<hs_bond_report>() == 48);
+
 /// How a shape moves: its centroid straight and its turn even. Fill it with hs_motion_def_init(): then it
 /// rests at the origin. At time t the point that is at X in the shape's frame is at position + t velocity +
 /// R(t angular_velocity) Q (gradient + t gradient_rate) X, with position and Q those of `start`, and R(v) the
@@ -672,6 +848,74 @@ pub struct hs_impact {
     pub point: [f64; 3],
 }
 const _: () = assert!(std::mem::size_of::<hs_impact>() == 80);
+
+/// What a mesh is. Later versions may append to it.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct hs_mesh_properties {
+    /// 2 or 3
+    pub dimension: i32,
+    /// 0
+    pub reserved: i32,
+    /// nodes
+    pub node_count: i64,
+    /// cells
+    pub cell_count: i64,
+    /// faces, in 2D edges, that only one cell has
+    pub surface_face_count: i64,
+    /// of all cells, in 2D their area
+    pub volume: f64,
+}
+const _: () = assert!(std::mem::size_of::<hs_mesh_properties>() == 40);
+
+/// How a mesh is put into a world. Fill it with hs_body_def_init().
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct hs_body_def {
+    /// set by hs_body_def_init()
+    pub struct_size: u32,
+    /// from hs_world_add_material(), made elastic by hs_world_set_elasticity(); default 0
+    pub material: i32,
+    /// of the frame that the nodes were given in; default: where they were given
+    pub pose: hs_pose,
+    /// of all nodes; default 0
+    pub velocity: [f64; 3],
+}
+const _: () = assert!(std::mem::size_of::<hs_body_def>() == 88);
+
+/// How a body moves. Later versions may append to it.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct hs_body_state {
+    /// nodes
+    pub node_count: i64,
+    /// cells
+    pub cell_count: i64,
+    /// in 2D per unit thickness
+    pub mass: f64,
+    /// of the nodes' masses
+    pub centroid: [f64; 3],
+    /// of all nodes
+    pub momentum: [f64; 3],
+    /// of all nodes
+    pub kinetic_energy: f64,
+    /// of all cells
+    pub strain_energy: f64,
+}
+const _: () = assert!(std::mem::size_of::<hs_body_state>() == 88);
+
+/// How a cell is strained and stressed, on average over the cell.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct hs_cell_state {
+    /// Green's, from the cell as it was put into the world
+    pub strain: [f64; 9],
+    /// Cauchy's, elastic, in space, Pa, tension > 0
+    pub stress: [f64; 9],
+    /// J, in 2D per unit thickness; with that of bending
+    pub strain_energy: f64,
+}
+const _: () = assert!(std::mem::size_of::<hs_cell_state>() == 152);
 
 /// What a pair remembers between calls: the last violated potential pair while separated, the initial contact
 /// pair while in contact. All zero is an empty cache. Copy it freely, also to another process. Initial
@@ -733,6 +977,132 @@ pub struct hs_pair_options {
     pub reserved_2: i32,
 }
 const _: () = assert!(std::mem::size_of::<hs_pair_options>() == 40);
+
+/// The account of a world. Later versions may append to it.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct hs_world_plan {
+    /// 2 or 3
+    pub dimension: i32,
+    /// HS_PART_ bits: what is active
+    pub parts: i32,
+    /// blocks that never move
+    pub fixed_count: i64,
+    /// blocks that move as they are told
+    pub prescribed_count: i64,
+    /// blocks that move by Newton's law
+    pub rigid_count: i64,
+    /// blocks that strain
+    pub affine_count: i64,
+    /// pairs in the neighbour list
+    pub candidate_count: i64,
+    /// pairs in contact
+    pub contact_count: i64,
+    /// state of all blocks with their shapes, as a snapshot holds it
+    pub block_bytes: i64,
+    /// state of all pairs: neighbour list, shear springs, plans; likewise
+    pub pair_bytes: i64,
+    /// as in the report; 0 without blocks that move freely
+    pub stable_time_step: f64,
+    /// sets it: the stiffest for its mass; 0 without blocks that move freely
+    pub limiting_block: hs_block,
+    /// at its stiffest contact; 0 while it has none: then contacts that it may get limit the step
+    pub limiting_neighbor: hs_block,
+    /// done to measure the times below
+    pub measured_steps: i64,
+    /// of a step: building neighbour lists
+    pub search_seconds: f64,
+    /// of a step: detecting pairs and loading contacts
+    pub pair_seconds: f64,
+    /// of a step: adding up the forces on blocks
+    pub gather_seconds: f64,
+    /// of a step: moving, turning and straining blocks
+    pub motion_seconds: f64,
+    /// of a step: the energy ledger
+    pub book_seconds: f64,
+}
+const _: () = assert!(std::mem::size_of::<hs_world_plan>() == 144);
+
+/// How a world is brought to rest. Fill it with hs_relaxation_def_init().
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct hs_relaxation_def {
+    /// set by hs_relaxation_def_init()
+    pub struct_size: u32,
+    /// an HS_UNBALANCED_ value; default HS_UNBALANCED_MEAN
+    pub measure: i32,
+    /// at which it is at rest, > 0; default 1e-5
+    pub ratio: f64,
+    /// \>= 1; default 1000000
+    pub most_steps: i64,
+    /// \[0, 1) meanwhile; default 0.1, beside adaptive damping; by itself 0.8 does best
+    pub local_damping: f64,
+    /// 1 (default): mass damping twice as fast as the slowest motion that is left swings, found anew all the
+    /// time; or 0: that of the world
+    pub is_adaptive: i32,
+    /// 1 (default): bonds do not fail meanwhile; or 0
+    pub hold_bonds: i32,
+}
+const _: () = assert!(std::mem::size_of::<hs_relaxation_def>() == 40);
+
+/// How balanced a world is. Later versions may append to it.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct hs_balance {
+    /// see HS_UNBALANCED_MEAN; 0 where no force acts
+    pub mean: f64,
+    /// see HS_UNBALANCED_LARGEST
+    pub largest: f64,
+    /// that is unbalanced, N
+    pub largest_force: f64,
+    /// that hs_world_relax() has taken; else 0
+    pub steps: i64,
+}
+const _: () = assert!(std::mem::size_of::<hs_balance>() == 32);
+
+/// How the factor of safety is looked for. Fill it with hs_strength_def_init().
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct hs_strength_def {
+    /// set by hs_strength_def_init()
+    pub struct_size: u32,
+    /// 0
+    pub reserved: i32,
+    /// \> 0: a factor at which the world should stand; default 0.5
+    pub low: f64,
+    /// above low: one at which it should fall; default 5
+    pub high: f64,
+    /// \> 0: the bracket that is narrow enough; default 0.005
+    pub resolution: f64,
+    /// \> 0: unbalanced forces at which a world stands, see hs_relaxation_def; default 1e-5
+    pub ratio: f64,
+    /// \> 0: share of its size by which a block that moves has fallen; default 0.1
+    pub most_way: f64,
+    /// \>= 1: what is not at rest by then falls as well; default 100000
+    pub most_steps: i64,
+}
+const _: () = assert!(std::mem::size_of::<hs_strength_def>() == 56);
+
+/// What was found. Later versions may append to it.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct hs_strength_report {
+    /// the middle of the bracket
+    pub factor: f64,
+    /// the world stands at it, if stands_at_low
+    pub low: f64,
+    /// the world falls at it, if falls_at_high
+    pub high: f64,
+    /// 1; or 0: it falls even at def.low, and nothing else was tried
+    pub stands_at_low: i32,
+    /// 1; or 0: it stands even at def.high
+    pub falls_at_high: i32,
+    /// worlds tried
+    pub trials: i32,
+    /// 0
+    pub reserved: i32,
+}
+const _: () = assert!(std::mem::size_of::<hs_strength_report>() == 40);
 
 extern "C" {
     /// The fixed text of a status code.
@@ -1140,7 +1510,8 @@ extern "C" {
         shape: *const hs_shape,
     ) -> hs_status;
 
-    /// Adds a block. The world copies the shape.
+    /// Adds a block. The world copies the shape. No component of its position may exceed 2^32 of its bounding
+    /// radius: farther off, rounding would move it by too large a part of its size.
     ///
     /// - `world`, `shape`, `def`: not NULL
     /// - `block`: receives its id
@@ -1209,7 +1580,7 @@ extern "C" {
     ///
     /// - `world`: not NULL
     /// - `block`: id
-    /// - `pose`: where to
+    /// - `pose`: where to, no farther off than hs_world_add_block() allows
     ///
     /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
     pub fn hs_world_set_pose(
@@ -1268,7 +1639,7 @@ extern "C" {
     /// Bulk: sets the poses of all blocks, in the order of hs_world_get_blocks().
     ///
     /// - `world`: not NULL
-    /// - `poses`: one per block
+    /// - `poses`: one per block, no farther off than hs_world_add_block() allows
     /// - `count`: must be the number of blocks
     ///
     /// Returns HS_OK or HS_ERROR_ARGUMENT, then no block has moved
@@ -1418,8 +1789,8 @@ extern "C" {
     /// Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
     pub fn hs_elasticity_def_init(def: *mut hs_elasticity_def, size: usize) -> hs_status;
 
-    /// Makes a material elastic, for affine blocks; others do not read it. Blocks that have the material keep
-    /// their strain.
+    /// Makes a material elastic, for affine blocks and meshes; others do not read it. What has the material
+    /// keeps its strain.
     ///
     /// - `world`, `elasticity`: not NULL
     /// - `material`: index
@@ -1514,6 +1885,98 @@ extern "C" {
     /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine
     pub fn hs_world_clear_surface_loads(world: *mut hs_world, block: hs_block) -> hs_status;
 
+    /// Fills a bond's definition with its defaults.
+    ///
+    /// - `def`: to fill
+    /// - `size`: sizeof(hs_bond_def) as the caller was compiled
+    ///
+    /// Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
+    pub fn hs_bond_def_init(def: *mut hs_bond_def, size: usize) -> hs_status;
+
+    /// Bonds two blocks along their largest common face, as they are now: both faces lie in one plane but for
+    /// rounding.
+    ///
+    /// - `world`, `def`: not NULL
+    /// - `block_a`, `block_b`: two blocks of any kind
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, HS_ERROR_OUT_OF_MEMORY, or HS_ERROR_STATE when
+    /// they have no common face, hold together already, or neither moves
+    pub fn hs_world_bond_blocks(
+        world: *mut hs_world,
+        block_a: hs_block,
+        block_b: hs_block,
+        def: *const hs_bond_def,
+    ) -> hs_status;
+
+    /// Bonds all pairs of blocks of two materials along their common faces; what holds together already stays
+    /// as it is.
+    ///
+    /// - `world`, `def`: not NULL
+    /// - `material_a`, `material_b`: indices, may be the same
+    /// - `count`: receives the number of bonds made; may be NULL
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID or HS_ERROR_OUT_OF_MEMORY
+    pub fn hs_world_bond_materials(
+        world: *mut hs_world,
+        material_a: i32,
+        material_b: i32,
+        def: *const hs_bond_def,
+        count: *mut i64,
+    ) -> hs_status;
+
+    /// Holds all bonds, which then never fail, while a world comes to rest; or lets them fail again.
+    ///
+    /// - `world`: not NULL
+    /// - `are_held`: 1 or 0
+    ///
+    /// Returns HS_OK or HS_ERROR_ARGUMENT
+    pub fn hs_world_hold_bonds(world: *mut hs_world, are_held: i32) -> hs_status;
+
+    /// Bulk: all bonds made so far, in their order.
+    ///
+    /// - `world`: not NULL
+    /// - `bonds`: receives them; may be NULL if capacity is 0
+    /// - `capacity`: in bonds
+    /// - `count`: receives their number; may be NULL
+    ///
+    /// Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
+    pub fn hs_world_get_bonds(
+        world: *const hs_world,
+        bonds: *mut hs_bond,
+        capacity: i64,
+        count: *mut i64,
+    ) -> hs_status;
+
+    /// Bulk: what has failed so far, in order of time.
+    ///
+    /// - `world`: not NULL
+    /// - `first`: the first event wanted, counted from 0
+    /// - `events`: receives them; may be NULL if capacity is 0
+    /// - `capacity`: in events
+    /// - `count`: receives the number of events from the first one on; may be NULL
+    ///
+    /// Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
+    pub fn hs_world_get_bond_events(
+        world: *const hs_world,
+        first: i64,
+        events: *mut hs_bond_event,
+        capacity: i64,
+        count: *mut i64,
+    ) -> hs_status;
+
+    /// The bonds in numbers, as of the last step.
+    ///
+    /// - `world`: not NULL
+    /// - `report`: receives it
+    /// - `size`: sizeof(hs_bond_report) as the caller was compiled
+    ///
+    /// Returns HS_OK or HS_ERROR_ARGUMENT
+    pub fn hs_world_get_bond_report(
+        world: *const hs_world,
+        report: *mut hs_bond_report,
+        size: usize,
+    ) -> hs_status;
+
     /// Fills a motion with its defaults: at the origin, not turned, at rest.
     ///
     /// - `def`: to fill
@@ -1545,6 +2008,226 @@ extern "C" {
         motion_b: *const hs_motion_def,
         duration: f64,
         impact: *mut hs_impact,
+    ) -> hs_status;
+
+    /// Makes a mesh. What is given is copied.
+    ///
+    /// - `context`: owner of the allocator
+    /// - `dimension`: 2 or 3
+    /// - `nodes`: their places, m
+    /// - `cell_kinds`: an HS_CELL_ value for each cell of this dimension
+    /// - `cell_count`: at least 1
+    /// - `cell_nodes`: the nodes of all cells, those of one cell after those of the other, counted from 0
+    /// - `cell_node_count`: their number: what the kinds need
+    /// - `mesh`: receives it; end it with hs_mesh_destroy()
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_OUT_OF_MEMORY, or HS_ERROR_GEOMETRY when a node is named
+    /// twice in a cell or belongs to none, a cell is inside out or flat somewhere, or a face is in more than
+    /// two cells
+    pub fn hs_mesh_create(
+        context: *mut hs_context,
+        dimension: i32,
+        nodes: hs_view,
+        cell_kinds: *const i32,
+        cell_count: i64,
+        cell_nodes: *const i32,
+        cell_node_count: i64,
+        mesh: *mut *mut hs_mesh,
+    ) -> hs_status;
+
+    /// Ends a mesh. Bodies made of it stay as they are.
+    ///
+    /// - `mesh`: may be NULL
+    pub fn hs_mesh_destroy(mesh: *mut hs_mesh);
+
+    /// What a mesh is.
+    ///
+    /// - `mesh`: not NULL
+    /// - `properties`: receives it
+    /// - `size`: sizeof(hs_mesh_properties) as the caller was compiled
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
+    pub fn hs_mesh_get_properties(
+        mesh: *const hs_mesh,
+        properties: *mut hs_mesh_properties,
+        size: usize,
+    ) -> hs_status;
+
+    /// Fills a body's definition with its defaults.
+    ///
+    /// - `def`: to fill
+    /// - `size`: sizeof(hs_body_def) as the caller was compiled
+    ///
+    /// Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
+    pub fn hs_body_def_init(def: *mut hs_body_def, size: usize) -> hs_status;
+
+    /// Puts a mesh into a world.
+    ///
+    /// - `world`, `def`: not NULL
+    /// - `mesh`: of the world's dimension; may be ended afterwards
+    /// - `cell_materials`: a material for each cell, or NULL: def.material for all
+    /// - `body`: receives its id
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, HS_ERROR_OUT_OF_MEMORY, HS_ERROR_GEOMETRY when a
+    /// cell is inside out or flat where it is put, or HS_ERROR_STATE for a material that is not elastic
+    pub fn hs_world_add_mesh(
+        world: *mut hs_world,
+        mesh: *const hs_mesh,
+        def: *const hs_body_def,
+        cell_materials: *const i32,
+        body: *mut hs_body,
+    ) -> hs_status;
+
+    /// Takes a body out of the world, with the blocks at its surface.
+    ///
+    /// - `world`: not NULL
+    /// - `body`: id
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    pub fn hs_world_remove_body(world: *mut hs_world, body: hs_body) -> hs_status;
+
+    /// How a body moves.
+    ///
+    /// - `world`: not NULL
+    /// - `body`: id
+    /// - `state`: receives it
+    /// - `size`: sizeof(hs_body_state) as the caller was compiled
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    pub fn hs_world_get_body_state(
+        world: *const hs_world,
+        body: hs_body,
+        state: *mut hs_body_state,
+        size: usize,
+    ) -> hs_status;
+
+    /// Bulk: where a body's nodes are, in the order of its mesh.
+    ///
+    /// - `world`: not NULL
+    /// - `body`: id
+    /// - `positions`: receives as many as fit
+    /// - `count`: receives their number; may be NULL
+    ///
+    /// Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    pub fn hs_world_get_node_positions(
+        world: *const hs_world,
+        body: hs_body,
+        positions: hs_mutable_view,
+        count: *mut i64,
+    ) -> hs_status;
+
+    /// Bulk: how fast a body's nodes are.
+    ///
+    /// - `world`: not NULL
+    /// - `body`: id
+    /// - `velocities`: receives as many as fit
+    /// - `count`: receives their number; may be NULL
+    ///
+    /// Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    pub fn hs_world_get_node_velocities(
+        world: *const hs_world,
+        body: hs_body,
+        velocities: hs_mutable_view,
+        count: *mut i64,
+    ) -> hs_status;
+
+    /// Bulk: all forces on a body's nodes at the end of the last step: of cells, contacts, gravity, and
+    /// applied ones. At rest they are 0, but at nodes that are held: there they are what these press on their
+    /// support.
+    ///
+    /// - `world`: not NULL
+    /// - `body`: id
+    /// - `forces`: receives as many as fit
+    /// - `count`: receives their number; may be NULL
+    ///
+    /// Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    pub fn hs_world_get_node_forces(
+        world: *const hs_world,
+        body: hs_body,
+        forces: hs_mutable_view,
+        count: *mut i64,
+    ) -> hs_status;
+
+    /// Sets the velocities of all nodes of a body, also of those that are held.
+    ///
+    /// - `world`: not NULL
+    /// - `body`: id
+    /// - `velocities`: one for each node
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    pub fn hs_world_set_node_velocities(
+        world: *mut hs_world,
+        body: hs_body,
+        velocities: hs_view,
+    ) -> hs_status;
+
+    /// Holds nodes along axes, besides those along which they are held already: there they go on with a
+    /// velocity that stays, whatever the forces. Without axes they are free from now on, along all of them.
+    ///
+    /// - `world`: not NULL
+    /// - `body`: id
+    /// - `nodes`: of the mesh, counted from 0
+    /// - `count`: in nodes
+    /// - `axes`: a sum of HS_AXIS_ values, or 0: free
+    /// - `velocity`: along these axes, m/s; what it has along others is not read; may be NULL without axes
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    pub fn hs_world_hold_nodes(
+        world: *mut hs_world,
+        body: hs_body,
+        nodes: *const i32,
+        count: i64,
+        axes: i32,
+        velocity: *const [f64; 3],
+    ) -> hs_status;
+
+    /// Sets the force that acts on each of these nodes from outside, from now on.
+    ///
+    /// - `world`: not NULL
+    /// - `body`: id
+    /// - `nodes`: of the mesh, counted from 0
+    /// - `count`: in nodes
+    /// - `force`: N, in 2D per unit thickness
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    pub fn hs_world_set_node_force(
+        world: *mut hs_world,
+        body: hs_body,
+        nodes: *const i32,
+        count: i64,
+        force: *const [f64; 3],
+    ) -> hs_status;
+
+    /// Bulk: how a body's cells are strained and stressed, in the order of its mesh.
+    ///
+    /// - `world`: not NULL
+    /// - `body`: id
+    /// - `cells`: receives them; may be NULL if capacity is 0
+    /// - `capacity`: in cells
+    /// - `count`: receives the number of cells; may be NULL
+    ///
+    /// Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    pub fn hs_world_get_cells(
+        world: *const hs_world,
+        body: hs_body,
+        cells: *mut hs_cell_state,
+        capacity: i64,
+        count: *mut i64,
+    ) -> hs_status;
+
+    /// The body that a block is at the surface of.
+    ///
+    /// - `world`: not NULL
+    /// - `block`: id
+    /// - `body`: receives the body's id, or 0 for a block of another kind
+    /// - `cell`: receives the cell of the body's mesh, or -1; may be NULL
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    pub fn hs_world_get_body_of_block(
+        world: *const hs_world,
+        block: hs_block,
+        body: *mut hs_body,
+        cell: *mut i32,
     ) -> hs_status;
 
     /// Fills detection options with their defaults.
@@ -1601,5 +2284,123 @@ extern "C" {
         caches: *mut hs_pair_cache,
         contacts: *mut hs_contact,
         touching: *mut i64,
+    ) -> hs_status;
+
+    /// Says what a world computes and what limits its step and, by steps, what that costs. All is found out
+    /// on a copy, which takes as much memory again for as long: the world stays as it is.
+    ///
+    /// - `world`: not NULL
+    /// - `steps`: to measure, >= 0; 0 measures no times. If the copy cannot go on, the times are of the steps
+    ///   that it did
+    /// - `plan`: receives it; what this library does not know of a longer struct is 0
+    /// - `size`: sizeof(hs_world_plan) as the caller was compiled
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY. Thread rule: as for the world.
+    pub fn hs_world_get_plan(
+        world: *const hs_world,
+        steps: i64,
+        plan: *mut hs_world_plan,
+        size: usize,
+    ) -> hs_status;
+
+    /// Fills a relaxation's definition with its defaults.
+    ///
+    /// - `def`: to fill
+    /// - `size`: sizeof(hs_relaxation_def) as the caller was compiled
+    ///
+    /// Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
+    pub fn hs_relaxation_def_init(def: *mut hs_relaxation_def, size: usize) -> hs_status;
+
+    /// Steps a world until it is at rest. Its own damping, and whether bonds are held, come back afterwards;
+    /// at rest, velocities are set to 0.
+    ///
+    /// - `world`, `def`: not NULL
+    /// - `balance`: receives how balanced it is then; may be NULL
+    /// - `size`: sizeof(hs_balance) as the caller was compiled
+    ///
+    /// Returns HS_OK, HS_NOTE_NOT_AT_REST after def.most_steps, or what hs_world_step() returns: the world
+    /// stays where it has come to
+    pub fn hs_world_relax(
+        world: *mut hs_world,
+        def: *const hs_relaxation_def,
+        balance: *mut hs_balance,
+        size: usize,
+    ) -> hs_status;
+
+    /// How balanced a world is now. Takes as long as a step.
+    ///
+    /// - `world`: not NULL
+    /// - `balance`: receives it
+    /// - `size`: sizeof(hs_balance) as the caller was compiled
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
+    pub fn hs_world_get_balance(
+        world: *mut hs_world,
+        balance: *mut hs_balance,
+        size: usize,
+    ) -> hs_status;
+
+    /// Sets gravity from now on; what that changes of the energy is booked as outer work.
+    ///
+    /// - `world`: not NULL
+    /// - `gravity`: 3 values, m/s2
+    ///
+    /// Returns HS_OK or HS_ERROR_ARGUMENT
+    pub fn hs_world_set_gravity(world: *mut hs_world, gravity: *const [f64; 3]) -> hs_status;
+
+    /// Sets damping from now on.
+    ///
+    /// - `world`: not NULL
+    /// - `local_damping`: \[0, 1)
+    /// - `mass_damping`: >= 0, 1/s; see hs_world_def
+    ///
+    /// Returns HS_OK or HS_ERROR_ARGUMENT
+    pub fn hs_world_set_damping(
+        world: *mut hs_world,
+        local_damping: f64,
+        mass_damping: f64,
+    ) -> hs_status;
+
+    /// Sets the time step from now on.
+    ///
+    /// - `world`: not NULL
+    /// - `time_step`: > 0, s, or 0: def.safety times the stable one
+    ///
+    /// Returns HS_OK or HS_ERROR_ARGUMENT
+    pub fn hs_world_set_time_step(world: *mut hs_world, time_step: f64) -> hs_status;
+
+    /// Fills a search's definition with its defaults.
+    ///
+    /// - `def`: to fill
+    /// - `size`: sizeof(hs_strength_def) as the caller was compiled
+    ///
+    /// Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
+    pub fn hs_strength_def_init(def: *mut hs_strength_def, size: usize) -> hs_status;
+
+    /// Divides all strengths, as they were given, by a factor, from now on.
+    ///
+    /// - `world`: not NULL
+    /// - `factor`: > 0; 1 gives them back but for rounding
+    ///
+    /// Returns HS_OK or HS_ERROR_ARGUMENT
+    pub fn hs_world_set_strength_factor(world: *mut hs_world, factor: f64) -> hs_status;
+
+    /// Looks for the factor of safety by bisection. Each trial relaxes a copy of the world, see
+    /// hs_world_relax(), with bonds that may fail: the world stays as it is. It should be at rest.
+    ///
+    /// - `world`, `def`: not NULL
+    /// - `report`: receives what was found
+    /// - `size`: sizeof(hs_strength_report) as the caller was compiled
+    /// - `fallen`: receives the copy that fell last, as it was then, or NULL where none did: its velocities
+    ///   and bond events show how; end it with hs_world_destroy(); may be NULL
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_OUT_OF_MEMORY, or HS_ERROR_STATE without blocks that move.
+    /// A trial that becomes unstable has fallen
+    pub fn hs_world_find_strength_factor(
+        world: *const hs_world,
+        def: *const hs_strength_def,
+        report: *mut hs_strength_report,
+        size: usize,
+        fallen: *mut *mut hs_world,
     ) -> hs_status;
 }

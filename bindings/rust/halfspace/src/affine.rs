@@ -93,8 +93,8 @@ fn nine(tensor: &Tensor) -> *const [f64; 9] {
 
 /// Strain and stress.
 impl World {
-    /// Makes a material elastic, for affine blocks; others do not read it. Blocks that have the
-    /// material keep their strain.
+    /// Makes a material elastic, for affine blocks and meshes; others do not read it. Blocks that
+    /// have the material keep their strain.
     pub fn set_elasticity(&mut self, material: Material, elasticity: &Elasticity) -> Result<()> {
         // SAFETY: the world lives and is borrowed mutably, the elasticity is valid.
         self.check(unsafe {

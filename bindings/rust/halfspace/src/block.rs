@@ -32,6 +32,7 @@ impl Block {
 
 /// Names a material of a world.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(transparent)]
 pub struct Material(pub(crate) i32);
 
 impl Material {
@@ -58,6 +59,8 @@ constants! {
         Rigid = HS_BLOCK_RIGID,
         /// By Newton's law, and straining as a whole.
         Affine = HS_BLOCK_AFFINE,
+        /// As the nodes of its mesh do: see [`World::add_mesh`](crate::World::add_mesh).
+        Mesh = HS_BLOCK_MESH,
     }
 }
 

@@ -24,6 +24,8 @@ constants! {
         Unstable = HS_ERROR_UNSTABLE,
         /// Two blocks meet too fast for the time step against their thickness.
         TooFast = HS_ERROR_TOO_FAST,
+        /// A cell of a mesh would be turned inside out.
+        Inverted = HS_ERROR_INVERTED,
         /// The bytes are not a snapshot that this library can read.
         Format = HS_ERROR_FORMAT,
         /// A defect of the library: please report it.
@@ -42,6 +44,7 @@ impl ErrorKind {
             Self::State => sys::HS_ERROR_STATE,
             Self::Unstable => sys::HS_ERROR_UNSTABLE,
             Self::TooFast => sys::HS_ERROR_TOO_FAST,
+            Self::Inverted => sys::HS_ERROR_INVERTED,
             Self::Format => sys::HS_ERROR_FORMAT,
             Self::Internal => sys::HS_ERROR_INTERNAL,
             Self::Other(status) => status,

@@ -5,6 +5,7 @@ use std::fmt;
 use std::rc::Rc;
 
 use crate::context::{Context, Owner};
+use crate::mesh::Mesh;
 use crate::shape::Shape;
 use crate::world::World;
 
@@ -83,8 +84,8 @@ impl<T: Members> fmt::Debug for Family<T> {
     }
 }
 
-/// What a [`Family`] can be gathered from: [`Context`], [`Shape`], [`World`], and vectors, options
-/// and tuples of them. No other type can implement it.
+/// What a [`Family`] can be gathered from: [`Context`], [`Shape`], [`Mesh`], [`World`], and
+/// vectors, options and tuples of them. No other type can implement it.
 pub trait Members: sealed::Members {}
 
 impl<T: sealed::Members> Members for T {}
@@ -105,6 +106,12 @@ impl sealed::Members for Context {
 }
 
 impl sealed::Members for Shape {
+    fn visit(&self, visitor: &mut dyn FnMut(&Rc<Owner>)) {
+        visitor(self.owner());
+    }
+}
+
+impl sealed::Members for Mesh {
     fn visit(&self, visitor: &mut dyn FnMut(&Rc<Owner>)) {
         visitor(self.owner());
     }

@@ -57,6 +57,29 @@
 //! # Ok::<(), halfspace::Error>(())
 //! ```
 //!
+//! A mesh is a body of finite elements, which bends and carries waves:
+//!
+//! ```
+//! # use halfspace::{Context, Elasticity, World, WorldDef};
+//! use halfspace::{Axes, BodyDef, Cell, Mesh};
+//!
+//! # let context = Context::new()?;
+//! # let mut world = World::new(&context, &WorldDef::in_plane().gravity([0.0; 3]))?;
+//! # let rubber = world.add_material(1100.0)?;
+//! # world.set_elasticity(rubber, &Elasticity::default().young_modulus(1e6))?;
+//! let nodes = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+//! let mesh = Mesh::in_plane(&context, &nodes, &[Cell::Quad([0, 1, 2, 3])])?;
+//! let body = world.add_mesh(&mesh, &BodyDef::of(rubber))?;
+//! world.hold_nodes(body, &[0, 3], Axes::X | Axes::Y, [0.0; 3])?;
+//! world.set_node_force(body, &[1, 2], [1e4, 0.0, 0.0])?;
+//! world.step(10)?;
+//! assert!(world.node_positions(body)?[1][0] > 1.0);
+//! # Ok::<(), halfspace::Error>(())
+//! ```
+//!
+//! A [`Bond`] holds two blocks of any kind together until it fails. [`World::relax`] brings a world to
+//! rest, and [`World::find_strength_factor`] tells how many times weaker it could be until it falls.
+//!
 //! A host with its own integrator sets poses and velocities, calls [`World::detect`] and
 //! [`World::forces`], and moves its bodies itself: see the example `own_integrator`.
 //!
@@ -77,7 +100,7 @@
 //!
 //! # Threads
 //! A context and everything made from it belong to one thread at a time; different contexts share
-//! nothing. So [`Context`], [`Shape`] and [`World`] are neither [`Send`] nor [`Sync`]. Make a
+//! nothing. So [`Context`], [`Shape`], [`Mesh`] and [`World`] are neither [`Send`] nor [`Sync`]. Make a
 //! context in every thread, or hand a context over to another thread together with all that was
 //! made from it, as a [`Family`].
 //!
@@ -95,6 +118,8 @@
 
 mod affine;
 mod block;
+mod body;
+mod bond;
 mod constants;
 mod contact;
 mod context;
@@ -102,32 +127,42 @@ mod error;
 mod family;
 mod impact;
 mod law;
+mod mesh;
 mod mutable_view;
 mod pair;
 mod placed;
+mod plan;
 mod pose;
+mod relax;
 mod report;
 mod shape;
 mod shape_input;
+mod strength;
 mod view;
 mod world;
 mod world_arrays;
 
 pub use affine::{Deformation, Elasticity, Tensor};
 pub use block::{Block, BlockDef, BlockKind, BlockState, Material};
+pub use body::{Axes, Body, BodyDef, BodyState, CellState};
+pub use bond::{Bond, BondEvent, BondFailure, BondReport, BondState};
 pub use contact::{Contact, ContactType, PairKind};
 pub use context::{version, Context};
 pub use error::{Error, ErrorKind};
 pub use family::{Family, Members};
 pub use impact::{time_of_impact, Impact, ImpactState, Motion};
 pub use law::Law;
+pub use mesh::{Cell, Mesh, MeshProperties};
 pub use mutable_view::ViewMut;
 pub use pair::{detect, Bodies, Detector, PairCache};
 pub use placed::Placed;
+pub use plan::Plan;
 pub use pose::Pose;
+pub use relax::{Balance, Relaxation, Relaxed};
 pub use report::{Energy, Report};
 pub use shape::{Cut, HalfSpace, Shape, ShapeProperties};
 pub use shape_input::{Cleaned, Fault, FaultKind};
+pub use strength::{StrengthFound, StrengthSearch};
 pub use view::{Point, View};
 pub use world::{World, WorldDef};
 

@@ -12,6 +12,7 @@ use crate::constants::setters;
 use crate::context::{Context, Owner};
 use crate::error::Error;
 use crate::law::Law;
+use crate::plan::Plan;
 use crate::report::Report;
 use crate::shape::Shape;
 use crate::Result;
@@ -185,8 +186,8 @@ impl World {
         Ok(())
     }
 
-    /// Steps the world. When a run becomes unstable, it stays at the last good step and can be read
-    /// or saved.
+    /// Steps the world. When a run becomes unstable, or a cell of a mesh would be turned inside out,
+    /// it stays at the last good step and can be read or saved.
     pub fn step(&mut self, steps: u64) -> Result<()> {
         let steps = i64::try_from(steps).unwrap_or(i64::MAX);
         // SAFETY: the world lives and is borrowed mutably.
@@ -200,6 +201,19 @@ impl World {
         let size = size_of::<sys::hs_world_report>();
         // SAFETY: the world lives, and the size is that of the struct.
         self.check(unsafe { sys::hs_world_get_report(self.handle(), &mut raw, size) })?;
+        Ok(raw.into())
+    }
+
+    /// What the world computes and what limits its step. Its times are those of so many steps of a
+    /// copy.
+    ///
+    /// # Errors
+    /// [`ErrorKind::OutOfMemory`](crate::ErrorKind::OutOfMemory).
+    pub fn plan(&self, steps: usize) -> Result<Plan> {
+        let mut raw = sys::hs_world_plan::default();
+        let size = size_of::<sys::hs_world_plan>();
+        // SAFETY: the world lives, and the size is that of the struct.
+        self.check(unsafe { sys::hs_world_get_plan(self.handle(), steps as i64, &mut raw, size) })?;
         Ok(raw.into())
     }
 
@@ -220,14 +234,28 @@ impl World {
         let mut handle = ptr::null_mut();
         let status = create(&mut handle);
         context.owner().check(status)?;
-        let handle = NonNull::new(handle).ok_or_else(|| Error::argument("no world was made"))?;
+        // SAFETY: the library has just made it in this context, for this caller.
+        unsafe { Self::own(context.owner(), handle) }
+            .ok_or_else(|| Error::argument("no world was made"))
+    }
+
+    /// `None` of no world.
+    ///
+    /// # Safety
+    /// The handle is NULL, or of a world of that context which nothing else owns.
+    pub(crate) unsafe fn own(owner: &Rc<Owner>, handle: *mut sys::hs_world) -> Option<Self> {
         let mut world = Self {
-            handle,
-            owner: Rc::clone(context.owner()),
+            handle: NonNull::new(handle)?,
+            owner: Rc::clone(owner),
             block_count: 0,
         };
-        world.block_count = world.count_blocks();
-        Ok(world)
+        world.recount_blocks();
+        Some(world)
+    }
+
+    /// A body brings its blocks, and takes them along when it is removed.
+    pub(crate) fn recount_blocks(&mut self) {
+        self.block_count = self.count_blocks();
     }
 
     pub(crate) fn check(&self, status: sys::hs_status) -> Result<()> {

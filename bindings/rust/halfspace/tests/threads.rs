@@ -4,8 +4,8 @@
 use std::thread;
 
 use halfspace::{
-    BlockDef, Contact, Context, Detector, Error, Family, Law, Material, PairCache, Pose, Shape,
-    View, ViewMut, World, WorldDef,
+    BlockDef, Contact, Context, Detector, Error, Family, Law, Material, Mesh, PairCache, Pose,
+    Shape, View, ViewMut, World, WorldDef,
 };
 
 /// A square falls on another and slides off.
@@ -128,4 +128,5 @@ fn what_is_no_handle_is_free_to_go() {
     free::<(View, ViewMut)>();
     fn may_go<T: Send>() {}
     may_go::<Family<(Context, Vec<Shape>, World)>>();
+    may_go::<Family<(Mesh, World)>>();
 }

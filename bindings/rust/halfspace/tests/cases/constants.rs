@@ -39,6 +39,7 @@ pub fn parse(word: &str) -> Option<f64> {
         HS_BLOCK_PRESCRIBED,
         HS_BLOCK_RIGID,
         HS_BLOCK_AFFINE,
+        HS_BLOCK_MESH,
         HS_FAST_DIVIDE,
         HS_FAST_REFUSE,
     );
@@ -95,6 +96,7 @@ pub fn error_kind(word: &str) -> ErrorKind {
         "HS_ERROR_STATE" => ErrorKind::State,
         "HS_ERROR_UNSTABLE" => ErrorKind::Unstable,
         "HS_ERROR_TOO_FAST" => ErrorKind::TooFast,
+        "HS_ERROR_INVERTED" => ErrorKind::Inverted,
         "HS_ERROR_FORMAT" => ErrorKind::Format,
         other => panic!("{other} is no error that cases know"),
     }

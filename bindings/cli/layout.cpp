@@ -1,4 +1,4 @@
-#include "plan.h"
+#include "layout.h"
 
 #include <algorithm>
 #include <map>
@@ -16,13 +16,13 @@
 namespace halfspace::cli {
 namespace {
 
-/// Adds blocks one by one. Once there is a fault the plan will not be used, and only what can still be wrong
-/// is checked.
+/// Adds blocks one by one. Once there is a fault the layout will not be used, and only what can still be
+/// wrong is checked.
 class Planner {
  public:
   Planner(const Context& context, int dimension, Faults& faults)
       : context_(context), faults_(faults), shapes_(context, dimension, faults) {
-    plan_.dimension = dimension;
+    layout_.dimension = dimension;
   }
 
   void add(const Block& block) {
@@ -65,24 +65,31 @@ class Planner {
   }
 
   void track(const std::string& name, Place place) {
+    if (const auto block = find(name, place, "output.tracked")) layout_.tracked.push_back(*block);
+  }
+
+  void refer_to(const std::string& name, Place place) {
+    layout_.referenced = find(name, place, "reference.block");
+  }
+
+  Layout take() { return std::move(layout_); }
+
+ private:
+  /// The block of a name that a key gives.
+  std::optional<std::size_t> find(const std::string& name, Place place, const char* key) {
     const auto found = index_of_.find(name);
-    if (found != index_of_.end()) {
-      plan_.tracked.push_back(found->second);
-      return;
-    }
+    if (found != index_of_.end()) return found->second;
     for (const std::string& maker : without_blocks_) {
-      if (name == maker || name.starts_with(maker + '.')) return;  // told already
+      if (name == maker || name.starts_with(maker + '.')) return std::nullopt;  // told already
     }
     std::vector<std::string_view> names;
     for (const auto& [known, index] : index_of_) names.push_back(known);
-    faults_.add(place, "output.tracked",
+    faults_.add(place, key,
                 "no such block: \"" + name + '"' + suggestion(name, names) +
                     "; allowed: the name of a [[block]], or NAME.0, NAME.1, ... of a generator");
+    return std::nullopt;
   }
 
-  Plan take() { return std::move(plan_); }
-
- private:
   /// Generators need whole settings.
   bool may_generate(const Making& making) {
     if (faults_.none()) return true;
@@ -105,8 +112,8 @@ class Planner {
     try {
       JointedBlocks cut = cut_jointed_rock(context_, rock, std::move(regions));
       add_members(rock.making, std::move(cut.blocks));
-      plan_.left_out += cut.left_out;
-      plan_.size_left_out += cut.size_left_out;
+      layout_.left_out += cut.left_out;
+      layout_.size_left_out += cut.size_left_out;
       for (const JointSet* set : cut.idle_sets) {
         faults_.note(set->place, set->key,
                      "none of these joints, " + shortest(set->spacing) + " m apart, runs through the region");
@@ -124,10 +131,10 @@ class Planner {
 
   void add(const std::string& name, const Making& making, Shape shape, const Placing& placing,
            const Motion& motion) {
-    if (!index_of_.emplace(name, plan_.blocks.size()).second) tell_used_twice(making, name);
+    if (!index_of_.emplace(name, layout_.blocks.size()).second) tell_used_twice(making, name);
     std::vector<std::vector<int>> faces = outside_of(shape);
-    plan_.blocks.push_back({name, making.key, making.place, making.material, making.kind, making.stress,
-                            std::move(shape), std::move(faces), placing, motion});
+    layout_.blocks.push_back({name, making.key, making.place, making.material, making.kind, making.stress,
+                              std::move(shape), std::move(faces), placing, motion});
   }
 
   void add_members(const Making& making, std::vector<Shape> shapes) {
@@ -141,7 +148,7 @@ class Planner {
 
   /// What is to be drawn of a shape.
   std::vector<std::vector<int>> outside_of(const Shape& shape) const {
-    if (plan_.dimension == 3) return faces_of(context_, shape);
+    if (layout_.dimension == 3) return faces_of(context_, shape);
     std::vector<int> outline(static_cast<std::size_t>(properties_of(context_, shape).vertex_count));
     std::iota(outline.begin(), outline.end(), 0);
     return {outline};
@@ -156,7 +163,7 @@ class Planner {
   const Context& context_;
   Faults& faults_;
   CheckedShapes shapes_;
-  Plan plan_;
+  Layout layout_;
   std::map<std::string, std::size_t> index_of_;
   std::set<std::string> claimed_;
   std::set<std::string> told_;               ///< keys of what has names of others
@@ -180,12 +187,12 @@ void tell_too_many(const Scene& scene, Faults& faults) {
 
 }  // namespace
 
-bool Plan::has_affine() const {
+bool Layout::has_affine() const {
   return std::any_of(blocks.begin(), blocks.end(),
-                     [](const PlannedBlock& block) { return block.kind == HS_BLOCK_AFFINE; });
+                     [](const LayoutBlock& block) { return block.kind == HS_BLOCK_AFFINE; });
 }
 
-Plan plan_blocks(const Context& context, const Scene& scene, Faults& faults) {
+Layout lay_out_blocks(const Context& context, const Scene& scene, Faults& faults) {
   tell_too_many(scene, faults);
   Planner planner(context, scene.world.dimension, faults);
   for (const Block& block : scene.blocks) planner.add(block);
@@ -195,6 +202,7 @@ Plan plan_blocks(const Context& context, const Scene& scene, Faults& faults) {
   for (std::size_t i = 0; i < scene.output.tracked.size(); ++i) {
     planner.track(scene.output.tracked[i], scene.output.tracked_places[i]);
   }
+  if (!scene.reference.block.empty()) planner.refer_to(scene.reference.block, scene.reference.block_place);
   return planner.take();
 }
 

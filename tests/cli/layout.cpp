@@ -1,4 +1,4 @@
-#include "plan.h"
+#include "layout.h"
 
 #include "catch.h"
 #include "read_scene.h"
@@ -15,10 +15,10 @@ TEST_CASE("generators that make too many blocks together are told before any is 
   }
   const Context context = make_context();
   Faults faults;
-  const Plan plan = plan_blocks(context, read_scene_text(scene, "scene.toml", faults), faults);
+  const Layout layout = lay_out_blocks(context, read_scene_text(scene, "scene.toml", faults), faults);
   CHECK(faults.describe("scene.toml") ==
         "scene.toml:17:8: triangulated[1].count: makes 12000000 blocks in all; allowed: at most 10000000\n");
-  CHECK(plan.blocks.empty());
+  CHECK(layout.blocks.empty());
 }
 
 TEST_CASE("vertices in space beyond those of shapes are told at their place") {
@@ -29,7 +29,7 @@ TEST_CASE("vertices in space beyond those of shapes are told at their place") {
       "vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1e80]]\n";
   const Context context = make_context();
   Faults faults;
-  plan_blocks(context, read_scene_text(scene, "scene.toml", faults), faults);
+  lay_out_blocks(context, read_scene_text(scene, "scene.toml", faults), faults);
   CHECK(
       faults.describe("scene.toml") ==
       "scene.toml:13:12: block[0].vertices: points[3] is (0, 0, 1e+80); it must be finite and at most 1e75; "

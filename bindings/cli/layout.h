@@ -10,7 +10,7 @@
 
 namespace halfspace::cli {
 
-struct PlannedBlock {
+struct LayoutBlock {
   std::string name;
   std::string key;  ///< path in the file of what it comes from, and
   Place place;      ///< where the name of that stands, for notes
@@ -24,18 +24,19 @@ struct PlannedBlock {
 };
 
 /// All blocks of a scene, generators included, in the order of the file.
-struct Plan {
+struct Layout {
   int dimension = 2;
-  std::vector<PlannedBlock> blocks;
+  std::vector<LayoutBlock> blocks;
   /// True when some block strains: then there are stresses to be told.
   bool has_affine() const;
 
-  std::vector<std::size_t> tracked;  ///< indices of the blocks whose motion goes into the history
-  int left_out = 0;                  ///< blocks too small to be kept
-  double size_left_out = 0;          ///< of all those together
+  std::vector<std::size_t> tracked;       ///< indices of the blocks whose motion goes into the history
+  std::optional<std::size_t> referenced;  ///< whose position or force is measured
+  int left_out = 0;                       ///< blocks too small to be kept
+  double size_left_out = 0;               ///< of all those together
 };
 
 /// Makes the shapes of a scene. Bad shapes and unknown names go to the faults.
-Plan plan_blocks(const Context& context, const Scene& scene, Faults& faults);
+Layout lay_out_blocks(const Context& context, const Scene& scene, Faults& faults);
 
 }  // namespace halfspace::cli

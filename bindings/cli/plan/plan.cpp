@@ -1,0 +1,189 @@
+#include "plan/plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "interrupt.h"
+#include "plan/without.h"
+#include "text.h"
+#include "trade/measure.h"
+#include "trade/quantity.h"
+#include "vector.h"
+
+namespace halfspace::cli {
+namespace {
+
+constexpr std::int64_t measured_steps = 200;
+constexpr double short_run = 0.05;  // s of CPU time; a clock tells less of what is shorter
+constexpr int most_repeats = 5;
+
+std::string line(const std::string& name, const std::string& value) {
+  return padded(name, 21) + value + '\n';
+}
+
+std::string percent(double share) {
+  return (std::abs(share) < 0.01 ? rounded(100 * share, 1) : decimals(100 * share, 0)) + " %";
+}
+
+/// A scene at its end.
+struct End {
+  RunEnd end = RunEnd::whole;
+  double cpu_seconds = 0;
+  Frame frame;
+  hs_world_plan world{};
+  std::string limit;  ///< the block that limits the step, and where
+};
+
+std::string name_of(const Model& model, hs_block block) {
+  return model.layout().blocks[model.index_of(block)].name;
+}
+
+/// A disturbance of 0 is none.
+End run(const Scene& scene, int disturbance = 0) {
+  const Context context = make_context(scene.threads);
+  Layout layout = layout_of(context, scene);
+  disturb(context, disturbance, layout);
+  Model model(context, scene, std::move(layout));
+  const Outcomes outcomes = run_for_quantity(scene, model);
+  End end{outcomes.end,
+          outcomes.cpu_seconds,
+          frame_at(model, scene.reference.time),
+          model.account(measured_steps),
+          {}};
+  if (end.world.limiting_block != 0) end.limit = name_of(model, end.world.limiting_block);
+  if (end.world.limiting_neighbor != 0) end.limit += ", at " + name_of(model, end.world.limiting_neighbor);
+  return end;
+}
+
+/// The fastest of several runs tells the cost.
+End run_repeatedly(const Scene& scene) {
+  End fastest = run(scene);
+  for (int i = 1; i < most_repeats && fastest.end == RunEnd::whole && fastest.cpu_seconds < short_run; ++i) {
+    const End again = run(scene);
+    if (again.end != RunEnd::whole) return again;
+    fastest.cpu_seconds = std::min(fastest.cpu_seconds, again.cpu_seconds);
+  }
+  return fastest;
+}
+
+/// The way of a block's end from where the whole scene puts it, as a share of its size: of all that are free
+/// the farthest.
+double difference(const Frame& whole, const Frame& other) {
+  double most = 0;
+  for (std::size_t i = 0; i < whole.blocks.size(); ++i) {
+    const BlockFrame& block = whole.blocks[i];
+    if (!moves_freely(block.state.kind)) continue;
+    double moved = 0;
+    for (std::size_t k = 0; k < block.vertices.size(); ++k)
+      moved = std::max(moved, length(minus(other.blocks[i].vertices[k], block.vertices[k])));
+    most = std::max(most, moved / size_of(block));
+  }
+  return most;
+}
+
+std::string kinds(const hs_world_plan& world) {
+  std::string text;
+  for (const auto& [count, name] :
+       {std::pair{world.fixed_count, "fixed"}, std::pair{world.prescribed_count, "prescribed"},
+        std::pair{world.rigid_count, "rigid"}, std::pair{world.affine_count, "affine"}}) {
+    if (count > 0) text += (text.empty() ? "" : ", ") + std::to_string(count) + ' ' + name;
+  }
+  return text;
+}
+
+std::string shares(const hs_world_plan& world) {
+  const std::pair<double, const char*> passes[] = {{world.pair_seconds, "pairs"},
+                                                   {world.gather_seconds, "forces gathered"},
+                                                   {world.motion_seconds, "motion"},
+                                                   {world.book_seconds, "ledger"},
+                                                   {world.search_seconds, "search for neighbours"}};
+  double all = 0;
+  for (const auto& [seconds, name] : passes) all += seconds;
+  if (all == 0) return "none was measured";
+  std::string text = rounded(1e6 * all, 3) + " us: ";
+  for (const auto& [seconds, name] : passes)
+    text += (seconds == passes[0].first && name == passes[0].second ? "" : ", ") + percent(seconds / all) +
+            ' ' + name;
+  return text;
+}
+
+std::string parts(int active, bool are_active) {
+  std::string text;
+  for (const PartName& named : part_names())
+    if (((active & named.part) != 0) == are_active)
+      text += (text.empty() ? "" : ", ") + std::string(named.name);
+  return text.empty() ? "nothing" : text;
+}
+
+std::string account(const Scene& scene, const End& whole) {
+  const hs_world_plan& world = whole.world;
+  const double blocks = static_cast<double>(whole.frame.blocks.size());
+  std::string text =
+      line("scene", scene.title.empty() ? "untitled" : scene.title) + line("blocks", kinds(world));
+  text += line("pairs", std::to_string(world.candidate_count) + " near each other, " +
+                            std::to_string(world.contact_count) + " in contact");
+  text += line("memory",
+               decimals(static_cast<double>(world.block_bytes) / blocks, 0) + " B a block" +
+                   (world.candidate_count == 0 ? ""
+                                               : ", " +
+                                                     decimals(static_cast<double>(world.pair_bytes) /
+                                                                  static_cast<double>(world.candidate_count),
+                                                              0) +
+                                                     " B a pair"));
+  text += line("a step", shares(world));
+  if (world.stable_time_step > 0)
+    text += line("stable step", rounded(world.stable_time_step, 3) + " s, limited by " + whole.limit);
+  text += line("active", parts(world.parts, true));
+  return text + line("not there", parts(world.parts, false));
+}
+
+std::string judged(const End& whole, const End& other, double tolerance) {
+  if (other.end != RunEnd::whole) return "does not run to the end";
+  const double off = difference(whole.frame, other.frame);
+  const double saved = 1 - other.cpu_seconds / whole.cpu_seconds;
+  const std::string text = padded(percent(saved), 10) + percent(off) + " of its size";
+  return off <= tolerance ? padded(text, 32) + "can go, within " + percent(tolerance) : text;
+}
+
+}  // namespace
+
+PlanResult plan(const Scene& given, const PlanOptions& options) {
+  remember_interrupts();
+  Scene scene = given;
+  scene.reference = {};
+  scene.reference.time = options.time > 0 ? options.time : scene.duration;
+  PlanResult result;
+  const End whole = run_repeatedly(scene);
+  result.end = whole.end;
+  result.report = account(scene, whole);
+  if (result.end != RunEnd::whole) return result;
+  const std::vector<Without> all = without_each(scene, whole.world.parts, typical_face(scene));
+  const End disturbed = run(scene, 1);
+  if (disturbed.end == RunEnd::interrupted) {
+    result.end = disturbed.end;
+    return result;
+  }
+  const double chance = disturbed.end == RunEnd::whole ? difference(whole.frame, disturbed.frame) : HUGE_VAL;
+  const bool is_predictable = chance <= options.tolerance;
+  result.report += '\n' + line("without", padded("saves", 10) + "and a block ends off by up to");
+  for (const Without& one : all) {
+    const End other = run_repeatedly(one.scene);
+    if (other.end == RunEnd::interrupted) {
+      result.end = other.end;
+      return result;
+    }
+    result.report += line(one.part, judged(whole, other, is_predictable ? options.tolerance : 0));
+  }
+  result.report += line("moved by 1e-9",
+                        padded("", 10) + (std::isfinite(chance) ? percent(chance) + " of its size, by chance"
+                                                                : std::string("does not run to the end")));
+  if (!is_predictable)
+    result.report +=
+        "\nChance moves blocks farther than " + percent(options.tolerance) +
+        " of their size: a shorter --time tells what a part does before\nthat. `halfspace trade` asks for "
+        "figures of the whole, which are less at the mercy of chance.\n";
+  return result;
+}
+
+}  // namespace halfspace::cli

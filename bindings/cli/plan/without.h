@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene.h"
+#include "trade/setting.h"
+
+namespace halfspace::cli {
+
+/// A scene with one of its parts left out.
+struct Without {
+  std::string part;
+  Scene scene;
+};
+
+/// The parts of a world by their names, in the order of the HS_PART_ bits.
+struct PartName {
+  int part;
+  const char* name;
+};
+const std::vector<PartName>& part_names();
+
+/// The scene without each of its active parts in turn. What is left out for another one, as areas and
+/// potentials are for springs per contact, is replaced by it at an equal stiffness of the typical face.
+std::vector<Without> without_each(const Scene& scene, int active_parts, const FaceSize& face);
+
+}  // namespace halfspace::cli

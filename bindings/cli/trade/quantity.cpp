@@ -1,0 +1,162 @@
+#include "trade/quantity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+
+#include "interrupt.h"
+#include "summary.h"
+#include "text.h"
+#include "vector.h"
+
+namespace halfspace::cli {
+namespace {
+
+constexpr std::int64_t most_at_once = 64;  // steps between two looks at interrupts
+constexpr std::int64_t fewest_steps = 10;
+
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+Point position_of(const BlockFrame& block) { return point_of(block.state.pose.position); }
+
+double height_of(const Frame& frame, int dimension) {
+  const std::size_t up = up_axis(dimension);
+  double height = -INFINITY;
+  for (const BlockFrame& block : frame.blocks) {
+    if (!moves_freely(block.state.kind)) continue;
+    for (const Point& p : block.vertices) height = std::max(height, p[up]);
+  }
+  return height;
+}
+
+double reach_of(const Frame& start, const Frame& end, int dimension) {
+  const RunOut reach = run_out(start, end, dimension);
+  return std::max({reach.forwards[0], reach.backwards[0], reach.forwards[1], reach.backwards[1]});
+}
+
+bool stands(const Frame& start, const Frame& end, double limit) {
+  for (std::size_t i = 0; i < start.blocks.size(); ++i) {
+    const BlockFrame& before = start.blocks[i];
+    if (!moves_freely(before.state.kind)) continue;
+    const double moved = length(minus(position_of(end.blocks[i]), position_of(before)));
+    if (moved > (limit > 0 ? limit : 0.1 * size_of(before))) return false;
+  }
+  return true;
+}
+
+/// The quantity of one run, from its frames and what is watched on the way.
+class Watch {
+ public:
+  Watch(const Scene& scene, const Model& model) : scene_(scene), model_(model), start_(model.frame()) {}
+
+  std::int64_t steps_at_once() const { return of_force() ? 1 : most_at_once; }
+  void look() {
+    if (!of_force()) return;
+    const hs_block_state state = model_.state_of(*model_.layout().referenced);
+    largest_force_ = std::max(largest_force_, length(point_of(state.force)));
+  }
+  double value() const {
+    const Reference& reference = scene_.reference;
+    const Frame now = frame_at(model_, reference.time);
+    switch (reference.quantity) {
+      case Quantity::run_out:
+        return reach_of(start_, now, scene_.world.dimension);
+      case Quantity::height:
+        return height_of(now, scene_.world.dimension);
+      case Quantity::position:
+        return position_of(now.blocks[*model_.layout().referenced])[reference.axis];
+      case Quantity::force:
+        return largest_force_;
+      default:
+        return stands(start_, now, reference.limit);
+    }
+  }
+
+ private:
+  bool of_force() const { return scene_.reference.quantity == Quantity::force; }
+
+  const Scene& scene_;
+  const Model& model_;
+  Frame start_;
+  double largest_force_ = 0;
+};
+
+}  // namespace
+
+Frame frame_at(const Model& model, double time) {
+  Frame frame = model.frame();
+  if (model.report().steps == 0) return frame;
+  const double ahead = time - model.report().time;
+  for (BlockFrame& block : frame.blocks) {
+    const Point centroid = position_of(block);
+    const Point velocity = point_of(block.state.velocity), spin = point_of(block.state.angular_velocity);
+    for (Point& p : block.vertices)
+      p = plus(p, times(ahead, plus(velocity, cross(spin, minus(p, centroid)))));
+    const Point moved = plus(centroid, times(ahead, velocity));
+    std::copy(moved.begin(), moved.end(), block.state.pose.position);
+  }
+  return frame;
+}
+
+double size_of(const BlockFrame& block) {
+  double size = 0;
+  for (const Point& p : block.vertices) size = std::max(size, length(minus(p, position_of(block))));
+  return size;
+}
+
+Outcomes run_for_quantity(const Scene& scene, Model& model) {
+  Outcomes outcomes;
+  Watch watch(scene, model);
+  outcomes.start = watch.value();
+  const double before = cpu_seconds();
+  while (outcomes.end == RunEnd::whole && !model.reached(scene.reference.time)) {
+    try {
+      model.step_towards(scene.reference.time, watch.steps_at_once());
+      watch.look();
+    } catch (const LibraryError& error) {
+      if (error.status != HS_ERROR_UNSTABLE && error.status != HS_ERROR_TOO_FAST) throw;
+      outcomes.end = error.status == HS_ERROR_UNSTABLE ? RunEnd::unstable : RunEnd::too_fast;
+    }
+    if (interrupt_asked()) outcomes.end = RunEnd::interrupted;
+  }
+  outcomes.cpu_seconds = cpu_seconds() - before;
+  outcomes.simulated = model.report().time;
+  if (outcomes.end == RunEnd::whole && model.report().steps < fewest_steps)
+    outcomes.end = RunEnd::too_few_steps;
+  if (outcomes.end == RunEnd::whole) outcomes.value = watch.value();
+  return outcomes;
+}
+
+std::string describe(const Reference& reference) {
+  const std::string at = " at " + shortest(reference.time) + " s";
+  switch (reference.quantity) {
+    case Quantity::run_out:
+      return "run-out" + at;
+    case Quantity::height:
+      return "height of what is free" + at;
+    case Quantity::position:
+      return "position of " + reference.block + " along " + "xyz"[reference.axis] + at;
+    case Quantity::force:
+      return "largest contact force on " + reference.block + " up to" + at.substr(3);
+    case Quantity::stands:
+      return "stands (1) or has fallen (0)" + at;
+    case Quantity::friction_angle:
+      return "least friction angle that stands" + at;
+  }
+  return "";
+}
+
+const char* unit_of(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::force:
+      return "N";
+    case Quantity::stands:
+      return "";
+    case Quantity::friction_angle:
+      return "degrees";
+    default:
+      return "m";
+  }
+}
+
+}  // namespace halfspace::cli

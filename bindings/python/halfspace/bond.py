@@ -1,0 +1,109 @@
+"""Bonds: blocks that hold together until their strength is reached."""
+import ctypes
+import dataclasses
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _raw
+from ._arrays import BOND, BOND_EVENT, BOND_REPORT, block_id, empty_record, index
+from ._library import library
+from .context import held
+from .mesh import Bodies
+
+
+@dataclasses.dataclass(frozen=True)
+class Bond:
+    """What holds two blocks together along a common face: springs at its integration points, each of which fails by
+    Mohr and Coulomb's criterion with a tension cut-off.
+
+    Attributes
+    ----------
+    normal_stiffness, shear_stiffness : float
+        Pa/m, > 0; 0 for the shear: as the normal one.
+    tensile_strength, cohesion : float
+        Pa, >= 0.
+    friction_angle : float
+        Radians, of what holds.
+    residual_cohesion, residual_friction_angle : float
+        Of what has failed and is pressed together; the cohesion at most as above, the angle by default as above.
+    tensile_fracture_energy, shear_fracture_energy : float
+        J/m2 from the peak on, while strength fades linearly; 0: it is lost at once.
+
+    Examples
+    --------
+    >>> mortar = Bond(normal_stiffness=1e11, tensile_strength=2e5, cohesion=4e5, friction_angle=0.5)
+    >>> mortar.residual_cohesion
+    0.0
+    """
+
+    normal_stiffness: float = 1e11
+    shear_stiffness: float = 0.0
+    tensile_strength: float = 0.0
+    cohesion: float = 0.0
+    friction_angle: float = 0.0
+    residual_cohesion: float = 0.0
+    residual_friction_angle: float = -1.0
+    tensile_fracture_energy: float = 0.0
+    shear_fracture_energy: float = 0.0
+
+    def _as_struct(self) -> _raw.hs_bond_def:
+        struct = _raw.hs_bond_def()
+        library.hs_bond_def_init(ctypes.byref(struct), ctypes.sizeof(struct))
+        for field in dataclasses.fields(self):
+            setattr(struct, field.name, getattr(self, field.name))
+        return struct
+
+
+class BondedBlocks(Bodies):
+    """The bonds of a world."""
+
+    def bond_blocks(self, block_a: int, block_b: int, bond: Bond) -> None:
+        """Bonds two blocks along their largest common face, as they are now: both faces lie in one plane but for
+        rounding."""
+        self._call(
+            library.hs_world_bond_blocks,
+            block_id(block_a, "block_a"),
+            block_id(block_b, "block_b"),
+            bond._as_struct(),
+        )
+
+    def bond_materials(self, material_a: int, material_b: int, bond: Bond) -> int:
+        """Bonds all pairs of blocks of two materials, which may be the same, along their common faces. Returns how
+        many."""
+        count = ctypes.c_int64()
+        self._call(
+            library.hs_world_bond_materials,
+            index(material_a, "material_a"),
+            index(material_b, "material_b"),
+            bond._as_struct(),
+            ctypes.byref(count),
+        )
+        return count.value
+
+    def hold_bonds(self, are_held: bool = True) -> None:
+        """Held bonds never fail; False lets them fail again."""
+        self._call(library.hs_world_hold_bonds, int(are_held))
+
+    def bonds(self) -> NDArray[Any]:
+        """All bonds made so far, in their order: a structured array of `BOND`."""
+        with held(self):
+            bonds = np.zeros(int(self.bond_report.bond_count), BOND)
+            self._call(library.hs_world_get_bonds, bonds.ctypes.data, len(bonds), None)
+        return bonds
+
+    def bond_events(self, first: int = 0) -> NDArray[Any]:
+        """The points that have failed, in order of time, from one on: a structured array of `BOND_EVENT`."""
+        with held(self):
+            events = np.zeros(max(int(self.bond_report.event_count) - first, 0), BOND_EVENT)
+            self._call(library.hs_world_get_bond_events, first, events.ctypes.data, len(events), None)
+        return events
+
+    @property
+    def bond_report(self) -> Any:
+        """The bonds in numbers: a record of `BOND_REPORT`."""
+        array, address = empty_record(BOND_REPORT)
+        report = _raw.hs_bond_report.from_address(address)
+        self._call(library.hs_world_get_bond_report, report, BOND_REPORT.itemsize)
+        return array[0]

@@ -1,0 +1,299 @@
+"""Bodies of finite elements."""
+import ctypes
+from typing import Any, Optional, Sequence, Tuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _raw
+from ._arrays import (
+    BODY_STATE,
+    CELL_STATE,
+    MESH_PROPERTIES,
+    block_id,
+    empty_record,
+    index,
+    indices,
+    mutable_view_of,
+    pose,
+    vector,
+    view_of,
+)
+from ._library import library
+from .affine import AffineBlocks
+from .block_arrays import Floats
+from .constants import CellKind
+from .context import Context, Handle, default_context, held
+
+_KIND_OF_WIDTH = {
+    (2, 3): CellKind.TRIANGLE,
+    (2, 4): CellKind.QUAD,
+    (3, 4): CellKind.TETRAHEDRON,
+    (3, 6): CellKind.PRISM,
+    (3, 8): CellKind.HEXAHEDRON,
+}
+
+
+class Mesh(Handle):
+    """Nodes, and cells that share them; it never changes, and may be put into any number of worlds.
+
+    Parameters
+    ----------
+    nodes : array_like, shape (n, 2) or (n, 3)
+        Their places. The number of columns is the dimension.
+    cells : sequence of array_like, shape (m, k)
+        The nodes of the cells, numbered as Gmsh and VTK do, one array for each kind. In 2D 3 columns make triangles and
+        4 quads; in 3D 4 make tetrahedra, 6 prisms, 8 hexahedra. The order of cells is that of the arrays.
+    context : Context, optional
+        The owner; the default context if there is none given.
+
+    Raises
+    ------
+    GeometryError
+        A cell is inside out or flat somewhere, a node belongs to none, or a face is in more than two cells.
+
+    Examples
+    --------
+    >>> mesh = Mesh([(0, 0), (1, 0), (1, 1), (0, 1)], [[(0, 1, 2, 3)]])
+    >>> mesh.volume, mesh.cell_count
+    (1.0, 1)
+    """
+
+    def __init__(
+        self, nodes: ArrayLike, cells: Sequence[ArrayLike], *, context: Optional[Context] = None
+    ) -> None:
+        places = np.asarray(nodes, np.float64)
+        if places.ndim != 2 or places.shape[1] not in (2, 3):
+            raise ValueError(f"nodes has the shape {places.shape}; it must be (n, 2) or (n, 3)")
+        kinds, names = _kinds_and_nodes(cells, places.shape[1])
+        owner = context or default_context()
+        pointer = ctypes.POINTER(_raw.hs_mesh)()
+        keeper = owner._alive
+        with keeper.lock:
+            keeper.call(
+                library.hs_mesh_create,
+                keeper.pointer,
+                places.shape[1],
+                view_of(places, places.shape[1], "nodes"),
+                kinds.ctypes.data,
+                len(kinds),
+                names.ctypes.data,
+                len(names),
+                ctypes.byref(pointer),
+            )
+            super().__init__(owner, pointer, library.hs_mesh_destroy)
+        array, address = empty_record(MESH_PROPERTIES)
+        self._call(
+            library.hs_mesh_get_properties, _raw.hs_mesh_properties.from_address(address), MESH_PROPERTIES.itemsize
+        )
+        self._properties = array[0]
+
+    @classmethod
+    def rectangle(
+        cls,
+        width: float,
+        height: float,
+        columns: int,
+        rows: int,
+        *,
+        kind: CellKind = CellKind.QUAD,
+        context: Optional[Context] = None,
+    ) -> "Mesh":
+        """A rectangle about the origin of equal quads, or of triangles, two to a quad, whose diagonals alternate."""
+        x, y = np.meshgrid(np.linspace(-0.5, 0.5, columns + 1) * width, np.linspace(-0.5, 0.5, rows + 1) * height)
+        nodes = np.column_stack([x.ravel(), y.ravel()])
+        column, row = (grid.ravel() for grid in np.meshgrid(np.arange(columns), np.arange(rows)))
+        first = row * (columns + 1) + column
+        quads = np.column_stack([first, first + 1, first + columns + 2, first + columns + 1])
+        if kind == CellKind.QUAD:
+            return cls(nodes, [quads], context=context)
+        if kind != CellKind.TRIANGLE:
+            raise ValueError(f"kind is {kind}; it must be CellKind.QUAD or CellKind.TRIANGLE")
+        alternate = ((column + row) % 2 == 1)[:, None]
+        lower = np.where(alternate, quads[:, [0, 1, 3]], quads[:, [0, 1, 2]])
+        upper = np.where(alternate, quads[:, [1, 2, 3]], quads[:, [0, 2, 3]])
+        return cls(nodes, [np.stack([lower, upper], axis=1).reshape(-1, 3)], context=context)
+
+    @property
+    def dimension(self) -> int:
+        """2 or 3."""
+        return int(self._properties.dimension)
+
+    @property
+    def node_count(self) -> int:
+        """Nodes."""
+        return int(self._properties.node_count)
+
+    @property
+    def cell_count(self) -> int:
+        """Cells."""
+        return int(self._properties.cell_count)
+
+    @property
+    def volume(self) -> float:
+        """Of all cells; in 2D their area."""
+        return float(self._properties.volume)
+
+
+def _kinds_and_nodes(cells: Sequence[ArrayLike], dimension: int) -> Tuple[NDArray[np.int32], NDArray[np.int32]]:
+    kinds, names = [], []
+    for i, of_one_kind in enumerate(cells):
+        array = indices(of_one_kind, f"cells[{i}]")
+        width = array.shape[1] if array.ndim == 2 else 0
+        if (dimension, width) not in _KIND_OF_WIDTH:
+            raise ValueError(f"cells[{i}] has the shape {array.shape}; no kind of cell in {dimension}D has it")
+        kinds.append(np.full(len(array), _KIND_OF_WIDTH[dimension, width], np.int32))
+        names.append(array.ravel())
+    nothing = np.zeros(0, np.int32)
+    return np.concatenate([nothing, *kinds]), np.concatenate([nothing, *names])
+
+
+class Bodies(AffineBlocks):
+    """The meshes of a world. Arrays are in the order of the mesh's nodes or cells."""
+
+    def add_mesh(
+        self,
+        mesh: Mesh,
+        position: Optional[ArrayLike] = None,
+        angle: Optional[float] = None,
+        *,
+        rotation: Optional[ArrayLike] = None,
+        material: int = 0,
+        cell_materials: Optional[ArrayLike] = None,
+        velocity: ArrayLike = (0, 0, 0),
+    ) -> int:
+        """Puts a mesh into the world; the cells at its surface become blocks of `BlockKind.MESH`.
+
+        Parameters
+        ----------
+        mesh : Mesh
+            Of the world's dimension.
+        position : array_like, optional
+            Where the origin of its frame goes; by default the nodes stay where they were given.
+        angle, rotation : optional
+            Turn about that origin, see `pose`.
+        material : int
+            Of all cells; made elastic by `set_elasticity`.
+        cell_materials : array_like of int, optional
+            Instead, one for each cell.
+        velocity : array_like
+            Of all nodes.
+
+        Returns
+        -------
+        int
+            The body's id.
+        """
+        struct = _raw.hs_body_def()
+        library.hs_body_def_init(ctypes.byref(struct), ctypes.sizeof(struct))
+        struct.material = index(material, "material")
+        place = pose((0, 0) if position is None else position, angle, rotation=rotation)
+        struct.pose.position[:], struct.pose.rotation[:] = place[:3], place[3:]
+        struct.velocity[:] = vector(velocity, "velocity")
+        materials = None if cell_materials is None else indices(cell_materials, "cell_materials")
+        if materials is not None and materials.shape != (mesh.cell_count,):
+            raise ValueError(f"cell_materials has the shape {materials.shape}; the mesh has {mesh.cell_count} cells")
+        body = ctypes.c_uint64()
+        with held(self, mesh):
+            self._call(
+                library.hs_world_add_mesh,
+                mesh._alive,
+                ctypes.byref(struct),
+                None if materials is None else materials.ctypes.data,
+                ctypes.byref(body),
+            )
+        return body.value
+
+    def remove_body(self, body: int) -> None:
+        """Takes a body out of the world, with the blocks at its surface."""
+        self._call(library.hs_world_remove_body, block_id(body, "body"))
+
+    def body_state(self, body: int) -> Any:
+        """How a body moves: a record of `BODY_STATE`, with its mass, centroid, momentum and energies."""
+        array, address = empty_record(BODY_STATE)
+        state = _raw.hs_body_state.from_address(address)
+        self._call(library.hs_world_get_body_state, block_id(body, "body"), state, BODY_STATE.itemsize)
+        return array[0]
+
+    def body_of_block(self, block: int) -> Tuple[int, int]:
+        """The body that a block is at the surface of, and the cell; 0 and -1 for a block of another kind."""
+        body, cell = ctypes.c_uint64(), ctypes.c_int32()
+        self._call(
+            library.hs_world_get_body_of_block, block_id(block, "block"), ctypes.byref(body), ctypes.byref(cell)
+        )
+        return body.value, cell.value
+
+    def _of_nodes(self, function: Any, body: int, name: str) -> Floats:
+        with held(self):
+            out = np.zeros((int(self.body_state(body).node_count), self.dimension))
+            self._call(function, block_id(body, "body"), mutable_view_of(out, self.dimension, name), None)
+        return out
+
+    def node_positions(self, body: int) -> Floats:
+        """Where the body's nodes are."""
+        return self._of_nodes(library.hs_world_get_node_positions, body, "positions")
+
+    def node_velocities(self, body: int) -> Floats:
+        """How fast they are."""
+        return self._of_nodes(library.hs_world_get_node_velocities, body, "velocities")
+
+    def node_forces(self, body: int) -> Floats:
+        """All forces on them at the end of the last step: of cells, contacts, gravity, and applied ones."""
+        return self._of_nodes(library.hs_world_get_node_forces, body, "forces")
+
+    def set_node_velocities(self, body: int, velocities: ArrayLike) -> None:
+        """Sets those of all nodes, shape (n, dimension), also of those that are held."""
+        self._call(
+            library.hs_world_set_node_velocities,
+            block_id(body, "body"),
+            view_of(velocities, self.dimension, "velocities"),
+        )
+
+    def hold_nodes(
+        self, body: int, nodes: ArrayLike, axes: str = "xyz", velocity: ArrayLike = (0, 0, 0)
+    ) -> None:
+        """Holds nodes along axes, besides those along which they are held already: there they go on with a velocity
+        that stays, whatever the forces. Without axes they are free from now on.
+
+        Parameters
+        ----------
+        body : int
+            From `add_mesh`.
+        nodes : array_like of int
+            Of the mesh.
+        axes : str
+            Some of "x", "y" and "z", of which 2D has the first two; "" lets go.
+        velocity : array_like
+            Along the axes held.
+        """
+        names = indices(nodes, "nodes").ravel()
+        if set(axes) - set("xyz"):
+            raise ValueError(f'axes is "{axes}"; it must consist of x, y and z')
+        bits = sum(1 << "xyz".index(axis) for axis in set(axes) & set("xyz"[: self.dimension]))
+        self._call(
+            library.hs_world_hold_nodes,
+            block_id(body, "body"),
+            names.ctypes.data,
+            len(names),
+            bits,
+            vector(velocity, "velocity"),
+        )
+
+    def set_node_force(self, body: int, nodes: ArrayLike, force: ArrayLike) -> None:
+        """Sets the force that acts on each of these nodes from outside, from now on."""
+        names = indices(nodes, "nodes").ravel()
+        self._call(
+            library.hs_world_set_node_force,
+            block_id(body, "body"),
+            names.ctypes.data,
+            len(names),
+            vector(force, "force"),
+        )
+
+    def cells(self, body: int) -> NDArray[Any]:
+        """How the body's cells are strained and stressed, a structured array of `CELL_STATE`: its ``["stress"]`` has
+        the shape (m, 3, 3)."""
+        with held(self):
+            cells = np.zeros(int(self.body_state(body).cell_count), CELL_STATE)
+            self._call(library.hs_world_get_cells, block_id(body, "body"), cells.ctypes.data, len(cells), None)
+        return cells

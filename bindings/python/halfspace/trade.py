@@ -1,0 +1,143 @@
+"""Error against cost of a scene that Python builds, at settings of its own.
+
+As `halfspace trade` does for scene files, each setting is run to the same time, and a quantity is compared with what it
+should be::
+
+    from halfspace.trade import grid, trade
+
+    def build(safety, stiffness):
+        world = hs.World(law=hs.Law(normal_stiffness=stiffness, friction_angle=0.4), safety=safety)
+        ...
+        return world
+
+    found = trade(build, lambda world: world.positions[1, 0], duration=1.0, reference=0.9064,
+                  settings=grid(safety=[1, 0.5, 0.25], stiffness=[1e7, 1e8, 1e9]))
+    print(found.cheapest(1e-3).setting)
+"""
+import dataclasses
+import itertools
+import math
+import time
+from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Sequence
+
+from .errors import TooFastError, UnstableError
+from .world import World
+
+Setting = Mapping[str, Any]
+
+
+@dataclasses.dataclass(frozen=True)
+class Trial:
+    """One setting, what came of it, and what it cost."""
+
+    setting: Dict[str, Any]
+    value: float  #: NaN when the run did not reach the end
+    error: float  #: from the reference, in parts of the scale; NaN likewise
+    cost: float  #: processor seconds for a second of the scene
+
+    @property
+    def is_whole(self) -> bool:
+        return math.isfinite(self.value)
+
+
+@dataclasses.dataclass(frozen=True)
+class Trade:
+    """What `trade` has found."""
+
+    trials: List[Trial]
+    reference: float
+    scale: float
+
+    def front(self) -> List[Trial]:
+        """Those that no cheaper one is as right as, from cheap to dear."""
+        best: List[Trial] = []
+        for trial in sorted((t for t in self.trials if t.is_whole), key=lambda t: (t.cost, t.error)):
+            if not best or trial.error < best[-1].error:
+                best.append(trial)
+        return best
+
+    def cheapest(self, tolerance: float) -> Optional[Trial]:
+        """The cheapest within an error; None when no setting came so near."""
+        return next((trial for trial in self.front() if trial.error <= tolerance), None)
+
+
+def grid(**values: Sequence[Any]) -> List[Dict[str, Any]]:
+    """All combinations of these values."""
+    return [dict(zip(values, combination)) for combination in itertools.product(*values.values())]
+
+
+def trade(
+    build: Callable[..., World],
+    quantity: Callable[[World], float],
+    *,
+    duration: float,
+    settings: Optional[Iterable[Setting]] = None,
+    reference: Optional[float] = None,
+    scale: Optional[float] = None,
+) -> Trade:
+    """Runs a scene at each setting.
+
+    Parameters
+    ----------
+    build : called with a setting's keywords for each run; gives a world at its start.
+    quantity : of a world at the end. A whole number of steps seldom makes up the duration: the world stands at the step
+        nearest to it.
+    duration : s.
+    settings : default ``grid(safety=[1, 1/2, 1/4, 1/8, 1/16])``.
+    reference : what should come out; by default what the run with the most steps gives, which is then no trial.
+    scale : the error that counts as 1; by default the size of the reference, or 1 if that is 0.
+
+    Runs that end as unstable or too fast are trials without a value.
+    """
+    if not duration > 0:
+        raise ValueError(f"duration is {duration}; it must be above 0 s")
+    chosen = grid(safety=[1, 0.5, 0.25, 0.125, 0.0625]) if settings is None else settings
+    runs = [_fastest(build, quantity, duration, dict(setting)) for setting in chosen]
+    if reference is None:
+        whole = [run for run in runs if math.isfinite(run.value)]
+        if not whole:
+            raise ValueError("no run reached the end, and no reference is given")
+        finest = max(whole, key=lambda run: run.steps)
+        reference = finest.value
+        runs = [run for run in runs if run is not finest]
+    if scale is None:
+        scale = abs(reference) or 1.0
+    trials = [Trial(run.setting, run.value, abs(run.value - reference) / scale, run.cost) for run in runs]
+    return Trade(trials, reference, scale)
+
+
+@dataclasses.dataclass(frozen=True)
+class _Run:
+    setting: Dict[str, Any]
+    value: float
+    cost: float
+    steps: int
+
+
+def _fastest(
+    build: Callable[..., World], quantity: Callable[[World], float], duration: float, setting: Dict[str, Any]
+) -> _Run:
+    """Of up to five runs, unless they are long enough for a clock."""
+    fastest = _run(build, quantity, duration, setting)
+    for _ in range(4):
+        if fastest.cost * duration > 0.05 or not math.isfinite(fastest.value):
+            break
+        again = _run(build, quantity, duration, setting)
+        fastest = min(fastest, again, key=lambda run: run.cost)
+    return fastest
+
+
+def _run(
+    build: Callable[..., World], quantity: Callable[[World], float], duration: float, setting: Dict[str, Any]
+) -> _Run:
+    world = build(**setting)
+    start = time.process_time()
+    try:
+        world.step()  # finds the time step
+        world.step(max(0, round(duration / float(world.report.time_step)) - 1))
+        is_whole = True
+    except (UnstableError, TooFastError):
+        is_whole = False
+    seconds = time.process_time() - start
+    value = float(quantity(world)) if is_whole else math.nan
+    return _Run(setting, value, seconds / (world.time or 1.0), int(world.report.steps))

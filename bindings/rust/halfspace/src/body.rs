@@ -1,0 +1,393 @@
+//! Bodies: meshes in a world, which bend and carry waves (Wang et al. 2021, section 2.1; Li et al.
+//! 2015, section 2).
+
+use std::mem::{align_of, size_of, MaybeUninit};
+use std::num::NonZeroU64;
+use std::ops::BitOr;
+use std::ptr;
+
+use halfspace_sys as sys;
+
+use crate::affine::Tensor;
+use crate::block::{Block, Material};
+use crate::error::Error;
+use crate::mesh::{indices, Mesh};
+use crate::mutable_view::ViewMut;
+use crate::pose::Pose;
+use crate::view::View;
+use crate::world::World;
+use crate::Result;
+
+/// Names a body of a world: a mesh that was put into it. The name of a removed body never names
+/// another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(transparent)]
+pub struct Body(NonZeroU64);
+
+impl Body {
+    /// The body that [`Body::id`] gave a number for, as when it was kept in a file. `None` for 0.
+    pub fn from_id(id: u64) -> Option<Self> {
+        NonZeroU64::new(id).map(Self)
+    }
+
+    /// A number to keep elsewhere: the `hs_body` of the C interface, never 0.
+    pub fn id(self) -> u64 {
+        self.0.get()
+    }
+}
+
+/// A body to be: what it is made of, where it is and how fast.
+///
+/// ```
+/// use halfspace::{BodyDef, Material, Pose};
+/// let rubber = Material::from_index(0);
+/// let thrown = BodyDef::of(rubber).at(Pose::at([0.0, 5.0, 0.0])).velocity([3.0, 0.0, 0.0]);
+/// ```
+#[derive(Clone, Copy, Debug)]
+#[must_use]
+pub struct BodyDef<'a> {
+    material: Material,
+    cell_materials: Option<&'a [Material]>,
+    pose: Option<Pose>,
+    velocity: [f64; 3],
+}
+
+impl<'a> BodyDef<'a> {
+    /// A body of one material, which must be elastic: see
+    /// [`World::set_elasticity`](crate::World::set_elasticity).
+    pub fn of(material: Material) -> Self {
+        Self {
+            material,
+            cell_materials: None,
+            pose: None,
+            velocity: [0.0; 3],
+        }
+    }
+
+    /// A body with a material for each cell, all of them elastic.
+    pub fn of_each(cell_materials: &'a [Material]) -> Self {
+        Self {
+            cell_materials: Some(cell_materials),
+            ..Self::of(Material(0))
+        }
+    }
+
+    /// Where the frame is that the nodes were given in. By default they stay where they were given.
+    pub fn at(mut self, pose: Pose) -> Self {
+        self.pose = Some(pose);
+        self
+    }
+
+    /// The velocity of all nodes, in m/s; by default 0.
+    pub fn velocity(mut self, velocity: [f64; 3]) -> Self {
+        self.velocity = velocity;
+        self
+    }
+
+    fn raw(&self) -> sys::hs_body_def {
+        let mut raw = MaybeUninit::<sys::hs_body_def>::zeroed();
+        // SAFETY: the size is that of the struct, for which all zero is valid.
+        let mut raw = unsafe {
+            sys::hs_body_def_init(raw.as_mut_ptr(), size_of::<sys::hs_body_def>());
+            raw.assume_init()
+        };
+        raw.material = self.material.0;
+        raw.pose = self.pose.map_or(raw.pose, Into::into);
+        raw.velocity = self.velocity;
+        raw
+    }
+}
+
+/// Axes along which nodes are held.
+///
+/// ```
+/// use halfspace::Axes;
+/// let both = Axes::X | Axes::Y;
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Axes(i32);
+
+impl Axes {
+    /// None: nodes are let go.
+    pub const NONE: Self = Self(0);
+    /// Along x.
+    pub const X: Self = Self(sys::HS_AXIS_X);
+    /// Along y.
+    pub const Y: Self = Self(sys::HS_AXIS_Y);
+    /// Along z, in space.
+    pub const Z: Self = Self(sys::HS_AXIS_Z);
+}
+
+impl BitOr for Axes {
+    type Output = Self;
+
+    fn bitor(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+}
+
+/// A body's motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct BodyState {
+    /// Nodes.
+    pub node_count: usize,
+    /// Cells.
+    pub cell_count: usize,
+    /// Per unit thickness in the plane.
+    pub mass: f64,
+    /// That of the nodes' masses.
+    pub centroid: [f64; 3],
+    /// That of all nodes.
+    pub momentum: [f64; 3],
+    /// That of all nodes.
+    pub kinetic_energy: f64,
+    /// That of all cells.
+    pub strain_energy: f64,
+}
+
+impl From<sys::hs_body_state> for BodyState {
+    fn from(raw: sys::hs_body_state) -> Self {
+        Self {
+            node_count: raw.node_count as usize,
+            cell_count: raw.cell_count as usize,
+            mass: raw.mass,
+            centroid: raw.centroid,
+            momentum: raw.momentum,
+            kinetic_energy: raw.kinetic_energy,
+            strain_energy: raw.strain_energy,
+        }
+    }
+}
+
+/// Strain and stress of a cell, on average over the cell.
+///
+/// The memory is that of the C interface, so that a slice of them is written where it is.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
+pub struct CellState {
+    /// Green's, from the cell as it was put into the world.
+    pub strain: Tensor,
+    /// Cauchy's, elastic, in space, in Pa, tension above 0.
+    pub stress: Tensor,
+    /// Energy in J, in the plane per unit thickness; with that of bending.
+    pub strain_energy: f64,
+}
+
+const _: () = assert!(size_of::<CellState>() == size_of::<sys::hs_cell_state>());
+const _: () = assert!(align_of::<CellState>() == align_of::<sys::hs_cell_state>());
+
+/// Bodies. Arrays are in the order of the mesh's nodes or cells.
+impl World {
+    /// Puts a mesh into the world, which copies it. The mesh may be of any context of this thread.
+    /// The cells at its surface become blocks of [`BlockKind::Mesh`](crate::BlockKind::Mesh): they
+    /// meet all others, and stand in all lists of blocks.
+    ///
+    /// # Errors
+    /// [`ErrorKind::State`](crate::ErrorKind::State) for a material that is not elastic,
+    /// [`ErrorKind::Geometry`](crate::ErrorKind::Geometry) when a cell is too flat there to touch
+    /// anything, [`ErrorKind::Argument`](crate::ErrorKind::Argument) for a mesh of another
+    /// dimension.
+    pub fn add_mesh(&mut self, mesh: &Mesh, def: &BodyDef<'_>) -> Result<Body> {
+        if let Some(materials) = def.cell_materials {
+            let cells = mesh.properties().cell_count;
+            if materials.len() != cells {
+                return Err(Error::argument(&format!(
+                    "World::add_mesh: there are {} materials; the mesh has {cells} cells",
+                    materials.len()
+                )));
+            }
+        }
+        let materials = def
+            .cell_materials
+            .map_or(ptr::null(), |materials| materials.as_ptr());
+        let mut id = 0;
+        // SAFETY: world and mesh live, the definition is valid, a Material is an i32, and there is
+        // none or one for each cell.
+        self.check(unsafe {
+            sys::hs_world_add_mesh(
+                self.handle(),
+                mesh.handle(),
+                &def.raw(),
+                materials.cast(),
+                &mut id,
+            )
+        })?;
+        self.recount_blocks();
+        Body::from_id(id)
+            .ok_or_else(|| Error::argument("World::add_mesh: the library gave the id of no body"))
+    }
+
+    /// Takes a body out of the world, with the blocks at its surface; its name becomes stale.
+    pub fn remove_body(&mut self, body: Body) -> Result<()> {
+        // SAFETY: the world lives and is borrowed mutably.
+        self.check(unsafe { sys::hs_world_remove_body(self.handle(), body.id()) })?;
+        self.recount_blocks();
+        Ok(())
+    }
+
+    /// A body's motion.
+    pub fn body_state(&self, body: Body) -> Result<BodyState> {
+        let mut raw = sys::hs_body_state::default();
+        let size = size_of::<sys::hs_body_state>();
+        // SAFETY: the world lives, and the size is that of the struct.
+        self.check(unsafe {
+            sys::hs_world_get_body_state(self.handle(), body.id(), &mut raw, size)
+        })?;
+        Ok(raw.into())
+    }
+
+    /// The body that a block is at the surface of, and the index of the cell; `None` for a block of
+    /// another kind.
+    pub fn body_of_block(&self, block: Block) -> Result<Option<(Body, usize)>> {
+        let (mut id, mut cell) = (0, 0);
+        // SAFETY: the world lives.
+        self.check(unsafe {
+            sys::hs_world_get_body_of_block(self.handle(), block.id(), &mut id, &mut cell)
+        })?;
+        Ok(Body::from_id(id).map(|body| (body, cell as usize)))
+    }
+
+    /// The places of a body's nodes.
+    pub fn node_positions(&self, body: Body) -> Result<Vec<[f64; 3]>> {
+        self.of_nodes(body, sys::hs_world_get_node_positions)
+    }
+
+    /// The same into memory that is there already: as many as there is room for. Returns how many
+    /// nodes the body has.
+    pub fn node_positions_into<'a>(
+        &self,
+        body: Body,
+        positions: impl Into<ViewMut<'a>>,
+    ) -> Result<usize> {
+        self.of_nodes_into(body, positions.into(), sys::hs_world_get_node_positions)
+    }
+
+    /// The velocities of a body's nodes, in m/s.
+    pub fn node_velocities(&self, body: Body) -> Result<Vec<[f64; 3]>> {
+        self.of_nodes(body, sys::hs_world_get_node_velocities)
+    }
+
+    /// The same into memory that is there already, as for [`World::node_positions_into`].
+    pub fn node_velocities_into<'a>(
+        &self,
+        body: Body,
+        velocities: impl Into<ViewMut<'a>>,
+    ) -> Result<usize> {
+        self.of_nodes_into(body, velocities.into(), sys::hs_world_get_node_velocities)
+    }
+
+    /// All forces on a body's nodes at the end of the last step, in N, in the plane per unit
+    /// thickness: of cells, contacts, gravity, and applied ones. At rest they are 0, but at nodes
+    /// that are held: there they are what these press on their support.
+    pub fn node_forces(&self, body: Body) -> Result<Vec<[f64; 3]>> {
+        self.of_nodes(body, sys::hs_world_get_node_forces)
+    }
+
+    /// The same into memory that is there already, as for [`World::node_positions_into`].
+    pub fn node_forces_into<'a>(
+        &self,
+        body: Body,
+        forces: impl Into<ViewMut<'a>>,
+    ) -> Result<usize> {
+        self.of_nodes_into(body, forces.into(), sys::hs_world_get_node_forces)
+    }
+
+    /// Sets the velocities of all nodes of a body, one for each, also of those that are held.
+    pub fn set_node_velocities<'a>(
+        &mut self,
+        body: Body,
+        velocities: impl Into<View<'a>>,
+    ) -> Result<()> {
+        let velocities = velocities.into().raw();
+        // SAFETY: the world lives and is borrowed mutably, and the view borrows what it says.
+        self.check(unsafe {
+            sys::hs_world_set_node_velocities(self.handle(), body.id(), velocities)
+        })
+    }
+
+    /// Holds nodes along axes: there they go on with a velocity that stays, in m/s, whatever the
+    /// forces. Along others they are free from now on, and what `velocity` has there is not read.
+    pub fn hold_nodes(
+        &mut self,
+        body: Body,
+        nodes: &[usize],
+        axes: Axes,
+        velocity: [f64; 3],
+    ) -> Result<()> {
+        let nodes = indices(nodes, "World::hold_nodes: nodes")?;
+        // SAFETY: the world lives and is borrowed mutably, and the array is as long as said.
+        self.check(unsafe {
+            sys::hs_world_hold_nodes(
+                self.handle(),
+                body.id(),
+                nodes.as_ptr(),
+                nodes.len() as i64,
+                axes.0,
+                &velocity,
+            )
+        })
+    }
+
+    /// Sets the force that acts on each of these nodes from outside, from now on, in N, in the
+    /// plane per unit thickness.
+    pub fn set_node_force(&mut self, body: Body, nodes: &[usize], force: [f64; 3]) -> Result<()> {
+        let nodes = indices(nodes, "World::set_node_force: nodes")?;
+        // SAFETY: the world lives and is borrowed mutably, and the array is as long as said.
+        self.check(unsafe {
+            sys::hs_world_set_node_force(
+                self.handle(),
+                body.id(),
+                nodes.as_ptr(),
+                nodes.len() as i64,
+                &force,
+            )
+        })
+    }
+
+    /// Strain and stress of a body's cells.
+    pub fn cells(&self, body: Body) -> Result<Vec<CellState>> {
+        let mut cells = vec![CellState::default(); self.cells_into(body, &mut [])?];
+        self.cells_into(body, &mut cells)?;
+        Ok(cells)
+    }
+
+    /// The same into memory that is there already: as many as there is room for. Returns how many
+    /// cells the body has.
+    pub fn cells_into(&self, body: Body, cells: &mut [CellState]) -> Result<usize> {
+        let mut count = 0;
+        // SAFETY: the world lives, the array is as long as said, and a CellState is laid out as the
+        // library's.
+        self.check(unsafe {
+            sys::hs_world_get_cells(
+                self.handle(),
+                body.id(),
+                cells.as_mut_ptr().cast(),
+                cells.len() as i64,
+                &mut count,
+            )
+        })?;
+        Ok(count as usize)
+    }
+
+    fn of_nodes(&self, body: Body, get: GetOfNodes) -> Result<Vec<[f64; 3]>> {
+        let mut vectors = vec![[0.0; 3]; self.of_nodes_into(body, ViewMut::none(), get)?];
+        self.of_nodes_into(body, (&mut vectors).into(), get)?;
+        Ok(vectors)
+    }
+
+    fn of_nodes_into(&self, body: Body, mut room: ViewMut<'_>, get: GetOfNodes) -> Result<usize> {
+        let mut count = 0;
+        // SAFETY: the world lives, and the view borrows what it says.
+        self.check(unsafe { get(self.handle(), body.id(), room.raw(), &mut count) })?;
+        Ok(count as usize)
+    }
+}
+
+/// A function of the library that writes a vector for each node of a body.
+type GetOfNodes = unsafe extern "C" fn(
+    *const sys::hs_world,
+    sys::hs_body,
+    sys::hs_mutable_view,
+    *mut i64,
+) -> sys::hs_status;

@@ -1,0 +1,95 @@
+//! What a world computes, what that costs, and what limits its time step.
+
+use halfspace_sys as sys;
+
+use crate::block::Block;
+
+/// The account of a world. What is not active is neither stored nor computed.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct Plan {
+    /// A law resists shear: each pair keeps a shear spring.
+    pub friction: bool,
+    /// A law has cohesion or tensile strength.
+    pub bonds: bool,
+    /// A law has dashpots.
+    pub contact_damping: bool,
+    /// A law is per area: overlaps are measured.
+    pub area: bool,
+    /// A law is one of potentials: overlaps are divided.
+    pub potential: bool,
+    /// A block is affine.
+    pub strain: bool,
+    /// The world has local damping.
+    pub local_damping: bool,
+    /// The world has mass damping.
+    pub mass_damping: bool,
+    /// Blocks that never move.
+    pub fixed_count: usize,
+    /// Blocks that move as they are told.
+    pub prescribed_count: usize,
+    /// Blocks that move by Newton's law.
+    pub rigid_count: usize,
+    /// Blocks that strain.
+    pub affine_count: usize,
+    /// Pairs in the neighbour list.
+    pub candidate_count: usize,
+    /// Pairs in contact.
+    pub contact_count: usize,
+    /// State of all blocks with their shapes, as a snapshot holds it.
+    pub block_bytes: usize,
+    /// State of all pairs: neighbour list, shear springs, plans of potentials; likewise.
+    pub pair_bytes: usize,
+    /// As in the report; 0 without blocks that move freely.
+    pub stable_time_step: f64,
+    /// The block that sets it: the stiffest for its mass.
+    pub limiting_block: Option<Block>,
+    /// Its neighbour at its stiffest contact; none while it has none: then contacts that it may get
+    /// limit the step.
+    pub limiting_neighbor: Option<Block>,
+    /// Done on a copy to measure the times below.
+    pub measured_steps: u64,
+    /// Of a step, in s: building neighbour lists.
+    pub search_seconds: f64,
+    /// Of a step: detecting pairs and loading contacts.
+    pub pair_seconds: f64,
+    /// Of a step: adding up the forces on blocks.
+    pub gather_seconds: f64,
+    /// Of a step: moving, turning and straining blocks.
+    pub motion_seconds: f64,
+    /// Of a step: the energy ledger.
+    pub book_seconds: f64,
+}
+
+impl From<sys::hs_world_plan> for Plan {
+    fn from(raw: sys::hs_world_plan) -> Self {
+        let has = |part: i32| raw.parts & part != 0;
+        Self {
+            friction: has(sys::HS_PART_FRICTION),
+            bonds: has(sys::HS_PART_BONDS),
+            contact_damping: has(sys::HS_PART_CONTACT_DAMPING),
+            area: has(sys::HS_PART_AREA),
+            potential: has(sys::HS_PART_POTENTIAL),
+            strain: has(sys::HS_PART_STRAIN),
+            local_damping: has(sys::HS_PART_LOCAL_DAMPING),
+            mass_damping: has(sys::HS_PART_MASS_DAMPING),
+            fixed_count: raw.fixed_count as usize,
+            prescribed_count: raw.prescribed_count as usize,
+            rigid_count: raw.rigid_count as usize,
+            affine_count: raw.affine_count as usize,
+            candidate_count: raw.candidate_count as usize,
+            contact_count: raw.contact_count as usize,
+            block_bytes: raw.block_bytes as usize,
+            pair_bytes: raw.pair_bytes as usize,
+            stable_time_step: raw.stable_time_step,
+            limiting_block: Block::from_id(raw.limiting_block),
+            limiting_neighbor: Block::from_id(raw.limiting_neighbor),
+            measured_steps: raw.measured_steps as u64,
+            search_seconds: raw.search_seconds,
+            pair_seconds: raw.pair_seconds,
+            gather_seconds: raw.gather_seconds,
+            motion_seconds: raw.motion_seconds,
+            book_seconds: raw.book_seconds,
+        }
+    }
+}

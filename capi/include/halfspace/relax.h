@@ -1,0 +1,78 @@
+/** @file
+ *  @brief A world is brought to rest, and changed while it lives: settle under its loads, then excavate, load or let go.
+ *
+ *  Dynamic relaxation steps a world under strong damping until no force is left unbalanced (Cundall 1987, Underwood 1983). Time passes
+ *  in it, but means nothing. Thread rule: as for the world.
+ */
+#ifndef HALFSPACE_RELAX_H
+#define HALFSPACE_RELAX_H
+
+#include "halfspace/status.h"
+#include "halfspace/world.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** By which forces are compared. */
+enum {
+  HS_UNBALANCED_MEAN = 0,   /**< all unbalanced forces over all forces: of cells, contacts, bonds, weight and loads */
+  HS_UNBALANCED_LARGEST = 1 /**< the largest such ratio of a single block or node; where next to nothing acts, over the mean force */
+};
+
+/** How a world is brought to rest. Fill it with hs_relaxation_def_init(). */
+typedef struct hs_relaxation_def {
+  uint32_t struct_size;  /**< set by hs_relaxation_def_init() */
+  int32_t measure;       /**< an HS_UNBALANCED_ value; default HS_UNBALANCED_MEAN */
+  double ratio;          /**< at which it is at rest, > 0; default 1e-5 */
+  int64_t most_steps;    /**< >= 1; default 1000000 */
+  double local_damping;  /**< [0, 1) meanwhile; default 0.1, beside adaptive damping; by itself 0.8 does best */
+  int32_t is_adaptive;   /**< 1 (default): mass damping twice as fast as the slowest motion that is left swings, found anew all the time;
+                              or 0: that of the world */
+  int32_t hold_bonds;    /**< 1 (default): bonds do not fail meanwhile; or 0 */
+} hs_relaxation_def;
+
+/** How balanced a world is. Later versions may append to it. */
+typedef struct hs_balance {
+  double mean;           /**< see HS_UNBALANCED_MEAN; 0 where no force acts */
+  double largest;        /**< see HS_UNBALANCED_LARGEST */
+  double largest_force;  /**< that is unbalanced, N */
+  int64_t steps;         /**< that hs_world_relax() has taken; else 0 */
+} hs_balance;
+
+/** @brief Fills a relaxation's definition with its defaults.
+ *  @param def to fill @param size sizeof(hs_relaxation_def) as the caller was compiled
+ *  @return HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time. */
+HS_API hs_status hs_relaxation_def_init(hs_relaxation_def *def, size_t size);
+
+/** @brief Steps a world until it is at rest. Its own damping, and whether bonds are held, come back afterwards; at rest,
+ *  velocities are set to 0.
+ *  @param world not NULL @param def not NULL
+ *  @param balance receives how balanced it is then; may be NULL @param size sizeof(hs_balance) as the caller was compiled
+ *  @return HS_OK, HS_NOTE_NOT_AT_REST after def.most_steps, or what hs_world_step() returns: the world stays where it has come to */
+HS_CHECKED hs_status hs_world_relax(hs_world *world, const hs_relaxation_def *def, hs_balance *balance, size_t size);
+
+/** @brief How balanced a world is now. Takes as long as a step.
+ *  @param world not NULL @param balance receives it @param size sizeof(hs_balance) as the caller was compiled
+ *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY */
+HS_CHECKED hs_status hs_world_get_balance(hs_world *world, hs_balance *balance, size_t size);
+
+/** @brief Sets gravity from now on; what that changes of the energy is booked as outer work.
+ *  @param world not NULL @param gravity 3 values, m/s2
+ *  @return HS_OK or HS_ERROR_ARGUMENT */
+HS_CHECKED hs_status hs_world_set_gravity(hs_world *world, const double gravity[3]);
+
+/** @brief Sets damping from now on.
+ *  @param world not NULL @param local_damping [0, 1) @param mass_damping >= 0, 1/s; see hs_world_def
+ *  @return HS_OK or HS_ERROR_ARGUMENT */
+HS_CHECKED hs_status hs_world_set_damping(hs_world *world, double local_damping, double mass_damping);
+
+/** @brief Sets the time step from now on.
+ *  @param world not NULL @param time_step > 0, s, or 0: def.safety times the stable one
+ *  @return HS_OK or HS_ERROR_ARGUMENT */
+HS_CHECKED hs_status hs_world_set_time_step(hs_world *world, double time_step);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,280 @@
+#include <algorithm>
+#include <cstddef>
+
+#include "mesh_handle.h"
+#include "sized_struct.h"
+#include "strided_view.h"
+#include "tensor.h"
+#include "world_handle.h"
+
+using namespace halfspace;
+using namespace halfspace::capi;
+
+namespace halfspace::capi {
+
+template <>
+hs_body_def default_definition() {
+  hs_body_def def{};
+  def.pose.rotation[3] = 1;
+  return def;
+}
+
+namespace {
+
+/// A material for each cell.
+template <int D>
+Array<std::int32_t> read_materials(const hs_world& handle, const World<D>& world, const Mesh<D>& mesh,
+                                   std::int32_t common, const std::int32_t* given) {
+  Array<std::int32_t> materials(mesh.cell_count(), common, &handle.context->memory);
+  if (given) std::copy_n(given, mesh.cell_count(), materials.begin());
+  for (std::size_t cell = 0; cell < materials.size(); ++cell) {
+    const ArgumentName name =
+        given ? ArgumentName("cell_materials", std::int64_t(cell)) : ArgumentName("def.material");
+    require_material(world, materials[cell], name);
+    if (!world.elasticity(materials[cell]).is_given()) {
+      refuse(HS_ERROR_STATE,
+             "the material of cell %zu is %d, which is not elastic: hs_world_set_elasticity() first", cell,
+             materials[cell]);
+    }
+  }
+  return materials;
+}
+
+/// No cell may be farther off than a block of its size.
+template <int D>
+Pose<D> read_frame(const hs_pose* given, const Mesh<D>& mesh) {
+  const Pose<D> pose = read_pose<D>(given, "def.pose");
+  for (std::size_t cell = 0; cell < mesh.cell_count(); ++cell) {
+    with_nodes(mesh, cell, [&]<int N>(const Eigen::Matrix<double, D, N>& nodes) {
+      const Vector<D> middle = nodes.rowwise().mean();
+      const double radius = (nodes.colwise() - middle).colwise().norm().maxCoeff();
+      const Vector<D> place = pose.position + pose.rotation.tensor() * middle;
+      const double farthest = farthest_place * radius;
+      if (place.cwiseAbs().maxCoeff() <= farthest) return;
+      refuse(HS_ERROR_ARGUMENT,
+             "def.pose puts cell %zu at %s; for a cell of radius %g no coordinate may exceed %g, as rounding "
+             "would move it by too large a part of its size",
+             cell, PointText(place).characters, radius, farthest);
+    });
+  }
+  return pose;
+}
+
+/// Components along axes that are not held are not read.
+template <int D>
+Vector<D> read_held_velocity(const double* velocity, std::int32_t axes) {
+  Vector<D> held = Vector<D>::Zero();
+  if (axes != 0) require_pointer(velocity, "velocity");
+  for (int k = 0; k < D; ++k) {
+    if (axes >> k & 1) held[k] = require_component(velocity[k], "velocity", k);
+  }
+  return held;
+}
+
+/// Calls use(node) for each of the nodes, by its place in the world's arrays, after all have been judged.
+template <int D, class Use>
+void for_each_node(const Body<D>& body, const std::int32_t* nodes, std::int64_t count, Use&& use) {
+  require_count(count, "count");
+  if (count > 0) require_pointer(nodes, "nodes");
+  for (std::int64_t i = 0; i < count; ++i) {
+    if (nodes[i] < 0 || nodes[i] >= body.node_count) {
+      refuse(HS_ERROR_ARGUMENT, "nodes[%lld] is %d; the body has %lld", static_cast<long long>(i), nodes[i],
+             static_cast<long long>(body.node_count));
+    }
+  }
+  for (std::int64_t i = 0; i < count; ++i) use(std::size_t(body.first_node + nodes[i]));
+}
+
+/// The body of an entry point that writes a vector of each node.
+template <class VectorOf>
+hs_status write_nodes(const hs_world* world, hs_body body, const hs_mutable_view& out, int64_t* count,
+                      const char* name, const char* function, VectorOf&& vector_of) {
+  return with_world(world, function, [&]<int D>(const World<D>& w) {
+    require_view<D>(out, name);
+    const Body<D>& known = w.meshes().body(body_of(w.meshes(), body, "body"));
+    if (count) *count = known.node_count;
+    return write_all(known.node_count, out.count, [&](int i) {
+      write_point(out, i, vector_of(w.meshes(), known, std::size_t(known.first_node + i)));
+    });
+  });
+}
+
+template <int D, int N>
+hs_cell_state state_of(const World<D>& world, const Element<D, N>& element) {
+  using E = Element<D, N>;
+  typename E::Nodes places;
+  for (int i = 0; i < N; ++i) places.col(i) = world.meshes().place[std::size_t(element.node[std::size_t(i)])];
+  const typename E::Field field = element.field_of(places);
+  const Elasticity& elasticity = world.elasticity(element.material);
+  const Tensor<D> strain = E::strain_of(field);
+  const Tensor<D> stress = field.gradient * elasticity.stress<D>(strain) * field.gradient.transpose() /
+                           field.gradient.determinant();
+  hs_cell_state state{};
+  write_tensor<D>(strain, state.strain);
+  write_tensor<D>(stress, state.stress);
+  state.strain_energy = element.strain_energy(strain, E::bending_of(field), elasticity);
+  return state;
+}
+
+template <int D>
+hs_body_state state_of(const World<D>& world, std::int32_t which) {
+  const Meshes<D>& meshes = world.meshes();
+  const Body<D>& body = meshes.body(which);
+  hs_body_state state{};
+  state.node_count = body.node_count;
+  state.cell_count = body.cell_count;
+  Vector<D> momentum = Vector<D>::Zero(), moment_of_mass = Vector<D>::Zero();
+  for (std::size_t i = std::size_t(body.first_node); i < std::size_t(body.first_node + body.node_count);
+       ++i) {
+    state.mass += meshes.mass[i];
+    momentum += meshes.mass[i] * meshes.velocity[i];
+    moment_of_mass += meshes.mass[i] * meshes.place[i];
+    state.kinetic_energy += 0.5 * meshes.mass[i] * meshes.velocity[i].squaredNorm();
+  }
+  write_vector(momentum, state.momentum);
+  write_vector(Vector<D>(body.origin + moment_of_mass / state.mass), state.centroid);
+  meshes.for_each_element([&](const auto& element) {
+    if (element.body == which) state.strain_energy += state_of(world, element).strain_energy;
+  });
+  return state;
+}
+
+}  // namespace
+}  // namespace halfspace::capi
+
+hs_status hs_body_def_init(hs_body_def* def, size_t size) { return write_definition(def, size); }
+
+hs_status hs_world_add_mesh(hs_world* world, const hs_mesh* mesh, const hs_body_def* def,
+                            const int32_t cell_materials[], hs_body* body) {
+  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    const Mesh<D>& form = require_mesh<D>(mesh);
+    require_pointer(body, "body");
+    const hs_body_def known = read_definition(def, "def");
+    const Array<std::int32_t> materials = read_materials(*world, w, form, known.material, cell_materials);
+    const Pose<D> pose = read_frame(&known.pose, form);
+    const Vector<D> velocity = read_finite_vector<D>(known.velocity, "def.velocity");
+    const PlacedMesh placed = w.add_mesh(form, pose, materials);
+    if (placed.report.fault != MeshFault::none) {
+      const char* const text = fault_text(placed.report.fault);
+      if (placed.report.cell < 0) refuse(HS_ERROR_ARGUMENT, "mesh, of these materials, %s", text);
+      refuse(placed.report.fault == MeshFault::inside_out ? HS_ERROR_GEOMETRY : HS_ERROR_ARGUMENT,
+             "cell %lld of mesh %s where def.pose puts it", static_cast<long long>(placed.report.cell), text);
+    }
+    const Body<D>& made = w.meshes().body(placed.body);
+    for (std::int64_t i = 0; i < made.node_count; ++i)
+      w.set_node_velocity(std::size_t(made.first_node + i), velocity);
+    w.end_node_edits();
+    *body = id_of(w.meshes(), placed.body);
+    return HS_OK;
+  });
+}
+
+hs_status hs_world_remove_body(hs_world* world, hs_body body) {
+  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    w.remove_mesh(body_of(w.meshes(), body, "body"));
+    return HS_OK;
+  });
+}
+
+hs_status hs_world_get_body_state(const hs_world* world, hs_body body, hs_body_state* state, size_t size) {
+  return with_world(world, __func__, [&]<int D>(const World<D>& w) {
+    require_pointer(state, "state");
+    require_report_size(size, sizeof(hs_body_state));
+    write_sized(state_of(w, body_of(w.meshes(), body, "body")), state, size);
+    return HS_OK;
+  });
+}
+
+hs_status hs_world_get_node_positions(const hs_world* world, hs_body body, hs_mutable_view positions,
+                                      int64_t* count) {
+  return write_nodes(world, body, positions, count, "positions", __func__,
+                     [](const auto& meshes, const auto& known, std::size_t node) {
+                       return (known.origin + meshes.place[node]).eval();
+                     });
+}
+
+hs_status hs_world_get_node_velocities(const hs_world* world, hs_body body, hs_mutable_view velocities,
+                                       int64_t* count) {
+  return write_nodes(world, body, velocities, count, "velocities", __func__,
+                     [](const auto& meshes, const auto&, std::size_t node) { return meshes.velocity[node]; });
+}
+
+hs_status hs_world_get_node_forces(const hs_world* world, hs_body body, hs_mutable_view forces,
+                                   int64_t* count) {
+  return write_nodes(world, body, forces, count, "forces", __func__,
+                     [](const auto& meshes, const auto&, std::size_t node) { return meshes.force[node]; });
+}
+
+hs_status hs_world_set_node_velocities(hs_world* world, hs_body body, hs_view velocities) {
+  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    require_view<D>(velocities, "velocities");
+    const Body<D>& known = w.meshes().body(body_of(w.meshes(), body, "body"));
+    if (velocities.count != known.node_count) {
+      refuse(HS_ERROR_ARGUMENT, "velocities.count is %lld; the body has %lld nodes",
+             static_cast<long long>(velocities.count), static_cast<long long>(known.node_count));
+    }
+    const auto read = [&](std::int64_t i) { return read_finite_point<D>(velocities, i, "velocities"); };
+    for (std::int64_t i = 0; i < velocities.count; ++i) read(i);  // all are judged before any is set
+    for (std::int64_t i = 0; i < velocities.count; ++i)
+      w.set_node_velocity(std::size_t(known.first_node + i), read(i));
+    w.end_node_edits();
+    return HS_OK;
+  });
+}
+
+hs_status hs_world_hold_nodes(hs_world* world, hs_body body, const int32_t nodes[], int64_t count,
+                              int32_t axes, const double velocity[3]) {
+  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    const Body<D>& known = w.meshes().body(body_of(w.meshes(), body, "body"));
+    if (axes < 0 || axes >= 1 << D) {
+      refuse(HS_ERROR_ARGUMENT, "axes is %d; it must be a sum of HS_AXIS_ values of the dimension", axes);
+    }
+    const Vector<D> wanted = read_held_velocity<D>(velocity, axes);
+    for_each_node(known, nodes, count, [&](std::size_t node) {
+      Vector<D> kept = w.meshes().velocity[node];
+      for (int k = 0; k < D; ++k) {
+        if (axes >> k & 1) kept[k] = wanted[k];
+      }
+      w.set_node_velocity(node, kept);
+      w.hold_node(node, axes == 0 ? std::uint8_t(0) : std::uint8_t(w.meshes().held[node] | axes));
+    });
+    w.end_node_edits();
+    return HS_OK;
+  });
+}
+
+hs_status hs_world_set_node_force(hs_world* world, hs_body body, const int32_t nodes[], int64_t count,
+                                  const double force[3]) {
+  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    const Body<D>& known = w.meshes().body(body_of(w.meshes(), body, "body"));
+    const Vector<D> wanted = read_finite_vector<D>(force, "force");
+    for_each_node(known, nodes, count, [&](std::size_t node) { w.set_node_force(node, wanted); });
+    return HS_OK;
+  });
+}
+
+hs_status hs_world_get_cells(const hs_world* world, hs_body body, hs_cell_state cells[], int64_t capacity,
+                             int64_t* count) {
+  return with_world(world, __func__, [&]<int D>(const World<D>& w) {
+    require_count(capacity, "capacity");
+    if (capacity > 0) require_pointer(cells, "cells");
+    const std::int32_t which = body_of(w.meshes(), body, "body");
+    w.meshes().for_each_element([&](const auto& element) {
+      if (element.body == which && element.cell < capacity) cells[element.cell] = state_of(w, element);
+    });
+    const std::int64_t all = w.meshes().body(which).cell_count;
+    if (count) *count = all;
+    return fits(all, capacity);
+  });
+}
+
+hs_status hs_world_get_body_of_block(const hs_world* world, hs_block block, hs_body* body, int32_t* cell) {
+  return with_world(world, __func__, [&]<int D>(const World<D>& w) {
+    require_pointer(body, "body");
+    const std::size_t slot = std::size_t(slot_of(w.blocks(), block, "block"));
+    const bool is_of_mesh = w.blocks().is_of_mesh(slot);
+    *body = is_of_mesh ? id_of(w.meshes(), w.meshes().surface_of_block(slot).body) : 0;
+    if (cell) *cell = is_of_mesh ? w.meshes().surface_of_block(slot).cell : -1;
+    return HS_OK;
+  });
+}

@@ -1,0 +1,107 @@
+#include "halfspace/plan.h"
+#include "sized_struct.h"
+#include "world_bytes.h"
+
+using namespace halfspace;
+using namespace halfspace::capi;
+
+namespace {
+
+template <int D>
+std::int32_t active_parts(const World<D>& world) {
+  const Model<D>& model = world.model();
+  const auto some_law = [&](auto condition) { return model.materials.laws().any(condition); };
+  std::int32_t parts = 0;
+  const auto add = [&](std::int32_t part, bool is_active) { parts |= is_active ? part : 0; };
+  add(HS_PART_FRICTION, some_law([](const SpringLaw& law) { return law.resists_shear(); }));
+  add(HS_PART_BONDS, !world.bonds().empty() || some_law([](const SpringLaw& law) { return law.bonds(); }));
+  add(HS_PART_CONTACT_DAMPING, some_law([](const SpringLaw& law) { return law.is_damped(); }));
+  add(HS_PART_AREA,
+      some_law([](const SpringLaw& law) { return law.stiffness_kind == StiffnessKind::per_area; }));
+  add(HS_PART_POTENTIAL, some_law([](const SpringLaw& law) { return law.is_potential(); }));
+  add(HS_PART_STRAIN, model.blocks.has_deformable());
+  add(HS_PART_LOCAL_DAMPING, model.settings.local_damping > 0);
+  add(HS_PART_MASS_DAMPING, model.settings.mass_damping > 0);
+  return parts;
+}
+
+template <int D>
+void count_kinds(const Blocks<D>& blocks, hs_world_plan& plan) {
+  std::int64_t of_meshes = 0;  // in no field of their own yet
+  std::int64_t* const counts[] = {&plan.fixed_count, &plan.prescribed_count, &plan.rigid_count,
+                                  &plan.affine_count, &of_meshes};
+  for_each_block(blocks, [&](std::int64_t, std::int32_t slot) {
+    ++*counts[std::int32_t(blocks.kind[std::size_t(slot)])];
+  });
+}
+
+template <int D>
+void find_limit(World<D>& world, hs_world_plan& plan) {
+  const typename StableStep<D>::Limit limit = world.stable_limit();
+  if (limit.block < 0) return;
+  plan.stable_time_step = limit.step;
+  plan.limiting_block = id_of(world.blocks(), std::size_t(limit.block));
+  if (const std::optional<std::size_t> c = world.stiffest_contact_of(limit.block)) {
+    const Candidate<D>& pair = world.candidate_of(*c);
+    plan.limiting_neighbor = id_of(world.blocks(), std::size_t(pair.a == limit.block ? pair.b : pair.a));
+  }
+}
+
+/// A second world of the same state.
+template <int D>
+class Copy {
+ public:
+  Copy(hs_context* context, const World<D>& world) : context_(context) {
+    Array<std::byte> state(state_size(world), &context->memory);
+    write_state(world, state.data());
+    handle_ = restore<D>(context, state);
+  }
+  ~Copy() { destroy(context_, handle_); }
+  Copy(const Copy&) = delete;
+
+  World<D>& world() { return handle_->world; }
+
+ private:
+  hs_context* context_;
+  WorldHandle<D>* handle_;
+};
+
+template <int D>
+void measure(World<D>& world, std::int64_t steps, hs_world_plan& plan) {
+  Stopwatch stopwatch;
+  world.set_stopwatch(&stopwatch);
+  while (plan.measured_steps < steps && world.step() == StepResult::ok) ++plan.measured_steps;
+  world.set_stopwatch(nullptr);
+  if (plan.measured_steps == 0) return;
+  const auto a_step = [&](Pass pass) { return stopwatch.seconds(pass) / double(plan.measured_steps); };
+  plan.search_seconds = a_step(Pass::search);
+  plan.pair_seconds = a_step(Pass::pairs);
+  plan.gather_seconds = a_step(Pass::gather);
+  plan.motion_seconds = a_step(Pass::motion);
+  plan.book_seconds = a_step(Pass::book);
+}
+
+}  // namespace
+
+hs_status hs_world_get_plan(const hs_world* world, int64_t steps, hs_world_plan* plan, size_t size) {
+  return with_world(world, __func__, [&]<int D>(const World<D>& given) {
+    require_count(steps, "steps");
+    require_pointer(plan, "plan");
+    require_report_size(size, sizeof(hs_world_plan));
+    Copy<D> copy(world->context, given);
+    World<D>& w = copy.world();
+    w.prepare();  // contacts and the time step of a world that has been changed
+    hs_world_plan ours{};
+    ours.dimension = D;
+    count_kinds(w.blocks(), ours);
+    ours.parts = active_parts(w);
+    ours.candidate_count = std::int64_t(w.candidates().pairs().size());
+    ours.contact_count = std::int64_t(w.contact_count());
+    ours.block_bytes = std::int64_t(state_size(w.blocks()));
+    ours.pair_bytes = std::int64_t(state_size(w.contacts()));
+    find_limit(w, ours);
+    measure(w, steps, ours);
+    write_sized(ours, plan, size);
+    return HS_OK;
+  });
+}

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "geometry/numbers.h"
+
+namespace halfspace {
+
+/// What holds two faces together, and what is left when it has failed. Mohr and Coulomb's criterion with a
+/// tension cut-off, at each integration point. With a fracture energy strength fades linearly with opening
+/// and slip; without, it is lost at once.
+struct BondLaw {
+  double normal_stiffness = 0;  // Pa/m
+  double shear_stiffness = 0;   // Pa/m
+  double tensile_strength = 0;  // Pa
+  double cohesion = 0;          // Pa
+  double tan_friction = 0;
+  double residual_cohesion = 0;
+  double residual_tan_friction = 0;
+  double tensile_fracture_energy = 0;  // J/m^2, from the peak on
+  double shear_fracture_energy = 0;
+
+  /// The opening at which tensile strength is reached, and that beyond which there is none left.
+  double opening_at_peak() const { return tensile_strength / normal_stiffness; }
+  double opening_at_end() const {
+    return tensile_fracture_energy > 0 && tensile_strength > 0
+               ? opening_at_peak() + 2 * tensile_fracture_energy / tensile_strength
+               : 0;
+  }
+  /// The slip beyond the peak after which the residual strength is left.
+  double slip_at_end() const {
+    const double lost = cohesion - residual_cohesion;
+    return shear_fracture_energy > 0 && lost > 0 ? 2 * shear_fracture_energy / lost : 0;
+  }
+
+  /// The same with all strengths divided by a factor.
+  BondLaw weaker_by(double factor) const {
+    BondLaw weaker = *this;
+    for (double* strength : {&weaker.tensile_strength, &weaker.cohesion, &weaker.tan_friction,
+                             &weaker.residual_cohesion, &weaker.residual_tan_friction})
+      *strength /= factor;
+    return weaker;
+  }
+
+  /// False for what none can be, after reading a snapshot.
+  bool is_consistent() const {
+    return is_positive(normal_stiffness) && is_positive(shear_stiffness) && is_from_zero(tensile_strength) &&
+           is_from_zero(cohesion) && is_from_zero(tan_friction) && is_from_zero(residual_cohesion) &&
+           is_from_zero(residual_tan_friction) && is_from_zero(tensile_fracture_energy) &&
+           is_from_zero(shear_fracture_energy);
+  }
+};
+
+}  // namespace halfspace

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <span>
+
+namespace halfspace {
+
+/// What a cell of a mesh is. The values are those of the C API.
+enum class CellKind : std::int32_t { triangle = 0, quad = 1, tetrahedron = 2, prism = 3, hexahedron = 4 };
+
+/// How the nodes of a cell of some kind hang together. Nodes are numbered as Gmsh and VTK do: those of a
+/// polygon counter-clockwise, those of the prism and the hexahedron first at the bottom and then, in the same
+/// order, at the top.
+struct CellForm {
+  int dimension;
+  int nodes;
+  int nodes_of_face[6];  // 0 behind the last
+  int faces[6][4];       // in the plane edges
+  int simplex_count;
+  int simplices[5][4];  // that fill the cell: contact sees those which have a face at the surface
+};
+
+inline bool is_cell_kind(std::int32_t kind) {
+  return kind >= 0 && kind <= std::int32_t(CellKind::hexahedron);
+}
+
+inline const CellForm& form_of(CellKind kind) {
+  static constexpr CellForm forms[] = {
+      {2, 3, {2, 2, 2}, {{0, 1}, {1, 2}, {2, 0}}, 1, {{0, 1, 2}}},
+      {2, 4, {2, 2, 2, 2}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}}, 2, {{0, 1, 2}, {0, 2, 3}}},
+      {3, 4, {3, 3, 3, 3}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}, 1, {{0, 1, 2, 3}}},
+      {3,
+       6,
+       {3, 3, 4, 4, 4},
+       {{0, 2, 1}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}},
+       3,
+       {{0, 1, 2, 5}, {0, 1, 5, 4}, {0, 4, 5, 3}}},
+      {3,
+       8,
+       {4, 4, 4, 4, 4, 4},
+       {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}},
+       5,
+       {{0, 1, 3, 4}, {1, 2, 3, 6}, {1, 4, 5, 6}, {3, 4, 6, 7}, {1, 3, 4, 6}}},
+  };
+  return forms[std::int32_t(kind)];
+}
+
+inline int face_count(const CellForm& form) {
+  int count = 0;
+  while (count < 6 && form.nodes_of_face[count] > 0) ++count;
+  return count;
+}
+
+}  // namespace halfspace

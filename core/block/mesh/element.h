@@ -1,0 +1,127 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "block/elasticity.h"
+#include "geometry/numbers.h"
+#include "geometry/vector.h"
+
+namespace halfspace {
+
+// A cell of a mesh as a finite element. Its points move by an affine field, told by the mean gradient F of
+// the places, and by the fields that nodes beyond those of a simplex allow: hourglass modes, of amplitude h =
+// sum_i y_i gamma_i (Belytschko and Bindeman 1993). Both parts store energy by themselves:
+//
+//   U = V (1/2 E : C : E) + 1/2 q . K q,    E = 1/2 (F^T F - 1),    q_k = F^T h_k
+//
+// E and q do not change as the cell turns, so that a rotation, however large, strains nothing, and forces are
+// the exact derivative of U: the ledger closes. For small strains K makes the element that of incompatible
+// modes (Taylor, Beresford and Wilson 1976), which bends without locking: see make_element.cpp. A linear
+// triangle or tetrahedron has no modes.
+
+/// The hourglass modes of an element.
+template <int D, int N>
+struct Hourglass {
+  static constexpr int modes = N - D - 1;
+
+  bool is_consistent() const { return gamma.allFinite() && stiffness.allFinite(); }
+
+  Eigen::Matrix<double, N, modes> gamma;
+  Eigen::Matrix<double, D * modes, D * modes> stiffness;  // K
+};
+template <int D>
+struct Hourglass<D, D + 1> {
+  bool is_consistent() const { return true; }
+};
+
+/// A finite element of N nodes. There is no gap between its members: a saved one holds no stray bytes.
+template <int D, int N>
+struct Element {
+  static constexpr int modes = N - D - 1;
+  using Nodes = Eigen::Matrix<double, D, N>;
+  using Modes = Eigen::Matrix<double, D, modes>;
+  using Amplitudes = Eigen::Matrix<double, D * modes, 1>;
+
+  /// How its nodes lie or move.
+  struct Field {
+    Tensor<D> gradient;
+    Modes amplitude;
+  };
+
+  Field field_of(const Nodes& nodes) const {
+    if constexpr (modes == 0) {
+      return {nodes * gradients.transpose(), {}};
+    } else {
+      return {nodes * gradients.transpose(), nodes * hourglass.gamma};
+    }
+  }
+
+  /// Green's.
+  static Tensor<D> strain_of(const Field& place) {
+    return 0.5 * (place.gradient.transpose() * place.gradient - Tensor<D>::Identity());
+  }
+  static Tensor<D> strain_rate_of(const Field& place, const Field& rate) {
+    const Tensor<D> half = 0.5 * place.gradient.transpose() * rate.gradient;
+    return half + half.transpose();
+  }
+  /// Amplitudes as the cell sees them that turns with itself.
+  static Amplitudes bending_of(const Field& place) {
+    if constexpr (modes == 0) return {};
+    const Modes bending = place.gradient.transpose() * place.amplitude;
+    return Eigen::Map<const Amplitudes>(bending.data());
+  }
+  static Amplitudes bending_rate_of(const Field& place, const Field& rate) {
+    if constexpr (modes == 0) return {};
+    const Modes bending =
+        rate.gradient.transpose() * place.amplitude + place.gradient.transpose() * rate.amplitude;
+    return Eigen::Map<const Amplitudes>(bending.data());
+  }
+
+  /// What drives the modes when they are bent so.
+  Amplitudes drive(const Amplitudes& bending) const {
+    if constexpr (modes == 0) {
+      return {};
+    } else {
+      return hourglass.stiffness * bending;
+    }
+  }
+
+  double strain_energy(const Tensor<D>& strain, const Amplitudes& bending,
+                       const Elasticity& elasticity) const {
+    const double affine = 0.5 * volume * strain.cwiseProduct(elasticity.stress<D>(strain)).sum();
+    if constexpr (modes == 0) return affine;
+    return affine + 0.5 * bending.dot(drive(bending));
+  }
+
+  /// The forces on the nodes by a second Piola stress, and by what drives the modes.
+  Nodes forces(const Field& place, const Tensor<D>& stress, const Amplitudes& drive) const {
+    Tensor<D> by_gradient = volume * place.gradient * stress;
+    if constexpr (modes == 0) {
+      return -by_gradient * gradients;
+    } else {
+      const Eigen::Map<const Modes> of_mode(drive.data());
+      by_gradient += place.amplitude * of_mode.transpose();
+      return -by_gradient * gradients - place.gradient * of_mode * hourglass.gamma.transpose();
+    }
+  }
+
+  bool is_finite() const { return gradients.allFinite() && hourglass.is_consistent(); }
+  /// False for what none can be, after reading a snapshot.
+  bool is_consistent(std::size_t node_count, std::int32_t material_count) const {
+    const auto is_node = [&](std::int32_t i) { return i >= 0 && std::size_t(i) < node_count; };
+    return all(node, is_node) && cell >= 0 && material >= 0 && material < material_count &&
+           is_positive(volume) && is_finite();
+  }
+
+  std::array<std::int32_t, N> node{};  // in the world's array
+  std::int32_t body = 0;
+  std::int32_t cell = 0;  // of the body's mesh
+  std::int32_t material = 0;
+  std::array<std::int32_t, 4 - (N + 1) % 4> padding{};
+  double volume = 0;                      // of the cell as it was given, in the plane its area
+  Eigen::Matrix<double, D, N> gradients;  // means over the cell of those of the nodes' interpolation
+  [[no_unique_address]] Hourglass<D, N> hourglass;
+};
+
+}  // namespace halfspace

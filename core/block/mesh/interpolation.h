@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+
+#include "block/mesh/cell.h"
+#include "geometry/vector.h"
+
+namespace halfspace {
+
+/// A matrix over what one cell has: nodes, modes, or unknowns, 24 at most. Its size is told at run time: code
+/// for each size by itself takes minutes to compile.
+using CellMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 24, 24>;
+
+/// A point of the parent cell that its fields are integrated at, with its weight.
+struct GaussPoint {
+  std::array<double, 3> at{};
+  double weight = 0;
+};
+
+/// The interpolation between the nodes of a cell that is no simplex, over the parent cell: [-1, 1]^D, of the
+/// prism the triangle from (0, 0) to (1, 0) and (0, 1), times [-1, 1].
+class Interpolation {
+ public:
+  explicit Interpolation(CellKind kind) : is_prism_(kind == CellKind::prism), form_(form_of(kind)) {}
+
+  int dimension() const { return form_.dimension; }
+  int node_count() const { return form_.nodes; }
+  /// Fields besides the affine ones.
+  int mode_count() const { return form_.nodes - form_.dimension - 1; }
+  /// Quadratic fields that vanish at the nodes and let the cell bend.
+  int bubble_count() const { return is_prism_ ? 1 : form_.dimension; }
+
+  /// As many as there are nodes, by the rule of Gauss.
+  GaussPoint point(int i) const;
+  /// The weight of a node at a point of the parent cell.
+  double weight(int node, const std::array<double, 3>& at) const;
+  /// Gradients of all nodes' weights, a column each.
+  CellMatrix gradients(const std::array<double, 3>& at) const;
+  /// The values of the modes at the nodes, a column each.
+  CellMatrix modes() const;
+  /// The gradient of a bubble, a column.
+  CellMatrix bubble_gradient(int bubble, const std::array<double, 3>& at) const;
+  /// A node's own place in the parent cell, and the middle.
+  std::array<double, 3> place(int node) const;
+  std::array<double, 3> middle() const;
+
+ private:
+  double slope(int node, int axis, const std::array<double, 3>& at) const;
+
+  bool is_prism_;
+  const CellForm& form_;
+};
+
+}  // namespace halfspace

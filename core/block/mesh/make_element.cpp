@@ -1,0 +1,268 @@
+#include "block/mesh/make_element.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "block/mesh/cell.h"
+#include "block/mesh/interpolation.h"
+
+namespace halfspace {
+namespace {
+
+/// Hooke's law as a matrix over the components of the gradient of a displacement, column by column: of its
+/// symmetric part alone.
+template <int D>
+CellMatrix stiffness_of_gradient(const Elasticity& elasticity) {
+  CellMatrix stiffness(D * D, D * D);
+  for (int k = 0; k < D * D; ++k) {
+    Tensor<D> gradient = Tensor<D>::Zero();
+    gradient(k) = 1;
+    const Tensor<D> strain = 0.5 * (gradient + gradient.transpose());
+    const Tensor<D> stress = elasticity.stress<D>(strain);
+    std::copy_n(stress.data(), D * D, stiffness.col(k).data());
+  }
+  return stiffness;
+}
+
+/// Writes the gradients of displacements along each axis by a scalar field of this gradient: D columns.
+void write_gradients_by(const double* gradient, int dimension, int first, CellMatrix& columns) {
+  columns.middleCols(first, dimension).setZero();
+  for (int k = 0; k < dimension; ++k) {
+    for (int j = 0; j < dimension; ++j) columns(k + dimension * j, first + k) = gradient[j];
+  }
+}
+
+CellMatrix product(const CellMatrix& a, const CellMatrix& b) { return a * b; }
+CellMatrix product_of_transposed(const CellMatrix& a, const CellMatrix& b) { return a.transpose() * b; }
+
+/// B^T H B.
+CellMatrix stiffness_by(const CellMatrix& gradients, const CellMatrix& hooke) {
+  return product_of_transposed(gradients, product(hooke, gradients));
+}
+
+/// What a cell that is no simplex has of its interpolation at a point: the map of the parent cell there.
+struct Mapped {
+  CellMatrix inverse_transposed;
+  CellMatrix gradients;  // of the nodes' weights, in space
+  double determinant;
+};
+
+Mapped map_at(const CellMatrix& nodes, const Interpolation& form, const std::array<double, 3>& at) {
+  const CellMatrix parent = form.gradients(at);
+  const CellMatrix map = nodes * parent.transpose();
+  Mapped mapped;
+  mapped.inverse_transposed = map.inverse().transpose();
+  mapped.gradients = product(mapped.inverse_transposed, parent);
+  mapped.determinant = map.determinant();
+  return mapped;
+}
+
+/// gamma: what tells the amplitude of each mode, and vanishes for affine fields and for the other modes.
+CellMatrix dual_modes(const CellMatrix& nodes, const Interpolation& form) {
+  const int n = form.node_count();
+  CellMatrix fields(n, n);
+  fields.col(0).setOnes();
+  fields.middleCols(1, form.dimension()) = nodes.transpose();
+  fields.rightCols(form.mode_count()) = form.modes();
+  const CellMatrix inverse = fields.inverse();
+  return inverse.bottomRows(form.mode_count()).transpose();
+}
+
+/// K: the stiffness of the modes in the element of incompatible modes, for small strains. Modes are taken
+/// without their mean gradient, and so are bubbles, with the determinant of the middle (Taylor, Beresford and
+/// Wilson 1976): neither works against a uniform stress, so that modes and affine fields share no energy and
+/// the patch test holds exactly.
+CellMatrix stiffness_of_modes(const CellMatrix& nodes, const CellMatrix& mean_gradients,
+                              const Interpolation& form, const CellMatrix& hooke) {
+  const int dimension = form.dimension(), modes = form.mode_count(), bubbles = form.bubble_count();
+  const CellMatrix plain = form.modes();
+  const CellMatrix mode_fields = plain - product_of_transposed(nodes, product(mean_gradients, plain));
+  const Mapped middle = map_at(nodes, form, form.middle());
+  const int unknowns = dimension * (modes + bubbles);
+  CellMatrix stiffness = CellMatrix::Zero(unknowns, unknowns);
+  CellMatrix gradients(dimension * dimension, unknowns);
+  for (int i = 0; i < form.node_count(); ++i) {
+    const GaussPoint point = form.point(i);
+    const Mapped here = map_at(nodes, form, point.at);
+    const CellMatrix of_modes = product(here.gradients, mode_fields);
+    for (int k = 0; k < modes; ++k)
+      write_gradients_by(of_modes.col(k).data(), dimension, dimension * k, gradients);
+    for (int k = 0; k < bubbles; ++k) {
+      CellMatrix bubble = product(middle.inverse_transposed, form.bubble_gradient(k, point.at));
+      bubble *= middle.determinant / here.determinant;
+      write_gradients_by(bubble.data(), dimension, dimension * (modes + k), gradients);
+    }
+    stiffness += point.weight * here.determinant * stiffness_by(gradients, hooke);
+  }
+  const CellMatrix across = stiffness.bottomLeftCorner(dimension * bubbles, dimension * modes);
+  const CellMatrix of_bubbles = stiffness.bottomRightCorner(dimension * bubbles, dimension * bubbles);
+  const CellMatrix given_way = product_of_transposed(across, product(of_bubbles.inverse(), across));
+  const CellMatrix condensed = stiffness.topLeftCorner(dimension * modes, dimension * modes) - given_way;
+  return 0.5 * (condensed + condensed.transpose());
+}
+
+/// The edges of a simplex from its first corner.
+template <int D>
+Tensor<D> edges_of(const CellMatrix& nodes, const int* corners) {
+  Tensor<D> edges;
+  for (int k = 0; k < D; ++k) {
+    for (int axis = 0; axis < D; ++axis)
+      edges(axis, k) = nodes(axis, corners[k + 1]) - nodes(axis, corners[0]);
+  }
+  return edges;
+}
+
+template <int D>
+double volume_of_simplex(const Tensor<D>& edges) {
+  return edges.determinant() / (D == 2 ? 2 : 6);
+}
+
+constexpr int first_nodes[] = {0, 1, 2, 3};
+
+/// What all elements have: volume and mean gradients.
+struct Affine {
+  double volume = 0;
+  CellMatrix gradients;
+};
+
+template <int D>
+Affine affine_of(const CellMatrix& nodes, CellKind kind) {
+  Affine affine;
+  affine.gradients = CellMatrix::Zero(D, nodes.cols());
+  if (nodes.cols() == D + 1) {
+    const Tensor<D> edges = edges_of<D>(nodes, first_nodes), inverse = edges.inverse();
+    affine.volume = volume_of_simplex<D>(edges);
+    for (int k = 0; k < D; ++k) {
+      for (int axis = 0; axis < D; ++axis) {
+        affine.gradients(axis, k + 1) = inverse(k, axis);
+        affine.gradients(axis, 0) -= inverse(k, axis);
+      }
+    }
+    return affine;
+  }
+  const Interpolation form(kind);
+  for (int i = 0; i < form.node_count(); ++i) {
+    const GaussPoint point = form.point(i);
+    const Mapped here = map_at(nodes, form, point.at);
+    affine.volume += point.weight * here.determinant;
+    affine.gradients += point.weight * here.determinant * here.gradients;
+  }
+  affine.gradients /= affine.volume;
+  return affine;
+}
+
+template <int D, int N>
+constexpr CellKind kind_of() {
+  if constexpr (D == 2) return N == 3 ? CellKind::triangle : CellKind::quad;
+  return N == 4 ? CellKind::tetrahedron : N == 6 ? CellKind::prism : CellKind::hexahedron;
+}
+
+template <int D>
+CellMatrix nodal_volumes(const CellMatrix& nodes, CellKind kind) {
+  CellMatrix volumes = CellMatrix::Zero(nodes.cols(), 1);
+  if (nodes.cols() == D + 1) {
+    volumes.setConstant(volume_of_simplex<D>(edges_of<D>(nodes, first_nodes)) / (D + 1));
+    return volumes;
+  }
+  const Interpolation form(kind);
+  for (int i = 0; i < form.node_count(); ++i) {
+    const GaussPoint point = form.point(i);
+    const double share = point.weight * map_at(nodes, form, point.at).determinant;
+    for (int node = 0; node < form.node_count(); ++node)
+      volumes(node, 0) += share * form.weight(node, point.at);
+  }
+  return volumes;
+}
+
+/// The largest eigenvalue of the stiffness against lumped masses; both are of one element.
+double largest_eigenvalue(CellMatrix stiffness, const double* masses, int dimension) {
+  const int unknowns = int(stiffness.cols());
+  for (int i = 0; i < unknowns; ++i) {
+    for (int k = 0; k < unknowns; ++k)
+      stiffness(i, k) /= std::sqrt(masses[i / dimension]) * std::sqrt(masses[k / dimension]);
+  }
+  if (!stiffness.allFinite()) return HUGE_VAL;
+  return Eigen::SelfAdjointEigenSolver<CellMatrix>(stiffness, Eigen::EigenvaluesOnly)
+      .eigenvalues()[unknowns - 1];
+}
+
+template <int D>
+bool keeps_upright(const CellMatrix& nodes, CellKind kind) {
+  const CellForm& cell = form_of(kind);
+  for (int s = 0; s < cell.simplex_count; ++s) {
+    if (!(edges_of<D>(nodes, cell.simplices[s]).determinant() > 0)) return false;
+  }
+  if (nodes.cols() == D + 1) return true;
+  const Interpolation form(kind);
+  for (int node = 0; node < form.node_count(); ++node) {
+    const CellMatrix map = nodes * form.gradients(form.place(node)).transpose();
+    if (!(map.determinant() > 0)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+template <int D, int N>
+Element<D, N> make_element(const Eigen::Matrix<double, D, N>& nodes, const Elasticity& elasticity) {
+  const CellMatrix places = nodes;
+  const Affine affine = affine_of<D>(places, kind_of<D, N>());
+  Element<D, N> element;
+  element.volume = affine.volume;
+  element.gradients = affine.gradients;
+  if constexpr (N > D + 1) {
+    const Interpolation form(kind_of<D, N>());
+    element.hourglass.gamma = dual_modes(places, form);
+    element.hourglass.stiffness =
+        stiffness_of_modes(places, affine.gradients, form, stiffness_of_gradient<D>(elasticity));
+  }
+  return element;
+}
+
+template <int D, int N>
+Eigen::Matrix<double, N, 1> volumes_of_nodes(const Eigen::Matrix<double, D, N>& nodes) {
+  return nodal_volumes<D>(CellMatrix(nodes), kind_of<D, N>());
+}
+
+template <int D, int N>
+double squared_frequency(const Element<D, N>& element, const Elasticity& elasticity,
+                         const Eigen::Matrix<double, N, 1>& masses) {
+  CellMatrix gradients(D * D, D * N);
+  for (int i = 0; i < N; ++i) write_gradients_by(element.gradients.col(i).data(), D, D * i, gradients);
+  CellMatrix stiffness = element.volume * stiffness_by(gradients, stiffness_of_gradient<D>(elasticity));
+  if constexpr (N > D + 1) {
+    constexpr int modes = Element<D, N>::modes;
+    CellMatrix amplitudes = CellMatrix::Zero(D * modes, D * N);
+    for (int i = 0; i < N; ++i) {
+      for (int k = 0; k < modes; ++k) {
+        for (int axis = 0; axis < D; ++axis)
+          amplitudes(D * k + axis, D * i + axis) = element.hourglass.gamma(i, k);
+      }
+    }
+    stiffness += stiffness_by(amplitudes, CellMatrix(element.hourglass.stiffness));
+  }
+  return largest_eigenvalue(stiffness, masses.data(), D);
+}
+
+template <int D, int N>
+bool is_upright(const Eigen::Matrix<double, D, N>& nodes) {
+  return keeps_upright<D>(CellMatrix(nodes), kind_of<D, N>());
+}
+
+#define HALFSPACE_ELEMENT(D, N)                                                               \
+  template Element<D, N> make_element(const Eigen::Matrix<double, D, N>&, const Elasticity&); \
+  template Eigen::Matrix<double, N, 1> volumes_of_nodes(const Eigen::Matrix<double, D, N>&);  \
+  template double squared_frequency(const Element<D, N>&, const Elasticity&,                  \
+                                    const Eigen::Matrix<double, N, 1>&);                      \
+  template bool is_upright(const Eigen::Matrix<double, D, N>&);
+
+HALFSPACE_ELEMENT(2, 3)
+HALFSPACE_ELEMENT(2, 4)
+HALFSPACE_ELEMENT(3, 4)
+HALFSPACE_ELEMENT(3, 6)
+HALFSPACE_ELEMENT(3, 8)
+#undef HALFSPACE_ELEMENT
+
+}  // namespace halfspace

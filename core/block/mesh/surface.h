@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "block/mesh/mesh.h"
+#include "geometry/polygon/check.h"
+#include "geometry/polyhedron/check.h"
+#include "geometry/shape.h"
+
+namespace halfspace {
+
+/// A face that only one cell has.
+struct SurfaceFace {
+  std::int32_t cell;
+  std::int32_t face;  // of the cell's form
+};
+
+/// A simplex of a cell that has a face at the surface.
+template <int D>
+struct SurfaceSimplex {
+  std::int32_t cell;
+  std::array<std::int32_t, D + 1> node;  // of the mesh
+};
+
+/// The surface of a mesh, in ascending order of cells.
+template <int D>
+Array<SurfaceFace> surface_of(const Mesh<D>& mesh, Memory* memory);
+
+/// The first cell that has a face which two others have already, or -1.
+template <int D>
+std::int64_t cell_too_many(const Mesh<D>& mesh, Memory* memory);
+
+/// What others meet of a mesh, in ascending order of cells. Simplices strain uniformly, so that they stay
+/// convex and their contacts act on their nodes without any loss.
+template <int D>
+Array<SurfaceSimplex<D>> surface_simplices(const Mesh<D>& mesh, Memory* memory);
+
+/// What keeps corners from being a simplex that touches others, and its shape.
+FaultReport check_simplex(const std::array<Vector<2>, 3>& corners, Memory* memory);
+PolyhedronFault check_simplex(const std::array<Vector<3>, 4>& corners, Memory* memory);
+Shape<2> shape_of_simplex(const std::array<Vector<2>, 3>& corners, Memory* memory);
+Shape<3> shape_of_simplex(const std::array<Vector<3>, 4>& corners, Memory* memory);
+
+}  // namespace halfspace

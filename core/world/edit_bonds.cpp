@@ -1,0 +1,118 @@
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "block/bond/common_face.h"
+#include "world/world.h"
+
+// What comes from outside to the bonds of a world.
+
+namespace halfspace {
+namespace {
+
+/// Faces that a joint has cut apart lie in one plane to rounding only: what is nearer than this share of the
+/// smaller block's radius was one face.
+constexpr double bond_reach = 1e-6;
+
+/// A point or a normal of space in the frame of a block's shape.
+template <int D>
+Tensor<D> to_frame(const Blocks<D>& blocks, std::int32_t block) {
+  return blocks.gradient(std::size_t(block)).inverse();
+}
+template <int D>
+Vector<D> normal_in_frame(const Blocks<D>& blocks, std::int32_t block, const Vector<D>& normal) {
+  return (blocks.gradient(std::size_t(block)).transpose() * normal).normalized();
+}
+
+}  // namespace
+
+template <int D>
+bool World<D>::bond_pair(std::int32_t a, std::int32_t b, std::int32_t law) {
+  if (a > b) std::swap(a, b);
+  Blocks<D>& blocks = model_.blocks;
+  Memory* memory = sums_.get_allocator().resource();
+  if (blocks.are_joined(std::size_t(a), std::size_t(b))) return false;
+  const PlacedBlocks<D> at = blocks.placed(a, b);
+  const double reach = bond_reach * std::min(blocks.radius[std::size_t(a)], blocks.radius[std::size_t(b)]);
+  const std::optional<CommonFace<D>> face = common_face<D>(at.a, at.b, at.to_b, reach, memory);
+  if (!face) return false;
+  const Tensor<D> to_a = to_frame(blocks, a), to_b = to_frame(blocks, b);
+  Array<BondPoint<D>> points(memory);
+  double area = 0;
+  for (const FacePoint<D>& place : face->points) {
+    BondPoint<D> point;
+    point.on_a = to_a * place.place;
+    point.on_b = to_b * (place.place - at.to_b);
+    point.area = place.area;
+    area += place.area;
+    points.push_back(point);
+  }
+  Bond<D> bond;
+  bond.a = a;
+  bond.b = b;
+  bond.law = law;
+  bond.normal_a = normal_in_frame(blocks, a, face->normal);
+  bond.normal_b = normal_in_frame(blocks, b, face->normal);
+  bond.extent = D == 2 ? area : std::sqrt(area);
+  blocks.bonds().add(bond, points);
+  return true;
+}
+
+/// Calls make(number) with that of the law, which makes bonds of it and returns how many. When there are
+/// none, or memory runs out, there is no such law.
+template <int D>
+template <class Make>
+std::int64_t World<D>::make_bonds_of(const BondLaw& law, Make make) {
+  Bonds<D>& bonds = model_.blocks.bonds();
+  const std::int32_t number = bonds.add_law(law.weaker_by(strength_factor_));
+  std::int64_t count = 0;
+  try {
+    count = make(number);
+  } catch (...) {
+    bonds.take_back_law();
+    throw;
+  }
+  if (count == 0) {
+    bonds.take_back_law();
+    return 0;
+  }
+  bonds.index();
+  // What a law of contact has bonded gives way.
+  for (Candidate<D>& pair : contacts_.neighbors().pairs()) {
+    if (pair.bonded && bonds.keeps(pair.a, pair.b)) pair.bonded = 0;
+  }
+  change_laws();
+  return count;
+}
+
+template <int D>
+bool World<D>::bond_pair(std::int32_t a, std::int32_t b, const BondLaw& law) {
+  return make_bonds_of(law, [&](std::int32_t number) { return std::int64_t(bond_pair(a, b, number)); }) > 0;
+}
+
+/// The neighbour list knows all pairs that touch.
+template <int D>
+std::int64_t World<D>::bond_materials(std::int32_t material_a, std::int32_t material_b, const BondLaw& law) {
+  if (contacts_.neighbors().used_up()) renew_neighbors();
+  const auto are_wanted = [&](const Candidate<D>& pair) {
+    const std::int32_t of_a = model_.blocks.material[std::size_t(pair.a)];
+    const std::int32_t of_b = model_.blocks.material[std::size_t(pair.b)];
+    return (of_a == material_a && of_b == material_b) || (of_a == material_b && of_b == material_a);
+  };
+  return make_bonds_of(law, [&](std::int32_t number) {
+    std::int64_t count = 0;
+    for (const Candidate<D>& pair : contacts_.neighbors().pairs()) {
+      if (are_wanted(pair) && bond_pair(pair.a, pair.b, number)) ++count;
+    }
+    return count;
+  });
+}
+
+template <int D>
+void World<D>::hold_bonds(bool are_held) {
+  model_.blocks.bonds().hold(are_held);
+}
+
+template class World<2>;
+template class World<3>;
+
+}  // namespace halfspace

@@ -1,0 +1,92 @@
+#pragma once
+
+#include "block/mesh/meshes.h"
+#include "world/force_pass.h"
+#include "world/ledger.h"
+#include "world/model.h"
+
+namespace halfspace {
+
+/// The part of a step that meshes have: their nodes are kicked and drift, driven by the elements, by gravity
+/// and by the contacts of the blocks at their surface, which follow them.
+template <int D>
+class MeshMotion {
+ public:
+  MeshMotion(Model<D>& model, const ForcePass<D>& forces, Memory* memory)
+      : settings_(model.settings),
+        model_(model),
+        meshes_(model.blocks.meshes()),
+        forces_(forces),
+        acceleration_(memory) {}
+
+  /// Accelerations of all nodes from the forces at hand, and what there is of energy; adds to the noise, see
+  /// Integrator::begin().
+  void begin(double time_step, Stock& stock, double& noise);
+  /// False when the motion is not finite, or would turn a cell inside out: then inverted() names it.
+  bool plan(double duration);
+  const InvertedCell& inverted() const { return inverted_; }
+  /// The planned motion of a block at the surface.
+  Vector<D> planned_way(std::size_t block) const;
+  Tensor<D> planned_stretch(std::size_t block) const;
+  /// Velocities to the middle of the motion, places to its end.
+  void kick_and_drift(double duration);
+  /// Velocities to its end.
+  void kick(double duration, Stock& stock);
+
+  void reserve() { acceleration_.reserve(meshes_.node_count()); }
+  /// Memory has been reserved.
+  void resize() { acceleration_.resize(meshes_.node_count(), Vector<D>::Zero()); }
+
+  /// False for what cannot be, after reading a snapshot.
+  bool is_consistent(bool is_edited) const {
+    return is_edited || acceleration_.size() == meshes_.node_count();
+  }
+
+  template <class Archive>
+  void visit(Archive& archive) {
+    archive(acceleration_, largest_strain_);
+  }
+
+ private:
+  template <int N>
+  static Eigen::Matrix<double, D, N> gathered(const Array<Vector<D>>& of_nodes,
+                                              const std::array<std::int32_t, N>& nodes) {
+    Eigen::Matrix<double, D, N> all;
+    for (int i = 0; i < N; ++i) all.col(i) = of_nodes[std::size_t(nodes[std::size_t(i)])];
+    return all;
+  }
+  Vector<D> planned_way_of_node(std::size_t node) const {
+    return duration_ * (meshes_.velocity[node] + 0.5 * duration_ * acceleration_[node]);
+  }
+  bool is_held(std::size_t node, int component) const { return (meshes_.held[node] >> component & 1) != 0; }
+  double evaluate_forces();
+  template <int N>
+  double load_nodes_of(const Element<D, N>& element);
+  void load_nodes_of(const SurfaceCell<D>& cell);
+  void accelerate(std::size_t node);
+  /// How far the planned motion can change any element's gradient, at most: by itself, and as places are
+  /// rounded.
+  struct Bending {
+    double by_motion = 0;
+    double by_rounding = 0;
+  };
+  Bending most_bent() const;
+  bool keeps_upright();
+  void take_stock(std::size_t node, const Vector<D>& opposed, Stock& stock) const;
+  void take_surface_stock(Stock& stock) const;
+  double damping_power(double earlier_by) const;
+
+  const WorldSettings<D>& settings_;
+  Model<D>& model_;
+  Meshes<D>& meshes_;
+  const ForcePass<D>& forces_;
+  Array<Vector<D>> acceleration_;  // of each node, from the last forces
+  double largest_strain_ = 0;      // of all elements, at the last forces
+  double duration_ = 0;            // of the planned motion
+  InvertedCell inverted_;
+};
+
+extern template class MeshMotion<2>;
+extern template class MeshMotion<3>;
+
+}  // namespace halfspace

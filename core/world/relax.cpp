@@ -1,0 +1,157 @@
+#include <algorithm>
+
+#include "world/world.h"
+
+// Dynamic relaxation: steps under strong local damping until no force is left unbalanced (Cundall 1987).
+
+namespace halfspace {
+namespace {
+
+/// Measuring costs as much as a step.
+constexpr std::int64_t steps_per_look = 10;
+
+/// Share of the stable step, as far as that is not given, where forces are continuous. Springs per contact
+/// are not: their jumps make more energy in larger steps than damping takes.
+constexpr double safety_in_relaxation = 0.9;
+
+/// How far blocks have moved since it was made, over their own size.
+template <int D>
+class Way {
+ public:
+  Way(const Blocks<D>& blocks, Memory* memory) : start_(blocks.position, memory) {}
+
+  double longest(const Blocks<D>& blocks) const {
+    double longest = 0;
+    for (std::size_t i = 0; i < start_.size(); ++i) {
+      if (blocks.moves_freely(i))
+        longest = std::max(longest, (blocks.position[i] - start_[i]).norm() / blocks.radius[i]);
+    }
+    return longest;
+  }
+
+ private:
+  Array<Vector<D>> start_;
+};
+
+/// What is watched while a world comes to rest. All memory is taken before it does.
+template <int D>
+struct Watch {
+  Watch(const Model<D>& model, Memory* memory)
+      : slowest(model, memory), way(model.blocks, memory), room(model.blocks, memory) {}
+
+  SlowestMotion<D> slowest;
+  Way<D> way;
+  BalanceRoom room;
+};
+
+}  // namespace
+
+/// Nothing moves freely where no time step can be told: then nothing is unbalanced.
+template <int D>
+Balance World<D>::balance() {
+  BalanceRoom room(model_.blocks, sums_.get_allocator().resource());
+  if (prepare() != StepResult::ok) return {};
+  return balance_of(model_, contacts_, forces_, room);
+}
+
+template <int D>
+void World<D>::stop_all() {
+  Blocks<D>& blocks = model_.blocks;
+  for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
+    if (!blocks.moves_freely(i) || blocks.is_of_mesh(i)) continue;
+    if (blocks.is_affine(i)) {
+      const Tensor<D> gradient = blocks.deformation(i).gradient;
+      blocks.velocity[i] = Vector<D>::Zero();
+      blocks.deform(std::int32_t(i), gradient, Tensor<D>::Zero());
+    } else {
+      blocks.set_motion(std::int32_t(i), Vector<D>::Zero(), Angular<D>::Zero());
+    }
+  }
+  Meshes<D>& meshes = blocks.meshes();
+  for (std::size_t i = 0; i < meshes.node_count(); ++i) {
+    for (int k = 0; k < D; ++k) {
+      if (!(meshes.held[i] >> k & 1)) meshes.velocity[i][k] = 0;
+    }
+  }
+  end_node_edits();
+  edit();
+}
+
+template <int D>
+Relaxed World<D>::relax(const Relaxation& relaxation) {
+  Watch<D> watch(model_, sums_.get_allocator().resource());
+  const WorldSettings<D> settings = model_.settings;
+  const bool held_bonds = bonds().are_held();
+  const auto restore = [&] {
+    model_.settings = settings;
+    hold_bonds(held_bonds);
+    edit();
+  };
+  const bool has_jumps = model_.materials.laws().any(
+      [](const SpringLaw& law) { return law.stiffness_kind == StiffnessKind::per_contact; });
+  if (!has_jumps) model_.settings.safety = std::max(settings.safety, safety_in_relaxation);
+  set_damping(relaxation.local_damping, relaxation.is_adaptive ? 0 : settings.mass_damping);
+  if (relaxation.holds_bonds) hold_bonds(true);
+  Relaxed relaxed;
+  try {
+    relax_under_damping(relaxation, watch, relaxed);
+  } catch (...) {
+    restore();
+    throw;
+  }
+  restore();
+  if (relaxed.is_at_rest) stop_all();
+  return relaxed;
+}
+
+template <int D>
+template <class Watch>
+void World<D>::relax_under_damping(const Relaxation& relaxation, Watch& watch, Relaxed& relaxed) {
+  while (!relaxed.is_at_rest && !relaxed.has_fallen && relaxed.steps < relaxation.most_steps) {
+    for (std::int64_t i = 0; i < steps_per_look && relaxed.steps < relaxation.most_steps; ++i) {
+      relaxed.result = step();
+      if (relaxed.result != StepResult::ok) return;
+      ++relaxed.steps;
+    }
+    relaxed.balance = balance_of(model_, contacts_, forces_, watch.room);
+    const double ratio = relaxation.by_largest ? relaxed.balance.largest : relaxed.balance.mean;
+    relaxed.is_at_rest = ratio <= relaxation.ratio;
+    relaxed.has_fallen = relaxation.most_way > 0 && watch.way.longest(model_.blocks) > relaxation.most_way;
+    if (!relaxation.is_adaptive) continue;
+    const double wanted = watch.slowest.look();
+    // The damping of one step is little, or steps would not be stable.
+    if (wanted >= 0) model_.settings.mass_damping = std::min(wanted, 0.2 / clock_.time_step());
+  }
+}
+
+template <int D>
+void World<D>::set_gravity(const Vector<D>& gravity) {
+  model_.settings.gravity = gravity;
+  edit();
+}
+
+template <int D>
+void World<D>::set_damping(double local_damping, double mass_damping) {
+  model_.settings.local_damping = local_damping;
+  model_.settings.mass_damping = mass_damping;
+  edit();
+}
+
+template <int D>
+void World<D>::set_strength_factor(double factor) {
+  model_.materials.laws().weaken(factor / strength_factor_);
+  model_.blocks.bonds().weaken(factor / strength_factor_);
+  strength_factor_ = factor;
+  edit();
+}
+
+template <int D>
+void World<D>::set_time_step(double time_step) {
+  model_.settings.time_step = time_step;
+  edit();
+}
+
+template class World<2>;
+template class World<3>;
+
+}  // namespace halfspace

@@ -1,0 +1,111 @@
+// halfspace/plan.h: what a world says of itself, and that measuring leaves no trace in it.
+
+#include "capi/world_fixture.h"
+#include "catch.h"
+
+namespace halfspace_test {
+namespace {
+
+hs_world_plan plan_of(hs_world* world, std::int64_t steps = 0) {
+  hs_world_plan plan{};
+  if (hs_world_get_plan(world, steps, &plan, sizeof plan) != HS_OK) throw std::runtime_error("no plan");
+  return plan;
+}
+
+/// The parts that are active when two boxes have this law.
+std::int32_t parts_of(const hs_law_def& law, const hs_world_def& def = world_def()) {
+  TwoBoxes s(0, def);
+  require_ok(hs_world_set_default_law(s.world.get(), &law), s.context.get());
+  return plan_of(s.world.get()).parts;
+}
+
+hs_law_def bare_law() {
+  hs_law_def law = law_def(1e8, 0);
+  law.normal_damping = law.shear_damping = 0;
+  return law;
+}
+
+}  // namespace
+
+TEST_CASE("a plan names the parts that laws and settings ask for, and no others") {
+  CHECK(parts_of(bare_law()) == 0);
+  hs_law_def law = bare_law();
+  law.friction_angle = 0.5;
+  CHECK(parts_of(law) == HS_PART_FRICTION);
+  law = bare_law();
+  law.cohesion = 1;
+  CHECK(parts_of(law) == (HS_PART_FRICTION | HS_PART_BONDS));
+  law = bare_law();
+  law.normal_damping = 0.1;
+  CHECK(parts_of(law) == HS_PART_CONTACT_DAMPING);
+  law = bare_law();
+  law.stiffness_kind = HS_STIFFNESS_PER_AREA;
+  CHECK(parts_of(law) == HS_PART_AREA);
+  law.stiffness_kind = HS_STIFFNESS_POTENTIAL;
+  CHECK(parts_of(law) == HS_PART_POTENTIAL);
+  hs_world_def def = world_def();
+  def.local_damping = 0.1;
+  CHECK(parts_of(bare_law(), def) == HS_PART_LOCAL_DAMPING);
+  def = world_def();
+  def.mass_damping = 0.1;
+  CHECK(parts_of(bare_law(), def) == HS_PART_MASS_DAMPING);
+
+  const TwoBoxes s;
+  const hs_elasticity_def elasticity = elasticity_def(1e8);
+  require_ok(hs_world_set_elasticity(s.world.get(), s.material, &elasticity), s.context.get());
+  CHECK((plan_of(s.world.get()).parts & HS_PART_STRAIN) == 0);
+  add_block(s.context.get(), s.world.get(), box(9, 9, 10, 10), HS_BLOCK_AFFINE);
+  CHECK((plan_of(s.world.get()).parts & HS_PART_STRAIN) != 0);
+  CHECK(plan_of(s.world.get()).affine_count == 1);
+}
+
+TEST_CASE("without friction pairs keep no shear spring") {
+  TwoBoxes with(0.5), without(0);
+  CHECK(plan_of(with.world.get()).pair_bytes > plan_of(without.world.get()).pair_bytes);
+  CHECK(plan_of(with.world.get()).block_bytes == plan_of(without.world.get()).block_bytes);
+}
+
+TEST_CASE("the block that limits the step is the one without which it is longer") {
+  TwoBoxes s;
+  const hs_block light = add_block(s.context.get(), s.world.get(), box(3, 5, 3.1, 5.1), HS_BLOCK_RIGID);
+  const hs_world_plan before = plan_of(s.world.get());
+  CHECK(before.limiting_block == light);
+  CHECK(before.limiting_neighbor == 0);
+  CHECK(before.stable_time_step == report_of(s.world.get()).stable_time_step);
+  require_ok(hs_world_remove_block(s.world.get(), light), s.context.get());
+  const hs_world_plan after = plan_of(s.world.get());
+  CHECK(after.limiting_block != light);
+  CHECK(after.stable_time_step > 2 * before.stable_time_step);
+
+  require_ok(hs_world_remove_block(s.world.get(), s.box_away), s.context.get());
+  const hs_world_plan alone = plan_of(s.world.get());
+  CHECK(alone.limiting_block == s.box_on_floor);
+  CHECK(alone.limiting_neighbor == s.floor);
+}
+
+TEST_CASE("a world in which nothing moves has no limit and no times") {
+  const TwoBoxes s;
+  for (const hs_block block : {s.box_on_floor, s.box_away})
+    require_ok(hs_world_remove_block(s.world.get(), block), s.context.get());
+  const hs_world_plan plan = plan_of(s.world.get(), 10);
+  CHECK(plan.stable_time_step == 0);
+  CHECK(plan.limiting_block == 0);
+  CHECK(plan.fixed_count == 1);
+  CHECK(plan.measured_steps == 0);
+}
+
+TEST_CASE("measuring steps a copy: the world goes on as if it had not been asked") {
+  TwoBoxes asked, unasked;
+  REQUIRE(hs_world_step(asked.world.get(), 7) == HS_OK);
+  REQUIRE(hs_world_step(unasked.world.get(), 7) == HS_OK);
+  const hs_world_plan plan = plan_of(asked.world.get(), 100);
+  CHECK(plan.measured_steps == 100);
+  CHECK(plan.pair_seconds > 0);
+  CHECK(plan.motion_seconds > 0);
+  CHECK(saved(asked.world.get()) == saved(unasked.world.get()));
+  REQUIRE(hs_world_step(asked.world.get(), 100) == HS_OK);
+  REQUIRE(hs_world_step(unasked.world.get(), 100) == HS_OK);
+  CHECK(saved(asked.world.get()) == saved(unasked.world.get()));
+}
+
+}  // namespace halfspace_test

@@ -1,0 +1,242 @@
+"""`halfspace trade`: errors against answers that are known, and runs that are left out, interrupted and resumed."""
+import csv
+import math
+import re
+import signal
+import subprocess
+import tempfile
+import time
+import tomllib
+import unittest
+from pathlib import Path
+
+from command import COMMAND, EXAMPLES, halfspace, main
+
+SLIDE = EXAMPLES / "trade" / "slide.toml"
+
+STONE = """
+dimension = 2
+[[material]]
+name = "stone"
+density = 2500
+[default_law]
+stiffness = "per contact"
+normal_stiffness = 1e8
+"""
+
+# A block falls by 0.1 m onto a plate without damping: m g + (m g)^2 + 2 k m g h under the root is the largest force.
+FALL = STONE + """normal_damping = 0
+[world]
+duration = 0.2
+[[block]]
+name = "falling"
+material = "stone"
+vertices = [[0, 0.1], [1, 0.1], [1, 1.1], [0, 1.1]]
+[[block]]
+name = "plate"
+material = "stone"
+kind = "fixed"
+vertices = [[-2, -1], [3, -1], [3, 0], [-2, 0]]
+[reference]
+quantity = "force"
+block = "plate"
+"""
+
+ON_SLOPE = STONE + """
+[world]
+duration = 0.5
+[[block]]
+name = "slope"
+material = "stone"
+kind = "fixed"
+vertices = [[-2, -1], [2, -1], [2, 0], [-2, 0]]
+rotation = -25
+[[block]]
+name = "block"
+material = "stone"
+vertices = [[0, 0], [1, 0], [1, 1], [0, 1]]
+rotation = -25
+[reference]
+quantity = "friction angle"
+limit = 0.001
+value = 25
+"""
+
+
+def rows_of(directory):
+    text = Path(directory, "trade.csv").read_text()
+    return list(csv.DictReader(line for line in text.splitlines() if not line.startswith("#")))
+
+
+def value_at(rows, **wanted):
+    """The value of the run with this setting, all else as in the scene."""
+    setting = {"step": "0.25", "stiffness": "1", "law": "", "kind": "", "damping": "", "skin": "", "disturbance": "0"}
+    setting |= wanted
+    found = [row for row in rows if all(row[key] == value for key, value in setting.items())]
+    assert len(found) == 1, (setting, found)
+    return float(found[0]["value"])
+
+
+class Trade(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.output = Path(self.folder.name, "out")
+
+    def trade(self, text, *options):
+        scene = Path(self.folder.name, "scene.toml")
+        scene.write_text(text)
+        return halfspace("trade", scene, "-o", self.output, *options)
+
+    def rows_so_far(self):
+        return len(rows_of(self.output)) if (self.output / "trade.csv").exists() else 0
+
+    def test_a_slide_is_off_by_what_its_springs_give(self):
+        run = halfspace("trade", SLIDE, "-o", self.output)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        slope, friction = math.radians(30), math.radians(20)
+        way = 0.5 * 9.81 * (math.sin(slope) - math.cos(slope) * math.tan(friction)) * math.cos(slope)
+        exact = 0.5 * (math.cos(slope) + math.sin(slope)) + way
+        self.assertIn(f"{exact:.6f}", run.stdout)
+        rows = rows_of(self.output)
+        errors = [abs(value_at(rows, stiffness=k) - exact) for k in ("0.1", "1", "10", "100")]
+        for soft, stiff in zip(errors, errors[1:]):
+            self.assertAlmostEqual(soft / stiff, 10, delta=0.5)  # a spring gives by the weight over its stiffness
+        self.assertLess(errors[-1] / way, 1e-5)
+        for name in ("trade.csv", "trade.txt", "trade.svg"):
+            self.assertTrue((self.output / name).exists(), name)
+        self.assertEqual((self.output / "trade.txt").read_text(), run.stdout)
+
+    def test_the_lines_of_the_cheapest_setting_are_those_of_its_run(self):
+        run = halfspace("trade", SLIDE, "-o", self.output, "--tolerance", "0.0001")
+        lines = run.stdout.split("cheapest within 0.01 %")[1].split("\n\n", 1)[1]
+        turned = tomllib.loads(lines)
+        scene = SLIDE.read_text()
+        for key in ("stiffness", "normal_stiffness", "shear_stiffness"):
+            value = turned["default_law"][key]
+            shown = f'"{value}"' if isinstance(value, str) else repr(value)
+            scene = re.sub(rf"(?m)^{key} = .*$", f"{key} = {shown}", scene)
+        scene = scene.replace("[world]", f"[world]\nsafety = {turned['world']['safety']}\n"
+                                         f"skin = {turned['world'].get('skin', 0.1)}")
+        damping = f"normal_damping = {turned['default_law']['normal_damping']}\n"
+        scene = scene.replace("[[block]]", damping + "[[block]]", 1)
+        self.output = Path(self.folder.name, "again")
+        self.assertEqual(self.trade(scene, "--tolerance", "0.0001").returncode, 0)
+        exact = float(re.search(r"reference +(\S+) m", run.stdout)[1])
+        found = value_at(rows_of(self.output), step=f"{turned['world']['safety']:g}")
+        self.assertLess(abs(found - exact) / 0.785, 1e-4)
+
+    def test_the_largest_force_of_an_impact(self):
+        weight = 2500 * 9.81
+        exact = weight + math.sqrt(weight ** 2 + 2 * 1e8 * weight * 0.1)
+        run = self.trade(FALL)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("of the finest run (step 1/16)", run.stdout)
+        self.assertIn("runs converge     yes", run.stdout)
+        self.assertLess(abs(value_at(rows_of(self.output), step="0.0625") / exact - 1), 1e-4)
+
+    def test_the_friction_angle_that_holds_a_block(self):
+        run = self.trade(ON_SLOPE)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertLess(abs(value_at(rows_of(self.output), stiffness="100") - 25), 0.1)
+
+    def test_what_the_budget_leaves_out_a_resumed_trade_does(self):
+        short = self.trade(FALL, "--budget", "1s")
+        self.assertEqual(short.returncode, 0, short.stderr)
+        done = rows_of(self.output)
+        whole = self.trade(FALL, "--resume")
+        self.assertEqual(whole.returncode, 0, whole.stderr)
+        rows = rows_of(self.output)
+        self.assertEqual(rows[:len(done)], done)
+        self.output = Path(self.folder.name, "anew")
+        self.trade(FALL)
+        physics = [key for key in rows[0] if key != "cpu_seconds"]
+        in_order = sorted(tuple(row[key] for key in physics) for row in rows)
+        self.assertEqual(in_order, sorted(tuple(row[key] for key in physics) for row in rows_of(self.output)))
+
+    def test_an_interrupted_trade_keeps_what_is_done(self):
+        scene = Path(self.folder.name, "scene.toml")
+        scene.write_text(FALL.replace("duration = 0.2", "duration = 20"))
+        process = subprocess.Popen([COMMAND, "trade", scene, "-o", self.output], stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, text=True)
+        deadline = time.monotonic() + 600
+        while self.rows_so_far() < 3 and time.monotonic() < deadline:  # the finest run is no point of the front
+            time.sleep(0.01)
+        process.send_signal(signal.SIGINT)
+        output, errors = process.communicate(timeout=600)
+        self.assertEqual(process.returncode, 1)
+        self.assertIn("--resume goes on", errors)
+        self.assertIn("best for their cost", output)
+        self.assertGreaterEqual(len(rows_of(self.output)), 3)
+
+    def test_another_scene_is_not_resumed(self):
+        self.trade(FALL, "--budget", "1s")
+        run = self.trade(FALL.replace("1e8", "2e8"), "--resume")
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("its runs are of another scene", run.stderr)
+
+    def test_a_damaged_table_is_not_resumed(self):
+        self.trade(FALL, "--budget", "1s")
+        table = self.output / "trade.csv"
+        whole = table.read_text()
+        for old, new in (("whole", "halfway"), ("1,1,,", "1,1,7,"), ("1,1,,", "0,1,,"), ("1,1,,", "nan,1,,")):
+            table.write_text(whole.replace(old, new, 1))
+            run = self.trade(FALL, "--resume")
+            self.assertEqual(run.returncode, 1, new)
+            self.assertIn("trade.csv: line ", run.stderr)
+        self.output = Path(self.folder.name, "nothing")
+        self.assertIn("cannot resume: there is no trade.csv", self.trade(FALL, "--resume").stderr)
+        self.assertFalse(self.output.exists())
+
+    def test_scenes_without_a_result_say_why(self):
+        for change, reason in ((('block = "plate"', 'block = "plate"\ntime = 1e-12'), "too few steps for the time"),
+                               (("duration = 0.2", 'duration = 0.2\nfast_blocks = "refuse"\ngravity = [0, -1e9]'),
+                                "refused, as blocks are too fast")):
+            run = self.trade(FALL.replace(*change), "--force")
+            self.assertEqual(run.returncode, 3, run.stdout + run.stderr)
+            self.assertIn("none: no run went to its end", run.stdout)
+            self.assertIn(reason, run.stdout)
+            self.assertFalse((self.output / "trade.svg").exists())
+        level = ON_SLOPE.replace("rotation = -25\n", "")
+        run = self.trade(level, "--force")
+        self.assertIn("stands without friction, or not at 89 degrees either", run.stdout)
+        fixed = FALL.replace('name = "falling"', 'name = "falling"\nkind = "fixed"')
+        run = self.trade(fixed, "--force")
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("no block is free to move", run.stderr)
+
+    def test_free_flight_is_exact_at_any_step(self):
+        flight = FALL.replace("duration = 0.2", "duration = 0.1\ngravity = [0, 0]").replace(
+            'name = "falling"', 'name = "falling"\nvelocity = [3, 2]\nangular_velocity = 10')
+        flight = flight.replace('quantity = "force"\nblock = "plate"', 'quantity = "run-out"')
+        self.assertEqual(self.trade(flight).returncode, 0)
+        half, angle = math.sqrt(0.5), math.radians(1)
+        exact = 0.3 + half * math.cos(math.pi / 4 - angle) - 0.5
+        for row in rows_of(self.output):
+            self.assertLess(abs(float(row["value"]) / exact - 1), 2e-5, row)
+
+    def test_odd_options_are_wrong_usage(self):
+        scene = Path(self.folder.name, "scene.toml")
+        scene.write_text(FALL)
+        for option in ("--budget=-5s", "--budget=0s", "--budget=nan", "--tolerance=nan", "--tolerance=0"):
+            self.assertEqual(halfspace("trade", scene, "-o", self.output, option).returncode, 2, option)
+        self.assertEqual(halfspace("trade", scene, "-o", self.output, "--force", "--resume").returncode, 2)
+
+    def test_faults_of_a_reference_are_told(self):
+        for old, new, told in (
+                ('quantity = "force"', 'quantity = "fors"', "unknown word: \"fors\" (did you mean 'force'?)"),
+                ('block = "plate"', 'block = "plat"', "no such block: \"plat\" (did you mean 'plate'?)"),
+                ('block = "plate"', 'block = "plate"\naxis = "x"', "unknown key"),
+                ('block = "plate"', 'block = "plate"\nvalue = "2 *"', "\"2 *\" is no formula"),
+                ('block = "plate"', 'block = "plate"\nvalue = "1 / (t - t)"', "has no finite value"),
+                ('block = "plate"', 'block = "plate"\nvalue = "1,2"', "has no finite value"),
+                ('block = "plate"', 'block = ""', "reference.block: empty"),
+                ('block = "plate"', 'block = "plate"\nscale = 0', "reference.scale: out of range: 0")):
+            run = self.trade(FALL.replace(old, new))
+            self.assertEqual(run.returncode, 1)
+            self.assertIn(told, run.stderr)
+            self.assertFalse(self.output.exists())
+
+
+if __name__ == "__main__":
+    main()
