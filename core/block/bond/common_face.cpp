@@ -52,7 +52,8 @@ Array<Vector<2>> flattened(const Outline<3>& block, int face, const Vector<3>& s
 Array<Vector<2>> common_polygon(const Array<Vector<2>>& one, const Array<Vector<2>>& other) {
   Array<Vector<2>> common(one, one.get_allocator());
   for (std::size_t i = 0; i < other.size(); ++i) {
-    const Vector<2> from = other[i], way = other[(i + 1) % other.size()] - from;
+    const Vector<2>& from = other[i];
+    const Vector<2> way = other[(i + 1) % other.size()] - from;
     Array<Vector<2>> rest(one.get_allocator());
     clip<Vector<2>>(
         common, [&](const Vector<2>& p) { return -cross(way, p - from); }, 0,
