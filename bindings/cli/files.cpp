@@ -30,15 +30,23 @@ void remove_numbered(const fs::path& directory, std::string_view begin, std::str
   for (const fs::path& file : numbered) fs::remove(file);
 }
 
+std::string numbered(const char* begin, int number) {
+  char digits[16];
+  std::snprintf(digits, sizeof digits, "%04d", number);
+  return begin + std::string(digits) + ".vtp";
+}
+
 /// Links are removed themselves, and what they lead to is left alone.
 void remove_earlier_run(const fs::path& path) {
   const fs::path frames = path / "frames";
   if (fs::is_symlink(frames)) fs::remove(frames);
-  for (const char* name : {"run.pvd", "history.csv", "first.svg", "last.svg", "summary.txt", "trade.csv",
-                           "trade.txt", "trade.svg"})
+  for (const char* name :
+       {"run.pvd", "contacts.pvd", "contacts.csv", "cracks.csv", "history.csv", "first.svg", "last.svg",
+        "summary.txt", "trade.csv", "trade.txt", "trade.svg", "checkpoint"})
     fs::remove(path / name);
   remove_numbered(path, "at_", "s.svg");
   remove_numbered(frames, "frame_", ".vtp");
+  remove_numbered(frames, "contacts_", ".vtp");
 }
 
 /// Writes to a file of its own: one of that name, or a link, is removed first.
@@ -63,7 +71,11 @@ std::string content_of(const std::string& file) {
   return content;
 }
 
-OutputDirectory::OutputDirectory(fs::path path, Earlier earlier) : path_(std::move(path)) {
+std::string frame_name(int number) { return numbered("frames/frame_", number); }
+std::string contacts_name(int number) { return numbered("frames/contacts_", number); }
+
+OutputDirectory::OutputDirectory(fs::path path, Earlier earlier)
+    : path_(std::move(path)), replaces_(earlier == Earlier::replace) {
   try {
     fs::create_directories(path_);
     if (!fs::is_directory(path_)) throw std::runtime_error(path_.string() + " is not a directory");
@@ -71,13 +83,25 @@ OutputDirectory::OutputDirectory(fs::path path, Earlier earlier) : path_(std::mo
       throw std::runtime_error("the directory " + path_.string() +
                                " is not empty; --force replaces an earlier run in it");
     }
-    if (earlier == Earlier::replace) remove_earlier_run(path_);
   } catch (const fs::filesystem_error& error) {
     throw std::runtime_error("cannot use the directory " + path_.string() + ": " + error.code().message());
   }
 }
 
+void OutputDirectory::remove_frames_from(int number) {
+  for (;; ++number) {
+    const fs::path frame = path_ / frame_name(number), contacts = path_ / contacts_name(number);
+    std::error_code error;
+    fs::remove(contacts, error);
+    fs::remove(contacts.string() + ".part", error);
+    const bool was_half_written = fs::remove(frame.string() + ".part", error);
+    if (!fs::remove(frame, error) && !was_half_written) return;
+  }
+}
+
 void OutputDirectory::write(const std::string& name, const std::string& content) {
+  if (replaces_) remove_earlier_run(path_);
+  replaces_ = false;
   const fs::path target = path_ / name;
   const fs::path temporary = target.string() + ".part";
   std::error_code error;

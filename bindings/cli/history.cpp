@@ -37,11 +37,11 @@ History::History(const Layout& layout) {
       "time,steps,contacts,largest_overlap,largest_speed,kinetic,gravity,strain,friction_loss,contact_"
       "damping_loss,"
       "local_damping_loss,mass_damping_loss,outer_work,residual";
-  if (layout.has_affine()) text_ += ",block_strain,block_damping_loss";
+  if (layout.has_deformable()) text_ += ",block_strain,block_damping_loss";
   for (std::size_t block : layout.tracked) {
     for (const char* column : columns_of_block(layout.dimension))
       text_ += ',' + layout.blocks[block].name + column;
-    if (layout.blocks[block].kind != HS_BLOCK_AFFINE) continue;
+    if (!deforms(layout.blocks[block].kind)) continue;
     for (const auto& [column, component] : stress_columns(layout.dimension))
       text_ += ',' + layout.blocks[block].name + column;
   }
@@ -60,12 +60,12 @@ void History::add(const Model& model) {
     text_ += ',' + shortest(value);
   }
   const Layout& layout = model.layout();
-  if (layout.has_affine())
+  if (layout.has_deformable())
     text_ += ',' + shortest(report.block_strain_energy) + ',' + shortest(report.block_damping_loss);
   for (std::size_t block : layout.tracked) {
     for (double value : motion_of_block(model.state_of(block), layout.dimension))
       text_ += ',' + shortest(value);
-    if (layout.blocks[block].kind != HS_BLOCK_AFFINE) continue;
+    if (!deforms(layout.blocks[block].kind)) continue;
     const hs_deformation deformation = model.deformation_of(block);
     for (const auto& [column, component] : stress_columns(layout.dimension))
       text_ += ',' + shortest(deformation.stress[component]);

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "archive.h"
 #include "model.h"
 
 namespace halfspace::cli {
@@ -11,6 +12,7 @@ class History {
  public:
   explicit History(const Layout& layout);
   void add(const Model& model);
+  void add_to(Archive& archive) { archive.add(text_); }
   const std::string& text() const { return text_; }
 
  private:

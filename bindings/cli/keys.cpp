@@ -146,6 +146,15 @@ std::string Keys::text(std::string_view key, std::optional<std::string> fallback
   return fallback.value_or("");
 }
 
+bool Keys::truth(std::string_view key, bool fallback) {
+  const toml::node* node = find(key, "true or false", false);
+  if (node) {
+    if (const toml::value<bool>* value = node->as_boolean()) return value->get();
+    fault(key, "neither: " + shown(*node) + "; allowed: true or false");
+  }
+  return fallback;
+}
+
 int Keys::word(std::string_view key, std::initializer_list<std::string_view> allowed,
                std::optional<int> fallback) {
   const toml::node* node = find(key, joined(allowed), !fallback);
@@ -224,6 +233,23 @@ std::vector<double> Keys::rising_numbers(std::string_view key, Range range) {
     numbers.push_back(*value);
   }
   return numbers;
+}
+
+std::vector<std::int64_t> Keys::integers(std::string_view key, std::size_t count, std::int64_t low,
+                                         std::int64_t high) {
+  const std::string allowed = std::to_string(count) + " whole numbers, at least " + std::to_string(low) +
+                              ", at most " + std::to_string(high);
+  const toml::node* node = find(key, allowed, true);
+  if (!node) return {};
+  const toml::array* list = node->as_array();
+  std::vector<std::int64_t> numbers;
+  for (std::size_t i = 0; list && i < list->size(); ++i) {
+    const toml::value<std::int64_t>* number = (*list)[i].as_integer();
+    if (number && low <= number->get() && number->get() <= high) numbers.push_back(number->get());
+  }
+  if (list && list->size() == count && numbers.size() == count) return numbers;
+  fault(key, "out of range: " + shown(*node) + "; allowed: " + allowed);
+  return {};
 }
 
 std::optional<std::vector<int>> Keys::loop_of(const toml::node& node, std::size_t count) {

@@ -47,6 +47,7 @@ class Keys {
   std::int64_t integer(std::string_view key, std::int64_t low, std::int64_t high,
                        std::optional<std::int64_t> fallback);
   std::string text(std::string_view key, std::optional<std::string> fallback);
+  bool truth(std::string_view key, bool fallback);
   /// The index of the word among those allowed.
   int word(std::string_view key, std::initializer_list<std::string_view> allowed,
            std::optional<int> fallback);
@@ -55,6 +56,9 @@ class Keys {
                             std::optional<std::vector<Point>> fallback);
   /// Each within the range and larger than the one before; none by default.
   std::vector<double> rising_numbers(std::string_view key, Range range);
+  /// Exactly so many whole numbers within a range. @return none where that is a fault
+  std::vector<std::int64_t> integers(std::string_view key, std::size_t count, std::int64_t low,
+                                     std::int64_t high);
   /// Lists of indices, each with three or more of them, 0 <= index < count; none by default.
   std::vector<std::vector<int>> loops(std::string_view key, std::size_t count);
   std::vector<std::string> texts(std::string_view key, std::vector<Place>& places,

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "checked_shape.h"
+#include "elements/lay_out_mesh.h"
 #include "jointed_rock.h"
 #include "keys.h"
 #include "text.h"
@@ -62,6 +63,26 @@ class Planner {
         shapes.push_back(make_polygon(context_, {triangle.begin(), triangle.end()}));
       add_members(region.making, std::move(shapes));
     });
+  }
+
+  void add(const Mesh& mesh) {
+    claim(mesh.making);
+    if (!may_generate(mesh.making)) return;
+    std::vector<LaidOutBody> bodies = lay_out_mesh(context_, mesh, layout_.dimension, faults_);
+    if (bodies.empty()) without_blocks_.push_back(mesh.making.name);
+    std::size_t count = 0;
+    for (LaidOutBody& body : bodies) {
+      body.body.first_block = layout_.blocks.size();
+      for (LaidOutCell& cell : body.cells) {
+        Making making = mesh.making;
+        making.material = cell.material;
+        add(member(making, count++), making, std::move(cell.shape), mesh.placing,
+            {.velocity = mesh.velocity});
+        layout_.blocks.back().faces = std::move(cell.faces);
+        layout_.blocks.back().body = layout_.bodies.size();
+      }
+      layout_.bodies.push_back(std::move(body.body));
+    }
   }
 
   void track(const std::string& name, Place place) {
@@ -133,8 +154,17 @@ class Planner {
            const Motion& motion) {
     if (!index_of_.emplace(name, layout_.blocks.size()).second) tell_used_twice(making, name);
     std::vector<std::vector<int>> faces = outside_of(shape);
-    layout_.blocks.push_back({name, making.key, making.place, making.material, making.kind, making.stress,
-                              std::move(shape), std::move(faces), placing, motion});
+    layout_.blocks.push_back({name,
+                              making.key,
+                              making.place,
+                              making.material,
+                              making.kind,
+                              making.stress,
+                              std::move(shape),
+                              std::move(faces),
+                              placing,
+                              motion,
+                              {}});
   }
 
   void add_members(const Making& making, std::vector<Shape> shapes) {
@@ -187,9 +217,9 @@ void tell_too_many(const Scene& scene, Faults& faults) {
 
 }  // namespace
 
-bool Layout::has_affine() const {
+bool Layout::has_deformable() const {
   return std::any_of(blocks.begin(), blocks.end(),
-                     [](const LayoutBlock& block) { return block.kind == HS_BLOCK_AFFINE; });
+                     [](const LayoutBlock& block) { return deforms(block.kind); });
 }
 
 Layout lay_out_blocks(const Context& context, const Scene& scene, Faults& faults) {
@@ -199,6 +229,7 @@ Layout lay_out_blocks(const Context& context, const Scene& scene, Faults& faults
   for (const JointedRock& rock : scene.jointed_rocks) planner.add(rock);
   for (const Triangulated& region : scene.triangulated) planner.add(region);
   for (const Voronoi& voronoi : scene.voronoi) planner.add(voronoi);
+  for (const Mesh& mesh : scene.meshes) planner.add(mesh);
   for (std::size_t i = 0; i < scene.output.tracked.size(); ++i) {
     planner.track(scene.output.tracked[i], scene.output.tracked_places[i]);
   }

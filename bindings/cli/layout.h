@@ -10,6 +10,29 @@
 
 namespace halfspace::cli {
 
+/// A body of finite elements. Each of its cells is a block of the layout, one after the other.
+struct LayoutBody {
+  struct Support {
+    std::vector<int32_t> nodes;
+    int axes = 0;
+    Point velocity{};
+  };
+  struct Force {
+    int32_t node = 0;
+    Point force{};
+  };
+  MeshHandle mesh;
+  std::vector<int32_t> materials;            ///< of each cell
+  std::vector<std::vector<int>> cell_nodes;  ///< of each cell
+  std::vector<double> cell_sizes;            ///< area in 2D, volume in 3D
+  std::size_t node_count = 0;
+  std::size_t first_block = 0;
+  Placing placing;
+  Point velocity{};
+  std::vector<Support> supports;
+  std::vector<Force> forces;
+};
+
 struct LayoutBlock {
   std::string name;
   std::string key;  ///< path in the file of what it comes from, and
@@ -21,14 +44,16 @@ struct LayoutBlock {
   std::vector<std::vector<int>> faces;  ///< loops of vertices; in 2D one, the block itself
   Placing placing;
   Motion motion;
+  std::optional<std::size_t> body;  ///< index of the body whose cell this is
 };
 
 /// All blocks of a scene, generators included, in the order of the file.
 struct Layout {
   int dimension = 2;
   std::vector<LayoutBlock> blocks;
-  /// True when some block strains: then there are stresses to be told.
-  bool has_affine() const;
+  std::vector<LayoutBody> bodies;
+  /// True when some block deforms: then there are stresses to be told.
+  bool has_deformable() const;
 
   std::vector<std::size_t> tracked;       ///< indices of the blocks whose motion goes into the history
   std::optional<std::size_t> referenced;  ///< whose position or force is measured

@@ -23,10 +23,12 @@ struct Destroy {
   void operator()(hs_context* context) const { hs_context_destroy(context); }
   void operator()(hs_shape* shape) const { hs_shape_destroy(shape); }
   void operator()(hs_world* world) const { hs_world_destroy(world); }
+  void operator()(hs_mesh* mesh) const { hs_mesh_destroy(mesh); }
 };
 
 using Context = std::unique_ptr<hs_context, Destroy>;
 using Shape = std::unique_ptr<hs_shape, Destroy>;
+using MeshHandle = std::unique_ptr<hs_mesh, Destroy>;
 using World = std::unique_ptr<hs_world, Destroy>;
 
 /// @throws LibraryError if the status is an error

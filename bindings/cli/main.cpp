@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 
+#include "checkpoint.h"
 #include "faults.h"
 #include "files.h"
 #include "layout.h"
@@ -67,9 +68,9 @@ void print_files(const OutputDirectory& directory) {
   std::size_t frames = 0;
   std::string others;
   for (const std::string& name : directory.written()) {
-    if (name.starts_with("frames/")) {
+    if (name.starts_with("frames/frame_")) {
       ++frames;
-    } else {
+    } else if (!name.starts_with("frames/")) {
       others += "  " + (directory.path() / name).string() + '\n';
     }
   }
@@ -77,14 +78,27 @@ void print_files(const OutputDirectory& directory) {
                     std::to_string(frames) + " frames)\n");
 }
 
-int run(const std::string& file, const std::string& output, Earlier earlier, int threads) {
+/// Is the file in the directory?
+bool is_in(const std::string& file, const std::string& directory) {
+  return std::filesystem::weakly_canonical(file).parent_path() ==
+         std::filesystem::weakly_canonical(directory);
+}
+
+int run(const std::string& file, const std::string& output, Earlier earlier, int threads, RunOptions options,
+        const std::string& from) {
   CheckedScene checked = load(file, threads);
   if (!checked.faults.none()) return refuse(file, checked.faults);
+  if (!from.empty()) {
+    options.from = open_checkpoint(from);
+    options.goes_on_in_place = is_in(from, output);
+    if (options.goes_on_in_place) earlier = Earlier::keep;
+  }
   OutputDirectory directory(output, earlier);
   Model model(checked.context, checked.scene, std::move(checked.layout));
   note_start(checked.context, checked.scene, model, checked.faults);
   print(stderr, checked.faults.describe_notes(file));
-  const RunResult result = run_scene(checked.scene, model, checked.faults.describe_notes("scene"), directory);
+  const RunResult result =
+      run_scene(checked.scene, model, checked.faults.describe_notes("scene"), options, directory);
   print(stdout, result.summary + result.timings);
   print_files(directory);
   if (result.outcome == Outcome::unstable) {
@@ -98,6 +112,9 @@ int run(const std::string& file, const std::string& output, Earlier earlier, int
                       "\n");
     return exit_unstable;
   }
+  if (result.outcome == Outcome::interrupted)
+    print(stderr,
+          "halfspace: interrupted; --from " + (directory.path() / checkpoint_name).string() + " goes on\n");
   return result.outcome == Outcome::interrupted ? exit_failed : exit_ok;
 }
 
@@ -116,16 +133,20 @@ void require_free_block(CheckedScene& checked, const std::string& by) {
     checked.faults.add({}, "", "no block is free to move; required for " + by + ": a rigid or an affine one");
 }
 
-void require_no_stages(CheckedScene& checked, const std::string& by) {
-  if (checked.scene.stages.empty()) return;
-  checked.faults.add({}, "stage",
-                     by + " runs a scene for its duration; allowed: a scene without a [[stage]]");
+/// What trades and plans do not know yet.
+void require_plain(CheckedScene& checked, const std::string& by) {
+  if (!checked.scene.stages.empty()) {
+    checked.faults.add({}, "stage",
+                       by + " runs a scene for its duration; allowed: a scene without a [[stage]]");
+  }
+  if (!checked.scene.meshes.empty())
+    checked.faults.add({}, "mesh", by + " is of blocks alone; allowed: a scene without a [[mesh]]");
 }
 
 int trade(const std::string& file, const std::string& output, Earlier earlier, const TradeOptions& options) {
   CheckedScene checked = load(file, 0);
   require_free_block(checked, "a trade");
-  require_no_stages(checked, "a trade");
+  require_plain(checked, "a trade");
   if (!checked.faults.none()) return refuse(file, checked.faults);
   if (options.resumes && !std::filesystem::exists(std::filesystem::path(output) / "trade.csv"))
     throw std::runtime_error("cannot resume: there is no trade.csv in " + output);
@@ -140,7 +161,7 @@ int trade(const std::string& file, const std::string& output, Earlier earlier, c
 int plan(const std::string& file, const PlanOptions& options) {
   CheckedScene checked = load(file, 0);
   require_free_block(checked, "a plan");
-  require_no_stages(checked, "a plan");
+  require_plain(checked, "a plan");
   if (!checked.faults.none()) return refuse(file, checked.faults);
   const PlanResult result = plan(checked.scene, options);
   print(stdout, result.report);
@@ -157,6 +178,11 @@ int plan(const std::string& file, const PlanOptions& options) {
       print(stderr, "halfspace: the scene as it is does not run to its end\n");
       return exit_unstable;
   }
+}
+
+/// A time in s, as 90s, 10min or 2h.
+CLI::AsNumberWithUnit time_with_unit() {
+  return CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1}, {"min", 60}, {"h", 3600}});
 }
 
 /// A check of its own, as NaN is within each of CLI11's ranges.
@@ -195,6 +221,17 @@ int main_of(int argc, char** argv) {
       ->add_option("-j,--threads", threads,
                    "Threads that step the world, in place of the scene's number; results have the same bits")
       ->check(CLI::Range(1, most_threads));
+  RunOptions run_options;
+  std::string from;
+  run_command->add_option(
+      "--from", from,
+      "Go on from a checkpoint that a run of the scene has left; stages to come, duration "
+      "and output may have changed");
+  run_command
+      ->add_option("--checkpoint-every", run_options.checkpoint_interval,
+                   "Work between two checkpoints, as 90s, 10min or 2h; 10min by default")
+      ->transform(time_with_unit())
+      ->check(finite_above_zero());
   CLI::App* check_command =
       app.add_subcommand("check", "Tell everything that is wrong with a scene, without running it");
   check_command->add_option("scene", file, "The scene file (TOML)")->required();
@@ -214,7 +251,7 @@ int main_of(int argc, char** argv) {
   trade_command
       ->add_option("--budget", trade_options.budget,
                    "Time for all runs, as 90s, 10min or 2h; none by default")
-      ->transform(CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1}, {"min", 60}, {"h", 3600}}))
+      ->transform(time_with_unit())
       ->check(finite_above_zero());
 
   PlanOptions plan_options;
@@ -238,7 +275,7 @@ int main_of(int argc, char** argv) {
   const Earlier earlier = force ? Earlier::replace : Earlier::refuse;
   if (plan_command->parsed()) return plan(file, plan_options);
   if (trade_command->parsed()) return trade(file, output, earlier, trade_options);
-  return run_command->parsed() ? run(file, output, earlier, threads) : check(file);
+  return run_command->parsed() ? run(file, output, earlier, threads, run_options, from) : check(file);
 }
 
 }  // namespace

@@ -2,36 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
+#include "placing.h"
 #include "vector.h"
 
 namespace halfspace::cli {
 namespace {
-
-/// The quaternion of a turn by an axis times an angle.
-std::array<double, 4> quaternion_of(const Point& turn) {
-  const double angle = length(turn);
-  if (angle == 0) return {0, 0, 0, 1};
-  const Point along = times(std::sin(angle / 2) / angle, turn);
-  return {along[0], along[1], along[2], std::cos(angle / 2)};
-}
-
-/// p turned by a quaternion q = (v, w): p + 2 w (v x p) + 2 v x (v x p).
-Point turned(const std::array<double, 4>& q, const Point& p) {
-  const Point v = point_of(q.data());
-  const Point once = cross(v, p);
-  return plus(p, times(2, plus(times(q[3], once), cross(v, once))));
-}
-
-/// Moves a pose from where the shape was given to where the scene puts it.
-void place(hs_pose& pose, const Placing& placing) {
-  const std::array<double, 4> rotation = quaternion_of(placing.rotation);
-  const Point centroid = plus(turned(rotation, point_of(pose.position)), placing.shift);
-  std::copy(centroid.begin(), centroid.end(), pose.position);
-  std::copy(rotation.begin(), rotation.end(), pose.rotation);  // shapes are given unturned
-}
 
 void set_velocity(hs_block_def& def, const Motion& motion) {
   std::copy(motion.velocity.begin(), motion.velocity.end(), def.velocity);
@@ -44,11 +21,13 @@ Model::Model(const Context& context, const Scene& scene, Layout layout)
     : context_(context),
       layout_(std::move(layout)),
       local_damping_(scene.world.local_damping),
-      mass_damping_(scene.world.mass_damping) {
+      mass_damping_(scene.world.mass_damping),
+      frames_have_contacts_(scene.output.contacts || scene.output.forces) {
   hs_world* world = nullptr;
   require(context, hs_world_create(context.get(), &scene.world, &world));
   world_.reset(world);
   for (const Material& material : scene.materials) {
+    densities_.push_back(material.density);
     int32_t index = 0;  // counted from 0 in order, as the scene does
     require(context, hs_world_add_material(world, material.density, &index));
     if (material.elasticity) require(context, hs_world_set_elasticity(world, index, &*material.elasticity));
@@ -56,6 +35,10 @@ Model::Model(const Context& context, const Scene& scene, Layout layout)
   require(context, hs_world_set_default_law(world, &scene.default_law));
   for (const PairLaw& pair : scene.laws) require(context, hs_world_set_law(world, pair.a, pair.b, &pair.law));
   for (const LayoutBlock& given : layout_.blocks) {
+    if (given.body) {
+      blocks_.push_back(0);
+      continue;
+    }
     hs_block_def def;
     require(context, hs_block_def_init(&def, sizeof def, given.shape.get()));
     def.kind = given.kind;
@@ -65,11 +48,31 @@ Model::Model(const Context& context, const Scene& scene, Layout layout)
     hs_block block = 0;
     require(context, hs_world_add_block(world, given.shape.get(), &def, &block));
     if (given.stress) require(context, hs_world_set_stress(world, block, given.stress->data()));
+    index_of_block_.emplace(block, blocks_.size());
     blocks_.push_back(block);
   }
+  for (const LayoutBody& body : layout_.bodies) add(body);
   for (const PairBond& pair : scene.bonds)
     require(context, hs_world_bond_materials(world, pair.a, pair.b, &pair.def, nullptr));
   update_report();
+}
+
+void Model::add(const LayoutBody& given) {
+  hs_body_def def;
+  require(context_, hs_body_def_init(&def, sizeof def));
+  place(def.pose, given.placing);
+  std::copy(given.velocity.begin(), given.velocity.end(), def.velocity);
+  hs_body body = 0;
+  require(context_, hs_world_add_mesh(world_.get(), given.mesh.get(), &def, given.materials.data(), &body));
+  for (const LayoutBody::Support& support : given.supports) {
+    require(context_, hs_world_hold_nodes(world_.get(), body, support.nodes.data(),
+                                          static_cast<int64_t>(support.nodes.size()), support.axes,
+                                          support.velocity.data()));
+  }
+  for (const LayoutBody::Force& force : given.forces)
+    require(context_, hs_world_set_node_force(world_.get(), body, &force.node, 1, force.force.data()));
+  index_of_body_.emplace(body, bodies_.size());
+  bodies_.push_back(body);
 }
 
 void Model::step_towards(double time, std::int64_t most_steps) {
@@ -99,6 +102,46 @@ bool Model::settle(const hs_relaxation_def& relaxation, hs_balance& balance) {
   require(context_, status);
   set_due_motions();
   return status != HS_NOTE_NOT_AT_REST;
+}
+
+std::string Model::snapshot() const {
+  std::size_t count = 0;
+  require(context_, hs_world_save(world_.get(), nullptr, 0, &count));
+  std::string bytes(count, '\0');
+  require(context_, hs_world_save(world_.get(), bytes.data(), bytes.size(), &count));
+  return bytes;
+}
+
+void Model::add_to(Archive& archive) {
+  std::string world = archive.reads() ? std::string() : snapshot();
+  archive.add(world);
+  archive.add(local_damping_);
+  archive.add(mass_damping_);
+  if (!archive.reads()) return;
+  hs_world* restored = nullptr;
+  require(context_, hs_world_restore(context_.get(), world.data(), world.size(), &restored));
+  world_.reset(restored);
+  update_report();
+}
+
+std::vector<hs_bond_event> Model::bond_events() const {
+  int64_t count = 0;
+  require(context_, hs_world_get_bond_events(world_.get(), 0, nullptr, 0, &count));
+  std::vector<hs_bond_event> events(static_cast<std::size_t>(count));
+  require(context_, hs_world_get_bond_events(world_.get(), 0, events.data(), count, nullptr));
+  return events;
+}
+
+std::vector<hs_bond> Model::bonds() const {
+  int64_t count = 0;
+  require(context_, hs_world_get_bonds(world_.get(), nullptr, 0, &count));
+  std::vector<hs_bond> bonds(static_cast<std::size_t>(count));
+  require(context_, hs_world_get_bonds(world_.get(), bonds.data(), count, nullptr));
+  for (hs_bond& bond : bonds) {
+    bond.block_a = index_of(bond.block_a);
+    bond.block_b = index_of(bond.block_b);
+  }
+  return bonds;
 }
 
 hs_bond_report Model::bond_report() const {
@@ -143,16 +186,27 @@ hs_world_plan Model::account(std::int64_t steps) const {
 }
 
 std::size_t Model::index_of(hs_block block) const {
-  return static_cast<std::size_t>(std::find(blocks_.begin(), blocks_.end(), block) - blocks_.begin());
+  const auto known = index_of_block_.find(block);
+  if (known != index_of_block_.end()) return known->second;
+  hs_body body = 0;
+  int32_t cell = 0;
+  require(context_, hs_world_get_body_of_block(world_.get(), block, &body, &cell));
+  return layout_.bodies[index_of_body_.at(body)].first_block + static_cast<std::size_t>(cell);
 }
 
 hs_block_state Model::state_of(std::size_t block) const {
+  if (const std::optional<std::size_t> body = layout_.blocks[block].body) {
+    return frame_of(*body)[block - layout_.bodies[*body].first_block].state;
+  }
   hs_block_state state;
   require(context_, hs_world_get_block_state(world_.get(), blocks_[block], &state));
   return state;
 }
 
 hs_deformation Model::deformation_of(std::size_t block) const {
+  if (const std::optional<std::size_t> body = layout_.blocks[block].body) {
+    return frame_of(*body)[block - layout_.bodies[*body].first_block].deformation;
+  }
   hs_deformation deformation;
   require(context_, hs_world_get_deformation(world_.get(), blocks_[block], &deformation));
   return deformation;
@@ -164,18 +218,54 @@ std::vector<hs_contact> Model::contacts() const {
   require(context_, status);
   std::vector<hs_contact> contacts(static_cast<std::size_t>(count));
   require(context_, hs_world_get_contacts(world_.get(), contacts.data(), count, nullptr));
-  std::map<hs_block, std::size_t> indices;
-  for (std::size_t i = 0; i < blocks_.size(); ++i) indices[blocks_[i]] = i;
   for (hs_contact& contact : contacts) {
-    contact.block_a = indices.at(contact.block_a);
-    contact.block_b = indices.at(contact.block_b);
+    contact.block_a = index_of(contact.block_a);
+    contact.block_b = index_of(contact.block_b);
   }
   return contacts;
 }
 
+std::vector<BlockFrame> Model::frame_of(std::size_t index) const {
+  const LayoutBody& given = layout_.bodies[index];
+  const hs_body body = bodies_[index];
+  std::vector<Point> places(given.node_count), velocities(given.node_count);
+  require(context_, hs_world_get_node_positions(world_.get(), body, view_of(places), nullptr));
+  require(context_, hs_world_get_node_velocities(world_.get(), body, view_of(velocities), nullptr));
+  std::vector<hs_cell_state> cells(given.cell_nodes.size());
+  require(context_,
+          hs_world_get_cells(world_.get(), body, cells.data(), static_cast<int64_t>(cells.size()), nullptr));
+  std::vector<BlockFrame> frame(cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    BlockFrame& cell = frame[i];
+    Point middle{}, velocity{};
+    const double share = 1 / static_cast<double>(given.cell_nodes[i].size());
+    for (const int node : given.cell_nodes[i]) {
+      cell.vertices.push_back(places[static_cast<std::size_t>(node)]);
+      middle = plus(middle, times(share, cell.vertices.back()));
+      velocity = plus(velocity, times(share, velocities[static_cast<std::size_t>(node)]));
+    }
+    cell.state.kind = HS_BLOCK_MESH;
+    cell.state.material = given.materials[i];
+    cell.state.mass = densities_[static_cast<std::size_t>(given.materials[i])] * given.cell_sizes[i];
+    cell.state.pose.rotation[3] = 1;
+    std::copy(middle.begin(), middle.end(), cell.state.pose.position);
+    std::copy(velocity.begin(), velocity.end(), cell.state.velocity);
+    std::copy(std::begin(cells[i].stress), std::end(cells[i].stress), cell.deformation.stress);
+    std::copy(std::begin(cells[i].strain), std::end(cells[i].strain), cell.deformation.strain);
+  }
+  return frame;
+}
+
 Frame Model::frame() const {
-  Frame frame{.time = report_.time, .blocks = std::vector<BlockFrame>(blocks_.size())};
+  Frame frame{.time = report_.time, .blocks = std::vector<BlockFrame>(blocks_.size()), .contacts = {}};
+  if (frames_have_contacts_) frame.contacts = contacts();
+  for (std::size_t body = 0; body < layout_.bodies.size(); ++body) {
+    std::vector<BlockFrame> cells = frame_of(body);
+    std::move(cells.begin(), cells.end(),
+              frame.blocks.begin() + static_cast<std::ptrdiff_t>(layout_.bodies[body].first_block));
+  }
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    if (layout_.blocks[i].body) continue;
     BlockFrame& block = frame.blocks[i];
     block.state = state_of(i);
     if (block.state.kind == HS_BLOCK_AFFINE) block.deformation = deformation_of(i);

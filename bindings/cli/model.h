@@ -1,17 +1,20 @@
 #pragma once
 
+#include <map>
+#include <string>
 #include <vector>
 
+#include "archive.h"
 #include "layout.h"
 #include "library.h"
 #include "scene.h"
 
 namespace halfspace::cli {
 
-/// One block at one time.
+/// One block, or cell of a mesh, at one time.
 struct BlockFrame {
   hs_block_state state{};
-  hs_deformation deformation{};  ///< of an affine block
+  hs_deformation deformation{};  ///< of a block that deforms
   std::vector<Point> vertices;   ///< counter-clockwise, where they are now
 };
 
@@ -19,6 +22,7 @@ struct BlockFrame {
 struct Frame {
   double time = 0;
   std::vector<BlockFrame> blocks;
+  std::vector<hs_contact> contacts;  ///< of blocks by their indices; where the scene's output asks for them
 };
 
 /// The world of a scene, and the motions that start and stop in it.
@@ -35,6 +39,11 @@ class Model {
   /// Brings the world to rest, in at most so many steps; true when it is. @throws LibraryError
   bool settle(const hs_relaxation_def& relaxation, hs_balance& balance);
 
+  /// The world as hs_world_save() writes it.
+  std::string snapshot() const;
+  /// What changes in a run. One that is read is where that was that was written. @throws LibraryError
+  void add_to(Archive& archive);
+
   /// Has the step nearest to this time been done?
   bool reached(double time) const { return time - report_.time < report_.time_step / 2; }
 
@@ -45,6 +54,9 @@ class Model {
   std::vector<hs_contact> contacts() const;
   /// What has been bonded, and has failed of it.
   hs_bond_report bond_report() const;
+  /// All bonds, of blocks by their indices in the layout, and what has failed of them.
+  std::vector<hs_bond> bonds() const;
+  std::vector<hs_bond_event> bond_events() const;
   hs_block_state state_of(std::size_t block) const;
   hs_deformation deformation_of(std::size_t block) const;
   /// What the world computes, and what so many steps of a copy of it cost.
@@ -56,6 +68,9 @@ class Model {
  private:
   static constexpr double never = std::numeric_limits<double>::infinity();
 
+  void add(const LayoutBody& body);
+  /// The cells of a body, as blocks.
+  std::vector<BlockFrame> frame_of(std::size_t body) const;
   void set_due_motions();
   double next_motion_change() const;
   void update_report();
@@ -63,10 +78,15 @@ class Model {
   const Context& context_;
   Layout layout_;
   World world_;
-  std::vector<hs_block> blocks_;
+  std::vector<hs_block> blocks_;  ///< 0: a cell of a body
+  std::vector<hs_body> bodies_;
+  std::map<hs_block, std::size_t> index_of_block_;
+  std::map<hs_body, std::size_t> index_of_body_;
+  std::vector<double> densities_;  ///< of the materials
   hs_world_report report_{};
   double local_damping_;
   double mass_damping_;
+  bool frames_have_contacts_;
 };
 
 }  // namespace halfspace::cli

@@ -236,7 +236,7 @@ void note_speeds(const Scene& scene, const Model& model, const std::vector<Body>
   const Springs springs(scene, model);
   Worst worst;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (bodies[i].speed == 0) continue;
+    if (bodies[i].speed == 0 || bodies[i].state.kind == HS_BLOCK_MESH) continue;
     for (std::size_t j = 0; j < bodies.size(); ++j) {
       const double inverse = inverse_mass(bodies[i]) + inverse_mass(bodies[j]);
       if (i == j || inverse == 0) continue;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "jointed_rock.h"
+#include "read_meshes.h"
 #include "read_values.h"
 
 namespace halfspace::cli {
@@ -228,8 +229,10 @@ bool read_blocks(Keys& top, Scene& scene) {
   } else {
     read_voronoi(top.tables("voronoi", false), scene);
   }
-  return !scene.blocks.empty() || !scene.jointed_rocks.empty() || !scene.triangulated.empty() ||
-         !scene.voronoi.empty();
+  read_meshes(top.tables("mesh", false), scene);
+  bool has_some = false;
+  for_each_making(scene, [&](const Making&) { has_some = true; });
+  return has_some;
 }
 
 }  // namespace halfspace::cli

@@ -135,7 +135,9 @@ void read_output(Keys keys, Scene& scene) {
                   scene.duration > 0 ? scene.duration / 50 : std::numeric_limits<double>::infinity());
   output.history_interval = keys.number("history_interval", above(0), output.frame_interval);
   output.tracked = keys.texts("tracked", output.tracked_places, std::vector<std::string>{});
+  output.contacts = keys.truth("contacts", output.contacts);
   Keys picture = keys.table("picture", false);
+  output.forces = keys.dimension() == 2 && picture.truth("forces", output.forces);
   output.colour = static_cast<Colour>(
       picture.word("colour", {"displacement", "speed", "layer", "material", "mean_stress"}, 0));
   output.layers = static_cast<int>(picture.integer("layers", 1, 1000, output.layers));
@@ -175,7 +177,7 @@ Scene read_top(Keys keys, const std::string& folder, Faults& faults) {
   keys.finish();
   if (!has_blocks && faults.none()) {
     faults.add({}, "",
-               std::string("no blocks; required: a [[block]], [[jointed_rock]] or ") +
+               std::string("no blocks; required: a [[block]], [[jointed_rock]], [[mesh]] or ") +
                    (keys.dimension() == 3 ? "[[voronoi]]" : "[[triangulated]]"));
   }
   return scene;

@@ -2,46 +2,30 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <limits>
+#include <stdexcept>
 #include <utility>
 
-#include "history.h"
+#include "archive.h"
+#include "checkpoint.h"
 #include "interrupt.h"
 #include "model.h"
-#include "picture/picture.h"
 #include "progress.h"
+#include "record.h"
 #include "summary.h"
 #include "text.h"
-#include "vtk_series.h"
 
 namespace halfspace::cli {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Something to be done at every multiple of an interval, but not twice at a step.
-class Every {
- public:
-  explicit Every(double interval) : interval_(interval) {}
-  double next() const { return count_ * interval_; }
-  bool due(const Model& model) {
-    if (!model.reached(next())) return false;
-    const double passed = (model.report().time + model.report().time_step / 2) / interval_;
-    count_ = std::min(std::max(count_ + 1, std::ceil(passed)), std::numeric_limits<double>::max());
-    return true;
-  }
-
- private:
-  double interval_;
-  double count_ = 1;  ///< whole; more than any integer has room for where the interval is tiny
-};
-
 /// Steps between two looks at the clock: about a tenth of a second, so that progress and interrupts are
-/// prompt.
+/// prompt. Peaks are looked at where they always are.
 class Batch {
  public:
-  std::int64_t steps() const { return steps_; }
+  std::int64_t steps_from(std::int64_t done) const {
+    return std::min(steps_, Peaks::steps_between - done % Peaks::steps_between);
+  }
   void adapt(std::int64_t done, std::chrono::duration<double> took) {
     const double wanted = std::min(2.0, 0.1 / took.count()) * static_cast<double>(done);
     steps_ = std::clamp<std::int64_t>(std::llround(wanted), 1, Peaks::steps_between);
@@ -51,54 +35,73 @@ class Batch {
   std::int64_t steps_ = 1;
 };
 
-/// Has every rigid block been slow at enough rows of the history in a row? A block at the turn of its path is
-/// slow once; ten rows are no turn.
-class RestWatch {
- public:
-  explicit RestWatch(double speed) : speed_(speed) {}
-  bool at_rest(const Model& model) {
-    const bool slow = model.report().largest_speed < speed_ && model.motions_over();
-    slow_rows_ = slow ? slow_rows_ + 1 : 0;
-    return slow_rows_ >= 10;
-  }
-
- private:
-  double speed_;
-  int slow_rows_ = 0;
+/// Where a run is among its stages.
+struct Position {
+  std::size_t stage = 0;
+  bool has_begun = false;
+  bool is_over = false;
+  bool is_at_rest = false;  ///< ended by rest, not by its duration
+  double start = 0;         ///< s
+  std::int64_t steps = 0;   ///< of settling
+  int slow_rows = 0;        ///< rows of the history in a row at which all that moves freely was slow
 };
 
+/// A block at the turn of its path is slow once; ten rows are no turn.
+constexpr int slow_rows_of_rest = 10;
+
+/// What makes a stage what it is, its end apart.
+std::string nature_of(const SceneStage& stage) {
+  Archive archive;
+  const auto add = [&](auto value) { archive.add(value); };
+  const auto add_change = [&](const std::optional<double>& change) {
+    add(change.has_value());
+    add(change.value_or(0));
+  };
+  add(stage.settles);
+  add(stage.gravity.has_value());
+  add(stage.gravity.value_or(Point{}));
+  add_change(stage.local_damping);
+  add_change(stage.mass_damping);
+  add_change(stage.strength_factor);
+  if (stage.settles) {
+    add(stage.relaxation.measure);
+    add(stage.relaxation.local_damping);
+    add(stage.relaxation.is_adaptive);
+    add(stage.relaxation.hold_bonds);
+  }
+  return archive.bytes();
+}
+
+/// The stages of a scene: one when it has none.
+std::vector<SceneStage> stages_of(const Scene& scene) {
+  if (!scene.stages.empty()) return scene.stages;
+  return {{.duration = scene.duration, .rest_speed = scene.rest_speed}};
+}
+
 /// Steps a model to its end and records it on the way.
-class Recorder {
+class Run {
  public:
-  Recorder(const Scene& scene, Model& model, OutputDirectory& directory)
+  Run(const Scene& scene, Model& model, const RunOptions& options, OutputDirectory& directory)
       : scene_(scene),
+        stages_(stages_of(scene)),
         model_(model),
+        options_(options),
         directory_(directory),
-        series_(model.layout(), directory),
-        history_(model.layout()),
-        start_(model.frame()),
-        stage_(scene, start_),
-        frames_(scene.output.frame_interval),
-        rows_(scene.output.history_interval) {
-    peaks_.add(model_.report());
-    record_frame();
-    history_.add(model_);
-    save_history();
+        fingerprint_(fingerprint(model)),
+        record_(scene, model, directory) {
+    told_.resize(stages_.size());
+    if (options.from.empty()) {
+      record_.begin();
+    } else {
+      go_on_from(options.from);
+      if (options.goes_on_in_place) directory.remove_frames_from(record_.frame_count());
+    }
   }
 
-  /// Stage by stage, or for the scene's duration when it has none.
   Outcome run(std::string& trouble) {
     try {
-      if (scene_.stages.empty()) return run_until(scene_.duration, scene_.rest_speed);
-      Outcome outcome = Outcome::complete;
-      for (const SceneStage& stage : scene_.stages) {
-        model_.begin(stage);
-        outcome = stage.settles ? settle(stage)
-                                : run_until(model_.report().time + stage.duration, stage.rest_speed);
-        if (!stage.settles)
-          told_ += stage_line(stage, outcome == Outcome::at_rest ? "at rest before its end" : "");
-        if (outcome == Outcome::interrupted) break;
-      }
+      const Outcome outcome = run_stages();
+      save_checkpoint();
       return outcome;
     } catch (const LibraryError& error) {
       if (error.status != HS_ERROR_UNSTABLE && error.status != HS_ERROR_TOO_FAST) throw;
@@ -107,141 +110,169 @@ class Recorder {
     }
   }
 
-  /// What has become of each stage, a line each.
-  const std::string& told() const { return told_; }
-
-  /// The last moment, if it was not recorded yet, and the pictures.
-  Frame finish() {
-    if (last_frame_step_ != model_.report().steps) record_frame();
-    if (last_row_step_ != model_.report().steps) record_row();
-    save_history();
-    const Frame end = model_.frame();
-    stage_.add(end);
-    const Stage stage = stage_.stage();
-    directory_.write("first.svg", picture(stage, scene_, model_.layout(), start_, start_));
-    for (std::size_t i = 0; i < pictured_.size(); ++i) {
-      directory_.write("at_" + shortest(scene_.output.picture_times[i]) + "s.svg",
-                       picture(stage, scene_, model_.layout(), start_, pictured_[i]));
-    }
-    directory_.write("last.svg", picture(stage, scene_, model_.layout(), start_, end));
-    return end;
+  /// What has become of each stage of a scene that has some, a line each.
+  std::string told() const {
+    std::string text;
+    if (scene_.stages.empty()) return text;
+    for (const std::string& line : told_) text += line;
+    return text;
   }
 
-  const Frame& start() const { return start_; }
-  const Peaks& peaks() const { return peaks_; }
+  Record& record() { return record_; }
 
  private:
-  Outcome run_until(double end, double rest_speed) {
-    RestWatch rest(rest_speed);
+  Outcome run_stages() {
+    while (true) {
+      const SceneStage& stage = stages_[at_.stage];
+      if (!at_.has_begun) begin(stage);
+      if (!at_.is_over && !(stage.settles ? settle(stage) : run_to_end(stage))) return Outcome::interrupted;
+      if (at_.stage + 1 == stages_.size()) return at_.is_at_rest ? Outcome::at_rest : Outcome::complete;
+      at_ = {.stage = at_.stage + 1};
+    }
+  }
+
+  void begin(const SceneStage& stage) {
+    model_.begin(stage);
+    at_.has_begun = true;
+    at_.start = model_.report().time;
+  }
+
+  /// False when it was interrupted.
+  bool run_to_end(const SceneStage& stage) {
     Batch batch;
-    const double start = model_.report().time;
-    while (!model_.reached(end)) {
+    const double end = at_.start + stage.duration;
+    while (!at_.is_at_rest && !model_.reached(end)) {
+      if (is_interrupted()) return false;
       const Clock::time_point before = Clock::now();
       const std::int64_t steps_before = model_.report().steps;
-      model_.step_towards(std::min({frames_.next(), rows_.next(), next_picture(), end}), batch.steps());
+      model_.step_towards(std::min(record_.next(), end), batch.steps_from(steps_before));
       batch.adapt(model_.report().steps - steps_before, Clock::now() - before);
       const double time = model_.report().time;
-      progress_.show((time - start) / (end - start),
+      progress_.show((time - at_.start) / stage.duration,
                      "t = " + rounded(time, 4) + " of " + rounded(end, 4) + " s");
-      const bool row_due = record_due();
-      if (row_due && rest.at_rest(model_)) return Outcome::at_rest;
-      if (interrupt_asked()) return Outcome::interrupted;
+      if (record_.add_due()) watch_rest(stage);
     }
-    return Outcome::complete;
+    at_.is_over = true;
+    tell("ran", at_.is_at_rest ? "at rest before its end" : "");
+    return true;
   }
 
-  /// Piece by piece, so that who interrupts it does not wait for long.
-  Outcome settle(const SceneStage& stage) {
+  /// Whether everything that moves freely has been slow for long enough.
+  void watch_rest(const SceneStage& stage) {
+    const bool is_slow = model_.report().largest_speed < stage.rest_speed && model_.motions_over();
+    at_.slow_rows = is_slow ? at_.slow_rows + 1 : 0;
+    at_.is_at_rest = at_.slow_rows >= slow_rows_of_rest;
+  }
+
+  /// Piece by piece, so that who interrupts it does not wait for long. False when it was interrupted.
+  bool settle(const SceneStage& stage) {
     constexpr std::int64_t steps_of_piece = 20000;
-    std::int64_t steps = 0;
+    const std::int64_t most_steps = stage.relaxation.most_steps;
     hs_balance balance{};
-    bool is_at_rest = false, is_interrupted = false;
-    while (!is_at_rest && !is_interrupted && steps < stage.relaxation.most_steps) {
+    bool is_balanced = false;
+    while (!is_balanced && at_.steps < most_steps) {
+      if (is_interrupted()) return false;
       hs_relaxation_def piece = stage.relaxation;
-      piece.most_steps = std::min(steps_of_piece, stage.relaxation.most_steps - steps);
-      is_at_rest = model_.settle(piece, balance);
-      steps += balance.steps;
-      progress_.show(static_cast<double>(steps) / static_cast<double>(stage.relaxation.most_steps),
+      piece.most_steps = std::min(steps_of_piece, most_steps - at_.steps);
+      is_balanced = model_.settle(piece, balance);
+      at_.steps += balance.steps;
+      progress_.show(static_cast<double>(at_.steps) / static_cast<double>(most_steps),
                      "unbalanced " + rounded(balance.mean, 2));
-      record_due();
-      is_interrupted = !is_at_rest && interrupt_asked();
+      record_.add_due();
     }
-    told_ +=
-        stage_line(stage, (is_at_rest ? "at rest after " : "NOT AT REST after ") + std::to_string(steps) +
-                              " steps, unbalanced by " + rounded(balance.mean, 2) + " of all forces, by " +
-                              rounded(balance.largest, 2) + " of a single block's");
-    if (last_frame_step_ != model_.report().steps) record_frame();
-    return is_interrupted ? Outcome::interrupted : Outcome::complete;
+    at_.is_over = true;
+    tell("settled", (is_balanced ? "at rest after " : "NOT AT REST after ") + std::to_string(at_.steps) +
+                        " steps, unbalanced by " + rounded(balance.mean, 2) + " of all forces, by " +
+                        rounded(balance.largest, 2) + " of a single block's");
+    if (!record_.has_frame_of_now()) record_.add_frame();
+    return true;
   }
 
-  std::string stage_line(const SceneStage& stage, const std::string& end) const {
-    const std::string name = stage.name.empty() ? "" : " " + stage.name;
-    return padded("stage" + name, 20) + (stage.settles ? "settled" : "ran") + " until " +
-           rounded(model_.report().time, 4) + " s" + (end.empty() ? "" : ", ") + end + '\n';
+  void tell(const std::string& what, const std::string& end) {
+    const std::string& name = stages_[at_.stage].name;
+    told_[at_.stage] = padded("stage" + (name.empty() ? "" : ' ' + name), 20) + what + " until " +
+                       rounded(model_.report().time, 4) + " s" + (end.empty() ? "" : ", ") + end + '\n';
   }
 
-  /// Records what is due now; true when that is a row of the history.
-  bool record_due() {
-    peaks_.add(model_.report());
-    const bool row_due = rows_.due(model_);
-    if (row_due) record_row();
-    if (frames_.due(model_)) record_frame();
-    while (model_.reached(next_picture())) record_picture();
-    return row_due;
+  /// Here nothing is half done: a checkpoint is kept when it is time for one.
+  bool is_interrupted() {
+    if (Clock::now() - last_checkpoint_ >= std::chrono::duration<double>(options_.checkpoint_interval))
+      save_checkpoint();
+    return interrupt_asked();
   }
-  double next_picture() const {
-    const std::vector<double>& times = scene_.output.picture_times;
-    return pictured_.size() < times.size() ? times[pictured_.size()]
-                                           : std::numeric_limits<double>::infinity();
+
+  void save_checkpoint() {
+    Archive archive;
+    add_to(archive);
+    directory_.write(checkpoint_name, sealed(archive.bytes()));
+    last_checkpoint_ = Clock::now();
   }
-  void record_row() {
-    history_.add(model_);
-    last_row_step_ = model_.report().steps;
+
+  void add_to(Archive& archive) {
+    std::string fingerprint = fingerprint_;
+    archive.add(fingerprint);
+    if (fingerprint != fingerprint_)
+      throw std::runtime_error("its blocks, materials, laws, bonds, motions or tracked blocks are others");
+    archive.add(at_);
+    add_stages_to(archive);
+    model_.add_to(archive);
+    record_.add_to(archive, options_.goes_on_in_place || !archive.reads());
   }
-  void record_picture() {
-    pictured_.push_back(model_.frame());
-    stage_.add(pictured_.back());
+
+  /// The stages that have begun; of the last of them the end may be another one now.
+  void add_stages_to(Archive& archive) {
+    if (at_.stage >= stages_.size()) throw std::runtime_error("it had more stages");
+    for (std::size_t i = 0; i <= at_.stage; ++i) {
+      const SceneStage& stage = stages_[i];
+      std::string nature = nature_of(stage);
+      double duration = stage.duration;
+      archive.add(nature);
+      archive.add(duration);
+      archive.add(told_[i]);
+      if (nature != nature_of(stage) || (i < at_.stage && duration != stage.duration))
+        throw std::runtime_error("stage " + std::to_string(i) + ", which it had begun, was another one");
+    }
   }
-  void record_frame() {
-    const Frame frame = model_.frame();
-    series_.add(frame, start_);
-    stage_.add(frame);
-    last_frame_step_ = model_.report().steps;
-    save_history();
+
+  void go_on_from(const std::string& state) {
+    try {
+      Archive archive(state);
+      add_to(archive);
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error(std::string("the checkpoint is not of this scene: ") + error.what());
+    }
+    const SceneStage& stage = stages_[at_.stage];
+    if (!stage.settles && !at_.is_at_rest) at_.is_over = model_.reached(at_.start + stage.duration);
   }
-  void save_history() { directory_.write("history.csv", history_.text()); }
 
   const Scene& scene_;
+  const std::vector<SceneStage> stages_;
   Model& model_;
+  const RunOptions& options_;
   OutputDirectory& directory_;
-  VtkSeries series_;
-  History history_;
-  Frame start_;
-  RunStage stage_;
-  Peaks peaks_;
-  std::vector<Frame>
-      pictured_;  ///< at the picture times; all pictures share a stage that is known at the end
-  Every frames_;
-  Every rows_;
+  const std::string fingerprint_;  ///< of the start
+  Record record_;
+  Position at_;
+  std::vector<std::string> told_;  ///< of each stage
   Progress progress_;
-  std::string told_;
-  std::int64_t last_row_step_ = 0;
-  std::int64_t last_frame_step_ = 0;
+  Clock::time_point last_checkpoint_ = Clock::now();
 };
 
 }  // namespace
 
-RunResult run_scene(const Scene& scene, Model& model, const std::string& notes, OutputDirectory& directory) {
+RunResult run_scene(const Scene& scene, Model& model, const std::string& notes, const RunOptions& options,
+                    OutputDirectory& directory) {
   remember_interrupts();
   RunResult result;
-  Recorder recorder(scene, model, directory);
+  Run run(scene, model, options, directory);
+  const std::int64_t steps_before = model.report().steps;
   const Clock::time_point before = Clock::now();
-  result.outcome = recorder.run(result.trouble);
+  result.outcome = run.run(result.trouble);
   const std::chrono::duration<double> took = Clock::now() - before;
-  const Frame end = recorder.finish();
-  result.summary = summary(scene, model, recorder.peaks(), recorder.start(), end, result.outcome) +
-                   recorder.told() + notes;
-  result.timings = timings(model.report(), took.count());
+  const Frame end = run.record().finish();
+  result.summary = summary(scene, model, run.record().peaks(), run.record().start(), end, result.outcome) +
+                   run.told() + notes;
+  result.timings = timings(model.report(), model.report().steps - steps_before, took.count());
   directory.write("summary.txt", result.summary);
   return result;
 }

@@ -18,9 +18,18 @@ struct RunResult {
   std::string timings;  ///< of this run of it
 };
 
-/// Runs a scene from its start, of which the notes are told in the summary, and writes frames, history,
-/// pictures and summary. Whatever happens, the directory holds whole files of everything up to the end,
-/// regular or not. @throws LibraryError, std::runtime_error
-RunResult run_scene(const Scene& scene, Model& model, const std::string& notes, OutputDirectory& directory);
+/// Where a run begins, and how often it keeps what it has.
+struct RunOptions {
+  std::string from;                  ///< the state in a checkpoint; empty: the scene's start
+  bool goes_on_in_place = false;     ///< the files of the run up to there are in its directory
+  double checkpoint_interval = 600;  ///< s of work between two checkpoints
+};
+
+/// Runs a scene, of which the notes are told in the summary, and writes frames, history, pictures, summary
+/// and, from time to time and at its end, a checkpoint. Whatever happens, the directory holds whole files of
+/// everything up to the end, regular or not. The model is at the scene's start.
+/// @throws LibraryError, std::runtime_error; nothing has been written where a checkpoint is not the scene's
+RunResult run_scene(const Scene& scene, Model& model, const std::string& notes, const RunOptions& options,
+                    OutputDirectory& directory);
 
 }  // namespace halfspace::cli

@@ -30,7 +30,11 @@ struct Material {
 };
 
 /// Does it move by Newton's law?
-constexpr bool moves_freely(int kind) { return kind == HS_BLOCK_RIGID || kind == HS_BLOCK_AFFINE; }
+constexpr bool moves_freely(int kind) {
+  return kind == HS_BLOCK_RIGID || kind == HS_BLOCK_AFFINE || kind == HS_BLOCK_MESH;
+}
+/// Does it strain?
+constexpr bool deforms(int kind) { return kind == HS_BLOCK_AFFINE || kind == HS_BLOCK_MESH; }
 
 /// A tensor as the C API has it, row by row.
 using Tensor = std::array<double, 9>;
@@ -52,15 +56,15 @@ struct PairBond {
 /// A part of a run with an end of its own: the world is brought to rest, or runs on. What changes does so
 /// when it begins, and stays.
 struct SceneStage {
-  std::string name;
+  std::string name = {};
   bool settles = false;
   hs_relaxation_def relaxation{};  ///< of one that settles
   double duration = 0;             ///< of one that runs
   double rest_speed = 0;           ///< likewise; 0: it never ends early
-  std::optional<Point> gravity;
-  std::optional<double> local_damping;
-  std::optional<double> mass_damping;
-  std::optional<double> strength_factor;
+  std::optional<Point> gravity = {};
+  std::optional<double> local_damping = {};
+  std::optional<double> mass_damping = {};
+  std::optional<double> strength_factor = {};
 };
 
 /// The names of laws in scene files, in the order of the HS_STIFFNESS_ values.
@@ -103,6 +107,54 @@ struct Block {
   double scale = 1;                     ///< length in m of one unit of the file
   Placing placing;
   Motion motion;
+};
+
+/// Nodes or outer faces of a mesh: those of one of its groups, or those in a box.
+struct MeshPart {
+  std::string group;                        ///< or, when empty,
+  std::optional<std::array<Point, 2>> box;  ///< lowest and highest corner, where the mesh is put
+  std::string key;                          ///< path in the file and
+  Place place;                              ///< where it stands, for faults
+};
+
+/// Nodes that are held along axes.
+struct MeshSupport {
+  MeshPart part;
+  int axes = 0;  ///< a sum of HS_AXIS_ values
+  Point velocity{};
+};
+
+/// A load on outer faces, which keeps its direction.
+struct MeshLoad {
+  MeshPart part;
+  double pressure = 0;  ///< Pa, against the faces as they are at the start
+  Point traction{};     ///< Pa, besides
+};
+
+/// The cells of one group are of another material.
+struct MeshMaterial {
+  MeshPart part;
+  int material = 0;
+};
+
+/// The bodies that the cells of a mesh are divided among: what is not one body can be bonded, and break.
+enum class MeshDivision { whole, groups, cells };
+
+/// Bodies of finite elements, from a file or a box.
+struct Mesh {
+  Making making;
+  std::string file;                         ///< path, from where the command runs; or, when empty,
+  std::optional<std::array<Point, 2>> box;  ///< lowest and highest corner, cut into
+  std::array<int, 3> counts{};              ///< so many parts along each axis
+  int cell_kind = HS_CELL_TRIANGLE;         ///< in which there are such cells
+  Place shape_place;                        ///< of file or box
+  double scale = 1;                         ///< length in m of one unit of the file
+  MeshDivision division = MeshDivision::whole;
+  Placing placing;
+  Point velocity{};
+  std::vector<MeshMaterial> materials;
+  std::vector<MeshSupport> supports;
+  std::vector<MeshLoad> loads;
 };
 
 /// A convex part of space: in 2D a polygon, its vertices in order; in 3D the hull of points.
@@ -155,6 +207,8 @@ enum class Colour { displacement, speed, layer, material, mean_stress };
 struct Output {
   double frame_interval = 0;
   double history_interval = 0;
+  bool contacts = false;  ///< points and forces of contacts go into files
+  bool forces = false;    ///< pictures show them, too
   std::vector<std::string> tracked;
   std::vector<Place> tracked_places;
   Colour colour = Colour::displacement;
@@ -200,6 +254,7 @@ struct Scene {
   std::vector<JointedRock> jointed_rocks;
   std::vector<Triangulated> triangulated;
   std::vector<Voronoi> voronoi;
+  std::vector<Mesh> meshes;
   Output output;
   Reference reference;
 };
@@ -214,6 +269,7 @@ void for_each_making(AnyScene& scene, Visit visit) {
   visit_all(scene.jointed_rocks);
   visit_all(scene.triangulated);
   visit_all(scene.voronoi);
+  visit_all(scene.meshes);
 }
 
 /// Does the condition hold for the default law or one between two materials?

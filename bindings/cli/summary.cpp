@@ -40,12 +40,16 @@ Extent extent_of(const Frame& frame) {
 }
 
 std::string blocks_text(const Layout& layout) {
-  int counts[4] = {};
+  int counts[5] = {};
   for (const LayoutBlock& block : layout.blocks) ++counts[block.kind];
   std::string text = std::to_string(layout.blocks.size()) + " (" + std::to_string(counts[HS_BLOCK_RIGID]) +
                      " rigid, " + std::to_string(counts[HS_BLOCK_FIXED]) + " fixed, " +
                      std::to_string(counts[HS_BLOCK_PRESCRIBED]) + " prescribed";
   if (counts[HS_BLOCK_AFFINE] > 0) text += ", " + std::to_string(counts[HS_BLOCK_AFFINE]) + " affine";
+  if (counts[HS_BLOCK_MESH] > 0) {
+    text += ", " + std::to_string(counts[HS_BLOCK_MESH]) + " cells of " +
+            std::to_string(layout.bodies.size()) + (layout.bodies.size() == 1 ? " mesh" : " meshes");
+  }
   text += ')';
   if (layout.left_out > 0) {
     text += "; " + std::to_string(layout.left_out) + " left out as too small, " +
@@ -170,8 +174,8 @@ std::string summary(const Scene& scene, const Model& model, const Peaks& peaks, 
          line("run-out", run_out_text(reach, scene.world.dimension));
 }
 
-std::string timings(const hs_world_report& report, double seconds) {
-  const double block_steps = static_cast<double>(report.block_count) * static_cast<double>(report.steps);
+std::string timings(const hs_world_report& report, std::int64_t steps, double seconds) {
+  const double block_steps = static_cast<double>(report.block_count) * static_cast<double>(steps);
   return line("wall time", decimals(seconds, 2) + " s, " + rounded(block_steps / seconds, 3) +
                                " block-steps per second, output included");
 }

@@ -1,71 +1,32 @@
 #include "vtk_series.h"
 
-#include <bit>
-#include <cstdint>
-#include <cstdio>
-
-#include "text.h"
+#include "vtk_file.h"
 
 namespace halfspace::cli {
 namespace {
 
-/// The raw arrays behind a VTK XML file, each with its length in bytes before it.
-class Appended {
- public:
-  /// Adds an array and returns the element that describes it.
-  template <class Number>
-  std::string add(const char* type, const char* name, int components, const std::vector<Number>& values) {
-    const std::string element = std::string("<DataArray type=\"") + type + "\" Name=\"" + name +
-                                "\" NumberOfComponents=\"" + std::to_string(components) +
-                                "\" format=\"appended\" offset=\"" + std::to_string(bytes_.size()) + "\"/>\n";
-    append(std::uint64_t{values.size() * sizeof(Number)});
-    for (const Number& value : values) append(value);
-    return element;
-  }
-
-  const std::string& bytes() const { return bytes_; }
-
- private:
-  template <class Number>
-  void append(const Number& value) {
-    bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
-  }
-
-  std::string bytes_;
-};
-
-/// One value or vector for each cell.
-struct CellArray {
-  void add(const double* components) { values.insert(values.end(), components, components + count); }
-
-  const char* name;
-  int count;  ///< of components
-  std::vector<double> values = {};
-};
-
 /// What 2D and 3D tell differently: how a block is turned and turns.
-void add_turning(const hs_block_state& state, CellArray& turned, CellArray& spin) {
-  turned.add(turned.count == 1 ? &state.angle : state.pose.rotation);
-  spin.add(spin.count == 1 ? &state.angular_velocity[2] : state.angular_velocity);
+void add_turning(const hs_block_state& state, VtkArray& turned, VtkArray& spin) {
+  turned.add(turned.components == 1 ? &state.angle : state.pose.rotation);
+  spin.add(spin.components == 1 ? &state.angular_velocity[2] : state.angular_velocity);
 }
 
-std::string cell_data(const Layout& layout, const Frame& frame, const Frame& start, Appended& data) {
+void add_cell_data(const Layout& layout, const Frame& frame, const Frame& start, VtkCells& cells) {
   const bool in_plane = layout.dimension == 2;
-  std::vector<std::int64_t> block;
-  std::vector<std::int32_t> kind, material;
-  CellArray velocity{"velocity", 3}, displacement{"displacement", 3}, force{"contact_force", 3};
-  CellArray turned = in_plane ? CellArray{"angle", 1} : CellArray{"rotation", 4};
-  CellArray spin{"angular_velocity", in_plane ? 1 : 3};
-  CellArray stress{"stress", 9}, strain{"strain", 9};
+  VtkIntegers block{"block"}, kind{"kind"}, material{"material"};
+  VtkArray velocity("velocity", 3), displacement("displacement", 3), force("contact_force", 3);
+  VtkArray turned = in_plane ? VtkArray("angle", 1) : VtkArray("rotation", 4);
+  VtkArray spin("angular_velocity", in_plane ? 1 : 3);
+  VtkArray stress("stress", 9), strain("strain", 9);
   for (std::size_t i = 0; i < frame.blocks.size(); ++i) {
     const hs_block_state& now = frame.blocks[i].state;
     const hs_block_state& then = start.blocks[i].state;
     double moved[3];
     for (int axis = 0; axis < 3; ++axis) moved[axis] = now.pose.position[axis] - then.pose.position[axis];
     for (std::size_t face = 0; face < layout.blocks[i].faces.size(); ++face) {
-      block.push_back(static_cast<std::int64_t>(i));
-      kind.push_back(now.kind);
-      material.push_back(now.material);
+      block.values.push_back(static_cast<std::int64_t>(i));
+      kind.values.push_back(now.kind);
+      material.values.push_back(now.material);
       velocity.add(now.velocity);
       displacement.add(moved);
       add_turning(now, turned, spin);
@@ -74,58 +35,73 @@ std::string cell_data(const Layout& layout, const Frame& frame, const Frame& sta
       strain.add(frame.blocks[i].deformation.strain);
     }
   }
-  std::string text = "<CellData>\n";
-  text += data.add("Int64", "block", 1, block);
-  text += data.add("Int32", "kind", 1, kind);
-  text += data.add("Int32", "material", 1, material);
-  for (const CellArray* array : {&velocity, &displacement, &turned, &spin, &force})
-    text += data.add("Float64", array->name, array->count, array->values);
-  if (layout.has_affine()) {
-    for (const CellArray* array : {&stress, &strain})
-      text += data.add("Float64", array->name, array->count, array->values);
-  }
-  return text + "</CellData>\n";
+  cells.integers = {block, kind, material};
+  cells.arrays = {velocity, displacement, turned, spin, force};
+  if (layout.has_deformable()) cells.arrays.insert(cells.arrays.end(), {stress, strain});
 }
 
 }  // namespace
 
 std::string vtk_polygons(const Layout& layout, const Frame& frame, const Frame& start) {
-  std::vector<double> points;
-  std::vector<std::int64_t> connectivity, offsets;
+  VtkCells cells{.kind = "Polys", .time = frame.time};
   for (std::size_t i = 0; i < frame.blocks.size(); ++i) {
-    const std::size_t first = points.size() / 3;
-    for (const Point& p : frame.blocks[i].vertices) points.insert(points.end(), p.begin(), p.end());
+    const std::size_t first = cells.points.size() / 3;
+    for (const Point& p : frame.blocks[i].vertices)
+      cells.points.insert(cells.points.end(), p.begin(), p.end());
     for (const std::vector<int>& face : layout.blocks[i].faces) {
-      for (int vertex : face) connectivity.push_back(static_cast<std::int64_t>(first) + vertex);
-      offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
+      for (int vertex : face) cells.connectivity.push_back(static_cast<std::int64_t>(first) + vertex);
+      cells.offsets.push_back(static_cast<std::int64_t>(cells.connectivity.size()));
     }
   }
-  Appended data;
-  const char* order = std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
-  std::string text =
-      std::string("<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"") +
-      order + "\" header_type=\"UInt64\">\n<PolyData>\n<FieldData>\n";
-  text += "<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">" +
-          shortest(frame.time) + "</DataArray>\n</FieldData>\n";
-  text += "<Piece NumberOfPoints=\"" + std::to_string(points.size() / 3) + "\" NumberOfPolys=\"" +
-          std::to_string(offsets.size()) + "\">\n";
-  text += cell_data(layout, frame, start, data);
-  text += "<Points>\n" + data.add("Float64", "points", 3, points) + "</Points>\n";
-  text += "<Polys>\n" + data.add("Int64", "connectivity", 1, connectivity) +
-          data.add("Int64", "offsets", 1, offsets) + "</Polys>\n";
-  text += "</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_" + data.bytes() +
-          "\n</AppendedData>\n</VTKFile>\n";
-  return text;
+  add_cell_data(layout, frame, start, cells);
+  return vtk_text(cells);
+}
+
+std::string vtk_contacts(const Frame& frame) {
+  VtkCells cells{.kind = "Verts", .time = frame.time};
+  VtkIntegers block_a{"block_a"}, block_b{"block_b"}, type{"type"};
+  VtkArray force("force", 3), normal("normal", 3), normal_force("normal_force", 1), shear("shear_force", 3),
+      gap("gap", 1), area("area", 1);
+  for (const hs_contact& contact : frame.contacts) {
+    cells.connectivity.push_back(static_cast<std::int64_t>(cells.offsets.size()));
+    cells.offsets.push_back(static_cast<std::int64_t>(cells.connectivity.size()));
+    cells.points.insert(cells.points.end(), contact.force_point, contact.force_point + 3);
+    block_a.values.push_back(static_cast<std::int64_t>(contact.block_a));
+    block_b.values.push_back(static_cast<std::int64_t>(contact.block_b));
+    type.values.push_back(contact.type);
+    force.add(contact.force);
+    normal.add(contact.normal);
+    normal_force.add(contact.normal_force);
+    shear.add(contact.shear_force);
+    gap.add(contact.gap);
+    area.add(contact.area);
+  }
+  cells.integers = {block_a, block_b, type};
+  cells.arrays = {force, normal, normal_force, shear, gap, area};
+  return vtk_text(cells);
+}
+
+void VtkSeries::add_to(Archive& archive, bool has_frames) {
+  archive.add(entries_);
+  archive.add(contact_entries_);
+  archive.add(count_);
+  if (has_frames) return;
+  entries_.clear();
+  contact_entries_.clear();
 }
 
 void VtkSeries::add(const Frame& frame, const Frame& start) {
-  char name[32];
-  std::snprintf(name, sizeof name, "frames/frame_%04d.vtp", count_++);
+  const std::string name = frame_name(count_);
   directory_.write(name, vtk_polygons(layout_, frame, start));
-  entries_ += "<DataSet timestep=\"" + shortest(frame.time) + "\" part=\"0\" file=\"" + name + "\"/>\n";
-  directory_.write("run.pvd",
-                   "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n" +
-                       entries_ + "</Collection>\n</VTKFile>\n");
+  entries_ += vtk_entry(frame.time, name);
+  directory_.write("run.pvd", vtk_collection(entries_));
+  if (has_contacts_) {
+    const std::string of_contacts = contacts_name(count_);
+    directory_.write(of_contacts, vtk_contacts(frame));
+    contact_entries_ += vtk_entry(frame.time, of_contacts);
+    directory_.write("contacts.pvd", vtk_collection(contact_entries_));
+  }
+  ++count_;
 }
 
 }  // namespace halfspace::cli

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
+#include "archive.h"
 #include "files.h"
 #include "model.h"
 
@@ -12,16 +12,26 @@ namespace halfspace::cli {
 /// motion as cell data.
 std::string vtk_polygons(const Layout& layout, const Frame& frame, const Frame& start);
 
-/// The frames of a run for ParaView: frames/frame_0000.vtp, ... and run.pvd, which gives their times.
+/// The contacts of a frame as points of VTK XML PolyData: where the force acts, with force, normal and gap.
+std::string vtk_contacts(const Frame& frame);
+
+/// The frames of a run for ParaView: frames/frame_0000.vtp, ... and run.pvd, which gives their times; with
+/// contacts also frames/contacts_0000.vtp, ... and contacts.pvd.
 class VtkSeries {
  public:
-  VtkSeries(const Layout& layout, OutputDirectory& directory) : layout_(layout), directory_(directory) {}
+  VtkSeries(const Layout& layout, bool has_contacts, OutputDirectory& directory)
+      : layout_(layout), has_contacts_(has_contacts), directory_(directory) {}
   void add(const Frame& frame, const Frame& start);
+  /// One that is read lists earlier frames only if they are in its directory.
+  void add_to(Archive& archive, bool has_frames);
+  int count() const { return count_; }
 
  private:
   const Layout& layout_;
+  bool has_contacts_;
   OutputDirectory& directory_;
   std::string entries_;
+  std::string contact_entries_;
   int count_ = 0;
 };
 

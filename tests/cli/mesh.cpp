@@ -157,7 +157,7 @@ TEST_CASE("a surface may be inside out as long as it is so throughout") {
 TEST_CASE("Gmsh meshes: elements with a volume are blocks, others are not") {
   const Context context = make_context();
   for (const char* text : {mesh_texts::gmsh_2, mesh_texts::gmsh_4}) {
-    const std::vector<Solid> solids = read_gmsh("mesh.msh", text);
+    const std::vector<Solid> solids = solids_of(read_gmsh("mesh.msh", text));
     REQUIRE(solids.size() == 4);
     // A cube; beside it a prism, half a cube; on it a pyramid of height 1 and beside that a tetrahedron.
     const double volumes[] = {1, 0.5, 1.0 / 3, 1.0 / 6};
@@ -168,5 +168,5 @@ TEST_CASE("Gmsh meshes: elements with a volume are blocks, others are not") {
       CHECK(solids[i].faces.size() == face_counts[i]);
     }
   }
-  CHECK(read_gmsh("mesh.msh", mesh_texts::gmsh_2)[0].place == "mesh.msh:24");
+  CHECK(solids_of(read_gmsh("mesh.msh", mesh_texts::gmsh_2))[0].place == "mesh.msh:24");
 }

@@ -1,7 +1,10 @@
 #include "mesh/gmsh.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <unordered_map>
+#include <utility>
 
 #include "mesh/mesh_fault.h"
 #include "mesh/text_lines.h"
@@ -9,15 +12,20 @@
 namespace halfspace::cli {
 namespace {
 
-/// A kind of element with a volume: its number in the format, and its faces, seen from outside.
+/// Numbers of the format: how many nodes each kind of element has, and the faces of those with a volume, seen
+/// from outside.
 struct Kind {
   int number;
-  std::size_t vertex_count;
-  std::vector<std::vector<int>> faces;
+  std::size_t node_count;
+  std::vector<std::vector<int>> faces = {};
 };
 
 const std::vector<Kind>& kinds() {
   static const std::vector<Kind> all = {
+      {15, 1},
+      {1, 2},
+      {2, 3},
+      {3, 4},
       {4, 4, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}},
       {5, 8, {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}},
       {6, 6, {{0, 2, 1}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}},
@@ -25,14 +33,20 @@ const std::vector<Kind>& kinds() {
   return all;
 }
 
-/// Points, lines, triangles and quadrangles with straight sides.
-constexpr std::int64_t flat_kinds[] = {1, 2, 3, 15};
+/// Null for a kind that is not known.
+const Kind* kind_of(std::int64_t number) {
+  const auto kind = std::find_if(kinds().begin(), kinds().end(),
+                                 [number](const Kind& known) { return known.number == number; });
+  return kind == kinds().end() ? nullptr : &*kind;
+}
 
 class Reader {
  public:
-  Reader(const std::string& name, const std::string& content) : lines_(name, content, 0) {}
+  Reader(const std::string& name, const std::string& content) : lines_(name, content, 0) {
+    file_.name = name;
+  }
 
-  std::vector<Solid> read() {
+  GmshFile read() {
     lines_.next("$MeshFormat");
     if (lines_.keyword() != "$MeshFormat") lines_.fail("not a Gmsh file: it does not begin with $MeshFormat");
     read_format();
@@ -42,12 +56,14 @@ class Reader {
         is_new_ ? read_nodes_4() : read_nodes_2();
       } else if (section == "$Elements") {
         is_new_ ? read_elements_4() : read_elements_2();
+      } else if (section == "$PhysicalNames") {
+        read_names();
+      } else if (section == "$Entities") {
+        read_entities();
       }
       skip_to_end_of(section);
     }
-    if (solids_.empty())
-      lines_.fail("no element with a volume; allowed: tetrahedra, hexahedra, prisms, pyramids");
-    return std::move(solids_);
+    return std::move(file_);
   }
 
  private:
@@ -68,6 +84,51 @@ class Reader {
     for (lines_.next(end); lines_.keyword() != end; lines_.next(end)) {
       if (!may_be_skipped) lines_.fail("awaited: " + end);
     }
+  }
+
+  /// Words of a name are apart only by blanks, as no name that matters has two of them in a row.
+  void read_names() {
+    lines_.next("the number of names");
+    const std::size_t count = lines_.count(0);
+    for (std::size_t i = 0; i < count; ++i) {
+      lines_.next("a name");
+      std::string name;
+      for (std::size_t word = 2; word < lines_.words().size(); ++word)
+        name += (word > 2 ? " " : "") + std::string(lines_.words()[word]);
+      if (name.size() < 2 || name.front() != '"' || name.back() != '"')
+        lines_.fail("awaited: dimension, number, and a name in quotes");
+      names_[{lines_.integer(0), lines_.integer(1)}] = name.substr(1, name.size() - 2);
+    }
+  }
+
+  /// Points have a place, all others a box; then come the physical groups.
+  void read_entities() {
+    lines_.next("the numbers of entities");
+    std::array<std::size_t, 4> counts{};
+    for (std::size_t dimension = 0; dimension < 4; ++dimension) counts[dimension] = lines_.count(dimension);
+    for (std::size_t dimension = 0; dimension < 4; ++dimension) {
+      const std::size_t before_groups = dimension == 0 ? 4 : 7;
+      for (std::size_t i = 0; i < counts[dimension]; ++i) {
+        lines_.next("an entity");
+        const std::int64_t tag = lines_.integer(0);
+        std::vector<int>& groups = groups_of_entity_[{static_cast<std::int64_t>(dimension), tag}];
+        const std::size_t count = lines_.count(before_groups);
+        for (std::size_t k = 0; k < count; ++k)
+          groups.push_back(
+              group(static_cast<std::int64_t>(dimension), lines_.integer(before_groups + 1 + k)));
+      }
+    }
+  }
+
+  /// The index of a physical group; its number is negative where it runs against the geometry.
+  int group(std::int64_t dimension, std::int64_t number) {
+    const std::pair key{dimension, number < 0 ? -number : number};
+    const auto [known, is_new] = groups_.emplace(key, static_cast<int>(file_.groups.size()));
+    if (is_new) {
+      const auto name = names_.find(key);
+      file_.groups.push_back(name == names_.end() ? std::to_string(key.second) : name->second);
+    }
+    return known->second;
   }
 
   void read_nodes_2() {
@@ -98,7 +159,9 @@ class Reader {
   }
 
   void add_node(std::int64_t tag, const Point& place) {
-    if (!nodes_.emplace(tag, place).second) lines_.fail("node " + std::to_string(tag) + " was given before");
+    if (!nodes_.emplace(tag, static_cast<int>(file_.nodes.size())).second)
+      lines_.fail("node " + std::to_string(tag) + " was given before");
+    file_.nodes.push_back(place);
   }
 
   void read_elements_2() {
@@ -106,8 +169,11 @@ class Reader {
     const std::size_t count = lines_.count(0);
     for (std::size_t i = 0; i < count; ++i) {
       lines_.next("an element");
-      const std::int64_t kind = lines_.integer(1);
-      add_element(kind, 3 + lines_.count(2));
+      const Kind& kind = known_kind(lines_.integer(1));
+      const std::size_t tags = lines_.count(2);
+      std::vector<int> groups;
+      if (tags > 0 && lines_.integer(3) != 0) groups.push_back(group(dimension_of(kind), lines_.integer(3)));
+      add_element(kind, 3 + tags, groups);
     }
   }
 
@@ -116,46 +182,70 @@ class Reader {
     const std::size_t blocks = lines_.count(0);
     for (std::size_t block = 0; block < blocks; ++block) {
       lines_.next("a block of elements");
-      const std::int64_t kind = lines_.integer(2);
+      const std::vector<int> groups = groups_of_entity_[{lines_.integer(0), lines_.integer(1)}];
+      const Kind& kind = known_kind(lines_.integer(2));
       const std::size_t count = lines_.count(3);
       for (std::size_t i = 0; i < count; ++i) {
         lines_.next("an element");
-        add_element(kind, 1);
+        add_element(kind, 1, groups);
       }
     }
   }
 
+  const Kind& known_kind(std::int64_t number) const {
+    if (const Kind* kind = kind_of(number)) return *kind;
+    lines_.fail("an element of type " + std::to_string(number) +
+                "; allowed: 4 (tetrahedron), 5 (hexahedron), 6 (prism), 7 (pyramid), and 15, 1, 2, 3, which "
+                "are no blocks");
+  }
+
+  static std::int64_t dimension_of(const Kind& kind) {
+    if (!kind.faces.empty()) return 3;
+    return kind.node_count < 3 ? static_cast<std::int64_t>(kind.node_count) - 1 : 2;
+  }
+
   /// The element of this line, whose nodes begin at a word.
-  void add_element(std::int64_t number, std::size_t first_node) {
-    if (std::find(std::begin(flat_kinds), std::end(flat_kinds), number) != std::end(flat_kinds)) return;
-    const auto kind = std::find_if(kinds().begin(), kinds().end(),
-                                   [number](const Kind& known) { return known.number == number; });
-    if (kind == kinds().end()) {
-      lines_.fail(
-          "an element of type " + std::to_string(number) +
-          "; allowed: 4 (tetrahedron), 5 (hexahedron), 6 (prism), 7 (pyramid), and 15, 1, 2, 3, which "
-          "are no blocks");
-    }
-    Solid solid{.vertices = {}, .faces = kind->faces, .place = lines_.place()};
-    for (std::size_t i = 0; i < kind->vertex_count; ++i) {
+  void add_element(const Kind& kind, std::size_t first_node, const std::vector<int>& groups) {
+    GmshFile::Element element{.type = kind.number, .nodes = {}, .groups = groups, .line = lines_.line()};
+    for (std::size_t i = 0; i < kind.node_count; ++i) {
       const std::int64_t tag = lines_.integer(first_node + i);
       const auto node = nodes_.find(tag);
       if (node == nodes_.end()) lines_.fail("no node " + std::to_string(tag));
-      solid.vertices.push_back(node->second);
+      element.nodes.push_back(node->second);
     }
-    solids_.push_back(std::move(solid));
+    file_.elements.push_back(std::move(element));
   }
+
+  using Key = std::pair<std::int64_t, std::int64_t>;  ///< dimension and number
 
   TextLines lines_;
   bool is_new_ = false;  // 4.1, not 2.2
-  std::unordered_map<std::int64_t, Point> nodes_;
-  std::vector<Solid> solids_;
+  GmshFile file_;
+  std::unordered_map<std::int64_t, int> nodes_;
+  std::map<Key, std::string> names_;
+  std::map<Key, int> groups_;
+  std::map<Key, std::vector<int>> groups_of_entity_;
 };
 
 }  // namespace
 
-std::vector<Solid> read_gmsh(const std::string& name, const std::string& content) {
+GmshFile read_gmsh(const std::string& name, const std::string& content) {
   return Reader(name, content).read();
+}
+
+std::vector<Solid> solids_of(const GmshFile& file) {
+  std::vector<Solid> solids;
+  for (const GmshFile::Element& element : file.elements) {
+    const Kind& kind = *kind_of(element.type);
+    if (kind.faces.empty()) continue;
+    Solid& solid =
+        solids.emplace_back(Solid{.vertices = {}, .faces = kind.faces, .place = file.place(element)});
+    for (const int node : element.nodes) solid.vertices.push_back(file.nodes[static_cast<std::size_t>(node)]);
+  }
+  if (solids.empty()) {
+    throw MeshFault(file.name, "no element with a volume; allowed: tetrahedra, hexahedra, prisms, pyramids");
+  }
+  return solids;
 }
 
 }  // namespace halfspace::cli

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -7,8 +8,28 @@
 
 namespace halfspace::cli {
 
-/// A Gmsh mesh, MSH 2.2 or 4.1 as text: a solid for each tetrahedron, hexahedron, prism and pyramid. Points,
-/// lines and surface elements are the boundary of those and are skipped. @throws MeshFault
-std::vector<Solid> read_gmsh(const std::string& name, const std::string& content);
+/// A Gmsh file, MSH 2.2 or 4.1 as text: points, lines, triangles, quadrangles, tetrahedra, hexahedra, prisms
+/// and pyramids with straight sides.
+struct GmshFile {
+  struct Element {
+    int type;                 ///< its number in the format
+    std::vector<int> nodes;   ///< indices, in the order of the format
+    std::vector<int> groups;  ///< indices of the physical groups that it is in
+    int line;                 ///< where it stands
+  };
+  std::string name;
+  std::vector<Point> nodes;
+  std::vector<Element> elements;
+  std::vector<std::string> groups;  ///< their names; of those without one their numbers
+
+  std::string place(const Element& element) const { return name + ':' + std::to_string(element.line); }
+};
+
+/// @throws MeshFault
+GmshFile read_gmsh(const std::string& name, const std::string& content);
+
+/// A solid for each element with a volume; others are the boundary of those and are skipped.
+/// @throws MeshFault if there is none
+std::vector<Solid> solids_of(const GmshFile& file);
 
 }  // namespace halfspace::cli

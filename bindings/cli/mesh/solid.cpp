@@ -17,7 +17,8 @@ using Reader = std::vector<Solid> (*)(const std::string& name, const std::string
 
 /// Null for a kind of file that is not known.
 Reader reader_of(const std::string& extension) {
-  if (extension == ".msh") return read_gmsh;
+  if (extension == ".msh")
+    return [](const auto& name, const auto& content) { return solids_of(read_gmsh(name, content)); };
   if (extension == ".obj")
     return [](const auto& name, const auto& content) { return solids_of(read_obj(name, content)); };
   if (extension == ".off")

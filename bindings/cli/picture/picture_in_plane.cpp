@@ -1,10 +1,19 @@
+#include <algorithm>
 #include <cmath>
 
 #include "picture/plot.h"
 #include "text.h"
+#include "vector.h"
 
 namespace halfspace::cli {
 namespace {
+
+double largest_force(const Frame& frame) {
+  double largest = 0;
+  for (const hs_contact& contact : frame.contacts)
+    largest = std::max(largest, std::abs(contact.normal_force));
+  return largest;
+}
 
 void draw_blocks(Svg& svg, const Plot& plot, const Frame& start, const Frame& frame) {
   const std::string pen =
@@ -21,6 +30,29 @@ void draw_blocks(Svg& svg, const Plot& plot, const Frame& start, const Frame& fr
     svg.polygon(outline_points, "fill=\"" + fill + "\" stroke=\"" + stroke + '"' + pen);
   }
   svg.end_clip();
+}
+
+/// From centroid to centroid through the point of contact, the wider the larger the force: chains are seen.
+void draw_forces(Svg& svg, const Plot& plot, const Frame& frame) {
+  constexpr double widest_line = 7, least_seen = 0.15;
+  const double largest = largest_force(frame);
+  if (!(largest > 0)) return;
+  svg.begin_clip(plot.corner(), plot.width, plot.height);
+  for (const hs_contact& contact : frame.contacts) {
+    const double width = widest_line * std::abs(contact.normal_force) / largest;
+    if (width < least_seen) continue;
+    const std::string style = std::string("stroke=\"") + (contact.normal_force > 0 ? "#c0392b" : "#2c6fbb") +
+                              "\" stroke-linecap=\"round\" stroke-width=\"" + decimals(width, 2) + '"';
+    const Point middle = plot.at(point_of(contact.force_point));
+    for (const std::uint64_t block : {contact.block_a, contact.block_b}) {
+      const BlockFrame& end = frame.blocks[block];
+      // A boundary's centroid is no place where a chain leads to.
+      if (moves_freely(end.state.kind)) svg.line(middle, plot.at(point_of(end.state.pose.position)), style);
+    }
+  }
+  svg.end_clip();
+  svg.label({plot.right(), plot.bottom() + 44},
+            "widest line: a contact of " + rounded(largest, 3) + " N a metre of thickness", 12, "end");
 }
 
 void draw_axis(Svg& svg, const Plot& plot, int axis) {
@@ -53,6 +85,7 @@ void draw_axis(Svg& svg, const Plot& plot, int axis) {
 
 void draw_in_plane(Svg& svg, const Plot& plot, const Frame& start, const Frame& frame) {
   draw_blocks(svg, plot, start, frame);
+  if (plot.stage.forces) draw_forces(svg, plot, frame);
   svg.rectangle(plot.corner(), plot.width, plot.height, "fill=\"none\" stroke=\"#222\"");
   draw_axis(svg, plot, 0);
   draw_axis(svg, plot, 1);

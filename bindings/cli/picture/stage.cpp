@@ -41,6 +41,18 @@ Bounds bounds_of(const Stage& stage, const std::array<Point, 2>& window) {
   return bounds;
 }
 
+/// What the values and bounds that have been seen depend on.
+std::string view_of(Output output) {
+  Archive archive;
+  std::vector<Point> window;
+  if (output.window) window.assign(output.window->begin(), output.window->end());
+  archive.add(output.colour);
+  archive.add(window);
+  archive.add(output.azimuth);
+  archive.add(output.elevation);
+  return archive.bytes();
+}
+
 bool is_free(const BlockFrame& block) { return moves_freely(block.state.kind); }
 
 }  // namespace
@@ -57,7 +69,9 @@ RunStage::RunStage(const Scene& scene, const Frame& start)
              .dimension = scene.world.dimension,
              .camera = Camera(scene.output.azimuth, scene.output.elevation),
              .colour = scene.output.colour,
-             .layers = scene.output.layers},
+             .layers = scene.output.layers,
+             .forces = scene.output.forces},
+      view_(view_of(scene.output)),
       start_(start),
       has_window_(scene.output.window),
       has_free_(std::any_of(start.blocks.begin(), start.blocks.end(), is_free)) {
@@ -79,6 +93,20 @@ void RunStage::add(const Frame& frame) {
 
 void RunStage::add_to_bounds(const BlockFrame& block) {
   for (const Point& p : block.vertices) bounds_.add(shown(stage_, p));
+}
+
+void RunStage::add_to(Archive& archive) {
+  std::string view = view_;
+  Bounds bounds = bounds_;
+  double lowest = lowest_, highest = highest_;
+  archive.add(view);
+  archive.add(bounds);
+  archive.add(lowest);
+  archive.add(highest);
+  if (view != view_) return;
+  bounds_ = bounds;
+  lowest_ = lowest;
+  highest_ = highest;
 }
 
 Stage RunStage::stage() const {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "archive.h"
 #include "model.h"
 #include "picture/camera.h"
 #include "picture/colour.h"
@@ -19,8 +20,9 @@ struct Stage {
   Point upper_right{};
   Colour colour = Colour::displacement;
   int layers = 1;
-  double lowest = 0;   ///< value at the dark end of the colours
-  double highest = 1;  ///< value at the bright end
+  bool forces = false;  ///< of contacts are shown
+  double lowest = 0;    ///< value at the dark end of the colours
+  double highest = 1;   ///< value at the bright end
 };
 
 /// A rectangle around points.
@@ -37,12 +39,15 @@ class RunStage {
   /// The start must outlive it.
   RunStage(const Scene& scene, const Frame& start);
   void add(const Frame& frame);
+  /// One that is read goes on with what that had seen, if it looks at the same.
+  void add_to(Archive& archive);
   Stage stage() const;
 
  private:
   void add_to_bounds(const BlockFrame& block);
 
   Stage stage_;
+  std::string view_;  ///< what it looks at
   const Frame& start_;
   Bounds bounds_;
   bool has_window_;  ///< given in the scene: its bounds are those

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace halfspace::cli {
+
+/// Values as bytes, one after the other. The same calls of add() write values and read them back, so that a
+/// list of what is saved stands once.
+class Archive {
+ public:
+  Archive() = default;                                                             ///< to write
+  explicit Archive(std::string bytes) : bytes_(std::move(bytes)), reads_(true) {}  ///< to read
+
+  template <class Plain>
+  void add(Plain& value) {
+    static_assert(std::is_trivially_copyable_v<Plain>);
+    move(&value, sizeof value);
+  }
+  void add(std::string& text) { add_array(text); }
+  template <class Plain>
+  void add(std::vector<Plain>& values) {
+    static_assert(std::is_trivially_copyable_v<Plain>);
+    add_array(values);
+  }
+  /// Calls add_one for each value of a list of any length.
+  template <class Value, class AddOne>
+  void add_each(std::vector<Value>& values, AddOne add_one) {
+    std::size_t count = values.size();
+    add(count);
+    if (reads_) {
+      require(count <= left());  // each takes a byte at least
+      values.resize(count);
+    }
+    for (Value& value : values) add_one(value);
+  }
+
+  bool reads() const { return reads_; }
+  const std::string& bytes() const { return bytes_; }
+
+ private:
+  template <class Array>
+  void add_array(Array& values) {
+    constexpr std::size_t size = sizeof(typename Array::value_type);
+    std::size_t count = values.size();
+    add(count);
+    if (reads_) {
+      require(count <= left() / size);
+      values.resize(count);
+    }
+    move(values.data(), count * size);
+  }
+
+  void move(void* value, std::size_t count) {
+    if (reads_) {
+      require(count <= left());
+      if (count > 0) std::memcpy(value, bytes_.data() + at_, count);
+      at_ += count;
+    } else {
+      bytes_.append(static_cast<const char*>(value), count);
+    }
+  }
+  std::size_t left() const { return bytes_.size() - at_; }
+  static void require(bool holds) {
+    if (!holds) throw std::runtime_error("it ends too early");
+  }
+
+  std::string bytes_;
+  std::size_t at_ = 0;  ///< where to read
+  bool reads_ = false;
+};
+
+}  // namespace halfspace::cli

@@ -1,0 +1,173 @@
+#include "elements/element_mesh.h"
+
+#include <algorithm>
+#include <map>
+
+#include "mesh/mesh_fault.h"
+#include "text.h"
+#include "vector.h"
+
+namespace halfspace::cli {
+namespace {
+
+/// The kind of cell that an element of a file is; none where it is of another dimension.
+std::optional<int> kind_of_element(int type, int dimension) {
+  static const std::map<int, int> in_plane = {{2, HS_CELL_TRIANGLE}, {3, HS_CELL_QUAD}};
+  static const std::map<int, int> in_space = {
+      {4, HS_CELL_TETRAHEDRON}, {5, HS_CELL_HEXAHEDRON}, {6, HS_CELL_PRISM}};
+  const auto& kinds = dimension == 2 ? in_plane : in_space;
+  const auto kind = kinds.find(type);
+  return kind == kinds.end() ? std::nullopt : std::optional(kind->second);
+}
+
+/// Lists every node once, in ascending order.
+void tidy(std::vector<int>& nodes) {
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+}
+
+/// Leaves out what no cell needs.
+class UsedNodes {
+ public:
+  UsedNodes(const GmshFile& file, double scale) : file_(file), scale_(scale), index_(file.nodes.size(), -1) {}
+
+  int use(int node, ElementMesh& mesh) {
+    int& index = index_[static_cast<std::size_t>(node)];
+    if (index < 0) {
+      index = static_cast<int>(mesh.nodes.size());
+      mesh.nodes.push_back(times(scale_, file_.nodes[static_cast<std::size_t>(node)]));
+    }
+    return index;
+  }
+  /// None when a cell does not have all of them.
+  std::optional<std::vector<int>> find(const std::vector<int>& nodes) const {
+    std::vector<int> found;
+    for (const int node : nodes) {
+      found.push_back(index_[static_cast<std::size_t>(node)]);
+      if (found.back() < 0) return std::nullopt;
+    }
+    return found;
+  }
+
+ private:
+  const GmshFile& file_;
+  double scale_;
+  std::vector<int> index_;
+};
+
+void require_level(const GmshFile& file, const ElementMesh& mesh) {
+  for (const Point& node : mesh.nodes) {
+    if (node[2] != mesh.nodes[0][2])
+      throw MeshFault(file.name, "nodes at different z, " + shortest(mesh.nodes[0][2]) + " and " +
+                                     shortest(node[2]) + "; allowed in 2D: a mesh in a plane z = constant");
+  }
+}
+
+}  // namespace
+
+const CellForm& form_of(int kind) {
+  static const std::vector<CellForm> forms = {
+      {HS_CELL_TRIANGLE, 2, 3, {{0, 1}, {1, 2}, {2, 0}}},
+      {HS_CELL_QUAD, 2, 4, {{0, 1}, {1, 2}, {2, 3}, {3, 0}}},
+      {HS_CELL_TETRAHEDRON, 3, 4, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}},
+      {HS_CELL_PRISM, 3, 6, {{0, 2, 1}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}},
+      {HS_CELL_HEXAHEDRON,
+       3,
+       8,
+       {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}}};
+  return forms[static_cast<std::size_t>(kind)];
+}
+
+const ElementMesh::Group* ElementMesh::group(const std::string& name) const {
+  const auto found =
+      std::find_if(groups.begin(), groups.end(), [&](const Group& group) { return group.name == name; });
+  return found == groups.end() ? nullptr : &*found;
+}
+
+std::vector<Point> ElementMesh::corners_of(const Cell& cell) const {
+  std::vector<Point> corners;
+  for (const int node : cell.nodes) corners.push_back(nodes[static_cast<std::size_t>(node)]);
+  return corners;
+}
+
+std::vector<OuterFace> surface_of(const ElementMesh& mesh) {
+  std::map<std::vector<int>, std::pair<OuterFace, int>> faces;  // with how many cells have it
+  for (std::size_t i = 0; i < mesh.cells.size(); ++i) {
+    const ElementMesh::Cell& cell = mesh.cells[i];
+    for (const std::vector<int>& face : form_of(cell.kind).faces) {
+      OuterFace outer{.cell = static_cast<int>(i), .nodes = {}};
+      for (const int corner : face) outer.nodes.push_back(cell.nodes[static_cast<std::size_t>(corner)]);
+      std::vector<int> key = outer.nodes;
+      tidy(key);
+      ++faces.emplace(std::move(key), std::pair(std::move(outer), 0)).first->second.second;
+    }
+  }
+  std::vector<OuterFace> surface;
+  for (auto& [key, face] : faces)
+    if (face.second == 1) surface.push_back(std::move(face.first));
+  return surface;
+}
+
+double size_of(const ElementMesh& mesh, const ElementMesh::Cell& cell) {
+  const std::vector<Point> corners = mesh.corners_of(cell);
+  if (form_of(cell.kind).dimension == 2) return 0.5 * area_normal(corners)[2];
+  double volume = 0;
+  for (const std::vector<int>& face : form_of(cell.kind).faces) {
+    std::vector<Point> loop;
+    for (const int corner : face)
+      loop.push_back(minus(corners[static_cast<std::size_t>(corner)], corners[0]));
+    Point middle{};
+    for (const Point& p : loop) middle = plus(middle, times(1 / static_cast<double>(loop.size()), p));
+    volume += dot(middle, area_normal(loop)) / 6;
+  }
+  return volume;
+}
+
+ElementMesh mesh_of_file(const GmshFile& file, double scale, int dimension) {
+  ElementMesh mesh{.dimension = dimension};
+  UsedNodes used(file, scale);
+  std::vector<int> cell_of(file.elements.size(), -1);
+  for (std::size_t i = 0; i < file.elements.size(); ++i) {
+    const GmshFile::Element& element = file.elements[i];
+    if (dimension == 3 && element.type == 7)
+      throw MeshFault(file.place(element), "a pyramid; allowed: tetrahedra, hexahedra and prisms");
+    const std::optional<int> kind = kind_of_element(element.type, dimension);
+    if (!kind) continue;
+    cell_of[i] = static_cast<int>(mesh.cells.size());
+    ElementMesh::Cell cell{.kind = *kind, .nodes = {}};
+    for (const int node : element.nodes) cell.nodes.push_back(used.use(node, mesh));
+    if (dimension == 2 && size_of(mesh, cell) < 0) std::reverse(cell.nodes.begin() + 1, cell.nodes.end());
+    if (!(size_of(mesh, cell) > 0))
+      throw MeshFault(file.place(element),
+                      dimension == 2 ? "a cell without an area" : "a cell that is flat or inside out");
+    mesh.cells.push_back(std::move(cell));
+  }
+  if (mesh.cells.empty()) {
+    throw MeshFault(file.name, dimension == 2 ? "no cell; allowed in 2D: triangles and quadrangles"
+                                              : "no cell; allowed in 3D: tetrahedra, hexahedra and prisms");
+  }
+  if (dimension == 2) require_level(file, mesh);
+  std::map<std::string, std::size_t> index_of;
+  for (const std::string& name : file.groups) {
+    if (index_of.emplace(name, mesh.groups.size()).second) mesh.groups.push_back({.name = name});
+  }
+  for (std::size_t i = 0; i < file.elements.size(); ++i) {
+    const GmshFile::Element& element = file.elements[i];
+    const std::optional<std::vector<int>> nodes = used.find(element.nodes);
+    if (!nodes) continue;
+    for (const int index : element.groups) {
+      ElementMesh::Group& group = mesh.groups[index_of[file.groups[static_cast<std::size_t>(index)]]];
+      group.nodes.insert(group.nodes.end(), nodes->begin(), nodes->end());
+      const bool is_face = element.type == 2 || element.type == 3;
+      if (cell_of[i] >= 0) {
+        group.cells.push_back(cell_of[i]);
+      } else if (dimension == 2 ? element.type == 1 : is_face) {
+        group.faces.push_back(*nodes);
+      }
+    }
+  }
+  for (ElementMesh::Group& group : mesh.groups) tidy(group.nodes);
+  return mesh;
+}
+
+}  // namespace halfspace::cli

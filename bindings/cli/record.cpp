@@ -1,0 +1,127 @@
+#include "record.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "picture/picture.h"
+#include "tables.h"
+#include "text.h"
+
+namespace halfspace::cli {
+namespace {
+
+void add_frame_to(Archive& archive, Frame& frame) {
+  archive.add(frame.time);
+  archive.add(frame.contacts);
+  archive.add_each(frame.blocks, [&](BlockFrame& block) {
+    archive.add(block.state);
+    archive.add(block.deformation);
+    archive.add(block.vertices);
+  });
+}
+
+}  // namespace
+
+bool Every::due(const Model& model) {
+  if (!model.reached(next())) return false;
+  const double passed = (model.report().time + model.report().time_step / 2) / interval_;
+  count_ = std::min(std::max(count_ + 1, std::ceil(passed)), std::numeric_limits<double>::max());
+  return true;
+}
+
+Record::Record(const Scene& scene, const Model& model, OutputDirectory& directory)
+    : scene_(scene),
+      model_(model),
+      directory_(directory),
+      series_(model.layout(), scene.output.contacts, directory),
+      history_(model.layout()),
+      start_(model.frame()),
+      stage_(scene, start_),
+      frames_(scene.output.frame_interval),
+      rows_(scene.output.history_interval) {}
+
+void Record::begin() {
+  peaks_.add(model_.report());
+  add_frame();
+  add_row();
+  save_tables();
+}
+
+double Record::next() const { return std::min({frames_.next(), rows_.next(), next_picture()}); }
+
+bool Record::add_due() {
+  const bool row_due = rows_.due(model_);
+  const bool frame_due = frames_.due(model_);
+  if (row_due || frame_due || model_.report().steps % Peaks::steps_between == 0) peaks_.add(model_.report());
+  if (row_due) add_row();
+  if (frame_due) add_frame();
+  while (model_.reached(next_picture())) add_picture();
+  return row_due;
+}
+
+Frame Record::finish() {
+  peaks_.add(model_.report());
+  if (!has_frame_of_now()) add_frame();
+  if (last_row_step_ != model_.report().steps) add_row();
+  save_tables();
+  const Frame end = model_.frame();
+  if (scene_.output.contacts) directory_.write("contacts.csv", contacts_table(model_.layout(), end));
+  stage_.add(end);
+  const Stage stage = stage_.stage();
+  directory_.write("first.svg", picture(stage, scene_, model_.layout(), start_, start_));
+  for (std::size_t i = 0; i < pictured_.size(); ++i) {
+    directory_.write("at_" + shortest(scene_.output.picture_times[i]) + "s.svg",
+                     picture(stage, scene_, model_.layout(), start_, pictured_[i]));
+  }
+  directory_.write("last.svg", picture(stage, scene_, model_.layout(), start_, end));
+  return end;
+}
+
+void Record::add_to(Archive& archive, bool has_frames) {
+  const std::vector<double>& wanted = scene_.output.picture_times;
+  std::vector<double> times(wanted.begin(), wanted.begin() + static_cast<std::ptrdiff_t>(pictured_.size()));
+  series_.add_to(archive, has_frames);
+  history_.add_to(archive);
+  stage_.add_to(archive);
+  archive.add(peaks_);
+  archive.add(times);
+  archive.add_each(pictured_, [&](Frame& frame) { add_frame_to(archive, frame); });
+  frames_.add_to(archive);
+  rows_.add_to(archive);
+  archive.add(last_row_step_);
+  archive.add(last_frame_step_);
+  if (archive.reads() &&
+      (wanted.size() < times.size() || !std::equal(times.begin(), times.end(), wanted.begin()) ||
+       model_.reached(next_picture())))
+    throw std::runtime_error("output.picture.times before its moment were others");
+}
+
+double Record::next_picture() const {
+  const std::vector<double>& times = scene_.output.picture_times;
+  return pictured_.size() < times.size() ? times[pictured_.size()] : std::numeric_limits<double>::infinity();
+}
+
+void Record::add_row() {
+  history_.add(model_);
+  last_row_step_ = model_.report().steps;
+}
+
+void Record::add_picture() {
+  pictured_.push_back(model_.frame());
+  stage_.add(pictured_.back());
+}
+
+void Record::save_tables() {
+  directory_.write("history.csv", history_.text());
+  if (!scene_.bonds.empty()) directory_.write("cracks.csv", cracks_table(model_));
+}
+
+void Record::add_frame() {
+  const Frame frame = model_.frame();
+  series_.add(frame, start_);
+  stage_.add(frame);
+  last_frame_step_ = model_.report().steps;
+  save_tables();
+}
+
+}  // namespace halfspace::cli

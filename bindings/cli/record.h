@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "archive.h"
+#include "files.h"
+#include "history.h"
+#include "model.h"
+#include "picture/stage.h"
+#include "scene.h"
+#include "summary.h"
+#include "vtk_series.h"
+
+namespace halfspace::cli {
+
+/// Something to be done at every multiple of an interval, but not twice at a step.
+class Every {
+ public:
+  explicit Every(double interval) : interval_(interval) {}
+  double next() const { return count_ * interval_; }
+  bool due(const Model& model);
+  void add_to(Archive& archive) { archive.add(count_); }
+
+ private:
+  double interval_;
+  double count_ = 1;  ///< whole; more than any integer has room for where the interval is tiny
+};
+
+/// The files of a run as it goes on: frames, history, and pictures at its end.
+class Record {
+ public:
+  /// The model is at its start.
+  Record(const Scene& scene, const Model& model, OutputDirectory& directory);
+
+  /// Records the first moment.
+  void begin();
+
+  /// When something is to be recorded next.
+  double next() const;
+  /// Records what is due now; true when that is a row of the history.
+  bool add_due();
+  void add_frame();
+  /// The last moment, if it was not recorded yet, and the pictures.
+  Frame finish();
+
+  /// All that it knows of the run so far. One that is read goes on where that was written, and lists earlier
+  /// frames only if they are in its directory. @throws std::runtime_error if pictures were to be made before
+  /// that at other times
+  void add_to(Archive& archive, bool has_frames);
+
+  bool has_frame_of_now() const { return last_frame_step_ == model_.report().steps; }
+  int frame_count() const { return series_.count(); }
+  const Frame& start() const { return start_; }
+  const Peaks& peaks() const { return peaks_; }
+
+ private:
+  double next_picture() const;
+  void add_row();
+  void add_picture();
+  void save_tables();
+
+  const Scene& scene_;
+  const Model& model_;
+  OutputDirectory& directory_;
+  VtkSeries series_;
+  History history_;
+  Frame start_;
+  RunStage stage_;
+  Peaks peaks_;
+  std::vector<Frame> pictured_;  ///< at the picture times; their common stage is known at the end
+  Every frames_;
+  Every rows_;
+  std::int64_t last_row_step_ = 0;
+  std::int64_t last_frame_step_ = 0;
+};
+
+}  // namespace halfspace::cli
