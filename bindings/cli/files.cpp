@@ -40,9 +40,9 @@ std::string numbered(const char* begin, int number) {
 void remove_earlier_run(const fs::path& path) {
   const fs::path frames = path / "frames";
   if (fs::is_symlink(frames)) fs::remove(frames);
-  for (const char* name :
-       {"run.pvd", "contacts.pvd", "contacts.csv", "cracks.csv", "history.csv", "first.svg", "last.svg",
-        "summary.txt", "trade.csv", "trade.txt", "trade.svg", "checkpoint"})
+  for (const char* name : {"run.pvd", "contacts.pvd", "contacts.csv", "cracks.csv", "history.csv",
+                           "first.svg", "last.svg", "summary.txt", "safety.txt", "stands.svg", "falls.svg",
+                           "trade.csv", "trade.txt", "trade.svg", "checkpoint"})
     fs::remove(path / name);
   remove_numbered(path, "at_", "s.svg");
   remove_numbered(frames, "frame_", ".vtp");

@@ -65,24 +65,52 @@ class Planner {
     });
   }
 
-  void add(const Mesh& mesh) {
+  void add(const Mesh& mesh, bool is_excavated) {
     claim(mesh.making);
     if (!may_generate(mesh.making)) return;
-    std::vector<LaidOutBody> bodies = lay_out_mesh(context_, mesh, layout_.dimension, faults_);
-    if (bodies.empty()) without_blocks_.push_back(mesh.making.name);
-    std::size_t count = 0;
-    for (LaidOutBody& body : bodies) {
+    LaidOutMesh laid_out = lay_out_mesh(context_, mesh, layout_.dimension, is_excavated, faults_);
+    if (laid_out.bodies.empty()) without_blocks_.push_back(mesh.making.name);
+    for (LaidOutBody& body : laid_out.bodies) {
       body.body.first_block = layout_.blocks.size();
       for (LaidOutCell& cell : body.cells) {
         Making making = mesh.making;
         making.material = cell.material;
-        add(member(making, count++), making, std::move(cell.shape), mesh.placing,
-            {.velocity = mesh.velocity});
+        add(member(making, static_cast<std::size_t>(cell.number)), making, std::move(cell.shape),
+            mesh.placing, {.velocity = mesh.velocity});
         layout_.blocks.back().faces = std::move(cell.faces);
         layout_.blocks.back().body = layout_.bodies.size();
       }
       layout_.bodies.push_back(std::move(body.body));
     }
+    for (const auto& [group, cells] : laid_out.groups) {
+      std::vector<std::size_t>& blocks = groups_[mesh.making.name + '/' + group];
+      for (const int cell : cells)
+        blocks.push_back(index_of_.at(member(mesh.making, static_cast<std::size_t>(cell))));
+    }
+  }
+
+  /// What a stage takes out of the world.
+  void excavate(const SceneStage& stage, std::size_t number) {
+    std::vector<std::size_t>& blocks = layout_.excavated.emplace_back();
+    for (const std::string& name : stage.excavated) {
+      const auto group = groups_.find(name);
+      const auto block = index_of_.find(name);
+      if (group != groups_.end()) {
+        blocks.insert(blocks.end(), group->second.begin(), group->second.end());
+      } else if (block != index_of_.end()) {
+        blocks.push_back(block->second);
+      } else if (claimed_.contains(name)) {
+        for (auto member = index_of_.lower_bound(name + '.');
+             member != index_of_.end() && member->first.starts_with(name + '.'); ++member)
+          blocks.push_back(member->second);
+      } else {
+        faults_.add(stage.excavated_place, "stage[" + std::to_string(number) + "].excavate",
+                    "no such block: \"" + name +
+                        "\"; allowed: the name of a block, of a generator or a mesh, or MESH/GROUP");
+      }
+    }
+    std::sort(blocks.begin(), blocks.end());
+    blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
   }
 
   void track(const std::string& name, Place place) {
@@ -195,6 +223,7 @@ class Planner {
   CheckedShapes shapes_;
   Layout layout_;
   std::map<std::string, std::size_t> index_of_;
+  std::map<std::string, std::vector<std::size_t>> groups_;  ///< of meshes, with the blocks of their cells
   std::set<std::string> claimed_;
   std::set<std::string> told_;               ///< keys of what has names of others
   std::vector<std::string> without_blocks_;  ///< because of faults
@@ -229,7 +258,10 @@ Layout lay_out_blocks(const Context& context, const Scene& scene, Faults& faults
   for (const JointedRock& rock : scene.jointed_rocks) planner.add(rock);
   for (const Triangulated& region : scene.triangulated) planner.add(region);
   for (const Voronoi& voronoi : scene.voronoi) planner.add(voronoi);
-  for (const Mesh& mesh : scene.meshes) planner.add(mesh);
+  const bool is_excavated = std::any_of(scene.stages.begin(), scene.stages.end(),
+                                        [](const SceneStage& stage) { return !stage.excavated.empty(); });
+  for (const Mesh& mesh : scene.meshes) planner.add(mesh, is_excavated);
+  for (std::size_t i = 0; i < scene.stages.size(); ++i) planner.excavate(scene.stages[i], i);
   for (std::size_t i = 0; i < scene.output.tracked.size(); ++i) {
     planner.track(scene.output.tracked[i], scene.output.tracked_places[i]);
   }

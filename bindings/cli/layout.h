@@ -31,6 +31,8 @@ struct LayoutBody {
   Point velocity{};
   std::vector<Support> supports;
   std::vector<Force> forces;
+  std::optional<Tensor> stress;  ///< at the origin, and
+  Tensor stress_by_height{};     ///< its change, Pa/m upwards
 };
 
 struct LayoutBlock {
@@ -57,8 +59,9 @@ struct Layout {
 
   std::vector<std::size_t> tracked;       ///< indices of the blocks whose motion goes into the history
   std::optional<std::size_t> referenced;  ///< whose position or force is measured
-  int left_out = 0;                       ///< blocks too small to be kept
-  double size_left_out = 0;               ///< of all those together
+  std::vector<std::vector<std::size_t>> excavated;  ///< in each stage of the scene
+  int left_out = 0;                                 ///< blocks too small to be kept
+  double size_left_out = 0;                         ///< of all those together
 };
 
 /// Makes the shapes of a scene. Bad shapes and unknown names go to the faults.

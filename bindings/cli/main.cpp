@@ -17,6 +17,7 @@
 #include "plan/plan.h"
 #include "read_scene.h"
 #include "run.h"
+#include "safety.h"
 #include "trade/trade.h"
 
 namespace halfspace::cli {
@@ -180,6 +181,30 @@ int plan(const std::string& file, const PlanOptions& options) {
   }
 }
 
+int safety(const std::string& file, const std::string& output, Earlier earlier, int threads,
+           const SafetyOptions& options) {
+  if (!(options.low < options.high)) {
+    print(stderr, "--low: must be below --high\n");
+    return exit_usage;
+  }
+  CheckedScene checked = load(file, threads);
+  require_free_block(checked, "a factor of safety");
+  for (const SceneStage& stage : checked.scene.stages) {
+    if (stage.settles) continue;
+    checked.faults.add({}, "stage",
+                       "a factor of safety is that of a scene at rest; allowed: stages that settle");
+    break;
+  }
+  if (!checked.faults.none()) return refuse(file, checked.faults);
+  OutputDirectory directory(output, earlier);
+  Model model(checked.context, checked.scene, std::move(checked.layout));
+  note_start(checked.context, checked.scene, model, checked.faults);
+  print(stderr, checked.faults.describe_notes(file));
+  const SafetyResult result = find_factor_of_safety(checked.scene, model, options, directory);
+  print(stdout, result.report);
+  return result.is_found ? exit_ok : exit_failed;
+}
+
 /// A time in s, as 90s, 10min or 2h.
 CLI::AsNumberWithUnit time_with_unit() {
   return CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1}, {"min", 60}, {"h", 3600}});
@@ -217,10 +242,14 @@ int main_of(int argc, char** argv) {
     return command->add_flag("--force", force, "Replace an earlier run in the directory");
   };
   add_output(run_command);
-  run_command
-      ->add_option("-j,--threads", threads,
-                   "Threads that step the world, in place of the scene's number; results have the same bits")
-      ->check(CLI::Range(1, most_threads));
+  const auto add_threads = [&](CLI::App* command) {
+    command
+        ->add_option(
+            "-j,--threads", threads,
+            "Threads that step the world, in place of the scene's number; results have the same bits")
+        ->check(CLI::Range(1, most_threads));
+  };
+  add_threads(run_command);
   RunOptions run_options;
   std::string from;
   run_command->add_option(
@@ -267,6 +296,22 @@ int main_of(int argc, char** argv) {
       ->capture_default_str()
       ->check(finite_above_zero());
 
+  SafetyOptions safety_options;
+  CLI::App* safety_command = app.add_subcommand(
+      "safety", "Find the factor of safety: by how much all strengths can be divided until the scene falls");
+  safety_command->add_option("scene", file, "The scene file (TOML)")->required();
+  add_output(safety_command);
+  add_threads(safety_command);
+  safety_command->add_option("--low", safety_options.low, "A factor at which the scene should stand")
+      ->capture_default_str()
+      ->check(finite_above_zero());
+  safety_command->add_option("--high", safety_options.high, "A factor at which it should fall")
+      ->capture_default_str()
+      ->check(finite_above_zero());
+  safety_command->add_option("--resolution", safety_options.resolution, "The bracket that is narrow enough")
+      ->capture_default_str()
+      ->check(finite_above_zero());
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -274,6 +319,7 @@ int main_of(int argc, char** argv) {
   }
   const Earlier earlier = force ? Earlier::replace : Earlier::refuse;
   if (plan_command->parsed()) return plan(file, plan_options);
+  if (safety_command->parsed()) return safety(file, output, earlier, threads, safety_options);
   if (trade_command->parsed()) return trade(file, output, earlier, trade_options);
   return run_command->parsed() ? run(file, output, earlier, threads, run_options, from) : check(file);
 }

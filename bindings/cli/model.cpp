@@ -10,6 +10,17 @@
 namespace halfspace::cli {
 namespace {
 
+/// What a block is told to be that is no longer there: it has no vertices.
+BlockFrame removed() {
+  BlockFrame frame;
+  frame.state.kind = HS_BLOCK_FIXED;
+  constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+  for (double* values : {frame.state.pose.position, frame.state.velocity, frame.state.angular_velocity})
+    std::fill_n(values, 3, nowhere);
+  frame.state.angle = nowhere;
+  return frame;
+}
+
 void set_velocity(hs_block_def& def, const Motion& motion) {
   std::copy(motion.velocity.begin(), motion.velocity.end(), def.velocity);
   std::copy(motion.angular_velocity.begin(), motion.angular_velocity.end(), def.angular_velocity);
@@ -20,8 +31,10 @@ void set_velocity(hs_block_def& def, const Motion& motion) {
 Model::Model(const Context& context, const Scene& scene, Layout layout)
     : context_(context),
       layout_(std::move(layout)),
-      local_damping_(scene.world.local_damping),
-      mass_damping_(scene.world.mass_damping),
+      state_{.gravity = {scene.world.gravity[0], scene.world.gravity[1], scene.world.gravity[2]},
+             .gravity_before = {},
+             .local_damping = scene.world.local_damping,
+             .mass_damping = scene.world.mass_damping},
       frames_have_contacts_(scene.output.contacts || scene.output.forces) {
   hs_world* world = nullptr;
   require(context, hs_world_create(context.get(), &scene.world, &world));
@@ -52,6 +65,8 @@ Model::Model(const Context& context, const Scene& scene, Layout layout)
     blocks_.push_back(block);
   }
   for (const LayoutBody& body : layout_.bodies) add(body);
+  is_removed_.resize(blocks_.size());
+  released_.resize(bodies_.size());
   for (const PairBond& pair : scene.bonds)
     require(context, hs_world_bond_materials(world, pair.a, pair.b, &pair.def, nullptr));
   update_report();
@@ -71,6 +86,12 @@ void Model::add(const LayoutBody& given) {
   }
   for (const LayoutBody::Force& force : given.forces)
     require(context_, hs_world_set_node_force(world_.get(), body, &force.node, 1, force.force.data()));
+  if (given.stress) {
+    std::array<double, 27> gradient{};
+    std::copy(given.stress_by_height.begin(), given.stress_by_height.end(),
+              gradient.begin() + static_cast<std::ptrdiff_t>(9 * up_axis(layout_.dimension)));
+    require(context_, hs_world_set_body_stress(world_.get(), body, given.stress->data(), gradient.data()));
+  }
   index_of_body_.emplace(body, bodies_.size());
   bodies_.push_back(body);
 }
@@ -86,22 +107,21 @@ void Model::step_towards(double time, std::int64_t most_steps) {
   set_due_motions();
 }
 
-void Model::begin(const SceneStage& stage) {
-  hs_world* world = world_.get();
-  if (stage.gravity) require(context_, hs_world_set_gravity(world, stage.gravity->data()));
-  local_damping_ = stage.local_damping.value_or(local_damping_);
-  mass_damping_ = stage.mass_damping.value_or(mass_damping_);
-  require(context_, hs_world_set_damping(world, local_damping_, mass_damping_));
-  if (stage.strength_factor) require(context_, hs_world_set_strength_factor(world, *stage.strength_factor));
-  update_report();
-}
-
 bool Model::settle(const hs_relaxation_def& relaxation, hs_balance& balance) {
   const hs_status status = hs_world_relax(world_.get(), &relaxation, &balance, sizeof balance);
   update_report();
   require(context_, status);
   set_due_motions();
   return status != HS_NOTE_NOT_AT_REST;
+}
+
+std::pair<hs_strength_report, bool> Model::find_strength_factor(const hs_strength_def& def) {
+  hs_strength_report report{};
+  hs_world* fallen = nullptr;
+  require(context_, hs_world_find_strength_factor(world_.get(), &def, &report, sizeof report, &fallen));
+  if (fallen) world_.reset(fallen);
+  update_report();
+  return {report, fallen != nullptr};
 }
 
 std::string Model::snapshot() const {
@@ -115,8 +135,9 @@ std::string Model::snapshot() const {
 void Model::add_to(Archive& archive) {
   std::string world = archive.reads() ? std::string() : snapshot();
   archive.add(world);
-  archive.add(local_damping_);
-  archive.add(mass_damping_);
+  archive.add(state_);
+  archive.add(is_removed_);
+  archive.add_each(released_, [&](std::vector<Point>& forces) { archive.add(forces); });
   if (!archive.reads()) return;
   hs_world* restored = nullptr;
   require(context_, hs_world_restore(context_.get(), world.data(), world.size(), &restored));
@@ -163,7 +184,7 @@ double Model::next_motion_change() const {
 void Model::set_due_motions() {
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
     const LayoutBlock& block = layout_.blocks[i];
-    if (block.kind != HS_BLOCK_PRESCRIBED) continue;
+    if (block.kind != HS_BLOCK_PRESCRIBED || is_removed_[i]) continue;
     const bool moves = reached(block.motion.start) && !reached(block.motion.stop);
     const Point velocity = moves ? block.motion.velocity : Point{};
     const Point spin = moves ? block.motion.angular_velocity : Point{};
@@ -198,6 +219,7 @@ hs_block_state Model::state_of(std::size_t block) const {
   if (const std::optional<std::size_t> body = layout_.blocks[block].body) {
     return frame_of(*body)[block - layout_.bodies[*body].first_block].state;
   }
+  if (is_removed_[block]) return removed().state;
   hs_block_state state;
   require(context_, hs_world_get_block_state(world_.get(), blocks_[block], &state));
   return state;
@@ -207,6 +229,7 @@ hs_deformation Model::deformation_of(std::size_t block) const {
   if (const std::optional<std::size_t> body = layout_.blocks[block].body) {
     return frame_of(*body)[block - layout_.bodies[*body].first_block].deformation;
   }
+  if (is_removed_[block]) return removed().deformation;
   hs_deformation deformation;
   require(context_, hs_world_get_deformation(world_.get(), blocks_[block], &deformation));
   return deformation;
@@ -228,6 +251,7 @@ std::vector<hs_contact> Model::contacts() const {
 std::vector<BlockFrame> Model::frame_of(std::size_t index) const {
   const LayoutBody& given = layout_.bodies[index];
   const hs_body body = bodies_[index];
+  if (body == 0) return std::vector<BlockFrame>(given.cell_nodes.size(), removed());
   std::vector<Point> places(given.node_count), velocities(given.node_count);
   require(context_, hs_world_get_node_positions(world_.get(), body, view_of(places), nullptr));
   require(context_, hs_world_get_node_velocities(world_.get(), body, view_of(velocities), nullptr));
@@ -237,6 +261,10 @@ std::vector<BlockFrame> Model::frame_of(std::size_t index) const {
   std::vector<BlockFrame> frame(cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i) {
     BlockFrame& cell = frame[i];
+    if (is_removed_[given.first_block + i]) {
+      cell = removed();
+      continue;
+    }
     Point middle{}, velocity{};
     const double share = 1 / static_cast<double>(given.cell_nodes[i].size());
     for (const int node : given.cell_nodes[i]) {
@@ -268,6 +296,7 @@ Frame Model::frame() const {
     if (layout_.blocks[i].body) continue;
     BlockFrame& block = frame.blocks[i];
     block.state = state_of(i);
+    if (is_removed_[i]) continue;
     if (block.state.kind == HS_BLOCK_AFFINE) block.deformation = deformation_of(i);
     block.vertices.resize(
         static_cast<std::size_t>(properties_of(context_, layout_.blocks[i].shape).vertex_count));

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "archive.h"
@@ -34,8 +35,12 @@ class Model {
   /// to a time. Does at most `most_steps` steps. @throws LibraryError
   void step_towards(double time, std::int64_t most_steps);
 
-  /// Changes the world as a stage says.
-  void begin(const SceneStage& stage);
+  /// Changes the world as a stage says that excavates these blocks. What changes gradually is as before,
+  /// until change_to() is called.
+  void begin(const SceneStage& stage, const std::vector<std::size_t>& excavated);
+  /// Gravity, the loads of meshes and what is excavated are so far on their way, from 0 to 1.
+  void change_to(double share);
+  bool is_changed() const { return state_.share == 1; }
   /// Brings the world to rest, in at most so many steps; true when it is. @throws LibraryError
   bool settle(const hs_relaxation_def& relaxation, hs_balance& balance);
 
@@ -43,6 +48,10 @@ class Model {
   std::string snapshot() const;
   /// What changes in a run. One that is read is where that was that was written. @throws LibraryError
   void add_to(Archive& archive);
+
+  /// Looks for the factor of safety. Where a copy fell, the model becomes that one, as it was then, and true
+  /// is told. @throws LibraryError
+  std::pair<hs_strength_report, bool> find_strength_factor(const hs_strength_def& def);
 
   /// Has the step nearest to this time been done?
   bool reached(double time) const { return time - report_.time < report_.time_step / 2; }
@@ -69,6 +78,9 @@ class Model {
   static constexpr double never = std::numeric_limits<double>::infinity();
 
   void add(const LayoutBody& body);
+  void excavate(const std::vector<std::size_t>& blocks);
+  void excavate_cells(std::size_t body, const std::vector<int32_t>& cells);
+  void load_nodes(std::size_t body);
   /// The cells of a body, as blocks.
   std::vector<BlockFrame> frame_of(std::size_t body) const;
   void set_due_motions();
@@ -84,8 +96,19 @@ class Model {
   std::map<hs_body, std::size_t> index_of_body_;
   std::vector<double> densities_;  ///< of the materials
   hs_world_report report_{};
-  double local_damping_;
-  double mass_damping_;
+  /// What stages change, and how far they are.
+  struct State {
+    Point gravity{};
+    Point gravity_before{};
+    double loads = 1;  ///< of meshes, as a share of the scene's
+    double loads_before = 1;
+    double share = 1;  ///< of the way from before
+    double local_damping = 0;
+    double mass_damping = 0;
+  };
+  State state_;
+  std::vector<char> is_removed_;              ///< of each block
+  std::vector<std::vector<Point>> released_;  ///< forces of excavated cells on each body's nodes, or none
   bool frames_have_contacts_;
 };
 

@@ -17,23 +17,6 @@ std::uint64_t read_seed(Keys& keys) {
   return static_cast<std::uint64_t>(keys.integer("seed", 0, std::numeric_limits<std::int64_t>::max(), 0));
 }
 
-/// In 3D the shear stresses are those of yz, zx and xy.
-std::optional<Tensor> read_stress(Keys& keys, int kind) {
-  if (!keys.has_any({"normal_stress", "shear_stress"})) return std::nullopt;
-  const Point normal = keys.point("normal_stress", required);
-  Point shear{};
-  if (keys.dimension() == 2) {
-    shear[2] = keys.number("shear_stress", any_number(), 0.0);
-  } else {
-    shear = keys.point("shear_stress", shear);
-  }
-  if (kind != HS_BLOCK_AFFINE) {
-    keys.fault(keys.has("normal_stress") ? "normal_stress" : "shear_stress",
-               "no other block has a stress; allowed: with kind = \"affine\"");
-  }
-  return Tensor{normal[0], shear[2], shear[1], shear[2], normal[1], shear[0], shear[1], shear[0], normal[2]};
-}
-
 Making read_making(Keys& keys, const Scene& scene, bool may_be_prescribed) {
   Making making{.name = read_name(keys), .key = keys.path("name"), .place = keys.place("name")};
   making.key.resize(making.key.size() - std::string_view(".name").size());
@@ -50,7 +33,11 @@ Making read_making(Keys& keys, const Scene& scene, bool may_be_prescribed) {
                "the material \"" + material +
                    "\" is not elastic; allowed: with young_modulus and poisson_ratio in its [[material]]");
   }
-  making.stress = read_stress(keys, making.kind);
+  making.stress = read_stress(keys);
+  if (making.stress && making.kind != HS_BLOCK_AFFINE) {
+    keys.fault(keys.has("normal_stress") ? "normal_stress" : "shear_stress",
+               "no other block has a stress; allowed: with kind = \"affine\"");
+  }
   return making;
 }
 

@@ -42,14 +42,21 @@ SceneStage read_stage(Keys& keys) {
     stage.relaxation.most_steps =
         keys.integer("most_steps", 1, std::numeric_limits<std::int64_t>::max(), stage.relaxation.most_steps);
     stage.relaxation.hold_bonds = keys.word("bonds", {"may fail", "hold"}, stage.relaxation.hold_bonds);
+    stage.portions = keys.integer("portions", 1, 10'000, stage.portions);
   } else {
     stage.duration = keys.number("duration", above(0), required);
     stage.rest_speed = keys.number("rest_speed", above(0), stage.rest_speed);
+    stage.ramp = keys.number("ramp", {.low = 0, .high = stage.duration}, stage.ramp);
   }
   if (keys.has_any({"gravity"})) stage.gravity = keys.point("gravity", required);
   stage.local_damping = change(keys, "local_damping", {.low = 0, .high = 1, .with_high = false});
   stage.mass_damping = change(keys, "mass_damping", at_least(0));
   stage.strength_factor = change(keys, "strength_factor", above(0));
+  stage.loads = change(keys, "loads", any_number());
+  std::vector<Place> places;
+  stage.excavated = keys.texts("excavate", places, std::vector<std::string>{});
+  stage.excavated_place = keys.place("excavate");
+  stage.resets_displacement = keys.truth("reset_displacement", false);
   keys.finish();
   return stage;
 }

@@ -19,6 +19,18 @@ Point rotation(Keys& keys, std::string_view key) {
   return turn;
 }
 
+std::optional<Tensor> read_stress(Keys& keys) {
+  if (!keys.has_any({"normal_stress", "shear_stress"})) return std::nullopt;
+  const Point normal = keys.point("normal_stress", required);
+  Point shear{};
+  if (keys.dimension() == 2) {
+    shear[2] = keys.number("shear_stress", any_number(), 0.0);
+  } else {
+    shear = keys.point("shear_stress", shear);
+  }
+  return Tensor{normal[0], shear[2], shear[1], shear[2], normal[1], shear[0], shear[1], shear[0], normal[2]};
+}
+
 std::string read_name(Keys& keys) {
   const std::string name = keys.text("name", required);
   const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {

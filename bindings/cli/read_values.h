@@ -18,6 +18,10 @@ double degrees(Keys& keys, std::string_view key, Range range, std::optional<doub
 /// A turn or a spin, in degrees: about the normal of the plane in 2D, a vector in 3D; none by default.
 Point rotation(Keys& keys, std::string_view key);
 
+/// `normal_stress` and `shear_stress`: in 3D the shear stresses are those of yz, zx and xy; none where
+/// neither is given.
+std::optional<Tensor> read_stress(Keys& keys);
+
 /// The key `name`. Names become columns of a table, so they are kept to what needs no quotes.
 std::string read_name(Keys& keys);
 

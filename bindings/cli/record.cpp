@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "picture/picture.h"
 #include "tables.h"
@@ -35,8 +36,8 @@ Record::Record(const Scene& scene, const Model& model, OutputDirectory& director
       directory_(directory),
       series_(model.layout(), scene.output.contacts, directory),
       history_(model.layout()),
-      start_(model.frame()),
-      stage_(scene, start_),
+      origins_{model.frame()},
+      stage_(scene, origins_.front()),
       frames_(scene.output.frame_interval),
       rows_(scene.output.history_interval) {}
 
@@ -68,12 +69,13 @@ Frame Record::finish() {
   if (scene_.output.contacts) directory_.write("contacts.csv", contacts_table(model_.layout(), end));
   stage_.add(end);
   const Stage stage = stage_.stage();
-  directory_.write("first.svg", picture(stage, scene_, model_.layout(), start_, start_));
+  directory_.write("first.svg", picture(stage, scene_, model_.layout(), start(), start()));
   for (std::size_t i = 0; i < pictured_.size(); ++i) {
-    directory_.write("at_" + shortest(scene_.output.picture_times[i]) + "s.svg",
-                     picture(stage, scene_, model_.layout(), start_, pictured_[i]));
+    directory_.write(
+        "at_" + shortest(scene_.output.picture_times[i]) + "s.svg",
+        picture(stage, scene_, model_.layout(), shown_from(origin_of_pictured_[i]), pictured_[i]));
   }
-  directory_.write("last.svg", picture(stage, scene_, model_.layout(), start_, end));
+  directory_.write("last.svg", picture(stage, scene_, model_.layout(), shown_from(origins_.size() - 1), end));
   return end;
 }
 
@@ -82,10 +84,17 @@ void Record::add_to(Archive& archive, bool has_frames) {
   std::vector<double> times(wanted.begin(), wanted.begin() + static_cast<std::ptrdiff_t>(pictured_.size()));
   series_.add_to(archive, has_frames);
   history_.add_to(archive);
+  std::vector<Frame> origins(origins_.begin(), origins_.end());
+  archive.add_each(origins, [&](Frame& frame) { add_frame_to(archive, frame); });
+  for (std::size_t i = origins_.size(); i < origins.size(); ++i) {
+    origins_.push_back(std::move(origins[i]));
+    stage_.reset_displacement(origins_.back());
+  }
   stage_.add_to(archive);
   archive.add(peaks_);
   archive.add(times);
   archive.add_each(pictured_, [&](Frame& frame) { add_frame_to(archive, frame); });
+  archive.add(origin_of_pictured_);
   frames_.add_to(archive);
   rows_.add_to(archive);
   archive.add(last_row_step_);
@@ -94,6 +103,15 @@ void Record::add_to(Archive& archive, bool has_frames) {
       (wanted.size() < times.size() || !std::equal(times.begin(), times.end(), wanted.begin()) ||
        model_.reached(next_picture())))
     throw std::runtime_error("output.picture.times before its moment were others");
+}
+
+void Record::reset_displacement() {
+  origins_.push_back(model_.frame());
+  stage_.reset_displacement(origins_.back());
+}
+
+const Frame& Record::shown_from(std::size_t origin) const {
+  return scene_.output.colour == Colour::layer ? origins_.front() : origins_[origin];
 }
 
 double Record::next_picture() const {
@@ -108,6 +126,7 @@ void Record::add_row() {
 
 void Record::add_picture() {
   pictured_.push_back(model_.frame());
+  origin_of_pictured_.push_back(origins_.size() - 1);
   stage_.add(pictured_.back());
 }
 
@@ -118,7 +137,7 @@ void Record::save_tables() {
 
 void Record::add_frame() {
   const Frame frame = model_.frame();
-  series_.add(frame, start_);
+  series_.add(frame, origins_.back());
   stage_.add(frame);
   last_frame_step_ = model_.report().steps;
   save_tables();

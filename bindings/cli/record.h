@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <limits>
 #include <string>
 #include <vector>
@@ -51,12 +52,16 @@ class Record {
   /// that at other times
   void add_to(Archive& archive, bool has_frames);
 
+  /// Displacements, in frames and pictures, are those from now on.
+  void reset_displacement();
   bool has_frame_of_now() const { return last_frame_step_ == model_.report().steps; }
   int frame_count() const { return series_.count(); }
-  const Frame& start() const { return start_; }
+  const Frame& start() const { return origins_.front(); }
   const Peaks& peaks() const { return peaks_; }
 
  private:
+  /// The origin of what a picture shows: heights of layers are those at the start.
+  const Frame& shown_from(std::size_t origin) const;
   double next_picture() const;
   void add_row();
   void add_picture();
@@ -67,10 +72,11 @@ class Record {
   OutputDirectory& directory_;
   VtkSeries series_;
   History history_;
-  Frame start_;
+  std::deque<Frame> origins_;  ///< that displacements are measured from: the start, and later ones
   RunStage stage_;
   Peaks peaks_;
   std::vector<Frame> pictured_;  ///< at the picture times; their common stage is known at the end
+  std::vector<std::size_t> origin_of_pictured_;  ///< which of the origins
   Every frames_;
   Every rows_;
   std::int64_t last_row_step_ = 0;

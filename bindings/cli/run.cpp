@@ -40,10 +40,12 @@ struct Position {
   std::size_t stage = 0;
   bool has_begun = false;
   bool is_over = false;
-  bool is_at_rest = false;  ///< ended by rest, not by its duration
-  double start = 0;         ///< s
-  std::int64_t steps = 0;   ///< of settling
-  int slow_rows = 0;        ///< rows of the history in a row at which all that moves freely was slow
+  bool is_at_rest = false;    ///< ended by rest, not by its duration
+  double start = 0;           ///< s
+  std::int64_t steps = 0;     ///< of settling
+  std::int64_t portions = 0;  ///< that have begun to settle
+  bool is_balanced = false;   ///< with the last of them
+  int slow_rows = 0;          ///< rows of the history in a row at which all that moves freely was slow
 };
 
 /// A block at the turn of its path is slow once; ten rows are no turn.
@@ -63,6 +65,11 @@ std::string nature_of(const SceneStage& stage) {
   add_change(stage.local_damping);
   add_change(stage.mass_damping);
   add_change(stage.strength_factor);
+  add_change(stage.loads);
+  add(stage.ramp);
+  add(stage.portions);
+  add(stage.resets_displacement);
+  for (std::string name : stage.excavated) archive.add(name);
   if (stage.settles) {
     add(stage.relaxation.measure);
     add(stage.relaxation.local_damping);
@@ -132,7 +139,8 @@ class Run {
   }
 
   void begin(const SceneStage& stage) {
-    model_.begin(stage);
+    if (!scene_.stages.empty()) model_.begin(stage, model_.layout().excavated[at_.stage]);
+    if (stage.resets_displacement) record_.reset_displacement();
     at_.has_begun = true;
     at_.start = model_.report().time;
   }
@@ -145,6 +153,7 @@ class Run {
       if (is_interrupted()) return false;
       const Clock::time_point before = Clock::now();
       const std::int64_t steps_before = model_.report().steps;
+      change(stage, steps_before);
       model_.step_towards(std::min(record_.next(), end), batch.steps_from(steps_before));
       batch.adapt(model_.report().steps - steps_before, Clock::now() - before);
       const double time = model_.report().time;
@@ -157,6 +166,14 @@ class Run {
     return true;
   }
 
+  /// At steps that do not depend on the clock.
+  void change(const SceneStage& stage, std::int64_t steps) {
+    const bool is_time = steps % Peaks::steps_between == 0 || model_.reached(at_.start + stage.ramp);
+    if (model_.is_changed() || !is_time) return;
+    const double share = stage.ramp > 0 ? (model_.report().time - at_.start) / stage.ramp : 1;
+    model_.change_to(model_.reached(at_.start + stage.ramp) ? 1 : share);
+  }
+
   /// Whether everything that moves freely has been slow for long enough.
   void watch_rest(const SceneStage& stage) {
     const bool is_slow = model_.report().largest_speed < stage.rest_speed && model_.motions_over();
@@ -164,24 +181,28 @@ class Run {
     at_.is_at_rest = at_.slow_rows >= slow_rows_of_rest;
   }
 
-  /// Piece by piece, so that who interrupts it does not wait for long. False when it was interrupted.
+  /// Portion by portion, and each piece by piece, so that who interrupts it does not wait for long. False
+  /// when it was interrupted.
   bool settle(const SceneStage& stage) {
     constexpr std::int64_t steps_of_piece = 20000;
     const std::int64_t most_steps = stage.relaxation.most_steps;
     hs_balance balance{};
-    bool is_balanced = false;
-    while (!is_balanced && at_.steps < most_steps) {
+    while (!(at_.is_balanced && model_.is_changed()) && at_.steps < most_steps) {
       if (is_interrupted()) return false;
+      if ((at_.is_balanced || at_.portions == 0) && !model_.is_changed())
+        model_.change_to(++at_.portions == stage.portions
+                             ? 1
+                             : static_cast<double>(at_.portions) / static_cast<double>(stage.portions));
       hs_relaxation_def piece = stage.relaxation;
       piece.most_steps = std::min(steps_of_piece, most_steps - at_.steps);
-      is_balanced = model_.settle(piece, balance);
+      at_.is_balanced = model_.settle(piece, balance);
       at_.steps += balance.steps;
       progress_.show(static_cast<double>(at_.steps) / static_cast<double>(most_steps),
                      "unbalanced " + rounded(balance.mean, 2));
       record_.add_due();
     }
     at_.is_over = true;
-    tell("settled", (is_balanced ? "at rest after " : "NOT AT REST after ") + std::to_string(at_.steps) +
+    tell("settled", (at_.is_balanced ? "at rest after " : "NOT AT REST after ") + std::to_string(at_.steps) +
                         " steps, unbalanced by " + rounded(balance.mean, 2) + " of all forces, by " +
                         rounded(balance.largest, 2) + " of a single block's");
     if (!record_.has_frame_of_now()) record_.add_frame();

@@ -61,10 +61,16 @@ struct SceneStage {
   hs_relaxation_def relaxation{};  ///< of one that settles
   double duration = 0;             ///< of one that runs
   double rest_speed = 0;           ///< likewise; 0: it never ends early
+  double ramp = 0;                 ///< likewise, s: gravity, loads and what is excavated change over it
+  std::int64_t portions = 1;       ///< of one that settles: they change in so many, and it settles after each
   std::optional<Point> gravity = {};
   std::optional<double> local_damping = {};
   std::optional<double> mass_damping = {};
   std::optional<double> strength_factor = {};
+  std::optional<double> loads = {};         ///< all loads of meshes are those of the scene times this
+  std::vector<std::string> excavated = {};  ///< names of blocks, generators and meshes, or "mesh/group"
+  Place excavated_place = {};               ///< for faults
+  bool resets_displacement = false;
 };
 
 /// The names of laws in scene files, in the order of the HS_STIFFNESS_ values.
@@ -152,6 +158,8 @@ struct Mesh {
   MeshDivision division = MeshDivision::whole;
   Placing placing;
   Point velocity{};
+  std::optional<Tensor> stress;  ///< at the origin, when it is put into the world, and
+  Tensor stress_by_height{};     ///< its change, Pa/m upwards
   std::vector<MeshMaterial> materials;
   std::vector<MeshSupport> supports;
   std::vector<MeshLoad> loads;

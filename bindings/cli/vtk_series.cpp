@@ -19,6 +19,7 @@ void add_cell_data(const Layout& layout, const Frame& frame, const Frame& start,
   VtkArray spin("angular_velocity", in_plane ? 1 : 3);
   VtkArray stress("stress", 9), strain("strain", 9);
   for (std::size_t i = 0; i < frame.blocks.size(); ++i) {
+    if (frame.blocks[i].vertices.empty()) continue;  // it has been excavated
     const hs_block_state& now = frame.blocks[i].state;
     const hs_block_state& then = start.blocks[i].state;
     double moved[3];
@@ -45,6 +46,7 @@ void add_cell_data(const Layout& layout, const Frame& frame, const Frame& start,
 std::string vtk_polygons(const Layout& layout, const Frame& frame, const Frame& start) {
   VtkCells cells{.kind = "Polys", .time = frame.time};
   for (std::size_t i = 0; i < frame.blocks.size(); ++i) {
+    if (frame.blocks[i].vertices.empty()) continue;
     const std::size_t first = cells.points.size() / 3;
     for (const Point& p : frame.blocks[i].vertices)
       cells.points.insert(cells.points.end(), p.begin(), p.end());

@@ -23,6 +23,24 @@ Tensor<D> read_finite_tensor(const double* values, const char* name) {
   return tensor;
 }
 
+/// Components are named from `first` on.
+template <int D>
+Tensor<D> read_symmetric_tensor(const double* values, const char* name, int first = 0) {
+  require_pointer(values, name);
+  for (int i = 0; i < D; ++i) {
+    for (int k = 0; k < D; ++k) require_component(values[3 * i + k], name, first + 3 * i + k);
+  }
+  for (int i = 0; i < D; ++i) {
+    for (int k = 0; k < i; ++k) {
+      if (values[3 * i + k] != values[3 * k + i]) {
+        refuse(HS_ERROR_ARGUMENT, "%s[%d] is %g, %s[%d] is %g; a stress is symmetric", name,
+               first + 3 * k + i, values[3 * k + i], name, first + 3 * i + k, values[3 * i + k]);
+      }
+    }
+  }
+  return read_finite_tensor<D>(values, name);
+}
+
 template <int D>
 void write_tensor(const Tensor<D>& tensor, double out[9]) {
   for (int row = 0; row < D; ++row)

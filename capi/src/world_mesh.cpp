@@ -85,6 +85,32 @@ void for_each_node(const Body<D>& body, const std::int32_t* nodes, std::int64_t 
   for (std::int64_t i = 0; i < count; ++i) use(std::size_t(body.first_node + nodes[i]));
 }
 
+template <int D>
+std::span<const std::int32_t> read_cells(const Body<D>& body, const std::int32_t* cells, std::int64_t count) {
+  require_count(count, "count");
+  if (count > 0) require_pointer(cells, "cells");
+  for (std::int64_t i = 0; i < count; ++i) {
+    if (cells[i] < 0 || cells[i] >= body.cell_count) {
+      refuse(HS_ERROR_ARGUMENT, "cells[%lld] is %d; the body has %lld", static_cast<long long>(i), cells[i],
+             static_cast<long long>(body.cell_count));
+    }
+  }
+  return {cells, std::size_t(count)};
+}
+
+/// Would a body be without cells?
+template <int D>
+bool keeps_none(const Meshes<D>& meshes, std::int32_t body, std::span<const std::int32_t> without,
+                Memory* memory) {
+  Array<std::uint8_t> is_gone(std::size_t(meshes.body(body).cell_count), 0, memory);
+  for (const std::int32_t cell : without) is_gone[std::size_t(cell)] = 1;
+  bool keeps_some = false;
+  meshes.for_each_element([&](const auto& element) {
+    keeps_some = keeps_some || (element.body == body && !is_gone[std::size_t(element.cell)]);
+  });
+  return !keeps_some;
+}
+
 /// The body of an entry point that writes a vector of each node.
 template <class VectorOf>
 hs_status write_nodes(const hs_world* world, hs_body body, const hs_mutable_view& out, int64_t* count,
@@ -107,11 +133,9 @@ hs_cell_state state_of(const World<D>& world, const Element<D, N>& element) {
   const typename E::Field field = element.field_of(places);
   const Elasticity& elasticity = world.elasticity(element.material);
   const Tensor<D> strain = E::strain_of(field);
-  const Tensor<D> stress = field.gradient * elasticity.stress<D>(strain) * field.gradient.transpose() /
-                           field.gradient.determinant();
   hs_cell_state state{};
   write_tensor<D>(strain, state.strain);
-  write_tensor<D>(stress, state.stress);
+  write_tensor<D>(element.stress(field, elasticity), state.stress);
   state.strain_energy = element.strain_energy(strain, E::bending_of(field), elasticity);
   return state;
 }
@@ -173,6 +197,27 @@ hs_status hs_world_remove_body(hs_world* world, hs_body body) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     w.remove_mesh(body_of(w.meshes(), body, "body"));
     return HS_OK;
+  });
+}
+
+hs_status hs_world_remove_cells(hs_world* world, hs_body body, const int32_t cells[], int64_t count,
+                                hs_mutable_view released) {
+  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    const std::int32_t which = body_of(w.meshes(), body, "body");
+    const Body<D>& known = w.meshes().body(which);
+    require_view<D>(released, "released");
+    const std::span<const std::int32_t> wanted = read_cells(known, cells, count);
+    if (keeps_none(w.meshes(), which, wanted, &world->context->memory)) {
+      refuse(HS_ERROR_STATE, "cells are all that the body has; hs_world_remove_body() takes it out");
+    }
+    Array<Vector<D>> forces(std::size_t(known.node_count), Vector<D>::Zero(), &world->context->memory);
+    const MeshFaultReport report = w.remove_cells(which, wanted, forces);
+    if (report.fault != MeshFault::none) {
+      refuse(HS_ERROR_GEOMETRY, "cell %lld, at the surface without cells, %s",
+             static_cast<long long>(report.cell), fault_text(report.fault));
+    }
+    return write_all(std::int64_t(forces.size()), released.count,
+                     [&](int i) { write_point(released, i, forces[std::size_t(i)]); });
   });
 }
 
@@ -253,12 +298,29 @@ hs_status hs_world_set_node_force(hs_world* world, hs_body body, const int32_t n
   });
 }
 
+hs_status hs_world_set_body_stress(hs_world* world, hs_body body, const double stress[9],
+                                   const double gradient[27]) {
+  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    const std::int32_t which = body_of(w.meshes(), body, "body");
+    StressField<D> field{read_symmetric_tensor<D>(stress, "stress"), {}};
+    for (int k = 0; k < D; ++k) {
+      field.gradient[std::size_t(k)].setZero();
+      if (gradient)
+        field.gradient[std::size_t(k)] = read_symmetric_tensor<D>(gradient + 9 * k, "gradient", 9 * k);
+    }
+    if (!w.set_body_stress(which, field))
+      refuse(HS_ERROR_ARGUMENT, "stress, with gradient, strains a cell by more than 1e+06");
+    return HS_OK;
+  });
+}
+
 hs_status hs_world_get_cells(const hs_world* world, hs_body body, hs_cell_state cells[], int64_t capacity,
                              int64_t* count) {
   return with_world(world, __func__, [&]<int D>(const World<D>& w) {
     require_count(capacity, "capacity");
     if (capacity > 0) require_pointer(cells, "cells");
     const std::int32_t which = body_of(w.meshes(), body, "body");
+    std::fill_n(cells, std::min(capacity, w.meshes().body(which).cell_count), hs_cell_state{});
     w.meshes().for_each_element([&](const auto& element) {
       if (element.body == which && element.cell < capacity) cells[element.cell] = state_of(w, element);
     });

@@ -41,8 +41,9 @@ class Acts {
       for (int i = 0; i < N; ++i) places.col(i) = meshes_.place[std::size_t(element.node[std::size_t(i)])];
       const typename E::Field field = element.field_of(places);
       const Elasticity& elasticity = model_.materials.elasticity(element.material);
-      const typename E::Nodes forces = element.forces(field, elasticity.stress<D>(E::strain_of(field)),
-                                                      element.drive(E::bending_of(field)));
+      const typename E::Nodes forces =
+          element.forces(field, elasticity.stress<D>(element.stressing_strain(E::strain_of(field))),
+                         element.drive(E::bending_of(field)));
       for (int i = 0; i < N; ++i) of_node_[std::size_t(element.node[std::size_t(i)])] += forces.col(i).norm();
     });
   }

@@ -7,6 +7,9 @@
 namespace halfspace {
 namespace {
 
+/// A cell that is strained by more has no stress that means anything.
+constexpr double largest_prestrain = 1e6;
+
 /// The gradients of the interpolation between the corners of a simplex.
 template <int D>
 Eigen::Matrix<double, D, D + 1> gradients_of(const std::array<Vector<D>, D + 1>& corners) {
@@ -108,6 +111,31 @@ void World<D>::remove_mesh(std::int32_t body) {
   }
   meshes.remove(body);
   edit();
+}
+
+/// Nothing changes when any cell's strain is beyond bounds.
+template <int D>
+bool World<D>::set_body_stress(std::int32_t body, const StressField<D>& field) {
+  Meshes<D>& meshes = model_.blocks.meshes();
+  const Vector<D> origin = meshes.body(body).origin;
+  const auto stressed = [&]<int N>(Element<D, N> element) {
+    Eigen::Matrix<double, D, N> places;
+    for (int i = 0; i < N; ++i) places.col(i) = meshes.place[std::size_t(element.node[std::size_t(i)])];
+    const Vector<D> middle = origin + places.rowwise().mean();
+    element.set_stress(element.field_of(places), field.at(middle),
+                       model_.materials.elasticity(element.material));
+    return element.prestrain;
+  };
+  bool is_bounded = true;
+  meshes.for_each_element([&](const auto& element) {
+    if (element.body == body) is_bounded = is_bounded && stressed(element).norm() <= largest_prestrain;
+  });
+  if (!is_bounded) return false;
+  meshes.for_each_element([&](auto& element) {
+    if (element.body == body) element.prestrain = stressed(element);
+  });
+  edit();
+  return true;
 }
 
 template <int D>

@@ -36,7 +36,7 @@ double MeshMotion<D>::load_nodes_of(const Element<D, N>& element) {
   const typename E::Field place = element.field_of(gathered<N>(meshes_.place, element.node));
   const Tensor<D> strain = E::strain_of(place);
   const typename E::Amplitudes bending = E::bending_of(place);
-  Tensor<D> driving_strain = strain;
+  Tensor<D> driving_strain = element.stressing_strain(strain);
   typename E::Amplitudes driving_bending = bending;
   if (elasticity.damping_time > 0) {
     const typename E::Field rate = element.field_of(gathered<N>(meshes_.velocity, element.node));

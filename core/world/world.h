@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -27,6 +28,18 @@ enum class StepResult { ok, unstable, no_time_step, too_fast, inverted };
 struct PlacedMesh {
   MeshFaultReport report;
   std::int32_t body = -1;
+};
+
+/// A stress that is linear in space.
+template <int D>
+struct StressField {
+  Tensor<D> at(const Vector<D>& place) const {
+    Tensor<D> stress = at_origin;
+    for (int k = 0; k < D; ++k) stress += place[k] * gradient[std::size_t(k)];
+    return stress;
+  }
+  Tensor<D> at_origin;
+  std::array<Tensor<D>, D> gradient;  // along each axis
 };
 
 /// How bringing a world to rest has ended.
@@ -67,6 +80,15 @@ class World {
   /// cells, as blocks. When memory runs out nothing has changed.
   PlacedMesh add_mesh(const Mesh<D>& mesh, const Pose<D>& pose, std::span<const std::int32_t> cell_materials);
   void remove_mesh(std::int32_t body);
+  /// Takes cells out of a body, not all of them; what they bordered on is its surface from now on. Adds what
+  /// they did to nodes, by their stress and their weight, to `released`, one for each node of the body. A
+  /// node without a cell stays where it is, without mass. Nothing has changed where there is a fault, or
+  /// memory runs out.
+  MeshFaultReport remove_cells(std::int32_t body, std::span<const std::int32_t> cells,
+                               std::span<Vector<D>> released);
+  /// Stresses the cells of a body as they are now. False, and nothing has changed, for a stress beyond
+  /// bounds.
+  bool set_body_stress(std::int32_t body, const StressField<D>& field);
   /// Bonds two blocks along their common face, as they are now: false when they have none, or hold together
   /// already.
   bool bond_pair(std::int32_t a, std::int32_t b, const BondLaw& law);
@@ -176,6 +198,7 @@ class World {
   void change_laws();
   MeshFaultReport add_surface(std::int32_t body, std::span<const SurfaceSimplex<D>> simplices,
                               std::span<const std::int32_t> cell_materials);
+  void release(std::int32_t body, const Array<std::uint8_t>& is_gone, std::span<Vector<D>> released) const;
   void make_bonds();
   template <class Make>
   std::int64_t make_bonds_of(const BondLaw& law, Make make);

@@ -167,6 +167,35 @@ TEST_CASE("functions that move a body's nodes refuse bad numbers and nodes that 
                      {"force[1]", "nan", push(nodes, 2, not_a_number)},
                      {"force[0]", "-inf", push(nodes, 2, infinite)},
                      {"force[1]", "1e+76", push(nodes, 2, large)}});
+    std::vector<std::int32_t> every_cell;
+    hs_body_state state;
+    require_ok(hs_world_get_body_state(w, b, &state, sizeof state), s.context.get());
+    for (std::int32_t i = 0; i < state.cell_count; ++i) every_cell.push_back(i);
+    const std::int32_t no_cell[] = {0, -1}, past[] = {std::int32_t(state.cell_count), 0};
+    const auto cut = [&](const std::int32_t* named, std::int64_t count) {
+      return [=] { return hs_world_remove_cells(w, b, named, count, {}); };
+    };
+    check_unchanged(s, "hs_world_remove_cells",
+                    {{"cells", "NULL", cut(nullptr, 2)},
+                     {"count", "-3", cut(every_cell.data(), -3)},
+                     {"cells[1]", "-1", cut(no_cell, 2)},
+                     {"cells[0]", std::to_string(state.cell_count), cut(past, 2)},
+                     {"cells", "all", cut(every_cell.data(), state.cell_count), HS_ERROR_STATE}});
+    const double lopsided[9] = {0, 1, 0, 2, 0, 0, 0, 0, 0}, no_stress[9] = {0, 0, 0, 0, nan};
+    const double huge[9] = {1e70, 0, 0, 0, 1e70}, calm[9] = {};
+    double steep[27] = {};
+    steep[9 + 1] = 5;
+    const auto stress_by = [&](const double* stress, const double* gradient) {
+      return [=] { return hs_world_set_body_stress(w, b, stress, gradient); };
+    };
+    check_unchanged(s, "hs_world_set_body_stress",
+                    {{"stress", "NULL", stress_by(nullptr, nullptr)},
+                     {"stress[1]", "1", stress_by(lopsided, nullptr)},
+                     {"stress[4]", "nan", stress_by(no_stress, nullptr)},
+                     {"gradient[10]", "5", stress_by(calm, steep)},
+                     {"stress", "1e+06", stress_by(huge, nullptr)}});
+    CHECK(hs_world_remove_cells(nullptr, b, nodes, 1, {}) == HS_ERROR_ARGUMENT);
+    CHECK(hs_world_set_body_stress(nullptr, b, huge, nullptr) == HS_ERROR_ARGUMENT);
     CHECK(hs_world_set_node_velocities(nullptr, b, good) == HS_ERROR_ARGUMENT);
     CHECK(hs_world_hold_nodes(nullptr, b, nodes, 2, 1, zero) == HS_ERROR_ARGUMENT);
     CHECK(hs_world_set_node_force(nullptr, b, nodes, 2, zero) == HS_ERROR_ARGUMENT);
@@ -205,6 +234,8 @@ TEST_CASE("a stale or invented body is refused by every function that takes one"
     stale("hs_world_set_node_velocities",
           [&] { return hs_world_set_node_velocities(w, bad, view_of(velocities)); });
     stale("hs_world_hold_nodes", [&] { return hs_world_hold_nodes(w, bad, &node, 1, 1, zero); });
+    stale("hs_world_remove_cells", [&] { return hs_world_remove_cells(w, bad, &node, 1, {}); });
+    stale("hs_world_set_body_stress", [&] { return hs_world_set_body_stress(w, bad, zero, nullptr); });
     stale("hs_world_set_node_force", [&] { return hs_world_set_node_force(w, bad, &node, 1, zero); });
     stale("hs_world_get_cells", [&] { return hs_world_get_cells(w, bad, &cell, 1, nullptr); });
   }

@@ -7,6 +7,8 @@ namespace {
 
 constexpr double aslant[3] = {1, 2, 0};
 constexpr std::int32_t some_nodes[] = {0, 2, 3};
+constexpr std::int32_t some_cells[] = {1};
+constexpr double some_stress[9] = {-2e5, 1e5, 0, 1e5, -3e5, 0, 0, 0, -1e5};
 
 hs_status put_bar(Scene& s, double x, hs_body* body) {
   const hs_body_def def = body_def(pose_at(x, 0));
@@ -66,6 +68,10 @@ std::vector<EntryPoint> entry_points_of_meshes() {
       {"hs_world_add_mesh", Allocates::always, [](S s) { return put_bar(s, 3, &s.written.body); },
        make_material_elastic},
       {"hs_world_remove_body", Allocates::never, remove_body, add_body},
+      {"hs_world_remove_cells", Allocates::always,
+       [](S s) { return hs_world_remove_cells(s.world.get(), s.body, some_cells, 1, room(s, 0)); }, add_body},
+      {"hs_world_set_body_stress", Allocates::never,
+       [](S s) { return hs_world_set_body_stress(s.world.get(), s.body, some_stress, nullptr); }, add_body},
       {"hs_world_get_body_state", Allocates::never,
        [](S s) {
          return hs_world_get_body_state(s.world.get(), s.body, &s.written.body_state,

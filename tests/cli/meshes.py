@@ -287,7 +287,7 @@ contacts = true
         for change, fault in [
             ((BAR_NODES | {13: (2, 1, 0.1)}, BAR_ELEMENTS), "nodes at different z"),
             ((BAR_NODES, [e for e in BAR_ELEMENTS if e[0] < 2]), "no cell; allowed in 2D"),
-            ((BAR_NODES | {13: (2, 0, 0)}, BAR_ELEMENTS), "bar.msh:23: a cell without an area"),
+            ((BAR_NODES | {13: (2, 0, 0)}, BAR_ELEMENTS), "bar.msh:27: a cell without an area"),
         ]:
             (self.directory / "bar.msh").write_text(gmsh("2.2", *change, BAR_NAMES))
             answer = halfspace("check", scene)

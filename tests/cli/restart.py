@@ -80,6 +80,63 @@ strength_factor = 2
 local_damping = 0.3
 """
 
+GROUND = """title = "A pit is dug in portions, and more by a ramp"
+dimension = 2
+
+[world]
+
+[[material]]
+name = "soil"
+density = 2000
+young_modulus = 1e8
+poisson_ratio = 0.3
+damping_time = 1e-4
+
+[default_law]
+stiffness = "per area"
+normal_stiffness = 1e9
+
+[[mesh]]
+name = "ground"
+material = "soil"
+box = [[0, -4], [8, 0]]
+cells = [16, 8]
+
+[[mesh.support]]
+group = "bottom"
+
+[[mesh.load]]
+group = "top"
+pressure = 1e4
+
+[output]
+tracked = ["ground.100"]
+
+[output.picture]
+times = [0.3]
+
+[[stage]]
+do = "settle"
+ratio = 1e-6
+portions = 4
+
+[[stage]]
+do = "settle"
+ratio = 1e-6
+portions = 3
+excavate = ["ground.252", "ground.253", "ground.254", "ground.255"]
+loads = 2
+reset_displacement = true
+
+[[stage]]
+do = "run"
+duration = 0.3
+ramp = 0.2
+loads = 0
+gravity = [1, -9.81]
+excavate = ["ground.250", "ground.251"]
+"""
+
 STAGED = WORLD.format(world="", picture=0.3) + STAGES
 
 
@@ -135,8 +192,8 @@ class Restart(unittest.TestCase):
             self.assertEqual(content, second[name], name)
 
     def test_killed_at_any_moment(self):
-        for text in PLAIN, STAGED:
-            with self.subTest(has_stages=text == STAGED):
+        for text in PLAIN, STAGED, GROUND:
+            with self.subTest(scene=text[9:30]):
                 whole = self.run_whole(text, "--force")
                 output, pieces = self.run_in_pieces(text, lambda run: run.kill())
                 self.assertGreater(pieces, 1)

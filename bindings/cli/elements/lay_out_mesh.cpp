@@ -24,22 +24,27 @@ struct NodeOfBody {
 
 class MeshPlanner {
  public:
-  MeshPlanner(const Context& context, const Mesh& given, ElementMesh mesh, Faults& faults)
+  MeshPlanner(const Context& context, const Mesh& given, ElementMesh mesh, bool is_excavated, Faults& faults)
       : context_(context),
         given_(given),
         mesh_(std::move(mesh)),
+        is_excavated_(is_excavated),
         faults_(faults),
         surface_(surface_of(mesh_)) {
     for (const Point& node : mesh_.nodes) placed_.push_back(placed(node, given.placing));
   }
 
-  std::vector<LaidOutBody> bodies() {
+  LaidOutMesh whole() {
     choose_materials();
     choose_bodies();
     make_bodies();
     hold();
     load();
-    return faults_.none() ? std::move(bodies_) : std::vector<LaidOutBody>{};
+    if (!faults_.none()) return {};
+    LaidOutMesh whole{.bodies = std::move(bodies_), .groups = {}};
+    for (const ElementMesh::Group& group : mesh_.groups)
+      if (!group.cells.empty()) whole.groups.emplace_back(group.name, group.cells);
+    return whole;
   }
 
  private:
@@ -96,22 +101,15 @@ class MeshPlanner {
     for (std::size_t body = 0; body < cells_of.size(); ++body) make_body(body, cells_of[body], outer_faces);
   }
 
-  /// In space a body of one cell shows all of its faces.
+  /// Of bodies that are no whole mesh, and cells that may come to light, all faces.
   std::vector<OuterFace> outer_faces_of_bodies() const {
-    if (given_.division == MeshDivision::whole) return surface_;
+    if (given_.division == MeshDivision::whole && !is_excavated_) return surface_;
     std::vector<OuterFace> faces;
-    std::map<std::size_t, ElementMesh> parts;
-    std::map<std::size_t, std::vector<int>> cells;
     for (std::size_t i = 0; i < mesh_.cells.size(); ++i) {
-      ElementMesh& part = parts[body_of_[i]];
-      part.dimension = mesh_.dimension;
-      part.cells.push_back(mesh_.cells[i]);
-      cells[body_of_[i]].push_back(static_cast<int>(i));
-    }
-    for (const auto& [body, part] : parts) {
-      for (OuterFace& face : surface_of(part)) {
-        face.cell = cells[body][static_cast<std::size_t>(face.cell)];
-        faces.push_back(std::move(face));
+      for (const std::vector<int>& face : form_of(mesh_.cells[i].kind).faces) {
+        OuterFace& outer = faces.emplace_back(OuterFace{.cell = static_cast<int>(i), .nodes = {}});
+        for (const int corner : face)
+          outer.nodes.push_back(mesh_.cells[i].nodes[static_cast<std::size_t>(corner)]);
       }
     }
     return faces;
@@ -131,7 +129,10 @@ class MeshPlanner {
       std::vector<int>& own = body.cell_nodes.emplace_back();
       for (const int node : cell.nodes) own.push_back(use(node, index, nodes));
       cell_nodes.insert(cell_nodes.end(), own.begin(), own.end());
-      made.cells.push_back({.shape = {}, .faces = faces_of(cell, outer_faces[i]), .material = materials_[i]});
+      made.cells.push_back({.number = static_cast<int>(i),
+                            .shape = {},
+                            .faces = faces_of(cell, outer_faces[i]),
+                            .material = materials_[i]});
     }
     hs_mesh* handle = nullptr;
     require(context_, hs_mesh_create(context_.get(), mesh_.dimension, view_of(std::as_const(nodes)),
@@ -141,6 +142,8 @@ class MeshPlanner {
     body.node_count = nodes.size();
     body.placing = given_.placing;
     body.velocity = given_.velocity;
+    body.stress = given_.stress;
+    body.stress_by_height = given_.stress_by_height;
     for (std::size_t k = 0; k < cells.size(); ++k) {
       const std::vector<Point> corners = mesh_.corners_of(mesh_.cells[cells[k]]);
       made.cells[k].shape =
@@ -270,6 +273,7 @@ class MeshPlanner {
   const Context& context_;
   const Mesh& given_;
   ElementMesh mesh_;
+  bool is_excavated_;
   Faults& faults_;
   std::vector<OuterFace> surface_;
   std::vector<Point> placed_;
@@ -286,12 +290,12 @@ ElementMesh read_file(const Mesh& given, int dimension) {
 
 }  // namespace
 
-std::vector<LaidOutBody> lay_out_mesh(const Context& context, const Mesh& mesh, int dimension,
-                                      Faults& faults) {
+LaidOutMesh lay_out_mesh(const Context& context, const Mesh& mesh, int dimension, bool is_excavated,
+                         Faults& faults) {
   const std::string key = mesh.making.key + (mesh.box ? ".box" : ".file");
   const auto fault = [&](const std::string& text) {
     faults.add(mesh.shape_place, key, text);
-    return std::vector<LaidOutBody>{};
+    return LaidOutMesh{};
   };
   if (!mesh.box && !std::filesystem::is_regular_file(mesh.file))
     return fault("no such file: " + mesh.file + "; allowed: a Gmsh file, named from the folder of the scene");
@@ -299,7 +303,7 @@ std::vector<LaidOutBody> lay_out_mesh(const Context& context, const Mesh& mesh, 
     ElementMesh cells =
         mesh.box ? mesh_of_box((*mesh.box)[0], (*mesh.box)[1], mesh.counts, mesh.cell_kind, dimension)
                  : read_file(mesh, dimension);
-    return MeshPlanner(context, mesh, std::move(cells), faults).bodies();
+    return MeshPlanner(context, mesh, std::move(cells), is_excavated, faults).whole();
   } catch (const MeshFault& error) {
     return fault(error.what());
   } catch (const LibraryError& error) {

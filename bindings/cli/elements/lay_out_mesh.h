@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "faults.h"
@@ -11,6 +13,7 @@ namespace halfspace::cli {
 
 /// What is drawn and told of a cell.
 struct LaidOutCell {
+  int number = 0;                       ///< in the order of the file
   Shape shape;                          ///< its hull
   std::vector<std::vector<int>> faces;  ///< loops of its nodes: in 2D itself, in 3D what is at the surface
   int material = 0;
@@ -21,8 +24,14 @@ struct LaidOutBody {
   std::vector<LaidOutCell> cells;
 };
 
-/// The bodies of a mesh of a scene; none where it has faults, which are told.
-std::vector<LaidOutBody> lay_out_mesh(const Context& context, const Mesh& mesh, int dimension,
-                                      Faults& faults);
+struct LaidOutMesh {
+  std::vector<LaidOutBody> bodies;
+  std::vector<std::pair<std::string, std::vector<int>>> groups;  ///< with the numbers of their cells
+};
+
+/// The bodies of a mesh of a scene; none where it has faults, which are told. In space cells show their faces
+/// at the surface only, or all of them where some are excavated later.
+LaidOutMesh lay_out_mesh(const Context& context, const Mesh& mesh, int dimension, bool is_excavated,
+                         Faults& faults);
 
 }  // namespace halfspace::cli

@@ -21,6 +21,7 @@ void draw_blocks(Svg& svg, const Plot& plot, const Frame& start, const Frame& fr
   svg.begin_clip(plot.corner(), plot.width, plot.height);
   for (std::size_t i = 0; i < frame.blocks.size(); ++i) {
     const BlockFrame& block = frame.blocks[i];
+    if (block.vertices.empty()) continue;  // it has been excavated
     std::vector<Point> outline_points;
     for (const Point& p : block.vertices) outline_points.push_back(plot.at(p));
     const char* stroke = "#8a867e";

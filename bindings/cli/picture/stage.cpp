@@ -64,7 +64,7 @@ void Bounds::add(const Point& p) {
   }
 }
 
-RunStage::RunStage(const Scene& scene, const Frame& start)
+RunStage::RunStage(const Scene& scene, const Frame& origin)
     : stage_{.title = scene.title,
              .dimension = scene.world.dimension,
              .camera = Camera(scene.output.azimuth, scene.output.elevation),
@@ -72,10 +72,17 @@ RunStage::RunStage(const Scene& scene, const Frame& start)
              .layers = scene.output.layers,
              .forces = scene.output.forces},
       view_(view_of(scene.output)),
-      start_(start),
+      origin_(&origin),
       has_window_(scene.output.window),
-      has_free_(std::any_of(start.blocks.begin(), start.blocks.end(), is_free)) {
+      has_free_(std::any_of(origin.blocks.begin(), origin.blocks.end(), is_free)) {
   if (has_window_) bounds_ = bounds_of(stage_, *scene.output.window);
+}
+
+void RunStage::reset_displacement(const Frame& origin) {
+  if (stage_.colour != Colour::displacement) return;
+  origin_ = &origin;
+  lowest_ = INFINITY;
+  highest_ = -INFINITY;
 }
 
 /// Of fixed blocks only what lies near those that move is worth the paper.
@@ -85,7 +92,7 @@ void RunStage::add(const Frame& frame) {
     if (has_free_ && !is_free(block)) continue;
     if (!has_window_) add_to_bounds(block);
     if (!is_free(block)) continue;
-    const double value = value_of(stage_, start_.blocks[i], block);
+    const double value = value_of(stage_, origin_->blocks[i], block);
     lowest_ = std::min(lowest_, value);
     highest_ = std::max(highest_, value);
   }

@@ -36,8 +36,10 @@ struct Bounds {
 /// Watches the frames of a run, so that all of them fit on the stage of its pictures, and on its colours.
 class RunStage {
  public:
-  /// The start must outlive it.
-  RunStage(const Scene& scene, const Frame& start);
+  /// Displacements are those from the origin, which must outlive it.
+  RunStage(const Scene& scene, const Frame& origin);
+  /// From another one from now on, as if none had been seen.
+  void reset_displacement(const Frame& origin);
   void add(const Frame& frame);
   /// One that is read goes on with what that had seen, if it looks at the same.
   void add_to(Archive& archive);
@@ -48,7 +50,7 @@ class RunStage {
 
   Stage stage_;
   std::string view_;  ///< what it looks at
-  const Frame& start_;
+  const Frame* origin_;
   Bounds bounds_;
   bool has_window_;  ///< given in the scene: its bounds are those
   bool has_free_;    ///< blocks: only what is free to move has to fit

@@ -501,7 +501,7 @@ module halfspace_c
   !> How a body moves. Later versions may append to it.
   type, bind(c) :: hs_body_state
     integer(c_int64_t) :: node_count = 0  !< nodes
-    integer(c_int64_t) :: cell_count = 0  !< cells
+    integer(c_int64_t) :: cell_count = 0  !< cells, with those that have been removed
     real(c_double) :: mass = 0.0_c_double  !< in 2D per unit thickness
     real(c_double) :: centroid(3) = 0.0_c_double  !< of the nodes' masses
     real(c_double) :: momentum(3) = 0.0_c_double  !< of all nodes
@@ -1483,6 +1483,40 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_remove_body
     end function hs_world_remove_body
 
+    !> Takes cells out of a body: excavation. Cells and nodes that stay keep their numbers; what the cells
+    !! bordered on is surface from now on. A node without any cell stays where it is, held, and weighs
+    !! nothing.
+    !! Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, HS_ERROR_OUT_OF_MEMORY,
+    !! HS_ERROR_GEOMETRY when a cell that comes to the surface is too flat to touch anything, or
+    !! HS_ERROR_STATE when no cell would be left
+    function hs_world_remove_cells(world, body, cells, count, released) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int64_t), value :: body  !< id
+      type(c_ptr), value :: cells  !< of the mesh, counted from 0; what is gone already may be named
+      integer(c_int64_t), value :: count  !< in cells
+      !> receives, for each node of the body, the force that these cells exerted on it by their stress and
+      !! weight, so that hs_world_set_node_force() can fade it out; 0 where no cell is left; a view with count
+      !! 0 skips it
+      type(hs_mutable_view), value :: released
+      integer(c_int32_t) :: hs_world_remove_cells
+    end function hs_world_remove_cells
+
+    !> Stresses the cells of a body as they are now, e.g. as the rock around was before: each by the stress at
+    !! its middle.
+    !! Returns HS_OK, HS_ERROR_STALE_ID, or HS_ERROR_ARGUMENT, also for a stress that strains a cell by more
+    !! than 1e6
+    function hs_world_set_body_stress(world, body, stress, gradient) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int64_t), value :: body  !< id
+      real(c_double), intent(in) :: stress(9)  !< 9 values row by row, symmetric: Cauchy's at the origin, in space, Pa, tension > 0
+      !> 27 values, or NULL: how that changes along x, then along y, then along z, Pa/m; each 9 values as
+      !! stress
+      real(c_double), intent(in) :: gradient(27)
+      integer(c_int32_t) :: hs_world_set_body_stress
+    end function hs_world_set_body_stress
+
     !> How a body moves.
     !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
     function hs_world_get_body_state(world, body, state, size) bind(c)
@@ -1565,7 +1599,8 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_set_node_force
     end function hs_world_set_node_force
 
-    !> Bulk: how a body's cells are strained and stressed, in the order of its mesh.
+    !> Bulk: how a body's cells are strained and stressed, in the order of its mesh. All is 0 of a cell that
+    !! has been removed.
     !! Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
     function hs_world_get_cells(world, body, cells, capacity, count) bind(c)
       import

@@ -33,6 +33,8 @@ module halfspace_worlds
     procedure :: set_node_velocities
     procedure :: hold_nodes
     procedure :: set_node_force
+    procedure :: remove_cells
+    procedure :: set_body_stress
     procedure :: cells
     procedure :: detect
     procedure :: forces
@@ -154,6 +156,28 @@ module halfspace_worlds
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine set_node_force
+
+    !> Takes cells out of a body: excavation. Cells and nodes that stay keep their numbers.
+    module subroutine remove_cells(self, body, cells, released, rows, stat, errmsg)
+      class(halfspace_world), intent(inout) :: self
+      type(halfspace_body), intent(in) :: body
+      integer(c_int32_t), intent(in) :: cells(:)  !< of the mesh
+      !> receives the force that these cells exerted on each node, which set_node_force can fade out
+      real(c_double), intent(inout), target, optional :: released(:,:)
+      logical, intent(in), optional :: rows
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine remove_cells
+
+    !> Stresses the cells of a body as they are now, each by the stress at its middle.
+    module subroutine set_body_stress(self, body, stress, gradient, stat, errmsg)
+      class(halfspace_world), intent(inout) :: self
+      type(halfspace_body), intent(in) :: body
+      real(c_double), intent(in) :: stress(3,3)  !< Cauchy's at the origin, Pa, tension > 0
+      real(c_double), intent(in), optional :: gradient(3,3,3)  !< along axis k: gradient(:,:,k), Pa/m
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_body_stress
 
     !> Strain and stress of a body's cells.
     module subroutine cells(self, body, values, count, stat, errmsg)

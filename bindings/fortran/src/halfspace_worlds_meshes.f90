@@ -122,6 +122,26 @@ contains
                   stat, errmsg)
   end procedure set_node_force
 
+  module procedure remove_cells
+    integer(c_int32_t), allocatable, target :: from_0(:)
+    type(hs_mutable_view) :: room
+    if (.not. are_from_0(cells, from_0, stat, errmsg)) return
+    if (present(released)) then
+      if (.not. are_points(released, 'released', rows, stat, errmsg)) return
+      room = mutable_view(released, rows)
+    end if
+    call conclude(hs_world_remove_cells(self%c_handle(), id_of_body(body), c_loc(from_0), &
+                                        size(from_0, kind=c_int64_t), room), self%c_context(), stat, errmsg)
+  end procedure remove_cells
+
+  module procedure set_body_stress
+    real(c_double) :: slopes(3,3,3)
+    slopes = 0
+    if (present(gradient)) slopes = gradient
+    call conclude(hs_world_set_body_stress(self%c_handle(), id_of_body(body), stress, slopes), self%c_context(), &
+                  stat, errmsg)
+  end procedure set_body_stress
+
   module procedure cells
     integer(c_int64_t), target :: found
     integer(c_int32_t) :: status

@@ -634,7 +634,7 @@ class hs_body_state(Structure):
 
     _fields_ = [
         ("node_count", c_int64),  # nodes
-        ("cell_count", c_int64),  # cells
+        ("cell_count", c_int64),  # cells, with those that have been removed
         ("mass", c_double),  # in 2D per unit thickness
         ("centroid", c_double * 3),  # of the nodes' masses
         ("momentum", c_double * 3),  # of all nodes
@@ -1443,6 +1443,27 @@ def declare(library):
     ]
     library.hs_world_remove_body.restype = hs_status
 
+    # Takes cells out of a body: excavation. Cells and nodes that stay keep their numbers; what the cells
+    # bordered on is surface from now on. A node without any cell stays where it is, held, and weighs nothing.
+    library.hs_world_remove_cells.argtypes = [
+        POINTER(hs_world),  # world
+        hs_body,  # body
+        c_void_p,  # cells
+        c_int64,  # count
+        hs_mutable_view,  # released
+    ]
+    library.hs_world_remove_cells.restype = hs_status
+
+    # Stresses the cells of a body as they are now, e.g. as the rock around was before: each by the stress at
+    # its middle.
+    library.hs_world_set_body_stress.argtypes = [
+        POINTER(hs_world),  # world
+        hs_body,  # body
+        c_void_p,  # stress
+        c_void_p,  # gradient
+    ]
+    library.hs_world_set_body_stress.restype = hs_status
+
     # How a body moves.
     library.hs_world_get_body_state.argtypes = [
         POINTER(hs_world),  # world
@@ -1510,7 +1531,8 @@ def declare(library):
     ]
     library.hs_world_set_node_force.restype = hs_status
 
-    # Bulk: how a body's cells are strained and stressed, in the order of its mesh.
+    # Bulk: how a body's cells are strained and stressed, in the order of its mesh. All is 0 of a cell that
+    # has been removed.
     library.hs_world_get_cells.argtypes = [
         POINTER(hs_world),  # world
         hs_body,  # body

@@ -16,6 +16,7 @@ from ._arrays import (
     indices,
     mutable_view_of,
     pose,
+    tensor,
     vector,
     view_of,
 )
@@ -288,6 +289,54 @@ class Bodies(AffineBlocks):
             names.ctypes.data,
             len(names),
             vector(force, "force"),
+        )
+
+    def remove_cells(self, body: int, cells: ArrayLike) -> Floats:
+        """Takes cells out of a body: excavation. Cells and nodes that stay keep their numbers.
+
+        Returns
+        -------
+        array, shape (n, dimension)
+            The force that these cells exerted on each node, which `set_node_force` can fade out.
+        """
+        names = indices(cells, "cells").ravel()
+        with held(self):
+            released = np.zeros((int(self.body_state(body).node_count), self.dimension))
+            self._call(
+                library.hs_world_remove_cells,
+                block_id(body, "body"),
+                names.ctypes.data,
+                len(names),
+                mutable_view_of(released, self.dimension, "released"),
+            )
+        return released
+
+    def set_body_stress(self, body: int, stress: ArrayLike, gradient: Optional[ArrayLike] = None) -> None:
+        """Stresses the cells of a body as they are now, each by the stress at its middle.
+
+        Parameters
+        ----------
+        body : int
+            From `add_mesh`.
+        stress : array_like, shape (3, 3)
+            Cauchy's at the origin, Pa, tension > 0; in 2D also (2, 2).
+        gradient : array_like, shape (3, 3, 3), optional
+            How it changes along x, y and z, Pa/m: ``gradient[k]`` along axis k; in 2D also (2, 2, 2).
+        """
+        at_origin = tensor(stress, "stress")
+        slopes = None
+        if gradient is not None:
+            given = np.asarray(gradient, float)
+            if given.ndim != 3 or given.shape[0] not in (2, 3):
+                raise ValueError(f"gradient has the shape {given.shape}; it must be (3, 3, 3), in 2D also (2, 2, 2)")
+            slopes = np.zeros((3, 3, 3))
+            for axis, along in enumerate(given):
+                slopes[axis] = np.reshape(tensor(along, f"gradient[{axis}]"), (3, 3))
+        self._call(
+            library.hs_world_set_body_stress,
+            block_id(body, "body"),
+            at_origin,
+            None if slopes is None else slopes.ctypes.data,
         )
 
     def cells(self, body: int) -> NDArray[Any]:

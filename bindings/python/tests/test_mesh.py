@@ -99,3 +99,91 @@ def test_a_cell_turned_inside_out_ends_the_run():
     world.hold_nodes(body, [2], velocity=(0, -1500))
     with pytest.raises(hs.InvertedError, match="cell 0 of body"):
         world.step()
+
+
+DENSITY, MODULUS, GRAVITY, HEIGHT = 2000, 1e8, 10, 4
+
+
+def hexahedra(counts, size):
+    """A box of equal hexahedra about the origin."""
+    axes = [np.linspace(-0.5, 0.5, n + 1) * length for n, length in zip(counts, size)]
+    z, y, x = np.meshgrid(*reversed(axes), indexing="ij")
+    names = np.arange(x.size).reshape(x.shape)
+    low = [names[:-1, :-1, :-1], names[:-1, :-1, 1:], names[:-1, 1:, 1:], names[:-1, 1:, :-1]]
+    high = [names[1:, :-1, :-1], names[1:, :-1, 1:], names[1:, 1:, 1:], names[1:, 1:, :-1]]
+    cells = np.stack([corner.ravel() for corner in low + high], axis=1)
+    return hs.Mesh(np.column_stack([x.ravel(), y.ravel(), z.ravel()]), [cells])
+
+
+@pytest.fixture(params=["plane", "space"])
+def ground(request):
+    """Ground that bears its own weight since it was made, held at its sides and its bottom; its top is at 0."""
+    in_plane = request.param == "plane"
+    dimension = 2 if in_plane else 3
+    world = hs.World(dimension, gravity=(0, -GRAVITY) if in_plane else (0, 0, -GRAVITY))
+    world.add_material(DENSITY)
+    world.set_elasticity(0, hs.Elasticity(young_modulus=MODULUS, poisson_ratio=0))
+    mesh = hs.Mesh.rectangle(4, HEIGHT, 4, 8) if in_plane else hexahedra((2, 2, 8), (2, 2, HEIGHT))
+    body = world.add_mesh(mesh, (0, -HEIGHT / 2) if in_plane else (0, 0, -HEIGHT / 2))
+    nodes = world.node_positions(body)
+    up = dimension - 1
+    for axis in range(dimension):
+        ends = [nodes[:, axis].min()] + ([nodes[:, axis].max()] if axis != up else [])
+        world.hold_nodes(body, np.flatnonzero(np.isin(nodes[:, axis], ends)), "xyz"[axis])
+    gradient = np.zeros((3, 3, 3))
+    gradient[up] = np.diag([0.5, 0.5, 1.0]) if up == 2 else np.diag([0.5, 1.0, 0.0])
+    world.set_body_stress(body, np.zeros((3, 3)), DENSITY * GRAVITY * gradient)
+    return world, body, nodes, up
+
+
+def test_ground_is_at_rest_under_the_stress_that_it_was_given(ground):
+    world, body, nodes, up = ground
+    assert world.balance["mean"] < 1e-12
+    stress = world.cells(body)["stress"]
+    assert stress[:, up, up].min() == pytest.approx(-DENSITY * GRAVITY * (HEIGHT - 0.25))
+    assert stress[:, 0, 0] == pytest.approx(0.5 * stress[:, up, up])
+    world.step(200)
+    assert np.abs(world.node_positions(body) - nodes).max() < 1e-12
+    assert world.cells(body)["stress"] == pytest.approx(stress, rel=1e-6, abs=1e-2)
+
+
+def heights_of_cells(world, body, up):
+    """Heights of their middles, from the stress that they were given."""
+    return world.cells(body)["stress"][:, up, up] / (DENSITY * GRAVITY)
+
+
+def test_what_is_excavated_lets_the_ground_heave(ground):
+    world, body, nodes, up = ground
+    upper = np.flatnonzero(heights_of_cells(world, body, up) > -HEIGHT / 2)
+    released = world.remove_cells(body, upper)
+    # The upper half pressed on the lower one with its weight.
+    width = world.body_state(body).mass / (DENSITY * HEIGHT / 2)
+    at_cut = np.flatnonzero(np.abs(nodes[:, up] + HEIGHT / 2) < 1e-9)
+    assert released[at_cut, up].sum() == pytest.approx(-width * DENSITY * GRAVITY * HEIGHT / 2)
+    assert not world.cells(body)["stress"][upper].any()
+    # Faded out or at once, it comes to the same.
+    twin = copy.copy(world)
+    for share in (0.5, 0):
+        for node in at_cut:
+            twin.set_node_force(body, [node], share * released[node])
+        assert twin.relax(1e-9)[0]
+    assert world.relax(1e-9)[0]
+    # The lower half is unloaded by the weight over its modulus; the strain is 4e-4.
+    heave = DENSITY * GRAVITY * (HEIGHT / 2) ** 2 / MODULUS
+    for one in (world, twin):
+        assert (one.node_positions(body) - nodes)[at_cut, up] == pytest.approx(heave, rel=1e-3)
+    left = np.setdiff1d(np.arange(len(world.cells(body))), upper)
+    assert world.cells(body)["stress"][left, up, up].max() == pytest.approx(-DENSITY * GRAVITY * 0.25, rel=1e-2)
+
+
+def test_a_block_falls_onto_what_has_become_surface(ground):
+    world, body, nodes, up = ground
+    upper = np.flatnonzero(heights_of_cells(world, body, up) > -HEIGHT / 2)
+    world.remove_cells(body, upper)
+    world.set_default_law(hs.Law(stiffness_kind=hs.StiffnessKind.PER_AREA, normal_stiffness=1e9))
+    shape = hs.Shape.rectangle(0.5, 0.5) if up == 1 else hs.Shape.box(0.5, 0.5, 0.5)
+    block = world.add_block(shape, (*[0.1] * up, -HEIGHT / 2 + 0.26))
+    assert world.relax(1e-6)[0]
+    weight = world.state(block).mass * GRAVITY
+    assert world.state(block).force[up] == pytest.approx(weight, rel=1e-4)
+    assert world.state(block).pose[0][up] == pytest.approx(-HEIGHT / 2 + 0.25, abs=2e-3)

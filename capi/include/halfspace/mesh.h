@@ -68,7 +68,7 @@ typedef struct hs_body_def {
 /** How a body moves. Later versions may append to it. */
 typedef struct hs_body_state {
   int64_t node_count;     /**< nodes */
-  int64_t cell_count;     /**< cells */
+  int64_t cell_count;     /**< cells, with those that have been removed */
   double mass;            /**< in 2D per unit thickness */
   double centroid[3];     /**< of the nodes' masses */
   double momentum[3];     /**< of all nodes */
@@ -122,6 +122,23 @@ HS_CHECKED hs_status hs_world_add_mesh(hs_world *world, const hs_mesh *mesh, con
  *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID */
 HS_CHECKED hs_status hs_world_remove_body(hs_world *world, hs_body body);
 
+/** @brief Takes cells out of a body: excavation. Cells and nodes that stay keep their numbers; what the cells bordered on is surface
+ *  from now on. A node without any cell stays where it is, held, and weighs nothing.
+ *  @param world not NULL @param body id @param cells of the mesh, counted from 0; what is gone already may be named @param count in cells
+ *  @param released receives, for each node of the body, the force that these cells exerted on it by their stress and weight, so that
+ *         hs_world_set_node_force() can fade it out; 0 where no cell is left; a view with count 0 skips it
+ *  @return HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, HS_ERROR_OUT_OF_MEMORY, HS_ERROR_GEOMETRY when a cell that
+ *          comes to the surface is too flat to touch anything, or HS_ERROR_STATE when no cell would be left */
+HS_CHECKED hs_status hs_world_remove_cells(hs_world *world, hs_body body, const int32_t cells[], int64_t count,
+                                           hs_mutable_view released);
+
+/** @brief Stresses the cells of a body as they are now, e.g. as the rock around was before: each by the stress at its middle.
+ *  @param world not NULL @param body id
+ *  @param stress 9 values row by row, symmetric: Cauchy's at the origin, in space, Pa, tension > 0
+ *  @param gradient 27 values, or NULL: how that changes along x, then along y, then along z, Pa/m; each 9 values as stress
+ *  @return HS_OK, HS_ERROR_STALE_ID, or HS_ERROR_ARGUMENT, also for a stress that strains a cell by more than 1e6 */
+HS_CHECKED hs_status hs_world_set_body_stress(hs_world *world, hs_body body, const double stress[9], const double gradient[27]);
+
 /** @brief How a body moves.
  *  @param world not NULL @param body id @param state receives it @param size sizeof(hs_body_state) as the caller was compiled
  *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID */
@@ -164,7 +181,7 @@ HS_CHECKED hs_status hs_world_hold_nodes(hs_world *world, hs_body body, const in
 HS_CHECKED hs_status hs_world_set_node_force(hs_world *world, hs_body body, const int32_t nodes[], int64_t count,
                                              const double force[3]);
 
-/** @brief Bulk: how a body's cells are strained and stressed, in the order of its mesh.
+/** @brief Bulk: how a body's cells are strained and stressed, in the order of its mesh. All is 0 of a cell that has been removed.
  *  @param world not NULL @param body id @param cells receives them; may be NULL if capacity is 0 @param capacity in cells
  *  @param count receives the number of cells; may be NULL
  *  @return HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID */

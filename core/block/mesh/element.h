@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/LU>
 #include <array>
 #include <cstdint>
 
@@ -65,6 +66,19 @@ struct Element {
     const Tensor<D> half = 0.5 * place.gradient.transpose() * rate.gradient;
     return half + half.transpose();
   }
+  /// What stress comes from: the strain, and that by which the cell was stressed as it was put into the
+  /// world.
+  Tensor<D> stressing_strain(const Tensor<D>& strain) const { return strain + prestrain; }
+  /// Cauchy's, elastic.
+  Tensor<D> stress(const Field& place, const Elasticity& elasticity) const {
+    const Tensor<D> inner = elasticity.stress<D>(stressing_strain(strain_of(place)));
+    return place.gradient * inner * place.gradient.transpose() / place.gradient.determinant();
+  }
+  void set_stress(const Field& place, const Tensor<D>& wanted, const Elasticity& elasticity) {
+    const Tensor<D> back = place.gradient.inverse();
+    const Tensor<D> inner = place.gradient.determinant() * back * wanted * back.transpose();
+    prestrain = elasticity.strain<D>(inner) - strain_of(place);
+  }
   /// Amplitudes as the cell sees them that turns with itself.
   static Amplitudes bending_of(const Field& place) {
     if constexpr (modes == 0) return {};
@@ -89,7 +103,8 @@ struct Element {
 
   double strain_energy(const Tensor<D>& strain, const Amplitudes& bending,
                        const Elasticity& elasticity) const {
-    const double affine = 0.5 * volume * strain.cwiseProduct(elasticity.stress<D>(strain)).sum();
+    const Tensor<D> whole = stressing_strain(strain);
+    const double affine = 0.5 * volume * whole.cwiseProduct(elasticity.stress<D>(whole)).sum();
     if constexpr (modes == 0) return affine;
     return affine + 0.5 * bending.dot(drive(bending));
   }
@@ -106,7 +121,9 @@ struct Element {
     }
   }
 
-  bool is_finite() const { return gradients.allFinite() && hourglass.is_consistent(); }
+  bool is_finite() const {
+    return gradients.allFinite() && prestrain.allFinite() && hourglass.is_consistent();
+  }
   /// False for what none can be, after reading a snapshot.
   bool is_consistent(std::size_t node_count, std::int32_t material_count) const {
     const auto is_node = [&](std::int32_t i) { return i >= 0 && std::size_t(i) < node_count; };
@@ -119,7 +136,8 @@ struct Element {
   std::int32_t cell = 0;  // of the body's mesh
   std::int32_t material = 0;
   std::array<std::int32_t, 4 - (N + 1) % 4> padding{};
-  double volume = 0;                      // of the cell as it was given, in the plane its area
+  double volume = 0;  // of the cell as it was given, in the plane its area
+  Tensor<D> prestrain = Tensor<D>::Zero();
   Eigen::Matrix<double, D, N> gradients;  // means over the cell of those of the nodes' interpolation
   [[no_unique_address]] Hourglass<D, N> hourglass;
 };

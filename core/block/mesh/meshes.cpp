@@ -126,10 +126,7 @@ void Meshes<D>::remove(std::int32_t which) {
   std::erase_if(surface_, is_gone);
   for_each_element(renumber);
   std::for_each(surface_.begin(), surface_.end(), renumber);
-  std::fill(of_block_.begin(), of_block_.end(), -1);
-  for (std::size_t i = 0; i < surface_.size(); ++i)
-    of_block_[std::size_t(surface_[i].block)] = std::int32_t(i);
-  while (!of_block_.empty() && of_block_.back() < 0) of_block_.pop_back();
+  index_surface();
   const auto close_gap = [&](auto& array) {
     const std::size_t begin = std::min(std::size_t(first), array.size());
     const std::size_t end = std::min(std::size_t(first + count), array.size());
@@ -144,6 +141,47 @@ void Meshes<D>::remove(std::int32_t which) {
   gone.lives = 0;
   gone.node_count = gone.cell_count = 0;
   gone.squared_frequency = gone.steepest = 0;
+}
+
+template <int D>
+void Meshes<D>::index_surface() {
+  std::fill(of_block_.begin(), of_block_.end(), -1);
+  for (std::size_t i = 0; i < surface_.size(); ++i)
+    of_block_[std::size_t(surface_[i].block)] = std::int32_t(i);
+  while (!of_block_.empty() && of_block_.back() < 0) of_block_.pop_back();
+}
+
+template <int D>
+void Meshes<D>::take_back_surface(std::size_t from) {
+  surface_.resize(from);
+  index_surface();
+}
+
+template <int D>
+void Meshes<D>::remove_cells(std::int32_t which, const Array<std::uint8_t>& is_gone,
+                             const BulkMaterials& materials) {
+  const auto goes = [&](const auto& part) { return part.body == which && is_gone[std::size_t(part.cell)]; };
+  std::apply([&](auto&... kind) { (std::erase_if(kind, goes), ...); }, elements_);
+  std::erase_if(surface_, goes);
+  std::sort(surface_.begin(), surface_.end(), [](const SurfaceCell<D>& a, const SurfaceCell<D>& b) {
+    return std::tie(a.body, a.cell, a.node) < std::tie(b.body, b.cell, b.node);
+  });
+  index_surface();
+  const std::size_t first = std::size_t(body(which).first_node);
+  const std::size_t last = first + std::size_t(body(which).node_count);
+  std::fill(mass.begin() + std::ptrdiff_t(first), mass.begin() + std::ptrdiff_t(last), 0.0);
+  for_each_element([&]<int N>(const Element<D, N>& element) {
+    if (element.body != which) return;
+    const Eigen::Matrix<double, N, 1> volumes = volumes_of_nodes<D, N>(given_places<N>(element.node));
+    for (int i = 0; i < N; ++i)
+      mass[std::size_t(element.node[std::size_t(i)])] +=
+          materials.density[std::size_t(element.material)] * volumes[i];
+  });
+  for (std::size_t i = first; i < last; ++i) {
+    if (mass[i] > 0) continue;
+    velocity[i] = force[i] = applied_force[i] = Vector<D>::Zero();
+    held[i] = held_along_all<D>;
+  }
 }
 
 template <int D>
@@ -165,7 +203,10 @@ bool Meshes<D>::is_consistent(std::int32_t material_count) const {
   for (const Array<Vector<D>>* vectors : {&place, &given, &velocity, &force, &applied_force}) {
     if (vectors->size() != nodes || !all(*vectors, is_finite_vector)) return false;
   }
-  if (mass.size() != nodes || held.size() != nodes || !all(mass, is_positive)) return false;
+  if (mass.size() != nodes || held.size() != nodes || !all(mass, is_from_zero)) return false;
+  for (std::size_t i = 0; i < nodes; ++i) {
+    if (mass[i] == 0 && held[i] != held_along_all<D>) return false;
+  }
   std::int64_t counted = 0;
   for (const Body<D>& body : bodies_) {
     const std::int64_t left = std::int64_t(nodes) - counted;

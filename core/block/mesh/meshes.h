@@ -40,6 +40,10 @@ struct Body {
   double reserved = 0;
 };
 
+/// Of a node that is held along all axes.
+template <int D>
+inline constexpr std::uint8_t held_along_all = (1 << D) - 1;
+
 /// A simplex at the surface of a body. It is a block, by which the body meets others; its nodes move it.
 template <int D>
 struct SurfaceCell {
@@ -111,6 +115,11 @@ class Meshes {
   MeshFaultReport fault_of(std::int32_t body) const;
   /// Takes a body out with its nodes, elements and surface. The others keep their names.
   void remove(std::int32_t body);
+  /// Takes cells out for which is_gone[cell] is true, with their surface, and gives nodes the mass of what is
+  /// left. A node without any stays where it is.
+  void remove_cells(std::int32_t body, const Array<std::uint8_t>& is_gone, const BulkMaterials& materials);
+  /// Forgets the last cells of the surface, from the number of them on; their blocks have been taken back.
+  void take_back_surface(std::size_t from);
   /// Works out anew what elements know of their materials.
   void renew_elasticity(const BulkMaterials& materials);
 
@@ -166,6 +175,8 @@ class Meshes {
   static void visit_all(Kind& kind, Visit& visit) {
     for (auto& element : kind) visit(element);
   }
+  /// Where surface cells are, after they have changed.
+  void index_surface();
   template <int N>
   Array<Element<D, N>>& elements_of() {
     return std::get<Array<Element<D, N>>>(elements_);

@@ -889,7 +889,7 @@ const _: () = assert!(std::mem::size_of::<hs_body_def>() == 88);
 pub struct hs_body_state {
     /// nodes
     pub node_count: i64,
-    /// cells
+    /// cells, with those that have been removed
     pub cell_count: i64,
     /// in 2D per unit thickness
     pub mass: f64,
@@ -2086,6 +2086,47 @@ extern "C" {
     /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
     pub fn hs_world_remove_body(world: *mut hs_world, body: hs_body) -> hs_status;
 
+    /// Takes cells out of a body: excavation. Cells and nodes that stay keep their numbers; what the cells
+    /// bordered on is surface from now on. A node without any cell stays where it is, held, and weighs
+    /// nothing.
+    ///
+    /// - `world`: not NULL
+    /// - `body`: id
+    /// - `cells`: of the mesh, counted from 0; what is gone already may be named
+    /// - `count`: in cells
+    /// - `released`: receives, for each node of the body, the force that these cells exerted on it by their
+    ///   stress and weight, so that hs_world_set_node_force() can fade it out; 0 where no cell is left; a
+    ///   view with count 0 skips it
+    ///
+    /// Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, HS_ERROR_OUT_OF_MEMORY,
+    /// HS_ERROR_GEOMETRY when a cell that comes to the surface is too flat to touch anything, or
+    /// HS_ERROR_STATE when no cell would be left
+    pub fn hs_world_remove_cells(
+        world: *mut hs_world,
+        body: hs_body,
+        cells: *const i32,
+        count: i64,
+        released: hs_mutable_view,
+    ) -> hs_status;
+
+    /// Stresses the cells of a body as they are now, e.g. as the rock around was before: each by the stress
+    /// at its middle.
+    ///
+    /// - `world`: not NULL
+    /// - `body`: id
+    /// - `stress`: 9 values row by row, symmetric: Cauchy's at the origin, in space, Pa, tension > 0
+    /// - `gradient`: 27 values, or NULL: how that changes along x, then along y, then along z, Pa/m; each 9
+    ///   values as stress
+    ///
+    /// Returns HS_OK, HS_ERROR_STALE_ID, or HS_ERROR_ARGUMENT, also for a stress that strains a cell by more
+    /// than 1e6
+    pub fn hs_world_set_body_stress(
+        world: *mut hs_world,
+        body: hs_body,
+        stress: *const [f64; 9],
+        gradient: *const [f64; 27],
+    ) -> hs_status;
+
     /// How a body moves.
     ///
     /// - `world`: not NULL
@@ -2198,7 +2239,8 @@ extern "C" {
         force: *const [f64; 3],
     ) -> hs_status;
 
-    /// Bulk: how a body's cells are strained and stressed, in the order of its mesh.
+    /// Bulk: how a body's cells are strained and stressed, in the order of its mesh. All is 0 of a cell that
+    /// has been removed.
     ///
     /// - `world`: not NULL
     /// - `body`: id

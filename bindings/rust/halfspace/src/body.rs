@@ -345,6 +345,45 @@ impl World {
         })
     }
 
+    /// Takes cells out of a body: excavation. Cells and nodes that stay keep their numbers. Returns
+    /// the force that these cells exerted on each node, which [`World::set_node_force`] can fade
+    /// out.
+    pub fn remove_cells(&mut self, body: Body, cells: &[usize]) -> Result<Vec<[f64; 3]>> {
+        let cells = indices(cells, "World::remove_cells: cells")?;
+        let mut released = vec![[0.0; 3]; self.body_state(body)?.node_count as usize];
+        let room = ViewMut::from(&mut released).raw();
+        // SAFETY: the world lives and is borrowed mutably, and both arrays are as long as said.
+        self.check(unsafe {
+            sys::hs_world_remove_cells(
+                self.handle(),
+                body.id(),
+                cells.as_ptr(),
+                cells.len() as i64,
+                room,
+            )
+        })?;
+        Ok(released)
+    }
+
+    /// Stresses the cells of a body as they are now, each by the stress at its middle: `stress` is
+    /// that at the origin, in Pa, tension above 0, and `gradient` how it changes along x, y and z.
+    pub fn set_body_stress(
+        &mut self,
+        body: Body,
+        stress: &[[f64; 3]; 3],
+        gradient: &[[[f64; 3]; 3]; 3],
+    ) -> Result<()> {
+        // SAFETY: the world lives and is borrowed mutably, and the tensors are whole.
+        self.check(unsafe {
+            sys::hs_world_set_body_stress(
+                self.handle(),
+                body.id(),
+                stress.as_ptr().cast(),
+                gradient.as_ptr().cast(),
+            )
+        })
+    }
+
     /// Strain and stress of a body's cells.
     pub fn cells(&self, body: Body) -> Result<Vec<CellState>> {
         let mut cells = vec![CellState::default(); self.cells_into(body, &mut [])?];

@@ -296,8 +296,37 @@ fn faulty_meshes_are_refused() -> Result<()> {
 }
 
 #[test]
+fn a_body_is_stressed_and_cut() -> Result<()> {
+    let (mut world, body) = pulled_body()?;
+    let stress = [[-2e6, 1e6, 0.0], [1e6, -5e6, 0.0], [0.0; 3]];
+    world.set_body_stress(body, &stress, &[[[0.0; 3]; 3]; 3])?;
+    let last = world.body_state(body)?.cell_count as usize - 1;
+    for cell in world.cells(body)? {
+        assert!((cell.stress[0][0] / -2e6 - 1.0).abs() < 1e-9);
+        assert!((cell.stress[0][1] / 1e6 - 1.0).abs() < 1e-9);
+    }
+    let released = world.remove_cells(body, &[last])?;
+    assert_eq!(released.len(), 6);
+    let sum = released.iter().map(|force| force[0]).sum::<f64>();
+    let size = released
+        .iter()
+        .map(|force| force[0].abs())
+        .fold(0.0, f64::max);
+    assert!(size > 1e3 && sum.abs() < 1e-9 * size);
+    assert_eq!(world.cells(body)?[last].stress[0][0], 0.0);
+    Ok(())
+}
+
+#[test]
 fn what_no_body_has_is_refused() -> Result<()> {
     let (mut world, body) = pulled_body()?;
+    let error = world.remove_cells(body, &[0, 9]).unwrap_err();
+    assert!(error.to_string().contains("cells[1] is 9"));
+    let lopsided = [[0.0, 1.0, 0.0], [0.0; 3], [0.0; 3]];
+    let error = world
+        .set_body_stress(body, &lopsided, &[[[0.0; 3]; 3]; 3])
+        .unwrap_err();
+    assert!(error.to_string().contains("a stress is symmetric"));
     let error = world
         .hold_nodes(body, &[5, 6], Axes::X, [0.0; 3])
         .unwrap_err();

@@ -1,0 +1,152 @@
+"""Ground under its own weight from the start, excavation at once, in portions and by a ramp, loads that change."""
+import csv
+import tempfile
+import unittest
+from pathlib import Path
+
+import vtk
+
+from command import halfspace, main
+
+DENSITY, GRAVITY, MODULUS, HEIGHT = 2000, 10, 1e8, 4
+
+GROUND = f"""title = "Ground"
+dimension = 2
+
+[world]
+gravity = [0, -{GRAVITY}]
+
+[[material]]
+name = "soil"
+density = {DENSITY}
+young_modulus = {MODULUS}
+poisson_ratio = 0
+damping_time = 1e-3
+
+[default_law]
+stiffness = "per area"
+normal_stiffness = 1e9
+
+[[mesh]]
+name = "ground"
+material = "soil"
+box = [[0, -{HEIGHT}], [4, 0]]
+cells = [4, 8]
+cell = "quad"
+normal_stress = [0, 0]
+normal_stress_by_height = [{0.5 * DENSITY * GRAVITY}, {DENSITY * GRAVITY}]
+
+[[mesh.support]]
+group = "bottom"
+
+[[mesh.support]]
+group = "left"
+axes = "x"
+
+[[mesh.support]]
+group = "right"
+axes = "x"
+
+[[mesh.load]]
+group = "top"
+traction = [0, 0]
+
+[output]
+tracked = ["ground.12"]
+
+[[stage]]
+name = "as it is"
+do = "settle"
+"""
+
+UPPER = ", ".join(f'"ground.{cell}"' for cell in range(16, 32))
+# The lower half loses the weight of the upper one: its cell at 1.75 m above the bottom heaves by so much.
+HEAVE = 1.75 * DENSITY * GRAVITY * (HEIGHT / 2) / MODULUS
+
+
+class Excavation(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.output = Path(temporary.name, "out")
+        self.scene = Path(temporary.name, "scene.toml")
+
+    def run_scene(self, text, code=0):
+        self.scene.write_text(text)
+        answer = halfspace("run", self.scene, "-o", self.output, "--force")
+        self.assertEqual(answer.returncode, code, answer.stderr)
+        return answer.stdout
+
+    def heights(self):
+        with open(self.output / "history.csv") as file:
+            return [float(row["ground.12.y"]) for row in csv.DictReader(file)]
+
+    def last_frame(self):
+        reader = vtk.vtkXMLPolyDataReader()
+        reader.SetFileName(str(sorted((self.output / "frames").glob("frame_*.vtp"))[-1]))
+        reader.Update()
+        return reader.GetOutput()
+
+    def test_ground_stays_where_its_stress_bears_it(self):
+        self.run_scene(GROUND)
+        self.assertAlmostEqual(self.heights()[-1], -HEIGHT + 1.75, delta=1e-12)
+
+    def test_excavation_in_one_portion_or_several(self):
+        for portions in 1, 5:
+            with self.subTest(portions=portions):
+                self.run_scene(GROUND + f'[[stage]]\ndo = "settle"\nratio = 1e-8\nportions = {portions}\n'
+                               f'excavate = [{UPPER}]\n')
+                # The strain is 4e-4.
+                self.assertAlmostEqual((self.heights()[-1] + HEIGHT - 1.75) / HEAVE, 1, delta=1e-3)
+                self.assertEqual(self.last_frame().GetNumberOfCells(), 16)
+
+    def test_excavation_by_a_ramp_does_not_overshoot(self):
+        # The ground swings with the period 4 H / c, 36 ms for half of it; a ramp of ten periods leaves it calm.
+        def highest(ramp):
+            self.run_scene(GROUND + f'[[stage]]\ndo = "run"\nduration = 0.5\nramp = {ramp}\nexcavate = [{UPPER}]\n')
+            return (max(self.heights()) + HEIGHT - 1.75) / HEAVE
+        self.assertGreater(highest(0), 1.5)
+        self.assertAlmostEqual(highest(0.36), 1, delta=0.05)
+
+    def test_loads_change_by_their_factor(self):
+        text = GROUND.replace("traction = [0, 0]", "traction = [0, -1e4]").replace(
+            'do = "settle"\n', 'do = "settle"\nratio = 1e-9\n')
+        self.run_scene(text)
+        once = self.heights()[-1]
+        self.run_scene(text + '[[stage]]\ndo = "settle"\nratio = 1e-9\nloads = 3\nportions = 2\n')
+        thrice = self.heights()[-1]
+        self.assertAlmostEqual((thrice - (-HEIGHT + 1.75)) / (once - (-HEIGHT + 1.75)), 3, delta=3e-3)
+
+    def test_displacements_are_counted_anew(self):
+        self.run_scene(GROUND + f'[[stage]]\ndo = "settle"\nratio = 1e-8\nexcavate = [{UPPER}]\n'
+                       '[[stage]]\ndo = "settle"\nreset_displacement = true\n')
+        moved = self.last_frame().GetCellData().GetArray("displacement")
+        self.assertLess(max(abs(moved.GetComponent(i, 1)) for i in range(16)), 1e-3 * HEAVE)
+
+    def test_blocks_are_taken_away_and_what_they_bore_falls(self):
+        text = GROUND + '[[stage]]\ndo = "run"\nduration = 0.3\nexcavate = ["prop"]\n'
+        for name, low in ("prop", 0), ("roof", 1):
+            text += (f'[[block]]\nname = "{name}"\nmaterial = "soil"\n'
+                     f'vertices = [[1, {low}], [3, {low}], [3, {low + 1}], [1, {low + 1}]]\n')
+        self.run_scene(text.replace('tracked = ["ground.12"]', 'tracked = ["ground.12", "roof", "prop"]'))
+        with open(self.output / "history.csv") as file:
+            last = list(csv.DictReader(file))[-1]
+        self.assertAlmostEqual(float(last["roof.y"]), 1.5 - 0.5 * GRAVITY * 0.3**2, delta=0.02)
+        self.assertEqual(last["prop.y"], "nan")
+        self.assertEqual(self.last_frame().GetNumberOfCells(), 33)
+
+    def test_faults_name_their_key(self):
+        for stage, fault in [
+            ('excavate = ["rock"]', r'stage\[1\]\.excavate: no such block: "rock"'),
+            ("portions = 0", r"stage\[1\]\.portions"),
+            ("ramp = 1", r"stage\[1\]\.ramp"),
+            ('reset_displacement = "yes"', r"stage\[1\]\.reset_displacement: neither"),
+        ]:
+            self.scene.write_text(GROUND + f'[[stage]]\ndo = "settle"\n{stage}\n')
+            answer = halfspace("check", self.scene)
+            self.assertEqual(answer.returncode, 1, stage)
+            self.assertRegex(answer.stderr, fault)
+
+
+if __name__ == "__main__":
+    main()
