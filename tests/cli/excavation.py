@@ -1,12 +1,14 @@
 """Ground under its own weight from the start, excavation at once, in portions and by a ramp, loads that change."""
 import csv
+import importlib.util
+import math
 import tempfile
 import unittest
 from pathlib import Path
 
 import vtk
 
-from command import halfspace, main
+from command import EXAMPLES, halfspace, main
 
 DENSITY, GRAVITY, MODULUS, HEIGHT = 2000, 10, 1e8, 4
 
@@ -134,6 +136,56 @@ class Excavation(unittest.TestCase):
         self.assertAlmostEqual(float(last["roof.y"]), 1.5 - 0.5 * GRAVITY * 0.3**2, delta=0.02)
         self.assertEqual(last["prop.y"], "nan")
         self.assertEqual(self.last_frame().GetNumberOfCells(), 33)
+
+    def test_a_tunnel_closes_as_kirsch_says(self):
+        """A round hole of radius 1 under an even pressure p, in rock that is held 10 away."""
+        source = importlib.util.spec_from_file_location("make_mesh", EXAMPLES / "tunnel" / "make_mesh.py")
+        make_mesh = importlib.util.module_from_spec(source)
+        source.loader.exec_module(make_mesh)
+        self.scene.with_name("tunnel.msh").write_text(
+            make_mesh.mesh(radius=1, half_width=10, rings_outside=24))
+        pressure, modulus, poisson = 1e6, 1e10, 0.25
+        supports = "".join(f'[[mesh.support]]\ngroup = "{side}"\n' for side in ("left", "right", "bottom", "top"))
+        self.run_scene(f"""title = "A hole"
+dimension = 2
+[world]
+gravity = [0, 0]
+[[material]]
+name = "rock"
+density = 2500
+young_modulus = {modulus}
+poisson_ratio = {poisson}
+[default_law]
+stiffness = "per area"
+normal_stiffness = 1e10
+[[mesh]]
+name = "ground"
+material = "rock"
+file = "tunnel.msh"
+normal_stress = [-{pressure}, -{pressure}]
+{supports}
+[[stage]]
+do = "settle"
+ratio = 1e-8
+excavate = ["ground/tunnel"]
+""")
+        frame = self.last_frame()
+        radii = [math.hypot(*frame.GetPoint(i)[:2]) for i in range(frame.GetNumberOfPoints())]
+        wall = [r for r in radii if r < 1.01]
+        closure = 1 - sum(wall) / len(wall)
+        # u = p a (1 + nu) / E far from any support. One at b, between the sides of the square and its corners, takes
+        # 3 a2 / b2 of it, 1.5 to 3 %, and the mesh of 32 cells around some.
+        self.assertAlmostEqual(closure / (pressure * (1 + poisson) / modulus), 0.978, delta=0.02)
+        stress = frame.GetCellData().GetArray("stress")
+        for i in range(frame.GetNumberOfCells()):
+            corners = frame.GetCell(i).GetPoints()
+            x, y = (sum(corners.GetPoint(k)[axis] for k in range(4)) / 4 for axis in (0, 1))
+            r = math.hypot(x, y)
+            if r > 1.5:
+                continue
+            sxx, sxy, syy = (stress.GetComponent(i, k) for k in (0, 1, 4))
+            hoop = (sxx * y * y - 2 * sxy * x * y + syy * x * x) / r**2
+            self.assertAlmostEqual(hoop / -(pressure * (1 + 1 / r**2)), 1, delta=0.03)
 
     def test_faults_name_their_key(self):
         for stage, fault in [
