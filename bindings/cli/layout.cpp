@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "checked_shape.h"
+#include "elements/block_mesh.h"
 #include "elements/lay_out_mesh.h"
 #include "jointed_rock.h"
 #include "keys.h"
@@ -21,9 +22,11 @@ namespace {
 /// wrong is checked.
 class Planner {
  public:
-  Planner(const Context& context, int dimension, Faults& faults)
-      : context_(context), faults_(faults), shapes_(context, dimension, faults) {
-    layout_.dimension = dimension;
+  Planner(const Context& context, const Scene& scene, Faults& faults)
+      : context_(context), faults_(faults), shapes_(context, scene.world.dimension, faults) {
+    layout_.dimension = scene.world.dimension;
+    is_excavated_ = std::any_of(scene.stages.begin(), scene.stages.end(),
+                                [](const SceneStage& stage) { return !stage.excavated.empty(); });
   }
 
   void add(const Block& block) {
@@ -65,28 +68,12 @@ class Planner {
     });
   }
 
-  void add(const Mesh& mesh, bool is_excavated) {
+  void add(const Mesh& mesh) {
     claim(mesh.making);
     if (!may_generate(mesh.making)) return;
-    LaidOutMesh laid_out = lay_out_mesh(context_, mesh, layout_.dimension, is_excavated, faults_);
+    LaidOutMesh laid_out = lay_out_mesh(context_, mesh, layout_.dimension, is_excavated_, faults_);
     if (laid_out.bodies.empty()) without_blocks_.push_back(mesh.making.name);
-    for (LaidOutBody& body : laid_out.bodies) {
-      body.body.first_block = layout_.blocks.size();
-      for (LaidOutCell& cell : body.cells) {
-        Making making = mesh.making;
-        making.material = cell.material;
-        add(member(making, static_cast<std::size_t>(cell.number)), making, std::move(cell.shape),
-            mesh.placing, {.velocity = mesh.velocity});
-        layout_.blocks.back().faces = std::move(cell.faces);
-        layout_.blocks.back().body = layout_.bodies.size();
-      }
-      layout_.bodies.push_back(std::move(body.body));
-    }
-    for (const auto& [group, cells] : laid_out.groups) {
-      std::vector<std::size_t>& blocks = groups_[mesh.making.name + '/' + group];
-      for (const int cell : cells)
-        blocks.push_back(index_of_.at(member(mesh.making, static_cast<std::size_t>(cell))));
-    }
+    add(std::move(laid_out), mesh.making.name, mesh.making, mesh.placing, mesh.velocity);
   }
 
   /// What a stage takes out of the world.
@@ -180,6 +167,49 @@ class Planner {
 
   void add(const std::string& name, const Making& making, Shape shape, const Placing& placing,
            const Motion& motion) {
+    if (making.kind == HS_BLOCK_MESH) {
+      const ElementMesh cells = cells_of(making, shape);
+      if (cells.cells.empty()) {
+        faults_.add(making.place, making.key + ".cell_size",
+                    "cuts " + name + " into more than 1000000 cells; allowed: a larger one");
+        return;
+      }
+      add(lay_out_block(context_, making, cells, placing, motion.velocity, is_excavated_, faults_), name,
+          making, placing, motion.velocity);
+    } else {
+      add_block(name, making, std::move(shape), placing, motion);
+    }
+  }
+
+  ElementMesh cells_of(const Making& making, const Shape& shape) const {
+    const std::vector<Point> corners = vertices_of(context_, shape);
+    return layout_.dimension == 2 ? mesh_of_polygon(corners, making.cell_size, making.cell_kind)
+                                  : mesh_of_polyhedron(corners, faces_of(context_, shape), making.cell_size);
+  }
+
+  /// The bodies of a mesh, whose cells are blocks of the layout.
+  void add(LaidOutMesh laid_out, const std::string& name, const Making& making, const Placing& placing,
+           const Point& velocity) {
+    for (LaidOutBody& body : laid_out.bodies) {
+      body.body.first_block = layout_.blocks.size();
+      for (LaidOutCell& cell : body.cells) {
+        Making of_cell = making;
+        of_cell.material = cell.material;
+        add_block(name + '.' + std::to_string(cell.number), of_cell, std::move(cell.shape), placing,
+                  {.velocity = velocity});
+        layout_.blocks.back().faces = std::move(cell.faces);
+        layout_.blocks.back().body = layout_.bodies.size();
+      }
+      layout_.bodies.push_back(std::move(body.body));
+    }
+    for (const auto& [group, cells] : laid_out.groups) {
+      std::vector<std::size_t>& blocks = groups_[name + '/' + group];
+      for (const int cell : cells) blocks.push_back(index_of_.at(name + '.' + std::to_string(cell)));
+    }
+  }
+
+  void add_block(const std::string& name, const Making& making, Shape shape, const Placing& placing,
+                 const Motion& motion) {
     if (!index_of_.emplace(name, layout_.blocks.size()).second) tell_used_twice(making, name);
     std::vector<std::vector<int>> faces = outside_of(shape);
     layout_.blocks.push_back({name,
@@ -222,6 +252,7 @@ class Planner {
   Faults& faults_;
   CheckedShapes shapes_;
   Layout layout_;
+  bool is_excavated_;  ///< some of it in a stage
   std::map<std::string, std::size_t> index_of_;
   std::map<std::string, std::vector<std::size_t>> groups_;  ///< of meshes, with the blocks of their cells
   std::set<std::string> claimed_;
@@ -253,14 +284,12 @@ bool Layout::has_deformable() const {
 
 Layout lay_out_blocks(const Context& context, const Scene& scene, Faults& faults) {
   tell_too_many(scene, faults);
-  Planner planner(context, scene.world.dimension, faults);
+  Planner planner(context, scene, faults);
   for (const Block& block : scene.blocks) planner.add(block);
   for (const JointedRock& rock : scene.jointed_rocks) planner.add(rock);
   for (const Triangulated& region : scene.triangulated) planner.add(region);
   for (const Voronoi& voronoi : scene.voronoi) planner.add(voronoi);
-  const bool is_excavated = std::any_of(scene.stages.begin(), scene.stages.end(),
-                                        [](const SceneStage& stage) { return !stage.excavated.empty(); });
-  for (const Mesh& mesh : scene.meshes) planner.add(mesh, is_excavated);
+  for (const Mesh& mesh : scene.meshes) planner.add(mesh);
   for (std::size_t i = 0; i < scene.stages.size(); ++i) planner.excavate(scene.stages[i], i);
   for (std::size_t i = 0; i < scene.output.tracked.size(); ++i) {
     planner.track(scene.output.tracked[i], scene.output.tracked_places[i]);

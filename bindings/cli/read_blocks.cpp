@@ -24,19 +24,24 @@ Making read_making(Keys& keys, const Scene& scene, bool may_be_prescribed) {
   std::optional<int> known;
   if (keys.has("material")) known = material_index(keys, "material", material, scene);
   making.material = known.value_or(0);
-  static constexpr int kinds[] = {HS_BLOCK_RIGID, HS_BLOCK_FIXED, HS_BLOCK_AFFINE, HS_BLOCK_PRESCRIBED};
-  making.kind = kinds[may_be_prescribed ? keys.word("kind", {"rigid", "fixed", "affine", "prescribed"}, 0)
-                                        : keys.word("kind", {"rigid", "fixed", "affine"}, 0)];
-  if (making.kind == HS_BLOCK_AFFINE && known &&
-      !scene.materials[static_cast<std::size_t>(*known)].elasticity) {
+  static constexpr int kinds[] = {HS_BLOCK_RIGID, HS_BLOCK_FIXED, HS_BLOCK_AFFINE, HS_BLOCK_MESH,
+                                  HS_BLOCK_PRESCRIBED};
+  making.kind =
+      kinds[may_be_prescribed ? keys.word("kind", {"rigid", "fixed", "affine", "mesh", "prescribed"}, 0)
+                              : keys.word("kind", {"rigid", "fixed", "affine", "mesh"}, 0)];
+  if (deforms(making.kind) && known && !scene.materials[static_cast<std::size_t>(*known)].elasticity) {
     keys.fault("kind",
                "the material \"" + material +
                    "\" is not elastic; allowed: with young_modulus and poisson_ratio in its [[material]]");
   }
   making.stress = read_stress(keys);
-  if (making.stress && making.kind != HS_BLOCK_AFFINE) {
+  if (making.stress && !deforms(making.kind)) {
     keys.fault(keys.has("normal_stress") ? "normal_stress" : "shear_stress",
-               "no other block has a stress; allowed: with kind = \"affine\"");
+               "no other block has a stress; allowed: with kind = \"affine\" or \"mesh\"");
+  }
+  if (making.kind == HS_BLOCK_MESH) {
+    making.cell_size = keys.number("cell_size", above(0), required);
+    if (keys.dimension() == 2) making.cell_kind = keys.word("cell", {"triangle", "quad"}, HS_CELL_QUAD);
   }
   return making;
 }
@@ -53,6 +58,8 @@ Motion read_motion(Keys& keys, int kind) {
                  "a fixed block does not move; allowed: with kind = \"rigid\", \"affine\" or \"prescribed\"");
     }
   }
+  if (kind == HS_BLOCK_MESH && keys.has("angular_velocity"))
+    keys.fault("angular_velocity", "a mesh begins without a spin; allowed: velocity");
   for (const char* key : {"start", "stop"}) {
     if (kind != HS_BLOCK_PRESCRIBED && keys.has(key)) {
       keys.fault(key, "only a prescribed motion starts and stops; allowed: with kind = \"prescribed\"");

@@ -105,10 +105,10 @@ Mesh read_mesh(Keys& keys, const Scene& scene) {
   mesh.division = static_cast<MeshDivision>(keys.word("bodies", {"whole", "groups", "cells"}, 0));
   mesh.placing = {.rotation = rotation(keys, "rotation"), .shift = keys.point("shift", Point{})};
   mesh.velocity = keys.point("velocity", Point{});
-  mesh.stress = read_stress(keys);
+  mesh.making.stress = read_stress(keys);
   const Point by_height = keys.point("normal_stress_by_height", Point{});
   for (std::size_t axis = 0; axis < 3; ++axis) mesh.stress_by_height[4 * axis] = by_height[axis];
-  if (by_height != Point{} && !mesh.stress) mesh.stress = Tensor{};
+  if (by_height != Point{} && !mesh.making.stress) mesh.making.stress = Tensor{};
   for (Keys& table : keys.tables("group", false)) {
     MeshMaterial part{.part = {.group = table.text("name", required),
                                .box = {},

@@ -92,7 +92,9 @@ struct Making {
   Place place;      ///< where the name stands, for faults
   int material = 0;
   int kind = HS_BLOCK_RIGID;
-  std::optional<Tensor> stress = {};  ///< of affine blocks at the start
+  std::optional<Tensor> stress = {};  ///< of affine blocks and meshes at the start
+  double cell_size = 0;               ///< m, of blocks that are meshes, and
+  int cell_kind = HS_CELL_QUAD;       ///< in 2D of what
 };
 
 /// Where a block is put, from where its vertices are given.
@@ -158,8 +160,7 @@ struct Mesh {
   MeshDivision division = MeshDivision::whole;
   Placing placing;
   Point velocity{};
-  std::optional<Tensor> stress;  ///< at the origin, when it is put into the world, and
-  Tensor stress_by_height{};     ///< its change, Pa/m upwards
+  Tensor stress_by_height{};  ///< the change of its stress from that at the origin, Pa/m upwards
   std::vector<MeshMaterial> materials;
   std::vector<MeshSupport> supports;
   std::vector<MeshLoad> loads;

@@ -259,6 +259,69 @@ contacts = true
         self.assertEqual(reader.GetOutput().GetNumberOfCells(), 4)  # the floor and three cells
         self.assertEqual(reader.GetOutput().GetCellData().GetArray("stress").GetNumberOfComponents(), 9)
 
+    def weight_on_floor(self, text):
+        self.run_scene(text + SETTLE.replace("1e-9", "1e-7") + "[output]\ncontacts = true\n")
+        axis = "force_z" if "dimension = 3" in text else "force_y"
+        return sum(abs(float(row[axis])) for row in self.rows("contacts.csv")
+                   if "floor" in (row["block_a"], row["block_b"]))
+
+    def test_blocks_are_cut_into_cells_that_fill_them(self):
+        floor = ('[[block]]\nname = "floor"\nkind = "fixed"\nmaterial = "ground"\n'
+                 'vertices = [[-1, -1], [5, -1], [5, 0], [-1, 0]]\n')
+        trapezium = ('[[block]]\nname = "stone"\nmaterial = "rock"\nkind = "mesh"\ncell_size = {}\ncell = "{}"\n'
+                     'vertices = [[0, 0], [3, 0], [2, 1], [1, 1]]\n')
+        for size, cell, count in (9, "quad", 4), (0.5, "quad", 36), (0.5, "triangle", 72):
+            with self.subTest(size=size, cell=cell):
+                weight = self.weight_on_floor(head("A stone", gravity="[0, -10]", plane="") + floor
+                                              + trapezium.format(size, cell))
+                self.assertIn(f"{count} cells of 1 mesh", (self.output / "summary.txt").read_text())
+                self.assertAlmostEqual(weight / (10 * 2500 * 2), 1, delta=1e-4)
+
+    def test_joint_sets_make_blocks_of_cells(self):
+        weight = self.weight_on_floor(head("A column", gravity="[0, -10]", plane="") + """
+[[block]]
+name = "floor"
+kind = "fixed"
+material = "ground"
+vertices = [[-1, -1], [5, -1], [5, 0], [-1, 0]]
+
+[[jointed_rock]]
+name = "column"
+material = "rock"
+kind = "mesh"
+cell_size = 0.5
+box = [[0, 0], [1, 3]]
+[[jointed_rock.joint_set]]
+dip = 0
+spacing = 1
+offset = 0
+""")
+        self.assertIn("48 cells of 3 meshes", (self.output / "summary.txt").read_text())
+        self.assertAlmostEqual(weight / (10 * 2500 * 3), 1, delta=1e-4)
+
+    def test_solids_are_cut_into_hexahedra_or_tetrahedra(self):
+        solids = {"box": ([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]], 64, 1),
+                  "wedge": ([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [0, 1, 1]], 6 * 27, 0.5),
+                  "pyramid": ([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0.5, 0.5, 1]], 16, 1 / 3)}
+        for name, (vertices, count, volume) in solids.items():
+            with self.subTest(solid=name):
+                weight = self.weight_on_floor(head(name, 3, "[0, 0, -10]", plane="") + f"""
+[[block]]
+name = "floor"
+kind = "fixed"
+material = "ground"
+vertices = [[-1, -1, -1], [2, -1, -1], [2, 2, -1], [-1, 2, -1], [-1, -1, 0], [2, -1, 0], [2, 2, 0], [-1, 2, 0]]
+
+[[block]]
+name = "stone"
+material = "rock"
+kind = "mesh"
+cell_size = 0.26
+vertices = {vertices}
+""")
+                self.assertIn(f"{count} cells of 1 mesh", (self.output / "summary.txt").read_text())
+                self.assertAlmostEqual(weight / (10 * 2500 * volume), 1, delta=1e-4)
+
     def test_faults_name_their_key(self):
         (self.directory / "bar.msh").write_text(gmsh("2.2", BAR_NODES, BAR_ELEMENTS, BAR_NAMES))
         whole = head("A bar") + BAR + SETTLE

@@ -142,7 +142,7 @@ class MeshPlanner {
     body.node_count = nodes.size();
     body.placing = given_.placing;
     body.velocity = given_.velocity;
-    body.stress = given_.stress;
+    body.stress = given_.making.stress;
     body.stress_by_height = given_.stress_by_height;
     for (std::size_t k = 0; k < cells.size(); ++k) {
       const std::vector<Point> corners = mesh_.corners_of(mesh_.cells[cells[k]]);
@@ -289,6 +289,15 @@ ElementMesh read_file(const Mesh& given, int dimension) {
 }
 
 }  // namespace
+
+LaidOutMesh lay_out_block(const Context& context, const Making& making, const ElementMesh& cells,
+                          const Placing& placing, const Point& velocity, bool is_excavated, Faults& faults) {
+  Mesh mesh;
+  mesh.making = making;
+  mesh.placing = placing;
+  mesh.velocity = velocity;
+  return MeshPlanner(context, mesh, cells, is_excavated, faults).whole();
+}
 
 LaidOutMesh lay_out_mesh(const Context& context, const Mesh& mesh, int dimension, bool is_excavated,
                          Faults& faults) {

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "elements/element_mesh.h"
 #include "faults.h"
 #include "layout.h"
 #include "library.h"
@@ -33,5 +34,9 @@ struct LaidOutMesh {
 /// at the surface only, or all of them where some are excavated later.
 LaidOutMesh lay_out_mesh(const Context& context, const Mesh& mesh, int dimension, bool is_excavated,
                          Faults& faults);
+
+/// The same for a block that has been cut into these cells: it is one body. @throws LibraryError
+LaidOutMesh lay_out_block(const Context& context, const Making& making, const ElementMesh& cells,
+                          const Placing& placing, const Point& velocity, bool is_excavated, Faults& faults);
 
 }  // namespace halfspace::cli
