@@ -9,8 +9,9 @@ namespace halfspace::cli {
 /// The name of a run's checkpoint in its directory.
 inline constexpr const char* checkpoint_name = "checkpoint";
 
-/// What a checkpoint has to share with a scene that goes on from it: the world at its start, how blocks are
-/// driven, and the columns of the history. Stages to come, durations and outputs may be others.
+/// The part of a scene that a checkpoint has to share with one that goes on from it: the world at its start,
+/// how blocks are driven, and the columns of the history. Stages to come, durations and outputs may be
+/// others.
 std::string fingerprint(const Model& start);
 
 /// The state of a run with what tells a damaged file and one of another version from a whole one.

@@ -13,7 +13,7 @@ namespace halfspace::cli {
 namespace fs = std::filesystem;
 namespace {
 
-/// What a run writes beside the files of fixed names: at_2.5s.svg, frames/frame_0007.vtp.
+/// Files of a run beside those of fixed names: at_2.5s.svg, frames/frame_0007.vtp.
 bool is_number_between(std::string_view name, std::string_view begin, std::string_view end) {
   if (name.size() <= begin.size() + end.size() || !name.starts_with(begin) || !name.ends_with(end))
     return false;

@@ -63,12 +63,11 @@ void History::add(const Model& model) {
   if (layout.has_deformable())
     text_ += ',' + shortest(report.block_strain_energy) + ',' + shortest(report.block_damping_loss);
   for (std::size_t block : layout.tracked) {
-    for (double value : motion_of_block(model.state_of(block), layout.dimension))
-      text_ += ',' + shortest(value);
+    const BlockFrame now = model.motion_of(block);
+    for (double value : motion_of_block(now.state, layout.dimension)) text_ += ',' + shortest(value);
     if (!deforms(layout.blocks[block].kind)) continue;
-    const hs_deformation deformation = model.deformation_of(block);
     for (const auto& [column, component] : stress_columns(layout.dimension))
-      text_ += ',' + shortest(deformation.stress[component]);
+      text_ += ',' + shortest(now.deformation.stress[component]);
   }
   text_ += '\n';
 }

@@ -76,7 +76,7 @@ class Planner {
     add(std::move(laid_out), mesh.making.name, mesh.making, mesh.placing, mesh.velocity);
   }
 
-  /// What a stage takes out of the world.
+  /// Notes the blocks that a stage takes out of the world.
   void excavate(const SceneStage& stage, std::size_t number) {
     std::vector<std::size_t>& blocks = layout_.excavated.emplace_back();
     for (const std::string& name : stage.excavated) {
@@ -86,10 +86,8 @@ class Planner {
         blocks.insert(blocks.end(), group->second.begin(), group->second.end());
       } else if (block != index_of_.end()) {
         blocks.push_back(block->second);
-      } else if (claimed_.contains(name)) {
-        for (auto member = index_of_.lower_bound(name + '.');
-             member != index_of_.end() && member->first.starts_with(name + '.'); ++member)
-          blocks.push_back(member->second);
+      } else if (members_.contains(name)) {
+        blocks.insert(blocks.end(), members_[name].begin(), members_[name].end());
       } else {
         faults_.add(stage.excavated_place, "stage[" + std::to_string(number) + "].excavate",
                     "no such block: \"" + name +
@@ -199,6 +197,7 @@ class Planner {
                   {.velocity = velocity});
         layout_.blocks.back().faces = std::move(cell.faces);
         layout_.blocks.back().body = layout_.bodies.size();
+        if (name != making.name) members_[name].push_back(layout_.blocks.size() - 1);
       }
       layout_.bodies.push_back(std::move(body.body));
     }
@@ -210,6 +209,7 @@ class Planner {
 
   void add_block(const std::string& name, const Making& making, Shape shape, const Placing& placing,
                  const Motion& motion) {
+    members_[making.name].push_back(layout_.blocks.size());
     if (!index_of_.emplace(name, layout_.blocks.size()).second) tell_used_twice(making, name);
     std::vector<std::vector<int>> faces = outside_of(shape);
     layout_.blocks.push_back({name,
@@ -234,7 +234,7 @@ class Planner {
     return making.name + '.' + std::to_string(index);
   }
 
-  /// What is to be drawn of a shape.
+  /// The faces of a shape that are to be drawn.
   std::vector<std::vector<int>> outside_of(const Shape& shape) const {
     if (layout_.dimension == 3) return faces_of(context_, shape);
     std::vector<int> outline(static_cast<std::size_t>(properties_of(context_, shape).vertex_count));
@@ -254,7 +254,8 @@ class Planner {
   Layout layout_;
   bool is_excavated_;  ///< some of it in a stage
   std::map<std::string, std::size_t> index_of_;
-  std::map<std::string, std::vector<std::size_t>> groups_;  ///< of meshes, with the blocks of their cells
+  std::map<std::string, std::vector<std::size_t>> members_;  ///< blocks of generators, cells of meshes
+  std::map<std::string, std::vector<std::size_t>> groups_;   ///< of meshes, with the blocks of their cells
   std::set<std::string> claimed_;
   std::set<std::string> told_;               ///< keys of what has names of others
   std::vector<std::string> without_blocks_;  ///< because of faults

@@ -18,6 +18,7 @@ struct LayoutBody {
     Point velocity{};
   };
   struct Force {
+    int32_t cell = 0;  ///< on whose face it acts
     int32_t node = 0;
     Point force{};
   };

@@ -91,8 +91,9 @@ int run(const std::string& file, const std::string& output, Earlier earlier, int
   if (!checked.faults.none()) return refuse(file, checked.faults);
   if (!from.empty()) {
     options.from = open_checkpoint(from);
-    options.goes_on_in_place = is_in(from, output);
-    if (options.goes_on_in_place) earlier = Earlier::keep;
+    if (is_in(from, output)) earlier = Earlier::keep;
+    options.goes_on_in_place =
+        is_in(from, output) && std::filesystem::exists(std::filesystem::path(output) / frame_name(0));
   }
   OutputDirectory directory(output, earlier);
   Model model(checked.context, checked.scene, std::move(checked.layout));
@@ -134,7 +135,7 @@ void require_free_block(CheckedScene& checked, const std::string& by) {
     checked.faults.add({}, "", "no block is free to move; required for " + by + ": a rigid or an affine one");
 }
 
-/// What trades and plans do not know yet.
+/// Refuses the parts of a scene that trades and plans do not know yet.
 void require_plain(CheckedScene& checked, const std::string& by) {
   if (!checked.scene.stages.empty()) {
     checked.faults.add({}, "stage",

@@ -10,7 +10,7 @@
 namespace halfspace::cli {
 namespace {
 
-/// What a block is told to be that is no longer there: it has no vertices.
+/// A block that is no longer there: it has no vertices.
 BlockFrame removed() {
   BlockFrame frame;
   frame.state.kind = HS_BLOCK_FIXED;
@@ -64,11 +64,17 @@ Model::Model(const Context& context, const Scene& scene, Layout layout)
     index_of_block_.emplace(block, blocks_.size());
     blocks_.push_back(block);
   }
-  for (const LayoutBody& body : layout_.bodies) add(body);
   is_removed_.resize(blocks_.size());
-  released_.resize(bodies_.size());
+  released_.resize(layout_.bodies.size());
+  for (const LayoutBody& body : layout_.bodies) add(body);
+  for (std::size_t body = 0; body < bodies_.size(); ++body) load_nodes(body);
   for (const PairBond& pair : scene.bonds)
     require(context, hs_world_bond_materials(world, pair.a, pair.b, &pair.def, nullptr));
+  int64_t bonds = 0;
+  require(context, hs_world_get_bonds(world, nullptr, 0, &bonds));
+  std::vector<hs_bond> all(static_cast<std::size_t>(bonds));
+  require(context, hs_world_get_bonds(world, all.data(), bonds, nullptr));
+  for (const hs_bond& bond : all) bonded_.emplace_back(index_of(bond.block_a), index_of(bond.block_b));
   update_report();
 }
 
@@ -84,8 +90,6 @@ void Model::add(const LayoutBody& given) {
                                           static_cast<int64_t>(support.nodes.size()), support.axes,
                                           support.velocity.data()));
   }
-  for (const LayoutBody::Force& force : given.forces)
-    require(context_, hs_world_set_node_force(world_.get(), body, &force.node, 1, force.force.data()));
   if (given.stress) {
     std::array<double, 27> gradient{};
     std::copy(given.stress_by_height.begin(), given.stress_by_height.end(),
@@ -142,6 +146,8 @@ void Model::add_to(Archive& archive) {
   hs_world* restored = nullptr;
   require(context_, hs_world_restore(context_.get(), world.data(), world.size(), &restored));
   world_.reset(restored);
+  for (std::size_t body = 0; body < bodies_.size(); ++body)
+    if (is_excavated(body)) bodies_[body] = 0;
   update_report();
 }
 
@@ -151,18 +157,6 @@ std::vector<hs_bond_event> Model::bond_events() const {
   std::vector<hs_bond_event> events(static_cast<std::size_t>(count));
   require(context_, hs_world_get_bond_events(world_.get(), 0, events.data(), count, nullptr));
   return events;
-}
-
-std::vector<hs_bond> Model::bonds() const {
-  int64_t count = 0;
-  require(context_, hs_world_get_bonds(world_.get(), nullptr, 0, &count));
-  std::vector<hs_bond> bonds(static_cast<std::size_t>(count));
-  require(context_, hs_world_get_bonds(world_.get(), bonds.data(), count, nullptr));
-  for (hs_bond& bond : bonds) {
-    bond.block_a = index_of(bond.block_a);
-    bond.block_b = index_of(bond.block_b);
-  }
-  return bonds;
 }
 
 hs_bond_report Model::bond_report() const {
@@ -215,25 +209,20 @@ std::size_t Model::index_of(hs_block block) const {
   return layout_.bodies[index_of_body_.at(body)].first_block + static_cast<std::size_t>(cell);
 }
 
-hs_block_state Model::state_of(std::size_t block) const {
-  if (const std::optional<std::size_t> body = layout_.blocks[block].body) {
-    return frame_of(*body)[block - layout_.bodies[*body].first_block].state;
-  }
-  if (is_removed_[block]) return removed().state;
-  hs_block_state state;
-  require(context_, hs_world_get_block_state(world_.get(), blocks_[block], &state));
-  return state;
+BlockFrame Model::motion_of(std::size_t block) const {
+  if (is_removed_[block]) return removed();
+  if (const std::optional<std::size_t> body = layout_.blocks[block].body)
+    return frame_of(*body)[block - layout_.bodies[*body].first_block];
+  BlockFrame frame;
+  require(context_, hs_world_get_block_state(world_.get(), blocks_[block], &frame.state));
+  if (frame.state.kind == HS_BLOCK_AFFINE)
+    require(context_, hs_world_get_deformation(world_.get(), blocks_[block], &frame.deformation));
+  return frame;
 }
 
-hs_deformation Model::deformation_of(std::size_t block) const {
-  if (const std::optional<std::size_t> body = layout_.blocks[block].body) {
-    return frame_of(*body)[block - layout_.bodies[*body].first_block].deformation;
-  }
-  if (is_removed_[block]) return removed().deformation;
-  hs_deformation deformation;
-  require(context_, hs_world_get_deformation(world_.get(), blocks_[block], &deformation));
-  return deformation;
-}
+hs_block_state Model::state_of(std::size_t block) const { return motion_of(block).state; }
+
+hs_deformation Model::deformation_of(std::size_t block) const { return motion_of(block).deformation; }
 
 std::vector<hs_contact> Model::contacts() const {
   int64_t count = 0;
@@ -295,9 +284,8 @@ Frame Model::frame() const {
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
     if (layout_.blocks[i].body) continue;
     BlockFrame& block = frame.blocks[i];
-    block.state = state_of(i);
+    block = motion_of(i);
     if (is_removed_[i]) continue;
-    if (block.state.kind == HS_BLOCK_AFFINE) block.deformation = deformation_of(i);
     block.vertices.resize(
         static_cast<std::size_t>(properties_of(context_, layout_.blocks[i].shape).vertex_count));
     require(context_,

@@ -46,7 +46,7 @@ class Model {
 
   /// The world as hs_world_save() writes it.
   std::string snapshot() const;
-  /// What changes in a run. One that is read is where that was that was written. @throws LibraryError
+  /// All that changes in a run. One that is read is where that was that was written. @throws LibraryError
   void add_to(Archive& archive);
 
   /// Looks for the factor of safety. Where a copy fell, the model becomes that one, as it was then, and true
@@ -61,13 +61,16 @@ class Model {
   Frame frame() const;
   /// The contacts there are; blocks are named by their indices in the layout.
   std::vector<hs_contact> contacts() const;
-  /// What has been bonded, and has failed of it.
+  /// The bonds made, and what has failed of them.
   hs_bond_report bond_report() const;
-  /// All bonds, of blocks by their indices in the layout, and what has failed of them.
-  std::vector<hs_bond> bonds() const;
+  /// The two blocks of a bond, in the order in which they were made, by their indices in the layout.
+  const std::pair<std::size_t, std::size_t>& blocks_of_bond(std::size_t bond) const { return bonded_[bond]; }
+  /// All that has failed of them so far.
   std::vector<hs_bond_event> bond_events() const;
   hs_block_state state_of(std::size_t block) const;
   hs_deformation deformation_of(std::size_t block) const;
+  /// Both of them at once.
+  BlockFrame motion_of(std::size_t block) const;
   /// What the world computes, and what so many steps of a copy of it cost.
   hs_world_plan account(std::int64_t steps) const;
   /// Where a block of the world stands in the layout.
@@ -79,6 +82,8 @@ class Model {
 
   void add(const LayoutBody& body);
   void excavate(const std::vector<std::size_t>& blocks);
+  /// Are all of its cells gone?
+  bool is_excavated(std::size_t body) const;
   void excavate_cells(std::size_t body, const std::vector<int32_t>& cells);
   void load_nodes(std::size_t body);
   /// The cells of a body, as blocks.
@@ -96,7 +101,7 @@ class Model {
   std::map<hs_body, std::size_t> index_of_body_;
   std::vector<double> densities_;  ///< of the materials
   hs_world_report report_{};
-  /// What stages change, and how far they are.
+  /// The things that stages change, and how far they are.
   struct State {
     Point gravity{};
     Point gravity_before{};
@@ -107,7 +112,8 @@ class Model {
     double mass_damping = 0;
   };
   State state_;
-  std::vector<char> is_removed_;              ///< of each block
+  std::vector<std::pair<std::size_t, std::size_t>> bonded_;  ///< the two blocks of each bond
+  std::vector<char> is_removed_;  ///< of each block: 1, or 2 when the stage that takes it away has begun last
   std::vector<std::vector<Point>> released_;  ///< forces of excavated cells on each body's nodes, or none
   bool frames_have_contacts_;
 };

@@ -4,7 +4,7 @@
 #include "model.h"
 #include "vector.h"
 
-// What a stage changes of a model.
+// Changes of a model that stages make.
 
 namespace halfspace::cli {
 
@@ -20,9 +20,9 @@ void Model::begin(const SceneStage& stage, const std::vector<std::size_t>& excav
   state_.mass_damping = stage.mass_damping.value_or(state_.mass_damping);
   require(context_, hs_world_set_damping(world, state_.local_damping, state_.mass_damping));
   if (stage.strength_factor) require(context_, hs_world_set_strength_factor(world, *stage.strength_factor));
-  excavate(excavated);
   const bool changes = stage.gravity || stage.loads || !excavated.empty();
   state_.share = changes ? 0 : 1;
+  excavate(excavated);
   update_report();
 }
 
@@ -44,8 +44,13 @@ void Model::load_nodes(std::size_t body) {
   const double share = state_.share;
   const double loads = share == 1 ? state_.loads : (1 - share) * state_.loads_before + share * state_.loads;
   std::map<int32_t, Point> forces;
-  for (const LayoutBody::Force& force : layout_.bodies[body].forces)
-    forces[force.node] = times(loads, force.force);
+  for (const LayoutBody::Force& force : layout_.bodies[body].forces) {
+    const char is_removed =
+        is_removed_[layout_.bodies[body].first_block + static_cast<std::size_t>(force.cell)];
+    const double left = is_removed == 0 ? 1 : is_removed == 1 ? 0 : 1 - share;
+    Point& sum = forces[force.node];
+    sum = plus(sum, times(left * loads, force.force));
+  }
   const std::vector<Point>& released = released_[body];
   for (std::size_t node = 0; node < released.size(); ++node) {
     if (released[node] == Point{}) continue;
@@ -57,10 +62,11 @@ void Model::load_nodes(std::size_t body) {
 }
 
 void Model::excavate(const std::vector<std::size_t>& blocks) {
+  for (char& is_removed : is_removed_) is_removed = is_removed != 0;
   std::map<std::size_t, std::vector<int32_t>> cells_of;
   for (const std::size_t block : blocks) {
     if (is_removed_[block]) continue;
-    is_removed_[block] = 1;
+    is_removed_[block] = 2;
     if (const std::optional<std::size_t> body = layout_.blocks[block].body) {
       cells_of[*body].push_back(static_cast<int32_t>(block - layout_.bodies[*body].first_block));
     } else {
@@ -70,11 +76,16 @@ void Model::excavate(const std::vector<std::size_t>& blocks) {
   for (const auto& [body, cells] : cells_of) excavate_cells(body, cells);
 }
 
-void Model::excavate_cells(std::size_t index, const std::vector<int32_t>& cells) {
-  const LayoutBody& given = layout_.bodies[index];
+bool Model::is_excavated(std::size_t body) const {
+  const LayoutBody& given = layout_.bodies[body];
   const auto first = is_removed_.begin() + static_cast<std::ptrdiff_t>(given.first_block);
   const auto last = first + static_cast<std::ptrdiff_t>(given.cell_nodes.size());
-  if (std::find(first, last, 0) == last) {
+  return std::find(first, last, 0) == last;
+}
+
+void Model::excavate_cells(std::size_t index, const std::vector<int32_t>& cells) {
+  const LayoutBody& given = layout_.bodies[index];
+  if (is_excavated(index)) {
     require(context_, hs_world_remove_body(world_.get(), bodies_[index]));
     bodies_[index] = 0;
     return;

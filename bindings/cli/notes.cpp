@@ -48,12 +48,13 @@ struct Body {
 
 std::vector<Body> bodies_of(const Context& context, const Model& model) {
   std::vector<Body> bodies;
+  const Frame frame = model.frame();
   for (std::size_t i = 0; i < model.layout().blocks.size(); ++i) {
     const LayoutBlock& given = model.layout().blocks[i];
     const hs_shape_properties properties = properties_of(context, given.shape);
     const double speed =
         length(given.motion.velocity) + length(given.motion.angular_velocity) * properties.bounding_radius;
-    bodies.push_back({model.state_of(i), thickness_of(context, given.shape), properties.volume, speed});
+    bodies.push_back({frame.blocks[i].state, thickness_of(context, given.shape), properties.volume, speed});
   }
   return bodies;
 }

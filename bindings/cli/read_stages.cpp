@@ -25,7 +25,7 @@ hs_bond_def read_bond(Keys& keys) {
   return def;
 }
 
-/// What a number changes when a stage begins.
+/// The number that a stage sets, if any.
 std::optional<double> change(Keys& keys, std::string_view key, Range range) {
   if (!keys.has_any({key})) return std::nullopt;
   return keys.number(key, range, required);

@@ -30,6 +30,15 @@ bool Every::due(const Model& model) {
   return true;
 }
 
+void Every::add_to(Archive& archive, const Model& model) {
+  double interval = interval_, count = count_;
+  archive.add(interval);
+  archive.add(count);
+  count_ = count;
+  if (interval != interval_)
+    count_ = std::floor((model.report().time + model.report().time_step / 2) / interval_) + 1;
+}
+
 Record::Record(const Scene& scene, const Model& model, OutputDirectory& directory)
     : scene_(scene),
       model_(model),
@@ -90,13 +99,17 @@ void Record::add_to(Archive& archive, bool has_frames) {
     origins_.push_back(std::move(origins[i]));
     stage_.reset_displacement(origins_.back());
   }
-  stage_.add_to(archive);
+  const bool looks_at_the_same = stage_.add_to(archive);
   archive.add(peaks_);
   archive.add(times);
   archive.add_each(pictured_, [&](Frame& frame) { add_frame_to(archive, frame); });
   archive.add(origin_of_pictured_);
-  frames_.add_to(archive);
-  rows_.add_to(archive);
+  if (!looks_at_the_same) {
+    stage_.add(origins_.front());
+    for (const Frame& frame : pictured_) stage_.add(frame);
+  }
+  frames_.add_to(archive, model_);
+  rows_.add_to(archive, model_);
   archive.add(last_row_step_);
   archive.add(last_frame_step_);
   if (archive.reads() &&

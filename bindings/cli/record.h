@@ -23,7 +23,8 @@ class Every {
   explicit Every(double interval) : interval_(interval) {}
   double next() const { return count_ * interval_; }
   bool due(const Model& model);
-  void add_to(Archive& archive) { archive.add(count_); }
+  /// One that is read goes on from the moment of the model, if its interval has changed.
+  void add_to(Archive& archive, const Model& model);
 
  private:
   double interval_;

@@ -40,18 +40,28 @@ struct Position {
   std::size_t stage = 0;
   bool has_begun = false;
   bool is_over = false;
-  bool is_at_rest = false;    ///< ended by rest, not by its duration
-  double start = 0;           ///< s
-  std::int64_t steps = 0;     ///< of settling
-  std::int64_t portions = 0;  ///< that have begun to settle
-  bool is_balanced = false;   ///< with the last of them
-  int slow_rows = 0;          ///< rows of the history in a row at which all that moves freely was slow
+  bool is_at_rest = false;       ///< ended by rest, not by its duration
+  double start = 0;              ///< s
+  std::int64_t steps = 0;        ///< of settling
+  std::int64_t portions = 0;     ///< that have begun to settle
+  bool is_balanced = false;      ///< with the last of them
+  double mean = 0, largest = 0;  ///< that was unbalanced last
+  int slow_rows = 0;             ///< rows of the history in a row at which all that moves freely was slow
+
+  void add_to(Archive& archive) {
+    archive.add(stage);
+    for (bool* flag : {&has_begun, &is_over, &is_at_rest, &is_balanced}) archive.add(*flag);
+    for (double* value : {&start, &mean, &largest}) archive.add(*value);
+    archive.add(steps);
+    archive.add(portions);
+    archive.add(slow_rows);
+  }
 };
 
 /// A block at the turn of its path is slow once; ten rows are no turn.
 constexpr int slow_rows_of_rest = 10;
 
-/// What makes a stage what it is, its end apart.
+/// All of a stage but when it ends.
 std::string nature_of(const SceneStage& stage) {
   Archive archive;
   const auto add = [&](auto value) { archive.add(value); };
@@ -76,6 +86,16 @@ std::string nature_of(const SceneStage& stage) {
     add(stage.relaxation.is_adaptive);
     add(stage.relaxation.hold_bonds);
   }
+  return archive.bytes();
+}
+
+/// When a stage ends.
+std::string end_of(SceneStage stage) {
+  Archive archive;
+  archive.add(stage.duration);
+  archive.add(stage.rest_speed);
+  archive.add(stage.relaxation.ratio);
+  archive.add(stage.relaxation.most_steps);
   return archive.bytes();
 }
 
@@ -117,7 +137,7 @@ class Run {
     }
   }
 
-  /// What has become of each stage of a scene that has some, a line each.
+  /// The stages of a scene that has some, and what has become of them, a line each.
   std::string told() const {
     std::string text;
     if (scene_.stages.empty()) return text;
@@ -154,29 +174,32 @@ class Run {
       const Clock::time_point before = Clock::now();
       const std::int64_t steps_before = model_.report().steps;
       change(stage, steps_before);
-      model_.step_towards(std::min(record_.next(), end), batch.steps_from(steps_before));
+      const double ramp_end = model_.is_changed() ? end : at_.start + stage.ramp;
+      model_.step_towards(std::min({record_.next(), ramp_end, end}), batch.steps_from(steps_before));
       batch.adapt(model_.report().steps - steps_before, Clock::now() - before);
       const double time = model_.report().time;
       progress_.show((time - at_.start) / stage.duration,
                      "t = " + rounded(time, 4) + " of " + rounded(end, 4) + " s");
       if (record_.add_due()) watch_rest(stage);
     }
+    if (!at_.is_at_rest) change(stage, model_.report().steps);
     at_.is_over = true;
     tell("ran", at_.is_at_rest ? "at rest before its end" : "");
     return true;
   }
 
-  /// At steps that do not depend on the clock.
+  /// At every so many steps, and at the end of the ramp: that does not depend on the clock.
   void change(const SceneStage& stage, std::int64_t steps) {
-    const bool is_time = steps % Peaks::steps_between == 0 || model_.reached(at_.start + stage.ramp);
-    if (model_.is_changed() || !is_time) return;
-    const double share = stage.ramp > 0 ? (model_.report().time - at_.start) / stage.ramp : 1;
-    model_.change_to(model_.reached(at_.start + stage.ramp) ? 1 : share);
+    if (model_.is_changed()) return;
+    const bool is_over = model_.reached(at_.start + stage.ramp);
+    if (!is_over && steps % Peaks::steps_between != 0) return;
+    model_.change_to(is_over ? 1 : (model_.report().time - at_.start) / stage.ramp);
   }
 
   /// Whether everything that moves freely has been slow for long enough.
   void watch_rest(const SceneStage& stage) {
-    const bool is_slow = model_.report().largest_speed < stage.rest_speed && model_.motions_over();
+    const bool is_slow =
+        model_.report().largest_speed < stage.rest_speed && model_.motions_over() && model_.is_changed();
     at_.slow_rows = is_slow ? at_.slow_rows + 1 : 0;
     at_.is_at_rest = at_.slow_rows >= slow_rows_of_rest;
   }
@@ -197,14 +220,16 @@ class Run {
       piece.most_steps = std::min(steps_of_piece, most_steps - at_.steps);
       at_.is_balanced = model_.settle(piece, balance);
       at_.steps += balance.steps;
+      at_.mean = balance.mean;
+      at_.largest = balance.largest;
       progress_.show(static_cast<double>(at_.steps) / static_cast<double>(most_steps),
                      "unbalanced " + rounded(balance.mean, 2));
       record_.add_due();
     }
     at_.is_over = true;
     tell("settled", (at_.is_balanced ? "at rest after " : "NOT AT REST after ") + std::to_string(at_.steps) +
-                        " steps, unbalanced by " + rounded(balance.mean, 2) + " of all forces, by " +
-                        rounded(balance.largest, 2) + " of a single block's");
+                        " steps, unbalanced by " + rounded(at_.mean, 2) + " of all forces, by " +
+                        rounded(at_.largest, 2) + " of a single block's");
     if (!record_.has_frame_of_now()) record_.add_frame();
     return true;
   }
@@ -234,7 +259,7 @@ class Run {
     archive.add(fingerprint);
     if (fingerprint != fingerprint_)
       throw std::runtime_error("its blocks, materials, laws, bonds, motions or tracked blocks are others");
-    archive.add(at_);
+    at_.add_to(archive);
     add_stages_to(archive);
     model_.add_to(archive);
     record_.add_to(archive, options_.goes_on_in_place || !archive.reads());
@@ -246,11 +271,11 @@ class Run {
     for (std::size_t i = 0; i <= at_.stage; ++i) {
       const SceneStage& stage = stages_[i];
       std::string nature = nature_of(stage);
-      double duration = stage.duration;
+      std::string end = end_of(stage);
       archive.add(nature);
-      archive.add(duration);
+      archive.add(end);
       archive.add(told_[i]);
-      if (nature != nature_of(stage) || (i < at_.stage && duration != stage.duration))
+      if (nature != nature_of(stage) || (i < at_.stage && end != end_of(stage)))
         throw std::runtime_error("stage " + std::to_string(i) + ", which it had begun, was another one");
     }
   }
@@ -263,7 +288,11 @@ class Run {
       throw std::runtime_error(std::string("the checkpoint is not of this scene: ") + error.what());
     }
     const SceneStage& stage = stages_[at_.stage];
-    if (!stage.settles && !at_.is_at_rest) at_.is_over = model_.reached(at_.start + stage.duration);
+    if (stage.settles) {
+      at_.is_over = (at_.is_balanced && model_.is_changed()) || at_.steps >= stage.relaxation.most_steps;
+    } else if (!at_.is_at_rest) {
+      at_.is_over = model_.reached(at_.start + stage.duration);
+    }
   }
 
   const Scene& scene_;

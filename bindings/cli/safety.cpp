@@ -28,9 +28,11 @@ std::string not_settled(const Scene& scene, Model& model) {
     if (!scene.stages.empty()) model.begin(stage, model.layout().excavated[i]);
     hs_balance balance{};
     bool is_balanced = true;
-    for (std::int64_t portion = 1; is_balanced && portion <= stage.portions; ++portion) {
-      model.change_to(
-          portion == stage.portions ? 1 : static_cast<double>(portion) / static_cast<double>(stage.portions));
+    const std::int64_t portions = model.is_changed() ? 1 : stage.portions;
+    for (std::int64_t portion = 1; is_balanced && portion <= portions; ++portion) {
+      if (!model.is_changed())
+        model.change_to(portion == portions ? 1
+                                            : static_cast<double>(portion) / static_cast<double>(portions));
       is_balanced = model.settle(stage.relaxation, balance);
     }
     if (!is_balanced)
@@ -40,7 +42,7 @@ std::string not_settled(const Scene& scene, Model& model) {
   return {};
 }
 
-/// What has moved by more than a hundredth of its size, the farthest first.
+/// Blocks that have moved by more than a hundredth of its size, the farthest first.
 std::string movers(const Layout& layout, const Frame& standing, const Frame& fallen) {
   constexpr double told_share = 0.01;
   constexpr std::size_t most_names = 5;

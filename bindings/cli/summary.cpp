@@ -136,7 +136,7 @@ RunOut run_out(const Frame& start, const Frame& end, int dimension) {
   const std::size_t horizontal_axes = dimension == 3 ? 2 : 1;
   const Extent first = extent_of(start);
   const Extent last = extent_of(end);
-  if (!(first.low[0] <= first.high[0])) return {};  // none moves freely
+  if (!(first.low[0] <= first.high[0] && last.low[0] <= last.high[0])) return {};  // none moves freely
   RunOut result;
   for (std::size_t axis = 0; axis < horizontal_axes; ++axis) {
     result.forwards[axis] = last.high[axis] - first.high[axis];

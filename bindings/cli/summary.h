@@ -36,7 +36,7 @@ struct Peaks {
 std::string summary(const Scene& scene, const Model& model, const Peaks& peaks, const Frame& start,
                     const Frame& end, Outcome outcome);
 
-/// How fast so many steps were.
+/// The speed of so many steps.
 std::string timings(const hs_world_report& report, std::int64_t steps, double seconds);
 
 }  // namespace halfspace::cli

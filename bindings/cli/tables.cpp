@@ -36,13 +36,12 @@ std::string contacts_table(const Layout& layout, const Frame& frame) {
 
 std::string cracks_table(const Model& model) {
   const Layout& layout = model.layout();
-  const std::vector<hs_bond> bonds = model.bonds();
   std::string text = "time,steps,block_a,block_b,point,failure" + columns("", layout.dimension) +
                      columns("normal_", layout.dimension) + ",area,normal_traction,shear_traction,energy\n";
   for (const hs_bond_event& event : model.bond_events()) {
-    const hs_bond& bond = bonds[static_cast<std::size_t>(event.bond)];
-    text += shortest(event.time) + ',' + std::to_string(event.step) + ',' + layout.blocks[bond.block_a].name +
-            ',' + layout.blocks[bond.block_b].name + ',' + std::to_string(event.point) + ',' +
+    const auto& [block_a, block_b] = model.blocks_of_bond(static_cast<std::size_t>(event.bond));
+    text += shortest(event.time) + ',' + std::to_string(event.step) + ',' + layout.blocks[block_a].name +
+            ',' + layout.blocks[block_b].name + ',' + std::to_string(event.point) + ',' +
             (event.failure == HS_BOND_TENSION ? "tension" : "shear");
     add_vector(text, event.position, layout.dimension);
     add_vector(text, event.normal, layout.dimension);

@@ -105,9 +105,8 @@ bool keeps_none(const Meshes<D>& meshes, std::int32_t body, std::span<const std:
   Array<std::uint8_t> is_gone(std::size_t(meshes.body(body).cell_count), 0, memory);
   for (const std::int32_t cell : without) is_gone[std::size_t(cell)] = 1;
   bool keeps_some = false;
-  meshes.for_each_element([&](const auto& element) {
-    keeps_some = keeps_some || (element.body == body && !is_gone[std::size_t(element.cell)]);
-  });
+  meshes.for_each_element_of(
+      body, [&](const auto& element) { keeps_some = keeps_some || !is_gone[std::size_t(element.cell)]; });
   return !keeps_some;
 }
 
@@ -157,9 +156,8 @@ hs_body_state state_of(const World<D>& world, std::int32_t which) {
   }
   write_vector(momentum, state.momentum);
   write_vector(Vector<D>(body.origin + moment_of_mass / state.mass), state.centroid);
-  meshes.for_each_element([&](const auto& element) {
-    if (element.body == which) state.strain_energy += state_of(world, element).strain_energy;
-  });
+  meshes.for_each_element_of(
+      which, [&](const auto& element) { state.strain_energy += state_of(world, element).strain_energy; });
   return state;
 }
 
@@ -187,7 +185,7 @@ hs_status hs_world_add_mesh(hs_world* world, const hs_mesh* mesh, const hs_body_
     const Body<D>& made = w.meshes().body(placed.body);
     for (std::int64_t i = 0; i < made.node_count; ++i)
       w.set_node_velocity(std::size_t(made.first_node + i), velocity);
-    w.end_node_edits();
+    w.end_node_edits(placed.body);
     *body = id_of(w.meshes(), placed.body);
     return HS_OK;
   });
@@ -253,16 +251,19 @@ hs_status hs_world_get_node_forces(const hs_world* world, hs_body body, hs_mutab
 hs_status hs_world_set_node_velocities(hs_world* world, hs_body body, hs_view velocities) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     require_view<D>(velocities, "velocities");
-    const Body<D>& known = w.meshes().body(body_of(w.meshes(), body, "body"));
+    const std::int32_t which = body_of(w.meshes(), body, "body");
+    const Body<D>& known = w.meshes().body(which);
     if (velocities.count != known.node_count) {
       refuse(HS_ERROR_ARGUMENT, "velocities.count is %lld; the body has %lld nodes",
              static_cast<long long>(velocities.count), static_cast<long long>(known.node_count));
     }
     const auto read = [&](std::int64_t i) { return read_finite_point<D>(velocities, i, "velocities"); };
     for (std::int64_t i = 0; i < velocities.count; ++i) read(i);  // all are judged before any is set
-    for (std::int64_t i = 0; i < velocities.count; ++i)
-      w.set_node_velocity(std::size_t(known.first_node + i), read(i));
-    w.end_node_edits();
+    for (std::int64_t i = 0; i < velocities.count; ++i) {
+      const std::size_t node = std::size_t(known.first_node + i);
+      if (w.meshes().mass[node] > 0) w.set_node_velocity(node, read(i));
+    }
+    w.end_node_edits(which);
     return HS_OK;
   });
 }
@@ -270,12 +271,14 @@ hs_status hs_world_set_node_velocities(hs_world* world, hs_body body, hs_view ve
 hs_status hs_world_hold_nodes(hs_world* world, hs_body body, const int32_t nodes[], int64_t count,
                               int32_t axes, const double velocity[3]) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
-    const Body<D>& known = w.meshes().body(body_of(w.meshes(), body, "body"));
+    const std::int32_t which = body_of(w.meshes(), body, "body");
+    const Body<D>& known = w.meshes().body(which);
     if (axes < 0 || axes >= 1 << D) {
       refuse(HS_ERROR_ARGUMENT, "axes is %d; it must be a sum of HS_AXIS_ values of the dimension", axes);
     }
     const Vector<D> wanted = read_held_velocity<D>(velocity, axes);
     for_each_node(known, nodes, count, [&](std::size_t node) {
+      if (w.meshes().mass[node] == 0) return;  // all of its cells are gone: it stays
       Vector<D> kept = w.meshes().velocity[node];
       for (int k = 0; k < D; ++k) {
         if (axes >> k & 1) kept[k] = wanted[k];
@@ -283,7 +286,7 @@ hs_status hs_world_hold_nodes(hs_world* world, hs_body body, const int32_t nodes
       w.set_node_velocity(node, kept);
       w.hold_node(node, axes == 0 ? std::uint8_t(0) : std::uint8_t(w.meshes().held[node] | axes));
     });
-    w.end_node_edits();
+    w.end_node_edits(which);
     return HS_OK;
   });
 }
@@ -321,8 +324,8 @@ hs_status hs_world_get_cells(const hs_world* world, hs_body body, hs_cell_state 
     if (capacity > 0) require_pointer(cells, "cells");
     const std::int32_t which = body_of(w.meshes(), body, "body");
     std::fill_n(cells, std::min(capacity, w.meshes().body(which).cell_count), hs_cell_state{});
-    w.meshes().for_each_element([&](const auto& element) {
-      if (element.body == which && element.cell < capacity) cells[element.cell] = state_of(w, element);
+    w.meshes().for_each_element_of(which, [&](const auto& element) {
+      if (element.cell < capacity) cells[element.cell] = state_of(w, element);
     });
     const std::int64_t all = w.meshes().body(which).cell_count;
     if (count) *count = all;

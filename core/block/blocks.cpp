@@ -275,10 +275,15 @@ void Blocks<D>::drift_affine(std::int32_t slot, const Vector<D>& way, double dur
 
 /// The point that a force moves most is the node of least mass.
 template <int D>
-void Blocks<D>::put_on_surface(const SurfaceCell<D>& cell, const Eigen::Matrix<double, D + 1, 1>& masses) {
+void Blocks<D>::weigh(const SurfaceCell<D>& cell, const Eigen::Matrix<double, D + 1, 1>& masses) {
   const std::size_t s = std::size_t(cell.block);
   mass[s] = masses.sum();
   deformation(s).strain_mobility = 1 / masses.minCoeff() - 1 / mass[s];
+}
+
+template <int D>
+void Blocks<D>::put_on_surface(const SurfaceCell<D>& cell, const Eigen::Matrix<double, D + 1, 1>& masses) {
+  weigh(cell, masses);
   meshes_.add_to_surface(cell);
   follow_nodes(cell);
 }

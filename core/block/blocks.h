@@ -126,6 +126,8 @@ class Blocks {
   const Meshes<D>& meshes() const { return meshes_; }
   /// Makes a new block one of a mesh. `masses` are those of its nodes, as far as they are its own.
   void put_on_surface(const SurfaceCell<D>& cell, const Eigen::Matrix<double, D + 1, 1>& masses);
+  /// Gives a block of a mesh the mass of its nodes, as far as it is its own.
+  void weigh(const SurfaceCell<D>& cell, const Eigen::Matrix<double, D + 1, 1>& masses);
   /// Puts a block of a mesh where its nodes are, and moves it as they do.
   void follow_nodes(const SurfaceCell<D>& cell);
   /// The same where the nodes' velocities have changed alone.

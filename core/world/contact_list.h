@@ -88,7 +88,9 @@ class ContactList {
   /// A block whose first step has not begun.
   void add_fresh(std::int32_t slot, std::size_t slots);
   void make_room_for_block() { make_room_for_one(fresh_); }
-  void make_room_for_blocks(std::size_t slots) { fresh_.reserve(slots); }
+  void make_room_for_blocks(std::size_t slots) {
+    if (fresh_.capacity() < slots) fresh_.reserve(std::max(slots, 2 * fresh_.capacity()));
+  }
   bool has_fresh() const { return any_fresh_; }
   /// Bonds what fresh blocks touch; contacts are known. Bonded pairs count as contacts from then on.
   void bond_fresh();

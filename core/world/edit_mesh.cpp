@@ -24,7 +24,26 @@ Eigen::Matrix<double, D, D + 1> gradients_of(const std::array<Vector<D>, D + 1>&
 }  // namespace
 
 /// Nodes share their mass among the blocks that they bear, so that springs at all of them count once in the
-/// stable step.
+/// stable step. `bearing` has room for a number of each node, all 0.
+template <int D>
+void World<D>::weigh_surface(std::int32_t body, Array<int>& bearing) {
+  Blocks<D>& blocks = model_.blocks;
+  const Meshes<D>& meshes = blocks.meshes();
+  const std::size_t first_node = std::size_t(meshes.body(body).first_node);
+  for (const SurfaceCell<D>& cell : meshes.surface_of(body)) {
+    for (const std::int32_t node : cell.node) ++bearing[std::size_t(node) - first_node];
+  }
+  for (const SurfaceCell<D>& cell : meshes.surface_of(body)) {
+    Eigen::Matrix<double, D + 1, 1> masses;
+    for (std::size_t i = 0; i <= D; ++i) {
+      const std::size_t node = std::size_t(cell.node[i]);
+      masses[Eigen::Index(i)] = meshes.mass[node] / bearing[node - first_node];
+    }
+    blocks.weigh(cell, masses);
+  }
+}
+
+/// The masses of its blocks are those of weigh_surface(), for a surface that is new as a whole.
 template <int D>
 MeshFaultReport World<D>::add_surface(std::int32_t body, std::span<const SurfaceSimplex<D>> simplices,
                                       std::span<const std::int32_t> cell_materials) {
@@ -94,9 +113,8 @@ PlacedMesh World<D>::add_mesh(const Mesh<D>& mesh, const Pose<D>& pose,
     take_back();
     return placed;
   }
-  for (const SurfaceCell<D>& cell : meshes.surface()) {
-    if (cell.body == placed.body) contacts_.add_fresh(cell.block, blocks.slot_count());
-  }
+  for (const SurfaceCell<D>& cell : meshes.surface_of(placed.body))
+    contacts_.add_fresh(cell.block, blocks.slot_count());
   contacts_.neighbors().expire();
   forget_contacts();
   edit();
@@ -106,9 +124,7 @@ PlacedMesh World<D>::add_mesh(const Mesh<D>& mesh, const Pose<D>& pose,
 template <int D>
 void World<D>::remove_mesh(std::int32_t body) {
   Meshes<D>& meshes = model_.blocks.meshes();
-  for (const SurfaceCell<D>& cell : meshes.surface()) {
-    if (cell.body == body) remove_block(cell.block);
-  }
+  for (const SurfaceCell<D>& cell : meshes.surface_of(body)) remove_block(cell.block);
   meshes.remove(body);
   edit();
 }
@@ -127,13 +143,11 @@ bool World<D>::set_body_stress(std::int32_t body, const StressField<D>& field) {
     return element.prestrain;
   };
   bool is_bounded = true;
-  meshes.for_each_element([&](const auto& element) {
-    if (element.body == body) is_bounded = is_bounded && stressed(element).norm() <= largest_prestrain;
+  meshes.for_each_element_of(body, [&](const auto& element) {
+    is_bounded = is_bounded && stressed(element).norm() <= largest_prestrain;
   });
   if (!is_bounded) return false;
-  meshes.for_each_element([&](auto& element) {
-    if (element.body == body) element.prestrain = stressed(element);
-  });
+  meshes.for_each_element_of(body, [&](auto& element) { element.prestrain = stressed(element); });
   edit();
   return true;
 }
@@ -157,8 +171,8 @@ void World<D>::set_node_force(std::size_t node, const Vector<D>& force) {
 }
 
 template <int D>
-void World<D>::end_node_edits() {
-  for (const SurfaceCell<D>& cell : model_.blocks.meshes().surface())
+void World<D>::end_node_edits(std::int32_t body) {
+  for (const SurfaceCell<D>& cell : model_.blocks.meshes().surface_of(body))
     model_.blocks.follow_node_velocities(cell);
 }
 

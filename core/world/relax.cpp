@@ -73,7 +73,7 @@ void World<D>::stop_all() {
       if (!(meshes.held[i] >> k & 1)) meshes.velocity[i][k] = 0;
     }
   }
-  end_node_edits();
+  for (std::size_t body = 0; body < meshes.bodies().size(); ++body) end_node_edits(std::int32_t(body));
   edit();
 }
 

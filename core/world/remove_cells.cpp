@@ -31,8 +31,8 @@ LeftCells<D> cells_left(const Meshes<D>& meshes, std::int32_t which, const Array
   const std::int32_t first = std::int32_t(body.first_node);
   LeftCells<D> left(memory);
   left.material.resize(is_gone.size(), 0);
-  meshes.for_each_element([&]<int N>(const Element<D, N>& element) {
-    if (element.body != which || is_gone[std::size_t(element.cell)]) return;
+  meshes.for_each_element_of(which, [&]<int N>(const Element<D, N>& element) {
+    if (is_gone[std::size_t(element.cell)]) return;
     left.mesh.kinds.push_back(kind_of(D, N));
     for (const std::int32_t node : element.node) left.mesh.cell_nodes.push_back(node - first);
     left.mesh.first_of_cell.push_back(std::int32_t(left.mesh.cell_nodes.size()));
@@ -51,8 +51,7 @@ Array<SurfaceSimplex<D>> new_simplices(const Meshes<D>& meshes, std::int32_t whi
     return std::tie(a.cell, a.node) < std::tie(b.cell, b.node);
   };
   Array<SurfaceSimplex<D>> known(memory);
-  for (const SurfaceCell<D>& cell : meshes.surface()) {
-    if (cell.body != which) continue;
+  for (const SurfaceCell<D>& cell : meshes.surface_of(which)) {
     SurfaceSimplex<D> simplex{cell.cell, cell.node};
     for (std::int32_t& node : simplex.node) node -= first;
     known.push_back(simplex);
@@ -68,14 +67,15 @@ Array<SurfaceSimplex<D>> new_simplices(const Meshes<D>& meshes, std::int32_t whi
 
 }  // namespace
 
-/// What cells that go have held is shaken where it is let go at once: their forces can be faded out instead.
+/// Cells that go have held what stays, which is shaken where it is let go at once: their forces can be faded
+/// out instead.
 template <int D>
 void World<D>::release(std::int32_t which, const Array<std::uint8_t>& is_gone,
                        std::span<Vector<D>> released) const {
   const Meshes<D>& meshes = model_.blocks.meshes();
   const std::size_t first = std::size_t(meshes.body(which).first_node);
-  meshes.for_each_element([&]<int N>(const Element<D, N>& element) {
-    if (element.body != which || !is_gone[std::size_t(element.cell)]) return;
+  meshes.for_each_element_of(which, [&]<int N>(const Element<D, N>& element) {
+    if (!is_gone[std::size_t(element.cell)]) return;
     using E = Element<D, N>;
     typename E::Nodes places;
     for (int i = 0; i < N; ++i) places.col(i) = meshes.place[std::size_t(element.node[std::size_t(i)])];
@@ -99,6 +99,7 @@ MeshFaultReport World<D>::remove_cells(std::int32_t which, std::span<const std::
   const LeftCells<D> left = cells_left(meshes, which, is_gone, memory);
   const Array<SurfaceSimplex<D>> fresh = new_simplices(meshes, which, left, memory);
   contacts_.make_room_for_blocks(blocks.slot_count() + fresh.size());
+  Array<int> bearing(std::size_t(meshes.body(which).node_count), 0, memory);
   const std::size_t before = meshes.surface().size();
   const std::size_t first_node = std::size_t(meshes.body(which).first_node);
   const auto take_back = [&] {
@@ -130,6 +131,7 @@ MeshFaultReport World<D>::remove_cells(std::int32_t which, std::span<const std::
     released[i] -= mass * model_.settings.gravity;
     if (mass == 0) released[i].setZero();
   }
+  weigh_surface(which, bearing);
   contacts_.neighbors().expire();
   forget_contacts();
   edit();

@@ -101,8 +101,8 @@ class World {
   void hold_node(std::size_t node, std::uint8_t held);
   void set_node_velocity(std::size_t node, const Vector<D>& velocity);
   void set_node_force(std::size_t node, const Vector<D>& force);
-  /// The blocks at the surface take up what has been set for nodes.
-  void end_node_edits();
+  /// The blocks at a body's surface take up what has been set for its nodes.
+  void end_node_edits(std::int32_t body);
   /// For an affine block.
   void set_deformation(std::int32_t slot, const Tensor<D>& gradient, const Tensor<D>& rate);
   void set_stress(std::int32_t slot, const Tensor<D>& stress);
@@ -199,6 +199,7 @@ class World {
   MeshFaultReport add_surface(std::int32_t body, std::span<const SurfaceSimplex<D>> simplices,
                               std::span<const std::int32_t> cell_materials);
   void release(std::int32_t body, const Array<std::uint8_t>& is_gone, std::span<Vector<D>> released) const;
+  void weigh_surface(std::int32_t body, Array<int>& bearing);
   void make_bonds();
   template <class Make>
   std::int64_t make_bonds_of(const BondLaw& law, Make make);

@@ -469,6 +469,9 @@ __attribute__((visibility("default"))) hs_status hs_body_def_init(hs_body_def *d
 __attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_add_mesh(hs_world *world, const hs_mesh *mesh, const hs_body_def *def,
                                        const int32_t cell_materials[], hs_body *body);
 __attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_remove_body(hs_world *world, hs_body body);
+__attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_remove_cells(hs_world *world, hs_body body, const int32_t cells[], int64_t count,
+                                           hs_mutable_view released);
+__attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_set_body_stress(hs_world *world, hs_body body, const double stress[9], const double gradient[27]);
 __attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_get_body_state(const hs_world *world, hs_body body, hs_body_state *state, size_t size);
 __attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_get_node_positions(const hs_world *world, hs_body body, hs_mutable_view positions, int64_t *count);
 __attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_get_node_velocities(const hs_world *world, hs_body body, hs_mutable_view velocities,

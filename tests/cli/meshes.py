@@ -296,7 +296,7 @@ dip = 0
 spacing = 1
 offset = 0
 """)
-        self.assertIn("48 cells of 3 meshes", (self.output / "summary.txt").read_text())
+        self.assertIn("12 cells of 3 meshes", (self.output / "summary.txt").read_text())
         self.assertAlmostEqual(weight / (10 * 2500 * 3), 1, delta=1e-4)
 
     def test_solids_are_cut_into_hexahedra_or_tetrahedra(self):

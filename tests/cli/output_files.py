@@ -88,7 +88,7 @@ class OutputFiles(unittest.TestCase):
 
     def test_every_file_is_whole_and_told(self):
         answer = self.run_falling()
-        told = {"run.pvd", "history.csv", "first.svg", "last.svg", "summary.txt"}
+        told = {"run.pvd", "checkpoint", "history.csv", "first.svg", "last.svg", "summary.txt"}
         self.assertEqual({path.name for path in self.output.iterdir()}, told | {"frames"})
         self.assertEqual({path.name for path in (self.output / "frames").iterdir()},
                          {f"frame_{k:04}.vtp" for k in range(6)})

@@ -104,7 +104,7 @@ double longest_edge(const std::vector<Point>& corners, const std::vector<std::ve
   return longest;
 }
 
-/// How a face runs through one of its corners.
+/// A face at one of its corners.
 struct Wedge {
   int before, after;  ///< corners
   Point middle;       ///< of the face

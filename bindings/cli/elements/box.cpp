@@ -17,7 +17,7 @@ class Grid {
   std::array<int, 3> counts_;
 };
 
-/// How the four corners of a rectangle become cells: they run counter-clockwise.
+/// The cells of a rectangle, whose four corners run counter-clockwise.
 std::vector<std::vector<int>> cells_of_rectangle(int kind, bool is_odd) {
   if (kind == HS_CELL_QUAD) return {{0, 1, 2, 3}};
   if (is_odd) return {{0, 1, 3}, {1, 2, 3}};

@@ -127,13 +127,18 @@ ElementMesh mesh_of_file(const GmshFile& file, double scale, int dimension) {
   ElementMesh mesh{.dimension = dimension};
   UsedNodes used(file, scale);
   std::vector<int> cell_of(file.elements.size(), -1);
+  std::map<std::vector<int>, int> known;  // cells by their nodes: a file may list one for each of its groups
   for (std::size_t i = 0; i < file.elements.size(); ++i) {
     const GmshFile::Element& element = file.elements[i];
     if (dimension == 3 && element.type == 7)
       throw MeshFault(file.place(element), "a pyramid; allowed: tetrahedra, hexahedra and prisms");
     const std::optional<int> kind = kind_of_element(element.type, dimension);
     if (!kind) continue;
-    cell_of[i] = static_cast<int>(mesh.cells.size());
+    std::vector<int> key = element.nodes;
+    std::sort(key.begin(), key.end());
+    const auto [same, is_new] = known.emplace(std::move(key), static_cast<int>(mesh.cells.size()));
+    cell_of[i] = same->second;
+    if (!is_new) continue;
     ElementMesh::Cell cell{.kind = *kind, .nodes = {}};
     for (const int node : element.nodes) cell.nodes.push_back(used.use(node, mesh));
     if (dimension == 2 && size_of(mesh, cell) < 0) std::reverse(cell.nodes.begin() + 1, cell.nodes.end());

@@ -101,7 +101,7 @@ class MeshPlanner {
     for (std::size_t body = 0; body < cells_of.size(); ++body) make_body(body, cells_of[body], outer_faces);
   }
 
-  /// Of bodies that are no whole mesh, and cells that may come to light, all faces.
+  /// All faces of bodies that are no whole mesh, and of cells that may come to light.
   std::vector<OuterFace> outer_faces_of_bodies() const {
     if (given_.division == MeshDivision::whole && !is_excavated_) return surface_;
     std::vector<OuterFace> faces;
@@ -231,15 +231,19 @@ class MeshPlanner {
     return faces;
   }
 
-  /// Each load adds up at the nodes.
+  /// Faces of one cell add up at its nodes.
   void load() {
-    std::vector<std::map<int32_t, Point>> forces(bodies_.size());
+    std::vector<int32_t> local(mesh_.cells.size());  // each cell's index in its body
+    std::vector<int32_t> count(bodies_.size());
+    for (std::size_t i = 0; i < mesh_.cells.size(); ++i) local[i] = count[body_of_[i]]++;
+    std::map<int, std::map<int32_t, Point>> forces;  // of cells
     for (const MeshLoad& load : given_.loads) {
-      for (const OuterFace* face : faces_in(load.part))
-        add_forces(load, *face, forces[body_of_[static_cast<std::size_t>(face->cell)]]);
+      for (const OuterFace* face : faces_in(load.part)) add_forces(load, *face, forces[face->cell]);
     }
-    for (std::size_t body = 0; body < bodies_.size(); ++body) {
-      for (const auto& [node, force] : forces[body]) bodies_[body].body.forces.push_back({node, force});
+    for (const auto& [cell, of_nodes] : forces) {
+      const auto index = static_cast<std::size_t>(cell);
+      for (const auto& [node, force] : of_nodes)
+        bodies_[body_of_[index]].body.forces.push_back({local[index], node, force});
     }
   }
 

@@ -12,7 +12,7 @@
 
 namespace halfspace::cli {
 
-/// What is drawn and told of a cell.
+/// A cell as it is drawn and told.
 struct LaidOutCell {
   int number = 0;                       ///< in the order of the file
   Shape shape;                          ///< its hull

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <map>
 #include <unordered_map>
 #include <utility>
@@ -60,6 +61,8 @@ class Reader {
         read_names();
       } else if (section == "$Entities") {
         read_entities();
+      } else if (section == "$PartitionedEntities") {
+        lines_.fail("a mesh in partitions; allowed: a whole one");
       }
       skip_to_end_of(section);
     }
@@ -122,6 +125,7 @@ class Reader {
 
   /// The index of a physical group; its number is negative where it runs against the geometry.
   int group(std::int64_t dimension, std::int64_t number) {
+    if (number == std::numeric_limits<std::int64_t>::min()) lines_.fail("a group without a number");
     const std::pair key{dimension, number < 0 ? -number : number};
     const auto [known, is_new] = groups_.emplace(key, static_cast<int>(file_.groups.size()));
     if (is_new) {

@@ -33,7 +33,7 @@ void draw_blocks(Svg& svg, const Plot& plot, const Frame& start, const Frame& fr
   svg.end_clip();
 }
 
-/// From centroid to centroid through the point of contact, the wider the larger the force: chains are seen.
+/// Lines from centroid to centroid through the point of contact, the wider the larger the force: chains show.
 void draw_forces(Svg& svg, const Plot& plot, const Frame& frame) {
   constexpr double widest_line = 7, least_seen = 0.15;
   const double largest = largest_force(frame);

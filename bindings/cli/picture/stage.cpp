@@ -41,7 +41,7 @@ Bounds bounds_of(const Stage& stage, const std::array<Point, 2>& window) {
   return bounds;
 }
 
-/// What the values and bounds that have been seen depend on.
+/// The settings that values and bounds depend on.
 std::string view_of(Output output) {
   Archive archive;
   std::vector<Point> window;
@@ -102,7 +102,7 @@ void RunStage::add_to_bounds(const BlockFrame& block) {
   for (const Point& p : block.vertices) bounds_.add(shown(stage_, p));
 }
 
-void RunStage::add_to(Archive& archive) {
+bool RunStage::add_to(Archive& archive) {
   std::string view = view_;
   Bounds bounds = bounds_;
   double lowest = lowest_, highest = highest_;
@@ -110,10 +110,11 @@ void RunStage::add_to(Archive& archive) {
   archive.add(bounds);
   archive.add(lowest);
   archive.add(highest);
-  if (view != view_) return;
+  if (view != view_) return false;
   bounds_ = bounds;
   lowest_ = lowest;
   highest_ = highest;
+  return true;
 }
 
 Stage RunStage::stage() const {

@@ -38,11 +38,11 @@ class RunStage {
  public:
   /// Displacements are those from the origin, which must outlive it.
   RunStage(const Scene& scene, const Frame& origin);
-  /// From another one from now on, as if none had been seen.
+  /// Counts from another origin from now on, as if no frame had been seen.
   void reset_displacement(const Frame& origin);
   void add(const Frame& frame);
-  /// One that is read goes on with what that had seen, if it looks at the same.
-  void add_to(Archive& archive);
+  /// One that is read goes on with what that had seen, if it looks at the same, which is told.
+  bool add_to(Archive& archive);
   Stage stage() const;
 
  private:

@@ -1511,9 +1511,9 @@ module halfspace_c
       type(c_ptr), value :: world  !< not NULL
       integer(c_int64_t), value :: body  !< id
       real(c_double), intent(in) :: stress(9)  !< 9 values row by row, symmetric: Cauchy's at the origin, in space, Pa, tension > 0
-      !> 27 values, or NULL: how that changes along x, then along y, then along z, Pa/m; each 9 values as
-      !! stress
-      real(c_double), intent(in) :: gradient(27)
+      !> 27 values: how that changes along x, then along y, then along z, Pa/m, each 9 values as stress; may
+      !! be NULL
+      type(c_ptr), value :: gradient
       integer(c_int32_t) :: hs_world_set_body_stress
     end function hs_world_set_body_stress
 

@@ -102,7 +102,7 @@ contains
 
   module procedure hold_nodes
     integer(c_int32_t), allocatable, target :: from_0(:)
-    real(c_double) :: kept(3)
+    real(c_double), target :: kept(3)
     kept = 0
     if (present(velocity)) then
       if (.not. is_vector(velocity, 'velocity', 2, stat, errmsg)) return
@@ -110,7 +110,7 @@ contains
     end if
     if (.not. are_from_0(nodes, from_0, stat, errmsg)) return
     call conclude(hs_world_hold_nodes(self%c_handle(), id_of_body(body), c_loc(from_0), &
-                                      size(from_0, kind=c_int64_t), axes, kept), self%c_context(), stat, errmsg)
+                                      size(from_0, kind=c_int64_t), axes, c_loc(kept)), self%c_context(), stat, errmsg)
   end procedure hold_nodes
 
   module procedure set_node_force
@@ -135,10 +135,10 @@ contains
   end procedure remove_cells
 
   module procedure set_body_stress
-    real(c_double) :: slopes(3,3,3)
+    real(c_double), target :: slopes(3,3,3)
     slopes = 0
     if (present(gradient)) slopes = gradient
-    call conclude(hs_world_set_body_stress(self%c_handle(), id_of_body(body), stress, slopes), self%c_context(), &
+    call conclude(hs_world_set_body_stress(self%c_handle(), id_of_body(body), stress, c_loc(slopes)), self%c_context(), &
                   stat, errmsg)
   end procedure set_body_stress
 

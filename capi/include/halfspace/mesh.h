@@ -123,7 +123,7 @@ HS_CHECKED hs_status hs_world_add_mesh(hs_world *world, const hs_mesh *mesh, con
 HS_CHECKED hs_status hs_world_remove_body(hs_world *world, hs_body body);
 
 /** @brief Takes cells out of a body: excavation. Cells and nodes that stay keep their numbers; what the cells bordered on is surface
- *  from now on. A node without any cell stays where it is, held, and weighs nothing.
+ *  from now on. A node without any cell stays where it is, held for good, and weighs nothing.
  *  @param world not NULL @param body id @param cells of the mesh, counted from 0; what is gone already may be named @param count in cells
  *  @param released receives, for each node of the body, the force that these cells exerted on it by their stress and weight, so that
  *         hs_world_set_node_force() can fade it out; 0 where no cell is left; a view with count 0 skips it
@@ -135,7 +135,7 @@ HS_CHECKED hs_status hs_world_remove_cells(hs_world *world, hs_body body, const 
 /** @brief Stresses the cells of a body as they are now, e.g. as the rock around was before: each by the stress at its middle.
  *  @param world not NULL @param body id
  *  @param stress 9 values row by row, symmetric: Cauchy's at the origin, in space, Pa, tension > 0
- *  @param gradient 27 values, or NULL: how that changes along x, then along y, then along z, Pa/m; each 9 values as stress
+ *  @param gradient 27 values: how that changes along x, then along y, then along z, Pa/m, each 9 values as stress; may be NULL
  *  @return HS_OK, HS_ERROR_STALE_ID, or HS_ERROR_ARGUMENT, also for a stress that strains a cell by more than 1e6 */
 HS_CHECKED hs_status hs_world_set_body_stress(hs_world *world, hs_body body, const double stress[9], const double gradient[27]);
 

@@ -66,7 +66,7 @@ struct Element {
     const Tensor<D> half = 0.5 * place.gradient.transpose() * rate.gradient;
     return half + half.transpose();
   }
-  /// What stress comes from: the strain, and that by which the cell was stressed as it was put into the
+  /// The strain that stress comes from: with that by which the cell was stressed as it was put into the
   /// world.
   Tensor<D> stressing_strain(const Tensor<D>& strain) const { return strain + prestrain; }
   /// Cauchy's, elastic.
@@ -135,11 +135,20 @@ struct Element {
   std::int32_t body = 0;
   std::int32_t cell = 0;  // of the body's mesh
   std::int32_t material = 0;
-  std::array<std::int32_t, 4 - (N + 1) % 4> padding{};
+  std::array<std::int32_t, D == 2 ? 4 - (N + 1) % 4 : 4 - (N + 3) % 4> padding{};
   double volume = 0;  // of the cell as it was given, in the plane its area
   Tensor<D> prestrain = Tensor<D>::Zero();
   Eigen::Matrix<double, D, N> gradients;  // means over the cell of those of the nodes' interpolation
   [[no_unique_address]] Hourglass<D, N> hourglass;
 };
+
+template <int D, int N>
+constexpr bool has_no_gap = sizeof(Element<D, N>) ==
+                            sizeof(double) * (1 + D * D + D * N + N * (N - D - 1) +
+                                              D * D * (N - D - 1) * (N - D - 1)) +
+                                sizeof(std::int32_t) *
+                                    (N + 3 + sizeof(Element<D, N>::padding) / sizeof(std::int32_t));
+static_assert(has_no_gap<2, 3> && has_no_gap<2, 4> && has_no_gap<3, 4> && has_no_gap<3, 6> &&
+              has_no_gap<3, 8>);
 
 }  // namespace halfspace

@@ -99,8 +99,8 @@ MeshFaultReport Meshes<D>::fault_of(std::int32_t which) const {
     return mass[std::size_t(node)] >= least_mass && mass[std::size_t(node)] <= largest_mass;
   };
   MeshFaultReport report;
-  for_each_element([&](const auto& element) {
-    if (element.body != which || (report.cell >= 0 && report.cell < element.cell)) return;
+  for_each_element_of(which, [&](const auto& element) {
+    if (report.cell >= 0 && report.cell < element.cell) return;
     if (!is_positive(element.volume)) {
       report = {MeshFault::inside_out, element.cell};
     } else if (!element.is_finite() || !all(element.node, is_bounded)) {
@@ -170,8 +170,7 @@ void Meshes<D>::remove_cells(std::int32_t which, const Array<std::uint8_t>& is_g
   const std::size_t first = std::size_t(body(which).first_node);
   const std::size_t last = first + std::size_t(body(which).node_count);
   std::fill(mass.begin() + std::ptrdiff_t(first), mass.begin() + std::ptrdiff_t(last), 0.0);
-  for_each_element([&]<int N>(const Element<D, N>& element) {
-    if (element.body != which) return;
+  for_each_element_of(which, [&]<int N>(const Element<D, N>& element) {
     const Eigen::Matrix<double, N, 1> volumes = volumes_of_nodes<D, N>(given_places<N>(element.node));
     for (int i = 0; i < N; ++i)
       mass[std::size_t(element.node[std::size_t(i)])] +=

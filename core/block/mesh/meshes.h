@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 
 #include "block/mesh/element.h"
 #include "block/mesh/mesh.h"
@@ -40,7 +42,7 @@ struct Body {
   double reserved = 0;
 };
 
-/// Of a node that is held along all axes.
+/// The bits `held` of a node that is held along all axes.
 template <int D>
 inline constexpr std::uint8_t held_along_all = (1 << D) - 1;
 
@@ -97,8 +99,11 @@ class Meshes {
                    const BulkMaterials& materials);
   /// Takes the memory for so many cells of the surface more, when there are so many slots.
   void make_room_on_surface(std::size_t cells, std::size_t slots) {
-    surface_.reserve(surface_.size() + cells);
-    of_block_.reserve(slots + cells);
+    const auto make_room = [](auto& array, std::size_t count) {
+      if (array.capacity() < count) array.reserve(std::max(count, 2 * array.capacity()));
+    };
+    make_room(surface_, surface_.size() + cells);
+    make_room(of_block_, slots + cells);
   }
   /// Takes a block in that is a cell of the surface.
   void add_to_surface(const SurfaceCell<D>& cell) {
@@ -131,6 +136,21 @@ class Meshes {
   template <class Visit>
   void for_each_element(Visit&& visit) const {
     std::apply([&](const auto&... kind) { (visit_all(kind, visit), ...); }, elements_);
+  }
+
+  /// The same for the elements of a body, which stand side by side in each kind's array.
+  template <class Visit>
+  void for_each_element_of(std::int32_t body, Visit&& visit) {
+    std::apply([&](auto&... kind) { (visit_body(kind, body, visit), ...); }, elements_);
+  }
+  template <class Visit>
+  void for_each_element_of(std::int32_t body, Visit&& visit) const {
+    std::apply([&](const auto&... kind) { (visit_body(kind, body, visit), ...); }, elements_);
+  }
+  /// The surface cells of a body.
+  std::span<const SurfaceCell<D>> surface_of(std::int32_t body) const {
+    const auto [first, last] = range_of(surface_, body);
+    return {first, last};
   }
 
   /// The surface cell that a block is.
@@ -177,6 +197,20 @@ class Meshes {
   }
   /// Where surface cells are, after they have changed.
   void index_surface();
+  /// What of an array that is in ascending order of bodies belongs to one of them.
+  template <class Parts>
+  static auto range_of(Parts& parts, std::int32_t body) {
+    const auto first = std::partition_point(parts.begin(), parts.end(),
+                                            [body](const auto& part) { return part.body < body; });
+    const auto last =
+        std::partition_point(first, parts.end(), [body](const auto& part) { return part.body == body; });
+    return std::pair(first, last);
+  }
+  template <class Kind, class Visit>
+  static void visit_body(Kind& kind, std::int32_t body, Visit& visit) {
+    const auto [first, last] = range_of(kind, body);
+    for (auto element = first; element != last; ++element) visit(*element);
+  }
   template <int N>
   Array<Element<D, N>>& elements_of() {
     return std::get<Array<Element<D, N>>>(elements_);

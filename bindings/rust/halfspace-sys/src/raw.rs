@@ -2115,8 +2115,8 @@ extern "C" {
     /// - `world`: not NULL
     /// - `body`: id
     /// - `stress`: 9 values row by row, symmetric: Cauchy's at the origin, in space, Pa, tension > 0
-    /// - `gradient`: 27 values, or NULL: how that changes along x, then along y, then along z, Pa/m; each 9
-    ///   values as stress
+    /// - `gradient`: 27 values: how that changes along x, then along y, then along z, Pa/m, each 9 values as
+    ///   stress; may be NULL
     ///
     /// Returns HS_OK, HS_ERROR_STALE_ID, or HS_ERROR_ARGUMENT, also for a stress that strains a cell by more
     /// than 1e6
