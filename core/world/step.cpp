@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 #include <new>
 
 #include "world/world_state.h"
@@ -15,6 +16,8 @@ namespace {
 
 /// No motion is a smaller part of a step.
 constexpr double least_part = 0x1p-24;
+
+constexpr double largest_double = std::numeric_limits<double>::max();
 
 }  // namespace
 
@@ -68,7 +71,8 @@ bool World<D>::choose_time_step() {
 
 template <int D>
 void World<D>::note_speeds(const Stock& stock) {
-  peak_speed_ = std::max(peak_speed_, std::sqrt(stock.squared_speed));
+  // One beyond all numbers is the largest.
+  peak_speed_ = std::max(peak_speed_, std::min(std::sqrt(stock.squared_speed), largest_double));
   fast_motion_.note_speeds(stock);
 }
 
