@@ -33,6 +33,7 @@ Elasticity read_elasticity(const hs_elasticity_def* given, int dimension) {
   elasticity.lame = def.plane == HS_PLANE_STRESS ? young * poisson / (1 - poisson * poisson)
                                                  : young * poisson / ((1 + poisson) * (1 - 2 * poisson));
   elasticity.shear_modulus = young / (2 * (1 + poisson));
+  require(elasticity.shear_modulus > 0, young, "elasticity.young_modulus", "so large that it can be halved");
   elasticity.damping_time = require_from_zero(def.damping_time, "elasticity.damping_time");
   return elasticity;
 }
@@ -74,7 +75,13 @@ hs_status hs_elasticity_def_init(hs_elasticity_def* def, size_t size) { return w
 hs_status hs_world_set_elasticity(hs_world* world, int32_t material, const hs_elasticity_def* elasticity) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     require_material(w, material, "material");
-    w.set_elasticity(material, read_elasticity(elasticity, D));
+    if (!w.set_elasticity(material, read_elasticity(elasticity, D))) {
+      refuse(
+          HS_ERROR_ARGUMENT,
+          "elasticity.young_modulus is %g; by that a cell of material %d has a stiffness beyond what can be "
+          "computed with",
+          elasticity->young_modulus, material);
+    }
     return HS_OK;
   });
 }

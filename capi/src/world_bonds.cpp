@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -86,6 +87,22 @@ hs_bond_event event_of(const BondEvent<D>& event) {
   return out;
 }
 
+/// Refuses a bond that would swing a block that moves freely beyond all numbers. No common face is larger
+/// than the largest of the block's own.
+template <int D>
+void require_borne(const Blocks<D>& blocks, std::size_t slot, const BondLaw& law) {
+  constexpr double largest = 1e300;  // so that sums over bonds stay finite
+  if (!blocks.moves_freely(slot)) return;
+  const double stiffness = std::max(law.normal_stiffness, law.shear_stiffness) * blocks.largest_face[slot];
+  if (stiffness * (1 / blocks.mass[slot] + blocks.strain_mobility(slot)) <= largest) return;
+  refuse(
+      HS_ERROR_ARGUMENT,
+      "def.normal_stiffness is %g, def.shear_stiffness is %g: too stiff for block %#llx, whose mass is %g, "
+      "to be computed with",
+      law.normal_stiffness, law.shear_stiffness, static_cast<unsigned long long>(id_of(blocks, slot)),
+      blocks.mass[slot]);
+}
+
 }  // namespace
 }  // namespace halfspace::capi
 
@@ -100,6 +117,8 @@ hs_status hs_world_bond_blocks(hs_world* world, hs_block block_a, hs_block block
     if (a == b) refuse(HS_ERROR_ARGUMENT, "block_a and block_b are both %#llx", name(block_a));
     if (!w.blocks().moves_freely(std::size_t(a)) && !w.blocks().moves_freely(std::size_t(b)))
       refuse(HS_ERROR_STATE, "neither block_a %#llx nor block_b %#llx moves", name(block_a), name(block_b));
+    require_borne(w.blocks(), std::size_t(a), law);
+    require_borne(w.blocks(), std::size_t(b), law);
     if (!w.bond_pair(a, b, law)) {
       refuse(HS_ERROR_STATE, "block_a %#llx and block_b %#llx have no common face, or hold together already",
              name(block_a), name(block_b));
@@ -113,7 +132,12 @@ hs_status hs_world_bond_materials(hs_world* world, int32_t material_a, int32_t m
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     require_material(w, material_a, "material_a");
     require_material(w, material_b, "material_b");
-    const std::int64_t made = w.bond_materials(material_a, material_b, read_bond(def));
+    const BondLaw law = read_bond(def);
+    for_each_block(w.blocks(), [&](std::int64_t, std::int32_t slot) {
+      const std::int32_t material = w.blocks().material[std::size_t(slot)];
+      if (material == material_a || material == material_b) require_borne(w.blocks(), std::size_t(slot), law);
+    });
+    const std::int64_t made = w.bond_materials(material_a, material_b, law);
     if (count) *count = made;
     return HS_OK;
   });

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "mesh_handle.h"
@@ -58,6 +59,32 @@ Pose<D> read_frame(const hs_pose* given, const Mesh<D>& mesh) {
     });
   }
   return pose;
+}
+
+/// Says why a mesh cannot be put where it should be. A cell that is beyond bounds is not always known: then
+/// the lightest and the stiffest material of all cells are told.
+template <int D>
+[[noreturn]] void refuse_placed(const World<D>& world, const MeshFaultReport& report,
+                                const Array<std::int32_t>& materials) {
+  const char* const text = fault_text(report.fault);
+  if (report.fault == MeshFault::inside_out) {
+    refuse(HS_ERROR_GEOMETRY, "cell %lld of mesh %s where def.pose puts it",
+           static_cast<long long>(report.cell), text);
+  }
+  if (report.cell >= 0) {
+    const std::int32_t material = materials[std::size_t(report.cell)];
+    refuse(HS_ERROR_ARGUMENT,
+           "cell %lld of mesh %s: its material %d has a density of %g and a shear modulus of %g",
+           static_cast<long long>(report.cell), text, material, world.density(material),
+           world.elasticity(material).shear_modulus);
+  }
+  double density = HUGE_VAL, shear_modulus = 0;
+  for (const std::int32_t material : materials) {
+    density = std::min(density, world.density(material));
+    shear_modulus = std::max(shear_modulus, world.elasticity(material).shear_modulus);
+  }
+  refuse(HS_ERROR_ARGUMENT, "mesh %s: its materials have densities from %g and shear moduli up to %g", text,
+         density, shear_modulus);
 }
 
 /// Components along axes that are not held are not read.
@@ -176,12 +203,7 @@ hs_status hs_world_add_mesh(hs_world* world, const hs_mesh* mesh, const hs_body_
     const Pose<D> pose = read_frame(&known.pose, form);
     const Vector<D> velocity = read_finite_vector<D>(known.velocity, "def.velocity");
     const PlacedMesh placed = w.add_mesh(form, pose, materials);
-    if (placed.report.fault != MeshFault::none) {
-      const char* const text = fault_text(placed.report.fault);
-      if (placed.report.cell < 0) refuse(HS_ERROR_ARGUMENT, "mesh, of these materials, %s", text);
-      refuse(placed.report.fault == MeshFault::inside_out ? HS_ERROR_GEOMETRY : HS_ERROR_ARGUMENT,
-             "cell %lld of mesh %s where def.pose puts it", static_cast<long long>(placed.report.cell), text);
-    }
+    if (placed.report.fault != MeshFault::none) refuse_placed(w, placed.report, materials);
     const Body<D>& made = w.meshes().body(placed.body);
     for (std::int64_t i = 0; i < made.node_count; ++i)
       w.set_node_velocity(std::size_t(made.first_node + i), velocity);

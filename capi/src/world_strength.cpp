@@ -26,6 +26,10 @@ hs_strength_def default_definition() {
 
 namespace {
 
+double require_factor(double value, const char* name) {
+  return require(is_strength_factor(value), value, name, "from 1e-75 to 1e75");
+}
+
 struct Search {
   StrengthSearch bracket;
   Relaxation relaxation;
@@ -35,7 +39,7 @@ Search read_search(const hs_strength_def* given) {
   const hs_strength_def def = read_definition(given, "def");
   if (def.reserved != 0) refuse(HS_ERROR_ARGUMENT, "def.reserved is %d; it must be 0", def.reserved);
   Search search;
-  search.bracket.low = require_above_zero(def.low, "def.low");
+  search.bracket.low = require_factor(def.low, "def.low");
   search.bracket.high = require(def.high > def.low && is_within_limits(def.high), def.high, "def.high",
                                 "above def.low and at most 1e75");
   search.bracket.resolution = require_above_zero(def.resolution, "def.resolution");
@@ -98,7 +102,7 @@ hs_status hs_strength_def_init(hs_strength_def* def, size_t size) { return write
 
 hs_status hs_world_set_strength_factor(hs_world* world, double factor) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
-    w.set_strength_factor(require_above_zero(factor, "factor"));
+    w.set_strength_factor(require_factor(factor, "factor"));
     return HS_OK;
   });
 }

@@ -35,6 +35,16 @@ double least_eigenvalue(const Tensor<3>& t) {
   return Eigen::SelfAdjointEigenSolver<Tensor<3>>(t, Eigen::EigenvaluesOnly).eigenvalues()[0];
 }
 
+/// Scaled by a power of two, which changes no bit: a determinant has the square or the cube of its numbers,
+/// and may be beyond them.
+template <int D>
+Tensor<D> inverse_of(const Tensor<D>& t) {
+  int exponent = 0;
+  std::frexp(t.cwiseAbs().maxCoeff(), &exponent);
+  const double scale = std::ldexp(1.0, -exponent);
+  return scale * (scale * t).inverse();
+}
+
 /// The deformation of a block as it is given: none.
 template <int D>
 Deformation<D> undeformed(const Shape<D>& shape, double density, std::int32_t slot) {
@@ -42,7 +52,7 @@ Deformation<D> undeformed(const Shape<D>& shape, double density, std::int32_t sl
   deformation.slot = slot;
   deformation.volume = mass_of(shape, 1);
   deformation.mass_matrix = density * second_moment_of(shape);
-  deformation.inverse_mass_matrix = deformation.mass_matrix.inverse();
+  deformation.inverse_mass_matrix = inverse_of<D>(deformation.mass_matrix);
   deformation.least_moment = least_eigenvalue(deformation.mass_matrix);
   deformation.strain_mobility = strain_mobility_of(shape.outline(), deformation.inverse_mass_matrix);
   return deformation;
@@ -347,7 +357,9 @@ bool Blocks<D>::is_consistent(std::int32_t material_count) const {
     if (kind[i] < BlockKind::fixed || kind[i] > BlockKind::mesh) return false;
     if (material[i] < 0 || material[i] >= material_count) return false;
     const bool is_placed = position[i].allFinite() && is_turn<D>(rotation[i]);
-    const bool moves = velocity[i].allFinite() && spin[i].allFinite() && momentum[i].allFinite();
+    // That of a deformable block follows from its deformation.
+    const bool has_momentum = is_deformable(i) || momentum[i].allFinite();
+    const bool moves = velocity[i].allFinite() && spin[i].allFinite() && has_momentum;
     const bool is_driven = applied_force[i].allFinite() && applied_torque[i].allFinite();
     const bool resists = is_positive(mass[i]) && is_positive(inertia[i].least_moment());
     if (!(is_placed && moves && is_driven && resists)) return false;

@@ -79,6 +79,9 @@ void BondPass<D>::load_point(std::int64_t which, std::int64_t number, const Plac
   point.slid = at.turn_a.transpose() * (slid + yielded);
   point.normal_traction = traction.normal;
   point.shear = -traction.shear;
+  // What is beyond all numbers is none, nor does it fail: its force ends the run.
+  const bool is_of_numbers = point.is_consistent();
+  if (!is_of_numbers) point = before;
 
   const Vector<D> force = -point.area * (traction.normal * at.normal + traction.shear);
   load.force += force;
@@ -89,7 +92,7 @@ void BondPass<D>::load_point(std::int64_t which, std::int64_t number, const Plac
   energy.friction_loss += point.area * traction.friction_loss;
   hold.is_closed = hold.is_closed || !point.is_broken() || opening < 0;
   hold.least_slip = std::min(hold.least_slip, point.is_broken() ? slip.norm() : 0);
-  if (traction.breaks) {
+  if (traction.breaks && is_of_numbers) {
     note_failure(which, number, before, point, blocks_.position[std::size_t(bond.a)] + middle, at.normal,
                  point.area * traction.fracture_loss);
   }

@@ -72,10 +72,23 @@ void World<D>::set_velocity(std::int32_t slot, const Vector<D>& velocity, const 
 }
 
 template <int D>
-void World<D>::set_elasticity(std::int32_t material, const Elasticity& elasticity) {
-  model_.materials.set_elasticity(material, elasticity);
-  model_.blocks.meshes().renew_elasticity(model_.materials.bulk());
+bool World<D>::set_elasticity(std::int32_t material, const Elasticity& elasticity) {
+  Meshes<D>& meshes = model_.blocks.meshes();
+  const auto take = [&](const Elasticity& taken) {
+    model_.materials.set_elasticity(material, taken);
+    meshes.renew_elasticity(model_.materials.bulk());
+  };
+  const Elasticity before = model_.materials.elasticity(material);
+  take(elasticity);
+  bool is_bounded =
+      all(meshes.bodies(), [](const Body<D>& body) { return is_finite(body.squared_frequency); });
+  meshes.for_each_element([&](const auto& element) { is_bounded = is_bounded && element.is_finite(); });
+  if (!is_bounded) {
+    take(before);
+    return false;
+  }
   edit();
+  return true;
 }
 
 template <int D>

@@ -152,21 +152,26 @@ bool World<D>::set_body_stress(std::int32_t body, const StressField<D>& field) {
   return true;
 }
 
+// A node without mass, of which no cell is left, stays where it is.
+
 template <int D>
 void World<D>::hold_node(std::size_t node, std::uint8_t held) {
-  model_.blocks.meshes().held[node] = held;
+  Meshes<D>& meshes = model_.blocks.meshes();
+  if (meshes.mass[node] > 0) meshes.held[node] = held;
   edit();
 }
 
 template <int D>
 void World<D>::set_node_velocity(std::size_t node, const Vector<D>& velocity) {
-  model_.blocks.meshes().velocity[node] = velocity;
+  Meshes<D>& meshes = model_.blocks.meshes();
+  if (meshes.mass[node] > 0) meshes.velocity[node] = velocity;
   edit();
 }
 
 template <int D>
 void World<D>::set_node_force(std::size_t node, const Vector<D>& force) {
-  model_.blocks.meshes().applied_force[node] = force;
+  Meshes<D>& meshes = model_.blocks.meshes();
+  if (meshes.mass[node] > 0) meshes.applied_force[node] = force;
   edit();
 }
 

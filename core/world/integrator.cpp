@@ -233,8 +233,14 @@ void Integrator<D>::kick(std::size_t i, Stock& stock) {
     stock.applied_power +=
         blocks_.applied_force[i].dot(middle_velocity) + blocks_.applied_torque[i].dot(middle_spin);
     // One beyond all numbers is none: the next motion, which is planned with it, is refused as unstable.
-    if (acceleration_[i].allFinite() && momentum_rate_[i].allFinite())
-      blocks_.kick(i, half * acceleration_[i], half * momentum_rate_[i]);
+    const Angular<D> middle_momentum = blocks_.momentum[i];
+    blocks_.kick(i, half * acceleration_[i], half * momentum_rate_[i]);
+    if (!(blocks_.velocity[i].allFinite() && blocks_.spin[i].allFinite() &&
+          blocks_.momentum[i].allFinite())) {
+      blocks_.velocity[i] = middle_velocity;
+      blocks_.spin[i] = middle_spin;
+      blocks_.momentum[i] = middle_momentum;
+    }
   }
   take_stock(i, middle_velocity, middle_spin, stock);
 }

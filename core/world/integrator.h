@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <tuple>
 
 #include "world/force_pass.h"
 #include "world/ledger.h"
@@ -68,6 +69,12 @@ class Integrator {
     acceleration_.resize(slots, Vector<D>::Zero());
     momentum_rate_.resize(slots, Angular<D>::Zero());
     meshes_.resize();
+  }
+
+  /// The accelerations of all that moves freely.
+  auto state() {
+    return std::tuple_cat(std::tie(acceleration_, momentum_rate_, blocks_.deformations().all()),
+                          meshes_.state());
   }
 
   /// False for what cannot be, after reading a snapshot.

@@ -108,6 +108,11 @@ void Integrator<D>::kick_affine(std::size_t i, Stock& stock) {
   if (acceleration_[i].allFinite() && deformation.acceleration.allFinite()) {
     blocks_.push(i, half * acceleration_[i], Angular<D>::Zero());
     blocks_.strain(i, half * deformation.acceleration);
+    if (!(blocks_.velocity[i].allFinite() && deformation.rate.allFinite() && blocks_.spin[i].allFinite())) {
+      blocks_.velocity[i] = middle_velocity;
+      blocks_.deformation(i).rate = middle_rate;
+      blocks_.strain(i, Tensor<D>::Zero());
+    }
   }
   take_affine_stock(i, middle_velocity, middle_rate, stock);
 }

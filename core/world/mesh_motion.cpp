@@ -237,7 +237,8 @@ void MeshMotion<D>::kick(double duration, Stock& stock) {
       accelerate(i);
       stock.applied_power += meshes_.applied_force[i].dot(middle_velocity);
       // A kick beyond all numbers is none, as with rigid blocks.
-      if (acceleration_[i].allFinite()) meshes_.velocity[i] += 0.5 * duration * acceleration_[i];
+      const Vector<D> velocity = middle_velocity + 0.5 * duration * acceleration_[i];
+      if (velocity.allFinite()) meshes_.velocity[i] = velocity;
       stock.gravity -= meshes_.mass[i] * settings_.gravity.dot(body.origin + meshes_.place[i]);
       take_stock(i, middle_velocity, stock);
     }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <tuple>
+
 #include "block/mesh/meshes.h"
 #include "world/force_pass.h"
 #include "world/ledger.h"
@@ -36,6 +38,9 @@ class MeshMotion {
   void reserve() { acceleration_.reserve(meshes_.node_count()); }
   /// Memory has been reserved.
   void resize() { acceleration_.resize(meshes_.node_count(), Vector<D>::Zero()); }
+
+  /// What the last forces have led to.
+  auto state() { return std::tie(acceleration_, largest_strain_); }
 
   /// False for what cannot be, after reading a snapshot.
   bool is_consistent(bool is_edited) const {

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "world/world.h"
+#include "world/world_state.h"
 
 // Dynamic relaxation: steps under strong local damping until no force is left unbalanced (Cundall 1987).
 
@@ -77,9 +77,17 @@ void World<D>::stop_all() {
   edit();
 }
 
+/// When memory runs out before anything has moved, a world that was ready for its next step still is: the
+/// change of its damping has left no trace.
 template <int D>
 Relaxed World<D>::relax(const Relaxation& relaxation) {
-  Watch<D> watch(model_, sums_.get_allocator().resource());
+  Memory* memory = sums_.get_allocator().resource();
+  Watch<D> watch(model_, memory);
+  const auto known = [&] { return std::tuple_cat(state(), integrator_.state()); };
+  const auto before = copies_of(known(), memory);
+  const auto epoch = copies_of(clock_.epoch(), memory);
+  const bool was_edited = edited_;
+  const std::int64_t steps = clock_.steps();
   const WorldSettings<D> settings = model_.settings;
   const bool held_bonds = bonds().are_held();
   const auto restore = [&] {
@@ -97,6 +105,7 @@ Relaxed World<D>::relax(const Relaxation& relaxation) {
     relax_under_damping(relaxation, watch, relaxed);
   } catch (...) {
     restore();
+    if (!was_edited && clock_.steps() == steps && clock_.epoch() == epoch) known() = before;
     throw;
   }
   restore();

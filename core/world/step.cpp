@@ -1,9 +1,8 @@
 #include <algorithm>
-#include <memory>
+#include <limits>
 #include <new>
-#include <utility>
 
-#include "world/world.h"
+#include "world/world_state.h"
 
 // A step of velocity Verlet, in one motion or in several where fast blocks divide it:
 //
@@ -18,22 +17,9 @@ namespace {
 /// No motion is a smaller part of a step.
 constexpr double least_part = 0x1p-24;
 
-/// Copies of all that a tuple refers to, with arrays in the given memory.
-template <class... T>
-std::tuple<T...> copies_of(const std::tuple<T&...>& originals, Memory* memory) {
-  return {std::allocator_arg, std::pmr::polymorphic_allocator<std::byte>(memory), originals};
-}
+constexpr double largest_double = std::numeric_limits<double>::max();
 
 }  // namespace
-
-/// All that a step of a changed world writes to before it moves the blocks, but for the pairs and what is
-/// worked out anew from the rest.
-template <int D>
-auto World<D>::state() {
-  return std::tuple_cat(contacts_.state(), forces_.state(), ledger_.state(), clock_.epoch(),
-                        model_.blocks.bonds().state(), model_.blocks.meshes().state(),
-                        std::tie(peak_speed_, bond_strain_energy_, edited_));
-}
 
 /// Plans the coming motion: false when it is out of hand. Brings the neighbour list up to date when the
 /// motion would use it up. All memory is taken here, so that a motion once begun is finished.
@@ -85,7 +71,8 @@ bool World<D>::choose_time_step() {
 
 template <int D>
 void World<D>::note_speeds(const Stock& stock) {
-  peak_speed_ = std::max(peak_speed_, std::sqrt(stock.squared_speed));
+  // One beyond all numbers is the largest.
+  peak_speed_ = std::max(peak_speed_, std::min(std::sqrt(stock.squared_speed), largest_double));
   fast_motion_.note_speeds(stock);
 }
 
@@ -152,7 +139,7 @@ StepResult World<D>::plan_changed() {
     return prepare_and_plan();
   } catch (const std::bad_alloc&) {
     contacts_.neighbors().recall_pairs();
-    state() = before;  // every array has room for what it held: this takes no memory
+    state() = before;
     throw;
   }
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "world/strength.h"
+
 namespace halfspace {
 
 template <int D>
@@ -193,7 +195,7 @@ bool World<D>::is_consistent() const {
   return model_.is_consistent() && contacts_.is_consistent() && integrator_.is_consistent(edited_) &&
          (edited_ || contacts_.neighbors().list_length() == model_.blocks.slot_count()) &&
          clock_.is_consistent() && spring_stop_.is_consistent() && is_from_zero(peak_speed_) &&
-         is_finite(bond_strain_energy_) && is_positive(strength_factor_);
+         is_strength_factor(strength_factor_);
 }
 
 template class World<2>;

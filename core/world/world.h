@@ -67,7 +67,8 @@ class World {
   std::int32_t add_material(double density);
   double density(std::int32_t material) const { return model_.materials.density(material); }
   std::int32_t material_count() const { return model_.materials.count(); }
-  void set_elasticity(std::int32_t material, const Elasticity& elasticity);
+  /// False when a cell of that material would be too stiff to be computed with: then nothing has changed.
+  bool set_elasticity(std::int32_t material, const Elasticity& elasticity);
   const Elasticity& elasticity(std::int32_t material) const { return model_.materials.elasticity(material); }
   void set_default_law(const SpringLaw& law);
   void set_law(std::int32_t a, std::int32_t b, const SpringLaw& law);

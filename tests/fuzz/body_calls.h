@@ -85,6 +85,12 @@ class BodyCalls : public WorldUnderCalls {
         return check_balance(world());
       case 19:
         return find_strength_factor();
+      case 20:
+      case 21:
+        return remove_cells();
+      case 22:
+      case 23:
+        return set_body_stress();
       default:
         return relax();
     }
@@ -157,6 +163,29 @@ class BodyCalls : public WorldUnderCalls {
     for (Point3& velocity : velocities) velocity = read_point(bytes_);
     unless_refused("set_node_velocities",
                    [&] { return hs_world_set_node_velocities(world(), body, view_of(velocities)); });
+  }
+
+  void remove_cells() {
+    const hs_body body = any_body();
+    const std::int32_t cells[] = {bytes_.below(6) - 1, bytes_.below(6) - 1};
+    const int count = bytes_.between(1, 2);
+    Points3 released(16);
+    unless_refused("remove_cells", [&] {
+      return hs_world_remove_cells(world(), body, cells, count, mutable_view_of(released));
+    });
+    ids_ = blocks_of(world());
+  }
+
+  void set_body_stress() {
+    const hs_body body = any_body();
+    const double xx = 1024 * bytes_.number(), yy = 1024 * bytes_.number(), xy = bytes_.number();
+    const double stress[9] = {xx, xy, 0, xy, yy, 0, 0, 0, xx};
+    double gradient[27] = {};
+    gradient[13] = bytes_.number();
+    const bool is_even = bytes_.flag();
+    unless_refused("set_body_stress", [&] {
+      return hs_world_set_body_stress(world(), body, stress, is_even ? nullptr : gradient);
+    });
   }
 
   hs_bond_def read_bond() {

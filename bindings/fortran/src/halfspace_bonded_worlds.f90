@@ -146,7 +146,7 @@ module halfspace_bonded_worlds
     !! factor, from now on.
     module subroutine set_strength_factor(self, factor, stat, errmsg)
       class(bonded_world), intent(inout) :: self
-      real(c_double), intent(in) :: factor  !< > 0; 1 gives them back but for rounding
+      real(c_double), intent(in) :: factor  !< from 1e-75 to 1e75; 1 gives them back but for rounding
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine set_strength_factor
@@ -157,7 +157,7 @@ module halfspace_bonded_worlds
                                            stat, errmsg)
       class(bonded_world), intent(in) :: self
       type(halfspace_strength_report), intent(out) :: report  !< the factor, its bracket, and trials
-      real(c_double), intent(in), optional :: low  !< a factor at which it should stand, > 0; default 0.5
+      real(c_double), intent(in), optional :: low  !< a factor at which it should stand, >= 1e-75; default 0.5
       real(c_double), intent(in), optional :: high  !< a factor at which it should fall, > low; default 5
       real(c_double), intent(in), optional :: resolution  !< the bracket that is narrow enough, > 0; default 0.005
       real(c_double), intent(in), optional :: ratio  !< unbalanced forces at which it stands, > 0; default 1e-5

@@ -611,7 +611,7 @@ module halfspace_c
   type, bind(c) :: hs_strength_def
     integer(c_int32_t) :: struct_size = 0  !< set by hs_strength_def_init()
     integer(c_int32_t) :: reserved = 0  !< 0
-    real(c_double) :: low = 0.0_c_double  !< > 0: a factor at which the world should stand; default 0.5
+    real(c_double) :: low = 0.0_c_double  !< >= 1e-75: a factor at which the world should stand; default 0.5
     real(c_double) :: high = 0.0_c_double  !< above low: one at which it should fall; default 5
     real(c_double) :: resolution = 0.0_c_double  !< > 0: the bracket that is narrow enough; default 0.005
     real(c_double) :: ratio = 0.0_c_double  !< > 0: unbalanced forces at which a world stands, see hs_relaxation_def; default 1e-5
@@ -1754,7 +1754,7 @@ module halfspace_c
     function hs_world_set_strength_factor(world, factor) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
-      real(c_double), value :: factor  !< > 0; 1 gives them back but for rounding
+      real(c_double), value :: factor  !< from 1e-75 to 1e75; 1 gives them back but for rounding
       integer(c_int32_t) :: hs_world_set_strength_factor
     end function hs_world_set_strength_factor
 

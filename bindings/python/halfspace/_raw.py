@@ -764,7 +764,7 @@ class hs_strength_def(Structure):
     _fields_ = [
         ("struct_size", c_uint32),  # set by hs_strength_def_init()
         ("reserved", c_int32),  # 0
-        ("low", c_double),  # > 0: a factor at which the world should stand; default 0.5
+        ("low", c_double),  # >= 1e-75: a factor at which the world should stand; default 0.5
         ("high", c_double),  # above low: one at which it should fall; default 5
         ("resolution", c_double),  # > 0: the bracket that is narrow enough; default 0.005
         # > 0: unbalanced forces at which a world stands, see hs_relaxation_def; default 1e-5

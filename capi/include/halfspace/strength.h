@@ -19,7 +19,7 @@ extern "C" {
 typedef struct hs_strength_def {
   uint32_t struct_size; /**< set by hs_strength_def_init() */
   int32_t reserved;     /**< 0 */
-  double low;           /**< > 0: a factor at which the world should stand; default 0.5 */
+  double low;           /**< >= 1e-75: a factor at which the world should stand; default 0.5 */
   double high;          /**< above low: one at which it should fall; default 5 */
   double resolution;    /**< > 0: the bracket that is narrow enough; default 0.005 */
   double ratio;         /**< > 0: unbalanced forces at which a world stands, see hs_relaxation_def; default 1e-5 */
@@ -44,7 +44,7 @@ typedef struct hs_strength_report {
 HS_API hs_status hs_strength_def_init(hs_strength_def *def, size_t size);
 
 /** @brief Divides all strengths, as they were given, by a factor, from now on.
- *  @param world not NULL @param factor > 0; 1 gives them back but for rounding
+ *  @param world not NULL @param factor from 1e-75 to 1e75; 1 gives them back but for rounding
  *  @return HS_OK or HS_ERROR_ARGUMENT */
 HS_CHECKED hs_status hs_world_set_strength_factor(hs_world *world, double factor);
 

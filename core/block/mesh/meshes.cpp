@@ -199,9 +199,10 @@ template <int D>
 bool Meshes<D>::is_consistent(std::int32_t material_count) const {
   const std::size_t nodes = node_count();
   const auto is_finite_vector = [](const Vector<D>& v) { return v.allFinite(); };
-  for (const Array<Vector<D>>* vectors : {&place, &given, &velocity, &force, &applied_force}) {
+  for (const Array<Vector<D>>* vectors : {&place, &given, &velocity, &applied_force}) {
     if (vectors->size() != nodes || !all(*vectors, is_finite_vector)) return false;
   }
+  if (force.size() != nodes) return false;  // beyond all numbers it ends the run, as with blocks
   if (mass.size() != nodes || held.size() != nodes || !all(mass, is_from_zero)) return false;
   for (std::size_t i = 0; i < nodes; ++i) {
     if (mass[i] == 0 && held[i] != held_along_all<D>) return false;

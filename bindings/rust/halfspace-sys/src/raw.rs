@@ -1068,7 +1068,7 @@ pub struct hs_strength_def {
     pub struct_size: u32,
     /// 0
     pub reserved: i32,
-    /// \> 0: a factor at which the world should stand; default 0.5
+    /// \>= 1e-75: a factor at which the world should stand; default 0.5
     pub low: f64,
     /// above low: one at which it should fall; default 5
     pub high: f64,
@@ -2422,7 +2422,7 @@ extern "C" {
     /// Divides all strengths, as they were given, by a factor, from now on.
     ///
     /// - `world`: not NULL
-    /// - `factor`: > 0; 1 gives them back but for rounding
+    /// - `factor`: from 1e-75 to 1e75; 1 gives them back but for rounding
     ///
     /// Returns HS_OK or HS_ERROR_ARGUMENT
     pub fn hs_world_set_strength_factor(world: *mut hs_world, factor: f64) -> hs_status;

@@ -80,7 +80,7 @@ pub struct StrengthFound {
 /// Strength.
 impl World {
     /// Divides friction (its tangent), cohesion and tensile strength of all laws and bonds, as they
-    /// were given, by a factor above 0, from now on. A factor of 1 gives them back but for rounding.
+    /// were given, by a factor from 1e-75 to 1e75, from now on. A factor of 1 gives them back but for rounding.
     pub fn set_strength_factor(&mut self, factor: f64) -> Result<()> {
         // SAFETY: the world lives and is borrowed mutably.
         self.check(unsafe { sys::hs_world_set_strength_factor(self.handle(), factor) })
