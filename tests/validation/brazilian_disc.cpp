@@ -83,7 +83,7 @@ struct Disc {
 }  // namespace
 
 /// D06. The bonds are ten times as stiff as a cell at the diameter: they give way by 2.5e-3 of what the disc
-/// does Below the peak load by 3 % nothing breaks; above it by 3 % the disc splits from its middle on.
+/// does. Below the peak load by 3 % nothing breaks; above it by 3 % the disc splits from its middle on.
 TEST_CASE("a disc that is loaded along a diameter splits there at the load of Hondros", "[bonds]") {
   const double peak = 5e6 / hondros(1, 0);
   CHECK(peak == Approx(7.934e5).epsilon(1e-3));
