@@ -1,81 +1,15 @@
 // Bonds between blocks of all kinds: how soft they make a body, when they fail, and what is lost then. Cases
 // D07, D08 and D12 of the project's list.
 
+#include "validation/bonds.h"
+
 #include <numeric>
 
 #include "catch.h"
-#include "validation/mesh.h"
 
 namespace {
 
 using namespace halfspace_test;
-
-hs_bond_def bond_def(double stiffness) {
-  hs_bond_def def;
-  hs_bond_def_init(&def, sizeof def);
-  def.normal_stiffness = stiffness;
-  return def;
-}
-
-hs_bond_def strong_bond(double stiffness) {
-  hs_bond_def def = bond_def(stiffness);
-  def.tensile_strength = def.cohesion = 1e30;
-  return def;
-}
-
-std::int64_t bond_all(const MeshScene& scene, const hs_bond_def& def) {
-  std::int64_t count = 0;
-  scene.check(hs_world_bond_materials(scene.world(), 0, 0, &def, &count));
-  return count;
-}
-
-std::vector<hs_bond> bonds_of(const MeshScene& scene) {
-  std::int64_t count = 0;
-  REQUIRE(hs_world_get_bonds(scene.world(), nullptr, 0, &count) >= HS_OK);
-  std::vector<hs_bond> bonds(static_cast<std::size_t>(count));
-  scene.check(hs_world_get_bonds(scene.world(), bonds.data(), count, nullptr));
-  return bonds;
-}
-
-std::vector<hs_bond_event> events_of(const MeshScene& scene) {
-  std::int64_t count = 0;
-  REQUIRE(hs_world_get_bond_events(scene.world(), 0, nullptr, 0, &count) >= HS_OK);
-  std::vector<hs_bond_event> events(static_cast<std::size_t>(count));
-  scene.check(hs_world_get_bond_events(scene.world(), 0, events.data(), count, nullptr));
-  return events;
-}
-
-hs_bond_report bond_report(const MeshScene& scene) {
-  hs_bond_report report;
-  scene.check(hs_world_get_bond_report(scene.world(), &report, sizeof report));
-  return report;
-}
-
-hs_balance relax(const MeshScene& scene, double ratio) {
-  hs_relaxation_def def;
-  hs_relaxation_def_init(&def, sizeof def);
-  def.ratio = ratio;
-  hs_balance balance;
-  scene.check(hs_world_relax(scene.world(), &def, &balance, sizeof balance));
-  return balance;
-}
-
-/// The same cells, of which none shares a node with another.
-MeshWords taken_apart(const MeshWords& words) {
-  MeshWords apart = words;
-  apart.nodes.clear();
-  for (std::int32_t& node : apart.cell_nodes) {
-    apart.nodes.push_back(words.nodes[std::size_t(node)]);
-    node = int32_t(apart.nodes.size()) - 1;
-  }
-  return apart;
-}
-
-hs_law_def area_law(double stiffness, double friction_angle) {
-  hs_law_def law = spring_law(stiffness, friction_angle);
-  law.stiffness_kind = HS_STIFFNESS_PER_AREA;
-  return law;
-}
 
 const hs_law_def soft = spring_law(1e3);
 

@@ -10,12 +10,6 @@ using namespace halfspace_test;
 
 constexpr int32_t of_mesh = HS_BLOCK_MESH;
 
-hs_law_def area_law(double stiffness, double friction_angle = 0) {
-  hs_law_def law = spring_law(stiffness, friction_angle);
-  law.stiffness_kind = HS_STIFFNESS_PER_AREA;
-  return law;
-}
-
 /// The force on a body by its contacts.
 Node contact_force(const MeshScene& scene, hs_body body) {
   Node force = Node::Zero();

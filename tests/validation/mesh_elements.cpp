@@ -1,6 +1,7 @@
 // The elements of meshes against theory: the patch test, bending, spin. Cases D01, D02 and D04 of the
 // project's list.
 
+#include <functional>
 #include <random>
 
 #include "catch.h"
@@ -57,12 +58,25 @@ double stress_error(const std::vector<hs_cell_state>& cells, const Tensor& expec
   return worst / expected.cwiseAbs().maxCoeff();
 }
 
-/// Over the mass of a node in one cell: all cells are equal, and their nodes share their mass equally.
-double angular_momentum(const MeshWords& words, const Nodes& places, const Nodes& velocities) {
-  double momentum = 0;
-  for (const int32_t node : words.cell_nodes)
-    momentum += places[std::size_t(node)].cross(velocities[std::size_t(node)]).z();
-  return momentum;
+/// A brick of 3 x 3 x 3 cells, or what they are cut into.
+struct Patch {
+  const char* name;
+  int dimension;
+  std::function<int32_t(int)> cut;
+};
+
+/// Each kind of cell, and kinds side by side that have faces in common.
+std::vector<Patch> all_patches() {
+  std::vector<Patch> patches;
+  for (const int32_t kind : all_cell_kinds)
+    patches.push_back({name_of_cell(kind), dimension_of(kind), [kind](int) { return kind; }});
+  patches.push_back(
+      {"triangles with quads", 2, [](int i) { return i % 2 ? HS_CELL_TRIANGLE : HS_CELL_QUAD; }});
+  patches.push_back(
+      {"prisms with hexahedra", 3, [](int i) { return i % 9 % 2 ? HS_CELL_PRISM : HS_CELL_HEXAHEDRON; }});
+  patches.push_back(
+      {"prisms with tetrahedra", 3, [](int i) { return i / 9 == 1 ? HS_CELL_PRISM : HS_CELL_TETRAHEDRON; }});
+  return patches;
 }
 
 }  // namespace
@@ -70,14 +84,13 @@ double angular_momentum(const MeshWords& words, const Nodes& places, const Nodes
 /// D01. The surface is moved as the field says and held; the nodes inside find their places. Stresses are
 /// those of the field's gradient to rounding; from those of linear theory they differ by the size of the
 /// gradient, 8e5 against 8e5 Pa and so on, by 7e-4.
-TEST_CASE("a distorted patch of each kind of cell is stressed uniformly", "[mesh]") {
+TEST_CASE("a distorted patch of each kind of cell, and of several, is stressed uniformly", "[mesh]") {
   const Elastic elastic{10e9, 0.25};
   const Triple size{1, 1, 1};
-  for (const int32_t kind : all_cell_kinds) {
-    INFO(name_of_cell(kind));
-    const int dimension = dimension_of(kind);
+  for (const auto& [name, dimension, cut] : all_patches()) {
+    INFO(name);
     const Tensor gradient = patch_gradient(dimension);
-    MeshWords words = brick(dimension, size, {3, 3, 3}, [&](int) { return kind; });
+    MeshWords words = brick(dimension, size, {3, 3, 3}, cut);
     distort(words, size, 0.08);
     MeshScene scene(mesh_world_def(dimension, 4000), soft, density, elastic);
     const hs_body body = scene.add_mesh(words);
@@ -103,7 +116,7 @@ TEST_CASE("a distorted patch of each kind of cell is stressed uniformly", "[mesh
     const double error = stress_error(scene.cells(body), cauchy(elastic, gradient), dimension);
     CHECK(stress_error(scene.cells(body), expected, dimension) < 1e-3);
     const double energy = 0.5 * expected.cwiseProduct(0.5 * (gradient + gradient.transpose())).sum();
-    std::printf("patch of %-10s stress off by %.1e, energy by %.1e of %.4g J\n", name_of_cell(kind), error,
+    std::printf("patch of %-22s stress off by %.1e, energy by %.1e of %.4g J\n", name, error,
                 scene.body_state(body).strain_energy / energy - 1, energy);
     CHECK(error < 1e-8);
     CHECK(scene.body_state(body).strain_energy == Approx(energy).epsilon(5e-4));
