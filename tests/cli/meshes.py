@@ -172,6 +172,11 @@ class Meshes(unittest.TestCase):
             histories.append((self.output / "history.csv").read_text())
         self.assertEqual(*histories)
 
+    def test_a_cell_that_is_listed_for_each_of_its_groups_is_one(self):
+        twice = BAR_ELEMENTS + [(2, 6, 3, (1, 11, 12, 2))]
+        (self.directory / "bar.msh").write_text(gmsh("2.2", BAR_NODES, twice, BAR_NAMES | {(2, 6): "again"}))
+        self.assertIn("3 cells of 1 mesh", self.run_scene(head("A bar") + BAR + SETTLE))
+
     def test_boxes_in_space_under_pressure(self):
         for cell in "tetrahedron", "prism", "hexahedron":
             with self.subTest(cell=cell):

@@ -222,6 +222,24 @@ class Restart(unittest.TestCase):
         for frame in (elsewhere / "run.pvd").read_text().split('file="')[1:]:
             self.assertTrue((elsewhere / frame.split('"')[0]).exists())
 
+    def test_a_longer_duration_is_recorded_as_evenly_as_it_says(self):
+        text = PLAIN.replace("frame_interval = 0.05\nhistory_interval = 0.01\n", "")
+        shorter = self.run_whole(text.replace("duration = 0.6", "duration = 0.25"), name="shorter")
+        longer = self.run_whole(text, "--from", shorter / "checkpoint", name="longer")
+        times = [float(line.split(",")[0]) for line in (longer / "history.csv").read_text().splitlines()[1:]]
+        steps = [b - a for a, b in zip(times, times[1:]) if b > 0.27]
+        self.assertLess(max(steps), 1.2 * 0.6 / 50)
+
+    def test_a_stage_goes_on_with_more_steps(self):
+        few = STAGED.replace("most_steps = 30000", "most_steps = 20")
+        few = few[:few.index('[[stage]]\nname = "shaking"')]
+        first = self.run_whole(few, name="few")
+        self.assertIn("NOT AT REST after 20 steps", (first / "summary.txt").read_text())
+        more = few.replace("most_steps = 20", "most_steps = 30000").replace("ratio = 1e-7", "ratio = 1e-3")
+        answer = halfspace("run", self.scene(more), "-o", first, "--from", first / "checkpoint")
+        self.assertIn("at rest after", answer.stdout)
+        self.assertNotIn("NOT AT REST", answer.stdout)
+
     def refused(self, text, checkpoint):
         output = self.directory / "refused"
         answer = halfspace("run", self.scene(text, "refused.toml"), "-o", output, "--from", checkpoint)
@@ -237,6 +255,7 @@ class Restart(unittest.TestCase):
             ("stop = 0.15", "stop = 0.16", "its blocks, materials, laws, bonds, motions or tracked blocks are others"),
             ("gravity = [4.0", "gravity = [5.0", "stage 1, which it had begun, was another one"),
             ("duration = 0.4", "duration = 0.5", "stage 1, which it had begun, was another one"),
+            ("ratio = 1e-7", "ratio = 1e-2", "stage 0, which it had begun, was another one"),
             ("times = [0.3]", "times = [0.2]", "output.picture.times before its moment were others"),
             (STAGES, '[[stage]]\ndo = "settle"\n', "it had more stages"),
         ]:

@@ -138,8 +138,8 @@ contains
     real(c_double), target :: slopes(3,3,3)
     slopes = 0
     if (present(gradient)) slopes = gradient
-    call conclude(hs_world_set_body_stress(self%c_handle(), id_of_body(body), stress, c_loc(slopes)), self%c_context(), &
-                  stat, errmsg)
+    call conclude(hs_world_set_body_stress(self%c_handle(), id_of_body(body), stress, c_loc(slopes)), &
+                  self%c_context(), stat, errmsg)
   end procedure set_body_stress
 
   module procedure cells
