@@ -1484,8 +1484,8 @@ module halfspace_c
     end function hs_world_remove_body
 
     !> Takes cells out of a body: excavation. Cells and nodes that stay keep their numbers; what the cells
-    !! bordered on is surface from now on. A node without any cell stays where it is, held, and weighs
-    !! nothing.
+    !! bordered on is surface from now on. A node without any cell stays where it is, held for good, and
+    !! weighs nothing.
     !! Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, HS_ERROR_OUT_OF_MEMORY,
     !! HS_ERROR_GEOMETRY when a cell that comes to the surface is too flat to touch anything, or
     !! HS_ERROR_STATE when no cell would be left

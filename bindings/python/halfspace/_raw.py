@@ -1444,7 +1444,8 @@ def declare(library):
     library.hs_world_remove_body.restype = hs_status
 
     # Takes cells out of a body: excavation. Cells and nodes that stay keep their numbers; what the cells
-    # bordered on is surface from now on. A node without any cell stays where it is, held, and weighs nothing.
+    # bordered on is surface from now on. A node without any cell stays where it is, held for good, and weighs
+    # nothing.
     library.hs_world_remove_cells.argtypes = [
         POINTER(hs_world),  # world
         hs_body,  # body

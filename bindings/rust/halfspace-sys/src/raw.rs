@@ -2087,8 +2087,8 @@ extern "C" {
     pub fn hs_world_remove_body(world: *mut hs_world, body: hs_body) -> hs_status;
 
     /// Takes cells out of a body: excavation. Cells and nodes that stay keep their numbers; what the cells
-    /// bordered on is surface from now on. A node without any cell stays where it is, held, and weighs
-    /// nothing.
+    /// bordered on is surface from now on. A node without any cell stays where it is, held for good, and
+    /// weighs nothing.
     ///
     /// - `world`: not NULL
     /// - `body`: id
