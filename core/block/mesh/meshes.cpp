@@ -217,17 +217,29 @@ bool Meshes<D>::is_consistent(std::int32_t material_count) const {
     counted += body.node_count;
   }
   if (std::size_t(counted) != nodes) return false;
-  bool fits = true;
+  const auto has_own_nodes = [&](const auto& part) {
+    if (part.body < 0 || std::size_t(part.body) >= bodies_.size()) return false;
+    const Body<D>& of = body(part.body);
+    return all(part.node, [&](std::int32_t node) {
+      return node >= of.first_node && node < of.first_node + of.node_count;
+    });
+  };
+  const auto precedes = [](const auto& a, const auto& b) { return a.body < b.body; };
+  bool fits = std::is_sorted(surface_.begin(), surface_.end(), precedes);
+  std::apply(
+      [&](const auto&... kind) {
+        ((fits = fits && std::is_sorted(kind.begin(), kind.end(), precedes)), ...);
+      },
+      elements_);
   for_each_element([&](const auto& element) {
-    fits = fits && element.is_consistent(nodes, material_count) && element.body >= 0 &&
-           std::size_t(element.body) < bodies_.size() && element.cell < body(element.body).cell_count;
+    fits = fits && element.is_consistent(nodes, material_count) && has_own_nodes(element) &&
+           element.cell < body(element.body).cell_count;
   });
   for (std::size_t i = 0; i < surface_.size(); ++i) {
     const SurfaceCell<D>& cell = surface_[i];
     fits = fits && cell.block >= 0 && std::size_t(cell.block) < of_block_.size() &&
-           of_block_[std::size_t(cell.block)] == std::int32_t(i) && cell.body >= 0 &&
-           std::size_t(cell.body) < bodies_.size() && cell.gradients.allFinite() &&
-           all(cell.node, [&](std::int32_t node) { return node >= 0 && std::size_t(node) < nodes; });
+           of_block_[std::size_t(cell.block)] == std::int32_t(i) && cell.gradients.allFinite() &&
+           has_own_nodes(cell);
   }
   return fits;
 }
