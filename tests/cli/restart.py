@@ -130,7 +130,7 @@ reset_displacement = true
 
 [[stage]]
 do = "run"
-duration = 0.3
+duration = 0.8
 ramp = 0.2
 loads = 0
 gravity = [1, -9.81]
@@ -175,8 +175,8 @@ class Restart(unittest.TestCase):
             run = subprocess.Popen(
                 [COMMAND, "run", str(scene), "-o", str(output), "--checkpoint-every", "0.02s", *map(str, again)],
                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-            # The later, the longer it may run, so that it ends however slow the machine is.
-            time.sleep(chance.uniform(0.05, 0.3) * (1 + pieces / 20))
+            # At first less than a run takes; the later, the longer, so that it ends however slow the machine is.
+            time.sleep(chance.uniform(0.02, 0.06) * (1 + pieces / 8))
             is_running = run.poll() is None
             if is_running:
                 end_it(run)
