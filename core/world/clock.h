@@ -41,11 +41,12 @@ class Clock {
   /// All that choosing a step writes to.
   auto epoch() { return std::tie(epoch_time_, epoch_step_, time_step_, passed_); }
 
-  /// False for what no clock can be, after reading a snapshot.
+  /// False for what no clock can be, after reading a snapshot. A step that is divided, and chosen anew before
+  /// its end, is divided more than once.
   bool is_consistent() const {
     constexpr std::int64_t most_steps = std::int64_t(1) << 62;
     return is_from_zero(time_step_) && is_finite(epoch_time_) && epoch_step_ >= 0 && steps_ >= epoch_step_ &&
-           steps_ <= most_steps && divided_steps_ >= 0 && divided_steps_ <= steps_ + 1 && passed_ >= 0 &&
+           steps_ <= most_steps && divided_steps_ >= 0 && divided_steps_ <= most_steps && passed_ >= 0 &&
            passed_ <= time_step_;
   }
 

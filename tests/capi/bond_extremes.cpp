@@ -59,7 +59,7 @@ struct ExtremeRow {
 TEST_CASE("a bond of any stiffness, strength and energy within the limits is refused or can be stepped") {
   Random random(11);
   int made = 0;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 1000; ++i) {
     INFO("row " << i);
     ExtremeRow row(2 + i % 2, random);
     const hs_bond_def def = any_bond(random);
@@ -87,8 +87,8 @@ TEST_CASE("a bond of any stiffness, strength and energy within the limits is ref
     check_rest(row.context.get(), world);
     CHECK(bonds_of(world).size() == 1);
   }
-  std::printf("bonds at the ends of numbers: %d of 3000 made\n", made);
-  CHECK(made > 1000);
+  std::printf("bonds at the ends of numbers: %d of 1000 made\n", made);
+  CHECK(made > 300);
 }
 
 TEST_CASE("a bond too stiff for the mass of a block is refused, by name and value") {

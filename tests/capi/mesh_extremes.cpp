@@ -147,7 +147,7 @@ TEST_CASE("a node that no cell is left of stays where it is, whatever is set for
 TEST_CASE("a body of any size, density, stiffness and load within the limits is refused or can be stepped") {
   Random random(3);
   int made = 0;
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < 600; ++i) {
     const int dimension = 2 + i % 2;
     const hs_world_def settings = any_settings(dimension, random);
     const Extreme e = any_extreme(dimension, random);
@@ -177,8 +177,8 @@ TEST_CASE("a body of any size, density, stiffness and load within the limits is 
     check_body(s);
     check_rest(s.context.get(), s.world.get());
   }
-  std::printf("bodies at the ends of numbers: %d of 2000 made\n", made);
-  CHECK(made > 600);
+  std::printf("bodies at the ends of numbers: %d of 600 made\n", made);
+  CHECK(made > 200);
 }
 
 }  // namespace halfspace_test
