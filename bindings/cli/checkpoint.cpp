@@ -5,17 +5,11 @@
 
 #include "archive.h"
 #include "files.h"
+#include "hash.h"
 #include "history.h"
 
 namespace halfspace::cli {
 namespace {
-
-/// FNV-1a, 64 bits: it tells accidents, not attacks.
-std::uint64_t hash_of(const std::string& bytes) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
-  return hash;
-}
 
 std::string first_line() { return std::string("halfspace checkpoint ") + hs_version() + '\n'; }
 

@@ -222,8 +222,6 @@ BlockFrame Model::motion_of(std::size_t block) const {
 
 hs_block_state Model::state_of(std::size_t block) const { return motion_of(block).state; }
 
-hs_deformation Model::deformation_of(std::size_t block) const { return motion_of(block).deformation; }
-
 std::vector<hs_contact> Model::contacts() const {
   int64_t count = 0;
   const hs_status status = hs_world_get_contacts(world_.get(), nullptr, 0, &count);

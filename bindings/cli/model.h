@@ -68,10 +68,9 @@ class Model {
   /// All that has failed of them so far.
   std::vector<hs_bond_event> bond_events() const;
   hs_block_state state_of(std::size_t block) const;
-  hs_deformation deformation_of(std::size_t block) const;
-  /// Both of them at once.
+  /// The same with its deformation.
   BlockFrame motion_of(std::size_t block) const;
-  /// What the world computes, and what so many steps of a copy of it cost.
+  /// The parts that the world computes, and the cost of so many steps of a copy of it.
   hs_world_plan account(std::int64_t steps) const;
   /// Where a block of the world stands in the layout.
   std::size_t index_of(hs_block block) const;

@@ -46,9 +46,8 @@ struct Body {
   double speed;  ///< of its fastest point at most; of a prescribed motion also when it starts later
 };
 
-std::vector<Body> bodies_of(const Context& context, const Model& model) {
+std::vector<Body> bodies_of(const Context& context, const Model& model, const Frame& frame) {
   std::vector<Body> bodies;
-  const Frame frame = model.frame();
   for (std::size_t i = 0; i < model.layout().blocks.size(); ++i) {
     const LayoutBlock& given = model.layout().blocks[i];
     const hs_shape_properties properties = properties_of(context, given.shape);
@@ -200,10 +199,11 @@ struct Worst {
 };
 
 /// A single block that sinks in by 1 % is told, and one under a pile by 10 %.
-void note_weights(const Scene& scene, const Model& model, const std::vector<Body>& bodies, Faults& faults) {
+void note_weights(const Scene& scene, const Model& model, const Frame& frame, const std::vector<Body>& bodies,
+                  Faults& faults) {
   constexpr double told_share_alone = 0.01, told_share_in_a_pile = 0.1;
   const Point gravity = point_of(scene.world.gravity);
-  const std::vector<double> loads = loads_of(model.frame(), gravity);
+  const std::vector<double> loads = loads_of(frame, gravity);
   const Springs springs(scene, model);
   std::vector<std::int64_t> count_of(scene.materials.size());
   for (const Body& body : bodies) ++count_of[static_cast<std::size_t>(body.state.material)];
@@ -259,11 +259,12 @@ void note_speeds(const Scene& scene, const Model& model, const std::vector<Body>
 }  // namespace
 
 void note_start(const Context& context, const Scene& scene, const Model& model, Faults& faults) {
-  const std::vector<Body> bodies = bodies_of(context, model);
+  const Frame frame = model.frame();
+  const std::vector<Body> bodies = bodies_of(context, model, frame);
   note_overlaps(model, bodies, faults);
   note_boundaries(scene, bodies, faults);
   note_time_step(scene, model, faults);
-  note_weights(scene, model, bodies, faults);
+  note_weights(scene, model, frame, bodies, faults);
   note_speeds(scene, model, bodies, faults);
 }
 

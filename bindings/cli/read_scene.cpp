@@ -104,27 +104,21 @@ void read_default_law(Keys keys, Scene& scene) {
 
 void read_laws(std::vector<Keys> tables, Scene& scene) {
   for (Keys& keys : tables) {
-    std::vector<Place> places;
-    const std::vector<std::string> between = keys.texts("between", places, required);
-    std::optional<int> a, b;
-    if (between.size() == 2) {
-      a = material_index(keys, "between", between[0], scene);
-      b = material_index(keys, "between", between[1], scene);
-    } else if (!between.empty()) {
-      keys.fault("between", std::to_string(between.size()) + " materials; allowed: two, [\"a\", \"b\"]");
-    }
+    const std::optional<std::pair<int, int>> between = read_between(keys, scene);
     hs_law_def law = scene.default_law;
     read_law_values(keys, law, false);
     keys.finish();
-    if (!a || !b) continue;
+    if (!between) continue;
+    const int a = between->first, b = between->second;
     const bool twice = std::any_of(scene.laws.begin(), scene.laws.end(), [&](const PairLaw& other) {
-      return std::minmax(other.a, other.b) == std::minmax(*a, *b);
+      return std::minmax(other.a, other.b) == std::minmax(a, b);
     });
     if (twice) {
-      keys.fault("between", "a law between \"" + between[0] + "\" and \"" + between[1] +
+      keys.fault("between", "a law between \"" + scene.materials[static_cast<std::size_t>(a)].name +
+                                "\" and \"" + scene.materials[static_cast<std::size_t>(b)].name +
                                 "\" was given before; allowed: one law for two materials");
     }
-    scene.laws.push_back({*a, *b, law});
+    scene.laws.push_back({a, b, law});
   }
 }
 

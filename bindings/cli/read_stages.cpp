@@ -65,18 +65,10 @@ SceneStage read_stage(Keys& keys) {
 
 void read_bonds(std::vector<Keys> tables, Scene& scene) {
   for (Keys& keys : tables) {
-    std::vector<Place> places;
-    const std::vector<std::string> between = keys.texts("between", places, required);
-    std::optional<int> a, b;
-    if (between.size() == 2) {
-      a = material_index(keys, "between", between[0], scene);
-      b = material_index(keys, "between", between[1], scene);
-    } else if (!between.empty()) {
-      keys.fault("between", std::to_string(between.size()) + " materials; allowed: two, [\"a\", \"b\"]");
-    }
+    const std::optional<std::pair<int, int>> between = read_between(keys, scene);
     const hs_bond_def def = read_bond(keys);
     keys.finish();
-    if (a && b) scene.bonds.push_back({*a, *b, def});
+    if (between) scene.bonds.push_back({between->first, between->second, def});
   }
 }
 

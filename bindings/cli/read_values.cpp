@@ -54,6 +54,19 @@ std::optional<int> material_index(Keys& keys, std::string_view key, const std::s
   return std::nullopt;
 }
 
+std::optional<std::pair<int, int>> read_between(Keys& keys, const Scene& scene) {
+  std::vector<Place> places;
+  const std::vector<std::string> between = keys.texts("between", places, required);
+  if (between.empty()) return std::nullopt;  // a fault already
+  if (between.size() != 2) {
+    keys.fault("between", std::to_string(between.size()) + " materials; allowed: two, [\"a\", \"b\"]");
+    return std::nullopt;
+  }
+  const std::optional<int> a = material_index(keys, "between", between[0], scene);
+  const std::optional<int> b = material_index(keys, "between", between[1], scene);
+  return a && b ? std::optional(std::pair(*a, *b)) : std::nullopt;
+}
+
 bool spans(const Point& low, const Point& high, int dimension) {
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis) {
     if (!(high[axis] > low[axis])) return false;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "keys.h"
 #include "scene.h"
@@ -28,6 +29,9 @@ std::string read_name(Keys& keys);
 /// The index of a material that a key names; none, and a fault, if there is no such material.
 std::optional<int> material_index(Keys& keys, std::string_view key, const std::string& name,
                                   const Scene& scene);
+
+/// The key `between`: the indices of two materials; none, and a fault, if it names no such pair.
+std::optional<std::pair<int, int>> read_between(Keys& keys, const Scene& scene);
 
 /// Does a box with these corners have a size in every direction?
 bool spans(const Point& low, const Point& high, int dimension);

@@ -213,9 +213,7 @@ class Run {
     while (!(at_.is_balanced && model_.is_changed()) && at_.steps < most_steps) {
       if (is_interrupted()) return false;
       if ((at_.is_balanced || at_.portions == 0) && !model_.is_changed())
-        model_.change_to(++at_.portions == stage.portions
-                             ? 1
-                             : static_cast<double>(at_.portions) / static_cast<double>(stage.portions));
+        model_.change_to(static_cast<double>(++at_.portions) / static_cast<double>(stage.portions));
       hs_relaxation_def piece = stage.relaxation;
       piece.most_steps = std::min(steps_of_piece, most_steps - at_.steps);
       at_.is_balanced = model_.settle(piece, balance);

@@ -12,10 +12,6 @@
 namespace halfspace::cli {
 namespace {
 
-std::string line(const std::string& name, const std::string& value) {
-  return padded(name, 20) + value + '\n';
-}
-
 /// Stage by stage; a scene without any settles under its loads. What is left unbalanced where it fails to.
 std::string not_settled(const Scene& scene, Model& model) {
   std::vector<SceneStage> stages = scene.stages;
@@ -30,9 +26,7 @@ std::string not_settled(const Scene& scene, Model& model) {
     bool is_balanced = true;
     const std::int64_t portions = model.is_changed() ? 1 : stage.portions;
     for (std::int64_t portion = 1; is_balanced && portion <= portions; ++portion) {
-      if (!model.is_changed())
-        model.change_to(portion == portions ? 1
-                                            : static_cast<double>(portion) / static_cast<double>(portions));
+      if (!model.is_changed()) model.change_to(static_cast<double>(portion) / static_cast<double>(portions));
       is_balanced = model.settle(stage.relaxation, balance);
     }
     if (!is_balanced)
@@ -76,10 +70,10 @@ std::string factor_text(const hs_strength_report& found) {
 SafetyResult find_factor_of_safety(const Scene& scene, Model& model, const SafetyOptions& options,
                                    OutputDirectory& directory) {
   SafetyResult result;
-  result.report = line("scene", scene.title);
+  result.report = report_line("scene", scene.title);
   const std::string trouble = not_settled(scene, model);
   if (!trouble.empty()) {
-    result.report += line("not at rest", trouble + ": no factor is looked for");
+    result.report += report_line("not at rest", trouble + ": no factor is looked for");
     directory.write("safety.txt", result.report);
     return result;
   }
@@ -92,18 +86,18 @@ SafetyResult find_factor_of_safety(const Scene& scene, Model& model, const Safet
   const std::size_t bonds_before = model.bond_events().size();
   const auto [found, falls] = model.find_strength_factor(def);
   result.is_found = found.stands_at_low && found.falls_at_high;
-  result.report +=
-      line("factor of safety", factor_text(found)) + line("trials", std::to_string(found.trials));
+  result.report += report_line("factor of safety", factor_text(found)) +
+                   report_line("trials", std::to_string(found.trials));
   RunStage stage(scene, standing);
   stage.add(standing);
   const Frame fallen = falls ? model.frame() : standing;
   stage.add(fallen);
   directory.write("stands.svg", picture(stage.stage(), scene, model.layout(), standing, standing));
   if (falls) {
-    result.report += line("what moves", movers(model.layout(), standing, fallen));
+    result.report += report_line("what moves", movers(model.layout(), standing, fallen));
     const std::size_t failed = model.bond_events().size() - bonds_before;
     if (!scene.bonds.empty()) {
-      result.report += line("bonds", std::to_string(failed) + " of their points fail");
+      result.report += report_line("bonds", std::to_string(failed) + " of their points fail");
       directory.write("cracks.csv", cracks_table(model));
     }
     directory.write("falls.svg", picture(stage.stage(), scene, model.layout(), standing, fallen));

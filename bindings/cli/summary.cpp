@@ -8,10 +8,6 @@
 namespace halfspace::cli {
 namespace {
 
-std::string line(const std::string& name, const std::string& value) {
-  return padded(name, 20) + value + '\n';
-}
-
 /// Horizontal bounds of all blocks that move freely.
 struct Extent {
   double low[2] = {INFINITY, INFINITY};
@@ -95,14 +91,14 @@ std::string bonds_text(const Scene& scene, const hs_bond_report& bonds) {
                      std::to_string(bonds.bond_count - bonds.joint_count) + " have come apart; cracks of " +
                      rounded(bonds.crack_area, 4) + (scene.world.dimension == 3 ? " m2" : " m");
   if (bonds.event_count > 0) text += " took " + rounded(bonds.fracture_loss, 4) + " J";
-  return line("bonds", text);
+  return report_line("bonds", text);
 }
 
 /// Nothing of a step that was a stable one all the time.
 std::string time_step_text(const hs_world_report& report, const Peaks& peaks) {
   if (report.time_step <= peaks.stable_time_step) return {};
-  return line("time step",
-              "above the stable one, which was " + rounded(peaks.stable_time_step, 4) + " s at the least");
+  return report_line("time step", "above the stable one, which was " + rounded(peaks.stable_time_step, 4) +
+                                      " s at the least");
 }
 
 /// Nothing of blocks that are slow enough for the step and the springs.
@@ -110,11 +106,11 @@ std::string fast_blocks_text(const hs_world_report& report, const Peaks& peaks) 
   constexpr double told_stop = 0.1;
   std::string text;
   if (report.divided_steps > 0) {
-    text += line("divided steps", std::to_string(report.divided_steps) + ", in which fast blocks met");
+    text += report_line("divided steps", std::to_string(report.divided_steps) + ", in which fast blocks met");
   }
   if (peaks.stop > told_stop) {
-    text += line("softest springs", "let blocks come as deep as " + rounded(100 * peaks.stop, 3) +
-                                        " % of the thinner one's thickness");
+    text += report_line("softest springs", "let blocks come as deep as " + rounded(100 * peaks.stop, 3) +
+                                               " % of the thinner one's thickness");
   }
   return text;
 }
@@ -157,27 +153,28 @@ std::string summary(const Scene& scene, const Model& model, const Peaks& peaks, 
   const hs_world_report& report = model.report();
   const hs_bond_report bonds = model.bond_report();
   const RunOut reach = run_out(start, end, scene.world.dimension);
-  return line("scene", scene.title) + line("outcome", describe(outcome)) +
-         line("blocks", blocks_text(model.layout())) +
-         line("simulated", rounded(report.time, 6) + " s in " + std::to_string(report.steps) + " steps of " +
-                               rounded(report.time_step, 4) +
-                               " s (stable: " + rounded(report.stable_time_step, 4) + " s)") +
-         line("contacts", std::to_string(report.contact_count) + " at the end, largest overlap " +
-                              rounded(report.largest_overlap, 3) + " m, fastest block " +
-                              rounded(report.largest_speed, 3) + " m/s") +
-         line("in the whole run", "largest overlap " + rounded(peaks.overlap, 3) + " m, fastest block " +
-                                      rounded(report.peak_speed, 3) + " m/s") +
+  return report_line("scene", scene.title) + report_line("outcome", describe(outcome)) +
+         report_line("blocks", blocks_text(model.layout())) +
+         report_line("simulated", rounded(report.time, 6) + " s in " + std::to_string(report.steps) +
+                                      " steps of " + rounded(report.time_step, 4) +
+                                      " s (stable: " + rounded(report.stable_time_step, 4) + " s)") +
+         report_line("contacts", std::to_string(report.contact_count) + " at the end, largest overlap " +
+                                     rounded(report.largest_overlap, 3) + " m, fastest block " +
+                                     rounded(report.largest_speed, 3) + " m/s") +
+         report_line("in the whole run", "largest overlap " + rounded(peaks.overlap, 3) +
+                                             " m, fastest block " + rounded(report.peak_speed, 3) + " m/s") +
          time_step_text(report, peaks) + fast_blocks_text(report, peaks) +
-         (report.potential_length > 0 ? line("potential length", rounded(report.potential_length, 6) + " m")
-                                      : std::string()) +
-         bonds_text(scene, bonds) + line("energy residual", energy_text(report, bonds)) +
-         line("run-out", run_out_text(reach, scene.world.dimension));
+         (report.potential_length > 0
+              ? report_line("potential length", rounded(report.potential_length, 6) + " m")
+              : std::string()) +
+         bonds_text(scene, bonds) + report_line("energy residual", energy_text(report, bonds)) +
+         report_line("run-out", run_out_text(reach, scene.world.dimension));
 }
 
 std::string timings(const hs_world_report& report, std::int64_t steps, double seconds) {
   const double block_steps = static_cast<double>(report.block_count) * static_cast<double>(steps);
-  return line("wall time", decimals(seconds, 2) + " s, " + rounded(block_steps / seconds, 3) +
-                               " block-steps per second, output included");
+  return report_line("wall time", decimals(seconds, 2) + " s, " + rounded(block_steps / seconds, 3) +
+                                      " block-steps per second, output included");
 }
 
 }  // namespace halfspace::cli

@@ -32,6 +32,11 @@ inline std::string padded(std::string text, std::size_t width) {
   return text;
 }
 
+/// A line of a report: a name, and what it has from a column on.
+inline std::string report_line(const std::string& name, const std::string& text, std::size_t column = 20) {
+  return padded(name, column) + text + '\n';
+}
+
 /// A point as scene files have it: [x, y] or [x, y, z].
 inline std::string described(const std::array<double, 3>& point, int dimension = 3) {
   std::string text = '[' + shortest(point[0]) + ", " + shortest(point[1]);

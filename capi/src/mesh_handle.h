@@ -7,7 +7,7 @@
 #include "halfspace/mesh.h"
 #include "require.h"
 
-/// What meshes of either dimension have. The mesh itself follows, see MeshHandle.
+/// The part of a handle that meshes of either dimension have. The mesh itself follows, see MeshHandle.
 struct hs_mesh {
   hs_context* context;
   std::int32_t dimension;

@@ -154,9 +154,7 @@ hs_status write_nodes(const hs_world* world, hs_body body, const hs_mutable_view
 template <int D, int N>
 hs_cell_state state_of(const World<D>& world, const Element<D, N>& element) {
   using E = Element<D, N>;
-  typename E::Nodes places;
-  for (int i = 0; i < N; ++i) places.col(i) = world.meshes().place[std::size_t(element.node[std::size_t(i)])];
-  const typename E::Field field = element.field_of(places);
+  const typename E::Field field = element.field_of(gathered<D, N>(world.meshes().place, element.node));
   const Elasticity& elasticity = world.elasticity(element.material);
   const Tensor<D> strain = E::strain_of(field);
   hs_cell_state state{};

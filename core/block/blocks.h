@@ -113,7 +113,7 @@ class Blocks {
     if (is_deformable(slot)) return velocity[slot] + deformation(slot).velocity_gradient() * arm;
     return velocity[slot] + swept(spin[slot], arm);
   }
-  /// For a deformable block.
+  /// The deformation of a deformable block.
   Deformation<D>& deformation(std::size_t slot) { return deformations_[slot]; }
   const Deformation<D>& deformation(std::size_t slot) const { return deformations_[slot]; }
   /// The deformations of all deformable blocks.
@@ -121,7 +121,7 @@ class Blocks {
   const Deformations<D>& deformations() const { return deformations_; }
   Bonds<D>& bonds() { return bonds_; }
   const Bonds<D>& bonds() const { return bonds_; }
-  /// What the blocks of meshes belong to.
+  /// The bodies that the blocks of meshes belong to.
   Meshes<D>& meshes() { return meshes_; }
   const Meshes<D>& meshes() const { return meshes_; }
   /// Makes a new block one of a mesh. `masses` are those of its nodes, as far as they are its own.

@@ -10,9 +10,9 @@ namespace halfspace {
 constexpr double largest_number = 1e75;
 inline bool is_within_limits(double value) { return std::abs(value) <= largest_number; }
 
-/// How far from the origin a block of a world may be put, in its bounding radii. There, its place is rounded
-/// by 2^-21 of its radius. Thirty times farther off, a block that meets another one with small steps does not
-/// move at all, as each is lost in rounding.
+/// The farthest from the origin that a block of a world may be put, in its bounding radii. There, its place
+/// is rounded by 2^-21 of its radius. Thirty times farther off, a block that meets another one with small
+/// steps does not move at all, as each is lost in rounding.
 constexpr double farthest_place = 0x1p32;
 
 // Numbers that were read from a snapshot are checked by these before they are computed with.

@@ -7,7 +7,7 @@
 namespace halfspace {
 namespace {
 
-/// What acts on one block or node: the sum of the forces, and that of their sizes.
+/// The forces on one block or node: the size of their sum, and the sum of their sizes.
 struct Acting {
   double unbalanced = 0;
   double whole = 0;
@@ -36,14 +36,9 @@ class Acts {
   }
   void add_elements() {
     meshes_.for_each_element([&]<int N>(const Element<D, N>& element) {
-      using E = Element<D, N>;
-      typename E::Nodes places;
-      for (int i = 0; i < N; ++i) places.col(i) = meshes_.place[std::size_t(element.node[std::size_t(i)])];
-      const typename E::Field field = element.field_of(places);
-      const Elasticity& elasticity = model_.materials.elasticity(element.material);
-      const typename E::Nodes forces =
-          element.forces(field, elasticity.stress<D>(element.stressing_strain(E::strain_of(field))),
-                         element.drive(E::bending_of(field)));
+      const auto forces =
+          element.elastic_forces(element.field_of(gathered<D, N>(meshes_.place, element.node)),
+                                 model_.materials.elasticity(element.material));
       for (int i = 0; i < N; ++i) of_node_[std::size_t(element.node[std::size_t(i)])] += forces.col(i).norm();
     });
   }

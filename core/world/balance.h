@@ -6,7 +6,7 @@
 
 namespace halfspace {
 
-/// How far the forces on blocks and nodes are from balance.
+/// The distance of the forces on blocks and nodes from balance.
 struct Balance {
   double mean = 0;           // all that is unbalanced over all that acts; 0 where nothing acts
   double largest = 0;        // of a single block or node; where next to nothing acts, over the mean force
@@ -33,7 +33,7 @@ Balance balance_of(const Model<D>& model, const ContactList<D>& contacts, const 
 extern template Balance balance_of(const Model<2>&, const ContactList<2>&, const ForcePass<2>&, BalanceRoom&);
 extern template Balance balance_of(const Model<3>&, const ContactList<3>&, const ForcePass<3>&, BalanceRoom&);
 
-/// How a world is brought to rest.
+/// The way in which a world is brought to rest.
 struct Relaxation {
   bool by_largest = false;  // else by the mean
   double ratio = 1e-5;

@@ -79,7 +79,7 @@ void BondPass<D>::load_point(std::int64_t which, std::int64_t number, const Plac
   point.slid = at.turn_a.transpose() * (slid + yielded);
   point.normal_traction = traction.normal;
   point.shear = -traction.shear;
-  // What is beyond all numbers is none, nor does it fail: its force ends the run.
+  // A traction beyond all numbers is none, nor does it fail: its force ends the run.
   const bool is_of_numbers = point.is_consistent();
   if (!is_of_numbers) point = before;
 

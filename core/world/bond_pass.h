@@ -8,7 +8,7 @@
 
 namespace halfspace {
 
-/// What bonds hold and lose.
+/// The energy that bonds hold and lose.
 struct BondEnergy {
   double strain = 0;
   double fracture_loss = 0;
@@ -28,7 +28,7 @@ class BondPass {
   bool load(std::int64_t step, double time, BondEnergy& energy);
 
  private:
-  /// How the two blocks of a bond lie now.
+  /// The places of a bond's two blocks now.
   struct Placement {
     Vector<D> normal;
     Vector<D> to_b;
@@ -42,7 +42,7 @@ class BondPass {
     Tensor<D> on_a = Tensor<D>::Zero();  // force times arm^T
     Tensor<D> on_b = Tensor<D>::Zero();
   };
-  /// What keeps a bond a joint.
+  /// The state of a bond's points that keeps it a joint.
   struct Hold {
     bool is_closed = false;  // somewhere
     double least_slip = HUGE_VAL;

@@ -4,7 +4,7 @@
 #include "block/bond/common_face.h"
 #include "world/world.h"
 
-// What comes from outside to the bonds of a world.
+// Edits from outside of the bonds of a world.
 
 namespace halfspace {
 namespace {
@@ -76,7 +76,7 @@ std::int64_t World<D>::make_bonds_of(const BondLaw& law, Make make) {
     return 0;
   }
   bonds.index();
-  // What a law of contact has bonded gives way.
+  // Pairs that a law of contact has bonded give way.
   for (Candidate<D>& pair : contacts_.neighbors().pairs()) {
     if (pair.bonded && bonds.keeps(pair.a, pair.b)) pair.bonded = 0;
   }

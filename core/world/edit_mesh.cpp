@@ -2,7 +2,7 @@
 #include "block/mesh/surface.h"
 #include "world/world.h"
 
-// What comes from outside to the meshes of a world.
+// Edits from outside of the meshes of a world.
 
 namespace halfspace {
 namespace {
@@ -33,14 +33,8 @@ void World<D>::weigh_surface(std::int32_t body, Array<int>& bearing) {
   for (const SurfaceCell<D>& cell : meshes.surface_of(body)) {
     for (const std::int32_t node : cell.node) ++bearing[std::size_t(node) - first_node];
   }
-  for (const SurfaceCell<D>& cell : meshes.surface_of(body)) {
-    Eigen::Matrix<double, D + 1, 1> masses;
-    for (std::size_t i = 0; i <= D; ++i) {
-      const std::size_t node = std::size_t(cell.node[i]);
-      masses[Eigen::Index(i)] = meshes.mass[node] / bearing[node - first_node];
-    }
-    blocks.weigh(cell, masses);
-  }
+  for (const SurfaceCell<D>& cell : meshes.surface_of(body))
+    blocks.weigh(cell, meshes.masses_of(cell, bearing));
 }
 
 /// The masses of its blocks are those of weigh_surface(), for a surface that is new as a whole.
@@ -60,23 +54,21 @@ MeshFaultReport World<D>::add_surface(std::int32_t body, std::span<const Surface
   for (const SurfaceSimplex<D>& simplex : simplices) {
     std::array<Vector<D>, D + 1> corners;
     Eigen::Matrix<double, D, D + 1> places;
-    Eigen::Matrix<double, D + 1, 1> masses;
     SurfaceCell<D> cell;
+    cell.body = body;
+    cell.cell = simplex.cell;
     for (std::size_t i = 0; i <= D; ++i) {
       const std::size_t node = std::size_t(first_node + simplex.node[i]);
       cell.node[i] = std::int32_t(node);
       corners[i] = places.col(Eigen::Index(i)) = meshes.given[node];
-      masses[Eigen::Index(i)] = meshes.mass[node] / bearing[std::size_t(simplex.node[i])];
     }
     if (!is_upright<D, D + 1>(places) || check_simplex(corners, memory).fault != Fault::none)
       return {MeshFault::inside_out, simplex.cell};
     const Shape<D> shape = shape_of_simplex(corners, memory);
     const std::int32_t material = cell_materials[std::size_t(simplex.cell)];
-    cell.body = body;
-    cell.cell = simplex.cell;
     cell.gradients = gradients_of<D>(corners);
     cell.block = blocks.add(shape, BlockKind::mesh, material, density(material));
-    blocks.put_on_surface(cell, masses);
+    blocks.put_on_surface(cell, meshes.masses_of(cell, bearing));
     const std::size_t slot = std::size_t(cell.block);
     if (!is_within_bounds(mass_of(shape, density(material)), blocks.inertia[slot]))
       return {MeshFault::beyond_bounds, simplex.cell};
@@ -135,8 +127,7 @@ bool World<D>::set_body_stress(std::int32_t body, const StressField<D>& field) {
   Meshes<D>& meshes = model_.blocks.meshes();
   const Vector<D> origin = meshes.body(body).origin;
   const auto stressed = [&]<int N>(Element<D, N> element) {
-    Eigen::Matrix<double, D, N> places;
-    for (int i = 0; i < N; ++i) places.col(i) = meshes.place[std::size_t(element.node[std::size_t(i)])];
+    const Eigen::Matrix<double, D, N> places = gathered<D, N>(meshes.place, element.node);
     const Vector<D> middle = origin + places.rowwise().mean();
     element.set_stress(element.field_of(places), field.at(middle),
                        model_.materials.elasticity(element.material));

@@ -33,13 +33,13 @@ template <int N>
 double MeshMotion<D>::load_nodes_of(const Element<D, N>& element) {
   using E = Element<D, N>;
   const Elasticity& elasticity = model_.materials.elasticity(element.material);
-  const typename E::Field place = element.field_of(gathered<N>(meshes_.place, element.node));
+  const typename E::Field place = element.field_of(gathered<D, N>(meshes_.place, element.node));
   const Tensor<D> strain = E::strain_of(place);
   const typename E::Amplitudes bending = E::bending_of(place);
   Tensor<D> driving_strain = element.stressing_strain(strain);
   typename E::Amplitudes driving_bending = bending;
   if (elasticity.damping_time > 0) {
-    const typename E::Field rate = element.field_of(gathered<N>(meshes_.velocity, element.node));
+    const typename E::Field rate = element.field_of(gathered<D, N>(meshes_.velocity, element.node));
     driving_strain += elasticity.damping_time * E::strain_rate_of(place, rate);
     driving_bending += elasticity.damping_time * E::bending_rate_of(place, rate);
   }
@@ -113,11 +113,11 @@ double MeshMotion<D>::damping_power(double earlier_by) const {
     using E = Element<D, N>;
     const Elasticity& elasticity = model_.materials.elasticity(element.material);
     if (elasticity.damping_time == 0) return;
-    const typename E::Field place = element.field_of(gathered<N>(meshes_.place, element.node));
-    const typename E::Nodes velocity = gathered<N>(meshes_.velocity, element.node);
+    const typename E::Field place = element.field_of(gathered<D, N>(meshes_.place, element.node));
+    const typename E::Nodes velocity = gathered<D, N>(meshes_.velocity, element.node);
     const typename E::Field now = element.field_of(velocity);
     const typename E::Field earlier =
-        element.field_of(velocity - earlier_by * gathered<N>(acceleration_, element.node));
+        element.field_of(velocity - earlier_by * gathered<D, N>(acceleration_, element.node));
     const Tensor<D> stress = elasticity.stress<D>(E::strain_rate_of(place, earlier));
     double rate = element.volume * stress.cwiseProduct(E::strain_rate_of(place, now)).sum();
     if constexpr (E::modes > 0)

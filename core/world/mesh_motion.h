@@ -39,7 +39,7 @@ class MeshMotion {
   /// Memory has been reserved.
   void resize() { acceleration_.resize(meshes_.node_count(), Vector<D>::Zero()); }
 
-  /// What the last forces have led to.
+  /// Accelerations and the largest strain, by the last forces.
   auto state() { return std::tie(acceleration_, largest_strain_); }
 
   /// False for what cannot be, after reading a snapshot.
@@ -53,13 +53,6 @@ class MeshMotion {
   }
 
  private:
-  template <int N>
-  static Eigen::Matrix<double, D, N> gathered(const Array<Vector<D>>& of_nodes,
-                                              const std::array<std::int32_t, N>& nodes) {
-    Eigen::Matrix<double, D, N> all;
-    for (int i = 0; i < N; ++i) all.col(i) = of_nodes[std::size_t(nodes[std::size_t(i)])];
-    return all;
-  }
   Vector<D> planned_way_of_node(std::size_t node) const {
     return duration_ * (meshes_.velocity[node] + 0.5 * duration_ * acceleration_[node]);
   }
@@ -69,7 +62,7 @@ class MeshMotion {
   double load_nodes_of(const Element<D, N>& element);
   void load_nodes_of(const SurfaceCell<D>& cell);
   void accelerate(std::size_t node);
-  /// How far the planned motion can change any element's gradient, at most: by itself, and as places are
+  /// The most by which the planned motion can change any element's gradient: by itself, and as places are
   /// rounded.
   struct Bending {
     double by_motion = 0;

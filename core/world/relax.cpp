@@ -14,7 +14,7 @@ constexpr std::int64_t steps_per_look = 10;
 /// are not: their jumps make more energy in larger steps than damping takes.
 constexpr double safety_in_relaxation = 0.9;
 
-/// How far blocks have moved since it was made, over their own size.
+/// The ways of blocks since it was made, over their own size.
 template <int D>
 class Way {
  public:
@@ -33,7 +33,7 @@ class Way {
   Array<Vector<D>> start_;
 };
 
-/// What is watched while a world comes to rest. All memory is taken before it does.
+/// The things watched while a world comes to rest. All memory is taken before it does.
 template <int D>
 struct Watch {
   Watch(const Model<D>& model, Memory* memory)

@@ -76,14 +76,8 @@ void World<D>::release(std::int32_t which, const Array<std::uint8_t>& is_gone,
   const std::size_t first = std::size_t(meshes.body(which).first_node);
   meshes.for_each_element_of(which, [&]<int N>(const Element<D, N>& element) {
     if (!is_gone[std::size_t(element.cell)]) return;
-    using E = Element<D, N>;
-    typename E::Nodes places;
-    for (int i = 0; i < N; ++i) places.col(i) = meshes.place[std::size_t(element.node[std::size_t(i)])];
-    const typename E::Field field = element.field_of(places);
-    const Elasticity& elasticity = model_.materials.elasticity(element.material);
-    const typename E::Nodes forces =
-        element.forces(field, elasticity.stress<D>(element.stressing_strain(E::strain_of(field))),
-                       element.drive(E::bending_of(field)));
+    const auto forces = element.elastic_forces(element.field_of(gathered<D, N>(meshes.place, element.node)),
+                                               model_.materials.elasticity(element.material));
     for (int i = 0; i < N; ++i) released[std::size_t(element.node[std::size_t(i)]) - first] += forces.col(i);
   });
 }

@@ -75,7 +75,7 @@ typename StableStep<D>::Hardness StableStep<D>::hardness_of(const Bond<D>& bond)
   return hardness;
 }
 
-/// How a deformable block can vibrate by itself, or the mesh that it is of.
+/// The vibration of a deformable block by itself, or of the mesh that it is of.
 template <int D>
 typename StableStep<D>::Wave StableStep<D>::wave_of(std::size_t slot) const {
   if (blocks_.is_of_mesh(slot)) {
@@ -100,20 +100,15 @@ typename StableStep<D>::Limit StableStep<D>::limit() {
   constexpr int least_contacts = 4, least_contacts_of_mesh = 1;
   const double length = model_.materials.laws().knows_potential() ? model_.potential_length() : 0;
   hardness_.assign(blocks_.slot_count(), {});
-  for (std::size_t c = 0; c < contacts_.count(); ++c) {
-    const std::size_t a = std::size_t(contacts_.pair_of(c).a), b = std::size_t(contacts_.pair_of(c).b);
-    const Hardness hardness = hardness_of(c, length);
-    const int times = blocks_.moves_freely(a) && blocks_.moves_freely(b) ? 2 : 1;
-    hardness_[a].add(hardness, times);
-    hardness_[b].add(hardness, times);
-  }
+  const auto add_to_both = [&](std::int32_t a, std::int32_t b, const Hardness& hardness) {
+    const int times = blocks_.moves_freely(std::size_t(a)) && blocks_.moves_freely(std::size_t(b)) ? 2 : 1;
+    hardness_[std::size_t(a)].add(hardness, times);
+    hardness_[std::size_t(b)].add(hardness, times);
+  };
+  for (std::size_t c = 0; c < contacts_.count(); ++c)
+    add_to_both(contacts_.pair_of(c).a, contacts_.pair_of(c).b, hardness_of(c, length));
   for (const Bond<D>& bond : blocks_.bonds().all()) {
-    if (!bond.is_joint) continue;
-    const std::size_t a = std::size_t(bond.a), b = std::size_t(bond.b);
-    const Hardness hardness = hardness_of(bond);
-    const int times = blocks_.moves_freely(a) && blocks_.moves_freely(b) ? 2 : 1;
-    hardness_[a].add(hardness, times);
-    hardness_[b].add(hardness, times);
+    if (bond.is_joint) add_to_both(bond.a, bond.b, hardness_of(bond));
   }
   Limit limit;
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {

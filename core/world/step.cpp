@@ -34,7 +34,7 @@ bool World<D>::plan_motion(double duration) {
   return true;
 }
 
-/// What a motion that cannot be planned says of the run.
+/// The result of a step whose motion cannot be planned.
 template <int D>
 StepResult World<D>::out_of_hand() const {
   return inverted_cell().body >= 0 ? StepResult::inverted : StepResult::unstable;

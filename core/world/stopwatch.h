@@ -13,7 +13,7 @@ constexpr std::size_t pass_count = 5;
 /// Adds up how long each pass takes, from when it is made on. A world has none unless it is measured.
 class Stopwatch {
  public:
-  /// What has passed since the lap before belongs to this pass.
+  /// The time since the lap before belongs to this pass.
   void lap(Pass pass) {
     const Clock::time_point now = Clock::now();
     seconds_[std::size_t(pass)] += std::chrono::duration<double>(now - last_).count();

@@ -9,7 +9,7 @@ namespace halfspace {
 /// Strengths can be divided by it, and given back, and stay numbers.
 inline bool is_strength_factor(double factor) { return factor >= 1e-75 && factor <= 1e75; }
 
-/// How the factor of safety is looked for: the number by which all strengths can be divided until something
+/// The search for the factor of safety: the number by which all strengths can be divided until something
 /// moves (Zienkiewicz, Humpheson and Lewis 1975).
 struct StrengthSearch {
   double low = 0.5;

@@ -42,7 +42,7 @@ struct StressField {
   std::array<Tensor<D>, D> gradient;  // along each axis
 };
 
-/// How bringing a world to rest has ended.
+/// The end of bringing a world to rest.
 struct Relaxed {
   StepResult result = StepResult::ok;
   bool is_at_rest = false;
@@ -133,7 +133,6 @@ class World {
   void set_time_step(double time_step);
   /// All strengths of laws and bonds are those given over this factor: friction, cohesion, tensile strength.
   void set_strength_factor(double factor);
-  double strength_factor() const { return strength_factor_; }
   /// Brings time step, contacts, forces and ledger up to date after changes.
   StepResult prepare();
 

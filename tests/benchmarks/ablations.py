@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What each part of a world costs: a brick wall in the plane and in space, bare and with one part at a time.
+"""The cost of each part of a world: a brick wall in the plane and in space, bare and with one part at a time.
 
 Usage: tests/benchmarks/ablations.py     in the root of the repository, after a release build
 

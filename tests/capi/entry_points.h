@@ -91,7 +91,7 @@ std::vector<EntryPoint> steps_of_changed_worlds();
 /// Calls for worlds with bodies and bonds of which some have been removed or have failed.
 std::vector<EntryPoint> calls_on_bodies_and_bonds();
 
-// What scenes are arranged by.
+// Functions that arrange scenes.
 
 void make_material_elastic(Scene& scene);
 void add_body(Scene& scene);
@@ -99,7 +99,7 @@ void add_body(Scene& scene);
 void add_box_beside(Scene& scene);
 void bond_boxes(Scene& scene);
 
-// What entries are made by.
+// Functions that make entries.
 
 /// Calls make(&handle) and keeps what it made.
 template <class Owner, class Make>

@@ -28,7 +28,7 @@ inline bool is_end_of_step(hs_status status) {
          status == HS_ERROR_TOO_FAST || status == HS_ERROR_INVERTED;
 }
 
-/// What the library saves it also reads, and a world that is restored goes on as the one that was saved.
+/// The library reads what it saves, and a world that is restored goes on as the one that was saved.
 inline void check_goes_on(hs_context* context, hs_world* world, int steps) {
   const std::vector<unsigned char> bytes = saved(world);
   hs_world* made = nullptr;

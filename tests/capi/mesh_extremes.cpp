@@ -34,7 +34,7 @@ struct ExtremeBar {
   hs_body body = 77;
 };
 
-/// What can be read of a body is of numbers.
+/// All that can be read of a body is of numbers.
 void check_body(const ExtremeBar& s) {
   check_finite(s.world.get());
   const hs_body_state state = state_of_body(s.world.get(), s.body);

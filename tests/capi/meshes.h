@@ -83,7 +83,7 @@ inline hs_body_state state_of_body(const hs_world* world, hs_body body) {
 
 using NodeGetter = decltype(&hs_world_get_node_positions);
 
-/// What one of the getters of nodes writes.
+/// The vectors that one of the getters of nodes writes.
 inline Points3 of_nodes(NodeGetter get, const hs_world* world, hs_body body) {
   Points3 points(std::size_t(state_of_body(world, body).node_count));
   if (get(world, body, mutable_view_of(points), nullptr) != HS_OK) throw std::runtime_error("no nodes");

@@ -70,7 +70,7 @@ std::int64_t steps_of(const Scene& s) {
   return report_of(copy.get()).steps;
 }
 
-/// What is seen after some steps, and the whole state that some more have led to.
+/// The view after some steps, and the whole state that some more have led to.
 struct Course {
   std::vector<unsigned char> seen, end;
 };

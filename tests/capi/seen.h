@@ -1,6 +1,6 @@
 #pragma once
 
-// What can be read of a scene, as bytes to compare.
+// All that can be read of a scene, as bytes to compare.
 
 #include <utility>
 
@@ -14,7 +14,8 @@ void append(std::vector<unsigned char>& bytes, const T* values, std::size_t coun
   bytes.insert(bytes.end(), first, first + count * sizeof(T));
 }
 
-/// What a caller can read of a scene without changing it. Contacts are written whole, states have no padding.
+/// All that a caller can read of a scene without changing it. Contacts are written whole, states have no
+/// padding.
 inline std::vector<unsigned char> seen(const Scene& scene) {
   const hs_world* world = scene.world.get();
   std::vector<unsigned char> bytes;

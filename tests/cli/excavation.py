@@ -1,15 +1,11 @@
 """Ground under its own weight from the start, excavation at once, in portions and by a ramp, loads that change."""
-import csv
 import importlib.util
 import math
 import re
-import tempfile
-import unittest
-from pathlib import Path
 
 import vtk
 
-from command import EXAMPLES, halfspace, main
+from command import EXAMPLES, SceneTest, halfspace, main
 
 DENSITY, GRAVITY, MODULUS, HEIGHT = 2000, 10, 1e8, 4
 
@@ -67,25 +63,9 @@ UPPER = ", ".join(f'"ground.{cell}"' for cell in range(16, 32))
 HEAVE = 1.75 * DENSITY * GRAVITY * (HEIGHT / 2) / MODULUS
 
 
-class Excavation(unittest.TestCase):
-    def setUp(self):
-        temporary = tempfile.TemporaryDirectory()
-        self.addCleanup(temporary.cleanup)
-        self.output = Path(temporary.name, "out")
-        self.scene = Path(temporary.name, "scene.toml")
-
-    def run_scene(self, text, code=0):
-        self.scene.write_text(text)
-        answer = halfspace("run", self.scene, "-o", self.output, "--force")
-        self.assertEqual(answer.returncode, code, answer.stderr)
-        return answer.stdout
-
-    def rows(self, name):
-        with open(self.output / name) as file:
-            return list(csv.DictReader(file))
-
+class Excavation(SceneTest):
     def heights(self):
-        return [float(row["ground.12.y"]) for row in self.rows("history.csv")]
+        return [float(row["ground.12.y"]) for row in self.rows()]
 
     def last_frame(self):
         reader = vtk.vtkXMLPolyDataReader()
@@ -111,7 +91,7 @@ class Excavation(unittest.TestCase):
         def highest_and_fastest(ramp):
             self.run_scene(GROUND.replace("[output]", "[output]\nhistory_interval = 1e-3")
                            + f'[[stage]]\ndo = "run"\nduration = 0.5\nramp = {ramp}\nexcavate = [{UPPER}]\n')
-            speeds = [abs(float(row["ground.12.vy"])) for row in self.rows("history.csv")]
+            speeds = [abs(float(row["ground.12.vy"])) for row in self.rows()]
             return (max(self.heights()) + HEIGHT - 1.75) / HEAVE, max(speeds)
         self.assertGreater(highest_and_fastest(0)[0], 1.5)
         highest, fastest = highest_and_fastest(0.36)
@@ -121,7 +101,7 @@ class Excavation(unittest.TestCase):
 
     def test_a_ramp_is_over_before_a_stage_is_at_rest(self):
         told = self.run_scene(GROUND + f'[[stage]]\nname = "ramp"\ndo = "run"\nduration = 0.5\nramp = 0.2\n'
-                              f'rest_speed = 1e3\nexcavate = [{UPPER}]\n')
+                              f'rest_speed = 1e3\nexcavate = [{UPPER}]\n').stdout
         begin, end = (float(re.search(rf"stage {name} +\w+ until (\S+) s", told).group(1)) for name in ("as it is", "ramp"))
         self.assertGreater(end - begin, 0.2)
 
@@ -144,7 +124,7 @@ cohesion = 1e9
 
 [[mesh]]""")
         first = bonded + f'[[stage]]\ndo = "settle"\nexcavate = [{UPPER}]\n'
-        told = self.run_scene(first)
+        told = self.run_scene(first).stdout
         self.assertIn("bonds", told)
         self.assertEqual(self.last_frame().GetNumberOfCells(), 16)
         self.assertEqual(self.rows("cracks.csv"), [])
@@ -180,8 +160,7 @@ cohesion = 1e9
             text += (f'[[block]]\nname = "{name}"\nmaterial = "soil"\n'
                      f'vertices = [[1, {low}], [3, {low}], [3, {low + 1}], [1, {low + 1}]]\n')
         self.run_scene(text.replace('tracked = ["ground.12"]', 'tracked = ["ground.12", "roof", "prop"]'))
-        with open(self.output / "history.csv") as file:
-            last = list(csv.DictReader(file))[-1]
+        last = self.rows()[-1]
         self.assertAlmostEqual(float(last["roof.y"]), 1.5 - 0.5 * GRAVITY * 0.3**2, delta=0.02)
         self.assertEqual(last["prop.y"], "nan")
         self.assertEqual(self.last_frame().GetNumberOfCells(), 33)
@@ -243,10 +222,7 @@ excavate = ["ground/tunnel"]
             ("ramp = 1", r"stage\[1\]\.ramp"),
             ('reset_displacement = "yes"', r"stage\[1\]\.reset_displacement: neither"),
         ]:
-            self.scene.write_text(GROUND + f'[[stage]]\ndo = "settle"\n{stage}\n')
-            answer = halfspace("check", self.scene)
-            self.assertEqual(answer.returncode, 1, stage)
-            self.assertRegex(answer.stderr, fault)
+            self.check_fault(GROUND + f'[[stage]]\ndo = "settle"\n{stage}\n', fault)
 
 
 if __name__ == "__main__":

@@ -1,13 +1,9 @@
 """Scenes with meshes: boxes and Gmsh files, groups, supports, loads, bodies that break, and what is written of them."""
-import csv
 import re
-import tempfile
-import unittest
-from pathlib import Path
 
 import vtk
 
-from command import halfspace, main
+from command import SceneTest, main
 
 HEAD = """title = "{title}"
 dimension = {dimension}
@@ -125,24 +121,7 @@ cell = "{cell}"
 """
 
 
-class Meshes(unittest.TestCase):
-    def setUp(self):
-        temporary = tempfile.TemporaryDirectory()
-        self.addCleanup(temporary.cleanup)
-        self.directory = Path(temporary.name)
-
-    def run_scene(self, text, code=0):
-        scene = self.directory / "scene.toml"
-        scene.write_text(text)
-        self.output = self.directory / "out"
-        answer = halfspace("run", scene, "-o", self.output, "--force")
-        self.assertEqual(answer.returncode, code, answer.stderr)
-        return answer.stdout
-
-    def rows(self, name="history.csv"):
-        with open(self.output / name) as file:
-            return list(csv.DictReader(file))
-
+class Meshes(SceneTest):
     def last_row(self):
         return {key: float(value) for key, value in self.rows()[-1].items()}
 
@@ -160,7 +139,7 @@ class Meshes(unittest.TestCase):
         histories = []
         for version in "2.2", "4.1":
             (self.directory / "bar.msh").write_text(gmsh(version, BAR_NODES, BAR_ELEMENTS, BAR_NAMES))
-            told = self.run_scene(head("A bar") + BAR + SETTLE)
+            told = self.run_scene(head("A bar") + BAR + SETTLE).stdout
             self.assertIn("3 cells of 1 mesh\n", told.replace(")", ""))
             row = self.last_row()
             for cell in range(3):  # 2 MPa; Cauchy's stress of a bar that is stretched by 2e-4 to 4e-4
@@ -175,7 +154,7 @@ class Meshes(unittest.TestCase):
     def test_a_cell_that_is_listed_for_each_of_its_groups_is_one(self):
         twice = BAR_ELEMENTS + [(2, 6, 3, (1, 11, 12, 2))]
         (self.directory / "bar.msh").write_text(gmsh("2.2", BAR_NODES, twice, BAR_NAMES | {(2, 6): "again"}))
-        self.assertIn("3 cells of 1 mesh", self.run_scene(head("A bar") + BAR + SETTLE))
+        self.assertIn("3 cells of 1 mesh", self.run_scene(head("A bar") + BAR + SETTLE).stdout)
 
     def test_boxes_in_space_under_pressure(self):
         for cell in "tetrahedron", "prism", "hexahedron":
@@ -211,7 +190,7 @@ vertices = [[0, -1], [2, -1], [1, 0]]
 contacts = true
 [output.picture]
 forces = true
-""")
+""").stdout
         self.assertIn("32 cells of 32 meshes", told)
         events = self.rows("cracks.csv")
         self.assertGreater(len(events), 0)
@@ -242,7 +221,7 @@ material = "soft_rock"
 
 [output]
 contacts = true
-""" + SETTLE)
+""" + SETTLE).stdout
         self.assertIn("3 cells of 2 meshes", told)
         on_floor = [row for row in self.rows("contacts.csv") if "floor" in (row["block_a"], row["block_b"])]
         force = sum(abs(float(row["force_y"])) for row in on_floor)
@@ -342,25 +321,17 @@ vertices = {vertices}
             ('file = "bar.msh"\nscale = 0.5', 'box = [[0, 0], [0, 1]]\ncells = [2, 2]', r"mesh\[0\]\.box: not a box"),
             ('tracked = ["bar.0"', 'tracked = ["bar.3"', r'output\.tracked: no such block: "bar\.3"'),
         ]:
-            scene = self.directory / "faulty.toml"
             self.assertIn(old, whole)
-            scene.write_text(whole.replace(old, new, 1))
-            answer = halfspace("check", scene)
-            self.assertEqual(answer.returncode, 1, new)
-            self.assertRegex(answer.stderr, fault)
+            self.check_fault(whole.replace(old, new, 1), fault)
 
     def test_faults_of_files(self):
-        scene = self.directory / "scene.toml"
-        scene.write_text(head("A bar") + BAR + SETTLE)
         for change, fault in [
             ((BAR_NODES | {13: (2, 1, 0.1)}, BAR_ELEMENTS), "nodes at different z"),
             ((BAR_NODES, [e for e in BAR_ELEMENTS if e[0] < 2]), "no cell; allowed in 2D"),
             ((BAR_NODES | {13: (2, 0, 0)}, BAR_ELEMENTS), "bar.msh:27: a cell without an area"),
         ]:
             (self.directory / "bar.msh").write_text(gmsh("2.2", *change, BAR_NAMES))
-            answer = halfspace("check", scene)
-            self.assertEqual(answer.returncode, 1, answer.stdout)
-            self.assertIn(fault, answer.stderr)
+            self.check_fault(head("A bar") + BAR + SETTLE, re.escape(fault))
 
 
 if __name__ == "__main__":

@@ -2,12 +2,9 @@
 import random
 import signal
 import subprocess
-import tempfile
 import time
-import unittest
-from pathlib import Path
 
-from command import COMMAND, halfspace, main
+from command import COMMAND, SceneTest, halfspace, main
 
 WORLD = """title = "Rubble on a tray that starts and stops"
 dimension = 2
@@ -141,31 +138,26 @@ STAGED = WORLD.format(world="", picture=0.3) + STAGES
 
 
 def files_of(directory):
-    """What a run leaves, all but its checkpoint, by their names."""
+    """Files of a run, all but its checkpoint, by their names."""
     return {str(path.relative_to(directory)): path.read_bytes()
             for path in sorted(directory.rglob("*")) if path.is_file() and path.name != "checkpoint"}
 
 
-class Restart(unittest.TestCase):
-    def setUp(self):
-        temporary = tempfile.TemporaryDirectory()
-        self.addCleanup(temporary.cleanup)
-        self.directory = Path(temporary.name)
-
-    def scene(self, text, name="scene.toml"):
+class Restart(SceneTest):
+    def scene_file(self, text, name="scene.toml"):
         path = self.directory / name
         path.write_text(text)
         return path
 
     def run_whole(self, text, *arguments, name="whole"):
         output = self.directory / name
-        answer = halfspace("run", self.scene(text, name + ".toml"), "-o", output, *arguments)
+        answer = halfspace("run", self.scene_file(text, name + ".toml"), "-o", output, *arguments)
         self.assertEqual(answer.returncode, 0, answer.stderr)
         return output
 
     def run_in_pieces(self, text, end_it):
         """Starts a run again and again from its last checkpoint, until it ends by itself."""
-        scene, output = self.scene(text), self.directory / "pieces"
+        scene, output = self.scene_file(text), self.directory / "pieces"
         chance = random.Random(1)
         pieces = 0
         while True:
@@ -211,7 +203,7 @@ class Restart(unittest.TestCase):
         whole = self.run_whole(STAGED)
         settled = STAGED[:STAGED.index('[[stage]]\nname = "shaking"')]
         first = self.run_whole(settled, name="settled")
-        answer = halfspace("run", self.scene(STAGED), "-o", first, "--from", first / "checkpoint")
+        answer = halfspace("run", self.scene_file(STAGED), "-o", first, "--from", first / "checkpoint")
         self.assertEqual(answer.returncode, 0, answer.stderr)
         self.assertEqual((whole / "history.csv").read_bytes(), (first / "history.csv").read_bytes())
         shorter = self.run_whole(PLAIN.replace("duration = 0.6", "duration = 0.4"), name="shorter")
@@ -236,13 +228,13 @@ class Restart(unittest.TestCase):
         first = self.run_whole(few, name="few")
         self.assertIn("NOT AT REST after 20 steps", (first / "summary.txt").read_text())
         more = few.replace("most_steps = 20", "most_steps = 30000").replace("ratio = 1e-7", "ratio = 1e-3")
-        answer = halfspace("run", self.scene(more), "-o", first, "--from", first / "checkpoint")
+        answer = halfspace("run", self.scene_file(more), "-o", first, "--from", first / "checkpoint")
         self.assertIn("at rest after", answer.stdout)
         self.assertNotIn("NOT AT REST", answer.stdout)
 
     def refused(self, text, checkpoint):
         output = self.directory / "refused"
-        answer = halfspace("run", self.scene(text, "refused.toml"), "-o", output, "--from", checkpoint)
+        answer = halfspace("run", self.scene_file(text, "refused.toml"), "-o", output, "--from", checkpoint)
         self.assertEqual(answer.returncode, 1)
         self.assertFalse(any(output.iterdir()) if output.exists() else False)
         return answer.stderr

@@ -1,11 +1,8 @@
 """The factor of safety: a block on a plane, held by friction and by a bond, and what cannot be found."""
 import math
 import re
-import tempfile
-import unittest
-from pathlib import Path
 
-from command import halfspace, main
+from command import SceneTest, main
 
 SLOPE = """title = "A block on a plane"
 dimension = 2
@@ -72,17 +69,9 @@ def scene_of(body, dip, friction=30, bond=""):
     return SLOPE.format(friction=friction, bond=bond, dip=dip, body=body.format(kind="rigid", dip=dip))
 
 
-class Safety(unittest.TestCase):
-    def setUp(self):
-        temporary = tempfile.TemporaryDirectory()
-        self.addCleanup(temporary.cleanup)
-        self.output = Path(temporary.name, "out")
-        self.scene = Path(temporary.name, "scene.toml")
-
+class Safety(SceneTest):
     def safety(self, text, *arguments, code=0):
-        self.scene.write_text(text)
-        answer = halfspace("safety", self.scene, "-o", self.output, "--force", *arguments)
-        self.assertEqual(answer.returncode, code, answer.stderr + answer.stdout)
+        answer = self.run_scene(text, *arguments, code=code, command="safety")
         return answer.stdout + answer.stderr
 
     def factor(self, text):

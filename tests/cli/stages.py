@@ -1,10 +1,7 @@
 """Scenes in stages: a wall of bonded blocks settles, is shaken, and breaks."""
 import re
-import tempfile
-import unittest
-from pathlib import Path
 
-from command import halfspace, main
+from command import SceneTest, halfspace, main
 
 WALL = """title = "A wall that is shaken"
 dimension = 2
@@ -59,38 +56,24 @@ gravity = [12.0, -9.81]
 """
 
 
-class Stages(unittest.TestCase):
-    def run_wall(self, text, code=0):
-        with tempfile.TemporaryDirectory() as directory:
-            scene = Path(directory, "wall.toml")
-            scene.write_text(text)
-            answer = halfspace("run", scene, "-o", Path(directory, "out"))
-            self.assertEqual(answer.returncode, code, answer.stderr)
-            return answer.stdout
-
+class Stages(SceneTest):
     def test_each_stage_is_told_and_the_bond_fails_where_it_must(self):
-        told = self.run_wall(WALL.format(strength=1e3))
+        told = self.run_scene(WALL.format(strength=1e3)).stdout
         self.assertRegex(told, r"stage settling +settled until \S+ s, at rest after \d+ steps, unbalanced by")
         self.assertRegex(told, r"stage shaking +ran until \S+ s\n")
         self.assertRegex(told, r"bonds +1 made, \d have come apart; cracks of \S+ m took \S+ J")
-        held = self.run_wall(WALL.format(strength=1e7))
+        held = self.run_scene(WALL.format(strength=1e7)).stdout
         self.assertRegex(held, r"bonds +1 made, 0 have come apart; cracks of 0 m\n")
 
     def test_what_does_not_come_to_rest_is_told(self):
         text = WALL.format(strength=1e7).replace('do = "settle"', 'do = "settle"\nmost_steps = 20')
-        self.assertRegex(self.run_wall(text), r"stage settling +settled until \S+ s, NOT AT REST after 20 steps")
+        self.assertRegex(self.run_scene(text).stdout, r"stage settling +settled until \S+ s, NOT AT REST after 20 steps")
 
     def test_a_run_stage_lasts_as_long_as_it_says(self):
-        told = self.run_wall(WALL.format(strength=1e7))
+        told = self.run_scene(WALL.format(strength=1e7)).stdout
         begin, end = (float(re.search(rf"stage {name} +\w+ until (\S+) s", told).group(1))
                       for name in ("settling", "shaking"))
         self.assertAlmostEqual(end - begin, 0.3, delta=2e-3)
-
-    def check(self, text):
-        with tempfile.TemporaryDirectory() as directory:
-            scene = Path(directory, "wall.toml")
-            scene.write_text(text)
-            return halfspace("check", scene)
 
     def test_faults_name_their_key(self):
         whole = WALL.format(strength=1)
@@ -101,17 +84,13 @@ class Stages(unittest.TestCase):
             ('between = ["stone", "stone"]', 'between = ["stone", "stoen"]', r"bond\[0\]\.between"),
             ("[world]\n", "[world]\nrest_speed = 1\n", r"world\.rest_speed"),
         ]:
-            answer = self.check(whole.replace(old, new, 1))
-            self.assertEqual(answer.returncode, 1, new)
-            self.assertRegex(answer.stderr, fault)
+            self.check_fault(whole.replace(old, new, 1), fault)
 
     def test_trade_and_plan_take_no_stages(self):
-        with tempfile.TemporaryDirectory() as directory:
-            scene = Path(directory, "wall.toml")
-            scene.write_text(WALL.format(strength=1))
-            answer = halfspace("plan", scene)
-            self.assertEqual(answer.returncode, 1)
-            self.assertIn("a plan runs a scene for its duration", answer.stderr)
+        self.scene.write_text(WALL.format(strength=1))
+        answer = halfspace("plan", self.scene)
+        self.assertEqual(answer.returncode, 1)
+        self.assertIn("a plan runs a scene for its duration", answer.stderr)
 
 
 if __name__ == "__main__":

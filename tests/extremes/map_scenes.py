@@ -67,7 +67,7 @@ class Way:
 
 
 def largest_move(way, world, steps):
-    """How far up or down free blocks go in so many steps; the first block is the plate."""
+    """The farthest up or down that free blocks go in so many steps; the first block is the plate."""
     start = world.positions.copy()
     world.step(steps)
     return float(np.abs(world.positions - start)[1:, way.dimension - 1].max())

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a fuzzer calls on the bodies, bonds and rest of a world.
+// Calls of a fuzzer on the bodies, bonds and rest of a world.
 
 #include "fuzz/world_calls.h"
 

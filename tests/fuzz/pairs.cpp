@@ -10,7 +10,7 @@ namespace {
 
 using namespace halfspace_test;
 
-/// What a pair remembers. One of any bytes may be refused, until a call has written it; the library's own
+/// The memory of a pair. One of any bytes may be refused, until a call has written it; the library's own
 /// may not.
 struct Cache {
   hs_pair_cache memory{};

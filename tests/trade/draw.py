@@ -108,7 +108,7 @@ def cost_to_reach(rows, target):
 
 
 def finest_first(rows):
-    """By indentation at the usual step, or else by step: those of the way with the most costly run."""
+    """Points by indentation at the usual step, or else by step: those of the way with the most costly run."""
     whole = [row for row in rows if math.isfinite(row.error)]
     way = max(whole, key=lambda row: row.cost).way
     with_springs = [row for row in whole if row.way == way and row.indentation > 0 and row.step == 0.5]

@@ -51,7 +51,7 @@ double RockingSlab::spin_at(double tilt) const {
   return std::sqrt(2 * rate_squared_ * (std::cos(slenderness_ - tilt_) - std::cos(slenderness_ - tilt)));
 }
 
-// With the tilt as tilt_ (1 - u^2) the integrand is smooth where the slab is let go.
+// The integrand is smooth where the slab is let go with the tilt as tilt_ (1 - u^2).
 double RockingSlab::time_to_impact() const {
   const auto integrand = [&](double u) { return 2 * tilt_ * u / spin_at(tilt_ * (1 - u * u)); };
   constexpr int panels = 20000;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double degree = M_PI / 180;
 
-/// What is the same in the plane and in space: x runs along, y or z up, and a body is 1 m deep.
+/// Parts that are the same in the plane and in space: x runs along, y or z up, and a body is 1 m deep.
 struct Frame {
   int dimension;
 

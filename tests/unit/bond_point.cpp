@@ -1,4 +1,4 @@
-// What one point of a bond bears, and what becomes of it.
+// One point of a bond: the tractions that it bears, and what becomes of it.
 
 #include "block/bond/bond_point.h"
 

@@ -10,8 +10,8 @@ using namespace halfspace_test;
 constexpr double young = 1e9, edge = 0.5, height = edge * 0.86602540378443864676;
 constexpr int columns = 3, rows = 3;
 
-/// In a parallelogram, row by row, two in each rhomb: one that stands on its edge, then one on its tip. None
-/// shares nodes.
+/// Triangles in a parallelogram, row by row, two in each rhomb: one that stands on its edge, then one on its
+/// tip. None shares nodes.
 MeshWords triangles() {
   MeshWords words;
   const auto at = [](int i, int j) { return Node(edge * (i + 0.5 * j), height * j, 0); };

@@ -7,7 +7,7 @@ namespace {
 
 using namespace halfspace_test;
 
-/// From 0 to 1 in so many steps, which grow from the first one on as a hyperbolic sine does.
+/// Numbers from 0 to 1 in so many steps, which grow from the first one on as a hyperbolic sine does.
 std::vector<double> growing(int steps, double growth) {
   std::vector<double> places;
   for (int i = 0; i <= steps; ++i) places.push_back(std::sinh(growth * i / steps) / std::sinh(growth));

@@ -101,7 +101,7 @@ TEST_CASE("a distorted patch of each kind of cell, and of several, is stressed u
       }
       return false;
     };
-    // In so many steps the surface is where the field wants it.
+    // The surface is where the field wants it in so many steps.
     constexpr int steps = 100;
     const double time_step = scene.report().time_step;
     Nodes velocities;

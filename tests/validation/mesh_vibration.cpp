@@ -7,7 +7,7 @@ namespace {
 
 using namespace halfspace_test;
 
-/// By nodes, each as often as cells share it: that weighs with their masses where all cells are equal.
+/// A mean by nodes, each as often as cells share it: that weighs with their masses where all cells are equal.
 double product(const MeshWords& words, const Nodes& a, const Nodes& b) {
   double sum = 0;
   for (const int32_t node : words.cell_nodes) sum += a[std::size_t(node)].dot(b[std::size_t(node)]);

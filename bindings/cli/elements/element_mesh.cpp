@@ -10,16 +10,6 @@
 namespace halfspace::cli {
 namespace {
 
-/// The kind of cell that an element of a file is; none where it is of another dimension.
-std::optional<int> kind_of_element(int type, int dimension) {
-  static const std::map<int, int> in_plane = {{2, HS_CELL_TRIANGLE}, {3, HS_CELL_QUAD}};
-  static const std::map<int, int> in_space = {
-      {4, HS_CELL_TETRAHEDRON}, {5, HS_CELL_HEXAHEDRON}, {6, HS_CELL_PRISM}};
-  const auto& kinds = dimension == 2 ? in_plane : in_space;
-  const auto kind = kinds.find(type);
-  return kind == kinds.end() ? std::nullopt : std::optional(kind->second);
-}
-
 /// Lists every node once, in ascending order.
 void tidy(std::vector<int>& nodes) {
   std::sort(nodes.begin(), nodes.end());
@@ -65,19 +55,6 @@ void require_level(const GmshFile& file, const ElementMesh& mesh) {
 
 }  // namespace
 
-const CellForm& form_of(int kind) {
-  static const std::vector<CellForm> forms = {
-      {HS_CELL_TRIANGLE, 2, 3, {{0, 1}, {1, 2}, {2, 0}}},
-      {HS_CELL_QUAD, 2, 4, {{0, 1}, {1, 2}, {2, 3}, {3, 0}}},
-      {HS_CELL_TETRAHEDRON, 3, 4, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}},
-      {HS_CELL_PRISM, 3, 6, {{0, 2, 1}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}},
-      {HS_CELL_HEXAHEDRON,
-       3,
-       8,
-       {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}}};
-  return forms[static_cast<std::size_t>(kind)];
-}
-
 const ElementMesh::Group* ElementMesh::group(const std::string& name) const {
   const auto found =
       std::find_if(groups.begin(), groups.end(), [&](const Group& group) { return group.name == name; });
@@ -94,7 +71,7 @@ std::vector<OuterFace> surface_of(const ElementMesh& mesh) {
   std::map<std::vector<int>, std::pair<OuterFace, int>> faces;  // with how many cells have it
   for (std::size_t i = 0; i < mesh.cells.size(); ++i) {
     const ElementMesh::Cell& cell = mesh.cells[i];
-    for (const std::vector<int>& face : form_of(cell.kind).faces) {
+    for (const std::vector<int>& face : form_of_cell(cell.kind).faces) {
       OuterFace outer{.cell = static_cast<int>(i), .nodes = {}};
       for (const int corner : face) outer.nodes.push_back(cell.nodes[static_cast<std::size_t>(corner)]);
       std::vector<int> key = outer.nodes;
@@ -110,9 +87,9 @@ std::vector<OuterFace> surface_of(const ElementMesh& mesh) {
 
 double size_of(const ElementMesh& mesh, const ElementMesh::Cell& cell) {
   const std::vector<Point> corners = mesh.corners_of(cell);
-  if (form_of(cell.kind).dimension == 2) return 0.5 * area_normal(corners)[2];
+  if (form_of_cell(cell.kind).dimension == 2) return 0.5 * area_normal(corners)[2];
   double volume = 0;
-  for (const std::vector<int>& face : form_of(cell.kind).faces) {
+  for (const std::vector<int>& face : form_of_cell(cell.kind).faces) {
     std::vector<Point> loop;
     for (const int corner : face)
       loop.push_back(minus(corners[static_cast<std::size_t>(corner)], corners[0]));
@@ -130,16 +107,15 @@ ElementMesh mesh_of_file(const GmshFile& file, double scale, int dimension) {
   std::map<std::vector<int>, int> known;  // cells by their nodes: a file may list one for each of its groups
   for (std::size_t i = 0; i < file.elements.size(); ++i) {
     const GmshFile::Element& element = file.elements[i];
-    if (dimension == 3 && element.type == 7)
+    if (element.form->dimension != dimension) continue;
+    if (element.form->cell_kind == ElementForm::no_cell)
       throw MeshFault(file.place(element), "a pyramid; allowed: tetrahedra, hexahedra and prisms");
-    const std::optional<int> kind = kind_of_element(element.type, dimension);
-    if (!kind) continue;
     std::vector<int> key = element.nodes;
     std::sort(key.begin(), key.end());
     const auto [same, is_new] = known.emplace(std::move(key), static_cast<int>(mesh.cells.size()));
     cell_of[i] = same->second;
     if (!is_new) continue;
-    ElementMesh::Cell cell{.kind = *kind, .nodes = {}};
+    ElementMesh::Cell cell{.kind = element.form->cell_kind, .nodes = {}};
     for (const int node : element.nodes) cell.nodes.push_back(used.use(node, mesh));
     if (dimension == 2 && size_of(mesh, cell) < 0) std::reverse(cell.nodes.begin() + 1, cell.nodes.end());
     if (!(size_of(mesh, cell) > 0))
@@ -163,10 +139,9 @@ ElementMesh mesh_of_file(const GmshFile& file, double scale, int dimension) {
     for (const int index : element.groups) {
       ElementMesh::Group& group = mesh.groups[index_of[file.groups[static_cast<std::size_t>(index)]]];
       group.nodes.insert(group.nodes.end(), nodes->begin(), nodes->end());
-      const bool is_face = element.type == 2 || element.type == 3;
       if (cell_of[i] >= 0) {
         group.cells.push_back(cell_of[i]);
-      } else if (dimension == 2 ? element.type == 1 : is_face) {
+      } else if (element.form->dimension == dimension - 1) {
         group.faces.push_back(*nodes);
       }
     }

@@ -8,16 +8,6 @@
 
 namespace halfspace::cli {
 
-/// The kind of cell in the C API with what drawing and loading need of it.
-struct CellForm {
-  int kind;  ///< HS_CELL_...
-  int dimension;
-  std::size_t node_count;
-  std::vector<std::vector<int>> faces;  ///< counter-clockwise seen from outside; edges in the plane
-};
-
-const CellForm& form_of(int kind);
-
 /// Nodes, and cells that share them; named groups of cells, of faces or edges, and of nodes.
 struct ElementMesh {
   struct Cell {

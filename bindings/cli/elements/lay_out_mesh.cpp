@@ -106,7 +106,7 @@ class MeshPlanner {
     if (given_.division == MeshDivision::whole && !is_excavated_) return surface_;
     std::vector<OuterFace> faces;
     for (std::size_t i = 0; i < mesh_.cells.size(); ++i) {
-      for (const std::vector<int>& face : form_of(mesh_.cells[i].kind).faces) {
+      for (const std::vector<int>& face : form_of_cell(mesh_.cells[i].kind).faces) {
         OuterFace& outer = faces.emplace_back(OuterFace{.cell = static_cast<int>(i), .nodes = {}});
         for (const int corner : face)
           outer.nodes.push_back(mesh_.cells[i].nodes[static_cast<std::size_t>(corner)]);

@@ -13,34 +13,6 @@
 namespace halfspace::cli {
 namespace {
 
-/// Numbers of the format: how many nodes each kind of element has, and the faces of those with a volume, seen
-/// from outside.
-struct Kind {
-  int number;
-  std::size_t node_count;
-  std::vector<std::vector<int>> faces = {};
-};
-
-const std::vector<Kind>& kinds() {
-  static const std::vector<Kind> all = {
-      {15, 1},
-      {1, 2},
-      {2, 3},
-      {3, 4},
-      {4, 4, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}},
-      {5, 8, {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}},
-      {6, 6, {{0, 2, 1}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}},
-      {7, 5, {{0, 3, 2, 1}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}}};
-  return all;
-}
-
-/// Null for a kind that is not known.
-const Kind* kind_of(std::int64_t number) {
-  const auto kind = std::find_if(kinds().begin(), kinds().end(),
-                                 [number](const Kind& known) { return known.number == number; });
-  return kind == kinds().end() ? nullptr : &*kind;
-}
-
 class Reader {
  public:
   Reader(const std::string& name, const std::string& content) : lines_(name, content, 0) {
@@ -173,11 +145,11 @@ class Reader {
     const std::size_t count = lines_.count(0);
     for (std::size_t i = 0; i < count; ++i) {
       lines_.next("an element");
-      const Kind& kind = known_kind(lines_.integer(1));
+      const ElementForm& form = known_form(lines_.integer(1));
       const std::size_t tags = lines_.count(2);
       std::vector<int> groups;
-      if (tags > 0 && lines_.integer(3) != 0) groups.push_back(group(dimension_of(kind), lines_.integer(3)));
-      add_element(kind, 3 + tags, groups);
+      if (tags > 0 && lines_.integer(3) != 0) groups.push_back(group(form.dimension, lines_.integer(3)));
+      add_element(form, 3 + tags, groups);
     }
   }
 
@@ -187,31 +159,26 @@ class Reader {
     for (std::size_t block = 0; block < blocks; ++block) {
       lines_.next("a block of elements");
       const std::vector<int> groups = groups_of_entity_[{lines_.integer(0), lines_.integer(1)}];
-      const Kind& kind = known_kind(lines_.integer(2));
+      const ElementForm& form = known_form(lines_.integer(2));
       const std::size_t count = lines_.count(3);
       for (std::size_t i = 0; i < count; ++i) {
         lines_.next("an element");
-        add_element(kind, 1, groups);
+        add_element(form, 1, groups);
       }
     }
   }
 
-  const Kind& known_kind(std::int64_t number) const {
-    if (const Kind* kind = kind_of(number)) return *kind;
-    lines_.fail("an element of type " + std::to_string(number) +
+  const ElementForm& known_form(std::int64_t type) const {
+    if (const ElementForm* form = form_of_type(type)) return *form;
+    lines_.fail("an element of type " + std::to_string(type) +
                 "; allowed: 4 (tetrahedron), 5 (hexahedron), 6 (prism), 7 (pyramid), and 15, 1, 2, 3, which "
                 "are no blocks");
   }
 
-  static std::int64_t dimension_of(const Kind& kind) {
-    if (!kind.faces.empty()) return 3;
-    return kind.node_count < 3 ? static_cast<std::int64_t>(kind.node_count) - 1 : 2;
-  }
-
   /// The element of this line, whose nodes begin at a word.
-  void add_element(const Kind& kind, std::size_t first_node, const std::vector<int>& groups) {
-    GmshFile::Element element{.type = kind.number, .nodes = {}, .groups = groups, .line = lines_.line()};
-    for (std::size_t i = 0; i < kind.node_count; ++i) {
+  void add_element(const ElementForm& form, std::size_t first_node, const std::vector<int>& groups) {
+    GmshFile::Element element{.form = &form, .nodes = {}, .groups = groups, .line = lines_.line()};
+    for (std::size_t i = 0; i < form.node_count; ++i) {
       const std::int64_t tag = lines_.integer(first_node + i);
       const auto node = nodes_.find(tag);
       if (node == nodes_.end()) lines_.fail("no node " + std::to_string(tag));
@@ -240,10 +207,9 @@ GmshFile read_gmsh(const std::string& name, const std::string& content) {
 std::vector<Solid> solids_of(const GmshFile& file) {
   std::vector<Solid> solids;
   for (const GmshFile::Element& element : file.elements) {
-    const Kind& kind = *kind_of(element.type);
-    if (kind.faces.empty()) continue;
-    Solid& solid =
-        solids.emplace_back(Solid{.vertices = {}, .faces = kind.faces, .place = file.place(element)});
+    if (element.form->dimension < 3) continue;
+    Solid& solid = solids.emplace_back(
+        Solid{.vertices = {}, .faces = element.form->faces, .place = file.place(element)});
     for (const int node : element.nodes) solid.vertices.push_back(file.nodes[static_cast<std::size_t>(node)]);
   }
   if (solids.empty()) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "mesh/element_form.h"
 #include "mesh/solid.h"
 
 namespace halfspace::cli {
@@ -12,7 +13,7 @@ namespace halfspace::cli {
 /// and pyramids with straight sides.
 struct GmshFile {
   struct Element {
-    int type;                 ///< its number in the format
+    const ElementForm* form;
     std::vector<int> nodes;   ///< indices, in the order of the format
     std::vector<int> groups;  ///< indices of the physical groups that it is in
     int line;                 ///< where it stands

@@ -16,11 +16,8 @@ namespace {
 
 constexpr std::int64_t measured_steps = 200;
 constexpr double short_run = 0.05;  // s of CPU time; a clock tells less of what is shorter
-constexpr int most_repeats = 5;
 
-std::string line(const std::string& name, const std::string& value) {
-  return padded(name, 21) + value + '\n';
-}
+std::string line(const std::string& name, const std::string& value) { return report_line(name, value, 21); }
 
 std::string percent(double share) {
   return (std::abs(share) < 0.01 ? rounded(100 * share, 1) : decimals(100 * share, 0)) + " %";
@@ -56,15 +53,8 @@ End run(const Scene& scene, int disturbance = 0) {
   return end;
 }
 
-/// The fastest of several runs tells the cost.
 End run_repeatedly(const Scene& scene) {
-  End fastest = run(scene);
-  for (int i = 1; i < most_repeats && fastest.end == RunEnd::whole && fastest.cpu_seconds < short_run; ++i) {
-    const End again = run(scene);
-    if (again.end != RunEnd::whole) return again;
-    fastest.cpu_seconds = std::min(fastest.cpu_seconds, again.cpu_seconds);
-  }
-  return fastest;
+  return fastest_of(short_run, [&] { return run(scene); });
 }
 
 /// The way of a block's end from where the whole scene puts it, as a share of its size: of all that are free

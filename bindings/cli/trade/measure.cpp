@@ -10,8 +10,7 @@ namespace halfspace::cli {
 namespace {
 
 constexpr double short_run = 0.02;  // s of CPU time; a clock tells less of what is shorter
-constexpr int most_repeats = 5;
-constexpr double steepest = 89;  // degrees
+constexpr double steepest = 89;     // degrees
 constexpr int halvings = 14;
 
 Outcomes run_once(const Scene& scene, int disturbance) {
@@ -20,17 +19,6 @@ Outcomes run_once(const Scene& scene, int disturbance) {
   disturb(context, disturbance, layout);
   Model model(context, scene, std::move(layout));
   return run_for_quantity(scene, model);
-}
-
-/// The fastest of several runs tells the cost; one that is interrupted tells none.
-Outcomes run_repeatedly(const Scene& scene, int disturbance) {
-  Outcomes fastest = run_once(scene, disturbance);
-  for (int i = 1; i < most_repeats && fastest.end == RunEnd::whole && fastest.cpu_seconds < short_run; ++i) {
-    const Outcomes again = run_once(scene, disturbance);
-    if (again.end != RunEnd::whole) return again;
-    fastest.cpu_seconds = std::min(fastest.cpu_seconds, again.cpu_seconds);
-  }
-  return fastest;
 }
 
 void set_friction(Scene& scene, double angle) {
@@ -80,7 +68,7 @@ Outcomes measure(const Setting& setting, const Scene& scene, const FaceSize& fac
   const Scene of_setting = turned(scene, setting, face);
   return scene.reference.quantity == Quantity::friction_angle
              ? find_friction_angle(of_setting, setting.disturbance)
-             : run_repeatedly(of_setting, setting.disturbance);
+             : fastest_of(short_run, [&] { return run_once(of_setting, setting.disturbance); });
 }
 
 double angle_resolution() { return std::ldexp(steepest, -halvings); }

@@ -9,7 +9,7 @@
 namespace halfspace::cli {
 namespace {
 
-std::string line(const std::string& name, const std::string& text) { return padded(name, 18) + text + '\n'; }
+std::string line(const std::string& name, const std::string& text) { return report_line(name, text, 18); }
 
 std::string step_text(double step) { return step == 1 ? "1" : "1/" + std::to_string(std::lround(1 / step)); }
 

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "hash.h"
 #include "text.h"
 
 namespace halfspace::cli {
@@ -17,11 +18,8 @@ constexpr const char* columns =
 constexpr std::array<const char*, 6> ends = {"whole",    "interrupted",   "unstable",
                                              "too fast", "too few steps", "no angle"};
 
-/// FNV-1a.
 std::string first_line(const std::string& scene_text) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const char c : scene_text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-  return "# runs of scene " + std::to_string(hash) + " by halfspace " + hs_version();
+  return "# runs of scene " + std::to_string(hash_of(scene_text)) + " by halfspace " + hs_version();
 }
 
 template <class T>

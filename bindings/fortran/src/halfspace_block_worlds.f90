@@ -53,7 +53,7 @@ module halfspace_block_worlds
     generic :: assignment(=) => share
   end type block_world
 
-  ! What a world is made of: halfspace_worlds_make.f90.
+  ! The parts of a world: halfspace_worlds_make.f90.
   interface
 
     !> Makes an empty world; what it was before is dropped. What is not given is the library's default.
@@ -153,7 +153,7 @@ module halfspace_block_worlds
       logical :: exists
     end function exists
 
-    !> For calls of halfspace_c; the object stays the owner.
+    !> The handle, for calls of halfspace_c; the object stays the owner.
     module function c_handle(self)
       class(block_world), intent(in) :: self
       type(c_ptr) :: c_handle
@@ -287,7 +287,7 @@ module halfspace_block_worlds
 
   end interface
 
-  ! How blocks are strained: halfspace_worlds_affine.f90.
+  ! The strains of blocks: halfspace_worlds_affine.f90.
   interface
 
     !> Makes a material elastic, for affine blocks and meshes; others do not read it. Blocks that have it keep their
@@ -300,7 +300,7 @@ module halfspace_block_worlds
       character(*), intent(inout), optional :: errmsg
     end subroutine set_elasticity
 
-    !> How a block of any kind is turned and strained.
+    !> The turn and strain of a block of any kind.
     module subroutine deformation(self, block, values, stat, errmsg)
       class(block_world), intent(in) :: self
       type(halfspace_block), intent(in) :: block
@@ -309,7 +309,7 @@ module halfspace_block_worlds
       character(*), intent(inout), optional :: errmsg
     end subroutine deformation
 
-    !> How all blocks are turned and strained.
+    !> The turns and strains of all blocks.
     module subroutine deformations(self, values, stat, errmsg)
       class(block_world), intent(in) :: self
       type(halfspace_deformation), intent(inout), target, contiguous :: values(:)

@@ -102,7 +102,7 @@ module halfspace_c
   integer(c_int32_t), parameter :: HS_PLANE_STRAIN = 0  !< a body that cannot strain across the plane
   integer(c_int32_t), parameter :: HS_PLANE_STRESS = 1  !< a sheet without stress across the plane
 
-  !> How a point of a bond has failed.
+  !> The ways in which a point of a bond fails.
   integer(c_int32_t), parameter :: HS_BOND_HOLDS = 0  !< it has not
   integer(c_int32_t), parameter :: HS_BOND_TENSION = 1  !< by opening
   integer(c_int32_t), parameter :: HS_BOND_SHEAR = 2  !< by sliding
@@ -127,8 +127,8 @@ module halfspace_c
   integer(c_int32_t), parameter :: HS_AXIS_Y = 2  !< along y
   integer(c_int32_t), parameter :: HS_AXIS_Z = 4  !< along z, in 3D
 
-  !> What a step computes besides detection and normal forces of rigid blocks. What is not active is neither
-  !! stored nor computed.
+  !> The parts of a step besides detection and normal forces of rigid blocks. One that is not active is
+  !! neither stored nor computed.
   integer(c_int32_t), parameter :: HS_PART_FRICTION = 1  !< a law resists shear: each pair keeps a shear spring
   integer(c_int32_t), parameter :: HS_PART_BONDS = 2  !< a law has cohesion or tensile strength
   integer(c_int32_t), parameter :: HS_PART_CONTACT_DAMPING = 4  !< a law has dashpots
@@ -139,7 +139,7 @@ module halfspace_c
   integer(c_int32_t), parameter :: HS_PART_LOCAL_DAMPING = 64  !< the world has local damping
   integer(c_int32_t), parameter :: HS_PART_MASS_DAMPING = 128  !< the world has mass damping
 
-  !> By which forces are compared.
+  !> The ratios by which forces are compared.
   !> all unbalanced forces over all forces: of cells, contacts, bonds, weight and loads
   integer(c_int32_t), parameter :: HS_UNBALANCED_MEAN = 0
   !> the largest such ratio of a single block or node; where next to nothing acts, over the mean force
@@ -395,7 +395,7 @@ module halfspace_c
     real(c_double) :: strain_energy = 0.0_c_double  !< J, in 2D per unit thickness; 0 without stress
   end type hs_deformation
 
-  !> What a bond is like. Fill it with hs_bond_def_init().
+  !> The properties of a bond. Fill it with hs_bond_def_init().
   type, bind(c) :: hs_bond_def
     integer(c_int32_t) :: struct_size = 0  !< set by hs_bond_def_init()
     integer(c_int32_t) :: reserved = 0  !< 0
@@ -480,7 +480,7 @@ module halfspace_c
     real(c_double) :: point(3) = 0.0_c_double  !< where they touch: the middle of the contact region
   end type hs_impact
 
-  !> What a mesh is. Later versions may append to it.
+  !> A mesh in numbers. Later versions may append to it.
   type, bind(c) :: hs_mesh_properties
     integer(c_int32_t) :: dimension = 0  !< 2 or 3
     integer(c_int32_t) :: reserved = 0  !< 0
@@ -490,7 +490,7 @@ module halfspace_c
     real(c_double) :: volume = 0.0_c_double  !< of all cells, in 2D their area
   end type hs_mesh_properties
 
-  !> How a mesh is put into a world. Fill it with hs_body_def_init().
+  !> The way in which a mesh is put into a world. Fill it with hs_body_def_init().
   type, bind(c) :: hs_body_def
     integer(c_int32_t) :: struct_size = 0  !< set by hs_body_def_init()
     integer(c_int32_t) :: material = 0  !< from hs_world_add_material(), made elastic by hs_world_set_elasticity(); default 0
@@ -498,7 +498,7 @@ module halfspace_c
     real(c_double) :: velocity(3) = 0.0_c_double  !< of all nodes; default 0
   end type hs_body_def
 
-  !> How a body moves. Later versions may append to it.
+  !> The motion of a body. Later versions may append to it.
   type, bind(c) :: hs_body_state
     integer(c_int64_t) :: node_count = 0  !< nodes
     integer(c_int64_t) :: cell_count = 0  !< cells, with those that have been removed
@@ -509,7 +509,7 @@ module halfspace_c
     real(c_double) :: strain_energy = 0.0_c_double  !< of all cells
   end type hs_body_state
 
-  !> How a cell is strained and stressed, on average over the cell.
+  !> Strain and stress of a cell, on average over it.
   type, bind(c) :: hs_cell_state
     real(c_double) :: strain(9) = 0.0_c_double  !< Green's, from the cell as it was put into the world
     real(c_double) :: stress(9) = 0.0_c_double  !< Cauchy's, elastic, in space, Pa, tension > 0
@@ -585,7 +585,7 @@ module halfspace_c
     real(c_double) :: book_seconds = 0.0_c_double  !< of a step: the energy ledger
   end type hs_world_plan
 
-  !> How a world is brought to rest. Fill it with hs_relaxation_def_init().
+  !> The way in which a world is brought to rest. Fill it with hs_relaxation_def_init().
   type, bind(c) :: hs_relaxation_def
     integer(c_int32_t) :: struct_size = 0  !< set by hs_relaxation_def_init()
     integer(c_int32_t) :: measure = 0  !< an HS_UNBALANCED_ value; default HS_UNBALANCED_MEAN
@@ -599,7 +599,7 @@ module halfspace_c
     integer(c_int32_t) :: hold_bonds = 0  !< 1 (default): bonds do not fail meanwhile; or 0
   end type hs_relaxation_def
 
-  !> How balanced a world is. Later versions may append to it.
+  !> The balance of a world. Later versions may append to it.
   type, bind(c) :: hs_balance
     real(c_double) :: mean = 0.0_c_double  !< see HS_UNBALANCED_MEAN; 0 where no force acts
     real(c_double) :: largest = 0.0_c_double  !< see HS_UNBALANCED_LARGEST
@@ -607,7 +607,7 @@ module halfspace_c
     integer(c_int64_t) :: steps = 0  !< that hs_world_relax() has taken; else 0
   end type hs_balance
 
-  !> How the factor of safety is looked for. Fill it with hs_strength_def_init().
+  !> The search for the factor of safety. Fill it with hs_strength_def_init().
   type, bind(c) :: hs_strength_def
     integer(c_int32_t) :: struct_size = 0  !< set by hs_strength_def_init()
     integer(c_int32_t) :: reserved = 0  !< 0
@@ -619,7 +619,7 @@ module halfspace_c
     integer(c_int64_t) :: most_steps = 0  !< >= 1: what is not at rest by then falls as well; default 100000
   end type hs_strength_def
 
-  !> What was found. Later versions may append to it.
+  !> The result of that search. Later versions may append to it.
   type, bind(c) :: hs_strength_report
     real(c_double) :: factor = 0.0_c_double  !< the middle of the bracket
     real(c_double) :: low = 0.0_c_double  !< the world stands at it, if stands_at_low

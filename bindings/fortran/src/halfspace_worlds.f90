@@ -230,7 +230,7 @@ module halfspace_worlds
       character(*), intent(inout), optional :: errmsg
     end subroutine report
 
-    !> What the world computes and what limits its step, and the times of so many steps of a copy. Blocks in it are
+    !> The parts that the world computes, the limit of its step, and the times of so many steps of a copy. Blocks are
     !! numbers as halfspace_block has them; iand(values%parts, HS_PART_FRICTION) > 0 tells that friction is active.
     module subroutine plan(self, values, steps, stat, errmsg)
       class(halfspace_world), intent(in) :: self

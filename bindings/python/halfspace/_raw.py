@@ -113,7 +113,7 @@ HS_FAST_REFUSE = 1  # when they meet, or are in touch, it is refused with HS_ERR
 HS_PLANE_STRAIN = 0  # a body that cannot strain across the plane
 HS_PLANE_STRESS = 1  # a sheet without stress across the plane
 
-# How a point of a bond has failed.
+# The ways in which a point of a bond fails.
 HS_BOND_HOLDS = 0  # it has not
 HS_BOND_TENSION = 1  # by opening
 HS_BOND_SHEAR = 2  # by sliding
@@ -138,7 +138,7 @@ HS_AXIS_X = 1  # along x
 HS_AXIS_Y = 2  # along y
 HS_AXIS_Z = 4  # along z, in 3D
 
-# What a step computes besides detection and normal forces of rigid blocks. What is not active is neither
+# The parts of a step besides detection and normal forces of rigid blocks. One that is not active is neither
 # stored nor computed.
 HS_PART_FRICTION = 1  # a law resists shear: each pair keeps a shear spring
 HS_PART_BONDS = 2  # a law has cohesion or tensile strength
@@ -150,7 +150,7 @@ HS_PART_STRAIN = 32  # a block is affine
 HS_PART_LOCAL_DAMPING = 64  # the world has local damping
 HS_PART_MASS_DAMPING = 128  # the world has mass damping
 
-# By which forces are compared.
+# The ratios by which forces are compared.
 HS_UNBALANCED_MEAN = 0  # all unbalanced forces over all forces: of cells, contacts, bonds, weight and loads
 # the largest such ratio of a single block or node; where next to nothing acts, over the mean force
 HS_UNBALANCED_LARGEST = 1
@@ -497,7 +497,7 @@ class hs_deformation(Structure):
 
 
 class hs_bond_def(Structure):
-    """What a bond is like. Fill it with hs_bond_def_init()."""
+    """The properties of a bond. Fill it with hs_bond_def_init()."""
 
     _fields_ = [
         ("struct_size", c_uint32),  # set by hs_bond_def_init()
@@ -605,7 +605,7 @@ class hs_impact(Structure):
 
 
 class hs_mesh_properties(Structure):
-    """What a mesh is. Later versions may append to it."""
+    """A mesh in numbers. Later versions may append to it."""
 
     _fields_ = [
         ("dimension", c_int32),  # 2 or 3
@@ -618,7 +618,7 @@ class hs_mesh_properties(Structure):
 
 
 class hs_body_def(Structure):
-    """How a mesh is put into a world. Fill it with hs_body_def_init()."""
+    """The way in which a mesh is put into a world. Fill it with hs_body_def_init()."""
 
     _fields_ = [
         ("struct_size", c_uint32),  # set by hs_body_def_init()
@@ -630,7 +630,7 @@ class hs_body_def(Structure):
 
 
 class hs_body_state(Structure):
-    """How a body moves. Later versions may append to it."""
+    """The motion of a body. Later versions may append to it."""
 
     _fields_ = [
         ("node_count", c_int64),  # nodes
@@ -644,7 +644,7 @@ class hs_body_state(Structure):
 
 
 class hs_cell_state(Structure):
-    """How a cell is strained and stressed, on average over the cell."""
+    """Strain and stress of a cell, on average over it."""
 
     _fields_ = [
         ("strain", c_double * 9),  # Green's, from the cell as it was put into the world
@@ -731,7 +731,7 @@ class hs_world_plan(Structure):
 
 
 class hs_relaxation_def(Structure):
-    """How a world is brought to rest. Fill it with hs_relaxation_def_init()."""
+    """The way in which a world is brought to rest. Fill it with hs_relaxation_def_init()."""
 
     _fields_ = [
         ("struct_size", c_uint32),  # set by hs_relaxation_def_init()
@@ -748,7 +748,7 @@ class hs_relaxation_def(Structure):
 
 
 class hs_balance(Structure):
-    """How balanced a world is. Later versions may append to it."""
+    """The balance of a world. Later versions may append to it."""
 
     _fields_ = [
         ("mean", c_double),  # see HS_UNBALANCED_MEAN; 0 where no force acts
@@ -759,7 +759,7 @@ class hs_balance(Structure):
 
 
 class hs_strength_def(Structure):
-    """How the factor of safety is looked for. Fill it with hs_strength_def_init()."""
+    """The search for the factor of safety. Fill it with hs_strength_def_init()."""
 
     _fields_ = [
         ("struct_size", c_uint32),  # set by hs_strength_def_init()
@@ -775,7 +775,7 @@ class hs_strength_def(Structure):
 
 
 class hs_strength_report(Structure):
-    """What was found. Later versions may append to it."""
+    """The result of that search. Later versions may append to it."""
 
     _fields_ = [
         ("factor", c_double),  # the middle of the bracket

@@ -15,7 +15,7 @@ from .mesh import Bodies
 
 @dataclasses.dataclass(frozen=True)
 class Bond:
-    """What holds two blocks together along a common face: springs at its integration points, each of which fails by
+    """Two blocks hold together along a common face by it: springs at its integration points, each of which fails by
     Mohr and Coulomb's criterion with a tension cut-off.
 
     Attributes

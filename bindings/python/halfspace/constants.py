@@ -44,7 +44,7 @@ class BlockKind(IntEnum):
 
 
 class CellKind(IntEnum):
-    """What a cell of a mesh is."""
+    """The kinds of cells of a mesh."""
 
     TRIANGLE = _raw.HS_CELL_TRIANGLE
     QUAD = _raw.HS_CELL_QUAD
@@ -54,7 +54,7 @@ class CellKind(IntEnum):
 
 
 class BondFailure(IntEnum):
-    """How a point of a bond has failed (`event["failure"]`)."""
+    """The ways in which a point of a bond has failed (`event["failure"]`)."""
 
     HOLDS = _raw.HS_BOND_HOLDS
     TENSION = _raw.HS_BOND_TENSION
@@ -62,7 +62,7 @@ class BondFailure(IntEnum):
 
 
 class Unbalanced(IntEnum):
-    """By which forces are compared: all unbalanced ones over all, or the largest such ratio of a block or node."""
+    """The ratio of forces that is compared: all unbalanced ones over all, or the largest of a block or node."""
 
     MEAN = _raw.HS_UNBALANCED_MEAN
     LARGEST = _raw.HS_UNBALANCED_LARGEST
@@ -125,7 +125,7 @@ class Fault(IntEnum):
 
 
 class WorldPart(IntFlag):
-    """What a step computes besides detection and normal forces of rigid blocks (`plan.parts`)."""
+    """The parts of a step besides detection and normal forces of rigid blocks (`plan.parts`)."""
 
     FRICTION = _raw.HS_PART_FRICTION
     BONDS = _raw.HS_PART_BONDS

@@ -132,7 +132,7 @@ class Mesh(Handle):
 
     @property
     def volume(self) -> float:
-        """Of all cells; in 2D their area."""
+        """The volume of all cells; in 2D their area."""
         return float(self._properties.volume)
 
 
@@ -210,7 +210,7 @@ class Bodies(AffineBlocks):
         self._call(library.hs_world_remove_body, block_id(body, "body"))
 
     def body_state(self, body: int) -> Any:
-        """How a body moves: a record of `BODY_STATE`, with its mass, centroid, momentum and energies."""
+        """The motion of a body: a record of `BODY_STATE`, with its mass, centroid, momentum and energies."""
         array, address = empty_record(BODY_STATE)
         state = _raw.hs_body_state.from_address(address)
         self._call(library.hs_world_get_body_state, block_id(body, "body"), state, BODY_STATE.itemsize)
@@ -235,7 +235,7 @@ class Bodies(AffineBlocks):
         return self._of_nodes(library.hs_world_get_node_positions, body, "positions")
 
     def node_velocities(self, body: int) -> Floats:
-        """How fast they are."""
+        """The velocities of its nodes."""
         return self._of_nodes(library.hs_world_get_node_velocities, body, "velocities")
 
     def node_forces(self, body: int) -> Floats:
@@ -340,7 +340,7 @@ class Bodies(AffineBlocks):
         )
 
     def cells(self, body: int) -> NDArray[Any]:
-        """How the body's cells are strained and stressed, a structured array of `CELL_STATE`: its ``["stress"]`` has
+        """Strain and stress of the body's cells, a structured array of `CELL_STATE`: its ``["stress"]`` has
         the shape (m, 3, 3)."""
         with held(self):
             cells = np.zeros(int(self.body_state(body).cell_count), CELL_STATE)

@@ -58,7 +58,7 @@ class Statics(BondedBlocks):
 
     @property
     def balance(self) -> Any:
-        """How balanced the world is now: a record of `BALANCE`. Takes as long as a step."""
+        """The balance of the world now: a record of `BALANCE`. Takes as long as a step."""
         array, address = empty_record(BALANCE)
         self._call(library.hs_world_get_balance, _raw.hs_balance.from_address(address), BALANCE.itemsize)
         return array[0]

@@ -42,7 +42,7 @@ class Trial:
 
 @dataclasses.dataclass(frozen=True)
 class Trade:
-    """What `trade` has found."""
+    """The findings of `trade`."""
 
     trials: List[Trial]
     reference: float
@@ -117,7 +117,7 @@ class _Run:
 def _fastest(
     build: Callable[..., World], quantity: Callable[[World], float], duration: float, setting: Dict[str, Any]
 ) -> _Run:
-    """Of up to five runs, unless they are long enough for a clock."""
+    """The fastest of up to five runs, unless they are long enough for a clock."""
     fastest = _run(build, quantity, duration, setting)
     for _ in range(4):
         if fastest.cost * duration > 0.05 or not math.isfinite(fastest.value):

@@ -380,7 +380,7 @@ class World(Statics):
         return array[0]
 
     def plan(self, steps: int = 0) -> Any:
-        """What the world computes and what limits its step: a record with the fields of ``hs_world_plan``.
+        """The parts that the world computes and the limit of its step: a record with the fields of ``hs_world_plan``.
 
         Its times are those of so many steps of a copy. ``WorldPart(int(plan.parts))`` names what is active."""
         array, address = empty_record(WORLD_PLAN)

@@ -21,7 +21,7 @@
 extern "C" {
 #endif
 
-/** What a bond is like. Fill it with hs_bond_def_init(). */
+/** The properties of a bond. Fill it with hs_bond_def_init(). */
 typedef struct hs_bond_def {
   uint32_t struct_size;           /**< set by hs_bond_def_init() */
   int32_t reserved;               /**< 0 */
@@ -36,7 +36,7 @@ typedef struct hs_bond_def {
   double shear_fracture_energy;   /**< J/m2, >= 0: likewise what shear strength loses with slip; default 0: at once */
 } hs_bond_def;
 
-/** How a point of a bond has failed. */
+/** The ways in which a point of a bond fails. */
 enum {
   HS_BOND_HOLDS = 0,     /**< it has not */
   HS_BOND_TENSION = 1,   /**< by opening */

@@ -47,7 +47,7 @@ enum {
   HS_AXIS_Z = 4  /**< along z, in 3D */
 };
 
-/** What a mesh is. Later versions may append to it. */
+/** A mesh in numbers. Later versions may append to it. */
 typedef struct hs_mesh_properties {
   int32_t dimension;          /**< 2 or 3 */
   int32_t reserved;           /**< 0 */
@@ -57,7 +57,7 @@ typedef struct hs_mesh_properties {
   double volume;              /**< of all cells, in 2D their area */
 } hs_mesh_properties;
 
-/** How a mesh is put into a world. Fill it with hs_body_def_init(). */
+/** The way in which a mesh is put into a world. Fill it with hs_body_def_init(). */
 typedef struct hs_body_def {
   uint32_t struct_size; /**< set by hs_body_def_init() */
   int32_t material;     /**< from hs_world_add_material(), made elastic by hs_world_set_elasticity(); default 0 */
@@ -65,7 +65,7 @@ typedef struct hs_body_def {
   double velocity[3];   /**< of all nodes; default 0 */
 } hs_body_def;
 
-/** How a body moves. Later versions may append to it. */
+/** The motion of a body. Later versions may append to it. */
 typedef struct hs_body_state {
   int64_t node_count;     /**< nodes */
   int64_t cell_count;     /**< cells, with those that have been removed */
@@ -76,7 +76,7 @@ typedef struct hs_body_state {
   double strain_energy;   /**< of all cells */
 } hs_body_state;
 
-/** How a cell is strained and stressed, on average over the cell. */
+/** Strain and stress of a cell, on average over it. */
 typedef struct hs_cell_state {
   double strain[9];     /**< Green's, from the cell as it was put into the world */
   double stress[9];     /**< Cauchy's, elastic, in space, Pa, tension > 0 */

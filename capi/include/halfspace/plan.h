@@ -14,7 +14,7 @@
 extern "C" {
 #endif
 
-/** What a step computes besides detection and normal forces of rigid blocks. What is not active is neither stored nor computed. */
+/** The parts of a step besides detection and normal forces of rigid blocks. One that is not active is neither stored nor computed. */
 enum {
   HS_PART_FRICTION = 1,        /**< a law resists shear: each pair keeps a shear spring */
   HS_PART_BONDS = 2,           /**< a law has cohesion or tensile strength */

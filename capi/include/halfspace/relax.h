@@ -14,13 +14,13 @@
 extern "C" {
 #endif
 
-/** By which forces are compared. */
+/** The ratios by which forces are compared. */
 enum {
   HS_UNBALANCED_MEAN = 0,   /**< all unbalanced forces over all forces: of cells, contacts, bonds, weight and loads */
   HS_UNBALANCED_LARGEST = 1 /**< the largest such ratio of a single block or node; where next to nothing acts, over the mean force */
 };
 
-/** How a world is brought to rest. Fill it with hs_relaxation_def_init(). */
+/** The way in which a world is brought to rest. Fill it with hs_relaxation_def_init(). */
 typedef struct hs_relaxation_def {
   uint32_t struct_size;  /**< set by hs_relaxation_def_init() */
   int32_t measure;       /**< an HS_UNBALANCED_ value; default HS_UNBALANCED_MEAN */
@@ -32,7 +32,7 @@ typedef struct hs_relaxation_def {
   int32_t hold_bonds;    /**< 1 (default): bonds do not fail meanwhile; or 0 */
 } hs_relaxation_def;
 
-/** How balanced a world is. Later versions may append to it. */
+/** The balance of a world. Later versions may append to it. */
 typedef struct hs_balance {
   double mean;           /**< see HS_UNBALANCED_MEAN; 0 where no force acts */
   double largest;        /**< see HS_UNBALANCED_LARGEST */

@@ -15,7 +15,7 @@
 extern "C" {
 #endif
 
-/** How the factor of safety is looked for. Fill it with hs_strength_def_init(). */
+/** The search for the factor of safety. Fill it with hs_strength_def_init(). */
 typedef struct hs_strength_def {
   uint32_t struct_size; /**< set by hs_strength_def_init() */
   int32_t reserved;     /**< 0 */
@@ -27,7 +27,7 @@ typedef struct hs_strength_def {
   int64_t most_steps;   /**< >= 1: what is not at rest by then falls as well; default 100000 */
 } hs_strength_def;
 
-/** What was found. Later versions may append to it. */
+/** The result of that search. Later versions may append to it. */
 typedef struct hs_strength_report {
   double factor;         /**< the middle of the bracket */
   double low;            /**< the world stands at it, if stands_at_low */

@@ -4,9 +4,9 @@
 
 namespace halfspace {
 
-/// What holds two faces together, and what is left when it has failed. Mohr and Coulomb's criterion with a
-/// tension cut-off, at each integration point. With a fracture energy strength fades linearly with opening
-/// and slip; without, it is lost at once.
+/// The law by which two faces hold together, and of what is left when it has failed. Mohr and Coulomb's
+/// criterion with a tension cut-off, at each integration point. With a fracture energy strength fades
+/// linearly with opening and slip; without, it is lost at once.
 struct BondLaw {
   double normal_stiffness = 0;  // Pa/m
   double shear_stiffness = 0;   // Pa/m

@@ -25,7 +25,7 @@ double shear_strength(const BondLaw& law, double normal, const BondPoint<D>& poi
   return std::max(cohesion - normal * tangent, 0.0);
 }
 
-/// How far strength has faded by the present opening, and by slip so far.
+/// The share of strength that has faded by the present opening, and by slip so far.
 template <int D>
 double faded(const BondLaw& law, const BondPoint<D>& point) {
   const double peak = law.opening_at_peak(), end = law.opening_at_end(), slip_end = law.slip_at_end();

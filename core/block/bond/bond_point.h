@@ -9,7 +9,7 @@
 
 namespace halfspace {
 
-/// How a point of a bond has failed, or not. The values are those of the C API.
+/// The way in which a point of a bond has failed, or none. The values are those of the C API.
 enum class BondFailure : std::int32_t { none = 0, tension = 1, shear = 2 };
 
 /// An integration point of a bond: where it is in both blocks, and what has become of it. There is no gap
@@ -37,7 +37,7 @@ struct BondPoint {
   }
 };
 
-/// What a point of a bond does at an opening and an elastic slip, per area.
+/// The answer of a bond's point to an opening and an elastic slip, per area.
 template <int D>
 struct BondTraction {
   double normal = 0;                    // > 0 in tension

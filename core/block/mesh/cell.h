@@ -6,12 +6,12 @@
 
 namespace halfspace {
 
-/// What a cell of a mesh is. The values are those of the C API.
+/// The kinds of cells of a mesh. The values are those of the C API.
 enum class CellKind : std::int32_t { triangle = 0, quad = 1, tetrahedron = 2, prism = 3, hexahedron = 4 };
 
-/// How the nodes of a cell of some kind hang together. Nodes are numbered as Gmsh and VTK do: those of a
-/// polygon counter-clockwise, those of the prism and the hexahedron first at the bottom and then, in the same
-/// order, at the top.
+/// The nodes of a cell of some kind, and how they hang together. They are numbered as Gmsh and VTK do: those
+/// of a polygon counter-clockwise, those of the prism and the hexahedron first at the bottom and then, in the
+/// same order, at the top.
 struct CellForm {
   int dimension;
   int nodes;

@@ -36,6 +36,15 @@ struct Hourglass<D, D + 1> {
   bool is_consistent() const { return true; }
 };
 
+/// Vectors of nodes, a column for each of these.
+template <int D, int N>
+Eigen::Matrix<double, D, N> gathered(const Array<Vector<D>>& of_nodes,
+                                     const std::array<std::int32_t, N>& nodes) {
+  Eigen::Matrix<double, D, N> all;
+  for (int i = 0; i < N; ++i) all.col(i) = of_nodes[std::size_t(nodes[std::size_t(i)])];
+  return all;
+}
+
 /// A finite element of N nodes. There is no gap between its members: a saved one holds no stray bytes.
 template <int D, int N>
 struct Element {
@@ -44,7 +53,7 @@ struct Element {
   using Modes = Eigen::Matrix<double, D, modes>;
   using Amplitudes = Eigen::Matrix<double, D * modes, 1>;
 
-  /// How its nodes lie or move.
+  /// The places or the motion of its nodes.
   struct Field {
     Tensor<D> gradient;
     Modes amplitude;
@@ -92,7 +101,7 @@ struct Element {
     return Eigen::Map<const Amplitudes>(bending.data());
   }
 
-  /// What drives the modes when they are bent so.
+  /// The forces that drive the modes when they are bent so.
   Amplitudes drive(const Amplitudes& bending) const {
     if constexpr (modes == 0) {
       return {};
@@ -119,6 +128,11 @@ struct Element {
       by_gradient += place.amplitude * of_mode.transpose();
       return -by_gradient * gradients - place.gradient * of_mode * hourglass.gamma.transpose();
     }
+  }
+
+  /// Those by which it resists where it is, without what damps it.
+  Nodes elastic_forces(const Field& place, const Elasticity& elasticity) const {
+    return forces(place, elasticity.stress<D>(stressing_strain(strain_of(place))), drive(bending_of(place)));
   }
 
   bool is_finite() const {

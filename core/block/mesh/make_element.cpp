@@ -42,7 +42,7 @@ CellMatrix stiffness_by(const CellMatrix& gradients, const CellMatrix& hooke) {
   return product_of_transposed(gradients, product(hooke, gradients));
 }
 
-/// What a cell that is no simplex has of its interpolation at a point: the map of the parent cell there.
+/// The interpolation of a cell that is no simplex, at a point: the map of the parent cell there.
 struct Mapped {
   CellMatrix inverse_transposed;
   CellMatrix gradients;  // of the nodes' weights, in space
@@ -121,7 +121,7 @@ double volume_of_simplex(const Tensor<D>& edges) {
 
 constexpr int first_nodes[] = {0, 1, 2, 3};
 
-/// What all elements have: volume and mean gradients.
+/// The part that all elements have: volume and mean gradients.
 struct Affine {
   double volume = 0;
   CellMatrix gradients;

@@ -8,7 +8,7 @@
 
 namespace halfspace {
 
-/// What keeps nodes and cells from being a mesh.
+/// Faults that keep nodes and cells from being a mesh.
 enum class MeshFault {
   none,
   no_cells,

@@ -37,7 +37,7 @@ template <int N>
 void Meshes<D>::add_element(const std::array<std::int32_t, N>& nodes, std::int32_t body, std::size_t cell,
                             std::int32_t material, const BulkMaterials& materials) {
   const std::size_t m = std::size_t(material);
-  const Eigen::Matrix<double, D, N> places = given_places<N>(nodes);
+  const Eigen::Matrix<double, D, N> places = gathered<D, N>(given, nodes);
   Element<D, N> element = make_element<D, N>(places, materials.elasticity[m]);
   element.node = nodes;
   element.body = body;
@@ -171,7 +171,7 @@ void Meshes<D>::remove_cells(std::int32_t which, const Array<std::uint8_t>& is_g
   const std::size_t last = first + std::size_t(body(which).node_count);
   std::fill(mass.begin() + std::ptrdiff_t(first), mass.begin() + std::ptrdiff_t(last), 0.0);
   for_each_element_of(which, [&]<int N>(const Element<D, N>& element) {
-    const Eigen::Matrix<double, N, 1> volumes = volumes_of_nodes<D, N>(given_places<N>(element.node));
+    const Eigen::Matrix<double, N, 1> volumes = volumes_of_nodes<D, N>(gathered<D, N>(given, element.node));
     for (int i = 0; i < N; ++i)
       mass[std::size_t(element.node[std::size_t(i)])] +=
           materials.density[std::size_t(element.material)] * volumes[i];
@@ -188,7 +188,7 @@ void Meshes<D>::renew_elasticity(const BulkMaterials& materials) {
   for (Body<D>& body : bodies_) body.squared_frequency = body.damping_time = 0;
   for_each_element([&]<int N>(Element<D, N>& element) {
     const std::size_t m = std::size_t(element.material);
-    const Eigen::Matrix<double, D, N> places = given_places<N>(element.node);
+    const Eigen::Matrix<double, D, N> places = gathered<D, N>(given, element.node);
     element.hourglass = make_element<D, N>(places, materials.elasticity[m]).hourglass;
     note_stiffness<N>(element, materials.density[m] * volumes_of_nodes<D, N>(places),
                       materials.elasticity[m]);

@@ -20,7 +20,7 @@ using Elements =
     std::conditional_t<D == 2, std::tuple<Array<Element<2, 3>>, Array<Element<2, 4>>>,
                        std::tuple<Array<Element<3, 4>>, Array<Element<3, 6>>, Array<Element<3, 8>>>>;
 
-/// What the materials of a world are made of.
+/// The properties of a world's materials.
 struct BulkMaterials {
   std::span<const double> density;
   std::span<const Elasticity> elasticity;
@@ -90,8 +90,6 @@ class Meshes {
   const Array<Body<D>>& bodies() const { return bodies_; }
   const Body<D>& body(std::int32_t body) const { return bodies_[std::size_t(body)]; }
   const Array<SurfaceCell<D>>& surface() const { return surface_; }
-  Elements<D>& elements() { return elements_; }
-  const Elements<D>& elements() const { return elements_; }
 
   /// Takes a mesh in, at a pose of its own frame, with a material for each cell: nodes and elements, no
   /// surface yet. Returns the body.
@@ -116,7 +114,7 @@ class Meshes {
   }
   /// Takes the body back that was added last, as if it had never been.
   void take_back();
-  /// What keeps a body's elements from being computed with.
+  /// The fault that keeps a body's elements from being computed with.
   MeshFaultReport fault_of(std::int32_t body) const;
   /// Takes a body out with its nodes, elements and surface. The others keep their names.
   void remove(std::int32_t body);
@@ -153,6 +151,17 @@ class Meshes {
     return {first, last};
   }
 
+  /// The masses of a surface cell's nodes, as far as they are its own: `bearing` says how many cells each
+  /// node of the body bears.
+  Eigen::Matrix<double, D + 1, 1> masses_of(const SurfaceCell<D>& cell, const Array<int>& bearing) const {
+    Eigen::Matrix<double, D + 1, 1> masses;
+    for (std::size_t i = 0; i <= D; ++i) {
+      const std::size_t node = std::size_t(cell.node[i]);
+      masses[Eigen::Index(i)] = mass[node] / bearing[node - std::size_t(body(cell.body).first_node)];
+    }
+    return masses;
+  }
+
   /// The surface cell that a block is.
   const SurfaceCell<D>& surface_of_block(std::size_t slot) const {
     return surface_[std::size_t(of_block_[slot])];
@@ -165,10 +174,6 @@ class Meshes {
       }
     }
     return false;
-  }
-  /// Where a node is in space.
-  Vector<D> node_position(const Body<D>& body, std::int64_t node) const {
-    return body.origin + place[std::size_t(body.first_node + node)];
   }
 
   bool is_consistent(std::int32_t material_count) const;
@@ -197,7 +202,7 @@ class Meshes {
   }
   /// Where surface cells are, after they have changed.
   void index_surface();
-  /// What of an array that is in ascending order of bodies belongs to one of them.
+  /// The part of an array in ascending order of bodies that belongs to one of them.
   template <class Parts>
   static auto range_of(Parts& parts, std::int32_t body) {
     const auto first = std::partition_point(parts.begin(), parts.end(),
@@ -214,12 +219,6 @@ class Meshes {
   template <int N>
   Array<Element<D, N>>& elements_of() {
     return std::get<Array<Element<D, N>>>(elements_);
-  }
-  template <int N>
-  Eigen::Matrix<double, D, N> given_places(const std::array<std::int32_t, N>& nodes) const {
-    Eigen::Matrix<double, D, N> places;
-    for (int i = 0; i < N; ++i) places.col(i) = given[std::size_t(nodes[std::size_t(i)])];
-    return places;
   }
   template <int N>
   void add_element(const std::array<std::int32_t, N>& nodes, std::int32_t body, std::size_t cell,

@@ -31,12 +31,12 @@ Array<SurfaceFace> surface_of(const Mesh<D>& mesh, Memory* memory);
 template <int D>
 std::int64_t cell_too_many(const Mesh<D>& mesh, Memory* memory);
 
-/// What others meet of a mesh, in ascending order of cells. Simplices strain uniformly, so that they stay
-/// convex and their contacts act on their nodes without any loss.
+/// The simplices of a mesh that others meet, in ascending order of cells. They strain uniformly, so that they
+/// stay convex and their contacts act on their nodes without any loss.
 template <int D>
 Array<SurfaceSimplex<D>> surface_simplices(const Mesh<D>& mesh, Memory* memory);
 
-/// What keeps corners from being a simplex that touches others, and its shape.
+/// The fault that keeps corners from being a simplex that touches others, and its shape.
 FaultReport check_simplex(const std::array<Vector<2>, 3>& corners, Memory* memory);
 PolyhedronFault check_simplex(const std::array<Vector<3>, 4>& corners, Memory* memory);
 Shape<2> shape_of_simplex(const std::array<Vector<2>, 3>& corners, Memory* memory);

@@ -163,7 +163,7 @@ pub const HS_PLANE_STRAIN: i32 = 0;
 /// a sheet without stress across the plane
 pub const HS_PLANE_STRESS: i32 = 1;
 
-// How a point of a bond has failed.
+// The ways in which a point of a bond fails.
 /// it has not
 pub const HS_BOND_HOLDS: i32 = 0;
 /// by opening
@@ -202,7 +202,7 @@ pub const HS_AXIS_Y: i32 = 2;
 /// along z, in 3D
 pub const HS_AXIS_Z: i32 = 4;
 
-// What a step computes besides detection and normal forces of rigid blocks. What is not active is neither
+// The parts of a step besides detection and normal forces of rigid blocks. One that is not active is neither
 // stored nor computed.
 /// a law resists shear: each pair keeps a shear spring
 pub const HS_PART_FRICTION: i32 = 1;
@@ -221,7 +221,7 @@ pub const HS_PART_LOCAL_DAMPING: i32 = 64;
 /// the world has mass damping
 pub const HS_PART_MASS_DAMPING: i32 = 128;
 
-// By which forces are compared.
+// The ratios by which forces are compared.
 /// all unbalanced forces over all forces: of cells, contacts, bonds, weight and loads
 pub const HS_UNBALANCED_MEAN: i32 = 0;
 /// the largest such ratio of a single block or node; where next to nothing acts, over the mean force
@@ -697,7 +697,7 @@ pub struct hs_deformation {
 }
 const _: () = assert!(std::mem::size_of::<hs_deformation>() == 296);
 
-/// What a bond is like. Fill it with hs_bond_def_init().
+/// The properties of a bond. Fill it with hs_bond_def_init().
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_bond_def {
@@ -849,7 +849,7 @@ pub struct hs_impact {
 }
 const _: () = assert!(std::mem::size_of::<hs_impact>() == 80);
 
-/// What a mesh is. Later versions may append to it.
+/// A mesh in numbers. Later versions may append to it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_mesh_properties {
@@ -868,7 +868,7 @@ pub struct hs_mesh_properties {
 }
 const _: () = assert!(std::mem::size_of::<hs_mesh_properties>() == 40);
 
-/// How a mesh is put into a world. Fill it with hs_body_def_init().
+/// The way in which a mesh is put into a world. Fill it with hs_body_def_init().
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_body_def {
@@ -883,7 +883,7 @@ pub struct hs_body_def {
 }
 const _: () = assert!(std::mem::size_of::<hs_body_def>() == 88);
 
-/// How a body moves. Later versions may append to it.
+/// The motion of a body. Later versions may append to it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_body_state {
@@ -904,7 +904,7 @@ pub struct hs_body_state {
 }
 const _: () = assert!(std::mem::size_of::<hs_body_state>() == 88);
 
-/// How a cell is strained and stressed, on average over the cell.
+/// Strain and stress of a cell, on average over it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_cell_state {
@@ -1023,7 +1023,7 @@ pub struct hs_world_plan {
 }
 const _: () = assert!(std::mem::size_of::<hs_world_plan>() == 144);
 
-/// How a world is brought to rest. Fill it with hs_relaxation_def_init().
+/// The way in which a world is brought to rest. Fill it with hs_relaxation_def_init().
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_relaxation_def {
@@ -1045,7 +1045,7 @@ pub struct hs_relaxation_def {
 }
 const _: () = assert!(std::mem::size_of::<hs_relaxation_def>() == 40);
 
-/// How balanced a world is. Later versions may append to it.
+/// The balance of a world. Later versions may append to it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_balance {
@@ -1060,7 +1060,7 @@ pub struct hs_balance {
 }
 const _: () = assert!(std::mem::size_of::<hs_balance>() == 32);
 
-/// How the factor of safety is looked for. Fill it with hs_strength_def_init().
+/// The search for the factor of safety. Fill it with hs_strength_def_init().
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_strength_def {
@@ -1083,7 +1083,7 @@ pub struct hs_strength_def {
 }
 const _: () = assert!(std::mem::size_of::<hs_strength_def>() == 56);
 
-/// What was found. Later versions may append to it.
+/// The result of that search. Later versions may append to it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_strength_report {

@@ -84,7 +84,7 @@ impl<T: Members> fmt::Debug for Family<T> {
     }
 }
 
-/// What a [`Family`] can be gathered from: [`Context`], [`Shape`], [`Mesh`], [`World`], and
+/// Members that a [`Family`] can be gathered from: [`Context`], [`Shape`], [`Mesh`], [`World`], and
 /// vectors, options and tuples of them. No other type can implement it.
 pub trait Members: sealed::Members {}
 

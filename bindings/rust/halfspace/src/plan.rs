@@ -49,15 +49,15 @@ pub struct Plan {
     pub limiting_neighbor: Option<Block>,
     /// Done on a copy to measure the times below.
     pub measured_steps: u64,
-    /// Of a step, in s: building neighbour lists.
+    /// Time of a step, in s: building neighbour lists.
     pub search_seconds: f64,
-    /// Of a step: detecting pairs and loading contacts.
+    /// Time of a step: detecting pairs and loading contacts.
     pub pair_seconds: f64,
-    /// Of a step: adding up the forces on blocks.
+    /// Time of a step: adding up the forces on blocks.
     pub gather_seconds: f64,
-    /// Of a step: moving, turning and straining blocks.
+    /// Time of a step: moving, turning and straining blocks.
     pub motion_seconds: f64,
-    /// Of a step: the energy ledger.
+    /// Time of a step: the energy ledger.
     pub book_seconds: f64,
 }
 

@@ -11,7 +11,7 @@ pub struct Energy {
     pub kinetic: f64,
     /// Potential, zero at the origin, now.
     pub gravity: f64,
-    /// In the springs of contacts and bonds, now.
+    /// Energy in the springs of contacts and bonds, now.
     pub strain: f64,
     /// By sliding and by breaking bonds, so far.
     pub friction_loss: f64,
@@ -57,9 +57,9 @@ pub struct Report {
     pub energy: Energy,
     /// In use; 0 without a law of potentials.
     pub potential_length: f64,
-    /// Of affine blocks and meshes, now; counts in the residual.
+    /// Strain energy of affine blocks and meshes, now; counts in the residual.
     pub block_strain_energy: f64,
-    /// In affine blocks and meshes, so far; counts in the residual.
+    /// Energy damped in affine blocks and meshes, so far; counts in the residual.
     pub block_damping_loss: f64,
     /// Steps so far that fast blocks have divided.
     pub divided_steps: u64,

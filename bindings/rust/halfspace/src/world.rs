@@ -204,7 +204,7 @@ impl World {
         Ok(raw.into())
     }
 
-    /// What the world computes and what limits its step. Its times are those of so many steps of a
+    /// The parts that the world computes and the limit of its step. Times are those of so many steps of a
     /// copy.
     ///
     /// # Errors
