@@ -72,7 +72,7 @@ WorldSettings<D> read_settings(const hs_world_def& def) {
 
 SpringLaw read_law(const hs_law_def* given) {
   const hs_law_def def = read_definition(given, "law");
-  if (def.stiffness_kind < HS_STIFFNESS_PER_CONTACT || def.stiffness_kind > HS_STIFFNESS_POTENTIAL) {
+  if (def.stiffness_kind < HS_STIFFNESS_PER_CONTACT || def.stiffness_kind > HS_STIFFNESS_NONE) {
     refuse(HS_ERROR_ARGUMENT, "law.stiffness_kind is %d; it must be an HS_STIFFNESS_ value",
            def.stiffness_kind);
   }

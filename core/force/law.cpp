@@ -7,7 +7,7 @@
 namespace halfspace {
 
 bool SpringLaw::is_consistent() const {
-  return stiffness_kind >= StiffnessKind::per_contact && stiffness_kind <= StiffnessKind::potential &&
+  return stiffness_kind >= StiffnessKind::per_contact && stiffness_kind <= StiffnessKind::none &&
          is_positive(normal_stiffness) && is_from_zero(shear_stiffness) && is_from_zero(tan_friction) &&
          is_from_zero(cohesion) && is_from_zero(tensile_strength) && is_from_zero(normal_damping) &&
          is_from_zero(shear_damping);
@@ -29,7 +29,7 @@ void LawTable::set(std::int32_t a, std::int32_t b, const SpringLaw& law) {
   } else {
     own_[std::size_t(own)] = law;
   }
-  knows_potential_ |= law.is_potential();
+  note(law);
 }
 
 void LawTable::weaken(double factor) {
@@ -43,7 +43,8 @@ bool LawTable::is_consistent() const {
     return index >= -1 && index < std::int64_t(own_.size());
   };
   const auto is_known = [&](const SpringLaw& law) {
-    return law.is_consistent() && (knows_potential_ || !law.is_potential());
+    return law.is_consistent() && (knows_potential_ || !law.is_potential()) &&
+           (knows_no_spring_ || !law.has_no_spring());
   };
   return material_count_ >= 0 && law_of_pair_.size() == materials * (materials + 1) / 2 &&
          all(law_of_pair_, names_a_law) && is_known(default_) && all(own_, is_known);

@@ -9,10 +9,11 @@
 namespace halfspace {
 
 /// A stiffness refers to one of these. The values are those of the C API.
-enum class StiffnessKind : std::int32_t { per_contact = 0, per_area = 1, potential = 2 };
+enum class StiffnessKind : std::int32_t { per_contact = 0, per_area = 1, potential = 2, none = 3 };
 
-/// Penalty spring with Mohr-Coulomb friction (Wang et al. 2021, section 3), or the potential force with the
-/// same friction (Zheng et al. 2020, section 3).
+/// Penalty spring with Mohr-Coulomb friction (Wang et al. 2021, section 3), the potential force with the same
+/// friction (Zheng et al. 2020, section 3), or no spring at all (Li et al. 2015, section 4): then stiffness and
+/// damping count for nothing.
 struct SpringLaw {
   StiffnessKind stiffness_kind = StiffnessKind::per_contact;
   std::int32_t reserved = 0;      // so that saved laws have no padding
@@ -24,8 +25,11 @@ struct SpringLaw {
   double normal_damping = 0.1;    // share of critical: without any, friction on springs feeds the vibration
   double shear_damping = 0.1;     // of what it should hold; likewise
 
-  bool resists_shear() const { return shear_stiffness > 0 && (tan_friction > 0 || bonds()); }
-  bool is_damped() const { return normal_damping + shear_damping > 0; }
+  bool has_no_spring() const { return stiffness_kind == StiffnessKind::none; }
+  bool resists_shear() const {
+    return !has_no_spring() && shear_stiffness > 0 && (tan_friction > 0 || bonds());
+  }
+  bool is_damped() const { return !has_no_spring() && normal_damping + shear_damping > 0; }
   bool is_potential() const { return stiffness_kind == StiffnessKind::potential; }
   bool bonds() const { return cohesion > 0 || tensile_strength > 0; }
   /// The same with all strengths divided by a factor.
@@ -52,7 +56,7 @@ class LawTable {
   }
   void set_default(const SpringLaw& law) {
     default_ = law;
-    knows_potential_ |= law.is_potential();
+    note(law);
   }
   void set(std::int32_t a, std::int32_t b, const SpringLaw& law);
 
@@ -66,6 +70,9 @@ class LawTable {
 
   /// True when a law of potentials has ever been set: known without going through all pairs.
   bool knows_potential() const { return knows_potential_; }
+
+  /// Likewise for a law without a spring.
+  bool knows_no_spring() const { return knows_no_spring_; }
 
   /// True when the condition holds for a law that some pair of materials has.
   template <class Condition>
@@ -81,10 +88,14 @@ class LawTable {
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(default_, own_, law_of_pair_, material_count_, knows_potential_);
+    archive(default_, own_, law_of_pair_, material_count_, knows_potential_, knows_no_spring_);
   }
 
  private:
+  void note(const SpringLaw& law) {
+    knows_potential_ |= law.is_potential();
+    knows_no_spring_ |= law.has_no_spring();
+  }
   /// The place in the lower triangle, row by row: a new material adds a row and moves nothing.
   static std::size_t index(std::int32_t a, std::int32_t b) {
     const std::size_t row = std::size_t(std::max(a, b)), column = std::size_t(std::min(a, b));
@@ -96,6 +107,7 @@ class LawTable {
   Array<std::int32_t> law_of_pair_;  // -1: default
   std::int32_t material_count_ = 0;
   std::int32_t knows_potential_ = 0;
+  std::int32_t knows_no_spring_ = 0;
 };
 
 }  // namespace halfspace

@@ -16,8 +16,9 @@ struct Acting {
 template <int D>
 class Acts {
  public:
-  Acts(const Model<D>& model, BalanceRoom& room)
+  Acts(const Model<D>& model, const Integrator<D>& integrator, BalanceRoom& room)
       : model_(model),
+        integrator_(integrator),
         blocks_(model.blocks),
         meshes_(model.blocks.meshes()),
         of_block_(room.of_block),
@@ -45,19 +46,22 @@ class Acts {
 
   Acting on_block(std::size_t i) const {
     const Vector<D> weight = blocks_.mass[i] * model_.settings.gravity;
-    Vector<D> force = blocks_.force[i] + blocks_.applied_force[i] + weight;
-    double turning = (blocks_.torque[i] + blocks_.applied_torque[i]).norm();
+    const auto reaction = integrator_.reaction(i);
+    Vector<D> force = blocks_.force[i] + blocks_.applied_force[i] + weight + reaction.force;
+    double turning = (blocks_.torque[i] + blocks_.applied_torque[i] + reaction.torque).norm();
     double loads = blocks_.applied_force[i].norm() + blocks_.applied_torque[i].norm() / blocks_.radius[i];
     if (blocks_.is_affine(i)) {
       const Deformation<D>& deformation = blocks_.deformation(i);
       force += deformation.load_force;
       loads += deformation.load.norm() / blocks_.radius[i];
-      turning = deformation.drive(blocks_.applied_torque[i], model_.elasticity_of(i)).norm();
+      turning = (deformation.drive(blocks_.applied_torque[i], model_.elasticity_of(i)) +
+                 integrator_.strain_reaction(i))
+                    .norm();
     }
     return {force.norm() + turning / blocks_.radius[i], of_block_[i] + weight.norm() + loads};
   }
   Acting on_node(std::size_t i) const {
-    Vector<D> force = meshes_.force[i];
+    Vector<D> force = meshes_.force[i] + integrator_.reaction_on_node(i);
     for (int k = 0; k < D; ++k) {
       if (meshes_.held[i] >> k & 1) force[k] = 0;
     }
@@ -67,6 +71,7 @@ class Acts {
 
  private:
   const Model<D>& model_;
+  const Integrator<D>& integrator_;
   const Blocks<D>& blocks_;
   const Meshes<D>& meshes_;
   Array<double>& of_block_;
@@ -77,15 +82,17 @@ class Acts {
 
 template <int D>
 Balance balance_of(const Model<D>& model, const ContactList<D>& contacts, const ForcePass<D>& forces,
-                   BalanceRoom& room) {
+                   const ReactionPass<D>& reactions, const Integrator<D>& integrator, BalanceRoom& room) {
   const Blocks<D>& blocks = model.blocks;
-  Acts<D> acts(model, room);
+  Acts<D> acts(model, integrator, room);
   const auto add_to_both = [&](std::int32_t a, std::int32_t b, double size) {
     acts.add(a, size);
     acts.add(b, size);
   };
   for (std::size_t c = 0; c < contacts.count(); ++c)
     add_to_both(contacts.pair_of(c).a, contacts.pair_of(c).b, forces.of_contact(c).force.norm());
+  for (const Reaction<D>& reaction : reactions.all())
+    add_to_both(reaction.a, reaction.b, reaction.force.norm());
   for (const Bond<D>& bond : blocks.bonds().all()) {
     if (!bond.is_joint) continue;
     for (const BondPoint<D>& point : blocks.bonds().points_of(bond))
@@ -150,7 +157,9 @@ double SlowestMotion<D>::look() {
 
 template class SlowestMotion<2>;
 template class SlowestMotion<3>;
-template Balance balance_of(const Model<2>&, const ContactList<2>&, const ForcePass<2>&, BalanceRoom&);
-template Balance balance_of(const Model<3>&, const ContactList<3>&, const ForcePass<3>&, BalanceRoom&);
+template Balance balance_of(const Model<2>&, const ContactList<2>&, const ForcePass<2>&,
+                            const ReactionPass<2>&, const Integrator<2>&, BalanceRoom&);
+template Balance balance_of(const Model<3>&, const ContactList<3>&, const ForcePass<3>&,
+                            const ReactionPass<3>&, const Integrator<3>&, BalanceRoom&);
 
 }  // namespace halfspace

@@ -2,7 +2,9 @@
 
 #include "world/contact_list.h"
 #include "world/force_pass.h"
+#include "world/integrator.h"
 #include "world/model.h"
+#include "world/reaction_pass.h"
 
 namespace halfspace {
 
@@ -28,10 +30,12 @@ struct BalanceRoom {
 /// unbalanced.
 template <int D>
 Balance balance_of(const Model<D>& model, const ContactList<D>& contacts, const ForcePass<D>& forces,
-                   BalanceRoom& room);
+                   const ReactionPass<D>& reactions, const Integrator<D>& integrator, BalanceRoom& room);
 
-extern template Balance balance_of(const Model<2>&, const ContactList<2>&, const ForcePass<2>&, BalanceRoom&);
-extern template Balance balance_of(const Model<3>&, const ContactList<3>&, const ForcePass<3>&, BalanceRoom&);
+extern template Balance balance_of(const Model<2>&, const ContactList<2>&, const ForcePass<2>&,
+                                   const ReactionPass<2>&, const Integrator<2>&, BalanceRoom&);
+extern template Balance balance_of(const Model<3>&, const ContactList<3>&, const ForcePass<3>&,
+                                   const ReactionPass<3>&, const Integrator<3>&, BalanceRoom&);
 
 /// The way in which a world is brought to rest.
 struct Relaxation {

@@ -53,6 +53,8 @@ void World<D>::remove_block(std::int32_t slot) {
   model_.blocks.remove(slot);
   // Its slot may come to name another block: no pair may remember it.
   contacts_.neighbors().forget(slot);
+  reactions_.forget();
+  integrator_.forget_reaction();
   forget_contacts();
   edit();
 }

@@ -57,6 +57,7 @@ MeshFaultReport World<D>::add_surface(std::int32_t body, std::span<const Surface
     SurfaceCell<D> cell;
     cell.body = body;
     cell.cell = simplex.cell;
+    cell.outer_faces = simplex.outer_faces;
     for (std::size_t i = 0; i <= D; ++i) {
       const std::size_t node = std::size_t(first_node + simplex.node[i]);
       cell.node[i] = std::int32_t(node);
@@ -118,6 +119,8 @@ void World<D>::remove_mesh(std::int32_t body) {
   Meshes<D>& meshes = model_.blocks.meshes();
   for (const SurfaceCell<D>& cell : meshes.surface_of(body)) remove_block(cell.block);
   meshes.remove(body);
+  integrator_.forget_reaction();
+  if (reactions_.is_wanted()) contacts_.neighbors().expire();  // nodes have other numbers
   edit();
 }
 

@@ -122,7 +122,7 @@ double FastMotion<D>::calm_part_of(Candidate<D>& pair, double& stable_duration) 
   pair_ = {pair.a, pair.b, motion / integrator_.duration(), thickness,
            calm_share * thickness * integrator_.duration() / motion};
   double time_of_touch = 0;
-  if (touching(pair.witness)) {
+  if (touching(pair.witness) && !model_.law_of(pair).has_no_spring()) {
     stop_.note(pair);
   } else {
     const Impact<D> impact =

@@ -15,15 +15,26 @@ typename Integrator<D>::Drive Integrator<D>::drive(std::size_t i) const {
           blocks_.torque[i] + blocks_.applied_torque[i]};
 }
 
+template <int D>
+typename Integrator<D>::Drive Integrator<D>::reaction(std::size_t i) const {
+  if (reaction_.empty()) return {Vector<D>::Zero(), Angular<D>::Zero()};
+  const double rate = reaction_.rate();
+  return {rate * blocks_.mass[i] * reaction_.of_block(i), rate * reaction_.momentum(i)};
+}
+
 /// Newton's law with local damping (Cundall's, against each component of the velocity) and mass-proportional
 /// damping.
 template <int D>
 void Integrator<D>::accelerate_rigid(std::size_t i) {
   auto [force, torque] = drive(i);
   if (settings_.local_damping > 0) {
-    for (int k = 0; k < D; ++k) force[k] = damped(force[k], blocks_.velocity[i][k], settings_.local_damping);
+    const Drive by = reaction(i);
+    for (int k = 0; k < D; ++k)
+      force[k] =
+          damped(force[k] + by.force[k], blocks_.velocity[i][k], settings_.local_damping) - by.force[k];
     for (int k = 0; k < torque.size(); ++k)
-      torque[k] = damped(torque[k], blocks_.spin[i][k], settings_.local_damping);
+      torque[k] =
+          damped(torque[k] + by.torque[k], blocks_.spin[i][k], settings_.local_damping) - by.torque[k];
   }
   acceleration_[i] = force / blocks_.mass[i] - settings_.mass_damping * blocks_.velocity[i];
   momentum_rate_[i] = torque - settings_.mass_damping * blocks_.momentum[i];
@@ -56,9 +67,11 @@ template <int D>
   stock.gravity -= mass * settings_.gravity.dot(blocks_.position[i]);
   if (settings_.local_damping > 0) {
     const auto [force, torque] = drive(i);
+    const Drive by = reaction(i);
     double power = 0;
-    for (int k = 0; k < torque.size(); ++k) power += damped_power(torque[k], opposed_spin[k], spin[k]);
-    for (int k = 0; k < D; ++k) power += damped_power(force[k], opposed[k], velocity[k]);
+    for (int k = 0; k < torque.size(); ++k)
+      power += damped_power(torque[k] + by.torque[k], opposed_spin[k], spin[k]);
+    for (int k = 0; k < D; ++k) power += damped_power(force[k] + by.force[k], opposed[k], velocity[k]);
     stock.power.local_damping += settings_.local_damping * power;
   }
   if (settings_.mass_damping > 0) {
@@ -137,7 +150,11 @@ bool Integrator<D>::plan_motion_of(std::size_t i, Plan& plan) {
       return plan_block(i, meshes_.planned_way(i) / duration_, meshes_.planned_stretch(i).norm(), plan);
     case BlockKind::rigid: {
       velocity += half * acceleration_[i];
-      const Angular<D> momentum = blocks_.momentum[i] + half * momentum_rate_[i];
+      Angular<D> momentum = blocks_.momentum[i] + half * momentum_rate_[i];
+      if (!kicks_.empty()) {
+        velocity += kicks_.of_block(i);
+        momentum += kicks_.momentum(i);
+      }
       const auto onward = turned_freely(blocks_.rotation[i], blocks_.inertia[i], momentum, duration_);
       spin = onward.spin;
       next_rotation_[i] = onward.rotation;
@@ -178,18 +195,41 @@ template <int D>
 Vector<D> Integrator<D>::planned_way(std::size_t i) const {
   if (blocks_.is_of_mesh(i)) return meshes_.planned_way(i);
   Vector<D> velocity = blocks_.velocity[i];
-  if (blocks_.moves_freely(i)) velocity += 0.5 * duration_ * acceleration_[i];
+  if (blocks_.moves_freely(i)) {
+    velocity += 0.5 * duration_ * acceleration_[i];
+    if (!kicks_.empty()) velocity += kicks_.of_block(i);
+  }
   return duration_ * velocity;
 }
 template <int D>
 Tensor<D> Integrator<D>::planned_stretch(std::size_t i) const {
   if (blocks_.is_of_mesh(i)) return meshes_.planned_stretch(i);
   const Deformation<D>& deformation = blocks_.deformation(i);
-  return duration_ * (deformation.rate + 0.5 * duration_ * deformation.acceleration);
+  Tensor<D> rate = deformation.rate + 0.5 * duration_ * deformation.acceleration;
+  if (!kicks_.empty()) rate += kicks_.of_gradient(i);
+  return duration_ * rate;
 }
 template <int D>
 Angular<D> Integrator<D>::planned_turn(std::size_t i) const {
   return next_rotation_[i].turn_since(blocks_.rotation[i]);
+}
+
+template <int D>
+Vector<D> Integrator<D>::planned_velocity(const CarriedPoint<D>& point) const {
+  const std::size_t slot = std::size_t(point.block);
+  Vector<D> way = Vector<D>::Zero();
+  if (blocks_.is_of_mesh(slot)) {
+    for (int i = 0; i < D; ++i) {
+      if (point.weight[i] != 0)
+        way += point.weight[i] * planned_way_of_node(std::size_t(point.node[std::size_t(i)]));
+    }
+  } else if (blocks_.is_affine(slot)) {
+    way = planned_way(slot) + planned_stretch(slot) * point.arm;
+  } else if (blocks_.moves(slot)) {
+    const Vector<D> own = blocks_.rotation[slot].inverse() * point.arm;
+    way = planned_way(slot) + next_rotation_[slot] * own - point.arm;
+  }
+  return way / duration_;
 }
 
 template <int D>
@@ -198,6 +238,7 @@ void Integrator<D>::kick_and_drift() {
   const auto move = [&](std::size_t i) {
     if (blocks_.kind[i] == BlockKind::rigid) {
       blocks_.push(i, half * acceleration_[i], half * momentum_rate_[i]);
+      if (!kicks_.empty()) blocks_.push(i, kicks_.of_block(i), kicks_.momentum(i));
     } else if (blocks_.is_affine(i)) {
       return kick_and_drift_affine(i);
     } else if (blocks_.kind[i] != BlockKind::prescribed) {
@@ -219,6 +260,30 @@ Stock Integrator<D>::kick() {
   for (const Stock& stock : stocks_) all.add(stock);
   meshes_.kick(duration_, all);
   return all;
+}
+
+/// What the first half of the kick has told of the blocks' velocities is told anew.
+template <int D>
+void Integrator<D>::take_kicks(Stock& stock) {
+  Stock all;
+  all.applied_power = stock.applied_power;
+  for (std::size_t i = 0; i < blocks_.slot_count(); ++i) take_kick(i, all);
+  meshes_.take_kicks(duration_, all);
+  reaction_.swap(kicks_);
+  stock = all;
+}
+
+template <int D>
+void Integrator<D>::take_kick(std::size_t i, Stock& stock) {
+  if (blocks_.is_of_mesh(i)) return;
+  if (blocks_.is_affine(i)) return take_affine_kick(i, stock);
+  Vector<D> middle_velocity = blocks_.velocity[i];
+  const Angular<D> middle_spin = blocks_.spin[i];
+  if (blocks_.kind[i] == BlockKind::rigid) {
+    middle_velocity -= 0.5 * duration_ * acceleration_[i];
+    blocks_.kick(i, kicks_.of_block(i), kicks_.momentum(i));
+  }
+  take_stock(i, middle_velocity, middle_spin, stock);
 }
 
 template <int D>

@@ -21,7 +21,9 @@ class Integrator {
  public:
   Integrator(Model<D>& model, NeighborList<D>& neighbors, const ForcePass<D>& forces, Threads* threads,
              Memory* memory)
-      : meshes_(model, forces, memory),
+      : kicks_(model.blocks, memory),
+        reaction_(model.blocks, memory),
+        meshes_(model, forces, kicks_, reaction_, memory),
         settings_(model.settings),
         model_(model),
         blocks_(model.blocks),
@@ -53,11 +55,32 @@ class Integrator {
   Vector<D> planned_way(std::size_t block) const;
   Tensor<D> planned_stretch(std::size_t block) const;
   Angular<D> planned_turn(std::size_t block) const;
+  const Rotation<D>& planned_rotation(std::size_t block) const { return next_rotation_[block]; }
+  Vector<D> planned_way_of_node(std::size_t node) const { return meshes_.planned_way_of_node(node); }
+  /// The mean velocity of a point in the planned motion.
+  Vector<D> planned_velocity(const CarriedPoint<D>& point) const;
+
+  /// Changes of velocity that the first half of a motion makes besides: a plan that has been made without
+  /// them has to be made anew.
+  Kicks<D>& kicks() { return kicks_; }
+  const Kicks<D>& kicks() const { return kicks_; }
+  void forget_reaction() { reaction_.end(); }
+  /// A force and a torque on a block.
+  struct Drive {
+    Vector<D> force;
+    Angular<D> torque;
+  };
+  /// Those that the kick at the end of the last motion stands for.
+  Drive reaction(std::size_t block) const;
+  Tensor<D> strain_reaction(std::size_t block) const;
+  Vector<D> reaction_on_node(std::size_t node) const { return meshes_.reaction(node); }
 
   /// Velocities to the middle of the planned motion, places to its end.
   void kick_and_drift();
   /// Velocities to its end.
   Stock kick();
+  /// Takes the kicks into the velocities at the end of the motion, and the stock anew.
+  void take_kicks(Stock& stock);
 
   void reserve(std::size_t slots) {
     acceleration_.reserve(slots);
@@ -81,21 +104,16 @@ class Integrator {
   bool is_consistent(bool is_edited) const {
     const std::size_t slots = blocks_.slot_count();
     if (!is_edited && (acceleration_.size() != slots || momentum_rate_.size() != slots)) return false;
-    if (!meshes_.is_consistent(is_edited)) return false;
+    if (!meshes_.is_consistent(is_edited) || !reaction_.is_consistent()) return false;
     return acceleration_.size() <= slots && momentum_rate_.size() <= slots;
   }
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(acceleration_, momentum_rate_, meshes_);
+    archive(acceleration_, momentum_rate_, reaction_, meshes_);
   }
 
  private:
-  /// The force and torque that drive a block, before damping.
-  struct Drive {
-    Vector<D> force;
-    Angular<D> torque;
-  };
 
   /// Blocks that one worker goes through at once.
   static constexpr std::size_t blocks_per_chunk = 256;
@@ -111,7 +129,9 @@ class Integrator {
 
   template <class Sums, class Visit>
   void sum_each_block(Sums& sums, Visit visit);
+  /// Those that drive a block, before damping.
   Drive drive(std::size_t block) const;
+  void take_kick(std::size_t block, Stock& stock);
   void accelerate_rigid(std::size_t block);
   bool plan_block(std::size_t block, const Vector<D>& velocity, double turn, Plan& plan);
   bool plan_motion_of(std::size_t block, Plan& plan);
@@ -129,7 +149,10 @@ class Integrator {
   void take_affine_stock(std::size_t block, const Vector<D>& opposed, const Tensor<D>& opposed_rate,
                          Stock& stock) const;
   void kick_affine(std::size_t block, Stock& stock);
+  void take_affine_kick(std::size_t block, Stock& stock);
 
+  Kicks<D> kicks_;
+  Kicks<D> reaction_;  // those at the end of the last motion
   MeshMotion<D> meshes_;
   const WorldSettings<D>& settings_;
   const Model<D>& model_;

@@ -16,6 +16,12 @@ Tensor<D> Integrator<D>::strain_drive(std::size_t i) const {
   return blocks_.deformation(i).drive(blocks_.applied_torque[i], model_.elasticity_of(i));
 }
 
+template <int D>
+Tensor<D> Integrator<D>::strain_reaction(std::size_t i) const {
+  if (reaction_.empty()) return Tensor<D>::Zero();
+  return reaction_.rate() * reaction_.of_gradient(i) * blocks_.deformation(i).mass_matrix;
+}
+
 /// Newton's law for the centroid and for the gradient, with local damping against each component of their
 /// rates and mass-proportional damping.
 template <int D>
@@ -27,8 +33,10 @@ void Integrator<D>::accelerate_affine(std::size_t i) {
     const auto oppose = [&](double component, double velocity) {
       return damped(component, velocity, settings_.local_damping);
     };
-    force = force.binaryExpr(blocks_.velocity[i], oppose).eval();
-    drive = drive.binaryExpr(deformation.rate, oppose).eval();
+    const Vector<D> reaction = this->reaction(i).force;
+    const Tensor<D> strain_reaction = this->strain_reaction(i);
+    force = (force + reaction).binaryExpr(blocks_.velocity[i], oppose).eval() - reaction;
+    drive = (drive + strain_reaction).binaryExpr(deformation.rate, oppose).eval() - strain_reaction;
   }
   acceleration_[i] = force / blocks_.mass[i] - settings_.mass_damping * blocks_.velocity[i];
   deformation.acceleration =
@@ -40,8 +48,9 @@ template <int D>
 bool Integrator<D>::plan_affine(std::size_t i, Plan& plan) {
   const double half = 0.5 * duration_;
   const Deformation<D>& deformation = blocks_.deformation(i);
-  const Vector<D> velocity = blocks_.velocity[i] + half * acceleration_[i];
-  const Tensor<D> change = duration_ * (deformation.rate + half * deformation.acceleration);
+  Vector<D> velocity = blocks_.velocity[i] + half * acceleration_[i];
+  if (!kicks_.empty()) velocity += kicks_.of_block(i);
+  const Tensor<D> change = planned_stretch(i);
   const double strain = change.norm();
   if (strain <= most_turn) {
     const Tensor<D> next = deformation.gradient + change;
@@ -57,6 +66,10 @@ void Integrator<D>::kick_and_drift_affine(std::size_t i) {
   Deformation<D>& deformation = blocks_.deformation(i);
   blocks_.push(i, half * acceleration_[i], Angular<D>::Zero());
   deformation.rate += half * deformation.acceleration;
+  if (!kicks_.empty()) {
+    blocks_.push(i, kicks_.of_block(i), Angular<D>::Zero());
+    deformation.rate += kicks_.of_gradient(i);
+  }
   blocks_.drift_affine(std::int32_t(i), duration_ * blocks_.velocity[i], duration_);
 }
 
@@ -78,8 +91,8 @@ void Integrator<D>::take_affine_stock(std::size_t i, const Vector<D>& opposed, c
   stock.power.contact_damping += forces_.dashpot_power(i);
   stock.power.block_damping += deformation.damping_power(model_.elasticity_of(i), opposed_rate);
   if (settings_.local_damping > 0) {
-    const Vector<D> force = affine_drive(i);
-    const Tensor<D> strain_force = strain_drive(i);
+    const Vector<D> force = affine_drive(i) + reaction(i).force;
+    const Tensor<D> strain_force = strain_drive(i) + strain_reaction(i);
     double power = 0;
     for (int k = 0; k < D; ++k) power += damped_power(force[k], opposed[k], velocity[k]);
     for (int k = 0; k < D * D; ++k)
@@ -114,6 +127,17 @@ void Integrator<D>::kick_affine(std::size_t i, Stock& stock) {
       blocks_.strain(i, Tensor<D>::Zero());
     }
   }
+  take_affine_stock(i, middle_velocity, middle_rate, stock);
+}
+
+template <int D>
+void Integrator<D>::take_affine_kick(std::size_t i, Stock& stock) {
+  const double half = 0.5 * duration_;
+  const Deformation<D>& deformation = blocks_.deformation(i);
+  const Vector<D> middle_velocity = blocks_.velocity[i] - half * acceleration_[i];
+  const Tensor<D> middle_rate = deformation.rate - half * deformation.acceleration;
+  blocks_.push(i, kicks_.of_block(i), Angular<D>::Zero());
+  blocks_.strain(i, kicks_.of_gradient(i));
   take_affine_stock(i, middle_velocity, middle_rate, stock);
 }
 

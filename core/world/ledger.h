@@ -13,6 +13,7 @@ struct Ledger {
   double block_strain = 0;  // of affine blocks
   double friction_loss = 0;
   double fracture_loss = 0;  // of bonds
+  double impact_loss = 0;    // where points meet by a law without a spring
   double contact_damping_loss = 0;
   double local_damping_loss = 0;
   double mass_damping_loss = 0;
@@ -20,7 +21,7 @@ struct Ledger {
   double outer_work = 0;
 
   double losses() const {
-    return friction_loss + fracture_loss + contact_damping_loss + local_damping_loss + mass_damping_loss +
+    return friction_loss + fracture_loss + impact_loss + contact_damping_loss + local_damping_loss + mass_damping_loss +
            block_damping_loss;
   }
   double total() const { return kinetic + gravity + strain + block_strain + losses(); }
@@ -74,6 +75,8 @@ class EnergyLedger {
   void set_contact_strain(double strain) { entries_.strain = strain; }
   void add_friction_loss(double loss) { entries_.friction_loss += loss; }
   void add_fracture_loss(double loss) { entries_.fracture_loss += loss; }
+  void add_impact_loss(double loss) { entries_.impact_loss += loss; }
+  void add_outer_work(double work) { entries_.outer_work += work; }
   void add_contact_damping_loss(double loss) { entries_.contact_damping_loss += loss; }
   void add_outer_power(double power) { power_.outer += power; }
 

@@ -68,8 +68,10 @@ void MeshMotion<D>::load_nodes_of(const SurfaceCell<D>& cell) {
 template <int D>
 void MeshMotion<D>::accelerate(std::size_t i) {
   const Vector<D>& velocity = meshes_.velocity[i];
+  const Vector<D> reaction = this->reaction(i);
   for (int k = 0; k < D; ++k) {
-    const double force = damped(meshes_.force[i][k], velocity[k], settings_.local_damping);
+    const double force =
+        damped(meshes_.force[i][k] + reaction[k], velocity[k], settings_.local_damping) - reaction[k];
     acceleration_[i][k] = is_held(i, k) ? 0 : force / meshes_.mass[i] - settings_.mass_damping * velocity[k];
   }
 }
@@ -80,6 +82,7 @@ template <int D>
 void MeshMotion<D>::take_stock(std::size_t i, const Vector<D>& opposed, Stock& stock) const {
   const Vector<D>& velocity = meshes_.velocity[i];
   const double mass = meshes_.mass[i];
+  const Vector<D> force = meshes_.force[i] + reaction(i);
   stock.squared_speed = std::max(stock.squared_speed, velocity.squaredNorm());
   stock.kinetic += 0.5 * mass * velocity.squaredNorm();
   for (int k = 0; k < D; ++k) {
@@ -87,7 +90,7 @@ void MeshMotion<D>::take_stock(std::size_t i, const Vector<D>& opposed, Stock& s
       stock.power.outer -= meshes_.force[i][k] * velocity[k];
     } else {
       stock.power.local_damping +=
-          settings_.local_damping * damped_power(meshes_.force[i][k], opposed[k], velocity[k]);
+          settings_.local_damping * damped_power(force[k], opposed[k], velocity[k]);
       stock.power.mass_damping += settings_.mass_damping * mass * opposed[k] * velocity[k];
     }
   }
@@ -219,6 +222,7 @@ template <int D>
 void MeshMotion<D>::kick_and_drift(double duration) {
   for (std::size_t i = 0; i < meshes_.node_count(); ++i) {
     meshes_.velocity[i] += 0.5 * duration * acceleration_[i];
+    if (!kicks_.empty()) meshes_.velocity[i] += kicks_.of_node(i);
     meshes_.place[i] += duration * meshes_.velocity[i];
   }
   for (const SurfaceCell<D>& cell : meshes_.surface()) model_.blocks.follow_nodes(cell);
@@ -227,7 +231,8 @@ void MeshMotion<D>::kick_and_drift(double duration) {
 template <int D>
 void MeshMotion<D>::kick(double duration, Stock& stock) {
   if (meshes_.empty()) return;
-  stock.block_strain += evaluate_forces();
+  strain_energy_ = evaluate_forces();
+  stock.block_strain += strain_energy_;
   bool is_damped = false;
   for (const Body<D>& body : meshes_.bodies()) {
     is_damped = is_damped || body.damping_time > 0;
@@ -239,6 +244,26 @@ void MeshMotion<D>::kick(double duration, Stock& stock) {
       // A kick beyond all numbers is none, as with rigid blocks.
       const Vector<D> velocity = middle_velocity + 0.5 * duration * acceleration_[i];
       if (velocity.allFinite()) meshes_.velocity[i] = velocity;
+      stock.gravity -= meshes_.mass[i] * settings_.gravity.dot(body.origin + meshes_.place[i]);
+      take_stock(i, middle_velocity, stock);
+    }
+  }
+  for (const SurfaceCell<D>& cell : meshes_.surface()) model_.blocks.follow_node_velocities(cell);
+  take_surface_stock(stock);
+  if (is_damped) stock.power.block_damping += damping_power(0.5 * duration);
+}
+
+template <int D>
+void MeshMotion<D>::take_kicks(double duration, Stock& stock) {
+  if (meshes_.empty()) return;
+  stock.block_strain += strain_energy_;
+  bool is_damped = false;
+  for (const Body<D>& body : meshes_.bodies()) {
+    is_damped = is_damped || body.damping_time > 0;
+    for (std::size_t i = std::size_t(body.first_node); i < std::size_t(body.first_node + body.node_count);
+         ++i) {
+      const Vector<D> middle_velocity = meshes_.velocity[i] - 0.5 * duration * acceleration_[i];
+      meshes_.velocity[i] += kicks_.of_node(i);
       stock.gravity -= meshes_.mass[i] * settings_.gravity.dot(body.origin + meshes_.place[i]);
       take_stock(i, middle_velocity, stock);
     }

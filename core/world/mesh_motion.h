@@ -4,6 +4,7 @@
 
 #include "block/mesh/meshes.h"
 #include "world/force_pass.h"
+#include "world/kicks.h"
 #include "world/ledger.h"
 #include "world/model.h"
 
@@ -14,11 +15,14 @@ namespace halfspace {
 template <int D>
 class MeshMotion {
  public:
-  MeshMotion(Model<D>& model, const ForcePass<D>& forces, Memory* memory)
+  MeshMotion(Model<D>& model, const ForcePass<D>& forces, const Kicks<D>& kicks,
+             const Kicks<D>& reaction, Memory* memory)
       : settings_(model.settings),
         model_(model),
         meshes_(model.blocks.meshes()),
         forces_(forces),
+        kicks_(kicks),
+        reaction_(reaction),
         acceleration_(memory) {}
 
   /// Accelerations of all nodes from the forces at hand, and what there is of energy; adds to the noise, see
@@ -30,10 +34,22 @@ class MeshMotion {
   /// The planned motion of a block at the surface.
   Vector<D> planned_way(std::size_t block) const;
   Tensor<D> planned_stretch(std::size_t block) const;
+  /// The force that the kick at the end of the last motion stands for.
+  Vector<D> reaction(std::size_t node) const {
+    if (reaction_.empty()) return Vector<D>::Zero();
+    return reaction_.rate() * meshes_.mass[node] * reaction_.of_node(node);
+  }
+  Vector<D> planned_way_of_node(std::size_t node) const {
+    Vector<D> velocity = meshes_.velocity[node] + 0.5 * duration_ * acceleration_[node];
+    if (!kicks_.empty()) velocity += kicks_.of_node(node);
+    return duration_ * velocity;
+  }
   /// Velocities to the middle of the motion, places to its end.
   void kick_and_drift(double duration);
   /// Velocities to its end.
   void kick(double duration, Stock& stock);
+  /// Takes the kicks into the velocities, and the stock anew.
+  void take_kicks(double duration, Stock& stock);
 
   void reserve() { acceleration_.reserve(meshes_.node_count()); }
   /// Memory has been reserved.
@@ -53,9 +69,6 @@ class MeshMotion {
   }
 
  private:
-  Vector<D> planned_way_of_node(std::size_t node) const {
-    return duration_ * (meshes_.velocity[node] + 0.5 * duration_ * acceleration_[node]);
-  }
   bool is_held(std::size_t node, int component) const { return (meshes_.held[node] >> component & 1) != 0; }
   double evaluate_forces();
   template <int N>
@@ -78,8 +91,11 @@ class MeshMotion {
   Model<D>& model_;
   Meshes<D>& meshes_;
   const ForcePass<D>& forces_;
+  const Kicks<D>& kicks_;
+  const Kicks<D>& reaction_;
   Array<Vector<D>> acceleration_;  // of each node, from the last forces
   double largest_strain_ = 0;      // of all elements, at the last forces
+  double strain_energy_ = 0;       // likewise
   double duration_ = 0;            // of the planned motion
   InvertedCell inverted_;
 };

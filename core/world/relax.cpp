@@ -51,7 +51,7 @@ template <int D>
 Balance World<D>::balance() {
   BalanceRoom room(model_.blocks, sums_.get_allocator().resource());
   if (prepare() != StepResult::ok) return {};
-  return balance_of(model_, contacts_, forces_, room);
+  return balance_of(model_, contacts_, forces_, reactions_, integrator_, room);
 }
 
 template <int D>
@@ -122,7 +122,7 @@ void World<D>::relax_under_damping(const Relaxation& relaxation, Watch& watch, R
       if (relaxed.result != StepResult::ok) return;
       ++relaxed.steps;
     }
-    relaxed.balance = balance_of(model_, contacts_, forces_, watch.room);
+    relaxed.balance = balance_of(model_, contacts_, forces_, reactions_, integrator_, watch.room);
     const double ratio = relaxation.by_largest ? relaxed.balance.largest : relaxed.balance.mean;
     relaxed.is_at_rest = ratio <= relaxation.ratio;
     relaxed.has_fallen = relaxation.most_way > 0 && watch.way.longest(model_.blocks) > relaxation.most_way;

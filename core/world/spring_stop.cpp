@@ -71,6 +71,7 @@ template <int D>
 double SpringStop<D>::deepest() const {
   double deepest = deepest_;
   for (const Candidate<D>& pair : contacts_.neighbors().pairs()) {
+    if (model_.law_of(pair).has_no_spring()) continue;
     if (touching(pair.witness) || most_of(pair) > deepest) deepest = std::max(deepest, of(pair));
   }
   return deepest;

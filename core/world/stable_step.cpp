@@ -23,6 +23,8 @@ double StableStep<D>::largest_stiffness(const SpringLaw& law, std::size_t slot,
                                         double potential_length) const {
   const double spring = std::max(law.normal_stiffness, law.shear_stiffness);
   switch (law.stiffness_kind) {
+    case StiffnessKind::none:
+      return 0;
     case StiffnessKind::per_area:
       return spring * blocks_.largest_face[slot];
     case StiffnessKind::potential:

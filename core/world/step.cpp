@@ -17,6 +17,9 @@ namespace {
 /// No motion is a smaller part of a step.
 constexpr double least_part = 0x1p-24;
 
+/// A blow that is passed on from block to block lengthens motions each time.
+constexpr int most_renewals = 16;
+
 constexpr double largest_double = std::numeric_limits<double>::max();
 
 }  // namespace
@@ -25,13 +28,28 @@ constexpr double largest_double = std::numeric_limits<double>::max();
 /// motion would use it up. All memory is taken here, so that a motion once begun is finished.
 template <int D>
 bool World<D>::plan_motion(double duration) {
+  if (reactions_.is_wanted()) integrator_.kicks().begin(duration);
   if (!integrator_.plan(duration)) return false;
   if (contacts_.neighbors().used_up()) {
     lap(Pass::motion);
     renew_neighbors();
     lap(Pass::search);
   }
-  return true;
+  return !reactions_.is_wanted() || plan_reactions(duration);
+}
+
+/// A block that is struck may go farther than its neighbour list has been told: then it is made anew, and the
+/// blows with it.
+template <int D>
+bool World<D>::plan_reactions(double duration) {
+  for (int i = 0; i < most_renewals; ++i) {
+    if (!reactions_.plan(clock_.time(), duration)) return false;
+    if (!contacts_.neighbors().used_up()) return true;
+    renew_neighbors();
+    integrator_.kicks().begin(duration);
+    if (!integrator_.plan(duration)) return false;
+  }
+  return false;
 }
 
 /// The result of a step whose motion cannot be planned.
@@ -100,13 +118,17 @@ template <int D>
 void World<D>::move() {
   const double duration = integrator_.duration();
   model_.fix_potential_length();
+  if (reactions_.is_wanted()) reactions_.book(ledger_);
   integrator_.kick_and_drift();
+  if (reactions_.is_wanted()) reactions_.book(ledger_);
   forget_contacts();
   made_ = duration;
   lap(Pass::motion);
   evaluate_forces(duration);
   made_ = 0;
-  const Stock stock = integrator_.kick();
+  if (reactions_.is_wanted()) reactions_.look();
+  Stock stock = integrator_.kick();
+  if (reactions_.is_wanted()) reactions_.stop(stock, ledger_);
   lap(Pass::motion);
   note_speeds(stock);
   ledger_.book(stock, duration);

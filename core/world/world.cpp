@@ -15,6 +15,7 @@ World<D>::World(const WorldSettings<D>& settings, Memory* memory, Threads* threa
       forces_(model_, contacts_, threads, memory),
       bond_pass_(model_),
       integrator_(model_, contacts_.neighbors(), forces_, threads, memory),
+      reactions_(model_, contacts_, integrator_, memory),
       stable_step_(model_, contacts_, memory),
       spring_stop_(model_, contacts_),
       fast_motion_(model_, contacts_, integrator_, clock_, stable_step_, spring_stop_, worker_count(threads),
@@ -42,6 +43,7 @@ template <int D>
 void World<D>::fit_rooms() {
   fast_motion_.fit_room();
   forces_.fit_rooms();
+  if (reactions_.is_wanted()) reactions_.survey();
   sums_.reserve(chunk_count(contacts_.neighbors().room(), pairs_per_chunk));
 }
 
@@ -73,7 +75,9 @@ template <class OnContact>
 void World<D>::find_in(const Chunk& chunk, PairSums& sums, OnContact on_contact) {
   Array<Candidate<D>>& pairs = contacts_.neighbors().pairs();
   Contact<D> contact;
+  const bool some_have_no_spring = reactions_.is_wanted();
   for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
+    if (some_have_no_spring && model_.law_of(pairs[k]).has_no_spring()) continue;
     const Found found = contacts_.find(k, contact, sums);
     if (found == Found::apart) continue;
     if (found == Found::met) {

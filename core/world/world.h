@@ -16,6 +16,7 @@
 #include "world/integrator.h"
 #include "world/ledger.h"
 #include "world/model.h"
+#include "world/reaction_pass.h"
 #include "world/spring_stop.h"
 #include "world/stable_step.h"
 #include "world/stopwatch.h"
@@ -148,6 +149,8 @@ class World {
     return contacts_.contact_between(a, b);
   }
   const NeighborList<D>& candidates() const { return contacts_.neighbors(); }
+  /// Contacts by laws without a spring.
+  const ReactionPass<D>& reactions() const { return reactions_; }
   const Ledger& ledger() const { return ledger_.entries(); }
   double time() const { return clock_.time(); }
   std::int64_t steps() const { return clock_.steps(); }
@@ -190,7 +193,7 @@ class World {
   template <class Archive>
   void visit(Archive& archive) {
     archive(model_, contacts_, forces_, integrator_, ledger_, clock_, spring_stop_, peak_speed_,
-            bond_strain_energy_, strength_factor_, edited_);
+            bond_strain_energy_, strength_factor_, reactions_, edited_);
   }
 
  private:
@@ -221,6 +224,7 @@ class World {
   void note_speeds(const Stock& stock);
   auto state();
   bool plan_motion(double duration);
+  bool plan_reactions(double duration);
   StepResult prepare_and_plan();
   StepResult plan_changed();
   StepResult plan_rest();
@@ -240,6 +244,7 @@ class World {
   ForcePass<D> forces_;
   BondPass<D> bond_pass_;
   Integrator<D> integrator_;
+  ReactionPass<D> reactions_;
   StableStep<D> stable_step_;
   SpringStop<D> spring_stop_;
   FastMotion<D> fast_motion_;

@@ -54,6 +54,9 @@ module halfspace_c
   !! nearest face as potential, times the stiffness over the world's `potential_length`; what two blocks share
   !! is pushed down both. The force is the gradient of an energy, whichever way the blocks meet.
   integer(c_int32_t), parameter :: HS_STIFFNESS_POTENTIAL = 2
+  !> no spring: blocks are kept apart by just the force that does, from the moment of their touch on (Li et
+  !! al. 2015). Stiffnesses and dampings count for nothing, and the stable time step is that of the blocks
+  integer(c_int32_t), parameter :: HS_STIFFNESS_NONE = 3
 
   !> What can be wrong with what a shape is to be made from.
   integer(c_int32_t), parameter :: HS_FAULT_NONE = 0  !< a valid convex polygon or polyhedron
@@ -584,6 +587,33 @@ module halfspace_c
     real(c_double) :: motion_seconds = 0.0_c_double  !< of a step: moving, turning and straining blocks
     real(c_double) :: book_seconds = 0.0_c_double  !< of a step: the energy ledger
   end type hs_world_plan
+
+  !> Two points that are in touch by a law without a spring.
+  type, bind(c) :: hs_reaction
+    integer(c_int64_t) :: block_a = 0  !< id of the block whose corner it is; of two edges that of the first
+    integer(c_int64_t) :: block_b = 0  !< id of the block whose face it is (in 2D its edge); of two edges that of the second
+    integer(c_int32_t) :: pair_kind = 0  !< HS_PAIR_VERTEX_FACE or, in 3D, HS_PAIR_EDGE_EDGE
+    integer(c_int32_t) :: feature_a = 0  !< index of block a's vertex; of two edges, of blocks of a mesh too, block a's edge
+    integer(c_int32_t) :: feature_b = 0  !< index of block b's face (in 2D its edge) or edge
+    integer(c_int32_t) :: reserved = 0  !< 0
+    real(c_double) :: point(3) = 0.0_c_double  !< where they touch
+    real(c_double) :: normal(3) = 0.0_c_double  !< unit, outwards from block b
+    !> on block a at the end of the last step, normal and shear together. In the step of the touch it is that
+    !! of the blow: the impulse that was left of it at the step's end, over half the step
+    real(c_double) :: force(3) = 0.0_c_double
+    real(c_double) :: gap = 0.0_c_double  !< > 0 apart: what rounding and turning have left
+    real(c_double) :: touched_at = 0.0_c_double  !< time of the touch, inside of a step
+  end type hs_reaction
+
+  !> Contacts without springs in numbers. Later versions may append to it.
+  type, bind(c) :: hs_reaction_report
+    integer(c_int64_t) :: reaction_count = 0  !< in touch now
+    integer(c_int64_t) :: touch_count = 0  !< touches so far; a corner that slides from face to face touches anew
+    !> so far: how often all contacts of a kick have been gone through until none changed any more
+    integer(c_int64_t) :: round_count = 0
+    !> J, in 2D per unit thickness: lost so far where points met. It counts in the world's residual
+    real(c_double) :: impact_loss = 0.0_c_double
+  end type hs_reaction_report
 
   !> The way in which a world is brought to rest. Fill it with hs_relaxation_def_init().
   type, bind(c) :: hs_relaxation_def
@@ -1679,6 +1709,28 @@ module halfspace_c
       integer(c_size_t), value :: size  !< sizeof(hs_world_plan) as the caller was compiled
       integer(c_int32_t) :: hs_world_get_plan
     end function hs_world_get_plan
+
+    !> The contacts by laws without a spring at the end of the last step, sorted by block a, block b and
+    !! features.
+    !! Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
+    function hs_world_get_reactions(world, reactions, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      type(c_ptr), value :: reactions  !< receives them; may be NULL if capacity is 0
+      integer(c_int64_t), value :: capacity  !< in reactions
+      type(c_ptr), value :: count  !< receives their number; may be NULL
+      integer(c_int32_t) :: hs_world_get_reactions
+    end function hs_world_get_reactions
+
+    !> Their numbers, and the energy that touches have taken.
+    !! Returns HS_OK or HS_ERROR_ARGUMENT
+    function hs_world_get_reaction_report(world, report, size) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      type(hs_reaction_report), intent(out) :: report  !< receives them; what this library does not know of a longer struct is 0
+      integer(c_size_t), value :: size  !< sizeof(hs_reaction_report) as the caller was compiled
+      integer(c_int32_t) :: hs_world_get_reaction_report
+    end function hs_world_get_reaction_report
 
     !> Fills a relaxation's definition with its defaults.
     !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.

@@ -65,6 +65,9 @@ HS_STIFFNESS_PER_AREA = 1
 # nearest face as potential, times the stiffness over the world's `potential_length`; what two blocks share is
 # pushed down both. The force is the gradient of an energy, whichever way the blocks meet.
 HS_STIFFNESS_POTENTIAL = 2
+# no spring: blocks are kept apart by just the force that does, from the moment of their touch on (Li et al.
+# 2015). Stiffnesses and dampings count for nothing, and the stable time step is that of the blocks
+HS_STIFFNESS_NONE = 3
 
 # What can be wrong with what a shape is to be made from.
 HS_FAULT_NONE = 0  # a valid convex polygon or polyhedron
@@ -727,6 +730,41 @@ class hs_world_plan(Structure):
         ("gather_seconds", c_double),  # of a step: adding up the forces on blocks
         ("motion_seconds", c_double),  # of a step: moving, turning and straining blocks
         ("book_seconds", c_double),  # of a step: the energy ledger
+    ]
+
+
+class hs_reaction(Structure):
+    """Two points that are in touch by a law without a spring."""
+
+    _fields_ = [
+        ("block_a", c_uint64),  # id of the block whose corner it is; of two edges that of the first
+        # id of the block whose face it is (in 2D its edge); of two edges that of the second
+        ("block_b", c_uint64),
+        ("pair_kind", c_int32),  # HS_PAIR_VERTEX_FACE or, in 3D, HS_PAIR_EDGE_EDGE
+        # index of block a's vertex; of two edges, of blocks of a mesh too, block a's edge
+        ("feature_a", c_int32),
+        ("feature_b", c_int32),  # index of block b's face (in 2D its edge) or edge
+        ("reserved", c_int32),  # 0
+        ("point", c_double * 3),  # where they touch
+        ("normal", c_double * 3),  # unit, outwards from block b
+        # on block a at the end of the last step, normal and shear together. In the step of the touch it is
+        # that of the blow: the impulse that was left of it at the step's end, over half the step
+        ("force", c_double * 3),
+        ("gap", c_double),  # > 0 apart: what rounding and turning have left
+        ("touched_at", c_double),  # time of the touch, inside of a step
+    ]
+
+
+class hs_reaction_report(Structure):
+    """Contacts without springs in numbers. Later versions may append to it."""
+
+    _fields_ = [
+        ("reaction_count", c_int64),  # in touch now
+        ("touch_count", c_int64),  # touches so far; a corner that slides from face to face touches anew
+        # so far: how often all contacts of a kick have been gone through until none changed any more
+        ("round_count", c_int64),
+        # J, in 2D per unit thickness: lost so far where points met. It counts in the world's residual
+        ("impact_loss", c_double),
     ]
 
 
@@ -1595,6 +1633,24 @@ def declare(library):
         c_size_t,  # size
     ]
     library.hs_world_get_plan.restype = hs_status
+
+    # The contacts by laws without a spring at the end of the last step, sorted by block a, block b and
+    # features.
+    library.hs_world_get_reactions.argtypes = [
+        POINTER(hs_world),  # world
+        c_void_p,  # reactions
+        c_int64,  # capacity
+        POINTER(c_int64),  # count
+    ]
+    library.hs_world_get_reactions.restype = hs_status
+
+    # Their numbers, and the energy that touches have taken.
+    library.hs_world_get_reaction_report.argtypes = [
+        POINTER(hs_world),  # world
+        POINTER(hs_reaction_report),  # report
+        c_size_t,  # size
+    ]
+    library.hs_world_get_reaction_report.restype = hs_status
 
     # Fills a relaxation's definition with its defaults.
     library.hs_relaxation_def_init.argtypes = [

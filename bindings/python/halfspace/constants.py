@@ -70,11 +70,12 @@ class Unbalanced(IntEnum):
 
 class StiffnessKind(IntEnum):
     """What a law's stiffnesses refer to: the whole contact (N/m), its area (Pa/m), or a potential within the
-    blocks (Pa), of which the force is the gradient."""
+    blocks (Pa), of which the force is the gradient. NONE stands for a law without a spring."""
 
     PER_CONTACT = _raw.HS_STIFFNESS_PER_CONTACT
     PER_AREA = _raw.HS_STIFFNESS_PER_AREA
     POTENTIAL = _raw.HS_STIFFNESS_POTENTIAL
+    NONE = _raw.HS_STIFFNESS_NONE
 
 
 class FastBlocks(IntEnum):

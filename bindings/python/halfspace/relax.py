@@ -7,11 +7,11 @@ from numpy.typing import ArrayLike
 from . import _raw
 from ._arrays import BALANCE, STRENGTH_REPORT, empty_record, vector
 from ._library import library
-from .bond import BondedBlocks
+from .reaction import ReactingBlocks
 from .constants import Unbalanced
 
 
-class Statics(BondedBlocks):
+class Statics(ReactingBlocks):
     """Rest, and what leads away from it."""
 
     def relax(

@@ -34,6 +34,7 @@
 #include "halfspace/mesh.h"
 #include "halfspace/pair.h"
 #include "halfspace/plan.h"
+#include "halfspace/reaction.h"
 #include "halfspace/relax.h"
 #include "halfspace/shape.h"
 #include "halfspace/status.h"

@@ -16,9 +16,11 @@ extern "C" {
 enum {
   HS_STIFFNESS_PER_CONTACT = 0, /**< N/m for the whole contact, shared over the points of its region */
   HS_STIFFNESS_PER_AREA = 1,    /**< Pa/m: the normal force is the stiffness times the overlap area behind the contact plane */
-  HS_STIFFNESS_POTENTIAL = 2    /**< Pa: the potential force of Zheng et al. 2020, section 3. A point inside a block has its distance to the
+  HS_STIFFNESS_POTENTIAL = 2,   /**< Pa: the potential force of Zheng et al. 2020, section 3. A point inside a block has its distance to the
                                      nearest face as potential, times the stiffness over the world's `potential_length`; what two blocks
                                      share is pushed down both. The force is the gradient of an energy, whichever way the blocks meet. */
+  HS_STIFFNESS_NONE = 3         /**< no spring: blocks are kept apart by just the force that does, from the moment of their touch on (Li et
+                                     al. 2015). Stiffnesses and dampings count for nothing, and the stable time step is that of the blocks */
 };
 
 /** Normal force with Mohr-Coulomb friction, by a penalty spring or a potential. Fill it with hs_law_def_init(). Springs are

@@ -239,7 +239,7 @@ bool Meshes<D>::is_consistent(std::int32_t material_count) const {
     const SurfaceCell<D>& cell = surface_[i];
     fits = fits && cell.block >= 0 && std::size_t(cell.block) < of_block_.size() &&
            of_block_[std::size_t(cell.block)] == std::int32_t(i) && cell.gradients.allFinite() &&
-           has_own_nodes(cell);
+           cell.outer_faces >= 0 && cell.outer_faces < 1 << (D + 1) && has_own_nodes(cell);
   }
   return fits;
 }

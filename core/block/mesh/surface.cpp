@@ -80,12 +80,19 @@ Array<SurfaceSimplex<D>> surface_simplices(const Mesh<D>& mesh, Memory* memory) 
     for (int s = 0; s < form.simplex_count; ++s) {
       const int* corners = form.simplices[s];
       if (std::count_if(corners, corners + D + 1, is_on_face) < D) continue;
-      SurfaceSimplex<D> simplex{at.cell, {}};
-      for (std::size_t i = 0; i <= D; ++i)
+      SurfaceSimplex<D> simplex{at.cell, {}, 0};
+      for (std::size_t i = 0; i <= D; ++i) {
         simplex.node[i] = mesh.nodes_of(std::size_t(at.cell))[std::size_t(corners[i])];
+        if (!is_on_face(corners[i])) simplex.outer_faces |= 1 << i;
+      }
       const auto is_same = [&](const SurfaceSimplex<D>& other) { return other.node == simplex.node; };
-      if (std::none_of(simplices.begin() + std::ptrdiff_t(first_of_cell), simplices.end(), is_same))
+      const auto known =
+          std::find_if(simplices.begin() + std::ptrdiff_t(first_of_cell), simplices.end(), is_same);
+      if (known == simplices.end()) {
         simplices.push_back(simplex);
+      } else {
+        known->outer_faces |= simplex.outer_faces;
+      }
     }
   }
   return simplices;

@@ -21,6 +21,7 @@ template <int D>
 struct SurfaceSimplex {
   std::int32_t cell;
   std::array<std::int32_t, D + 1> node;  // of the mesh
+  std::int32_t outer_faces = 0;          // bit k: the face opposite to node k is at the surface
 };
 
 /// The surface of a mesh, in ascending order of cells.

@@ -80,6 +80,9 @@ pub const HS_STIFFNESS_PER_AREA: i32 = 1;
 /// nearest face as potential, times the stiffness over the world's `potential_length`; what two blocks share
 /// is pushed down both. The force is the gradient of an energy, whichever way the blocks meet.
 pub const HS_STIFFNESS_POTENTIAL: i32 = 2;
+/// no spring: blocks are kept apart by just the force that does, from the moment of their touch on (Li et al.
+/// 2015). Stiffnesses and dampings count for nothing, and the stable time step is that of the blocks
+pub const HS_STIFFNESS_NONE: i32 = 3;
 
 // What can be wrong with what a shape is to be made from.
 /// a valid convex polygon or polyhedron
@@ -1022,6 +1025,51 @@ pub struct hs_world_plan {
     pub book_seconds: f64,
 }
 const _: () = assert!(std::mem::size_of::<hs_world_plan>() == 144);
+
+/// Two points that are in touch by a law without a spring.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct hs_reaction {
+    /// id of the block whose corner it is; of two edges that of the first
+    pub block_a: u64,
+    /// id of the block whose face it is (in 2D its edge); of two edges that of the second
+    pub block_b: u64,
+    /// HS_PAIR_VERTEX_FACE or, in 3D, HS_PAIR_EDGE_EDGE
+    pub pair_kind: i32,
+    /// index of block a's vertex; of two edges, of blocks of a mesh too, block a's edge
+    pub feature_a: i32,
+    /// index of block b's face (in 2D its edge) or edge
+    pub feature_b: i32,
+    /// 0
+    pub reserved: i32,
+    /// where they touch
+    pub point: [f64; 3],
+    /// unit, outwards from block b
+    pub normal: [f64; 3],
+    /// on block a at the end of the last step, normal and shear together. In the step of the touch it is that
+    /// of the blow: the impulse that was left of it at the step's end, over half the step
+    pub force: [f64; 3],
+    /// \> 0 apart: what rounding and turning have left
+    pub gap: f64,
+    /// time of the touch, inside of a step
+    pub touched_at: f64,
+}
+const _: () = assert!(std::mem::size_of::<hs_reaction>() == 120);
+
+/// Contacts without springs in numbers. Later versions may append to it.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct hs_reaction_report {
+    /// in touch now
+    pub reaction_count: i64,
+    /// touches so far; a corner that slides from face to face touches anew
+    pub touch_count: i64,
+    /// so far: how often all contacts of a kick have been gone through until none changed any more
+    pub round_count: i64,
+    /// J, in 2D per unit thickness: lost so far where points met. It counts in the world's residual
+    pub impact_loss: f64,
+}
+const _: () = assert!(std::mem::size_of::<hs_reaction_report>() == 32);
 
 /// The way in which a world is brought to rest. Fill it with hs_relaxation_def_init().
 #[repr(C)]
@@ -2342,6 +2390,35 @@ extern "C" {
         world: *const hs_world,
         steps: i64,
         plan: *mut hs_world_plan,
+        size: usize,
+    ) -> hs_status;
+
+    /// The contacts by laws without a spring at the end of the last step, sorted by block a, block b and
+    /// features.
+    ///
+    /// - `world`: not NULL
+    /// - `reactions`: receives them; may be NULL if capacity is 0
+    /// - `capacity`: in reactions
+    /// - `count`: receives their number; may be NULL
+    ///
+    /// Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
+    pub fn hs_world_get_reactions(
+        world: *const hs_world,
+        reactions: *mut hs_reaction,
+        capacity: i64,
+        count: *mut i64,
+    ) -> hs_status;
+
+    /// Their numbers, and the energy that touches have taken.
+    ///
+    /// - `world`: not NULL
+    /// - `report`: receives them; what this library does not know of a longer struct is 0
+    /// - `size`: sizeof(hs_reaction_report) as the caller was compiled
+    ///
+    /// Returns HS_OK or HS_ERROR_ARGUMENT
+    pub fn hs_world_get_reaction_report(
+        world: *const hs_world,
+        report: *mut hs_reaction_report,
         size: usize,
     ) -> hs_status;
 

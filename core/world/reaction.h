@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <tuple>
+
+#include "world/kicks.h"
+
+namespace halfspace {
+
+/// The features by which two blocks meet. The values are those of the C API's HS_PAIR_.
+enum class Meeting : std::int32_t { corner_and_face = 1, edges = 2 };
+
+/// Two points of two blocks that meet without any spring: the force between them is the one that keeps them
+/// apart (Li et al. 2015, section 4). There is no gap between members.
+template <int D>
+struct Reaction {
+  std::int32_t a = -1;  // slot of the block whose corner it is, or of the first of two edges
+  std::int32_t b = -1;  // slot of the block whose face it is, or of the second edge
+  Meeting meeting = Meeting::corner_and_face;
+  std::int32_t feature_a = 0;  // corner or edge of a
+  std::int32_t feature_b = 0;  // face or edge of b
+  std::int32_t is_bonded = 0;  // pulls and coheres, since nothing has failed yet
+  CarriedPoint<D> of_a;
+  CarriedPoint<D> of_b;
+  Vector<D> normal = Vector<D>::Zero();   // unit, outwards from b
+  Vector<D> impulse = Vector<D>::Zero();  // on a, of the coming or the last kick
+  Vector<D> force = Vector<D>::Zero();    // on a, that the kick at the end of the last motion stands for
+  double touched_at = 0;                  // time
+  double gap = 0;                         // > 0 apart
+  double area = 0;                        // that it stands for, where strength counts
+
+  // Between two kicks.
+  Vector<D> velocity = Vector<D>::Zero();         // of a against b, that is to be stopped
+  Vector<D> middle_velocity = Vector<D>::Zero();  // after the first kick
+  double normal_mobility = 0;
+  double shear_mobility = 0;
+  double tan_friction = 0;
+  double tension = 0;     // largest normal impulse that pulls
+  double cohesion = 0;    // largest shear impulse without pressure
+  double least_gap = 0;   // allowed at the end of the motion: 0, unless it began deeper
+  double free_share = 0;  // of the motion, before they touch
+
+  auto key() const { return std::tie(a, b, meeting, feature_a, feature_b); }
+};
+
+/// Finds the impulses of all together that stop what has to be stopped: no normal one pulls, and no shear one
+/// is larger, than strength bears; and as far as neither is at its bound, nothing moves on. Impulses that are
+/// there already are where it begins.
+///
+/// By turns (Gauss and Seidel), with the blocks' changes of velocity at hand, so that a contact costs the same
+/// whatever the number of them. Returns how often all have been gone through.
+template <int D>
+int find_impulses(std::span<Reaction<D>> reactions, Kicks<D>& kicks);
+
+extern template int find_impulses(std::span<Reaction<2>>, Kicks<2>&);
+extern template int find_impulses(std::span<Reaction<3>>, Kicks<3>&);
+
+}  // namespace halfspace

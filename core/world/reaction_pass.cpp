@@ -1,0 +1,159 @@
+#include "world/reaction_pass.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace halfspace {
+namespace {
+
+/// Ends of motions are exact to this share of the block.
+constexpr double exact_share = 1e-10;
+constexpr int most_corrections = 4;
+
+/// Two that lie in each other at the start of a motion come apart by this share of the block.
+constexpr double recovered_share = 1e-7;
+
+constexpr int most_searches = 4;
+
+template <int D>
+bool precedes(const Reaction<D>& one, const Reaction<D>& other) {
+  return one.key() < other.key();
+}
+
+}  // namespace
+
+/// The velocity that a contact has to stop is that of the planned motion without any kicks.
+template <int D>
+void ReactionPass<D>::begin(Reaction<D>& at, double duration) const {
+  at.tan_friction = model_.law_between(std::size_t(at.a), std::size_t(at.b)).tan_friction;
+  at.least_gap = std::min(0.0, at.gap + recovered_share * blocks_.radius[std::size_t(at.b)]);
+  const Vector<D> kicked = integrator_.kicks().at(at.of_a) - integrator_.kicks().at(at.of_b);
+  const Vector<D> free =
+      integrator_.planned_velocity(at.of_a) - integrator_.planned_velocity(at.of_b) - kicked;
+  const double opening = (search_.planned_gap(at) - at.least_gap) / duration - at.normal.dot(kicked);
+  at.velocity = opening * at.normal + (1 - at.free_share) * (free - free.dot(at.normal) * at.normal);
+}
+
+/// Kicks may lead to where nothing has been seen to meet: then it is looked for anew. False when all that
+/// meets is known.
+template <int D>
+bool ReactionPass<D>::find_more(double time, double duration) {
+  search_.find(found_);
+  std::erase_if(found_, [&](const Reaction<D>& at) {
+    return std::binary_search(planned_.begin(), planned_.end(), at, precedes<D>);
+  });
+  if (found_.empty()) return false;
+  remember(found_, time, duration);
+  for (Reaction<D>& at : found_) {
+    begin(at, duration);
+    at.impulse = Vector<D>::Zero();
+  }
+  planned_.insert(planned_.end(), found_.begin(), found_.end());
+  std::sort(planned_.begin(), planned_.end(), precedes<D>);
+  return true;
+}
+
+template <int D>
+bool ReactionPass<D>::plan(double time, double duration) {
+  search_.find(planned_);
+  if (planned_.empty()) return true;
+  remember(planned_, time, duration);
+  for (Reaction<D>& at : planned_) begin(at, duration);
+  int searches = 1;
+  do {
+    bool is_exact = false;
+    for (int i = 0; i < most_corrections && !is_exact; ++i) {
+      integrator_.kicks().begin(duration);
+      rounds_ += find_impulses<D>(planned_, integrator_.kicks());
+      if (!integrator_.plan(duration)) return false;
+      is_exact = correct(duration);
+    }
+  } while (searches++ < most_searches && find_more(time, duration));
+  return true;
+}
+
+/// Gaps open as their normals turn, too, which impulses have not been told: it is made up for. True when it
+/// has been too little to count.
+template <int D>
+bool ReactionPass<D>::correct(double duration) {
+  double largest = 0;
+  for (Reaction<D>& at : planned_) {
+    const Vector<D> kicked = integrator_.kicks().at(at.of_a) - integrator_.kicks().at(at.of_b);
+    at.gap = search_.planned_gap(at);
+    const double error = at.gap - at.least_gap - duration * at.normal.dot(at.velocity + kicked);
+    at.velocity += error / duration * at.normal;
+    const bool counts = !at.impulse.isZero(0) || at.gap < at.least_gap;
+    if (counts) largest = std::max(largest, std::abs(error) / blocks_.radius[std::size_t(at.b)]);
+  }
+  return largest <= exact_share;
+}
+
+/// Contacts that go on have touched when they did.
+template <int D>
+void ReactionPass<D>::remember(Array<Reaction<D>>& found, double time, double duration) const {
+  auto before = known_.begin();
+  for (Reaction<D>& at : found) {
+    while (before != known_.end() && before->key() < at.key()) ++before;
+    const bool goes_on = before != known_.end() && before->key() == at.key();
+    at.touched_at = goes_on ? before->touched_at : time + at.free_share * duration;
+    if (!goes_on) continue;
+    at.free_share = 0;
+    at.impulse = before->impulse;
+  }
+}
+
+template <int D>
+void ReactionPass<D>::book(const Reaction<D>& at, const Vector<D>& velocity, EnergyLedger& ledger) const {
+  const double normal_work = at.impulse.dot(at.normal) * at.normal.dot(velocity);
+  ledger.add_impact_loss(-0.5 * normal_work);
+  ledger.add_friction_loss(-0.5 * (at.impulse.dot(velocity) - normal_work));
+  ledger.add_outer_work(-0.5 * at.impulse.dot(prescribed_velocity_of(at.of_a, blocks_) -
+                                              prescribed_velocity_of(at.of_b, blocks_)));
+}
+
+template <int D>
+Vector<D> ReactionPass<D>::velocity_of(const Reaction<D>& at) const {
+  return halfspace::velocity_of(at.of_a, blocks_) - halfspace::velocity_of(at.of_b, blocks_);
+}
+
+template <int D>
+void ReactionPass<D>::book(EnergyLedger& ledger) const {
+  for (const Reaction<D>& at : planned_) book(at, velocity_of(at), ledger);
+}
+
+template <int D>
+void ReactionPass<D>::look() {
+  std::erase_if(planned_, [&](const Reaction<D>& at) {
+    return at.impulse.isZero(0) && at.gap > search_.reach(at);
+  });
+  for (Reaction<D>& at : planned_) {
+    search_.place(at);
+    at.middle_velocity = velocity_of(at);
+  }
+}
+
+template <int D>
+void ReactionPass<D>::stop(Stock& stock, EnergyLedger& ledger) {
+  integrator_.kicks().begin(integrator_.duration());
+  for (Reaction<D>& at : planned_) at.velocity = velocity_of(at);
+  rounds_ += find_impulses<D>(planned_, integrator_.kicks());
+  const double rate = integrator_.kicks().rate();
+  integrator_.take_kicks(stock);
+  for (Reaction<D>& at : planned_) {
+    book(at, at.middle_velocity, ledger);
+    book(at, velocity_of(at), ledger);
+    at.force = rate * at.impulse;
+  }
+  auto before = known_.begin();
+  for (const Reaction<D>& at : planned_) {
+    while (before != known_.end() && before->key() < at.key()) ++before;
+    if (before == known_.end() || before->key() != at.key()) ++touches_;
+  }
+  known_.swap(planned_);
+  planned_.clear();
+}
+
+template class ReactionPass<2>;
+template class ReactionPass<3>;
+
+}  // namespace halfspace

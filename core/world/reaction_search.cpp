@@ -1,0 +1,252 @@
+#include "world/reaction_search.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace halfspace {
+namespace {
+
+/// Shares of a block's radius. A corner that is nearer to a face's plane than this is at it; and faces reach
+/// so far beyond their ends, so that corners that meet squarely are not lost to rounding.
+constexpr double reach_share = 1e-9;
+
+}  // namespace
+
+template <int D>
+ReactionSearch<D>::Pose::Pose(const Vector<D>& at, const Tensor<D>& turned_by)
+    : position(at), gradient(turned_by), inverse(turned_by.inverse()) {}
+
+template <int D>
+typename ReactionSearch<D>::Pose ReactionSearch<D>::pose_now(std::size_t slot) const {
+  return {blocks_.position[slot], blocks_.gradient(slot)};
+}
+
+template <int D>
+typename ReactionSearch<D>::Pose ReactionSearch<D>::planned_pose(std::size_t slot) const {
+  if (!blocks_.moves(slot)) return pose_now(slot);
+  const Vector<D> position = blocks_.position[slot] + integrator_.planned_way(slot);
+  if (blocks_.is_deformable(slot))
+    return {position, blocks_.gradient(slot) + integrator_.planned_stretch(slot)};
+  return {position, integrator_.planned_rotation(slot).tensor()};
+}
+
+template <int D>
+Vector<D> ReactionSearch<D>::node_now(std::size_t slot, std::int32_t node) const {
+  const Meshes<D>& meshes = blocks_.meshes();
+  return meshes.body(meshes.surface_of_block(slot).body).origin + meshes.place[std::size_t(node)];
+}
+
+template <int D>
+Vector<D> ReactionSearch<D>::corner_now(std::size_t slot, int corner) const {
+  if (blocks_.is_of_mesh(slot))
+    return node_now(slot, blocks_.meshes().surface_of_block(slot).node[std::size_t(corner)]);
+  return blocks_.position[slot] + blocks_.gradient(slot) * blocks_.own_outline(std::int32_t(slot)).vertex(corner);
+}
+
+template <int D>
+Vector<D> ReactionSearch<D>::planned_corner(std::size_t slot, int corner) const {
+  if (blocks_.is_of_mesh(slot)) {
+    const std::int32_t node = blocks_.meshes().surface_of_block(slot).node[std::size_t(corner)];
+    return corner_now(slot, corner) + integrator_.planned_way_of_node(std::size_t(node));
+  }
+  const Pose pose = planned_pose(slot);
+  return pose.position + pose.gradient * blocks_.own_outline(std::int32_t(slot)).vertex(corner);
+}
+
+/// A node of a mesh at its surface is the corner of one of the cells that share it.
+template <int D>
+void ReactionSearch<D>::survey() {
+  const Meshes<D>& meshes = blocks_.meshes();
+  owner_.assign(meshes.node_count(), -1);
+  for (const SurfaceCell<D>& cell : meshes.surface()) {
+    for (int i = 0; i <= D; ++i) {
+      const bool is_outside = (cell.outer_faces & ~(1 << i)) != 0;
+      std::int32_t& owner = owner_[std::size_t(cell.node[std::size_t(i)])];
+      if (is_outside && owner < 0) owner = cell.block;
+    }
+  }
+  survey_edges();
+}
+
+/// Which way a corner points: for a node of a mesh, away from the cells that share it.
+template <int D>
+void ReactionSearch<D>::point_nodes() {
+  const Meshes<D>& meshes = blocks_.meshes();
+  outwards_.assign(meshes.node_count(), Vector<D>::Zero());
+  for (const SurfaceCell<D>& cell : meshes.surface()) {
+    const Vector<D> middle = cell.mean_of(meshes.place);
+    for (const std::int32_t node : cell.node)
+      outwards_[std::size_t(node)] += meshes.place[std::size_t(node)] - middle;
+  }
+}
+
+template <int D>
+Vector<D> ReactionSearch<D>::outwards(std::size_t slot, int corner) const {
+  if (!blocks_.is_of_mesh(slot)) return corner_now(slot, corner) - blocks_.position[slot];
+  return outwards_[std::size_t(blocks_.meshes().surface_of_block(slot).node[std::size_t(corner)])];
+}
+
+template <int D>
+bool ReactionSearch<D>::strikes(std::size_t slot, int corner) const {
+  if (!blocks_.is_of_mesh(slot)) return true;
+  const std::int32_t node = blocks_.meshes().surface_of_block(slot).node[std::size_t(corner)];
+  return owner_[std::size_t(node)] == std::int32_t(slot);
+}
+
+/// Through which face of b does a corner of a come in, if any? It is inside where all half-spaces include it,
+/// and it came in through the one that included it last. Of those that have included it from the start only
+/// one counts that looks at a: flush with b's front, a corner lies in the plane of b's side, too.
+template <int D>
+typename ReactionSearch<D>::Entrance ReactionSearch<D>::entrance(const Target& b, std::size_t a,
+                                                                 int corner) const {
+  const Outline<D> own = blocks_.own_outline(std::int32_t(b.slot));
+  const double radius = blocks_.radius[b.slot];
+  const Vector<D> start = b.now.inverse * (corner_now(a, corner) - b.now.position);
+  const Vector<D> end = b.planned.inverse * (planned_corner(a, corner) - b.planned.position);
+  const Vector<D> out_of_a = outwards(a, corner);
+  Entrance last, at_start;
+  bool is_beside = false;
+  for (int face = 0; face < own.face_count(); ++face) {
+    const Vector<D> normal = b.now.inverse.transpose() * own.normal(face);
+    const double before = (own.normal(face).dot(start) - own.offset[face]) / normal.norm();
+    const double after = (own.normal(face).dot(end) - own.offset[face]) /
+                         (b.planned.inverse.transpose() * own.normal(face)).norm();
+    if (after > margin_) return {};
+    if (!b.is_outer(own, face)) {
+      is_beside = is_beside || before > reach_share * radius;
+      continue;
+    }
+    Entrance through{face, 0, before, normal.dot(out_of_a) < 0};
+    if (through.looks_at_a && std::abs(before) <= behind_share * radius && before >= at_start.before)
+      at_start = through;
+    if (before <= reach_share * radius) {
+      if (!through.looks_at_a) continue;
+      through.time = before / radius - 1;
+    } else {
+      // Times after the end stand for those that do not come in, by how far they stay away.
+      through.time = after < 0 ? before / (before - after) : 1 + after;
+    }
+    if (through.time > last.time) last = through;
+  }
+  if (!last.looks_at_a && at_start.face >= 0) last = at_start;
+  // The plane of a face goes on beyond the face: a corner beside it that is behind its plane is before the
+  // neighbouring face.
+  if (is_beside && last.before < -behind_share * radius) return {};
+  return last;
+}
+
+template <int D>
+void ReactionSearch<D>::look_at(std::int32_t a, std::int32_t b, Array<Reaction<D>>& found) const {
+  const std::size_t slot_a = std::size_t(a), slot_b = std::size_t(b);
+  const bool is_of_mesh = blocks_.is_of_mesh(slot_b);
+  const Target target{slot_b, pose_now(slot_b), planned_pose(slot_b),
+                      is_of_mesh ? blocks_.meshes().surface_of_block(slot_b).outer_faces : -1};
+  for (int corner = 0; corner < blocks_.own_outline(a).vertex_count(); ++corner) {
+    if (!strikes(slot_a, corner)) continue;
+    const Entrance through = entrance(target, slot_a, corner);
+    if (through.face < 0) continue;
+    Reaction<D> at;
+    at.a = a;
+    at.b = b;
+    at.feature_a = corner;
+    at.feature_b = through.face;
+    at.free_share = std::clamp(through.time, 0.0, 1.0);
+    found.push_back(at);
+  }
+}
+
+template <int D>
+CarriedPoint<D> ReactionSearch<D>::corner_of(std::int32_t block, int corner) const {
+  const std::size_t slot = std::size_t(block);
+  CarriedPoint<D> point;
+  point.block = block;
+  if (blocks_.is_of_mesh(slot)) {
+    point.node.fill(blocks_.meshes().surface_of_block(slot).node[std::size_t(corner)]);
+    point.weight = Vector<D>::Unit(0);
+  } else {
+    const Vector<D> vertex = blocks_.own_outline(block).vertex(corner);
+    point.arm = blocks_.is_affine(slot) ? vertex : Vector<D>(blocks_.gradient(slot) * vertex);
+  }
+  return point;
+}
+
+/// The corner, and the point of the face below it.
+template <int D>
+void ReactionSearch<D>::place_corner(Reaction<D>& at) const {
+  const std::size_t b = std::size_t(at.b);
+  const Pose pose = pose_now(b);
+  const Outline<D> own = blocks_.own_outline(at.b);
+  const Vector<D> outwards = pose.inverse.transpose() * own.normal(at.feature_b);
+  const Vector<D> in_b = pose.inverse * (corner_now(std::size_t(at.a), at.feature_a) - pose.position);
+  at.normal = outwards.normalized();
+  at.gap = (own.normal(at.feature_b).dot(in_b) - own.offset[at.feature_b]) / outwards.norm();
+  at.of_a = corner_of(at.a, at.feature_a);
+  at.of_b.block = at.b;
+  const Vector<D> below = in_b - at.gap * (pose.inverse * at.normal);
+  if (!blocks_.is_of_mesh(b)) {
+    at.of_b.arm = blocks_.is_affine(b) ? below : Vector<D>(pose.gradient * below);
+    return;
+  }
+  const SurfaceCell<D>& cell = blocks_.meshes().surface_of_block(b);
+  const int left_out = node_opposite(own, at.feature_b);
+  for (int i = 0, k = 0; i <= D; ++i) {
+    if (i == left_out) continue;
+    at.of_b.node[std::size_t(k)] = cell.node[std::size_t(i)];
+    at.of_b.weight[k++] = 1.0 / (D + 1) + cell.gradients.col(i).dot(below);
+  }
+  at.of_b.weight.array() += (1 - at.of_b.weight.sum()) / D;  // that of the node left out: rounding
+}
+
+template <int D>
+void ReactionSearch<D>::place(Reaction<D>& at) const {
+  if (at.meeting == Meeting::edges) {
+    place_edges(at);
+  } else {
+    place_corner(at);
+  }
+  const Tensor<D> mobility = mobility_of(at.of_a, blocks_) + mobility_of(at.of_b, blocks_);
+  at.normal_mobility = at.normal.dot(mobility * at.normal);
+  at.shear_mobility = D == 2 ? mobility.trace() - at.normal_mobility : mobility.norm();
+}
+
+template <int D>
+double ReactionSearch<D>::reach(const Reaction<D>& at) const {
+  return reach_share * blocks_.radius[std::size_t(at.b)];
+}
+
+/// Pairs that have no spring, as far as they come near each other at all.
+template <int D>
+void ReactionSearch<D>::find(Array<Reaction<D>>& found) {
+  found.clear();
+  point_nodes();
+  margin_ = 2 * integrator_.longest_motion();
+  for (const Candidate<D>& pair : contacts_.neighbors().pairs()) {
+    if (!model_.law_of(pair).has_no_spring()) continue;
+    const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
+    const double reach = blocks_.radius[a] + blocks_.radius[b] + margin_ +
+                         integrator_.planned_way(a).norm() + integrator_.planned_way(b).norm();
+    if ((blocks_.position[a] - blocks_.position[b]).squaredNorm() > reach * reach) continue;
+    look_at(pair.a, pair.b, found);
+    look_at(pair.b, pair.a, found);
+    if constexpr (D == 3) look_at_edges(pair.a, pair.b, found);
+  }
+  std::sort(found.begin(), found.end(),
+            [](const Reaction<D>& one, const Reaction<D>& other) { return one.key() < other.key(); });
+  for (Reaction<D>& at : found) place(at);
+}
+
+template <int D>
+double ReactionSearch<D>::planned_gap(const Reaction<D>& at) const {
+  if (at.meeting == Meeting::edges) return planned_gap_of_edges(at);
+  const Pose pose = planned_pose(std::size_t(at.b));
+  const Outline<D> own = blocks_.own_outline(at.b);
+  const Vector<D> in_b = pose.inverse * (planned_corner(std::size_t(at.a), at.feature_a) - pose.position);
+  return (own.normal(at.feature_b).dot(in_b) - own.offset[at.feature_b]) /
+         (pose.inverse.transpose() * own.normal(at.feature_b)).norm();
+}
+
+template class ReactionSearch<2>;
+template class ReactionSearch<3>;
+
+}  // namespace halfspace

@@ -1,0 +1,134 @@
+#pragma once
+
+#include <cmath>
+
+#include "world/contact_list.h"
+#include "world/integrator.h"
+#include "world/model.h"
+#include "world/reaction.h"
+
+namespace halfspace {
+
+/// The plane of a face goes on beyond the face. A corner beside it that is behind the plane by more than this
+/// is before the neighbouring face.
+constexpr double behind_share = 1e-6;
+
+/// The face of a simplex lies opposite to one of its nodes.
+inline int node_opposite(const Outline<2>&, int face) { return (face + 2) % 3; }
+inline int node_opposite(const Outline<3>& o, int face) {
+  const std::int32_t* corner = o.topology->face_vertex + o.topology->first_of_face[face];
+  return 6 - corner[0] - corner[1] - corner[2];
+}
+
+/// An edge at the surface of a mesh, between two faces.
+struct SurfaceEdge {
+  std::int32_t block = -1;  // whose edge it is: of those that share it, one
+  std::array<std::int32_t, 2> node{};
+  std::array<std::int32_t, 2> beside{};  // the third node of each face
+};
+
+/// An edge now and at the end of the planned motion: see reaction_edges.cpp.
+struct MovingEdge;
+
+/// Looks for the places where blocks would pass through each other in the planned motion: corners through
+/// faces, and in space edges through edges.
+template <int D>
+class ReactionSearch {
+ public:
+  ReactionSearch(const Model<D>& model, const ContactList<D>& contacts, const Integrator<D>& integrator,
+                 Memory* memory)
+      : model_(model),
+        blocks_(model.blocks),
+        contacts_(contacts),
+        integrator_(integrator),
+        outwards_(memory),
+        owner_(memory),
+        edges_(memory),
+        first_edge_(memory) {}
+
+  /// Takes note of the surfaces of meshes, after the neighbour list has been made anew.
+  void survey();
+  /// Finds all that come near each other in the planned motion, in order of their keys, and places them.
+  void find(Array<Reaction<D>>& found);
+  /// Sets points, normal, gap and mobilities to those of now.
+  void place(Reaction<D>& at) const;
+  /// The gap at the end of the planned motion.
+  double planned_gap(const Reaction<D>& at) const;
+  /// A corner nearer to a face than this is at it.
+  double reach(const Reaction<D>& at) const;
+
+ private:
+  /// A block now, or at the end of the planned motion.
+  struct Pose {
+    Pose(const Vector<D>& at, const Tensor<D>& turned_by);
+    Vector<D> position;
+    Tensor<D> gradient;
+    Tensor<D> inverse;
+  };
+  Pose pose_now(std::size_t slot) const;
+  Pose planned_pose(std::size_t slot) const;
+  Vector<D> node_now(std::size_t slot, std::int32_t node) const;
+  Vector<D> corner_now(std::size_t slot, int corner) const;
+  Vector<D> planned_corner(std::size_t slot, int corner) const;
+  Vector<D> outwards(std::size_t slot, int corner) const;
+  bool strikes(std::size_t slot, int corner) const;
+  /// A block that corners may come into.
+  struct Target {
+    bool is_outer(const Outline<D>& own, int face) const {
+      return outer_faces < 0 || (outer_faces >> node_opposite(own, face) & 1);
+    }
+    std::size_t slot;
+    Pose now;
+    Pose planned;
+    std::int32_t outer_faces;  // of a mesh; else all are
+  };
+  /// The face through which a corner comes in, or -1, and when: a share of the motion.
+  struct Entrance {
+    int face = -1;
+    double time = -HUGE_VAL;
+    double before = -HUGE_VAL;  // in front of the face at the start
+    bool looks_at_a = false;
+  };
+  Entrance entrance(const Target& b, std::size_t a, int corner) const;
+  void point_nodes();
+  void look_at(std::int32_t a, std::int32_t b, Array<Reaction<D>>& found) const;
+  void place_corner(Reaction<D>& at) const;
+  CarriedPoint<D> corner_of(std::int32_t block, int corner) const;
+
+  // Edges, in space.
+  MovingEdge edge(std::int32_t block, int which) const;
+  int edge_count(std::size_t slot) const;
+  void survey_edges() {}
+  void look_at_edges(std::int32_t, std::int32_t, Array<Reaction<D>>&) const {}
+  void place_edges(Reaction<D>&) const {}
+  double planned_gap_of_edges(const Reaction<D>&) const { return 0; }
+
+  const Model<D>& model_;
+  const Blocks<D>& blocks_;
+  const ContactList<D>& contacts_;
+  const Integrator<D>& integrator_;
+  Array<Vector<D>> outwards_;       // of each node at the surface: the way it points
+  Array<std::int32_t> owner_;       // of each node: the block whose corner it is
+  Array<SurfaceEdge> edges_;        // of meshes, in ascending order of blocks
+  Array<std::int32_t> first_edge_;  // of each block, and one more
+  double margin_ = 0;               // two that are farther apart at the end of the motion do not count
+};
+
+// Edges meet in space only.
+template <>
+int ReactionSearch<3>::edge_count(std::size_t slot) const;
+template <>
+MovingEdge ReactionSearch<3>::edge(std::int32_t block, int which) const;
+template <>
+void ReactionSearch<3>::survey_edges();
+template <>
+void ReactionSearch<3>::look_at_edges(std::int32_t a, std::int32_t b, Array<Reaction<3>>& found) const;
+template <>
+void ReactionSearch<3>::place_edges(Reaction<3>& at) const;
+template <>
+double ReactionSearch<3>::planned_gap_of_edges(const Reaction<3>& at) const;
+
+extern template class ReactionSearch<2>;
+extern template class ReactionSearch<3>;
+
+}  // namespace halfspace
