@@ -128,6 +128,25 @@ void ContactList<D>::bond_fresh() {
 }
 
 template <int D>
+bool ContactList<D>::bonds(std::int32_t a, std::int32_t b) const {
+  if (!model_.law_between(std::size_t(a), std::size_t(b)).bonds()) return false;
+  const std::pair wanted(std::min(a, b), std::max(a, b));
+  const auto pair = std::lower_bound(
+      neighbors_.pairs().begin(), neighbors_.pairs().end(), wanted,
+      [](const Candidate<D>& one, const auto& blocks) { return std::pair(one.a, one.b) < blocks; });
+  return pair != neighbors_.pairs().end() && std::pair(pair->a, pair->b) == wanted && pair->bonded;
+}
+
+template <int D>
+void ContactList<D>::end_bonds_without_spring() {
+  if (!model_.materials.laws().any([](const SpringLaw& law) { return law.has_no_spring() && law.bonds(); }))
+    return;
+  for (Candidate<D>& pair : neighbors_.pairs()) {
+    if (pair.bonded && model_.law_of(pair).has_no_spring()) pair.bonded = 0;
+  }
+}
+
+template <int D>
 void ContactList<D>::end_fresh() {
   fresh_.resize(model_.blocks.slot_count());
   std::fill(fresh_.begin(), fresh_.end(), std::uint8_t(0));

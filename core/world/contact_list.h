@@ -95,6 +95,10 @@ class ContactList {
   /// Bonds what fresh blocks touch; contacts are known. Bonded pairs count as contacts from then on.
   void bond_fresh();
   void end_fresh();
+  /// Does a law hold two blocks together, in either order? They are a pair of the list.
+  bool bonds(std::int32_t a, std::int32_t b) const;
+  /// Bonds of pairs without a spring are kept where their points are, from the first step on.
+  void end_bonds_without_spring();
 
   /// Takes room for a contact at every pair of a list that is to be taken into use.
   void fit_room() {

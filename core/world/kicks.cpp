@@ -46,7 +46,8 @@ void Kicks<D>::add(const CarriedPoint<D>& point, const Vector<D>& impulse) {
         if (point.weight[i] == 0) continue;
         const std::size_t node = std::size_t(point.node[std::size_t(i)]);
         for (int k = 0; k < D; ++k) {
-          if (!is_held(meshes, node, k)) of_node_[node][k] += point.weight[i] * impulse[k] / meshes.mass[node];
+          if (!is_held(meshes, node, k))
+            of_node_[node][k] += point.weight[i] * impulse[k] / meshes.mass[node];
         }
       }
       break;

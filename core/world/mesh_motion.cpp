@@ -89,8 +89,7 @@ void MeshMotion<D>::take_stock(std::size_t i, const Vector<D>& opposed, Stock& s
     if (is_held(i, k)) {
       stock.power.outer -= meshes_.force[i][k] * velocity[k];
     } else {
-      stock.power.local_damping +=
-          settings_.local_damping * damped_power(force[k], opposed[k], velocity[k]);
+      stock.power.local_damping += settings_.local_damping * damped_power(force[k], opposed[k], velocity[k]);
       stock.power.mass_damping += settings_.mass_damping * mass * opposed[k] * velocity[k];
     }
   }

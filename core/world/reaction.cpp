@@ -13,14 +13,14 @@ constexpr int most_rounds = 1000;
 /// Corners of both blocks at faces of the other one are more contacts than there are ways to move. Where they
 /// do not quite want the same, by rounding and by turns within the motion, changes go on for ever: rounds end
 /// when so many have not made them smaller by a twentieth.
-constexpr int most_idle_rounds = 64;
+constexpr int most_idle_rounds = 256;
 
 /// The impulse of a contact that stops it, if all others stay as they are.
 template <int D>
 Vector<D> stopping_impulse(const Reaction<D>& at, const Vector<D>& velocity) {
   const double before = at.impulse.dot(at.normal), opening = velocity.dot(at.normal);
-  const double normal = std::max(before - opening / at.normal_mobility, -at.tension);
-  const double most = at.cohesion + at.tan_friction * std::max(normal, 0.0);
+  const double normal = std::max(before - opening / at.normal_mobility, -at.most_tension);
+  const double most = at.most_cohesion + at.tan_friction * std::max(normal, 0.0);
   if (most == 0) return normal * at.normal;
   const Vector<D> across = velocity - opening * at.normal;
   Vector<D> shear = at.impulse - before * at.normal - across / at.shear_mobility;
@@ -30,6 +30,17 @@ Vector<D> stopping_impulse(const Reaction<D>& at, const Vector<D>& velocity) {
 }
 
 }  // namespace
+
+template <int D>
+bool Reaction<D>::fails(const Vector<D>& left) const {
+  constexpr double little = 1e-6;
+  const double along = impulse.dot(normal), across = (impulse - along * normal).norm();
+  const double opening = left.dot(normal), slip = (left - opening * normal).norm();
+  const double most = most_cohesion + tan_friction * std::max(along, 0.0);
+  const double noise = little * normal_mobility * impulse.norm();
+  return (along <= -(1 - little) * most_tension && opening > noise) ||
+         (across >= (1 - little) * most && slip > noise);
+}
 
 template <int D>
 int find_impulses(std::span<Reaction<D>> reactions, Kicks<D>& kicks) {
@@ -69,6 +80,8 @@ int find_impulses(std::span<Reaction<D>> reactions, Kicks<D>& kicks) {
   return most_rounds;
 }
 
+template struct Reaction<2>;
+template struct Reaction<3>;
 template int find_impulses(std::span<Reaction<2>>, Kicks<2>&);
 template int find_impulses(std::span<Reaction<3>>, Kicks<3>&);
 

@@ -20,7 +20,7 @@ struct Reaction {
   Meeting meeting = Meeting::corner_and_face;
   std::int32_t feature_a = 0;  // corner or edge of a
   std::int32_t feature_b = 0;  // face or edge of b
-  std::int32_t is_bonded = 0;  // pulls and coheres, since nothing has failed yet
+  std::int32_t is_bonded = 0;  // pulls and coheres, as long as it has not failed
   CarriedPoint<D> of_a;
   CarriedPoint<D> of_b;
   Vector<D> normal = Vector<D>::Zero();   // unit, outwards from b
@@ -28,7 +28,7 @@ struct Reaction {
   Vector<D> force = Vector<D>::Zero();    // on a, that the kick at the end of the last motion stands for
   double touched_at = 0;                  // time
   double gap = 0;                         // > 0 apart
-  double area = 0;                        // that it stands for, where strength counts
+  double area = 0;                        // that it stands for; 0 unless it is bonded
 
   // Between two kicks.
   Vector<D> velocity = Vector<D>::Zero();         // of a against b, that is to be stopped
@@ -36,10 +36,13 @@ struct Reaction {
   double normal_mobility = 0;
   double shear_mobility = 0;
   double tan_friction = 0;
-  double tension = 0;     // largest normal impulse that pulls
-  double cohesion = 0;    // largest shear impulse without pressure
-  double least_gap = 0;   // allowed at the end of the motion: 0, unless it began deeper
-  double free_share = 0;  // of the motion, before they touch
+  double most_tension = 0;   // normal impulse that pulls
+  double most_cohesion = 0;  // shear impulse without pressure
+  double least_gap = 0;      // allowed at the end of the motion: 0, unless it began deeper
+  double free_share = 0;     // of the motion, before they touch
+
+  /// Is strength reached where it still moves on, at the velocity that is left?
+  bool fails(const Vector<D>& left) const;
 
   auto key() const { return std::tie(a, b, meeting, feature_a, feature_b); }
 };
@@ -48,8 +51,8 @@ struct Reaction {
 /// is larger, than strength bears; and as far as neither is at its bound, nothing moves on. Impulses that are
 /// there already are where it begins.
 ///
-/// By turns (Gauss and Seidel), with the blocks' changes of velocity at hand, so that a contact costs the same
-/// whatever the number of them. Returns how often all have been gone through.
+/// By turns (Gauss and Seidel), with the blocks' changes of velocity at hand, so that a contact costs the
+/// same whatever the number of them. Returns how often all have been gone through.
 template <int D>
 int find_impulses(std::span<Reaction<D>> reactions, Kicks<D>& kicks);
 

@@ -86,6 +86,22 @@ int ReactionSearch<3>::edge_count(std::size_t slot) const {
 }
 
 template <>
+EdgeBound ReactionSearch<3>::bound_of_edge(std::int32_t block, int which) const {
+  const std::size_t slot = std::size_t(block);
+  Vector<3> from, to;
+  if (blocks_.is_of_mesh(slot)) {
+    const SurfaceEdge& of_mesh = edges_[std::size_t(first_edge_[slot] + which)];
+    from = node_now(slot, of_mesh.node[0]);
+    to = node_now(slot, of_mesh.node[1]);
+  } else {
+    const Topology& topology = *blocks_.own_outline(block).topology;
+    from = corner_now(slot, topology.edge_start[which]);
+    to = corner_now(slot, topology.edge_end[which]);
+  }
+  return {0.5 * (from + to), 0.5 * (to - from).norm()};
+}
+
+template <>
 MovingEdge ReactionSearch<3>::edge(std::int32_t block, int which) const {
   const std::size_t slot = std::size_t(block);
   MovingEdge edge;
@@ -167,10 +183,16 @@ void ReactionSearch<3>::survey_edges() {
 template <>
 void ReactionSearch<3>::look_at_edges(std::int32_t a, std::int32_t b, Array<Reaction<3>>& found) const {
   const double most_behind = deepest_share * blocks_.radius[std::size_t(b)];
+  // Two edges that are farther apart cannot meet in this motion.
+  const double reach = margin_ + integrator_.longest_motion() + most_behind;
+  const EdgeBound about_b{blocks_.position[std::size_t(b)], blocks_.radius[std::size_t(b)]};
   for (int i = 0; i < edge_count(std::size_t(a)); ++i) {
+    const EdgeBound about_edge = bound_of_edge(a, i);
+    if (!about_edge.is_near(about_b, reach)) continue;
     const MovingEdge of_a = edge(a, i);
     if (of_a.now.is_flat()) continue;
     for (int k = 0; k < edge_count(std::size_t(b)); ++k) {
+      if (!about_edge.is_near(bound_of_edge(b, k), reach)) continue;
       const MovingEdge of_b = edge(b, k);
       if (of_b.now.is_flat() || are_parallel(of_a.now, of_b.now)) continue;
       if (!is_between(of_a.now, of_b.now) && !is_between(of_a.planned, of_b.planned)) continue;

@@ -22,12 +22,29 @@ bool precedes(const Reaction<D>& one, const Reaction<D>& other) {
 
 }  // namespace
 
+template <int D>
+void ReactionPass<D>::solve(double duration) {
+  integrator_.kicks().begin(duration);
+  rounds_ += find_impulses<D>(planned_, integrator_.kicks());
+}
+
+template <int D>
+Vector<D> ReactionPass<D>::kicked(const Reaction<D>& at) const {
+  return integrator_.kicks().at(at.of_a) - integrator_.kicks().at(at.of_b);
+}
+
 /// The velocity that a contact has to stop is that of the planned motion without any kicks.
 template <int D>
 void ReactionPass<D>::begin(Reaction<D>& at, double duration) const {
-  at.tan_friction = model_.law_between(std::size_t(at.a), std::size_t(at.b)).tan_friction;
+  const SpringLaw& law = model_.law_between(std::size_t(at.a), std::size_t(at.b));
+  at.tan_friction = law.tan_friction;
   at.least_gap = std::min(0.0, at.gap + recovered_share * blocks_.radius[std::size_t(at.b)]);
-  const Vector<D> kicked = integrator_.kicks().at(at.of_a) - integrator_.kicks().at(at.of_b);
+  if (at.is_bonded) {
+    at.least_gap = at.gap;
+    at.most_tension = 0.5 * duration * law.tensile_strength * at.area;
+    at.most_cohesion = 0.5 * duration * law.cohesion * at.area;
+  }
+  const Vector<D> kicked = this->kicked(at);
   const Vector<D> free =
       integrator_.planned_velocity(at.of_a) - integrator_.planned_velocity(at.of_b) - kicked;
   const double opening = (search_.planned_gap(at) - at.least_gap) / duration - at.normal.dot(kicked);
@@ -55,6 +72,7 @@ bool ReactionPass<D>::find_more(double time, double duration) {
 
 template <int D>
 bool ReactionPass<D>::plan(double time, double duration) {
+  motion_began_ = time;
   search_.find(planned_);
   if (planned_.empty()) return true;
   remember(planned_, time, duration);
@@ -63,8 +81,7 @@ bool ReactionPass<D>::plan(double time, double duration) {
   do {
     bool is_exact = false;
     for (int i = 0; i < most_corrections && !is_exact; ++i) {
-      integrator_.kicks().begin(duration);
-      rounds_ += find_impulses<D>(planned_, integrator_.kicks());
+      solve(duration);
       if (!integrator_.plan(duration)) return false;
       is_exact = correct(duration);
     }
@@ -78,17 +95,17 @@ template <int D>
 bool ReactionPass<D>::correct(double duration) {
   double largest = 0;
   for (Reaction<D>& at : planned_) {
-    const Vector<D> kicked = integrator_.kicks().at(at.of_a) - integrator_.kicks().at(at.of_b);
     at.gap = search_.planned_gap(at);
-    const double error = at.gap - at.least_gap - duration * at.normal.dot(at.velocity + kicked);
+    const double error = at.gap - at.least_gap - duration * at.normal.dot(at.velocity + kicked(at));
     at.velocity += error / duration * at.normal;
-    const bool counts = !at.impulse.isZero(0) || at.gap < at.least_gap;
+    const bool counts = at.is_bonded || !at.impulse.isZero(0) || at.gap < at.least_gap;
     if (counts) largest = std::max(largest, std::abs(error) / blocks_.radius[std::size_t(at.b)]);
   }
   return largest <= exact_share;
 }
 
-/// Contacts that go on have touched when they did.
+/// Contacts that go on have touched when they did. Those that are there when a block's first step begins are
+/// bonded, as with springs (Wang et al. 2021, section 2.5).
 template <int D>
 void ReactionPass<D>::remember(Array<Reaction<D>>& found, double time, double duration) const {
   auto before = known_.begin();
@@ -96,9 +113,15 @@ void ReactionPass<D>::remember(Array<Reaction<D>>& found, double time, double du
     while (before != known_.end() && before->key() < at.key()) ++before;
     const bool goes_on = before != known_.end() && before->key() == at.key();
     at.touched_at = goes_on ? before->touched_at : time + at.free_share * duration;
-    if (!goes_on) continue;
-    at.free_share = 0;
-    at.impulse = before->impulse;
+    if (goes_on) {
+      at.free_share = 0;
+      at.impulse = before->impulse;
+      at.is_bonded = before->is_bonded;
+      at.area = before->area;
+    } else if (contacts_.bonds(at.a, at.b)) {
+      at.area = search_.area_of(at);
+      at.is_bonded = at.area > 0;
+    }
   }
 }
 
@@ -122,26 +145,67 @@ void ReactionPass<D>::book(EnergyLedger& ledger) const {
 }
 
 template <int D>
+void ReactionPass<D>::break_when_due(Reaction<D>& at) const {
+  if (!at.is_bonded || !at.fails(at.velocity + kicked(at))) return;
+  at.is_bonded = 0;
+  at.area = at.most_tension = at.most_cohesion = 0;
+}
+
+template <int D>
 void ReactionPass<D>::look() {
   std::erase_if(planned_, [&](const Reaction<D>& at) {
-    return at.impulse.isZero(0) && at.gap > search_.reach(at);
+    return !at.is_bonded && at.impulse.isZero(0) && at.gap > search_.reach(at);
   });
   for (Reaction<D>& at : planned_) {
+    break_when_due(at);
     search_.place(at);
     at.middle_velocity = velocity_of(at);
   }
 }
 
+/// Has something touched in this motion?
+template <int D>
+bool ReactionPass<D>::is_blow() const {
+  return std::any_of(planned_.begin(), planned_.end(),
+                     [&](const Reaction<D>& at) { return at.touched_at >= motion_began_; });
+}
+
+/// A blow is over before elements yield to it: it takes what its own impulses do. Those by which blocks that
+/// move on together press each other take nothing, but for friction where they slide.
+template <int D>
+void ReactionPass<D>::book_blow(EnergyLedger& ledger) {
+  for (Reaction<D>& at : planned_) at.velocity = at.middle_velocity;
+  solve(integrator_.duration());
+  for (const Reaction<D>& at : planned_) {
+    book(at, at.middle_velocity, ledger);
+    book(at, at.middle_velocity + kicked(at), ledger);
+  }
+  for (Reaction<D>& at : planned_) at.force = at.impulse;
+}
+
+template <int D>
+void ReactionPass<D>::book_friction_besides(const Reaction<D>& at, const Vector<D>& blow,
+                                            EnergyLedger& ledger) const {
+  const Vector<D> besides = at.impulse - blow, shear = besides - besides.dot(at.normal) * at.normal;
+  ledger.add_friction_loss(-0.5 * shear.dot(at.middle_velocity + velocity_of(at)));
+}
+
 template <int D>
 void ReactionPass<D>::stop(Stock& stock, EnergyLedger& ledger) {
-  integrator_.kicks().begin(integrator_.duration());
+  const bool is_blow = this->is_blow();
+  if (is_blow) book_blow(ledger);
   for (Reaction<D>& at : planned_) at.velocity = velocity_of(at);
-  rounds_ += find_impulses<D>(planned_, integrator_.kicks());
+  solve(integrator_.duration());
+  for (Reaction<D>& at : planned_) break_when_due(at);
   const double rate = integrator_.kicks().rate();
   integrator_.take_kicks(stock);
   for (Reaction<D>& at : planned_) {
-    book(at, at.middle_velocity, ledger);
-    book(at, velocity_of(at), ledger);
+    if (is_blow) {
+      book_friction_besides(at, at.force, ledger);
+    } else {
+      book(at, at.middle_velocity, ledger);
+      book(at, velocity_of(at), ledger);
+    }
     at.force = rate * at.impulse;
   }
   auto before = known_.begin();
@@ -149,6 +213,7 @@ void ReactionPass<D>::stop(Stock& stock, EnergyLedger& ledger) {
     while (before != known_.end() && before->key() < at.key()) ++before;
     if (before == known_.end() || before->key() != at.key()) ++touches_;
   }
+  contacts_.end_bonds_without_spring();
   known_.swap(planned_);
   planned_.clear();
 }

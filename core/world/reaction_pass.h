@@ -20,6 +20,7 @@ class ReactionPass {
   ReactionPass(const Model<D>& model, ContactList<D>& contacts, Integrator<D>& integrator, Memory* memory)
       : model_(model),
         blocks_(model.blocks),
+        contacts_(contacts),
         integrator_(integrator),
         search_(model, contacts, integrator, memory),
         known_(memory),
@@ -51,20 +52,28 @@ class ReactionPass {
   }
 
  private:
+  void solve(double duration);
+  Vector<D> kicked(const Reaction<D>& at) const;
   bool correct(double duration);
+  bool is_blow() const;
+  void book_blow(EnergyLedger& ledger);
+  void book_friction_besides(const Reaction<D>& at, const Vector<D>& blow, EnergyLedger& ledger) const;
   void begin(Reaction<D>& at, double duration) const;
   bool find_more(double time, double duration);
   void remember(Array<Reaction<D>>& found, double time, double duration) const;
+  void break_when_due(Reaction<D>& at) const;
   Vector<D> velocity_of(const Reaction<D>& at) const;
   void book(const Reaction<D>& at, const Vector<D>& velocity, EnergyLedger& ledger) const;
 
   const Model<D>& model_;
   const Blocks<D>& blocks_;
+  ContactList<D>& contacts_;
   Integrator<D>& integrator_;
   ReactionSearch<D> search_;
   Array<Reaction<D>> known_;  // of the last motion, in order of their keys
   Array<Reaction<D>> planned_;
   Array<Reaction<D>> found_;
+  double motion_began_ = 0;   // time
   std::int64_t touches_ = 0;  // so far
   std::int64_t rounds_ = 0;
 };

@@ -11,6 +11,19 @@ namespace {
 /// so far beyond their ends, so that corners that meet squarely are not lost to rounding.
 constexpr double reach_share = 1e-9;
 
+/// A corner looks at a face that lies at an angle across its way out, by so much at least: meshes bend.
+constexpr double least_cosine = 0.02;
+
+/// The share of a face that belongs to one of its corners; 0 for a corner that is none of it.
+double share_of_corner(const Outline<2>& o, int face, int corner) {
+  return corner == face || corner == o.next(face) ? 0.5 : 0;
+}
+double share_of_corner(const Outline<3>& o, int face, int corner) {
+  const std::int32_t* first = o.topology->face_vertex + o.topology->first_of_face[face];
+  const std::int32_t* last = o.topology->face_vertex + o.topology->first_of_face[face + 1];
+  return std::find(first, last, corner) != last ? 1 / double(last - first) : 0;
+}
+
 }  // namespace
 
 template <int D>
@@ -41,7 +54,8 @@ template <int D>
 Vector<D> ReactionSearch<D>::corner_now(std::size_t slot, int corner) const {
   if (blocks_.is_of_mesh(slot))
     return node_now(slot, blocks_.meshes().surface_of_block(slot).node[std::size_t(corner)]);
-  return blocks_.position[slot] + blocks_.gradient(slot) * blocks_.own_outline(std::int32_t(slot)).vertex(corner);
+  return blocks_.position[slot] +
+         blocks_.gradient(slot) * blocks_.own_outline(std::int32_t(slot)).vertex(corner);
 }
 
 template <int D>
@@ -69,15 +83,23 @@ void ReactionSearch<D>::survey() {
   survey_edges();
 }
 
-/// Which way a corner points: for a node of a mesh, away from the cells that share it.
+/// A weight falls from 1 to 0 over the height of its node: the area of the face opposite is D volume /
+/// height.
 template <int D>
 void ReactionSearch<D>::point_nodes() {
   const Meshes<D>& meshes = blocks_.meshes();
   outwards_.assign(meshes.node_count(), Vector<D>::Zero());
   for (const SurfaceCell<D>& cell : meshes.surface()) {
-    const Vector<D> middle = cell.mean_of(meshes.place);
-    for (const std::int32_t node : cell.node)
-      outwards_[std::size_t(node)] += meshes.place[std::size_t(node)] - middle;
+    const Deformation<D>& deformation = blocks_.deformation(std::size_t(cell.block));
+    const double volume = deformation.volume * deformation.gradient.determinant();
+    const Tensor<D> back = deformation.gradient.inverse().transpose();
+    for (int i = 0; i <= D; ++i) {
+      if (!(cell.outer_faces >> i & 1)) continue;
+      const Vector<D> of_corner = -volume * (back * cell.gradients.col(i));
+      for (int k = 0; k <= D; ++k) {
+        if (k != i) outwards_[std::size_t(cell.node[std::size_t(k)])] += of_corner;
+      }
+    }
   }
 }
 
@@ -94,9 +116,23 @@ bool ReactionSearch<D>::strikes(std::size_t slot, int corner) const {
   return owner_[std::size_t(node)] == std::int32_t(slot);
 }
 
+/// A face that does not look at a counts where its corner comes well inside of all others: else it passes an
+/// end of the face.
+template <int D>
+bool ReactionSearch<D>::is_well_inside(const Target& b, const Vector<D>& end, int but_for) const {
+  const Outline<D> own = blocks_.own_outline(std::int32_t(b.slot));
+  for (int face = 0; face < own.face_count(); ++face) {
+    const double depth = (own.offset[face] - own.normal(face).dot(end)) /
+                         (b.planned.inverse.transpose() * own.normal(face)).norm();
+    if (face != but_for && depth < behind_share * blocks_.radius[b.slot]) return false;
+  }
+  return true;
+}
+
 /// Through which face of b does a corner of a come in, if any? It is inside where all half-spaces include it,
 /// and it came in through the one that included it last. Of those that have included it from the start only
-/// one counts that looks at a: flush with b's front, a corner lies in the plane of b's side, too.
+/// one counts that looks at a: flush with b's front, a corner lies in the plane of b's side, too. Along a
+/// face it may slide into b from the side.
 template <int D>
 typename ReactionSearch<D>::Entrance ReactionSearch<D>::entrance(const Target& b, std::size_t a,
                                                                  int corner) const {
@@ -104,7 +140,8 @@ typename ReactionSearch<D>::Entrance ReactionSearch<D>::entrance(const Target& b
   const double radius = blocks_.radius[b.slot];
   const Vector<D> start = b.now.inverse * (corner_now(a, corner) - b.now.position);
   const Vector<D> end = b.planned.inverse * (planned_corner(a, corner) - b.planned.position);
-  const Vector<D> out_of_a = outwards(a, corner);
+  const Vector<D> out_of_a = outwards(a, corner).normalized();
+  const double tiny = behind_share * radius;
   Entrance last, at_start;
   bool is_beside = false;
   for (int face = 0; face < own.face_count(); ++face) {
@@ -117,9 +154,8 @@ typename ReactionSearch<D>::Entrance ReactionSearch<D>::entrance(const Target& b
       is_beside = is_beside || before > reach_share * radius;
       continue;
     }
-    Entrance through{face, 0, before, normal.dot(out_of_a) < 0};
-    if (through.looks_at_a && std::abs(before) <= behind_share * radius && before >= at_start.before)
-      at_start = through;
+    Entrance through{face, 0, before, normal.dot(out_of_a) < -least_cosine * normal.norm()};
+    if (through.looks_at_a && std::abs(before) <= tiny && before >= at_start.before) at_start = through;
     if (before <= reach_share * radius) {
       if (!through.looks_at_a) continue;
       through.time = before / radius - 1;
@@ -129,10 +165,11 @@ typename ReactionSearch<D>::Entrance ReactionSearch<D>::entrance(const Target& b
     }
     if (through.time > last.time) last = through;
   }
-  if (!last.looks_at_a && at_start.face >= 0) last = at_start;
+  if (at_start.face >= 0) last = at_start;
+  if (!last.looks_at_a && (last.time > 1 || !is_well_inside(b, end, last.face))) return {};
   // The plane of a face goes on beyond the face: a corner beside it that is behind its plane is before the
   // neighbouring face.
-  if (is_beside && last.before < -behind_share * radius) return {};
+  if (is_beside && last.before < -tiny) return {};
   return last;
 }
 
@@ -211,6 +248,27 @@ void ReactionSearch<D>::place(Reaction<D>& at) const {
 }
 
 template <int D>
+Vector<D> ReactionSearch<D>::face_of(std::size_t slot, int corner) const {
+  if (blocks_.is_of_mesh(slot)) return outwards(slot, corner);
+  const Outline<D> outline = blocks_.outline(std::int32_t(slot));
+  Vector<D> sum = Vector<D>::Zero();
+  for (int face = 0; face < outline.face_count(); ++face) {
+    const double share = share_of_corner(outline, face, corner);
+    if (share > 0) sum += share * halfspace::face_of(outline, face).area * outline.normal(face);
+  }
+  return sum;
+}
+
+template <int D>
+double ReactionSearch<D>::area_of(const Reaction<D>& at) const {
+  if (at.meeting == Meeting::edges) return 0;
+  const bool a_is_mesh = blocks_.is_of_mesh(std::size_t(at.a)),
+             b_is_mesh = blocks_.is_of_mesh(std::size_t(at.b));
+  const double share = a_is_mesh == b_is_mesh ? 0.5 : a_is_mesh ? 1 : 0;
+  return share * std::max(0.0, -at.normal.dot(face_of(std::size_t(at.a), at.feature_a)));
+}
+
+template <int D>
 double ReactionSearch<D>::reach(const Reaction<D>& at) const {
   return reach_share * blocks_.radius[std::size_t(at.b)];
 }
@@ -224,8 +282,8 @@ void ReactionSearch<D>::find(Array<Reaction<D>>& found) {
   for (const Candidate<D>& pair : contacts_.neighbors().pairs()) {
     if (!model_.law_of(pair).has_no_spring()) continue;
     const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
-    const double reach = blocks_.radius[a] + blocks_.radius[b] + margin_ +
-                         integrator_.planned_way(a).norm() + integrator_.planned_way(b).norm();
+    const double reach = blocks_.radius[a] + blocks_.radius[b] + margin_ + integrator_.planned_way(a).norm() +
+                         integrator_.planned_way(b).norm();
     if ((blocks_.position[a] - blocks_.position[b]).squaredNorm() > reach * reach) continue;
     look_at(pair.a, pair.b, found);
     look_at(pair.b, pair.a, found);

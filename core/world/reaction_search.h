@@ -30,6 +30,16 @@ struct SurfaceEdge {
 /// An edge now and at the end of the planned motion: see reaction_edges.cpp.
 struct MovingEdge;
 
+/// A ball about an edge.
+struct EdgeBound {
+  bool is_near(const EdgeBound& other, double reach) const {
+    const double most = radius + other.radius + reach;
+    return (middle - other.middle).squaredNorm() <= most * most;
+  }
+  Vector<3> middle;
+  double radius;
+};
+
 /// Looks for the places where blocks would pass through each other in the planned motion: corners through
 /// faces, and in space edges through edges.
 template <int D>
@@ -54,6 +64,9 @@ class ReactionSearch {
   void place(Reaction<D>& at) const;
   /// The gap at the end of the planned motion.
   double planned_gap(const Reaction<D>& at) const;
+  /// The area that a corner stands for on the face before it. Nodes of two meshes share it, and against any
+  /// other block those of the mesh have it.
+  double area_of(const Reaction<D>& at) const;
   /// A corner nearer to a face than this is at it.
   double reach(const Reaction<D>& at) const;
 
@@ -72,6 +85,7 @@ class ReactionSearch {
   Vector<D> planned_corner(std::size_t slot, int corner) const;
   Vector<D> outwards(std::size_t slot, int corner) const;
   bool strikes(std::size_t slot, int corner) const;
+  Vector<D> face_of(std::size_t slot, int corner) const;
   /// A block that corners may come into.
   struct Target {
     bool is_outer(const Outline<D>& own, int face) const {
@@ -90,6 +104,7 @@ class ReactionSearch {
     bool looks_at_a = false;
   };
   Entrance entrance(const Target& b, std::size_t a, int corner) const;
+  bool is_well_inside(const Target& b, const Vector<D>& end, int but_for) const;
   void point_nodes();
   void look_at(std::int32_t a, std::int32_t b, Array<Reaction<D>>& found) const;
   void place_corner(Reaction<D>& at) const;
@@ -97,6 +112,7 @@ class ReactionSearch {
 
   // Edges, in space.
   MovingEdge edge(std::int32_t block, int which) const;
+  EdgeBound bound_of_edge(std::int32_t block, int which) const;
   int edge_count(std::size_t slot) const;
   void survey_edges() {}
   void look_at_edges(std::int32_t, std::int32_t, Array<Reaction<D>>&) const {}
@@ -107,7 +123,7 @@ class ReactionSearch {
   const Blocks<D>& blocks_;
   const ContactList<D>& contacts_;
   const Integrator<D>& integrator_;
-  Array<Vector<D>> outwards_;       // of each node at the surface: the way it points
+  Array<Vector<D>> outwards_;       // of each node: its part of the faces around it, area times normal
   Array<std::int32_t> owner_;       // of each node: the block whose corner it is
   Array<SurfaceEdge> edges_;        // of meshes, in ascending order of blocks
   Array<std::int32_t> first_edge_;  // of each block, and one more
@@ -117,6 +133,8 @@ class ReactionSearch {
 // Edges meet in space only.
 template <>
 int ReactionSearch<3>::edge_count(std::size_t slot) const;
+template <>
+EdgeBound ReactionSearch<3>::bound_of_edge(std::int32_t block, int which) const;
 template <>
 MovingEdge ReactionSearch<3>::edge(std::int32_t block, int which) const;
 template <>

@@ -1,0 +1,145 @@
+// Blocks that rest and slide by a law without a spring.
+
+#include "catch.h"
+#include "validation/reacting.h"
+
+namespace {
+
+using namespace halfspace_test;
+
+constexpr double gravity = 10;
+
+hs_world_def heavy_world(int dimension, double mass_damping) {
+  hs_world_def def = mesh_world_def(dimension, mass_damping);
+  def.gravity[dimension - 1] = -gravity;
+  return def;
+}
+
+/// A body of squares on a floor that is a mesh, or one block.
+struct Floor {
+  Floor(double friction_angle, double mass_damping, bool floor_is_mesh, int32_t kind)
+      : scene(heavy_world(2, mass_damping), law_without_spring(friction_angle), 2000, {1e8, 0.25}) {
+    if (floor_is_mesh) {
+      const hs_body floor =
+          scene.add_mesh(brick(2, {8, 1, 1}, {9, 1, 1}, [&](int) { return kind; }), {-4, -1, 0});
+      scene.hold(floor, scene.nodes_where(floor, [](const Node& node) { return node.y() < -0.5; }),
+                 HS_AXIS_X + HS_AXIS_Y);
+    } else {
+      scene.add(box(-4, -1, 4, 0), {HS_BLOCK_FIXED, {}, 0});
+    }
+    body = scene.add_mesh(brick(2, {1, 0.5, 1}, {6, 3, 1}, [&](int) { return kind; }), {-2.5, 0, 0});
+  }
+
+  ReactingScene scene;
+  hs_body body = 0;
+};
+
+}  // namespace
+
+TEST_CASE("a damped block rests with its weight and touches nothing anew", "[mesh][reaction]") {
+  for (const bool floor_is_mesh : {false, true}) {
+    for (const int32_t kind : {HS_CELL_QUAD, HS_CELL_TRIANGLE}) {
+      Floor floor(30 * degree, 20, floor_is_mesh, kind);
+      while (floor.scene.report().time < 1.5) floor.scene.step();
+      const std::int64_t touches = floor.scene.reaction_report().touch_count;
+      double squared = 0;
+      int steps = 0;
+      for (; floor.scene.report().time < 2; ++steps) {
+        floor.scene.step();
+        squared += square_of(
+            floor.scene.force_on(floor.body).y() / (gravity * floor.scene.body_state(floor.body).mass) - 1);
+      }
+      std::printf("a body of %s on a floor that is %s: force over weight off by %.1e rms\n",
+                  name_of_cell(kind), floor_is_mesh ? "a mesh" : "one block", std::sqrt(squared / steps));
+      CHECK(std::sqrt(squared / steps) < 1e-3);
+      CHECK(floor.scene.reaction_report().touch_count == touches);
+    }
+  }
+}
+
+TEST_CASE("a sliding block is braked by friction alone", "[mesh][reaction]") {
+  for (const bool floor_is_mesh : {false, true}) {
+    for (const int32_t kind : {HS_CELL_QUAD, HS_CELL_TRIANGLE}) {
+      INFO(name_of_cell(kind) << (floor_is_mesh ? " on a mesh" : " on a block"));
+      constexpr double friction = 0.3;
+      Floor floor(std::atan(friction), 0, floor_is_mesh, kind);
+      relax(floor.scene, 1e-6);
+      const Nodes nodes = floor.scene.positions(floor.body);
+      floor.scene.set_velocities(floor.body, Nodes(nodes.size(), Node(2, 0, 0)));
+      const hs_body_state before = floor.scene.body_state(floor.body);
+      const hs_world_report begun = floor.scene.report();
+      while (floor.scene.report().time < begun.time + 0.3) floor.scene.step();
+      const hs_body_state after = floor.scene.body_state(floor.body);
+      const double weight_impulse = gravity * before.mass * (floor.scene.report().time - begun.time);
+      const double shear = before.momentum[0] - after.momentum[0];
+      const double normal = after.momentum[1] - before.momentum[1] + weight_impulse;
+      CHECK(shear / normal == Approx(friction).epsilon(1e-3));
+      const double lost = begun.energy.kinetic - floor.scene.report().energy.kinetic;
+      CHECK(std::abs(floor.scene.report().energy.residual - begun.energy.residual) < 2e-3 * lost);
+    }
+  }
+}
+
+TEST_CASE("relaxation sees the forces of contacts without springs", "[mesh][reaction]") {
+  Floor floor(0, 0, true, HS_CELL_QUAD);
+  const hs_balance balance = relax(floor.scene, 1e-6);
+  CHECK(balance.mean <= 1e-6);
+  CHECK(floor.scene.reactions().size() >= 7);
+}
+
+/// Strength counts for contacts that are there from the start: two bars of equal cells hold until the pull on
+/// their common face reaches it.
+TEST_CASE("bars that are glued hold up to their strength", "[mesh][reaction]") {
+  for (const double share : {0.9, 1.1}) {
+    constexpr double strength = 1e5;
+    hs_law_def law = law_without_spring();
+    law.tensile_strength = strength;
+    law.cohesion = 1e9;
+    ReactingScene scene(mesh_world_def(2, 60), law, 2000, {1e8, 0});
+    const MeshWords bar = brick(2, {2, 1, 1}, {4, 2, 1}, [](int) { return HS_CELL_QUAD; });
+    const hs_body fixed = scene.add_mesh(bar, {-2, 0, 0}), pulled = scene.add_mesh(bar);
+    scene.hold(fixed, scene.nodes_where(fixed, [](const Node& node) { return node.x() < -1.99; }),
+               HS_AXIS_X + HS_AXIS_Y);
+    for (int part = 1; part <= 100; ++part) {
+      const double force = share * strength * part / 100;
+      for (const double height : {0.0, 0.5, 1.0}) {
+        scene.push(pulled,
+                   scene.nodes_where(
+                       pulled,
+                       [&](const Node& node) { return node.x() > 1.9 && std::abs(node.y() - height) < 0.1; }),
+                   {force * (height == 0.5 ? 0.5 : 0.25), 0, 0});
+      }
+      scene.step(30);
+    }
+    scene.step(1000);
+    CHECK((scene.body_state(pulled).centroid[0] < 1.1) == (share < 1));
+  }
+}
+
+TEST_CASE("rigid and affine blocks rest on blocks and meshes", "[reaction]") {
+  for (const int32_t kind : {HS_BLOCK_RIGID, HS_BLOCK_AFFINE}) {
+    for (const bool floor_is_mesh : {false, true}) {
+      INFO((kind == HS_BLOCK_RIGID ? "rigid" : "affine") << (floor_is_mesh ? " on a mesh" : " on a block"));
+      hs_world_def def = heavy_world(2, 5);
+      if (kind == HS_BLOCK_RIGID && !floor_is_mesh) def.time_step = 1e-3;  // nothing vibrates
+      ReactingScene scene(def, law_without_spring(30 * degree), 2000, {1e8, 0.25});
+      if (floor_is_mesh) {
+        const hs_body floor =
+            scene.add_mesh(brick(2, {8, 1, 1}, {9, 1, 1}, [](int) { return HS_CELL_QUAD; }), {-4, -1, 0});
+        scene.hold(floor, scene.nodes_where(floor, [](const Node& node) { return node.y() < -0.5; }),
+                   HS_AXIS_X + HS_AXIS_Y);
+      } else {
+        scene.add(box(-4, -1, 4, 0), {HS_BLOCK_FIXED, {}, 0});
+      }
+      const hs_block block = scene.add_at(box(0, 0, 1, 1), {0.13, 0.8}, 0.3, {kind, {}, 0});
+      const double energy = scene.energy_present();
+      while (scene.report().time < 4) scene.step();
+      double force = 0;
+      for (const hs_reaction& reaction : scene.reactions())
+        force += (reaction.block_a == block ? 1 : -1) * reaction.force[1];
+      CHECK(force == Approx(gravity * scene.state(block).mass).epsilon(1e-3));
+      CHECK(scene.state(block).pose.position[1] == Approx(0.5).margin(2e-3));
+      CHECK(scene.energy_present() < energy);
+    }
+  }
+}
