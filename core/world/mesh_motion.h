@@ -15,8 +15,8 @@ namespace halfspace {
 template <int D>
 class MeshMotion {
  public:
-  MeshMotion(Model<D>& model, const ForcePass<D>& forces, const Kicks<D>& kicks,
-             const Kicks<D>& reaction, Memory* memory)
+  MeshMotion(Model<D>& model, const ForcePass<D>& forces, const Kicks<D>& kicks, const Kicks<D>& reaction,
+             Memory* memory)
       : settings_(model.settings),
         model_(model),
         meshes_(model.blocks.meshes()),
