@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <tuple>
@@ -21,6 +22,7 @@ struct Reaction {
   std::int32_t feature_a = 0;  // corner or edge of a
   std::int32_t feature_b = 0;  // face or edge of b
   std::int32_t is_bonded = 0;  // pulls and coheres, as long as it has not failed
+  std::array<std::int32_t, 2> reserved{};
   CarriedPoint<D> of_a;
   CarriedPoint<D> of_b;
   Vector<D> normal = Vector<D>::Zero();   // unit, outwards from b
@@ -29,6 +31,7 @@ struct Reaction {
   double touched_at = 0;                  // time
   double gap = 0;                         // > 0 apart
   double area = 0;                        // that it stands for; 0 unless it is bonded
+  double padding = 0;
 
   // Between two kicks.
   Vector<D> velocity = Vector<D>::Zero();         // of a against b, that is to be stopped
@@ -40,12 +43,15 @@ struct Reaction {
   double most_cohesion = 0;  // shear impulse without pressure
   double least_gap = 0;      // allowed at the end of the motion: 0, unless it began deeper
   double free_share = 0;     // of the motion, before they touch
+  double end = 0;
 
   /// Is strength reached where it still moves on, at the velocity that is left?
   bool fails(const Vector<D>& left) const;
 
   auto key() const { return std::tie(a, b, meeting, feature_a, feature_b); }
 };
+
+static_assert(sizeof(Reaction<2>) == 304 && sizeof(Reaction<3>) == 376, "saved reactions hold stray bytes");
 
 /// Finds the impulses of all together that stop what has to be stopped: no normal one pulls, and no shear one
 /// is larger, than strength bears; and as far as neither is at its bound, nothing moves on. Impulses that are

@@ -141,33 +141,29 @@ MovingEdge ReactionSearch<3>::edge(std::int32_t block, int which) const {
 /// Each edge between two faces at the surface is that of the first of the cells that share it.
 template <>
 void ReactionSearch<3>::survey_edges() {
-  struct Side {
-    std::array<std::int32_t, 2> node;
-    std::int32_t block;
-    std::int32_t beside;
-  };
-  Array<Side> sides(edges_.get_allocator());
+  sides_.clear();
   for (const SurfaceCell<3>& cell : blocks_.meshes().surface()) {
     for (std::size_t opposite = 0; opposite < 4; ++opposite) {
       if (!(cell.outer_faces >> opposite & 1)) continue;
       for (std::size_t beside = 0; beside < 4; ++beside) {
         if (beside == opposite) continue;
-        Side side{{-1, -1}, cell.block, cell.node[beside]};
+        SideOfEdge side{{-1, -1}, cell.block, cell.node[beside]};
         for (std::size_t i = 0; i < 4; ++i) {
           if (i != opposite && i != beside) side.node[side.node[0] < 0 ? 0 : 1] = cell.node[i];
         }
         std::sort(side.node.begin(), side.node.end());
-        sides.push_back(side);
+        sides_.push_back(side);
       }
     }
   }
-  std::sort(sides.begin(), sides.end(), [](const Side& one, const Side& other) {
+  std::sort(sides_.begin(), sides_.end(), [](const SideOfEdge& one, const SideOfEdge& other) {
     return std::tie(one.node, one.block, one.beside) < std::tie(other.node, other.block, other.beside);
   });
   edges_.clear();
-  for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
-    if (sides[i].node != sides[i + 1].node) continue;
-    edges_.push_back({sides[i].block, sides[i].node, {sides[i].beside, sides[i + 1].beside}});
+  for (std::size_t i = 0; i + 1 < sides_.size(); ++i) {
+    const SideOfEdge &one = sides_[i], &other = sides_[i + 1];
+    if (one.node != other.node) continue;
+    edges_.push_back({one.block, one.node, {one.beside, other.beside}});
     ++i;
   }
   std::sort(edges_.begin(), edges_.end(), [](const SurfaceEdge& one, const SurfaceEdge& other) {

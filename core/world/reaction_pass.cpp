@@ -218,6 +218,26 @@ void ReactionPass<D>::stop(Stock& stock, EnergyLedger& ledger) {
   planned_.clear();
 }
 
+template <int D>
+bool ReactionPass<D>::is_consistent() const {
+  const auto is_carried = [&](const CarriedPoint<D>& point, std::int32_t block) {
+    if (point.block != block || block < 0 || std::size_t(block) >= blocks_.slot_count()) return false;
+    if (!blocks_.lives(std::size_t(block)) || !point.weight.allFinite() || !point.arm.allFinite())
+      return false;
+    return !blocks_.is_of_mesh(std::size_t(block)) || halfspace::all(point.node, [&](std::int32_t node) {
+      return node >= 0 && std::size_t(node) < blocks_.meshes().node_count();
+    });
+  };
+  const auto is_whole = [&](const Reaction<D>& at) {
+    return is_carried(at.of_a, at.a) && is_carried(at.of_b, at.b) && at.feature_a >= 0 && at.feature_b >= 0 &&
+           (at.meeting == Meeting::corner_and_face || (D == 3 && at.meeting == Meeting::edges)) &&
+           at.normal.allFinite() && at.impulse.allFinite() && at.force.allFinite() && is_finite(at.gap) &&
+           is_finite(at.touched_at) && is_from_zero(at.area);
+  };
+  return touches_ >= 0 && halfspace::all(known_, is_whole) &&
+         std::is_sorted(known_.begin(), known_.end(), precedes<D>);
+}
+
 template class ReactionPass<2>;
 template class ReactionPass<3>;
 

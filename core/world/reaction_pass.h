@@ -46,6 +46,9 @@ class ReactionPass {
   void stop(Stock& stock, EnergyLedger& ledger);
   void forget() { known_.clear(); }
 
+  /// False for what cannot be, after reading a snapshot.
+  bool is_consistent() const;
+
   template <class Archive>
   void visit(Archive& archive) {
     archive(known_, touches_);

@@ -27,6 +27,13 @@ struct SurfaceEdge {
   std::array<std::int32_t, 2> beside{};  // the third node of each face
 };
 
+/// One of the two.
+struct SideOfEdge {
+  std::array<std::int32_t, 2> node;
+  std::int32_t block;
+  std::int32_t beside;
+};
+
 /// An edge now and at the end of the planned motion: see reaction_edges.cpp.
 struct MovingEdge;
 
@@ -53,6 +60,7 @@ class ReactionSearch {
         integrator_(integrator),
         outwards_(memory),
         owner_(memory),
+        sides_(memory),
         edges_(memory),
         first_edge_(memory) {}
 
@@ -125,6 +133,7 @@ class ReactionSearch {
   const Integrator<D>& integrator_;
   Array<Vector<D>> outwards_;       // of each node: its part of the faces around it, area times normal
   Array<std::int32_t> owner_;       // of each node: the block whose corner it is
+  Array<SideOfEdge> sides_;         // kept for the next survey, so that it takes no memory
   Array<SurfaceEdge> edges_;        // of meshes, in ascending order of blocks
   Array<std::int32_t> first_edge_;  // of each block, and one more
   double margin_ = 0;               // two that are farther apart at the end of the motion do not count

@@ -198,8 +198,8 @@ template <int D>
 bool World<D>::is_consistent() const {
   return model_.is_consistent() && contacts_.is_consistent() && integrator_.is_consistent(edited_) &&
          (edited_ || contacts_.neighbors().list_length() == model_.blocks.slot_count()) &&
-         clock_.is_consistent() && spring_stop_.is_consistent() && is_from_zero(peak_speed_) &&
-         is_strength_factor(strength_factor_);
+         clock_.is_consistent() && reactions_.is_consistent() && spring_stop_.is_consistent() &&
+         is_from_zero(peak_speed_) && is_strength_factor(strength_factor_);
 }
 
 template class World<2>;

@@ -266,4 +266,44 @@ TEST_CASE("a steady step of bodies and bonds asks for no memory") {
   CHECK(run_without_memory(context.get(), w, 0.7, ledger) > 0);
 }
 
+TEST_CASE("a steady step without springs asks for no memory") {
+  for (const int dimension : {2, 3}) {
+    Ledger ledger;
+    const hs_context_def def = ledger.definition();
+    const Context context = make_context(&def);
+    hs_world_def of_world = world_def();
+    of_world.dimension = dimension;
+    of_world.gravity[1] = -9.81;
+    of_world.gravity[2] = 0;
+    const World world = make_world(context.get(), of_world);
+    hs_world* w = world.get();
+    std::int32_t material = 0;
+    const hs_elasticity_def elasticity = elasticity_def(1e8, 1e-4);
+    require_ok(hs_world_add_material(w, 2000, &material), context.get());
+    require_ok(hs_world_set_elasticity(w, material, &elasticity), context.get());
+    hs_law_def law = law_def(1e9, 0.1);
+    law.stiffness_kind = HS_STIFFNESS_NONE;
+    require_ok(hs_world_set_default_law(w, &law), context.get());
+    const Shape floor = dimension == 2 ? make_shape(context.get(), box(-50, -100, 50, 0))
+                                       : make_polyhedron(context.get(), cube(100));
+    hs_block_def fixed;
+    require_ok(hs_block_def_init(&fixed, sizeof fixed, floor.get()), context.get());
+    fixed.kind = HS_BLOCK_FIXED;
+    fixed.pose.position[1] = -50;
+    hs_block block = 0;
+    require_ok(hs_world_add_block(w, floor.get(), &fixed, &block), context.get());
+    hs_body_def gliding = body_def();
+    gliding.velocity[0] = 3;
+    for (const double y : {0.0, 1.0}) {
+      gliding.pose.position[1] = y;
+      add_body(context.get(), w, bar(dimension), gliding);
+    }
+    run(context.get(), w, 0.3);
+    hs_reaction_report report;
+    require_ok(hs_world_get_reaction_report(w, &report, sizeof report), context.get());
+    CHECK(report.reaction_count > 0);
+    CHECK(run_without_memory(context.get(), w, 0.7, ledger) >= 0);
+  }
+}
+
 }  // namespace halfspace_test

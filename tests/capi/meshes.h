@@ -90,6 +90,9 @@ inline Points3 of_nodes(NodeGetter get, const hs_world* world, hs_body body) {
   return points;
 }
 
+constexpr std::int32_t all_laws[] = {HS_STIFFNESS_PER_CONTACT, HS_STIFFNESS_PER_AREA, HS_STIFFNESS_POTENTIAL,
+                                     HS_STIFFNESS_NONE};
+
 inline hs_bond_def bond_def(double stiffness, double strength) {
   hs_bond_def def;
   if (hs_bond_def_init(&def, sizeof def) != HS_OK) throw std::runtime_error("no bond definition");

@@ -59,7 +59,7 @@ TEST_CASE("saving and restoring at every step changes no bit") {
 
 TEST_CASE("a world with bodies, bonds and failed points goes on bit for bit") {
   for (const int dimension : {2, 3}) {
-    for (const std::int32_t law : {HS_STIFFNESS_PER_CONTACT, HS_STIFFNESS_PER_AREA, HS_STIFFNESS_POTENTIAL}) {
+    for (const std::int32_t law : all_laws) {
       INFO(dimension << "D, law " << law);
       const Context context = make_context(), elsewhere = make_context();
       const std::vector<unsigned char> bytes = snapshot_of(context.get(), {dimension, law, HS_BLOCK_MESH});

@@ -82,6 +82,8 @@ void read_bodies_and_bonds(hs_world* world) {
   CHECK(hs_world_get_bond_events(world, 0, events, 8, nullptr) >= HS_OK);
   hs_bond_report report;
   CHECK(hs_world_get_bond_report(world, &report, sizeof report) == HS_OK);
+  hs_reaction reactions[8];
+  CHECK(hs_world_get_reactions(world, reactions, 8, nullptr) >= HS_OK);
   CHECK(hs_world_set_strength_factor(world, 2) == HS_OK);
   const hs_relaxation_def def = relaxation_def(2, 1e-9);
   (void)hs_world_relax(world, &def, nullptr, 0);
@@ -146,7 +148,7 @@ void restore_mutated(const WorldKind& kind, int mutations, Tally& tally) {
 TEST_CASE("whatever a snapshot holds, it is refused or gives a world that runs") {
   Tally tally;
   for (const int dimension : {2, 3})
-    for (const std::int32_t law : {HS_STIFFNESS_PER_CONTACT, HS_STIFFNESS_PER_AREA, HS_STIFFNESS_POTENTIAL})
+    for (const std::int32_t law : all_laws)
       for (const std::int32_t block : {HS_BLOCK_RIGID, HS_BLOCK_AFFINE, HS_BLOCK_MESH})
         restore_mutated({dimension, law, block}, 500, tally);
   std::printf("mutated snapshots: %ld restored, %ld refused\n", tally.restored, tally.refused);

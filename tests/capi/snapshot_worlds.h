@@ -54,6 +54,7 @@ inline std::vector<unsigned char> snapshot_of(hs_context* context, const WorldKi
   Random random(7);
   hs_world_def def = world_def();
   def.dimension = kind.dimension;
+  if (kind.law == HS_STIFFNESS_NONE) def.time_step = 1e-4;  // rigid blocks tell none
   const World world = make_world(context, def);
   std::int32_t materials[2];
   for (std::int32_t& material : materials) {
