@@ -61,6 +61,8 @@ class Model {
   Frame frame() const;
   /// The contacts there are; blocks are named by their indices in the layout.
   std::vector<hs_contact> contacts() const;
+  /// Those without springs in numbers; they are among the contacts.
+  hs_reaction_report reaction_report() const;
   /// The bonds made, and what has failed of them.
   hs_bond_report bond_report() const;
   /// The two blocks of a bond, in the order in which they were made, by their indices in the layout.
@@ -92,6 +94,9 @@ class Model {
   void update_report();
 
   const Context& context_;
+  std::vector<hs_reaction> reactions() const;
+  hs_contact contact_of(const hs_reaction& reaction) const;
+
   Layout layout_;
   World world_;
   std::vector<hs_block> blocks_;  ///< 0: a cell of a body

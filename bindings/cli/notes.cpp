@@ -166,6 +166,7 @@ class Springs {
   double stiffness(const Body& a, const Body& b) const {
     const hs_law_def& law = between(a.state.material, b.state.material);
     const double section = std::min(a.volume / a.thickness, b.volume / b.thickness);
+    if (law.stiffness_kind == HS_STIFFNESS_NONE) return HUGE_VAL;  // nothing yields
     if (law.stiffness_kind == HS_STIFFNESS_PER_AREA) return law.normal_stiffness * section;
     if (law.stiffness_kind == HS_STIFFNESS_POTENTIAL) return 2 * law.normal_stiffness / length_ * section;
     return law.normal_stiffness;

@@ -77,13 +77,17 @@ void read_materials(std::vector<Keys> tables, Scene& scene) {
 void read_law_values(Keys& keys, hs_law_def& law, bool is_whole) {
   const bool changes_kind = !is_whole && keys.has("stiffness");
   const std::optional<int> kind = is_whole ? std::nullopt : std::optional(law.stiffness_kind);
-  law.stiffness_kind = keys.word("stiffness", {law_names[0], law_names[1], law_names[2]}, kind);
+  law.stiffness_kind = keys.word("stiffness", {law_names[0], law_names[1], law_names[2], law_names[3]}, kind);
   const auto stiffness = [&](double inherited) {
     // A stiffness in other units than the default law's cannot come from it.
     return is_whole || changes_kind ? std::optional<double>() : inherited;
   };
-  law.normal_stiffness = keys.number("normal_stiffness", above(0), stiffness(law.normal_stiffness));
-  law.shear_stiffness = keys.number("shear_stiffness", at_least(0), changes_kind ? 0 : law.shear_stiffness);
+  // Where there is no spring, stiffness and damping are keys that nothing knows.
+  const bool has_spring = law.stiffness_kind != HS_STIFFNESS_NONE;
+  if (has_spring) {
+    law.normal_stiffness = keys.number("normal_stiffness", above(0), stiffness(law.normal_stiffness));
+    law.shear_stiffness = keys.number("shear_stiffness", at_least(0), changes_kind ? 0 : law.shear_stiffness);
+  }
   law.friction_angle = degrees(keys, "friction_angle", {.low = 0, .high = 90, .with_high = false},
                                law.friction_angle / degree);
   if (law.stiffness_kind == HS_STIFFNESS_POTENTIAL) {
@@ -92,6 +96,7 @@ void read_law_values(Keys& keys, hs_law_def& law, bool is_whole) {
     law.cohesion = keys.number("cohesion", at_least(0), law.cohesion);
     law.tensile_strength = keys.number("tensile_strength", at_least(0), law.tensile_strength);
   }
+  if (!has_spring) return;
   law.normal_damping = keys.number("normal_damping", at_least(0), law.normal_damping);
   law.shear_damping = keys.number("shear_damping", at_least(0), law.shear_damping);
 }

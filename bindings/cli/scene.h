@@ -74,7 +74,7 @@ struct SceneStage {
 };
 
 /// The names of laws in scene files, in the order of the HS_STIFFNESS_ values.
-inline constexpr std::array<std::string_view, 3> law_names = {"per contact", "per area", "potential"};
+inline constexpr std::array<std::string_view, 4> law_names = {"per contact", "per area", "potential", "none"};
 
 /// How a block moves: the initial motion of a rigid block, the motion of a prescribed one between start and
 /// stop.

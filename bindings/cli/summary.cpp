@@ -70,9 +70,9 @@ const char* describe(Outcome outcome) {
   return "";
 }
 
-std::string energy_text(const hs_world_report& report, const hs_bond_report& bonds) {
+std::string energy_text(const hs_world_report& report, double broken_and_struck) {
   const hs_energy& energy = report.energy;
-  const double turned_over = bonds.fracture_loss + report.block_strain_energy + report.block_damping_loss +
+  const double turned_over = broken_and_struck + report.block_strain_energy + report.block_damping_loss +
                              energy.kinetic + energy.strain + energy.friction_loss +
                              energy.contact_damping_loss + energy.local_damping_loss +
                              energy.mass_damping_loss;
@@ -92,6 +92,14 @@ std::string bonds_text(const Scene& scene, const hs_bond_report& bonds) {
                      rounded(bonds.crack_area, 4) + (scene.world.dimension == 3 ? " m2" : " m");
   if (bonds.event_count > 0) text += " took " + rounded(bonds.fracture_loss, 4) + " J";
   return report_line("bonds", text);
+}
+
+/// Nothing of a scene where nothing touched without a spring.
+std::string touches_text(const hs_reaction_report& reactions) {
+  if (reactions.touch_count == 0) return {};
+  return report_line("touches", std::to_string(reactions.touch_count) + " without a spring took " +
+                                    rounded(reactions.impact_loss, 4) + " J; " +
+                                    std::to_string(reactions.reaction_count) + " go on");
 }
 
 /// Nothing of a step that was a stable one all the time.
@@ -152,6 +160,7 @@ std::string summary(const Scene& scene, const Model& model, const Peaks& peaks, 
                     const Frame& end, Outcome outcome) {
   const hs_world_report& report = model.report();
   const hs_bond_report bonds = model.bond_report();
+  const hs_reaction_report reactions = model.reaction_report();
   const RunOut reach = run_out(start, end, scene.world.dimension);
   return report_line("scene", scene.title) + report_line("outcome", describe(outcome)) +
          report_line("blocks", blocks_text(model.layout())) +
@@ -167,7 +176,8 @@ std::string summary(const Scene& scene, const Model& model, const Peaks& peaks, 
          (report.potential_length > 0
               ? report_line("potential length", rounded(report.potential_length, 6) + " m")
               : std::string()) +
-         bonds_text(scene, bonds) + report_line("energy residual", energy_text(report, bonds)) +
+         bonds_text(scene, bonds) + touches_text(reactions) +
+         report_line("energy residual", energy_text(report, bonds.fracture_loss + reactions.impact_loss)) +
          report_line("run-out", run_out_text(reach, scene.world.dimension));
 }
 

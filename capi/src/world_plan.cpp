@@ -19,6 +19,7 @@ std::int32_t active_parts(const World<D>& world) {
   add(HS_PART_AREA,
       some_law([](const SpringLaw& law) { return law.stiffness_kind == StiffnessKind::per_area; }));
   add(HS_PART_POTENTIAL, some_law([](const SpringLaw& law) { return law.is_potential(); }));
+  add(HS_PART_REACTIONS, some_law([](const SpringLaw& law) { return law.has_no_spring(); }));
   add(HS_PART_STRAIN, model.blocks.has_deformable());
   add(HS_PART_LOCAL_DAMPING, model.settings.local_damping > 0);
   add(HS_PART_MASS_DAMPING, model.settings.mass_damping > 0);

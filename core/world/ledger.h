@@ -21,8 +21,8 @@ struct Ledger {
   double outer_work = 0;
 
   double losses() const {
-    return friction_loss + fracture_loss + impact_loss + contact_damping_loss + local_damping_loss + mass_damping_loss +
-           block_damping_loss;
+    return friction_loss + fracture_loss + impact_loss + contact_damping_loss + local_damping_loss +
+           mass_damping_loss + block_damping_loss;
   }
   double total() const { return kinetic + gravity + strain + block_strain + losses(); }
   /// The energy that the numbers themselves made (> 0) or lost (< 0).

@@ -35,7 +35,7 @@ constexpr Plan quick_plan{200, 2e3, 50, 6, 1e4};
 
 class MeshWorld {
  public:
-  explicit MeshWorld(int dimension) : dimension_(dimension) {
+  explicit MeshWorld(int dimension, int32_t stiffness_kind = HS_STIFFNESS_PER_AREA) : dimension_(dimension) {
     const hs_context_def context_def = memory_.definition();
     context_ = halfspace_test::make_context(&context_def);
     hs_world_def def;
@@ -45,7 +45,7 @@ class MeshWorld {
     world_.reset(made);
     hs_law_def law;
     hs_law_def_init(&law, sizeof law);
-    law.stiffness_kind = HS_STIFFNESS_PER_AREA;
+    law.stiffness_kind = stiffness_kind;
     law.normal_stiffness = law.shear_stiffness = contact_stiffness;
     law.friction_angle = 0.5;
     check(hs_world_set_default_law(made, &law));
@@ -98,6 +98,11 @@ class MeshWorld {
   const CountingMemory& memory() const { return memory_; }
   void step(int steps) const { check(hs_world_step(world_.get(), steps)); }
 
+  hs_reaction_report reactions() const {
+    hs_reaction_report report;
+    check(hs_world_get_reaction_report(world_.get(), &report, sizeof report));
+    return report;
+  }
   hs_world_report report() const {
     hs_world_report report;
     check(hs_world_get_report(world_.get(), &report, sizeof report));
@@ -161,8 +166,8 @@ void time_cantilever(int32_t kind, double wanted_cells, const Plan& plan) {
 }
 
 /// A flat body on a fixed block or on its like, pressed on it by its weight, and the same two apart: what the
-/// steps of the former take longer is the cost of contacts.
-void time_contacts(int32_t kind, bool on_its_like, const Plan& plan) {
+/// steps of the former take longer is the cost of contacts. Without springs each corner at a face is one.
+void time_contacts(int32_t kind, bool on_its_like, int32_t law, const Plan& plan) {
   const int dimension = halfspace_test::dimension_of(kind);
   const int n = dimension == 2 ? plan.columns_2d : plan.columns_3d;
   const double cell = 0.01, size = n * cell, height = 2 * cell;
@@ -177,8 +182,9 @@ void time_contacts(int32_t kind, bool on_its_like, const Plan& plan) {
     }
     world.add(words, gap, -1);
   };
-  MeshWorld touching(dimension), apart(dimension);
-  fill(touching, -density * gravity * height / contact_stiffness);
+  const bool has_spring = law != HS_STIFFNESS_NONE;
+  MeshWorld touching(dimension, law), apart(dimension, law);
+  fill(touching, has_spring ? -density * gravity * height / contact_stiffness : 0);
   fill(apart, 1);
   // A cell at the surface costs some times as much as one inside.
   const int steps = std::max(2, int(plan.cell_steps / 8 / touching.cells()));
@@ -190,14 +196,16 @@ void time_contacts(int32_t kind, bool on_its_like, const Plan& plan) {
     of_apart.add(seconds_of([&] { apart.step(steps); }));
   }
   const hs_world_report report = touching.report();
+  const hs_reaction_report reactions = touching.reactions();
+  const std::int64_t contacts = has_spring ? report.contact_count : reactions.reaction_count;
   const double of_cell = of_apart.minimum() / (steps * apart.cells()),
-               of_contact =
-                   (of_touching.minimum() - of_apart.minimum()) / (steps * double(report.contact_count));
-  std::printf("%-10s %-8s %7.0f %8lld %8lld %10lld %8.1f %8.1f %8.1f\n", halfspace_test::name_of_cell(kind),
-              on_its_like ? "its like" : "a block", touching.cells(),
-              static_cast<long long>(report.block_count), static_cast<long long>(report.contact_count),
-              static_cast<long long>(report.candidate_count), 1e9 * of_cell, 1e9 * of_contact,
-              of_contact / of_cell);
+               of_contact = (of_touching.minimum() - of_apart.minimum()) / (steps * double(contacts));
+  std::printf("%-10s %-8s %-8s %7.0f %8lld %8lld %10lld %8.1f %8.1f %8.1f %8.1f\n",
+              halfspace_test::name_of_cell(kind), on_its_like ? "its like" : "a block",
+              has_spring ? "per area" : "none", touching.cells(), static_cast<long long>(report.block_count),
+              static_cast<long long>(contacts), static_cast<long long>(report.candidate_count), 1e9 * of_cell,
+              1e9 * of_contact, of_contact / of_cell,
+              0.5 * double(reactions.round_count) / double(report.steps));
   std::fflush(stdout);
 }
 
@@ -208,10 +216,11 @@ void run_all(const Plan& plan) {
               "median", "step", "held", "held", "allocs");
   for (const double cells : {plan.small, plan.large})
     for (const int32_t kind : halfspace_test::all_cell_kinds) time_cantilever(kind, cells, plan);
-  std::printf("\n%-10s %-8s %7s %8s %8s %10s %8s %8s %8s\n", "a body of", "lies on", "cells", "blocks",
-              "contacts", "candidates", "ns/cell", "ns/cont.", "ratio");
-  for (const bool on_its_like : {false, true})
-    for (const int32_t kind : halfspace_test::all_cell_kinds) time_contacts(kind, on_its_like, plan);
+  std::printf("\n%-10s %-8s %-8s %7s %8s %8s %10s %8s %8s %8s %8s\n", "a body of", "lies on", "stiffn.",
+              "cells", "blocks", "contacts", "candidates", "ns/cell", "ns/cont.", "ratio", "rounds");
+  for (const int32_t law : {HS_STIFFNESS_PER_AREA, HS_STIFFNESS_NONE})
+    for (const bool on_its_like : {false, true})
+      for (const int32_t kind : halfspace_test::all_cell_kinds) time_contacts(kind, on_its_like, law, plan);
 }
 
 }  // namespace

@@ -30,6 +30,7 @@ Scene without(Scene scene, int part, const FaceSize& face) {
       break;
     case HS_PART_AREA:
     case HS_PART_POTENTIAL:
+    case HS_PART_REACTIONS:
       return with(scene, {.law = HS_STIFFNESS_PER_CONTACT}, face);
     case HS_PART_STRAIN:
       return with(scene, {.kind = HS_BLOCK_RIGID}, face);
@@ -52,7 +53,8 @@ const std::vector<PartName>& part_names() {
                                               {HS_PART_POTENTIAL, "potentials"},
                                               {HS_PART_STRAIN, "strain"},
                                               {HS_PART_LOCAL_DAMPING, "local damping"},
-                                              {HS_PART_MASS_DAMPING, "mass damping"}};
+                                              {HS_PART_MASS_DAMPING, "mass damping"},
+                                              {HS_PART_REACTIONS, "contacts without springs"}};
   return names;
 }
 

@@ -8,8 +8,12 @@ namespace {
 
 bool holds_together(const hs_law_def& law) { return law.cohesion > 0 || law.tensile_strength > 0; }
 
-/// The scene's own law is told by nothing given. Potentials hold nothing together.
+bool has_no_spring(const hs_law_def& law) { return law.stiffness_kind == HS_STIFFNESS_NONE; }
+
+/// The scene's own law is told by nothing given. Potentials hold nothing together. A law without a spring has
+/// no stiffness that another one could have as well.
 std::vector<std::optional<int>> laws_of(const Scene& scene) {
+  if (any_law(scene, has_no_spring)) return {std::nullopt};
   const bool is_bonded = any_law(scene, holds_together);
   std::vector<std::optional<int>> laws = {std::nullopt};
   for (const int kind : law_places) {
@@ -44,6 +48,7 @@ std::vector<Setting> runs_of(const Scene& scene) {
   };
   for (const std::optional<int> law : laws_of(scene)) {
     for (const double step : step_ladder) add([&](Setting& s) { s.step = step, s.law = law; });
+    if (any_law(scene, has_no_spring)) continue;
     for (const double stiffness : stiffness_ladder)
       for (const double step : {1.0, held_step})
         add([&](Setting& s) { s.step = step, s.law = law, s.stiffness = stiffness; });

@@ -66,6 +66,8 @@ void set_kind(Scene& scene, int kind) {
 }
 
 std::string law_lines(const hs_law_def& law) {
+  if (law.stiffness_kind == HS_STIFFNESS_NONE)
+    return "stiffness = \"" + name_of_law(law.stiffness_kind) + "\"\n";
   return "stiffness = \"" + name_of_law(law.stiffness_kind) +
          "\"\nnormal_stiffness = " + rounded(law.normal_stiffness, 6) +
          "\nshear_stiffness = " + rounded(law.shear_stiffness, 6) +

@@ -17,7 +17,7 @@ module halfspace
     HS_ERROR_INTERNAL, HS_ERROR_INVERTED, HS_CONTACT_NONE, HS_CONTACT_VERTEX_VERTEX, HS_CONTACT_VERTEX_EDGE, &
     HS_CONTACT_EDGE_EDGE, HS_CONTACT_EDGE_FACE, HS_CONTACT_FACE_FACE, HS_CONTACT_VERTEX_FACE, HS_PAIR_FACE_VERTEX, &
     HS_PAIR_VERTEX_FACE, HS_PAIR_EDGE_EDGE, HS_PAIR_VERTEX_VERTEX, HS_CONTACT_POINTS, HS_STIFFNESS_PER_CONTACT, &
-    HS_STIFFNESS_PER_AREA, HS_STIFFNESS_POTENTIAL, HS_PLANE_STRAIN, HS_PLANE_STRESS, HS_FAULT_NONE, &
+    HS_STIFFNESS_PER_AREA, HS_STIFFNESS_POTENTIAL, HS_STIFFNESS_NONE, HS_PLANE_STRAIN, HS_PLANE_STRESS, HS_FAULT_NONE, &
     HS_FAULT_TOO_FEW_VERTICES, HS_FAULT_NOT_FINITE, HS_FAULT_REPEATED_VERTEX, HS_FAULT_COLLINEAR_VERTEX, &
     HS_FAULT_NOT_CONVEX, HS_FAULT_SELF_CROSSING, HS_FAULT_ZERO_AREA, HS_FAULT_FEWER_THAN_FOUR, &
     HS_FAULT_FACE_TOO_SHORT, HS_FAULT_NO_SUCH_VERTEX, HS_FAULT_VERTEX_TWICE_IN_FACE, HS_FAULT_UNUSED_VERTEX, &
@@ -28,8 +28,8 @@ module halfspace
     HS_BLOCK_AFFINE, HS_BLOCK_MESH, HS_CELL_TRIANGLE, HS_CELL_QUAD, HS_CELL_TETRAHEDRON, HS_CELL_PRISM, &
     HS_CELL_HEXAHEDRON, HS_AXIS_X, HS_AXIS_Y, HS_AXIS_Z, HS_IMPACT_NEVER, HS_IMPACT_AT_START, HS_IMPACT_TOUCH, &
     HS_FAST_DIVIDE, HS_FAST_REFUSE, HS_PART_FRICTION, HS_PART_BONDS, HS_PART_CONTACT_DAMPING, HS_PART_AREA, &
-    HS_PART_POTENTIAL, HS_PART_STRAIN, HS_PART_LOCAL_DAMPING, HS_PART_MASS_DAMPING, HS_BOND_HOLDS, HS_BOND_TENSION, &
-    HS_BOND_SHEAR, HS_UNBALANCED_MEAN, HS_UNBALANCED_LARGEST
+    HS_PART_POTENTIAL, HS_PART_STRAIN, HS_PART_LOCAL_DAMPING, HS_PART_MASS_DAMPING, HS_PART_REACTIONS, &
+    HS_BOND_HOLDS, HS_BOND_TENSION, HS_BOND_SHEAR, HS_UNBALANCED_MEAN, HS_UNBALANCED_LARGEST
   use halfspace_bodies, only: halfspace_body, halfspace_body_state, halfspace_cell_state, operator(==), operator(/=)
   use halfspace_bonded_worlds, only: halfspace_balance, halfspace_strength_report
   use halfspace_bonds, only: halfspace_bond, halfspace_bond_event, halfspace_bond_report, halfspace_bond_state
@@ -43,6 +43,7 @@ module halfspace
   use halfspace_impacts, only: halfspace_impact, halfspace_time_of_impact
   use halfspace_meshes, only: halfspace_mesh, halfspace_mesh_properties
   use halfspace_pairs, only: halfspace_detect_pair, halfspace_detect_pairs, halfspace_pair_cache
+  use halfspace_reactions, only: halfspace_reaction, halfspace_reaction_report
   use halfspace_shapes, only: halfspace_shape, halfspace_shape_properties
   use halfspace_worlds, only: halfspace_block_state, halfspace_energy, halfspace_world, halfspace_world_plan, &
     halfspace_world_report

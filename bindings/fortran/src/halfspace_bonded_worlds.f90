@@ -5,6 +5,7 @@ module halfspace_bonded_worlds
   use halfspace_block_worlds, only: block_world, takes_world
   use halfspace_bonds, only: halfspace_bond, halfspace_bond_event, halfspace_bond_report, halfspace_bond_state
   use halfspace_contacts, only: halfspace_block
+  use halfspace_reactions, only: halfspace_reaction, halfspace_reaction_report
   implicit none
   private
   public :: bonded_world, halfspace_balance, halfspace_strength_report
@@ -18,6 +19,8 @@ module halfspace_bonded_worlds
     procedure :: bonds
     procedure :: bond_events
     procedure :: bond_report
+    procedure :: reactions
+    procedure :: reaction_report
     procedure :: relax
     procedure :: balance => find_balance
     procedure :: set_gravity
@@ -26,6 +29,27 @@ module halfspace_bonded_worlds
     procedure :: set_strength_factor
     procedure :: find_strength_factor
   end type bonded_world
+
+  ! Contacts without springs: halfspace_worlds_reactions.f90.
+  interface
+
+    !> Contacts by laws without a spring at the end of the last step, sorted by their blocks.
+    module subroutine reactions(self, list, stat, errmsg)
+      class(bonded_world), intent(in) :: self
+      type(halfspace_reaction), allocatable, intent(inout) :: list(:)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine reactions
+
+    !> Their numbers, and the energy that touches have taken.
+    module subroutine reaction_report(self, values, stat, errmsg)
+      class(bonded_world), intent(in) :: self
+      type(halfspace_reaction_report), intent(out) :: values
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine reaction_report
+
+  end interface
 
   ! Bonds: halfspace_worlds_bonds.f90.
   interface

@@ -141,6 +141,7 @@ module halfspace_c
   integer(c_int32_t), parameter :: HS_PART_STRAIN = 32  !< a block is affine
   integer(c_int32_t), parameter :: HS_PART_LOCAL_DAMPING = 64  !< the world has local damping
   integer(c_int32_t), parameter :: HS_PART_MASS_DAMPING = 128  !< the world has mass damping
+  integer(c_int32_t), parameter :: HS_PART_REACTIONS = 256  !< a law has no spring: impulses are found for all contacts together
 
   !> The ratios by which forces are compared.
   !> all unbalanced forces over all forces: of cells, contacts, bonds, weight and loads

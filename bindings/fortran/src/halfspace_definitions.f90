@@ -67,7 +67,8 @@ contains
     real(c_double), intent(in), optional :: tensile_strength  !< Pa, >= 0
     real(c_double), intent(in), optional :: normal_damping  !< share of critical viscous damping, >= 0
     real(c_double), intent(in), optional :: shear_damping  !< share of critical viscous damping, >= 0
-    integer(c_int32_t), intent(in), optional :: stiffness_kind  !< HS_STIFFNESS_PER_CONTACT, _PER_AREA or _POTENTIAL
+    !> HS_STIFFNESS_PER_CONTACT, _PER_AREA, _POTENTIAL or _NONE
+    integer(c_int32_t), intent(in), optional :: stiffness_kind
     type(halfspace_law) :: law
     ! A law that could not be filled keeps size 0, and is refused where it is used.
     if (hs_law_def_init(law, c_sizeof(law)) /= HS_OK) return

@@ -152,6 +152,7 @@ HS_PART_POTENTIAL = 16
 HS_PART_STRAIN = 32  # a block is affine
 HS_PART_LOCAL_DAMPING = 64  # the world has local damping
 HS_PART_MASS_DAMPING = 128  # the world has mass damping
+HS_PART_REACTIONS = 256  # a law has no spring: impulses are found for all contacts together
 
 # The ratios by which forces are compared.
 HS_UNBALANCED_MEAN = 0  # all unbalanced forces over all forces: of cells, contacts, bonds, weight and loads

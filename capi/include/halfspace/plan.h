@@ -23,7 +23,8 @@ enum {
   HS_PART_POTENTIAL = 16,      /**< a law is one of potentials: overlaps are divided; in space each pair keeps a plan of that */
   HS_PART_STRAIN = 32,         /**< a block is affine */
   HS_PART_LOCAL_DAMPING = 64,  /**< the world has local damping */
-  HS_PART_MASS_DAMPING = 128   /**< the world has mass damping */
+  HS_PART_MASS_DAMPING = 128,  /**< the world has mass damping */
+  HS_PART_REACTIONS = 256      /**< a law has no spring: impulses are found for all contacts together */
 };
 
 /** The account of a world. Later versions may append to it. */

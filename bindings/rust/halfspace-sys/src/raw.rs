@@ -223,6 +223,8 @@ pub const HS_PART_STRAIN: i32 = 32;
 pub const HS_PART_LOCAL_DAMPING: i32 = 64;
 /// the world has mass damping
 pub const HS_PART_MASS_DAMPING: i32 = 128;
+/// a law has no spring: impulses are found for all contacts together
+pub const HS_PART_REACTIONS: i32 = 256;
 
 // The ratios by which forces are compared.
 /// all unbalanced forces over all forces: of cells, contacts, bonds, weight and loads

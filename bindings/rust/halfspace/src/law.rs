@@ -80,6 +80,13 @@ impl Law {
         self
     }
 
+    /// No spring: blocks are kept apart by just the force that does, from the moment of their touch
+    /// on. Stiffnesses and dampings count for nothing. See [`World::reactions`](crate::World::reactions).
+    pub fn without_spring(mut self) -> Self {
+        self.raw.stiffness_kind = sys::HS_STIFFNESS_NONE;
+        self
+    }
+
     pub(crate) fn raw(&self) -> *const sys::hs_law_def {
         &self.raw
     }

@@ -24,6 +24,8 @@ pub struct Plan {
     pub local_damping: bool,
     /// The world has mass damping.
     pub mass_damping: bool,
+    /// A law has no spring: impulses are found for all contacts together.
+    pub reactions: bool,
     /// Blocks that never move.
     pub fixed_count: usize,
     /// Blocks that move as they are told.
@@ -73,6 +75,7 @@ impl From<sys::hs_world_plan> for Plan {
             strain: has(sys::HS_PART_STRAIN),
             local_damping: has(sys::HS_PART_LOCAL_DAMPING),
             mass_damping: has(sys::HS_PART_MASS_DAMPING),
+            reactions: has(sys::HS_PART_REACTIONS),
             fixed_count: raw.fixed_count as usize,
             prescribed_count: raw.prescribed_count as usize,
             rigid_count: raw.rigid_count as usize,

@@ -1,0 +1,90 @@
+"""Two bars meet squarely, without a spring between them and by springs: the force in time beside that of theory.
+
+Prints the largest force and how long they stay in touch, over those of theory.
+
+    impact_of_bars.py [--output DIR]    writes bars.png: the force that each law makes
+"""
+import argparse
+import pathlib
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+import halfspace as hs
+
+LENGTH, DENSITY, MODULUS, SPEED, GAP = 1.0, 1000.0, 1e9, 1.0, 1e-3
+WAVE_SPEED = np.sqrt(MODULUS / DENSITY)
+COLUMNS = 40
+HEIGHT = LENGTH / COLUMNS
+FORCE = DENSITY * WAVE_SPEED * SPEED / 2 * HEIGHT  # that of a wave in each bar
+DURATION = 2 * LENGTH / WAVE_SPEED  # until both waves have come back
+
+LAYER = MODULUS / HEIGHT  # Pa/m: as stiff as a layer of elements
+LAWS = {
+    "no spring": hs.Law(stiffness_kind=hs.StiffnessKind.NONE),
+    "springs per area, as stiff as an element": hs.Law(
+        normal_stiffness=LAYER, stiffness_kind=hs.StiffnessKind.PER_AREA, normal_damping=0, shear_damping=0
+    ),
+    "the same, 10 times stiffer": hs.Law(
+        normal_stiffness=10 * LAYER, stiffness_kind=hs.StiffnessKind.PER_AREA, normal_damping=0, shear_damping=0
+    ),
+}
+
+
+def impact(law):
+    """Times since the touch of theory, the force on the bar that is struck over that of theory, and the steps."""
+    world = hs.World(gravity=(0, 0), law=law)
+    world.add_material(DENSITY)
+    world.set_elasticity(0, hs.Elasticity(young_modulus=MODULUS, poisson_ratio=0))
+    bar = hs.Mesh.rectangle(LENGTH, HEIGHT, COLUMNS, 1)
+    world.add_mesh(bar, (-LENGTH / 2 - GAP, 0), velocity=(SPEED, 0, 0))
+    struck = world.add_mesh(bar, (LENGTH / 2, 0))
+    times, forces = [], []
+    while world.time < GAP / SPEED + 1.4 * DURATION:
+        world.step()
+        if law.stiffness_kind == hs.StiffnessKind.NONE:
+            of_step = world.reactions()
+            blow = len(of_step) and of_step["touched_at"].max() > world.time - world.report.time_step
+            force = 0.0 if blow else sum_of_forces(world, of_step, struck)
+        else:
+            force = sum_of_forces(world, world.contacts(), struck)
+        times.append(world.time - GAP / SPEED)
+        forces.append(force / FORCE)
+    return np.array(times), np.array(forces), int(world.report.steps)
+
+
+def sum_of_forces(world, contacts, body):
+    """The force along x on a body: that of a contact acts on its block b, that of a reaction on its block a."""
+    names = ("block_b", "block_a") if "area" in contacts.dtype.names else ("block_a", "block_b")
+    total = 0.0
+    for contact in contacts:
+        on, against = (world.body_of_block(int(contact[name]))[0] for name in names)
+        total += contact["force"][0] * ((on == body) - (against == body))
+    return total
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("."))
+    folder = parser.parse_args().output
+    figure, axes = plt.subplots(figsize=(8, 3.6), dpi=150)
+    axes.plot([-0.2, 0, 0, 1, 1, 1.4], [0, 0, 1, 1, 0, 0], color="0.6", lw=4, label="theory of waves")
+    for (name, law), color in zip(LAWS.items(), ("C3", "C0", "C2")):
+        times, forces, steps = impact(law)
+        touching = times[forces > 1e-3]
+        print(
+            f"{name}: {steps} steps, largest force {forces.max():.3f} of theory, "
+            f"in touch for {(touching[-1] - touching[0]) / DURATION:.3f} of theory"
+        )
+        axes.plot(times / DURATION, forces, color=color, lw=1, label=name)
+    axes.set(xlim=(-0.1, 1.4), xlabel="time since the touch over 2 L / c", ylabel="force over ρ c v / 2")
+    axes.legend(frameon=False, fontsize=8, loc="upper right")
+    figure.tight_layout()
+    figure.savefig(folder / "bars.png")
+
+
+if __name__ == "__main__":
+    main()
