@@ -1,12 +1,12 @@
 #include "halfspace/reaction.h"
-
 #include "sized_struct.h"
 #include "world_handle.h"
 
 using namespace halfspace;
 using namespace halfspace::capi;
 
-static_assert(int(Meeting::corner_and_face) == HS_PAIR_VERTEX_FACE && int(Meeting::edges) == HS_PAIR_EDGE_EDGE);
+static_assert(int(Meeting::corner_and_face) == HS_PAIR_VERTEX_FACE &&
+              int(Meeting::edges) == HS_PAIR_EDGE_EDGE);
 
 namespace {
 

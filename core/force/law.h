@@ -12,8 +12,8 @@ namespace halfspace {
 enum class StiffnessKind : std::int32_t { per_contact = 0, per_area = 1, potential = 2, none = 3 };
 
 /// Penalty spring with Mohr-Coulomb friction (Wang et al. 2021, section 3), the potential force with the same
-/// friction (Zheng et al. 2020, section 3), or no spring at all (Li et al. 2015, section 4): then stiffness and
-/// damping count for nothing.
+/// friction (Zheng et al. 2020, section 3), or no spring at all (Li et al. 2015, section 4): then stiffness
+/// and damping count for nothing.
 struct SpringLaw {
   StiffnessKind stiffness_kind = StiffnessKind::per_contact;
   std::int32_t reserved = 0;      // so that saved laws have no padding

@@ -114,7 +114,6 @@ class Integrator {
   }
 
  private:
-
   /// Blocks that one worker goes through at once.
   static constexpr std::size_t blocks_per_chunk = 256;
 

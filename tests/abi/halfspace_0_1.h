@@ -48,7 +48,8 @@ typedef struct hs_contact {
 enum {
   HS_STIFFNESS_PER_CONTACT = 0,
   HS_STIFFNESS_PER_AREA = 1,
-  HS_STIFFNESS_POTENTIAL = 2
+  HS_STIFFNESS_POTENTIAL = 2,
+  HS_STIFFNESS_NONE = 3
 };
 typedef struct hs_law_def {
   uint32_t struct_size;
@@ -521,7 +522,8 @@ enum {
   HS_PART_POTENTIAL = 16,
   HS_PART_STRAIN = 32,
   HS_PART_LOCAL_DAMPING = 64,
-  HS_PART_MASS_DAMPING = 128
+  HS_PART_MASS_DAMPING = 128,
+  HS_PART_REACTIONS = 256
 };
 typedef struct hs_world_plan {
   int32_t dimension;
@@ -545,6 +547,28 @@ typedef struct hs_world_plan {
   double book_seconds;
 } hs_world_plan;
 __attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_get_plan(const hs_world *world, int64_t steps, hs_world_plan *plan, size_t size);
+typedef struct hs_reaction {
+  uint64_t block_a;
+  uint64_t block_b;
+  int32_t pair_kind;
+  int32_t feature_a;
+  int32_t feature_b;
+  int32_t reserved;
+  double point[3];
+  double normal[3];
+  double force[3];
+  double gap;
+  double touched_at;
+} hs_reaction;
+typedef struct hs_reaction_report {
+  int64_t reaction_count;
+  int64_t touch_count;
+  int64_t round_count;
+  double impact_loss;
+} hs_reaction_report;
+__attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_get_reactions(const hs_world *world, hs_reaction reactions[], int64_t capacity,
+                                            int64_t *count);
+__attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_get_reaction_report(const hs_world *world, hs_reaction_report *report, size_t size);
 enum {
   HS_UNBALANCED_MEAN = 0,
   HS_UNBALANCED_LARGEST = 1

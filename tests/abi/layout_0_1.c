@@ -313,6 +313,25 @@ FIELD(hs_world_plan, gather_seconds, 120, 8);
 FIELD(hs_world_plan, motion_seconds, 128, 8);
 FIELD(hs_world_plan, book_seconds, 136, 8);
 
+_Static_assert(sizeof(hs_reaction) == 120, "hs_reaction");
+FIELD(hs_reaction, block_a, 0, 8);
+FIELD(hs_reaction, block_b, 8, 8);
+FIELD(hs_reaction, pair_kind, 16, 4);
+FIELD(hs_reaction, feature_a, 20, 4);
+FIELD(hs_reaction, feature_b, 24, 4);
+FIELD(hs_reaction, reserved, 28, 4);
+FIELD(hs_reaction, point, 32, 24);
+FIELD(hs_reaction, normal, 56, 24);
+FIELD(hs_reaction, force, 80, 24);
+FIELD(hs_reaction, gap, 104, 8);
+FIELD(hs_reaction, touched_at, 112, 8);
+
+_Static_assert(sizeof(hs_reaction_report) >= 32, "hs_reaction_report");
+FIELD(hs_reaction_report, reaction_count, 0, 8);
+FIELD(hs_reaction_report, touch_count, 8, 8);
+FIELD(hs_reaction_report, round_count, 16, 8);
+FIELD(hs_reaction_report, impact_loss, 24, 8);
+
 _Static_assert(sizeof(hs_relaxation_def) >= 40, "hs_relaxation_def");
 FIELD(hs_relaxation_def, struct_size, 0, 4);
 FIELD(hs_relaxation_def, measure, 4, 4);
@@ -379,6 +398,7 @@ _Static_assert(HS_CONTACT_POINTS == 8, "HS_CONTACT_POINTS");
 _Static_assert(HS_STIFFNESS_PER_CONTACT == 0, "HS_STIFFNESS_PER_CONTACT");
 _Static_assert(HS_STIFFNESS_PER_AREA == 1, "HS_STIFFNESS_PER_AREA");
 _Static_assert(HS_STIFFNESS_POTENTIAL == 2, "HS_STIFFNESS_POTENTIAL");
+_Static_assert(HS_STIFFNESS_NONE == 3, "HS_STIFFNESS_NONE");
 
 _Static_assert(HS_FAULT_NONE == 0, "HS_FAULT_NONE");
 _Static_assert(HS_FAULT_TOO_FEW_VERTICES == 1, "HS_FAULT_TOO_FEW_VERTICES");
@@ -446,6 +466,7 @@ _Static_assert(HS_PART_POTENTIAL == 16, "HS_PART_POTENTIAL");
 _Static_assert(HS_PART_STRAIN == 32, "HS_PART_STRAIN");
 _Static_assert(HS_PART_LOCAL_DAMPING == 64, "HS_PART_LOCAL_DAMPING");
 _Static_assert(HS_PART_MASS_DAMPING == 128, "HS_PART_MASS_DAMPING");
+_Static_assert(HS_PART_REACTIONS == 256, "HS_PART_REACTIONS");
 
 _Static_assert(HS_UNBALANCED_MEAN == 0, "HS_UNBALANCED_MEAN");
 _Static_assert(HS_UNBALANCED_LARGEST == 1, "HS_UNBALANCED_LARGEST");

@@ -39,6 +39,33 @@ contacts = true
 """
 
 
+BLOCKS = """title = "A block falls onto a plate"
+dimension = 2
+
+[world]
+duration = 0.1
+time_step = 1e-3
+
+[[material]]
+name = "stone"
+density = 2500
+
+[default_law]
+stiffness = "none"
+
+[[block]]
+name = "falling"
+material = "stone"
+vertices = [[0, 0.01], [1, 0.01], [1, 1], [0, 1]]
+
+[[block]]
+name = "plate"
+material = "stone"
+kind = "fixed"
+vertices = [[-2, -1], [3, -1], [3, 0], [-2, 0]]
+"""
+
+
 class Reactions(SceneTest):
     def test_bars_rebound_and_what_touches_took_is_told(self):
         told = self.run_scene(BARS.format(law="friction_angle = 20")).stdout
@@ -53,7 +80,7 @@ class Reactions(SceneTest):
         self.check_fault(BARS.format(law="normal_damping = 0.1"), r"default_law\.normal_damping")
 
     def test_the_plan_names_them(self):
-        self.scene.write_text(BARS.format(law=""))
+        self.scene.write_text(BLOCKS)
         answer = halfspace("plan", self.scene)
         self.assertEqual(answer.returncode, 0, answer.stderr)
         self.assertIn("contacts without springs", answer.stdout)

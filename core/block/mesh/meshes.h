@@ -51,7 +51,7 @@ template <int D>
 struct SurfaceCell {
   std::int32_t block = -1;  // slot
   std::int32_t body = 0;
-  std::int32_t cell = 0;  // of the body's mesh
+  std::int32_t cell = 0;         // of the body's mesh
   std::int32_t outer_faces = 0;  // bit k: the face opposite to node k is at the surface
   std::array<std::int32_t, D + 1> node{};
   std::array<std::int32_t, D == 2 ? 1 : 4> padding{};
