@@ -8,7 +8,8 @@ namespace halfspace::capi {
 template <int D>
 void require_stepped(World<D>& w, StepResult result) {
   if (result == StepResult::no_time_step) {
-    refuse(HS_ERROR_STATE, "no time step was given, and without blocks that move freely none can be derived");
+    refuse(HS_ERROR_STATE,
+           "no time step was given and none can be derived, as no free block meets springs or is elastic");
   }
   if (result == StepResult::too_fast) {
     const FastPair& pair = w.fast_pair();

@@ -37,15 +37,23 @@ constexpr double flat = 1e-6;
 /// Share of a block's radius: edges that lie in each other deeper than this are those of other sides.
 constexpr double deepest_share = 1e-2;
 
+/// Faces at a smaller angle than this lie flush.
+constexpr double flush = 1e-6;
+
 /// Edges that are nearer to parallel meet by their ends.
 constexpr double parallel = 1e-6;
+
+/// Where edges meet this near to an end of one of them, as a share of it, its corner meets a face.
+constexpr double end_share = 1e-10;
 
 /// The places along two edges, from 0 to 1, where they are nearest to each other.
 struct Nearest {
   double on_a = 0;
   double on_b = 0;
 
-  bool is_between_ends() const { return on_a >= 0 && on_a <= 1 && on_b >= 0 && on_b <= 1; }
+  bool is_between_ends() const {
+    return on_a >= end_share && on_a <= 1 - end_share && on_b >= end_share && on_b <= 1 - end_share;
+  }
 };
 
 Nearest nearest(const MovingEdge::Place& a, const MovingEdge::Place& b) {
@@ -65,11 +73,15 @@ bool are_parallel(const MovingEdge::Place& a, const MovingEdge::Place& b) {
   return !(cross_product(a.along(), b.along()).norm() > parallel * a.along().norm() * b.along().norm());
 }
 
-/// Does the plane between two edges have the faces of both behind it, each on its side?
+/// Does the plane between two edges have the faces of both behind it, each on its side? Faces that lie flush
+/// are in that plane.
 bool is_between(const MovingEdge::Place& a, const MovingEdge::Place& b) {
   const Vector<3> normal = normal_of(a, b);
-  return normal.dot(b.inwards(0)) <= 0 && normal.dot(b.inwards(1)) <= 0 && normal.dot(a.inwards(0)) >= 0 &&
-         normal.dot(a.inwards(1)) >= 0;
+  const auto is_behind = [](const Vector<3>& outwards, const Vector<3>& inwards) {
+    return outwards.dot(inwards) <= flush * inwards.norm();
+  };
+  return is_behind(normal, b.inwards(0)) && is_behind(normal, b.inwards(1)) &&
+         is_behind(-normal, a.inwards(0)) && is_behind(-normal, a.inwards(1));
 }
 
 }  // namespace

@@ -13,6 +13,10 @@ constexpr int most_corrections = 4;
 /// Two that lie in each other at the start of a motion come apart by this share of the block.
 constexpr double recovered_share = 1e-7;
 
+/// Contacts that go on stay as they are within this share of the block: more of them than a block has ways to
+/// move never quite agree on a gap of zero.
+constexpr double settled_share = 1e-9;
+
 constexpr int most_searches = 4;
 
 template <int D>
@@ -33,12 +37,19 @@ Vector<D> ReactionPass<D>::kicked(const Reaction<D>& at) const {
   return integrator_.kicks().at(at.of_a) - integrator_.kicks().at(at.of_b);
 }
 
+template <int D>
+double ReactionPass<D>::least_gap_of(const Reaction<D>& at) const {
+  const double size = blocks_.radius[std::size_t(at.b)], settled = at.goes_on ? settled_share * size : 0;
+  if (std::abs(at.gap) < settled) return at.gap;
+  return std::min(-settled, at.gap + recovered_share * size);
+}
+
 /// The velocity that a contact has to stop is that of the planned motion without any kicks.
 template <int D>
 void ReactionPass<D>::begin(Reaction<D>& at, double duration) const {
   const SpringLaw& law = model_.law_between(std::size_t(at.a), std::size_t(at.b));
   at.tan_friction = law.tan_friction;
-  at.least_gap = std::min(0.0, at.gap + recovered_share * blocks_.radius[std::size_t(at.b)]);
+  at.least_gap = least_gap_of(at);
   if (at.is_bonded) {
     at.least_gap = at.gap;
     at.most_tension = 0.5 * duration * law.tensile_strength * at.area;
@@ -115,6 +126,7 @@ void ReactionPass<D>::remember(Array<Reaction<D>>& found, double time, double du
     at.touched_at = goes_on ? before->touched_at : time + at.free_share * duration;
     if (goes_on) {
       at.free_share = 0;
+      at.goes_on = 1;
       at.impulse = before->impulse;
       at.is_bonded = before->is_bonded;
       at.area = before->area;

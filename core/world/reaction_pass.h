@@ -61,6 +61,7 @@ class ReactionPass {
   bool is_blow() const;
   void book_blow(EnergyLedger& ledger);
   void book_friction_besides(const Reaction<D>& at, const Vector<D>& blow, EnergyLedger& ledger) const;
+  double least_gap_of(const Reaction<D>& at) const;
   void begin(Reaction<D>& at, double duration) const;
   bool find_more(double time, double duration);
   void remember(Array<Reaction<D>>& found, double time, double duration) const;

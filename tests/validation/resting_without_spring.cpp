@@ -143,3 +143,32 @@ TEST_CASE("rigid and affine blocks rest on blocks and meshes", "[reaction]") {
     }
   }
 }
+
+/// Edges of one box cross edges of the other in the plane of their common face: all of these places count, so
+/// that none is lost and found again in turns.
+TEST_CASE("boxes that stand turned on each other come to rest on all places where they meet", "[reaction]") {
+  hs_world_def def = heavy_world(3, 0);
+  def.time_step = 1e-3;
+  ReactingScene scene(def, law_without_spring(30 * degree), 2000, {1e8, 0.25});
+  const hs_block floor = scene.add_hull(cuboid({20, 20, 1}), {{0, 0, -0.5}, {0, 0, 0, 1}, HS_BLOCK_FIXED});
+  double weight = 0;
+  for (int i = 0; i < 3; ++i) {
+    const hs_block block =
+        scene.add_hull(cuboid({1, 0.7, 0.8}), {{0, 0, 0.41 + 0.81 * i}, turn_about({0, 0, 1}, 0.3 * i)});
+    weight += gravity * scene.state(block).mass;
+  }
+  scene.step(500);
+  const hs_reaction_report settled = scene.reaction_report();
+  scene.step(1000);
+  const hs_reaction_report report = scene.reaction_report();
+  CHECK(report.reaction_count == 4 + 8 + 8);
+  CHECK(report.touch_count == settled.touch_count);
+  CHECK(report.round_count - settled.round_count < 10 * 1000);
+  double force = 0;
+  for (const hs_reaction& reaction : scene.reactions()) {
+    if (reaction.block_a == floor) force -= reaction.force[2];
+    if (reaction.block_b == floor) force += reaction.force[2];
+  }
+  CHECK(force == Approx(weight).epsilon(1e-6));
+  CHECK(scene.report().energy.kinetic < 1e-12 * weight);
+}
