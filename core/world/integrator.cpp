@@ -233,6 +233,25 @@ Vector<D> Integrator<D>::planned_velocity(const CarriedPoint<D>& point) const {
 }
 
 template <int D>
+Vector<D> Integrator<D>::acceleration_of(const CarriedPoint<D>& point) const {
+  const std::size_t slot = std::size_t(point.block);
+  Vector<D> acceleration = Vector<D>::Zero();
+  if (blocks_.is_of_mesh(slot)) {
+    for (int i = 0; i < D; ++i) {
+      if (point.weight[i] != 0)
+        acceleration += point.weight[i] * meshes_.acceleration_of(std::size_t(point.node[std::size_t(i)]));
+    }
+  } else if (blocks_.is_affine(slot)) {
+    acceleration = acceleration_[slot] + blocks_.deformation(slot).acceleration * point.arm;
+  } else if (blocks_.moves_freely(slot)) {
+    const Inertia<D>& inertia = blocks_.inertia[slot];
+    acceleration =
+        acceleration_[slot] + swept(inertia.spin(momentum_rate_[slot], blocks_.rotation[slot]), point.arm);
+  }
+  return acceleration;
+}
+
+template <int D>
 void Integrator<D>::kick_and_drift() {
   const double half = 0.5 * duration_;
   const auto move = [&](std::size_t i) {

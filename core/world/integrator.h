@@ -59,6 +59,8 @@ class Integrator {
   Vector<D> planned_way_of_node(std::size_t node) const { return meshes_.planned_way_of_node(node); }
   /// The mean velocity of a point in the planned motion.
   Vector<D> planned_velocity(const CarriedPoint<D>& point) const;
+  /// The acceleration of a point by the last forces.
+  Vector<D> acceleration_of(const CarriedPoint<D>& point) const;
 
   /// Changes of velocity that the first half of a motion makes besides: a plan that has been made without
   /// them has to be made anew.

@@ -107,9 +107,10 @@ void MeshMotion<D>::take_surface_stock(Stock& stock) const {
   }
 }
 
-/// Rate of what viscous stress takes that was formed with the velocities of so much earlier.
+/// Rate of what viscous stress takes that was formed with the velocities of so much earlier, before any
+/// kicks.
 template <int D>
-double MeshMotion<D>::damping_power(double earlier_by) const {
+double MeshMotion<D>::damping_power(double earlier_by, const Kicks<D>* kicks) const {
   double power = 0;
   meshes_.for_each_element([&]<int N>(const Element<D, N>& element) {
     using E = Element<D, N>;
@@ -118,8 +119,11 @@ double MeshMotion<D>::damping_power(double earlier_by) const {
     const typename E::Field place = element.field_of(gathered<D, N>(meshes_.place, element.node));
     const typename E::Nodes velocity = gathered<D, N>(meshes_.velocity, element.node);
     const typename E::Field now = element.field_of(velocity);
-    const typename E::Field earlier =
-        element.field_of(velocity - earlier_by * gathered<D, N>(acceleration_, element.node));
+    typename E::Nodes before = velocity - earlier_by * gathered<D, N>(acceleration_, element.node);
+    if (kicks) {
+      for (int i = 0; i < N; ++i) before.col(i) -= kicks->of_node(std::size_t(element.node[std::size_t(i)]));
+    }
+    const typename E::Field earlier = element.field_of(before);
     const Tensor<D> stress = elasticity.stress<D>(E::strain_rate_of(place, earlier));
     double rate = element.volume * stress.cwiseProduct(E::strain_rate_of(place, now)).sum();
     if constexpr (E::modes > 0)
@@ -269,7 +273,7 @@ void MeshMotion<D>::take_kicks(double duration, Stock& stock) {
   }
   for (const SurfaceCell<D>& cell : meshes_.surface()) model_.blocks.follow_node_velocities(cell);
   take_surface_stock(stock);
-  if (is_damped) stock.power.block_damping += damping_power(0.5 * duration);
+  if (is_damped) stock.power.block_damping += damping_power(0.5 * duration, &kicks_);
 }
 
 template class MeshMotion<2>;

@@ -44,6 +44,7 @@ class MeshMotion {
     if (!kicks_.empty()) velocity += kicks_.of_node(node);
     return duration_ * velocity;
   }
+  const Vector<D>& acceleration_of(std::size_t node) const { return acceleration_[node]; }
   /// Velocities to the middle of the motion, places to its end.
   void kick_and_drift(double duration);
   /// Velocities to its end.
@@ -85,7 +86,7 @@ class MeshMotion {
   bool keeps_upright();
   void take_stock(std::size_t node, const Vector<D>& opposed, Stock& stock) const;
   void take_surface_stock(Stock& stock) const;
-  double damping_power(double earlier_by) const;
+  double damping_power(double earlier_by, const Kicks<D>* kicks = nullptr) const;
 
   const WorldSettings<D>& settings_;
   Model<D>& model_;

@@ -32,11 +32,13 @@ struct Reaction {
   double touched_at = 0;                  // time
   double gap = 0;                         // > 0 apart
   double area = 0;                        // that it stands for; 0 unless it is bonded
-  double padding = 0;
+  double pressed = 0;                     // J: see ReactionPass::stop()
 
   // Between two kicks.
-  Vector<D> velocity = Vector<D>::Zero();         // of a against b, that is to be stopped
-  Vector<D> middle_velocity = Vector<D>::Zero();  // after the first kick
+  Vector<D> velocity = Vector<D>::Zero();   // of a against b, that is to be stopped
+  Vector<D> quickened = Vector<D>::Zero();  // by other forces, in half of the motion
+  Vector<D> met_velocity =
+      Vector<D>::Zero();  // that the second kick would meet, had no blow strained any element
   double normal_mobility = 0;
   double shear_mobility = 0;
   double tan_friction = 0;
@@ -44,7 +46,7 @@ struct Reaction {
   double most_cohesion = 0;  // shear impulse without pressure
   double least_gap = 0;      // allowed at the end of the motion: 0, unless it began deeper
   double free_share = 0;     // of the motion, before they touch
-  double end = 0;
+  double blow = 0;           // J, that it loses in this motion
 
   /// Is strength reached where it still moves on, at the velocity that is left?
   bool fails(const Vector<D>& left) const;
@@ -52,7 +54,7 @@ struct Reaction {
   auto key() const { return std::tie(a, b, meeting, feature_a, feature_b); }
 };
 
-static_assert(sizeof(Reaction<2>) == 304 && sizeof(Reaction<3>) == 376, "saved reactions hold stray bytes");
+static_assert(sizeof(Reaction<2>) == 320 && sizeof(Reaction<3>) == 400, "saved reactions hold stray bytes");
 
 /// Finds the impulses of all together that stop what has to be stopped: no normal one pulls, and no shear one
 /// is larger, than strength bears; and as far as neither is at its bound, nothing moves on. Impulses that are

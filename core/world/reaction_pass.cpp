@@ -130,6 +130,7 @@ void ReactionPass<D>::remember(Array<Reaction<D>>& found, double time, double du
       at.impulse = before->impulse;
       at.is_bonded = before->is_bonded;
       at.area = before->area;
+      at.pressed = before->pressed;
     } else if (contacts_.bonds(at.a, at.b)) {
       at.area = search_.area_of(at);
       at.is_bonded = at.area > 0;
@@ -137,13 +138,19 @@ void ReactionPass<D>::remember(Array<Reaction<D>>& found, double time, double du
   }
 }
 
+/// The work of a contact's normal impulse that meets such a velocity.
+template <int D>
+double ReactionPass<D>::normal_work(const Reaction<D>& at, const Vector<D>& velocity) const {
+  return at.impulse.dot(at.normal) * at.normal.dot(velocity + 0.5 * kicked(at));
+}
+
 template <int D>
 void ReactionPass<D>::book(const Reaction<D>& at, const Vector<D>& velocity, EnergyLedger& ledger) const {
-  const double normal_work = at.impulse.dot(at.normal) * at.normal.dot(velocity);
-  ledger.add_impact_loss(-0.5 * normal_work);
-  ledger.add_friction_loss(-0.5 * (at.impulse.dot(velocity) - normal_work));
-  ledger.add_outer_work(-0.5 * at.impulse.dot(prescribed_velocity_of(at.of_a, blocks_) -
-                                              prescribed_velocity_of(at.of_b, blocks_)));
+  const double normal_work = this->normal_work(at, velocity);
+  ledger.add_impact_loss(-normal_work);
+  ledger.add_friction_loss(normal_work - at.impulse.dot(velocity + 0.5 * kicked(at)));
+  ledger.add_outer_work(
+      -at.impulse.dot(prescribed_velocity_of(at.of_a, blocks_) - prescribed_velocity_of(at.of_b, blocks_)));
 }
 
 template <int D>
@@ -151,9 +158,16 @@ Vector<D> ReactionPass<D>::velocity_of(const Reaction<D>& at) const {
   return halfspace::velocity_of(at.of_a, blocks_) - halfspace::velocity_of(at.of_b, blocks_);
 }
 
+/// The impulses of a kick do their own work before all other forces act at a motion's start, and after them
+/// at its end. So the energy is kept by the step itself: a body that falls onto a floor loses what it has
+/// when it gets there.
 template <int D>
-void ReactionPass<D>::book(EnergyLedger& ledger) const {
-  for (const Reaction<D>& at : planned_) book(at, velocity_of(at), ledger);
+void ReactionPass<D>::book_first(EnergyLedger& ledger) {
+  const double half = 0.5 * integrator_.duration();
+  for (Reaction<D>& at : planned_) {
+    at.quickened = half * (integrator_.acceleration_of(at.of_a) - integrator_.acceleration_of(at.of_b));
+    book(at, velocity_of(at), ledger);
+  }
 }
 
 template <int D>
@@ -171,7 +185,7 @@ void ReactionPass<D>::look() {
   for (Reaction<D>& at : planned_) {
     break_when_due(at);
     search_.place(at);
-    at.middle_velocity = velocity_of(at);
+    at.met_velocity = velocity_of(at) + at.quickened;
   }
 }
 
@@ -179,53 +193,58 @@ void ReactionPass<D>::look() {
 template <int D>
 bool ReactionPass<D>::is_blow() const {
   return std::any_of(planned_.begin(), planned_.end(),
-                     [&](const Reaction<D>& at) { return at.touched_at >= motion_began_; });
+                     [&](const Reaction<D>& at) { return touches_now(at); });
 }
 
-/// A blow is over before elements yield to it: it takes what its own impulses do. Those by which blocks that
-/// move on together press each other take nothing, but for friction where they slide.
+/// A blow is over before elements yield to it: what it takes is its own impulses' work.
 template <int D>
-void ReactionPass<D>::book_blow(EnergyLedger& ledger) {
-  for (Reaction<D>& at : planned_) at.velocity = at.middle_velocity;
+void ReactionPass<D>::find_blow_losses() {
+  for (Reaction<D>& at : planned_) at.velocity = at.met_velocity;
   solve(integrator_.duration());
-  for (const Reaction<D>& at : planned_) {
-    book(at, at.middle_velocity, ledger);
-    book(at, at.middle_velocity + kicked(at), ledger);
-  }
-  for (Reaction<D>& at : planned_) at.force = at.impulse;
+  for (Reaction<D>& at : planned_) at.blow = -normal_work(at, at.met_velocity);
 }
 
+/// Two that press each other take energy in each second kick and give it back in the next motion's first one.
+/// That is not lost.
 template <int D>
-void ReactionPass<D>::book_friction_besides(const Reaction<D>& at, const Vector<D>& blow,
-                                            EnergyLedger& ledger) const {
-  const Vector<D> besides = at.impulse - blow, shear = besides - besides.dot(at.normal) * at.normal;
-  ledger.add_friction_loss(-0.5 * shear.dot(at.middle_velocity + velocity_of(at)));
+void ReactionPass<D>::book_second(EnergyLedger& ledger, bool is_blow) {
+  for (Reaction<D>& at : planned_) {
+    book(at, at.velocity, ledger);
+    const double pressed = is_blow ? -normal_work(at, at.velocity) - at.blow
+                                   : 0.5 * at.impulse.dot(at.normal) * at.normal.dot(kicked(at));
+    ledger.add_impact_loss(at.pressed - pressed);
+    at.pressed = pressed;
+  }
 }
 
 template <int D>
 void ReactionPass<D>::stop(Stock& stock, EnergyLedger& ledger) {
   const bool is_blow = this->is_blow();
-  if (is_blow) book_blow(ledger);
+  if (is_blow) find_blow_losses();
   for (Reaction<D>& at : planned_) at.velocity = velocity_of(at);
   solve(integrator_.duration());
+  book_second(ledger, is_blow);
   for (Reaction<D>& at : planned_) break_when_due(at);
   const double rate = integrator_.kicks().rate();
   integrator_.take_kicks(stock);
-  for (Reaction<D>& at : planned_) {
-    if (is_blow) {
-      book_friction_besides(at, at.force, ledger);
-    } else {
-      book(at, at.middle_velocity, ledger);
-      book(at, velocity_of(at), ledger);
-    }
-    at.force = rate * at.impulse;
-  }
+  for (Reaction<D>& at : planned_) at.force = rate * at.impulse;
+  exchange_known(ledger);
+  contacts_.end_bonds_without_spring();
+}
+
+template <int D>
+void ReactionPass<D>::exchange_known(EnergyLedger& ledger) {
   auto before = known_.begin();
   for (const Reaction<D>& at : planned_) {
-    while (before != known_.end() && before->key() < at.key()) ++before;
-    if (before == known_.end() || before->key() != at.key()) ++touches_;
+    for (; before != known_.end() && before->key() < at.key(); ++before)
+      ledger.add_impact_loss(before->pressed);
+    if (before != known_.end() && before->key() == at.key()) {
+      ++before;
+    } else {
+      ++touches_;
+    }
   }
-  contacts_.end_bonds_without_spring();
+  for (; before != known_.end(); ++before) ledger.add_impact_loss(before->pressed);
   known_.swap(planned_);
   planned_.clear();
 }
@@ -244,7 +263,7 @@ bool ReactionPass<D>::is_consistent() const {
     return is_carried(at.of_a, at.a) && is_carried(at.of_b, at.b) && at.feature_a >= 0 && at.feature_b >= 0 &&
            (at.meeting == Meeting::corner_and_face || (D == 3 && at.meeting == Meeting::edges)) &&
            at.normal.allFinite() && at.impulse.allFinite() && at.force.allFinite() && is_finite(at.gap) &&
-           is_finite(at.touched_at) && is_from_zero(at.area);
+           is_finite(at.pressed) && is_finite(at.touched_at) && is_from_zero(at.area);
   };
   return touches_ >= 0 && halfspace::all(known_, is_whole) &&
          std::is_sorted(known_.begin(), known_.end(), precedes<D>);

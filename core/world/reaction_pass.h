@@ -38,8 +38,8 @@ class ReactionPass {
   /// Changes a motion that has been planned without, so that nothing passes through anything: false when it
   /// gets out of hand by that.
   bool plan(double time, double duration);
-  /// Books the half of what a kick does by the velocities at one of its ends: call it at both.
-  void book(EnergyLedger& ledger) const;
+  /// Books what the first kick of the planned motion will do.
+  void book_first(EnergyLedger& ledger);
   /// Looks at the contacts at the end of a motion, before its second kick: none of them has an impulse yet.
   void look();
   /// Stops what goes on behind faces after that kick, and books it.
@@ -59,8 +59,11 @@ class ReactionPass {
   Vector<D> kicked(const Reaction<D>& at) const;
   bool correct(double duration);
   bool is_blow() const;
-  void book_blow(EnergyLedger& ledger);
-  void book_friction_besides(const Reaction<D>& at, const Vector<D>& blow, EnergyLedger& ledger) const;
+  bool touches_now(const Reaction<D>& at) const { return at.touched_at >= motion_began_; }
+  double normal_work(const Reaction<D>& at, const Vector<D>& velocity) const;
+  void find_blow_losses();
+  void book_second(EnergyLedger& ledger, bool is_blow);
+  void exchange_known(EnergyLedger& ledger);
   double least_gap_of(const Reaction<D>& at) const;
   void begin(Reaction<D>& at, double duration) const;
   bool find_more(double time, double duration);

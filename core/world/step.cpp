@@ -118,9 +118,8 @@ template <int D>
 void World<D>::move() {
   const double duration = integrator_.duration();
   model_.fix_potential_length();
-  if (reactions_.is_wanted()) reactions_.book(ledger_);
+  if (reactions_.is_wanted()) reactions_.book_first(ledger_);
   integrator_.kick_and_drift();
-  if (reactions_.is_wanted()) reactions_.book(ledger_);
   forget_contacts();
   made_ = duration;
   lap(Pass::motion);
