@@ -6,16 +6,12 @@
 namespace halfspace {
 namespace {
 
-/// Ends of motions are exact to this share of the block.
-constexpr double exact_share = 1e-10;
+/// Ends of motions are exact to this share of what lies at a face.
+constexpr double exact_share = 0.1;
 constexpr int most_corrections = 4;
 
 /// Two that lie in each other at the start of a motion come apart by this share of the block.
 constexpr double recovered_share = 1e-7;
-
-/// Contacts that go on stay as they are within this share of the block: more of them than a block has ways to
-/// move never quite agree on a gap of zero.
-constexpr double settled_share = 1e-9;
 
 constexpr int most_searches = 4;
 
@@ -37,11 +33,14 @@ Vector<D> ReactionPass<D>::kicked(const Reaction<D>& at) const {
   return integrator_.kicks().at(at.of_a) - integrator_.kicks().at(at.of_b);
 }
 
+/// Contacts that go on stay as they are as long as they lie at their faces: more of them than a block has
+/// ways to move never quite agree on a gap of zero.
 template <int D>
 double ReactionPass<D>::least_gap_of(const Reaction<D>& at) const {
-  const double size = blocks_.radius[std::size_t(at.b)], settled = at.goes_on ? settled_share * size : 0;
+  const std::size_t b = std::size_t(at.b);
+  const double settled = at.goes_on ? search_.reach(b) : 0;
   if (std::abs(at.gap) < settled) return at.gap;
-  return std::min(-settled, at.gap + recovered_share * size);
+  return std::min(-settled, at.gap + recovered_share * blocks_.radius[b]);
 }
 
 /// The velocity that a contact has to stop is that of the planned motion without any kicks.
@@ -104,15 +103,15 @@ bool ReactionPass<D>::plan(double time, double duration) {
 /// has been too little to count.
 template <int D>
 bool ReactionPass<D>::correct(double duration) {
-  double largest = 0;
+  bool is_exact = true;
   for (Reaction<D>& at : planned_) {
     at.gap = search_.planned_gap(at);
     const double error = at.gap - at.least_gap - duration * at.normal.dot(at.velocity + kicked(at));
     at.velocity += error / duration * at.normal;
     const bool counts = at.is_bonded || !at.impulse.isZero(0) || at.gap < at.least_gap;
-    if (counts) largest = std::max(largest, std::abs(error) / blocks_.radius[std::size_t(at.b)]);
+    if (counts && !(std::abs(error) <= exact_share * search_.reach(std::size_t(at.b)))) is_exact = false;
   }
-  return largest <= exact_share;
+  return is_exact;
 }
 
 /// Contacts that go on have touched when they did. Those that are there when a block's first step begins are
@@ -180,7 +179,7 @@ void ReactionPass<D>::break_when_due(Reaction<D>& at) const {
 template <int D>
 void ReactionPass<D>::look() {
   std::erase_if(planned_, [&](const Reaction<D>& at) {
-    return !at.is_bonded && at.impulse.isZero(0) && at.gap > search_.reach(at);
+    return !at.is_bonded && at.impulse.isZero(0) && at.gap > search_.reach(std::size_t(at.b));
   });
   for (Reaction<D>& at : planned_) {
     break_when_due(at);

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace halfspace {
 namespace {
@@ -137,11 +138,11 @@ template <int D>
 typename ReactionSearch<D>::Entrance ReactionSearch<D>::entrance(const Target& b, std::size_t a,
                                                                  int corner) const {
   const Outline<D> own = blocks_.own_outline(std::int32_t(b.slot));
-  const double radius = blocks_.radius[b.slot];
+  const double radius = blocks_.radius[b.slot], reach = this->reach(b.slot);
   const Vector<D> start = b.now.inverse * (corner_now(a, corner) - b.now.position);
   const Vector<D> end = b.planned.inverse * (planned_corner(a, corner) - b.planned.position);
   const Vector<D> out_of_a = outwards(a, corner).normalized();
-  const double tiny = behind_share * radius;
+  const double tiny = std::max(behind_share * radius, reach);
   Entrance last, at_start;
   bool is_beside = false;
   for (int face = 0; face < own.face_count(); ++face) {
@@ -151,12 +152,12 @@ typename ReactionSearch<D>::Entrance ReactionSearch<D>::entrance(const Target& b
                          (b.planned.inverse.transpose() * own.normal(face)).norm();
     if (after > margin_) return {};
     if (!b.is_outer(own, face)) {
-      is_beside = is_beside || before > reach_share * radius;
+      is_beside = is_beside || before > reach;
       continue;
     }
     Entrance through{face, 0, before, normal.dot(out_of_a) < -least_cosine * normal.norm()};
     if (through.looks_at_a && std::abs(before) <= tiny && before >= at_start.before) at_start = through;
-    if (before <= reach_share * radius) {
+    if (before <= reach) {
       if (!through.looks_at_a) continue;
       through.time = before / radius - 1;
     } else {
@@ -268,9 +269,11 @@ double ReactionSearch<D>::area_of(const Reaction<D>& at) const {
   return share * std::max(0.0, -at.normal.dot(face_of(std::size_t(at.a), at.feature_a)));
 }
 
+/// At least the rounding of a corner's place seen from a block.
 template <int D>
-double ReactionSearch<D>::reach(const Reaction<D>& at) const {
-  return reach_share * blocks_.radius[std::size_t(at.b)];
+double ReactionSearch<D>::reach(std::size_t b) const {
+  constexpr double roundings = 16 * std::numeric_limits<double>::epsilon();
+  return std::max(reach_share * blocks_.radius[b], roundings * blocks_.position[b].norm());
 }
 
 /// Pairs that have no spring, as far as they come near each other at all.

@@ -76,7 +76,7 @@ class ReactionSearch {
   /// other block those of the mesh have it.
   double area_of(const Reaction<D>& at) const;
   /// A corner nearer to a face than this is at it.
-  double reach(const Reaction<D>& at) const;
+  double reach(std::size_t b) const;
 
  private:
   /// A block now, or at the end of the planned motion.
