@@ -12,8 +12,8 @@ constexpr int most_rounds = 1000;
 
 /// Corners of both blocks at faces of the other one are more contacts than there are ways to move. Where they
 /// do not quite want the same, by rounding and by turns within the motion, changes go on for ever: rounds end
-/// when so many have not made them smaller by a twentieth.
-constexpr int most_idle_rounds = 256;
+/// when so many have not made them smaller by a thousandth.
+constexpr int most_idle_rounds = 48;
 
 /// The impulse of a contact that stops it, if all others stay as they are.
 template <int D>
@@ -70,7 +70,7 @@ int find_impulses(std::span<Reaction<D>> reactions, Kicks<D>& kicks) {
     }
     fastest = std::max(fastest, changed);
     if (changed <= smallest_change * fastest) return round;
-    if (changed <= 0.95 * least) {
+    if (changed <= 0.999 * least) {
       least = changed;
       least_in = round;
     } else if (round - least_in >= most_idle_rounds) {
