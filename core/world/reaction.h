@@ -23,7 +23,7 @@ struct Reaction {
   std::int32_t feature_b = 0;  // face or edge of b
   std::int32_t is_bonded = 0;  // pulls and coheres, as long as it has not failed
   std::int32_t goes_on = 0;    // from the motion before
-  std::int32_t reserved = 0;
+  std::int32_t is_struck = 0;  // in this motion
   CarriedPoint<D> of_a;
   CarriedPoint<D> of_b;
   Vector<D> normal = Vector<D>::Zero();   // unit, outwards from b

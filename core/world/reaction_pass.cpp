@@ -166,7 +166,18 @@ void ReactionPass<D>::book_first(EnergyLedger& ledger) {
   for (Reaction<D>& at : planned_) {
     at.quickened = half * (integrator_.acceleration_of(at.of_a) - integrator_.acceleration_of(at.of_b));
     book(at, velocity_of(at), ledger);
+    const bool is_new = at.touched_at >= motion_began_;
+    const bool lies_there = is_new && known_.empty() && !is_approached(at);
+    at.is_struck = is_new && !lies_there;
+    // What is there from the start presses as if it had always done so.
+    if (lies_there) at.pressed = normal_work(at, velocity_of(at));
   }
+}
+
+template <int D>
+bool ReactionPass<D>::is_approached(const Reaction<D>& at) const {
+  constexpr double little = 1e-6;
+  return at.free_share > 0 || at.normal.dot(velocity_of(at)) < -little * at.quickened.norm();
 }
 
 template <int D>
@@ -192,7 +203,7 @@ void ReactionPass<D>::look() {
 template <int D>
 bool ReactionPass<D>::is_blow() const {
   return std::any_of(planned_.begin(), planned_.end(),
-                     [&](const Reaction<D>& at) { return touches_now(at); });
+                     [](const Reaction<D>& at) { return at.is_struck != 0; });
 }
 
 /// A blow is over before elements yield to it: what it takes is its own impulses' work.

@@ -58,8 +58,8 @@ class ReactionPass {
   void solve(double duration);
   Vector<D> kicked(const Reaction<D>& at) const;
   bool correct(double duration);
+  bool is_approached(const Reaction<D>& at) const;
   bool is_blow() const;
-  bool touches_now(const Reaction<D>& at) const { return at.touched_at >= motion_began_; }
   double normal_work(const Reaction<D>& at, const Vector<D>& velocity) const;
   void find_blow_losses();
   void book_second(EnergyLedger& ledger, bool is_blow);
