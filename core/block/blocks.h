@@ -47,10 +47,12 @@ class Blocks {
   bool is_of_mesh(std::size_t slot) const { return kind[slot] == BlockKind::mesh; }
   /// Strains as a whole: as an unknown of its own, or as the nodes of its mesh do.
   bool is_deformable(std::size_t slot) const { return kind[slot] >= BlockKind::affine; }
-  /// Two blocks that a bond holds, or of one mesh and with a common node, never touch.
+  /// Two blocks that a bond holds, or a ring of bonds around a corner, or of one mesh and with a common node,
+  /// never touch.
   bool are_joined(std::size_t a, std::size_t b) const {
     return (is_of_mesh(a) && is_of_mesh(b) && meshes_.are_joined(a, b)) ||
-           (!bonds_.empty() && bonds_.keeps(std::int32_t(a), std::int32_t(b)));
+           (!bonds_.empty() && (bonds_.keeps(std::int32_t(a), std::int32_t(b)) ||
+                                bonds_.rings().hold(std::int32_t(a), std::int32_t(b))));
   }
   std::int64_t count() const { return living_; }
 

@@ -90,6 +90,7 @@ void BondPass<D>::load_point(std::int64_t which, std::int64_t number, const Plac
   energy.strain += point.area * traction.energy;
   energy.fracture_loss += point.area * traction.fracture_loss;
   energy.friction_loss += point.area * traction.friction_loss;
+  has_broken_ = has_broken_ || (point.is_broken() && !before.is_broken());
   hold.is_closed = hold.is_closed || !point.is_broken() || opening < 0;
   hold.least_slip = std::min(hold.least_slip, point.is_broken() ? slip.norm() : 0);
   if (traction.breaks && is_of_numbers) {
@@ -102,6 +103,7 @@ template <int D>
 bool BondPass<D>::load(std::int64_t step, double time, BondEnergy& energy) {
   step_ = step;
   time_ = time;
+  has_broken_ = false;
   bool has_come_apart = false;
   for (std::size_t which = 0; which < bonds_.all().size(); ++which) {
     Bond<D>& bond = bonds_.all()[which];
@@ -117,7 +119,7 @@ bool BondPass<D>::load(std::int64_t step, double time, BondEnergy& energy) {
     bond.is_joint = 0;
     has_come_apart = true;
   }
-  return has_come_apart;
+  return (has_broken_ && bonds_.rings().look(bonds_.points())) || has_come_apart;
 }
 
 template class BondPass<2>;

@@ -62,6 +62,7 @@ class BondPass {
   Bonds<D>& bonds_;
   std::int64_t step_ = 0;
   double time_ = 0;
+  bool has_broken_ = false;  // some point, in this pass
 };
 
 extern template class BondPass<2>;

@@ -76,6 +76,7 @@ std::int64_t World<D>::make_bonds_of(const BondLaw& law, Make make) {
     return 0;
   }
   bonds.index();
+  contacts_.neighbors().expire();  // what meets at a corner within is no pair any more
   // Pairs that a law of contact has bonded give way.
   for (Candidate<D>& pair : contacts_.neighbors().pairs()) {
     if (pair.bonded && bonds.keeps(pair.a, pair.b)) pair.bonded = 0;

@@ -126,6 +126,7 @@ MeshFaultReport World<D>::remove_cells(std::int32_t which, std::span<const std::
     if (mass == 0) released[i].setZero();
   }
   weigh_surface(which, bearing);
+  blocks.bonds().rings().expire();
   contacts_.neighbors().expire();
   forget_contacts();
   edit();

@@ -53,6 +53,8 @@ void World<D>::fit_rooms() {
 template <int D>
 void World<D>::renew_neighbors() {
   NeighborList<D>& neighbors = contacts_.neighbors();
+  Bonds<D>& bonds = model_.blocks.bonds();
+  if (!bonds.rings().is_current()) bonds.rings().find(model_.blocks);
   const bool with_shear =
       model_.materials.laws().any([](const SpringLaw& law) { return law.resists_shear(); });
   neighbors.search_again(model_.blocks, model_.settings.skin, with_shear);

@@ -2,17 +2,10 @@
 
 #include <algorithm>
 
+#include "block/bond/pair_key.h"
 #include "geometry/numbers.h"
 
 namespace halfspace {
-namespace {
-
-std::uint64_t pair_key(std::int32_t a, std::int32_t b) {
-  return (std::uint64_t(std::uint32_t(std::min(a, b))) << 32) | std::uint32_t(std::max(a, b));
-}
-
-}  // namespace
-
 template <int D>
 void Bonds<D>::add(Bond<D> bond, std::span<const BondPoint<D>> points) {
   make_room_for_one(bonds_);
@@ -22,6 +15,7 @@ void Bonds<D>::add(Bond<D> bond, std::span<const BondPoint<D>> points) {
   if (events_.capacity() < wanted) events_.reserve(2 * wanted);
   bond.first_point = std::int64_t(points_.size());
   bond.point_count = std::int64_t(points.size());
+  rings_.expire();
   bonds_.push_back(bond);
   points_.insert(points_.end(), points.begin(), points.end());
 }
@@ -48,6 +42,7 @@ void Bonds<D>::index() {
 
 template <int D>
 void Bonds<D>::forget(std::int32_t block) {
+  if (!empty()) rings_.expire();
   for (Bond<D>& bond : bonds_) {
     if (bond.a == block || bond.b == block) {
       bond.a = bond.b = -1;
@@ -86,6 +81,7 @@ bool Bonds<D>::is_consistent(std::size_t slots) const {
     counted += bond.point_count;
   }
   return std::size_t(counted) == points_.size() && events_.size() <= points_.size() &&
+         rings_.is_consistent(slots, points_.size()) &&
          halfspace::all(laws_, [](const BondLaw& law) { return law.is_consistent(); }) &&
          halfspace::all(points_, [](const BondPoint<D>& point) { return point.is_consistent(); });
 }

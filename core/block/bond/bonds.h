@@ -4,6 +4,7 @@
 #include <span>
 
 #include "block/bond/bond_point.h"
+#include "block/bond/rings.h"
 
 namespace halfspace {
 
@@ -46,7 +47,7 @@ template <int D>
 class Bonds {
  public:
   explicit Bonds(Memory* memory)
-      : laws_(memory), bonds_(memory), points_(memory), events_(memory), sorted_(memory) {}
+      : laws_(memory), bonds_(memory), points_(memory), events_(memory), sorted_(memory), rings_(memory) {}
 
   bool empty() const { return bonds_.empty(); }
   Array<Bond<D>>& all() { return bonds_; }
@@ -59,7 +60,10 @@ class Bonds {
   std::span<const BondPoint<D>> points_of(const Bond<D>& bond) const {
     return {points_.data() + bond.first_point, std::size_t(bond.point_count)};
   }
+  std::span<const BondPoint<D>> points() const { return points_; }
   const Array<BondEvent<D>>& events() const { return events_; }
+  BondRings<D>& rings() { return rings_; }
+  const BondRings<D>& rings() const { return rings_; }
 
   /// Returns the law's number.
   std::int32_t add_law(const BondLaw& law) {
@@ -87,13 +91,13 @@ class Bonds {
   void hold(bool is_held) { is_held_ = is_held; }
 
   /// All that forces write to.
-  auto state() { return std::tie(bonds_, points_, events_); }
+  auto state() { return std::tie(bonds_, points_, events_, rings_.groups()); }
 
   bool is_consistent(std::size_t slots) const;
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(laws_, bonds_, points_, events_, is_held_);
+    archive(laws_, bonds_, points_, events_, is_held_, rings_);
     if constexpr (Archive::reads) {
       events_.reserve(points_.size());
       sorted_.reserve(bonds_.size());
@@ -112,6 +116,7 @@ class Bonds {
   Array<BondPoint<D>> points_;
   Array<BondEvent<D>> events_;
   Array<Named> sorted_;  // by their pairs, for the search
+  BondRings<D> rings_;
   std::int32_t is_held_ = 0;
 };
 
