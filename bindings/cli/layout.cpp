@@ -102,8 +102,14 @@ class Planner {
     if (const auto block = find(name, place, "output.tracked")) layout_.tracked.push_back(*block);
   }
 
+  /// A block, or all that a generator or a mesh has made.
   void refer_to(const std::string& name, Place place) {
-    layout_.referenced = find(name, place, "reference.block");
+    const auto made = members_.find(name);
+    if (made != members_.end()) {
+      layout_.referenced = made->second;
+    } else if (const auto block = find(name, place, "reference.block")) {
+      layout_.referenced = {*block};
+    }
   }
 
   Layout take() { return std::move(layout_); }

@@ -58,8 +58,9 @@ struct Layout {
   /// True when some block deforms: then there are stresses to be told.
   bool has_deformable() const;
 
-  std::vector<std::size_t> tracked;       ///< indices of the blocks whose motion goes into the history
-  std::optional<std::size_t> referenced;  ///< whose position or force is measured
+  std::vector<std::size_t> tracked;  ///< indices of the blocks whose motion goes into the history
+  std::vector<std::size_t>
+      referenced;  ///< whose position or force is measured: together, where they are several
   std::vector<std::vector<std::size_t>> excavated;  ///< in each stage of the scene
   int left_out = 0;                                 ///< blocks too small to be kept
   double size_left_out = 0;                         ///< of all those together

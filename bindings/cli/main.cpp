@@ -125,6 +125,8 @@ std::string bytes_of(const std::string& file, const Scene& scene) {
   std::string bytes = content_of(file);
   for (const Block& block : scene.blocks)
     if (!block.file.empty()) bytes += content_of(block.file);
+  for (const Mesh& mesh : scene.meshes)
+    if (!mesh.file.empty()) bytes += content_of(mesh.file);
   return bytes;
 }
 
@@ -132,23 +134,20 @@ void require_free_block(CheckedScene& checked, const std::string& by) {
   const auto is_free = [](const LayoutBlock& block) { return moves_freely(block.kind); };
   const std::vector<LayoutBlock>& blocks = checked.layout.blocks;
   if (checked.faults.none() && std::none_of(blocks.begin(), blocks.end(), is_free))
-    checked.faults.add({}, "", "no block is free to move; required for " + by + ": a rigid or an affine one");
+    checked.faults.add({}, "",
+                       "no block is free to move; required for " + by + ": a rigid, an affine or a mesh one");
 }
 
-/// Refuses the parts of a scene that trades and plans do not know yet.
-void require_plain(CheckedScene& checked, const std::string& by) {
-  if (!checked.scene.stages.empty()) {
-    checked.faults.add({}, "stage",
-                       by + " runs a scene for its duration; allowed: a scene without a [[stage]]");
-  }
-  if (!checked.scene.meshes.empty())
-    checked.faults.add({}, "mesh", by + " is of blocks alone; allowed: a scene without a [[mesh]]");
+void require_no_stages(CheckedScene& checked, const std::string& by) {
+  if (checked.scene.stages.empty()) return;
+  checked.faults.add({}, "stage",
+                     by + " runs a scene for its duration; allowed: a scene without a [[stage]]");
 }
 
 int trade(const std::string& file, const std::string& output, Earlier earlier, const TradeOptions& options) {
   CheckedScene checked = load(file, 0);
   require_free_block(checked, "a trade");
-  require_plain(checked, "a trade");
+  require_no_stages(checked, "a trade");
   if (!checked.faults.none()) return refuse(file, checked.faults);
   if (options.resumes && !std::filesystem::exists(std::filesystem::path(output) / "trade.csv"))
     throw std::runtime_error("cannot resume: there is no trade.csv in " + output);
@@ -163,7 +162,7 @@ int trade(const std::string& file, const std::string& output, Earlier earlier, c
 int plan(const std::string& file, const PlanOptions& options) {
   CheckedScene checked = load(file, 0);
   require_free_block(checked, "a plan");
-  require_plain(checked, "a plan");
+  require_no_stages(checked, "a plan");
   if (!checked.faults.none()) return refuse(file, checked.faults);
   const PlanResult result = plan(checked.scene, options);
   print(stdout, result.report);

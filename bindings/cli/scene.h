@@ -268,9 +268,9 @@ struct Scene {
   Reference reference;
 };
 
-/// Calls `visit` for the making of each block and generator.
+/// Calls `visit` for the making of each block and generator, but for the bodies of [[mesh]].
 template <class AnyScene, class Visit>
-void for_each_making(AnyScene& scene, Visit visit) {
+void for_each_block_making(AnyScene& scene, Visit visit) {
   const auto visit_all = [&](auto& makers) {
     for (auto& maker : makers) visit(maker.making);
   };
@@ -278,7 +278,13 @@ void for_each_making(AnyScene& scene, Visit visit) {
   visit_all(scene.jointed_rocks);
   visit_all(scene.triangulated);
   visit_all(scene.voronoi);
-  visit_all(scene.meshes);
+}
+
+/// The same with those.
+template <class AnyScene, class Visit>
+void for_each_making(AnyScene& scene, Visit visit) {
+  for_each_block_making(scene, visit);
+  for (auto& mesh : scene.meshes) visit(mesh.making);
 }
 
 /// Does the condition hold for the default law or one between two materials?

@@ -83,7 +83,7 @@ class Reactions(SceneTest):
         self.scene.write_text(BLOCKS)
         answer = halfspace("plan", self.scene)
         self.assertEqual(answer.returncode, 0, answer.stderr)
-        self.assertIn("contacts without springs", answer.stdout)
+        self.assertIn("springless contacts", answer.stdout)
 
 
 if __name__ == "__main__":

@@ -17,6 +17,15 @@ Scene with(const Scene& scene, const Setting& setting, const FaceSize& face) {
   return changed;
 }
 
+/// The bodies of [[mesh]] cannot be rigid.
+bool some_block_strains(const Scene& scene) {
+  bool strains = false;
+  for_each_block_making(scene, [&](const Making& making) {
+    strains = strains || making.kind == HS_BLOCK_AFFINE || making.kind == HS_BLOCK_MESH;
+  });
+  return strains;
+}
+
 Scene without(Scene scene, int part, const FaceSize& face) {
   switch (part) {
     case HS_PART_FRICTION:
@@ -54,14 +63,16 @@ const std::vector<PartName>& part_names() {
                                               {HS_PART_STRAIN, "strain"},
                                               {HS_PART_LOCAL_DAMPING, "local damping"},
                                               {HS_PART_MASS_DAMPING, "mass damping"},
-                                              {HS_PART_REACTIONS, "contacts without springs"}};
+                                              {HS_PART_REACTIONS, "springless contacts"}};
   return names;
 }
 
 std::vector<Without> without_each(const Scene& scene, int active_parts, const FaceSize& face) {
   std::vector<Without> all;
-  for (const PartName& named : part_names())
-    if (active_parts & named.part) all.push_back({named.name, without(scene, named.part, face)});
+  for (const PartName& named : part_names()) {
+    const bool can_go = named.part != HS_PART_STRAIN || some_block_strains(scene);
+    if ((active_parts & named.part) && can_go) all.push_back({named.name, without(scene, named.part, face)});
+  }
   return all;
 }
 

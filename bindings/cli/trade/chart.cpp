@@ -5,12 +5,13 @@
 
 #include "picture/svg.h"
 #include "text.h"
+#include "trade/runs.h"
 
 namespace halfspace::cli {
 namespace {
 
 constexpr double left = 84, top = 64, width = 560, height = 380, legend = 170;
-constexpr const char* colours[] = {"#1b6ca8", "#d1495b", "#3a7d44"};
+constexpr const char* colours[] = {"#1b6ca8", "#d1495b", "#3a7d44", "#7b3294"};
 
 /// Powers of ten around the values, a whole number of them.
 struct Decades {
@@ -109,7 +110,7 @@ class Chart {
 
   void draw_legend() {
     double y = top + 10;
-    for (const int law : {HS_STIFFNESS_PER_CONTACT, HS_STIFFNESS_PER_AREA, HS_STIFFNESS_POTENTIAL}) {
+    for (const int law : law_places) {
       const bool is_there =
           std::any_of(front_.results().begin(), front_.results().end(),
                       [&](const Result& run) { return Front::counts(run) && law_of(run) == law; });

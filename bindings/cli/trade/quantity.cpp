@@ -47,13 +47,14 @@ bool stands(const Frame& start, const Frame& end, double limit) {
 /// The quantity of one run, from its frames and what is watched on the way.
 class Watch {
  public:
-  Watch(const Scene& scene, const Model& model) : scene_(scene), model_(model), start_(model.frame()) {}
+  Watch(const Scene& scene, const Model& model)
+      : scene_(scene), model_(model), start_(model.frame()), is_referenced_(start_.blocks.size()) {
+    for (const std::size_t block : model.layout().referenced) is_referenced_[block] = true;
+  }
 
   std::int64_t steps_at_once() const { return of_force() ? 1 : most_at_once; }
   void look() {
-    if (!of_force()) return;
-    const hs_block_state state = model_.state_of(*model_.layout().referenced);
-    largest_force_ = std::max(largest_force_, length(point_of(state.force)));
+    if (of_force()) largest_force_ = std::max(largest_force_, length(force()));
   }
   double value() const {
     const Reference& reference = scene_.reference;
@@ -64,7 +65,7 @@ class Watch {
       case Quantity::height:
         return height_of(now, scene_.world.dimension);
       case Quantity::position:
-        return position_of(now.blocks[*model_.layout().referenced])[reference.axis];
+        return centroid_of_referenced(now)[reference.axis];
       case Quantity::force:
         return largest_force_;
       default:
@@ -75,9 +76,36 @@ class Watch {
  private:
   bool of_force() const { return scene_.reference.quantity == Quantity::force; }
 
+  /// The sum of the contact forces by others. A block by itself tells that of its springs.
+  Point force() const {
+    const std::vector<std::size_t>& referenced = model_.layout().referenced;
+    const bool is_told = referenced.size() == 1 && !model_.layout().blocks[referenced[0]].body &&
+                         model_.reaction_report().reaction_count == 0;
+    if (is_told) return point_of(model_.state_of(referenced[0]).force);
+    Point sum{};
+    for (const hs_contact& contact : model_.contacts()) {
+      const bool on_a = is_referenced_[contact.block_a], on_b = is_referenced_[contact.block_b];
+      if (on_a != on_b) sum = plus(sum, times(on_b ? 1 : -1, point_of(contact.force)));
+    }
+    return sum;
+  }
+
+  Point centroid_of_referenced(const Frame& frame) const {
+    Point sum{};
+    double mass = 0;
+    for (const std::size_t i : model_.layout().referenced) {
+      const BlockFrame& block = frame.blocks[i];
+      if (block.state.mass == 0) return position_of(block);  // it is fixed
+      sum = plus(sum, times(block.state.mass, position_of(block)));
+      mass += block.state.mass;
+    }
+    return times(1 / mass, sum);
+  }
+
   const Scene& scene_;
   const Model& model_;
   Frame start_;
+  std::vector<char> is_referenced_;  // of each block
   double largest_force_ = 0;
 };
 
@@ -104,6 +132,24 @@ double size_of(const BlockFrame& block) {
   return size;
 }
 
+namespace {
+
+/// @throws LibraryError of what does not end a run
+RunEnd end_by(const LibraryError& error) {
+  switch (error.status) {
+    case HS_ERROR_UNSTABLE:
+      return RunEnd::unstable;
+    case HS_ERROR_TOO_FAST:
+      return RunEnd::too_fast;
+    case HS_ERROR_INVERTED:
+      return RunEnd::inverted;
+    default:
+      throw error;
+  }
+}
+
+}  // namespace
+
 Outcomes run_for_quantity(const Scene& scene, Model& model) {
   Outcomes outcomes;
   Watch watch(scene, model);
@@ -114,8 +160,7 @@ Outcomes run_for_quantity(const Scene& scene, Model& model) {
       model.step_towards(scene.reference.time, watch.steps_at_once());
       watch.look();
     } catch (const LibraryError& error) {
-      if (error.status != HS_ERROR_UNSTABLE && error.status != HS_ERROR_TOO_FAST) throw;
-      outcomes.end = error.status == HS_ERROR_UNSTABLE ? RunEnd::unstable : RunEnd::too_fast;
+      outcomes.end = end_by(error);
     }
     if (interrupt_asked()) outcomes.end = RunEnd::interrupted;
   }

@@ -14,6 +14,7 @@ enum class RunEnd {
   interrupted,
   unstable,
   too_fast,
+  inverted,       ///< a cell of a mesh would turn inside out
   too_few_steps,  ///< for the step to be a small part of the time
   no_angle        ///< between 0 and 89 degrees decides whether the scene stands
 };

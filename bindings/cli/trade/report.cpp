@@ -116,16 +116,19 @@ std::string knobs_text(const Front& front) {
     stiffness.add("x " + shortest(factor) + ':', {.step = held_step, .stiffness = factor});
   Knob laws(front, "law", held);
   for (const int law : law_places) laws.add(name_of_law(law) + ':', {.step = held_step, .law = law});
+  Knob cells(front, "cells", held);
+  for (const double factor : cell_places)
+    cells.add("x " + shortest(factor) + ':', {.step = held_step, .cells = factor});
   Knob kinds(front, "kind", held);
-  for (const int kind : {HS_BLOCK_RIGID, HS_BLOCK_AFFINE})
+  for (const int kind : kind_places)
     kinds.add(name_of_kind(kind) + std::string(":"), {.step = held_step, .kind = kind});
   Knob dampings(front, "damping", held);
   for (const double damping : damping_places)
     dampings.add(shortest(damping) + ':', {.step = held_step, .damping = damping});
   Knob skins(front, "skin", held);
   for (const double skin : skin_places) skins.add(shortest(skin) + ':', {.step = held_step, .skin = skin});
-  const std::string text =
-      steps.text() + stiffness.text() + laws.text() + kinds.text() + dampings.text() + skins.text();
+  const std::string text = steps.text() + stiffness.text() + laws.text() + cells.text() + kinds.text() +
+                           dampings.text() + skins.text();
   if (text.empty()) return text;
   return "\nerror by knob, all others held\n" + text +
          "(the step against the finest, the others against the scene's own at the same step)\n";
@@ -137,6 +140,8 @@ const char* reason_of(RunEnd end) {
       return "unstable";
     case RunEnd::too_fast:
       return "refused, as blocks are too fast for the step";
+    case RunEnd::inverted:
+      return "refused, as a cell would turn inside out";
     case RunEnd::too_few_steps:
       return "too few steps for the time";
     case RunEnd::no_angle:
@@ -176,6 +181,7 @@ std::string cheapest_text(const Scene& scene, const Front& front, const FaceSize
 std::string describe(const Setting& setting) {
   std::string text = "step " + step_text(setting.step);
   if (setting.stiffness != 1) text += ", stiffness x " + shortest(setting.stiffness);
+  if (setting.cells != 1) text += ", cells x " + shortest(setting.cells);
   if (setting.law) text += ", " + name_of_law(*setting.law);
   if (setting.kind) text += std::string(", ") + name_of_kind(*setting.kind) + " blocks";
   if (setting.damping) text += ", damping " + shortest(*setting.damping);

@@ -14,9 +14,9 @@ namespace halfspace::cli {
 namespace {
 
 constexpr const char* columns =
-    "step,stiffness,law,kind,damping,skin,disturbance,end,value,start,cpu_seconds,simulated";
-constexpr std::array<const char*, 6> ends = {"whole",    "interrupted",   "unstable",
-                                             "too fast", "too few steps", "no angle"};
+    "step,stiffness,cells,law,kind,damping,skin,disturbance,end,value,start,cpu_seconds,simulated";
+constexpr std::array<const char*, 7> ends = {"whole",    "interrupted",   "unstable", "too fast",
+                                             "inverted", "too few steps", "no angle"};
 
 std::string first_line(const std::string& scene_text) {
   return "# runs of scene " + std::to_string(hash_of(scene_text)) + " by halfspace " + hs_version();
@@ -32,9 +32,10 @@ std::string row_of(const Result& result) {
   const Outcomes& o = result.outcomes;
   std::string row;
   for (const std::string& cell :
-       {shortest(s.step), shortest(s.stiffness), or_nothing(s.law), or_nothing(s.kind), or_nothing(s.damping),
-        or_nothing(s.skin), std::to_string(s.disturbance), std::string(ends[static_cast<std::size_t>(o.end)]),
-        shortest(o.value), shortest(o.start), shortest(o.cpu_seconds), shortest(o.simulated)})
+       {shortest(s.step), shortest(s.stiffness), shortest(s.cells), or_nothing(s.law), or_nothing(s.kind),
+        or_nothing(s.damping), or_nothing(s.skin), std::to_string(s.disturbance),
+        std::string(ends[static_cast<std::size_t>(o.end)]), shortest(o.value), shortest(o.start),
+        shortest(o.cpu_seconds), shortest(o.simulated)})
     row += (row.empty() ? "" : ",") + cell;
   return row;
 }
@@ -93,7 +94,9 @@ Result result_from(const std::string& row) {
   constexpr double most = 1e300;
   s.step = cells.number(1e-6, 1);
   s.stiffness = cells.number(1e-6, 1e6);
-  s.law = cells.maybe_one_of({HS_STIFFNESS_PER_CONTACT, HS_STIFFNESS_PER_AREA, HS_STIFFNESS_POTENTIAL});
+  s.cells = cells.number(1e-3, 1e3);
+  s.law = cells.maybe_one_of(
+      {HS_STIFFNESS_PER_CONTACT, HS_STIFFNESS_PER_AREA, HS_STIFFNESS_POTENTIAL, HS_STIFFNESS_NONE});
   s.kind = cells.maybe_one_of({HS_BLOCK_RIGID, HS_BLOCK_AFFINE});
   s.damping = cells.maybe_number(0, most);
   s.skin = cells.maybe_number(0, 1);

@@ -9,32 +9,47 @@ namespace {
 bool holds_together(const hs_law_def& law) { return law.cohesion > 0 || law.tensile_strength > 0; }
 
 bool has_no_spring(const hs_law_def& law) { return law.stiffness_kind == HS_STIFFNESS_NONE; }
+bool has_spring(const hs_law_def& law) { return !has_no_spring(law); }
 
-/// The scene's own law is told by nothing given. Potentials hold nothing together. A law without a spring has
-/// no stiffness that another one could have as well.
+/// The kinds of what moves freely.
+struct Kinds {
+  explicit Kinds(const Scene& scene) {
+    for_each_block_making(scene, [&](const Making& making) {
+      if (!moves_freely(making.kind)) return;
+      (making.kind == HS_BLOCK_RIGID    ? has_rigid
+       : making.kind == HS_BLOCK_AFFINE ? has_affine
+                                        : has_mesh) = true;
+      can_strain = can_strain && scene.materials[static_cast<std::size_t>(making.material)].elasticity;
+    });
+    deforms = has_affine || has_mesh || !scene.meshes.empty();
+  }
+
+  /// Those that blocks can have besides their own: to strain takes an elasticity.
+  std::vector<int> others() const {
+    std::vector<int> kinds;
+    if (has_affine || has_mesh) kinds.push_back(HS_BLOCK_RIGID);
+    if ((has_rigid || has_mesh) && can_strain) kinds.push_back(HS_BLOCK_AFFINE);
+    return kinds;
+  }
+
+  bool has_rigid = false, has_affine = false, has_mesh = false, can_strain = true;
+  bool deforms = false;
+};
+
+/// The scene's own law is told by nothing given. Potentials hold nothing together. Without springs something
+/// else has to tell the time step, and in place of none there is one only where elements tell its stiffness.
 std::vector<std::optional<int>> laws_of(const Scene& scene) {
-  if (any_law(scene, has_no_spring)) return {std::nullopt};
-  const bool is_bonded = any_law(scene, holds_together);
+  const bool is_bonded = any_law(scene, holds_together), deforms = Kinds(scene).deforms;
+  const bool is_given = !any_law(scene, has_no_spring) || deforms;
   std::vector<std::optional<int>> laws = {std::nullopt};
   for (const int kind : law_places) {
     const bool is_another = any_law(scene, [&](const hs_law_def& law) { return law.stiffness_kind != kind; });
-    if (is_another && !(kind == HS_STIFFNESS_POTENTIAL && is_bonded)) laws.push_back(kind);
+    const bool fits = kind == HS_STIFFNESS_NONE        ? deforms
+                      : kind == HS_STIFFNESS_POTENTIAL ? is_given && !is_bonded
+                                                       : is_given;
+    if (is_another && fits) laws.push_back(kind);
   }
   return laws;
-}
-
-/// The kinds that free blocks can have besides their own: to strain takes an elasticity.
-std::vector<int> other_kinds(const Scene& scene) {
-  bool has_rigid = false, has_affine = false, can_strain = true;
-  for_each_making(scene, [&](const Making& making) {
-    if (!moves_freely(making.kind)) return;
-    (making.kind == HS_BLOCK_AFFINE ? has_affine : has_rigid) = true;
-    can_strain = can_strain && scene.materials[static_cast<std::size_t>(making.material)].elasticity;
-  });
-  std::vector<int> kinds;
-  if (has_affine) kinds.push_back(HS_BLOCK_RIGID);
-  if (has_rigid && can_strain) kinds.push_back(HS_BLOCK_AFFINE);
-  return kinds;
 }
 
 }  // namespace
@@ -48,13 +63,16 @@ std::vector<Setting> runs_of(const Scene& scene) {
   };
   for (const std::optional<int> law : laws_of(scene)) {
     for (const double step : step_ladder) add([&](Setting& s) { s.step = step, s.law = law; });
-    if (any_law(scene, has_no_spring)) continue;
+    if (law == HS_STIFFNESS_NONE || (!law && !any_law(scene, has_spring))) continue;
     for (const double stiffness : stiffness_ladder)
       for (const double step : {1.0, held_step})
         add([&](Setting& s) { s.step = step, s.law = law, s.stiffness = stiffness; });
   }
-  for (const int kind : other_kinds(scene)) add([&](Setting& s) { s.kind = kind; });
-  for (const double damping : damping_places) add([&](Setting& s) { s.damping = damping; });
+  for (const int kind : Kinds(scene).others()) add([&](Setting& s) { s.kind = kind; });
+  if (has_cut_meshes(scene))
+    for (const double cells : cell_places) add([&](Setting& s) { s.cells = cells; });
+  if (any_law(scene, has_spring))
+    for (const double damping : damping_places) add([&](Setting& s) { s.damping = damping; });
   for (const double skin : skin_places) add([&](Setting& s) { s.skin = skin; });
   for (int number = 1; number <= disturbed_starts; ++number) add([&](Setting& s) { s.disturbance = number; });
   return runs;
@@ -62,7 +80,7 @@ std::vector<Setting> runs_of(const Scene& scene) {
 
 double expected_cost(const Setting& setting) {
   const double steps = std::sqrt(setting.stiffness) / setting.step;
-  return steps * (setting.law == HS_STIFFNESS_POTENTIAL ? 3 : 1) *
+  return steps * std::pow(setting.cells, 3) * (setting.law == HS_STIFFNESS_POTENTIAL ? 3 : 1) *
          (setting.kind == HS_BLOCK_AFFINE ? 1.5 : 1);
 }
 

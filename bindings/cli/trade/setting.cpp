@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "random.h"
 #include "read_values.h"
@@ -39,13 +40,18 @@ double per_face(int kind, double area, double potential_length) {
 /// The shear spring of potentials is one per contact, as their friction is.
 double shear_per_face(int kind, double area) { return kind == HS_STIFFNESS_PER_AREA ? area : 1; }
 
+/// In place of no spring comes one as stiff as a layer of cells.
 void change_kind(hs_law_def& law, int kind, const FaceSize& face) {
   if (kind == law.stiffness_kind) return;
+  const bool had_none = law.stiffness_kind == HS_STIFFNESS_NONE;
   const double shear = law.shear_stiffness > 0 ? law.shear_stiffness : law.normal_stiffness;
   const double normal_of_face =
-      law.normal_stiffness * per_face(law.stiffness_kind, face.area, face.potential_length);
-  const double shear_of_face = shear * shear_per_face(law.stiffness_kind, face.area);
+      had_none ? face.stiffness
+               : law.normal_stiffness * per_face(law.stiffness_kind, face.area, face.potential_length);
+  const double shear_of_face =
+      had_none ? face.stiffness : shear * shear_per_face(law.stiffness_kind, face.area);
   law.stiffness_kind = kind;
+  if (kind == HS_STIFFNESS_NONE) return;  // it reads neither stiffnesses nor dampings
   law.normal_stiffness = normal_of_face / per_face(kind, face.area, face.potential_length);
   law.shear_stiffness = shear_of_face / shear_per_face(kind, face.area);
   if (kind == HS_STIFFNESS_POTENTIAL) law.cohesion = law.tensile_strength = 0;
@@ -58,11 +64,38 @@ void turn(hs_law_def& law, const Setting& setting, const FaceSize& face) {
   if (setting.damping) law.normal_damping = law.shear_damping = *setting.damping;
 }
 
+/// The bodies of [[mesh]] stay meshes.
 void set_kind(Scene& scene, int kind) {
-  for_each_making(scene, [&](Making& making) {
+  for_each_block_making(scene, [&](Making& making) {
     if (moves_freely(making.kind)) making.kind = kind;
     if (kind != HS_BLOCK_AFFINE) making.stress.reset();
   });
+}
+
+int times_as_many(double factor, int count) {
+  return std::max(1, static_cast<int>(std::lround(factor * count)));
+}
+
+void cut_meshes(Scene& scene, double factor) {
+  for (Mesh& mesh : scene.meshes)
+    for (int& count : mesh.counts) count = times_as_many(factor, count);
+  for_each_block_making(scene, [&](Making& making) { making.cell_size /= factor; });
+}
+
+std::string mesh_lines(const Scene& scene) {
+  std::string text;
+  for (const Mesh& mesh : scene.meshes) {
+    if (!mesh.box) continue;
+    text += "\n[[mesh]]\nname = \"" + mesh.making.name + "\"\ncells = [";
+    for (int axis = 0; axis < scene.world.dimension; ++axis)
+      text += (axis == 0 ? "" : ", ") + std::to_string(mesh.counts[static_cast<std::size_t>(axis)]);
+    text += "]\n";
+  }
+  for_each_block_making(scene, [&](const Making& making) {
+    if (making.kind == HS_BLOCK_MESH)
+      text += "\n# " + making.name + '\n' + "cell_size = " + shortest(making.cell_size) + '\n';
+  });
+  return text;
 }
 
 std::string law_lines(const hs_law_def& law) {
@@ -85,6 +118,7 @@ class Mean {
     sum_ += sum;
     count_ += count;
   }
+  double sum() const { return sum_; }
   double value() const { return count_ > 0 ? sum_ / count_ : 1; }
 
  private:
@@ -94,9 +128,11 @@ class Mean {
 }  // namespace
 
 FaceSize typical_face(const Context& context, const Scene& scene, const Model& model) {
-  Mean faces, edges;
+  Mean faces, edges, moduli;
   for (const LayoutBlock& block : model.layout().blocks) {
     if (!moves_freely(block.kind)) continue;
+    const Material& material = scene.materials[static_cast<std::size_t>(block.material)];
+    if (material.elasticity) moduli.add(material.elasticity->young_modulus, 1);
     const std::vector<Point> vertices = vertices_of(context, block.shape);
     for (const std::vector<int>& loop : block.faces) {
       const std::vector<Point> corners = corners_of(vertices, loop);
@@ -109,7 +145,17 @@ FaceSize typical_face(const Context& context, const Scene& scene, const Model& m
   face.potential_length = scene.world.potential_length;
   if (face.potential_length == 0) face.potential_length = model.report().potential_length;
   if (face.potential_length == 0) face.potential_length = edges.value();  // the scene has no potentials
+  face.stiffness =
+      moduli.sum() > 0 ? moduli.value() * (scene.world.dimension == 2 ? 1 : std::sqrt(face.area)) : 0;
   return face;
+}
+
+bool has_cut_meshes(const Scene& scene) {
+  bool has_cut = std::any_of(scene.meshes.begin(), scene.meshes.end(),
+                             [](const Mesh& mesh) { return mesh.box.has_value(); });
+  for_each_block_making(scene,
+                        [&](const Making& making) { has_cut = has_cut || making.kind == HS_BLOCK_MESH; });
+  return has_cut;
 }
 
 Scene turned(Scene scene, const Setting& setting, const FaceSize& face) {
@@ -121,17 +167,24 @@ Scene turned(Scene scene, const Setting& setting, const FaceSize& face) {
   turn(scene.default_law, setting, face);
   for (PairLaw& pair : scene.laws) turn(pair.law, setting, face);
   if (setting.kind) set_kind(scene, *setting.kind);
+  if (setting.cells != 1) cut_meshes(scene, setting.cells);
   return scene;
 }
 
 void disturb(const Context& context, int number, Layout& layout) {
   if (number == 0) return;
   Random random(static_cast<std::uint64_t>(number));
-  for (LayoutBlock& block : layout.blocks) {
-    if (!moves_freely(block.kind)) continue;
-    const double size = properties_of(context, block.shape).bounding_radius;
+  const auto shift = [&](Placing& placing, double size) {
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(layout.dimension); ++axis)
-      block.placing.shift[axis] += 1e-9 * size * (2 * random.uniform() - 1);
+      placing.shift[axis] += 1e-9 * size * (2 * random.uniform() - 1);
+  };
+  for (LayoutBlock& block : layout.blocks) {
+    if (moves_freely(block.kind) && !block.body)
+      shift(block.placing, properties_of(context, block.shape).bounding_radius);
+  }
+  for (LayoutBody& body : layout.bodies) {
+    const double volume = std::accumulate(body.cell_sizes.begin(), body.cell_sizes.end(), 0.0);
+    shift(body.placing, std::pow(volume, 1.0 / layout.dimension) / 2);
   }
 }
 
@@ -139,7 +192,9 @@ std::string name_of_law(int stiffness_kind) {
   return std::string(law_names[static_cast<std::size_t>(stiffness_kind)]);
 }
 
-const char* name_of_kind(int kind) { return kind == HS_BLOCK_AFFINE ? "affine" : "rigid"; }
+const char* name_of_kind(int kind) {
+  return kind == HS_BLOCK_AFFINE ? "affine" : kind == HS_BLOCK_MESH ? "mesh" : "rigid";
+}
 
 std::string scene_lines(const Setting& setting, const Scene& scene, const FaceSize& face) {
   const Scene turned_scene = turned(scene, setting, face);
@@ -152,6 +207,7 @@ std::string scene_lines(const Setting& setting, const Scene& scene, const FaceSi
     text +=
         "\n[[law]]\nbetween = [\"" + name(pair.a) + "\", \"" + name(pair.b) + "\"]\n" + law_lines(pair.law);
   }
+  if (setting.cells != 1) text += mesh_lines(turned_scene);
   return text;
 }
 

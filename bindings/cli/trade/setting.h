@@ -12,6 +12,7 @@ namespace halfspace::cli {
 struct Setting {
   double step = 0.5;                   ///< share of the stable time step
   double stiffness = 1;                ///< times the scene's
+  double cells = 1;                    ///< of meshes that the scene has cut: times as many along each length
   std::optional<int> law = {};         ///< stiffness kind, of equal stiffness for faces of the typical size
   std::optional<int> kind = {};        ///< of all blocks that move freely
   std::optional<double> damping = {};  ///< of all contacts, share of the critical one
@@ -21,10 +22,11 @@ struct Setting {
   bool operator==(const Setting&) const = default;
 };
 
-/// Sizes by which a stiffness of one kind is turned into the unit of another.
+/// What a stiffness of one kind is turned by into the unit of another.
 struct FaceSize {
   double area = 1;              ///< mean of all faces of free blocks; in the plane the length of their edges
   double potential_length = 1;  ///< that the scene's potentials refer to; without any, that theirs would
+  double stiffness = 0;         ///< N/m, of a layer of cells behind it; 0 where nothing is elastic
 };
 
 /// The typical face of the blocks of a scene.
@@ -33,12 +35,15 @@ FaceSize typical_face(const Context& context, const Scene& scene, const Model& m
 /// The scene with its knobs turned.
 Scene turned(Scene scene, const Setting& setting, const FaceSize& face);
 
-/// Moves each block that is free by a random way of up to 1e-9 of its size.
+/// Are there meshes that the scene has cut, so that it could cut them otherwise?
+bool has_cut_meshes(const Scene& scene);
+
+/// Moves each block or mesh that is free by a random way of up to 1e-9 of its size.
 void disturb(const Context& context, int number, Layout& layout);
 
 /// The names of a law and of a kind of blocks, as scene files have them.
 std::string name_of_law(int stiffness_kind);
-const char* name_of_kind(int kind);
+const char* name_of_kind(int kind);  // of blocks that move freely
 
 /// The lines of a scene file that turn its knobs.
 std::string scene_lines(const Setting& setting, const Scene& scene, const FaceSize& face);
