@@ -28,12 +28,25 @@ std::int32_t active_parts(const World<D>& world) {
 
 template <int D>
 void count_kinds(const Blocks<D>& blocks, hs_world_plan& plan) {
-  std::int64_t of_meshes = 0;  // in no field of their own yet
+  std::int64_t of_meshes = 0;  // cells are counted as such
   std::int64_t* const counts[] = {&plan.fixed_count, &plan.prescribed_count, &plan.rigid_count,
                                   &plan.affine_count, &of_meshes};
   for_each_block(blocks, [&](std::int64_t, std::int32_t slot) {
     ++*counts[std::int32_t(blocks.kind[std::size_t(slot)])];
   });
+}
+
+template <int D>
+void count_meshes_and_bonds(const Blocks<D>& blocks, hs_world_plan& plan) {
+  for (const Body<D>& body : blocks.meshes().bodies()) {
+    if (body.node_count == 0) continue;  // a body that has been removed
+    ++plan.body_count;
+    plan.cell_count += body.cell_count;
+    plan.node_count += body.node_count;
+  }
+  plan.mesh_bytes = std::int64_t(state_size(blocks.meshes()));
+  plan.bond_count = std::int64_t(blocks.bonds().all().size());
+  plan.bond_bytes = std::int64_t(state_size(blocks.bonds()));
 }
 
 template <int D>
@@ -95,6 +108,7 @@ hs_status hs_world_get_plan(const hs_world* world, int64_t steps, hs_world_plan*
     hs_world_plan ours{};
     ours.dimension = D;
     count_kinds(w.blocks(), ours);
+    count_meshes_and_bonds(w.blocks(), ours);
     ours.parts = active_parts(w);
     ours.candidate_count = std::int64_t(w.candidates().pairs().size());
     ours.contact_count = std::int64_t(w.contact_count());

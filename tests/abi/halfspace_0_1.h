@@ -545,6 +545,12 @@ typedef struct hs_world_plan {
   double gather_seconds;
   double motion_seconds;
   double book_seconds;
+  int64_t body_count;
+  int64_t cell_count;
+  int64_t node_count;
+  int64_t bond_count;
+  int64_t mesh_bytes;
+  int64_t bond_bytes;
 } hs_world_plan;
 __attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_get_plan(const hs_world *world, int64_t steps, hs_world_plan *plan, size_t size);
 typedef struct hs_reaction {

@@ -1,5 +1,6 @@
 // halfspace/plan.h: what a world says of itself, and that measuring leaves no trace in it.
 
+#include "capi/meshes.h"
 #include "capi/world_fixture.h"
 #include "catch.h"
 
@@ -57,6 +58,21 @@ TEST_CASE("a plan names the parts that laws and settings ask for, and no others"
   add_block(s.context.get(), s.world.get(), box(9, 9, 10, 10), HS_BLOCK_AFFINE);
   CHECK((plan_of(s.world.get()).parts & HS_PART_STRAIN) != 0);
   CHECK(plan_of(s.world.get()).affine_count == 1);
+}
+
+TEST_CASE("a plan counts the cells and nodes of meshes, and bonds") {
+  const TwoBoxes s;
+  const hs_world_plan before = plan_of(s.world.get());
+  CHECK(before.body_count + before.cell_count + before.node_count + before.bond_count == 0);
+  const hs_elasticity_def elasticity = elasticity_def(1e8);
+  require_ok(hs_world_set_elasticity(s.world.get(), s.material, &elasticity), s.context.get());
+  for (const double x : {20., 30.}) add_body(s.context.get(), s.world.get(), bar(2), body_def(pose_at(x, 0)));
+  const hs_world_plan with = plan_of(s.world.get());
+  CHECK(with.body_count == 2);
+  CHECK(with.cell_count == 2 * 3);
+  CHECK(with.node_count == 2 * 6);
+  CHECK(with.mesh_bytes > before.mesh_bytes);
+  CHECK(with.block_bytes - before.block_bytes > with.mesh_bytes - before.mesh_bytes);
 }
 
 TEST_CASE("without friction pairs keep no shear spring") {

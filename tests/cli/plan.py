@@ -30,6 +30,26 @@ kind = "affine"
 vertices = [[0, 1], [1, 1], [1, 2], [0, 2]]
 """
 
+BEAM = """
+dimension = 2
+[world]
+duration = 0.01
+[[material]]
+name = "steel"
+density = 2000
+young_modulus = 1e9
+poisson_ratio = 0.25
+[default_law]
+stiffness = "none"
+[[mesh]]
+name = "beam"
+material = "steel"
+box = [[0, 0], [4, 0.4]]
+cells = [16, 2]
+[[mesh.support]]
+box = [[-0.01, -1], [0.01, 1]]
+"""
+
 
 class Plan(unittest.TestCase):
     def plan(self, text, *options):
@@ -50,6 +70,17 @@ class Plan(unittest.TestCase):
         self.assertNotIn("can go", self.line(run, "friction"))
         self.assertIn("can go, within 1 %", self.line(run, "damping of contacts"))
         self.assertRegex(self.line(run, "moved by 1e-9"), r"^\d(e-\d\d|\.?\d*) % of its size, by chance$")
+
+    def test_a_beam_of_elements(self):
+        run = self.plan(BEAM)
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        self.assertEqual(self.line(run, "meshes"), "1 body of 64 cells and 51 nodes")
+        self.assertEqual(self.line(run, "active"), "strain, springless contacts")
+        self.assertRegex(self.line(run, "memory"), r"^\d+ B a cell$")
+        self.assertRegex(self.line(run, "stable step"), r"limited by beam\.\d+$")
+        # It cannot do without strain, and nothing meets it.
+        self.assertNotRegex(run.stdout, r"(?m)^strain ")
+        self.assertIn("can go", self.line(run, "springless contacts"))
 
     def test_a_block_in_free_fall_needs_neither_strain_nor_areas(self):
         run = self.plan(FALLING.format(local_damping=0.5))

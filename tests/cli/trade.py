@@ -62,6 +62,47 @@ limit = 0.001
 value = 25
 """
 
+# Two bars of 1 m meet at 1 m/s after 1 ms. They push each other by rho c v / 2 for 2 L / c = 2 ms; the struck one has
+# gone 1 mm by then, and goes another one in the millisecond after.
+BARS = """
+dimension = 2
+[world]
+gravity = [0, 0]
+duration = 4e-3
+[[material]]
+name = "steel"
+density = 1000
+young_modulus = 1e9
+poisson_ratio = 0
+[default_law]
+stiffness = "none"
+[[mesh]]
+name = "striker"
+material = "steel"
+box = [[-1.001, 0], [-0.001, 0.1]]
+cells = [10, 1]
+velocity = [1, 0]
+[[mesh]]
+name = "struck"
+material = "steel"
+box = [[0, 0], [1, 0.1]]
+cells = [10, 1]
+[reference]
+quantity = "position"
+block = "struck"
+axis = "x"
+value = 0.502
+"""
+
+# The same with a block that is cut into cells, whose kind may be another one.
+STRUCK_BLOCK = BARS[:BARS.index('[[mesh]]\nname = "struck"')] + """[[block]]
+name = "struck"
+material = "steel"
+kind = "mesh"
+cell_size = 0.1
+vertices = [[0, 0], [1, 0], [1, 0.1], [0, 0.1]]
+""" + BARS[BARS.index("[reference]"):]
+
 
 def rows_of(directory):
     text = Path(directory, "trade.csv").read_text()
@@ -70,7 +111,7 @@ def rows_of(directory):
 
 def value_at(rows, **wanted):
     """The value of the run with this setting, all else as in the scene."""
-    setting = {"step": "0.25", "stiffness": "1", "law": "", "kind": "", "damping": "", "skin": "", "disturbance": "0"}
+    setting = {"step": "0.25", "stiffness": "1", "cells": "1", "law": "", "kind": "", "damping": "", "skin": "", "disturbance": "0"}
     setting |= wanted
     found = [row for row in rows if all(row[key] == value for key, value in setting.items())]
     assert len(found) == 1, (setting, found)
@@ -90,6 +131,36 @@ class Trade(unittest.TestCase):
 
     def rows_so_far(self):
         return len(rows_of(self.output)) if (self.output / "trade.csv").exists() else 0
+
+    def test_of_bodies_that_are_meshes(self):
+        with tempfile.TemporaryDirectory() as directory:
+            scene = Path(directory, "scene.toml")
+            scene.write_text(BARS)
+            run = halfspace("trade", scene, "-o", Path(directory, "out"))
+            self.assertEqual(run.returncode, 0, run.stderr)
+            rows = rows_of(Path(directory, "out"))
+            way = [value_at(rows, cells=cells) - 0.5 for cells in ("0.5", "1", "2")]
+            errors = [abs(moved / 0.002 - 1) for moved in way]
+            self.assertLess(errors[1], 0.03)
+            self.assertLess(errors[1], 0.6 * errors[0])
+            self.assertLess(errors[2], 0.6 * errors[1])
+            # Springs as stiff as a layer of cells are worse than none.
+            for law in ("0", "1"):
+                self.assertGreater(abs((value_at(rows, law=law) - 0.5) / 0.002 - 1), errors[1])
+            self.assertEqual({row["kind"] for row in rows}, {""})
+            self.assertIn("cells         x 0.5: ", run.stdout)
+            self.assertIn("none", Path(directory, "out", "trade.svg").read_text())
+
+    def test_of_a_block_that_is_a_mesh(self):
+        with tempfile.TemporaryDirectory() as directory:
+            scene = Path(directory, "scene.toml")
+            scene.write_text(STRUCK_BLOCK)
+            run = halfspace("trade", scene, "-o", Path(directory, "out"))
+            self.assertEqual(run.returncode, 0, run.stderr)
+            rows = rows_of(Path(directory, "out"))
+            self.assertEqual({row["kind"] for row in rows}, {"", "2", "3"})
+            self.assertEqual({row["end"] for row in rows}, {"whole"})
+            self.assertAlmostEqual(value_at(rows), 0.502, delta=1e-4)
 
     def test_a_slide_is_off_by_what_its_springs_give(self):
         run = halfspace("trade", SLIDE, "-o", self.output)

@@ -79,6 +79,28 @@ std::string kinds(const hs_world_plan& world) {
         std::pair{world.rigid_count, "rigid"}, std::pair{world.affine_count, "affine"}}) {
     if (count > 0) text += (text.empty() ? "" : ", ") + std::to_string(count) + ' ' + name;
   }
+  return text.empty() ? "none" : text;
+}
+
+std::string meshes(const hs_world_plan& world) {
+  return std::to_string(world.body_count) + (world.body_count == 1 ? " body" : " bodies") + " of " +
+         std::to_string(world.cell_count) + " cells and " + std::to_string(world.node_count) + " nodes";
+}
+
+/// A cell's part takes in the blocks at the surface.
+std::string memory(const hs_world_plan& world) {
+  std::string text;
+  const auto add = [&](std::int64_t bytes, std::int64_t count, const char* name) {
+    if (count == 0) return;
+    const double each = static_cast<double>(bytes) / static_cast<double>(count);
+    text += (text.empty() ? "" : ", ") + decimals(each, 0) + " B a " + name;
+  };
+  const std::int64_t blocks =
+      world.fixed_count + world.prescribed_count + world.rigid_count + world.affine_count;
+  const std::int64_t without_bonds = world.block_bytes - world.bond_bytes;
+  world.cell_count > 0 ? add(without_bonds, world.cell_count, "cell") : add(without_bonds, blocks, "block");
+  add(world.bond_bytes, world.bond_count, "bond");
+  add(world.pair_bytes, world.candidate_count, "pair");
   return text;
 }
 
@@ -108,19 +130,13 @@ std::string parts(int active, bool are_active) {
 
 std::string account(const Scene& scene, const End& whole) {
   const hs_world_plan& world = whole.world;
-  const double blocks = static_cast<double>(whole.frame.blocks.size());
   std::string text =
       line("scene", scene.title.empty() ? "untitled" : scene.title) + line("blocks", kinds(world));
+  if (world.body_count > 0) text += line("meshes", meshes(world));
   text += line("pairs", std::to_string(world.candidate_count) + " near each other, " +
                             std::to_string(world.contact_count) + " in contact");
-  text += line("memory",
-               decimals(static_cast<double>(world.block_bytes) / blocks, 0) + " B a block" +
-                   (world.candidate_count == 0 ? ""
-                                               : ", " +
-                                                     decimals(static_cast<double>(world.pair_bytes) /
-                                                                  static_cast<double>(world.candidate_count),
-                                                              0) +
-                                                     " B a pair"));
+  if (world.bond_count > 0) text += line("bonds", std::to_string(world.bond_count));
+  text += line("memory", memory(world));
   text += line("a step", shares(world));
   if (world.stable_time_step > 0)
     text += line("stable step", rounded(world.stable_time_step, 3) + " s, limited by " + whole.limit);

@@ -70,7 +70,9 @@ const std::vector<PartName>& part_names() {
 std::vector<Without> without_each(const Scene& scene, int active_parts, const FaceSize& face) {
   std::vector<Without> all;
   for (const PartName& named : part_names()) {
-    const bool can_go = named.part != HS_PART_STRAIN || some_block_strains(scene);
+    const bool can_go = named.part == HS_PART_STRAIN      ? some_block_strains(scene)
+                        : named.part == HS_PART_REACTIONS ? face.stiffness > 0
+                                                          : true;
     if ((active_parts & named.part) && can_go) all.push_back({named.name, without(scene, named.part, face)});
   }
   return all;

@@ -138,7 +138,7 @@ module halfspace_c
   integer(c_int32_t), parameter :: HS_PART_AREA = 8  !< a law is per area: overlaps are measured
   !> a law is one of potentials: overlaps are divided; in space each pair keeps a plan of that
   integer(c_int32_t), parameter :: HS_PART_POTENTIAL = 16
-  integer(c_int32_t), parameter :: HS_PART_STRAIN = 32  !< a block is affine
+  integer(c_int32_t), parameter :: HS_PART_STRAIN = 32  !< a block is affine or a cell of a mesh
   integer(c_int32_t), parameter :: HS_PART_LOCAL_DAMPING = 64  !< the world has local damping
   integer(c_int32_t), parameter :: HS_PART_MASS_DAMPING = 128  !< the world has mass damping
   integer(c_int32_t), parameter :: HS_PART_REACTIONS = 256  !< a law has no spring: impulses are found for all contacts together
@@ -587,6 +587,12 @@ module halfspace_c
     real(c_double) :: gather_seconds = 0.0_c_double  !< of a step: adding up the forces on blocks
     real(c_double) :: motion_seconds = 0.0_c_double  !< of a step: moving, turning and straining blocks
     real(c_double) :: book_seconds = 0.0_c_double  !< of a step: the energy ledger
+    integer(c_int64_t) :: body_count = 0  !< bodies of finite elements
+    integer(c_int64_t) :: cell_count = 0  !< of all of them
+    integer(c_int64_t) :: node_count = 0  !< likewise
+    integer(c_int64_t) :: bond_count = 0  !< bonds made, those that have come apart among them
+    integer(c_int64_t) :: mesh_bytes = 0  !< of the bytes of blocks: bodies with their nodes and cells
+    integer(c_int64_t) :: bond_bytes = 0  !< likewise: bonds with their points and events
   end type hs_world_plan
 
   !> Two points that are in touch by a law without a spring.

@@ -149,7 +149,7 @@ HS_PART_CONTACT_DAMPING = 4  # a law has dashpots
 HS_PART_AREA = 8  # a law is per area: overlaps are measured
 # a law is one of potentials: overlaps are divided; in space each pair keeps a plan of that
 HS_PART_POTENTIAL = 16
-HS_PART_STRAIN = 32  # a block is affine
+HS_PART_STRAIN = 32  # a block is affine or a cell of a mesh
 HS_PART_LOCAL_DAMPING = 64  # the world has local damping
 HS_PART_MASS_DAMPING = 128  # the world has mass damping
 HS_PART_REACTIONS = 256  # a law has no spring: impulses are found for all contacts together
@@ -731,6 +731,12 @@ class hs_world_plan(Structure):
         ("gather_seconds", c_double),  # of a step: adding up the forces on blocks
         ("motion_seconds", c_double),  # of a step: moving, turning and straining blocks
         ("book_seconds", c_double),  # of a step: the energy ledger
+        ("body_count", c_int64),  # bodies of finite elements
+        ("cell_count", c_int64),  # of all of them
+        ("node_count", c_int64),  # likewise
+        ("bond_count", c_int64),  # bonds made, those that have come apart among them
+        ("mesh_bytes", c_int64),  # of the bytes of blocks: bodies with their nodes and cells
+        ("bond_bytes", c_int64),  # likewise: bonds with their points and events
     ]
 
 

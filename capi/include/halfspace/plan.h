@@ -21,7 +21,7 @@ enum {
   HS_PART_CONTACT_DAMPING = 4, /**< a law has dashpots */
   HS_PART_AREA = 8,            /**< a law is per area: overlaps are measured */
   HS_PART_POTENTIAL = 16,      /**< a law is one of potentials: overlaps are divided; in space each pair keeps a plan of that */
-  HS_PART_STRAIN = 32,         /**< a block is affine */
+  HS_PART_STRAIN = 32,         /**< a block is affine or a cell of a mesh */
   HS_PART_LOCAL_DAMPING = 64,  /**< the world has local damping */
   HS_PART_MASS_DAMPING = 128,  /**< the world has mass damping */
   HS_PART_REACTIONS = 256      /**< a law has no spring: impulses are found for all contacts together */
@@ -48,6 +48,12 @@ typedef struct hs_world_plan {
   double gather_seconds;      /**< of a step: adding up the forces on blocks */
   double motion_seconds;      /**< of a step: moving, turning and straining blocks */
   double book_seconds;        /**< of a step: the energy ledger */
+  int64_t body_count;         /**< bodies of finite elements */
+  int64_t cell_count;         /**< of all of them */
+  int64_t node_count;         /**< likewise */
+  int64_t bond_count;         /**< bonds made, those that have come apart among them */
+  int64_t mesh_bytes;         /**< of the bytes of blocks: bodies with their nodes and cells */
+  int64_t bond_bytes;         /**< likewise: bonds with their points and events */
 } hs_world_plan;
 
 /** @brief Says what a world computes and what limits its step and, by steps, what that costs. All is found out on a copy, which

@@ -217,7 +217,7 @@ pub const HS_PART_CONTACT_DAMPING: i32 = 4;
 pub const HS_PART_AREA: i32 = 8;
 /// a law is one of potentials: overlaps are divided; in space each pair keeps a plan of that
 pub const HS_PART_POTENTIAL: i32 = 16;
-/// a block is affine
+/// a block is affine or a cell of a mesh
 pub const HS_PART_STRAIN: i32 = 32;
 /// the world has local damping
 pub const HS_PART_LOCAL_DAMPING: i32 = 64;
@@ -1025,8 +1025,20 @@ pub struct hs_world_plan {
     pub motion_seconds: f64,
     /// of a step: the energy ledger
     pub book_seconds: f64,
+    /// bodies of finite elements
+    pub body_count: i64,
+    /// of all of them
+    pub cell_count: i64,
+    /// likewise
+    pub node_count: i64,
+    /// bonds made, those that have come apart among them
+    pub bond_count: i64,
+    /// of the bytes of blocks: bodies with their nodes and cells
+    pub mesh_bytes: i64,
+    /// likewise: bonds with their points and events
+    pub bond_bytes: i64,
 }
-const _: () = assert!(std::mem::size_of::<hs_world_plan>() == 144);
+const _: () = assert!(std::mem::size_of::<hs_world_plan>() == 192);
 
 /// Two points that are in touch by a law without a spring.
 #[repr(C)]

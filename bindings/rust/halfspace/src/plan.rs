@@ -18,7 +18,7 @@ pub struct Plan {
     pub area: bool,
     /// A law is one of potentials: overlaps are divided.
     pub potential: bool,
-    /// A block is affine.
+    /// A block is affine or a cell of a mesh.
     pub strain: bool,
     /// The world has local damping.
     pub local_damping: bool,
@@ -61,6 +61,18 @@ pub struct Plan {
     pub motion_seconds: f64,
     /// Time of a step: the energy ledger.
     pub book_seconds: f64,
+    /// Bodies of finite elements.
+    pub body_count: usize,
+    /// Cells of all of them.
+    pub cell_count: usize,
+    /// Nodes of all of them.
+    pub node_count: usize,
+    /// Bonds made, those that have come apart among them.
+    pub bond_count: usize,
+    /// Part of the bytes of blocks: bodies with their nodes and cells.
+    pub mesh_bytes: usize,
+    /// Likewise: bonds with their points and events.
+    pub bond_bytes: usize,
 }
 
 impl From<sys::hs_world_plan> for Plan {
@@ -93,6 +105,12 @@ impl From<sys::hs_world_plan> for Plan {
             gather_seconds: raw.gather_seconds,
             motion_seconds: raw.motion_seconds,
             book_seconds: raw.book_seconds,
+            body_count: raw.body_count as usize,
+            cell_count: raw.cell_count as usize,
+            node_count: raw.node_count as usize,
+            bond_count: raw.bond_count as usize,
+            mesh_bytes: raw.mesh_bytes as usize,
+            bond_bytes: raw.bond_bytes as usize,
         }
     }
 }
