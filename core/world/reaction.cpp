@@ -15,14 +15,16 @@ constexpr int most_rounds = 1000;
 /// when so many have not made them smaller by a thousandth.
 constexpr int most_idle_rounds = 48;
 
-/// The impulse of a contact that stops it, if all others stay as they are.
+/// The impulse of a contact that stops it, if all others stay as they are: its normal part first, then what
+/// shear is left of that. A rigid block at whose side it lies turns, so that both depend on each other.
 template <int D>
 Vector<D> stopping_impulse(const Reaction<D>& at, const Vector<D>& velocity) {
   const double before = at.impulse.dot(at.normal), opening = velocity.dot(at.normal);
   const double normal = std::max(before - opening / at.normal_mobility, -at.most_tension);
   const double most = at.most_cohesion + at.tan_friction * std::max(normal, 0.0);
   if (most == 0) return normal * at.normal;
-  const Vector<D> across = velocity - opening * at.normal;
+  const Vector<D> left = velocity + (normal - before) * at.normal_response;
+  const Vector<D> across = left - left.dot(at.normal) * at.normal;
   Vector<D> shear = at.impulse - before * at.normal - across / at.shear_mobility;
   const double wanted = shear.norm();
   if (wanted > most) shear *= most / wanted;

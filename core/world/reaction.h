@@ -39,6 +39,7 @@ struct Reaction {
   Vector<D> quickened = Vector<D>::Zero();  // by other forces, in half of the motion
   Vector<D> met_velocity =
       Vector<D>::Zero();  // that the second kick would meet, had no blow strained any element
+  Vector<D> normal_response = Vector<D>::Zero();  // that velocity over a normal impulse
   double normal_mobility = 0;
   double shear_mobility = 0;
   double tan_friction = 0;
@@ -54,7 +55,7 @@ struct Reaction {
   auto key() const { return std::tie(a, b, meeting, feature_a, feature_b); }
 };
 
-static_assert(sizeof(Reaction<2>) == 320 && sizeof(Reaction<3>) == 400, "saved reactions hold stray bytes");
+static_assert(sizeof(Reaction<2>) == 336 && sizeof(Reaction<3>) == 424, "saved reactions hold stray bytes");
 
 /// Finds the impulses of all together that stop what has to be stopped: no normal one pulls, and no shear one
 /// is larger, than strength bears; and as far as neither is at its bound, nothing moves on. Impulses that are

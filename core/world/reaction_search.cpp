@@ -244,7 +244,8 @@ void ReactionSearch<D>::place(Reaction<D>& at) const {
     place_corner(at);
   }
   const Tensor<D> mobility = mobility_of(at.of_a, blocks_) + mobility_of(at.of_b, blocks_);
-  at.normal_mobility = at.normal.dot(mobility * at.normal);
+  at.normal_response = mobility * at.normal;
+  at.normal_mobility = at.normal.dot(at.normal_response);
   at.shear_mobility = D == 2 ? mobility.trace() - at.normal_mobility : mobility.norm();
 }
 

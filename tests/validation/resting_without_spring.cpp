@@ -186,3 +186,33 @@ TEST_CASE("viscous bodies come to rest on each other with their energy accounted
   CHECK(scene.report().block_damping_loss > 1);
   CHECK(std::abs(scene.report().energy.residual) < 1e-3 * scene.report().block_damping_loss);
 }
+
+/// Rigid blocks without springs know no other motion than that of limit equilibrium: a block on a slope stays
+/// until the angle is that of friction, or that at which its weight passes the edge it stands on.
+TEST_CASE("a block stands on a slope up to the angle of friction, or that of its corner", "[reaction]") {
+  struct Limit {
+    double height, friction, angle;
+  };
+  const Limit limit = GENERATE(Limit{1, 30, 30}, Limit{4, 60, 14.036243467926479});
+  const int dimension = GENERATE(2, 3);
+  for (const double off : {-2e-4, 2e-4}) {
+    INFO(limit.height << " high, in " << dimension << "D, " << off);
+    const double angle = limit.angle * (1 + off) * degree;
+    hs_world_def def = mesh_world_def(dimension);
+    def.time_step = 1e-3;
+    def.gravity[0] = gravity * std::sin(angle);
+    def.gravity[dimension - 1] = -gravity * std::cos(angle);
+    ReactingScene scene(def, law_without_spring(limit.friction * degree), 2000, {});
+    hs_block block = 0;
+    if (dimension == 2) {
+      scene.add(box(-4, -1, 4, 0), {HS_BLOCK_FIXED, {}, 0});
+      block = scene.add(box(-0.5, 0, 0.5, limit.height));
+    } else {
+      scene.add_hull(cuboid({8, 8, 1}), {{0, 0, -0.5}, {0, 0, 0, 1}, HS_BLOCK_FIXED});
+      block = scene.add_hull(cuboid({1, 1, limit.height}), {{0, 0, 0.5 * limit.height}});
+    }
+    scene.step(4000);
+    const double moved = std::abs(scene.state(block).pose.position[0]);
+    CHECK((off < 0 ? moved < 1e-6 : moved > 1e-3));
+  }
+}
