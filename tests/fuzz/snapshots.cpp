@@ -14,13 +14,16 @@ namespace {
 using namespace halfspace_test;
 using Snapshot = std::vector<unsigned char>;
 
-/// Two dimensions, three laws, blocks of two kinds; then bodies and bonds in both dimensions.
+/// Two dimensions, three laws, blocks of two kinds; then bodies and bonds in both dimensions, with springs
+/// and without.
 const Snapshot& snapshot_of_kind(int index) {
-  static std::array<Snapshot, 14> snapshots;
+  static std::array<Snapshot, 16> snapshots;
   Snapshot& snapshot = snapshots[std::size_t(index)];
   const Context context = make_context();
   if (snapshot.empty() && index >= 12) {
-    snapshot = snapshot_of(context.get(), {index - 10, HS_STIFFNESS_PER_AREA, HS_BLOCK_MESH});
+    snapshot = snapshot_of(context.get(), {.dimension = 2 + index % 2,
+                                           .law = index < 14 ? HS_STIFFNESS_PER_AREA : HS_STIFFNESS_NONE,
+                                           .block = HS_BLOCK_MESH});
   } else if (snapshot.empty()) {
     snapshot = snapshot_of(context.get(), {.dimension = 2 + index / 6,
                                            .law = index / 2 % 3,
@@ -75,7 +78,7 @@ void end_bodies(hs_world* world) {
 
 void run(Bytes bytes) {
   const int kind = bytes.byte();
-  Snapshot snapshot = snapshot_of_kind(kind < 240 ? kind % 12 : 12 + kind % 2);
+  Snapshot snapshot = snapshot_of_kind(kind < 224 ? kind % 12 : 12 + kind % 4);
   while (!bytes.empty() && snapshot.size() > snapshot_header + 8) change(snapshot, bytes);
   mend_header(snapshot);
   const Context context = make_context();

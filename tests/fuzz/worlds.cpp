@@ -29,7 +29,7 @@ hs_world_def read_world_def(Bytes& bytes, int dimension) {
 hs_law_def read_law(Bytes& bytes) {
   hs_law_def law;
   hs_law_def_init(&law, sizeof law);
-  law.stiffness_kind = bytes.below(3);
+  law.stiffness_kind = bytes.below(4);
   law.normal_stiffness = 1024 * bytes.positive();
   if (bytes.flag()) law.shear_stiffness = 1024 * bytes.positive();
   if (bytes.flag()) law.friction_angle = bytes.below(90) / 57.3;

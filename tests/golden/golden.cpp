@@ -9,7 +9,7 @@
 
 int main() {
   using namespace halfspace_test;
-  for (const auto& scenes : {scenes_in_plane(), scenes_in_space(), scenes_of_pairs()}) {
+  for (const auto& scenes : {scenes_in_plane(), scenes_in_space(), scenes_of_meshes(), scenes_of_pairs()}) {
     for (const Scene& scene : scenes) {
       try {
         std::printf("%016" PRIx64 "  %s\n", scene.hash(), scene.name.c_str());

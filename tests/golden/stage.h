@@ -174,6 +174,7 @@ inline Stage stage_of_fast_blocks(hs_world_def def, const hs_law_def& law) {
 
 std::vector<Scene> scenes_in_plane();
 std::vector<Scene> scenes_in_space();
+std::vector<Scene> scenes_of_meshes();
 std::vector<Scene> scenes_of_pairs();
 
 }  // namespace halfspace_test
