@@ -16,11 +16,14 @@ should be::
 """
 import dataclasses
 import itertools
+import json
 import math
+import os
+import pathlib
 import time
-from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Sequence
+from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Sequence, Union
 
-from .errors import TooFastError, UnstableError
+from .errors import InvertedError, TooFastError, UnstableError
 from .world import World
 
 Setting = Mapping[str, Any]
@@ -47,6 +50,7 @@ class Trade:
     trials: List[Trial]
     reference: float
     scale: float
+    left_out: List[Dict[str, Any]] = dataclasses.field(default_factory=list)  #: settings that the budget has left out
 
     def front(self) -> List[Trial]:
         """Those that no cheaper one is as right as, from cheap to dear."""
@@ -74,6 +78,8 @@ def trade(
     settings: Optional[Iterable[Setting]] = None,
     reference: Optional[float] = None,
     scale: Optional[float] = None,
+    budget: Optional[float] = None,
+    record: Union[str, "os.PathLike[str]", None] = None,
 ) -> Trade:
     """Runs a scene at each setting.
 
@@ -86,13 +92,31 @@ def trade(
     settings : default ``grid(safety=[1, 1/2, 1/4, 1/8, 1/16])``.
     reference : what should come out; by default what the run with the most steps gives, which is then no trial.
     scale : the error that counts as 1; by default the size of the reference, or 1 if that is 0.
+    budget : s; no run is begun later than that, and the settings left out are told. None: there is no end.
+    record : a JSON file that keeps each run as it is done. What it knows is not run again: so a trade goes on that was
+        interrupted, or that had too small a budget. Settings have to be of what JSON knows, and the scene has to be the
+        same, which nothing checks.
 
-    Runs that end as unstable or too fast are trials without a value.
+    Runs that end as unstable, too fast or inverted are trials without a value.
     """
     if not duration > 0:
         raise ValueError(f"duration is {duration}; it must be above 0 s")
+    if budget is not None and not budget >= 0:
+        raise ValueError(f"budget is {budget}; it must be 0 s or more")
     chosen = grid(safety=[1, 0.5, 0.25, 0.125, 0.0625]) if settings is None else settings
-    runs = [_fastest(build, quantity, duration, dict(setting)) for setting in chosen]
+    known = _Record(record, duration)
+    start = time.monotonic()
+    runs: List[_Run] = []
+    left_out: List[Dict[str, Any]] = []
+    for setting in map(dict, chosen):
+        run = known.find(setting)
+        if run is None and budget is not None and time.monotonic() - start >= budget:
+            left_out.append(setting)
+            continue
+        if run is None:
+            run = _fastest(build, quantity, duration, setting)
+            known.add(run)
+        runs.append(run)
     if reference is None:
         whole = [run for run in runs if math.isfinite(run.value)]
         if not whole:
@@ -103,7 +127,7 @@ def trade(
     if scale is None:
         scale = abs(reference) or 1.0
     trials = [Trial(run.setting, run.value, abs(run.value - reference) / scale, run.cost) for run in runs]
-    return Trade(trials, reference, scale)
+    return Trade(trials, reference, scale, left_out)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -112,6 +136,33 @@ class _Run:
     value: float
     cost: float
     steps: int
+
+
+class _Record:
+    """Runs that a file keeps, or none."""
+
+    def __init__(self, path: Union[str, "os.PathLike[str]", None], duration: float) -> None:
+        self._path = None if path is None else pathlib.Path(path)
+        self._duration = duration
+        self._runs: List[_Run] = []
+        if self._path is None or not self._path.exists():
+            return
+        kept = json.loads(self._path.read_text())
+        if not isinstance(kept, dict) or "runs" not in kept or kept.get("duration") != duration:
+            raise ValueError(f"record is {self._path}, which holds no trade of {duration} s")
+        self._runs = [_Run(**run) for run in kept["runs"]]
+
+    def find(self, setting: Dict[str, Any]) -> Optional[_Run]:
+        return next((run for run in self._runs if run.setting == setting), None)
+
+    def add(self, run: _Run) -> None:
+        self._runs.append(run)
+        if self._path is None:
+            return
+        text = json.dumps({"duration": self._duration, "runs": [dataclasses.asdict(one) for one in self._runs]})
+        new = self._path.with_name(self._path.name + ".new")
+        new.write_text(text)
+        os.replace(new, self._path)
 
 
 def _fastest(
@@ -136,7 +187,7 @@ def _run(
         world.step()  # finds the time step
         world.step(max(0, round(duration / float(world.report.time_step)) - 1))
         is_whole = True
-    except (UnstableError, TooFastError):
+    except (UnstableError, TooFastError, InvertedError):
         is_whole = False
     seconds = time.process_time() - start
     value = float(quantity(world)) if is_whole else math.nan

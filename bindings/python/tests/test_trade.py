@@ -60,3 +60,35 @@ def test_unstable_runs_have_no_value():
 def test_a_duration_of_nothing_is_refused():
     with pytest.raises(ValueError, match="duration is 0"):
         trade(sliding, way_of, duration=0)
+
+
+def test_a_record_is_gone_on_with(tmp_path):
+    record = tmp_path / "trade.json"
+    begun = []
+
+    def counted(stiffness):
+        begun.append(stiffness)
+        return sliding(stiffness=stiffness)
+
+    def run(values, **options):
+        return trade(
+            counted, way_of, duration=0.5, reference=WAY, settings=grid(stiffness=values), record=record, **options
+        )
+
+    nothing = run([1e6, 1e7], budget=0)
+    assert nothing.trials == [] and nothing.left_out == grid(stiffness=[1e6, 1e7]) and begun == []
+    first = run([1e6])
+    assert set(begun) == {1e6}
+    begun.clear()
+    both = run([1e6, 1e7])
+    assert set(begun) == {1e7}
+    assert both.trials[0] == first.trials[0] and both.left_out == []
+    # What is known costs no budget.
+    assert len(run([1e6, 1e7, 1e8], budget=0).trials) == 2
+    with pytest.raises(ValueError, match="holds no trade of 0.25 s"):
+        trade(counted, way_of, duration=0.25, settings=grid(stiffness=[1e6]), record=record)
+
+
+def test_a_budget_is_0_or_more():
+    with pytest.raises(ValueError, match="budget is -1"):
+        trade(sliding, way_of, duration=0.5, budget=-1)
