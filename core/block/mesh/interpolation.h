@@ -3,13 +3,10 @@
 #include <array>
 
 #include "block/mesh/cell.h"
+#include "block/mesh/cell_matrix.h"
 #include "geometry/vector.h"
 
 namespace halfspace {
-
-/// A matrix over what one cell has: nodes, modes, or unknowns, 24 at most. Its size is told at run time: code
-/// for each size by itself takes minutes to compile.
-using CellMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 24, 24>;
 
 /// A point of the parent cell that its fields are integrated at, with its weight.
 struct GaussPoint {

@@ -34,9 +34,6 @@ void write_gradients_by(const double* gradient, int dimension, int first, CellMa
   }
 }
 
-CellMatrix product(const CellMatrix& a, const CellMatrix& b) { return a * b; }
-CellMatrix product_of_transposed(const CellMatrix& a, const CellMatrix& b) { return a.transpose() * b; }
-
 /// B^T H B.
 CellMatrix stiffness_by(const CellMatrix& gradients, const CellMatrix& hooke) {
   return product_of_transposed(gradients, product(hooke, gradients));
@@ -51,9 +48,9 @@ struct Mapped {
 
 Mapped map_at(const CellMatrix& nodes, const Interpolation& form, const std::array<double, 3>& at) {
   const CellMatrix parent = form.gradients(at);
-  const CellMatrix map = nodes * parent.transpose();
+  const CellMatrix map = product(nodes, CellMatrix(parent.transpose()));
   Mapped mapped;
-  mapped.inverse_transposed = map.inverse().transpose();
+  mapped.inverse_transposed = inverse_of(map).transpose();
   mapped.gradients = product(mapped.inverse_transposed, parent);
   mapped.determinant = map.determinant();
   return mapped;
@@ -66,7 +63,7 @@ CellMatrix dual_modes(const CellMatrix& nodes, const Interpolation& form) {
   fields.col(0).setOnes();
   fields.middleCols(1, form.dimension()) = nodes.transpose();
   fields.rightCols(form.mode_count()) = form.modes();
-  const CellMatrix inverse = fields.inverse();
+  const CellMatrix inverse = inverse_of(fields);
   return inverse.bottomRows(form.mode_count()).transpose();
 }
 
@@ -98,7 +95,7 @@ CellMatrix stiffness_of_modes(const CellMatrix& nodes, const CellMatrix& mean_gr
   }
   const CellMatrix across = stiffness.bottomLeftCorner(dimension * bubbles, dimension * modes);
   const CellMatrix of_bubbles = stiffness.bottomRightCorner(dimension * bubbles, dimension * bubbles);
-  const CellMatrix given_way = product_of_transposed(across, product(of_bubbles.inverse(), across));
+  const CellMatrix given_way = product_of_transposed(across, product(inverse_of(of_bubbles), across));
   const CellMatrix condensed = stiffness.topLeftCorner(dimension * modes, dimension * modes) - given_way;
   return 0.5 * (condensed + condensed.transpose());
 }
@@ -197,7 +194,7 @@ bool keeps_upright(const CellMatrix& nodes, CellKind kind) {
   if (nodes.cols() == D + 1) return true;
   const Interpolation form(kind);
   for (int node = 0; node < form.node_count(); ++node) {
-    const CellMatrix map = nodes * form.gradients(form.place(node)).transpose();
+    const CellMatrix map = product(nodes, CellMatrix(form.gradients(form.place(node)).transpose()));
     if (!(map.determinant() > 0)) return false;
   }
   return true;
