@@ -50,6 +50,39 @@ cells = [16, 2]
 box = [[-0.01, -1], [0.01, 1]]
 """
 
+# A block cut into cells is thrown and meets nothing: it moves as a rigid one does.
+THROWN = BEAM[:BEAM.index("[[mesh]]")] + """[[block]]
+name = "thrown"
+material = "steel"
+kind = "mesh"
+cell_size = 0.3
+vertices = [[0, 0], [1, 0], [1, 1], [0, 1]]
+velocity = [1, 0]
+"""
+
+# Three bricks in a row are bonded to a wall, and would fall without that.
+BONDED = """
+dimension = 2
+[world]
+duration = 0.1
+[[material]]
+name = "stone"
+density = 2500
+[default_law]
+stiffness = "per area"
+normal_stiffness = 1e9
+[[bond]]
+between = ["stone", "stone"]
+normal_stiffness = 1e10
+tensile_strength = 1e9
+cohesion = 1e9
+""" + "".join(f"""[[block]]
+name = "{name}"
+material = "stone"
+kind = "{kind}"
+vertices = [[{x}, 0], [{x + 1}, 0], [{x + 1}, 0.5], [{x}, 0.5]]
+""" for name, kind, x in (("wall", "fixed", -1), ("b0", "rigid", 0), ("b1", "rigid", 1), ("b2", "rigid", 2)))
+
 
 class Plan(unittest.TestCase):
     def plan(self, text, *options):
@@ -81,6 +114,23 @@ class Plan(unittest.TestCase):
         # It cannot do without strain, and nothing meets it.
         self.assertNotRegex(run.stdout, r"(?m)^strain ")
         self.assertIn("can go", self.line(run, "springless contacts"))
+
+    def test_a_block_of_cells_can_do_without_them_where_nothing_strains_it(self):
+        run = self.plan(THROWN)
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        self.assertNotRegex(run.stdout, r"(?m)^strain  ")  # a rigid one without springs has no stable step
+        run = self.plan(THROWN.replace('"none"', '"per area"\nnormal_stiffness = 1e9'))
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        for part in ("strain", "cells"):
+            self.assertIn("can go", self.line(run, part + " "))
+            self.assertRegex(self.line(run, part + " "), r" (0|\de-\d\d) % of its size")
+
+    def test_bricks_fall_without_their_bonds(self):
+        run = self.plan(BONDED)
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        self.assertNotIn("can go", self.line(run, "bonds  +-?[0-9.]+ %"))
+        # They fall by g t^2 / 2 = 0.049 m, 8.8 % of half their diagonal.
+        self.assertRegex(run.stdout, r"(?m)^bonds .* 9 % of its size$")
 
     def test_a_block_in_free_fall_needs_neither_strain_nor_areas(self):
         run = self.plan(FALLING.format(local_damping=0.5))

@@ -49,6 +49,36 @@ TEST_CASE("laws of equal stiffness push faces that meet squarely with the same f
   }
 }
 
+TEST_CASE("springs in place of none are as stiff as a layer of cells, times what is asked for") {
+  std::string text = scene_of(2);
+  const auto put = [&](const std::string& old, const std::string& now) {
+    text.replace(text.find(old), old.size(), now);
+  };
+  put("density = 1", "density = 1\nyoung_modulus = 1e6\npoisson_ratio = 0.2");
+  put("\"per contact\"\nnormal_stiffness = 1e6", "\"none\"");
+  Faults faults;
+  const Scene scene = read_scene_text(text, "scene.toml", faults);
+  REQUIRE(faults.describe("scene") == "");
+  for (const double factor : {1.0, 100.0}) {
+    const Setting setting{.stiffness = factor, .law = HS_STIFFNESS_PER_AREA};
+    const Scene of_law = turned(scene, setting, typical_face(scene));
+    CHECK(of_law.default_law.normal_stiffness == Approx(factor * 1e6 / 2));  // E / h
+    CHECK(of_law.default_law.shear_stiffness == Approx(factor * 1e6 / 2));
+  }
+}
+
+TEST_CASE("without springs and elements a step is a share of the scene's own") {
+  std::string text = scene_of(2);
+  const std::string law = "\"per contact\"\nnormal_stiffness = 1e6";
+  text.replace(text.find(law), law.size(), "\"none\"");
+  text.replace(text.find("duration"), 0, "time_step = 0.01\n");
+  Faults faults;
+  const Scene scene = read_scene_text(text, "scene.toml", faults);
+  REQUIRE(faults.describe("scene") == "");
+  CHECK(turned(scene, {.step = 0.25}, {}).world.time_step == 0.0025);
+  CHECK(scene_lines({.step = 0.25}, scene, {}).find("time_step = 0.0025\n") != std::string::npos);
+}
+
 TEST_CASE("the order of convergence and the limit follow from three values") {
   const auto values = [](double order) {
     std::vector<double> all;

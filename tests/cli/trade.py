@@ -147,6 +147,10 @@ class Trade(unittest.TestCase):
             # Springs as stiff as a layer of cells are worse than none.
             for law in ("0", "1"):
                 self.assertGreater(abs((value_at(rows, law=law) - 0.5) / 0.002 - 1), errors[1])
+            # Stiffer ones come nearer to none.
+            free, soft, stiff = (value_at(rows, **knobs) for knobs in ({}, {"law": "1", "stiffness": "0.1"},
+                                                                       {"law": "1", "stiffness": "100"}))
+            self.assertLess(abs(stiff - free), 0.1 * abs(soft - free))
             self.assertEqual({row["kind"] for row in rows}, {""})
             self.assertIn("cells         x 0.5: ", run.stdout)
             self.assertIn("none", Path(directory, "out", "trade.svg").read_text())
@@ -161,6 +165,12 @@ class Trade(unittest.TestCase):
             self.assertEqual({row["kind"] for row in rows}, {"", "2", "3"})
             self.assertEqual({row["end"] for row in rows}, {"whole"})
             self.assertAlmostEqual(value_at(rows), 0.502, delta=1e-4)
+
+    def test_a_block_of_cells_without_springs_is_not_tried_as_a_rigid_one(self):
+        scene = STRUCK_BLOCK[:STRUCK_BLOCK.index("[[mesh]]")] + STRUCK_BLOCK[STRUCK_BLOCK.index("[[block]]"):]
+        run = self.trade(scene.replace("cell_size = 0.1", "cell_size = 0.1\nvelocity = [1, 0]"))
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertEqual({row["kind"] for row in rows_of(self.output)}, {"", "3"})
 
     def test_a_slide_is_off_by_what_its_springs_give(self):
         run = halfspace("trade", SLIDE, "-o", self.output)

@@ -8,6 +8,7 @@
 #include "plan/without.h"
 #include "text.h"
 #include "trade/measure.h"
+#include "trade/pieces.h"
 #include "trade/quantity.h"
 #include "vector.h"
 
@@ -28,6 +29,7 @@ struct End {
   RunEnd end = RunEnd::whole;
   double cpu_seconds = 0;
   Frame frame;
+  std::vector<Piece> pieces;
   hs_world_plan world{};
   std::string limit;  ///< the block that limits the step, and where
 };
@@ -46,6 +48,7 @@ End run(const Scene& scene, int disturbance = 0) {
   End end{outcomes.end,
           outcomes.cpu_seconds,
           frame_at(model, scene.reference.time),
+          pieces_of(model.layout()),
           model.account(measured_steps),
           {}};
   if (end.world.limiting_block != 0) end.limit = name_of(model, end.world.limiting_block);
@@ -57,17 +60,15 @@ End run_repeatedly(const Scene& scene) {
   return fastest_of(short_run, [&] { return run(scene); });
 }
 
-/// The way of a block's end from where the whole scene puts it, as a share of its size: of all that are free
+/// The way of a piece's end from where the whole scene puts it, as a share of its size: of all that are free
 /// the farthest.
-double difference(const Frame& whole, const Frame& other) {
+double difference(const End& whole, const End& other) {
   double most = 0;
-  for (std::size_t i = 0; i < whole.blocks.size(); ++i) {
-    const BlockFrame& block = whole.blocks[i];
-    if (!moves_freely(block.state.kind)) continue;
-    double moved = 0;
-    for (std::size_t k = 0; k < block.vertices.size(); ++k)
-      moved = std::max(moved, length(minus(other.blocks[i].vertices[k], block.vertices[k])));
-    most = std::max(most, moved / size_of(block));
+  for (std::size_t i = 0; i < whole.pieces.size(); ++i) {
+    const Piece& piece = whole.pieces[i];
+    if (!is_free(piece, whole.frame)) continue;
+    most = std::max(most,
+                    distance(piece, whole.frame, other.pieces[i], other.frame) / size_of(piece, whole.frame));
   }
   return most;
 }
@@ -146,7 +147,7 @@ std::string account(const Scene& scene, const End& whole) {
 
 std::string judged(const End& whole, const End& other, double tolerance) {
   if (other.end != RunEnd::whole) return "does not run to the end";
-  const double off = difference(whole.frame, other.frame);
+  const double off = difference(whole, other);
   const double saved = 1 - other.cpu_seconds / whole.cpu_seconds;
   const std::string text = padded(percent(saved), 10) + percent(off) + " of its size";
   return off <= tolerance ? padded(text, 32) + "can go, within " + percent(tolerance) : text;
@@ -170,7 +171,7 @@ PlanResult plan(const Scene& given, const PlanOptions& options) {
     result.end = disturbed.end;
     return result;
   }
-  const double chance = disturbed.end == RunEnd::whole ? difference(whole.frame, disturbed.frame) : HUGE_VAL;
+  const double chance = disturbed.end == RunEnd::whole ? difference(whole, disturbed) : HUGE_VAL;
   const bool is_predictable = chance <= options.tolerance;
   result.report += '\n' + line("without", padded("saves", 10) + "and a block ends off by up to");
   for (const Without& one : all) {

@@ -17,13 +17,18 @@ Scene with(const Scene& scene, const Setting& setting, const FaceSize& face) {
   return changed;
 }
 
-/// The bodies of [[mesh]] cannot be rigid.
-bool some_block_strains(const Scene& scene) {
-  bool strains = false;
-  for_each_block_making(scene, [&](const Making& making) {
-    strains = strains || making.kind == HS_BLOCK_AFFINE || making.kind == HS_BLOCK_MESH;
+/// The bodies of [[mesh]] cannot be anything else.
+bool some_block_is(const Scene& scene, int kind) {
+  bool is = false;
+  for_each_block_making(scene, [&](const Making& making) { is = is || making.kind == kind; });
+  return is;
+}
+
+Scene without_cells(Scene scene) {
+  for_each_block_making(scene, [](Making& making) {
+    if (making.kind == HS_BLOCK_MESH) making.kind = HS_BLOCK_AFFINE;
   });
-  return strains;
+  return scene;
 }
 
 Scene without(Scene scene, int part, const FaceSize& face) {
@@ -33,6 +38,7 @@ Scene without(Scene scene, int part, const FaceSize& face) {
       break;
     case HS_PART_BONDS:
       clear(scene, &hs_law_def::cohesion, &hs_law_def::tensile_strength);
+      scene.bonds.clear();
       break;
     case HS_PART_CONTACT_DAMPING:
       clear(scene, &hs_law_def::normal_damping, &hs_law_def::shear_damping);
@@ -68,13 +74,19 @@ const std::vector<PartName>& part_names() {
 }
 
 std::vector<Without> without_each(const Scene& scene, int active_parts, const FaceSize& face) {
+  const bool has_cells = some_block_is(scene, HS_BLOCK_MESH);
+  const auto can_go = [&](int part) {
+    if (part == HS_PART_STRAIN) return has_cells || some_block_is(scene, HS_BLOCK_AFFINE);
+    return part != HS_PART_REACTIONS || face.stiffness > 0;
+  };
   std::vector<Without> all;
   for (const PartName& named : part_names()) {
-    const bool can_go = named.part == HS_PART_STRAIN      ? some_block_strains(scene)
-                        : named.part == HS_PART_REACTIONS ? face.stiffness > 0
-                                                          : true;
-    if ((active_parts & named.part) && can_go) all.push_back({named.name, without(scene, named.part, face)});
+    if (active_parts & named.part && can_go(named.part))
+      all.push_back({named.name, without(scene, named.part, face)});
   }
+  if (has_cells) all.push_back({"cells", without_cells(scene)});
+  std::erase_if(
+      all, [&](const Without& one) { return scene.world.time_step == 0 && !tells_stable_step(one.scene); });
   return all;
 }
 

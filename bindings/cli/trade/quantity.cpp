@@ -7,6 +7,7 @@
 #include "interrupt.h"
 #include "summary.h"
 #include "text.h"
+#include "trade/pieces.h"
 #include "vector.h"
 
 namespace halfspace::cli {
@@ -34,12 +35,12 @@ double reach_of(const Frame& start, const Frame& end, int dimension) {
   return std::max({reach.forwards[0], reach.backwards[0], reach.forwards[1], reach.backwards[1]});
 }
 
-bool stands(const Frame& start, const Frame& end, double limit) {
-  for (std::size_t i = 0; i < start.blocks.size(); ++i) {
-    const BlockFrame& before = start.blocks[i];
-    if (!moves_freely(before.state.kind)) continue;
-    const double moved = length(minus(position_of(end.blocks[i]), position_of(before)));
-    if (moved > (limit > 0 ? limit : 0.1 * size_of(before))) return false;
+/// A piece that is no longer there has not fallen.
+bool stands(const std::vector<Piece>& pieces, const Frame& start, const Frame& end, double limit) {
+  for (const Piece& piece : pieces) {
+    if (!is_free(piece, start) || !is_free(piece, end)) continue;
+    const double moved = length(minus(centroid_of(piece, end), centroid_of(piece, start)));
+    if (moved > (limit > 0 ? limit : 0.1 * size_of(piece, start))) return false;
   }
   return true;
 }
@@ -69,7 +70,7 @@ class Watch {
       case Quantity::force:
         return largest_force_;
       default:
-        return stands(start_, now, reference.limit);
+        return stands(pieces_of(model_.layout()), start_, now, reference.limit);
     }
   }
 
@@ -124,12 +125,6 @@ Frame frame_at(const Model& model, double time) {
     std::copy(moved.begin(), moved.end(), block.state.pose.position);
   }
   return frame;
-}
-
-double size_of(const BlockFrame& block) {
-  double size = 0;
-  for (const Point& p : block.vertices) size = std::max(size, length(minus(p, position_of(block))));
-  return size;
 }
 
 namespace {

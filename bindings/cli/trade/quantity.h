@@ -36,9 +36,6 @@ Outcomes run_for_quantity(const Scene& scene, Model& model);
 /// velocities, as a whole number of steps seldom makes up the time.
 Frame frame_at(const Model& model, double time);
 
-/// The distance of a block's outermost corner from its centroid.
-double size_of(const BlockFrame& block);
-
 /// The quantity in words: "position of block along x at 2 s".
 std::string describe(const Reference& reference);
 /// Its unit.

@@ -193,9 +193,10 @@ std::string describe(const Setting& setting) {
 std::string report(const Scene& scene, const Front& front, const FaceSize& face, double tolerance,
                    int left_out) {
   const std::string own_step =
-      scene.world.time_step > 0
+      scene.world.time_step == 0 ? std::string()
+      : tells_stable_step(scene)
           ? line("time step", "the scene's own is not used: steps are shares of the stable one")
-          : std::string();
+          : line("time step", "shares of the scene's own: neither springs nor elements tell a stable one");
   return line("scene", scene.title.empty() ? "untitled" : scene.title) +
          line("quantity", describe(scene.reference)) + line("reference", reference_text(scene, front)) +
          line("error", scale_text(scene, front)) + own_step + line("runs converge", convergence_text(front)) +

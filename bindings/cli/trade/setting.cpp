@@ -58,9 +58,9 @@ void change_kind(hs_law_def& law, int kind, const FaceSize& face) {
 }
 
 void turn(hs_law_def& law, const Setting& setting, const FaceSize& face) {
+  if (setting.law) change_kind(law, *setting.law, face);
   law.normal_stiffness *= setting.stiffness;
   law.shear_stiffness *= setting.stiffness;
-  if (setting.law) change_kind(law, *setting.law, face);
   if (setting.damping) law.normal_damping = law.shear_damping = *setting.damping;
 }
 
@@ -158,9 +158,15 @@ bool has_cut_meshes(const Scene& scene) {
   return has_cut;
 }
 
+bool tells_stable_step(const Scene& scene) {
+  bool tells = any_law(scene, [](const hs_law_def& law) { return law.stiffness_kind != HS_STIFFNESS_NONE; });
+  for_each_making(scene, [&](const Making& making) { tells = tells || deforms(making.kind); });
+  return tells;
+}
+
 Scene turned(Scene scene, const Setting& setting, const FaceSize& face) {
   hs_world_def& world = scene.world;
-  world.time_step = 0;
+  world.time_step = tells_stable_step(scene) ? 0 : setting.step * world.time_step;
   world.safety = setting.step;
   if (setting.skin) world.skin = *setting.skin;
   world.potential_length = face.potential_length;
@@ -198,7 +204,9 @@ const char* name_of_kind(int kind) {
 
 std::string scene_lines(const Setting& setting, const Scene& scene, const FaceSize& face) {
   const Scene turned_scene = turned(scene, setting, face);
-  std::string text = "[world]  # and no time_step\nsafety = " + shortest(setting.step) + '\n';
+  std::string text = tells_stable_step(scene)
+                         ? "[world]  # and no time_step\nsafety = " + shortest(setting.step) + '\n'
+                         : "[world]\ntime_step = " + shortest(turned_scene.world.time_step) + '\n';
   if (setting.skin) text += "skin = " + shortest(*setting.skin) + '\n';
   if (knows_potential(turned_scene)) text += "potential_length = " + rounded(face.potential_length, 6) + '\n';
   text += "\n[default_law]\n" + law_lines(turned_scene.default_law);

@@ -10,7 +10,7 @@ namespace halfspace::cli {
 
 /// The places of the knobs that trade accuracy for time. Knobs without one stand as in the scene.
 struct Setting {
-  double step = 0.5;                   ///< share of the stable time step
+  double step = 0.5;                   ///< share of the stable time step, or of the scene's own
   double stiffness = 1;                ///< times the scene's
   double cells = 1;                    ///< of meshes that the scene has cut: times as many along each length
   std::optional<int> law = {};         ///< stiffness kind, of equal stiffness for faces of the typical size
@@ -31,6 +31,9 @@ struct FaceSize {
 
 /// The typical face of the blocks of a scene.
 FaceSize typical_face(const Context& context, const Scene& scene, const Model& model);
+
+/// Do springs or elements tell a stable time step? Without, steps are shares of the scene's own.
+bool tells_stable_step(const Scene& scene);
 
 /// The scene with its knobs turned.
 Scene turned(Scene scene, const Setting& setting, const FaceSize& face);
