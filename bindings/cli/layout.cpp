@@ -85,6 +85,7 @@ class Planner {
       if (group != groups_.end()) {
         blocks.insert(blocks.end(), group->second.begin(), group->second.end());
       } else if (block != index_of_.end()) {
+        name_block(block->second);
         blocks.push_back(block->second);
       } else if (members_.contains(name)) {
         blocks.insert(blocks.end(), members_[name].begin(), members_[name].end());
@@ -109,12 +110,24 @@ class Planner {
       layout_.referenced = made->second;
     } else if (const auto block = find(name, place, "reference.block")) {
       layout_.referenced = {*block};
+      name_block(*block);
     }
+    const auto is_excavated = [&](std::size_t block) {
+      return std::any_of(layout_.excavated.begin(), layout_.excavated.end(), [&](const auto& blocks) {
+        return std::binary_search(blocks.begin(), blocks.end(), block);
+      });
+    };
+    const std::vector<std::size_t>& blocks = layout_.referenced;
+    if (!blocks.empty() && std::all_of(blocks.begin(), blocks.end(), is_excavated))
+      faults_.add(place, "reference.block",
+                  '"' + name + "\" is excavated; allowed: what is there at the end");
   }
 
   Layout take() { return std::move(layout_); }
 
  private:
+  void name_block(std::size_t block) { layout_.names_cells |= layout_.blocks[block].body.has_value(); }
+
   /// The block of a name that a key gives.
   std::optional<std::size_t> find(const std::string& name, Place place, const char* key) {
     const auto found = index_of_.find(name);

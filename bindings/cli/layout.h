@@ -62,8 +62,9 @@ struct Layout {
   std::vector<std::size_t>
       referenced;  ///< whose position or force is measured: together, where they are several
   std::vector<std::vector<std::size_t>> excavated;  ///< in each stage of the scene
-  int left_out = 0;                                 ///< blocks too small to be kept
-  double size_left_out = 0;                         ///< of all those together
+  bool names_cells = false;  ///< a cell of a mesh is measured or excavated: cut otherwise, it is another one
+  int left_out = 0;          ///< blocks too small to be kept
+  double size_left_out = 0;  ///< of all those together
 };
 
 /// Makes the shapes of a scene. Bad shapes and unknown names go to the faults.

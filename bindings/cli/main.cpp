@@ -138,20 +138,14 @@ void require_free_block(CheckedScene& checked, const std::string& by) {
                        "no block is free to move; required for " + by + ": a rigid, an affine or a mesh one");
 }
 
-void require_no_stages(CheckedScene& checked, const std::string& by) {
-  if (checked.scene.stages.empty()) return;
-  checked.faults.add({}, "stage",
-                     by + " runs a scene for its duration; allowed: a scene without a [[stage]]");
-}
-
 int trade(const std::string& file, const std::string& output, Earlier earlier, const TradeOptions& options) {
   CheckedScene checked = load(file, 0);
   require_free_block(checked, "a trade");
-  require_no_stages(checked, "a trade");
   if (!checked.faults.none()) return refuse(file, checked.faults);
   if (options.resumes && !std::filesystem::exists(std::filesystem::path(output) / "trade.csv"))
     throw std::runtime_error("cannot resume: there is no trade.csv in " + output);
   OutputDirectory directory(output, options.resumes ? Earlier::keep : earlier);
+  checked.scene.output.tracked.clear();  // a turned scene may have other cells
   const TradeResult result = trade(checked.scene, bytes_of(file, checked.scene), options, directory);
   print(stdout, result.report);
   if (result.is_interrupted) print(stderr, "\nhalfspace: interrupted; --resume goes on\n");
@@ -162,8 +156,10 @@ int trade(const std::string& file, const std::string& output, Earlier earlier, c
 int plan(const std::string& file, const PlanOptions& options) {
   CheckedScene checked = load(file, 0);
   require_free_block(checked, "a plan");
-  require_no_stages(checked, "a plan");
+  if (options.time > 0 && !checked.scene.stages.empty())
+    checked.faults.add({}, "stage", "a plan goes through all stages; allowed: no --time");
   if (!checked.faults.none()) return refuse(file, checked.faults);
+  checked.scene.output.tracked.clear();  // a part left out may be the cells
   const PlanResult result = plan(checked.scene, options);
   print(stdout, result.report);
   switch (result.end) {

@@ -63,6 +63,8 @@ void read_reference(Keys keys, Scene& scene) {
   if (quantity == Quantity::stands || quantity == Quantity::friction_angle)
     reference.limit = keys.number("limit", above(0), reference.limit);
   keys.has_any({"value", "scale"});
+  if (!scene.stages.empty() && keys.has("time"))
+    keys.fault("time", "a scene with stages is measured at its end; allowed: no time");
   reference.time = keys.number("time", above(0), scene.duration);
   reference.value = read_value(keys, reference.time);
   if (keys.has("scale")) reference.scale = keys.number("scale", above(0), required);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "picture/picture.h"
+#include "settle.h"
 #include "tables.h"
 #include "text.h"
 #include "vector.h"
@@ -23,13 +24,7 @@ std::string not_settled(const Scene& scene, Model& model) {
     const SceneStage& stage = stages[i];
     if (!scene.stages.empty()) model.begin(stage, model.layout().excavated[i]);
     hs_balance balance{};
-    bool is_balanced = true;
-    const std::int64_t portions = model.is_changed() ? 1 : stage.portions;
-    for (std::int64_t portion = 1; is_balanced && portion <= portions; ++portion) {
-      if (!model.is_changed()) model.change_to(static_cast<double>(portion) / static_cast<double>(portions));
-      is_balanced = model.settle(stage.relaxation, balance);
-    }
-    if (!is_balanced)
+    if (!settle(stage, model, balance))
       return "unbalanced by " + rounded(balance.mean, 2) + " of all forces after " +
              std::to_string(balance.steps) + " steps";
   }

@@ -125,6 +125,24 @@ class Plan(unittest.TestCase):
             self.assertIn("can go", self.line(run, part + " "))
             self.assertRegex(self.line(run, part + " "), r" (0|\de-\d\d) % of its size")
 
+    def test_stages_are_gone_through(self):
+        stages = BEAM.replace("duration = 0.01", "") + """
+[[stage]]
+do = "settle"
+name = "sag"
+[[stage]]
+do = "run"
+duration = 0.01
+gravity = [0, 0]
+"""
+        run = self.plan(stages)
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        self.assertEqual(self.line(run, "meshes"), "1 body of 64 cells and 51 nodes")
+        self.assertIn("can go", self.line(run, "springless contacts"))
+        self.assertIn("allowed: no --time", self.plan(stages, "--time", "0.1").stderr)
+        hasty = self.plan(stages.replace('"settle"', '"settle"\nmost_steps = 1'))
+        self.assertEqual(hasty.returncode, 3, hasty.stdout)
+
     def test_bricks_fall_without_their_bonds(self):
         run = self.plan(BONDED)
         self.assertEqual((run.returncode, run.stderr), (0, ""))

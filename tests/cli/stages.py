@@ -1,7 +1,7 @@
 """Scenes in stages: a wall of bonded blocks settles, is shaken, and breaks."""
 import re
 
-from command import SceneTest, halfspace, main
+from command import SceneTest, main
 
 WALL = """title = "A wall that is shaken"
 dimension = 2
@@ -85,12 +85,6 @@ class Stages(SceneTest):
             ("[world]\n", "[world]\nrest_speed = 1\n", r"world\.rest_speed"),
         ]:
             self.check_fault(whole.replace(old, new, 1), fault)
-
-    def test_trade_and_plan_take_no_stages(self):
-        self.scene.write_text(WALL.format(strength=1))
-        answer = halfspace("plan", self.scene)
-        self.assertEqual(answer.returncode, 1)
-        self.assertIn("a plan runs a scene for its duration", answer.stderr)
 
 
 if __name__ == "__main__":

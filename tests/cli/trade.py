@@ -104,6 +104,66 @@ vertices = [[0, 0], [1, 0], [1, 0.1], [0, 0.1]]
 """ + BARS[BARS.index("[reference]"):]
 
 
+# A column settles under its weight: its middle goes down by rho g L^2 / (3 E). Nodes are where they should be, and what
+# lies between them by the trapezoidal rule.
+COLUMN = """
+dimension = 2
+[world]
+[[material]]
+name = "rubber"
+density = 2000
+young_modulus = 1e9
+poisson_ratio = 0
+[default_law]
+stiffness = "none"
+[[mesh]]
+name = "column"
+material = "rubber"
+box = [[0, 0], [1, 4]]
+cells = [1, 4]
+cell = "quad"
+[[mesh.support]]
+group = "bottom"
+[[stage]]
+do = "settle"
+ratio = 1e-9
+[reference]
+quantity = "position"
+block = "column"
+axis = "y"
+value = "2 - 2000 * 9.81 * 4^2 / (3 * 1e9)"
+"""
+
+# A block stands on a prop, and falls for 0.1 s when that is taken away.
+PROPPED = STONE + """
+[world]
+[[block]]
+name = "floor"
+material = "stone"
+kind = "fixed"
+vertices = [[-2, -1], [2, -1], [2, 0], [-2, 0]]
+[[block]]
+name = "prop"
+material = "stone"
+vertices = [[0, 0], [1, 0], [1, 1], [0, 1]]
+[[block]]
+name = "block"
+material = "stone"
+vertices = [[0, 1], [1, 1], [1, 2], [0, 2]]
+[[stage]]
+do = "settle"
+[[stage]]
+do = "run"
+duration = 0.1
+excavate = ["prop"]
+reset_displacement = true
+[reference]
+quantity = "position"
+block = "block"
+axis = "y"
+"""
+
+
 def rows_of(directory):
     text = Path(directory, "trade.csv").read_text()
     return list(csv.DictReader(line for line in text.splitlines() if not line.startswith("#")))
@@ -165,6 +225,36 @@ class Trade(unittest.TestCase):
             self.assertEqual({row["kind"] for row in rows}, {"", "2", "3"})
             self.assertEqual({row["end"] for row in rows}, {"whole"})
             self.assertAlmostEqual(value_at(rows), 0.502, delta=1e-4)
+
+    def test_a_column_settles_the_nearer_to_theory_the_finer_it_is(self):
+        run = self.trade(COLUMN)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        rows = rows_of(self.output)
+        self.assertIn("position of column along y at the end of the stages", run.stdout)
+        self.assertIn("CPU seconds to go through all stages", run.stdout)
+        sag = 2000 * 9.81 * 4 ** 2 / (3 * 1e9)
+        for cells, count in (("0.5", 2), ("1", 4), ("2", 8)):
+            error = (2 - value_at(rows, cells=cells)) / sag - 1
+            self.assertAlmostEqual(error * count ** 2, -0.25, delta=0.01)
+        values = [float(row["value"]) for row in rows if row["cells"] == "1" and row["end"] == "whole"]
+        self.assertLess(max(values) - min(values), 1e-3 * sag)
+
+    def test_what_a_stage_takes_away_is_gone(self):
+        run = self.trade(PROPPED)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        for row in rows_of(self.output):
+            self.assertAlmostEqual(float(row["start"]) - float(row["value"]), 0.5 * 9.81 * 0.1 ** 2, delta=2e-4)
+        for old, new, told in (('axis = "y"', 'axis = "y"\ntime = 1', "measured at its end; allowed: no time"),
+                               ('block = "block"', 'block = "prop"', '"prop" is excavated')):
+            self.assertIn(told, self.trade(PROPPED.replace(old, new), "--force").stderr)
+
+    def test_cells_that_are_named_stay(self):
+        named = STRUCK_BLOCK.replace('block = "struck"', 'block = "struck.3"')
+        tracked = named.replace("[reference]", '[output]\ntracked = ["struck.0"]\n[reference]')
+        run = self.trade(tracked)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        rows = rows_of(self.output)
+        self.assertEqual({(row["kind"], row["cells"]) for row in rows}, {("", "1")})
 
     def test_a_block_of_cells_without_springs_is_not_tried_as_a_rigid_one(self):
         scene = STRUCK_BLOCK[:STRUCK_BLOCK.index("[[mesh]]")] + STRUCK_BLOCK[STRUCK_BLOCK.index("[[block]]"):]

@@ -47,7 +47,7 @@ End run(const Scene& scene, int disturbance = 0) {
   const Outcomes outcomes = run_for_quantity(scene, model);
   End end{outcomes.end,
           outcomes.cpu_seconds,
-          frame_at(model, scene.reference.time),
+          frame_at(model, outcomes.time),
           pieces_of(model.layout()),
           model.account(measured_steps),
           {}};
@@ -165,7 +165,8 @@ PlanResult plan(const Scene& given, const PlanOptions& options) {
   result.end = whole.end;
   result.report = account(scene, whole);
   if (result.end != RunEnd::whole) return result;
-  const std::vector<Without> all = without_each(scene, whole.world.parts, typical_face(scene));
+  const std::vector<Without> all =
+      without_each(scene, whole.world.parts, typical_face(scene), names_cells(scene));
   const End disturbed = run(scene, 1);
   if (disturbed.end == RunEnd::interrupted) {
     result.end = disturbed.end;

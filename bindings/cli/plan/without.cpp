@@ -73,10 +73,11 @@ const std::vector<PartName>& part_names() {
   return names;
 }
 
-std::vector<Without> without_each(const Scene& scene, int active_parts, const FaceSize& face) {
+std::vector<Without> without_each(const Scene& scene, int active_parts, const FaceSize& face,
+                                  bool names_cells) {
   const bool has_cells = some_block_is(scene, HS_BLOCK_MESH);
   const auto can_go = [&](int part) {
-    if (part == HS_PART_STRAIN) return has_cells || some_block_is(scene, HS_BLOCK_AFFINE);
+    if (part == HS_PART_STRAIN) return !names_cells && (has_cells || some_block_is(scene, HS_BLOCK_AFFINE));
     return part != HS_PART_REACTIONS || face.stiffness > 0;
   };
   std::vector<Without> all;
@@ -84,7 +85,7 @@ std::vector<Without> without_each(const Scene& scene, int active_parts, const Fa
     if (active_parts & named.part && can_go(named.part))
       all.push_back({named.name, without(scene, named.part, face)});
   }
-  if (has_cells) all.push_back({"cells", without_cells(scene)});
+  if (has_cells && !names_cells) all.push_back({"cells", without_cells(scene)});
   std::erase_if(
       all, [&](const Without& one) { return scene.world.time_step == 0 && !tells_stable_step(one.scene); });
   return all;

@@ -23,7 +23,8 @@ const std::vector<PartName>& part_names();
 
 /// The scene without each of its active parts in turn. What is left out for another one, as areas and
 /// potentials are for springs per contact, is replaced by it at an equal stiffness of the typical face.
-/// Blocks without cells are affine.
-std::vector<Without> without_each(const Scene& scene, int active_parts, const FaceSize& face);
+/// Blocks without cells are affine; where a stage names cells, they stay.
+std::vector<Without> without_each(const Scene& scene, int active_parts, const FaceSize& face,
+                                  bool names_cells);
 
 }  // namespace halfspace::cli

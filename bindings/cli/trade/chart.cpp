@@ -66,7 +66,7 @@ class Chart {
 
   void draw_axes() {
     svg_.label({left, 24}, scene_.title, 15, "start");
-    svg_.label({left, 44}, "error of the " + describe(scene_.reference), 12, "start");
+    svg_.label({left, 44}, "error of the " + describe_quantity(scene_), 12, "start");
     for (double power = costs_.low; power <= costs_.high; ++power) {
       const double x = left + width * (power - costs_.low) / (costs_.high - costs_.low);
       svg_.line({x, top}, {x, top + height}, R"(stroke="#dddddd")");
@@ -78,7 +78,7 @@ class Chart {
       svg_.label({left - 8, y + 4}, shortest(std::pow(10.0, power)), 12, "end");
     }
     svg_.rectangle({left, top}, width, height, R"(fill="none" stroke="#888888")");
-    svg_.label({left + width / 2, top + height + 46}, "CPU seconds to a simulated second", 13, "middle");
+    svg_.label({left + width / 2, top + height + 46}, unit_of_cost(scene_), 13, "middle");
     svg_.label({22, top + height / 2}, front_.has_scale() ? "error" : "error (unit of the quantity)", 13,
                "middle", -90);
   }

@@ -73,6 +73,8 @@ Outcomes measure(const Setting& setting, const Scene& scene, const FaceSize& fac
 
 double angle_resolution() { return std::ldexp(steepest, -halvings); }
 
+bool names_cells(const Scene& scene) { return layout_of(make_context(), scene).names_cells; }
+
 FaceSize typical_face(const Scene& scene) {
   const Context context = make_context();
   return typical_face(context, scene, Model(context, scene, layout_of(context, scene)));

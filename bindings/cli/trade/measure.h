@@ -34,5 +34,7 @@ Layout layout_of(const Context& context, const Scene& scene);
 
 /// The typical face of the scene's blocks.
 FaceSize typical_face(const Scene& scene);
+/// See Layout.
+bool names_cells(const Scene& scene);
 
 }  // namespace halfspace::cli

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <ctime>
 
-#include "interrupt.h"
 #include "summary.h"
 #include "text.h"
 #include "trade/pieces.h"
+#include "trade/stepping.h"
 #include "vector.h"
 
 namespace halfspace::cli {
@@ -57,9 +57,11 @@ class Watch {
   void look() {
     if (of_force()) largest_force_ = std::max(largest_force_, length(force()));
   }
-  double value() const {
+  /// From now on.
+  void count_anew() { start_ = model_.frame(); }
+  double value(double time) const {
     const Reference& reference = scene_.reference;
-    const Frame now = frame_at(model_, reference.time);
+    const Frame now = frame_at(model_, time);
     switch (reference.quantity) {
       case Quantity::run_out:
         return reach_of(start_, now, scene_.world.dimension);
@@ -96,6 +98,7 @@ class Watch {
     double mass = 0;
     for (const std::size_t i : model_.layout().referenced) {
       const BlockFrame& block = frame.blocks[i];
+      if (block.vertices.empty()) continue;                  // it is excavated
       if (block.state.mass == 0) return position_of(block);  // it is fixed
       sum = plus(sum, times(block.state.mass, position_of(block)));
       mass += block.state.mass;
@@ -148,27 +151,31 @@ RunEnd end_by(const LibraryError& error) {
 Outcomes run_for_quantity(const Scene& scene, Model& model) {
   Outcomes outcomes;
   Watch watch(scene, model);
-  outcomes.start = watch.value();
+  const auto count_anew = [&] {
+    watch.count_anew();
+    outcomes.start = watch.value(model.report().time);
+  };
+  count_anew();
   const double before = cpu_seconds();
-  while (outcomes.end == RunEnd::whole && !model.reached(scene.reference.time)) {
-    try {
-      model.step_towards(scene.reference.time, watch.steps_at_once());
-      watch.look();
-    } catch (const LibraryError& error) {
-      outcomes.end = end_by(error);
-    }
-    if (interrupt_asked()) outcomes.end = RunEnd::interrupted;
+  try {
+    outcomes.end =
+        step_through(scene, model, {watch.steps_at_once(), [&] { watch.look(); }, count_anew}, outcomes.time);
+  } catch (const LibraryError& error) {
+    outcomes.end = end_by(error);
   }
   outcomes.cpu_seconds = cpu_seconds() - before;
-  outcomes.simulated = model.report().time;
+  outcomes.simulated = scene.stages.empty() ? model.report().time : 1;
   if (outcomes.end == RunEnd::whole && model.report().steps < fewest_steps)
     outcomes.end = RunEnd::too_few_steps;
-  if (outcomes.end == RunEnd::whole) outcomes.value = watch.value();
+  if (outcomes.end == RunEnd::whole) outcomes.value = watch.value(outcomes.time);
   return outcomes;
 }
 
-std::string describe(const Reference& reference) {
-  const std::string at = " at " + shortest(reference.time) + " s";
+std::string describe_quantity(const Scene& scene) {
+  const Reference& reference = scene.reference;
+  const bool has_stages = !scene.stages.empty();
+  const std::string when = has_stages ? " the end of the stages" : ' ' + shortest(reference.time) + " s";
+  const std::string at = " at" + when;
   switch (reference.quantity) {
     case Quantity::run_out:
       return "run-out" + at;
@@ -177,13 +184,17 @@ std::string describe(const Reference& reference) {
     case Quantity::position:
       return "position of " + reference.block + " along " + "xyz"[reference.axis] + at;
     case Quantity::force:
-      return "largest contact force on " + reference.block + " up to" + at.substr(3);
+      return "largest contact force on " + reference.block + " up to" + when;
     case Quantity::stands:
       return "stands (1) or has fallen (0)" + at;
     case Quantity::friction_angle:
       return "least friction angle that stands" + at;
   }
   return "";
+}
+
+const char* unit_of_cost(const Scene& scene) {
+  return scene.stages.empty() ? "CPU seconds to a simulated second" : "CPU seconds to go through all stages";
 }
 
 const char* unit_of(Quantity quantity) {

@@ -58,22 +58,21 @@ std::string row(const Front& front, const Result& run) {
          describe(run.setting) + '\n';
 }
 
-std::string front_text(const Front& front) {
+std::string front_text(const Scene& scene, const Front& front) {
   if (front.best().empty()) return {};
-  std::string text =
-      "\nbest for their cost, with the scene's damping and kinds of blocks\nerror       CPU s / s   "
-      "setting\n";
+  std::string text = "\nbest for their cost, with the scene's damping and kinds of blocks\nerror       " +
+                     padded(scene.stages.empty() ? "CPU s / s" : "CPU s", 12) + "setting\n";
   for (const Result& run : front.best()) text += row(front, run);
   return text;
 }
 
-std::string costs_text(const Front& front) {
+std::string costs_text(const Scene& scene, const Front& front) {
   if (!front.has_scale()) return {};
   std::string text = "\ncost to reach\n";
   for (const double error : {0.1, 0.01, 0.001, 0.0001}) {
     const std::optional<Result> run = front.cheapest_within(error);
     text += padded(rounded(100 * error, 3) + " %", 12) +
-            (run ? rounded(Front::cost(*run), 3) + " CPU s to a simulated second" : "not reached") + '\n';
+            (run ? rounded(Front::cost(*run), 3) + ' ' + unit_of_cost(scene) : "not reached") + '\n';
   }
   return text;
 }
@@ -144,6 +143,8 @@ const char* reason_of(RunEnd end) {
       return "refused, as a cell would turn inside out";
     case RunEnd::too_few_steps:
       return "too few steps for the time";
+    case RunEnd::not_at_rest:
+      return "a stage is not at rest after its most_steps";
     case RunEnd::no_angle:
       return "stands without friction, or not at 89 degrees either";
     default:
@@ -172,7 +173,7 @@ std::string cheapest_text(const Scene& scene, const Front& front, const FaceSize
   const std::optional<Result> run = front.cheapest_within(tolerance);
   if (!run) return "\nno setting was within " + share + '\n';
   return "\ncheapest within " + share + " (error " + rounded(front.error(*run), 2) + ", " +
-         rounded(Front::cost(*run), 3) + " CPU s to a simulated second)\n\n" +
+         rounded(Front::cost(*run), 3) + ' ' + unit_of_cost(scene) + ")\n\n" +
          scene_lines(run->setting, scene, face);
 }
 
@@ -198,10 +199,10 @@ std::string report(const Scene& scene, const Front& front, const FaceSize& face,
           ? line("time step", "the scene's own is not used: steps are shares of the stable one")
           : line("time step", "shares of the scene's own: neither springs nor elements tell a stable one");
   return line("scene", scene.title.empty() ? "untitled" : scene.title) +
-         line("quantity", describe(scene.reference)) + line("reference", reference_text(scene, front)) +
+         line("quantity", describe_quantity(scene)) + line("reference", reference_text(scene, front)) +
          line("error", scale_text(scene, front)) + own_step + line("runs converge", convergence_text(front)) +
-         line("by chance", chance_text(front, tolerance)) + front_text(front) + costs_text(front) +
-         knobs_text(front) + failures_text(front) + left_out_text(left_out) +
+         line("by chance", chance_text(front, tolerance)) + front_text(scene, front) +
+         costs_text(scene, front) + knobs_text(front) + failures_text(front) + left_out_text(left_out) +
          cheapest_text(scene, front, face, tolerance);
 }
 

@@ -15,8 +15,8 @@ namespace {
 
 constexpr const char* columns =
     "step,stiffness,cells,law,kind,damping,skin,disturbance,end,value,start,cpu_seconds,simulated";
-constexpr std::array<const char*, 7> ends = {"whole",    "interrupted",   "unstable", "too fast",
-                                             "inverted", "too few steps", "no angle"};
+constexpr std::array<const char*, 8> ends = {"whole",       "interrupted", "unstable",      "too fast",
+                                             "not at rest", "inverted",    "too few steps", "no angle"};
 
 std::string first_line(const std::string& scene_text) {
   return "# runs of scene " + std::to_string(hash_of(scene_text)) + " by halfspace " + hs_version();

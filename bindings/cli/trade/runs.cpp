@@ -54,7 +54,7 @@ std::vector<std::optional<int>> laws_of(const Scene& scene) {
 
 }  // namespace
 
-std::vector<Setting> runs_of(const Scene& scene) {
+std::vector<Setting> runs_of(const Scene& scene, bool names_cells) {
   std::vector<Setting> runs;
   const auto add = [&](auto change) {
     Setting setting{.step = held_step};
@@ -68,11 +68,13 @@ std::vector<Setting> runs_of(const Scene& scene) {
       for (const double step : {1.0, held_step})
         add([&](Setting& s) { s.step = step, s.law = law, s.stiffness = stiffness; });
   }
-  for (const int kind : Kinds(scene).others()) {
+  const Kinds kinds(scene);
+  for (const int kind : kinds.others()) {
+    if (names_cells && kinds.has_mesh) break;
     if (tells_stable_step(scene) && !tells_stable_step(turned(scene, {.kind = kind}, {}))) continue;
     add([&](Setting& s) { s.kind = kind; });
   }
-  if (has_cut_meshes(scene))
+  if (has_cut_meshes(scene) && !names_cells)
     for (const double cells : cell_places) add([&](Setting& s) { s.cells = cells; });
   if (any_law(scene, has_spring))
     for (const double damping : damping_places) add([&](Setting& s) { s.damping = damping; });

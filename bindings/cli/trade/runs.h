@@ -22,8 +22,8 @@ inline constexpr int disturbed_starts = 16;
 
 /// The runs that a trade of the scene consists of: the ladder of steps for each law, stiffnesses over four
 /// decades for each law that has one, kinds of blocks, cells of meshes, dampings and skins one by one, and
-/// disturbed starts.
-std::vector<Setting> runs_of(const Scene& scene);
+/// disturbed starts. Meshes whose cells have a name in the scene stay as they are.
+std::vector<Setting> runs_of(const Scene& scene, bool names_cells);
 
 /// The cost of a run compared with others, from experience; only their order and the budget hang on it.
 double expected_cost(const Setting& setting);

@@ -72,7 +72,7 @@ class Runner {
   TradeResult run() {
     TradeResult result;
     int left_out = 0;
-    std::vector<Setting> runs = in_order(runs_of(scene_));
+    std::vector<Setting> runs = in_order(runs_of(scene_, names_cells(scene_)));
     std::erase_if(runs, [&](const Setting& setting) { return holds(results_, setting); });
     CostEstimate estimate;
     for (const Result& done : results_) estimate.add(done);
