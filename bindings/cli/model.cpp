@@ -206,7 +206,7 @@ std::size_t Model::index_of(hs_block block) const {
   hs_body body = 0;
   int32_t cell = 0;
   require(context_, hs_world_get_body_of_block(world_.get(), block, &body, &cell));
-  return layout_.bodies[index_of_body_.at(body)].first_block + static_cast<std::size_t>(cell);
+  return index_of(body, cell);
 }
 
 BlockFrame Model::motion_of(std::size_t block) const {

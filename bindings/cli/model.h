@@ -74,8 +74,11 @@ class Model {
   BlockFrame motion_of(std::size_t block) const;
   /// The parts that the world computes, and the cost of so many steps of a copy of it.
   hs_world_plan account(std::int64_t steps) const;
-  /// Where a block of the world stands in the layout.
+  /// Where a block of the world stands in the layout, or a cell of a body.
   std::size_t index_of(hs_block block) const;
+  std::size_t index_of(hs_body body, int32_t cell) const {
+    return layout_.bodies[index_of_body_.at(body)].first_block + static_cast<std::size_t>(cell);
+  }
   const Layout& layout() const { return layout_; }
 
  private:

@@ -41,9 +41,9 @@ void count_meshes_and_bonds(const Blocks<D>& blocks, hs_world_plan& plan) {
   for (const Body<D>& body : blocks.meshes().bodies()) {
     if (body.node_count == 0) continue;  // a body that has been removed
     ++plan.body_count;
-    plan.cell_count += body.cell_count;
     plan.node_count += body.node_count;
   }
+  blocks.meshes().for_each_element([&](const auto&) { ++plan.cell_count; });
   plan.mesh_bytes = std::int64_t(state_size(blocks.meshes()));
   plan.bond_count = std::int64_t(blocks.bonds().all().size());
   plan.bond_bytes = std::int64_t(state_size(blocks.bonds()));
@@ -51,14 +51,20 @@ void count_meshes_and_bonds(const Blocks<D>& blocks, hs_world_plan& plan) {
 
 template <int D>
 void find_limit(World<D>& world, hs_world_plan& plan) {
+  plan.limiting_bond = -1;
   const typename StableStep<D>::Limit limit = world.stable_limit();
   if (limit.block < 0) return;
   plan.stable_time_step = limit.step;
   plan.limiting_block = id_of(world.blocks(), std::size_t(limit.block));
-  if (const std::optional<std::size_t> c = world.stiffest_contact_of(limit.block)) {
-    const Candidate<D>& pair = world.candidate_of(*c);
-    plan.limiting_neighbor = id_of(world.blocks(), std::size_t(pair.a == limit.block ? pair.b : pair.a));
+  if (const auto neighbor = world.stiffest_neighbor_of(limit.block)) {
+    plan.limiting_neighbor = id_of(world.blocks(), std::size_t(neighbor->block));
+    plan.limiting_bond = neighbor->bond;
   }
+  if (!limit.by_itself || !world.blocks().is_of_mesh(std::size_t(limit.block))) return;
+  const Meshes<D>& meshes = world.meshes();
+  const std::int32_t body = meshes.surface_of_block(std::size_t(limit.block)).body;
+  plan.limiting_body = id_of(meshes, body);
+  plan.limiting_cell = meshes.stiffest_cell_of(body, world.model().materials.bulk());
 }
 
 /// A second world of the same state.
@@ -91,6 +97,8 @@ void measure(World<D>& world, std::int64_t steps, hs_world_plan& plan) {
   plan.search_seconds = a_step(Pass::search);
   plan.pair_seconds = a_step(Pass::pairs);
   plan.gather_seconds = a_step(Pass::gather);
+  plan.bond_seconds = a_step(Pass::bonds);
+  plan.reaction_seconds = a_step(Pass::reactions);
   plan.motion_seconds = a_step(Pass::motion);
   plan.book_seconds = a_step(Pass::book);
 }

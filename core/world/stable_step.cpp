@@ -124,29 +124,38 @@ typename StableStep<D>::Limit StableStep<D>::limit() {
     const double mobility = 1 / blocks_.mass[i] + blocks_.strain_mobility(i);
     double omega_squared = all.stiffness * mobility + all.turning_stiffness / moment;
     double gamma = all.viscosity * mobility;
+    const double by_others = omega_squared;
     if (is_deformable) {
       const Wave wave = wave_of(i);
       omega_squared += wave.squared_frequency;
       if (wave.damping_time > 0) gamma += wave.damping_time * wave.squared_frequency;
     }
     const double step = 4 / (gamma + std::sqrt(gamma * gamma + 4 * omega_squared));
-    if (step < limit.step) limit = {step, std::int32_t(i)};
+    if (step < limit.step) limit = {step, std::int32_t(i), omega_squared > 2 * by_others};
   }
   return limit;
 }
 
 template <int D>
-std::optional<std::size_t> StableStep<D>::stiffest_contact_of(std::int32_t block) const {
+std::optional<typename StableStep<D>::Neighbor> StableStep<D>::stiffest_neighbor_of(
+    std::int32_t block) const {
   const double length = model_.materials.laws().knows_potential() ? model_.potential_length() : 0;
-  std::optional<std::size_t> stiffest;
+  std::optional<Neighbor> stiffest;
   double most = 0;
+  const auto look = [&](std::int32_t a, std::int32_t b, std::int64_t bond, const Hardness& hardness) {
+    if (stiffest && hardness.stiffness <= most) return;
+    stiffest = {a == block ? b : a, bond};
+    most = hardness.stiffness;
+  };
   for (std::size_t c = 0; c < contacts_.count(); ++c) {
     const Candidate<D>& pair = contacts_.pair_of(c);
-    if (pair.a != block && pair.b != block) continue;
-    const Hardness hardness = hardness_of(c, length);
-    if (stiffest && hardness.stiffness <= most) continue;
-    stiffest = c;
-    most = hardness.stiffness;
+    if (pair.a == block || pair.b == block) look(pair.a, pair.b, -1, hardness_of(c, length));
+  }
+  const Array<Bond<D>>& bonds = blocks_.bonds().all();
+  for (std::size_t i = 0; i < bonds.size(); ++i) {
+    const Bond<D>& bond = bonds[i];
+    if (bond.is_joint && (bond.a == block || bond.b == block))
+      look(bond.a, bond.b, std::int64_t(i), hardness_of(bond));
   }
   return stiffest;
 }

@@ -20,13 +20,18 @@ class StableStep {
   struct Limit {
     double step = HUGE_VAL;   // when nothing can touch
     std::int32_t block = -1;  // -1 then
+    bool by_itself = false;   // its own vibration, or its body's, has more part in it than what it meets
   };
 
   /// Contacts are known.
   Limit limit();
   double bound() { return limit().step; }
-  /// The stiffest contact of a block, or nothing when it has none.
-  std::optional<std::size_t> stiffest_contact_of(std::int32_t block) const;
+  /// The other block of the stiffest contact or bond of a block, if it has any.
+  struct Neighbor {
+    std::int32_t block;
+    std::int64_t bond;  // -1: it is a contact
+  };
+  std::optional<Neighbor> stiffest_neighbor_of(std::int32_t block) const;
   void reserve(std::size_t slots) { hardness_.reserve(slots); }
 
  private:

@@ -35,7 +35,11 @@ bool World<D>::plan_motion(double duration) {
     renew_neighbors();
     lap(Pass::search);
   }
-  return !reactions_.is_wanted() || plan_reactions(duration);
+  if (!reactions_.is_wanted()) return true;
+  lap(Pass::motion);
+  const bool is_planned = plan_reactions(duration);
+  lap(Pass::reactions);
+  return is_planned;
 }
 
 /// A block that is struck may go farther than its neighbour list has been told: then it is made anew, and the
@@ -125,10 +129,16 @@ void World<D>::move() {
   lap(Pass::motion);
   evaluate_forces(duration);
   made_ = 0;
-  if (reactions_.is_wanted()) reactions_.look();
+  if (reactions_.is_wanted()) {
+    reactions_.look();
+    lap(Pass::reactions);
+  }
   Stock stock = integrator_.kick();
-  if (reactions_.is_wanted()) reactions_.stop(stock, ledger_);
   lap(Pass::motion);
+  if (reactions_.is_wanted()) {
+    reactions_.stop(stock, ledger_);
+    lap(Pass::reactions);
+  }
   note_speeds(stock);
   ledger_.book(stock, duration);
   contacts_.neighbors().tidy_plans();

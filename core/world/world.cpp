@@ -154,8 +154,10 @@ void World<D>::evaluate_forces(double elapsed) {
   }
   ledger_.set_contact_strain(energy.strain);
   ledger_.add_friction_loss(energy.friction_loss);
-  if (!model_.blocks.bonds().empty()) load_by_bonds(elapsed);
   lap(Pass::gather);
+  if (model_.blocks.bonds().empty()) return;
+  load_by_bonds(elapsed);
+  lap(Pass::bonds);
 }
 
 /// After the contacts have loaded the blocks. Those that have come apart are found as contacts from the next

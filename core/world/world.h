@@ -174,10 +174,10 @@ class World {
   bool knows_potential() const { return model_.materials.laws().knows_potential(); }
   /// The bound for the contacts that are known.
   double stable_time_step() { return stable_step_.bound(); }
-  /// The block that sets it, and the stiffest contact that this has.
+  /// The block that sets it, and what this meets or is bonded to most stiffly.
   typename StableStep<D>::Limit stable_limit() { return stable_step_.limit(); }
-  std::optional<std::size_t> stiffest_contact_of(std::int32_t slot) const {
-    return stable_step_.stiffest_contact_of(slot);
+  std::optional<typename StableStep<D>::Neighbor> stiffest_neighbor_of(std::int32_t slot) const {
+    return stable_step_.stiffest_neighbor_of(slot);
   }
   const Model<D>& model() const { return model_; }
   const ContactList<D>& contacts() const { return contacts_; }

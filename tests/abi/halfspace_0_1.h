@@ -551,6 +551,11 @@ typedef struct hs_world_plan {
   int64_t bond_count;
   int64_t mesh_bytes;
   int64_t bond_bytes;
+  int64_t limiting_bond;
+  hs_body limiting_body;
+  int64_t limiting_cell;
+  double bond_seconds;
+  double reaction_seconds;
 } hs_world_plan;
 __attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_get_plan(const hs_world *world, int64_t steps, hs_world_plan *plan, size_t size);
 typedef struct hs_reaction {

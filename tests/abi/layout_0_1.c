@@ -292,7 +292,7 @@ FIELD(hs_pair_options, margin, 24, 8);
 FIELD(hs_pair_options, without_region, 32, 4);
 FIELD(hs_pair_options, reserved_2, 36, 4);
 
-_Static_assert(sizeof(hs_world_plan) >= 192, "hs_world_plan");
+_Static_assert(sizeof(hs_world_plan) >= 232, "hs_world_plan");
 FIELD(hs_world_plan, dimension, 0, 4);
 FIELD(hs_world_plan, parts, 4, 4);
 FIELD(hs_world_plan, fixed_count, 8, 8);
@@ -318,6 +318,11 @@ FIELD(hs_world_plan, node_count, 160, 8);
 FIELD(hs_world_plan, bond_count, 168, 8);
 FIELD(hs_world_plan, mesh_bytes, 176, 8);
 FIELD(hs_world_plan, bond_bytes, 184, 8);
+FIELD(hs_world_plan, limiting_bond, 192, 8);
+FIELD(hs_world_plan, limiting_body, 200, 8);
+FIELD(hs_world_plan, limiting_cell, 208, 8);
+FIELD(hs_world_plan, bond_seconds, 216, 8);
+FIELD(hs_world_plan, reaction_seconds, 224, 8);
 
 _Static_assert(sizeof(hs_reaction) == 120, "hs_reaction");
 FIELD(hs_reaction, block_a, 0, 8);

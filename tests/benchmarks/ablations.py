@@ -59,8 +59,8 @@ def wall(dimension, part):
 
 
 def seconds(plan):
-    return float(plan.search_seconds + plan.pair_seconds + plan.gather_seconds + plan.motion_seconds
-                 + plan.book_seconds)
+    return float(plan.search_seconds + plan.pair_seconds + plan.gather_seconds + plan.bond_seconds
+                 + plan.motion_seconds + plan.reaction_seconds + plan.book_seconds)
 
 
 def main():

@@ -99,6 +99,45 @@ TEST_CASE("the block that limits the step is the one without which it is longer"
   CHECK(alone.limiting_neighbor == s.floor);
 }
 
+TEST_CASE("the limit is that of the thinnest element, or of the stiffest bond") {
+  TwoBoxes s;
+  const hs_elasticity_def elasticity = elasticity_def(1e12);
+  require_ok(hs_world_set_elasticity(s.world.get(), s.material, &elasticity), s.context.get());
+  add_body(s.context.get(), s.world.get(), bar(2), body_def(pose_at(20, 0)));
+  MeshWords thin;
+  thin.nodes = {{0, 0, 0}, {1, 0, 0}, {1.05, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1.05, 1, 0}};
+  thin.add_cell(HS_CELL_QUAD, {0, 1, 4, 3}).add_cell(HS_CELL_QUAD, {1, 2, 5, 4});
+  const hs_body body = add_body(s.context.get(), s.world.get(), thin, body_def(pose_at(30, 0)));
+  const hs_world_plan by_element = plan_of(s.world.get());
+  CHECK(by_element.limiting_body == body);
+  CHECK(by_element.limiting_cell == 1);
+  CHECK(by_element.limiting_bond == -1);
+
+  const hs_block blocks[] = {add_block(s.context.get(), s.world.get(), box(40, 0, 41, 1), HS_BLOCK_RIGID),
+                             add_block(s.context.get(), s.world.get(), box(41, 0, 42, 1), HS_BLOCK_RIGID)};
+  const hs_bond_def bond = bond_def(1e20, 1e6);
+  require_ok(hs_world_bond_blocks(s.world.get(), blocks[0], blocks[1], &bond), s.context.get());
+  const hs_world_plan by_bond = plan_of(s.world.get(), 5);
+  CHECK(by_bond.limiting_body == 0);
+  CHECK(by_bond.limiting_bond == 0);
+  CHECK(by_bond.limiting_block + by_bond.limiting_neighbor == blocks[0] + blocks[1]);
+  CHECK(by_bond.stable_time_step < 1e-2 * by_element.stable_time_step);
+  CHECK(by_bond.bond_seconds > 0);
+  CHECK(by_bond.reaction_seconds == 0);
+}
+
+TEST_CASE("cells that have been removed are not counted") {
+  const TwoBoxes s;
+  const hs_elasticity_def elasticity = elasticity_def(1e8);
+  require_ok(hs_world_set_elasticity(s.world.get(), s.material, &elasticity), s.context.get());
+  const hs_body body = add_body(s.context.get(), s.world.get(), bar(2), body_def(pose_at(20, 0)));
+  const std::int32_t gone = 2;
+  Points3 released(6);
+  require_ok(hs_world_remove_cells(s.world.get(), body, &gone, 1, mutable_view_of(released)),
+             s.context.get());
+  CHECK(plan_of(s.world.get()).cell_count == 2);
+}
+
 TEST_CASE("a world in which nothing moves has no limit and no times") {
   const TwoBoxes s;
   for (const hs_block block : {s.box_on_floor, s.box_away})

@@ -38,6 +38,18 @@ std::string name_of(const Model& model, hs_block block) {
   return model.layout().blocks[model.index_of(block)].name;
 }
 
+/// The block and its neighbour, or the element that is the stiffest of its body.
+std::string limit_of(const Model& model, const hs_world_plan& world) {
+  if (world.limiting_body != 0) {
+    const std::size_t cell = model.index_of(world.limiting_body, static_cast<int32_t>(world.limiting_cell));
+    return model.layout().blocks[cell].name + " as an element";
+  }
+  const std::string block = name_of(model, world.limiting_block);
+  if (world.limiting_neighbor == 0) return block;
+  return block + (world.limiting_bond < 0 ? ", at " : ", bonded to ") +
+         name_of(model, world.limiting_neighbor);
+}
+
 /// A disturbance of 0 is none.
 End run(const Scene& scene, int disturbance = 0) {
   const Context context = make_context(scene.threads);
@@ -51,8 +63,7 @@ End run(const Scene& scene, int disturbance = 0) {
           pieces_of(model.layout()),
           model.account(measured_steps),
           {}};
-  if (end.world.limiting_block != 0) end.limit = name_of(model, end.world.limiting_block);
-  if (end.world.limiting_neighbor != 0) end.limit += ", at " + name_of(model, end.world.limiting_neighbor);
+  if (end.world.limiting_block != 0) end.limit = limit_of(model, end.world);
   return end;
 }
 
@@ -108,16 +119,21 @@ std::string memory(const hs_world_plan& world) {
 std::string shares(const hs_world_plan& world) {
   const std::pair<double, const char*> passes[] = {{world.pair_seconds, "pairs"},
                                                    {world.gather_seconds, "forces gathered"},
+                                                   {world.bond_seconds, "bonds"},
                                                    {world.motion_seconds, "motion"},
+                                                   {world.reaction_seconds, "springless contacts"},
                                                    {world.book_seconds, "ledger"},
                                                    {world.search_seconds, "search for neighbours"}};
   double all = 0;
   for (const auto& [seconds, name] : passes) all += seconds;
   if (all == 0) return "none was measured";
   std::string text = rounded(1e6 * all, 3) + " us: ";
-  for (const auto& [seconds, name] : passes)
-    text += (seconds == passes[0].first && name == passes[0].second ? "" : ", ") + percent(seconds / all) +
-            ' ' + name;
+  bool is_first = true;
+  for (const auto& [seconds, name] : passes) {
+    if (seconds == 0) continue;
+    text += (is_first ? "" : ", ") + percent(seconds / all) + ' ' + name;
+    is_first = false;
+  }
   return text;
 }
 

@@ -579,13 +579,14 @@ module halfspace_c
     integer(c_int64_t) :: pair_bytes = 0  !< state of all pairs: neighbour list, shear springs, plans; likewise
     real(c_double) :: stable_time_step = 0.0_c_double  !< as in the report; 0 without blocks that move freely
     integer(c_int64_t) :: limiting_block = 0  !< sets it: the stiffest for its mass; 0 without blocks that move freely
-    !> at its stiffest contact; 0 while it has none: then contacts that it may get limit the step
+    !> at its stiffest contact or bond; 0 while it has none: then contacts that it may get limit the step
     integer(c_int64_t) :: limiting_neighbor = 0
     integer(c_int64_t) :: measured_steps = 0  !< done to measure the times below
     real(c_double) :: search_seconds = 0.0_c_double  !< of a step: building neighbour lists
     real(c_double) :: pair_seconds = 0.0_c_double  !< of a step: detecting pairs and loading contacts
     real(c_double) :: gather_seconds = 0.0_c_double  !< of a step: adding up the forces on blocks
-    real(c_double) :: motion_seconds = 0.0_c_double  !< of a step: moving, turning and straining blocks
+    !> of a step: moving, turning and straining blocks, nodes and elements of meshes
+    real(c_double) :: motion_seconds = 0.0_c_double
     real(c_double) :: book_seconds = 0.0_c_double  !< of a step: the energy ledger
     integer(c_int64_t) :: body_count = 0  !< bodies of finite elements
     integer(c_int64_t) :: cell_count = 0  !< of all of them
@@ -593,6 +594,14 @@ module halfspace_c
     integer(c_int64_t) :: bond_count = 0  !< bonds made, those that have come apart among them
     integer(c_int64_t) :: mesh_bytes = 0  !< of the bytes of blocks: bodies with their nodes and cells
     integer(c_int64_t) :: bond_bytes = 0  !< likewise: bonds with their points and events
+    !> index of the bond to the limiting neighbour, in the order of hs_world_get_bonds(); -1: it is a contact
+    integer(c_int64_t) :: limiting_bond = 0
+    !> that the limiting block is of, where its elements have the greater part in the limit; 0: contacts and
+    !! bonds have
+    integer(c_int64_t) :: limiting_body = 0
+    integer(c_int64_t) :: limiting_cell = 0  !< of that body: the stiffest for its mass
+    real(c_double) :: bond_seconds = 0.0_c_double  !< of a step: loading blocks by bonds
+    real(c_double) :: reaction_seconds = 0.0_c_double  !< of a step: finding the impulses of contacts without springs
   end type hs_world_plan
 
   !> Two points that are in touch by a law without a spring.

@@ -723,13 +723,14 @@ class hs_world_plan(Structure):
         ("pair_bytes", c_int64),  # state of all pairs: neighbour list, shear springs, plans; likewise
         ("stable_time_step", c_double),  # as in the report; 0 without blocks that move freely
         ("limiting_block", hs_block),  # sets it: the stiffest for its mass; 0 without blocks that move freely
-        # at its stiffest contact; 0 while it has none: then contacts that it may get limit the step
+        # at its stiffest contact or bond; 0 while it has none: then contacts that it may get limit the step
         ("limiting_neighbor", hs_block),
         ("measured_steps", c_int64),  # done to measure the times below
         ("search_seconds", c_double),  # of a step: building neighbour lists
         ("pair_seconds", c_double),  # of a step: detecting pairs and loading contacts
         ("gather_seconds", c_double),  # of a step: adding up the forces on blocks
-        ("motion_seconds", c_double),  # of a step: moving, turning and straining blocks
+        # of a step: moving, turning and straining blocks, nodes and elements of meshes
+        ("motion_seconds", c_double),
         ("book_seconds", c_double),  # of a step: the energy ledger
         ("body_count", c_int64),  # bodies of finite elements
         ("cell_count", c_int64),  # of all of them
@@ -737,6 +738,15 @@ class hs_world_plan(Structure):
         ("bond_count", c_int64),  # bonds made, those that have come apart among them
         ("mesh_bytes", c_int64),  # of the bytes of blocks: bodies with their nodes and cells
         ("bond_bytes", c_int64),  # likewise: bonds with their points and events
+        # index of the bond to the limiting neighbour, in the order of hs_world_get_bonds(); -1: it is a
+        # contact
+        ("limiting_bond", c_int64),
+        # that the limiting block is of, where its elements have the greater part in the limit; 0: contacts
+        # and bonds have
+        ("limiting_body", hs_body),
+        ("limiting_cell", c_int64),  # of that body: the stiffest for its mass
+        ("bond_seconds", c_double),  # of a step: loading blocks by bonds
+        ("reaction_seconds", c_double),  # of a step: finding the impulses of contacts without springs
     ]
 
 

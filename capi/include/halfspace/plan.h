@@ -7,6 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "halfspace/mesh.h"
 #include "halfspace/status.h"
 #include "halfspace/world.h"
 
@@ -41,12 +42,12 @@ typedef struct hs_world_plan {
   int64_t pair_bytes;         /**< state of all pairs: neighbour list, shear springs, plans; likewise */
   double stable_time_step;    /**< as in the report; 0 without blocks that move freely */
   hs_block limiting_block;    /**< sets it: the stiffest for its mass; 0 without blocks that move freely */
-  hs_block limiting_neighbor; /**< at its stiffest contact; 0 while it has none: then contacts that it may get limit the step */
+  hs_block limiting_neighbor; /**< at its stiffest contact or bond; 0 while it has none: then contacts that it may get limit the step */
   int64_t measured_steps;     /**< done to measure the times below */
   double search_seconds;      /**< of a step: building neighbour lists */
   double pair_seconds;        /**< of a step: detecting pairs and loading contacts */
   double gather_seconds;      /**< of a step: adding up the forces on blocks */
-  double motion_seconds;      /**< of a step: moving, turning and straining blocks */
+  double motion_seconds;      /**< of a step: moving, turning and straining blocks, nodes and elements of meshes */
   double book_seconds;        /**< of a step: the energy ledger */
   int64_t body_count;         /**< bodies of finite elements */
   int64_t cell_count;         /**< of all of them */
@@ -54,6 +55,12 @@ typedef struct hs_world_plan {
   int64_t bond_count;         /**< bonds made, those that have come apart among them */
   int64_t mesh_bytes;         /**< of the bytes of blocks: bodies with their nodes and cells */
   int64_t bond_bytes;         /**< likewise: bonds with their points and events */
+  int64_t limiting_bond;      /**< index of the bond to the limiting neighbour, in the order of hs_world_get_bonds(); -1: it is a contact */
+  hs_body limiting_body;      /**< that the limiting block is of, where its elements have the greater part in the limit; 0: contacts and
+                                   bonds have */
+  int64_t limiting_cell;      /**< of that body: the stiffest for its mass */
+  double bond_seconds;        /**< of a step: loading blocks by bonds */
+  double reaction_seconds;    /**< of a step: finding the impulses of contacts without springs */
 } hs_world_plan;
 
 /** @brief Says what a world computes and what limits its step and, by steps, what that costs. All is found out on a copy, which

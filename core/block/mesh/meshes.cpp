@@ -196,6 +196,22 @@ void Meshes<D>::renew_elasticity(const BulkMaterials& materials) {
 }
 
 template <int D>
+std::int32_t Meshes<D>::stiffest_cell_of(std::int32_t which, const BulkMaterials& materials) const {
+  std::int32_t stiffest = -1;
+  double most = -1;
+  for_each_element_of(which, [&]<int N>(const Element<D, N>& element) {
+    const std::size_t m = std::size_t(element.material);
+    const Eigen::Matrix<double, N, 1> masses =
+        materials.density[m] * volumes_of_nodes<D, N>(gathered<D, N>(given, element.node));
+    const double squared = squared_frequency<D, N>(element, materials.elasticity[m], masses);
+    if (squared <= most) return;
+    most = squared;
+    stiffest = element.cell;
+  });
+  return stiffest;
+}
+
+template <int D>
 bool Meshes<D>::is_consistent(std::int32_t material_count) const {
   const std::size_t nodes = node_count();
   const auto is_finite_vector = [](const Vector<D>& v) { return v.allFinite(); };

@@ -114,6 +114,8 @@ class Meshes {
   }
   /// Takes the body back that was added last, as if it had never been.
   void take_back();
+  /// The cell of a body's stiffest element, which sets the step of all; -1 without any.
+  std::int32_t stiffest_cell_of(std::int32_t body, const BulkMaterials& materials) const;
   /// The fault that keeps a body's elements from being computed with.
   MeshFaultReport fault_of(std::int32_t body) const;
   /// Takes a body out with its nodes, elements and surface. The others keep their names.

@@ -1011,7 +1011,7 @@ pub struct hs_world_plan {
     pub stable_time_step: f64,
     /// sets it: the stiffest for its mass; 0 without blocks that move freely
     pub limiting_block: hs_block,
-    /// at its stiffest contact; 0 while it has none: then contacts that it may get limit the step
+    /// at its stiffest contact or bond; 0 while it has none: then contacts that it may get limit the step
     pub limiting_neighbor: hs_block,
     /// done to measure the times below
     pub measured_steps: i64,
@@ -1021,7 +1021,7 @@ pub struct hs_world_plan {
     pub pair_seconds: f64,
     /// of a step: adding up the forces on blocks
     pub gather_seconds: f64,
-    /// of a step: moving, turning and straining blocks
+    /// of a step: moving, turning and straining blocks, nodes and elements of meshes
     pub motion_seconds: f64,
     /// of a step: the energy ledger
     pub book_seconds: f64,
@@ -1037,8 +1037,19 @@ pub struct hs_world_plan {
     pub mesh_bytes: i64,
     /// likewise: bonds with their points and events
     pub bond_bytes: i64,
+    /// index of the bond to the limiting neighbour, in the order of hs_world_get_bonds(); -1: it is a contact
+    pub limiting_bond: i64,
+    /// that the limiting block is of, where its elements have the greater part in the limit; 0: contacts and
+    /// bonds have
+    pub limiting_body: hs_body,
+    /// of that body: the stiffest for its mass
+    pub limiting_cell: i64,
+    /// of a step: loading blocks by bonds
+    pub bond_seconds: f64,
+    /// of a step: finding the impulses of contacts without springs
+    pub reaction_seconds: f64,
 }
-const _: () = assert!(std::mem::size_of::<hs_world_plan>() == 192);
+const _: () = assert!(std::mem::size_of::<hs_world_plan>() == 232);
 
 /// Two points that are in touch by a law without a spring.
 #[repr(C)]

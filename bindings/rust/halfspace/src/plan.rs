@@ -3,6 +3,7 @@
 use halfspace_sys as sys;
 
 use crate::block::Block;
+use crate::body::Body;
 
 /// The account of a world. What is not active is neither stored nor computed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -46,7 +47,7 @@ pub struct Plan {
     pub stable_time_step: f64,
     /// The block that sets it: the stiffest for its mass.
     pub limiting_block: Option<Block>,
-    /// Its neighbour at its stiffest contact; none while it has none: then contacts that it may get
+    /// Its neighbour at its stiffest contact or bond; none while it has none: then contacts that it may get
     /// limit the step.
     pub limiting_neighbor: Option<Block>,
     /// Done on a copy to measure the times below.
@@ -73,6 +74,15 @@ pub struct Plan {
     pub mesh_bytes: usize,
     /// Likewise: bonds with their points and events.
     pub bond_bytes: usize,
+    /// Index of the bond to the limiting neighbour; none where it is a contact.
+    pub limiting_bond: Option<usize>,
+    /// Body that the limiting block is of, where its elements have the greater part in the limit, and its cell
+    /// that is the stiffest for its mass.
+    pub limiting_cell: Option<(Body, usize)>,
+    /// Time of a step: loading blocks by bonds.
+    pub bond_seconds: f64,
+    /// Time of a step: finding the impulses of contacts without springs.
+    pub reaction_seconds: f64,
 }
 
 impl From<sys::hs_world_plan> for Plan {
@@ -111,6 +121,11 @@ impl From<sys::hs_world_plan> for Plan {
             bond_count: raw.bond_count as usize,
             mesh_bytes: raw.mesh_bytes as usize,
             bond_bytes: raw.bond_bytes as usize,
+            limiting_bond: usize::try_from(raw.limiting_bond).ok(),
+            limiting_cell: Body::from_id(raw.limiting_body)
+                .map(|body| (body, raw.limiting_cell as usize)),
+            bond_seconds: raw.bond_seconds,
+            reaction_seconds: raw.reaction_seconds,
         }
     }
 }
