@@ -53,6 +53,16 @@ std::string chance_text(const Front& front, double tolerance) {
          (*chance > tolerance ? ": MORE THAN THE TOLERANCE, no setting is sure to be within" : "");
 }
 
+/// What no step and no law can mend: the runs are measured against one of the same cells.
+std::string cells_line(const Front& front, double tolerance) {
+  const std::optional<Result> own = front.run_of({.step = held_step}),
+                              finer = front.run_of({.step = held_step, .cells = 2});
+  if (!own || !finer) return {};
+  const double change = std::abs(finer->outcomes.value - own->outcomes.value) / front.scale();
+  return line("cells", "twice as many along each length change the result by " + rounded(change, 2) +
+                           (change > tolerance ? ": MORE THAN THE TOLERANCE, take finer ones" : ""));
+}
+
 std::string row(const Front& front, const Result& run) {
   return padded(rounded(front.error(run), 2), 12) + padded(rounded(Front::cost(run), 3), 12) +
          describe(run.setting) + '\n';
@@ -201,9 +211,9 @@ std::string report(const Scene& scene, const Front& front, const FaceSize& face,
   return line("scene", scene.title.empty() ? "untitled" : scene.title) +
          line("quantity", describe_quantity(scene)) + line("reference", reference_text(scene, front)) +
          line("error", scale_text(scene, front)) + own_step + line("runs converge", convergence_text(front)) +
-         line("by chance", chance_text(front, tolerance)) + front_text(scene, front) +
-         costs_text(scene, front) + knobs_text(front) + failures_text(front) + left_out_text(left_out) +
-         cheapest_text(scene, front, face, tolerance);
+         line("by chance", chance_text(front, tolerance)) + cells_line(front, tolerance) +
+         front_text(scene, front) + costs_text(scene, front) + knobs_text(front) + failures_text(front) +
+         left_out_text(left_out) + cheapest_text(scene, front, face, tolerance);
 }
 
 }  // namespace halfspace::cli
