@@ -83,8 +83,7 @@ void read_law_values(Keys& keys, hs_law_def& law, bool is_whole) {
     return is_whole || changes_kind ? std::optional<double>() : inherited;
   };
   // Where there is no spring, stiffness and damping are keys that nothing knows.
-  const bool has_spring = law.stiffness_kind != HS_STIFFNESS_NONE;
-  if (has_spring) {
+  if (has_spring(law)) {
     law.normal_stiffness = keys.number("normal_stiffness", above(0), stiffness(law.normal_stiffness));
     law.shear_stiffness = keys.number("shear_stiffness", at_least(0), changes_kind ? 0 : law.shear_stiffness);
   }
@@ -96,7 +95,7 @@ void read_law_values(Keys& keys, hs_law_def& law, bool is_whole) {
     law.cohesion = keys.number("cohesion", at_least(0), law.cohesion);
     law.tensile_strength = keys.number("tensile_strength", at_least(0), law.tensile_strength);
   }
-  if (!has_spring) return;
+  if (!has_spring(law)) return;
   law.normal_damping = keys.number("normal_damping", at_least(0), law.normal_damping);
   law.shear_damping = keys.number("shear_damping", at_least(0), law.shear_damping);
 }

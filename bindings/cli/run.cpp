@@ -11,6 +11,7 @@
 #include "model.h"
 #include "progress.h"
 #include "record.h"
+#include "settle.h"
 #include "summary.h"
 #include "text.h"
 
@@ -40,20 +41,18 @@ struct Position {
   std::size_t stage = 0;
   bool has_begun = false;
   bool is_over = false;
-  bool is_at_rest = false;       ///< ended by rest, not by its duration
-  double start = 0;              ///< s
-  std::int64_t steps = 0;        ///< of settling
-  std::int64_t portions = 0;     ///< that have begun to settle
-  bool is_balanced = false;      ///< with the last of them
+  bool is_at_rest = false;  ///< ended by rest, not by its duration
+  double start = 0;         ///< s
+  Settling settling = {};
   double mean = 0, largest = 0;  ///< that was unbalanced last
   int slow_rows = 0;             ///< rows of the history in a row at which all that moves freely was slow
 
   void add_to(Archive& archive) {
     archive.add(stage);
-    for (bool* flag : {&has_begun, &is_over, &is_at_rest, &is_balanced}) archive.add(*flag);
+    for (bool* flag : {&has_begun, &is_over, &is_at_rest, &settling.is_balanced}) archive.add(*flag);
     for (double* value : {&start, &mean, &largest}) archive.add(*value);
-    archive.add(steps);
-    archive.add(portions);
+    archive.add(settling.steps);
+    archive.add(settling.portions);
     archive.add(slow_rows);
   }
 };
@@ -207,27 +206,20 @@ class Run {
   /// Portion by portion, and each piece by piece, so that who interrupts it does not wait for long. False
   /// when it was interrupted.
   bool settle(const SceneStage& stage) {
-    constexpr std::int64_t steps_of_piece = 20000;
-    const std::int64_t most_steps = stage.relaxation.most_steps;
-    hs_balance balance{};
-    while (!(at_.is_balanced && model_.is_changed()) && at_.steps < most_steps) {
+    while (!at_.settling.is_over(stage, model_)) {
       if (is_interrupted()) return false;
-      if ((at_.is_balanced || at_.portions == 0) && !model_.is_changed())
-        model_.change_to(static_cast<double>(++at_.portions) / static_cast<double>(stage.portions));
-      hs_relaxation_def piece = stage.relaxation;
-      piece.most_steps = std::min(steps_of_piece, most_steps - at_.steps);
-      at_.is_balanced = model_.settle(piece, balance);
-      at_.steps += balance.steps;
+      const hs_balance balance = settle_on(stage, model_, at_.settling);
       at_.mean = balance.mean;
       at_.largest = balance.largest;
-      progress_.show(static_cast<double>(at_.steps) / static_cast<double>(most_steps),
-                     "unbalanced " + rounded(balance.mean, 2));
+      progress_.show(
+          static_cast<double>(at_.settling.steps) / static_cast<double>(stage.relaxation.most_steps),
+          "unbalanced " + rounded(balance.mean, 2));
       record_.add_due();
     }
     at_.is_over = true;
-    tell("settled", (at_.is_balanced ? "at rest after " : "NOT AT REST after ") + std::to_string(at_.steps) +
-                        " steps, unbalanced by " + rounded(at_.mean, 2) + " of all forces, by " +
-                        rounded(at_.largest, 2) + " of a single block's");
+    tell("settled", (at_.settling.is_balanced ? "at rest after " : "NOT AT REST after ") +
+                        std::to_string(at_.settling.steps) + " steps, unbalanced by " + rounded(at_.mean, 2) +
+                        " of all forces, by " + rounded(at_.largest, 2) + " of a single block's");
     if (!record_.has_frame_of_now()) record_.add_frame();
     return true;
   }
@@ -287,7 +279,7 @@ class Run {
     }
     const SceneStage& stage = stages_[at_.stage];
     if (stage.settles) {
-      at_.is_over = (at_.is_balanced && model_.is_changed()) || at_.steps >= stage.relaxation.most_steps;
+      at_.is_over = at_.settling.is_over(stage, model_);
     } else if (!at_.is_at_rest) {
       at_.is_over = model_.reached(at_.start + stage.duration);
     }

@@ -280,12 +280,22 @@ void for_each_block_making(AnyScene& scene, Visit visit) {
   visit_all(scene.voronoi);
 }
 
-/// The same with those.
+/// Does the condition hold for the making of some block or generator, but for the bodies of [[mesh]]?
+template <class Condition>
+bool any_block_making(const Scene& scene, Condition condition) {
+  bool holds = false;
+  for_each_block_making(scene, [&](const Making& making) { holds = holds || condition(making); });
+  return holds;
+}
+
+/// Calls `visit` for the makings of these, too.
 template <class AnyScene, class Visit>
 void for_each_making(AnyScene& scene, Visit visit) {
   for_each_block_making(scene, visit);
   for (auto& mesh : scene.meshes) visit(mesh.making);
 }
+
+inline bool has_spring(const hs_law_def& law) { return law.stiffness_kind != HS_STIFFNESS_NONE; }
 
 /// Does the condition hold for the default law or one between two materials?
 template <class Condition>

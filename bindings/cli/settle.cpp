@@ -6,21 +6,23 @@
 
 namespace halfspace::cli {
 
+hs_balance settle_on(const SceneStage& stage, Model& model, Settling& settling) {
+  constexpr std::int64_t steps_of_piece = 20000;
+  if ((settling.is_balanced || settling.portions == 0) && !model.is_changed())
+    model.change_to(static_cast<double>(++settling.portions) / static_cast<double>(stage.portions));
+  hs_relaxation_def piece = stage.relaxation;
+  piece.most_steps = std::min(steps_of_piece, stage.relaxation.most_steps - settling.steps);
+  hs_balance balance{};
+  settling.is_balanced = model.settle(piece, balance);
+  settling.steps += balance.steps;
+  return balance;
+}
+
 bool settle(const SceneStage& stage, Model& model, hs_balance& balance) {
-  constexpr std::int64_t steps_of_piece = 20000;  // between two looks at interrupts
-  std::int64_t steps = 0, portion = 0;
-  const std::int64_t most_steps = stage.relaxation.most_steps;
-  bool is_balanced = false;
-  while (!(is_balanced && model.is_changed()) && steps < most_steps && !interrupt_asked()) {
-    if ((is_balanced || portion == 0) && !model.is_changed())
-      model.change_to(static_cast<double>(++portion) / static_cast<double>(stage.portions));
-    hs_relaxation_def piece = stage.relaxation;
-    piece.most_steps = std::min(steps_of_piece, most_steps - steps);
-    is_balanced = model.settle(piece, balance);
-    steps += balance.steps;
-  }
-  balance.steps = steps;
-  return is_balanced && model.is_changed();
+  Settling settling;
+  while (!settling.is_over(stage, model) && !interrupt_asked()) balance = settle_on(stage, model, settling);
+  balance.steps = settling.steps;
+  return settling.is_at_rest(model);
 }
 
 }  // namespace halfspace::cli

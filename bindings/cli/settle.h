@@ -1,9 +1,28 @@
 #pragma once
 
+#include <cstdint>
+
 #include "model.h"
 #include "scene.h"
 
 namespace halfspace::cli {
+
+/// How far a stage that settles has come.
+struct Settling {
+  std::int64_t steps = 0;
+  std::int64_t portions = 0;  ///< of its change, that have begun to settle
+  bool is_balanced = false;   ///< with the last of them
+
+  bool is_at_rest(const Model& model) const { return is_balanced && model.is_changed(); }
+  bool is_over(const SceneStage& stage, const Model& model) const {
+    return is_at_rest(model) || steps >= stage.relaxation.most_steps;
+  }
+};
+
+/// Goes on with a stage that is not over, by so few steps that who wants to interrupt it does not wait for
+/// long.
+/// @throws LibraryError
+hs_balance settle_on(const SceneStage& stage, Model& model, Settling& settling);
 
 /// Brings a world to rest in a stage that has begun and settles, once for each portion of its change. False
 /// when it is not at rest after the stage's steps, or was interrupted. @throws LibraryError

@@ -90,7 +90,7 @@ void BondPass<D>::load_point(std::int64_t which, std::int64_t number, const Plac
   energy.strain += point.area * traction.energy;
   energy.fracture_loss += point.area * traction.fracture_loss;
   energy.friction_loss += point.area * traction.friction_loss;
-  has_broken_ = has_broken_ || (point.is_broken() && !before.is_broken());
+  hold.has_broken = hold.has_broken || (point.is_broken() && !before.is_broken());
   hold.is_closed = hold.is_closed || !point.is_broken() || opening < 0;
   hold.least_slip = std::min(hold.least_slip, point.is_broken() ? slip.norm() : 0);
   if (traction.breaks && is_of_numbers) {
@@ -103,8 +103,7 @@ template <int D>
 bool BondPass<D>::load(std::int64_t step, double time, BondEnergy& energy) {
   step_ = step;
   time_ = time;
-  has_broken_ = false;
-  bool has_come_apart = false;
+  bool has_broken = false, has_come_apart = false;
   for (std::size_t which = 0; which < bonds_.all().size(); ++which) {
     Bond<D>& bond = bonds_.all()[which];
     if (!bond.is_joint) continue;
@@ -115,11 +114,12 @@ bool BondPass<D>::load(std::int64_t step, double time, BondEnergy& energy) {
     for (BondPoint<D>& point : bonds_.points_of(bond))
       load_point(std::int64_t(which), number++, at, point, load, hold, energy);
     load_blocks(bond, load);
+    has_broken = has_broken || hold.has_broken;
     if (hold.is_closed && hold.least_slip <= slip_of_contact * bond.extent) continue;
     bond.is_joint = 0;
     has_come_apart = true;
   }
-  return (has_broken_ && bonds_.rings().look(bonds_.points())) || has_come_apart;
+  return (has_broken && bonds_.rings().look(bonds_.points())) || has_come_apart;
 }
 
 template class BondPass<2>;

@@ -42,10 +42,11 @@ class BondPass {
     Tensor<D> on_a = Tensor<D>::Zero();  // force times arm^T
     Tensor<D> on_b = Tensor<D>::Zero();
   };
-  /// The state of a bond's points that keeps it a joint.
+  /// The state of a bond's points, of which two things keep it a joint.
   struct Hold {
     bool is_closed = false;  // somewhere
     double least_slip = HUGE_VAL;
+    bool has_broken = false;  // somewhere, just now
   };
 
   Vector<D> normal_of(const Bond<D>& bond) const;
@@ -62,7 +63,6 @@ class BondPass {
   Bonds<D>& bonds_;
   std::int64_t step_ = 0;
   double time_ = 0;
-  bool has_broken_ = false;  // some point, in this pass
 };
 
 extern template class BondPass<2>;

@@ -9,10 +9,6 @@
 namespace halfspace {
 namespace {
 
-/// Faces that a joint has cut apart lie in one plane to rounding only: what is nearer than this share of the
-/// smaller block's radius was one face.
-constexpr double bond_reach = 1e-6;
-
 /// A point or a normal of space in the frame of a block's shape.
 template <int D>
 Tensor<D> to_frame(const Blocks<D>& blocks, std::int32_t block) {
@@ -31,17 +27,16 @@ bool World<D>::bond_pair(std::int32_t a, std::int32_t b, std::int32_t law) {
   Blocks<D>& blocks = model_.blocks;
   Memory* memory = sums_.get_allocator().resource();
   if (blocks.are_joined(std::size_t(a), std::size_t(b))) return false;
-  const PlacedBlocks<D> at = blocks.placed(a, b);
-  const double reach = bond_reach * std::min(blocks.radius[std::size_t(a)], blocks.radius[std::size_t(b)]);
-  const std::optional<CommonFace<D>> face = common_face<D>(at.a, at.b, at.to_b, reach, memory);
+  const std::optional<CommonFace<D>> face = common_face(blocks, a, b, memory);
   if (!face) return false;
   const Tensor<D> to_a = to_frame(blocks, a), to_b = to_frame(blocks, b);
+  const Vector<D> way = blocks.position[std::size_t(b)] - blocks.position[std::size_t(a)];
   Array<BondPoint<D>> points(memory);
   double area = 0;
   for (const FacePoint<D>& place : face->points) {
     BondPoint<D> point;
     point.on_a = to_a * place.place;
-    point.on_b = to_b * (place.place - at.to_b);
+    point.on_b = to_b * (place.place - way);
     point.area = place.area;
     area += place.area;
     points.push_back(point);

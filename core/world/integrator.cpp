@@ -219,10 +219,7 @@ Vector<D> Integrator<D>::planned_velocity(const CarriedPoint<D>& point) const {
   const std::size_t slot = std::size_t(point.block);
   Vector<D> way = Vector<D>::Zero();
   if (blocks_.is_of_mesh(slot)) {
-    for (int i = 0; i < D; ++i) {
-      if (point.weight[i] != 0)
-        way += point.weight[i] * planned_way_of_node(std::size_t(point.node[std::size_t(i)]));
-    }
+    way = weighed(point, [&](std::size_t node) { return planned_way_of_node(node); });
   } else if (blocks_.is_affine(slot)) {
     way = planned_way(slot) + planned_stretch(slot) * point.arm;
   } else if (blocks_.moves(slot)) {
@@ -235,20 +232,13 @@ Vector<D> Integrator<D>::planned_velocity(const CarriedPoint<D>& point) const {
 template <int D>
 Vector<D> Integrator<D>::acceleration_of(const CarriedPoint<D>& point) const {
   const std::size_t slot = std::size_t(point.block);
-  Vector<D> acceleration = Vector<D>::Zero();
-  if (blocks_.is_of_mesh(slot)) {
-    for (int i = 0; i < D; ++i) {
-      if (point.weight[i] != 0)
-        acceleration += point.weight[i] * meshes_.acceleration_of(std::size_t(point.node[std::size_t(i)]));
-    }
-  } else if (blocks_.is_affine(slot)) {
-    acceleration = acceleration_[slot] + blocks_.deformation(slot).acceleration * point.arm;
-  } else if (blocks_.moves_freely(slot)) {
-    const Inertia<D>& inertia = blocks_.inertia[slot];
-    acceleration =
-        acceleration_[slot] + swept(inertia.spin(momentum_rate_[slot], blocks_.rotation[slot]), point.arm);
-  }
-  return acceleration;
+  if (blocks_.is_of_mesh(slot))
+    return weighed(point, [&](std::size_t node) { return meshes_.acceleration_of(node); });
+  if (blocks_.is_affine(slot))
+    return acceleration_[slot] + blocks_.deformation(slot).acceleration * point.arm;
+  if (!blocks_.moves_freely(slot)) return Vector<D>::Zero();
+  const Inertia<D>& inertia = blocks_.inertia[slot];
+  return acceleration_[slot] + swept(inertia.spin(momentum_rate_[slot], blocks_.rotation[slot]), point.arm);
 }
 
 template <int D>

@@ -8,16 +8,6 @@ bool is_held(const Meshes<D>& meshes, std::size_t node, int component) {
   return (meshes.held[node] >> component & 1) != 0;
 }
 
-/// The sum over the nodes of a point of a mesh of what each has, as it weighs.
-template <int D, class OfNode>
-Vector<D> weighed(const CarriedPoint<D>& point, OfNode of_node) {
-  Vector<D> sum = Vector<D>::Zero();
-  for (int i = 0; i < D; ++i) {
-    if (point.weight[i] != 0) sum += point.weight[i] * of_node(std::size_t(point.node[std::size_t(i)]));
-  }
-  return sum;
-}
-
 }  // namespace
 
 template <int D>

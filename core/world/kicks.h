@@ -15,6 +15,16 @@ struct CarriedPoint {
   Vector<D> arm = Vector<D>::Zero();
 };
 
+/// The sum over the nodes of a point of a mesh: each node's vector, as it weighs.
+template <int D, class OfNode>
+Vector<D> weighed(const CarriedPoint<D>& point, OfNode of_node) {
+  Vector<D> sum = Vector<D>::Zero();
+  for (int i = 0; i < D; ++i) {
+    if (point.weight[i] != 0) sum += point.weight[i] * of_node(std::size_t(point.node[std::size_t(i)]));
+  }
+  return sum;
+}
+
 /// Sudden changes of velocity, by impulses at points. A world that knows none has none of it.
 template <int D>
 class Kicks {

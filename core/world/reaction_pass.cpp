@@ -143,13 +143,15 @@ double ReactionPass<D>::normal_work(const Reaction<D>& at, const Vector<D>& velo
   return at.impulse.dot(at.normal) * at.normal.dot(velocity + 0.5 * kicked(at));
 }
 
+/// Books what an impulse does that meets such a velocity. Returns the work of its normal part.
 template <int D>
-void ReactionPass<D>::book(const Reaction<D>& at, const Vector<D>& velocity, EnergyLedger& ledger) const {
+double ReactionPass<D>::book(const Reaction<D>& at, const Vector<D>& velocity, EnergyLedger& ledger) const {
   const double normal_work = this->normal_work(at, velocity);
   ledger.add_impact_loss(-normal_work);
   ledger.add_friction_loss(normal_work - at.impulse.dot(velocity + 0.5 * kicked(at)));
   ledger.add_outer_work(
       -at.impulse.dot(prescribed_velocity_of(at.of_a, blocks_) - prescribed_velocity_of(at.of_b, blocks_)));
+  return normal_work;
 }
 
 template <int D>
@@ -165,12 +167,12 @@ void ReactionPass<D>::book_first(EnergyLedger& ledger) {
   const double half = 0.5 * integrator_.duration();
   for (Reaction<D>& at : planned_) {
     at.quickened = half * (integrator_.acceleration_of(at.of_a) - integrator_.acceleration_of(at.of_b));
-    book(at, velocity_of(at), ledger);
+    const double normal_work = book(at, velocity_of(at), ledger);
     const bool is_new = at.touched_at >= motion_began_;
     const bool lies_there = is_new && known_.empty() && !is_approached(at);
     at.is_struck = is_new && !lies_there;
-    // What is there from the start presses as if it had always done so.
-    if (lies_there) at.pressed = normal_work(at, velocity_of(at));
+    // A contact that is there from the start presses as if it had always done so.
+    if (lies_there) at.pressed = normal_work;
   }
 }
 
@@ -219,9 +221,9 @@ void ReactionPass<D>::find_blow_losses() {
 template <int D>
 void ReactionPass<D>::book_second(EnergyLedger& ledger, bool is_blow) {
   for (Reaction<D>& at : planned_) {
-    book(at, at.velocity, ledger);
-    const double pressed = is_blow ? -normal_work(at, at.velocity) - at.blow
-                                   : 0.5 * at.impulse.dot(at.normal) * at.normal.dot(kicked(at));
+    const double normal_work = book(at, at.velocity, ledger);
+    const double pressed =
+        is_blow ? -normal_work - at.blow : 0.5 * at.impulse.dot(at.normal) * at.normal.dot(kicked(at));
     ledger.add_impact_loss(at.pressed - pressed);
     at.pressed = pressed;
   }

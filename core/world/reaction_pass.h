@@ -70,7 +70,7 @@ class ReactionPass {
   void remember(Array<Reaction<D>>& found, double time, double duration) const;
   void break_when_due(Reaction<D>& at) const;
   Vector<D> velocity_of(const Reaction<D>& at) const;
-  void book(const Reaction<D>& at, const Vector<D>& velocity, EnergyLedger& ledger) const;
+  double book(const Reaction<D>& at, const Vector<D>& velocity, EnergyLedger& ledger) const;
 
   const Model<D>& model_;
   const Blocks<D>& blocks_;

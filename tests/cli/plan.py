@@ -1,10 +1,7 @@
 """`halfspace plan`: what a scene makes the library compute, and what could be left out."""
 import re
-import tempfile
-import unittest
-from pathlib import Path
 
-from command import EXAMPLES, halfspace, main
+from command import EXAMPLES, SceneTest, halfspace, main
 
 SLIDE = (EXAMPLES / "trade" / "slide.toml").read_text()
 
@@ -84,12 +81,10 @@ vertices = [[{x}, 0], [{x + 1}, 0], [{x + 1}, 0.5], [{x}, 0.5]]
 """ for name, kind, x in (("wall", "fixed", -1), ("b0", "rigid", 0), ("b1", "rigid", 1), ("b2", "rigid", 2)))
 
 
-class Plan(unittest.TestCase):
+class Plan(SceneTest):
     def plan(self, text, *options):
-        with tempfile.TemporaryDirectory() as directory:
-            scene = Path(directory, "scene.toml")
-            scene.write_text(text)
-            return halfspace("plan", scene, *options)
+        self.scene.write_text(text)
+        return halfspace("plan", self.scene, *options)
 
     def line(self, run, name):
         return re.search(rf"(?m)^{name}  +(.+)$", run.stdout)[1]

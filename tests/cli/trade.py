@@ -4,13 +4,11 @@ import math
 import re
 import signal
 import subprocess
-import tempfile
 import time
 import tomllib
-import unittest
 from pathlib import Path
 
-from command import COMMAND, EXAMPLES, halfspace, main
+from command import COMMAND, EXAMPLES, SceneTest, halfspace, main
 
 SLIDE = EXAMPLES / "trade" / "slide.toml"
 
@@ -142,60 +140,49 @@ def rows_of(directory):
 
 def value_at(rows, **wanted):
     """The value of the run with this setting, all else as in the scene."""
-    setting = {"step": "0.25", "stiffness": "1", "cells": "1", "law": "", "kind": "", "damping": "", "skin": "", "disturbance": "0"}
+    setting = {"step": "0.25", "stiffness": "1", "cells": "1", "disturbance": "0"}
+    setting |= dict.fromkeys(("law", "kind", "damping", "skin"), "")
     setting |= wanted
     found = [row for row in rows if all(row[key] == value for key, value in setting.items())]
     assert len(found) == 1, (setting, found)
     return float(found[0]["value"])
 
 
-class Trade(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-        self.output = Path(self.folder.name, "out")
-
+class Trade(SceneTest):
     def trade(self, text, *options):
-        scene = Path(self.folder.name, "scene.toml")
-        scene.write_text(text)
-        return halfspace("trade", scene, "-o", self.output, *options)
+        self.scene.write_text(text)
+        return halfspace("trade", self.scene, "-o", self.output, *options)
 
     def rows_so_far(self):
         return len(rows_of(self.output)) if (self.output / "trade.csv").exists() else 0
 
     def test_of_bodies_that_are_meshes(self):
-        with tempfile.TemporaryDirectory() as directory:
-            scene = Path(directory, "scene.toml")
-            scene.write_text(BARS)
-            run = halfspace("trade", scene, "-o", Path(directory, "out"))
-            self.assertEqual(run.returncode, 0, run.stderr)
-            rows = rows_of(Path(directory, "out"))
-            way = [value_at(rows, cells=cells) - 0.5 for cells in ("0.5", "1", "2")]
-            errors = [abs(moved / 0.002 - 1) for moved in way]
-            self.assertLess(errors[1], 0.03)
-            self.assertLess(errors[1], 0.6 * errors[0])
-            self.assertLess(errors[2], 0.6 * errors[1])
-            # Springs as stiff as a layer of cells are worse than none.
-            for law in ("0", "1"):
-                self.assertGreater(abs((value_at(rows, law=law) - 0.5) / 0.002 - 1), errors[1])
-            # Stiffer ones come nearer to none.
-            free, soft, stiff = (value_at(rows, **knobs) for knobs in ({}, {"law": "1", "stiffness": "0.1"},
-                                                                       {"law": "1", "stiffness": "100"}))
-            self.assertLess(abs(stiff - free), 0.1 * abs(soft - free))
-            self.assertEqual({row["kind"] for row in rows}, {""})
-            self.assertIn("cells         x 0.5: ", run.stdout)
-            self.assertIn("none", Path(directory, "out", "trade.svg").read_text())
+        run = self.trade(BARS)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        rows = rows_of(self.output)
+        way = [value_at(rows, cells=cells) - 0.5 for cells in ("0.5", "1", "2")]
+        errors = [abs(moved / 0.002 - 1) for moved in way]
+        self.assertLess(errors[1], 0.03)
+        self.assertLess(errors[1], 0.6 * errors[0])
+        self.assertLess(errors[2], 0.6 * errors[1])
+        # Springs as stiff as a layer of cells are worse than none.
+        for law in ("0", "1"):
+            self.assertGreater(abs((value_at(rows, law=law) - 0.5) / 0.002 - 1), errors[1])
+        # Stiffer ones come nearer to none.
+        free, soft, stiff = (value_at(rows, **knobs) for knobs in ({}, {"law": "1", "stiffness": "0.1"},
+                                                                   {"law": "1", "stiffness": "100"}))
+        self.assertLess(abs(stiff - free), 0.1 * abs(soft - free))
+        self.assertEqual({row["kind"] for row in rows}, {""})
+        self.assertIn("cells         x 0.5: ", run.stdout)
+        self.assertIn("none", (self.output / "trade.svg").read_text())
 
     def test_of_a_block_that_is_a_mesh(self):
-        with tempfile.TemporaryDirectory() as directory:
-            scene = Path(directory, "scene.toml")
-            scene.write_text(STRUCK_BLOCK)
-            run = halfspace("trade", scene, "-o", Path(directory, "out"))
-            self.assertEqual(run.returncode, 0, run.stderr)
-            rows = rows_of(Path(directory, "out"))
-            self.assertEqual({row["kind"] for row in rows}, {"", "2", "3"})
-            self.assertEqual({row["end"] for row in rows}, {"whole"})
-            self.assertAlmostEqual(value_at(rows), 0.502, delta=1e-4)
+        run = self.trade(STRUCK_BLOCK)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        rows = rows_of(self.output)
+        self.assertEqual({row["kind"] for row in rows}, {"", "2", "3"})
+        self.assertEqual({row["end"] for row in rows}, {"whole"})
+        self.assertAlmostEqual(value_at(rows), 0.502, delta=1e-4)
 
     def test_a_column_settles_the_nearer_to_theory_the_finer_it_is(self):
         run = self.trade(COLUMN)
@@ -263,7 +250,7 @@ class Trade(unittest.TestCase):
                                          f"skin = {turned['world'].get('skin', 0.1)}")
         damping = f"normal_damping = {turned['default_law']['normal_damping']}\n"
         scene = scene.replace("[[block]]", damping + "[[block]]", 1)
-        self.output = Path(self.folder.name, "again")
+        self.output = self.directory / "again"
         self.assertEqual(self.trade(scene, "--tolerance", "0.0001").returncode, 0)
         exact = float(re.search(r"reference +(\S+) m", run.stdout)[1])
         found = value_at(rows_of(self.output), step=f"{turned['world']['safety']:g}")
@@ -291,14 +278,14 @@ class Trade(unittest.TestCase):
         self.assertEqual(whole.returncode, 0, whole.stderr)
         rows = rows_of(self.output)
         self.assertEqual(rows[:len(done)], done)
-        self.output = Path(self.folder.name, "anew")
+        self.output = self.directory / "anew"
         self.trade(FALL)
         physics = [key for key in rows[0] if key != "cpu_seconds"]
         in_order = sorted(tuple(row[key] for key in physics) for row in rows)
         self.assertEqual(in_order, sorted(tuple(row[key] for key in physics) for row in rows_of(self.output)))
 
     def test_an_interrupted_trade_keeps_what_is_done(self):
-        scene = Path(self.folder.name, "scene.toml")
+        scene = self.scene
         scene.write_text(FALL.replace("duration = 0.2", "duration = 20"))
         process = subprocess.Popen([COMMAND, "trade", scene, "-o", self.output], stdout=subprocess.PIPE,
                                    stderr=subprocess.PIPE, text=True)
@@ -327,7 +314,7 @@ class Trade(unittest.TestCase):
             run = self.trade(FALL, "--resume")
             self.assertEqual(run.returncode, 1, new)
             self.assertIn("trade.csv: line ", run.stderr)
-        self.output = Path(self.folder.name, "nothing")
+        self.output = self.directory / "nothing"
         self.assertIn("cannot resume: there is no trade.csv", self.trade(FALL, "--resume").stderr)
         self.assertFalse(self.output.exists())
 
@@ -359,7 +346,7 @@ class Trade(unittest.TestCase):
             self.assertLess(abs(float(row["value"]) / exact - 1), 2e-5, row)
 
     def test_odd_options_are_wrong_usage(self):
-        scene = Path(self.folder.name, "scene.toml")
+        scene = self.scene
         scene.write_text(FALL)
         for option in ("--budget=-5s", "--budget=0s", "--budget=nan", "--tolerance=nan", "--tolerance=0"):
             self.assertEqual(halfspace("trade", scene, "-o", self.output, option).returncode, 2, option)

@@ -1,6 +1,5 @@
 // Blocks that meet at a corner within a bonded body are no contact, as long as bonds lead around the corner.
 
-#include <algorithm>
 #include <random>
 
 #include "catch.h"
@@ -11,13 +10,6 @@ namespace {
 using namespace halfspace_test;
 
 const hs_law_def stiff = spring_law(1e9);
-
-bool touch(const MeshScene& scene, hs_block a, hs_block b) {
-  const std::vector<hs_contact> all = scene.contacts();
-  return std::any_of(all.begin(), all.end(), [&](const hs_contact& contact) {
-    return std::minmax(contact.block_a, contact.block_b) == std::minmax(a, b);
-  });
-}
 
 }  // namespace
 
@@ -51,9 +43,9 @@ TEST_CASE("blocks that met at a corner touch when the bonds around it have broke
   bond.tensile_strength = bond.cohesion = 1e3;
   CHECK(bond_all(scene, bond) == 4);
   scene.step();
-  CHECK_FALSE(touch(scene, low, high));
-  while (scene.report().time < 1 && !touch(scene, low, high)) scene.step();
-  CHECK(touch(scene, low, high));
+  CHECK_FALSE(scene.contact_between(low, high));
+  while (scene.report().time < 1 && !scene.contact_between(low, high)) scene.step();
+  CHECK(scene.contact_between(low, high));
   const double touched = scene.report().time;
   while (scene.report().time < touched + 0.05) scene.step();
   // They push each other along y, and slide past.
@@ -72,5 +64,5 @@ TEST_CASE("faces that are not bonded touch, also where a ring of bonds ends them
     scene.check(hs_world_bond_materials(scene.world(), 0, material, &bond, nullptr));
   CHECK(bonds_of(scene).size() == 2);
   scene.step(3);
-  CHECK(touch(scene, left, right));
+  CHECK(scene.contact_between(left, right));
 }

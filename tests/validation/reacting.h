@@ -42,6 +42,14 @@ class ReactingScene : public MeshScene {
     }
     return force;
   }
+  Node force_on_block(hs_block block) const {
+    Node force = Node::Zero();
+    for (const hs_reaction& reaction : reactions()) {
+      if (reaction.block_a == block) force += Eigen::Map<const Node>(reaction.force);
+      if (reaction.block_b == block) force -= Eigen::Map<const Node>(reaction.force);
+    }
+    return force;
+  }
   double speed(hs_body body, int axis = 0) const {
     const hs_body_state state = body_state(body);
     return state.momentum[axis] / state.mass;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 #include "capi/handles.h"
 #include "catch.h"
@@ -123,11 +124,8 @@ class Scene {
   /// of the normal from a to b.
   void preload_shear(hs_block a, hs_block b, double force) {
     check(hs_world_detect(world(), nullptr));
-    const std::vector<hs_contact> all = contacts();
-    const auto between = std::find_if(all.begin(), all.end(), [&](const hs_contact& contact) {
-      return std::minmax(contact.block_a, contact.block_b) == std::minmax(a, b);
-    });
-    REQUIRE(between != all.end());
+    const std::optional<hs_contact> between = contact_between(a, b);
+    REQUIRE(between);
     const double sign = between->block_a == a ? force : -force;
     const double on_b[3] = {-sign * between->normal[1], sign * between->normal[0], 0};
     check(hs_world_set_shear_force(world(), a, b, on_b));
@@ -167,6 +165,12 @@ class Scene {
     std::vector<hs_contact> contacts(static_cast<std::size_t>(count));
     check(hs_world_get_contacts(world(), contacts.data(), count, nullptr));
     return contacts;
+  }
+
+  std::optional<hs_contact> contact_between(hs_block a, hs_block b) const {
+    for (const hs_contact& contact : contacts())
+      if (std::minmax(contact.block_a, contact.block_b) == std::minmax(a, b)) return contact;
+    return std::nullopt;
   }
 
   Points vertices(hs_block block) const {

@@ -19,9 +19,7 @@ Scene with(const Scene& scene, const Setting& setting, const FaceSize& face) {
 
 /// The bodies of [[mesh]] cannot be anything else.
 bool some_block_is(const Scene& scene, int kind) {
-  bool is = false;
-  for_each_block_making(scene, [&](const Making& making) { is = is || making.kind == kind; });
-  return is;
+  return any_block_making(scene, [&](const Making& making) { return making.kind == kind; });
 }
 
 Scene without_cells(Scene scene) {

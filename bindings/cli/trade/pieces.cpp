@@ -37,6 +37,16 @@ std::vector<Point> ends_of(const std::vector<Point>& points) {
 
 }  // namespace
 
+void Centroid::add(const BlockFrame& block) {
+  if (block.vertices.empty()) return;
+  const Point position = point_of(block.state.pose.position);
+  if (block.state.mass == 0) fixed_ = position;
+  sum_ = plus(sum_, times(block.state.mass, position));
+  mass_ += block.state.mass;
+}
+
+Point Centroid::value() const { return mass_ > 0 ? times(1 / mass_, sum_) : fixed_; }
+
 std::vector<Piece> pieces_of(const Layout& layout) {
   std::vector<Piece> pieces;
   for (std::size_t i = 0; i < layout.blocks.size(); i = pieces.back().last) {
@@ -53,13 +63,9 @@ bool is_free(const Piece& piece, const Frame& frame) {
 }
 
 Point centroid_of(const Piece& piece, const Frame& frame) {
-  Point sum{};
-  double mass = 0;
-  for_each_block(piece, frame, [&](const BlockFrame& block) {
-    sum = plus(sum, times(block.state.mass, point_of(block.state.pose.position)));
-    mass += block.state.mass;
-  });
-  return times(1 / mass, sum);
+  Centroid centroid;
+  for_each_block(piece, frame, [&](const BlockFrame& block) { centroid.add(block); });
+  return centroid.value();
 }
 
 double size_of(const Piece& piece, const Frame& frame) {

@@ -8,6 +8,18 @@
 
 namespace halfspace::cli {
 
+/// The common centroid of blocks. Those that are not there count for nothing; a fixed one, which has no mass,
+/// is where it is.
+class Centroid {
+ public:
+  void add(const BlockFrame& block);
+  Point value() const;
+
+ private:
+  Point sum_{}, fixed_{};
+  double mass_ = 0;
+};
+
 /// A block by itself, or all cells of a body: the blocks of a layout from first to before last.
 struct Piece {
   std::size_t first, last;

@@ -57,7 +57,7 @@ class Watch {
   void look() {
     if (of_force()) largest_force_ = std::max(largest_force_, length(force()));
   }
-  /// From now on.
+  /// Displacements count from now on.
   void count_anew() { start_ = model_.frame(); }
   double value(double time) const {
     const Reference& reference = scene_.reference;
@@ -94,16 +94,9 @@ class Watch {
   }
 
   Point centroid_of_referenced(const Frame& frame) const {
-    Point sum{};
-    double mass = 0;
-    for (const std::size_t i : model_.layout().referenced) {
-      const BlockFrame& block = frame.blocks[i];
-      if (block.vertices.empty()) continue;                  // it is excavated
-      if (block.state.mass == 0) return position_of(block);  // it is fixed
-      sum = plus(sum, times(block.state.mass, position_of(block)));
-      mass += block.state.mass;
-    }
-    return times(1 / mass, sum);
+    Centroid centroid;
+    for (const std::size_t i : model_.layout().referenced) centroid.add(frame.blocks[i]);
+    return centroid.value();
   }
 
   const Scene& scene_;

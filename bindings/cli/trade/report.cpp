@@ -53,7 +53,8 @@ std::string chance_text(const Front& front, double tolerance) {
          (*chance > tolerance ? ": MORE THAN THE TOLERANCE, no setting is sure to be within" : "");
 }
 
-/// What no step and no law can mend: the runs are measured against one of the same cells.
+/// The error of the cells is one that no step and no law can mend: the runs are measured against one of the
+/// same cells.
 std::string cells_line(const Front& front, double tolerance) {
   const std::optional<Result> own = front.run_of({.step = held_step}),
                               finer = front.run_of({.step = held_step, .cells = 2});

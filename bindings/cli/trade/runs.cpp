@@ -8,8 +8,7 @@ namespace {
 
 bool holds_together(const hs_law_def& law) { return law.cohesion > 0 || law.tensile_strength > 0; }
 
-bool has_no_spring(const hs_law_def& law) { return law.stiffness_kind == HS_STIFFNESS_NONE; }
-bool has_spring(const hs_law_def& law) { return !has_no_spring(law); }
+bool has_no_spring(const hs_law_def& law) { return !has_spring(law); }
 
 /// The kinds of what moves freely.
 struct Kinds {

@@ -40,10 +40,10 @@ double per_face(int kind, double area, double potential_length) {
 /// The shear spring of potentials is one per contact, as their friction is.
 double shear_per_face(int kind, double area) { return kind == HS_STIFFNESS_PER_AREA ? area : 1; }
 
-/// In place of no spring comes one as stiff as a layer of cells.
+/// Laws without a spring get one as stiff as a layer of cells.
 void change_kind(hs_law_def& law, int kind, const FaceSize& face) {
   if (kind == law.stiffness_kind) return;
-  const bool had_none = law.stiffness_kind == HS_STIFFNESS_NONE;
+  const bool had_none = !has_spring(law);
   const double shear = law.shear_stiffness > 0 ? law.shear_stiffness : law.normal_stiffness;
   const double normal_of_face =
       had_none ? face.stiffness
@@ -99,8 +99,7 @@ std::string mesh_lines(const Scene& scene) {
 }
 
 std::string law_lines(const hs_law_def& law) {
-  if (law.stiffness_kind == HS_STIFFNESS_NONE)
-    return "stiffness = \"" + name_of_law(law.stiffness_kind) + "\"\n";
+  if (!has_spring(law)) return "stiffness = \"" + name_of_law(law.stiffness_kind) + "\"\n";
   return "stiffness = \"" + name_of_law(law.stiffness_kind) +
          "\"\nnormal_stiffness = " + rounded(law.normal_stiffness, 6) +
          "\nshear_stiffness = " + rounded(law.shear_stiffness, 6) +
@@ -151,17 +150,14 @@ FaceSize typical_face(const Context& context, const Scene& scene, const Model& m
 }
 
 bool has_cut_meshes(const Scene& scene) {
-  bool has_cut = std::any_of(scene.meshes.begin(), scene.meshes.end(),
-                             [](const Mesh& mesh) { return mesh.box.has_value(); });
-  for_each_block_making(scene,
-                        [&](const Making& making) { has_cut = has_cut || making.kind == HS_BLOCK_MESH; });
-  return has_cut;
+  return any_block_making(scene, [](const Making& making) { return making.kind == HS_BLOCK_MESH; }) ||
+         std::any_of(scene.meshes.begin(), scene.meshes.end(),
+                     [](const Mesh& mesh) { return mesh.box.has_value(); });
 }
 
 bool tells_stable_step(const Scene& scene) {
-  bool tells = any_law(scene, [](const hs_law_def& law) { return law.stiffness_kind != HS_STIFFNESS_NONE; });
-  for_each_making(scene, [&](const Making& making) { tells = tells || deforms(making.kind); });
-  return tells;
+  return any_law(scene, has_spring) || !scene.meshes.empty() ||
+         any_block_making(scene, [](const Making& making) { return deforms(making.kind); });
 }
 
 Scene turned(Scene scene, const Setting& setting, const FaceSize& face) {
@@ -198,9 +194,7 @@ std::string name_of_law(int stiffness_kind) {
   return std::string(law_names[static_cast<std::size_t>(stiffness_kind)]);
 }
 
-const char* name_of_kind(int kind) {
-  return kind == HS_BLOCK_AFFINE ? "affine" : kind == HS_BLOCK_MESH ? "mesh" : "rigid";
-}
+const char* name_of_kind(int kind) { return kind == HS_BLOCK_AFFINE ? "affine" : "rigid"; }
 
 std::string scene_lines(const Setting& setting, const Scene& scene, const FaceSize& face) {
   const Scene turned_scene = turned(scene, setting, face);

@@ -22,7 +22,7 @@ struct Setting {
   bool operator==(const Setting&) const = default;
 };
 
-/// What a stiffness of one kind is turned by into the unit of another.
+/// The sizes that turn a stiffness of one kind into the unit of another.
 struct FaceSize {
   double area = 1;              ///< mean of all faces of free blocks; in the plane the length of their edges
   double potential_length = 1;  ///< that the scene's potentials refer to; without any, that theirs would
@@ -46,7 +46,7 @@ void disturb(const Context& context, int number, Layout& layout);
 
 /// The names of a law and of a kind of blocks, as scene files have them.
 std::string name_of_law(int stiffness_kind);
-const char* name_of_kind(int kind);  // of blocks that move freely
+const char* name_of_kind(int kind);
 
 /// The lines of a scene file that turn its knobs.
 std::string scene_lines(const Setting& setting, const Scene& scene, const FaceSize& face);

@@ -9,7 +9,7 @@
 
 namespace halfspace::cli {
 
-/// What is asked of a run on its way.
+/// The things that are asked of a run on its way.
 struct OnTheWay {
   std::int64_t steps_at_once = 1;         ///< between two looks
   std::function<void()> look = {};        ///< after these, and when it has settled

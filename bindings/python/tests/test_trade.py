@@ -83,7 +83,7 @@ def test_a_record_is_gone_on_with(tmp_path):
     both = run([1e6, 1e7])
     assert set(begun) == {1e7}
     assert both.trials[0] == first.trials[0] and both.left_out == []
-    # What is known costs no budget.
+    # Runs that are known cost no budget.
     assert len(run([1e6, 1e7, 1e8], budget=0).trials) == 2
     with pytest.raises(ValueError, match="holds no trade of 0.25 s"):
         trade(counted, way_of, duration=0.25, settings=grid(stiffness=[1e6]), record=record)

@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "block/blocks.h"
 #include "geometry/polygon/clip.h"
 
 namespace halfspace {
 namespace {
+
+/// Planes that are nearer than this share of the smaller block's radius are one.
+constexpr double plane_reach = 1e-6;
 
 /// Faces whose planes differ by less of a right angle than this are parallel: they were one before a joint
 /// cut them.
@@ -110,13 +114,16 @@ double add_points(const Outline<3>& a, int f, const Outline<3>& b, int g, const 
 }  // namespace
 
 template <int D>
-std::optional<CommonFace<D>> common_face(const Outline<D>& a, const Outline<D>& b, const Vector<D>& to_b,
-                                         double reach, Memory* memory) {
+std::optional<CommonFace<D>> common_face(const Blocks<D>& blocks, std::int32_t block_a, std::int32_t block_b,
+                                         Memory* memory) {
+  const auto [a, b, to_b] = blocks.placed(block_a, block_b);
+  const double reach =
+      plane_reach * std::min(blocks.radius[std::size_t(block_a)], blocks.radius[std::size_t(block_b)]);
   std::optional<CommonFace<D>> largest;
   double most = 0;
   for (int f = 0; f < a.face_count(); ++f) {
     for (int g = 0; g < b.face_count(); ++g) {
-      if (!are_opposite(a, f, b, g, to_b, reach)) continue;
+      if (!are_opposite<D>(a, f, b, g, to_b, reach)) continue;
       CommonFace<D> common{a.normal(f), Array<FacePoint<D>>(memory)};
       const double area = add_points(a, f, b, g, to_b, common.points);
       const double least = D == 2 ? reach : reach * reach;  // what is less is rounding
@@ -128,9 +135,7 @@ std::optional<CommonFace<D>> common_face(const Outline<D>& a, const Outline<D>& 
   return largest;
 }
 
-template std::optional<CommonFace<2>> common_face(const Outline<2>&, const Outline<2>&, const Vector<2>&,
-                                                  double, Memory*);
-template std::optional<CommonFace<3>> common_face(const Outline<3>&, const Outline<3>&, const Vector<3>&,
-                                                  double, Memory*);
+template std::optional<CommonFace<2>> common_face(const Blocks<2>&, std::int32_t, std::int32_t, Memory*);
+template std::optional<CommonFace<3>> common_face(const Blocks<3>&, std::int32_t, std::int32_t, Memory*);
 
 }  // namespace halfspace

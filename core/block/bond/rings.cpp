@@ -10,10 +10,8 @@
 namespace halfspace {
 namespace {
 
-/// Shares of the smaller block's radius: points of bonds that are nearer lie together, and planes that are
-/// nearer are one.
+/// Points of bonds that are nearer than this share of the smaller block's radius lie together.
 constexpr double corner_reach = 1e-4;
-constexpr double face_reach = 1e-6;
 
 /// A direction that few corners of regular bodies lie across.
 template <int D>
@@ -70,18 +68,12 @@ class BondRings<D>::Finder {
   }
 
  private:
-  double smaller_radius(std::int32_t a, std::int32_t b) const {
-    return std::min(blocks_.radius[std::size_t(a)], blocks_.radius[std::size_t(b)]);
-  }
-
   bool is_at_mesh(const End& end) const {
     return blocks_.is_of_mesh(std::size_t(end.a)) || blocks_.is_of_mesh(std::size_t(end.b));
   }
 
   bool have_face(std::int32_t a, std::int32_t b) const {
-    if (blocks_.bonds().keeps(a, b)) return true;
-    const PlacedBlocks<D> at = blocks_.placed(a, b);
-    return bool(common_face<D>(at.a, at.b, at.to_b, face_reach * smaller_radius(a, b), memory_));
+    return blocks_.bonds().keeps(a, b) || common_face(blocks_, a, b, memory_);
   }
 
   void collect_ends() {
@@ -94,7 +86,7 @@ class BondRings<D>::Finder {
         End end;
         end.place = blocks_.position[a] + blocks_.gradient(a) * point.on_a;
         end.along = direction.dot(end.place);
-        end.reach = corner_reach * smaller_radius(bond.a, bond.b);
+        end.reach = corner_reach * std::min(blocks_.radius[a], blocks_.radius[std::size_t(bond.b)]);
         end.point = number++;
         end.a = bond.a;
         end.b = bond.b;

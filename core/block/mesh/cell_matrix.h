@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <cmath>
 
 namespace halfspace {
@@ -28,7 +27,7 @@ inline CellMatrix product_of_transposed(const CellMatrix& a, const CellMatrix& b
   return product(CellMatrix(a.transpose()), b);
 }
 
-/// By elimination (Gauss and Jordan), each pivot the largest of its column.
+/// Elimination (Gauss and Jordan), each pivot the largest of its column.
 inline CellMatrix inverse_of(CellMatrix matrix) {
   const Eigen::Index size = matrix.rows();
   CellMatrix inverse = CellMatrix::Identity(size, size);
