@@ -39,6 +39,7 @@ void read_world(Keys keys, bool has_stages, Scene& scene) {
   world.vertex_zone = keys.number("vertex_zone", {.low = 0, .high = 0.5}, world.vertex_zone);
   world.potential_length = keys.number("potential_length", above(0), world.potential_length);
   world.fast_blocks = keys.word("fast_blocks", {"divide", "refuse"}, world.fast_blocks);
+  world.sleep_tolerance = keys.number("sleep_tolerance", at_least(0), world.sleep_tolerance);
   if (has_stages && keys.has("rest_speed"))
     keys.fault("rest_speed",
                "a scene with stages has it in them; allowed: rest_speed in a [[stage]] that runs");

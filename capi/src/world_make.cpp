@@ -67,6 +67,7 @@ WorldSettings<D> read_settings(const hs_world_def& def) {
     refuse(HS_ERROR_ARGUMENT, "def.fast_blocks is %d; it must be an HS_FAST_ value", def.fast_blocks);
   }
   settings.fast_blocks = FastBlocks(def.fast_blocks);
+  settings.sleep_tolerance = require_from_zero(def.sleep_tolerance, "def.sleep_tolerance");
   return settings;
 }
 

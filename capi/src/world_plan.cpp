@@ -23,6 +23,7 @@ std::int32_t active_parts(const World<D>& world) {
   add(HS_PART_STRAIN, model.blocks.has_deformable());
   add(HS_PART_LOCAL_DAMPING, model.settings.local_damping > 0);
   add(HS_PART_MASS_DAMPING, model.settings.mass_damping > 0);
+  add(HS_PART_SLEEP, model.settings.sleep_tolerance > 0);
   return parts;
 }
 

@@ -99,7 +99,9 @@ hs_status hs_world_get_report(hs_world* world, hs_world_report* report, size_t s
                                   w.divided_steps(),
                                   w.deepest_stop(),
                                   std::max(w.peak_overlap(), overlap),
-                                  w.peak_speed()};
+                                  w.peak_speed(),
+                                  w.sleeping_count(),
+                                  w.missed_by_sleep()};
     write_sized(ours, report, size);
     return HS_OK;
   });

@@ -68,6 +68,17 @@ class ContactList {
     if (is_always_described(neighbors_.pairs()[k]))
       sums.peak_overlap = std::max(sums.peak_overlap, -contact.gap);
   }
+  /// Was a pair in contact when it was last looked at, or is it bonded?
+  static bool was_in_contact(const Candidate<D>& pair) {
+    return pair.bonded || pair.witness.state >= Witness<D>::touching;
+  }
+  /// Keeps a pair that stays as it is, if it was in contact.
+  void keep_as_it_was(std::size_t k, std::size_t first_of_chunk, PairSums& sums) {
+    const Candidate<D>& pair = neighbors_.pairs()[k];
+    if (!was_in_contact(pair)) return;
+    found_in_chunks_[first_of_chunk + sums.contacts++] = std::uint32_t(k);
+    sums.last_block = std::max(sums.last_block, pair.b);
+  }
   /// When all chunks have been gone through.
   void end(std::span<const PairSums> chunks);
   /// The contacts in a chunk of pairs.

@@ -9,6 +9,7 @@ template <int D>
 void World<D>::edit() {
   if (!edited_) ledger_.note_edit();
   edited_ = true;
+  sleep_.wake_all(clock_.time());
 }
 
 template <int D>
@@ -57,6 +58,7 @@ void World<D>::remove_block(std::int32_t slot) {
   integrator_.forget_reaction();
   forget_contacts();
   edit();
+  sleep_.forget(std::size_t(slot));
 }
 
 template <int D>
@@ -129,6 +131,8 @@ void World<D>::clear_surface_loads(std::int32_t slot) {
 template <int D>
 void World<D>::set_applied_force(std::int32_t slot, const Vector<D>& force, const Angular<D>& torque) {
   const std::size_t s = std::size_t(slot);
+  if (force != model_.blocks.applied_force[s] || torque != model_.blocks.applied_torque[s])
+    wake(sleep_.wake_island_of(s, clock_.time()));
   if (model_.blocks.is_affine(s))
     ledger_.add_outer_power((torque - model_.blocks.applied_torque[s]).dot(model_.blocks.spin[s]));
   model_.blocks.applied_force[s] = force;

@@ -105,6 +105,7 @@ std::int64_t World<D>::bond_materials(std::int32_t material_a, std::int32_t mate
 
 template <int D>
 void World<D>::hold_bonds(bool are_held) {
+  sleep_.wake_all(clock_.time());
   model_.blocks.bonds().hold(are_held);
 }
 

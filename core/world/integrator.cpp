@@ -140,6 +140,10 @@ bool Integrator<D>::plan(double duration) {
 
 template <int D>
 bool Integrator<D>::plan_motion_of(std::size_t i, Plan& plan) {
+  if (sleep_.is_asleep(i)) {
+    next_rotation_[i] = blocks_.rotation[i];
+    return plan_block(i, Vector<D>::Zero(), 0, plan);
+  }
   const double half = 0.5 * duration_;
   Vector<D> velocity = blocks_.velocity[i];
   Angular<D> spin = blocks_.spin[i];
@@ -194,6 +198,7 @@ void Integrator<D>::plan_ways() {
 template <int D>
 Vector<D> Integrator<D>::planned_way(std::size_t i) const {
   if (blocks_.is_of_mesh(i)) return meshes_.planned_way(i);
+  if (sleep_.is_asleep(i)) return Vector<D>::Zero();
   Vector<D> velocity = blocks_.velocity[i];
   if (blocks_.moves_freely(i)) {
     velocity += 0.5 * duration_ * acceleration_[i];
@@ -204,6 +209,7 @@ Vector<D> Integrator<D>::planned_way(std::size_t i) const {
 template <int D>
 Tensor<D> Integrator<D>::planned_stretch(std::size_t i) const {
   if (blocks_.is_of_mesh(i)) return meshes_.planned_stretch(i);
+  if (sleep_.is_asleep(i)) return Tensor<D>::Zero();
   const Deformation<D>& deformation = blocks_.deformation(i);
   Tensor<D> rate = deformation.rate + 0.5 * duration_ * deformation.acceleration;
   if (!kicks_.empty()) rate += kicks_.of_gradient(i);
@@ -245,6 +251,7 @@ template <int D>
 void Integrator<D>::kick_and_drift() {
   const double half = 0.5 * duration_;
   const auto move = [&](std::size_t i) {
+    if (sleep_.is_asleep(i)) return;
     if (blocks_.kind[i] == BlockKind::rigid) {
       blocks_.push(i, half * acceleration_[i], half * momentum_rate_[i]);
       if (!kicks_.empty()) blocks_.push(i, kicks_.of_block(i), kicks_.momentum(i));
@@ -295,8 +302,34 @@ void Integrator<D>::take_kick(std::size_t i, Stock& stock) {
   take_stock(i, middle_velocity, middle_spin, stock);
 }
 
+/// What sleeps has its energies, and neither loses nor gains any.
+template <int D>
+void Integrator<D>::kick_asleep(std::size_t i, Stock& stock) const {
+  Stock own;
+  if (blocks_.is_affine(i)) {
+    take_affine_stock(i, blocks_.velocity[i], blocks_.deformation(i).rate, own);
+  } else {
+    take_stock(i, blocks_.velocity[i], blocks_.spin[i], own);
+  }
+  own.power = {};
+  stock.add(own);
+}
+
+template <int D>
+Pace Integrator<D>::pace_of(std::size_t i) const {
+  const double radius = blocks_.radius[i];
+  Pace pace{blocks_.velocity[i].norm() + blocks_.swing(i), acceleration_[i].norm()};
+  if (blocks_.is_affine(i)) {
+    pace.acceleration += radius * blocks_.deformation(i).acceleration.norm();
+  } else {
+    pace.acceleration += radius * blocks_.inertia[i].spin(momentum_rate_[i], blocks_.rotation[i]).norm();
+  }
+  return pace;
+}
+
 template <int D>
 void Integrator<D>::kick(std::size_t i, Stock& stock) {
+  if (sleep_.is_asleep(i)) return kick_asleep(i, stock);
   if (blocks_.is_affine(i)) return kick_affine(i, stock);
   if (blocks_.is_of_mesh(i)) return;
   const double half = 0.5 * duration_;

@@ -8,6 +8,7 @@
 #include "world/mesh_motion.h"
 #include "world/model.h"
 #include "world/neighbor_list.h"
+#include "world/sleep.h"
 
 namespace halfspace {
 
@@ -19,8 +20,8 @@ constexpr double most_turn = 1;
 template <int D>
 class Integrator {
  public:
-  Integrator(Model<D>& model, NeighborList<D>& neighbors, const ForcePass<D>& forces, Threads* threads,
-             Memory* memory)
+  Integrator(Model<D>& model, NeighborList<D>& neighbors, const ForcePass<D>& forces, const Sleep<D>& sleep,
+             Threads* threads, Memory* memory)
       : kicks_(model.blocks, memory),
         reaction_(model.blocks, memory),
         meshes_(model, forces, kicks_, reaction_, memory),
@@ -29,6 +30,7 @@ class Integrator {
         blocks_(model.blocks),
         neighbors_(neighbors),
         forces_(forces),
+        sleep_(sleep),
         threads_(threads),
         acceleration_(memory),
         momentum_rate_(memory),
@@ -61,6 +63,9 @@ class Integrator {
   Vector<D> planned_velocity(const CarriedPoint<D>& point) const;
   /// The acceleration of a point by the last forces.
   Vector<D> acceleration_of(const CarriedPoint<D>& point) const;
+
+  /// That of the farthest point of a block, rigid or affine, by its velocity and the last forces.
+  Pace pace_of(std::size_t block) const;
 
   /// Changes of velocity that the first half of a motion makes besides: a plan that has been made without
   /// them has to be made anew.
@@ -138,6 +143,7 @@ class Integrator {
   bool plan_motion_of(std::size_t block, Plan& plan);
   void plan_ways();
   void kick(std::size_t block, Stock& stock);
+  void kick_asleep(std::size_t block, Stock& stock) const;
   void take_stock(std::size_t block, const Vector<D>& opposed, const Angular<D>& opposed_spin,
                   Stock& stock) const;
 
@@ -160,6 +166,7 @@ class Integrator {
   Blocks<D>& blocks_;
   NeighborList<D>& neighbors_;
   const ForcePass<D>& forces_;
+  const Sleep<D>& sleep_;
   Threads* threads_;
   Array<Vector<D>> acceleration_;     // of each block, from the last forces
   Array<Angular<D>> momentum_rate_;   // of the angular momentum, likewise

@@ -95,6 +95,7 @@ Relaxed World<D>::relax(const Relaxation& relaxation) {
     hold_bonds(held_bonds);
     edit();
   };
+  model_.settings.sleep_tolerance = 0;
   const bool has_jumps = model_.materials.laws().any(
       [](const SpringLaw& law) { return law.stiffness_kind == StiffnessKind::per_contact; });
   if (!has_jumps) model_.settings.safety = std::max(settings.safety, safety_in_relaxation);

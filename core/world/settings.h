@@ -23,20 +23,21 @@ struct WorldSettings {
   double potential_length = 0;  // H of potential laws; 0: mean length of the edges when forces are first used
   DetectOptions detect;
   FastBlocks fast_blocks = FastBlocks::divide;
+  double sleep_tolerance = 0;  // of its way that a block may miss over a run by sleep; 0: none sleeps
 
   /// False for what no settings can be, after reading a snapshot.
   bool is_consistent() const {
     return gravity.allFinite() && is_from_zero(time_step) && is_share(safety, 1) &&
            is_share(local_damping, 1) && is_from_zero(mass_damping) && is_share(skin, 1) &&
            is_from_zero(potential_length) && is_share(detect.parallel_angle, 0.5) &&
-           is_share(detect.vertex_zone, 0.5) &&
+           is_share(detect.vertex_zone, 0.5) && is_from_zero(sleep_tolerance) &&
            (fast_blocks == FastBlocks::divide || fast_blocks == FastBlocks::refuse);
   }
 
   template <class Archive>
   void visit(Archive& archive) {
     archive(gravity, time_step, safety, local_damping, mass_damping, skin, potential_length, detect,
-            fast_blocks);
+            sleep_tolerance, fast_blocks);
   }
 };
 

@@ -106,8 +106,10 @@ StepResult World<D>::prepare() {
   const std::size_t slots = model_.blocks.slot_count();
   stable_step_.reserve(slots);
   integrator_.reserve(slots);
+  if (model_.settings.sleep_tolerance > 0) sleep_.reserve(slots);
   if (!choose_time_step()) return StepResult::no_time_step;
   integrator_.resize(slots);
+  if (model_.settings.sleep_tolerance > 0) sleep_.resize(slots);
   evaluate_forces(0);
   double noise = 0;
   const Stock stock = integrator_.begin(clock_.time_step(), noise);
@@ -180,6 +182,7 @@ StepResult World<D>::plan_changed() {
 template <int D>
 StepResult World<D>::step() {
   int motions = 0;
+  wake(sleep_.wake_in_time(clock_.time(), clock_.time_step()));
   StepResult result = edited_ || contacts_.has_fresh() ? plan_changed() : plan_rest();
   for (;; result = plan_rest()) {
     if (result != StepResult::ok) return result;
@@ -191,6 +194,7 @@ StepResult World<D>::step() {
     if (++motions == most_motions) return fast_motion_.any() ? StepResult::too_fast : StepResult::unstable;
   }
   clock_.complete_step();
+  look_for_sleep();
   return StepResult::ok;
 }
 

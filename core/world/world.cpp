@@ -14,7 +14,8 @@ World<D>::World(const WorldSettings<D>& settings, Memory* memory, Threads* threa
       contacts_(model_, memory),
       forces_(model_, contacts_, threads, memory),
       bond_pass_(model_),
-      integrator_(model_, contacts_.neighbors(), forces_, threads, memory),
+      sleep_(memory),
+      integrator_(model_, contacts_.neighbors(), forces_, sleep_, threads, memory),
       reactions_(model_, contacts_, integrator_, memory),
       stable_step_(model_, contacts_, memory),
       spring_stop_(model_, contacts_),
@@ -62,6 +63,7 @@ void World<D>::renew_neighbors() {
   fit_rooms();
   neighbors.renew(model_.blocks, with_shear);
   forget_contacts();
+  are_left_out_loaded_ = false;
 }
 
 /// Contacts that are to be found need a list that is not used up.
@@ -80,6 +82,10 @@ void World<D>::find_in(const Chunk& chunk, PairSums& sums, OnContact on_contact)
   const bool some_have_no_spring = reactions_.is_wanted();
   for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
     if (some_have_no_spring && model_.law_of(pairs[k]).has_no_spring()) continue;
+    if (sleep_.leaves_out(pairs[k])) {
+      contacts_.keep_as_it_was(k, chunk.begin, sums);
+      continue;
+    }
     const Found found = contacts_.find(k, contact, sums);
     if (found == Found::apart) continue;
     if (found == Found::met) {
@@ -125,6 +131,7 @@ void World<D>::detect() {
 template <int D>
 void World<D>::evaluate_forces(double elapsed) {
   renew_used_up_neighbors();
+  if (sleep_.any() && !are_left_out_loaded_) load_left_out();
   const bool are_found = contacts_.are_found();
   if (!are_found) forget_contacts();
   pass_over_pairs([&, common = forces_.begin(elapsed)](const Chunk& chunk, PairSums& sums) {
@@ -142,22 +149,50 @@ void World<D>::evaluate_forces(double elapsed) {
               [&](std::size_t k, const Contact<D>& contact) { forces_.load(k, contact, evaluation); });
     }
     sums.energy = evaluation.energy;
-    sums.last_block = evaluation.last_block;
+    sums.last_block = std::max(sums.last_block, evaluation.last_block);
   });
   if (!are_found) end_finding();
   lap(Pass::pairs);
   forces_.gather(sums_);
   ContactEnergy energy;
+  if (sleep_.any()) energy.strain = left_out_strain_;
   for (const PairSums& sums : sums_) {
     energy.strain += sums.energy.strain;
     energy.friction_loss += sums.energy.friction_loss;
   }
   ledger_.set_contact_strain(energy.strain);
   ledger_.add_friction_loss(energy.friction_loss);
+  // What is touched has been left out of this motion: the forces at its end move it.
+  wake(sleep_.wake_touched(contacts_, clock_.time() + elapsed));
   lap(Pass::gather);
   if (model_.blocks.bonds().empty()) return;
   load_by_bonds(elapsed);
   lap(Pass::bonds);
+}
+
+/// Works out the forces of contacts that stay as they are, once, for the steps that leave them out.
+template <int D>
+void World<D>::load_left_out() {
+  typename ForcePass<D>::Evaluation evaluation = forces_.begin(0);
+  const Array<Candidate<D>>& pairs = contacts_.neighbors().pairs();
+  Contact<D> contact;
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    if (!sleep_.leaves_out(pairs[k]) || !contacts_.was_in_contact(pairs[k])) continue;
+    if (!model_.law_of(pairs[k]).is_potential()) contacts_.describe(pairs[k], contact);
+    forces_.load(k, contact, evaluation);
+  }
+  left_out_strain_ = evaluation.energy.strain;
+  are_left_out_loaded_ = true;
+}
+
+/// Contacts without a spring have an order of their own: a world with any does not sleep.
+template <int D>
+void World<D>::look_for_sleep() {
+  if (!(model_.settings.sleep_tolerance > 0) || reactions_.is_wanted()) return;
+  if (clock_.steps() % steps_between_looks != 0) return;
+  if (sleep_.look(model_, contacts_, clock_.time(), least_sleep_in_steps * clock_.time_step(),
+                  [&](std::size_t i) { return integrator_.pace_of(i); }))
+    are_left_out_loaded_ = false;
 }
 
 /// After the contacts have loaded the blocks. Those that have come apart are found as contacts from the next
@@ -202,7 +237,8 @@ template <int D>
 bool World<D>::is_consistent() const {
   return model_.is_consistent() && contacts_.is_consistent() && integrator_.is_consistent(edited_) &&
          (edited_ || contacts_.neighbors().list_length() == model_.blocks.slot_count()) &&
-         clock_.is_consistent() && reactions_.is_consistent() && spring_stop_.is_consistent() &&
+         clock_.is_consistent() && reactions_.is_consistent() &&
+         sleep_.is_consistent(model_.blocks.slot_count()) && spring_stop_.is_consistent() &&
          is_from_zero(peak_speed_) && is_strength_factor(strength_factor_);
 }
 

@@ -163,6 +163,9 @@ class World {
   const InvertedCell& inverted_cell() const { return integrator_.inverted(); }
   /// After StepResult::too_fast.
   const FastPair& fast_pair() const { return fast_motion_.pair(); }
+  std::int64_t sleeping_count() const { return sleep_.count(); }
+  /// How much of its way any block has missed at most by sleep.
+  double missed_by_sleep() const { return sleep_.missed(clock_.time()); }
   double deepest_stop() const { return spring_stop_.deepest(); }
   double peak_overlap() const { return contacts_.peak_overlap(); }
   /// The largest of all blocks that move freely, at the ends of all motions so far.
@@ -193,7 +196,7 @@ class World {
   template <class Archive>
   void visit(Archive& archive) {
     archive(model_, contacts_, forces_, integrator_, ledger_, clock_, spring_stop_, peak_speed_,
-            bond_strain_energy_, strength_factor_, reactions_, edited_);
+            bond_strain_energy_, strength_factor_, reactions_, sleep_, edited_);
   }
 
  private:
@@ -216,6 +219,9 @@ class World {
   void end_finding();
   bool bond_pair(std::int32_t a, std::int32_t b, std::int32_t law);
   void load_by_bonds(double elapsed);
+  void load_left_out();
+  void wake(bool has_woken) { are_left_out_loaded_ = are_left_out_loaded_ && !has_woken; }
+  void look_for_sleep();
   void stop_all();
   template <class Watch>
   void relax_under_damping(const Relaxation& relaxation, Watch& watch, Relaxed& relaxed);
@@ -243,6 +249,7 @@ class World {
   ContactList<D> contacts_;
   ForcePass<D> forces_;
   BondPass<D> bond_pass_;
+  Sleep<D> sleep_;
   Integrator<D> integrator_;
   ReactionPass<D> reactions_;
   StableStep<D> stable_step_;
@@ -251,6 +258,8 @@ class World {
   Array<PairSums> sums_;  // of each chunk of pairs
   double peak_speed_ = 0;
   double bond_strain_energy_ = 0;
+  double left_out_strain_ = 0;        // in contacts that sleep leaves out
+  bool are_left_out_loaded_ = false;  // their forces are at hand
   double strength_factor_ = 1;
   double made_ = 0;          // duration of the motion just made, while contacts are found that it has led to
   std::int32_t edited_ = 1;  // since the last step: forces, accelerations and ledger are of another state

@@ -209,6 +209,7 @@ typedef struct hs_world_def {
   double potential_length;
   int32_t fast_blocks;
   int32_t reserved;
+  double sleep_tolerance;
 } hs_world_def;
 typedef struct hs_block_def {
   uint32_t struct_size;
@@ -262,6 +263,8 @@ typedef struct hs_world_report {
   double deepest_stop;
   double peak_overlap;
   double peak_speed;
+  int64_t sleeping_count;
+  double missed_by_sleep;
 } hs_world_report;
 __attribute__((visibility("default"))) hs_status hs_world_def_init(hs_world_def *def, size_t size, int32_t dimension);
 __attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_create(hs_context *context, const hs_world_def *def, hs_world **world);
@@ -523,7 +526,8 @@ enum {
   HS_PART_STRAIN = 32,
   HS_PART_LOCAL_DAMPING = 64,
   HS_PART_MASS_DAMPING = 128,
-  HS_PART_REACTIONS = 256
+  HS_PART_REACTIONS = 256,
+  HS_PART_SLEEP = 512
 };
 typedef struct hs_world_plan {
   int32_t dimension;

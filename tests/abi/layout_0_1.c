@@ -97,7 +97,7 @@ FIELD(hs_clean_report, straightened, 8, 8);
 FIELD(hs_clean_report, reversed, 16, 4);
 FIELD(hs_clean_report, reserved, 20, 4);
 
-_Static_assert(sizeof(hs_world_def) >= 104, "hs_world_def");
+_Static_assert(sizeof(hs_world_def) >= 112, "hs_world_def");
 FIELD(hs_world_def, struct_size, 0, 4);
 FIELD(hs_world_def, dimension, 4, 4);
 FIELD(hs_world_def, gravity, 8, 24);
@@ -111,6 +111,7 @@ FIELD(hs_world_def, vertex_zone, 80, 8);
 FIELD(hs_world_def, potential_length, 88, 8);
 FIELD(hs_world_def, fast_blocks, 96, 4);
 FIELD(hs_world_def, reserved, 100, 4);
+FIELD(hs_world_def, sleep_tolerance, 104, 8);
 
 _Static_assert(sizeof(hs_block_def) >= 120, "hs_block_def");
 FIELD(hs_block_def, struct_size, 0, 4);
@@ -143,7 +144,7 @@ FIELD(hs_energy, mass_damping_loss, 48, 8);
 FIELD(hs_energy, outer_work, 56, 8);
 FIELD(hs_energy, residual, 64, 8);
 
-_Static_assert(sizeof(hs_world_report) >= 216, "hs_world_report");
+_Static_assert(sizeof(hs_world_report) >= 232, "hs_world_report");
 FIELD(hs_world_report, dimension, 0, 4);
 FIELD(hs_world_report, reserved, 4, 4);
 FIELD(hs_world_report, steps, 8, 8);
@@ -164,6 +165,8 @@ FIELD(hs_world_report, divided_steps, 184, 8);
 FIELD(hs_world_report, deepest_stop, 192, 8);
 FIELD(hs_world_report, peak_overlap, 200, 8);
 FIELD(hs_world_report, peak_speed, 208, 8);
+FIELD(hs_world_report, sleeping_count, 216, 8);
+FIELD(hs_world_report, missed_by_sleep, 224, 8);
 
 _Static_assert(sizeof(hs_elasticity_def) >= 32, "hs_elasticity_def");
 FIELD(hs_elasticity_def, struct_size, 0, 4);
@@ -478,6 +481,7 @@ _Static_assert(HS_PART_STRAIN == 32, "HS_PART_STRAIN");
 _Static_assert(HS_PART_LOCAL_DAMPING == 64, "HS_PART_LOCAL_DAMPING");
 _Static_assert(HS_PART_MASS_DAMPING == 128, "HS_PART_MASS_DAMPING");
 _Static_assert(HS_PART_REACTIONS == 256, "HS_PART_REACTIONS");
+_Static_assert(HS_PART_SLEEP == 512, "HS_PART_SLEEP");
 
 _Static_assert(HS_UNBALANCED_MEAN == 0, "HS_UNBALANCED_MEAN");
 _Static_assert(HS_UNBALANCED_LARGEST == 1, "HS_UNBALANCED_LARGEST");

@@ -125,12 +125,14 @@ TEST_CASE("sizes of hs_world_def") {
   chosen.vertex_zone = 1e-3;
   chosen.potential_length = 0.3;
   chosen.fast_blocks = HS_FAST_REFUSE;
+  chosen.sleep_tolerance = 1e-6;
   const std::vector<std::size_t> ends = {
       offsetof(hs_world_def, gravity),          offsetof(hs_world_def, time_step),
       offsetof(hs_world_def, safety),           offsetof(hs_world_def, local_damping),
       offsetof(hs_world_def, mass_damping),     offsetof(hs_world_def, skin),
       offsetof(hs_world_def, parallel_angle),   offsetof(hs_world_def, vertex_zone),
-      offsetof(hs_world_def, potential_length), offsetof(hs_world_def, fast_blocks)};
+      offsetof(hs_world_def, potential_length), offsetof(hs_world_def, fast_blocks),
+      offsetof(hs_world_def, sleep_tolerance)};
   check_sizes(defaults, chosen, ends, [](const hs_world_def* def) {
     const Context context = make_context();
     hs_world* world = nullptr;

@@ -55,6 +55,8 @@ TEST_CASE("hs_world_create refuses every bad setting") {
       {"fast_blocks", "2", [](D& d) { d.fast_blocks = 2; }},
       {"potential_length", "-1", [](D& d) { d.potential_length = -1; }},
       {"potential_length", "inf", [](D& d) { d.potential_length = inf; }},
+      {"sleep_tolerance", "-1", [](D& d) { d.sleep_tolerance = -1; }},
+      {"sleep_tolerance", "inf", [](D& d) { d.sleep_tolerance = inf; }},
   };
   for (const auto& s : spoiled) {
     hs_world_def def = world_def();

@@ -11,13 +11,10 @@
 #define END_OF_TABLE \
   { NULL, FIELD_INT32, 0, 0 }
 
-const Field world_def_fields[] = {INT32(hs_world_def, dimension),
-                                  NUMBER(hs_world_def, time_step),
-                                  NUMBERS(hs_world_def, gravity, 3),
-                                  NUMBER(hs_world_def, safety),
-                                  NUMBER(hs_world_def, potential_length),
-                                  INT32(hs_world_def, fast_blocks),
-                                  END_OF_TABLE};
+const Field world_def_fields[] = {INT32(hs_world_def, dimension),         NUMBER(hs_world_def, time_step),
+                                  NUMBERS(hs_world_def, gravity, 3),      NUMBER(hs_world_def, safety),
+                                  NUMBER(hs_world_def, potential_length), INT32(hs_world_def, fast_blocks),
+                                  NUMBER(hs_world_def, sleep_tolerance),  END_OF_TABLE};
 
 const Field law_def_fields[] = {INT32(hs_law_def, stiffness_kind),
                                 NUMBER(hs_law_def, normal_stiffness),
@@ -95,6 +92,8 @@ const Field report_fields[] = {INT32(hs_world_report, dimension),
                                NUMBER(hs_world_report, deepest_stop),
                                NUMBER(hs_world_report, peak_overlap),
                                NUMBER(hs_world_report, peak_speed),
+                               INT64(hs_world_report, sleeping_count),
+                               NUMBER(hs_world_report, missed_by_sleep),
                                END_OF_TABLE};
 
 const Field energy_fields[] = {NUMBER(hs_energy, kinetic),

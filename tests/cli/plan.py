@@ -99,6 +99,12 @@ class Plan(SceneTest):
         self.assertIn("can go, within 1 %", self.line(run, "damping of contacts"))
         self.assertRegex(self.line(run, "moved by 1e-9"), r"^\d(e-\d\d|\.?\d*) % of its size, by chance$")
 
+    def test_sleep_is_a_part_that_a_scene_may_do_without(self):
+        run = self.plan(SLIDE.replace("[world]", "[world]\nsleep_tolerance = 1e-6"))
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        self.assertEqual(self.line(run, "active"), "friction, damping of contacts, sleep")
+        self.assertIn("can go, within 1 %", self.line(run, "sleep"))
+
     def test_a_beam_of_elements(self):
         run = self.plan(BEAM)
         self.assertEqual((run.returncode, run.stderr), (0, ""))

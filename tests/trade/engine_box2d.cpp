@@ -76,7 +76,7 @@ class Box2dWorld : public World {
     const b2PolygonShape shape = shape_of(body, scene.gravity[1] != 0 || body.is_fixed);
     b2FixtureDef fixture;
     fixture.shape = &shape;
-    fixture.density = float(density);
+    fixture.density = float(body.density);
     fixture.friction = float(scene.friction);
     fixture.restitution = float(scene.restitution);
     made->CreateFixture(&fixture);

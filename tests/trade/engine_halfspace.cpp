@@ -83,12 +83,21 @@ class HalfspaceWorld : public World {
     world_.reset(made);
     const hs_law_def law = law_of(scene_, way_, stiffness_);
     require_ok(hs_world_set_default_law(made, &law), context_.get());
-    std::int32_t material = 0;
-    require_ok(hs_world_add_material(made, density, &material), context_.get());
-    if (way_.kind == HS_BLOCK_AFFINE) make_elastic(material);
     blocks_.clear();
-    for (std::size_t i = 0; i < scene_.bodies.size(); ++i) blocks_.push_back(add(i, material));
+    std::map<double, std::int32_t> materials;  // by density
+    for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
+      const auto [known, is_new] = materials.try_emplace(scene_.bodies[i].density);
+      if (is_new) known->second = add_material(known->first);
+      blocks_.push_back(add(i, known->second));
+    }
     if (scene_.is_settled && shear_load() > 0) set_shear();
+  }
+
+  std::int32_t add_material(double density) {
+    std::int32_t material = 0;
+    require_ok(hs_world_add_material(world_.get(), density, &material), context_.get());
+    if (way_.kind == HS_BLOCK_AFFINE) make_elastic(material);
+    return material;
   }
 
   /// The block itself gives as much as its contact does.

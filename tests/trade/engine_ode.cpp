@@ -64,7 +64,7 @@ class OdeWorld : public World {
     const dBodyID made = body.is_fixed ? nullptr : dBodyCreate(world_);
     if (made) {
       dMass mass;
-      dMassSetBox(&mass, density, body.size[0], body.size[1], body.size[2]);
+      dMassSetBox(&mass, body.density, body.size[0], body.size[1], body.size[2]);
       dBodySetMass(made, &mass);
       dGeomSetBody(box, made);
       dBodySetLinearVel(made, body.velocity[0], body.velocity[1], body.velocity[2]);

@@ -9,7 +9,7 @@ namespace halfspace_trade {
 namespace {
 
 /// About the centroid, by the triangles that it makes with the edges.
-Mass mass_of_polygon(const std::vector<Vector>& corners) {
+Mass mass_of_polygon(const std::vector<Vector>& corners, double density) {
   double area = 0, second_moment = 0;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vector &p = corners[i], &q = corners[(i + 1) % corners.size()];
@@ -33,9 +33,9 @@ std::vector<Vector> corners_of(const Body& body, int dimension) {
 }
 
 Mass mass_of(const Body& body, int dimension) {
-  if (dimension == 2) return mass_of_polygon(corners_of(body, 2));
+  if (dimension == 2) return mass_of_polygon(corners_of(body, 2), body.density);
   const auto& [x, y, z] = body.size;
-  const double mass = density * x * y * z;
+  const double mass = body.density * x * y * z;
   return {mass, {mass * (y * y + z * z) / 12, mass * (x * x + z * z) / 12, mass * (x * x + y * y) / 12}};
 }
 

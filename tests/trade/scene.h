@@ -8,7 +8,7 @@ namespace halfspace_trade {
 using Vector = std::array<double, 3>;
 using Quaternion = std::array<double, 4>;  // x y z w
 
-constexpr double density = 1000;  // kg/m^3
+constexpr double density = 1000;  // kg/m^3, of bodies that name no other
 constexpr double gravity = 9.81;  // m/s^2
 
 /// A box; in the plane it may be another polygon of at most 8 corners, as many as Box2D takes.
@@ -19,6 +19,7 @@ struct Body {
   Quaternion rotation{0, 0, 0, 1};
   Vector velocity{};  // m/s
   Vector spin{};      // rad/s
+  double density = halfspace_trade::density;
   bool is_fixed = false;
 };
 

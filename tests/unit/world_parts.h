@@ -55,7 +55,8 @@ struct WorldParts {
   ContactList<D> contacts{model, memory};
   NeighborList<D>& neighbors = contacts.neighbors();
   ForcePass<D> forces{model, contacts, nullptr, memory};
-  Integrator<D> integrator{model, neighbors, forces, nullptr, memory};
+  Sleep<D> sleep{memory};
+  Integrator<D> integrator{model, neighbors, forces, sleep, nullptr, memory};
   StableStep<D> stable_step{model, contacts, memory};
   SpringStop<D> spring_stop{model, contacts};
   FastMotion<D> fast_motion{model, contacts, integrator, clock, stable_step, spring_stop, 1, memory};

@@ -50,6 +50,9 @@ Scene without(Scene scene, int part, const FaceSize& face) {
     case HS_PART_LOCAL_DAMPING:
       scene.world.local_damping = 0;
       break;
+    case HS_PART_SLEEP:
+      scene.world.sleep_tolerance = 0;
+      break;
     default:
       scene.world.mass_damping = 0;
   }
@@ -67,7 +70,8 @@ const std::vector<PartName>& part_names() {
                                               {HS_PART_STRAIN, "strain"},
                                               {HS_PART_LOCAL_DAMPING, "local damping"},
                                               {HS_PART_MASS_DAMPING, "mass damping"},
-                                              {HS_PART_REACTIONS, "springless contacts"}};
+                                              {HS_PART_REACTIONS, "springless contacts"},
+                                              {HS_PART_SLEEP, "sleep"}};
   return names;
 }
 

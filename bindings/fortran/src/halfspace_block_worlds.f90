@@ -58,7 +58,8 @@ module halfspace_block_worlds
 
     !> Makes an empty world; what it was before is dropped. What is not given is the library's default.
     module subroutine create(self, dimension, gravity, time_step, safety, local_damping, mass_damping, skin, &
-                             parallel_angle, vertex_zone, potential_length, fast_blocks, context, stat, errmsg)
+                             parallel_angle, vertex_zone, potential_length, fast_blocks, sleep_tolerance, context, &
+                             stat, errmsg)
       class(block_world), intent(inout) :: self
       integer, intent(in), optional :: dimension  !< 2 (default) or 3
       real(c_double), intent(in), optional :: gravity(:)  !< acceleration; default 9.81 downwards: -y, in 3D -z
@@ -72,6 +73,8 @@ module halfspace_block_worlds
       !> H of HS_STIFFNESS_POTENTIAL, > 0; default: all edges' mean
       real(c_double), intent(in), optional :: potential_length
       integer(c_int32_t), intent(in), optional :: fast_blocks  !< HS_FAST_DIVIDE (default) or HS_FAST_REFUSE
+      !> m, >= 0: of its way that a block may miss over a run by sleep; default 0: none sleeps
+      real(c_double), intent(in), optional :: sleep_tolerance
       type(halfspace_context), intent(in), optional :: context
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg

@@ -142,6 +142,7 @@ module halfspace_c
   integer(c_int32_t), parameter :: HS_PART_LOCAL_DAMPING = 64  !< the world has local damping
   integer(c_int32_t), parameter :: HS_PART_MASS_DAMPING = 128  !< the world has mass damping
   integer(c_int32_t), parameter :: HS_PART_REACTIONS = 256  !< a law has no spring: impulses are found for all contacts together
+  integer(c_int32_t), parameter :: HS_PART_SLEEP = 512  !< blocks at rest may sleep
 
   !> The ratios by which forces are compared.
   !> all unbalanced forces over all forces: of cells, contacts, bonds, weight and loads
@@ -307,6 +308,10 @@ module halfspace_c
     real(c_double) :: potential_length = 0.0_c_double
     integer(c_int32_t) :: fast_blocks = 0  !< an HS_FAST_ value; default HS_FAST_DIVIDE
     integer(c_int32_t) :: reserved = 0  !< 0
+    !> m, >= 0: blocks whose points would go less far than this while nothing reaches them may stand still in
+    !! time and be left out of steps; over a whole run no block misses more of its way. 0 (default): none
+    !! does. Worlds with a law of HS_STIFFNESS_NONE and meshes do not sleep
+    real(c_double) :: sleep_tolerance = 0.0_c_double
   end type hs_world_def
 
   !> How a block is made. Fill it with hs_block_def_init().
@@ -376,6 +381,8 @@ module halfspace_c
     real(c_double) :: peak_overlap = 0.0_c_double
     !> largest speed so far of all blocks that move freely, at the end of every step and part of one
     real(c_double) :: peak_speed = 0.0_c_double
+    integer(c_int64_t) :: sleeping_count = 0  !< blocks that sleep now
+    real(c_double) :: missed_by_sleep = 0.0_c_double  !< m: of its way any block has missed at most by sleep so far
   end type hs_world_report
 
   !> Elasticity of a material. Fill it with hs_elasticity_def_init().

@@ -32,6 +32,7 @@ contains
     if (present(vertex_zone)) def%vertex_zone = vertex_zone
     if (present(potential_length)) def%potential_length = potential_length
     if (present(fast_blocks)) def%fast_blocks = fast_blocks
+    if (present(sleep_tolerance)) def%sleep_tolerance = sleep_tolerance
     status = hs_world_create(owner%object(), def, object)
     if (status == HS_OK) then
       if (.not. self%handle%takes(object, hs_world_destroy, owner, stat=stat, errmsg=errmsg)) return

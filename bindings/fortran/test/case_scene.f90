@@ -261,7 +261,7 @@ contains
     type(scene), intent(inout) :: s
     integer, allocatable :: dimension
     integer(int32), allocatable :: fast_blocks
-    real(real64), allocatable :: time_step, safety, potential_length, gravity(:)
+    real(real64), allocatable :: time_step, safety, potential_length, sleep_tolerance, gravity(:)
     integer :: i
     i = 1
     do while (i < size(words))
@@ -271,6 +271,7 @@ contains
       case ('safety'); safety = number(words(i + 1))
       case ('potential_length'); potential_length = number(words(i + 1))
       case ('fast_blocks'); fast_blocks = constant(words(i + 1))
+      case ('sleep_tolerance'); sleep_tolerance = number(words(i + 1))
       case ('gravity')
         gravity = numbers(words(i + 1 : i + 3))
         i = i + 2
@@ -279,8 +280,8 @@ contains
       i = i + 2
     end do
     call s%world%create(dimension=dimension, gravity=gravity, time_step=time_step, safety=safety, &
-                        potential_length=potential_length, fast_blocks=fast_blocks, context=s%context, stat=s%status, &
-                          errmsg=s%text)
+                        potential_length=potential_length, fast_blocks=fast_blocks, sleep_tolerance=sleep_tolerance, &
+                        context=s%context, stat=s%status, errmsg=s%text)
   end subroutine make_world
 
   type(halfspace_law) function law_of(words) result(law)

@@ -242,6 +242,8 @@ contains
     case ('deepest_stop'); values = [r%deepest_stop]
     case ('peak_overlap'); values = [r%peak_overlap]
     case ('peak_speed'); values = [r%peak_speed]
+    case ('sleeping_count'); values = [real(r%sleeping_count, real64)]
+    case ('missed_by_sleep'); values = [r%missed_by_sleep]
     case ('kinetic'); values = [r%energy%kinetic]
     case ('gravity'); values = [r%energy%gravity]
     case ('strain'); values = [r%energy%strain]

@@ -153,6 +153,7 @@ HS_PART_STRAIN = 32  # a block is affine or a cell of a mesh
 HS_PART_LOCAL_DAMPING = 64  # the world has local damping
 HS_PART_MASS_DAMPING = 128  # the world has mass damping
 HS_PART_REACTIONS = 256  # a law has no spring: impulses are found for all contacts together
+HS_PART_SLEEP = 512  # blocks at rest may sleep
 
 # The ratios by which forces are compared.
 HS_UNBALANCED_MEAN = 0  # all unbalanced forces over all forces: of cells, contacts, bonds, weight and loads
@@ -384,6 +385,10 @@ class hs_world_def(Structure):
         ("potential_length", c_double),
         ("fast_blocks", c_int32),  # an HS_FAST_ value; default HS_FAST_DIVIDE
         ("reserved", c_int32),  # 0
+        # m, >= 0: blocks whose points would go less far than this while nothing reaches them may stand still
+        # in time and be left out of steps; over a whole run no block misses more of its way. 0 (default):
+        # none does. Worlds with a law of HS_STIFFNESS_NONE and meshes do not sleep
+        ("sleep_tolerance", c_double),
     ]
 
 
@@ -467,6 +472,8 @@ class hs_world_report(Structure):
         ("peak_overlap", c_double),
         # largest speed so far of all blocks that move freely, at the end of every step and part of one
         ("peak_speed", c_double),
+        ("sleeping_count", c_int64),  # blocks that sleep now
+        ("missed_by_sleep", c_double),  # m: of its way any block has missed at most by sleep so far
     ]
 
 

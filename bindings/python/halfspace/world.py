@@ -64,6 +64,9 @@ class World(Statics):
         are first used.
     fast_blocks : FastBlocks
         DIVIDE (default) divides a step in which blocks meet too fast; REFUSE ends it with a TooFastError.
+    sleep_tolerance : float
+        Of its way that any block may miss over a whole run as it stands still in time while nothing reaches it,
+        >= 0; 0 (default): none does.
     law : Law, optional
         Between all materials that have none of their own.
     context : Context, optional
@@ -94,6 +97,7 @@ class World(Statics):
         vertex_zone: Optional[float] = None,
         potential_length: Optional[float] = None,
         fast_blocks: Optional[FastBlocks] = None,
+        sleep_tolerance: Optional[float] = None,
         law: Optional[Law] = None,
         context: Optional[Context] = None,
     ) -> None:
@@ -114,6 +118,7 @@ class World(Statics):
             vertex_zone=vertex_zone,
             potential_length=potential_length,
             fast_blocks=fast_blocks,
+            sleep_tolerance=sleep_tolerance,
         )
         for name, value in settings.items():
             if value is not None:

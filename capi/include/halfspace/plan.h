@@ -25,7 +25,8 @@ enum {
   HS_PART_STRAIN = 32,         /**< a block is affine or a cell of a mesh */
   HS_PART_LOCAL_DAMPING = 64,  /**< the world has local damping */
   HS_PART_MASS_DAMPING = 128,  /**< the world has mass damping */
-  HS_PART_REACTIONS = 256      /**< a law has no spring: impulses are found for all contacts together */
+  HS_PART_REACTIONS = 256,     /**< a law has no spring: impulses are found for all contacts together */
+  HS_PART_SLEEP = 512          /**< blocks at rest may sleep */
 };
 
 /** The account of a world. Later versions may append to it. */

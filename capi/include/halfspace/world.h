@@ -57,6 +57,9 @@ typedef struct hs_world_def {
                                 edges when forces are first used */
   int32_t fast_blocks;     /**< an HS_FAST_ value; default HS_FAST_DIVIDE */
   int32_t reserved;        /**< 0 */
+  double sleep_tolerance;  /**< m, >= 0: blocks whose points would go less far than this while nothing reaches them may stand still
+                                in time and be left out of steps; over a whole run no block misses more of its way. 0 (default): none
+                                does. Worlds with a law of HS_STIFFNESS_NONE and meshes do not sleep */
 } hs_world_def;
 
 /** How a block is made. Fill it with hs_block_def_init(). */
@@ -122,6 +125,8 @@ typedef struct hs_world_report {
                                   0.25 or so springs are too soft; from 0.5 on blocks may pass through each other */
   double peak_overlap;       /**< largest overlap so far, at every detection; by potentials in space, whose steps find no overlaps, now */
   double peak_speed;         /**< largest speed so far of all blocks that move freely, at the end of every step and part of one */
+  int64_t sleeping_count;    /**< blocks that sleep now */
+  double missed_by_sleep;    /**< m: of its way any block has missed at most by sleep so far */
 } hs_world_report;
 
 /** @brief Fills a world definition with its defaults.

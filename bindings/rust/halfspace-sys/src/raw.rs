@@ -225,6 +225,8 @@ pub const HS_PART_LOCAL_DAMPING: i32 = 64;
 pub const HS_PART_MASS_DAMPING: i32 = 128;
 /// a law has no spring: impulses are found for all contacts together
 pub const HS_PART_REACTIONS: i32 = 256;
+/// blocks at rest may sleep
+pub const HS_PART_SLEEP: i32 = 512;
 
 // The ratios by which forces are compared.
 /// all unbalanced forces over all forces: of cells, contacts, bonds, weight and loads
@@ -543,8 +545,12 @@ pub struct hs_world_def {
     pub fast_blocks: i32,
     /// 0
     pub reserved: i32,
+    /// m, >= 0: blocks whose points would go less far than this while nothing reaches them may stand still in
+    /// time and be left out of steps; over a whole run no block misses more of its way. 0 (default): none
+    /// does. Worlds with a law of HS_STIFFNESS_NONE and meshes do not sleep
+    pub sleep_tolerance: f64,
 }
-const _: () = assert!(std::mem::size_of::<hs_world_def>() == 104);
+const _: () = assert!(std::mem::size_of::<hs_world_def>() == 112);
 
 /// How a block is made. Fill it with hs_block_def_init().
 #[repr(C)]
@@ -665,8 +671,12 @@ pub struct hs_world_report {
     pub peak_overlap: f64,
     /// largest speed so far of all blocks that move freely, at the end of every step and part of one
     pub peak_speed: f64,
+    /// blocks that sleep now
+    pub sleeping_count: i64,
+    /// m: of its way any block has missed at most by sleep so far
+    pub missed_by_sleep: f64,
 }
-const _: () = assert!(std::mem::size_of::<hs_world_report>() == 216);
+const _: () = assert!(std::mem::size_of::<hs_world_report>() == 232);
 
 /// Elasticity of a material. Fill it with hs_elasticity_def_init().
 #[repr(C)]

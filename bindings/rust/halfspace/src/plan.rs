@@ -27,6 +27,8 @@ pub struct Plan {
     pub mass_damping: bool,
     /// A law has no spring: impulses are found for all contacts together.
     pub reactions: bool,
+    /// Blocks at rest may sleep.
+    pub sleep: bool,
     /// Blocks that never move.
     pub fixed_count: usize,
     /// Blocks that move as they are told.
@@ -98,6 +100,7 @@ impl From<sys::hs_world_plan> for Plan {
             local_damping: has(sys::HS_PART_LOCAL_DAMPING),
             mass_damping: has(sys::HS_PART_MASS_DAMPING),
             reactions: has(sys::HS_PART_REACTIONS),
+            sleep: has(sys::HS_PART_SLEEP),
             fixed_count: raw.fixed_count as usize,
             prescribed_count: raw.prescribed_count as usize,
             rigid_count: raw.rigid_count as usize,

@@ -75,6 +75,10 @@ pub struct Report {
     /// Largest speed so far of all blocks that move freely, at the end of every step and part of
     /// one.
     pub peak_speed: f64,
+    /// Blocks that sleep now.
+    pub sleeping_count: usize,
+    /// Of its way, in m, that any block has missed at most by sleep so far.
+    pub missed_by_sleep: f64,
 }
 
 impl From<sys::hs_energy> for Energy {
@@ -115,6 +119,8 @@ impl From<sys::hs_world_report> for Report {
             deepest_stop: raw.deepest_stop,
             peak_overlap: raw.peak_overlap,
             peak_speed: raw.peak_speed,
+            sleeping_count: raw.sleeping_count as usize,
+            missed_by_sleep: raw.missed_by_sleep,
         }
     }
 }

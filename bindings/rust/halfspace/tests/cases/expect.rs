@@ -139,6 +139,8 @@ pub fn of_report(report: &Report, field: &str) -> Vec<f64> {
         "deepest_stop" => vec![report.deepest_stop],
         "peak_overlap" => vec![report.peak_overlap],
         "peak_speed" => vec![report.peak_speed],
+        "sleeping_count" => vec![report.sleeping_count as f64],
+        "missed_by_sleep" => vec![report.missed_by_sleep],
         _ => unknown(field),
     }
 }

@@ -311,6 +311,7 @@ fn world_def(words: &Words) -> WorldDef {
             "gravity" => def.gravity([values[0], values[1], values[2]]),
             "safety" => def.safety(values[0]),
             "potential_length" => def.potential_length(values[0]),
+            "sleep_tolerance" => def.sleep_tolerance(values[0]),
             "fast_blocks" => def.divide_fast_blocks(values[0] as i32 == HS_FAST_DIVIDE),
             field => panic!("{field} is not a field of worlds that cases use"),
         },
