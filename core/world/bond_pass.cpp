@@ -117,9 +117,22 @@ bool BondPass<D>::load(std::int64_t step, double time, BondEnergy& energy) {
     has_broken = has_broken || hold.has_broken;
     if (hold.is_closed && hold.least_slip <= slip_of_contact * bond.extent) continue;
     bond.is_joint = 0;
+    bond.hands_over = 1;
     has_come_apart = true;
   }
   return (has_broken && bonds_.rings().look(bonds_.points())) || has_come_apart;
+}
+
+/// Forces of a pair's joints add up. The energy of the spring is found as that of a force set from outside.
+template <int D>
+void BondPass<D>::hand_over(ContactList<D>& contacts) {
+  for (Bond<D>& bond : bonds_.all()) {
+    if (!bond.hands_over) continue;
+    bond.hands_over = 0;
+    Vector<D> shear = Vector<D>::Zero();
+    for (const BondPoint<D>& point : bonds_.points_of(bond)) shear += point.area * point.shear;
+    contacts.add_shear(bond.a, bond.b, shear, normal_of(bond));
+  }
 }
 
 template class BondPass<2>;

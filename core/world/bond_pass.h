@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "block/bond/bonds.h"
+#include "world/contact_list.h"
 #include "world/ledger.h"
 #include "world/model.h"
 
@@ -17,7 +18,7 @@ struct BondEnergy {
 
 /// Loads blocks with the forces of their bonds, and lets bonds fail. A bond that has failed at all of its
 /// points is a joint that rubs, until it is open or has slid far: then contact takes over. An open joint has
-/// no force, and neither has the contact that begins.
+/// no force, and neither has the contact that begins; one that has slid far hands its shear force over.
 template <int D>
 class BondPass {
  public:
@@ -26,6 +27,8 @@ class BondPass {
   /// Loads come on top of those of contacts. Returns true when a pair has come apart that contact must know
   /// of.
   bool load(std::int64_t step, double time, BondEnergy& energy);
+  /// Gives contacts the shear forces of joints that have come apart. The neighbour list knows their pairs.
+  void hand_over(ContactList<D>& contacts);
 
  private:
   /// The places of a bond's two blocks now.

@@ -55,6 +55,9 @@ class ContactList {
   /// Describes the contact of a pair that is known to have one.
   void describe(const Candidate<D>& pair, Contact<D>& contact) const;
 
+  /// Adds a force on b to the shear spring of a pair of the list, if its law has one.
+  void add_shear(std::int32_t a, std::int32_t b, const Vector<D>& force, const Vector<D>& normal);
+
   /// The one between two blocks, in either order, if there is any.
   std::optional<std::size_t> contact_between(std::int32_t a, std::int32_t b) const;
 
@@ -139,6 +142,7 @@ class ContactList {
 
  private:
   void release_shear(std::size_t k, PairSums& sums);
+  std::optional<std::size_t> pair_between(std::int32_t a, std::int32_t b) const;
   /// Potentials in space have no contact described, but at first sight.
   bool is_always_described(const Candidate<D>& pair) const {
     return D == 2 || !model_.materials.laws().knows_potential() || !model_.law_of(pair).is_potential();

@@ -10,8 +10,9 @@ namespace {
 /// Measuring costs as much as a step.
 constexpr std::int64_t steps_per_look = 10;
 
-/// Share of the stable step, as far as that is not given, where forces are continuous. Springs per contact
-/// are not: their jumps make more energy in larger steps than damping takes.
+/// Share of the stable step where forces are continuous; the rest is left to the damping. Springs per contact
+/// are not continuous: their jumps make more energy in larger steps than damping takes. There a smaller share
+/// stays as it is, and so does a smaller step that is given.
 constexpr double safety_in_relaxation = 0.9;
 
 /// The ways of blocks since it was made, over their own size.
@@ -77,10 +78,19 @@ void World<D>::stop_all() {
   edit();
 }
 
+/// A step that is given may be one that damping makes unstable.
+template <int D>
+bool World<D>::leaves_room_for_damping(double time_step) {
+  if (time_step == 0) return true;
+  detect();
+  return time_step <= safety_in_relaxation * stable_step_.bound();
+}
+
 /// When memory runs out before anything has moved, a world that was ready for its next step still is: the
 /// change of its damping has left no trace.
 template <int D>
 Relaxed World<D>::relax(const Relaxation& relaxation) {
+  const bool leaves_room = leaves_room_for_damping(model_.settings.time_step);
   Memory* memory = sums_.get_allocator().resource();
   Watch<D> watch(model_, memory);
   const auto known = [&] { return std::tuple_cat(state(), integrator_.state()); };
@@ -98,7 +108,8 @@ Relaxed World<D>::relax(const Relaxation& relaxation) {
   model_.settings.sleep_tolerance = 0;
   const bool has_jumps = model_.materials.laws().any(
       [](const SpringLaw& law) { return law.stiffness_kind == StiffnessKind::per_contact; });
-  if (!has_jumps) model_.settings.safety = std::max(settings.safety, safety_in_relaxation);
+  model_.settings.safety = has_jumps ? std::min(settings.safety, safety_in_relaxation) : safety_in_relaxation;
+  if (!leaves_room) model_.settings.time_step = 0;
   set_damping(relaxation.local_damping, relaxation.is_adaptive ? 0 : settings.mass_damping);
   if (relaxation.holds_bonds) hold_bonds(true);
   Relaxed relaxed;

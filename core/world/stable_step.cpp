@@ -94,8 +94,9 @@ typename StableStep<D>::Wave StableStep<D>::wave_of(std::size_t slot) const {
 /// Gershgorin: no frequency exceeds omega^2 = sum_contacts n (K (1/m + y) + E/I), with y = r^2/I of the point
 /// that yields most to a force, E what the shares of a region's stiffness add to it as they change with the
 /// tilt, and n = 2, or 1 where the other block stands still; and no decay gamma = sum_contacts n c (1/m + y).
-/// Dashpots read the velocity of half a step before, so that central differences are stable as long as
-/// dt^2 omega^2 + 2 dt gamma < 4. Blocks will meet others: never fewer than so many contacts are counted.
+/// Dashpots and mass damping read the velocity of half a step before, so that central differences are stable
+/// as long as dt^2 omega^2 + 2 dt gamma < 4. Blocks will meet others: never fewer than so many contacts are
+/// counted.
 template <int D>
 typename StableStep<D>::Limit StableStep<D>::limit() {
   // Blocks of a mesh share their nodes with others, which count theirs.
@@ -130,6 +131,8 @@ typename StableStep<D>::Limit StableStep<D>::limit() {
       omega_squared += wave.squared_frequency;
       if (wave.damping_time > 0) gamma += wave.damping_time * wave.squared_frequency;
     }
+    // It brakes as dashpots do, but by itself it tells no step.
+    if (omega_squared > 0) gamma += model_.settings.mass_damping;
     const double step = 4 / (gamma + std::sqrt(gamma * gamma + 4 * omega_squared));
     if (step < limit.step) limit = {step, std::int32_t(i), omega_squared > 2 * by_others};
   }

@@ -62,6 +62,7 @@ void World<D>::renew_neighbors() {
   contacts_.fit_room();
   fit_rooms();
   neighbors.renew(model_.blocks, with_shear);
+  if (!bonds.empty()) bond_pass_.hand_over(contacts_);
   forget_contacts();
   are_left_out_loaded_ = false;
 }

@@ -223,6 +223,7 @@ class World {
   void wake(bool has_woken) { are_left_out_loaded_ = are_left_out_loaded_ && !has_woken; }
   void look_for_sleep();
   void stop_all();
+  bool leaves_room_for_damping(double time_step);
   template <class Watch>
   void relax_under_damping(const Relaxation& relaxation, Watch& watch, Relaxed& relaxed);
   void evaluate_forces(double elapsed);

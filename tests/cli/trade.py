@@ -68,7 +68,7 @@ STRUCK_BLOCK = BARS[:BARS.index('[[mesh]]\nname = "struck"')] + """[[block]]
 name = "struck"
 material = "steel"
 kind = "mesh"
-cell_size = 0.1
+cell_size = 0.2
 vertices = [[0, 0], [1, 0], [1, 0.1], [0, 0.1]]
 """ + BARS[BARS.index("[reference]"):]
 
@@ -217,7 +217,7 @@ class Trade(SceneTest):
 
     def test_a_block_of_cells_without_springs_is_not_tried_as_a_rigid_one(self):
         scene = STRUCK_BLOCK[:STRUCK_BLOCK.index("[[mesh]]")] + STRUCK_BLOCK[STRUCK_BLOCK.index("[[block]]"):]
-        run = self.trade(scene.replace("cell_size = 0.1", "cell_size = 0.1\nvelocity = [1, 0]"))
+        run = self.trade(scene.replace("cell_size = 0.2", "cell_size = 0.2\nvelocity = [1, 0]"))
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertEqual({row["kind"] for row in rows_of(self.output)}, {"", "3"})
 

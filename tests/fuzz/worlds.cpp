@@ -23,6 +23,7 @@ hs_world_def read_world_def(Bytes& bytes, int dimension) {
   def.vertex_zone = bytes.positive_or(def.vertex_zone);
   def.potential_length = bytes.positive_or(0);
   def.fast_blocks = bytes.below(3);
+  def.sleep_tolerance = bytes.positive_or(0);
   return def;
 }
 

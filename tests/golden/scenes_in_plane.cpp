@@ -112,6 +112,17 @@ std::uint64_t fast(const LawOfStiffness& of, std::int32_t kind) {
   return stage.run(200);
 }
 
+/// Two towers fall asleep; what falls on one of them wakes it.
+std::uint64_t towers(const LawOfStiffness& of) {
+  Stage stage = stage_of_sleep(world_def(), of);
+  stage.add(stage.rectangle({-4, -1}, {4, 0}), HS_BLOCK_FIXED);
+  for (const double x : {-1.5, 0.5})
+    for (int i = 0; i < 3; ++i)
+      stage.add(stage.rectangle({x + 0.125 * i, double(i)}, {x + 1 + 0.125 * i, i + 1.0}), HS_BLOCK_RIGID);
+  stage.add(stage.rectangle({0.5, 8}, {1, 8.5}), HS_BLOCK_RIGID);
+  return stage.run(12000);
+}
+
 /// A heap whose forces a host has evaluated, and which it moves on by itself.
 std::uint64_t stages() {
   Stage stage(world_def());
@@ -148,6 +159,7 @@ std::vector<Scene> scenes_in_plane() {
     scenes.push_back({"plane: needle" + law, [&] { return needle(of); }});
     scenes.push_back({"plane: fast bar" + law, [&] { return fast(of, HS_BLOCK_RIGID); }});
     scenes.push_back({"plane: fast affine bar" + law, [&] { return fast(of, HS_BLOCK_AFFINE); }});
+    scenes.push_back({"plane: towers asleep" + law, [&] { return towers(of); }});
     scenes.push_back({"plane: preload" + law, [&] { return preload(of); }});
     if (of.stiffness_kind != HS_STIFFNESS_POTENTIAL)
       scenes.push_back({"plane: bonded wall" + law, [&] { return wall(of); }});

@@ -103,6 +103,17 @@ std::uint64_t round_hulls() {
   return stage.run(600);
 }
 
+/// Two towers fall asleep; what falls on one of them wakes it.
+std::uint64_t towers(const LawOfStiffness& of) {
+  Stage stage = stage_of_sleep(world_def(3), of);
+  stage.add(stage.cuboid({-4, -4, -1}, {4, 4, 0}), HS_BLOCK_FIXED);
+  for (const double x : {-1.5, 0.5})
+    for (int i = 0; i < 3; ++i)
+      stage.add(stage.cuboid({x + 0.125 * i, 0, double(i)}, {x + 1 + 0.125 * i, 1, i + 1.0}), HS_BLOCK_RIGID);
+  stage.add(stage.cuboid({0.5, 0.25, 8}, {1, 0.75, 8.5}), HS_BLOCK_RIGID);
+  return stage.run(12000);
+}
+
 /// The parts of a cube cut through thrice, let go.
 std::uint64_t cut_parts(const LawOfStiffness& of) {
   Stage stage(world_def(3), law_of(of, 2e7, 0.3));
@@ -136,6 +147,7 @@ std::vector<Scene> scenes_in_space() {
     scenes.push_back({"space: needle" + law, [&] { return needle(of); }});
     scenes.push_back({"space: fast slab" + law, [&] { return fast(of, HS_BLOCK_RIGID); }});
     scenes.push_back({"space: fast affine slab" + law, [&] { return fast(of, HS_BLOCK_AFFINE); }});
+    scenes.push_back({"space: towers asleep" + law, [&] { return towers(of); }});
     scenes.push_back({"space: preload" + law, [&] { return preload(of); }});
     scenes.push_back({"space: cut cube" + law, [&] { return cut_parts(of); }});
     if (of.stiffness_kind != HS_STIFFNESS_POTENTIAL)

@@ -172,6 +172,15 @@ inline Stage stage_of_fast_blocks(hs_world_def def, const hs_law_def& law) {
   return stage;
 }
 
+/// A stage whose blocks may sleep, and soon do.
+inline Stage stage_of_sleep(hs_world_def def, const LawOfStiffness& of) {
+  def.sleep_tolerance = 2e-3;
+  def.local_damping = 0.5;
+  hs_law_def law = law_of(of, 1e7, 0.5);
+  law.normal_damping = law.shear_damping = 0.5;
+  return Stage(def, law);
+}
+
 std::vector<Scene> scenes_in_plane();
 std::vector<Scene> scenes_in_space();
 std::vector<Scene> scenes_of_meshes();

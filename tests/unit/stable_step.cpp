@@ -25,7 +25,8 @@ struct ClampedBar : WorldParts<2> {
   static constexpr double length = 16, height = 0.25, support = 0.25;
   double mass = density * length * height;
 
-  explicit ClampedBar(const SpringLaw& law) : WorldParts<2>(law, {}, density) {
+  explicit ClampedBar(const SpringLaw& law, const WorldSettings<2>& settings = {})
+      : WorldParts<2>(law, settings, density) {
     add(cuboid<2>({length, height}), BlockKind::rigid, {0, 0});
     for (const double x : {-0.5, 0.5})
       for (const double y : {-0.5, 0.5})
@@ -83,6 +84,23 @@ TEST_CASE("dashpots shorten the stable step as they do that of an oscillator") {
     INFO(damping);
     CHECK(bar.stable_step.bound() <= limit);
     CHECK(bar.stable_step.bound() >= 0.7 * limit);
+  }
+}
+
+TEST_CASE("mass damping shortens the stable step as dashpots do, and tells none by itself") {
+  for (const double share : {0.01, 1.0, 10.0}) {
+    WorldSettings<2> settings;
+    ClampedBar free(normal_spring(stiffness));
+    const double omega = 2 / free.stable_step.bound(), gamma = share * omega;
+    settings.mass_damping = gamma;
+    ClampedBar bar(normal_spring(stiffness), settings);
+    const double limit = (std::sqrt(gamma * gamma + 4 * omega * omega) - gamma) / (omega * omega);
+    CHECK(bar.stable_step.bound() == Approx(limit).epsilon(1e-12));
+    SpringLaw no_spring = normal_spring(stiffness);
+    no_spring.stiffness_kind = StiffnessKind::none;
+    WorldParts<2> parts(no_spring, settings);
+    parts.add(cube<2>(), BlockKind::rigid, at<2>(0, 0));
+    CHECK(std::isinf(bound_of<2>(parts)));
   }
 }
 

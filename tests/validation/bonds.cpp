@@ -153,6 +153,60 @@ TEST_CASE("a face that opens slowly takes its fracture energy", "[bonds]") {
   CHECK(events_of(scene).size() == 3);
 }
 
+/// The upper block is so heavy that it goes on as it does, whatever holds it. Contact is as stiff as the
+/// bond.
+TEST_CASE("a joint that has slid far hands its friction over to the contact", "[bonds]") {
+  const int dimension = GENERATE(2, 3);
+  const int32_t kind = GENERATE(int32_t(HS_STIFFNESS_PER_CONTACT), int32_t(HS_STIFFNESS_PER_AREA));
+  CAPTURE(dimension, name_of_stiffness(kind));
+  constexpr double stiffness = 1e9, friction_angle = 30 * degree;
+  hs_world_def def = mesh_world_def(dimension);
+  def.time_step = 1e-5;
+  hs_law_def law = spring_law(stiffness, friction_angle);
+  law.stiffness_kind = kind;
+  MeshScene scene(def, law, 2500, {1e9, 0.25});
+  const int32_t heavy = scene.add_material(1e9);
+  const std::size_t up = std::size_t(dimension) - 1;
+  const auto add = [&](double middle, int32_t block_kind, int32_t material) {
+    if (dimension == 2)
+      return scene.add(box(0, middle - 0.5, 1, middle + 0.5), {block_kind, {}, 0}, material);
+    return scene.add_hull(cuboid({1, 1, 1}), {{0, 0, middle}, {0, 0, 0, 1}, block_kind, {}, {}, material});
+  };
+  add(0.5, HS_BLOCK_FIXED, 0);
+  const hs_block upper = add(1.5, HS_BLOCK_RIGID, heavy);
+  hs_bond_def bond = bond_def(stiffness);
+  bond.cohesion = bond.tensile_strength = 1e4;
+  bond.friction_angle = friction_angle;
+  std::int64_t count = 0;
+  scene.check(hs_world_bond_materials(scene.world(), 0, heavy, &bond, &count));
+  REQUIRE(count == 1);
+  const auto move = [&](double along, double across, double upwards) {
+    double velocity[3] = {along, across, 0};
+    velocity[up] = upwards;
+    const double none[3] = {};
+    scene.check(hs_world_set_velocity(scene.world(), upper, velocity, none));
+  };
+  move(0, 0, -1);
+  scene.step(10);
+  dimension == 2 ? move(1, 0, 0) : move(0.8, 0.6, 0);
+  scene.step(100);
+  double least = 1, most = 0;
+  int after = 0;
+  while (after < 100) {
+    scene.step();
+    const hs_block_state state = scene.state(upper);
+    const double shear =
+        dimension == 2 ? std::abs(state.force[0]) : std::hypot(state.force[0], state.force[1]);
+    least = std::min(least, shear / state.force[up]);
+    most = std::max(most, shear / state.force[up]);
+    if (!bonds_of(scene)[0].is_joint) ++after;
+  }
+  std::printf("joint that has slid far, %dD, %s: friction from %.6f to %.6f, wanted %.6f\n", dimension,
+              name_of_stiffness(kind), least, most, std::tan(friction_angle));
+  CHECK(least == Approx(std::tan(friction_angle)).epsilon(1e-3));
+  CHECK(most == Approx(std::tan(friction_angle)).epsilon(1e-3));
+}
+
 /// D12. The books of what shatters close, the better the smaller the step, and mirror twins shatter alike.
 /// Contacts slide without friction: what springs per area lose of it in collisions as violent as these is
 /// theirs, with bonds or without.

@@ -20,6 +20,31 @@ Nodes difference(const Nodes& a, const Nodes& b) {
   return way;
 }
 
+/// Damping brakes by the velocity of half a step before: at the whole stable step that would be too late.
+TEST_CASE("a column comes to rest at its whole stable step as at half of it", "[mesh]") {
+  Nodes rest[3];
+  double stable = 0;
+  for (const int i : {0, 1, 2}) {
+    hs_world_def def = mesh_world_def(2);
+    def.gravity[1] = -9.81;
+    if (i == 1) def.safety = 1;
+    if (i == 2) def.time_step = stable;
+    MeshScene scene(def, area_law(1), 2000, {1e9, 0, HS_PLANE_STRAIN});
+    const hs_body body = scene.add_mesh(brick(2, {1, 4, 1}, {1, 4, 1}, [](int) { return HS_CELL_QUAD; }));
+    scene.hold(body, scene.nodes_where(body, [](const Node& node) { return node.y() < 1e-9; }),
+               HS_AXIS_X + HS_AXIS_Y);
+    stable = scene.report().stable_time_step;
+    relax(scene, 1e-8);
+    rest[i] = scene.positions(body);
+  }
+  // The sag is rho g h^2 / 2E = 1.6e-4 m.
+  for (const int i : {1, 2}) {
+    double apart = 0;
+    for (const Node& node : difference(rest[0], rest[i])) apart = std::max(apart, node.norm());
+    CHECK(apart < 1e-9);
+  }
+}
+
 }  // namespace
 
 /// The beam is bent by a force at its tip, and let go. The product of what it is bent by then and at the

@@ -63,6 +63,7 @@ struct SolidStart {
   int32_t kind = HS_BLOCK_RIGID;
   Triple velocity{};
   Triple spin{};
+  int32_t material = 0;
 };
 
 class SolidScene : public Scene {
@@ -75,6 +76,7 @@ class SolidScene : public Scene {
     hs_block_def def;
     check(hs_block_def_init(&def, sizeof def, shape.get()));
     def.kind = start.kind;
+    def.material = start.material;
     for (std::size_t k = 0; k < 3; ++k) {
       def.pose.position[k] = start.position[k];
       def.velocity[k] = start.velocity[k];

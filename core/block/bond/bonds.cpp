@@ -46,7 +46,7 @@ void Bonds<D>::forget(std::int32_t block) {
   for (Bond<D>& bond : bonds_) {
     if (bond.a == block || bond.b == block) {
       bond.a = bond.b = -1;
-      bond.is_joint = 0;
+      bond.is_joint = bond.hands_over = 0;
     }
   }
 }
@@ -77,6 +77,7 @@ bool Bonds<D>::is_consistent(std::size_t slots) const {
     if (bond.law < 0 || std::size_t(bond.law) >= laws_.size()) return false;
     const std::int64_t left = std::int64_t(points_.size()) - counted;
     if (bond.first_point != counted || bond.point_count < 1 || bond.point_count > left) return false;
+    if (bond.hands_over && bond.is_joint) return false;
     if (!bond.normal_a.allFinite() || !bond.normal_b.allFinite() || !is_positive(bond.extent)) return false;
     counted += bond.point_count;
   }

@@ -20,7 +20,9 @@ struct Bond {
   Vector<D> normal_a = Vector<D>::Zero();  // of the face, from a to b, in a's frame, and in b's
   Vector<D> normal_b = Vector<D>::Zero();
   double extent = 0;  // of the face
-  double reserved = 0;
+  std::int32_t hands_over =
+      0;  // 1: it has just come apart, and the contact does not know its shear force yet
+  std::int32_t reserved = 0;
 };
 
 /// A point of a bond that has failed. There is no gap between members.
