@@ -30,7 +30,8 @@ PARTS = {
     "strain": {"kind": hs.BlockKind.AFFINE},
     "local damping": {"world": {"local_damping": 0.1}},
     "mass damping": {"world": {"mass_damping": 0.1}},
-    "all asleep": {"world": {"mass_damping": 100, "sleep_tolerance": 1e-6}, "falls_asleep": True},
+    "friction, all asleep": {"law": {"friction_angle": 0.5}, "world": {"mass_damping": 100, "sleep_tolerance": 1e-6},
+                             "falls_asleep": True},
 }
 
 
