@@ -123,6 +123,15 @@ std::string fast_blocks_text(const hs_world_report& report, const Peaks& peaks) 
   return text;
 }
 
+/// Nothing of a scene in which no block may sleep.
+std::string sleep_text(const Scene& scene, const hs_world_report& report) {
+  if (scene.world.sleep_tolerance == 0) return {};
+  return report_line("asleep", std::to_string(report.sleeping_count) + " of " +
+                                   std::to_string(report.block_count) +
+                                   " blocks at the end; by sleep any has missed at most " +
+                                   rounded(report.missed_by_sleep, 2) + " m of its way");
+}
+
 std::string run_out_text(const RunOut& reach, int dimension) {
   const auto metres = [](double length) { return decimals(length, 2) + " m "; };
   std::string text =
@@ -172,7 +181,7 @@ std::string summary(const Scene& scene, const Model& model, const Peaks& peaks, 
                                      rounded(report.largest_speed, 3) + " m/s") +
          report_line("in the whole run", "largest overlap " + rounded(peaks.overlap, 3) +
                                              " m, fastest block " + rounded(report.peak_speed, 3) + " m/s") +
-         time_step_text(report, peaks) + fast_blocks_text(report, peaks) +
+         time_step_text(report, peaks) + fast_blocks_text(report, peaks) + sleep_text(scene, report) +
          (report.potential_length > 0
               ? report_line("potential length", rounded(report.potential_length, 6) + " m")
               : std::string()) +

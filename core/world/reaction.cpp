@@ -31,6 +31,57 @@ Vector<D> stopping_impulse(const Reaction<D>& at, const Vector<D>& velocity) {
   return normal * at.normal + shear;
 }
 
+/// Goes through all contacts once. Returns the largest change, as a velocity.
+template <int D>
+double go_round(std::span<Reaction<D>> reactions, bool is_backwards, Kicks<D>& kicks) {
+  double changed = 0;
+  const auto visit = [&](Reaction<D>& at) {
+    const Vector<D> velocity = at.velocity + kicks.at(at.of_a) - kicks.at(at.of_b);
+    const Vector<D> impulse = stopping_impulse(at, velocity);
+    const Vector<D> change = impulse - at.impulse;
+    if (change.isZero(0)) return;
+    at.impulse = impulse;
+    kicks.add(at.of_a, change);
+    kicks.add(at.of_b, -change);
+    changed = std::max(changed, change.norm() * at.normal_mobility);
+  };
+  if (is_backwards) {
+    for (auto at = reactions.rbegin(); at != reactions.rend(); ++at) visit(*at);
+  } else {
+    for (auto at = reactions.begin(); at != reactions.end(); ++at) visit(*at);
+  }
+  return changed;
+}
+
+/// Leads impulses on the way that their rounds have taken so far: there and back is one step of a symmetric
+/// iteration, which conjugate gradients make fast (Fletcher and Reeves; with bounds Silcowitz-Hansen, Niebe
+/// and Erleben 2010). A stack of ten takes 9 rounds instead of a thousand, and a block that bears one a
+/// hundred times heavier 4 instead of 78. The next round puts what goes beyond its bound back to it.
+template <int D>
+class Course {
+ public:
+  void lead_on(std::span<Reaction<D>> reactions, Kicks<D>& kicks) {
+    double length = 0;
+    for (const Reaction<D>& at : reactions)
+      length += (at.impulse - at.impulse_before).squaredNorm() * at.normal_mobility;
+    const bool is_shorter = length <= last_length_;
+    const double share = is_shorter && length > 0 ? length / last_length_ : 0;
+    for (Reaction<D>& at : reactions) {
+      const Vector<D> more = share * at.course;
+      at.course =
+          is_shorter ? Vector<D>(more + at.impulse - at.impulse_before) : Vector<D>(Vector<D>::Zero());
+      at.impulse += more;
+      at.impulse_before = at.impulse;
+      kicks.add(at.of_a, more);
+      kicks.add(at.of_b, -more);
+    }
+    last_length_ = length;
+  }
+
+ private:
+  double last_length_ = HUGE_VAL;  // of the step before
+};
+
 }  // namespace
 
 template <int D>
@@ -48,28 +99,17 @@ template <int D>
 int find_impulses(std::span<Reaction<D>> reactions, Kicks<D>& kicks) {
   double fastest = 0, least = HUGE_VAL;
   int least_in = 0;
-  for (const Reaction<D>& at : reactions) {
+  for (Reaction<D>& at : reactions) {
     kicks.add(at.of_a, at.impulse);
     kicks.add(at.of_b, -at.impulse);
     fastest = std::max(fastest, at.impulse.norm() * at.normal_mobility);
+    at.impulse_before = at.impulse;
+    at.course = Vector<D>::Zero();
   }
+  Course<D> course;
   for (int round = 1; round <= most_rounds; ++round) {
-    double changed = 0;
-    const auto visit = [&](Reaction<D>& at) {
-      const Vector<D> velocity = at.velocity + kicks.at(at.of_a) - kicks.at(at.of_b);
-      const Vector<D> impulse = stopping_impulse(at, velocity);
-      const Vector<D> change = impulse - at.impulse;
-      if (change.isZero(0)) return;
-      at.impulse = impulse;
-      kicks.add(at.of_a, change);
-      kicks.add(at.of_b, -change);
-      changed = std::max(changed, change.norm() * at.normal_mobility);
-    };
-    if (round % 2 == 1) {
-      for (auto at = reactions.begin(); at != reactions.end(); ++at) visit(*at);
-    } else {
-      for (auto at = reactions.rbegin(); at != reactions.rend(); ++at) visit(*at);
-    }
+    const bool is_backwards = round % 2 == 0;
+    const double changed = go_round(reactions, is_backwards, kicks);
     fastest = std::max(fastest, changed);
     if (changed <= smallest_change * fastest) return round;
     if (changed <= 0.999 * least) {
@@ -78,6 +118,7 @@ int find_impulses(std::span<Reaction<D>> reactions, Kicks<D>& kicks) {
     } else if (round - least_in >= most_idle_rounds) {
       return round;
     }
+    if (is_backwards) course.lead_on(reactions, kicks);
   }
   return most_rounds;
 }

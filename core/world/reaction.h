@@ -39,6 +39,8 @@ struct Reaction {
   Vector<D> quickened = Vector<D>::Zero();  // by other forces, in half of the motion
   Vector<D> met_velocity =
       Vector<D>::Zero();  // that the second kick would meet, had no blow strained any element
+  Vector<D> impulse_before = Vector<D>::Zero();   // two rounds ago
+  Vector<D> course = Vector<D>::Zero();           // of the impulse, from round to round
   Vector<D> normal_response = Vector<D>::Zero();  // that velocity over a normal impulse
   double normal_mobility = 0;
   double shear_mobility = 0;
@@ -55,14 +57,15 @@ struct Reaction {
   auto key() const { return std::tie(a, b, meeting, feature_a, feature_b); }
 };
 
-static_assert(sizeof(Reaction<2>) == 336 && sizeof(Reaction<3>) == 424, "saved reactions hold stray bytes");
+static_assert(sizeof(Reaction<2>) == 368 && sizeof(Reaction<3>) == 472, "saved reactions hold stray bytes");
 
 /// Finds the impulses of all together that stop what has to be stopped: no normal one pulls, and no shear one
 /// is larger, than strength bears; and as far as neither is at its bound, nothing moves on. Impulses that are
 /// there already are where it begins.
 ///
-/// By turns (Gauss and Seidel), with the blocks' changes of velocity at hand, so that a contact costs the
-/// same whatever the number of them. Returns how often all have been gone through.
+/// By turns (Gauss and Seidel), led on by conjugate gradients, with the blocks' changes of velocity at hand,
+/// so that a contact costs the same whatever the number of them. Returns how often all have been gone
+/// through.
 template <int D>
 int find_impulses(std::span<Reaction<D>> reactions, Kicks<D>& kicks);
 

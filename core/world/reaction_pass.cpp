@@ -15,6 +15,10 @@ constexpr double recovered_share = 1e-7;
 
 constexpr int most_searches = 4;
 
+/// What lies deeper in a block, as a share of its radius, than rounding and turns let it: rounds have not
+/// sufficed.
+constexpr double told_depth = 1e-3;
+
 template <int D>
 bool precedes(const Reaction<D>& one, const Reaction<D>& other) {
   return one.key() < other.key();
@@ -197,6 +201,8 @@ void ReactionPass<D>::look() {
   for (Reaction<D>& at : planned_) {
     break_when_due(at);
     search_.place(at);
+    if (at.gap < -told_depth * blocks_.radius[std::size_t(at.b)])
+      deepest_ = std::max(deepest_, -at.gap / blocks_.thinner(at.a, at.b));
     at.met_velocity = velocity_of(at) + at.quickened;
   }
 }

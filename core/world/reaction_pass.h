@@ -32,6 +32,9 @@ class ReactionPass {
   const Array<Reaction<D>>& all() const { return known_; }
   std::int64_t touches() const { return touches_; }
   std::int64_t rounds() const { return rounds_; }
+  /// As deep as any has come so far, where rounds have not sufficed, as a share of the thinner block's
+  /// thickness.
+  double deepest() const { return deepest_; }
 
   /// Takes note of the surfaces of meshes, after the neighbour list has been made anew.
   void survey() { search_.survey(); }
@@ -83,6 +86,7 @@ class ReactionPass {
   double motion_began_ = 0;   // time
   std::int64_t touches_ = 0;  // so far
   std::int64_t rounds_ = 0;
+  double deepest_ = 0;
 };
 
 extern template class ReactionPass<2>;

@@ -168,7 +168,7 @@ double Sleep<D>::missed(double time) const {
 }
 
 template <int D>
-bool Sleep<D>::is_consistent(std::size_t slots) const {
+bool Sleep<D>::is_consistent(std::size_t slots, bool knows_all) const {
   const std::size_t count = rest_.size();
   if (count > slots || spent_.size() != count || since_.size() != count || until_.size() != count ||
       pace_.size() != count || island_.size() != count)
@@ -180,7 +180,7 @@ bool Sleep<D>::is_consistent(std::size_t slots) const {
     const bool has_pace = is_from_zero(pace_[i].speed) && is_from_zero(pace_[i].acceleration);
     if (!has_head || !has_pace || !is_finite(since_[i]) || !is_finite(until_[i])) return false;
   }
-  return (sleeping_ == 0 || count == slots) && is_finite(next_wake_) &&
+  return ((sleeping_ == 0 && !knows_all) || count == slots) && is_finite(next_wake_) &&
          sleeping_ == std::count(rest_.begin(), rest_.end(), Rest::asleep);
 }
 

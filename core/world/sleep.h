@@ -80,8 +80,9 @@ class Sleep {
   /// The slot of a block that is removed may come to be another's. All are awake.
   void forget(std::size_t slot);
 
-  /// False for what no sleep can be, after reading a snapshot.
-  bool is_consistent(std::size_t slots) const;
+  /// False for what no sleep can be, after reading a snapshot. A world that is ready for its next step, in
+  /// which blocks may sleep, knows all slots.
+  bool is_consistent(std::size_t slots, bool knows_all) const;
 
   template <class Archive>
   void visit(Archive& archive) {

@@ -133,6 +133,7 @@ void World<D>::move() {
   made_ = 0;
   if (reactions_.is_wanted()) {
     reactions_.look();
+    spring_stop_.note(reactions_.deepest());
     lap(Pass::reactions);
   }
   Stock stock = integrator_.kick();

@@ -239,8 +239,8 @@ bool World<D>::is_consistent() const {
   return model_.is_consistent() && contacts_.is_consistent() && integrator_.is_consistent(edited_) &&
          (edited_ || contacts_.neighbors().list_length() == model_.blocks.slot_count()) &&
          clock_.is_consistent() && reactions_.is_consistent() &&
-         sleep_.is_consistent(model_.blocks.slot_count()) && spring_stop_.is_consistent() &&
-         is_from_zero(peak_speed_) && is_strength_factor(strength_factor_);
+         sleep_.is_consistent(model_.blocks.slot_count(), !edited_ && model_.settings.sleep_tolerance > 0) &&
+         spring_stop_.is_consistent() && is_from_zero(peak_speed_) && is_strength_factor(strength_factor_);
 }
 
 template class World<2>;

@@ -237,6 +237,14 @@ class Notes(unittest.TestCase):
         self.assertIn("a step of 4.16667e-06 would do; give that time_step in [world]", answer.stderr)
         self.assertRegex(summary, r"outcome +REFUSED")
 
+    def test_sleep_is_told(self):
+        scene = (re.sub("duration = .*", "duration = 3\nsleep_tolerance = 1e-6", HEAD.format(2))
+                 + block("floor", [0, -1], [2, 0], 'kind = "fixed"') + block("box", [0, 0], [1, 1]))
+        answer, summary = self.run_scene(scene)
+        self.assertEqual((answer.returncode, answer.stderr), (0, ""))
+        told = re.search(r"asleep +1 of 2 blocks at the end; by sleep any has missed at most (\S+) m", summary)
+        self.assertLessEqual(float(told[1]), 1e-6)
+
     def test_examples_overlap_nowhere_and_run_the_right_way_round(self):
         for scene in sorted(EXAMPLES.glob("*/*.toml")):
             for note in halfspace("check", scene).stdout.splitlines()[1:]:

@@ -208,3 +208,55 @@ TEST_CASE("a block stands on a slope up to the angle of friction, or that of its
     CHECK((off < 0 ? moved < 1e-6 : moved > 1e-3));
   }
 }
+
+/// A tower's first kick has to find out what each block bears: by rounds alone that took 1759 of them.
+TEST_CASE("a tower of blocks stands at once", "[reaction]") {
+  for (const int dimension : {2, 3}) {
+    hs_world_def def = heavy_world(dimension, 0);
+    def.time_step = 1e-3;
+    SolidScene scene(def, law_without_spring(30 * degree));
+    std::vector<hs_block> tower;
+    const auto add = [&](double width, double middle, int32_t kind) {
+      if (dimension == 2)
+        return scene.add(box(-width / 2, middle - 0.5, width / 2, middle + 0.5), {kind, {}, 0});
+      return scene.add_hull(cuboid({width, width, 1}), {{0, 0, middle}, {0, 0, 0, 1}, kind});
+    };
+    add(8, -0.5, HS_BLOCK_FIXED);
+    for (int i = 0; i < 10; ++i) tower.push_back(add(1, i + 0.5, HS_BLOCK_RIGID));
+    scene.step(500);
+    hs_reaction_report report;
+    scene.check(hs_world_get_reaction_report(scene.world(), &report, sizeof report));
+    double moved = 0;
+    for (std::size_t i = 0; i < tower.size(); ++i) {
+      const Triple place = scene.place_of(tower[i]);
+      moved = std::max(moved, std::abs(place[std::size_t(dimension) - 1] - (double(i) + 0.5)));
+    }
+    std::printf("a tower of ten, %dD: moved by %.1e, %.1f rounds a step\n", dimension, moved,
+                double(report.round_count) / 500);
+    CHECK(moved < 1e-6);
+    CHECK(report.round_count < 50 * 500);
+  }
+}
+
+/// Ten billion times heavier is more than rounds can do.
+TEST_CASE("a block that is crushed for want of rounds is told", "[reaction]") {
+  for (const double ratio : {1e2, 1e10}) {
+    hs_world_def def = heavy_world(2, 0);
+    def.time_step = 1e-3;
+    SolidScene scene(def, law_without_spring(30 * degree), 1000);
+    const int32_t heavy = scene.add_material(1000 * ratio);
+    scene.add(box(-4, -1, 4, 0), {HS_BLOCK_FIXED, {}, 0});
+    scene.add(box(-0.5, 0, 0.5, 1));
+    const hs_block upper = scene.add(box(-0.5, 1, 0.5, 2), {}, heavy);
+    scene.step(500);
+    const double sunk = 1.5 - scene.position(upper).y;
+    CAPTURE(ratio, sunk);
+    if (ratio == 1e2) {
+      CHECK(sunk < 1e-6);
+      CHECK(scene.report().deepest_stop == 0);
+    } else {
+      CHECK(sunk > 0.1);
+      CHECK(scene.report().deepest_stop > 0.25);
+    }
+  }
+}

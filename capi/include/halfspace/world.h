@@ -122,7 +122,8 @@ typedef struct hs_world_report {
   double deepest_stop;       /**< largest share of the thinner block's thickness up to which springs let two blocks come, the root of
                                   d^2 + v^2 m/k for those that approach at v where they are nearest and lie d deep: of all when they
                                   met, of those that divided a step in each part of it, and of those in the neighbour list now. Above
-                                  0.25 or so springs are too soft; from 0.5 on blocks may pass through each other */
+                                  0.25 or so springs are too soft; from 0.5 on blocks may pass through each other. By laws without a
+                                  spring as deep as contacts have come where their rounds have not sufficed */
   double peak_overlap;       /**< largest overlap so far, at every detection; by potentials in space, whose steps find no overlaps, now */
   double peak_speed;         /**< largest speed so far of all blocks that move freely, at the end of every step and part of one */
   int64_t sleeping_count;    /**< blocks that sleep now */

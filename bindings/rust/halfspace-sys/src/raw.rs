@@ -665,7 +665,8 @@ pub struct hs_world_report {
     /// largest share of the thinner block's thickness up to which springs let two blocks come, the root of
     /// d^2 + v^2 m/k for those that approach at v where they are nearest and lie d deep: of all when they
     /// met, of those that divided a step in each part of it, and of those in the neighbour list now. Above
-    /// 0.25 or so springs are too soft; from 0.5 on blocks may pass through each other
+    /// 0.25 or so springs are too soft; from 0.5 on blocks may pass through each other. By laws without a
+    /// spring as deep as contacts have come where their rounds have not sufficed
     pub deepest_stop: f64,
     /// largest overlap so far, at every detection; by potentials in space, whose steps find no overlaps, now
     pub peak_overlap: f64,
