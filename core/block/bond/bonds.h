@@ -19,9 +19,8 @@ struct Bond {
   std::int64_t point_count = 0;
   Vector<D> normal_a = Vector<D>::Zero();  // of the face, from a to b, in a's frame, and in b's
   Vector<D> normal_b = Vector<D>::Zero();
-  double extent = 0;  // of the face
-  std::int32_t hands_over =
-      0;  // 1: it has just come apart, and the contact does not know its shear force yet
+  double extent = 0;            // of the face
+  std::int32_t hands_over = 0;  // 1: its contact does not know its shear force yet
   std::int32_t reserved = 0;
 };
 
