@@ -7,7 +7,7 @@
 
 namespace halfspace::cli {
 
-/// How far a stage that settles has come.
+/// The progress of a stage that settles.
 struct Settling {
   std::int64_t steps = 0;
   std::int64_t portions = 0;  ///< of its change, that have begun to settle

@@ -127,7 +127,7 @@ void ContactList<D>::bond_fresh() {
   }
 }
 
-/// In the neighbour list, which is sorted.
+/// The neighbour list is sorted.
 template <int D>
 std::optional<std::size_t> ContactList<D>::pair_between(std::int32_t a, std::int32_t b) const {
   const std::pair wanted(std::min(a, b), std::max(a, b));

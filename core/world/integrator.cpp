@@ -302,7 +302,7 @@ void Integrator<D>::take_kick(std::size_t i, Stock& stock) {
   take_stock(i, middle_velocity, middle_spin, stock);
 }
 
-/// What sleeps has its energies, and neither loses nor gains any.
+/// A sleeping block has its energies, and neither loses nor gains any.
 template <int D>
 void Integrator<D>::kick_asleep(std::size_t i, Stock& stock) const {
   Stock own;

@@ -64,7 +64,7 @@ class Integrator {
   /// The acceleration of a point by the last forces.
   Vector<D> acceleration_of(const CarriedPoint<D>& point) const;
 
-  /// That of the farthest point of a block, rigid or affine, by its velocity and the last forces.
+  /// The pace of the farthest point of a block, rigid or affine, by its velocity and the last forces.
   Pace pace_of(std::size_t block) const;
 
   /// Changes of velocity that the first half of a motion makes besides: a plan that has been made without

@@ -15,7 +15,7 @@ constexpr double recovered_share = 1e-7;
 
 constexpr int most_searches = 4;
 
-/// What lies deeper in a block, as a share of its radius, than rounding and turns let it: rounds have not
+/// The depth, as a share of a block's radius, that rounding and turns do not reach: there rounds have not
 /// sufficed.
 constexpr double told_depth = 1e-3;
 

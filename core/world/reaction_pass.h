@@ -32,8 +32,8 @@ class ReactionPass {
   const Array<Reaction<D>>& all() const { return known_; }
   std::int64_t touches() const { return touches_; }
   std::int64_t rounds() const { return rounds_; }
-  /// As deep as any has come so far, where rounds have not sufficed, as a share of the thinner block's
-  /// thickness.
+  /// The depth to which any has come so far, where rounds have not sufficed, as a share of the thinner
+  /// block's thickness.
   double deepest() const { return deepest_; }
 
   /// Takes note of the surfaces of meshes, after the neighbour list has been made anew.

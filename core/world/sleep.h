@@ -14,7 +14,7 @@ constexpr std::int64_t steps_between_looks = 64;
 /// A sleep of fewer steps is not worth its while.
 constexpr double least_sleep_in_steps = 256;
 
-/// How fast the farthest point of a block goes at most, and how fast that changes.
+/// The speed of a block's farthest point at most, and how fast that changes.
 struct Pace {
   double speed = 0;
   double acceleration = 0;
@@ -53,7 +53,7 @@ class Sleep {
   bool leaves_out(const Candidate<D>& pair) const {
     return any() && rest_[std::size_t(pair.a)] != Rest::none && rest_[std::size_t(pair.b)] != Rest::none;
   }
-  /// How much of its way any block has missed at most.
+  /// The most of its way that any block has missed.
   double missed(double time) const;
 
   /// Puts islands to sleep that may sleep for a while; contacts are known. `pace_of(slot)` tells how a free

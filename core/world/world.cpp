@@ -163,7 +163,7 @@ void World<D>::evaluate_forces(double elapsed) {
   }
   ledger_.set_contact_strain(energy.strain);
   ledger_.add_friction_loss(energy.friction_loss);
-  // What is touched has been left out of this motion: the forces at its end move it.
+  // An island that is touched has been left out of this motion: the forces at its end move it.
   wake(sleep_.wake_touched(contacts_, clock_.time() + elapsed));
   lap(Pass::gather);
   if (model_.blocks.bonds().empty()) return;

@@ -164,7 +164,7 @@ class World {
   /// After StepResult::too_fast.
   const FastPair& fast_pair() const { return fast_motion_.pair(); }
   std::int64_t sleeping_count() const { return sleep_.count(); }
-  /// How much of its way any block has missed at most by sleep.
+  /// The most of its way that any block has missed by sleep.
   double missed_by_sleep() const { return sleep_.missed(clock_.time()); }
   double deepest_stop() const { return spring_stop_.deepest(); }
   double peak_overlap() const { return contacts_.peak_overlap(); }

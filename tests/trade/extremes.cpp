@@ -5,17 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <exception>
 #include <functional>
-#include <string_view>
 
+#include "list_or_run.h"
 #include "trial.h"
 
 namespace halfspace_trade {
 namespace {
 
-/// What becomes of a scene by one number. The error has no dimension: it is in sizes of a block, or in parts
+/// The outcome of a scene by one number. The error has no dimension: it is in sizes of a block, or in parts
 /// of a speed.
 struct Row {
   std::string name;
@@ -178,8 +176,8 @@ std::vector<double> decades(int first, int last, int step = 1) {
   return all;
 }
 
-std::vector<double> from_zero(std::vector<double> values) {
-  values.insert(values.begin(), 0);
+std::vector<double> joined(std::vector<double> values, const std::vector<double>& more) {
+  values.insert(values.end(), more.begin(), more.end());
   return values;
 }
 
@@ -205,18 +203,13 @@ std::vector<Row> rows() {
       {"width of the plate it meets", decades(0, 9), of_bounce(&Bounce::plate)},
       {"smallest edge", decades(-1, -12, -1), of_rest(&Rest::corner)},
       {"tilt between faces that meet", decades(-5, -15, -1), of_rest(&Rest::tilt)},
-      {"distance from the origin", from_zero(decades(1, 12)), of_bounce(&Bounce::origin)},
+      {"distance from the origin", joined({0}, decades(1, 12)), of_bounce(&Bounce::origin)},
       {"size of the block, m, bounce", decades(-12, 12, 2), of_bounce(&Bounce::unit)},
       {"size of the block, m, rest", decades(-12, 12, 2), of_rest(&Rest::unit)},
       {"speed of an impact, m/s", decades(-6, 5), of_bounce(&Bounce::speed)},
       {"blocks in a stack", {1, 2, 5, 10, 30, 100, 300, 1000}, of_rest(&Rest::count)},
       {"steps at rest, of 1/60 s", decades(2, 5), of_rest(&Rest::steps)},
-      {"overlap at the start",
-       [] {
-         auto all = decades(-6, -1);
-         return all.insert(all.end(), {0.3, 0.45, 0.6, 0.9}), all;
-       }(),
-       release},
+      {"overlap at the start", joined(decades(-6, -1), {0.3, 0.45, 0.6, 0.9}), release},
       {"blocks on one plate", decades(1, 4),
        [](int dimension, const Setting& setting, double count) {
          return crowd(dimension, setting, int(count));
@@ -224,8 +217,8 @@ std::vector<Row> rows() {
   };
 }
 
-/// What a user takes first, and, where there are iterations to choose, what he takes when that will not do:
-/// the most of them, and steps of an eighth.
+/// The setting that a user takes first, and, where there are iterations to choose, what he takes when that
+/// will not do: the most of them, and steps of an eighth.
 std::vector<Setting> chosen_settings() {
   const std::vector<Setting> all = settings();
   if (all.front().indentation > 0) return {{all.front().way, 1e-4, 0.5}};
@@ -252,33 +245,17 @@ std::vector<Cell> cells() {
   return all;
 }
 
-int main(int argc, char** argv) {
-  const std::vector<Cell> all = cells();
-  const std::string_view verb = argc > 1 ? argv[1] : "";
-  if (verb == "list" && argc == 2) {
-    for (const Cell& c : all)
-      std::printf("%s|%d|%s|%s|%.6g|%.6g\n", c.row.name.c_str(), c.dimension, engine_name(),
-                  c.setting.way.c_str(), c.setting.step, c.value);
-    return 0;
-  }
-  const std::size_t number = argc == 3 ? std::size_t(std::atol(argv[2])) : all.size();
-  if (verb == "run" && number < all.size()) {
-    const Cell& c = all[number];
-    std::printf("%.6g\n", c.row.error(c.dimension, c.setting, c.value));
-    return 0;
-  }
-  std::fprintf(stderr, "usage: %s list | run N, of %zu\n", argv[0], all.size());
-  return 2;
+void print_name(const Cell& c) {
+  std::printf("%s|%d|%s|%s|%.6g|%.6g", c.row.name.c_str(), c.dimension, engine_name(), c.setting.way.c_str(),
+              c.setting.step, c.value);
 }
+
+void run(const Cell& c) { std::printf("%.6g\n", c.row.error(c.dimension, c.setting, c.value)); }
 
 }  // namespace
 }  // namespace halfspace_trade
 
 int main(int argc, char** argv) {
-  try {
-    return halfspace_trade::main(argc, argv);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
+  using namespace halfspace_trade;
+  return list_or_run(argc, argv, cells, print_name, run);
 }

@@ -3,10 +3,8 @@
 
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <exception>
-#include <string_view>
 
+#include "list_or_run.h"
 #include "tasks.h"
 
 namespace halfspace_trade {
@@ -47,30 +45,10 @@ void run(const Case& c) {
               std::abs(value - c.task.exact) / c.task.scale, seconds / trial.simulated());
 }
 
-int main(int argc, char** argv) {
-  const std::vector<Case> all = cases();
-  const std::string_view verb = argc > 1 ? argv[1] : "";
-  if (verb == "list" && argc == 2) {
-    for (const Case& c : all) print_name(c), std::printf("\n");
-    return 0;
-  }
-  const std::size_t number = argc == 3 ? std::size_t(std::atol(argv[2])) : all.size();
-  if (verb == "run" && number < all.size()) {
-    run(all[number]);
-    return 0;
-  }
-  std::fprintf(stderr, "usage: %s list | run N, of %zu\n", argv[0], all.size());
-  return 2;
-}
-
 }  // namespace
 }  // namespace halfspace_trade
 
 int main(int argc, char** argv) {
-  try {
-    return halfspace_trade::main(argc, argv);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
+  using namespace halfspace_trade;
+  return list_or_run(argc, argv, cases, print_name, run);
 }

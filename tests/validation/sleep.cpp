@@ -51,7 +51,7 @@ class Wall : public Scene {
   }
 };
 
-/// How far apart the bricks of two walls are at most.
+/// The largest distance of a brick of one wall from that of the other.
 double apart(const Wall& one, const Wall& other) {
   double most = 0;
   for (std::size_t i = 0; i < one.bricks.size(); ++i) {
@@ -86,7 +86,7 @@ TEST_CASE("a wall that sleeps stands where one stands that does not") {
                   report.missed_by_sleep, apart(asleep, awake));
       CHECK(report.missed_by_sleep <= tolerance);
       CHECK(awake.report().sleeping_count == 0);
-      // What sleeps has its contacts, their forces and its energies.
+      // A sleeping wall has its contacts, their forces and its energies.
       CHECK(asleep.contacts().size() == awake.contacts().size());
       CHECK(asleep.energy().strain == Approx(awake.energy().strain).epsilon(1e-5));
       CHECK(std::abs(asleep.energy().residual - awake.energy().residual) <

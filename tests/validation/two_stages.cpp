@@ -1,4 +1,4 @@
-// What is gained where a touch ends inside of a step: two bars that meet, next to a scheme that sees touches
+// The gain where a touch ends inside of a step: two bars that meet, next to a scheme that sees touches
 // at the ends of steps alone.
 
 #include "catch.h"
@@ -14,7 +14,7 @@ constexpr double end = 0.004;  // s; waves run through a bar in 1 ms, and bars p
 
 using Places = std::vector<double>;
 
-/// Of the nodes of both bars along a line, by this library.
+/// The nodes of both bars along a line, by this library.
 Places by_library(double gap, double time_step) {
   hs_world_def def = mesh_world_def(2);
   def.time_step = time_step;

@@ -65,8 +65,8 @@ class World(Statics):
     fast_blocks : FastBlocks
         DIVIDE (default) divides a step in which blocks meet too fast; REFUSE ends it with a TooFastError.
     sleep_tolerance : float
-        Of its way that any block may miss over a whole run as it stands still in time while nothing reaches it,
-        >= 0; 0 (default): none does.
+        The way, in m, that any block may miss over a whole run as it stands still in time while nothing reaches
+        it, >= 0; 0 (default): none does.
     law : Law, optional
         Between all materials that have none of their own.
     context : Context, optional

@@ -77,7 +77,7 @@ pub struct Report {
     pub peak_speed: f64,
     /// Blocks that sleep now.
     pub sleeping_count: usize,
-    /// Of its way, in m, that any block has missed at most by sleep so far.
+    /// The most of its way, in m, that any block has missed by sleep so far.
     pub missed_by_sleep: f64,
 }
 

@@ -76,7 +76,7 @@ impl WorldDef {
         /// The length H of [`Law::potential`], one for all blocks, above 0; or 0, the default: the
         /// mean length of all blocks' edges when forces are first used.
         potential_length: f64,
-        /// In m, at least 0: of its way that any block may miss over a whole run as it stands still
+        /// The way, in m, at least 0, that any block may miss over a whole run as it stands still
         /// in time while nothing reaches it; by default 0: none does.
         sleep_tolerance: f64,
     }
