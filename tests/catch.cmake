@@ -17,9 +17,12 @@ endif()
 #
 # One Catch2 executable; each of its cases becomes a CTest test called "name:case". Sources may include
 # "catch.h" and everything else relative to tests/. LABEL puts a CTest label on all its cases: those with the label
-# slow run in release, not with clang or sanitizers; those with the label threads run with the thread sanitizer.
+# slow are built where HALFSPACE_TEST_SLOW says so; those with the label threads run with the thread sanitizer.
 function(halfspace_add_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "LABEL" "SOURCES;LIBRARIES")
+  if(arg_LABEL STREQUAL slow AND NOT HALFSPACE_TEST_SLOW)
+    return()
+  endif()
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} halfspace_catch)
   if(arg_LABEL)
