@@ -45,9 +45,9 @@ void count_meshes_and_bonds(const Blocks<D>& blocks, hs_world_plan& plan) {
     plan.node_count += body.node_count;
   }
   blocks.meshes().for_each_element([&](const auto&) { ++plan.cell_count; });
-  plan.mesh_bytes = std::int64_t(state_size(blocks.meshes()));
+  plan.mesh_bytes = std::int64_t(snapshot::state_size(blocks.meshes()));
   plan.bond_count = std::int64_t(blocks.bonds().all().size());
-  plan.bond_bytes = std::int64_t(state_size(blocks.bonds()));
+  plan.bond_bytes = std::int64_t(snapshot::state_size(blocks.bonds()));
 }
 
 template <int D>
@@ -73,8 +73,8 @@ template <int D>
 class Copy {
  public:
   Copy(hs_context* context, const World<D>& world) : context_(context) {
-    Array<std::byte> state(state_size(world), &context->memory);
-    write_state(world, state.data());
+    Array<std::byte> state(snapshot::state_size(world), &context->memory);
+    snapshot::write_state(world, state.data());
     handle_ = restore<D>(context, state);
   }
   ~Copy() { destroy(context_, handle_); }
@@ -121,8 +121,8 @@ hs_status hs_world_get_plan(const hs_world* world, int64_t steps, hs_world_plan*
     ours.parts = active_parts(w);
     ours.candidate_count = std::int64_t(w.candidates().pairs().size());
     ours.contact_count = std::int64_t(w.contact_count());
-    ours.block_bytes = std::int64_t(state_size(w.blocks()));
-    ours.pair_bytes = std::int64_t(state_size(w.contacts()));
+    ours.block_bytes = std::int64_t(snapshot::state_size(w.blocks()));
+    ours.pair_bytes = std::int64_t(snapshot::state_size(w.contacts()));
     find_limit(w, ours);
     measure(w, steps, ours);
     write_sized(ours, plan, size);

@@ -19,11 +19,11 @@ hs_status hs_world_save(const hs_world* world, void* bytes, size_t capacity, siz
   return with_world(world, __func__, [&]<int D>(const World<D>& w) {
     require_pointer(count, "count");
     if (capacity > 0) require_pointer(bytes, "bytes");
-    const std::size_t size = state_size(w);
+    const std::size_t size = snapshot::state_size(w);
     *count = sizeof(Header) + size;
     if (*count > capacity) return HS_NOTE_TRUNCATED;
     std::byte* state = static_cast<std::byte*>(bytes) + sizeof(Header);
-    write_state(w, state);
+    snapshot::write_state(w, state);
     Header header;
     header.dimension = D;
     header.size = size;

@@ -59,8 +59,8 @@ template <int D>
 class Trials {
  public:
   Trials(hs_context* context, const World<D>& world, const Relaxation& relaxation)
-      : context_(context), relaxation_(relaxation), state_(state_size(world), &context->memory) {
-    write_state(world, state_.data());
+      : context_(context), relaxation_(relaxation), state_(snapshot::state_size(world), &context->memory) {
+    snapshot::write_state(world, state_.data());
   }
   Trials(const Trials&) = delete;
   Trials& operator=(const Trials&) = delete;

@@ -356,11 +356,11 @@ bool Blocks<D>::is_consistent(std::int32_t material_count) const {
     living.push_back(std::int32_t(i));
     if (kind[i] < BlockKind::fixed || kind[i] > BlockKind::mesh) return false;
     if (material[i] < 0 || material[i] >= material_count) return false;
-    const bool is_placed = position[i].allFinite() && is_turn<D>(rotation[i]);
+    const bool is_placed = all_finite(position[i]) && is_turn<D>(rotation[i]);
     // That of a deformable block follows from its deformation.
-    const bool has_momentum = is_deformable(i) || momentum[i].allFinite();
-    const bool moves = velocity[i].allFinite() && spin[i].allFinite() && has_momentum;
-    const bool is_driven = applied_force[i].allFinite() && applied_torque[i].allFinite();
+    const bool has_momentum = is_deformable(i) || all_finite(momentum[i]);
+    const bool moves = all_finite(velocity[i]) && all_finite(spin[i]) && has_momentum;
+    const bool is_driven = all_finite(applied_force[i]) && all_finite(applied_torque[i]);
     const bool resists = is_positive(mass[i]) && is_positive(inertia[i].least_moment());
     if (!(is_placed && moves && is_driven && resists)) return false;
     if (!is_positive(radius[i]) || !is_finite(thickness[i])) return false;

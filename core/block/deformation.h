@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "block/elasticity.h"
+#include "geometry/finite.h"
 #include "geometry/numbers.h"
 #include "geometry/rotation.h"
 #include "geometry/shape.h"
@@ -57,7 +58,7 @@ struct Deformation {
   /// False for what none can be, after reading a snapshot.
   bool is_consistent() const {
     return is_positive(volume) && is_positive(least_moment) && is_positive(strain_mobility) &&
-           gradient.allFinite() && gradient.determinant() > 0 && rate.allFinite();
+           all_finite(gradient) && gradient.determinant() > 0 && all_finite(rate);
   }
 
   Tensor<D> velocity_gradient() const { return rate * gradient.inverse(); }

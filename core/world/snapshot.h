@@ -10,6 +10,9 @@
 
 namespace halfspace {
 
+template <int D>
+class World;
+
 /// Bytes of a snapshot: header, then every member that visit() names, in its order. Numbers are as the
 /// machine has them.
 namespace snapshot {
@@ -122,6 +125,20 @@ class Reader {
   std::span<const std::byte> bytes_;
   bool failed_ = false;
 };
+
+/// Writes the state of a world or of a part of it, or without a place only counts. Returns the number of
+/// bytes.
+template <class Part>
+std::size_t write_state(const Part& part, std::byte* out);
+
+template <class Part>
+std::size_t state_size(const Part& part) {
+  return write_state(part, nullptr);
+}
+
+/// Gives a new world a state that write_state() wrote. Any other is refused: then the result is false.
+template <int D>
+bool read_state(std::span<const std::byte> state, World<D>& world);
 
 }  // namespace snapshot
 }  // namespace halfspace

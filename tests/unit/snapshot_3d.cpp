@@ -33,22 +33,15 @@ class FilledMemory : public Memory {
 using Bytes = std::vector<std::byte>;
 
 Bytes bytes_of(const World<3>& world) {
-  snapshot::Writer counter(nullptr);
-  counter(world);
-  Bytes bytes(counter.size());
-  snapshot::Writer writer(bytes.data());
-  writer(world);
+  Bytes bytes(snapshot::state_size(world));
+  snapshot::write_state(world, bytes.data());
   return bytes;
 }
 
 /// As a host reads it; null when it is refused.
 std::unique_ptr<World<3>> world_of(const Bytes& bytes, Memory* memory) {
   auto world = std::make_unique<World<3>>(WorldSettings<3>(), memory);
-  snapshot::Reader reader(bytes);
-  world->visit(reader);
-  if (reader.failed() || !reader.at_end() || !world->is_consistent()) return nullptr;
-  world->fit_rooms();
-  return world;
+  return snapshot::read_state(std::span<const std::byte>(bytes), *world) ? std::move(world) : nullptr;
 }
 
 /// A few blocks of every kind that lie and knock on each other with friction, two of them bonded, and one

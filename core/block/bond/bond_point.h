@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "block/bond/bond_law.h"
+#include "geometry/finite.h"
 #include "geometry/vector.h"
 
 namespace halfspace {
@@ -30,7 +31,7 @@ struct BondPoint {
 
   bool is_broken() const { return damage >= 1; }
   bool is_consistent() const {
-    return on_a.allFinite() && on_b.allFinite() && slid.allFinite() && shear.allFinite() &&
+    return all_finite(on_a) && all_finite(on_b) && all_finite(slid) && all_finite(shear) &&
            is_positive(area) && is_finite(normal_traction) && is_from_zero(widest) &&
            is_from_zero(faded_slip) && is_share(damage, 1) && failure >= BondFailure::none &&
            failure <= BondFailure::shear;

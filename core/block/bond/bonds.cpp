@@ -78,7 +78,7 @@ bool Bonds<D>::is_consistent(std::size_t slots) const {
     const std::int64_t left = std::int64_t(points_.size()) - counted;
     if (bond.first_point != counted || bond.point_count < 1 || bond.point_count > left) return false;
     if (bond.hands_over && bond.is_joint) return false;
-    if (!bond.normal_a.allFinite() || !bond.normal_b.allFinite() || !is_positive(bond.extent)) return false;
+    if (!all_finite(bond.normal_a) || !all_finite(bond.normal_b) || !is_positive(bond.extent)) return false;
     counted += bond.point_count;
   }
   return std::size_t(counted) == points_.size() && events_.size() <= points_.size() &&

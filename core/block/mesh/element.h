@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "block/elasticity.h"
+#include "geometry/finite.h"
 #include "geometry/numbers.h"
 #include "geometry/vector.h"
 
@@ -26,7 +27,7 @@ template <int D, int N>
 struct Hourglass {
   static constexpr int modes = N - D - 1;
 
-  bool is_consistent() const { return gamma.allFinite() && stiffness.allFinite(); }
+  bool is_consistent() const { return all_finite(gamma) && all_finite(stiffness); }
 
   Eigen::Matrix<double, N, modes> gamma;
   Eigen::Matrix<double, D * modes, D * modes> stiffness;  // K
@@ -136,7 +137,7 @@ struct Element {
   }
 
   bool is_finite() const {
-    return gradients.allFinite() && prestrain.allFinite() && hourglass.is_consistent();
+    return all_finite(gradients) && all_finite(prestrain) && hourglass.is_consistent();
   }
   /// False for what none can be, after reading a snapshot.
   bool is_consistent(std::size_t node_count, std::int32_t material_count) const {

@@ -180,9 +180,31 @@ double largest_eigenvalue(CellMatrix stiffness, const double* masses, int dimens
     for (int k = 0; k < unknowns; ++k)
       stiffness(i, k) /= std::sqrt(masses[i / dimension]) * std::sqrt(masses[k / dimension]);
   }
-  if (!stiffness.allFinite()) return HUGE_VAL;
+  if (!all_finite(stiffness)) return HUGE_VAL;
   return Eigen::SelfAdjointEigenSolver<CellMatrix>(stiffness, Eigen::EigenvaluesOnly)
       .eigenvalues()[unknowns - 1];
+}
+
+/// How far the amplitudes of all modes change by the motion of each node along each axis.
+CellMatrix amplitudes_by(const CellMatrix& gamma, int dimension) {
+  const int nodes = int(gamma.rows()), modes = int(gamma.cols());
+  CellMatrix amplitudes = CellMatrix::Zero(dimension * modes, dimension * nodes);
+  for (int i = 0; i < nodes; ++i) {
+    for (int k = 0; k < modes; ++k) {
+      for (int axis = 0; axis < dimension; ++axis)
+        amplitudes(dimension * k + axis, dimension * i + axis) = gamma(i, k);
+    }
+  }
+  return amplitudes;
+}
+
+/// Of an affine field over a volume, by the motion of each node along each axis.
+CellMatrix affine_stiffness(const CellMatrix& node_gradients, double volume, const CellMatrix& hooke) {
+  const int dimension = int(node_gradients.rows()), nodes = int(node_gradients.cols());
+  CellMatrix gradients(dimension * dimension, dimension * nodes);
+  for (int i = 0; i < nodes; ++i)
+    write_gradients_by(node_gradients.col(i).data(), dimension, dimension * i, gradients);
+  return volume * stiffness_by(gradients, hooke);
 }
 
 template <int D>
@@ -226,19 +248,11 @@ Eigen::Matrix<double, N, 1> volumes_of_nodes(const Eigen::Matrix<double, D, N>& 
 template <int D, int N>
 double squared_frequency(const Element<D, N>& element, const Elasticity& elasticity,
                          const Eigen::Matrix<double, N, 1>& masses) {
-  CellMatrix gradients(D * D, D * N);
-  for (int i = 0; i < N; ++i) write_gradients_by(element.gradients.col(i).data(), D, D * i, gradients);
-  CellMatrix stiffness = element.volume * stiffness_by(gradients, stiffness_of_gradient<D>(elasticity));
+  CellMatrix stiffness =
+      affine_stiffness(CellMatrix(element.gradients), element.volume, stiffness_of_gradient<D>(elasticity));
   if constexpr (N > D + 1) {
-    constexpr int modes = Element<D, N>::modes;
-    CellMatrix amplitudes = CellMatrix::Zero(D * modes, D * N);
-    for (int i = 0; i < N; ++i) {
-      for (int k = 0; k < modes; ++k) {
-        for (int axis = 0; axis < D; ++axis)
-          amplitudes(D * k + axis, D * i + axis) = element.hourglass.gamma(i, k);
-      }
-    }
-    stiffness += stiffness_by(amplitudes, CellMatrix(element.hourglass.stiffness));
+    stiffness += stiffness_by(amplitudes_by(CellMatrix(element.hourglass.gamma), D),
+                              CellMatrix(element.hourglass.stiffness));
   }
   return largest_eigenvalue(stiffness, masses.data(), D);
 }

@@ -214,7 +214,7 @@ std::int32_t Meshes<D>::stiffest_cell_of(std::int32_t which, const BulkMaterials
 template <int D>
 bool Meshes<D>::is_consistent(std::int32_t material_count) const {
   const std::size_t nodes = node_count();
-  const auto is_finite_vector = [](const Vector<D>& v) { return v.allFinite(); };
+  const auto is_finite_vector = [](const Vector<D>& v) { return all_finite(v); };
   for (const Array<Vector<D>>* vectors : {&place, &given, &velocity, &applied_force}) {
     if (vectors->size() != nodes || !all(*vectors, is_finite_vector)) return false;
   }
@@ -227,7 +227,7 @@ bool Meshes<D>::is_consistent(std::int32_t material_count) const {
   for (const Body<D>& body : bodies_) {
     const std::int64_t left = std::int64_t(nodes) - counted;
     if (body.first_node != counted || body.node_count < 0 || body.node_count > left) return false;
-    if (!body.origin.allFinite() || !(body.squared_frequency >= 0) || !is_from_zero(body.damping_time) ||
+    if (!all_finite(body.origin) || !(body.squared_frequency >= 0) || !is_from_zero(body.damping_time) ||
         !is_from_zero(body.steepest))
       return false;
     counted += body.node_count;
@@ -254,7 +254,7 @@ bool Meshes<D>::is_consistent(std::int32_t material_count) const {
   for (std::size_t i = 0; i < surface_.size(); ++i) {
     const SurfaceCell<D>& cell = surface_[i];
     fits = fits && cell.block >= 0 && std::size_t(cell.block) < of_block_.size() &&
-           of_block_[std::size_t(cell.block)] == std::int32_t(i) && cell.gradients.allFinite() &&
+           of_block_[std::size_t(cell.block)] == std::int32_t(i) && all_finite(cell.gradients) &&
            cell.outer_faces >= 0 && cell.outer_faces < 1 << (D + 1) && has_own_nodes(cell);
   }
   return fits;

@@ -1,0 +1,36 @@
+#include "world/snapshot.h"
+
+#include "world/world.h"
+
+namespace halfspace::snapshot {
+
+template <class Part>
+std::size_t write_state(const Part& part, std::byte* out) {
+  Writer writer(out);
+  writer(part);
+  return writer.size();
+}
+
+template <int D>
+bool read_state(std::span<const std::byte> state, World<D>& world) {
+  Reader reader(state);
+  world.visit(reader);
+  if (reader.failed() || !reader.at_end() || !world.is_consistent()) return false;
+  world.fit_rooms();
+  return true;
+}
+
+// Compiled here alone, as a state is read and written by code for each kind of part.
+#define HALFSPACE_STATE(D)                                             \
+  template std::size_t write_state(const World<D>&, std::byte*);       \
+  template std::size_t write_state(const Blocks<D>&, std::byte*);      \
+  template std::size_t write_state(const Meshes<D>&, std::byte*);      \
+  template std::size_t write_state(const Bonds<D>&, std::byte*);       \
+  template std::size_t write_state(const ContactList<D>&, std::byte*); \
+  template bool read_state(std::span<const std::byte>, World<D>&);
+
+HALFSPACE_STATE(2)
+HALFSPACE_STATE(3)
+#undef HALFSPACE_STATE
+
+}  // namespace halfspace::snapshot
