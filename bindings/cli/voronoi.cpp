@@ -12,22 +12,22 @@
 namespace halfspace::cli {
 namespace {
 
-struct Box {
+struct Bounds {
   Point low{INFINITY, INFINITY, INFINITY};
   Point high{-INFINITY, -INFINITY, -INFINITY};
 
   double length(std::size_t axis) const { return high[axis] - low[axis]; }
 };
 
-Box box_around(const std::vector<Point>& points) {
-  Box box;
+Bounds bounds_of(const std::vector<Point>& points) {
+  Bounds bounds;
   for (const Point& p : points) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      box.low[axis] = std::min(box.low[axis], p[axis]);
-      box.high[axis] = std::max(box.high[axis], p[axis]);
+      bounds.low[axis] = std::min(bounds.low[axis], p[axis]);
+      bounds.high[axis] = std::max(bounds.high[axis], p[axis]);
     }
   }
-  return box;
+  return bounds;
 }
 
 /// The region nearer to a site than to its neighbours.
@@ -57,7 +57,7 @@ std::vector<Shape> cells_of(const Context& context, const Shape& region, const s
 
 std::vector<Point> random_sites(const Context& context, const Shape& region, std::int64_t count,
                                 std::uint64_t seed) {
-  const Box box = box_around(vertices_of(context, region));
+  const Bounds bounds = bounds_of(vertices_of(context, region));
   const std::vector<HalfSpace> halfspaces = halfspaces_of(context, region);
   const Point centroid = point_of(properties_of(context, region).centroid);
   const auto is_inside = [&](const Point& p) {
@@ -70,7 +70,7 @@ std::vector<Point> random_sites(const Context& context, const Shape& region, std
   while (static_cast<std::int64_t>(sites.size()) < count) {
     Point p;
     for (std::size_t axis = 0; axis < 3; ++axis)
-      p[axis] = box.low[axis] + box.length(axis) * random.uniform();
+      p[axis] = bounds.low[axis] + bounds.length(axis) * random.uniform();
     if (is_inside(p)) sites.push_back(p);
   }
   return sites;
@@ -78,8 +78,8 @@ std::vector<Point> random_sites(const Context& context, const Shape& region, std
 
 std::vector<std::vector<int>> neighbouring_sites(const std::vector<Point>& sites,
                                                  const std::vector<Point>& around) {
-  const Box box = box_around(around);
-  const double longest = std::max({box.length(0), box.length(1), box.length(2)});
+  const Bounds bounds = bounds_of(around);
+  const double longest = std::max({bounds.length(0), bounds.length(1), bounds.length(2)});
 
   // Voro++ has absolute tolerances, so it sees the sites in a box of about unit size, with a margin
   // so that none lies on a side.
@@ -87,13 +87,13 @@ std::vector<std::vector<int>> neighbouring_sites(const std::vector<Point>& sites
   const auto number_of_bins = [&](std::size_t axis) {
     constexpr double sites_in_bin = 6;  // what its manual advises
     const double even = std::cbrt(static_cast<double>(sites.size()) / sites_in_bin);
-    return std::max(1, static_cast<int>(even * box.length(axis) / longest));
+    return std::max(1, static_cast<int>(even * bounds.length(axis) / longest));
   };
-  const auto upper = [&](std::size_t axis) { return box.length(axis) / longest + margin; };
+  const auto upper = [&](std::size_t axis) { return bounds.length(axis) / longest + margin; };
   voro::container container(-margin, upper(0), -margin, upper(1), -margin, upper(2), number_of_bins(0),
                             number_of_bins(1), number_of_bins(2), false, false, false, 8);
   for (std::size_t i = 0; i < sites.size(); ++i) {
-    const auto scaled = [&](std::size_t axis) { return (sites[i][axis] - box.low[axis]) / longest; };
+    const auto scaled = [&](std::size_t axis) { return (sites[i][axis] - bounds.low[axis]) / longest; };
     container.put(static_cast<int>(i), scaled(0), scaled(1), scaled(2));
   }
 

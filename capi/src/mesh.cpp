@@ -11,13 +11,7 @@ using namespace halfspace::capi;
 namespace {
 
 /// Nodes and cells are numbered by 32 bits.
-constexpr std::int64_t most_nodes = std::int64_t(1) << 28;
-
-void require_numbered(std::int64_t count, const char* name) {
-  require_count(count, name);
-  if (count > most_nodes)
-    refuse(HS_ERROR_ARGUMENT, "%s is %lld; it must be at most 2^28", name, static_cast<long long>(count));
-}
+constexpr int bits_of_nodes = 28;
 
 /// Names the argument, the cell and the node at fault, with its place if it has one.
 template <int D>
@@ -79,9 +73,9 @@ hs_status hs_mesh_create(hs_context* context, int32_t dimension, hs_view nodes, 
     require_pointer(mesh, "mesh");
     if (dimension != 2 && dimension != 3)
       refuse(HS_ERROR_ARGUMENT, "dimension is %d; it must be 2 or 3", dimension);
-    require_numbered(nodes.count, "nodes.count");
-    require_numbered(cell_count, "cell_count");
-    require_numbered(cell_node_count, "cell_node_count");
+    require_numbered(nodes.count, "nodes.count", bits_of_nodes);
+    require_numbered(cell_count, "cell_count", bits_of_nodes);
+    require_numbered(cell_node_count, "cell_node_count", bits_of_nodes);
     if (cell_count > 0) require_pointer(cell_kinds, "cell_kinds");
     if (cell_node_count > 0) require_pointer(cell_nodes, "cell_nodes");
     const std::span kinds(cell_kinds, std::size_t(cell_count));

@@ -15,23 +15,15 @@ using namespace halfspace::capi;
 
 namespace {
 
-using Points = Array<Vector<3>>;
-
 /// What a polyhedron is made of is numbered by 32 bits, also while it is made: a hull has up to six corners
 /// of facets to a point.
-constexpr std::int64_t most_points = std::int64_t(1) << 26;
-
-void require_numbered(std::int64_t count, const char* name) {
-  require_count(count, name);
-  if (count > most_points)
-    refuse(HS_ERROR_ARGUMENT, "%s is %lld; it must be at most 2^26", name, static_cast<long long>(count));
-}
+constexpr int bits_of_points = 26;
 
 /// Vertices and loops as the host has them.
 Polyhedron read_polyhedron(hs_context* context, const hs_view& vertices, const std::int32_t* face_sizes,
                            std::int64_t face_count, const std::int32_t* face_vertices) {
-  require_numbered(vertices.count, "vertices.count");
-  require_numbered(face_count, "face_count");
+  require_numbered(vertices.count, "vertices.count", bits_of_points);
+  require_numbered(face_count, "face_count", bits_of_points);
   if (face_count > 0) require_pointer(face_sizes, "face_sizes");
   std::int64_t total = 0;
   for (std::int64_t f = 0; f < face_count; ++f) {
@@ -41,7 +33,7 @@ Polyhedron read_polyhedron(hs_context* context, const hs_view& vertices, const s
     }
     total += face_sizes[f];
   }
-  require_numbered(total, "the sum of face_sizes");
+  require_numbered(total, "the sum of face_sizes", bits_of_points);
   if (total > 0) require_pointer(face_vertices, "face_vertices");
 
   Polyhedron polyhedron(&context->memory);
@@ -53,7 +45,7 @@ Polyhedron read_polyhedron(hs_context* context, const hs_view& vertices, const s
   return polyhedron;
 }
 
-[[noreturn]] void refuse_polyhedron(const PolyhedronFault& report, const Points& vertices) {
+[[noreturn]] void refuse_polyhedron(const PolyhedronFault& report, const Array<Vector<3>>& vertices) {
   const char* const text = fault_text(report.fault);
   const auto vertex = static_cast<long long>(report.vertex), face = static_cast<long long>(report.face);
   if (report.face >= 0 && report.vertex >= 0)
@@ -63,7 +55,7 @@ Polyhedron read_polyhedron(hs_context* context, const hs_view& vertices, const s
 }
 
 /// Only points out of range are faulty each by itself; what else is wrong concerns the whole.
-[[noreturn]] void refuse_hull(const PolyhedronFault& report, const Points& points) {
+[[noreturn]] void refuse_hull(const PolyhedronFault& report, const Array<Vector<3>>& points) {
   const bool is_one = report.fault == Fault::out_of_range;
   refuse_points<3>(points, is_one ? report.vertex : -1, "points", "hull of points", fault_text(report.fault));
 }
@@ -104,8 +96,8 @@ hs_status hs_polyhedron_create(hs_context* context, hs_view vertices, const int3
 
 hs_status hs_polyhedron_create_hull(hs_context* context, hs_view points, hs_shape** shape) {
   return make_shape(context, shape, __func__, [&]() -> hs_shape* {
-    require_numbered(points.count, "points.count");
-    const Points given = read_finite_points<3>(context, points, "points");
+    require_numbered(points.count, "points.count", bits_of_points);
+    const Array<Vector<3>> given = read_finite_points<3>(context, points, "points");
     Polyhedron hull(&context->memory);
     const PolyhedronFault report = convex_hull(given, hull);
     if (report.fault != Fault::none) refuse_hull(report, given);
@@ -116,7 +108,7 @@ hs_status hs_polyhedron_create_hull(hs_context* context, hs_view points, hs_shap
 hs_status hs_polyhedron_create_from_halfspaces(hs_context* context, hs_view normals, const double offsets[],
                                                hs_shape** shape) {
   return make_shape(context, shape, __func__, [&]() -> hs_shape* {
-    require_numbered(normals.count, "normals.count");
+    require_numbered(normals.count, "normals.count", bits_of_points);
     require_view<3>(normals, "normals");
     if (normals.count > 0) require_pointer(offsets, "offsets");
     Array<Halfspace<3>> halfspaces(&context->memory);

@@ -54,6 +54,15 @@ inline void require_count(std::int64_t count, const char* name) {
     refuse(HS_ERROR_ARGUMENT, "%s is %lld; it must be >= 0", name, static_cast<long long>(count));
 }
 
+/// The count of what is numbered by so many bits.
+inline void require_numbered(std::int64_t count, const char* name, int bits) {
+  require_count(count, name);
+  if (count > std::int64_t(1) << bits) {
+    refuse(HS_ERROR_ARGUMENT, "%s is %lld; it must be at most 2^%d", name, static_cast<long long>(count),
+           bits);
+  }
+}
+
 /// Component i of an argument.
 inline double require_component(double value, const char* name, int i) {
   if (!is_within_limits(value))

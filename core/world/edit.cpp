@@ -150,7 +150,27 @@ bool World<D>::set_shear_force(std::size_t which, const Vector<D>& force) {
   return true;
 }
 
-template class World<2>;
-template class World<3>;
+#define HALFSPACE_MEMBERS(D)                                                                            \
+  template void World<D>::edit();                                                                       \
+  template std::int32_t World<D>::add_material(double);                                                 \
+  template void World<D>::change_laws();                                                                \
+  template void World<D>::set_default_law(const SpringLaw&);                                            \
+  template void World<D>::set_law(std::int32_t, std::int32_t, const SpringLaw&);                        \
+  template std::int32_t World<D>::add_block(const Shape<D>&, BlockKind, std::int32_t, const Vector<D>&, \
+                                            const Rotation<D>&);                                        \
+  template void World<D>::remove_block(std::int32_t);                                                   \
+  template void World<D>::set_pose(std::int32_t, const Vector<D>&, const Rotation<D>&);                 \
+  template void World<D>::set_velocity(std::int32_t, const Vector<D>&, const Angular<D>&);              \
+  template bool World<D>::set_elasticity(std::int32_t, const Elasticity&);                              \
+  template void World<D>::set_deformation(std::int32_t, const Tensor<D>&, const Tensor<D>&);            \
+  template void World<D>::set_stress(std::int32_t, const Tensor<D>&);                                   \
+  template void World<D>::add_surface_load(std::int32_t, int, const Vector<D>&);                        \
+  template void World<D>::clear_surface_loads(std::int32_t);                                            \
+  template void World<D>::set_applied_force(std::int32_t, const Vector<D>&, const Angular<D>&);         \
+  template bool World<D>::set_shear_force(std::size_t, const Vector<D>&);
+
+HALFSPACE_MEMBERS(2)
+HALFSPACE_MEMBERS(3)
+#undef HALFSPACE_MEMBERS
 
 }  // namespace halfspace

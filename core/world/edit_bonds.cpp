@@ -109,7 +109,14 @@ void World<D>::hold_bonds(bool are_held) {
   model_.blocks.bonds().hold(are_held);
 }
 
-template class World<2>;
-template class World<3>;
+#define HALFSPACE_MEMBERS(D)                                                                  \
+  template bool World<D>::bond_pair(std::int32_t, std::int32_t, std::int32_t);                \
+  template bool World<D>::bond_pair(std::int32_t, std::int32_t, const BondLaw&);              \
+  template std::int64_t World<D>::bond_materials(std::int32_t, std::int32_t, const BondLaw&); \
+  template void World<D>::hold_bonds(bool);
+
+HALFSPACE_MEMBERS(2)
+HALFSPACE_MEMBERS(3)
+#undef HALFSPACE_MEMBERS
 
 }  // namespace halfspace

@@ -175,7 +175,20 @@ void World<D>::end_node_edits(std::int32_t body) {
     model_.blocks.follow_node_velocities(cell);
 }
 
-template class World<2>;
-template class World<3>;
+#define HALFSPACE_MEMBERS(D)                                                                             \
+  template void World<D>::weigh_surface(std::int32_t, Array<int>&);                                      \
+  template MeshFaultReport World<D>::add_surface(std::int32_t, std::span<const SurfaceSimplex<D>>,       \
+                                                 std::span<const std::int32_t>);                         \
+  template PlacedMesh World<D>::add_mesh(const Mesh<D>&, const Pose<D>&, std::span<const std::int32_t>); \
+  template void World<D>::remove_mesh(std::int32_t);                                                     \
+  template bool World<D>::set_body_stress(std::int32_t, const StressField<D>&);                          \
+  template void World<D>::hold_node(std::size_t, std::uint8_t);                                          \
+  template void World<D>::set_node_velocity(std::size_t, const Vector<D>&);                              \
+  template void World<D>::set_node_force(std::size_t, const Vector<D>&);                                 \
+  template void World<D>::end_node_edits(std::int32_t);
+
+HALFSPACE_MEMBERS(2)
+HALFSPACE_MEMBERS(3)
+#undef HALFSPACE_MEMBERS
 
 }  // namespace halfspace

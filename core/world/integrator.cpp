@@ -352,7 +352,32 @@ void Integrator<D>::kick(std::size_t i, Stock& stock) {
   take_stock(i, middle_velocity, middle_spin, stock);
 }
 
-template class Integrator<2>;
-template class Integrator<3>;
+#define HALFSPACE_MEMBERS(D)                                                                               \
+  template typename Integrator<D>::Drive Integrator<D>::drive(std::size_t) const;                          \
+  template typename Integrator<D>::Drive Integrator<D>::reaction(std::size_t) const;                       \
+  template void Integrator<D>::accelerate_rigid(std::size_t);                                              \
+  template void Integrator<D>::accelerate(std::size_t);                                                    \
+  template void Integrator<D>::take_stock(std::size_t, const Vector<D>&, const Angular<D>&, Stock&) const; \
+  template Stock Integrator<D>::begin(double, double&);                                                    \
+  template bool Integrator<D>::plan(double);                                                               \
+  template bool Integrator<D>::plan_motion_of(std::size_t, Plan&);                                         \
+  template bool Integrator<D>::plan_block(std::size_t, const Vector<D>&, double, Plan&);                   \
+  template void Integrator<D>::plan_ways();                                                                \
+  template Vector<D> Integrator<D>::planned_way(std::size_t) const;                                        \
+  template Tensor<D> Integrator<D>::planned_stretch(std::size_t) const;                                    \
+  template Angular<D> Integrator<D>::planned_turn(std::size_t) const;                                      \
+  template Vector<D> Integrator<D>::planned_velocity(const CarriedPoint<D>&) const;                        \
+  template Vector<D> Integrator<D>::acceleration_of(const CarriedPoint<D>&) const;                         \
+  template void Integrator<D>::kick_and_drift();                                                           \
+  template Stock Integrator<D>::kick();                                                                    \
+  template void Integrator<D>::take_kicks(Stock&);                                                         \
+  template void Integrator<D>::take_kick(std::size_t, Stock&);                                             \
+  template void Integrator<D>::kick_asleep(std::size_t, Stock&) const;                                     \
+  template Pace Integrator<D>::pace_of(std::size_t) const;                                                 \
+  template void Integrator<D>::kick(std::size_t, Stock&);
+
+HALFSPACE_MEMBERS(2)
+HALFSPACE_MEMBERS(3)
+#undef HALFSPACE_MEMBERS
 
 }  // namespace halfspace

@@ -41,13 +41,13 @@ constexpr double deepest_share = 1e-2;
 constexpr double flush = 1e-6;
 
 /// Edges that are nearer to parallel meet by their ends.
-constexpr double parallel = 1e-6;
+constexpr double parallel_edges = 1e-6;
 
 /// Where edges meet this near to an end of one of them, as a share of it, its corner meets a face.
 constexpr double end_share = 1e-10;
 
 /// The places along two edges, from 0 to 1, where they are nearest to each other.
-struct Nearest {
+struct NearestPlaces {
   double on_a = 0;
   double on_b = 0;
 
@@ -56,7 +56,7 @@ struct Nearest {
   }
 };
 
-Nearest nearest(const MovingEdge::Place& a, const MovingEdge::Place& b) {
+NearestPlaces nearest(const MovingEdge::Place& a, const MovingEdge::Place& b) {
   const Vector<3> across = cross_product(a.along(), b.along()), way = b.end[0] - a.end[0];
   const double squared = across.squaredNorm();
   return {cross_product(way, b.along()).dot(across) / squared,
@@ -70,7 +70,7 @@ Vector<3> normal_of(const MovingEdge::Place& a, const MovingEdge::Place& b) {
 }
 
 bool are_parallel(const MovingEdge::Place& a, const MovingEdge::Place& b) {
-  return !(cross_product(a.along(), b.along()).norm() > parallel * a.along().norm() * b.along().norm());
+  return !(cross_product(a.along(), b.along()).norm() > parallel_edges * a.along().norm() * b.along().norm());
 }
 
 /// Does the plane between two edges have the faces of both behind it, each on its side? Faces that lie flush
@@ -204,7 +204,7 @@ void ReactionSearch<3>::look_at_edges(std::int32_t a, std::int32_t b, Array<Reac
       const MovingEdge of_b = edge(b, k);
       if (of_b.now.is_flat() || are_parallel(of_a.now, of_b.now)) continue;
       if (!is_between(of_a.now, of_b.now) && !is_between(of_a.planned, of_b.planned)) continue;
-      const Nearest at_end = nearest(of_a.planned, of_b.planned);
+      const NearestPlaces at_end = nearest(of_a.planned, of_b.planned);
       if (!at_end.is_between_ends()) continue;
       const Vector<3> normal = normal_of(of_a.now, of_b.now);
       const double before = normal.dot(of_a.now.end[0] - of_b.now.end[0]);
@@ -226,7 +226,7 @@ void ReactionSearch<3>::look_at_edges(std::int32_t a, std::int32_t b, Array<Reac
 template <>
 void ReactionSearch<3>::place_edges(Reaction<3>& at) const {
   const MovingEdge of_a = edge(at.a, at.feature_a), of_b = edge(at.b, at.feature_b);
-  const Nearest near = nearest(of_a.now, of_b.now);
+  const NearestPlaces near = nearest(of_a.now, of_b.now);
   at.normal = normal_of(of_a.now, of_b.now);
   at.gap = at.normal.dot(of_a.now.end[0] - of_b.now.end[0]);
   const auto point_on = [](const MovingEdge& edge, double share) {

@@ -17,9 +17,9 @@ constexpr double safety_in_relaxation = 0.9;
 
 /// The ways of blocks since it was made, over their own size.
 template <int D>
-class Way {
+class Travel {
  public:
-  Way(const Blocks<D>& blocks, Memory* memory) : start_(blocks.position, memory) {}
+  Travel(const Blocks<D>& blocks, Memory* memory) : start_(blocks.position, memory) {}
 
   double longest(const Blocks<D>& blocks) const {
     double longest = 0;
@@ -41,7 +41,7 @@ struct Watch {
       : slowest(model, memory), way(model.blocks, memory), room(model.blocks, memory) {}
 
   SlowestMotion<D> slowest;
-  Way<D> way;
+  Travel<D> way;
   BalanceRoom room;
 };
 
@@ -172,7 +172,18 @@ void World<D>::set_time_step(double time_step) {
   edit();
 }
 
-template class World<2>;
-template class World<3>;
+#define HALFSPACE_MEMBERS(D)                               \
+  template Balance World<D>::balance();                    \
+  template void World<D>::stop_all();                      \
+  template bool World<D>::leaves_room_for_damping(double); \
+  template Relaxed World<D>::relax(const Relaxation&);     \
+  template void World<D>::set_gravity(const Vector<D>&);   \
+  template void World<D>::set_damping(double, double);     \
+  template void World<D>::set_strength_factor(double);     \
+  template void World<D>::set_time_step(double);
+
+HALFSPACE_MEMBERS(2)
+HALFSPACE_MEMBERS(3)
+#undef HALFSPACE_MEMBERS
 
 }  // namespace halfspace

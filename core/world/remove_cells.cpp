@@ -133,7 +133,13 @@ MeshFaultReport World<D>::remove_cells(std::int32_t which, std::span<const std::
   return report;
 }
 
-template class World<2>;
-template class World<3>;
+#define HALFSPACE_MEMBERS(D)                                                                             \
+  template void World<D>::release(std::int32_t, const Array<std::uint8_t>&, std::span<Vector<D>>) const; \
+  template MeshFaultReport World<D>::remove_cells(std::int32_t, std::span<const std::int32_t>,           \
+                                                  std::span<Vector<D>>);
+
+HALFSPACE_MEMBERS(2)
+HALFSPACE_MEMBERS(3)
+#undef HALFSPACE_MEMBERS
 
 }  // namespace halfspace

@@ -199,7 +199,22 @@ StepResult World<D>::step() {
   return StepResult::ok;
 }
 
-template class World<2>;
-template class World<3>;
+#define HALFSPACE_MEMBERS(D)                         \
+  template bool World<D>::plan_motion(double);       \
+  template bool World<D>::plan_reactions(double);    \
+  template StepResult World<D>::out_of_hand() const; \
+  template StepResult World<D>::divide();            \
+  template bool World<D>::choose_time_step();        \
+  template void World<D>::note_speeds(const Stock&); \
+  template StepResult World<D>::prepare();           \
+  template void World<D>::move();                    \
+  template StepResult World<D>::plan_rest();         \
+  template StepResult World<D>::prepare_and_plan();  \
+  template StepResult World<D>::plan_changed();      \
+  template StepResult World<D>::step();
+
+HALFSPACE_MEMBERS(2)
+HALFSPACE_MEMBERS(3)
+#undef HALFSPACE_MEMBERS
 
 }  // namespace halfspace

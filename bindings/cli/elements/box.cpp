@@ -7,9 +7,9 @@ namespace halfspace::cli {
 namespace {
 
 /// Nodes in a grid, x fastest.
-class Grid {
+class NodeGrid {
  public:
-  Grid(const std::array<int, 3>& counts) : counts_(counts) {}
+  NodeGrid(const std::array<int, 3>& counts) : counts_(counts) {}
   int node(int i, int j, int k) const { return (k * (counts_[1] + 1) + j) * (counts_[0] + 1) + i; }
   int count(std::size_t axis) const { return counts_[axis]; }
 
@@ -35,7 +35,7 @@ const std::vector<std::vector<int>>& cells_of_box(int kind) {
   return kind == HS_CELL_PRISM ? halves : sixths;
 }
 
-void add_cells(ElementMesh& mesh, const Grid& grid, int kind) {
+void add_cells(ElementMesh& mesh, const NodeGrid& grid, int kind) {
   const auto add = [&](const std::vector<int>& corners, const std::vector<std::vector<int>>& cells) {
     for (const std::vector<int>& cell : cells) {
       ElementMesh::Cell& added = mesh.cells.emplace_back(ElementMesh::Cell{.kind = kind, .nodes = {}});
@@ -86,7 +86,7 @@ void add_sides(ElementMesh& mesh, const Point& low, const Point& high) {
 ElementMesh mesh_of_box(const Point& low, const Point& high, const std::array<int, 3>& counts, int kind,
                         int dimension) {
   ElementMesh mesh{.dimension = dimension};
-  const Grid grid(counts);
+  const NodeGrid grid(counts);
   const auto along = [&](std::size_t axis, int i) {
     const int count = grid.count(axis);
     if (i == 0 || count == 0) return low[axis];

@@ -13,9 +13,9 @@
 namespace halfspace::cli {
 namespace {
 
-class Reader {
+class GmshReader {
  public:
-  Reader(const std::string& name, const std::string& content) : lines_(name, content, 0) {
+  GmshReader(const std::string& name, const std::string& content) : lines_(name, content, 0) {
     file_.name = name;
   }
 
@@ -201,7 +201,7 @@ class Reader {
 }  // namespace
 
 GmshFile read_gmsh(const std::string& name, const std::string& content) {
-  return Reader(name, content).read();
+  return GmshReader(name, content).read();
 }
 
 std::vector<Solid> solids_of(const GmshFile& file) {

@@ -13,10 +13,10 @@ namespace halfspace::cli {
 
 namespace {
 
-using Reader = std::vector<Solid> (*)(const std::string& name, const std::string& content);
+using ReadSolids = std::vector<Solid> (*)(const std::string& name, const std::string& content);
 
 /// Null for a kind of file that is not known.
-Reader reader_of(const std::string& extension) {
+ReadSolids reader_of(const std::string& extension) {
   if (extension == ".msh")
     return [](const auto& name, const auto& content) { return solids_of(read_gmsh(name, content)); };
   if (extension == ".obj")
@@ -37,7 +37,7 @@ std::vector<Solid> read_solids(const std::string& file) {
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
 
   // Told before the file is read, which may be of any size or without end.
-  const Reader read = reader_of(extension);
+  const ReadSolids read = reader_of(extension);
   if (!read) throw MeshFault(name, "not a kind of file that is known; allowed: .obj, .off, .stl, .msh");
   return read(name, content_of(file));
 }

@@ -16,9 +16,11 @@ namespace halfspace::cli {
 namespace {
 
 constexpr std::int64_t measured_steps = 200;
-constexpr double short_run = 0.05;  // s of CPU time; a clock tells less of what is shorter
+constexpr double short_run_of_plan = 0.05;  // s of CPU time; a clock tells less of what is shorter
 
-std::string line(const std::string& name, const std::string& value) { return report_line(name, value, 21); }
+std::string plan_line(const std::string& name, const std::string& value) {
+  return report_line(name, value, 21);
+}
 
 std::string percent(double share) {
   return (std::abs(share) < 0.01 ? rounded(100 * share, 1) : decimals(100 * share, 0)) + " %";
@@ -68,7 +70,7 @@ End run(const Scene& scene, int disturbance = 0) {
 }
 
 End run_repeatedly(const Scene& scene) {
-  return fastest_of(short_run, [&] { return run(scene); });
+  return fastest_of(short_run_of_plan, [&] { return run(scene); });
 }
 
 /// The way of a piece's end from where the whole scene puts it, as a share of its size: of all that are free
@@ -148,17 +150,17 @@ std::string parts(int active, bool are_active) {
 std::string account(const Scene& scene, const End& whole) {
   const hs_world_plan& world = whole.world;
   std::string text =
-      line("scene", scene.title.empty() ? "untitled" : scene.title) + line("blocks", kinds(world));
-  if (world.body_count > 0) text += line("meshes", meshes(world));
-  text += line("pairs", std::to_string(world.candidate_count) + " near each other, " +
-                            std::to_string(world.contact_count) + " in contact");
-  if (world.bond_count > 0) text += line("bonds", std::to_string(world.bond_count));
-  text += line("memory", memory(world));
-  text += line("a step", shares(world));
+      plan_line("scene", scene.title.empty() ? "untitled" : scene.title) + plan_line("blocks", kinds(world));
+  if (world.body_count > 0) text += plan_line("meshes", meshes(world));
+  text += plan_line("pairs", std::to_string(world.candidate_count) + " near each other, " +
+                                 std::to_string(world.contact_count) + " in contact");
+  if (world.bond_count > 0) text += plan_line("bonds", std::to_string(world.bond_count));
+  text += plan_line("memory", memory(world));
+  text += plan_line("a step", shares(world));
   if (world.stable_time_step > 0)
-    text += line("stable step", rounded(world.stable_time_step, 3) + " s, limited by " + whole.limit);
-  text += line("active", parts(world.parts, true));
-  return text + line("not there", parts(world.parts, false));
+    text += plan_line("stable step", rounded(world.stable_time_step, 3) + " s, limited by " + whole.limit);
+  text += plan_line("active", parts(world.parts, true));
+  return text + plan_line("not there", parts(world.parts, false));
 }
 
 std::string judged(const End& whole, const End& other, double tolerance) {
@@ -190,18 +192,18 @@ PlanResult plan(const Scene& given, const PlanOptions& options) {
   }
   const double chance = disturbed.end == RunEnd::whole ? difference(whole, disturbed) : HUGE_VAL;
   const bool is_predictable = chance <= options.tolerance;
-  result.report += '\n' + line("without", padded("saves", 10) + "and a block ends off by up to");
+  result.report += '\n' + plan_line("without", padded("saves", 10) + "and a block ends off by up to");
   for (const Without& one : all) {
     const End other = run_repeatedly(one.scene);
     if (other.end == RunEnd::interrupted) {
       result.end = other.end;
       return result;
     }
-    result.report += line(one.part, judged(whole, other, is_predictable ? options.tolerance : 0));
+    result.report += plan_line(one.part, judged(whole, other, is_predictable ? options.tolerance : 0));
   }
-  result.report += line("moved by 1e-9",
-                        padded("", 10) + (std::isfinite(chance) ? percent(chance) + " of its size, by chance"
-                                                                : std::string("does not run to the end")));
+  result.report += plan_line(
+      "moved by 1e-9", padded("", 10) + (std::isfinite(chance) ? percent(chance) + " of its size, by chance"
+                                                               : std::string("does not run to the end")));
   if (!is_predictable)
     result.report +=
         "\nChance moves blocks farther than " + percent(options.tolerance) +

@@ -9,7 +9,9 @@
 namespace halfspace::cli {
 namespace {
 
-std::string line(const std::string& name, const std::string& text) { return report_line(name, text, 18); }
+std::string trade_line(const std::string& name, const std::string& text) {
+  return report_line(name, text, 18);
+}
 
 std::string step_text(double step) { return step == 1 ? "1" : "1/" + std::to_string(std::lround(1 / step)); }
 
@@ -60,8 +62,8 @@ std::string cells_line(const Front& front, double tolerance) {
                               finer = front.run_of({.step = held_step, .cells = 2});
   if (!own || !finer) return {};
   const double change = std::abs(finer->outcomes.value - own->outcomes.value) / front.scale();
-  return line("cells", "twice as many along each length change the result by " + rounded(change, 2) +
-                           (change > tolerance ? ": MORE THAN THE TOLERANCE, take finer ones" : ""));
+  return trade_line("cells", "twice as many along each length change the result by " + rounded(change, 2) +
+                                 (change > tolerance ? ": MORE THAN THE TOLERANCE, take finer ones" : ""));
 }
 
 std::string row(const Front& front, const Result& run) {
@@ -207,12 +209,15 @@ std::string report(const Scene& scene, const Front& front, const FaceSize& face,
   const std::string own_step =
       scene.world.time_step == 0 ? std::string()
       : tells_stable_step(scene)
-          ? line("time step", "the scene's own is not used: steps are shares of the stable one")
-          : line("time step", "shares of the scene's own: neither springs nor elements tell a stable one");
-  return line("scene", scene.title.empty() ? "untitled" : scene.title) +
-         line("quantity", describe_quantity(scene)) + line("reference", reference_text(scene, front)) +
-         line("error", scale_text(scene, front)) + own_step + line("runs converge", convergence_text(front)) +
-         line("by chance", chance_text(front, tolerance)) + cells_line(front, tolerance) +
+          ? trade_line("time step", "the scene's own is not used: steps are shares of the stable one")
+          : trade_line("time step",
+                       "shares of the scene's own: neither springs nor elements tell a stable one");
+  return trade_line("scene", scene.title.empty() ? "untitled" : scene.title) +
+         trade_line("quantity", describe_quantity(scene)) +
+         trade_line("reference", reference_text(scene, front)) +
+         trade_line("error", scale_text(scene, front)) + own_step +
+         trade_line("runs converge", convergence_text(front)) +
+         trade_line("by chance", chance_text(front, tolerance)) + cells_line(front, tolerance) +
          front_text(scene, front) + costs_text(scene, front) + knobs_text(front) + failures_text(front) +
          left_out_text(left_out) + cheapest_text(scene, front, face, tolerance);
 }

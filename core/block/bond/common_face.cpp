@@ -14,14 +14,14 @@ constexpr double plane_reach = 1e-6;
 
 /// Faces whose planes differ by less of a right angle than this are parallel: they were one before a joint
 /// cut them.
-constexpr double parallel = 1e-6;
+constexpr double parallel_faces = 1e-6;
 
 /// Do the face's planes coincide, looking at each other?
 template <int D>
 bool are_opposite(const Outline<D>& a, int f, const Outline<D>& b, int g, const Vector<D>& to_b,
                   double reach) {
   const Vector<D> normal = a.normal(f);
-  return (normal + b.normal(g)).norm() <= parallel &&
+  return (normal + b.normal(g)).norm() <= parallel_faces &&
          std::abs(normal.dot(to_b) - b.offset[g] - a.offset[f]) <= reach;
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 // Second moments grow with the fourth power of the size: from this to the largest number neither they nor
 // their products with a density overflow or vanish.
-constexpr double smallest_extent = 1e-75;
+constexpr double smallest_polygon_extent = 1e-75;
 
 FaultReport first_not_finite(std::span<const Vector<2>> vertices) {
   for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -67,7 +67,7 @@ bool is_narrow(std::span<const Vector<2>> vertices, double length) {
   double doubled_area_over_length = 0;
   for (std::size_t i = 1; i + 1 < vertices.size(); ++i)
     doubled_area_over_length += cross((vertices[i] - vertices[0]) / length, vertices[i + 1] - vertices[0]);
-  return std::abs(doubled_area_over_length) < smallest_extent;
+  return std::abs(doubled_area_over_length) < smallest_polygon_extent;
 }
 
 /// How often the edges' directions go round: a convex outline does so once.
@@ -132,7 +132,7 @@ FaultReport check_polygon(std::span<const Vector<2>> vertices) {
 
   Box<2> box;
   for (const Vector<2>& v : vertices) box.include(v);
-  if (box.extent() < smallest_extent) return {Fault::not_finite, -1};
+  if (box.extent() < smallest_polygon_extent) return {Fault::not_finite, -1};
   if (all_on_one_line(vertices)) return {Fault::zero_area, -1};
 
   const FaultReport wrong_turn = first_wrong_turn(vertices);

@@ -18,7 +18,7 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 // Second moments grow with the fifth power of the size: within these limits neither they nor their products
 // with a density overflow or vanish.
 constexpr double largest_allowed = 1e50;
-constexpr double smallest_extent = 1e-50;
+constexpr double smallest_polyhedron_extent = 1e-50;
 
 /// Heights over a plane, the lowest and the highest, and the vertex that is highest.
 struct Heights {
@@ -48,7 +48,7 @@ PolyhedronFault first_out_of_range(std::span<const Vector<3>> points) {
       return {Fault::out_of_range, std::int64_t(i), -1};
     box.include(points[i]);
   }
-  if (box.extent() < smallest_extent) return {Fault::out_of_range, -1, -1};
+  if (box.extent() < smallest_polyhedron_extent) return {Fault::out_of_range, -1, -1};
   return {};
 }
 

@@ -32,19 +32,19 @@ struct FlatFaceVertex : FaceVertex<SeenOutline> {
 
 /// An edge of the other block at the vertex, by the neighbour at its far end, and the sine of its angle with
 /// the plane.
-struct FacingEdge {
+struct FacingNeighbour {
   int far_vertex;
   double sine;
 };
 
 /// The one nearest to parallel.
-FacingEdge facing_edge(const FaceVertex<SeenOutline>& f) {
+FacingNeighbour facing_edge(const FaceVertex<SeenOutline>& f) {
   const Topology& topology = *f.other.topology;
-  FacingEdge best{topology.vertex_neighbour[topology.first_of_vertex[f.vertex]], HUGE_VAL};
+  FacingNeighbour best{topology.vertex_neighbour[topology.first_of_vertex[f.vertex]], HUGE_VAL};
   for (int k = topology.first_of_vertex[f.vertex]; k < topology.first_of_vertex[f.vertex + 1]; ++k) {
     const Vector<3> along = f.other.vertex(topology.vertex_neighbour[k]) - f.position;
     const double climb = f.normal.dot(along), square = climb * climb / along.squaredNorm();
-    best = square < best.sine ? FacingEdge{topology.vertex_neighbour[k], square} : best;
+    best = square < best.sine ? FacingNeighbour{topology.vertex_neighbour[k], square} : best;
   }
   return {best.far_vertex, std::sqrt(best.sine)};
 }
@@ -226,7 +226,7 @@ void name_tilted_region(const FlatFaceVertex& f, bool is_edge_level, Contact<3>&
 
 /// The region of a face and what is near to parallel with it of the other block at the vertex: a face, or
 /// else an edge. False when there is none.
-bool describe_region(const FlatFaceVertex& f, const FacingEdge& edge, const DetectOptions& options,
+bool describe_region(const FlatFaceVertex& f, const FacingNeighbour& edge, const DetectOptions& options,
                      Contact<3>& contact) {
   contact.normal = f.normal;
   contact.gap = f.gap;
@@ -253,7 +253,7 @@ PotentialPair<3> describe_face_vertex(const SeenOutline& a, const SeenOutline& b
                                       const PotentialPair<3>& pair, const DetectOptions& options,
                                       Contact<3>& contact) {
   const FlatFaceVertex f({a, b, to_b, pair.a, pair.b});
-  const FacingEdge edge = facing_edge(f);
+  const FacingNeighbour edge = facing_edge(f);
   if (describe_region(f, edge, options, contact)) return pair;
 
   const double facing_length = (b.vertex(edge.far_vertex) - f.position).norm();
