@@ -13,18 +13,31 @@ else()
   target_link_libraries(halfspace_catch INTERFACE halfspace_catch_main)
 endif()
 
-# halfspace_add_test(name [LABEL label] SOURCES a.cpp b.cpp LIBRARIES halfspace_core)
+# The headers of most test programs are compiled here, once. These programs spend their time in the library, so that
+# little optimization is enough for them.
+set(halfspace_test_options $<$<CONFIG:Release>:-O1>)
+add_library(halfspace_test_headers OBJECT ${CMAKE_CURRENT_LIST_DIR}/catch_headers.cpp)
+target_link_libraries(halfspace_test_headers PRIVATE halfspace_catch)
+target_compile_options(halfspace_test_headers PRIVATE ${halfspace_test_options})
+halfspace_precompile(halfspace_test_headers <catch.h> <algorithm> <cmath> <random> <string> <vector>)
+
+# halfspace_add_test(name [LABEL label] [OWN_FLAGS] SOURCES a.cpp b.cpp LIBRARIES halfspace_core)
 #
 # One Catch2 executable; each of its cases becomes a CTest test called "name:case". Sources may include
 # "catch.h" and everything else relative to tests/. LABEL puts a CTest label on all its cases: those with the label
 # slow are built where HALFSPACE_TEST_SLOW says so; those with the label threads run with the thread sanitizer.
+# OWN_FLAGS: its libraries bring compiler flags along, with which headers that were compiled without are of no use.
 function(halfspace_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "LABEL" "SOURCES;LIBRARIES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "OWN_FLAGS" "LABEL" "SOURCES;LIBRARIES")
   if(arg_LABEL STREQUAL slow AND NOT HALFSPACE_TEST_SLOW)
     return()
   endif()
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} halfspace_catch)
+  if(NOT arg_OWN_FLAGS)
+    target_compile_options(${name} PRIVATE ${halfspace_test_options})
+    halfspace_precompile(${name} REUSE_FROM halfspace_test_headers)
+  endif()
   if(arg_LABEL)
     set(label PROPERTIES LABELS ${arg_LABEL})
   endif()

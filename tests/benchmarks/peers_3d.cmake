@@ -17,6 +17,7 @@ set(tests ${CMAKE_CURRENT_LIST_DIR}/..)
 add_library(polyhedra_3d STATIC
   ${tests}/oracles/polyhedron_3d.cpp ${tests}/oracles/random_polyhedra.cpp
   ${tests}/oracles/minkowski_facets.cpp)
+halfspace_in_batches(polyhedra_3d)
 target_include_directories(polyhedra_3d PUBLIC ${tests})
 target_link_libraries(polyhedra_3d PUBLIC halfspace::halfspace PRIVATE CGAL::CGAL)
 
