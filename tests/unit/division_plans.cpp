@@ -224,6 +224,28 @@ TEST_CASE("boxes whose faces are flush, or come to be, are planned or not, and p
   CHECK(followed > 300);
 }
 
+TEST_CASE("cubes that all but meet along a face, an edge or at a corner have a plan that is one, or none") {
+  Random random(209);
+  const Shape<3> cube = shape_of(completed(box({1, 1, 1})));
+  int planned = 0, unplanned = 0;
+  for (int round = 0; round < 3000; ++round) {
+    PlannedPair pair(cube, cube);
+    const double little = std::pow(10, random.uniform(-12, -2));
+    Vector<3> at;
+    for (int axis = 0; axis < 3; ++axis) at[axis] = random.integer(0, 2) ? 1 : 0.25 * random.integer(0, 4);
+    pair.put(0, Vector<3>::Zero(), Rotation<3>().turned_by(random_within(random, little)));
+    pair.put(1, at + random_within(random, little), Rotation<3>().turned_by(random_within(random, little)));
+    const PotentialForce<3> found = pair.found();
+    check_same(pair.planned(), found);
+    if (!(found.content > 0)) continue;
+    (pair.known.knows() ? planned : unplanned) += 1;
+    const PlacedBlocks<3> placed = pair.blocks.placed(0, 1);
+    if (pair.known.knows()) CHECK(is_plan(pair.plans[pair.known], placed.a, placed.b));
+  }
+  CHECK(planned > 200);
+  CHECK(unplanned > 200);
+}
+
 TEST_CASE("blocks some of whose faces all but agree are planned as well") {
   Random random(208);
   const Polyhedron cube = box({1, 1, 1});

@@ -175,6 +175,7 @@ class PlanWriter {
     }
   }
 
+  /// Without a volume there is no plan: where the blocks meet along an edge, all corners but meet in a line.
   bool put_whole() {
     PlannedSolid solid;
     for (std::size_t c = 0; c < corner_count_; ++c) {
@@ -182,6 +183,7 @@ class PlanWriter {
       if (corner.is_shared && !solid.add_corner(int(c), corner.at, corner.on[0], corner.on[1])) return false;
     }
     if (!solid.divide([&](int owner, int f) { return near(owner, f).plane.normal; })) return false;
+    if (solid.triangles().empty()) return false;
     put({solid.top()});
     put_list(3, [&] {
       for (const auto& [p, q, r] : solid.triangles()) put({p, q, r});

@@ -41,6 +41,7 @@ class PlannedSolid {
     }
     return is_closed && std::equal(to_.begin(), to_.begin() + count_, from_.begin());
   }
+  /// Where it has been divided into some.
   int top() const { return number_[top_]; }
   /// The other corners of each tetrahedron, counter-clockwise seen from outside.
   std::span<const std::array<int, 3>> triangles() const { return {triangles_.data(), triangle_count_}; }
