@@ -371,7 +371,8 @@ bool Blocks<D>::is_consistent(std::int32_t material_count) const {
            !is_taken[std::size_t(slot)]++;
   };
   const auto is_on_surface = [&](const SurfaceCell<D>& cell) {
-    return std::size_t(cell.block) < slots && is_of_mesh(std::size_t(cell.block));
+    return std::size_t(cell.block) < slots && is_of_mesh(std::size_t(cell.block)) &&
+           own_outline(cell.block).vertex_count() == D + 1;
   };
   const auto joins_living = [&](const Bond<D>& bond) {
     return bond.a < 0 || (lives(std::size_t(bond.a)) && lives(std::size_t(bond.b)));

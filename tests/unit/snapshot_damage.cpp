@@ -35,6 +35,23 @@ std::unique_ptr<World<3>> small_world() {
   return world;
 }
 
+/// A cube on another one, whose bond is pulled apart in a step.
+std::unique_ptr<World<3>> world_of_failed_bond() {
+  WorldSettings<3> settings;
+  settings.gravity = {0, 0, 10};
+  settings.time_step = 1e-3;
+  auto world = std::make_unique<World<3>>(settings, std::pmr::get_default_resource());
+  const std::int32_t stone = world->add_material(1000);
+  const Shape<3> cube = shape_of(completed(box({1, 1, 1})));
+  world->add_block(cube, BlockKind::fixed, stone, {0, 0, 0}, {});
+  world->add_block(cube, BlockKind::rigid, stone, {0, 0, 1}, {});
+  BondLaw law;
+  law.normal_stiffness = law.shear_stiffness = 1e6;
+  REQUIRE(world->bond_pair(0, 1, law));
+  REQUIRE(world->step() == StepResult::ok);
+  return world;
+}
+
 /// Takes out what the list of neighbours knows of each block, and says that it is used up.
 struct ForgetBlocks {
   template <class... Members>
@@ -113,5 +130,25 @@ TEST_CASE("a world whose parts do not fit together is seen to be none") {
     blocks.rotation[1] = Rotation<3>::from_axes({1, 0, 0}, {1, 0, 0}, {0, 0, 1});
   }
   SECTION("a block without size") { blocks.radius[1] = nan; }
+  CHECK(!world->is_consistent());
+}
+
+TEST_CASE("bonds that do not fit together are seen to be none") {
+  const auto world = world_of_failed_bond();
+  REQUIRE(world->is_consistent());
+  Bonds<3>& bonds = const_cast<Bonds<3>&>(world->bonds());
+  REQUIRE(!bonds.events().empty());
+  BondEvent<3>& event = const_cast<BondEvent<3>&>(bonds.events()[0]);
+
+  SECTION("a failure of no bond") { event.bond = 1; }
+  SECTION("a failure before all bonds") { event.bond = -1; }
+  SECTION("a failure of no point") { event.point = bonds.all()[0].point_count; }
+  SECTION("a failure that is none") { event.failure = BondFailure::none; }
+  SECTION("a bond that hands over to a contact of blocks that are gone") {
+    Bond<3>& bond = bonds.all()[0];
+    bond.a = bond.b = -1;
+    bond.is_joint = 0;
+    bond.hands_over = 1;
+  }
   CHECK(!world->is_consistent());
 }

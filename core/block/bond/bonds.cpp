@@ -72,7 +72,7 @@ bool Bonds<D>::is_consistent(std::size_t slots) const {
   const auto is_slot = [&](std::int32_t slot) { return slot >= 0 && std::size_t(slot) < slots; };
   std::int64_t counted = 0;
   for (const Bond<D>& bond : bonds_) {
-    const bool is_gone = bond.a < 0 && bond.b < 0 && !bond.is_joint;
+    const bool is_gone = bond.a < 0 && bond.b < 0 && !bond.is_joint && !bond.hands_over;
     if (!is_gone && !(is_slot(bond.a) && is_slot(bond.b) && bond.a < bond.b)) return false;
     if (bond.law < 0 || std::size_t(bond.law) >= laws_.size()) return false;
     const std::int64_t left = std::int64_t(points_.size()) - counted;
@@ -81,8 +81,13 @@ bool Bonds<D>::is_consistent(std::size_t slots) const {
     if (!all_finite(bond.normal_a) || !all_finite(bond.normal_b) || !is_positive(bond.extent)) return false;
     counted += bond.point_count;
   }
+  const auto has_failed = [&](const BondEvent<D>& event) {
+    return event.bond >= 0 && std::size_t(event.bond) < bonds_.size() && event.point >= 0 &&
+           event.point < bonds_[std::size_t(event.bond)].point_count &&
+           (event.failure == BondFailure::tension || event.failure == BondFailure::shear);
+  };
   return std::size_t(counted) == points_.size() && events_.size() <= points_.size() &&
-         rings_.is_consistent(slots, points_.size()) &&
+         halfspace::all(events_, has_failed) && rings_.is_consistent(slots, points_.size()) &&
          halfspace::all(laws_, [](const BondLaw& law) { return law.is_consistent(); }) &&
          halfspace::all(points_, [](const BondPoint<D>& point) { return point.is_consistent(); });
 }

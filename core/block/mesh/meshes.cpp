@@ -227,6 +227,8 @@ bool Meshes<D>::is_consistent(std::int32_t material_count) const {
   for (const Body<D>& body : bodies_) {
     const std::int64_t left = std::int64_t(nodes) - counted;
     if (body.first_node != counted || body.node_count < 0 || body.node_count > left) return false;
+    // D nodes at most tell a face, and a face is of two cells at most, which have more than two.
+    if (body.cell_count < 0 || double(body.cell_count) > std::pow(double(body.node_count), D)) return false;
     if (!all_finite(body.origin) || !(body.squared_frequency >= 0) || !is_from_zero(body.damping_time) ||
         !is_from_zero(body.steepest))
       return false;
@@ -255,7 +257,8 @@ bool Meshes<D>::is_consistent(std::int32_t material_count) const {
     const SurfaceCell<D>& cell = surface_[i];
     fits = fits && cell.block >= 0 && std::size_t(cell.block) < of_block_.size() &&
            of_block_[std::size_t(cell.block)] == std::int32_t(i) && all_finite(cell.gradients) &&
-           cell.outer_faces >= 0 && cell.outer_faces < 1 << (D + 1) && has_own_nodes(cell);
+           cell.outer_faces >= 0 && cell.outer_faces < 1 << (D + 1) && has_own_nodes(cell) &&
+           cell.cell >= 0 && cell.cell < body(cell.body).cell_count;
   }
   return fits;
 }
