@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <cstring>
 #include <stdexcept>
 #include <string>
@@ -21,6 +22,12 @@ class Archive {
     static_assert(std::is_trivially_copyable_v<Plain>);
     move(&value, sizeof value);
   }
+  void add(bool& flag) {
+    std::uint8_t byte = flag;
+    add(byte);
+    require(byte <= 1, "a flag is neither 0 nor 1");
+    flag = byte == 1;
+  }
   void add(std::string& text) { add_array(text); }
   template <class Plain>
   void add(std::vector<Plain>& values) {
@@ -33,23 +40,31 @@ class Archive {
     std::size_t count = values.size();
     add(count);
     if (reads_) {
-      require(count <= left());  // each takes a byte at least
+      require(count <= left(), ends_early);  // each takes a byte at least
       values.resize(count);
     }
     for (Value& value : values) add_one(value);
   }
 
   bool reads() const { return reads_; }
+  /// Of values that have been read: @throws std::runtime_error if this does not hold.
+  void require(bool holds, const char* fault) const {
+    if (reads_ && !holds) throw std::runtime_error(fault);
+  }
+  /// When all has been read. @throws std::runtime_error if something is left
+  void end() const { require(left() == 0, "it does not end where it should"); }
   const std::string& bytes() const { return bytes_; }
 
  private:
+  static constexpr const char* ends_early = "it ends too early";
+
   template <class Array>
   void add_array(Array& values) {
     constexpr std::size_t size = sizeof(typename Array::value_type);
     std::size_t count = values.size();
     add(count);
     if (reads_) {
-      require(count <= left() / size);
+      require(count <= left() / size, ends_early);
       values.resize(count);
     }
     move(values.data(), count * size);
@@ -57,7 +72,7 @@ class Archive {
 
   void move(void* value, std::size_t count) {
     if (reads_) {
-      require(count <= left());
+      require(count <= left(), ends_early);
       if (count > 0) std::memcpy(value, bytes_.data() + at_, count);
       at_ += count;
     } else {
@@ -65,9 +80,6 @@ class Archive {
     }
   }
   std::size_t left() const { return bytes_.size() - at_; }
-  static void require(bool holds) {
-    if (!holds) throw std::runtime_error("it ends too early");
-  }
 
   std::string bytes_;
   std::size_t at_ = 0;  ///< where to read

@@ -146,9 +146,58 @@ void Model::add_to(Archive& archive) {
   hs_world* restored = nullptr;
   require(context_, hs_world_restore(context_.get(), world.data(), world.size(), &restored));
   world_.reset(restored);
+  archive.require(has_parts_of_layout(), "its blocks, meshes or bonds are others");
   for (std::size_t body = 0; body < bodies_.size(); ++body)
     if (is_excavated(body)) bodies_[body] = 0;
   update_report();
+}
+
+/// Whatever is asked of a restored world by what the layout says then exists.
+bool Model::has_parts_of_layout() const {
+  const auto is_mark = [](char mark) { return mark >= 0 && mark <= 2; };
+  if (is_removed_.size() != blocks_.size() || !std::all_of(is_removed_.begin(), is_removed_.end(), is_mark))
+    return false;
+  for (std::size_t i = 0; i < blocks_.size(); ++i)
+    if (!layout_.blocks[i].body && !is_removed_[i] && !has_block_of_layout(i)) return false;
+  if (released_.size() != bodies_.size()) return false;
+  for (std::size_t body = 0; body < bodies_.size(); ++body)
+    if (!is_excavated(body) && !has_body_of_layout(body)) return false;
+  int64_t count = 0, bonds = 0;
+  (void)hs_world_get_blocks(world_.get(), nullptr, 0, &count);
+  std::vector<hs_block> all(static_cast<std::size_t>(count));
+  require(context_, hs_world_get_blocks(world_.get(), all.data(), count, nullptr));
+  (void)hs_world_get_bonds(world_.get(), nullptr, 0, &bonds);
+  return static_cast<std::size_t>(bonds) == bonded_.size() &&
+         std::all_of(all.begin(), all.end(), [&](hs_block block) { return is_of_layout(block); });
+}
+
+bool Model::has_block_of_layout(std::size_t block) const {
+  const LayoutBlock& given = layout_.blocks[block];
+  hs_block_state state{};
+  int64_t vertices = 0;
+  return hs_world_get_block_state(world_.get(), blocks_[block], &state) == HS_OK &&
+         state.kind == given.kind &&
+         hs_world_get_block_vertices(world_.get(), blocks_[block], {}, &vertices) >= HS_OK &&
+         vertices == properties_of(context_, given.shape).vertex_count;
+}
+
+bool Model::has_body_of_layout(std::size_t body) const {
+  const LayoutBody& given = layout_.bodies[body];
+  hs_body_state state{};
+  return hs_world_get_body_state(world_.get(), bodies_[body], &state, sizeof state) == HS_OK &&
+         static_cast<std::size_t>(state.node_count) == given.node_count &&
+         static_cast<std::size_t>(state.cell_count) == given.cell_nodes.size() &&
+         (released_[body].empty() || released_[body].size() == given.node_count);
+}
+
+bool Model::is_of_layout(hs_block block) const {
+  const auto known = index_of_block_.find(block);
+  if (known != index_of_block_.end()) return !is_removed_[known->second];
+  hs_body body = 0;
+  int32_t cell = 0;
+  if (hs_world_get_body_of_block(world_.get(), block, &body, &cell) != HS_OK) return false;
+  const auto of_body = index_of_body_.find(body);
+  return of_body != index_of_body_.end() && !is_excavated(of_body->second);
 }
 
 std::vector<hs_bond_event> Model::bond_events() const {

@@ -46,7 +46,8 @@ class Model {
 
   /// The world as hs_world_save() writes it.
   std::string snapshot() const;
-  /// All that changes in a run. One that is read is where that was that was written. @throws LibraryError
+  /// All that changes in a run. One that is read is where that was that was written. @throws LibraryError,
+  /// std::runtime_error
   void add_to(Archive& archive);
 
   /// Looks for the factor of safety. Where a copy fell, the model becomes that one, as it was then, and true
@@ -86,6 +87,10 @@ class Model {
 
   void add(const LayoutBody& body);
   void excavate(const std::vector<std::size_t>& blocks);
+  bool has_parts_of_layout() const;
+  bool has_block_of_layout(std::size_t block) const;
+  bool has_body_of_layout(std::size_t body) const;
+  bool is_of_layout(hs_block block) const;
   /// Are all of its cells gone?
   bool is_excavated(std::size_t body) const;
   void excavate_cells(std::size_t body, const std::vector<int32_t>& cells);

@@ -21,6 +21,19 @@ void add_frame_to(Archive& archive, Frame& frame) {
   });
 }
 
+/// Has a frame all blocks, and each of them all of its vertices, or none where it has been excavated?
+bool is_whole(const Frame& frame, const Frame& start) {
+  const auto has_vertices_of = [](const BlockFrame& block, const BlockFrame& at_start) {
+    return block.vertices.empty() || block.vertices.size() == at_start.vertices.size();
+  };
+  const std::size_t blocks = start.blocks.size();
+  return frame.blocks.size() == blocks &&
+         std::equal(frame.blocks.begin(), frame.blocks.end(), start.blocks.begin(), has_vertices_of) &&
+         std::all_of(frame.contacts.begin(), frame.contacts.end(), [&](const hs_contact& contact) {
+           return contact.block_a < blocks && contact.block_b < blocks;
+         });
+}
+
 }  // namespace
 
 bool Every::due(const Model& model) {
@@ -34,6 +47,7 @@ void Every::add_to(Archive& archive, const Model& model) {
   double interval = interval_, count = count_;
   archive.add(interval);
   archive.add(count);
+  archive.require(count >= 0 && std::isfinite(count), "a count of outputs is none");
   count_ = count;
   if (interval != interval_)
     count_ = std::floor((model.report().time + model.report().time_step / 2) / interval_) + 1;
@@ -93,8 +107,12 @@ void Record::add_to(Archive& archive, bool has_frames) {
   std::vector<double> times(wanted.begin(), wanted.begin() + static_cast<std::ptrdiff_t>(pictured_.size()));
   series_.add_to(archive, has_frames);
   history_.add_to(archive);
+  const auto add_frame = [&](Frame& frame) {
+    add_frame_to(archive, frame);
+    archive.require(is_whole(frame, start()), "its frames have other blocks");
+  };
   std::vector<Frame> origins(origins_.begin(), origins_.end());
-  archive.add_each(origins, [&](Frame& frame) { add_frame_to(archive, frame); });
+  archive.add_each(origins, add_frame);
   for (std::size_t i = origins_.size(); i < origins.size(); ++i) {
     origins_.push_back(std::move(origins[i]));
     stage_.reset_displacement(origins_.back());
@@ -102,8 +120,12 @@ void Record::add_to(Archive& archive, bool has_frames) {
   const bool looks_at_the_same = stage_.add_to(archive);
   archive.add(peaks_);
   archive.add(times);
-  archive.add_each(pictured_, [&](Frame& frame) { add_frame_to(archive, frame); });
+  archive.add_each(pictured_, add_frame);
   archive.add(origin_of_pictured_);
+  const auto is_origin = [&](std::size_t origin) { return origin < origins_.size(); };
+  archive.require(pictured_.size() == times.size() && origin_of_pictured_.size() == times.size() &&
+                      std::all_of(origin_of_pictured_.begin(), origin_of_pictured_.end(), is_origin),
+                  "its pictures do not fit together");
   if (!looks_at_the_same) {
     stage_.add(origins_.front());
     for (const Frame& frame : pictured_) stage_.add(frame);

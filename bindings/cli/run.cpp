@@ -54,6 +54,7 @@ struct Position {
     archive.add(settling.steps);
     archive.add(settling.portions);
     archive.add(slow_rows);
+    archive.require(settling.steps >= 0 && settling.portions >= 0 && slow_rows >= 0, "a count is below 0");
   }
 };
 
@@ -252,6 +253,9 @@ class Run {
     at_.add_to(archive);
     add_stages_to(archive);
     model_.add_to(archive);
+    archive.require(at_.start <= model_.report().time, "the stage that it was in begins after its moment");
+    archive.require(at_.settling.portions < stages_[at_.stage].portions || model_.is_changed(),
+                    "its portions do not end");
     record_.add_to(archive, options_.goes_on_in_place || !archive.reads());
   }
 
@@ -274,6 +278,7 @@ class Run {
     try {
       Archive archive(state);
       add_to(archive);
+      archive.end();
     } catch (const std::runtime_error& error) {
       throw std::runtime_error(std::string("the checkpoint is not of this scene: ") + error.what());
     }

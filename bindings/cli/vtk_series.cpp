@@ -5,6 +5,8 @@
 namespace halfspace::cli {
 namespace {
 
+constexpr int most_frames = 1 << 30;
+
 /// What 2D and 3D tell differently: how a block is turned and turns.
 void add_turning(const hs_block_state& state, VtkArray& turned, VtkArray& spin) {
   turned.add(turned.components == 1 ? &state.angle : state.pose.rotation);
@@ -87,6 +89,7 @@ void VtkSeries::add_to(Archive& archive, bool has_frames) {
   archive.add(entries_);
   archive.add(contact_entries_);
   archive.add(count_);
+  archive.require(count_ >= 0 && count_ <= most_frames, "its number of frames is none");
   if (has_frames) return;
   entries_.clear();
   contact_entries_.clear();

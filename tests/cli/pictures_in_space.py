@@ -8,7 +8,7 @@ from pathlib import Path
 import vtk
 from vtk.util.numpy_support import vtk_to_numpy
 
-from command import SCENES, halfspace, main
+from command import SCENES, SceneTest, halfspace, main
 
 SPACE = "{http://www.w3.org/2000/svg}"
 
@@ -79,6 +79,29 @@ class PicturesInSpace(unittest.TestCase):
         last = self.pixels["last.svg"]
         self.assertEqual(list(last[round(160 * 6.5), round(160 * 4.6)]), [255, 255, 255])
         self.assertNotEqual(list(last[round(160 * 5.5), round(160 * 4.6)]), [255, 255, 255])
+
+
+class ExcavatedInSpace(SceneTest):
+    def test_a_block_that_has_been_excavated_is_in_no_picture_any_more(self):
+        text = (SCENES / "falling_block_in_space.toml").read_text().replace("duration = 0.5\n", "")
+        text = text[:text.index('[[block]]\nname = "lift"')] + """
+[[stage]]
+do = "run"
+duration = 0.01
+[[stage]]
+do = "run"
+duration = 0.01
+excavate = ["falling"]
+[output.picture]
+window = [[-4, -1, -1], [5, 2, 7]]
+azimuth = 180
+elevation = 0
+"""
+        self.run_scene(text)
+        row, column = 160 * (5 + 1), 80 * 9  # in the middle of the falling block
+        for name, is_white in (("first.svg", False), ("last.svg", True)):
+            image = ElementTree.parse(self.output / name).getroot().find(SPACE + "image")
+            self.assertEqual((pixels_of(image, self.directory)[row, column] == 255).all(), is_white, name)
 
 
 if __name__ == "__main__":

@@ -42,10 +42,10 @@ void draw_colours(Svg& svg, const Plot& plot, const Scene& scene) {
   const double range = stage.highest - stage.lowest;
   if (range > 0) {
     const double step = even_step(range, 5);
-    for (double k = std::ceil(stage.lowest / step - 1e-9); k * step <= stage.highest; ++k) {
-      const double y = top_margin + height * (stage.highest - k * step) / range;
+    for (const double value : multiples_of(step, stage.lowest, stage.highest)) {
+      const double y = top_margin + height * (stage.highest - value) / range;
       svg.line({x + 14, y}, {x + 18, y}, "stroke=\"#222\"");
-      svg.label({x + 22, y + 4}, decimals(k * step + 0.0, decimals_for(step)), 12, "start");
+      svg.label({x + 22, y + 4}, decimals(value + 0.0, decimals_for(step)), 12, "start");
     }
   }
   const char* meaning = "displacement (m)";

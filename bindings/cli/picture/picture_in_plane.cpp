@@ -62,8 +62,7 @@ void draw_axis(Svg& svg, const Plot& plot, int axis) {
   const double length = plot.scale * (high - low);
   const double step = even_step(high - low, std::max(2, static_cast<int>(length / 75)));
   const int digits = decimals_for(step);
-  for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) {
-    const double value = k * step;
+  for (const double value : multiples_of(step, low, high + 1e-9 * step)) {
     const std::string text = decimals(value + 0.0, digits);
     if (axis == 0) {
       const double x = plot.at({value, 0})[0];

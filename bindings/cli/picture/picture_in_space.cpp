@@ -57,6 +57,7 @@ void draw_in_space(Svg& svg, const Plot& plot, const Layout& layout, const Frame
                 static_cast<int>(std::lround(density * plot.height)));
   for (std::size_t i = 0; i < frame.blocks.size(); ++i) {
     const BlockFrame& block = frame.blocks[i];
+    if (block.vertices.empty()) continue;  // it has been excavated
     draw_block(canvas, plot, layout.blocks[i].faces, block.vertices,
                colour_of(plot.stage, start.blocks[i], block));
   }

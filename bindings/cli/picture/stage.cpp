@@ -57,11 +57,20 @@ bool is_free(const BlockFrame& block) { return moves_freely(block.state.kind); }
 
 }  // namespace
 
+/// A point as far off as no number from outside may be is not worth the paper.
 void Bounds::add(const Point& p) {
+  constexpr double farthest = 1e75;
+  for (std::size_t axis : {0, 1})
+    if (!(std::abs(p[axis]) <= farthest)) return;
   for (std::size_t axis : {0, 1}) {
     low[axis] = std::min(low[axis], p[axis]);
     high[axis] = std::max(high[axis], p[axis]);
   }
+}
+
+bool Bounds::have_an_area() const {
+  const auto is_length = [](double length) { return length > 0 && std::isfinite(length); };
+  return is_length(high[0] - low[0]) && is_length(high[1] - low[1]);
 }
 
 RunStage::RunStage(const Scene& scene, const Frame& origin)
@@ -110,6 +119,9 @@ bool RunStage::add_to(Archive& archive) {
   archive.add(bounds);
   archive.add(lowest);
   archive.add(highest);
+  const bool has_values = std::isfinite(lowest) && std::isfinite(highest) && lowest <= highest;
+  archive.require(bounds.have_an_area() && (has_values || (lowest == INFINITY && highest == -INFINITY)),
+                  "the bounds of its pictures are none");
   if (view != view_) return false;
   bounds_ = bounds;
   lowest_ = lowest;
@@ -132,8 +144,9 @@ Stage RunStage::stage() const {
 }
 
 double share_of(const Stage& stage, double value) {
-  const double range = stage.highest - stage.lowest;
-  double share = range > 0 ? std::clamp((value - stage.lowest) / range, 0.0, 1.0) : 0;
+  // A value beyond all numbers has none.
+  const double range = stage.highest - stage.lowest, part = (value - stage.lowest) / range;
+  const double share = range > 0 && part > 0 ? std::min(part, 1.0) : 0;
   if (stage.colour != Colour::layer || stage.layers < 2) return share;
   const int layer = std::min(static_cast<int>(share * stage.layers), stage.layers - 1);
   return static_cast<double>(layer) / (stage.layers - 1);

@@ -31,6 +31,7 @@ struct Bounds {
   Point high{-INFINITY, -INFINITY};
 
   void add(const Point& p);
+  bool have_an_area() const;
 };
 
 /// Watches the frames of a run, so that all of them fit on the stage of its pictures, and on its colours.

@@ -46,6 +46,14 @@ double even_step(double length, int count) {
   return 10 * power;
 }
 
+std::vector<double> multiples_of(double step, double low, double high) {
+  std::vector<double> multiples;
+  const double first = std::ceil(low / step - 1e-9);
+  if (first == first + 1) return multiples;
+  for (double k = first; k * step <= high; ++k) multiples.push_back(k * step);
+  return multiples;
+}
+
 int decimals_for(double step) { return std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9))); }
 
 Svg::Svg(double width, double height) {

@@ -11,6 +11,9 @@ namespace halfspace::cli {
 /// Steps of 1, 2 or 5 times a power of ten, about `count` of them in a length.
 double even_step(double length, int count);
 
+/// The multiples of a step from one value to another; none where rounding does not tell them apart.
+std::vector<double> multiples_of(double step, double low, double high);
+
 /// The decimals that tell multiples of a step apart.
 int decimals_for(double step);
 
