@@ -21,14 +21,15 @@ target_link_libraries(halfspace_test_headers PRIVATE halfspace_catch)
 target_compile_options(halfspace_test_headers PRIVATE ${halfspace_test_options})
 halfspace_precompile(halfspace_test_headers <catch.h> <algorithm> <cmath> <random> <string> <vector>)
 
-# halfspace_add_test(name [LABEL label] [OWN_FLAGS] SOURCES a.cpp b.cpp LIBRARIES halfspace_core)
+# halfspace_add_test(name [LABEL label] [COST seconds] [OWN_FLAGS] SOURCES a.cpp b.cpp LIBRARIES halfspace_core)
 #
 # One Catch2 executable; each of its cases becomes a CTest test called "name:case". Sources may include
 # "catch.h" and everything else relative to tests/. LABEL puts a CTest label on all its cases: those with the label
 # slow are built where HALFSPACE_TEST_SLOW says so; those with the label threads run with the thread sanitizer.
+# COST: the longest case's; cases start in the order of costs, so that none is alone at the end.
 # OWN_FLAGS: its libraries bring compiler flags along, with which headers that were compiled without are of no use.
 function(halfspace_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "OWN_FLAGS" "LABEL" "SOURCES;LIBRARIES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "OWN_FLAGS" "LABEL;COST" "SOURCES;LIBRARIES")
   if(arg_LABEL STREQUAL slow AND NOT HALFSPACE_TEST_SLOW)
     return()
   endif()
@@ -39,7 +40,10 @@ function(halfspace_add_test name)
     halfspace_precompile(${name} REUSE_FROM halfspace_test_headers)
   endif()
   if(arg_LABEL)
-    set(label PROPERTIES LABELS ${arg_LABEL})
+    list(APPEND properties LABELS ${arg_LABEL})
   endif()
-  catch_discover_tests(${name} TEST_PREFIX "${name}:" ${label})
+  if(arg_COST)
+    list(APPEND properties COST ${arg_COST})
+  endif()
+  catch_discover_tests(${name} TEST_PREFIX "${name}:" PROPERTIES ${properties})
 endfunction()
