@@ -1,4 +1,5 @@
 """Raw Python: ctypes structures, constants, and the types of all functions."""
+import versions
 from prose import wrapped
 
 TYPES = {"int32_t": "c_int32", "uint32_t": "c_uint32", "int64_t": "c_int64", "uint64_t": "c_uint64",
@@ -28,6 +29,7 @@ from ctypes import (
 
 def write(api):
     lines = HEAD.format_map(api).splitlines()
+    lines += ["", "# Names the interface that is described here.", f'SONAME = "{versions.soname(api["version"])}"']
     for parts in (aliases, constants, handles, callbacks, structs, declare):
         lines += ["", *parts(api)]
     return "\n".join(lines) + "\n"

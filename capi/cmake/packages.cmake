@@ -39,8 +39,8 @@ This package holds ${package_CONTENT}.")
   endif()
 endmacro()
 
-set(library libhalfspace${PROJECT_VERSION_MAJOR})
-halfspace_package(library NAME ${library} SECTION libs CONTENT "the shared library" COMPILED_IN libeigen3-dev SHARED_LIBRARIES)
+set(library libhalfspace${HALFSPACE_SOVERSION})
+halfspace_package(library NAME ${library} SECTION libs CONTENT "the shared library" COMPILED_IN eigen SHARED_LIBRARIES)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/triggers)
 set(this_library "${library} (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
 halfspace_package(development NAME libhalfspace-dev SECTION libdevel DEPENDS "${this_library}, libqhull-dev"

@@ -12,7 +12,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "bindings/python"))
-os.environ.setdefault("HALFSPACE_LIBRARY", str(ROOT / "build/release/capi/libhalfspace.so.0"))
+os.environ.setdefault("HALFSPACE_LIBRARY", str(ROOT / "build/release/capi/libhalfspace.so"))
 
 import halfspace as hs  # noqa: E402
 

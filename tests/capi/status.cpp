@@ -24,8 +24,12 @@ TEST_CASE("every status has a text of its own, and unknown ones have one too") {
   }
 }
 
-TEST_CASE("the version is three numbers") {
+TEST_CASE("the version is three numbers, those of the headers") {
   int major = -1, minor = -1, patch = -1, end = 0;
   CHECK(std::sscanf(hs_version(), "%d.%d.%d%n", &major, &minor, &patch, &end) == 3);
   CHECK(std::size_t(end) == std::strlen(hs_version()));
+  CHECK(major == HS_VERSION_MAJOR);
+  CHECK(minor == HS_VERSION_MINOR);
+  CHECK(patch == HS_VERSION_PATCH);
+  CHECK(HS_VERSION == 10000 * major + 100 * minor + patch);
 }

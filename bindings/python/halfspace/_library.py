@@ -9,7 +9,7 @@ from typing import Iterator
 
 from . import _raw
 
-_NAME = "libhalfspace.so.0"  # the soname: the interface that _raw.py describes
+_NAME = _raw.SONAME
 _PACKAGE = pathlib.Path(__file__).resolve().parent
 
 
@@ -31,6 +31,17 @@ def _open(path: str) -> ctypes.CDLL:
     return ctypes.CDLL(path)
 
 
+def _check_version(library: ctypes.CDLL, path: str) -> None:
+    have = _version_of(library)
+    wanted = _NAME[len("libhalfspace.so."):]
+    if not have.startswith(wanted + "."):
+        raise ImportError(f"halfspace: {path} has version {have}; required: {wanted}")
+
+
+def _version_of(library: ctypes.CDLL) -> str:
+    return str(library.hs_version(), "ascii")
+
+
 def _load() -> ctypes.CDLL:
     chosen = os.environ.get("HALFSPACE_LIBRARY")
     failures = []
@@ -38,6 +49,7 @@ def _load() -> ctypes.CDLL:
         try:
             found = _open(path)
             _raw.declare(found)  # type: ignore[no-untyped-call]
+            _check_version(found, path)
             return found
         except OSError as error:
             failures.append(str(error))
@@ -52,7 +64,7 @@ library = _load()
 
 def version() -> str:
     """The version of the shared library, e.g. ``"0.1.0"``."""
-    return str(library.hs_version(), "ascii")
+    return _version_of(library)
 
 
 def status_text(status: int) -> str:

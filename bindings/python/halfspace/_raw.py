@@ -16,6 +16,9 @@ from ctypes import (
     c_void_p,
 )
 
+# Names the interface that is described here.
+SONAME = "libhalfspace.so.0.1"
+
 # 0: done. Greater than 0: done, with a note. Less than 0: an error; nothing was changed.
 hs_status = c_int32
 # Names a block: index and generation. 0 is no block; a removed block's id never names another.

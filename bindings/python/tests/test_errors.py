@@ -153,6 +153,27 @@ def test_a_library_that_cannot_be_used_is_an_import_error(path, text):
     assert "ImportError" in run.stderr and text in run.stderr and path in run.stderr
 
 
+def test_a_library_of_another_minor_version_is_an_import_error():
+    program = """
+import importlib.util, pathlib, sys
+folder = pathlib.Path(importlib.util.find_spec("halfspace").origin).parent
+raw = (folder / "_raw.py").read_text(encoding="utf-8").replace('SONAME = "libhalfspace.so.', 'SONAME = "libhalfspace.so.7.')
+class OtherInterface:
+    def find_spec(self, name, path=None, target=None):
+        return importlib.util.spec_from_loader(name, self) if name == "halfspace._raw" else None
+    def create_module(self, spec):
+        return None
+    def exec_module(self, module):
+        exec(raw, module.__dict__)
+sys.meta_path.insert(0, OtherInterface())
+import halfspace
+"""
+    environment = {**os.environ, "HALFSPACE_LIBRARY": str(hs._library.library._name)}
+    run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, env=environment)
+    assert run.returncode == 1
+    assert f"has version {hs.version()}; required: 7." in run.stderr
+
+
 def test_what_ended_with_the_interpreter_says_so():
     program = """
 import atexit

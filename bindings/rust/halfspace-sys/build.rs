@@ -7,7 +7,7 @@ use std::process::{exit, Command};
 
 const LIB_DIR: &str = "HALFSPACE_LIB_DIR";
 const STATIC: &str = "HALFSPACE_STATIC";
-const NEEDED: &str = "halfspace >= 0.1";
+const NEEDED: &str = "halfspace >= 0.1, halfspace < 0.2";
 
 fn main() {
     println!("cargo:rerun-if-changed=build.rs");

@@ -43,6 +43,13 @@ enum { HS_STATUS_LIST(HS_STATUS_ENUM) };
  *  @return a static string, never NULL; owned by the library. Thread rule: any thread, any time. */
 HS_API const char *hs_status_string(hs_status status);
 
+/* The version of these headers. */
+#define HS_VERSION_MAJOR 0 /**< of these headers */
+#define HS_VERSION_MINOR 1 /**< likewise; before 1.0 programs and library agree in it */
+#define HS_VERSION_PATCH 0 /**< likewise */
+/** The same as one number, for example 1203 for version 0.12.3. */
+#define HS_VERSION (HS_VERSION_MAJOR * 10000 + HS_VERSION_MINOR * 100 + HS_VERSION_PATCH)
+
 /** @brief The version of the library at run time, e.g. "0.1.0".
  *  @return a static string. Thread rule: any thread, any time. */
 HS_API const char *hs_version(void);
