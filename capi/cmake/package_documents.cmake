@@ -7,9 +7,9 @@ foreach(component IN LISTS CPACK_COMPONENTS_ALL)
   file(MAKE_DIRECTORY ${folder})
 
   configure_file(${CPACK_HALFSPACE_LICENCE} ${folder}/copyright COPYONLY)
-  foreach(package IN LISTS CPACK_HALFSPACE_${COMPONENT}_COMPILED_IN)
-    file(READ /usr/share/doc/${package}/copyright licence)
-    file(APPEND ${folder}/copyright "\n\nCompiled into it, unchanged, is code of the Debian package ${package}:\n\n${licence}")
+  foreach(name IN LISTS CPACK_HALFSPACE_${COMPONENT}_COMPILED_IN)
+    file(READ ${CPACK_HALFSPACE_NOTICES}/${name}.txt notice)
+    file(APPEND ${folder}/copyright "\n\n${notice}")
   endforeach()
 
   configure_file(${CPACK_HALFSPACE_CHANGES} ${folder}/changelog COPYONLY)

@@ -14,11 +14,12 @@ set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/capi)  # this library is in no package yet
 set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_LIST_DIR}/package_documents.cmake)
 set(CPACK_HALFSPACE_LICENCE ${PROJECT_SOURCE_DIR}/LICENSE)
+set(CPACK_HALFSPACE_NOTICES ${PROJECT_SOURCE_DIR}/docs/notices)
 set(CPACK_HALFSPACE_CHANGES ${PROJECT_SOURCE_DIR}/CHANGELOG.md)
 set(CPACK_COMPONENTS_ALL)
 
 # halfspace_package(COMPONENT NAME name SECTION section CONTENT what [DEPENDS a, b] [COMPILED_IN c d] [SHARED_LIBRARIES]
-# [ANY_MACHINE]) COMPILED_IN: Debian packages whose headers leave code in its binaries. SHARED_LIBRARIES: what its
+# [ANY_MACHINE]) COMPILED_IN: notices of what leaves code in its binaries. SHARED_LIBRARIES: what its
 # programs are linked to goes to what it depends on.
 macro(halfspace_package component)
   cmake_parse_arguments(package "SHARED_LIBRARIES;ANY_MACHINE" "NAME;SECTION;CONTENT;DEPENDS" "COMPILED_IN" ${ARGN})
@@ -44,13 +45,13 @@ halfspace_package(library NAME ${library} SECTION libs CONTENT "the shared libra
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/triggers)
 set(this_library "${library} (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
 halfspace_package(development NAME libhalfspace-dev SECTION libdevel DEPENDS "${this_library}, libqhull-dev"
-  CONTENT "headers, the static library, Fortran modules,\nRust crates and the Box2D adapter" COMPILED_IN libeigen3-dev)
+  CONTENT "headers, the static library, Fortran modules,\nRust crates and the Box2D adapter" COMPILED_IN eigen)
 if(HALFSPACE_BUILD_BOX2D)
   set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS libbox2d-dev)
 endif()
 if(HALFSPACE_BUILD_CLI)
   halfspace_package(tools NAME halfspace-tools SECTION science DEPENDS "${this_library}" SHARED_LIBRARIES
-    CONTENT "the command halfspace, which runs scene files" COMPILED_IN libcli11-dev libtomlplusplus-dev)
+    CONTENT "the command halfspace, which runs scene files" COMPILED_IN cli11 tomlplusplus)
 endif()
 if(HALFSPACE_BUILD_PYTHON)
   halfspace_package(python NAME python3-halfspace SECTION python ANY_MACHINE
