@@ -14,6 +14,11 @@ void Faults::note(Place place, std::string key, std::string text) {
   notes_.push_back({place, std::move(key), std::move(text)});
 }
 
+void Faults::withdraw_missing(const std::string& key) {
+  std::erase_if(faults_,
+                [&](const Fault& fault) { return fault.key == key && fault.text.starts_with("missing"); });
+}
+
 namespace {
 
 std::string lines_of(std::vector<Fault> faults, const std::string& file, const std::string& mark) {

@@ -24,6 +24,8 @@ class Faults {
  public:
   void add(Place place, std::string key, std::string text);
   void note(Place place, std::string key, std::string text);
+  /// Of a key that is there under another name.
+  void withdraw_missing(const std::string& key);
   bool none() const { return faults_.empty(); }
   std::size_t count() const { return faults_.size(); }
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <sstream>
 #include <utility>
 
+#include "suggestion.h"
 #include "text.h"
 
 namespace halfspace::cli {
@@ -30,34 +30,7 @@ std::string joined(const std::vector<std::string_view>& words) {
   return text;
 }
 
-/// Levenshtein distance: how many letters to insert, drop or change.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), 0u);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t changed = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = std::exchange(row[j + 1], std::min({changed, row[j] + 1, row[j + 1] + 1}));
-    }
-  }
-  return row.back();
-}
-
 }  // namespace
-
-std::string suggestion(std::string_view name, const std::vector<std::string_view>& names) {
-  std::string_view nearest;
-  std::size_t least = 1 + std::max<std::size_t>(2, name.size() / 3);  // farther than that is another word
-  for (std::string_view candidate : names) {
-    const std::size_t distance = edit_distance(name, candidate);
-    if (distance < least) {
-      least = distance;
-      nearest = candidate;
-    }
-  }
-  return nearest.empty() ? "" : " (did you mean '" + std::string(nearest) + "'?)";
-}
 
 bool Range::holds(double value) const {
   return (with_low ? value >= low : value > low) && (with_high ? value <= high : value < high);
@@ -334,13 +307,58 @@ std::vector<Keys> Keys::tables(std::string_view key, bool is_required) {
   return members;
 }
 
+int Keys::kind(std::string_view key, std::initializer_list<std::string_view> allowed,
+               std::optional<int> fallback) {
+  kind_ = key;
+  const std::size_t faults_before = faults_->count();
+  const int chosen = word(key, allowed, fallback);
+  is_kind_known_ = faults_->count() == faults_before && !is_misspelt(key);
+  return chosen;
+}
+
+bool Keys::either(std::string_view key, std::string_view other) {
+  ask(key);
+  ask(other);
+  alternatives_.emplace_back(key, other);
+  return has(key);
+}
+
+bool Keys::is_misspelt(std::string_view key) const {
+  if (has(key)) return false;
+  std::vector<std::string_view> present;
+  for (const auto& [name, node] : *table_) present.push_back(name.str());
+  return !nearest(key, present).empty();
+}
+
+bool Keys::has_only(std::initializer_list<std::string_view> keys) const {
+  return std::all_of(table_->begin(), table_->end(), [&](const auto& entry) {
+    return std::find(keys.begin(), keys.end(), entry.first.str()) != keys.end();
+  });
+}
+
+void Keys::withdraw_missing(std::string_view key) {
+  if (key.empty() || has(key)) return;
+  faults_->withdraw_missing(path(key));
+  for (const auto& [one, other] : alternatives_) {
+    if (key == one || key == other)
+      for (std::string_view alternative : {one, other}) faults_->withdraw_missing(path(alternative));
+  }
+}
+
 void Keys::finish() {
   for (const auto& [key, node] : *table_) {
     if (std::find(asked_.begin(), asked_.end(), key.str()) != asked_.end()) continue;
+    const std::string_view meant = nearest(key.str(), asked_);
+    withdraw_missing(meant);
+    // Another kind would have other keys.
+    if (!is_kind_known_ && (has(kind_) || meant != kind_)) continue;
     const toml::source_position begin = key.source().begin;
     faults_->add({static_cast<int>(begin.line), static_cast<int>(begin.column)}, path(key.str()),
                  "unknown key" + suggestion(key.str(), asked_) + "; allowed: " + joined(asked_));
   }
+  if (is_kind_known_) return;
+  for (std::string_view key : asked_)
+    if (key != kind_) withdraw_missing(key);
 }
 
 }  // namespace halfspace::cli

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "faults.h"
@@ -51,6 +52,13 @@ class Keys {
   /// The index of the word among those allowed.
   int word(std::string_view key, std::initializer_list<std::string_view> allowed,
            std::optional<int> fallback);
+  /// As word(). It decides which other keys there are: where it is at fault, none of them is told as missing
+  /// or unknown.
+  int kind(std::string_view key, std::initializer_list<std::string_view> allowed,
+           std::optional<int> fallback);
+  bool is_kind_known() const { return is_kind_known_; }
+  /// Of two keys that stand for each other: is the first one there?
+  bool either(std::string_view key, std::string_view other);
   Point point(std::string_view key, std::optional<Point> fallback);
   std::vector<Point> points(std::string_view key, std::size_t fewest,
                             std::optional<std::vector<Point>> fallback);
@@ -71,6 +79,9 @@ class Keys {
 
   bool has(std::string_view key) const { return table_->contains(key); }
   bool has_text(std::string_view key) const { return (*table_)[key].is_string(); }
+  /// Is there another key in its place that looks like it?
+  bool is_misspelt(std::string_view key) const;
+  bool has_only(std::initializer_list<std::string_view> keys) const;
   /// Of keys that go together: when there is none, they need not be asked for and are allowed none the less.
   bool has_any(std::initializer_list<std::string_view> keys);
   Place place() const { return place_of(*table_); }
@@ -80,7 +91,8 @@ class Keys {
 
   void note(std::string_view key, std::string text) { faults_->note(place(key), path(key), std::move(text)); }
 
-  /// Tells of every key that nobody asked for.
+  /// Tells of every key that nobody asked for. Where it looks like one that is missing, only the former is
+  /// told.
   void finish();
 
  private:
@@ -94,6 +106,7 @@ class Keys {
   const char* point_form() const { return dimension_ == 3 ? "[x, y, z]" : "[x, y]"; }
   std::optional<std::vector<int>> loop_of(const toml::node& node, std::size_t count);
   std::optional<Point> point_of(const toml::node& node, const std::string& path);
+  void withdraw_missing(std::string_view key);
   static Place place_of(const toml::node& node);
 
   const toml::table* table_;
@@ -101,9 +114,9 @@ class Keys {
   int dimension_ = 2;
   Faults* faults_;
   std::vector<std::string_view> asked_;
+  std::vector<std::pair<std::string_view, std::string_view>> alternatives_;
+  std::string_view kind_;
+  bool is_kind_known_ = true;
 };
-
-/// " (did you mean 'x'?)" for the nearest of the names, or nothing when none is near.
-std::string suggestion(std::string_view name, const std::vector<std::string_view>& names);
 
 }  // namespace halfspace::cli

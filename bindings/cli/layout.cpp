@@ -10,7 +10,7 @@
 #include "elements/block_mesh.h"
 #include "elements/lay_out_mesh.h"
 #include "jointed_rock.h"
-#include "keys.h"
+#include "suggestion.h"
 #include "text.h"
 #include "triangulation.h"
 #include "voronoi.h"
@@ -25,6 +25,9 @@ class Planner {
   Planner(const Context& context, const Scene& scene, Faults& faults)
       : context_(context), faults_(faults), shapes_(context, scene.world.dimension, faults) {
     layout_.dimension = scene.world.dimension;
+    has_all_names_ = scene.has_all_names;
+    for_each_making(scene,
+                    [&](const Making& making) { has_all_names_ = has_all_names_ && !making.name.empty(); });
     is_excavated_ = std::any_of(scene.stages.begin(), scene.stages.end(),
                                 [](const SceneStage& stage) { return !stage.excavated.empty(); });
   }
@@ -89,7 +92,7 @@ class Planner {
         blocks.push_back(block->second);
       } else if (members_.contains(name)) {
         blocks.insert(blocks.end(), members_[name].begin(), members_[name].end());
-      } else {
+      } else if (!may_have_been(name)) {
         faults_.add(stage.excavated_place, "stage[" + std::to_string(number) + "].excavate",
                     "no such block: \"" + name +
                         "\"; allowed: the name of a block, of a generator or a mesh, or MESH/GROUP");
@@ -128,13 +131,19 @@ class Planner {
  private:
   void name_block(std::size_t block) { layout_.names_cells |= layout_.blocks[block].body.has_value(); }
 
+  /// Would there be such a block without the faults that have been told?
+  bool may_have_been(const std::string& name) const {
+    return !has_all_names_ ||
+           std::any_of(without_blocks_.begin(), without_blocks_.end(), [&](const std::string& maker) {
+             return name == maker || name.starts_with(maker + '.') || name.starts_with(maker + '/');
+           });
+  }
+
   /// The block of a name that a key gives.
   std::optional<std::size_t> find(const std::string& name, Place place, const char* key) {
     const auto found = index_of_.find(name);
     if (found != index_of_.end()) return found->second;
-    for (const std::string& maker : without_blocks_) {
-      if (name == maker || name.starts_with(maker + '.')) return std::nullopt;  // told already
-    }
+    if (may_have_been(name)) return std::nullopt;  // told already
     std::vector<std::string_view> names;
     for (const auto& [known, index] : index_of_) names.push_back(known);
     faults_.add(place, key,
@@ -278,6 +287,7 @@ class Planner {
   std::set<std::string> claimed_;
   std::set<std::string> told_;               ///< keys of what has names of others
   std::vector<std::string> without_blocks_;  ///< because of faults
+  bool has_all_names_;
 };
 
 /// Tells the first generator with which the blocks are more than there may be, before any is made.

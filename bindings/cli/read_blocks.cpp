@@ -27,15 +27,15 @@ Making read_making(Keys& keys, const Scene& scene, bool may_be_prescribed) {
   static constexpr int kinds[] = {HS_BLOCK_RIGID, HS_BLOCK_FIXED, HS_BLOCK_AFFINE, HS_BLOCK_MESH,
                                   HS_BLOCK_PRESCRIBED};
   making.kind =
-      kinds[may_be_prescribed ? keys.word("kind", {"rigid", "fixed", "affine", "mesh", "prescribed"}, 0)
-                              : keys.word("kind", {"rigid", "fixed", "affine", "mesh"}, 0)];
+      kinds[may_be_prescribed ? keys.kind("kind", {"rigid", "fixed", "affine", "mesh", "prescribed"}, 0)
+                              : keys.kind("kind", {"rigid", "fixed", "affine", "mesh"}, 0)];
   if (deforms(making.kind) && known && !scene.materials[static_cast<std::size_t>(*known)].elasticity) {
     keys.fault("kind",
                "the material \"" + material +
                    "\" is not elastic; allowed: with young_modulus and poisson_ratio in its [[material]]");
   }
   making.stress = read_stress(keys);
-  if (making.stress && !deforms(making.kind)) {
+  if (making.stress && !deforms(making.kind) && keys.is_kind_known()) {
     keys.fault(keys.has("normal_stress") ? "normal_stress" : "shear_stress",
                "no other block has a stress; allowed: with kind = \"affine\" or \"mesh\"");
   }
@@ -61,7 +61,7 @@ Motion read_motion(Keys& keys, int kind) {
   if (kind == HS_BLOCK_MESH && keys.has("angular_velocity"))
     keys.fault("angular_velocity", "a mesh begins without a spin; allowed: velocity");
   for (const char* key : {"start", "stop"}) {
-    if (kind != HS_BLOCK_PRESCRIBED && keys.has(key)) {
+    if (kind != HS_BLOCK_PRESCRIBED && keys.is_kind_known() && keys.has(key)) {
       keys.fault(key, "only a prescribed motion starts and stops; allowed: with kind = \"prescribed\"");
     }
   }
@@ -88,7 +88,7 @@ void read_boundary(Keys& keys, Block& block) {
   block.boundary = keys.points("boundary", 2, required);
   block.depth = keys.number("depth", above(0), required);
   block.shape_place = keys.place("boundary");
-  if (moves_freely(block.making.kind)) {
+  if (moves_freely(block.making.kind) && keys.is_kind_known()) {
     keys.fault("boundary", "no block that moves freely; allowed: with kind = \"fixed\" or \"prescribed\"");
   }
 }
@@ -97,9 +97,9 @@ void read_blocks(std::vector<Keys> tables, Scene& scene) {
   for (Keys& keys : tables) {
     Block block;
     block.making = read_making(keys, scene, true);
-    if (keys.dimension() == 3 && keys.has("file")) {
+    if (keys.dimension() == 3 && keys.either("file", "vertices")) {
       read_file(keys, scene, block);
-    } else if (keys.dimension() == 2 && keys.has("boundary")) {
+    } else if (keys.dimension() == 2 && keys.either("boundary", "vertices")) {
       read_boundary(keys, block);
     } else {
       read_vertices(keys, block);
@@ -123,7 +123,7 @@ std::vector<Point> corners_of_box(const Point& low, const Point& high, int dimen
 }
 
 Region read_region(Keys& keys) {
-  if (!keys.has("box")) {
+  if (!keys.either("box", "region")) {
     const std::size_t fewest = keys.dimension() == 3 ? 4 : 3;
     std::vector<Point> points = keys.points("region", fewest, required);
     return {std::move(points), keys.path("region"), keys.place("region")};
@@ -161,7 +161,7 @@ void read_jointed_rocks(std::vector<Keys> tables, Scene& scene) {
   for (Keys& keys : tables) {
     JointedRock rock;
     rock.making = read_making(keys, scene, false);
-    if (keys.has("part")) {
+    if (keys.either("part", "region")) {
       for (Keys& part : keys.tables("part", true)) {
         rock.regions.push_back(read_region(part));
         part.finish();

@@ -24,7 +24,7 @@ std::optional<std::array<Point, 2>> read_box(Keys& keys, bool is_solid) {
 
 MeshPart read_part(Keys& keys) {
   MeshPart part;
-  if (keys.has("box")) {
+  if (keys.either("box", "group")) {
     part = {.group = {}, .box = read_box(keys, false), .key = keys.path("box"), .place = keys.place("box")};
     if (keys.has("group")) keys.fault("group", "a box is given as well; allowed: one of the two");
   } else {
@@ -95,7 +95,7 @@ Mesh read_mesh(Keys& keys, const Scene& scene) {
   mesh.making.key.resize(mesh.making.key.size() - std::string_view(".name").size());
   mesh.making.kind = HS_BLOCK_MESH;
   mesh.making.material = elastic_material(keys, scene);
-  if (keys.has("box")) {
+  if (keys.either("box", "file")) {
     read_cut(keys, mesh);
   } else {
     mesh.file = (std::filesystem::path(scene.folder) / keys.text("file", required)).string();

@@ -46,7 +46,7 @@ std::optional<double> read_value(Keys& keys, double time) {
 void read_reference(Keys keys, Scene& scene) {
   Reference& reference = scene.reference;
   reference.time = scene.duration;
-  reference.quantity = static_cast<Quantity>(keys.word(
+  reference.quantity = static_cast<Quantity>(keys.kind(
       "quantity", {"run-out", "height", "position", "force", "stands", "friction angle"}, required));
   const Quantity quantity = reference.quantity;
   if (quantity == Quantity::position || quantity == Quantity::force) {

@@ -78,7 +78,7 @@ void read_materials(std::vector<Keys> tables, Scene& scene) {
 void read_law_values(Keys& keys, hs_law_def& law, bool is_whole) {
   const bool changes_kind = !is_whole && keys.has("stiffness");
   const std::optional<int> kind = is_whole ? std::nullopt : std::optional(law.stiffness_kind);
-  law.stiffness_kind = keys.word("stiffness", {law_names[0], law_names[1], law_names[2], law_names[3]}, kind);
+  law.stiffness_kind = keys.kind("stiffness", {law_names[0], law_names[1], law_names[2], law_names[3]}, kind);
   const auto stiffness = [&](double inherited) {
     // A stiffness in other units than the default law's cannot come from it.
     return is_whole || changes_kind ? std::optional<double>() : inherited;
@@ -159,12 +159,22 @@ void read_output(Keys keys, Scene& scene) {
   keys.finish();
 }
 
+const std::initializer_list<std::string_view> top_keys = {
+    "title", "dimension",    "world",        "material", "default_law", "law",    "bond",     "stage",
+    "block", "jointed_rock", "triangulated", "voronoi",  "mesh",        "output", "reference"};
+
 Scene read_top(Keys keys, const std::string& folder, Faults& faults) {
   Scene scene;
   scene.folder = folder;
   scene.title = keys.text("title", std::string());
   keys.set_dimension(static_cast<int>(keys.integer("dimension", 2, 3, required)));
-  read_world(keys.table("world", true), keys.has("stage"), scene);
+  scene.has_all_names = keys.has_only(top_keys);
+  if (keys.is_misspelt("dimension")) {  // how many components points have is not known
+    keys.has_any(top_keys);
+    keys.finish();
+    return scene;
+  }
+  read_world(keys.table("world", true), keys.has("stage") || keys.is_misspelt("stage"), scene);
   read_materials(keys.tables("material", true), scene);
   read_default_law(keys.table("default_law", true), scene);
   read_laws(keys.tables("law", false), scene);

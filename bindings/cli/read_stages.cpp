@@ -34,7 +34,7 @@ std::optional<double> change(Keys& keys, std::string_view key, Range range) {
 SceneStage read_stage(Keys& keys) {
   SceneStage stage;
   stage.name = keys.text("name", std::string());
-  stage.settles = keys.word("do", {"run", "settle"}, required) == 1;
+  stage.settles = keys.kind("do", {"run", "settle"}, required) == 1;
   if (stage.settles) {
     hs_relaxation_def_init(&stage.relaxation, sizeof stage.relaxation);
     stage.relaxation.ratio = keys.number("ratio", above(0), stage.relaxation.ratio);

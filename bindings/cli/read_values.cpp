@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "suggestion.h"
+
 namespace halfspace::cli {
 
 double degrees(Keys& keys, std::string_view key, Range range, std::optional<double> fallback) {
@@ -37,7 +39,7 @@ std::string read_name(Keys& keys) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
            c == '-' || c == '.';
   });
-  if (keys.has("name") && (name.empty() || !plain)) {
+  if (keys.has_text("name") && (name.empty() || !plain)) {
     keys.fault("name", "not a name: \"" + name + "\"; allowed: letters, digits, '_', '-' and '.'");
   }
   return name;
@@ -49,6 +51,8 @@ std::optional<int> material_index(Keys& keys, std::string_view key, const std::s
   for (const Material& material : scene.materials) names.push_back(material.name);
   const auto found = std::find(names.begin(), names.end(), name);
   if (found != names.end()) return static_cast<int>(found - names.begin());
+  const bool has_nameless = std::find(names.begin(), names.end(), "") != names.end();
+  if (!scene.has_all_names || has_nameless) return std::nullopt;  // told already
   keys.fault(key, "no such material: \"" + name + '"' + suggestion(name, names) +
                       "; allowed: the name of a [[material]]");
   return std::nullopt;

@@ -254,6 +254,7 @@ struct Scene {
   double duration = 0;
   double rest_speed = 0;  ///< 0: the run never ends early
   int threads = 1;
+  bool has_all_names = true;  ///< or tables or names are misspelt, so that a name may be known none the less
   std::vector<Material> materials;
   hs_law_def default_law{};
   std::vector<PairLaw> laws;

@@ -171,6 +171,39 @@ class SceneFaults(unittest.TestCase):
         answer = check_text(text.replace("vertices =", "normal_stres = [1, 2]\nvertices =", 1))
         self.assertIn("normal_stres: unknown key (did you mean 'normal_stress'?)", answer.stderr)
 
+    def test_what_follows_from_a_misspelt_key_is_no_fault_of_its_own(self):
+        falling = (SCENES / "falling_block.toml").read_text()
+        staged = falling.replace("duration = 0.5\n", "") + '\n[[stage]]\ndo = "run"\nduration = 0.5\nramp = 0.1\n'
+        rock = (EXAMPLES / "rock_collapse" / "friction_15.toml").read_text()
+        in_space = (SCENES / "falling_block_in_space.toml").read_text()
+        self.assertEqual(check_text(staged).returncode, 0)
+        for text, right, wrong in ((falling, "dimension = ", "dimensoin = "), (in_space, "dimension = ", "dimnsion = "),
+                                   (falling, "[world]", "[wrld]"), (falling, "duration = ", "duraton = "),
+                                   (falling, "[[material]]", "[[materal]]"), (falling, "density = ", "densty = "),
+                                   (falling, 'name = "stone"', 'nam = "stone"'),
+                                   (falling, 'name = "stone"', "name = 5"),
+                                   (falling, "[default_law]", "[defaultlaw]"),
+                                   (falling, "normal_stiffness = ", "normal_stifness = "),
+                                   (falling, "stiffness = \"", "stifness = \""),
+                                   (falling, 'stiffness = "per contact"', 'stiffness = "nune"'),
+                                   (falling, "[[block]]", "[[blok]]"), (falling, "vertices = ", "vertexes = "),
+                                   (falling, 'name = "falling"', 'nmae = "falling"'),
+                                   (falling, 'kind = "prescribed"', 'kind = "prescibed"'),
+                                   (falling, 'kind = "prescribed"', 'knd = "prescribed"'),
+                                   (staged, "[[stage]]", "[[stge]]"), (staged, 'do = "run"', 'du = "run"'),
+                                   (staged, 'do = "run"', 'do = "runn"'),
+                                   (rock, "[[jointed_rock", "[[jointed_rocks"),
+                                   (rock, "spacing = ", "spaccing = "), (rock, "[[jointed_rock.joint_set]]", "[[jointed_rock.jointset]]")):
+            with self.subTest(wrong=wrong):
+                self.assertIn(right, text)
+                changed = text.replace(right, wrong) if wrong.startswith("[") else text.replace(right, wrong, 1)
+                answer = check_text(changed)
+                self.assertEqual(answer.returncode, 1)
+                *lines, last = answer.stderr.splitlines()
+                self.assertEqual(len(lines), 1, answer.stderr)
+                self.assertTrue(last.startswith("1 fault in "), last)
+                self.assertRegex(lines[0], "unknown|not a text")
+
     def test_tracking_members_of_a_generator(self):
         text = (EXAMPLES / "rock_collapse" / "friction_15.toml").read_text()
         tracking = text.replace("[output]\n", '[output]\ntracked = ["rock.0", "ground", "rock.9999"]\n')
