@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "checkpoint.h"
 #include "faults.h"
@@ -18,6 +19,7 @@
 #include "read_scene.h"
 #include "run.h"
 #include "safety.h"
+#include "suggestion.h"
 #include "trade/trade.h"
 
 namespace halfspace::cli {
@@ -218,6 +220,33 @@ CLI::Validator finite_above_zero() {
       "ABOVE ZERO");
 }
 
+/// What is wrong with a command line where a command or an option has no such name; else nothing.
+std::string unknown_word(const CLI::App& app, const std::vector<std::string>& words) {
+  if (app.get_subcommands().empty()) {
+    const auto is_option = [](const std::string& word) { return word.starts_with('-'); };
+    const auto word = std::find_if_not(words.begin(), words.end(), is_option);
+    if (word == words.end()) return {};
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands(nullptr)) names.push_back(command->get_name());
+    std::string allowed;
+    for (const std::string& name : names) allowed += (allowed.empty() ? "" : ", ") + name;
+    return "unknown command: \"" + *word + '"' + suggestion(*word, {names.begin(), names.end()}) +
+           "; allowed: " + allowed + "\nRun with --help for more information.\n";
+  }
+  const CLI::App* command = app.get_subcommands()[0];
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command->get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  for (const std::string& word : command->remaining()) {
+    if (!word.starts_with("--")) continue;
+    return "unknown option: " + word +
+           suggestion(word.substr(0, word.find('=')), {names.begin(), names.end()}) + "\nRun with " +
+           command->get_name() + " --help for more information.\n";
+  }
+  return {};
+}
+
 int main_of(int argc, char** argv) {
   CLI::App app("Moves convex blocks in contact, from a scene file to pictures.", "halfspace");
   app.set_version_flag("--version", std::string("halfspace ") + hs_version());
@@ -311,6 +340,12 @@ int main_of(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
+    const std::string unknown =
+        error.get_exit_code() == 0 ? std::string() : unknown_word(app, {argv + 1, argv + argc});
+    if (!unknown.empty()) {
+      print(stderr, unknown);
+      return exit_usage;
+    }
     return app.exit(error) == 0 ? exit_ok : exit_usage;
   }
   const Earlier earlier = force ? Earlier::replace : Earlier::refuse;

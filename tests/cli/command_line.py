@@ -139,6 +139,18 @@ class CommandLine(unittest.TestCase):
                 self.assertEqual((answer.returncode, answer.stdout), (2, ""))
                 self.assertIn("--help", answer.stderr)
 
+    def test_an_unknown_word_is_told_with_the_nearest(self):
+        for arguments, text in ((["rum", FALLING, "-o", self.output], "unknown command: \"rum\" (did you mean 'run'?); allowed: "),
+                                (["safty"], "(did you mean 'safety'?)"), (["frobnicate"], 'unknown command: "frobnicate"; allowed: '),
+                                (["run", FALLING, "--ouput", self.output], "unknown option: --ouput (did you mean '--output'?)"),
+                                (["run", FALLING, "-o", self.output, "--thread=2"], "--thread=2 (did you mean '--threads'?)"),
+                                (["safety", FALLING, "--resolutoin", "1"], "(did you mean '--resolution'?)")):
+            with self.subTest(arguments=arguments):
+                answer = halfspace(*arguments)
+                self.assertEqual((answer.returncode, answer.stdout), (2, ""))
+                self.assertIn(text, answer.stderr)
+                self.assertFalse(self.output.exists())
+
     def test_unstable_run_is_3_and_keeps_its_output(self):
         answer = halfspace("run", SCENES / "unstable.toml", "-o", self.output)
         self.assertEqual(answer.returncode, 3)
