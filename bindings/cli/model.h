@@ -19,6 +19,9 @@ struct BlockFrame {
   std::vector<Point> vertices;   ///< counter-clockwise, where they are now
 };
 
+/// Was it excavated?
+inline bool is_removed(const BlockFrame& block) { return block.vertices.empty(); }
+
 /// All blocks at one time, in the order of the layout.
 struct Frame {
   double time = 0;

@@ -21,11 +21,12 @@ struct Extent {
   }
 };
 
-Extent extent_of(const Frame& frame) {
+/// Of those that are still there at the end.
+Extent extent_of(const Frame& frame, const Frame& end) {
   Extent extent;
-  for (const BlockFrame& block : frame.blocks) {
-    if (!moves_freely(block.state.kind)) continue;
-    for (const Point& p : block.vertices) {
+  for (std::size_t i = 0; i < frame.blocks.size(); ++i) {
+    if (!moves_freely(end.blocks[i].state.kind)) continue;
+    for (const Point& p : frame.blocks[i].vertices) {
       for (std::size_t axis : {0, 1}) {
         extent.low[axis] = std::min(extent.low[axis], p[axis]);
         extent.high[axis] = std::max(extent.high[axis], p[axis]);
@@ -35,7 +36,7 @@ Extent extent_of(const Frame& frame) {
   return extent;
 }
 
-std::string blocks_text(const Layout& layout) {
+std::string blocks_text(const Layout& layout, const Frame& end) {
   int counts[5] = {};
   for (const LayoutBlock& block : layout.blocks) ++counts[block.kind];
   std::string text = std::to_string(layout.blocks.size()) + " (" + std::to_string(counts[HS_BLOCK_RIGID]) +
@@ -47,6 +48,8 @@ std::string blocks_text(const Layout& layout) {
             std::to_string(layout.bodies.size()) + (layout.bodies.size() == 1 ? " mesh" : " meshes");
   }
   text += ')';
+  const auto excavated = std::count_if(end.blocks.begin(), end.blocks.end(), is_removed);
+  if (excavated > 0) text += "; " + std::to_string(excavated) + " of them excavated";
   if (layout.left_out > 0) {
     text += "; " + std::to_string(layout.left_out) + " left out as too small, " +
             rounded(layout.size_left_out, 3) + (layout.dimension == 3 ? " m3 in all" : " m2 in all");
@@ -147,8 +150,8 @@ std::string run_out_text(const RunOut& reach, int dimension) {
 
 RunOut run_out(const Frame& start, const Frame& end, int dimension) {
   const std::size_t horizontal_axes = dimension == 3 ? 2 : 1;
-  const Extent first = extent_of(start);
-  const Extent last = extent_of(end);
+  const Extent first = extent_of(start, end);
+  const Extent last = extent_of(end, end);
   if (!(first.low[0] <= first.high[0] && last.low[0] <= last.high[0])) return {};  // none moves freely
   RunOut result;
   for (std::size_t axis = 0; axis < horizontal_axes; ++axis) {
@@ -172,7 +175,7 @@ std::string summary(const Scene& scene, const Model& model, const Peaks& peaks, 
   const hs_reaction_report reactions = model.reaction_report();
   const RunOut reach = run_out(start, end, scene.world.dimension);
   return report_line("scene", scene.title) + report_line("outcome", describe(outcome)) +
-         report_line("blocks", blocks_text(model.layout())) +
+         report_line("blocks", blocks_text(model.layout(), end)) +
          report_line("simulated", rounded(report.time, 6) + " s in " + std::to_string(report.steps) +
                                       " steps of " + rounded(report.time_step, 4) +
                                       " s (stable: " + rounded(report.stable_time_step, 4) + " s)") +

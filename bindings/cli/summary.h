@@ -9,7 +9,8 @@
 
 namespace halfspace::cli {
 
-/// How far the rigid blocks spread horizontally, along x and, in 3D, y.
+/// How far the blocks that move freely spread horizontally, along x and, in 3D, y: those that are there at
+/// the end.
 struct RunOut {
   double forwards[2] = {};  ///< farthest vertex at the end beyond the farthest at the start
   double backwards[2] = {};

@@ -215,6 +215,22 @@ excavate = ["ground/tunnel"]
             hoop = (sxx * y * y - 2 * sxy * x * y + syy * x * x) / r**2
             self.assertAlmostEqual(hoop / -(pressure * (1 + 1 / r**2)), 1, delta=0.03)
 
+    def test_what_is_excavated_has_no_run_out(self):
+        block = '[[block]]\nname = "{}"\nmaterial = "soil"\nvertices = [[{}, 0], [{}, 0], [{}, 1], [{}, 1]]\n'
+        text = GROUND[:GROUND.index("[[mesh]]")] + """[[block]]
+name = "floor"
+material = "soil"
+kind = "fixed"
+vertices = [[-20, -1], [20, -1], [20, 0], [-20, 0]]
+""" + "".join(block.format(name, x, x + 1, x + 1, x) for name, x in (("left", -9), ("middle", 0), ("right", 9)))
+        told = self.run_scene(text + """[[stage]]
+do = "run"
+duration = 0.1
+excavate = ["left", "right"]
+""").stdout
+        self.assertRegex(told, r"run-out +0.00 m to the right, 0.00 m to the left; 0.0 % of the mass")
+        self.assertIn("2 of them excavated", told)
+
     def test_faults_name_their_key(self):
         for stage, fault in [
             ('excavate = ["rock"]', r'stage\[1\]\.excavate: no such block: "rock"'),
