@@ -179,9 +179,9 @@ std::string summary(const Scene& scene, const Model& model, const Peaks& peaks, 
          report_line("simulated", rounded(report.time, 6) + " s in " + std::to_string(report.steps) +
                                       " steps of " + rounded(report.time_step, 4) +
                                       " s (stable: " + rounded(report.stable_time_step, 4) + " s)") +
-         report_line("contacts", std::to_string(report.contact_count) + " at the end, largest overlap " +
-                                     rounded(report.largest_overlap, 3) + " m, fastest block " +
-                                     rounded(report.largest_speed, 3) + " m/s") +
+         report_line("contacts", std::to_string(report.contact_count + reactions.reaction_count) +
+                                     " at the end, largest overlap " + rounded(report.largest_overlap, 3) +
+                                     " m, fastest block " + rounded(report.largest_speed, 3) + " m/s") +
          report_line("in the whole run", "largest overlap " + rounded(peaks.overlap, 3) +
                                              " m, fastest block " + rounded(report.peak_speed, 3) + " m/s") +
          time_step_text(report, peaks) + fast_blocks_text(report, peaks) + sleep_text(scene, report) +

@@ -73,7 +73,9 @@ class Reactions(SceneTest):
         self.assertGreaterEqual(int(touches.group(1)), 2)
         self.assertAlmostEqual(float(touches.group(2)), 0.025 * 50, delta=1e-3)
         with open(self.output / "contacts.csv", newline="") as file:
-            self.assertGreater(len(list(csv.DictReader(file))), 0)
+            contacts = len(list(csv.DictReader(file)))
+        self.assertGreater(contacts, 0)
+        self.assertEqual(int(self.rows()[-1]["contacts"]), contacts)
 
     def test_a_law_without_a_spring_has_no_stiffness(self):
         self.check_fault(BARS.format(law="normal_stiffness = 1e9"), r"default_law\.normal_stiffness")
