@@ -141,7 +141,11 @@ void read_output(Keys keys, Scene& scene) {
       picture.word("colour", {"displacement", "speed", "layer", "material", "mean_stress"}, 0));
   output.layers = static_cast<int>(picture.integer("layers", 1, 1000, output.layers));
   output.picture_times = picture.rising_numbers("times", above(0));
-  if (!output.picture_times.empty() && output.picture_times.back() > scene.duration) {
+  output.has_stage_pictures = !scene.stages.empty() && picture.truth("stages", output.has_stage_pictures);
+  // How long it takes to settle is not known before.
+  const bool is_length_known = std::none_of(scene.stages.begin(), scene.stages.end(),
+                                            [](const SceneStage& stage) { return stage.settles; });
+  if (is_length_known && !output.picture_times.empty() && output.picture_times.back() > scene.duration) {
     picture.note("times", shortest(output.picture_times.back()) + " s is after the end of the run, " +
                               shortest(scene.duration) + " s: no such picture is made");
   }

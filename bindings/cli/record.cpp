@@ -83,6 +83,20 @@ bool Record::add_due() {
   return row_due;
 }
 
+void Record::end_stage(std::size_t number, bool settles) {
+  if (settles && !has_frame_of_now()) add_frame();
+  if (settles && last_row_step_ != model_.report().steps) add_row();
+  if (!scene_.output.has_stage_pictures) return;
+  std::erase_if(of_stages_, [&](const StagePicture& picture) { return picture.stage == number; });
+  of_stages_.push_back({number, model_.frame(), origins_.size() - 1});
+  stage_.add(of_stages_.back().frame);
+}
+
+std::vector<double> Record::times_left() const {
+  const std::vector<double>& times = scene_.output.picture_times;
+  return {times.begin() + static_cast<std::ptrdiff_t>(pictured_.size()), times.end()};
+}
+
 Frame Record::finish() {
   peaks_.add(model_.report());
   if (!has_frame_of_now()) add_frame();
@@ -97,6 +111,10 @@ Frame Record::finish() {
     directory_.write(
         "at_" + shortest(scene_.output.picture_times[i]) + "s.svg",
         picture(stage, scene_, model_.layout(), shown_from(origin_of_pictured_[i]), pictured_[i]));
+  }
+  for (const StagePicture& ended : of_stages_) {
+    directory_.write("stage_" + std::to_string(ended.stage) + ".svg",
+                     picture(stage, scene_, model_.layout(), shown_from(ended.origin), ended.frame));
   }
   directory_.write("last.svg", picture(stage, scene_, model_.layout(), shown_from(origins_.size() - 1), end));
   return end;
@@ -126,9 +144,18 @@ void Record::add_to(Archive& archive, bool has_frames) {
   archive.require(pictured_.size() == times.size() && origin_of_pictured_.size() == times.size() &&
                       std::all_of(origin_of_pictured_.begin(), origin_of_pictured_.end(), is_origin),
                   "its pictures do not fit together");
+  archive.add_each(of_stages_, [&](StagePicture& ended) {
+    archive.add(ended.stage);
+    add_frame(ended.frame);
+    archive.add(ended.origin);
+  });
+  archive.require(std::all_of(of_stages_.begin(), of_stages_.end(),
+                              [&](const StagePicture& ended) { return is_origin(ended.origin); }),
+                  "its pictures do not fit together");
   if (!looks_at_the_same) {
     stage_.add(origins_.front());
     for (const Frame& frame : pictured_) stage_.add(frame);
+    for (const StagePicture& ended : of_stages_) stage_.add(ended.frame);
   }
   frames_.add_to(archive, model_);
   rows_.add_to(archive, model_);

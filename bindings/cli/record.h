@@ -44,6 +44,10 @@ class Record {
   double next() const;
   /// Records what is due now; true when that is a row of the history.
   bool add_due();
+  /// A row, a frame and, where the scene wants it, a picture of the moment at which a stage ends.
+  void end_stage(std::size_t number, bool settles);
+  /// Picture times that the run has not come to.
+  std::vector<double> times_left() const;
   void add_frame();
   /// The last moment, if it was not recorded yet, and the pictures.
   Frame finish();
@@ -78,6 +82,12 @@ class Record {
   Peaks peaks_;
   std::vector<Frame> pictured_;  ///< at the picture times; their common stage is known at the end
   std::vector<std::size_t> origin_of_pictured_;  ///< which of the origins
+  struct StagePicture {
+    std::size_t stage = 0;
+    Frame frame;
+    std::size_t origin = 0;
+  };
+  std::vector<StagePicture> of_stages_;
   Every frames_;
   Every rows_;
   std::int64_t last_row_step_ = 0;

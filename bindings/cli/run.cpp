@@ -185,6 +185,7 @@ class Run {
     if (!at_.is_at_rest) change(stage, model_.report().steps);
     at_.is_over = true;
     tell("ran", at_.is_at_rest ? "at rest before its end" : "");
+    record_.end_stage(at_.stage, false);
     return true;
   }
 
@@ -220,8 +221,8 @@ class Run {
     at_.is_over = true;
     tell("settled", (at_.settling.is_balanced ? "at rest after " : "NOT AT REST after ") +
                         std::to_string(at_.settling.steps) + " steps, unbalanced by " + rounded(at_.mean, 2) +
-                        " of all forces, by " + rounded(at_.largest, 2) + " of a single block's");
-    if (!record_.has_frame_of_now()) record_.add_frame();
+                        " of all forces, by " + rounded(at_.largest, 2) + " of a single block's" + drive());
+    record_.end_stage(at_.stage, true);
     return true;
   }
 
@@ -303,6 +304,14 @@ class Run {
   Clock::time_point last_checkpoint_ = Clock::now();
 };
 
+/// Nothing of a run that has come to all of them, or was ended before its end.
+std::string pictures_left(const Record& record, Outcome outcome) {
+  std::string text;
+  if (outcome != Outcome::complete && outcome != Outcome::at_rest) return text;
+  for (double time : record.times_left()) text += (text.empty() ? "none at " : ", ") + shortest(time);
+  return text.empty() ? text : report_line("pictures", text + " s, which is after the end of the run");
+}
+
 }  // namespace
 
 RunResult run_scene(const Scene& scene, Model& model, const std::string& notes, const RunOptions& options,
@@ -316,7 +325,7 @@ RunResult run_scene(const Scene& scene, Model& model, const std::string& notes, 
   const std::chrono::duration<double> took = Clock::now() - before;
   const Frame end = run.record().finish();
   result.summary = summary(scene, model, run.record().peaks(), run.record().start(), end, result.outcome) +
-                   run.told() + notes;
+                   run.told() + pictures_left(run.record(), result.outcome) + notes;
   result.timings = timings(model.report(), model.report().steps - steps_before, took.count());
   directory.write("summary.txt", result.summary);
   return result;

@@ -223,6 +223,7 @@ struct Output {
   Colour colour = Colour::displacement;
   int layers = 6;
   std::vector<double> picture_times;           ///< rising; pictures beside those of the first and last moment
+  bool has_stage_pictures = false;             ///< one at the end of each stage
   std::optional<std::array<Point, 2>> window;  ///< lowest and highest corner
   double azimuth = 0;  ///< rad; 3D: direction from which the camera looks, clockwise from +y seen from above
   double elevation = 0;  ///< rad above the horizontal
