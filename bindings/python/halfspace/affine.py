@@ -1,7 +1,7 @@
 """Blocks that strain as a whole."""
 import ctypes
 import dataclasses
-from typing import Any, Optional
+from typing import Any, Optional, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -10,7 +10,7 @@ from . import _raw
 from ._arrays import DEFORMATION, block_id, empty_record, index, tensor, vector
 from ._library import library
 from .block_arrays import BlockArrays
-from .constants import Plane
+from .constants import Plane, choice
 from .context import held
 
 
@@ -27,7 +27,7 @@ class Elasticity:
         Above -1, below 0.5.
     damping_time : float
         s, >= 0: viscous stress is the elastic one of the strain rate times this (Rayleigh's beta).
-    plane : Plane
+    plane : Plane or its name
         In 2D: of a body that cannot strain across the plane, or of a sheet without stress across it.
 
     Examples
@@ -40,7 +40,10 @@ class Elasticity:
     young_modulus: float = 1e9
     poisson_ratio: float = 0.25
     damping_time: float = 0.0
-    plane: Plane = Plane.STRAIN
+    plane: Union[Plane, str] = Plane.STRAIN
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "plane", choice(self.plane, Plane, "plane"))
 
     def _as_struct(self) -> _raw.hs_elasticity_def:
         struct = _raw.hs_elasticity_def()

@@ -1,7 +1,30 @@
 """The library's constants as enumerations."""
 from enum import IntEnum, IntFlag
+from typing import Type, Union
 
 from . import _raw
+from ._arrays import index
+
+
+def choice(value: Union[int, str], choices: Type[IntEnum], name: str) -> int:
+    """One of the constants: itself, its number, or its name in any case and with spaces, as "per area". A number that
+    is none of them is left for the library to refuse."""
+    words = {member.name.lower().replace("_", " "): member for member in choices}
+    if isinstance(value, str):
+        found = words.get(value.lower().replace("_", " ").replace("-", " "))
+    else:
+        try:
+            number = index(value, name)
+        except TypeError:
+            found = None
+        else:
+            found = next((member for member in choices if member == number), None)
+            if found is None:
+                return number
+    if found is None:
+        allowed = ", ".join(f'"{word}"' for word in words)
+        raise ValueError(f"{name} is {value!r}; it must be one of {allowed}, or a {choices.__name__}")
+    return found
 
 
 class ContactType(IntEnum):

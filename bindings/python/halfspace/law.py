@@ -1,10 +1,11 @@
 """Contact laws."""
 import ctypes
 import dataclasses
+from typing import Union
 
 from . import _raw
 from ._library import library
-from .constants import StiffnessKind
+from .constants import StiffnessKind, choice
 
 
 @dataclasses.dataclass(frozen=True)
@@ -23,8 +24,8 @@ class Law:
         neither.
     normal_damping, shear_damping : float
         Share of critical viscous damping, >= 0. Without any, friction feeds the vibration of what it should hold.
-    stiffness_kind : StiffnessKind
-        What the stiffnesses refer to: the whole contact, its area or a potential.
+    stiffness_kind : StiffnessKind or its name
+        What the stiffnesses refer to: "per contact", "per area" or "potential"; "none" for a law without springs.
 
     Examples
     --------
@@ -40,7 +41,10 @@ class Law:
     tensile_strength: float = 0.0
     normal_damping: float = 0.1
     shear_damping: float = 0.1
-    stiffness_kind: StiffnessKind = StiffnessKind.PER_CONTACT
+    stiffness_kind: Union[StiffnessKind, str] = StiffnessKind.PER_CONTACT
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "stiffness_kind", choice(self.stiffness_kind, StiffnessKind, "stiffness_kind"))
 
     def _as_struct(self) -> _raw.hs_law_def:
         struct = _raw.hs_law_def()

@@ -1,6 +1,6 @@
 """Bodies of finite elements."""
 import ctypes
-from typing import Any, Optional, Sequence, Tuple
+from typing import Any, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -23,7 +23,7 @@ from ._arrays import (
 from ._library import library
 from .affine import AffineBlocks
 from .block_arrays import Floats
-from .constants import CellKind
+from .constants import CellKind, choice
 from .context import Context, Handle, default_context, held
 
 _KIND_OF_WIDTH = {
@@ -97,10 +97,11 @@ class Mesh(Handle):
         columns: int,
         rows: int,
         *,
-        kind: CellKind = CellKind.QUAD,
+        kind: Union[CellKind, str] = CellKind.QUAD,
         context: Optional[Context] = None,
     ) -> "Mesh":
         """A rectangle about the origin of equal quads, or of triangles, two to a quad, whose diagonals alternate."""
+        kind = choice(kind, CellKind, "kind")
         x, y = np.meshgrid(np.linspace(-0.5, 0.5, columns + 1) * width, np.linspace(-0.5, 0.5, rows + 1) * height)
         nodes = np.column_stack([x.ravel(), y.ravel()])
         column, row = (grid.ravel() for grid in np.meshgrid(np.arange(columns), np.arange(rows)))
@@ -109,7 +110,7 @@ class Mesh(Handle):
         if kind == CellKind.QUAD:
             return cls(nodes, [quads], context=context)
         if kind != CellKind.TRIANGLE:
-            raise ValueError(f"kind is {kind}; it must be CellKind.QUAD or CellKind.TRIANGLE")
+            raise ValueError(f'kind is {kind!r}; it must be "quad" or "triangle"')
         alternate = ((column + row) % 2 == 1)[:, None]
         lower = np.where(alternate, quads[:, [0, 1, 3]], quads[:, [0, 1, 2]])
         upper = np.where(alternate, quads[:, [1, 2, 3]], quads[:, [0, 2, 3]])

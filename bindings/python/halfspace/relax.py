@@ -1,6 +1,6 @@
 """A world that is brought to rest, changed while it lives, and weakened until it falls."""
 import ctypes
-from typing import Any, Tuple
+from typing import Any, Tuple, Union
 
 from numpy.typing import ArrayLike
 
@@ -8,7 +8,7 @@ from . import _raw
 from ._arrays import BALANCE, STRENGTH_REPORT, empty_record, vector
 from ._library import library
 from .reaction import ReactingBlocks
-from .constants import Unbalanced
+from .constants import Unbalanced, choice
 
 
 class Statics(ReactingBlocks):
@@ -18,7 +18,7 @@ class Statics(ReactingBlocks):
         self,
         ratio: float = 1e-5,
         *,
-        measure: Unbalanced = Unbalanced.MEAN,
+        measure: Union[Unbalanced, str] = Unbalanced.MEAN,
         most_steps: int = 1000000,
         local_damping: float = 0.1,
         adaptive: bool = True,
@@ -31,7 +31,7 @@ class Statics(ReactingBlocks):
         ----------
         ratio : float
             Of unbalanced forces to all, at which it is at rest.
-        measure : Unbalanced
+        measure : Unbalanced or its name
             Over all forces, or the largest ratio of a single block or node.
         most_steps : int
             At least 1.
@@ -49,7 +49,7 @@ class Statics(ReactingBlocks):
         """
         struct = _raw.hs_relaxation_def()
         library.hs_relaxation_def_init(ctypes.byref(struct), ctypes.sizeof(struct))
-        struct.measure, struct.ratio, struct.most_steps = int(measure), ratio, most_steps
+        struct.measure, struct.ratio, struct.most_steps = choice(measure, Unbalanced, "measure"), ratio, most_steps
         struct.local_damping, struct.is_adaptive, struct.hold_bonds = local_damping, int(adaptive), int(hold_bonds)
         array, address = empty_record(BALANCE)
         balance = _raw.hs_balance.from_address(address)

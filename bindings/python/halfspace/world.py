@@ -24,7 +24,7 @@ from ._arrays import (
 )
 from ._library import library
 from .block_arrays import Floats
-from .constants import BlockKind, FastBlocks
+from .constants import BlockKind, FastBlocks, choice
 from .context import Context, default_context, held
 from .law import Law
 from .plot import picture_by, plot_blocks
@@ -96,7 +96,7 @@ class World(Statics):
         parallel_angle: Optional[float] = None,
         vertex_zone: Optional[float] = None,
         potential_length: Optional[float] = None,
-        fast_blocks: Optional[FastBlocks] = None,
+        fast_blocks: Union[FastBlocks, str, None] = None,
         sleep_tolerance: Optional[float] = None,
         law: Optional[Law] = None,
         context: Optional[Context] = None,
@@ -117,7 +117,7 @@ class World(Statics):
             parallel_angle=parallel_angle,
             vertex_zone=vertex_zone,
             potential_length=potential_length,
-            fast_blocks=fast_blocks,
+            fast_blocks=None if fast_blocks is None else choice(fast_blocks, FastBlocks, "fast_blocks"),
             sleep_tolerance=sleep_tolerance,
         )
         for name, value in settings.items():
@@ -207,7 +207,7 @@ class World(Statics):
         angle: Optional[float] = None,
         *,
         rotation: Optional[ArrayLike] = None,
-        kind: BlockKind = BlockKind.RIGID,
+        kind: Union[BlockKind, str] = BlockKind.RIGID,
         material: int = 0,
         velocity: Optional[ArrayLike] = None,
         angular_velocity: Optional[ArrayLike] = None,
@@ -241,7 +241,7 @@ class World(Statics):
         definition = _raw.hs_block_def()
         with held(shape):
             library.hs_block_def_init(ctypes.byref(definition), ctypes.sizeof(definition), shape._alive)
-        definition.kind, definition.material = index(kind, "kind"), index(material, "material")
+        definition.kind, definition.material = choice(kind, BlockKind, "kind"), index(material, "material")
         if position is not None or angle is not None or rotation is not None:
             centroid = definition.pose.position[:] if position is None else position
             definition.pose = as_pose(pose(centroid, angle, rotation=rotation), "pose")

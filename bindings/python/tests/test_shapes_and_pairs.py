@@ -129,6 +129,41 @@ def test_laws_have_the_defaults_of_the_library():
     assert struct.cohesion == 3 and struct.stiffness_kind == 1
 
 
+def test_names_of_constants_may_be_words():
+    assert hs.Law(stiffness_kind="per area") == hs.Law(stiffness_kind=hs.StiffnessKind.PER_AREA)
+    assert hs.Law(stiffness_kind="NONE")._as_struct().stiffness_kind == hs.StiffnessKind.NONE
+    assert hs.Elasticity(plane="stress").plane is hs.Plane.STRESS
+    assert hs.Mesh.rectangle(1, 1, 2, 2, kind="triangle").cell_count == 8
+    world = hs.World(fast_blocks="refuse")
+    stone = world.add_material(2000)
+    block = world.add_block(hs.Shape.rectangle(1, 1), (0, 0), kind="fixed", material=stone)
+    assert world.state(block).kind == hs.BlockKind.FIXED
+    with pytest.raises(hs.StateError):  # there is nothing to relax
+        world.relax(measure="largest")
+
+
+@pytest.mark.parametrize(
+    "call, text",
+    [
+        (
+            lambda: hs.Law(stiffness_kind="per are"),
+            "stiffness_kind is 'per are'; it must be one of "
+            '"per contact", "per area", "potential", "none", or a StiffnessKind',
+        ),
+        (lambda: hs.Law(stiffness_kind=1.0), 'stiffness_kind is 1.0; it must be one of "per contact"'),
+        (lambda: hs.Elasticity(plane="plain"), "plane is 'plain'; it must be one of \"strain\", \"stress\""),
+        (lambda: hs.Mesh.rectangle(1, 1, 1, 1, kind="prism"), 'it must be "quad" or "triangle"'),
+        (lambda: hs.World(fast_blocks="stop"), "fast_blocks is 'stop'; it must be one of \"divide\", \"refuse\""),
+        (lambda: hs.World().add_block(hs.Shape.rectangle(1, 1), kind="rigit"), "kind is 'rigit'; it must be one of \"fixed\""),
+        (lambda: hs.World().relax(measure="most"), "measure is 'most'; it must be one of \"mean\", \"largest\""),
+    ],
+)
+def test_a_word_that_is_no_name_is_answered_with_the_names(call, text):
+    with pytest.raises(ValueError) as caught:
+        call()
+    assert text in str(caught.value)
+
+
 def test_enumerations_are_whole():
     from halfspace import _raw
 
