@@ -73,6 +73,11 @@ def empty_record(dtype: Any) -> Tuple[NDArray[Any], Any]:
     return array, array.ctypes.data
 
 
+def empty_records(count: int, dtype: Any) -> Any:
+    """An array of zeroed structs, which has their fields as attributes, too: `array.gap` is `array["gap"]`."""
+    return np.zeros(count, dtype).view(np.recarray)
+
+
 def _as_points(points: ArrayLike, components: Tuple[int, ...], name: str) -> NDArray[np.float64]:
     array = np.asarray(points, np.float64)
     if array.ndim != 2 or array.shape[1] not in components:

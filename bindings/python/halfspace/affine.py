@@ -4,10 +4,10 @@ import dataclasses
 from typing import Any, Optional, Union
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from . import _raw
-from ._arrays import DEFORMATION, block_id, empty_record, index, tensor, vector
+from ._arrays import DEFORMATION, block_id, empty_record, empty_records, index, tensor, vector
 from ._library import library
 from .block_arrays import BlockArrays
 from .constants import Plane, choice
@@ -76,11 +76,11 @@ class AffineBlocks(BlockArrays):
         self._call(library.hs_world_get_deformation, block_id(block, "block"), deformation)
         return array[0]
 
-    def deformations(self) -> NDArray[Any]:
+    def deformations(self) -> "np.recarray[Any, Any]":
         """How all blocks are turned and strained, a structured array of `DEFORMATION`: its
         ``["gradient"]`` has the shape (n, 3, 3)."""
         with held(self):
-            deformations = np.zeros(len(self), DEFORMATION)
+            deformations = empty_records(len(self), DEFORMATION)
             self._call(library.hs_world_get_deformations, deformations.ctypes.data, len(deformations), None)
         return deformations
 

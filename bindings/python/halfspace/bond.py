@@ -4,10 +4,9 @@ import dataclasses
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from . import _raw
-from ._arrays import BOND, BOND_EVENT, BOND_REPORT, block_id, empty_record, index
+from ._arrays import BOND, BOND_EVENT, BOND_REPORT, block_id, empty_record, empty_records, index
 from ._library import library
 from .context import held
 from .mesh import Bodies
@@ -86,17 +85,17 @@ class BondedBlocks(Bodies):
         """Held bonds never fail; False lets them fail again."""
         self._call(library.hs_world_hold_bonds, int(are_held))
 
-    def bonds(self) -> NDArray[Any]:
+    def bonds(self) -> "np.recarray[Any, Any]":
         """All bonds made so far, in their order: a structured array of `BOND`."""
         with held(self):
-            bonds = np.zeros(int(self.bond_report.bond_count), BOND)
+            bonds = empty_records(int(self.bond_report.bond_count), BOND)
             self._call(library.hs_world_get_bonds, bonds.ctypes.data, len(bonds), None)
         return bonds
 
-    def bond_events(self, first: int = 0) -> NDArray[Any]:
+    def bond_events(self, first: int = 0) -> "np.recarray[Any, Any]":
         """The points that have failed, in order of time, from one on: a structured array of `BOND_EVENT`."""
         with held(self):
-            events = np.zeros(max(int(self.bond_report.event_count) - first, 0), BOND_EVENT)
+            events = empty_records(max(int(self.bond_report.event_count) - first, 0), BOND_EVENT)
             self._call(library.hs_world_get_bond_events, first, events.ctypes.data, len(events), None)
         return events
 

@@ -12,6 +12,7 @@ from ._arrays import (
     MESH_PROPERTIES,
     block_id,
     empty_record,
+    empty_records,
     index,
     indices,
     mutable_view_of,
@@ -340,10 +341,10 @@ class Bodies(AffineBlocks):
             None if slopes is None else slopes.ctypes.data,
         )
 
-    def cells(self, body: int) -> NDArray[Any]:
+    def cells(self, body: int) -> "np.recarray[Any, Any]":
         """Strain and stress of the body's cells, a structured array of `CELL_STATE`: its ``["stress"]`` has
         the shape (m, 3, 3)."""
         with held(self):
-            cells = np.zeros(int(self.body_state(body).cell_count), CELL_STATE)
+            cells = empty_records(int(self.body_state(body).cell_count), CELL_STATE)
             self._call(library.hs_world_get_cells, block_id(body, "body"), cells.ctypes.data, len(cells), None)
         return cells

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _raw
-from ._arrays import CONTACT, PAIR_CACHE, as_pose, empty_record, indices
+from ._arrays import CONTACT, PAIR_CACHE, as_pose, empty_record, empty_records, indices
 from ._library import library
 from .context import held
 from .shape import Shape
@@ -159,7 +159,7 @@ def pairs_detect(
     bodies = indices(pairs, "pairs")
     if bodies.ndim != 2 or bodies.shape[1] != 2:
         raise ValueError(f"pairs has the shape {bodies.shape}; it must be (n, 2)")
-    contacts = np.zeros(len(bodies), CONTACT) if out is None else out
+    contacts = empty_records(len(bodies), CONTACT) if out is None else out
     for array, dtype, name in ((caches, PAIR_CACHE, "caches"), (contacts, CONTACT, "out")):
         if array is not None and (
             array.dtype != dtype or array.shape != (len(bodies),) or not array.flags.carray

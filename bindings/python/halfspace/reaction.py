@@ -2,10 +2,9 @@
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from . import _raw
-from ._arrays import REACTION, REACTION_REPORT, empty_record
+from ._arrays import REACTION, REACTION_REPORT, empty_record, empty_records
 from ._library import library
 from .bond import BondedBlocks
 from .context import held
@@ -14,10 +13,10 @@ from .context import held
 class ReactingBlocks(BondedBlocks):
     """The contacts without springs of a world."""
 
-    def reactions(self) -> NDArray[Any]:
+    def reactions(self) -> "np.recarray[Any, Any]":
         """Those at the end of the last step, in order of their blocks: a structured array of `REACTION`."""
         with held(self):
-            reactions = np.zeros(int(self.reaction_report.reaction_count), REACTION)
+            reactions = empty_records(int(self.reaction_report.reaction_count), REACTION)
             self._call(library.hs_world_get_reactions, reactions.ctypes.data, len(reactions), None)
         return reactions
 

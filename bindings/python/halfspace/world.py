@@ -5,7 +5,7 @@ import time
 from typing import Any, Callable, Dict, Optional, Tuple, Union
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from . import _raw
 from ._arrays import (
@@ -16,6 +16,7 @@ from ._arrays import (
     as_pose,
     block_id,
     empty_record,
+    empty_records,
     index,
     mutable_view_of,
     pose,
@@ -62,7 +63,7 @@ class World(Statics):
     potential_length : float
         Of a law's potentials, > 0; 0 (default) finds one: the mean length of all blocks' edges when forces
         are first used.
-    fast_blocks : FastBlocks
+    fast_blocks : FastBlocks or its name
         DIVIDE (default) divides a step in which blocks meet too fast; REFUSE ends it with a TooFastError.
     sleep_tolerance : float
         The way, in m, that any block may miss over a whole run as it stands still in time while nothing reaches
@@ -224,7 +225,7 @@ class World(Statics):
             Turn about z, rad.
         rotation : array_like, optional
             Instead of an angle: unit quaternion x, y, z, w.
-        kind : BlockKind
+        kind : BlockKind or its name
             Rigid, affine, fixed or prescribed. The material of an affine block must be elastic.
         material : int
             From `add_material`.
@@ -357,13 +358,13 @@ class World(Statics):
             portion = max(1, int(portion * min(2.0, 0.1 / (time.perf_counter() - start))))
         self._call(library.hs_world_step, left)
 
-    def contacts(self) -> NDArray[Any]:
+    def contacts(self) -> "np.recarray[Any, Any]":
         """The contacts of the last detection, a structured array of `CONTACT`, sorted by block index, a
-        before b."""
+        before b. `contacts().gap` is the gap of each."""
         count = ctypes.c_int64()
         with held(self):
             self._call(library.hs_world_get_contacts, None, 0, ctypes.byref(count))
-            contacts = np.zeros(count.value, CONTACT)
+            contacts = empty_records(count.value, CONTACT)
             self._call(library.hs_world_get_contacts, contacts.ctypes.data, len(contacts), None)
         return contacts
 

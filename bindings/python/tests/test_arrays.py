@@ -195,6 +195,16 @@ def test_an_output_view_points_to_the_array():
     assert array[0, 2] == 7
 
 
+def test_structured_arrays_have_their_fields_as_attributes(resting_world):
+    resting_world.step(500)
+    contacts = resting_world.contacts()
+    assert len(contacts) > 0
+    assert contacts.gap.shape == (len(contacts),) and (contacts.gap == contacts["gap"]).all()
+    assert contacts.points.shape == (len(contacts), 8, 3)
+    assert contacts[0].gap == contacts.gap[0]
+    assert contacts[:0].gap.shape == (0,)
+
+
 def test_structured_arrays_match_the_header():
     assert hs.CONTACT.itemsize == 488
     assert np.zeros(2, hs.CONTACT)["points"].shape == (2, 8, 3)
