@@ -35,6 +35,8 @@ Model::Model(const Context& context, const Scene& scene, Layout layout)
              .gravity_before = {},
              .local_damping = scene.world.local_damping,
              .mass_damping = scene.world.mass_damping},
+      given_time_step_(scene.world.time_step),
+      safety_(scene.world.safety),
       frames_have_contacts_(scene.output.contacts || scene.output.forces) {
   hs_world* world = nullptr;
   require(context, hs_world_create(context.get(), &scene.world, &world));
@@ -100,18 +102,46 @@ void Model::add(const LayoutBody& given) {
   bodies_.push_back(body);
 }
 
-void Model::step_towards(double time, std::int64_t most_steps) {
-  const double target = std::min(time, next_motion_change());
-  // Before the first step the library may not have derived the time step yet: one step finds it.
-  const double left = report_.time_step > 0 ? (target - report_.time) / report_.time_step : 1;
-  const auto steps = std::clamp<std::int64_t>(std::llround(std::min(left, 1e15)), 1, most_steps);
+void Model::step_towards(double time, std::int64_t most_steps, double end) {
+  const double step = usual_time_step();
+  const double target = std::min({time, next_motion_change(), end});
+  // Where the time step cannot be told yet, one step finds it.
+  const double left = step > 0 ? (target - report_.time) / step : 1;
+  auto steps = std::clamp<std::int64_t>(std::llround(std::min(left, 1e15)), 1, most_steps);
+  const double to_end = step > 0 ? (end - report_.time) / step : never;
+  if (to_end < 1e15 && std::abs(to_end - std::round(to_end)) * step > time_tolerance(end)) {
+    if (to_end < 2) return step_shortened((end - report_.time) / std::ceil(to_end));
+    steps = std::min(steps, static_cast<std::int64_t>(to_end) - 1);
+  }
+  state_.usual_time_step = 0;
   const hs_status status = hs_world_step(world_.get(), steps);
   update_report();
   require(context_, status);
   set_due_motions();
 }
 
+void Model::step_shortened(double length) {
+  const double usual = usual_time_step();
+  require(context_, hs_world_set_time_step(world_.get(), length));
+  const hs_status status = hs_world_step(world_.get(), 1);
+  require(context_, hs_world_set_time_step(world_.get(), given_time_step_));
+  state_.usual_time_step = usual;
+  update_report();
+  require(context_, status);
+  set_due_motions();
+}
+
+double Model::usual_time_step() const {
+  if (report_.time_step > 0) return report_.time_step;
+  return given_time_step_ > 0 ? given_time_step_ : safety_ * report_.stable_time_step;
+}
+
+double Model::time_tolerance(double end) const {
+  return std::ldexp(usual_time_step(), -20) + std::ldexp(std::abs(end), -50);
+}
+
 bool Model::settle(const hs_relaxation_def& relaxation, hs_balance& balance) {
+  state_.usual_time_step = 0;
   const hs_status status = hs_world_relax(world_.get(), &relaxation, &balance, sizeof balance);
   update_report();
   require(context_, status);
@@ -142,11 +172,14 @@ void Model::add_to(Archive& archive) {
   archive.add(state_);
   archive.add(is_removed_);
   archive.add_each(released_, [&](std::vector<Point>& forces) { archive.add(forces); });
-  if (!archive.reads()) return;
+  if (archive.reads()) restore(world);
+}
+
+void Model::restore(const std::string& world) {
   hs_world* restored = nullptr;
   require(context_, hs_world_restore(context_.get(), world.data(), world.size(), &restored));
   world_.reset(restored);
-  archive.require(has_parts_of_layout(), "its blocks, meshes or bonds are others");
+  if (!has_parts_of_layout()) throw std::runtime_error("its blocks, meshes or bonds are others");
   for (std::size_t body = 0; body < bodies_.size(); ++body)
     if (is_excavated(body)) bodies_[body] = 0;
   update_report();
@@ -200,6 +233,8 @@ bool Model::is_of_layout(hs_block block) const {
   return of_body != index_of_body_.end() && !is_excavated(of_body->second);
 }
 
+void Model::weaken(double factor) { require(context_, hs_world_set_strength_factor(world_.get(), factor)); }
+
 std::vector<hs_bond_event> Model::bond_events() const {
   int64_t count = 0;
   require(context_, hs_world_get_bond_events(world_.get(), 0, nullptr, 0, &count));
@@ -241,6 +276,7 @@ void Model::set_due_motions() {
 
 void Model::update_report() {
   require(context_, hs_world_get_report(world_.get(), &report_, sizeof report_));
+  if (state_.usual_time_step > 0) report_.time_step = state_.usual_time_step;
 }
 
 hs_world_plan Model::account(std::int64_t steps) const {

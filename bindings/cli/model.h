@@ -34,9 +34,14 @@ class Model {
  public:
   Model(const Context& context, const Scene& scene, Layout layout);
 
+  static constexpr double never = std::numeric_limits<double>::infinity();
+
   /// Steps the world, stopping on the way wherever a prescribed motion starts or stops, to the step nearest
-  /// to a time. Does at most `most_steps` steps. @throws LibraryError
-  void step_towards(double time, std::int64_t most_steps);
+  /// to a time. Does at most `most_steps` steps. Where there is an end, the last one or two before it are
+  /// shortened so that it is met. @throws LibraryError
+  void step_towards(double time, std::int64_t most_steps, double end = never);
+  /// Has such an end been met?
+  bool has_met(double end) const { return end - report_.time <= time_tolerance(end); }
 
   /// Changes the world as a stage says that excavates these blocks. What changes gradually is as before,
   /// until change_to() is called.
@@ -56,6 +61,11 @@ class Model {
   /// Looks for the factor of safety. Where a copy fell, the model becomes that one, as it was then, and true
   /// is told. @throws LibraryError
   std::pair<hs_strength_report, bool> find_strength_factor(const hs_strength_def& def);
+
+  /// The world becomes the one that snapshot() has written. @throws LibraryError
+  void restore(const std::string& world);
+  /// All strengths are those of the scene divided by a factor.
+  void weaken(double factor);
 
   /// Has the step nearest to this time been done?
   bool reached(double time) const { return time - report_.time < report_.time_step / 2; }
@@ -86,8 +96,6 @@ class Model {
   const Layout& layout() const { return layout_; }
 
  private:
-  static constexpr double never = std::numeric_limits<double>::infinity();
-
   void add(const LayoutBody& body);
   void excavate(const std::vector<std::size_t>& blocks);
   bool has_parts_of_layout() const;
@@ -103,6 +111,11 @@ class Model {
   void set_due_motions();
   double next_motion_change() const;
   void update_report();
+  /// The length of a step that nothing shortens; 0 while it cannot be told.
+  double usual_time_step() const;
+  void step_shortened(double length);
+  /// Rounding of so late a time, and what no step needs to be shortened by.
+  double time_tolerance(double end) const;
 
   const Context& context_;
   std::vector<hs_reaction> reactions() const;
@@ -125,12 +138,21 @@ class Model {
     double share = 1;  ///< of the way from before
     double local_damping = 0;
     double mass_damping = 0;
+    double usual_time_step = 0;  ///< after a step that was shortened
   };
   State state_;
+  double given_time_step_;  ///< by the scene, or 0
+  double safety_;
   std::vector<std::pair<std::size_t, std::size_t>> bonded_;  ///< the two blocks of each bond
   std::vector<char> is_removed_;  ///< of each block: 1, or 2 when the stage that takes it away has begun last
   std::vector<std::vector<Point>> released_;  ///< forces of excavated cells on each body's nodes, or none
   bool frames_have_contacts_;
 };
+
+/// Has a stage that runs, and began at this time, come to its end?
+inline bool has_ended(const SceneStage& stage, const Model& model, double start) {
+  const double end = start + stage.duration;
+  return stage.ends_exactly ? model.has_met(end) : model.reached(end);
+}
 
 }  // namespace halfspace::cli

@@ -45,6 +45,7 @@ SceneStage read_stage(Keys& keys) {
     stage.portions = keys.integer("portions", 1, 10'000, stage.portions);
   } else {
     stage.duration = keys.number("duration", above(0), required);
+    stage.ends_exactly = true;
     stage.rest_speed = keys.number("rest_speed", above(0), stage.rest_speed);
     stage.ramp = keys.number("ramp", {.low = 0, .high = stage.duration}, stage.ramp);
   }

@@ -169,13 +169,14 @@ class Run {
   bool run_to_end(const SceneStage& stage) {
     Batch batch;
     const double end = at_.start + stage.duration;
-    while (!at_.is_at_rest && !model_.reached(end)) {
+    while (!at_.is_at_rest && !has_ended(stage, model_, at_.start)) {
       if (is_interrupted()) return false;
       const Clock::time_point before = Clock::now();
       const std::int64_t steps_before = model_.report().steps;
       change(stage, steps_before);
       const double ramp_end = model_.is_changed() ? end : at_.start + stage.ramp;
-      model_.step_towards(std::min({record_.next(), ramp_end, end}), batch.steps_from(steps_before));
+      model_.step_towards(std::min({record_.next(), ramp_end, end}), batch.steps_from(steps_before),
+                          stage.ends_exactly ? end : Model::never);
       batch.adapt(model_.report().steps - steps_before, Clock::now() - before);
       const double time = model_.report().time;
       progress_.show((time - at_.start) / stage.duration,
@@ -287,7 +288,7 @@ class Run {
     if (stage.settles) {
       at_.is_over = at_.settling.is_over(stage, model_);
     } else if (!at_.is_at_rest) {
-      at_.is_over = model_.reached(at_.start + stage.duration);
+      at_.is_over = has_ended(stage, model_, at_.start);
     }
   }
 

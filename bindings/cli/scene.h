@@ -60,6 +60,7 @@ struct SceneStage {
   bool settles = false;
   hs_relaxation_def relaxation{};  ///< of one that settles
   double duration = 0;             ///< of one that runs
+  bool ends_exactly = false;       ///< likewise: not at the step nearest to its end
   double rest_speed = 0;           ///< likewise; 0: it never ends early
   double ramp = 0;                 ///< likewise, s: gravity, loads and what is excavated change over it
   std::int64_t portions = 1;       ///< of one that settles: they change in so many, and it settles after each

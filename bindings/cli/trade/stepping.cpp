@@ -14,14 +14,15 @@ constexpr std::int64_t steps_of_change = 16;
 RunEnd run_for_its_duration(const SceneStage& stage, Model& model, const OnTheWay& way, double& end_time) {
   const double start = model.report().time, ramp_end = start + stage.ramp;
   end_time = start + stage.duration;
-  while (!model.reached(end_time)) {
+  const double exact_end = stage.ends_exactly ? end_time : Model::never;
+  while (!has_ended(stage, model, start)) {
     if (!model.is_changed())
       model.change_to(
           stage.ramp == 0 || model.reached(ramp_end) ? 1 : (model.report().time - start) / stage.ramp);
     if (model.is_changed()) {
-      model.step_towards(end_time, way.steps_at_once);
+      model.step_towards(end_time, way.steps_at_once, exact_end);
     } else {
-      model.step_towards(ramp_end, std::min(way.steps_at_once, steps_of_change));
+      model.step_towards(ramp_end, std::min(way.steps_at_once, steps_of_change), exact_end);
     }
     way.look();
     if (interrupt_asked()) return RunEnd::interrupted;
