@@ -49,7 +49,8 @@ struct Position {
 
   void add_to(Archive& archive) {
     archive.add(stage);
-    for (bool* flag : {&has_begun, &is_over, &is_at_rest, &settling.is_balanced}) archive.add(*flag);
+    for (bool* flag : {&has_begun, &is_over, &is_at_rest, &settling.is_balanced, &settling.is_driven})
+      archive.add(*flag);
     for (double* value : {&start, &mean, &largest}) archive.add(*value);
     archive.add(settling.steps);
     archive.add(settling.portions);
@@ -225,6 +226,12 @@ class Run {
                         " of all forces, by " + rounded(at_.largest, 2) + " of a single block's" + drive());
     record_.end_stage(at_.stage, true);
     return true;
+  }
+
+  /// What keeps a stage from coming to rest.
+  std::string drive() const {
+    if (!at_.settling.is_driven) return {};
+    return "; \"" + endless_motion(model_) + "\" moves and never stops: give it a stop, or a stage that runs";
   }
 
   void tell(const std::string& what, const std::string& end) {

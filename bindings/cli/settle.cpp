@@ -1,10 +1,27 @@
 #include "settle.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "interrupt.h"
+#include "vector.h"
 
 namespace halfspace::cli {
+
+std::string endless_motion(const Model& model) {
+  const Layout& layout = model.layout();
+  for (const LayoutBody& body : layout.bodies) {
+    for (const LayoutBody::Support& support : body.supports)
+      if (support.velocity != Point{}) return layout.blocks[body.first_block].name;
+  }
+  for (std::size_t i = 0; i < layout.blocks.size(); ++i) {
+    const LayoutBlock& block = layout.blocks[i];
+    if (block.kind != HS_BLOCK_PRESCRIBED || std::isfinite(block.motion.stop)) continue;
+    const hs_block_state now = model.state_of(i);  // of one that is excavated NaN
+    if (length(point_of(now.velocity)) > 0 || length(point_of(now.angular_velocity)) > 0) return block.name;
+  }
+  return {};
+}
 
 hs_balance settle_on(const SceneStage& stage, Model& model, Settling& settling) {
   constexpr std::int64_t steps_of_piece = 20000;
@@ -15,6 +32,7 @@ hs_balance settle_on(const SceneStage& stage, Model& model, Settling& settling) 
   hs_balance balance{};
   settling.is_balanced = model.settle(piece, balance);
   settling.steps += balance.steps;
+  settling.is_driven = !settling.is_balanced && !endless_motion(model).empty();
   return balance;
 }
 

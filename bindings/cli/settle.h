@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "model.h"
 #include "scene.h"
@@ -12,12 +13,17 @@ struct Settling {
   std::int64_t steps = 0;
   std::int64_t portions = 0;  ///< of its change, that have begun to settle
   bool is_balanced = false;   ///< with the last of them
+  bool is_driven = false;     ///< by a support that never stops, so that it cannot come to rest
 
   bool is_at_rest(const Model& model) const { return is_balanced && model.is_changed(); }
   bool is_over(const SceneStage& stage, const Model& model) const {
-    return is_at_rest(model) || steps >= stage.relaxation.most_steps;
+    return is_at_rest(model) || is_driven || steps >= stage.relaxation.most_steps;
   }
 };
+
+/// The name of a prescribed block, or of a mesh with a support, that moves and never stops; empty where none
+/// does.
+std::string endless_motion(const Model& model);
 
 /// Goes on with a stage that is not over, by so few steps that who wants to interrupt it does not wait for
 /// long.

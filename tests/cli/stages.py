@@ -75,6 +75,57 @@ class Stages(SceneTest):
                       for name in ("settling", "shaking"))
         self.assertAlmostEqual(end - begin, 0.3, delta=2e-3)
 
+    def test_stages_end_at_their_times_whatever_the_step(self):
+        given = WALL.format(strength=1e7).replace("[world]\n", "[world]\ntime_step = 1e-4\n")
+        for text in (given, WALL.format(strength=1e7)):
+            base = text[:text.index("[[stage]]")] + "[output]\nhistory_interval = 1\nframe_interval = 1\n"
+            # Each is some steps and a half long, so that none would end at its time by whole steps, and the last ones
+            # are shorter than any step.
+            self.run_scene(base + '[[stage]]\ndo = "run"\nduration = 1.25e-3\n' * 40 +
+                           '[[stage]]\ndo = "run"\nduration = 1e-7\n' * 3)
+            self.assertAlmostEqual(float(self.rows()[-1]["time"]), 40 * 1.25e-3 + 3e-7, delta=1e-12)
+
+    def test_a_step_that_is_shortened_is_not_told_as_the_step(self):
+        text = WALL.format(strength=1e7).replace("[world]\n", "[world]\ntime_step = 1e-4\n")
+        text = text[:text.index("[[stage]]")]
+        told = self.run_scene(text + '[[stage]]\ndo = "run"\nduration = 1.23e-3\n').stdout
+        self.assertRegex(told, r"simulated +0.00123 s in 13 steps of 0.0001 s")
+        whole = self.run_scene(text + '[[stage]]\ndo = "run"\nduration = 0.3\n').stdout
+        self.assertRegex(whole, r"simulated +0.3 s in 3000 steps of 0.0001 s")
+
+    def test_what_settles_leaves_a_row_and_on_request_each_stage_a_picture(self):
+        text = WALL.format(strength=1e7) + "[output]\nhistory_interval = 10\n"
+        told = self.run_scene(text).stdout
+        settled = float(re.search(r"stage settling +settled until (\S+) s", told).group(1))
+        times = [float(row["time"]) for row in self.rows()]
+        self.assertEqual(len(times), 3)
+        self.assertAlmostEqual(times[1] / settled, 1, delta=1e-3)  # told with four digits
+        self.assertAlmostEqual(times[2] - times[1], 0.3, delta=1e-9)
+        self.assertEqual(list(self.output.glob("stage_*.svg")), [])
+        self.run_scene(text + "[output.picture]\nstages = true\n")
+        self.assertEqual(sorted(path.name for path in self.output.glob("stage_*.svg")), ["stage_0.svg", "stage_1.svg"])
+        self.assertEqual((self.output / "stage_1.svg").read_text(), (self.output / "last.svg").read_text())
+        self.assertNotEqual((self.output / "stage_0.svg").read_text(), (self.output / "last.svg").read_text())
+
+    def test_what_stands_on_a_support_that_moves_is_told_early(self):
+        text = WALL.format(strength=1e7).replace('kind = "fixed"', 'kind = "prescribed"\nangular_velocity = 9')
+        told = self.run_scene(text).stdout
+        steps = re.search(r'NOT AT REST after (\d+) steps, .*; "floor" moves and never stops: give it a stop', told).group(1)
+        self.assertLessEqual(int(steps), 20000)
+        stopping = text.replace("angular_velocity = 9", "velocity = [0, 0.1]\nstop = 0.05")
+        self.assertRegex(self.run_scene(stopping).stdout, r"stage settling +settled until \S+ s, at rest after")
+
+    def test_pictures_are_told_as_late_where_that_is_known(self):
+        picture = "[output.picture]\ntimes = [0.1, {}]\n"
+        settling = WALL.format(strength=1e7)
+        late = self.run_scene(settling + picture.format(1e6))
+        self.assertNotIn("no such picture", late.stderr)  # before it has settled, nobody knows the end
+        self.assertRegex(late.stdout, r"pictures +none at 1e\+06 s, which is after the end of the run\n")
+        self.assertNotIn("pictures  ", self.run_scene(settling + picture.format(0.3)).stdout)  # settling takes time, too
+        self.assertTrue((self.output / "at_0.3s.svg").exists())
+        known = settling.replace('do = "settle"', 'do = "run"\nduration = 0.1')
+        self.assertIn("5 s is after the end of the run, 0.4 s", self.run_scene(known + picture.format(5)).stderr)
+
     def test_faults_name_their_key(self):
         whole = WALL.format(strength=1)
         for old, new, fault in [
