@@ -194,13 +194,17 @@ int safety(const std::string& file, const std::string& output, Earlier earlier, 
     break;
   }
   if (!checked.faults.none()) return refuse(file, checked.faults);
-  OutputDirectory directory(output, earlier);
+  if (options.resumes && !std::filesystem::exists(std::filesystem::path(output) / "trials.csv"))
+    throw std::runtime_error("cannot resume: there is no trials.csv in " + output);
+  OutputDirectory directory(output, options.resumes ? Earlier::keep : earlier);
   Model model(checked.context, checked.scene, std::move(checked.layout));
   note_start(checked.context, checked.scene, model, checked.faults);
   print(stderr, checked.faults.describe_notes(file));
-  const SafetyResult result = find_factor_of_safety(checked.scene, model, options, directory);
+  const SafetyResult result =
+      find_factor_of_safety(checked.scene, model, bytes_of(file, checked.scene), options, directory);
   print(stdout, result.report);
-  return result.is_found ? exit_ok : exit_failed;
+  if (result.end == SafetyEnd::interrupted) print(stderr, "\nhalfspace: interrupted; --resume goes on\n");
+  return result.end == SafetyEnd::found ? exit_ok : exit_failed;
 }
 
 /// A time in s, as 90s, 10min or 2h.
@@ -325,7 +329,9 @@ int main_of(int argc, char** argv) {
   CLI::App* safety_command = app.add_subcommand(
       "safety", "Find the factor of safety: by how much all strengths can be divided until the scene falls");
   safety_command->add_option("scene", file, "The scene file (TOML)")->required();
-  add_output(safety_command);
+  safety_command
+      ->add_flag("--resume", safety_options.resumes, "Go on from the trials that the directory holds")
+      ->excludes(add_output(safety_command));
   add_threads(safety_command);
   safety_command->add_option("--low", safety_options.low, "A factor at which the scene should stand")
       ->capture_default_str()
@@ -335,6 +341,12 @@ int main_of(int argc, char** argv) {
       ->check(finite_above_zero());
   safety_command->add_option("--resolution", safety_options.resolution, "The bracket that is narrow enough")
       ->capture_default_str()
+      ->check(finite_above_zero());
+  safety_command
+      ->add_option(
+          "--limit", safety_options.limit,
+          "How far a block may move and still stand, in m; by default ten times what all joints yield before "
+          "they slip, at most a tenth of its size")
       ->check(finite_above_zero());
 
   try {

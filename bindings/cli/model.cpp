@@ -149,15 +149,6 @@ bool Model::settle(const hs_relaxation_def& relaxation, hs_balance& balance) {
   return status != HS_NOTE_NOT_AT_REST;
 }
 
-std::pair<hs_strength_report, bool> Model::find_strength_factor(const hs_strength_def& def) {
-  hs_strength_report report{};
-  hs_world* fallen = nullptr;
-  require(context_, hs_world_find_strength_factor(world_.get(), &def, &report, sizeof report, &fallen));
-  if (fallen) world_.reset(fallen);
-  update_report();
-  return {report, fallen != nullptr};
-}
-
 std::string Model::snapshot() const {
   std::size_t count = 0;
   require(context_, hs_world_save(world_.get(), nullptr, 0, &count));

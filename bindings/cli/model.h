@@ -58,10 +58,6 @@ class Model {
   /// std::runtime_error
   void add_to(Archive& archive);
 
-  /// Looks for the factor of safety. Where a copy fell, the model becomes that one, as it was then, and true
-  /// is told. @throws LibraryError
-  std::pair<hs_strength_report, bool> find_strength_factor(const hs_strength_def& def);
-
   /// The world becomes the one that snapshot() has written. @throws LibraryError
   void restore(const std::string& world);
   /// All strengths are those of the scene divided by a factor.

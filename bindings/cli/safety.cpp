@@ -1,10 +1,17 @@
 #include "safety.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include "hash.h"
+#include "interrupt.h"
 #include "picture/picture.h"
+#include "progress.h"
+#include "safety_trials.h"
 #include "settle.h"
 #include "tables.h"
 #include "text.h"
@@ -14,7 +21,7 @@ namespace halfspace::cli {
 namespace {
 
 /// Stage by stage; a scene without any settles under its loads. What is left unbalanced where it fails to.
-std::string not_settled(const Scene& scene, Model& model) {
+std::string not_settled(const Scene& scene, Model& model, Progress& progress) {
   std::vector<SceneStage> stages = scene.stages;
   if (stages.empty()) {
     stages.push_back({.settles = true});
@@ -23,28 +30,35 @@ std::string not_settled(const Scene& scene, Model& model) {
   for (std::size_t i = 0; i < stages.size(); ++i) {
     const SceneStage& stage = stages[i];
     if (!scene.stages.empty()) model.begin(stage, model.layout().excavated[i]);
+    Settling settling;
     hs_balance balance{};
-    if (!settle(stage, model, balance))
+    while (!settling.is_over(stage, model) && !interrupt_asked()) {
+      balance = settle_on(stage, model, settling);
+      progress.show(static_cast<double>(settling.steps) / static_cast<double>(stage.relaxation.most_steps),
+                    "settling, unbalanced " + rounded(balance.mean, 2));
+    }
+    if (!settling.is_at_rest(model))
       return "unbalanced by " + rounded(balance.mean, 2) + " of all forces after " +
-             std::to_string(balance.steps) + " steps";
+             std::to_string(settling.steps) + " steps" +
+             (settling.is_driven ? ", \"" + endless_motion(model) + "\" moves and never stops" : "");
   }
   return {};
 }
 
-/// Blocks that have moved by more than a hundredth of its size, the farthest first.
+/// Blocks that have moved by more than a tenth of what the farthest has, that one first.
 std::string movers(const Layout& layout, const Frame& standing, const Frame& fallen) {
-  constexpr double told_share = 0.01;
+  constexpr double told_share = 0.1;
   constexpr std::size_t most_names = 5;
   std::vector<std::pair<double, std::size_t>> moved;
+  double farthest = 0;
   for (std::size_t i = 0; i < fallen.blocks.size(); ++i) {
     const std::vector<Point>&then = standing.blocks[i].vertices, &now = fallen.blocks[i].vertices;
-    double way = 0, size = 0;
-    for (std::size_t k = 0; k < now.size(); ++k) {
-      way = std::max(way, length(minus(now[k], then[k])));
-      size = std::max(size, length(minus(then[k], then[0])));
-    }
-    if (way > told_share * size) moved.push_back({-way, i});
+    double way = 0;
+    for (std::size_t k = 0; k < now.size(); ++k) way = std::max(way, length(minus(now[k], then[k])));
+    if (way > 0) moved.push_back({-way, i});
+    farthest = std::max(farthest, way);
   }
+  std::erase_if(moved, [&](const auto& mover) { return -mover.first < told_share * farthest; });
   std::sort(moved.begin(), moved.end());
   std::string text = std::to_string(moved.size()) + " of " + std::to_string(fallen.blocks.size());
   for (std::size_t k = 0; k < std::min(moved.size(), most_names); ++k)
@@ -53,50 +67,148 @@ std::string movers(const Layout& layout, const Frame& standing, const Frame& fal
   return text + (moved.size() > most_names ? ", ..." : "");
 }
 
-std::string factor_text(const hs_strength_report& found) {
-  if (!found.stands_at_low) return "below " + rounded(found.low, 4) + ": the scene falls even there";
-  if (!found.falls_at_high) return "above " + rounded(found.high, 4) + ": the scene stands even there";
-  return rounded(found.factor, 4) + ", between " + rounded(found.low, 5) + ", where it stands, and " +
-         rounded(found.high, 5) + ", where it falls";
+/// Bisection between two factors. Trials that are known are not run again.
+class Search {
+ public:
+  Search(const SafetyOptions& options, const std::string& scene_text, OutputDirectory& directory)
+      : options_(options),
+        directory_(directory),
+        name_("# trials of scene " + std::to_string(hash_of(scene_text)) + ", limit " +
+              shortest(options.limit) + " m, by halfspace " + hs_version()) {
+    if (!options.resumes) {
+      directory.write(file, csv_of(known_, name_));
+      return;
+    }
+    try {
+      known_ = trials_from(content_of((directory.path() / file).string()), name_);
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error("cannot resume from " + (directory.path() / file).string() + ": " +
+                               error.what());
+    }
+  }
+
+  /// False when it was interrupted.
+  bool run(SafetyTrials& trials) {
+    if (!take(trials, options_.low)) return false;
+    if (!stands_) return true;
+    if (!take(trials, options_.high)) return false;
+    while (falls_ && falls_->factor - stands_->factor > options_.resolution) {
+      const double middle = 0.5 * (stands_->factor + falls_->factor);
+      if (middle <= stands_->factor || middle >= falls_->factor) break;  // there is no number between them
+      if (!take(trials, middle)) return false;
+    }
+    return true;
+  }
+
+  const std::optional<Trial>& stands() const { return stands_; }
+  const std::optional<Trial>& falls() const { return falls_; }
+  bool is_found() const { return stands_ && falls_; }
+  std::size_t count() const { return known_.size(); }
+  /// All trials that a search of this bracket takes.
+  double count_of_all() const {
+    return 2 + std::ceil(std::log2((options_.high - options_.low) / options_.resolution));
+  }
+
+  std::string factor_text(bool is_over) const {
+    if (is_found()) {
+      const std::string bracket = "between " + rounded(stands_->factor, 5) + ", where it stands, and " +
+                                  rounded(falls_->factor, 5) + ", where it falls";
+      return is_over ? rounded(0.5 * (stands_->factor + falls_->factor), 4) + ", " + bracket : bracket;
+    }
+    if (falls_) return "below " + rounded(falls_->factor, 4) + ": the scene falls even there";
+    if (stands_) return "above " + rounded(stands_->factor, 4) + ": the scene stands even there";
+    return "not known yet";
+  }
+
+  static constexpr const char* file = "trials.csv";
+
+ private:
+  bool take(SafetyTrials& trials, double factor) {
+    const auto known = std::find_if(known_.begin(), known_.end(),
+                                    [&](const Trial& trial) { return trial.factor == factor; });
+    std::optional<Trial> trial;
+    if (known != known_.end()) {
+      trial = *known;
+    } else {
+      trial = trials.at(factor);
+      if (!trial) return false;
+      known_.push_back(*trial);
+      directory_.write(file, csv_of(known_, name_));
+    }
+    (trial->stands ? stands_ : falls_) = trial;
+    return true;
+  }
+
+  const SafetyOptions& options_;
+  OutputDirectory& directory_;
+  const std::string name_;
+  std::vector<Trial> known_;
+  std::optional<Trial> stands_, falls_;
+};
+
+/// Pictures and tables of what stood and of what fell last, and what is told of them.
+std::string show_fall(const Scene& scene, Model& model, SafetyTrials& trials, std::size_t bonds_before,
+                      OutputDirectory& directory) {
+  const Frame& standing = trials.standing();
+  trials.show_last_fallen();
+  RunStage stage(scene, standing);
+  stage.add(standing);
+  const Frame fallen = model.frame();
+  stage.add(fallen);
+  directory.write("stands.svg", picture(stage.stage(), scene, model.layout(), standing, standing));
+  if (!trials.has_fallen()) return {};
+  std::string text = report_line("what moves", movers(model.layout(), standing, fallen));
+  const std::size_t failed = model.bond_events().size() - bonds_before;
+  if (!scene.bonds.empty()) {
+    text += report_line("bonds", std::to_string(failed) + " of their points fail");
+    directory.write("cracks.csv", cracks_table(model));
+  }
+  directory.write("falls.svg", picture(stage.stage(), scene, model.layout(), standing, fallen));
+  return text;
 }
 
 }  // namespace
 
-SafetyResult find_factor_of_safety(const Scene& scene, Model& model, const SafetyOptions& options,
-                                   OutputDirectory& directory) {
+SafetyResult find_factor_of_safety(const Scene& scene, Model& model, const std::string& scene_text,
+                                   const SafetyOptions& options, OutputDirectory& directory) {
+  remember_interrupts();
   SafetyResult result;
   result.report = report_line("scene", scene.title);
-  const std::string trouble = not_settled(scene, model);
+  Search search(options, scene_text, directory);
+  Progress progress;
+  const std::string trouble = not_settled(scene, model, progress);
   if (!trouble.empty()) {
+    if (interrupt_asked()) result.end = SafetyEnd::interrupted;
     result.report += report_line("not at rest", trouble + ": no factor is looked for");
     directory.write("safety.txt", result.report);
     return result;
   }
-  hs_strength_def def;
-  hs_strength_def_init(&def, sizeof def);
-  def.low = options.low;
-  def.high = options.high;
-  def.resolution = options.resolution;
-  const Frame standing = model.frame();
+  std::vector<double> limits = limits_of(scene, model);
+  if (options.limit > 0) limits.assign(limits.size(), options.limit);
+  const double farthest = *std::max_element(limits.begin(), limits.end());
   const std::size_t bonds_before = model.bond_events().size();
-  const auto [found, falls] = model.find_strength_factor(def);
-  result.is_found = found.stands_at_low && found.falls_at_high;
-  result.report += report_line("factor of safety", factor_text(found)) +
-                   report_line("trials", std::to_string(found.trials));
-  RunStage stage(scene, standing);
-  stage.add(standing);
-  const Frame fallen = falls ? model.frame() : standing;
-  stage.add(fallen);
-  directory.write("stands.svg", picture(stage.stage(), scene, model.layout(), standing, standing));
-  if (falls) {
-    result.report += report_line("what moves", movers(model.layout(), standing, fallen));
-    const std::size_t failed = model.bond_events().size() - bonds_before;
-    if (!scene.bonds.empty()) {
-      result.report += report_line("bonds", std::to_string(failed) + " of their points fail");
-      directory.write("cracks.csv", cracks_table(model));
-    }
-    directory.write("falls.svg", picture(stage.stage(), scene, model.layout(), standing, fallen));
+  SafetyTrials trials(model, std::move(limits), [&](std::int64_t steps, double unbalanced) {
+    const double of_trial = static_cast<double>(steps) / static_cast<double>(SafetyTrials::most_steps);
+    progress.show((static_cast<double>(search.count()) + of_trial) / search.count_of_all(),
+                  "trial " + std::to_string(search.count() + 1) + ", " + search.factor_text(false) +
+                      ", unbalanced " + rounded(unbalanced, 2));
+  });
+  bool is_over = search.run(trials);
+  // A fall that is known from before is seen once it has been run again.
+  if (is_over && search.falls() && !trials.has_fallen())
+    is_over = trials.at(search.falls()->factor).has_value();
+  if (!is_over) result.end = SafetyEnd::interrupted;
+  if (is_over && search.is_found()) result.end = SafetyEnd::found;
+  result.report +=
+      report_line("factor of safety", (is_over ? "" : "INTERRUPTED: ") + search.factor_text(is_over)) +
+      report_line("trials", std::to_string(search.count())) +
+      report_line("limit",
+                  rounded(farthest, 3) + " m: what moves farther, or less where it is smaller, has fallen");
+  if (const std::optional<Trial>& stands = search.stands(); stands && !stands->block.empty()) {
+    result.report += report_line("crept", stands->block + " by " + rounded(stands->moved, 3) + " m at " +
+                                              rounded(stands->factor, 5) + ", where it stands");
   }
+  result.report += show_fall(scene, model, trials, bonds_before, directory);
   directory.write("safety.txt", result.report);
   return result;
 }

@@ -1,8 +1,14 @@
 """The factor of safety: a block on a plane, held by friction and by a bond, and what cannot be found."""
 import math
+import os
+import pty
 import re
+import shutil
+import signal
+import subprocess
+import time
 
-from command import SceneTest, main
+from command import COMMAND, SceneTest, halfspace, main
 
 SLOPE = """title = "A block on a plane"
 dimension = 2
@@ -97,6 +103,73 @@ class Safety(SceneTest):
         sliding = scene_of(RIGID, 40).replace("duration = 1\n", "") + '[[stage]]\ndo = "settle"\nmost_steps = 2000\n'
         self.assertIn("not at rest", self.safety(sliding, code=1))
         self.assertIn("--low", self.safety(scene_of(RIGID, 20), "--low", 3, "--high", 2, code=2))
+
+    def test_the_limit_is_the_users_and_by_default_the_joints(self):
+        told = self.safety(scene_of(RIGID, 20))
+        # The joint yields by tan 30 W cos 20 / (1e10 Pa/m 5 m2), and is pressed in by W cos 20 / (1e10 Pa/m 5 m2): with
+        # W = 250 kN ten times that is far below 1e-3 of the block's diagonal, 5.39 m.
+        self.assertRegex(told, r"limit +0.00539 m")
+        self.assertRegex(told, r"crept +block by \S+ m at 1\.\d+, where it stands")
+        wanted = math.tan(math.radians(30)) / math.tan(math.radians(20))
+        for limit in 1e-3, 0.5:
+            told = self.safety(scene_of(RIGID, 20), "--limit", limit)
+            self.assertRegex(told, rf"limit +{limit:g} m")
+            self.assertAlmostEqual(float(re.search(r"factor of safety +([\d.]+), between", told).group(1)), wanted, delta=0.003)
+
+    def test_what_slides_until_it_locks_has_fallen(self):
+        # It slides for 8 cm and comes to rest at a stop.
+        stop = RIGID + """
+[[block]]
+name = "stop"
+kind = "fixed"
+material = "ground"
+vertices = [[5.08, 0], [6, 0], [6, 1], [5.08, 1]]
+rotation = -{dip}
+"""
+        wanted = math.tan(math.radians(30)) / math.tan(math.radians(20))
+        self.assertAlmostEqual(self.factor(scene_of(stop, 20)), wanted, delta=0.003)
+        self.assertIn("above 5: the scene stands even there", self.safety(scene_of(stop, 20), "--limit", 0.2, code=1))
+
+    def test_an_interrupted_search_keeps_its_trials_and_goes_on(self):
+        whole = self.safety(scene_of(RIGID, 20))
+        trials = (self.output / "trials.csv").read_text()
+        rows = trials.splitlines()
+        self.assertGreater(len(rows), 8)
+        (self.output / "trials.csv").write_text("\n".join(rows[:6]) + "\n")
+        again = halfspace("safety", self.scene, "-o", self.output, "--resume")
+        self.assertEqual((again.returncode, again.stdout), (0, whole))
+        self.assertEqual((self.output / "trials.csv").read_text(), trials)
+        shutil.rmtree(self.output)
+        with subprocess.Popen([COMMAND, "safety", str(self.scene), "-o", str(self.output), "--resolution", "1e-12"],
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+            while process.poll() is None and (not (self.output / "trials.csv").exists() or
+                                              len((self.output / "trials.csv").read_text().splitlines()) < 5):
+                time.sleep(0.01)
+            process.send_signal(signal.SIGINT)
+            told, error = process.communicate(timeout=120)
+        self.assertEqual(process.returncode, 1)
+        self.assertRegex(told, r"factor of safety +INTERRUPTED: ")
+        self.assertIn("--resume goes on", error)
+        self.assertEqual((self.output / "safety.txt").read_text(), told)
+        self.assertEqual(halfspace("safety", self.scene, "-o", self.output, "--resume").stdout, whole)
+
+    def test_trials_of_another_scene_are_refused(self):
+        self.safety(scene_of(RIGID, 20))
+        self.scene.write_text(scene_of(RIGID, 21))
+        answer = halfspace("safety", self.scene, "-o", self.output, "--resume")
+        self.assertEqual(answer.returncode, 1)
+        self.assertIn("cannot resume from", answer.stderr)
+
+    def test_progress_on_a_terminal(self):
+        self.scene.write_text(scene_of(RIGID, 20))
+        controller, terminal = pty.openpty()
+        with subprocess.Popen([COMMAND, "safety", str(self.scene), "-o", str(self.output)], stdout=subprocess.DEVNULL,
+                              stderr=terminal) as process:
+            self.assertEqual(process.wait(timeout=600), 0)
+        os.close(terminal)
+        shown = os.read(controller, 1 << 16).decode()
+        os.close(controller)
+        self.assertRegex(shown, r"\[#* *\] \d+ %  (settling|trial \d+), ")
 
     def test_scenes_that_run_are_refused(self):
         text = scene_of(RIGID, 20).replace("duration = 1\n", "") + '[[stage]]\ndo = "run"\nduration = 1\n'
