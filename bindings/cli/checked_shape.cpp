@@ -75,9 +75,16 @@ std::vector<Shape> CheckedShapes::from_file(const Block& block) {
   }
   std::vector<Shape> shapes;
   try {
+    std::size_t inside_out = 0;
+    std::string first;
     for (const Solid& solid : read_solids(block.file)) {
       shapes.push_back(make_convex(context_, solid, block.scale));
+      if (is_inside_out(solid) && ++inside_out == 1) first = solid.place;
     }
+    if (inside_out > 0)
+      faults_.note(block.shape_place, block.making.key + ".file",
+                   first + ": " + std::to_string(inside_out) + (inside_out == 1 ? " surface" : " surfaces") +
+                       " inside out: turned round; usual: faces counter-clockwise seen from outside");
   } catch (const MeshFault& error) {
     fault(error.what());
     return {};

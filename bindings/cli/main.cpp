@@ -14,7 +14,7 @@
 #include "layout.h"
 #include "library.h"
 #include "model.h"
-#include "notes.h"
+#include "notes/notes.h"
 #include "plan/plan.h"
 #include "read_scene.h"
 #include "run.h"

@@ -8,6 +8,7 @@
 #include "deep_key.h"
 #include "files.h"
 #include "keys.h"
+#include "notes/unusual_values.h"
 #include "read_blocks.h"
 #include "read_reference.h"
 #include "read_stages.h"
@@ -28,7 +29,6 @@ void read_world(Keys keys, bool has_stages, Scene& scene) {
   std::copy(gravity.begin(), gravity.end(), world.gravity);
   scene.duration = has_stages ? 0 : keys.number("duration", above(0), required);
   world.time_step = keys.number("time_step", above(0), world.time_step);
-  scene.time_step_place = keys.place("time_step");
   world.safety = keys.number("safety", {.low = 0, .high = 1, .with_low = false}, world.safety);
   world.local_damping =
       keys.number("local_damping", {.low = 0, .high = 1, .with_high = false}, world.local_damping);
@@ -45,6 +45,13 @@ void read_world(Keys keys, bool has_stages, Scene& scene) {
                "a scene with stages has it in them; allowed: rest_speed in a [[stage]] that runs");
   scene.rest_speed = keys.number("rest_speed", above(0), scene.rest_speed);
   scene.threads = static_cast<int>(keys.integer("threads", 1, most_threads, scene.threads));
+  Scene::Places& places = scene.places;
+  places.gravity = keys.place("gravity");
+  places.time_step = keys.place("time_step");
+  places.duration = keys.place("duration");
+  places.sleep_tolerance = keys.place("sleep_tolerance");
+  places.potential_length = keys.place("potential_length");
+  places.rest_speed = keys.place("rest_speed");
   keys.finish();
 }
 
@@ -64,7 +71,8 @@ std::optional<hs_elasticity_def> read_elasticity(Keys& keys) {
 
 void read_materials(std::vector<Keys> tables, Scene& scene) {
   for (Keys& keys : tables) {
-    Material material{read_name(keys), keys.number("density", above(0), required), read_elasticity(keys)};
+    Material material{read_name(keys), keys.number("density", above(0), required), read_elasticity(keys),
+                      keys.place("name")};
     const bool twice = std::any_of(scene.materials.begin(), scene.materials.end(),
                                    [&](const Material& other) { return other.name == material.name; });
     if (twice && !material.name.empty())
@@ -104,6 +112,7 @@ void read_law_values(Keys& keys, hs_law_def& law, bool is_whole) {
 void read_default_law(Keys keys, Scene& scene) {
   hs_law_def_init(&scene.default_law, sizeof scene.default_law);
   read_law_values(keys, scene.default_law, true);
+  scene.places.default_law = keys.place();
   keys.finish();
 }
 
@@ -123,7 +132,7 @@ void read_laws(std::vector<Keys> tables, Scene& scene) {
                                 "\" and \"" + scene.materials[static_cast<std::size_t>(b)].name +
                                 "\" was given before; allowed: one law for two materials");
     }
-    scene.laws.push_back({a, b, law});
+    scene.laws.push_back({a, b, law, keys.place("between")});
   }
 }
 
@@ -133,6 +142,8 @@ void read_output(Keys keys, Scene& scene) {
       keys.number("frame_interval", above(0),
                   scene.duration > 0 ? scene.duration / 50 : std::numeric_limits<double>::infinity());
   output.history_interval = keys.number("history_interval", above(0), output.frame_interval);
+  scene.places.frame_interval = keys.place("frame_interval");
+  scene.places.history_interval = keys.place("history_interval");
   output.tracked = keys.texts("tracked", output.tracked_places, std::vector<std::string>{});
   output.contacts = keys.truth("contacts", output.contacts);
   Keys picture = keys.table("picture", false);
@@ -210,6 +221,7 @@ Scene read_scene_text(const std::string& content, const std::string& file, Fault
   }
   try {
     const toml::table table = toml::parse(content, file);
+    note_unusual_values(table, faults);
     return read_top(Keys(table, "", faults), std::filesystem::path(file).parent_path().string(), faults);
   } catch (const toml::parse_error& error) {
     const toml::source_position begin = error.source().begin;

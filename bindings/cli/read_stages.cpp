@@ -50,6 +50,7 @@ SceneStage read_stage(Keys& keys) {
     stage.ramp = keys.number("ramp", {.low = 0, .high = stage.duration}, stage.ramp);
   }
   if (keys.has_any({"gravity"})) stage.gravity = keys.point("gravity", required);
+  stage.gravity_place = keys.place("gravity");
   stage.local_damping = change(keys, "local_damping", {.low = 0, .high = 1, .with_high = false});
   stage.mass_damping = change(keys, "mass_damping", at_least(0));
   stage.strength_factor = change(keys, "strength_factor", above(0));
@@ -69,7 +70,7 @@ void read_bonds(std::vector<Keys> tables, Scene& scene) {
     const std::optional<std::pair<int, int>> between = read_between(keys, scene);
     const hs_bond_def def = read_bond(keys);
     keys.finish();
-    if (between) scene.bonds.push_back({between->first, between->second, def});
+    if (between) scene.bonds.push_back({between->first, between->second, def, keys.place("between")});
   }
 }
 

@@ -27,6 +27,7 @@ struct Material {
   std::string name;
   double density = 0;
   std::optional<hs_elasticity_def> elasticity;  ///< affine blocks need one
+  Place place = {};                             ///< of the name, for notes
 };
 
 /// Does it move by Newton's law?
@@ -44,6 +45,7 @@ struct PairLaw {
   int a = 0;
   int b = 0;
   hs_law_def law{};
+  Place place = {};  ///< of the materials' names, for notes
 };
 
 /// The bonds between the blocks of two materials, named by their indices.
@@ -51,6 +53,7 @@ struct PairBond {
   int a = 0;
   int b = 0;
   hs_bond_def def{};
+  Place place = {};  ///< of the materials' names, for notes
 };
 
 /// A part of a run with an end of its own: the world is brought to rest, or runs on. What changes does so
@@ -71,6 +74,7 @@ struct SceneStage {
   std::optional<double> loads = {};         ///< all loads of meshes are those of the scene times this
   std::vector<std::string> excavated = {};  ///< names of blocks, generators and meshes, or "mesh/group"
   Place excavated_place = {};               ///< for faults
+  Place gravity_place = {};                 ///< for notes
   bool resets_displacement = false;
 };
 
@@ -252,8 +256,13 @@ struct Scene {
   std::string folder;  ///< of the scene file; the names of other files are relative to it
   std::string title;
   hs_world_def world{};
-  Place time_step_place;  ///< for notes
   double duration = 0;
+  /// Where keys stand, for notes: of [world], [default_law] and [output].
+  struct Places {
+    Place gravity, time_step, duration, sleep_tolerance, potential_length, default_law, rest_speed;
+    Place frame_interval, history_interval;
+  };
+  Places places;
   double rest_speed = 0;  ///< 0: the run never ends early
   int threads = 1;
   bool has_all_names = true;  ///< or tables or names are misspelt, so that a name may be known none the less

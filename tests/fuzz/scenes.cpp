@@ -4,7 +4,7 @@
 #include "fuzz/demand.h"
 #include "layout.h"
 #include "model.h"
-#include "notes.h"
+#include "notes/notes.h"
 #include "read_scene.h"
 
 namespace halfspace_fuzz {

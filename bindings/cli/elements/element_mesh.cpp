@@ -45,6 +45,30 @@ class UsedNodes {
   std::vector<int> index_;
 };
 
+/// Elements of a file that are of one unusual kind.
+struct Oddities {
+  void add(const GmshFile::Element& element) {
+    if (!first) first = &element;
+    ++count;
+  }
+  void note(const GmshFile& file, const std::string& text, ElementMesh& mesh) const {
+    if (!first) return;
+    mesh.notes.push_back(file.place(*first) + ": " + std::to_string(count) +
+                         (count == 1 ? " element " : " elements ") + text);
+  }
+  const GmshFile::Element* first = nullptr;
+  std::size_t count = 0;
+};
+
+/// A file may list an element once for each of its groups, but not again in one that it is in.
+bool is_repeated(const std::vector<int>& groups, std::vector<int>& known) {
+  const bool is_new = std::any_of(groups.begin(), groups.end(), [&](int group) {
+    return std::find(known.begin(), known.end(), group) == known.end();
+  });
+  known.insert(known.end(), groups.begin(), groups.end());
+  return !is_new;
+}
+
 void require_level(const GmshFile& file, const ElementMesh& mesh) {
   for (const Point& node : mesh.nodes) {
     if (node[2] != mesh.nodes[0][2])
@@ -105,6 +129,8 @@ ElementMesh mesh_of_file(const GmshFile& file, double scale, int dimension) {
   UsedNodes used(file, scale);
   std::vector<int> cell_of(file.elements.size(), -1);
   std::map<std::vector<int>, int> known;  // cells by their nodes: a file may list one for each of its groups
+  std::vector<std::vector<int>> groups_of;  // groups of each cell
+  Oddities repeated, clockwise;
   for (std::size_t i = 0; i < file.elements.size(); ++i) {
     const GmshFile::Element& element = file.elements[i];
     if (element.form->dimension != dimension) continue;
@@ -114,10 +140,19 @@ ElementMesh mesh_of_file(const GmshFile& file, double scale, int dimension) {
     std::sort(key.begin(), key.end());
     const auto [same, is_new] = known.emplace(std::move(key), static_cast<int>(mesh.cells.size()));
     cell_of[i] = same->second;
-    if (!is_new) continue;
+    if (is_new) {
+      groups_of.push_back(element.groups);
+    } else {
+      if (is_repeated(element.groups, groups_of[static_cast<std::size_t>(same->second)]))
+        repeated.add(element);
+      continue;
+    }
     ElementMesh::Cell cell{.kind = element.form->cell_kind, .nodes = {}};
     for (const int node : element.nodes) cell.nodes.push_back(used.use(node, mesh));
-    if (dimension == 2 && size_of(mesh, cell) < 0) std::reverse(cell.nodes.begin() + 1, cell.nodes.end());
+    if (dimension == 2 && size_of(mesh, cell) < 0) {
+      std::reverse(cell.nodes.begin() + 1, cell.nodes.end());
+      clockwise.add(element);
+    }
     if (!(size_of(mesh, cell) > 0))
       throw MeshFault(file.place(element),
                       dimension == 2 ? "a cell without an area" : "a cell that is flat or inside out");
@@ -128,6 +163,8 @@ ElementMesh mesh_of_file(const GmshFile& file, double scale, int dimension) {
                                               : "no cell; allowed in 3D: tetrahedra, hexahedra and prisms");
   }
   if (dimension == 2) require_level(file, mesh);
+  repeated.note(file, "with the nodes of an earlier one: left out; usual: each element once", mesh);
+  clockwise.note(file, "inside out: turned round; usual: nodes counter-clockwise", mesh);
   std::map<std::string, std::size_t> index_of;
   for (const std::string& name : file.groups) {
     if (index_of.emplace(name, mesh.groups.size()).second) mesh.groups.push_back({.name = name});

@@ -24,6 +24,7 @@ struct ElementMesh {
   std::vector<Point> nodes = {};
   std::vector<Cell> cells = {};
   std::vector<Group> groups = {};
+  std::vector<std::string> notes = {};  ///< about elements of its file that are seldom meant so
 
   /// Null when no group has the name.
   const Group* group(const std::string& name) const;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "elements/element_mesh.h"
+#include "elements/loose_nodes.h"
 #include "files.h"
 #include "mesh/mesh_fault.h"
 #include "placing.h"
@@ -35,6 +36,7 @@ class MeshPlanner {
   }
 
   LaidOutMesh whole() {
+    if (!given_.file.empty()) note_file();
     choose_materials();
     choose_bodies();
     make_bodies();
@@ -48,6 +50,15 @@ class MeshPlanner {
   }
 
  private:
+  /// Bodies of a mesh that is divided need not share nodes.
+  void note_file() {
+    std::vector<std::string> notes = mesh_.notes;
+    if (given_.division == MeshDivision::whole)
+      for (const std::string& text : loose_nodes(mesh_, surface_))
+        notes.push_back(std::filesystem::path(given_.file).filename().string() + ": " + text);
+    for (const std::string& text : notes) faults_.note(given_.shape_place, given_.making.key + ".file", text);
+  }
+
   void fault(const MeshPart& part, const std::string& text) { faults_.add(part.place, part.key, text); }
 
   /// Null, and a fault, where there is no such group.

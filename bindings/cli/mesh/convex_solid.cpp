@@ -86,4 +86,11 @@ Shape make_convex(const Context& context, const Solid& solid, double scale) {
   return hull;
 }
 
+bool is_inside_out(const Solid& solid) {
+  std::vector<Point> vertices = solid.vertices;
+  const Point origin = vertices[0];
+  for (Point& p : vertices) p = minus(p, origin);
+  return windings(vertices, solid.faces, 1) < 0;
+}
+
 }  // namespace halfspace::cli

@@ -11,4 +11,7 @@ namespace halfspace::cli {
 /// state coordinates by six digits or in single precision. @throws MeshFault if it is not convex
 Shape make_convex(const Context& context, const Solid& solid, double scale);
 
+/// Do the faces run clockwise seen from outside?
+bool is_inside_out(const Solid& solid);
+
 }  // namespace halfspace::cli

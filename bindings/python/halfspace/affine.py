@@ -63,6 +63,7 @@ class AffineBlocks(BlockArrays):
     def set_elasticity(self, material: int, elasticity: Elasticity) -> None:
         """Makes a material elastic, for affine blocks. Blocks that have the material keep their strain."""
         self._call(library.hs_world_set_elasticity, index(material, "material"), elasticity._as_struct())
+        self._given.see(f"material[{material}]", elasticity)
 
     def deformation(self, block: int) -> Any:
         """How a block of any kind is turned and strained: a record of `DEFORMATION`.

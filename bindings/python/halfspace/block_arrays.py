@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._arrays import mutable_view_of, require_output, turns_view_of, view_of
 from ._library import library
+from .check import Given
 from .context import Context, Handle, held
 
 Floats = NDArray[np.float64]
@@ -25,6 +26,7 @@ class BlockArrays(Handle):
     ) -> None:
         super().__init__(context, pointer, destroy)
         self._dimension = dimension
+        self._given = Given()
         self._turns = np.empty((0, 3))  # angular velocities or torques of 2D on their way out
 
     @property

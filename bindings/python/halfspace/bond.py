@@ -67,6 +67,7 @@ class BondedBlocks(Bodies):
             block_id(block_b, "block_b"),
             bond._as_struct(),
         )
+        self._given.see(f"bond_blocks({block_a}, {block_b})", bond)
 
     def bond_materials(self, material_a: int, material_b: int, bond: Bond) -> int:
         """Bonds all pairs of blocks of two materials, which may be the same, along their common faces. Returns how
@@ -79,6 +80,10 @@ class BondedBlocks(Bodies):
             bond._as_struct(),
             ctypes.byref(count),
         )
+        name = f"bond_materials({material_a}, {material_b})"
+        self._given.see(name, bond)
+        if count.value == 0:
+            self._given.empty_bonds.append(name)
         return count.value
 
     def hold_bonds(self, are_held: bool = True) -> None:

@@ -281,6 +281,8 @@ class Bodies(AffineBlocks):
             bits,
             vector(velocity, "velocity"),
         )
+        body = int(body)
+        self._given.held[body] = "".join(set(self._given.held.get(body, "")) | set(axes)) if axes else ""
 
     def set_node_force(self, body: int, nodes: ArrayLike, force: ArrayLike) -> None:
         """Sets the force that acts on each of these nodes from outside, from now on."""

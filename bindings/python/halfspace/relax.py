@@ -2,6 +2,7 @@
 import ctypes
 from typing import Any, Tuple, Union
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _raw
@@ -66,14 +67,17 @@ class Statics(ReactingBlocks):
     def set_gravity(self, gravity: ArrayLike) -> None:
         """Sets gravity from now on, m/s2."""
         self._call(library.hs_world_set_gravity, vector(gravity, "gravity"))
+        self._given.see("gravity", np.array(vector(gravity, "gravity")[:]))
 
     def set_damping(self, local_damping: float = 0.0, mass_damping: float = 0.0) -> None:
         """Sets damping from now on, see `World`."""
         self._call(library.hs_world_set_damping, local_damping, mass_damping)
+        self._given.see("mass_damping", mass_damping)
 
     def set_time_step(self, time_step: float) -> None:
         """Sets the time step from now on; 0: a share of the stable one."""
         self._call(library.hs_world_set_time_step, time_step)
+        self._given.see("time_step", time_step)
 
     def set_strength_factor(self, factor: float) -> None:
         """Divides friction, cohesion and tensile strength of all laws and bonds, as they were given, by a factor."""

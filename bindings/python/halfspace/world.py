@@ -2,7 +2,7 @@
 import ctypes
 import operator
 import time
-from typing import Any, Callable, Dict, Optional, Tuple, Union
+from typing import Any, Callable, Dict, List, Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -25,6 +25,7 @@ from ._arrays import (
 )
 from ._library import library
 from .block_arrays import Floats
+from .check import Boxes, notes_on_gravity, notes_on_sizes, notes_on_support, notes_on_time_step
 from .constants import BlockKind, FastBlocks, choice
 from .context import Context, default_context, held
 from .law import Law
@@ -125,6 +126,9 @@ class World(Statics):
             if value is not None:
                 setattr(definition, name, value)
         self._make(context, dimension, library.hs_world_create, definition)
+        self._given.see("gravity", np.array(definition.gravity[:]))
+        for name in ("mass_damping", "time_step", "sleep_tolerance"):
+            self._given.see(name, getattr(definition, name))
         if law is not None:
             self.set_default_law(law)
 
@@ -163,7 +167,9 @@ class World(Statics):
         return World.restore, (self.save(),)
 
     def __copy__(self) -> "World":
-        return World.restore(self.save(), context=self.context)
+        other = World.restore(self.save(), context=self.context)
+        other._given = self._given.copy()
+        return other
 
     def __deepcopy__(self, _: Dict[int, Any]) -> "World":
         return self.__copy__()
@@ -184,11 +190,13 @@ class World(Statics):
         """Adds a material (density > 0) and returns its index."""
         material = ctypes.c_int32()
         self._call(library.hs_world_add_material, density, ctypes.byref(material))
+        self._given.see(f"material[{material.value}].density", density)
         return material.value
 
     def set_default_law(self, law: Law) -> None:
         """Sets the law of all pairs of materials that have none of their own."""
         self._call(library.hs_world_set_default_law, law._as_struct())
+        self._given.see("default_law", law)
 
     def set_law(self, material_a: int, material_b: int, law: Law) -> None:
         """Sets the law between two materials, in either order; the same one twice is legal."""
@@ -198,6 +206,8 @@ class World(Statics):
             index(material_b, "material_b"),
             law._as_struct(),
         )
+        first, second = sorted((int(material_a), int(material_b)))
+        self._given.see(f"law[{first}, {second}]", law)
 
     # ---- blocks ----
 
@@ -402,6 +412,49 @@ class World(Statics):
     def time(self) -> float:
         """Passed so far."""
         return float(self.report.time)
+
+    def check(self) -> List[str]:
+        """Notes on all that is legal but seldom meant: values that their unit makes unlikely (a density in t/m3, a
+        cohesion in MPa), gravity that does not point down, blocks that nothing holds up, bonds that were not made, a
+        time step above the stable one. Empty where there is nothing to note; nothing is changed.
+
+        A world that `restore` has made knows its blocks, but not its gravity, materials and laws.
+
+        Examples
+        --------
+        >>> world = World(gravity=(0, -9.81))
+        >>> stone = world.add_material(density=2.7)
+        >>> world.check()
+        ['material[0].density: 2.7 is unusual; usual: 50 to 19500 kg/m3, 2700 of rock']
+        """
+        given = self._given
+        with held(self):
+            boxes, velocities = self._boxes(), self.velocities
+            report = self.report
+        gravity = np.asarray(given.values.get("gravity", np.zeros(3)))
+        return [
+            *given.unusual(),
+            *notes_on_gravity(gravity, self.dimension),
+            *notes_on_support(boxes, gravity, velocities),
+            *notes_on_sizes(boxes, given.values.get("sleep_tolerance", 0.0)),
+            *notes_on_time_step(given.values.get("time_step"), float(report.stable_time_step)),
+            *(f"{name} made no bond; usual: blocks with a common face" for name in given.empty_bonds),
+        ]
+
+    def _boxes(self) -> Boxes:
+        ids = self.blocks
+        gravity = np.asarray(self._given.values.get("gravity", np.zeros(3)))
+        along = "xyz"[int(np.argmax(np.abs(gravity)))]
+        low, high = np.empty((2, len(ids), self.dimension))
+        moves, holds = np.zeros((2, len(ids)), bool)
+        for i, block in enumerate(ids):
+            corners = self.block_vertices(int(block))
+            low[i], high[i] = corners.min(axis=0), corners.max(axis=0)
+            kind = BlockKind(self.state(int(block)).kind)
+            moves[i] = kind not in (BlockKind.FIXED, BlockKind.PRESCRIBED)
+            body = self.body_of_block(int(block))[0] if kind is BlockKind.MESH else 0
+            holds[i] = not moves[i] or along in self._given.held.get(body, "")
+        return Boxes(ids, low, high, moves, holds)
 
     # ---- pictures ----
 

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <vector>
+
+#include "notes/separation.h"
+#include "notes/start.h"
+
+namespace halfspace::cli {
+
+/// The blocks of a scene and how they hang together: blocks that touch, and cells of one body that share a
+/// face.
+class Assembly {
+ public:
+  explicit Assembly(const Start& start);
+
+  /// For each block the first one of its cluster; for blocks that are gone themselves.
+  std::vector<std::size_t> clusters(const std::vector<char>& is_gone) const;
+
+  /// Fixed and prescribed blocks, and cells with nodes that are held along some of these
+  /// axes, a sum of HS_AXIS_ values.
+  std::vector<char> held_blocks(int axes) const;
+
+  const std::vector<ConvexBody>& bodies() const { return bodies_; }
+
+ private:
+  void connect_cells(const LayoutBody& body);
+
+  const Start& start_;
+  std::vector<ConvexBody> bodies_;
+  std::vector<Neighbours> neighbours_;
+  std::vector<std::pair<std::size_t, std::size_t>> connected_;  ///< cells
+};
+
+}  // namespace halfspace::cli

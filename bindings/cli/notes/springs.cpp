@@ -1,0 +1,116 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "loads.h"
+#include "notes/kinds.h"
+#include "text.h"
+#include "vector.h"
+
+namespace halfspace::cli {
+namespace {
+
+/// The springs between two blocks.
+class Springs {
+ public:
+  Springs(const Scene& scene, const Model& model) : scene_(scene), length_(model.report().potential_length) {}
+
+  /// Force per depth of faces that meet squarely over the mean section of the smaller of two blocks.
+  double stiffness(const Body& a, const Body& b) const {
+    const hs_law_def& law = between(a.state.material, b.state.material);
+    const double section = std::min(a.volume / a.thickness, b.volume / b.thickness);
+    if (law.stiffness_kind == HS_STIFFNESS_NONE) return HUGE_VAL;  // nothing yields
+    if (law.stiffness_kind == HS_STIFFNESS_PER_AREA) return law.normal_stiffness * section;
+    if (law.stiffness_kind == HS_STIFFNESS_POTENTIAL) return 2 * law.normal_stiffness / length_ * section;
+    return law.normal_stiffness;
+  }
+
+ private:
+  const hs_law_def& between(int a, int b) const {
+    for (const PairLaw& pair : scene_.laws) {
+      if (std::minmax(pair.a, pair.b) == std::minmax(a, b)) return pair.law;
+    }
+    return scene_.default_law;
+  }
+
+  const Scene& scene_;
+  double length_;
+};
+
+double inverse_mass(const Body& body) { return moves_freely(body.state.kind) ? 1 / body.state.mass : 0; }
+
+/// The worst pair of all that a note is about.
+struct Worst {
+  void add(std::size_t one, std::size_t other, double depth, double size) {
+    if (!(depth / size > share)) return;
+    share = depth / size;
+    block = one;
+    partner = other;
+    this->depth = depth;
+  }
+  double share = 0, depth = 0;
+  std::size_t block = 0, partner = 0;
+};
+
+}  // namespace
+
+/// A single block that sinks in by 1 % is told, and one under a pile by 10 %.
+void note_weights(const Start& start, Faults& faults) {
+  constexpr double told_share_alone = 0.01, told_share_in_a_pile = 0.1;
+  const Point gravity = point_of(start.scene.world.gravity);
+  const std::vector<double> loads = loads_of(start.frame, gravity);
+  const Springs springs(start.scene, start.model);
+  std::vector<std::int64_t> count_of(start.scene.materials.size());
+  for (const Body& body : start.bodies) ++count_of[static_cast<std::size_t>(body.state.material)];
+  Worst alone, in_a_pile;
+  for (std::size_t i = 0; i < start.bodies.size(); ++i) {
+    const Body& body = start.bodies[i];
+    if (!moves_freely(body.state.kind)) continue;
+    Body base = body;  // what it may lie on, as wide as the block itself
+    for (std::size_t material = 0; material < count_of.size(); ++material) {
+      base.state.material = static_cast<int32_t>(material);
+      const bool is_alone = base.state.material == body.state.material && count_of[material] == 1;
+      if (count_of[material] == 0 || is_alone) continue;
+      const double stiffness = springs.stiffness(body, base);
+      alone.add(i, i, body.state.mass * length(gravity) / stiffness, body.thickness);
+      in_a_pile.add(i, i, loads[i] / stiffness, body.thickness);
+    }
+  }
+  const bool is_pile = in_a_pile.share >= told_share_in_a_pile && in_a_pile.share > 1.01 * alone.share;
+  const Worst& worst = is_pile ? in_a_pile : alone;
+  if (worst.share < told_share_alone) return;
+  const LayoutBlock& block = start.layout.blocks[worst.block];
+  const std::string cause = is_pile ? "its weight and that of what is above it" : "its weight alone";
+  faults.note(block.place, block.key,
+              quoted(block.name) + " sinks " + rounded(worst.depth, 3) + " m, " + share_of_it(worst.share) +
+                  " its thickness, into what it lies on by " + cause +
+                  ": a stiffer normal_stiffness holds it up");
+}
+
+void note_speeds(const Start& start, Faults& faults) {
+  constexpr double told_share = 0.1;
+  const Springs springs(start.scene, start.model);
+  Worst worst;
+  for (std::size_t i = 0; i < start.bodies.size(); ++i) {
+    if (start.bodies[i].speed == 0 || start.bodies[i].state.kind == HS_BLOCK_MESH) continue;
+    for (std::size_t j = 0; j < start.bodies.size(); ++j) {
+      const double inverse = inverse_mass(start.bodies[i]) + inverse_mass(start.bodies[j]);
+      if (i == j || inverse == 0) continue;
+      const Motion &one = start.layout.blocks[i].motion, &other = start.layout.blocks[j].motion;
+      if (one.velocity == other.velocity && one.angular_velocity == other.angular_velocity) continue;
+      const double depth =
+          start.bodies[i].speed / std::sqrt(inverse * springs.stiffness(start.bodies[i], start.bodies[j]));
+      worst.add(i, j, depth, std::min(start.bodies[i].thickness, start.bodies[j].thickness));
+    }
+  }
+  if (worst.share < told_share) return;
+  const LayoutBlock& block = start.layout.blocks[worst.block];
+  faults.note(block.place, block.key,
+              quoted(block.name) + " at " + rounded(start.bodies[worst.block].speed, 3) +
+                  " m/s would be stopped by " + quoted(start.layout.blocks[worst.partner].name) +
+                  " only at a depth of " + rounded(worst.depth, 3) + " m, " + share_of_it(worst.share) +
+                  " the thinner one's thickness, v (m/k)^1/2: a stiffer normal_stiffness stops it earlier");
+}
+
+}  // namespace halfspace::cli

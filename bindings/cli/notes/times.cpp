@@ -1,0 +1,95 @@
+#include <algorithm>
+#include <string>
+
+#include "notes/kinds.h"
+#include "text.h"
+
+namespace halfspace::cli {
+namespace {
+
+void note_time_step(const Start& start, Faults& faults) {
+  constexpr double smallest_fraction = 1e-4;
+  const double given = start.scene.world.time_step, stable = start.model.report().stable_time_step;
+  if (!(stable > 0 && given > 0)) return;
+  const std::string step = shortest(given) + " s is ";
+  if (given > stable) {
+    faults.note(start.scene.places.time_step, "world.time_step",
+                step + "above the stable one, " + rounded(stable, 4) + " s");
+  } else if (given < smallest_fraction * stable) {
+    faults.note(
+        start.scene.places.time_step, "world.time_step",
+        step + "far below the stable one, " + rounded(stable, 4) + " s; usual: a tenth of it to all of it");
+  }
+}
+
+void note_duration(const Start& start, Faults& faults) {
+  constexpr double fewest_steps = 2, most_steps = 1e9;
+  const Scene& scene = start.scene;
+  const hs_world_report& report = start.model.report();
+  const double step =
+      scene.world.time_step > 0 ? scene.world.time_step : scene.world.safety * report.stable_time_step;
+  if (!(step > 0) || !scene.stages.empty()) return;
+  const double steps = scene.duration / step;
+  if (steps > most_steps) {
+    faults.note(scene.places.duration, "world.duration",
+                shortest(scene.duration) + " s takes " + rounded(steps, 2) + " steps of " + rounded(step, 3) +
+                    " s; usual: up to 1e8 steps");
+  } else if (steps < fewest_steps && step <= report.stable_time_step) {
+    faults.note(scene.places.duration, "world.duration",
+                shortest(scene.duration) + " s is shorter than " + rounded(fewest_steps, 1) + " steps of " +
+                    rounded(step, 3) + " s; usual: hundreds of steps");
+  }
+}
+
+void note_output(const Start& start, Faults& faults) {
+  constexpr double most_frames = 1e5, most_rows = 1e7;
+  const Scene& scene = start.scene;
+  const auto note = [&](Place place, const char* key, double interval, double most) {
+    if (!(scene.duration > 0)) return;
+    const std::string text = shortest(interval) + " s is ";
+    if (interval > scene.duration) {
+      faults.note(place, key, text + "longer than the run, " + shortest(scene.duration) + " s");
+    } else if (scene.duration / interval > most) {
+      faults.note(place, key,
+                  text + "short for " + shortest(scene.duration) + " s: " +
+                      rounded(scene.duration / interval, 2) + " of them; usual: up to " + shortest(most));
+    }
+  };
+  note(scene.places.frame_interval, "output.frame_interval", scene.output.frame_interval, most_frames);
+  if (scene.output.history_interval != scene.output.frame_interval)
+    note(scene.places.history_interval, "output.history_interval", scene.output.history_interval, most_rows);
+}
+
+/// Without damping nothing comes to rest.
+void note_rest(const Start& start, Faults& faults) {
+  const Scene& scene = start.scene;
+  const bool damps =
+      scene.world.local_damping > 0 || scene.world.mass_damping > 0 ||
+      any_law(scene, [](const hs_law_def& law) { return law.normal_damping > 0 || !has_spring(law); });
+  if (scene.rest_speed > 0 && !damps)
+    faults.note(scene.places.rest_speed, "world.rest_speed",
+                shortest(scene.rest_speed) +
+                    " m/s may never be reached, as nothing damps; usual: a normal_damping or local_damping");
+}
+
+void note_motions(const Start& start, Faults& faults) {
+  if (!(start.scene.duration > 0)) return;
+  for (const Block& block : start.scene.blocks) {
+    if (block.motion.start < start.scene.duration) continue;
+    faults.note(block.making.place, block.making.key,
+                quoted(block.making.name) + " starts to move at " + shortest(block.motion.start) +
+                    " s, after the end of the run, " + shortest(start.scene.duration) + " s");
+  }
+}
+
+}  // namespace
+
+void note_times(const Start& start, Faults& faults) {
+  note_time_step(start, faults);
+  note_duration(start, faults);
+  note_output(start, faults);
+  note_rest(start, faults);
+  note_motions(start, faults);
+}
+
+}  // namespace halfspace::cli

@@ -1,0 +1,76 @@
+#include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "notes/kinds.h"
+
+namespace halfspace::cli {
+namespace {
+
+std::set<int> used_materials(const Start& start) {
+  std::set<int> used;
+  for (const LayoutBlock& block : start.layout.blocks) used.insert(block.material);
+  return used;
+}
+
+void note_materials(const Start& start, const std::set<int>& used, Faults& faults) {
+  for (std::size_t i = 0; i < start.scene.materials.size(); ++i) {
+    const Material& material = start.scene.materials[i];
+    if (!used.contains(static_cast<int>(i)))
+      faults.note(material.place, "material[" + std::to_string(i) + "].name",
+                  "no block is of " + quoted(material.name));
+  }
+}
+
+void note_laws(const Start& start, const std::set<int>& used, Faults& faults) {
+  for (std::size_t i = 0; i < start.scene.laws.size(); ++i) {
+    const PairLaw& law = start.scene.laws[i];
+    for (const int material : std::set{law.a, law.b}) {
+      if (used.contains(material)) continue;
+      faults.note(law.place, "law[" + std::to_string(i) + "].between",
+                  "no block is of " + quoted(start.scene.materials[static_cast<std::size_t>(material)].name) +
+                      ", so that nothing follows this law");
+      break;
+    }
+  }
+}
+
+bool has_strength(const hs_law_def& law) { return law.cohesion > 0 || law.tensile_strength > 0; }
+
+/// Cohesion and tensile strength belong to contacts that exist at the start.
+void note_strengths(const Start& start, Faults& faults) {
+  if (!any_law(start.scene, has_strength)) return;
+  std::set<std::pair<int, int>> touching;
+  for (const hs_contact& contact : start.model.contacts())
+    touching.insert(std::minmax(start.layout.blocks[contact.block_a].material,
+                                start.layout.blocks[contact.block_b].material));
+  const std::string text =
+      "cohesion and tensile_strength act in contacts that exist at the start, and there is none";
+  std::set<std::pair<int, int>> own;  // pairs of materials with a law of their own
+  for (std::size_t i = 0; i < start.scene.laws.size(); ++i) {
+    const PairLaw& law = start.scene.laws[i];
+    own.insert(std::minmax(law.a, law.b));
+    const hs_law_def& from = start.scene.default_law;
+    const bool differs =
+        law.law.cohesion != from.cohesion || law.law.tensile_strength != from.tensile_strength;
+    if (differs && has_strength(law.law) && !touching.contains(std::minmax(law.a, law.b)))
+      faults.note(law.place, "law[" + std::to_string(i) + "]", text + " between these materials");
+  }
+  const bool is_default_used =
+      std::any_of(touching.begin(), touching.end(), [&](const auto& pair) { return !own.contains(pair); });
+  if (has_strength(start.scene.default_law) && !is_default_used)
+    faults.note(start.scene.places.default_law, "default_law", text + " that follows this law");
+}
+
+}  // namespace
+
+void note_unused(const Start& start, Faults& faults) {
+  const std::set<int> used = used_materials(start);
+  note_materials(start, used, faults);
+  note_laws(start, used, faults);
+  note_strengths(start, faults);
+}
+
+}  // namespace halfspace::cli

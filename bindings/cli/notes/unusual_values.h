@@ -1,0 +1,13 @@
+#pragma once
+
+#include <toml++/toml.h>
+
+#include "faults.h"
+
+namespace halfspace::cli {
+
+/// Notes each value of a scene file that its unit makes unlikely: a density in t/m3, a strength in MPa, an
+/// angle in radians.
+void note_unusual_values(const toml::table& scene, Faults& faults);
+
+}  // namespace halfspace::cli
