@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <type_traits>
 
 #include "force/spring/joint_face.h"
@@ -14,36 +15,36 @@ double Spring<D>::viscosity(double share_of_critical, double stiffness) const {
   return share_of_critical == 0 ? 0 : 2 * share_of_critical * std::sqrt(stiffness * reduced_mass_);
 }
 
-/// One spring at each point of the region, the contact's stiffness shared among them (eq. 36).
+/// One spring at each point of the region (eq. 36), and a dashpot beside it.
 template <int D>
-typename Spring<D>::NormalPart Spring<D>::per_contact(const Contact<D>& contact, const PairMotion<D>& motion,
-                                                      bool bonded, ContactEnergy& energy) const {
+typename Spring<D>::NormalPart Spring<D>::normal_part(const Contact<D>& contact,
+                                                      const PointSprings<D>& springs,
+                                                      const PairMotion<D>& motion, bool bonded,
+                                                      ContactEnergy& energy) const {
   constexpr std::size_t most_points = std::extent_v<decltype(Contact<D>::gaps)>;
   NormalPart normal;
   normal.base = base_of(contact);
   Vector<D> weighted = Vector<D>::Zero(), weighted_viscous = Vector<D>::Zero();
-  double depths[most_points] = {}, force_at[most_points] = {};
+  double force_at[most_points] = {};
   const double viscosity_of_all = viscosity(law_.normal_damping, law_.normal_stiffness);
   for (int i = 0; i < contact.point_count; ++i) {
     const double depth = -contact.gaps[i];
     if (depth < 0 && !bonded) continue;
-    const double stiffness = contact.shares[i] * law_.normal_stiffness;
+    const double stiffness = springs.part[i] * law_.normal_stiffness;
     const double elastic = stiffness * depth;
     double viscous = 0;
     if (law_.normal_damping > 0) {
       const double opening = contact.normal.dot(motion.relative_at(contact.points[i]));
-      viscous = -contact.shares[i] * viscosity_of_all * opening;
+      viscous = -springs.part[i] * viscosity_of_all * opening;
       if (!bonded) viscous = std::max(viscous, -elastic);  // a dashpot alone never pulls
       normal.viscous_force += viscous;
       weighted_viscous += viscous * contact.points[i];
     }
     energy.strain += 0.5 * elastic * depth;
-    depths[i] = depth;
     force_at[i] = elastic + viscous;
     normal.force += force_at[i];
     weighted += force_at[i] * contact.points[i];
   }
-  normal.couple = law_.normal_stiffness * couple_of_shares(contact, depths);
   const bool has_center = normal.force > 0 && !bonded;
   if (has_center) {
     normal.center = weighted / normal.force;
@@ -51,15 +52,16 @@ typename Spring<D>::NormalPart Spring<D>::per_contact(const Contact<D>& contact,
     // A bond pulls at one end and pushes at the other: what has no centre has a couple.
     normal.center = middle_of(contact);
     const Vector<D> moment_arm = weighted - normal.force * normal.center;
-    normal.couple += moment(moment_arm, contact.normal);
+    normal.couple = moment(moment_arm, contact.normal);
   }
   if (law_.normal_damping > 0) {
     const Vector<D> moment_arm = weighted_viscous - normal.viscous_force * normal.center;
     normal.viscous_couple = moment(moment_arm, contact.normal);
   }
   if (D == 3 && contact.point_count > 1) {
+    const double all_parts = std::accumulate(springs.part, springs.part + contact.point_count, 0.0);
     for (int i = 0; i < contact.point_count; ++i)
-      force_at[i] = has_center ? force_at[i] / normal.force : contact.shares[i];
+      force_at[i] = has_center ? force_at[i] / normal.force : springs.part[i] / all_parts;
     normal.twist_radius = twist_radius(contact, normal.center, force_at);
   }
   return normal;
@@ -68,9 +70,9 @@ typename Spring<D>::NormalPart Spring<D>::per_contact(const Contact<D>& contact,
 /// The stiffness per area times the overlap: the linear depth integrated over the region, moment included.
 /// The springs of an intact joint are spread over the faces that were one.
 template <int D>
-typename Spring<D>::NormalPart Spring<D>::per_area(const Contact<D>& contact, const Overlap<D>& overlap,
-                                                   const PairMotion<D>& motion, bool bonded,
-                                                   ContactEnergy& energy) const {
+typename Spring<D>::NormalPart Spring<D>::normal_part(const Contact<D>& contact, const Overlap<D>& overlap,
+                                                      const PairMotion<D>& motion, bool bonded,
+                                                      ContactEnergy& energy) const {
   NormalPart normal;
   Bed bed;
   if (bonded && is_joint_face(contact)) {
@@ -94,13 +96,15 @@ typename Spring<D>::NormalPart Spring<D>::per_area(const Contact<D>& contact, co
     bed.unevenness = overlap.unevenness();
   }
   bed.stiffness = law_.normal_stiffness * normal.base;
+  bed.reach = certain_reach(D - 1);
   damp(contact.normal, motion, bonded, bed, normal);
   return normal;
 }
 
 /// Dashpots spread as the springs are: they brake the bed's opening and its tilting alike. Where nothing is
-/// bonded they pull at most as much as leaves the centre of all that presses within the bed: for a bed of
-/// this spread, up to sqrt(3) times its radius of gyration from its middle, which is the end of an even one.
+/// bonded they pull at most as much as leaves the centre of all that presses within the bed: the springs'
+/// force is an even part in the middle and the rest at the end of what is certain to belong to the bed, and
+/// the even part less the dashpots' pull has its centre there, too.
 template <int D>
 void Spring<D>::damp(const Vector<D>& direction, const PairMotion<D>& motion, bool bonded, const Bed& bed,
                      NormalPart& normal) const {
@@ -109,7 +113,7 @@ void Spring<D>::damp(const Vector<D>& direction, const PairMotion<D>& motion, bo
   const Vector<D> slope = motion.opening_slope(direction), tilting = bed.spread * slope;
   double viscosity_here = viscosity(law_.normal_damping, bed.stiffness);
   if (!bonded) {
-    const double pull = opening + std::sqrt(slope.dot(tilting) / 3);
+    const double pull = opening + std::sqrt(std::max(slope.dot(tilting), 0.0)) / bed.reach;
     const double most = (1 - bed.unevenness) * normal.force;
     if (viscosity_here * pull > most) viscosity_here = most / pull;
   }
@@ -118,14 +122,6 @@ void Spring<D>::damp(const Vector<D>& direction, const PairMotion<D>& motion, bo
   normal.viscous_couple = -viscosity_here * moment(moment_arm, direction);
   normal.force += normal.viscous_force;
   normal.couple += normal.viscous_couple;
-}
-
-template <int D>
-typename Spring<D>::NormalPart Spring<D>::normal_part(const Contact<D>& contact, const Overlap<D>& overlap,
-                                                      const PairMotion<D>& motion, bool bonded,
-                                                      ContactEnergy& energy) const {
-  return law_.stiffness_kind == StiffnessKind::per_area ? per_area(contact, overlap, motion, bonded, energy)
-                                                        : per_contact(contact, motion, bonded, energy);
 }
 
 template <int D>
@@ -205,18 +201,18 @@ template <int D>
 }
 
 template <int D>
-PairLoad<D> Spring<D>::evaluate(const Contact<D>& contact, const Overlap<D>& overlap,
-                                const PairMotion<D>& motion, ShearSpring<D>& spring, bool& bonded,
-                                ContactEnergy& energy) const {
+template <class Base>
+PairLoad<D> Spring<D>::evaluate(const Contact<D>& contact, const Base& base, const PairMotion<D>& motion,
+                                ShearSpring<D>& spring, bool& bonded, ContactEnergy& energy) const {
   const ContactEnergy before = energy;
-  NormalPart normal = normal_part(contact, overlap, motion, bonded, energy);
+  NormalPart normal = normal_part(contact, base, motion, bonded, energy);
   ShearTrial trial = shear_trial(normal, contact.normal, motion, spring);
   if (bonded && !holds(normal, trial)) {
     // Torn or sheared off: what the bond held is lost, what is still compressed goes on without it.
     const double held = energy.strain - before.strain;
     bonded = false;
     energy = before;
-    normal = normal_part(contact, overlap, motion, bonded, energy);
+    normal = normal_part(contact, base, motion, bonded, energy);
     energy.friction_loss += held - (energy.strain - before.strain);
     trial = shear_trial(normal, contact.normal, motion, spring);
   }
@@ -233,12 +229,21 @@ PairLoad<D> Spring<D>::evaluate(const LineOfAction<D>& line, const PairMotion<D>
   normal.center = line.loading_point;
   normal.twist_radius = line.twist_radius;
   energy.strain += line.energy;
-  damp(line.direction, motion, false, {line.stiffness, line.loading_point, line.spread, 0}, normal);
+  damp(line.direction, motion, false,
+       {line.stiffness, line.middle, line.spread, certain_reach(D), line.unevenness()}, normal);
   const ShearTrial trial = shear_trial(normal, line.direction, motion, spring);
   return load(normal, trial, line.direction, spring, false, energy);
 }
 
 template class Spring<2>;
 template class Spring<3>;
+#define HALFSPACE_EVALUATE(D, BASE)                                                              \
+  template PairLoad<D> Spring<D>::evaluate(const Contact<D>&, const BASE&, const PairMotion<D>&, \
+                                           ShearSpring<D>&, bool&, ContactEnergy&) const;
+HALFSPACE_EVALUATE(2, PointSprings<2>)
+HALFSPACE_EVALUATE(2, Overlap<2>)
+HALFSPACE_EVALUATE(3, PointSprings<3>)
+HALFSPACE_EVALUATE(3, Overlap<3>)
+#undef HALFSPACE_EVALUATE
 
 }  // namespace halfspace
