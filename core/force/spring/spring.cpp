@@ -133,8 +133,9 @@ typename Spring<D>::ShearTrial Spring<D>::shear_trial(const NormalPart& normal, 
   const bool per_area = law_.stiffness_kind == StiffnessKind::per_area;
   trial.stiffness = law_.shear_stiffness * (per_area ? normal.base : 1);
   trial.velocity = slip_velocity(motion.relative_at(normal.center), direction, motion, normal.twist_radius);
-  trial.before = carried(spring, direction, motion, elapsed_);
-  trial.force = trial.before - trial.stiffness * (elapsed_ * trial.velocity);
+  trial.before = trial.force = carried(spring, direction, motion, elapsed_);
+  if (trial.stiffness < spring.stiffness) trial.force *= trial.stiffness / spring.stiffness;
+  trial.force -= trial.stiffness * (elapsed_ * trial.velocity);
   return trial;
 }
 
@@ -150,7 +151,10 @@ bool Spring<D>::holds(const NormalPart& normal, const ShearTrial& trial) const {
          trial.force.norm() <= shear_limit(normal, true);
 }
 
-/// Incremental shear spring with Mohr-Coulomb's limit (eqs. 37-40).
+/// Incremental shear spring with Mohr-Coulomb's limit (eqs. 37-40). Where its stiffness falls, as an area
+/// does that becomes smaller, the springs that part take their force and energy with them; where it grows,
+/// only new slip is stiffer, and of what is stored no more counts than comes back (Elata and Berryman 1996).
+/// So a spring never gives more than it took.
 template <int D>
 typename Spring<D>::ShearPart Spring<D>::shear_force(const NormalPart& normal, const ShearTrial& trial,
                                                      const Vector<D>& direction, ShearSpring<D>& spring,
@@ -163,15 +167,12 @@ typename Spring<D>::ShearPart Spring<D>::shear_force(const NormalPart& normal, c
   if (slides) force *= limit / wanted;
 
   // Work that motion put in and the spring does not hold is lost.
-  const auto energy_of = [&](const Shear<D>& f) {
-    return trial.stiffness > 0 ? 0.5 * f.squaredNorm() / trial.stiffness : 0;
-  };
-  if (spring.energy == preloaded) spring.energy = energy_of(before);
-  const double stored = energy_of(force);
+  if (spring.stiffness == preloaded) spring.stiffness = stiffness;
+  const double stored = shear_energy<D>(force, stiffness);
   const double put_in = -0.5 * (before + force).dot(slip);
-  energy.friction_loss += put_in - (stored - spring.energy);
+  energy.friction_loss += put_in - (stored - energy_of(spring));
   energy.strain += stored;
-  remember(spring, force, stored, direction);
+  remember(spring, force, stiffness, direction);
 
   if (law_.shear_damping == 0 || slides) return {force};
   Shear<D> total = force - viscosity(law_.shear_damping, stiffness) * velocity;
