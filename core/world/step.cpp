@@ -210,6 +210,7 @@ StepResult World<D>::step() {
   template void World<D>::move();                    \
   template StepResult World<D>::plan_rest();         \
   template StepResult World<D>::prepare_and_plan();  \
+  template auto World<D>::state();                   \
   template StepResult World<D>::plan_changed();      \
   template StepResult World<D>::step();
 
