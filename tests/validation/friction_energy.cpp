@@ -42,7 +42,8 @@ Strike strike(int dimension, int32_t kind, double friction, double angle, double
   (void)block;
   const double first = scene.energy().kinetic;
   double before = 0, least = 0;
-  while (scene.report().time < 0.08) {
+  // A block that turns may strike again: its energy is kinetic alone when it has left.
+  while (scene.report().time < 0.08 || (scene.report().contact_count > 0 && scene.report().time < 1)) {
     scene.step();
     const double loss = scene.energy().friction_loss;
     least = std::min(least, (loss - before) / first);
