@@ -27,7 +27,9 @@ struct DetectOptions {
 
   /// Beyond the parallel angle, and up to this one, features share a region as long as they overlap at more
   /// of its points than a simpler contact would have: so no spring is lost that bears.
-  double region_angle() const { return std::max(parallel_angle, std::min(5 * parallel_angle, 0.3)); }
+  double region_angle() const { return std::max(parallel_angle, std::min(15 * parallel_angle, 0.3)); }
+  /// A region so long and so deep has come down to one point before it is tilted by that angle.
+  bool outlasts(double length, double depth) const { return depth <= length * region_angle(); }
 };
 
 /// A facet of the Minkowski difference of two blocks is a potential contact pair (Wang et al. 2021, eqs. 9,

@@ -2,6 +2,7 @@
 
 #include "catch.h"
 #include "keys.h"
+#include "suggestion.h"
 
 using namespace halfspace::cli;
 

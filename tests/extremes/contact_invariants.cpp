@@ -11,7 +11,7 @@ namespace {
 
 constexpr double unit_roundoff = 0x1p-53;
 constexpr double default_vertex_zone = 0.001;
-constexpr double region_angle = 0.05;  // five times the parallel angle
+constexpr double region_angle = 0.15;  // fifteen times the parallel angle
 
 struct LongPoint {
   long double x, y;

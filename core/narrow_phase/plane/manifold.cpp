@@ -124,7 +124,9 @@ void describe_contact(const Outline<2>& a, const Outline<2>& b, const Vector<2>&
       if (from < to) {
         describe_edge_edge(f, facing, from, to, contact);
         const bool both_overlap = std::max(contact.gaps[0], contact.gaps[1]) < 0;
-        if (facing.sine < options.parallel_angle || both_overlap) break;
+        if (facing.sine < options.parallel_angle ||
+            (both_overlap && options.outlasts(contact.length, -contact.gap)))
+          break;
       }
     }
     contact.gap = f.gap(vertex);

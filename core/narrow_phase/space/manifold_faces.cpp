@@ -212,6 +212,21 @@ int overlapping_point_count(const Contact<3>& contact) {
       std::count_if(contact.gaps, contact.gaps + contact.point_count, [](double gap) { return gap < 0; }));
 }
 
+/// The distance of the point that lies farthest from the deepest one.
+double reach_from_deepest(const Contact<3>& contact) {
+  const auto deepest = std::min_element(contact.gaps, contact.gaps + contact.point_count) - contact.gaps;
+  double reach = 0;
+  for (int i = 0; i < contact.point_count; ++i)
+    reach = std::max(reach, (contact.points[i] - contact.points[deepest]).squaredNorm());
+  return std::sqrt(reach);
+}
+
+/// Does a tilted region bear at more points than a simpler contact would, and until it does not?
+bool bears_tilted(const Contact<3>& contact, int points, const DetectOptions& options) {
+  return overlapping_point_count(contact) > points &&
+         options.outlasts(reach_from_deepest(contact), -contact.gap);
+}
+
 /// The region of a face and what is near to parallel with it of the other block at the vertex: a face, or
 /// else an edge. One that is tilted by more than the parallel angle counts as long as more of its points
 /// overlap than an edge, or a vertex, has. False when there is none.
@@ -221,10 +236,10 @@ bool describe_region(const FlatFaceVertex& f, const FacingNeighbour& edge, const
   contact.gap = f.gap;
   if (const FacingFace face = facing_face(f, options.region_angle()); face.is_there()) {
     describe_face_face(f, face, contact);
-    if (face.sine < options.parallel_angle || overlapping_point_count(contact) > 2) return true;
+    if (face.sine < options.parallel_angle || bears_tilted(contact, 2, options)) return true;
   }
   if (edge.sine < options.region_angle() && describe_edge_face(f, edge.far_vertex, contact)) {
-    if (edge.sine < options.parallel_angle || overlapping_point_count(contact) > 1) return true;
+    if (edge.sine < options.parallel_angle || bears_tilted(contact, 1, options)) return true;
   }
   contact.gap = f.gap;
   return false;
