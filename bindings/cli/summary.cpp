@@ -73,12 +73,16 @@ const char* describe(Outcome outcome) {
   return "";
 }
 
+double energy_set_free(const hs_world_report& report, double broken_and_struck) {
+  const hs_energy& energy = report.energy;
+  return broken_and_struck + report.block_strain_energy + report.block_damping_loss + energy.kinetic +
+         energy.strain + energy.friction_loss + energy.contact_damping_loss + energy.local_damping_loss +
+         energy.mass_damping_loss;
+}
+
 std::string energy_text(const hs_world_report& report, double broken_and_struck) {
   const hs_energy& energy = report.energy;
-  const double turned_over = broken_and_struck + report.block_strain_energy + report.block_damping_loss +
-                             energy.kinetic + energy.strain + energy.friction_loss +
-                             energy.contact_damping_loss + energy.local_damping_loss +
-                             energy.mass_damping_loss;
+  const double turned_over = energy_set_free(report, broken_and_struck);
   std::string text = rounded(energy.residual, 3) + " J";
   if (turned_over > 0) {
     text += ", " + rounded(energy.residual / turned_over, 2) + " of the " + rounded(turned_over, 4) +
@@ -148,6 +152,26 @@ std::string run_out_text(const RunOut& reach, int dimension) {
 
 }  // namespace
 
+std::string negative_losses_text(const hs_world_report& report, double broken_and_struck) {
+  constexpr double rounding = 1e-9;  // of all that was set free, over many steps
+  const double least = -rounding * energy_set_free(report, broken_and_struck);
+  const struct {
+    const char* name;
+    double loss;
+  } entries[] = {{"friction", report.energy.friction_loss},
+                 {"contact damping", report.energy.contact_damping_loss},
+                 {"local damping", report.energy.local_damping_loss},
+                 {"mass damping", report.energy.mass_damping_loss},
+                 {"block damping", report.block_damping_loss}};
+  std::string text;
+  for (const auto& entry : entries) {
+    if (entry.loss < least)
+      text += report_line("ENERGY MADE", std::string("the loss by ") + entry.name + " is " +
+                                             rounded(entry.loss, 3) + " J, below zero");
+  }
+  return text;
+}
+
 RunOut run_out(const Frame& start, const Frame& end, int dimension) {
   const std::size_t horizontal_axes = dimension == 3 ? 2 : 1;
   const Extent first = extent_of(start, end);
@@ -190,6 +214,7 @@ std::string summary(const Scene& scene, const Model& model, const Peaks& peaks, 
               : std::string()) +
          bonds_text(scene, bonds) + touches_text(reactions) +
          report_line("energy residual", energy_text(report, bonds.fracture_loss + reactions.impact_loss)) +
+         negative_losses_text(report, bonds.fracture_loss + reactions.impact_loss) +
          report_line("run-out", run_out_text(reach, scene.world.dimension));
 }
 

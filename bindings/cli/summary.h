@@ -33,6 +33,10 @@ struct Peaks {
   double stop = 0;
 };
 
+/// Nothing of a run whose losses are losses. One below zero by more than rounding is energy that was made,
+/// which the residual does not show.
+std::string negative_losses_text(const hs_world_report& report, double broken_and_struck);
+
 /// What came out, a line for each figure. The same scene gives the same text.
 std::string summary(const Scene& scene, const Model& model, const Peaks& peaks, const Frame& start,
                     const Frame& end, Outcome outcome);

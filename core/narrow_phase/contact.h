@@ -25,9 +25,11 @@ struct DetectOptions {
   double vertex_zone =
       1e-6;  // share of the shorter edge's length that an end of an edge counts as its vertex
 
-  /// The angle up to which a region is looked for in space. By then the shares of its stiffness have moved to
-  /// the deepest corner or edge (space/shares.h), so that the energy does not jump where it is given up.
-  double region_angle() const { return std::max(parallel_angle, std::min(2 * parallel_angle, 0.3)); }
+  /// Beyond the parallel angle, and up to this one, features share a region as long as they overlap at more
+  /// of its points than a simpler contact would have: so no spring is lost that bears.
+  double region_angle() const { return std::max(parallel_angle, std::min(15 * parallel_angle, 0.3)); }
+  /// A region so long and so deep has come down to one point before it is tilted by that angle.
+  bool outlasts(double length, double depth) const { return depth <= length * region_angle(); }
 };
 
 /// A facet of the Minkowski difference of two blocks is a potential contact pair (Wang et al. 2021, eqs. 9,
@@ -133,9 +135,7 @@ struct Contact<2> {
   Vector<2> normal;     // unit, from a to b
   Vector<2> points[2];  // of the region, on the contact plane
   double gaps[2];       // at the points
-  double shares[2];     // of the contact's stiffness at the points
   double length;        // of the contact region: 0 unless edge-edge
-  double share_rate;    // of the first point's share as b turns counter-clockwise against a
 };
 
 /// The most points of a contact region that are kept. The overlap of two faces seldom has more corners; where
@@ -158,10 +158,6 @@ struct Contact<3> {
   double center_gap;         // there
   Vector<3> points[most_region_points];  // corners of the region, counter-clockwise about the normal
   double gaps[most_region_points];       // at the points
-  double shares[most_region_points];     // of the contact's stiffness at the points
-  /// How fast the sum of all shares would grow by that of each point as the gap's gradient along the contact
-  /// plane does, but for their being brought back to 1.
-  Vector<3> share_rates[most_region_points];
 };
 
 /// The middle of a contact's region, or of where the features of a separated pair are nearest.
@@ -189,7 +185,7 @@ template <int D>
 }
 
 /// Moves a contact into the host's frame: `rotation` turns into it, and the old origin lies at `origin`
-/// there. Shares and their rates, which only forces read, stay as they are.
+/// there.
 template <int D>
 void place(Contact<D>& contact, const Rotation<D>& rotation, const Vector<D>& origin) {
   contact.normal = rotation * contact.normal;

@@ -43,7 +43,7 @@ template <int D>
 void ContactList<D>::release_shear(std::size_t k, PairSums& sums) {
   if (neighbors_.shear().empty()) return;
   ShearSpring<D>& shear = neighbors_.shear()[k];
-  if (shear.energy > 0) sums.released += shear.energy;
+  sums.released += energy_of(shear);
   shear = {};
 }
 

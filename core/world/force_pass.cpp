@@ -61,14 +61,14 @@ template <int D>
 [[gnu::always_inline]] inline PairLoad<D> ForcePass<D>::spring_load(
     Candidate<D>& pair, const Contact<D>& contact, const SpringLaw& law, const Spring<D>& spring,
     ShearSpring<D>& shear, Evaluation& evaluation) const {
-  Overlap<D> overlap;
-  if (law.stiffness_kind == StiffnessKind::per_area) {
-    const PlacedBlocks<D> at = blocks_.placed(pair.a, pair.b);
-    overlap = overlap_of(at.a, at.b, at.to_b, contact);
-  }
+  const PlacedBlocks<D> at = blocks_.placed(pair.a, pair.b);
   bool bonded = pair.bonded;
-  const PairLoad<D> load =
-      spring.evaluate(contact, overlap, motion_of(pair, evaluation), shear, bonded, evaluation.energy);
+  const auto evaluate = [&](const auto& base) {
+    return spring.evaluate(contact, base, motion_of(pair, evaluation), shear, bonded, evaluation.energy);
+  };
+  const PairLoad<D> load = law.stiffness_kind == StiffnessKind::per_area
+                               ? evaluate(overlap_of(at.a, at.b, at.to_b, contact))
+                               : evaluate(point_springs(at.a, at.b, at.to_b, contact));
   pair.bonded = bonded;
   return load;
 }

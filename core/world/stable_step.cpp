@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "force/spring/point_springs.h"
-
 namespace halfspace {
 namespace {
 
@@ -61,10 +59,6 @@ typename StableStep<D>::Hardness StableStep<D>::hardness_of(std::size_t c, doubl
   hardness.stiffness =
       std::min(largest_stiffness(law, a, potential_length), largest_stiffness(law, b, potential_length));
   hardness.viscosity = law.is_damped() ? law.viscosity(hardness.stiffness, blocks_.reduced_mass(a, b)) : 0;
-  if (law.stiffness_kind == StiffnessKind::per_contact)
-    hardness.turning_stiffness =
-        law.normal_stiffness *
-        turning_stiffness_of_shares(contacts_.contact(c), model_.settings.detect.parallel_angle);
   return hardness;
 }
 
@@ -91,9 +85,9 @@ typename StableStep<D>::Wave StableStep<D>::wave_of(std::size_t slot) const {
           elasticity.damping_time};
 }
 
-/// Gershgorin: no frequency exceeds omega^2 = sum_contacts n (K (1/m + y) + E/I), with y = r^2/I of the point
-/// that yields most to a force, E what the shares of a region's stiffness add to it as they change with the
-/// tilt, and n = 2, or 1 where the other block stands still; and no decay gamma = sum_contacts n c (1/m + y).
+/// Gershgorin: no frequency exceeds omega^2 = sum_contacts n K (1/m + y), with y = r^2/I of the point that
+/// yields most to a force, and n = 2, or 1 where the other block stands still; and no decay
+/// gamma = sum_contacts n c (1/m + y).
 /// Dashpots and mass damping read the velocity of half a step before, so that central differences are stable
 /// as long as dt^2 omega^2 + 2 dt gamma < 4. Blocks will meet others: never fewer than so many contacts are
 /// counted.
@@ -120,10 +114,8 @@ typename StableStep<D>::Limit StableStep<D>::limit() {
     const int least = blocks_.is_of_mesh(i) ? least_contacts_of_mesh : least_contacts;
     all.add(hardest_contact(i, length), 2 * std::max(least - all.contacts, 0));
     const bool is_deformable = blocks_.is_deformable(i);
-    const double moment =
-        is_deformable ? blocks_.deformation(i).least_moment : blocks_.inertia[i].least_moment();
     const double mobility = 1 / blocks_.mass[i] + blocks_.strain_mobility(i);
-    double omega_squared = all.stiffness * mobility + all.turning_stiffness / moment;
+    double omega_squared = all.stiffness * mobility;
     double gamma = all.viscosity * mobility;
     const double by_others = omega_squared;
     if (is_deformable) {

@@ -39,13 +39,11 @@ class StableStep {
   struct Hardness {
     int contacts = 0;
     double stiffness = 0;
-    double turning_stiffness = 0;  // besides that by the springs' arms
     double viscosity = 0;
 
     void add(const Hardness& other, int times) {
       contacts += other.contacts;
       stiffness += times * other.stiffness;
-      turning_stiffness += times * other.turning_stiffness;
       viscosity += times * other.viscosity;
     }
   };

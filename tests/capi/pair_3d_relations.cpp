@@ -54,8 +54,9 @@ Pair random_pair(hs_context* context, Random& random) {
 constexpr double rounding = 500 * 0x1p-53;
 
 /// The gap of a contact with a region is that of its deepest point; the vertex may lie deeper beyond the
-/// region's border, by the slope of up to twice the parallel angle over the blocks' diameter of up to 2.
-constexpr double beyond_region = 2 * 0.01 * 2;
+/// region's border, by the slope of up to fifteen times the parallel angle over the blocks' diameter of up
+/// to 2.
+constexpr double beyond_region = 15 * 0.01 * 2;
 
 bool has_region(const hs_contact& c) {
   return c.type == HS_CONTACT_FACE_FACE || c.type == HS_CONTACT_EDGE_FACE;

@@ -102,6 +102,8 @@ void read_bodies_and_bonds(hs_world* world) {
     for (const auto get :
          {hs_world_get_node_positions, hs_world_get_node_velocities, hs_world_get_node_forces})
       CHECK(get(world, body, mutable_view_of(nodes), nullptr) >= HS_OK);
+    constexpr std::int32_t first_cell = 0;
+    (void)hs_world_remove_cells(world, body, &first_cell, 1, {});
     CHECK(hs_world_remove_body(world, body) == HS_OK);
   }
   (void)hs_world_step(world, 1);

@@ -47,10 +47,26 @@ inline void add_bonded_row(hs_context* context, hs_world* world, int dimension) 
   for (int i = 0; i < 3; ++i) require_ok(hs_world_bond_blocks(world, row[i], row[i + 1], &bonds[i]), context);
 }
 
+/// Four boxes around a corner, far off, each bonded to its neighbours: a ring of bonds.
+inline void add_bonded_ring(hs_context* context, hs_world* world, int dimension) {
+  const Shape shape = shape_of_box(context, dimension);
+  hs_block ring[4];
+  for (int i = 0; i < 4; ++i) {
+    hs_block_def block;
+    require_ok(hs_block_def_init(&block, sizeof block, shape.get()), context);
+    block.kind = i == 0 ? HS_BLOCK_FIXED : HS_BLOCK_RIGID;
+    block.pose = pose_at(30 + 0.5 * (i % 2), 0.5 * (i / 2));
+    require_ok(hs_world_add_block(world, shape.get(), &block, &ring[i]), context);
+  }
+  const hs_bond_def bond = bond_def(1e9, 1e8);
+  constexpr int neighbors[][2] = {{0, 1}, {0, 2}, {1, 3}, {2, 3}};
+  for (const auto& [a, b] : neighbors)
+    require_ok(hs_world_bond_blocks(world, ring[a], ring[b], &bond), context);
+}
+
 /// Five blocks that lie on a plate and on each other, after some steps; one has been removed. By springs per
-/// area they have fallen asleep. Where the kind
-/// is that of meshes, the blocks are rigid, and there are a body that touches the plate, the gap of another
-/// one, and bonds.
+/// area they have fallen asleep. Where the kind is that of meshes, the blocks are rigid, and there are a body
+/// that touches the plate and has lost a cell, the gap of another one, and bonds.
 inline std::vector<unsigned char> snapshot_of(hs_context* context, const WorldKind& kind) {
   Random random(7);
   hs_world_def def = world_def();
@@ -84,20 +100,26 @@ inline std::vector<unsigned char> snapshot_of(hs_context* context, const WorldKi
     require_ok(hs_world_add_block(world.get(), shape.get(), &block, &id), context);
     if (i == 2) removed = id;
   }
-  hs_body gone = 0;
+  hs_body gone = 0, dug = 0;
   if (kind.block == HS_BLOCK_MESH) {
     gone = add_body(context, world.get(), bar(kind.dimension, 0.5), body_def(pose_at(-9, 0)));
     hs_body_def def = body_def(pose_at({0.48, -0.25, -0.25}, {0, 0, 1}, 0.1));
     def.material = materials[1];
-    const hs_body body = add_body(context, world.get(), bar(kind.dimension, 0.5), def);
+    const hs_body body = dug = add_body(context, world.get(), bar(kind.dimension, 0.5), def);
     const std::int32_t held[] = {2, 5};
     const double still[3] = {0, 0, 0}, force[3] = {0, -50, 0};
     require_ok(hs_world_hold_nodes(world.get(), body, held, 2, HS_AXIS_X, still), context);
     require_ok(hs_world_set_node_force(world.get(), body, held, 1, force), context);
     add_bonded_row(context, world.get(), kind.dimension);
+    add_bonded_ring(context, world.get(), kind.dimension);
   }
   require_ok(hs_world_step(world.get(), 3), context);
   if (gone != 0) require_ok(hs_world_remove_body(world.get(), gone), context);
+  if (dug != 0) {
+    const std::int32_t last_cell = std::int32_t(state_of_body(world.get(), dug).cell_count) - 1;
+    Points3 released(std::size_t(state_of_body(world.get(), dug).node_count));
+    require_ok(hs_world_remove_cells(world.get(), dug, &last_cell, 1, mutable_view_of(released)), context);
+  }
   require_ok(hs_world_remove_block(world.get(), removed), context);
   require_ok(hs_world_step(world.get(), sleeps ? 64 : 3), context);
   return saved(world.get());

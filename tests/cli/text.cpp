@@ -5,6 +5,7 @@
 #include "catch.h"
 #include "picture/svg.h"
 #include "progress.h"
+#include "summary.h"
 
 using namespace halfspace::cli;
 
@@ -15,6 +16,16 @@ TEST_CASE("numbers as text") {
   CHECK(shortest(0.1) == "0.1");
   CHECK(rounded(1234.5678, 3) == "1.23e+03");
   CHECK(decimals(2, 3) == "2.000");
+}
+
+TEST_CASE("a loss below zero is told, and rounding is not") {
+  hs_world_report report{};
+  report.energy.kinetic = 10;
+  report.energy.friction_loss = -1e-12;
+  CHECK(negative_losses_text(report, 0).empty());
+  report.energy.friction_loss = -0.25;
+  CHECK(negative_losses_text(report, 0).find("the loss by friction is -0.25 J, below zero") !=
+        std::string::npos);
 }
 
 TEST_CASE("axis steps are 1, 2 or 5 times a power of ten") {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double unit_roundoff = 0x1p-53;
 constexpr double default_vertex_zone = 0.001;
-constexpr double default_parallel_angle = 0.01;
+constexpr double region_angle = 0.15;  // fifteen times the parallel angle
 
 struct LongPoint {
   long double x, y;
@@ -151,7 +151,7 @@ void check_least_depth(const Scene& s, const hs_contact& c) {
     // At an end of the region the depth is less than at the vertex by what the edges' angle makes of their
     // distance.
     CHECK(c.gap == std::min(c.gaps[0], c.gaps[1]));
-    CHECK(c.gap <= largest_gap + std::tan(default_parallel_angle) * s.extent() + bound);
+    CHECK(c.gap <= largest_gap + std::tan(region_angle) * s.extent() + bound);
   }
 }
 

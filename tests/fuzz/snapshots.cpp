@@ -14,20 +14,14 @@ namespace {
 using namespace halfspace_test;
 using Snapshot = std::vector<unsigned char>;
 
-/// Two dimensions, three laws, blocks of two kinds; then bodies and bonds in both dimensions, with springs
-/// and without.
+/// Two dimensions, all laws, all kinds of blocks; those of meshes with bonds.
 const Snapshot& snapshot_of_kind(int index) {
-  static std::array<Snapshot, 16> snapshots;
+  static std::array<Snapshot, 24> snapshots;
   Snapshot& snapshot = snapshots[std::size_t(index)];
-  const Context context = make_context();
-  if (snapshot.empty() && index >= 12) {
-    snapshot = snapshot_of(context.get(), {.dimension = 2 + index % 2,
-                                           .law = index < 14 ? HS_STIFFNESS_PER_AREA : HS_STIFFNESS_NONE,
-                                           .block = HS_BLOCK_MESH});
-  } else if (snapshot.empty()) {
-    snapshot = snapshot_of(context.get(), {.dimension = 2 + index / 6,
-                                           .law = index / 2 % 3,
-                                           .block = index % 2 ? HS_BLOCK_AFFINE : HS_BLOCK_RIGID});
+  constexpr std::int32_t blocks[] = {HS_BLOCK_RIGID, HS_BLOCK_AFFINE, HS_BLOCK_MESH};
+  if (snapshot.empty()) {
+    const Context context = make_context();
+    snapshot = snapshot_of(context.get(), {2 + index / 12, all_laws[index / 3 % 4], blocks[index % 3]});
   }
   return snapshot;
 }
@@ -63,7 +57,7 @@ void change(Snapshot& snapshot, Bytes& bytes) {
   }
 }
 
-/// Weakens and relaxes a world, and takes out its bodies.
+/// Weakens and relaxes a world, and takes out a cell of each of its bodies and then all of them.
 void end_bodies(hs_world* world) {
   succeeds_or(hs_world_set_strength_factor(world, 2), {}, "set_strength_factor");
   relax(world, relaxation_def(2, 1e-9));
@@ -71,14 +65,16 @@ void end_bodies(hs_world* world) {
     hs_body body = 0;
     const hs_status status = hs_world_get_body_of_block(world, block, &body, nullptr);
     if (!succeeds_or(status, {HS_ERROR_STALE_ID}, "get_body_of_block") || body == 0) continue;
+    constexpr std::int32_t first_cell = 0;
+    succeeds_or(hs_world_remove_cells(world, body, &first_cell, 1, {}),
+                {HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT, HS_ERROR_STATE, HS_ERROR_GEOMETRY}, "remove_cells");
     succeeds_or(hs_world_remove_body(world, body), {HS_ERROR_STALE_ID}, "remove_body");
   }
   step(world, 1);
 }
 
 void run(Bytes bytes) {
-  const int kind = bytes.byte();
-  Snapshot snapshot = snapshot_of_kind(kind < 224 ? kind % 12 : 12 + kind % 4);
+  Snapshot snapshot = snapshot_of_kind(bytes.below(24));
   while (!bytes.empty() && snapshot.size() > snapshot_header + 8) change(snapshot, bytes);
   mend_header(snapshot);
   const Context context = make_context();

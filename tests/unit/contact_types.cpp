@@ -36,7 +36,6 @@ TEST_CASE("edge-edge: two squares side by side share the overlap of their edges"
   CHECK(met.contact.point_count == 2);
   CHECK(met.contact.gaps[0] == Approx(-0.1));
   CHECK(met.contact.gaps[1] == Approx(-0.1));
-  CHECK(met.contact.shares[0] == 0.5);
 }
 
 TEST_CASE("vertex-edge: a diamond's corner on a square's edge") {

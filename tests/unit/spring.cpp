@@ -26,12 +26,12 @@ struct OnTop {
     contact.points[0] = {-1, 1};
     contact.points[1] = {1, 1};
     contact.gaps[0] = contact.gaps[1] = -overlap;
-    contact.shares[0] = contact.shares[1] = 0.5;
   }
 
   PairLoad<2> press(const SpringLaw& law, double elapsed) {
     energy = {};
-    return Spring<2>(law, 1, elapsed).evaluate(contact, Overlap<2>(), motion, shear, bonded, energy);
+    return Spring<2>(law, 1, elapsed)
+        .evaluate(contact, PointSprings<2>{{0.5, 0.5}}, motion, shear, bonded, energy);
   }
 };
 

@@ -69,12 +69,12 @@ void press(TwoBlocks& two, std::int32_t block, const Rotation<3>& rotation, doub
 
 /// The energy falls as the force says, to what central differences leave: rounding of the gaps, 1e-16 of a
 /// size of 1, over twice the way of 1e-7, and less for the cube of the way.
-void check_gradient(TwoBlocks& two, double depth, double area, double torque_margin) {
+void check_gradient(TwoBlocks& two, double depth, double area) {
   const PairLoad<3> load = two.evaluate();
   const double scale = stiffness * area * depth;
   const Gradient expected = gradient(two, 1e-7);
   CHECK((load.contact.force - expected.force).norm() < 1e-7 * scale);
-  CHECK((load.contact.torque_on_b(two.to_b()) - expected.torque).norm() < 1e-7 * scale + torque_margin);
+  CHECK((load.contact.torque_on_b(two.to_b()) - expected.torque).norm() < 1e-7 * scale);
   // Action and reaction about a's centroid.
   const Vector<3> about_a = load.contact.torque_on_a() + load.contact.torque_on_b(two.to_b()) +
                             cross_product(two.to_b(), load.contact.force);
@@ -91,10 +91,9 @@ TEST_CASE("in space, springs at the points pull down the slope of their energy, 
     const char* name;
     double least, most;  // of the tilt, as shares of the parallel angle
   } zones[] = {{"level", 0, 0},
-               {"below the zone where shares change", 0.01, 0.24},
-               {"in it", 0.26, 0.49},
-               {"above it", 0.51, 0.99},
-               {"beyond the parallel angle", 1.1, 30}};
+               {"within the parallel angle", 0.01, 0.99},
+               {"where a region is followed as long as it bears", 1.01, 4.9},
+               {"beyond", 5.1, 30}};
   for (const auto& zone : zones) {
     int of_type[7] = {};
     for (int round = 0; round < 60; ++round) {
@@ -115,17 +114,14 @@ TEST_CASE("in space, springs at the points pull down the slope of their energy, 
       const double depth = random.uniform(0.1, 2) * std::max(tilt, 1e-3);
       press(two, block_first ? 0 : 1, rotation, depth);
       INFO(zone.name << ", round " << round << ", tilt " << tilt << ", depth " << depth);
-      // A slope is the tangent of an angle: that it grows faster than the angle, by its own square, is left
-      // out of the couple. This is at most 3 K depth^2 / angle, half the energy times the greatest rate of
-      // the shares, 1.5 / (angle / 4); and slopes that change shares are at most half the angle.
-      check_gradient(two, depth, 1, 0.75 * stiffness * depth * depth * angle);
+      check_gradient(two, depth, 1);
       ++of_type[int(two.contact.type)];
     }
     INFO(zone.name);
     if (zone.most < 1) {
       CHECK(of_type[int(ContactType::face_face)] == 40);
       CHECK(of_type[int(ContactType::edge_face)] == 20);
-    } else {
+    } else if (zone.least > 5) {
       CHECK(of_type[int(ContactType::vertex_face)] > 40);
     }
   }
@@ -145,7 +141,7 @@ TEST_CASE("in space, the overlap pulls down the slope of its energy, whatever li
         Rotation<3>().turned_by(tilt * random_direction(random)).turned_by(random.uniform(0, 6) * z_axis);
     press(two, block_first ? 0 : 1, rotation, depth);
     INFO("round " << round << ", tilt " << tilt << ", depth " << depth);
-    check_gradient(two, depth, 1, 0);
+    check_gradient(two, depth, 1);
   }
 }
 

@@ -45,8 +45,11 @@ struct TwoBlocks {
     const PairMotion<3> motion{blocks.velocity[1] - blocks.velocity[0], to_b(), blocks.spin[0],
                                blocks.spin[1]};
     energy = {};
-    return Spring<3>(law, 1, elapsed)
-        .evaluate(contact, overlap_of(a, b, to_b(), contact), motion, shear, bonded, energy);
+    const Spring<3> spring(law, 1, elapsed);
+    return law.stiffness_kind == StiffnessKind::per_area
+               ? spring.evaluate(contact, overlap_of(a, b, to_b(), contact), motion, shear, bonded, energy)
+               : spring.evaluate(contact, point_springs(a, b, to_b(), contact), motion, shear, bonded,
+                                 energy);
   }
 };
 

@@ -118,7 +118,8 @@ TEST_CASE("by potentials a block crosses the joint of two boundary segments as o
 
 /// By springs the front corner, d deep, meets the flank of the second segment under the surface and stays on
 /// it until its foot is at the flank's upper end: then it is d / cos(60) deep in it, and the contact moves on
-/// to the segment. Per contact that takes k (2 d)^2 / 2 of the motion along. Per area the corner has a
+/// to the segment. Per contact a corner has half of the stiffness, which takes k (2 d)^2 / 4 of the motion
+/// along. Per area the corner has a
 /// triangle behind the flank that is 2 d (tan(30) + tan(60)) wide: k (2 d)^2 / 6 times that, when it is all
 /// on the flank. The block crosses so fast that it has no time to rise, and leaves the flank up to one step
 /// late.
@@ -131,7 +132,7 @@ TEST_CASE("by springs the joint of two boundary segments takes no more than it m
     const double lost = mass / 2 * (square_of(speed) - square_of(crossing.speed()));
     const double triangle = 2 * depth * (1 / std::sqrt(3.0) + std::sqrt(3.0));
     const bool per_contact = kind == HS_STIFFNESS_PER_CONTACT;
-    const double most = 2 * stiffness * square_of(depth) * (per_contact ? 1 : triangle / 3);
+    const double most = 2 * stiffness * square_of(depth) * (per_contact ? 0.5 : triangle / 3);
     std::printf("boundary, %s: the joint takes %.4g J of %.4g J, at most %.4g J\n", name_of_stiffness(kind),
                 lost, mass / 2 * square_of(speed), most);
     const double late = 2 * stiffness * depth * std::sin(pi / 3) * speed * time_step;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <exception>
 #include <optional>
 
 #include "capi/handles.h"
@@ -63,12 +64,32 @@ struct Start {
 
 class Scene {
  public:
-  Scene(const hs_world_def& def, const hs_law_def& law, double density = 2000) : context_(make_context()) {
+  Scene(const hs_world_def& def, const hs_law_def& law, double density = 2000)
+      : context_(make_context()), has_springs_(law.stiffness_kind != HS_STIFFNESS_NONE) {
     hs_world* world = nullptr;
     require_ok(hs_world_create(context(), &def, &world), context());
     world_.reset(world);
     require_ok(hs_world_set_default_law(world, &law), context());
     add_material(density);
+  }
+
+  Scene(Scene&&) = default;
+  Scene& operator=(Scene&&) = delete;
+  /// Every scene ends without energy made. Contacts without springs book their losses up to what iterations
+  /// leave, which is more than rounding.
+  ~Scene() {
+    if (world_ && has_springs_ && std::uncaught_exceptions() == 0) check_losses();
+  }
+
+  /// No entry of losses is below zero by more than the rounding of many steps: it would be energy made that
+  /// the residual does not show.
+  void check_losses() const {
+    const hs_world_report r = report();
+    const double losses[] = {r.energy.friction_loss, r.energy.contact_damping_loss,
+                             r.energy.local_damping_loss, r.energy.mass_damping_loss, r.block_damping_loss};
+    double all = r.energy.kinetic + r.energy.strain + r.block_strain_energy;
+    for (const double loss : losses) all += std::abs(loss);
+    for (const double loss : losses) CHECK(loss >= -1e-9 * all);
   }
 
   hs_context* context() const { return context_.get(); }
@@ -199,6 +220,7 @@ class Scene {
  private:
   Context context_;
   World world_;
+  bool has_springs_;
 };
 
 inline Points rectangle(double width, double height) {

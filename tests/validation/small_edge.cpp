@@ -15,7 +15,7 @@ constexpr double density = 2000;
 constexpr double drop = 0.1;
 constexpr double speed = 1.4007141035914502;  // sqrt(2 g drop)
 constexpr double small = 0.01;
-const double omega = std::sqrt(stiffness / density);
+const double omega = std::sqrt(0.5 * stiffness / density);  // a vertex has half the stiffness
 
 Points diamond(double x) {
   const double r = std::sqrt(0.5);

@@ -47,7 +47,9 @@ module halfspace_c
   integer(c_int32_t), parameter :: HS_CONTACT_POINTS = 8
 
   !> What a stiffness refers to.
-  integer(c_int32_t), parameter :: HS_STIFFNESS_PER_CONTACT = 0  !< N/m for the whole contact, shared over the points of its region
+  !> N/m of a face on a face, shared over the corners of the region, each a spring on its own: in 2D a vertex
+  !! alone has half of it, in 3D the corner of a square a quarter
+  integer(c_int32_t), parameter :: HS_STIFFNESS_PER_CONTACT = 0
   !> Pa/m: the normal force is the stiffness times the overlap area behind the contact plane
   integer(c_int32_t), parameter :: HS_STIFFNESS_PER_AREA = 1
   !> Pa: the potential force of Zheng et al. 2020, section 3. A point inside a block has its distance to the
@@ -201,7 +203,7 @@ module halfspace_c
   type, bind(c) :: hs_law_def
     integer(c_int32_t) :: struct_size = 0  !< set by hs_law_def_init()
     integer(c_int32_t) :: stiffness_kind = 0  !< an HS_STIFFNESS_ value; default HS_STIFFNESS_PER_CONTACT
-    real(c_double) :: normal_stiffness = 0.0_c_double  !< > 0; N/m, Pa/m or Pa; default 1e9
+    real(c_double) :: normal_stiffness = 0.0_c_double  !< > 0; N/m of a face on a face (a vertex is softer), Pa/m or Pa; default 1e9
     !> >= 0; N/m or Pa/m, of potentials N/m; 0, the default: the same number as normal_stiffness
     real(c_double) :: shear_stiffness = 0.0_c_double
     real(c_double) :: friction_angle = 0.0_c_double  !< rad, [0, pi/2); default 0

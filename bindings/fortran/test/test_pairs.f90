@@ -57,7 +57,7 @@ contains
     character(200) :: text
     call square%create_polygon(corners)
     below = halfspace_pose(0.0_real64, 0.0_real64)
-    turned = halfspace_pose(0.0_real64, 0.9375_real64, 0.02_real64)
+    turned = halfspace_pose(0.0_real64, 1.0_real64, 0.02_real64)
     call halfspace_detect_pair(square, below, square, turned, contact)
     call expect(contact%type == HS_CONTACT_VERTEX_EDGE, 'not parallel by the default')
     call halfspace_detect_pair(square, below, square, turned, contact, parallel_angle=0.03_real64)

@@ -61,7 +61,9 @@ HS_PAIR_VERTEX_VERTEX = 3  # 3D, separated only: the vertices nearest to a plane
 HS_CONTACT_POINTS = 8  # 
 
 # What a stiffness refers to.
-HS_STIFFNESS_PER_CONTACT = 0  # N/m for the whole contact, shared over the points of its region
+# N/m of a face on a face, shared over the corners of the region, each a spring on its own: in 2D a vertex
+# alone has half of it, in 3D the corner of a square a quarter
+HS_STIFFNESS_PER_CONTACT = 0
 # Pa/m: the normal force is the stiffness times the overlap area behind the contact plane
 HS_STIFFNESS_PER_AREA = 1
 # Pa: the potential force of Zheng et al. 2020, section 3. A point inside a block has its distance to the
@@ -253,7 +255,8 @@ class hs_law_def(Structure):
     _fields_ = [
         ("struct_size", c_uint32),  # set by hs_law_def_init()
         ("stiffness_kind", c_int32),  # an HS_STIFFNESS_ value; default HS_STIFFNESS_PER_CONTACT
-        ("normal_stiffness", c_double),  # > 0; N/m, Pa/m or Pa; default 1e9
+        # > 0; N/m of a face on a face (a vertex is softer), Pa/m or Pa; default 1e9
+        ("normal_stiffness", c_double),
         # >= 0; N/m or Pa/m, of potentials N/m; 0, the default: the same number as normal_stiffness
         ("shear_stiffness", c_double),
         ("friction_angle", c_double),  # rad, [0, pi/2); default 0

@@ -14,7 +14,8 @@ extern "C" {
 
 /** What a stiffness refers to. */
 enum {
-  HS_STIFFNESS_PER_CONTACT = 0, /**< N/m for the whole contact, shared over the points of its region */
+  HS_STIFFNESS_PER_CONTACT = 0, /**< N/m of a face on a face, shared over the corners of the region, each a spring on its own: in 2D a
+                                     vertex alone has half of it, in 3D the corner of a square a quarter */
   HS_STIFFNESS_PER_AREA = 1,    /**< Pa/m: the normal force is the stiffness times the overlap area behind the contact plane */
   HS_STIFFNESS_POTENTIAL = 2,   /**< Pa: the potential force of Zheng et al. 2020, section 3. A point inside a block has its distance to the
                                      nearest face as potential, times the stiffness over the world's `potential_length`; what two blocks
@@ -36,7 +37,7 @@ enum {
 typedef struct hs_law_def {
   uint32_t struct_size;     /**< set by hs_law_def_init() */
   int32_t stiffness_kind;   /**< an HS_STIFFNESS_ value; default HS_STIFFNESS_PER_CONTACT */
-  double normal_stiffness;  /**< > 0; N/m, Pa/m or Pa; default 1e9 */
+  double normal_stiffness;  /**< > 0; N/m of a face on a face (a vertex is softer), Pa/m or Pa; default 1e9 */
   double shear_stiffness;   /**< >= 0; N/m or Pa/m, of potentials N/m; 0, the default: the same number as normal_stiffness */
   double friction_angle;    /**< rad, [0, pi/2); default 0 */
   double cohesion;          /**< Pa, >= 0; of contacts that exist when a block's first step begins, until they fail; default 0 */

@@ -1,6 +1,11 @@
 #pragma once
 
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
 #include "force/potential/potential_force.h"
+#include "geometry/convex_reach.h"
 
 namespace halfspace {
 
@@ -15,8 +20,19 @@ struct LineOfAction {
   double energy = 0;                       // stored
   double stiffness = 0;                    // with which the force grows there with the depth
   double twist_radius = 0;  // in space: radius of gyration of what the blocks share, about the line
-  Tensor<D> spread = Tensor<D>::Zero();  // of what the blocks share: mean of the way from its centroid times
-                                         // itself^T
+  Vector<D> middle = Vector<D>::Zero();  // centroid of what the blocks share
+  Tensor<D> spread = Tensor<D>::Zero();  // of what they share: mean of the way from there times itself^T
+
+  /// How far from the middle the line is, as a share of what is certain to belong to what the blocks share.
+  double unevenness() const {
+    const Vector<D> way = loading_point - middle, across = way - direction.dot(way) * direction;
+    if (across.isZero(0)) return 0;
+    // Of the part of the spread across the line; along the line it is made up, where nothing is seen of it.
+    const Tensor<D> shadow = Tensor<D>::Identity() - direction * direction.transpose();
+    const Tensor<D> seen = shadow * spread * shadow + spread.trace() * (direction * direction.transpose());
+    const double square = across.dot(seen.inverse() * across);
+    return square >= 0 ? std::min(std::sqrt(square) / certain_reach(D), 1.0) : 1;
+  }
 };
 
 /// The virial of the couple that forces along a normal make, at arms across it: these strain what they turn.
@@ -59,8 +75,9 @@ inline double radius_of_gyration(const Tensor<3>& spread, const Vector<3>& direc
 template <int D>
 LineOfAction<D> line_of_action(const PotentialForce<D>& potential, double stiffness, const Vector<D>& to_b) {
   LineOfAction<D> line{to_b.normalized(), 0, 0.5 * to_b};
+  line.middle = line.loading_point;
   if (!(potential.energy > 0)) return line;
-  line.loading_point = potential.centroid;
+  line.loading_point = line.middle = potential.centroid;
   line.energy = stiffness * potential.energy;
   // Length or area over which the blocks meet: exact for faces that do so squarely.
   const double base = potential.content * (potential.content / potential.energy);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/convex_reach.h"
 #include "geometry/outline.h"
 #include "narrow_phase/contact.h"
 
@@ -20,12 +21,12 @@ struct Overlap {
   Vector<D> middle = Vector<D>::Zero();  // centroid of the base
   Tensor<D> spread = Tensor<D>::Zero();  // mean over the base of the way from there times itself^T
 
-  /// How far the depth's centroid is from the middle of the base, as a share of the way to where a bed that
-  /// is pressed ever less there leaves the other side unpressed. An even depth has none, and one that falls
-  /// to nothing at the other end 1/3. An overlap of nothing but rounding has 1 at most.
+  /// How far the depth's centroid is from the middle of the base at most, as a share of what is certain to
+  /// belong to the base. An even depth has none; in the plane one that falls to nothing at the other end has
+  /// 1/3. An overlap of nothing but rounding has 1 at most.
   double unevenness() const {
     const double mean_square = depth_squared * base / (content * content);
-    return mean_square > 1 ? std::min(std::sqrt((mean_square - 1) / 3), 1.0) : 0;
+    return mean_square > 1 ? std::min(std::sqrt(mean_square - 1) / certain_reach(D - 1), 1.0) : 0;
   }
 };
 

@@ -1,44 +1,135 @@
 #include "force/spring/point_springs.h"
 
-#include <algorithm>
 #include <cmath>
+#include <numbers>
+
+#include "geometry/angle.h"
 
 namespace halfspace {
+namespace {
 
-/// A share depends on a slope between two points (narrow_phase/space/shares.h), which grows as b turns about
-/// the direction at right angles to the way between them in the contact plane.
-Angular<3> couple_of_shares(const Contact<3>& contact, const double* depth) {
-  Angular<3> couple = Angular<3>::Zero();
-  if (contact.point_count == 1) return couple;
-  double mean_square = 0;
-  for (int i = 0; i < contact.point_count; ++i) mean_square += contact.shares[i] * depth[i] * depth[i];
-  for (int i = 0; i < contact.point_count; ++i) {
-    const double excess = depth[i] * depth[i] - mean_square;
-    couple -= 0.5 * excess * moment(contact.share_rates[i], contact.normal);
+constexpr double square_corner = 0.25;
+
+/// The part of a whole turn by which an outline turns from one direction to another. An outline that rounding
+/// has made concave there goes straight on, or back.
+double part_of_turn(const Vector<3>& from, const Vector<3>& to, const Vector<3>& normal) {
+  const Vector<3> across = cross_product(from, to);
+  const double rise = across.dot(normal) > 0 ? across.norm() : 0;
+  return angle_at(from.dot(to), rise) / (2 * std::numbers::pi);
+}
+
+/// The corners of the region lie on the other block's face: the contact plane sees its angles askew.
+void share_by_turns(const Contact<3>& contact, PointSprings<3>& springs) {
+  const int count = contact.point_count;
+  const auto next = [&](int i) { return i + 1 == count ? 0 : i + 1; };
+  const auto side_after = [&](int i) {
+    const int j = next(i);
+    return Vector<3>((contact.points[j] - contact.points[i]) +
+                     (contact.gaps[j] - contact.gaps[i]) * contact.normal);
+  };
+  Vector<3> before = Vector<3>::Zero();
+  double length_before = 0;
+  for (int i = count - 1; i >= 0 && length_before == 0; --i) {
+    before = side_after(i);
+    length_before = before.norm();
   }
-  return couple;
+  if (length_before > 0) before /= length_before;
+  double sum = 0;
+  for (int i = 0; i < count; ++i) {
+    Vector<3> after = side_after(i);
+    const double length = after.norm();
+    springs.part[i] = 0;
+    if (length == 0) continue;  // the same point once more: the next one turns for both
+    after /= length;
+    springs.part[i] = part_of_turn(before, after, contact.normal);
+    sum += springs.part[i];
+    before = after;
+  }
+  // Of a region that is smaller than rounding, all corners may be one point.
+  for (int i = 0; i < count; ++i) springs.part[i] = sum > 0 ? springs.part[i] / sum : 1.0 / count;
 }
 
-/// With the depths d0 and d1 = d0 - L theta and the share s of the shallower point, the energy
-/// ((1 - s) d0^2 + s d1^2) / 2 is curved by s'' (d1^2 - d0^2) / 2 - 2 s' d1 L + s L^2. Of s(theta), which
-/// falls from 1/2 to 0 over half the parallel angle (narrow_phase/plane/manifold.cpp), the first two are at
-/// most 6.4 d L / angle, and, as a spring that has opened does not act, at most 6 (d / angle)^2.
-double turning_stiffness_of_shares(const Contact<2>& contact, double parallel_angle) {
-  if (contact.point_count == 1) return 0;
-  const double depth = std::max(0.0, -contact.gap), length = contact.length;
-  const double tilt = depth / parallel_angle;
-  return std::min(6.4 * tilt * length, 6 * tilt * tilt) + 0.5 * length * length;
+/// The block that comes to the contact plane with a vertex, or with an edge that ends there.
+struct Comer {
+  const Outline<3>& block;
+  Vector<3> shift;
+  Vector<3> inward;  // from the contact plane into the block
+  int vertex;
+
+  const Topology& topology() const { return *block.topology; }
+  int first(int v) const { return topology().first_of_vertex[v]; }
+  int end(int v) const { return topology().first_of_vertex[v + 1]; }
+  int before(int v, int k) const { return k == first(v) ? end(v) - 1 : k - 1; }
+  int after(int v, int k) const { return k + 1 == end(v) ? first(v) : k + 1; }
+  Vector<3> direction(int v, int k) const {
+    return (block.vertex(topology().vertex_neighbour[k]) - block.vertex(v)).normalized();
+  }
+  /// How much the face between the vertex's k-th neighbour and the next looks at the contact plane.
+  double facing(int k) const { return -inward.dot(block.normal(topology().vertex_face[k])); }
+  /// Of that face's corner.
+  double part_of_corner(int v, int k) const {
+    const Vector<3> in = direction(v, k), out = direction(v, after(v, k));
+    return angle_at(-in.dot(out), cross_product(in, out).norm()) / (2 * std::numbers::pi);
+  }
+};
+
+double part_of_vertex(const Comer& comer) {
+  int most = comer.first(comer.vertex);
+  for (int k = most + 1; k < comer.end(comer.vertex); ++k)
+    if (comer.facing(k) > comer.facing(most)) most = k;
+  return comer.part_of_corner(comer.vertex, most);
 }
 
-/// In space by what 99.9 % of random polygons keep to, at random tilts within the transition, each corner
-/// with the share that shares.cpp gives it.
-double turning_stiffness_of_shares(const Contact<3>& contact, double parallel_angle) {
-  if (contact.point_count == 1) return 0;
-  double reach = 0;
-  for (int i = 0; i < contact.point_count; ++i)
-    reach = std::max(reach, (contact.points[i] - contact.center).norm());
-  const double length = 2 * reach, tilt = std::max(0.0, -contact.gap) / parallel_angle;
-  return std::min(20 * tilt * length, 30 * tilt * tilt) + 0.5 * length * length;
+/// The edge at the vertex that runs along the region, and of the two faces at it the one that faces the
+/// contact plane more. Where the region ends before the edge does, another edge crosses.
+void share_edge(const Comer& comer, const Contact<3>& contact, PointSprings<3>& springs) {
+  const Topology& topology = comer.topology();
+  const int vertex = comer.vertex;
+  const Vector<3> along = (contact.points[1] - contact.points[0]).normalized();
+  int edge = comer.first(vertex);
+  double most = -1;
+  for (int k = edge; k < comer.end(vertex); ++k) {
+    const double cosine = std::abs(comer.direction(vertex, k).dot(along));
+    if (cosine > most) {
+      most = cosine;
+      edge = k;
+    }
+  }
+  const int far = topology.vertex_neighbour[edge], before = comer.before(vertex, edge);
+  const int corner = comer.facing(before) > comer.facing(edge) ? before : edge;
+  int far_corner = comer.first(far);
+  while (topology.vertex_face[far_corner] != topology.vertex_face[corner]) ++far_corner;
+  const double length = (comer.block.vertex(far) - comer.block.vertex(vertex)).norm();
+  const auto is_at = [&](const Vector<3>& point, int v) {
+    constexpr double near = 1e-6;
+    return std::abs(along.dot(point - comer.shift - comer.block.vertex(v))) <= near * length;
+  };
+  for (int i = 0; i < 2; ++i) {
+    springs.part[i] = is_at(contact.points[i], vertex) ? comer.part_of_corner(vertex, corner)
+                      : is_at(contact.points[i], far)  ? comer.part_of_corner(far, far_corner)
+                                                       : square_corner;
+  }
+}
+
+}  // namespace
+
+PointSprings<3> point_springs(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
+                              const Contact<3>& contact) {
+  PointSprings<3> springs;
+  if (contact.point_count > 2) {
+    share_by_turns(contact, springs);
+  } else if (contact.pair.kind == PotentialPair<3>::edge_edge) {
+    springs.part[0] = springs.part[1] = square_corner;
+  } else {
+    const Comer comer = contact.pair.kind == PotentialPair<3>::face_vertex
+                            ? Comer{b, to_b, contact.normal, contact.pair.b}
+                            : Comer{a, Vector<3>::Zero(), -contact.normal, contact.pair.a};
+    if (contact.point_count == 2)
+      share_edge(comer, contact, springs);
+    else
+      springs.part[0] = part_of_vertex(comer);
+  }
+  return springs;
 }
 
 double twist_radius(const Contact<3>& contact, const Vector<3>& center, const double* share) {

@@ -1,29 +1,37 @@
 #pragma once
 
+#include "geometry/outline.h"
 #include "narrow_phase/contact.h"
 
 namespace halfspace {
 
-// One spring at each point of a contact's region, the contact's stiffness shared among them (Wang et al.
-// 2021, eq. 36).
+// Springs at the corners of a contact's region, each on its own (Wang et al. 2021, eq. 36).
+//
+// The stiffness is shared evenly among the directions in the contact plane, and a corner has that of all
+// directions in which it is the outermost: its exterior angle over a whole turn. In the plane there are two
+// directions, and two springs of half the stiffness. A corner that splits into two leaves them what it had,
+// and a region that shrinks to a segment leaves each end a half, so that nothing jumps where a region
+// changes. The angle at a vertex is that of its face, however the block is tilted: so no stiffness moves as
+// the tilt changes, and no couple comes of it (docs/decisions/springs_at_corners.md).
+
+/// The parts of a contact's stiffness that its points have. Those of a region of faces add up to 1.
+template <int D>
+struct PointSprings {
+  double part[D == 2 ? 2 : most_region_points];
+};
+
+inline PointSprings<2> point_springs(const Outline<2>&, const Outline<2>&, const Vector<2>&,
+                                     const Contact<2>&) {
+  return {{0.5, 0.5}};
+}
+/// A vertex or an edge that touches alone has the springs that it would have in a region of the face at it
+/// that looks most against the contact plane. Edges that cross count as square to each other.
+PointSprings<3> point_springs(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
+                              const Contact<3>& contact);
 
 /// Length or area of a contact's region.
 inline double base_of(const Contact<2>& contact) { return contact.length; }
 inline double base_of(const Contact<3>& contact) { return contact.area; }
-
-/// Moment on b, for unit stiffness, of the energy that moves from spring to spring as the blocks turn against
-/// each other and the shares of the stiffness change: the energy differentiated by that turn. Depths are 0
-/// where a spring does not act.
-inline Angular<2> couple_of_shares(const Contact<2>& contact, const double* depth) {
-  if (contact.point_count == 1) return Angular<2>::Zero();
-  return Angular<2>(-0.5 * contact.share_rate * (depth[0] * depth[0] - depth[1] * depth[1]));
-}
-Angular<3> couple_of_shares(const Contact<3>& contact, const double* depth);
-
-/// How much stiffer, for unit stiffness, the shares make a contact against turning than springs at its points
-/// would be: a bound on that energy differentiated twice, wherever in the transition the blocks are.
-double turning_stiffness_of_shares(const Contact<2>& contact, double parallel_angle);
-double turning_stiffness_of_shares(const Contact<3>& contact, double parallel_angle);
 
 /// Radius of gyration of the springs' forces about the normal through their centre. A share of force each,
 /// all of them together 1.

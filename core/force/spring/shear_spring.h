@@ -17,21 +17,31 @@ using Shear = Vector<D == 2 ? 1 : 4>;
 template <int D>
 struct ShearSpring;
 
-/// Marks a force set from outside, whose energy the next evaluation finds without booking a loss.
+/// The stiffness of a force set from outside: it is that of the next evaluation, which books no loss.
 constexpr double preloaded = -1;
 
 template <>
 struct ShearSpring<2> {
   Shear<2> force = Shear<2>::Zero();
-  double energy = 0;  // stored
+  double stiffness = 0;  // that holds it
 };
 
 template <>
 struct ShearSpring<3> {
   Shear<3> force = Shear<3>::Zero();
-  double energy = 0;                     // stored
+  double stiffness = 0;                  // that holds it
   Vector<3> normal = Vector<3>::Zero();  // of the contact plane that the force lies in
 };
+
+/// What a spring of this stiffness stores with such a force.
+template <int D>
+double shear_energy(const Shear<D>& force, double stiffness) {
+  return stiffness > 0 ? 0.5 * force.squaredNorm() / stiffness : 0;
+}
+template <int D>
+double energy_of(const ShearSpring<D>& spring) {
+  return shear_energy<D>(spring.force, spring.stiffness);
+}
 
 /// The force remembered, brought into the present contact plane. In the plane the tangent turns with the
 /// contact, and the scalar force with it.
@@ -44,11 +54,12 @@ inline Shear<2> carried(const ShearSpring<2>& spring, const Vector<2>&, const Pa
 Shear<3> carried(const ShearSpring<3>& spring, const Vector<3>& normal, const PairMotion<3>& motion,
                  double elapsed);
 
-inline void remember(ShearSpring<2>& spring, const Shear<2>& force, double energy, const Vector<2>&) {
-  spring = {force, energy};
+inline void remember(ShearSpring<2>& spring, const Shear<2>& force, double stiffness, const Vector<2>&) {
+  spring = {force, stiffness};
 }
-inline void remember(ShearSpring<3>& spring, const Shear<3>& force, double energy, const Vector<3>& normal) {
-  spring = {force, energy, normal};
+inline void remember(ShearSpring<3>& spring, const Shear<3>& force, double stiffness,
+                     const Vector<3>& normal) {
+  spring = {force, stiffness, normal};
 }
 
 /// Slip velocity at a point whose material has the given velocity of b against a.

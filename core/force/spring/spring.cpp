@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <type_traits>
 
 #include "force/spring/joint_face.h"
@@ -14,36 +15,36 @@ double Spring<D>::viscosity(double share_of_critical, double stiffness) const {
   return share_of_critical == 0 ? 0 : 2 * share_of_critical * std::sqrt(stiffness * reduced_mass_);
 }
 
-/// One spring at each point of the region, the contact's stiffness shared among them (eq. 36).
+/// One spring at each point of the region (eq. 36), and a dashpot beside it.
 template <int D>
-typename Spring<D>::NormalPart Spring<D>::per_contact(const Contact<D>& contact, const PairMotion<D>& motion,
-                                                      bool bonded, ContactEnergy& energy) const {
+typename Spring<D>::NormalPart Spring<D>::normal_part(const Contact<D>& contact,
+                                                      const PointSprings<D>& springs,
+                                                      const PairMotion<D>& motion, bool bonded,
+                                                      ContactEnergy& energy) const {
   constexpr std::size_t most_points = std::extent_v<decltype(Contact<D>::gaps)>;
   NormalPart normal;
   normal.base = base_of(contact);
   Vector<D> weighted = Vector<D>::Zero(), weighted_viscous = Vector<D>::Zero();
-  double depths[most_points] = {}, force_at[most_points] = {};
+  double force_at[most_points] = {};
   const double viscosity_of_all = viscosity(law_.normal_damping, law_.normal_stiffness);
   for (int i = 0; i < contact.point_count; ++i) {
     const double depth = -contact.gaps[i];
     if (depth < 0 && !bonded) continue;
-    const double stiffness = contact.shares[i] * law_.normal_stiffness;
+    const double stiffness = springs.part[i] * law_.normal_stiffness;
     const double elastic = stiffness * depth;
     double viscous = 0;
     if (law_.normal_damping > 0) {
       const double opening = contact.normal.dot(motion.relative_at(contact.points[i]));
-      viscous = -contact.shares[i] * viscosity_of_all * opening;
+      viscous = -springs.part[i] * viscosity_of_all * opening;
       if (!bonded) viscous = std::max(viscous, -elastic);  // a dashpot alone never pulls
       normal.viscous_force += viscous;
       weighted_viscous += viscous * contact.points[i];
     }
     energy.strain += 0.5 * elastic * depth;
-    depths[i] = depth;
     force_at[i] = elastic + viscous;
     normal.force += force_at[i];
     weighted += force_at[i] * contact.points[i];
   }
-  normal.couple = law_.normal_stiffness * couple_of_shares(contact, depths);
   const bool has_center = normal.force > 0 && !bonded;
   if (has_center) {
     normal.center = weighted / normal.force;
@@ -51,15 +52,16 @@ typename Spring<D>::NormalPart Spring<D>::per_contact(const Contact<D>& contact,
     // A bond pulls at one end and pushes at the other: what has no centre has a couple.
     normal.center = middle_of(contact);
     const Vector<D> moment_arm = weighted - normal.force * normal.center;
-    normal.couple += moment(moment_arm, contact.normal);
+    normal.couple = moment(moment_arm, contact.normal);
   }
   if (law_.normal_damping > 0) {
     const Vector<D> moment_arm = weighted_viscous - normal.viscous_force * normal.center;
     normal.viscous_couple = moment(moment_arm, contact.normal);
   }
   if (D == 3 && contact.point_count > 1) {
+    const double all_parts = std::accumulate(springs.part, springs.part + contact.point_count, 0.0);
     for (int i = 0; i < contact.point_count; ++i)
-      force_at[i] = has_center ? force_at[i] / normal.force : contact.shares[i];
+      force_at[i] = has_center ? force_at[i] / normal.force : springs.part[i] / all_parts;
     normal.twist_radius = twist_radius(contact, normal.center, force_at);
   }
   return normal;
@@ -68,9 +70,9 @@ typename Spring<D>::NormalPart Spring<D>::per_contact(const Contact<D>& contact,
 /// The stiffness per area times the overlap: the linear depth integrated over the region, moment included.
 /// The springs of an intact joint are spread over the faces that were one.
 template <int D>
-typename Spring<D>::NormalPart Spring<D>::per_area(const Contact<D>& contact, const Overlap<D>& overlap,
-                                                   const PairMotion<D>& motion, bool bonded,
-                                                   ContactEnergy& energy) const {
+typename Spring<D>::NormalPart Spring<D>::normal_part(const Contact<D>& contact, const Overlap<D>& overlap,
+                                                      const PairMotion<D>& motion, bool bonded,
+                                                      ContactEnergy& energy) const {
   NormalPart normal;
   Bed bed;
   if (bonded && is_joint_face(contact)) {
@@ -94,13 +96,15 @@ typename Spring<D>::NormalPart Spring<D>::per_area(const Contact<D>& contact, co
     bed.unevenness = overlap.unevenness();
   }
   bed.stiffness = law_.normal_stiffness * normal.base;
+  bed.reach = certain_reach(D - 1);
   damp(contact.normal, motion, bonded, bed, normal);
   return normal;
 }
 
 /// Dashpots spread as the springs are: they brake the bed's opening and its tilting alike. Where nothing is
-/// bonded they pull at most as much as leaves the centre of all that presses within the bed: for a bed of
-/// this spread, up to sqrt(3) times its radius of gyration from its middle, which is the end of an even one.
+/// bonded they pull at most as much as leaves the centre of all that presses within the bed: the springs'
+/// force is an even part in the middle and the rest at the end of what is certain to belong to the bed, and
+/// the even part less the dashpots' pull has its centre there, too.
 template <int D>
 void Spring<D>::damp(const Vector<D>& direction, const PairMotion<D>& motion, bool bonded, const Bed& bed,
                      NormalPart& normal) const {
@@ -109,7 +113,7 @@ void Spring<D>::damp(const Vector<D>& direction, const PairMotion<D>& motion, bo
   const Vector<D> slope = motion.opening_slope(direction), tilting = bed.spread * slope;
   double viscosity_here = viscosity(law_.normal_damping, bed.stiffness);
   if (!bonded) {
-    const double pull = opening + std::sqrt(slope.dot(tilting) / 3);
+    const double pull = opening + std::sqrt(std::max(slope.dot(tilting), 0.0)) / bed.reach;
     const double most = (1 - bed.unevenness) * normal.force;
     if (viscosity_here * pull > most) viscosity_here = most / pull;
   }
@@ -121,14 +125,6 @@ void Spring<D>::damp(const Vector<D>& direction, const PairMotion<D>& motion, bo
 }
 
 template <int D>
-typename Spring<D>::NormalPart Spring<D>::normal_part(const Contact<D>& contact, const Overlap<D>& overlap,
-                                                      const PairMotion<D>& motion, bool bonded,
-                                                      ContactEnergy& energy) const {
-  return law_.stiffness_kind == StiffnessKind::per_area ? per_area(contact, overlap, motion, bonded, energy)
-                                                        : per_contact(contact, motion, bonded, energy);
-}
-
-template <int D>
 typename Spring<D>::ShearTrial Spring<D>::shear_trial(const NormalPart& normal, const Vector<D>& direction,
                                                       const PairMotion<D>& motion,
                                                       const ShearSpring<D>& spring) const {
@@ -137,8 +133,9 @@ typename Spring<D>::ShearTrial Spring<D>::shear_trial(const NormalPart& normal, 
   const bool per_area = law_.stiffness_kind == StiffnessKind::per_area;
   trial.stiffness = law_.shear_stiffness * (per_area ? normal.base : 1);
   trial.velocity = slip_velocity(motion.relative_at(normal.center), direction, motion, normal.twist_radius);
-  trial.before = carried(spring, direction, motion, elapsed_);
-  trial.force = trial.before - trial.stiffness * (elapsed_ * trial.velocity);
+  trial.before = trial.force = carried(spring, direction, motion, elapsed_);
+  if (trial.stiffness < spring.stiffness) trial.force *= trial.stiffness / spring.stiffness;
+  trial.force -= trial.stiffness * (elapsed_ * trial.velocity);
   return trial;
 }
 
@@ -154,7 +151,10 @@ bool Spring<D>::holds(const NormalPart& normal, const ShearTrial& trial) const {
          trial.force.norm() <= shear_limit(normal, true);
 }
 
-/// Incremental shear spring with Mohr-Coulomb's limit (eqs. 37-40).
+/// Incremental shear spring with Mohr-Coulomb's limit (eqs. 37-40). Where its stiffness falls, as an area
+/// does that becomes smaller, the springs that part take their force and energy with them; where it grows,
+/// only new slip is stiffer, and of what is stored no more counts than comes back (Elata and Berryman 1996).
+/// So a spring never gives more than it took.
 template <int D>
 typename Spring<D>::ShearPart Spring<D>::shear_force(const NormalPart& normal, const ShearTrial& trial,
                                                      const Vector<D>& direction, ShearSpring<D>& spring,
@@ -167,15 +167,12 @@ typename Spring<D>::ShearPart Spring<D>::shear_force(const NormalPart& normal, c
   if (slides) force *= limit / wanted;
 
   // Work that motion put in and the spring does not hold is lost.
-  const auto energy_of = [&](const Shear<D>& f) {
-    return trial.stiffness > 0 ? 0.5 * f.squaredNorm() / trial.stiffness : 0;
-  };
-  if (spring.energy == preloaded) spring.energy = energy_of(before);
-  const double stored = energy_of(force);
+  if (spring.stiffness == preloaded) spring.stiffness = stiffness;
+  const double stored = shear_energy<D>(force, stiffness);
   const double put_in = -0.5 * (before + force).dot(slip);
-  energy.friction_loss += put_in - (stored - spring.energy);
+  energy.friction_loss += put_in - (stored - energy_of(spring));
   energy.strain += stored;
-  remember(spring, force, stored, direction);
+  remember(spring, force, stiffness, direction);
 
   if (law_.shear_damping == 0 || slides) return {force};
   Shear<D> total = force - viscosity(law_.shear_damping, stiffness) * velocity;
@@ -205,18 +202,18 @@ template <int D>
 }
 
 template <int D>
-PairLoad<D> Spring<D>::evaluate(const Contact<D>& contact, const Overlap<D>& overlap,
-                                const PairMotion<D>& motion, ShearSpring<D>& spring, bool& bonded,
-                                ContactEnergy& energy) const {
+template <class Base>
+PairLoad<D> Spring<D>::evaluate(const Contact<D>& contact, const Base& base, const PairMotion<D>& motion,
+                                ShearSpring<D>& spring, bool& bonded, ContactEnergy& energy) const {
   const ContactEnergy before = energy;
-  NormalPart normal = normal_part(contact, overlap, motion, bonded, energy);
+  NormalPart normal = normal_part(contact, base, motion, bonded, energy);
   ShearTrial trial = shear_trial(normal, contact.normal, motion, spring);
   if (bonded && !holds(normal, trial)) {
     // Torn or sheared off: what the bond held is lost, what is still compressed goes on without it.
     const double held = energy.strain - before.strain;
     bonded = false;
     energy = before;
-    normal = normal_part(contact, overlap, motion, bonded, energy);
+    normal = normal_part(contact, base, motion, bonded, energy);
     energy.friction_loss += held - (energy.strain - before.strain);
     trial = shear_trial(normal, contact.normal, motion, spring);
   }
@@ -233,12 +230,21 @@ PairLoad<D> Spring<D>::evaluate(const LineOfAction<D>& line, const PairMotion<D>
   normal.center = line.loading_point;
   normal.twist_radius = line.twist_radius;
   energy.strain += line.energy;
-  damp(line.direction, motion, false, {line.stiffness, line.loading_point, line.spread, 0}, normal);
+  damp(line.direction, motion, false,
+       {line.stiffness, line.middle, line.spread, certain_reach(D), line.unevenness()}, normal);
   const ShearTrial trial = shear_trial(normal, line.direction, motion, spring);
   return load(normal, trial, line.direction, spring, false, energy);
 }
 
 template class Spring<2>;
 template class Spring<3>;
+#define HALFSPACE_EVALUATE(D, BASE)                                                              \
+  template PairLoad<D> Spring<D>::evaluate(const Contact<D>&, const BASE&, const PairMotion<D>&, \
+                                           ShearSpring<D>&, bool&, ContactEnergy&) const;
+HALFSPACE_EVALUATE(2, PointSprings<2>)
+HALFSPACE_EVALUATE(2, Overlap<2>)
+HALFSPACE_EVALUATE(3, PointSprings<3>)
+HALFSPACE_EVALUATE(3, Overlap<3>)
+#undef HALFSPACE_EVALUATE
 
 }  // namespace halfspace

@@ -4,6 +4,7 @@
 #include "force/pair_motion.h"
 #include "force/potential/line_of_action.h"
 #include "force/spring/overlap.h"
+#include "force/spring/point_springs.h"
 #include "force/spring/shear_spring.h"
 #include "narrow_phase/contact.h"
 
@@ -52,11 +53,13 @@ struct ContactEnergy {
 template <int D>
 class Spring {
  public:
-  /// `overlap` is read only by a law per area; `elapsed` is the time over which the shear spring grows.
+  /// `elapsed` is the time over which the shear spring grows.
   Spring(const SpringLaw& law, double reduced_mass, double elapsed)
       : law_(law), reduced_mass_(reduced_mass), elapsed_(elapsed) {}
 
-  PairLoad<D> evaluate(const Contact<D>& contact, const Overlap<D>& overlap, const PairMotion<D>& motion,
+  /// By springs at points, a base of PointSprings, or per area, a base of Overlap.
+  template <class Base>
+  PairLoad<D> evaluate(const Contact<D>& contact, const Base& base, const PairMotion<D>& motion,
                        ShearSpring<D>& spring, bool& bonded, ContactEnergy& energy) const;
 
   /// By the potentials of both blocks. The shear spring is at the loading point and across the line of
@@ -80,8 +83,8 @@ class Spring {
     double stiffness = 0;                  // of all
     Vector<D> middle = Vector<D>::Zero();  // centroid of the part
     Tensor<D> spread = Tensor<D>::Zero();  // mean of the way from there times itself^T
-    double unevenness = 0;                 // of the springs' force: their centre's way from the middle to
-                                           // where nothing would press on the other side, as a share
+    double reach = 0;                      // so many radii of gyration of the middle all belongs to the part
+    double unevenness = 0;                 // how far from the middle the springs' centre is, over that
   };
 
   struct ShearPart {
@@ -97,12 +100,10 @@ class Spring {
     Shear<D> force = Shear<D>::Zero();
   };
 
+  NormalPart normal_part(const Contact<D>& contact, const PointSprings<D>& springs,
+                         const PairMotion<D>& motion, bool bonded, ContactEnergy& energy) const;
   NormalPart normal_part(const Contact<D>& contact, const Overlap<D>& overlap, const PairMotion<D>& motion,
                          bool bonded, ContactEnergy& energy) const;
-  NormalPart per_contact(const Contact<D>& contact, const PairMotion<D>& motion, bool bonded,
-                         ContactEnergy& energy) const;
-  NormalPart per_area(const Contact<D>& contact, const Overlap<D>& overlap, const PairMotion<D>& motion,
-                      bool bonded, ContactEnergy& energy) const;
   void damp(const Vector<D>& direction, const PairMotion<D>& motion, bool bonded, const Bed& bed,
             NormalPart& normal) const;
   ShearTrial shear_trial(const NormalPart& normal, const Vector<D>& direction, const PairMotion<D>& motion,

@@ -7,10 +7,10 @@
 // The contact region of two polygons at a potential pair, an edge and the vertex before it; most often the
 // remembered one:
 //
-//   the other block's edge at the vertex is near to parallel, and the two overlap: edge on edge, two points
-//   else the foot of the vertex lies on the edge: vertex on edge, one point
-//   else, near an end of the edge: vertex on vertex, along the sum of both half-spaces' normals
-//   else the neighbouring pair beyond that end, from the start
+//   the other block's edge at the vertex is near to parallel, and lies over the edge: edge on edge, two
+//   points (beyond the parallel angle: as long as both points overlap) else the foot of the vertex lies on
+//   the edge: vertex on edge, one point else, near an end of the edge: vertex on vertex, along the sum of
+//   both half-spaces' normals else the neighbouring pair beyond that end, from the start
 
 namespace halfspace {
 namespace {
@@ -59,23 +59,8 @@ FacingEdge facing_edge(const PairFrame& f) {
   return {ends[after], std::max(cosine_after, cosine_before) > 0 ? sine : 1};
 }
 
-/// Stiffness at the shallower of two points, and how it changes with the sine of the angle between the edges:
-/// half while they are parallel, none at the parallel angle, so that the force does not jump when the region
-/// shrinks to a point or grows out of one. Constant up to half that angle: there the contact is two fixed
-/// springs. In between, a smooth step.
-struct Share {
-  double value;
-  double rate;
-};
-
-Share share_of_shallower_point(double sine, double parallel_angle) {
-  const double u = 2 * (1 - sine / parallel_angle);
-  if (u >= 1) return {0.5, 0};
-  return {0.5 * u * u * (3 - 2 * u), -6 * u * (1 - u) / parallel_angle};
-}
-
 void describe_edge_edge(const PairFrame& f, const FacingEdge& facing, double from, double to,
-                        const DetectOptions& options, Contact<2>& contact) {
+                        Contact<2>& contact) {
   contact.type = ContactType::edge_edge;
   contact.length = to - from;
   contact.point_count = 2;
@@ -93,25 +78,15 @@ void describe_edge_edge(const PairFrame& f, const FacingEdge& facing, double fro
   // The vertex itself may lie beyond the edge's end: the deeper end of the region says how far the blocks
   // overlap.
   contact.gap = std::min(contact.gaps[0], contact.gaps[1]);
-  const int shallower = contact.gaps[0] > contact.gaps[1] ? 0 : 1;
-  const Share share = share_of_shallower_point(facing.sine, options.parallel_angle);
-  contact.shares[shallower] = share.value;
-  contact.shares[1 - shallower] = 1 - share.value;
-  // The points run along the tangent. When the other block turns counter-clockwise the edges close where the
-  // first point is the deeper one and open where it is the shallower; either way the first point's share
-  // changes by the same rate.
-  contact.share_rate = share.rate;
 }
 
 void describe_point(ContactType type, const Vector<2>& point, Contact<2>& contact) {
   contact.type = type;
   contact.length = 0;
   contact.point_count = 1;
-  contact.shares[0] = 1;
-  contact.share_rate = 0;
   contact.points[0] = point;
   contact.gaps[0] = contact.gap;
-  contact.shares[1] = contact.gaps[1] = 0;
+  contact.gaps[1] = 0;
   contact.points[1].setZero();
 }
 
@@ -140,18 +115,21 @@ void describe_contact(const Outline<2>& a, const Outline<2>& b, const Vector<2>&
     const Vector<2> vertex = f.other_vertex(f.vertex);
     const double s = f.along(vertex);
     contact.normal = f.normal;
-    contact.gap = f.gap(vertex);
 
     const FacingEdge facing = facing_edge(f);
-    if (facing.sine < options.parallel_angle) {
+    if (facing.sine < options.region_angle()) {
       const double s_far = f.along(f.other_vertex(facing.far_vertex));
       const double from = std::max(-f.half_length, std::min(s, s_far));
       const double to = std::min(f.half_length, std::max(s, s_far));
       if (from < to) {
-        describe_edge_edge(f, facing, from, to, options, contact);
-        break;
+        describe_edge_edge(f, facing, from, to, contact);
+        const bool both_overlap = std::max(contact.gaps[0], contact.gaps[1]) < 0;
+        if (facing.sine < options.parallel_angle ||
+            (both_overlap && options.outlasts(contact.length, -contact.gap)))
+          break;
       }
     }
+    contact.gap = f.gap(vertex);
     // The zone is a share of the shorter of both edges: that of a long plate would swallow whole grains.
     const double facing_length = (f.other.vertex(facing.far_vertex) - f.other.vertex(f.vertex)).norm();
     const double zone = options.vertex_zone * std::min(2 * f.half_length, facing_length);
@@ -174,7 +152,6 @@ void describe_contact(const Outline<2>& a, const Outline<2>& b, const Vector<2>&
   // Seen from the owner so far: relative to a's centroid, and from a to b.
   const double sign = 1 - 2 * pair.owner;
   contact.normal *= sign;
-  contact.share_rate *= sign;
   for (int i = 0; i < contact.point_count; ++i) contact.points[i] += double(pair.owner) * to_b;
 }
 

@@ -32,8 +32,6 @@ void turn_round(const Vector<3>& to_b, Contact<3>& contact) {
   for (int i = 0; i < contact.point_count; ++i) contact.points[i] += to_b;
   std::reverse(contact.points, contact.points + contact.point_count);
   std::reverse(contact.gaps, contact.gaps + contact.point_count);
-  std::reverse(contact.shares, contact.shares + contact.point_count);
-  std::reverse(contact.share_rates, contact.share_rates + contact.point_count);
 }
 
 /// Returns the pair, or the neighbouring one when one of the nearest points lies beyond an end of its edge:

@@ -7,7 +7,6 @@
 #include "narrow_phase/space/contact_plane.h"
 #include "narrow_phase/space/face_overlap.h"
 #include "narrow_phase/space/potential_pairs.h"
-#include "narrow_phase/space/shares.h"
 
 namespace halfspace {
 namespace {
@@ -108,10 +107,10 @@ bool describe_edge_face(const FlatFaceVertex& f, int far_vertex, Contact<3>& con
   contact.area = 0;
   contact.length = (part.to - part.from) * end.norm();
   contact.point_count = 2;
-  const double shares[] = {part.from, part.to};
+  const double places[] = {part.from, part.to};
   for (int i = 0; i < 2; ++i) {
-    contact.points[i] = f.plane.at(shares[i] * end);
-    contact.gaps[i] = f.gap + shares[i] * climb;
+    contact.points[i] = f.plane.at(places[i] * end);
+    contact.gaps[i] = f.gap + places[i] * climb;
   }
   contact.gap = std::min(contact.gaps[0], contact.gaps[1]);
   contact.center = 0.5 * (contact.points[0] + contact.points[1]);
@@ -207,38 +206,43 @@ void describe_border(const FlatFaceVertex& f, const Place& place, Contact<3>& co
                  point_of_border(f, place, std::clamp(share, 0.0, 1.0)), contact);
 }
 
-/// A region that is tilted by more than the parallel angle is called by what of it bears: a face still, where
-/// it has two edges that are level enough, else an edge or the vertex.
-void name_tilted_region(const FlatFaceVertex& f, bool is_edge_level, Contact<3>& contact) {
-  keep_what_bears(contact);
-  if (contact.point_count > 2) return;
-  if (contact.point_count == 1) {
-    const bool is_vertex = (contact.points[0] - f.foot).norm() <= 4 * f.rounding();
-    return describe_point(is_vertex && !is_edge_level ? ContactType::vertex_face : ContactType::edge_face,
-                          contact.points[0], contact);
-  }
-  contact.type = ContactType::edge_face;
-  contact.area = 0;
-  contact.length = (contact.points[1] - contact.points[0]).norm();
-  contact.center = 0.5 * (contact.points[0] + contact.points[1]);
-  contact.center_gap = 0.5 * (contact.gaps[0] + contact.gaps[1]);
+/// How many points of the region lie behind the contact plane.
+int overlapping_point_count(const Contact<3>& contact) {
+  return int(
+      std::count_if(contact.gaps, contact.gaps + contact.point_count, [](double gap) { return gap < 0; }));
+}
+
+/// The distance of the point that lies farthest from the deepest one.
+double reach_from_deepest(const Contact<3>& contact) {
+  const auto deepest = std::min_element(contact.gaps, contact.gaps + contact.point_count) - contact.gaps;
+  double reach = 0;
+  for (int i = 0; i < contact.point_count; ++i)
+    reach = std::max(reach, (contact.points[i] - contact.points[deepest]).squaredNorm());
+  return std::sqrt(reach);
+}
+
+/// Does a tilted region bear at more points than a simpler contact would, and until it does not?
+bool bears_tilted(const Contact<3>& contact, int points, const DetectOptions& options) {
+  return overlapping_point_count(contact) > points &&
+         options.outlasts(reach_from_deepest(contact), -contact.gap);
 }
 
 /// The region of a face and what is near to parallel with it of the other block at the vertex: a face, or
-/// else an edge. False when there is none.
+/// else an edge. One that is tilted by more than the parallel angle counts as long as more of its points
+/// overlap than an edge, or a vertex, has. False when there is none.
 bool describe_region(const FlatFaceVertex& f, const FacingNeighbour& edge, const DetectOptions& options,
                      Contact<3>& contact) {
   contact.normal = f.normal;
   contact.gap = f.gap;
-  const FacingFace face = facing_face(f, options.region_angle());
-  if (face.is_there())
+  if (const FacingFace face = facing_face(f, options.region_angle()); face.is_there()) {
     describe_face_face(f, face, contact);
-  else if (!(edge.sine < options.region_angle() && describe_edge_face(f, edge.far_vertex, contact)))
-    return false;
-  share_stiffness(options, contact);
-  if ((face.is_there() ? face.sine : edge.sine) >= options.parallel_angle)
-    name_tilted_region(f, edge.sine < options.parallel_angle, contact);
-  return true;
+    if (face.sine < options.parallel_angle || bears_tilted(contact, 2, options)) return true;
+  }
+  if (edge.sine < options.region_angle() && describe_edge_face(f, edge.far_vertex, contact)) {
+    if (edge.sine < options.parallel_angle || bears_tilted(contact, 1, options)) return true;
+  }
+  contact.gap = f.gap;
+  return false;
 }
 
 }  // namespace

@@ -27,8 +27,6 @@ struct FaceVertex {
   contact.point_count = 1;
   contact.center = point;
   contact.points[0] = point;
-  contact.shares[0] = 1;
-  contact.share_rates[0].setZero();
   contact.center_gap = contact.gaps[0] = contact.gap;
 }
 

@@ -72,7 +72,8 @@ pub const HS_PAIR_VERTEX_VERTEX: i32 = 3;
 pub const HS_CONTACT_POINTS: i32 = 8;
 
 // What a stiffness refers to.
-/// N/m for the whole contact, shared over the points of its region
+/// N/m of a face on a face, shared over the corners of the region, each a spring on its own: in 2D a vertex
+/// alone has half of it, in 3D the corner of a square a quarter
 pub const HS_STIFFNESS_PER_CONTACT: i32 = 0;
 /// Pa/m: the normal force is the stiffness times the overlap area behind the contact plane
 pub const HS_STIFFNESS_PER_AREA: i32 = 1;
@@ -363,7 +364,7 @@ pub struct hs_law_def {
     pub struct_size: u32,
     /// an HS_STIFFNESS_ value; default HS_STIFFNESS_PER_CONTACT
     pub stiffness_kind: i32,
-    /// \> 0; N/m, Pa/m or Pa; default 1e9
+    /// \> 0; N/m of a face on a face (a vertex is softer), Pa/m or Pa; default 1e9
     pub normal_stiffness: f64,
     /// \>= 0; N/m or Pa/m, of potentials N/m; 0, the default: the same number as normal_stiffness
     pub shear_stiffness: f64,
