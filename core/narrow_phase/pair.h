@@ -49,6 +49,15 @@ inline bool describe_plainly_touching(const Outline<2>&, const Outline<2>&, cons
 inline void remember_proof(const Contact<2>&, const Vector<2>&, Witness<2>&) {}
 inline void remember_point(const Vector<2>&, Witness<2>&) {}
 
+/// Unit normal of a potential pair's half-space, turned so that it points from a to b.
+inline Vector<2> normal_of(const Outline<2>& a, const Outline<2>& b, const PotentialPair<2>& pair) {
+  return pair.owner == 0 ? a.normal(pair.edge) : Vector<2>(-b.normal(pair.edge));
+}
+
+/// The less deep of the pairs whose faces look most along a normal from a to b, from either side.
+PotentialPair<2> pair_along(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
+                            const Vector<2>& normal);
+
 /// Walks around the Minkowski difference to the pair of least depth that is reached without passing a deeper
 /// one. So the contact keeps the side through which the blocks met, also when a thin block is overlapped past
 /// its middle.

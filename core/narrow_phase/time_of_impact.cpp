@@ -35,7 +35,7 @@ struct Look {
 };
 
 Vector<2> normal_of(const Separation<2>& found, const Outline<2>& a, const Outline<2>& b) {
-  return found.pair.owner == 0 ? a.normal(found.pair.edge) : -b.normal(found.pair.edge);
+  return normal_of(a, b, found.pair);
 }
 Vector<3> normal_of(const Separation<3>& found, const Outline<3>&, const Outline<3>&) { return found.normal; }
 

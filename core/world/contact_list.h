@@ -23,7 +23,8 @@ constexpr std::size_t pairs_per_chunk = 256;
 /// Sums over a chunk of pairs.
 struct PairSums {
   std::uint32_t contacts = 0;
-  double released = 0;  // energy of shear springs whose contact has ended
+  std::uint32_t met = 0;  // of them: not in contact before
+  double released = 0;    // energy of shear springs whose contact has ended
   double peak_overlap = 0;
   double deepest_stop = 0;
   ContactEnergy energy{};
@@ -36,7 +37,12 @@ template <int D>
 class ContactList {
  public:
   ContactList(Model<D>& model, Memory* memory)
-      : model_(model), neighbors_(memory), touching_(memory), found_in_chunks_(memory), fresh_(memory) {}
+      : model_(model),
+        neighbors_(memory),
+        touching_(memory),
+        found_in_chunks_(memory),
+        met_in_chunks_(memory),
+        fresh_(memory) {}
 
   std::size_t count() const { return touching_.size(); }
   const Candidate<D>& pair_of(std::size_t contact) const { return neighbors_.pairs()[touching_[contact]]; }
@@ -68,8 +74,20 @@ class ContactList {
   /// Keeps a pair in contact, when its description is final.
   void keep(std::size_t k, std::size_t first_of_chunk, const Contact<D>& contact, PairSums& sums) {
     found_in_chunks_[first_of_chunk + sums.contacts++] = std::uint32_t(k);
+    note_overlap(k, contact, sums);
+  }
+  void note_overlap(std::size_t k, const Contact<D>& contact, PairSums& sums) const {
     if (is_always_described(neighbors_.pairs()[k]))
       sums.peak_overlap = std::max(sums.peak_overlap, -contact.gap);
+  }
+  /// Keeps a pair that has met. Through what, is found out when all other contacts are known.
+  void keep_met(std::size_t k, std::size_t first_of_chunk, PairSums& sums) {
+    found_in_chunks_[first_of_chunk + sums.contacts++] = std::uint32_t(k);
+    met_in_chunks_[first_of_chunk + sums.met++] = std::uint32_t(k);
+  }
+  /// The pairs of a chunk that have met, in ascending order.
+  std::span<const std::uint32_t> met_in(std::size_t chunk, const PairSums& sums) const {
+    return {met_in_chunks_.begin() + std::ptrdiff_t(chunk * pairs_per_chunk), sums.met};
   }
   /// Was a pair in contact when it was last looked at, or is it bonded?
   static bool was_in_contact(const Candidate<D>& pair) {
@@ -118,6 +136,8 @@ class ContactList {
   void fit_room() {
     refit(touching_, neighbors_.room());
     found_in_chunks_.resize(neighbors_.room());
+    met_in_chunks_.resize(neighbors_.room());
+    neighbors_.reserve_index();
   }
 
   /// The largest of all contacts found so far that were described, which those of potentials in space are
@@ -152,6 +172,7 @@ class ContactList {
   NeighborList<D> neighbors_;
   Array<std::uint32_t> touching_;         // the pair of each contact
   Array<std::uint32_t> found_in_chunks_;  // the same while they are found, each chunk where its pairs begin
+  Array<std::uint32_t> met_in_chunks_;    // those of them that have met
   Array<std::uint8_t> fresh_;             // of each block: its first step has not begun
   std::int32_t any_fresh_ = 0;
   double peak_overlap_ = 0;

@@ -93,7 +93,7 @@ Sweep<D> FastMotion<D>::made_sweep(std::size_t i, double made) const {
 /// Where they touched at the start already but for rounding, the contact stays as it is; and in a motion that
 /// is short against the thinner block the pair that kept them apart decides as well as time does.
 template <int D>
-void FastMotion<D>::describe_entrance(Candidate<D>& pair, double made, int worker, Contact<D>& contact) {
+void FastMotion<D>::find_entrance(Candidate<D>& pair, double made, int worker) {
   if (made * blocks_.speed_between(pair.a, pair.b) <= short_share * blocks_.thinner(pair.a, pair.b)) return;
   const Impact<D> impact =
       time_of_impact(blocks_.own_outline(pair.a), made_sweep(std::size_t(pair.a), made),
@@ -102,8 +102,6 @@ void FastMotion<D>::describe_entrance(Candidate<D>& pair, double made, int worke
   if (impact.time * made * blocks_.speed_between(pair.a, pair.b) <= contacts_.rounding_of_touch(pair)) return;
   pair.witness = witness_of(impact);
   pair.witness.state = Witness<D>::touching;
-  const PlacedBlocks<D> at = blocks_.placed(pair.a, pair.b);
-  describe_contact<D>(at.a, at.b, at.to_b, pair.witness, model_.settings.detect, contact);
 }
 
 /// The part of the planned motion that a pair may make at once. Where it meets in that part, it is told

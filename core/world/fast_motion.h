@@ -58,9 +58,9 @@ class FastMotion {
   const FastPair& pair() const { return pair_; }
 
   /// Two blocks have met in the motion of such a duration just made. Of the pairs that kept them apart at its
-  /// start the last to close is the one through which they met, also where others are less deep by now: their
-  /// contact is described there.
-  void describe_entrance(Candidate<D>& pair, double made, int worker, Contact<D>& contact);
+  /// start the last to close is the one through which they met, also where others are less deep by now. It is
+  /// remembered.
+  void find_entrance(Candidate<D>& pair, double made, int worker);
 
   /// Takes the room that times of impact need, which a snapshot does not hold.
   void fit_room() {

@@ -32,6 +32,8 @@ NeighborList<D>::NeighborList(Memory* memory)
       planned_(memory),
       calm_motion_(memory),
       ways_(memory),
+      by_second_(memory),
+      first_by_second_(memory),
       search_(memory),
       boxes_(memory),
       sizes_(memory),
@@ -202,6 +204,7 @@ void NeighborList<D>::renew(const Blocks<D>& blocks, bool with_shear) noexcept {
     reference_gradient_[std::size_t(deformation.slot)] = deformation.gradient;
   choose_calm_motions(blocks);
   ways_.clear();
+  is_indexed_ = false;
   used_up_ = false;
   ++builds_;
 }
@@ -214,6 +217,7 @@ void NeighborList<D>::remember_pairs() {
 
 template <int D>
 void NeighborList<D>::recall_pairs() noexcept {
+  is_indexed_ = false;
   pairs_.swap(next_pairs_);
   shear_.swap(next_shear_);
 }
@@ -228,8 +232,23 @@ void NeighborList<D>::forget(std::int32_t slot) {
     ++kept;
   }
   pairs_.resize(kept);
+  is_indexed_ = false;
   if (!shear_.empty()) shear_.resize(kept);
   used_up_ = true;
+}
+
+/// By counting; pairs are in order of their first blocks, and stay so.
+template <int D>
+void NeighborList<D>::index_pairs() noexcept {
+  if (is_indexed_) return;
+  first_by_second_.assign(skin_.size() + 1, 0);
+  for (const Candidate<D>& pair : pairs_) ++first_by_second_[std::size_t(pair.b)];
+  std::uint32_t end = 0;
+  for (std::uint32_t& first : first_by_second_) first = end += first;
+  by_second_.resize(pairs_.size());
+  for (std::size_t k = pairs_.size(); k-- > 0;)
+    by_second_[--first_by_second_[std::size_t(pairs_[k].b)]] = std::uint32_t(k);
+  is_indexed_ = true;
 }
 
 template <int D>

@@ -85,6 +85,26 @@ class NeighborList {
   /// Drops the pairs of a block that is removed.
   void forget(std::int32_t slot);
 
+  /// Calls `visit(k)` for each pair of a block, in ascending order of the other one. Pairs have not changed
+  /// since index_pairs().
+  template <class Visit>
+  void for_each_pair_of(std::int32_t slot, Visit visit) const {
+    for (std::uint32_t i = first_by_second_[std::size_t(slot)]; i < first_by_second_[std::size_t(slot) + 1];
+         ++i)
+      visit(by_second_[i]);
+    const auto is_before = [](const Candidate<D>& pair, std::int32_t block) { return pair.a < block; };
+    auto pair = std::lower_bound(pairs_.begin(), pairs_.end(), slot, is_before);
+    for (; pair != pairs_.end() && pair->a == slot; ++pair) visit(std::size_t(pair - pairs_.begin()));
+  }
+  /// Finds the pairs of each second block, unless they are known. Takes no memory but what reserve_index()
+  /// has taken.
+  void index_pairs() noexcept;
+  void reserve_index() {
+    by_second_.reserve(room());
+    first_by_second_.reserve(skin_.size() + 1);
+    is_indexed_ = false;
+  }
+
   Array<Candidate<D>>& pairs() { return pairs_; }
   const Array<Candidate<D>>& pairs() const { return pairs_; }
   /// One per pair; none at all when no law resists shear.
@@ -150,6 +170,11 @@ class NeighborList {
   double least_calm_motion_ = 0;  // not saved: 0 until the next search
   std::int32_t used_up_ = 1;
   std::int64_t builds_ = 0;
+
+  // The pairs sorted by their second blocks, and where those of each begin; found when they are asked for.
+  Array<std::uint32_t> by_second_;
+  Array<std::uint32_t> first_by_second_;
+  bool is_indexed_ = false;
 
   // Working memory of the search, kept so that it allocates nothing in a steady run.
   Grid<D> search_;

@@ -13,6 +13,7 @@ struct MovingEdge {
   struct Place {
     std::array<Vector<3>, 2> end;
     std::array<Vector<3>, 2> beside;  // a corner of the face on either side
+    Vector<3> outwards;               // somewhere between the normals of both faces
 
     Vector<3> along() const { return end[1] - end[0]; }
     Vector<3> at(double share) const { return end[0] + share * along(); }
@@ -21,7 +22,8 @@ struct MovingEdge {
       const Vector<3> way = beside[face] - end[0];
       return way - way.dot(along()) / along().squaredNorm() * along();
     }
-    bool is_flat() const;
+    /// Faces that meet at a flat or hollow angle make no edge that others meet: their corners do.
+    bool is_sharp() const;
   };
 
   std::array<CarriedPoint<3>, 2> end;
@@ -31,7 +33,7 @@ struct MovingEdge {
 
 namespace {
 
-/// Faces that meet at a flatter angle make no edge that others meet: their corners do.
+/// Faces that meet at a flatter angle lie in one plane.
 constexpr double flat = 1e-6;
 
 /// Share of a block's radius: edges that lie in each other deeper than this are those of other sides.
@@ -44,7 +46,7 @@ constexpr double flush = 1e-6;
 constexpr double parallel_edges = 1e-6;
 
 /// Where edges meet this near to an end of one of them, as a share of it, its corner meets a face.
-constexpr double end_share = 1e-10;
+constexpr double end_share = 1e-6;
 
 /// The places along two edges, from 0 to 1, where they are nearest to each other.
 struct NearestPlaces {
@@ -66,7 +68,7 @@ NearestPlaces nearest(const MovingEdge::Place& a, const MovingEdge::Place& b) {
 /// The normal of two edges, outwards from b.
 Vector<3> normal_of(const MovingEdge::Place& a, const MovingEdge::Place& b) {
   const Vector<3> normal = cross_product(a.along(), b.along()).normalized();
-  return normal.dot(b.inwards(0) + b.inwards(1)) > 0 ? Vector<3>(-normal) : normal;
+  return normal.dot(b.outwards) < 0 ? Vector<3>(-normal) : normal;
 }
 
 bool are_parallel(const MovingEdge::Place& a, const MovingEdge::Place& b) {
@@ -86,9 +88,9 @@ bool is_between(const MovingEdge::Place& a, const MovingEdge::Place& b) {
 
 }  // namespace
 
-bool MovingEdge::Place::is_flat() const {
-  const Vector<3> one = inwards(0), other = inwards(1);
-  return !(cross_product(one, other).norm() > flat * one.norm() * other.norm());
+bool MovingEdge::Place::is_sharp() const {
+  const Vector<3> one = inwards(0).normalized(), other = inwards(1).normalized();
+  return cross_product(one, other).norm() > flat && outwards.dot(one + other) < 0;
 }
 
 template <>
@@ -129,6 +131,8 @@ MovingEdge ReactionSearch<3>::edge(std::int32_t block, int which) const {
       edge.planned.beside[i] =
           edge.now.beside[i] + integrator_.planned_way_of_node(std::size_t(of_mesh.beside[i]));
     }
+    edge.now.outwards = edge.planned.outwards =
+        outwards_[std::size_t(of_mesh.node[0])] + outwards_[std::size_t(of_mesh.node[1])];
     return edge;
   }
   const Outline<3> own = blocks_.own_outline(block);
@@ -147,6 +151,11 @@ MovingEdge ReactionSearch<3>::edge(std::int32_t block, int which) const {
     edge.now.beside[i] = corner_now(slot, of_face[third]);
     edge.planned.beside[i] = planned_corner(slot, of_face[third]);
   }
+  const auto out_of = [](const MovingEdge::Place& place, const Vector<3>& centroid) {
+    return Vector<3>(0.5 * (place.end[0] + place.end[1]) - centroid);
+  };
+  edge.now.outwards = out_of(edge.now, pose_now(slot).position);
+  edge.planned.outwards = out_of(edge.planned, planned_pose(slot).position);
   return edge;
 }
 
@@ -198,14 +207,16 @@ void ReactionSearch<3>::look_at_edges(std::int32_t a, std::int32_t b, Array<Reac
     const EdgeBound about_edge = bound_of_edge(a, i);
     if (!about_edge.is_near(about_b, reach)) continue;
     const MovingEdge of_a = edge(a, i);
-    if (of_a.now.is_flat()) continue;
+    if (!of_a.now.is_sharp()) continue;
     for (int k = 0; k < edge_count(std::size_t(b)); ++k) {
       if (!about_edge.is_near(bound_of_edge(b, k), reach)) continue;
       const MovingEdge of_b = edge(b, k);
-      if (of_b.now.is_flat() || are_parallel(of_a.now, of_b.now)) continue;
+      if (!of_b.now.is_sharp() || are_parallel(of_a.now, of_b.now)) continue;
       if (!is_between(of_a.now, of_b.now) && !is_between(of_a.planned, of_b.planned)) continue;
+      // A corner that slides along a face falls a little behind it, until it is held: its edge is none that
+      // meets another there.
       const NearestPlaces at_end = nearest(of_a.planned, of_b.planned);
-      if (!at_end.is_between_ends()) continue;
+      if (!nearest(of_a.now, of_b.now).is_between_ends() || !at_end.is_between_ends()) continue;
       const Vector<3> normal = normal_of(of_a.now, of_b.now);
       const double before = normal.dot(of_a.now.end[0] - of_b.now.end[0]);
       const double after = normal.dot(of_a.planned.at(at_end.on_a) - of_b.planned.at(at_end.on_b));

@@ -132,8 +132,9 @@ bool ReactionSearch<D>::is_well_inside(const Target& b, const Vector<D>& end, in
 
 /// Through which face of b does a corner of a come in, if any? It is inside where all half-spaces include it,
 /// and it came in through the one that included it last. Of those that have included it from the start only
-/// one counts that looks at a: flush with b's front, a corner lies in the plane of b's side, too. Along a
-/// face it may slide into b from the side.
+/// one counts that looks at a: flush with b's front, a corner lies in the plane of b's side, too. Of several
+/// that it is at, it slides along the one that it leaves least deep behind: on a floor, from one block onto
+/// the next. Along a face it may slide into b from the side.
 template <int D>
 typename ReactionSearch<D>::Entrance ReactionSearch<D>::entrance(const Target& b, std::size_t a,
                                                                  int corner) const {
@@ -155,8 +156,8 @@ typename ReactionSearch<D>::Entrance ReactionSearch<D>::entrance(const Target& b
       is_beside = is_beside || before > reach;
       continue;
     }
-    Entrance through{face, 0, before, normal.dot(out_of_a) < -least_cosine * normal.norm()};
-    if (through.looks_at_a && std::abs(before) <= tiny && before >= at_start.before) at_start = through;
+    Entrance through{face, 0, before, after, normal.dot(out_of_a) < -least_cosine * normal.norm()};
+    if (through.looks_at_a && std::abs(before) <= tiny && after >= at_start.after) at_start = through;
     if (before <= reach) {
       if (!through.looks_at_a) continue;
       through.time = before / radius - 1;

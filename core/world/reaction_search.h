@@ -109,6 +109,7 @@ class ReactionSearch {
     int face = -1;
     double time = -HUGE_VAL;
     double before = -HUGE_VAL;  // in front of the face at the start
+    double after = -HUGE_VAL;   // and at the end
     bool looks_at_a = false;
   };
   Entrance entrance(const Target& b, std::size_t a, int corner) const;

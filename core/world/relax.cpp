@@ -1,6 +1,7 @@
 #include <algorithm>
 
-#include "world/world_state.h"
+#include "world/copies.h"
+#include "world/world.h"
 
 // Dynamic relaxation: steps under strong local damping until no force is left unbalanced (Cundall 1987).
 

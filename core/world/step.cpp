@@ -2,7 +2,8 @@
 #include <limits>
 #include <new>
 
-#include "world/world_state.h"
+#include "world/copies.h"
+#include "world/world.h"
 
 // A step of velocity Verlet, in one motion or in several where fast blocks divide it:
 //
@@ -210,7 +211,6 @@ StepResult World<D>::step() {
   template void World<D>::move();                    \
   template StepResult World<D>::plan_rest();         \
   template StepResult World<D>::prepare_and_plan();  \
-  template auto World<D>::state();                   \
   template StepResult World<D>::plan_changed();      \
   template StepResult World<D>::step();
 

@@ -21,6 +21,7 @@ World<D>::World(const WorldSettings<D>& settings, Memory* memory, Threads* threa
       spring_stop_(model_, contacts_),
       fast_motion_(model_, contacts_, integrator_, clock_, stable_step_, spring_stop_, worker_count(threads),
                    memory),
+      entrances_(model_, contacts_),
       sums_(memory) {}
 
 template <int D>
@@ -73,7 +74,7 @@ void World<D>::renew_used_up_neighbors() {
   if (!contacts_.are_found() && contacts_.neighbors().used_up()) renew_neighbors();
 }
 
-/// Finds the contacts among a chunk of pairs. Calls `on_contact(k, contact)` for each as it is found,
+/// Finds the contacts among a chunk of pairs. Calls `on_contact(k, contact)` for each that there was before,
 /// described if that is wanted.
 template <int D>
 template <class OnContact>
@@ -91,11 +92,32 @@ void World<D>::find_in(const Chunk& chunk, PairSums& sums, OnContact on_contact)
     if (found == Found::apart) continue;
     if (found == Found::met) {
       if (made_ > 0 && contacts_.is_described(pairs[k]))
-        fast_motion_.describe_entrance(pairs[k], made_, chunk.worker, contact);
-      sums.deepest_stop = std::max(sums.deepest_stop, spring_stop_.of_meeting(pairs[k]));
+        fast_motion_.find_entrance(pairs[k], made_, chunk.worker);
+      contacts_.keep_met(k, chunk.begin, sums);
+      continue;
     }
     contacts_.keep(k, chunk.begin, contact, sums);
     on_contact(k, contact);
+  }
+}
+
+/// Describes the contacts that there were not before, by those that there were. Calls
+/// `on_contact(k, contact, sums)` for each.
+template <int D>
+template <class OnContact>
+void World<D>::take_in_met(OnContact on_contact) {
+  for (std::size_t chunk = 0; chunk < sums_.size(); ++chunk) {
+    PairSums& sums = sums_[chunk];
+    for (const std::uint32_t k : contacts_.met_in(chunk, sums)) {
+      const Candidate<D>& pair = contacts_.neighbors().pairs()[k];
+      Contact<D> contact;
+      if (contacts_.is_described(pair)) {
+        entrances_.describe(k, sums_, contact);
+        contacts_.note_overlap(k, contact, sums);
+      }
+      sums.deepest_stop = std::max(sums.deepest_stop, spring_stop_.of_meeting(pair));
+      on_contact(k, contact, sums);
+    }
   }
 }
 
@@ -125,6 +147,7 @@ void World<D>::detect() {
   pass_over_pairs([&](const Chunk& chunk, PairSums& sums) {
     find_in(chunk, sums, [](std::size_t, const Contact<D>&) {});
   });
+  take_in_met([](std::size_t, const Contact<D>&, PairSums&) {});
   end_finding();
 }
 
@@ -152,7 +175,17 @@ void World<D>::evaluate_forces(double elapsed) {
     sums.energy = evaluation.energy;
     sums.last_block = std::max(sums.last_block, evaluation.last_block);
   });
-  if (!are_found) end_finding();
+  if (!are_found) {
+    take_in_met(
+        [&, common = forces_.begin(elapsed)](std::size_t k, const Contact<D>& contact, PairSums& sums) {
+          typename ForcePass<D>::Evaluation evaluation = common;
+          forces_.load(k, contact, evaluation);
+          sums.energy.strain += evaluation.energy.strain;
+          sums.energy.friction_loss += evaluation.energy.friction_loss;
+          sums.last_block = std::max(sums.last_block, evaluation.last_block);
+        });
+    end_finding();
+  }
   lap(Pass::pairs);
   forces_.gather(sums_);
   ContactEnergy energy;

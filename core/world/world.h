@@ -11,6 +11,7 @@
 #include "world/bond_pass.h"
 #include "world/clock.h"
 #include "world/contact_list.h"
+#include "world/entrance.h"
 #include "world/fast_motion.h"
 #include "world/force_pass.h"
 #include "world/integrator.h"
@@ -216,6 +217,8 @@ class World {
   void find_in(const Chunk& pairs, PairSums& sums, OnContact on_contact);
   template <class Visit>
   void pass_over_pairs(Visit visit);
+  template <class OnContact>
+  void take_in_met(OnContact on_contact);
   void end_finding();
   bool bond_pair(std::int32_t a, std::int32_t b, std::int32_t law);
   void load_by_bonds(double elapsed);
@@ -229,7 +232,13 @@ class World {
   void evaluate_forces(double elapsed);
   bool choose_time_step();
   void note_speeds(const Stock& stock);
-  auto state();
+  /// All that a step of a changed world writes to before it moves the blocks, but for the pairs and what is
+  /// worked out anew from the rest.
+  auto state() {
+    return std::tuple_cat(contacts_.state(), forces_.state(), ledger_.state(), clock_.epoch(),
+                          model_.blocks.bonds().state(), model_.blocks.meshes().state(),
+                          std::tie(peak_speed_, bond_strain_energy_, edited_));
+  }
   bool plan_motion(double duration);
   bool plan_reactions(double duration);
   StepResult prepare_and_plan();
@@ -256,6 +265,7 @@ class World {
   StableStep<D> stable_step_;
   SpringStop<D> spring_stop_;
   FastMotion<D> fast_motion_;
+  Entrances<D> entrances_;
   Array<PairSums> sums_;  // of each chunk of pairs
   double peak_speed_ = 0;
   double bond_strain_energy_ = 0;

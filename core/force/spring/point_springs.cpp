@@ -10,12 +10,17 @@ namespace {
 
 constexpr double square_corner = 0.25;
 
+/// None where rounding, or numbers out of range, have left no directions.
+double part_of_whole_turn(double cosine, double sine) {
+  return cosine * cosine + sine * sine > 0 ? angle_at(cosine, sine) / (2 * std::numbers::pi) : 0;
+}
+
 /// The part of a whole turn by which an outline turns from one direction to another. An outline that rounding
 /// has made concave there goes straight on, or back.
 double part_of_turn(const Vector<3>& from, const Vector<3>& to, const Vector<3>& normal) {
   const Vector<3> across = cross_product(from, to);
   const double rise = across.dot(normal) > 0 ? across.norm() : 0;
-  return angle_at(from.dot(to), rise) / (2 * std::numbers::pi);
+  return part_of_whole_turn(from.dot(to), rise);
 }
 
 /// The corners of the region lie on the other block's face: the contact plane sees its angles askew.
@@ -50,7 +55,7 @@ void share_by_turns(const Contact<3>& contact, PointSprings<3>& springs) {
 }
 
 /// The block that comes to the contact plane with a vertex, or with an edge that ends there.
-struct Comer {
+struct TouchingBlock {
   const Outline<3>& block;
   Vector<3> shift;
   Vector<3> inward;  // from the contact plane into the block
@@ -69,44 +74,44 @@ struct Comer {
   /// Of that face's corner.
   double part_of_corner(int v, int k) const {
     const Vector<3> in = direction(v, k), out = direction(v, after(v, k));
-    return angle_at(-in.dot(out), cross_product(in, out).norm()) / (2 * std::numbers::pi);
+    return part_of_whole_turn(-in.dot(out), cross_product(in, out).norm());
   }
 };
 
-double part_of_vertex(const Comer& comer) {
-  int most = comer.first(comer.vertex);
-  for (int k = most + 1; k < comer.end(comer.vertex); ++k)
-    if (comer.facing(k) > comer.facing(most)) most = k;
-  return comer.part_of_corner(comer.vertex, most);
+double part_of_vertex(const TouchingBlock& touching) {
+  int most = touching.first(touching.vertex);
+  for (int k = most + 1; k < touching.end(touching.vertex); ++k)
+    if (touching.facing(k) > touching.facing(most)) most = k;
+  return touching.part_of_corner(touching.vertex, most);
 }
 
 /// The edge at the vertex that runs along the region, and of the two faces at it the one that faces the
 /// contact plane more. Where the region ends before the edge does, another edge crosses.
-void share_edge(const Comer& comer, const Contact<3>& contact, PointSprings<3>& springs) {
-  const Topology& topology = comer.topology();
-  const int vertex = comer.vertex;
+void share_edge(const TouchingBlock& touching, const Contact<3>& contact, PointSprings<3>& springs) {
+  const Topology& topology = touching.topology();
+  const int vertex = touching.vertex;
   const Vector<3> along = (contact.points[1] - contact.points[0]).normalized();
-  int edge = comer.first(vertex);
+  int edge = touching.first(vertex);
   double most = -1;
-  for (int k = edge; k < comer.end(vertex); ++k) {
-    const double cosine = std::abs(comer.direction(vertex, k).dot(along));
+  for (int k = edge; k < touching.end(vertex); ++k) {
+    const double cosine = std::abs(touching.direction(vertex, k).dot(along));
     if (cosine > most) {
       most = cosine;
       edge = k;
     }
   }
-  const int far = topology.vertex_neighbour[edge], before = comer.before(vertex, edge);
-  const int corner = comer.facing(before) > comer.facing(edge) ? before : edge;
-  int far_corner = comer.first(far);
+  const int far = topology.vertex_neighbour[edge], before = touching.before(vertex, edge);
+  const int corner = touching.facing(before) > touching.facing(edge) ? before : edge;
+  int far_corner = touching.first(far);
   while (topology.vertex_face[far_corner] != topology.vertex_face[corner]) ++far_corner;
-  const double length = (comer.block.vertex(far) - comer.block.vertex(vertex)).norm();
+  const double length = (touching.block.vertex(far) - touching.block.vertex(vertex)).norm();
   const auto is_at = [&](const Vector<3>& point, int v) {
     constexpr double near = 1e-6;
-    return std::abs(along.dot(point - comer.shift - comer.block.vertex(v))) <= near * length;
+    return std::abs(along.dot(point - touching.shift - touching.block.vertex(v))) <= near * length;
   };
   for (int i = 0; i < 2; ++i) {
-    springs.part[i] = is_at(contact.points[i], vertex) ? comer.part_of_corner(vertex, corner)
-                      : is_at(contact.points[i], far)  ? comer.part_of_corner(far, far_corner)
+    springs.part[i] = is_at(contact.points[i], vertex) ? touching.part_of_corner(vertex, corner)
+                      : is_at(contact.points[i], far)  ? touching.part_of_corner(far, far_corner)
                                                        : square_corner;
   }
 }
@@ -121,13 +126,13 @@ PointSprings<3> point_springs(const Outline<3>& a, const Outline<3>& b, const Ve
   } else if (contact.pair.kind == PotentialPair<3>::edge_edge) {
     springs.part[0] = springs.part[1] = square_corner;
   } else {
-    const Comer comer = contact.pair.kind == PotentialPair<3>::face_vertex
-                            ? Comer{b, to_b, contact.normal, contact.pair.b}
-                            : Comer{a, Vector<3>::Zero(), -contact.normal, contact.pair.a};
+    const TouchingBlock touching = contact.pair.kind == PotentialPair<3>::face_vertex
+                                       ? TouchingBlock{b, to_b, contact.normal, contact.pair.b}
+                                       : TouchingBlock{a, Vector<3>::Zero(), -contact.normal, contact.pair.a};
     if (contact.point_count == 2)
-      share_edge(comer, contact, springs);
+      share_edge(touching, contact, springs);
     else
-      springs.part[0] = part_of_vertex(comer);
+      springs.part[0] = part_of_vertex(touching);
   }
   return springs;
 }

@@ -35,6 +35,13 @@ inline void remember_point(const Vector<3>& point, Witness<3>& witness) {
 PotentialPair<3> initial_pair(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
                               const Witness<3>& witness);
 
+/// The less deep of the pairs whose faces look most along a normal from a to b, from either side.
+inline PotentialPair<3> pair_along(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
+                                   const Vector<3>& normal) {
+  constexpr PotentialPair<3> anywhere{PotentialPair<3>::vertex_vertex, 0, 0};
+  return initial_pair(a, b, to_b, {Witness<3>::separated, anywhere, normal});
+}
+
 /// Walks over the Minkowski difference to the pair of least depth that is reached without passing a deeper
 /// one. So the contact keeps the side through which the blocks met, also when a thin block is overlapped past
 /// its middle.
