@@ -54,13 +54,12 @@ typename Grid<D>::Cell Grid<D>::cell_of(const Box<D>& box, std::size_t block) {
 template <int D>
 template <class IsMember>
 void Grid<D>::sort_into_buckets(std::span<const Box<D>> boxes, IsMember is_member) {
-  const std::size_t buckets = std::bit_ceil(std::max<std::size_t>(boxes.size(), 1));
-  first_of_bucket_.assign(buckets + 1, 0);
   std::size_t members = 0;
+  for (std::size_t i = 0; i < boxes.size(); ++i) members += is_member(i);
+  const std::size_t buckets = std::bit_ceil(std::max<std::size_t>(members, 1));
+  first_of_bucket_.assign(buckets + 1, 0);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
-    if (!is_member(i)) continue;
-    ++first_of_bucket_[bucket_of(cell_of(boxes[i], i)) + 1];
-    ++members;
+    if (is_member(i)) ++first_of_bucket_[bucket_of(cell_of(boxes[i], i)) + 1];
   }
   for (std::size_t k = 0; k < buckets; ++k) first_of_bucket_[k + 1] += first_of_bucket_[k];
   cells_.resize(members);

@@ -16,6 +16,7 @@ struct Box {
     lower = lower.cwiseMin(p);
     upper = upper.cwiseMax(p);
   }
+  bool is_empty() const { return !(lower[0] <= upper[0]); }
   Vector<D> center() const { return 0.5 * (lower + upper); }
   double extent() const { return (upper - lower).maxCoeff(); }
   bool overlaps(const Box& other) const {

@@ -20,6 +20,7 @@ void ForcePass<D>::fit_rooms() {
   const LawTable& laws = model_.materials.laws();
   const bool is_damped = laws.any([](const SpringLaw& law) { return law.is_damped(); });
   dashpot_load_.resize(is_damped ? blocks_.slot_count() : 0);
+  is_loaded_.assign(chunk_count(blocks_.slot_count(), blocks_per_strip), true);
   const std::size_t pairs = neighbors_.room();
   forces_.resize(pairs);
   dashpots_.resize(is_damped ? pairs : 0);
@@ -149,8 +150,9 @@ void ForcePass<D>::gather(std::span<const PairSums> chunks) {
   // A few rows of blocks for each worker: each row looks at all chunks of pairs.
   const bool is_shared = worker_count(threads_) > 1 && contacts_.count() > 4 * pairs_per_chunk;
   const std::size_t rows = is_shared ? 4 * std::size_t(worker_count(threads_)) : 1;
-  for_each_chunk(threads_, blocks, blocks / rows + 1,
-                 [&](const Chunk& row) { gather_row(row.begin, row.end, chunks); });
+  // Whole strips each, whose marks are written by one worker alone.
+  const std::size_t in_row = (blocks / rows / blocks_per_strip + 1) * blocks_per_strip;
+  for_each_chunk(threads_, blocks, in_row, [&](const Chunk& row) { gather_row(row.begin, row.end, chunks); });
   known_ = true;
 }
 
@@ -180,12 +182,14 @@ void ForcePass<D>::gather_contacts(std::size_t first, std::size_t last,
     const ContactForce<D> dashpots =
         is_damped ? ContactForce<D>{dashpots_[k].force, load.point, dashpots_[k].couple} : ContactForce<D>();
     if (is_here(a)) {
+      is_loaded_[a / blocks_per_strip] = true;
       blocks_.force[a] -= load.force;
       blocks_.torque[a] += load.torque_on_a();
       if (is_damped) dashpot_load_[a].add(-dashpots.force, dashpots.torque_on_a());
       if (has_deformable) strain(a, virials_[k].on_a, virials_[k].of_dashpots_on_a);
     }
     if (is_here(b)) {
+      is_loaded_[b / blocks_per_strip] = true;
       blocks_.force[b] += load.force;
       blocks_.torque[b] += load.torque_on_b(to_b);
       if (is_damped) dashpot_load_[b].add(dashpots.force, dashpots.torque_on_b(to_b));
@@ -194,8 +198,19 @@ void ForcePass<D>::gather_contacts(std::size_t first, std::size_t last,
   }
 }
 
+/// Where nothing has been loaded, as on most of a large terrain, there is nothing to take away. Bonds load
+/// blocks, too, and leave no mark.
 template <int D>
 void ForcePass<D>::unload(std::size_t first, std::size_t last) {
+  for (std::size_t begin = first; begin < last; begin += blocks_per_strip) {
+    std::uint8_t& is_loaded = is_loaded_[begin / blocks_per_strip];
+    if (is_loaded || !blocks_.bonds().empty()) unload_strip(begin, std::min(begin + blocks_per_strip, last));
+    is_loaded = false;
+  }
+}
+
+template <int D>
+void ForcePass<D>::unload_strip(std::size_t first, std::size_t last) {
   const auto clear = [&](auto& array, const auto& nothing) {
     if (!array.empty())
       std::fill(array.begin() + std::ptrdiff_t(first), array.begin() + std::ptrdiff_t(last), nothing);

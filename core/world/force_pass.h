@@ -26,6 +26,7 @@ class ForcePass {
         dashpots_(memory),
         virials_(memory),
         dashpot_load_(memory),
+        is_loaded_(memory),
         potential_rooms_(memory) {
     const int workers = worker_count(threads);
     potential_rooms_.reserve(std::size_t(workers));
@@ -73,6 +74,8 @@ class ForcePass {
   }
 
  private:
+  static constexpr std::size_t blocks_per_strip = 256;
+
   /// The load of a block by the dashpots of its contacts: their loss is known with its velocity at the end of
   /// the step.
   struct DashpotLoad {
@@ -107,6 +110,7 @@ class ForcePass {
   void gather_contacts(std::size_t first_block, std::size_t last_block,
                        std::span<const std::uint32_t> contacts);
   void unload(std::size_t first_block, std::size_t last_block);
+  void unload_strip(std::size_t first_block, std::size_t last_block);
   void strain(std::size_t block, const Tensor<D>& virial, const Tensor<D>& of_dashpots);
 
   Model<D>& model_;
@@ -118,6 +122,7 @@ class ForcePass {
   Array<DashpotForce<D>> dashpots_;          // likewise, when a law is damped
   Array<Virials> virials_;                   // likewise, when a block is affine
   Array<DashpotLoad> dashpot_load_;          // of each block, when a law is damped
+  Array<std::uint8_t> is_loaded_;            // of each strip of blocks: some block may bear a load
   Array<PotentialRoom<D>> potential_rooms_;  // of each worker, for the largest blocks
   std::int32_t known_ = 0;                   // forces belong to the contacts
 };

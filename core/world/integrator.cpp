@@ -81,7 +81,14 @@ template <int D>
 }
 
 template <int D>
+void Integrator<D>::look_what_moves() {
+  any_moves_.assign(chunk_count(blocks_.slot_count(), blocks_per_chunk), 0);
+  for (std::size_t i = 0; i < blocks_.slot_count(); ++i) any_moves_[i / blocks_per_chunk] |= blocks_.moves(i);
+}
+
+template <int D>
 Stock Integrator<D>::begin(double time_step, double& noise) {
+  look_what_moves();
   Stock stock;
   double weight_times_size = 0, rounding_energy = 0;
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
@@ -108,6 +115,7 @@ template <int D>
 template <class Sums, class Visit>
 void Integrator<D>::sum_each_block(Sums& sums, Visit visit) {
   sum_each_chunk(threads_, blocks_.slot_count(), blocks_per_chunk, sums, [&](const Chunk& chunk, auto& sum) {
+    if (!any_moves_[chunk.index]) return;
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) visit(i, sum);
   });
 }
@@ -264,6 +272,7 @@ void Integrator<D>::kick_and_drift() {
     if constexpr (D == 2) blocks_.angle[i] += duration_ * blocks_.spin[i][0];
   };
   for_each_chunk(threads_, blocks_.slot_count(), blocks_per_chunk, [&](const Chunk& chunk) {
+    if (!any_moves_[chunk.index]) return;
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) move(i);
   });
   meshes_.kick_and_drift(duration_);
@@ -358,6 +367,7 @@ void Integrator<D>::kick(std::size_t i, Stock& stock) {
   template void Integrator<D>::accelerate_rigid(std::size_t);                                              \
   template void Integrator<D>::accelerate(std::size_t);                                                    \
   template void Integrator<D>::take_stock(std::size_t, const Vector<D>&, const Angular<D>&, Stock&) const; \
+  template void Integrator<D>::look_what_moves();                                                          \
   template Stock Integrator<D>::begin(double, double&);                                                    \
   template bool Integrator<D>::plan(double);                                                               \
   template bool Integrator<D>::plan_motion_of(std::size_t, Plan&);                                         \

@@ -35,6 +35,7 @@ class Integrator {
         acceleration_(memory),
         momentum_rate_(memory),
         next_rotation_(memory),
+        any_moves_(memory),
         planned_(memory),
         stocks_(memory) {}
 
@@ -92,6 +93,7 @@ class Integrator {
   void reserve(std::size_t slots) {
     acceleration_.reserve(slots);
     momentum_rate_.reserve(slots);
+    any_moves_.reserve(chunk_count(slots, blocks_per_chunk));
     meshes_.reserve();
   }
   /// Memory has been reserved.
@@ -118,6 +120,7 @@ class Integrator {
   template <class Archive>
   void visit(Archive& archive) {
     archive(acceleration_, momentum_rate_, reaction_, meshes_);
+    if constexpr (Archive::reads) look_what_moves();
   }
 
  private:
@@ -133,6 +136,8 @@ class Integrator {
     double most_turned = 0;
   };
 
+  /// Blocks that stand cost nothing where there is a row of them.
+  void look_what_moves();
   template <class Sums, class Visit>
   void sum_each_block(Sums& sums, Visit visit);
   /// Those that drive a block, before damping.
@@ -171,6 +176,7 @@ class Integrator {
   Array<Vector<D>> acceleration_;     // of each block, from the last forces
   Array<Angular<D>> momentum_rate_;   // of the angular momentum, likewise
   Array<Rotation<D>> next_rotation_;  // planned
+  Array<std::uint8_t> any_moves_;     // in each chunk of blocks; worked out when the world has been changed
   Array<Plan> planned_;               // of each chunk of blocks
   Array<Stock> stocks_;               // likewise
   double duration_ = 0;               // of the planned motion: the step or a part of it

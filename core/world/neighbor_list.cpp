@@ -95,17 +95,31 @@ template <int D>
 void NeighborList<D>::search(const Blocks<D>& blocks) {
   const std::size_t slots = blocks.slot_count();
   boxes_.resize(slots);
-  for (std::size_t i = 0; i < slots; ++i) {
-    if (!blocks.lives(i)) continue;
+  const auto measure = [&](std::size_t i) {
     boxes_[i] = blocks.box(std::int32_t(i));
     const Vector<D> way = this->way(i);
     boxes_[i].lower = boxes_[i].lower.cwiseMin(boxes_[i].lower + way).array() - skin_[i];
     boxes_[i].upper = boxes_[i].upper.cwiseMax(boxes_[i].upper + way).array() + skin_[i];
+  };
+  // Of blocks that stand only those count that some other may reach.
+  Box<D> reached;
+  for (std::size_t i = 0; i < slots; ++i) {
+    if (!blocks.moves_freely(i)) continue;
+    measure(i);
+    reached.include(boxes_[i].lower);
+    reached.include(boxes_[i].upper);
+  }
+  for (std::size_t i = 0; i < slots; ++i) {
+    if (blocks.moves_freely(i)) continue;
+    boxes_[i] = Box<D>();
+    const double reach = blocks.radius[i] + skin_[i] + way(i).norm();
+    const Box<D> about{blocks.position[i].array() - reach, blocks.position[i].array() + reach};
+    if (blocks.lives(i) && about.overlaps(reached)) measure(i);
   }
   found_.clear();
   refit(found_, room_);
   search_.search(
-      std::span<const Box<D>>(boxes_), [&](std::size_t i) { return blocks.lives(i); },
+      std::span<const Box<D>>(boxes_), [&](std::size_t i) { return !boxes_[i].is_empty(); },
       [&](const BlockPair& pair) {
         if (may_touch(blocks, pair)) found_.push_back(pair);
       });
