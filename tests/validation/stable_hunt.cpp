@@ -59,6 +59,7 @@ double gained(const Settled& scene_of, double share) {
   const double time_step = share * scene_of.stable_time_step;
   BodyScene scene(scene_of.dimension, def_of(scene_of.dimension, time_step, 0), scene_of.law,
                   scene_of.bodies);
+  if (share > 1) scene.let_energy_be_made();
   Random random(11);
   scene.shake(random, 0.02);
   scene.step(1);
