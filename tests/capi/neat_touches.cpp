@@ -164,9 +164,9 @@ TEST_CASE("two cubes that meet along an edge to within 2e-7 press each other har
     require_ok(hs_world_add_block(world.get(), shape.get(), &block, &blocks[i]), context.get());
   }
   REQUIRE(hs_world_step(world.get(), 3) == HS_OK);
-  // The potential of each block has a slope of at most 1. They share at most a prism along the edge of 1 m, as
-  // wide and high as the centroids are nearer than 1 m, 4.1e-7, and as they are turned, 1.2e-6, over half the
-  // edge.
+  // The potential of each block has a slope of at most 1. They share at most a prism along the edge of 1 m,
+  // as wide and high as the centroids are nearer than 1 m, 4.1e-7, and as they are turned, 1.2e-6, over half
+  // the edge.
   constexpr double width = 4.2e-7 + 0.5 * 1.3e-6;
   const hs_block_state state = state_of(world.get(), blocks[1]);
   for (const double force : state.force) CHECK(std::abs(force) <= 2 * stiffness * width * width);
