@@ -25,8 +25,8 @@ class Shape(Handle):
     """An immutable convex polygon (2D) or polyhedron (3D), for any number of blocks.
 
     Make one with `polygon`, `polyhedron`, `hull`, `from_halfspaces`, `boundary`, `rectangle` or `box`. Faulty
-    input is refused with its reason (`GeometryError`); nothing is repaired without a tolerance. Arrays of float64 go in without a copy,
-    however they are strided.
+    input is refused with its reason (`GeometryError`); nothing is repaired without a tolerance. Arrays of
+    float64 go in without a copy, however they are strided.
 
     Examples
     --------
