@@ -84,7 +84,7 @@ double bond_area(hs_context* context, const hs_shape* lower, const hs_shape* upp
 
 }  // namespace
 
-TEST_CASE("flush cubes written with 3 to 12 decimals have whole bonds and contacts, of quads and triangles") {
+TEST_CASE("flush cubes written with 3 to 12 decimals have whole bonds, of quads and triangles") {
   const Context context = make_context();
   hs_context* c = context.get();
   for (int decimals = 3; decimals <= 12; ++decimals) {
