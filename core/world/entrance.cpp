@@ -8,11 +8,11 @@
 namespace halfspace {
 namespace {
 
-/// Surfaces are flush that differ by no more than this share of the smaller block's radius: files round, and
-/// what blocks stand on gives.
+/// Surfaces that differ by no more than this share of the smaller block's radius are flush: files round their
+/// coordinates, and supports give way.
 constexpr double flush = 1e-3;
 
-/// Separation by another side than this one looks along is none that lifting has made.
+/// A side that looks farther away from the lift than this does not keep blocks apart because of the lift.
 constexpr double least_cosine = 0.5;
 
 }  // namespace
@@ -45,16 +45,15 @@ typename Entrances<D>::Way Entrances<D>::way_beside(const Candidate<D>& met, std
     const double cosine = normal_of(at.a, at.b, pair).dot(normal);
     return cosine >= least_cosine && cosine > entrance_cosine;
   };
-  Way way;
-  way.pair = pair_along(at.a, at.b, at.to_b, normal);
+  PotentialPair<D> pair = pair_along(at.a, at.b, at.to_b, normal);
   const double radius =
       std::min(model_.blocks.radius[std::size_t(met.a)], model_.blocks.radius[std::size_t(met.b)]);
-  const double gap = refresh(at.a, at.b, at.to_b, way.pair);
-  if (gap >= -flush * radius && is_another_way(way.pair)) return {way.pair, gap};
+  const double gap = refresh(at.a, at.b, at.to_b, pair);
+  if (gap >= -flush * radius && is_another_way(pair)) return {pair, gap};
   const Separation<D> apart = find_largest_separation(at.a, at.b, at.to_b);
   if (!(apart.gap > 0)) return {};
-  way.pair = initial_pair(at.a, at.b, at.to_b, witness_of(apart));
-  return is_another_way(way.pair) ? Way{way.pair, apart.gap} : Way{};
+  pair = initial_pair(at.a, at.b, at.to_b, witness_of(apart));
+  return is_another_way(pair) ? Way{pair, apart.gap} : Way{};
 }
 
 template <int D>

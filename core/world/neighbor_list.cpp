@@ -101,7 +101,7 @@ void NeighborList<D>::search(const Blocks<D>& blocks) {
     boxes_[i].lower = boxes_[i].lower.cwiseMin(boxes_[i].lower + way).array() - skin_[i];
     boxes_[i].upper = boxes_[i].upper.cwiseMax(boxes_[i].upper + way).array() + skin_[i];
   };
-  // Of blocks that stand only those count that some other may reach.
+  // Blocks that stand count only where some other may reach them.
   Box<D> reached;
   for (std::size_t i = 0; i < slots; ++i) {
     if (!blocks.moves_freely(i)) continue;
@@ -251,7 +251,7 @@ void NeighborList<D>::forget(std::int32_t slot) {
   used_up_ = true;
 }
 
-/// By counting; pairs are in order of their first blocks, and stay so.
+/// A counting sort: pairs with the same second block stay in order of their first ones.
 template <int D>
 void NeighborList<D>::index_pairs() noexcept {
   if (is_indexed_) return;

@@ -180,8 +180,7 @@ void World<D>::evaluate_forces(double elapsed) {
         [&, common = forces_.begin(elapsed)](std::size_t k, const Contact<D>& contact, PairSums& sums) {
           typename ForcePass<D>::Evaluation evaluation = common;
           forces_.load(k, contact, evaluation);
-          sums.energy.strain += evaluation.energy.strain;
-          sums.energy.friction_loss += evaluation.energy.friction_loss;
+          sums.energy.add(evaluation.energy);
           sums.last_block = std::max(sums.last_block, evaluation.last_block);
         });
     end_finding();
@@ -190,10 +189,7 @@ void World<D>::evaluate_forces(double elapsed) {
   forces_.gather(sums_);
   ContactEnergy energy;
   if (sleep_.any()) energy.strain = left_out_strain_;
-  for (const PairSums& sums : sums_) {
-    energy.strain += sums.energy.strain;
-    energy.friction_loss += sums.energy.friction_loss;
-  }
+  for (const PairSums& sums : sums_) energy.add(sums.energy);
   ledger_.set_contact_strain(energy.strain);
   ledger_.add_friction_loss(energy.friction_loss);
   // An island that is touched has been left out of this motion: the forces at its end move it.

@@ -2,7 +2,6 @@
 // tilt: a step ends well, whatever the law. What goes wrong is seen best under the address sanitizer.
 
 #include <cmath>
-#include <iterator>
 
 #include "capi/extremes.h"
 
@@ -71,13 +70,7 @@ void add_row(hs_context* context, hs_world* world, const Kinds& kinds, Random& r
       (void)add_body(context, world, bar(kinds.dimension, 0.5), body_def(pose));
       continue;
     }
-    const Shape shape = shape_of(context, box, kinds.dimension);
-    hs_block_def def;
-    require_ok(hs_block_def_init(&def, sizeof def, shape.get()), context);
-    def.kind = kind;
-    def.pose = pose;
-    hs_block block = 0;
-    require_ok(hs_world_add_block(world, shape.get(), &def, &block), context);
+    add_block(context, world, shape_of(context, box, kinds.dimension), kind, pose);
   }
 }
 
@@ -155,14 +148,9 @@ TEST_CASE("two cubes that meet along an edge to within 2e-7 press each other har
       {{0.99999980812018474, -3.6259184456052981e-07, 0.99999958671454969},
        {3.3524689395136474e-07, -7.9884906026823773e-09, 1.7446668937827105e-07, 0.9999999999999285}}};
   hs_block blocks[2];
-  for (int i = 0; i < 2; ++i) {
-    const Shape shape = make_polyhedron(context.get(), cube());
-    hs_block_def block;
-    require_ok(hs_block_def_init(&block, sizeof block, shape.get()), context.get());
-    block.kind = i == 0 ? HS_BLOCK_FIXED : HS_BLOCK_RIGID;
-    block.pose = poses[i];
-    require_ok(hs_world_add_block(world.get(), shape.get(), &block, &blocks[i]), context.get());
-  }
+  for (int i = 0; i < 2; ++i)
+    blocks[i] = add_block(context.get(), world.get(), make_polyhedron(context.get(), cube()),
+                          i == 0 ? HS_BLOCK_FIXED : HS_BLOCK_RIGID, poses[i]);
   REQUIRE(hs_world_step(world.get(), 3) == HS_OK);
   // The potential of each block has a slope of at most 1. They share at most a prism along the edge of 1 m,
   // as wide and high as the centroids are nearer than 1 m, 4.1e-7, and as they are turned, 1.2e-6, over half

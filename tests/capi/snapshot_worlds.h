@@ -34,13 +34,9 @@ inline Shape shape_of_box(hs_context* context, int dimension) {
 inline void add_bonded_row(hs_context* context, hs_world* world, int dimension) {
   const Shape shape = shape_of_box(context, dimension);
   hs_block row[4];
-  for (int i = 0; i < 4; ++i) {
-    hs_block_def block;
-    require_ok(hs_block_def_init(&block, sizeof block, shape.get()), context);
-    block.kind = i == 0 ? HS_BLOCK_FIXED : HS_BLOCK_RIGID;
-    block.pose = pose_at(20 + 0.5 * i, 0);
-    require_ok(hs_world_add_block(world, shape.get(), &block, &row[i]), context);
-  }
+  for (int i = 0; i < 4; ++i)
+    row[i] =
+        add_block(context, world, shape, i == 0 ? HS_BLOCK_FIXED : HS_BLOCK_RIGID, pose_at(20 + 0.5 * i, 0));
   hs_bond_def fading = bond_def(1e9, 1);
   fading.tensile_fracture_energy = fading.shear_fracture_energy = 10;
   const hs_bond_def bonds[3] = {bond_def(1e9, 1e8), fading, bond_def(1e9, 0)};
@@ -51,13 +47,9 @@ inline void add_bonded_row(hs_context* context, hs_world* world, int dimension) 
 inline void add_bonded_ring(hs_context* context, hs_world* world, int dimension) {
   const Shape shape = shape_of_box(context, dimension);
   hs_block ring[4];
-  for (int i = 0; i < 4; ++i) {
-    hs_block_def block;
-    require_ok(hs_block_def_init(&block, sizeof block, shape.get()), context);
-    block.kind = i == 0 ? HS_BLOCK_FIXED : HS_BLOCK_RIGID;
-    block.pose = pose_at(30 + 0.5 * (i % 2), 0.5 * (i / 2));
-    require_ok(hs_world_add_block(world, shape.get(), &block, &ring[i]), context);
-  }
+  for (int i = 0; i < 4; ++i)
+    ring[i] = add_block(context, world, shape, i == 0 ? HS_BLOCK_FIXED : HS_BLOCK_RIGID,
+                        pose_at(30 + 0.5 * (i % 2), 0.5 * (i / 2)));
   const hs_bond_def bond = bond_def(1e9, 1e8);
   constexpr int neighbors[][2] = {{0, 1}, {0, 2}, {1, 3}, {2, 3}};
   for (const auto& [a, b] : neighbors)

@@ -40,16 +40,33 @@ inline World make_world(hs_context* context, const hs_world_def& def) {
   return World(world);
 }
 
-inline hs_block add_block(hs_context* context, hs_world* world, const Points& vertices, std::int32_t kind,
-                          std::int32_t material = 0) {
-  const Shape shape = make_shape(context, vertices);
+inline hs_block_def block_def(hs_context* context, const Shape& shape, std::int32_t kind) {
   hs_block_def def;
   require_ok(hs_block_def_init(&def, sizeof def, shape.get()), context);
   def.kind = kind;
-  def.material = material;
+  return def;
+}
+
+inline hs_block add_block(hs_context* context, hs_world* world, const Shape& shape, const hs_block_def& def) {
   hs_block block = 0;
   require_ok(hs_world_add_block(world, shape.get(), &def, &block), context);
   return block;
+}
+
+/// Where its vertices are given.
+inline hs_block add_block(hs_context* context, hs_world* world, const Points& vertices, std::int32_t kind,
+                          std::int32_t material = 0) {
+  const Shape shape = make_shape(context, vertices);
+  hs_block_def def = block_def(context, shape, kind);
+  def.material = material;
+  return add_block(context, world, shape, def);
+}
+
+inline hs_block add_block(hs_context* context, hs_world* world, const Shape& shape, std::int32_t kind,
+                          const hs_pose& pose) {
+  hs_block_def def = block_def(context, shape, kind);
+  def.pose = pose;
+  return add_block(context, world, shape, def);
 }
 
 inline std::vector<unsigned char> saved(const hs_world* world) {

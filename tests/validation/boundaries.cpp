@@ -119,10 +119,9 @@ TEST_CASE("by potentials a block crosses the joint of two boundary segments as o
 /// By springs the front corner, d deep, meets the flank of the second segment under the surface and stays on
 /// it until its foot is at the flank's upper end: then it is d / cos(60) deep in it, and the contact moves on
 /// to the segment. Per contact a corner has half of the stiffness, which takes k (2 d)^2 / 4 of the motion
-/// along. Per area the corner has a
-/// triangle behind the flank that is 2 d (tan(30) + tan(60)) wide: k (2 d)^2 / 6 times that, when it is all
-/// on the flank. The block crosses so fast that it has no time to rise, and leaves the flank up to one step
-/// late.
+/// along. Per area the corner has a triangle behind the flank that is 2 d (tan(30) + tan(60)) wide:
+/// k (2 d)^2 / 6 times that, when it is all on the flank. The block crosses so fast that it has no time to
+/// rise, and leaves the flank up to one step late.
 TEST_CASE("by springs the joint of two boundary segments takes no more than it must") {
   constexpr double stiffness = 1e8, speed = 4;
   for (int32_t kind : {HS_STIFFNESS_PER_CONTACT, HS_STIFFNESS_PER_AREA}) {

@@ -26,20 +26,17 @@ Strike strike(int dimension, int32_t kind, double friction, double angle, double
   def.safety = 0.1;
   def.potential_length = 0.1;
   SolidScene scene(def, rough_law(kind, friction), 1000);
-  hs_block block;
   const double down[3] = {std::sin(angle), dimension == 2 ? -std::cos(angle) : 0,
                           dimension == 2 ? 0 : -std::cos(angle)};
   if (dimension == 2) {
     scene.add(box(-10, -1, 10, 0), {HS_BLOCK_FIXED, {}, 0});
-    block = scene.add_at(box(-0.05, -0.05, 0.05, 0.05), {0, 0.0708}, turn,
-                         {HS_BLOCK_RIGID, {down[0], down[1]}, 0});
+    scene.add_at(box(-0.05, -0.05, 0.05, 0.05), {0, 0.0708}, turn, {HS_BLOCK_RIGID, {down[0], down[1]}, 0});
   } else {
     scene.add_hull(cuboid({20, 20, 1}), {{0, 0, -0.5}, {0, 0, 0, 1}, HS_BLOCK_FIXED});
     SolidStart start{{0, 0, 0.087}, turn_about({1, 0.7, 0.2}, turn)};
     start.velocity = {down[0], down[1], down[2]};
-    block = scene.add_hull(cuboid({0.1, 0.1, 0.1}), start);
+    scene.add_hull(cuboid({0.1, 0.1, 0.1}), start);
   }
-  (void)block;
   const double first = scene.energy().kinetic;
   double before = 0, least = 0;
   // A block that turns may strike again: its energy is kinetic alone when it has left.

@@ -14,8 +14,8 @@ extern "C" {
 
 /** What a stiffness refers to. */
 enum {
-  HS_STIFFNESS_PER_CONTACT = 0, /**< N/m of a face on a face, shared over the corners of the region, each a spring on its own: in 2D a
-                                     vertex alone has half of it, in 3D the corner of a square a quarter */
+  HS_STIFFNESS_PER_CONTACT = 0, /**< N/m of a face on a face, shared over the corners of the region, each a spring on its own:
+                                     in 2D a vertex alone has half of it, in 3D the corner of a square a quarter */
   HS_STIFFNESS_PER_AREA = 1,    /**< Pa/m: the normal force is the stiffness times the overlap area behind the contact plane */
   HS_STIFFNESS_POTENTIAL = 2,   /**< Pa: the potential force of Zheng et al. 2020, section 3. A point inside a block has its distance to the
                                      nearest face as potential, times the stiffness over the world's `potential_length`; what two blocks

@@ -27,7 +27,8 @@ struct LineOfAction {
   double unevenness() const {
     const Vector<D> way = loading_point - middle, across = way - direction.dot(way) * direction;
     if (across.isZero(0)) return 0;
-    // Of the part of the spread across the line; along the line it is made up, where nothing is seen of it.
+    // Only the part of the spread across the line counts; any value serves along it, as nothing is seen
+    // there.
     const Tensor<D> shadow = Tensor<D>::Identity() - direction * direction.transpose();
     const Tensor<D> seen = shadow * spread * shadow + spread.trace() * (direction * direction.transpose());
     const double square = across.dot(seen.inverse() * across);

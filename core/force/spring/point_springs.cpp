@@ -50,7 +50,7 @@ void share_by_turns(const Contact<3>& contact, PointSprings<3>& springs) {
     sum += springs.part[i];
     before = after;
   }
-  // Of a region that is smaller than rounding, all corners may be one point.
+  // A region that is smaller than rounding may have all corners in one point.
   for (int i = 0; i < count; ++i) springs.part[i] = sum > 0 ? springs.part[i] / sum : 1.0 / count;
 }
 
@@ -71,7 +71,7 @@ struct TouchingBlock {
   }
   /// How much the face between the vertex's k-th neighbour and the next looks at the contact plane.
   double facing(int k) const { return -inward.dot(block.normal(topology().vertex_face[k])); }
-  /// Of that face's corner.
+  /// The part of a whole turn that the face's corner at the vertex has.
   double part_of_corner(int v, int k) const {
     const Vector<3> in = direction(v, k), out = direction(v, after(v, k));
     return part_of_whole_turn(-in.dot(out), cross_product(in, out).norm());

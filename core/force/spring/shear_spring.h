@@ -33,7 +33,7 @@ struct ShearSpring<3> {
   Vector<3> normal = Vector<3>::Zero();  // of the contact plane that the force lies in
 };
 
-/// What a spring of this stiffness stores with such a force.
+/// The energy that a spring of this stiffness stores with such a force.
 template <int D>
 double shear_energy(const Shear<D>& force, double stiffness) {
   return stiffness > 0 ? 0.5 * force.squaredNorm() / stiffness : 0;

@@ -46,6 +46,11 @@ struct PairLoad {
 struct ContactEnergy {
   double strain = 0;
   double friction_loss = 0;
+
+  void add(const ContactEnergy& more) {
+    strain += more.strain;
+    friction_loss += more.friction_loss;
+  }
 };
 
 /// Force of a contact: by penalty (Wang et al. 2021, eqs. 36-40) or by potentials. Stateless but for the
@@ -57,7 +62,7 @@ class Spring {
   Spring(const SpringLaw& law, double reduced_mass, double elapsed)
       : law_(law), reduced_mass_(reduced_mass), elapsed_(elapsed) {}
 
-  /// By springs at points, a base of PointSprings, or per area, a base of Overlap.
+  /// The force of springs at points, with a base of PointSprings, or per area, with a base of Overlap.
   template <class Base>
   PairLoad<D> evaluate(const Contact<D>& contact, const Base& base, const PairMotion<D>& motion,
                        ShearSpring<D>& spring, bool& bonded, ContactEnergy& energy) const;

@@ -8,9 +8,13 @@
 // remembered one:
 //
 //   the other block's edge at the vertex is near to parallel, and lies over the edge: edge on edge, two
-//   points (beyond the parallel angle: as long as both points overlap) else the foot of the vertex lies on
-//   the edge: vertex on edge, one point else, near an end of the edge: vertex on vertex, along the sum of
-//   both half-spaces' normals else the neighbouring pair beyond that end, from the start
+//   points (beyond the parallel angle: as long as both points overlap)
+//
+//   else the foot of the vertex lies on the edge: vertex on edge, one point
+//
+//   else, near an end of the edge: vertex on vertex, along the sum of both half-spaces' normals
+//
+//   else the neighbouring pair beyond that end, from the start
 
 namespace halfspace {
 namespace {
