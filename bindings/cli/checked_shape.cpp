@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "mesh/convex_solid.h"
+#include "mesh/file_summary.h"
 #include "mesh/mesh_fault.h"
 #include "mesh/solid.h"
 #include "text.h"
@@ -50,9 +51,11 @@ Shape CheckedShapes::polygon(const std::vector<Point>& vertices, const std::stri
 }
 
 Shape CheckedShapes::polyhedron(const std::vector<Point>& vertices,
-                                const std::vector<std::vector<int>>& faces, const std::string& key,
-                                Place place) {
+                                const std::vector<std::vector<int>>& faces, std::optional<double> tolerance,
+                                const std::string& key, Place place) {
   try {
+    hs_fit_report report;
+    if (tolerance) return make_fitted(context_, vertices, FaceList(faces), *tolerance, report);
     return faces.empty() ? make_hull(context_, vertices)
                          : make_polyhedron(context_, vertices, FaceList(faces));
   } catch (const LibraryError& error) {
@@ -73,23 +76,30 @@ std::vector<Shape> CheckedShapes::from_file(const Block& block) {
     fault("no such file: " + block.file + "; allowed: a file, named from the folder of the scene");
     return {};
   }
-  std::vector<Shape> shapes;
+  std::vector<Solid> solids;
   try {
-    std::size_t inside_out = 0;
-    std::string first;
-    for (const Solid& solid : read_solids(block.file)) {
-      shapes.push_back(make_convex(context_, solid, block.scale));
-      if (is_inside_out(solid) && ++inside_out == 1) first = solid.place;
-    }
-    if (inside_out > 0)
-      faults_.note(block.shape_place, block.making.key + ".file",
-                   first + ": " + std::to_string(inside_out) + (inside_out == 1 ? " surface" : " surfaces") +
-                       " inside out: turned round; usual: faces counter-clockwise seen from outside");
+    solids = read_solids(block.file);
   } catch (const MeshFault& error) {
     fault(error.what());
     return {};
   }
-  return shapes;
+  FileSummary summary;
+  std::vector<Shape> shapes;
+  for (const Solid& solid : solids) {
+    try {
+      ConvexSolid made = make_convex(context_, solid, block.scale, block.tolerance);
+      summary.add(solid, made.report);
+      shapes.push_back(std::move(made.shape));
+    } catch (const NotConvex& error) {
+      summary.add(error);
+    } catch (const MeshFault& error) {
+      summary.add(error);
+    }
+  }
+  for (const std::string& text : summary.faults()) fault(text);
+  for (const std::string& text : summary.notes())
+    faults_.note(block.shape_place, block.making.key + ".file", text);
+  return summary.faults().empty() ? std::move(shapes) : std::vector<Shape>();
 }
 
 std::vector<Shape> CheckedShapes::from_boundary(const Block& block) {
@@ -114,8 +124,9 @@ std::vector<Shape> CheckedShapes::of(const Block& block) {
   if (!block.boundary.empty()) return from_boundary(block);
   if (block.vertices.empty()) return {};  // a fault already
   const std::string key = block.making.key + ".vertices";
-  Shape shape = dimension_ == 2 ? polygon(block.vertices, key, block.shape_place)
-                                : polyhedron(block.vertices, block.faces, key, block.shape_place);
+  Shape shape = dimension_ == 2
+                    ? polygon(block.vertices, key, block.shape_place)
+                    : polyhedron(block.vertices, block.faces, block.tolerance, key, block.shape_place);
   std::vector<Shape> shapes;
   if (shape) shapes.push_back(std::move(shape));
   return shapes;
@@ -124,7 +135,7 @@ std::vector<Shape> CheckedShapes::of(const Block& block) {
 Shape CheckedShapes::of(const Region& region) {
   if (region.points.empty()) return nullptr;  // a fault already
   return dimension_ == 2 ? polygon(region.points, region.key, region.place)
-                         : polyhedron(region.points, {}, region.key, region.place);
+                         : polyhedron(region.points, {}, {}, region.key, region.place);
 }
 
 }  // namespace halfspace::cli

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,7 @@ class CheckedShapes {
  private:
   Shape polygon(const std::vector<Point>& vertices, const std::string& key, Place place);
   Shape polyhedron(const std::vector<Point>& vertices, const std::vector<std::vector<int>>& faces,
-                   const std::string& key, Place place);
+                   std::optional<double> tolerance, const std::string& key, Place place);
   std::vector<Shape> from_file(const Block& block);
   std::vector<Shape> from_boundary(const Block& block);
 

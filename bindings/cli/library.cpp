@@ -72,6 +72,15 @@ Shape make_hull(const Context& context, const std::vector<Point>& points) {
   return Shape(shape);
 }
 
+Shape make_fitted(const Context& context, const std::vector<Point>& vertices, const FaceList& facets,
+                  double tolerance, hs_fit_report& report) {
+  hs_shape* shape = nullptr;
+  require(context,
+          hs_polyhedron_create_fitted(context.get(), view_of(vertices), facets.sizes.data(), facets.count(),
+                                      facets.vertices.data(), tolerance, &shape, &report));
+  return Shape(shape);
+}
+
 CutShape cut(const Context& context, const Shape& shape, const Point& point, const Point& normal) {
   hs_shape* behind = nullptr;
   hs_shape* ahead = nullptr;

@@ -68,10 +68,15 @@ Motion read_motion(Keys& keys, int kind) {
   return motion;
 }
 
+void read_tolerance(Keys& keys, Block& block) {
+  if (keys.has("tolerance")) block.tolerance = keys.number("tolerance", at_least(0), required);
+}
+
 void read_file(Keys& keys, const Scene& scene, Block& block) {
   block.file = (std::filesystem::path(scene.folder) / keys.text("file", required)).string();
   block.scale = keys.number("scale", above(0), block.scale);
   block.shape_place = keys.place("file");
+  read_tolerance(keys, block);
 }
 
 void read_vertices(Keys& keys, Block& block) {
@@ -79,6 +84,7 @@ void read_vertices(Keys& keys, Block& block) {
   block.vertices = keys.points("vertices", fewest, required);
   block.shape_place = keys.place("vertices");
   if (keys.dimension() == 2) return;
+  read_tolerance(keys, block);
   // Of vertices with a fault of their own it is not known how many there should be.
   block.faces =
       keys.loops("faces", block.vertices.empty() ? std::numeric_limits<int>::max() : block.vertices.size());

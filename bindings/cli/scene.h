@@ -118,6 +118,7 @@ struct Block {
   std::vector<Point> boundary;          ///< 2D, instead of vertices: ends and joints of a chain of segments
   double depth = 0;                     ///< how far blocks reach behind a boundary
   double scale = 1;                     ///< length in m of one unit of the file
+  std::optional<double> tolerance;      ///< 3D, m: within which facets are plane and convex
   Placing placing;
   Motion motion;
 };

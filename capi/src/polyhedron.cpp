@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "geometry/polyhedron/check.h"
+#include "geometry/polyhedron/fit_polyhedron.h"
 #include "geometry/polyhedron/halfspaces.h"
 #include "geometry/polyhedron/hull.h"
 #include "guard.h"
@@ -60,6 +61,26 @@ Polyhedron read_polyhedron(hs_context* context, const hs_view& vertices, const s
   refuse_points<3>(points, is_one ? report.vertex : -1, "points", "hull of points", fault_text(report.fault));
 }
 
+hs_fit_report to_report(const FitReport& fit) {
+  const PolyhedronFault& fault = fit.fault;
+  return {{std::int32_t(fault.fault), 0, fault.vertex, fault.face},
+          fit.merged,
+          fit.deviation,
+          fit.moved,
+          fit.sufficient};
+}
+
+[[noreturn]] void refuse_fit(const FitReport& report, double tolerance, const Array<Vector<3>>& vertices) {
+  if (report.fault.fault != Fault::beyond_tolerance) refuse_polyhedron(report.fault, vertices);
+  char remedy[48] = "no tolerance below its size would do";
+  if (report.sufficient > 0)
+    std::snprintf(remedy, sizeof remedy, "a tolerance of %.2g would do", report.sufficient);
+  refuse(HS_ERROR_GEOMETRY, "face %lld has a dent %.3g deep at vertices[%lld] = %s; tolerance is %g, %s",
+         static_cast<long long>(report.fault.face), report.deviation,
+         static_cast<long long>(report.fault.vertex),
+         PointText(vertices[std::size_t(report.fault.vertex)]).characters, tolerance, remedy);
+}
+
 [[noreturn]] void refuse_halfspaces(const PolyhedronFault& report, const Array<Halfspace<3>>& halfspaces) {
   const char* const text = fault_text(report.fault);
   const bool is_one = report.fault == Fault::out_of_range || report.fault == Fault::no_direction;
@@ -102,6 +123,22 @@ hs_status hs_polyhedron_create_hull(hs_context* context, hs_view points, hs_shap
     const PolyhedronFault report = convex_hull(given, hull);
     if (report.fault != Fault::none) refuse_hull(report, given);
     return create<ShapeHandle<3>>(context, context, hull);
+  });
+}
+
+hs_status hs_polyhedron_create_fitted(hs_context* context, hs_view vertices, const int32_t face_sizes[],
+                                      int64_t face_count, const int32_t face_vertices[], double tolerance,
+                                      hs_shape** shape, hs_fit_report* report) {
+  return make_shape(context, shape, __func__, [&]() -> hs_shape* {
+    require(tolerance >= 0 && std::isfinite(tolerance), tolerance, "tolerance", "finite and >= 0");
+    Polyhedron polyhedron = read_polyhedron(context, vertices, face_sizes, face_count, face_vertices);
+    const Array<Vector<3>> given(polyhedron.vertices, &context->memory);
+    const FitReport fit = fit_polyhedron(polyhedron, tolerance);
+    const bool is_fitted = fit.fault.fault == Fault::none;
+    hs_shape* const made = is_fitted ? create<ShapeHandle<3>>(context, context, polyhedron) : nullptr;
+    if (report) *report = to_report(fit);
+    if (!made) refuse_fit(fit, tolerance, given);
+    return made;
   });
 }
 

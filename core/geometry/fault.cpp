@@ -58,6 +58,8 @@ const char* fault_text(Fault fault) {
       return "do not bound a region";
     case Fault::no_common_point:
       return "have no point in common, or a region flat to rounding";
+    case Fault::beyond_tolerance:
+      return "has a dent deeper than the tolerance";
   }
   return "is faulty";
 }

@@ -37,6 +37,8 @@ enum class Fault : std::int32_t {
   no_direction = 24,
   unbounded = 25,
   no_common_point = 26,
+  // Facets that are to be fitted within a tolerance.
+  beyond_tolerance = 27,
 };
 
 /// The fault in words, e.g. "is on the line of its neighbours".

@@ -127,7 +127,8 @@ enum {
   HS_FAULT_HULL_FAILED = 23,
   HS_FAULT_NO_DIRECTION = 24,
   HS_FAULT_UNBOUNDED = 25,
-  HS_FAULT_NO_COMMON_POINT = 26
+  HS_FAULT_NO_COMMON_POINT = 26,
+  HS_FAULT_BEYOND_TOLERANCE = 27
 };
 typedef struct hs_fault {
   int32_t kind;
@@ -153,6 +154,13 @@ typedef struct hs_clean_report {
   int32_t reversed;
   int32_t reserved;
 } hs_clean_report;
+typedef struct hs_fit_report {
+  hs_fault fault;
+  int64_t merged;
+  double deviation;
+  double moved;
+  double sufficient_tolerance;
+} hs_fit_report;
 __attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_polygon_check(hs_context *context, hs_view vertices, hs_fault *fault);
 __attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_polygon_create(hs_context *context, hs_view vertices, hs_shape **shape);
 __attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_polygon_create_hull(hs_context *context, hs_view points, hs_shape **shape);
@@ -167,6 +175,10 @@ __attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_st
                                           int64_t face_count, const int32_t face_vertices[],
                                           hs_shape **shape);
 __attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_polyhedron_create_hull(hs_context *context, hs_view points, hs_shape **shape);
+__attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_polyhedron_create_fitted(hs_context *context, hs_view vertices,
+                                                 const int32_t face_sizes[], int64_t face_count,
+                                                 const int32_t face_vertices[], double tolerance,
+                                                 hs_shape **shape, hs_fit_report *report);
 __attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_polyhedron_create_from_halfspaces(hs_context *context, hs_view normals,
                                                           const double offsets[], hs_shape **shape);
 __attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_shape_cut(const hs_shape *shape, const double point[3], const double normal[3],

@@ -97,6 +97,13 @@ FIELD(hs_clean_report, straightened, 8, 8);
 FIELD(hs_clean_report, reversed, 16, 4);
 FIELD(hs_clean_report, reserved, 20, 4);
 
+_Static_assert(sizeof(hs_fit_report) == 56, "hs_fit_report");
+FIELD(hs_fit_report, fault, 0, 24);
+FIELD(hs_fit_report, merged, 24, 8);
+FIELD(hs_fit_report, deviation, 32, 8);
+FIELD(hs_fit_report, moved, 40, 8);
+FIELD(hs_fit_report, sufficient_tolerance, 48, 8);
+
 _Static_assert(sizeof(hs_world_def) >= 112, "hs_world_def");
 FIELD(hs_world_def, struct_size, 0, 4);
 FIELD(hs_world_def, dimension, 4, 4);
@@ -441,6 +448,7 @@ _Static_assert(HS_FAULT_HULL_FAILED == 23, "HS_FAULT_HULL_FAILED");
 _Static_assert(HS_FAULT_NO_DIRECTION == 24, "HS_FAULT_NO_DIRECTION");
 _Static_assert(HS_FAULT_UNBOUNDED == 25, "HS_FAULT_UNBOUNDED");
 _Static_assert(HS_FAULT_NO_COMMON_POINT == 26, "HS_FAULT_NO_COMMON_POINT");
+_Static_assert(HS_FAULT_BEYOND_TOLERANCE == 27, "HS_FAULT_BEYOND_TOLERANCE");
 
 _Static_assert(HS_BLOCK_FIXED == 0, "HS_BLOCK_FIXED");
 _Static_assert(HS_BLOCK_PRESCRIBED == 1, "HS_BLOCK_PRESCRIBED");

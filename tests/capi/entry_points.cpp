@@ -276,6 +276,15 @@ std::vector<EntryPoint> entry_points_of_shapes_and_blocks() {
            return hs_polyhedron_create_hull(s.context.get(), view_of(s.solid.vertices), shape);
          });
        }},
+      {"hs_polyhedron_create_fitted", Allocates::always,
+       [](S s) {
+         return keep(s.made.shapes[0], [&](hs_shape** shape) {
+           return hs_polyhedron_create_fitted(s.context.get(), view_of(s.solid.vertices),
+                                              s.solid.faces.sizes.data(),
+                                              std::int64_t(s.solid.faces.sizes.size()),
+                                              s.solid.faces.vertices.data(), 1e-3, shape, &s.written.fitting);
+         });
+       }},
       {"hs_polyhedron_create_from_halfspaces", Allocates::always, create_from_halfspaces},
       {"hs_shape_cut", Allocates::always, cut},
 

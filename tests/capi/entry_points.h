@@ -15,6 +15,7 @@ namespace halfspace_test {
 struct Written {
   hs_fault fault;
   hs_clean_report cleaning;
+  hs_fit_report fitting;
   hs_shape_properties properties;
   hs_contact contact;
   hs_impact impact;

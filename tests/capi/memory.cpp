@@ -37,6 +37,12 @@ void tour_of_polyhedra(hs_context* c, long& failures) {
       },
       failures);
   const Shape common(made[2]);
+  survive(
+      [&] {
+        return hs_polyhedron_create_fitted(c, view_of(points), nullptr, 0, nullptr, 1e-3, &made[5], nullptr);
+      },
+      failures);
+  const Shape fitted(made[5]);
   hs_fault fault;
   survive(
       [&] {

@@ -17,7 +17,7 @@ using namespace halfspace::cli;
 namespace {
 
 double volume_of(const Context& context, const Solid& solid, double scale = 1) {
-  return properties_of(context, make_convex(context, solid, scale)).volume;
+  return properties_of(context, make_convex(context, solid, scale).shape).volume;
 }
 
 /// The corners of a box of 2 x 1 x 1 and its twelve triangles, each corner written as often as it is used.
@@ -107,7 +107,7 @@ TEST_CASE("an STL file, text and binary: corners are welded, triangles of one pl
     REQUIRE(solids.size() == 1);
     CHECK(solids[0].vertices.size() == 8);
     CHECK(solids[0].faces.size() == 12);
-    const Shape shape = make_convex(context, solids[0], 1);
+    const Shape shape = make_convex(context, solids[0], 1).shape;
     CHECK(properties_of(context, shape).volume == Approx(2));
     CHECK(properties_of(context, shape).face_count == 6);
     CHECK(vertices_of(context, shape).size() == 8);

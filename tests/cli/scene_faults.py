@@ -37,7 +37,7 @@ EXPECTED_IN_SPACE = [
     (26, 12, "block[1].vertices", "has fewer than 4 vertices or fewer than 4 faces; allowed: the corners"),
     (32, 9, "block[2].faces", "not a list: 7"),
     (33, 20, "block[2].angular_velocity", "not a point: 30; allowed: [x, y, z]"),
-    (38, 8, "block[3].file", "dented.obj:8: not convex: the face with a corner at [0, 0, 0] lies up to 0.1 m inside"),
+    (38, 8, "block[3].file", "dented.obj:8: not convex: a dent 0.1 m deep at [1, 1, 0.1]; allowed: dents up to the tolerance, 0.0234 m; tolerance ="),
     (43, 8, "block[4].file", "no such file: "),
     (48, 8, "block[5].file", "faulty.toml: not a kind of file that is known; allowed: .obj, .off, .stl, .msh"),
     (50, 1, "jointed_rock[0].region", "missing; required: [[x, y, z], [x, y, z], ...] with 4 points or more"),

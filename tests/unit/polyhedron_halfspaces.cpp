@@ -150,3 +150,20 @@ TEST_CASE("a thin plate keeps all its edges, short ones too") {
   // Each coordinate carries an ulp or two; the thickness one of its own.
   CHECK(shape_of(result.polyhedron).volume() == Approx(n * std::tan(half_angle) * thickness).epsilon(1e-14));
 }
+
+TEST_CASE("planes that are opposite but for rounding bound a box") {
+  // Fitted to the corners of a cube, written with 4 decimals: opposite normals differ by 1e-16.
+  Random random(11);
+  for (int i = 0; i < 200; ++i) {
+    const Eigen::Matrix3d turn = random_rotation(random);
+    Halfspaces halfspaces;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vector<3> normal = turn.col(axis), noise = 0x1p-53 * random_direction(random);
+      halfspaces.push_back({normal, 1e-5 * axis});
+      halfspaces.push_back({-normal + noise, 1 + 1e-5 * axis});
+    }
+    const Result made = intersection_of(halfspaces);
+    REQUIRE(made.fault == Fault::none);
+    CHECK(made.polyhedron.vertex_count() == 8);
+  }
+}

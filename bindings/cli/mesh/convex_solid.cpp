@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/mesh_fault.h"
 #include "text.h"
 #include "vector.h"
 
@@ -25,27 +24,14 @@ double size_of(const std::vector<Point>& points) {
   return size;
 }
 
-/// How far a face's corners lie below that plane of the hull to which they are all nearest.
-double depth_below(const std::vector<HalfSpace>& hull, const std::vector<Point>& vertices,
-                   const std::vector<int>& face) {
-  double least = INFINITY;
-  for (const HalfSpace& plane : hull) {
-    double depth = 0;
-    for (int corner : face) {
-      const Point& p = vertices[static_cast<std::size_t>(corner)];
-      depth = std::max(depth, plane.offset - dot(plane.normal, p));
-    }
-    least = std::min(least, depth);
-  }
-  return least;
-}
-
-/// How often the surface winds around the hull, by its volume as a sum of tetrahedra from the origin.
+/// How often the surface winds around the hull, by its volume as a sum of tetrahedra from the first vertex.
 double windings(const std::vector<Point>& vertices, const std::vector<std::vector<int>>& faces,
                 double volume_of_hull) {
   double volume = 0;
   for (const std::vector<int>& face : faces) {
-    const auto corner = [&](std::size_t i) { return vertices[static_cast<std::size_t>(face[i])]; };
+    const auto corner = [&](std::size_t i) {
+      return minus(vertices[static_cast<std::size_t>(face[i])], vertices[0]);
+    };
     const Point a = corner(0);
     for (std::size_t i = 2; i < face.size(); ++i) {
       const Point b = corner(i - 1), c = corner(i);
@@ -55,42 +41,43 @@ double windings(const std::vector<Point>& vertices, const std::vector<std::vecto
   return volume / volume_of_hull;
 }
 
+double default_tolerance(const Solid& solid, double scale, const std::vector<Point>& vertices) {
+  return std::min(2 * solid.last_digit * scale, 0x1p-7 * size_of(vertices));
+}
+
+[[noreturn]] void refuse(const Solid& solid, const hs_fit_report& report, double tolerance,
+                         const LibraryError& error) {
+  if (report.fault.kind == HS_FAULT_VERTEX_OUTSIDE_FACE)
+    throw MeshFault(solid.place, "a surface folded onto itself; allowed: convex solids");
+  if (report.fault.kind != HS_FAULT_BEYOND_TOLERANCE) throw MeshFault(solid.place, error.reason());
+  std::string text = "not convex: a dent " + rounded(report.deviation, 3) + " m deep at " +
+                     described(solid.vertices[static_cast<std::size_t>(report.fault.vertex)]) +
+                     "; allowed: dents up to the tolerance, " + rounded(tolerance, 3) + " m";
+  if (report.sufficient_tolerance > 0)
+    text += "; tolerance = " + rounded(report.sufficient_tolerance, 2) + " would do";
+  throw NotConvex(solid.place, text, report.sufficient_tolerance);
+}
+
 }  // namespace
 
-Shape make_convex(const Context& context, const Solid& solid, double scale) {
-  std::vector<Point> vertices = scaled(solid.vertices, scale);
-  Shape hull;
+ConvexSolid make_convex(const Context& context, const Solid& solid, double scale,
+                        std::optional<double> tolerance) {
+  const std::vector<Point> vertices = scaled(solid.vertices, scale);
+  const double within = tolerance.value_or(default_tolerance(solid, scale, vertices));
+  ConvexSolid made;
   try {
-    hull = make_hull(context, vertices);
+    made.shape = make_fitted(context, vertices, FaceList(solid.faces), within, made.report);
   } catch (const LibraryError& error) {
     if (error.status != HS_ERROR_ARGUMENT && error.status != HS_ERROR_GEOMETRY) throw;
-    throw MeshFault(solid.place, error.reason());
+    refuse(solid, made.report, within, error);
   }
-  const hs_shape_properties properties = properties_of(context, hull);
-  const Point centroid = point_of(properties.centroid);
-  for (Point& p : vertices) p = minus(p, centroid);  // half-spaces have it at their origin
-
-  const double tolerance = 0x1p-16 * size_of(vertices);
-  const std::vector<HalfSpace> halfspaces = halfspaces_of(context, hull);
-  for (const std::vector<int>& face : solid.faces) {
-    const double depth = depth_below(halfspaces, vertices, face);
-    if (depth <= tolerance) continue;
-    throw MeshFault(solid.place, "not convex: the face with a corner at " +
-                                     described(solid.vertices[static_cast<std::size_t>(face[0])]) +
-                                     " lies up to " + rounded(depth, 3) +
-                                     " m inside the hull; allowed: convex solids");
-  }
-  // All faces lie on the hull: they cover it a whole number of times.
-  if (std::abs(std::abs(windings(vertices, solid.faces, properties.volume)) - 1) > 0.5)
+  // All faces lie on the shape: they cover it a whole number of times.
+  const double volume = properties_of(context, made.shape).volume;
+  if (std::abs(std::abs(windings(vertices, solid.faces, volume)) - 1) > 0.5)
     throw MeshFault(solid.place, "a surface folded onto itself; allowed: convex solids");
-  return hull;
+  return made;
 }
 
-bool is_inside_out(const Solid& solid) {
-  std::vector<Point> vertices = solid.vertices;
-  const Point origin = vertices[0];
-  for (Point& p : vertices) p = minus(p, origin);
-  return windings(vertices, solid.faces, 1) < 0;
-}
+bool is_inside_out(const Solid& solid) { return windings(solid.vertices, solid.faces, 1) < 0; }
 
 }  // namespace halfspace::cli

@@ -38,6 +38,7 @@ class GmshReader {
       }
       skip_to_end_of(section);
     }
+    file_.last_digit = lines_.digits().last();
     return std::move(file_);
   }
 
@@ -208,8 +209,10 @@ std::vector<Solid> solids_of(const GmshFile& file) {
   std::vector<Solid> solids;
   for (const GmshFile::Element& element : file.elements) {
     if (element.form->dimension < 3) continue;
-    Solid& solid = solids.emplace_back(
-        Solid{.vertices = {}, .faces = element.form->faces, .place = file.place(element)});
+    Solid& solid = solids.emplace_back(Solid{.vertices = {},
+                                             .faces = element.form->faces,
+                                             .place = file.place(element),
+                                             .last_digit = file.last_digit});
     for (const int node : element.nodes) solid.vertices.push_back(file.nodes[static_cast<std::size_t>(node)]);
   }
   if (solids.empty()) {

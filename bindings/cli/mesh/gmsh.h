@@ -21,6 +21,7 @@ struct GmshFile {
   std::string name;
   std::vector<Point> nodes;
   std::vector<Element> elements;
+  double last_digit = 0;            ///< of coordinates: the value of a unit
   std::vector<std::string> groups;  ///< their names; of those without one their numbers
 
   std::string place(const Element& element) const { return name + ':' + std::to_string(element.line); }

@@ -42,6 +42,7 @@ Surface read_obj(const std::string& name, const std::string& content) {
       lines.fail("unknown: \"" + std::string(keyword) + "\"; allowed: v, f, o, vn, vt, g, s, usemtl, mtllib");
     }
   }
+  surface.last_digit = lines.digits().last();
   return surface;
 }
 

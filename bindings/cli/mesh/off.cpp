@@ -37,6 +37,7 @@ Surface read_off(const std::string& name, const std::string& content) {
     surface.faces.push_back(std::move(face));
   }
   if (lines.next()) lines.fail("more than the " + std::to_string(face_count) + " faces announced");
+  surface.last_digit = lines.digits().last();
   return surface;
 }
 

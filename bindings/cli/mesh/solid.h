@@ -12,6 +12,7 @@ struct Solid {
   std::vector<Point> vertices;
   std::vector<std::vector<int>> faces;  ///< loops of vertices, all of them the same way round
   std::string place;                    ///< where it begins, e.g. "rocks.obj:12"
+  double last_digit = 0;                ///< of its file's coordinates: the value of a unit
 };
 
 /// The solids of a file: OBJ, OFF, STL (text and binary), or Gmsh (MSH 2.2 and 4.1, text), told apart by the

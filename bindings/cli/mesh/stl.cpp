@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -60,6 +61,15 @@ bool is_binary(const std::string& content) {
          content.size() == header_size + record_size * std::size_t{stored_number(content.data() + 80)};
 }
 
+/// The spacing of numbers in single precision at the largest coordinate.
+double last_digit_of_floats(const std::vector<Point>& vertices) {
+  double largest = 0;
+  for (const Point& vertex : vertices) {
+    for (const double coordinate : vertex) largest = std::max(largest, std::abs(coordinate));
+  }
+  return largest > 0 ? std::ldexp(1, std::ilogb(largest) - 23) : 0;
+}
+
 Surface read_binary(const std::string& name, const std::string& content) {
   Surface surface;
   surface.file = name;
@@ -78,6 +88,7 @@ Surface read_binary(const std::string& name, const std::string& content) {
     }
     welder.add(corners, static_cast<int>(i + 1));
   }
+  surface.last_digit = last_digit_of_floats(surface.vertices);
   return surface;
 }
 
@@ -118,6 +129,7 @@ Surface read_text(const std::string& name, const std::string& content) {
       welder.add(read_facet(lines), first_line);
     }
   }
+  surface.last_digit = lines.digits().last();
   return surface;
 }
 

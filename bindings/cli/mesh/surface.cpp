@@ -90,7 +90,10 @@ std::vector<Solid> solids_of(const Surface& surface) {
   for (std::size_t i = 0; i < surface.faces.size(); ++i) {
     const auto [entry, is_new] = solid_of_part.emplace(parts.of(static_cast<int>(i)), solids.size());
     if (is_new) {
-      solids.push_back({.vertices = {}, .faces = {}, .place = surface.place(surface.faces[i])});
+      solids.push_back({.vertices = {},
+                        .faces = {},
+                        .place = surface.place(surface.faces[i]),
+                        .last_digit = surface.last_digit});
       numbers.emplace_back();
     }
     Solid& solid = solids[entry->second];

@@ -19,6 +19,7 @@ struct Surface {
   std::string separator = ":";  ///< between file and number
   std::vector<Point> vertices;
   std::vector<Face> faces;
+  double last_digit = 0;  ///< of coordinates: the value of a unit
 
   std::string place(const Face& face) const { return file + separator + std::to_string(face.number); }
 };

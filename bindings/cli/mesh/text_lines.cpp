@@ -77,7 +77,8 @@ std::size_t TextLines::count(std::size_t word) const {
   return static_cast<std::size_t>(value);
 }
 
-Point TextLines::point(std::size_t first_word) const {
+Point TextLines::point(std::size_t first_word) {
+  for (std::size_t axis = 0; axis < 3; ++axis) digits_.add(word_at(first_word + axis));
   return {number(first_word), number(first_word + 1), number(first_word + 2)};
 }
 

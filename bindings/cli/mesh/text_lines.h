@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mesh/digits.h"
 #include "scene.h"
 
 namespace halfspace::cli {
@@ -31,7 +32,9 @@ class TextLines {
   std::int64_t integer(std::size_t word) const;
   /// An integer that is a size: at least 0, and no larger than the text could hold.
   std::size_t count(std::size_t word) const;
-  Point point(std::size_t first_word) const;
+  /// Three words as a place. Their digits count.
+  Point point(std::size_t first_word);
+  const Digits& digits() const { return digits_; }
   /// Word as an integer in place of one of this line.
   std::int64_t integer_of(std::string_view word) const;
 
@@ -45,6 +48,7 @@ class TextLines {
   std::size_t size_;
   char comment_;
   int line_ = 0;
+  Digits digits_;
   std::vector<std::string_view> words_;
 };
 

@@ -88,6 +88,7 @@ module halfspace_c
   integer(c_int32_t), parameter :: HS_FAULT_NO_DIRECTION = 24  !< a half-space whose normal is 0
   integer(c_int32_t), parameter :: HS_FAULT_UNBOUNDED = 25  !< half-spaces that do not bound a region
   integer(c_int32_t), parameter :: HS_FAULT_NO_COMMON_POINT = 26  !< half-spaces without a region, or with one flat to rounding
+  integer(c_int32_t), parameter :: HS_FAULT_BEYOND_TOLERANCE = 27  !< a dent deeper than the tolerance
 
   !> How a block moves.
   integer(c_int32_t), parameter :: HS_BLOCK_FIXED = 0  !< never
@@ -290,6 +291,17 @@ module halfspace_c
     integer(c_int32_t) :: reversed = 0  !< 1 if the order was turned counter-clockwise
     integer(c_int32_t) :: reserved = 0  !< 0
   end type hs_clean_report
+
+  !> The changes that hs_polyhedron_create_fitted() made or, when it refuses a dent, its place.
+  type, bind(c) :: hs_fit_report
+    type(hs_fault) :: fault  !< HS_FAULT_NONE, or what the text says; of a dent the lowest vertex
+    integer(c_int64_t) :: merged = 0  !< facets given beyond the faces made
+    !> largest distance of a vertex from the fitted plane of its face; of a dent its depth below the convex
+    !! hull
+    real(c_double) :: deviation = 0.0_c_double
+    real(c_double) :: moved = 0.0_c_double  !< largest distance of a corner from where it was given
+    real(c_double) :: sufficient_tolerance = 0.0_c_double  !< of a dent: a tolerance that takes it, tried; 0 if there is none
+  end type hs_fit_report
 
   !> How a world is made. Fill it with hs_world_def_init().
   type, bind(c) :: hs_world_def
@@ -899,6 +911,32 @@ module halfspace_c
       integer(c_int32_t) :: hs_polyhedron_create_hull
     end function hs_polyhedron_create_hull
 
+    !> Makes a polyhedron of facets that are plane and convex within a tolerance, such as a file states them
+    !! by a few digits. Facets whose vertices lie within the tolerance of a common plane are one face, its
+    !! plane is fitted by least squares, and the shape is what the fitted half-spaces have in common. Each
+    !! vertex given lies within the tolerance of the planes of its facets, and in front of none by more. A
+    !! corner may move farther than that where planes meet at a small angle: see the report. Shapes that are
+    !! plane and convex to rounding keep their vertices. Memory as for the hull.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (the text names the largest dent, its place and a
+    !! tolerance that would do, or another fault) or HS_ERROR_OUT_OF_MEMORY
+    function hs_polyhedron_create_fitted(context, vertices, face_sizes, face_count, face_vertices, tolerance, shape, report) &
+        bind(c)
+      import
+      type(c_ptr), value :: context  !< owner of the allocator
+      type(hs_view), value :: vertices  !< the corners; they may lie within an edge or a face
+      type(c_ptr), value :: face_sizes  !< the facets, as for hs_polyhedron_check(). Without any, those of the convex hull are taken
+      !> the facets, as for hs_polyhedron_check(). Without any, those of the convex hull are taken
+      integer(c_int64_t), value :: face_count
+      !> the facets, as for hs_polyhedron_check(). Without any, those of the convex hull are taken
+      type(c_ptr), value :: face_vertices
+      !> distance, >= 0; 0 is for rounding alone. 2 units of the last digit of a file are above the rounding
+      !! of its vertices
+      real(c_double), value :: tolerance
+      type(c_ptr), intent(out) :: shape  !< receives the shape
+      type(c_ptr), value :: report  !< receives the changes, or the place of a fault of the geometry; may be NULL
+      integer(c_int32_t) :: hs_polyhedron_create_fitted
+    end function hs_polyhedron_create_fitted
+
     !> Makes the polyhedron that half-spaces have in common. A half-space that cuts nothing off but rounding
     !! makes no face, so that the shape's face_count may be below their number. Memory as for the hull.
     !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (the text says what keeps them from bounding a
@@ -1377,8 +1415,8 @@ module halfspace_c
       integer(c_int32_t) :: hs_bond_def_init
     end function hs_bond_def_init
 
-    !> Bonds two blocks along their largest common face, as they are now: both faces lie in one plane but for
-    !! rounding.
+    !> Bonds two blocks along their common face, as they are now: all pairs of faces that lie in one plane but
+    !! for rounding.
     !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, HS_ERROR_OUT_OF_MEMORY, or HS_ERROR_STATE when
     !! they have no common face, hold together already, or neither moves
     function hs_world_bond_blocks(world, block_a, block_b, def) bind(c)

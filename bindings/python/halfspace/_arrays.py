@@ -65,6 +65,8 @@ SHAPE_PROPERTIES = record_type(_raw.hs_shape_properties)
 FAULT = record_type(_raw.hs_fault)
 #: What a clean-up changed: the struct ``hs_clean_report``.
 CLEAN_REPORT = record_type(_raw.hs_clean_report)
+#: What a fit of planes changed: the struct ``hs_fit_report``.
+FIT_REPORT = record_type(_raw.hs_fit_report)
 
 
 def empty_record(dtype: Any) -> Tuple[NDArray[Any], Any]:

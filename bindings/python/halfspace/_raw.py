@@ -102,6 +102,7 @@ HS_FAULT_HULL_FAILED = 23  # points so close to degenerate that rounding hides t
 HS_FAULT_NO_DIRECTION = 24  # a half-space whose normal is 0
 HS_FAULT_UNBOUNDED = 25  # half-spaces that do not bound a region
 HS_FAULT_NO_COMMON_POINT = 26  # half-spaces without a region, or with one flat to rounding
+HS_FAULT_BEYOND_TOLERANCE = 27  # a dent deeper than the tolerance
 
 # How a block moves.
 HS_BLOCK_FIXED = 0  # never
@@ -366,6 +367,20 @@ class hs_clean_report(Structure):
         ("straightened", c_int64),  # vertices dropped because they lay within it of their neighbours' line
         ("reversed", c_int32),  # 1 if the order was turned counter-clockwise
         ("reserved", c_int32),  # 0
+    ]
+
+
+class hs_fit_report(Structure):
+    """The changes that hs_polyhedron_create_fitted() made or, when it refuses a dent, its place."""
+
+    _fields_ = [
+        ("fault", hs_fault),  # HS_FAULT_NONE, or what the text says; of a dent the lowest vertex
+        ("merged", c_int64),  # facets given beyond the faces made
+        # largest distance of a vertex from the fitted plane of its face; of a dent its depth below the convex
+        # hull
+        ("deviation", c_double),
+        ("moved", c_double),  # largest distance of a corner from where it was given
+        ("sufficient_tolerance", c_double),  # of a dent: a tolerance that takes it, tried; 0 if there is none
     ]
 
 
@@ -999,6 +1014,24 @@ def declare(library):
     ]
     library.hs_polyhedron_create_hull.restype = hs_status
 
+    # Makes a polyhedron of facets that are plane and convex within a tolerance, such as a file states them by
+    # a few digits. Facets whose vertices lie within the tolerance of a common plane are one face, its plane
+    # is fitted by least squares, and the shape is what the fitted half-spaces have in common. Each vertex
+    # given lies within the tolerance of the planes of its facets, and in front of none by more. A corner may
+    # move farther than that where planes meet at a small angle: see the report. Shapes that are plane and
+    # convex to rounding keep their vertices. Memory as for the hull.
+    library.hs_polyhedron_create_fitted.argtypes = [
+        POINTER(hs_context),  # context
+        hs_view,  # vertices
+        c_void_p,  # face_sizes
+        c_int64,  # face_count
+        c_void_p,  # face_vertices
+        c_double,  # tolerance
+        POINTER(POINTER(hs_shape)),  # shape
+        POINTER(hs_fit_report),  # report
+    ]
+    library.hs_polyhedron_create_fitted.restype = hs_status
+
     # Makes the polyhedron that half-spaces have in common. A half-space that cuts nothing off but rounding
     # makes no face, so that the shape's face_count may be below their number. Memory as for the hull.
     library.hs_polyhedron_create_from_halfspaces.argtypes = [
@@ -1381,8 +1414,8 @@ def declare(library):
     ]
     library.hs_bond_def_init.restype = hs_status
 
-    # Bonds two blocks along their largest common face, as they are now: both faces lie in one plane but for
-    # rounding.
+    # Bonds two blocks along their common face, as they are now: all pairs of faces that lie in one plane but
+    # for rounding.
     library.hs_world_bond_blocks.argtypes = [
         POINTER(hs_world),  # world
         hs_block,  # block_a

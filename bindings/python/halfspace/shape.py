@@ -9,6 +9,7 @@ from . import _raw
 from ._arrays import (
     CLEAN_REPORT,
     FAULT,
+    FIT_REPORT,
     SHAPE_PROPERTIES,
     empty_record,
     indices,
@@ -24,8 +25,8 @@ class Shape(Handle):
     """An immutable convex polygon (2D) or polyhedron (3D), for any number of blocks.
 
     Make one with `polygon`, `polyhedron`, `hull`, `from_halfspaces`, `boundary`, `rectangle` or `box`. Faulty
-    input is refused with its reason (`GeometryError`); nothing is repaired. Arrays of float64 go in without a copy,
-    however they are strided.
+    input is refused with its reason (`GeometryError`); nothing is repaired without a tolerance. Arrays of
+    float64 go in without a copy, however they are strided.
 
     Examples
     --------
@@ -37,14 +38,18 @@ class Shape(Handle):
     def __init__(self, context: Context, pointer: Any) -> None:
         super().__init__(context, pointer, library.hs_shape_destroy)
         self._properties: Any = None
+        #: Of a shape made with a tolerance, a record with the fields of ``hs_fit_report``; otherwise None.
+        self.fit_report: Any = None
 
     @classmethod
-    def _make(cls, context: Optional[Context], create: Callable[..., int], *arguments: Any) -> "Shape":
+    def _make(
+        cls, context: Optional[Context], create: Callable[..., int], *arguments: Any, behind: Tuple[Any, ...] = ()
+    ) -> "Shape":
         owner = context or default_context()
         pointer = ctypes.POINTER(_raw.hs_shape)()
         keeper = owner._alive
         with keeper.lock:
-            owner._alive.call(create, keeper.pointer, *arguments, ctypes.byref(pointer))
+            owner._alive.call(create, keeper.pointer, *arguments, ctypes.byref(pointer), *behind)
             return cls(owner, pointer)
 
     @classmethod
@@ -66,8 +71,37 @@ class Shape(Handle):
         return cls._make(context, library.hs_polygon_create, view_of(vertices, 2, "vertices"))
 
     @classmethod
+    def _fitted(
+        cls,
+        vertices: ArrayLike,
+        faces: Sequence[Sequence[int]],
+        tolerance: float,
+        context: Optional[Context],
+    ) -> "Shape":
+        sizes, corners = _flattened(faces)
+        report, address = empty_record(FIT_REPORT)
+        shape = cls._make(
+            context,
+            library.hs_polyhedron_create_fitted,
+            view_of(vertices, 3, "vertices"),
+            sizes.ctypes.data,
+            len(sizes),
+            corners.ctypes.data,
+            tolerance,
+            behind=(_raw.hs_fit_report.from_address(address),),
+        )
+        report.flags.writeable = False
+        shape.fit_report = report[0]
+        return shape
+
+    @classmethod
     def polyhedron(
-        cls, vertices: ArrayLike, faces: Sequence[Sequence[int]], *, context: Optional[Context] = None
+        cls,
+        vertices: ArrayLike,
+        faces: Sequence[Sequence[int]],
+        *,
+        tolerance: Optional[float] = None,
+        context: Optional[Context] = None,
     ) -> "Shape":
         """A convex polyhedron.
 
@@ -78,7 +112,13 @@ class Shape(Handle):
         faces : sequence of sequences of int
             The vertices of each face, all faces counter-clockwise seen from outside, or all clockwise. A face
             may have any number of vertices; two neighbours must not lie in one plane.
+        tolerance : float, optional
+            Distance within which facets are plane and convex: those that lie in a common plane within it are one
+            face, dents up to it are taken, and the planes are fitted. `fit_report` has the changes. Without it
+            faces are exact to rounding.
         """
+        if tolerance is not None:
+            return cls._fitted(vertices, faces, tolerance, context)
         sizes, corners = _flattened(faces)
         view = view_of(vertices, 3, "vertices")
         return cls._make(
@@ -86,10 +126,15 @@ class Shape(Handle):
         )
 
     @classmethod
-    def hull(cls, points: ArrayLike, *, context: Optional[Context] = None) -> "Shape":
+    def hull(
+        cls, points: ArrayLike, *, tolerance: Optional[float] = None, context: Optional[Context] = None
+    ) -> "Shape":
         """The convex hull of points: a polygon of (n, 2), a polyhedron of (n, 3). Points inside and repeated
-        ones are allowed."""
+        ones are allowed. In 3D facets that lie in one plane within the `tolerance` are one face, see
+        `polyhedron`."""
         array = np.asarray(points, np.float64)
+        if tolerance is not None:
+            return cls._fitted(array, [], tolerance, context)
         if array.ndim == 2 and array.shape[1] == 3:
             return cls._make(context, library.hs_polyhedron_create_hull, view_of(array, 3, "points"))
         return cls._make(context, library.hs_polygon_create_hull, view_of(array, 2, "points"))

@@ -57,6 +57,35 @@ def test_checking_and_cleaning():
     assert (report.welded, report.straightened, report.reversed) == (1, 1, 1)
 
 
+def test_corners_of_few_digits_keep_their_faces():
+    turned = np.array([[1, 2, 2], [2, 1, -2], [2, -2, 1]]) / 3
+    corners = np.array([(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]) @ turned
+    written = np.round(corners, 6)
+    faces = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+    with pytest.raises(hs.GeometryError, match="not plane"):
+        hs.Shape.polyhedron(written, faces)
+    for shape in (
+        hs.Shape.polyhedron(written, faces, tolerance=2e-6),
+        hs.Shape.hull(written, tolerance=2e-6),
+    ):
+        assert len(shape.faces) == 6
+        assert shape.volume == pytest.approx(1, abs=1e-5)
+        report = shape.fit_report
+        assert 0 < report.deviation < 2e-6
+        assert 0 < report.moved < 1e-5
+    assert hs.Shape.box(1, 1, 1).fit_report is None
+
+
+def test_a_dent_beyond_the_tolerance_is_named():
+    vertices = [(0, 0, 0), (3, 0, 0), (0, 3, 0), (0, 0, 3), (1, 1, 0.1)]
+    faces = [(0, 1, 3), (1, 2, 3), (2, 0, 3), (0, 4, 1), (1, 4, 2), (2, 4, 0)]
+    with pytest.raises(hs.GeometryError, match=r"dent 0.1 deep at vertices\[4\].*a tolerance of 0.0\d+ would do"):
+        hs.Shape.polyhedron(vertices, faces, tolerance=0.01)
+    taken = hs.Shape.polyhedron(vertices, faces, tolerance=0.1)
+    assert len(taken.faces) == 4
+    assert taken.fit_report.merged == 2
+
+
 def test_a_pose():
     assert hs.pose((1, 2)).tolist() == [1, 2, 0, 0, 0, 0, 1]
     turned = hs.pose((1, 2), math.pi / 2)

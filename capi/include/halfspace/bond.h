@@ -87,7 +87,7 @@ typedef struct hs_bond_report {
  *  @return HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time. */
 HS_API hs_status hs_bond_def_init(hs_bond_def *def, size_t size);
 
-/** @brief Bonds two blocks along their largest common face, as they are now: both faces lie in one plane but for rounding.
+/** @brief Bonds two blocks along their common face, as they are now: all pairs of faces that lie in one plane but for rounding.
  *  @param world not NULL @param block_a,block_b two blocks of any kind @param def not NULL
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, HS_ERROR_OUT_OF_MEMORY, or HS_ERROR_STATE when they have no common face, hold
  *          together already, or neither moves */

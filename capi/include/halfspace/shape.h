@@ -53,7 +53,9 @@ enum {
   HS_FAULT_HULL_FAILED = 23,          /**< points so close to degenerate that rounding hides their hull */
   HS_FAULT_NO_DIRECTION = 24,         /**< a half-space whose normal is 0 */
   HS_FAULT_UNBOUNDED = 25,            /**< half-spaces that do not bound a region */
-  HS_FAULT_NO_COMMON_POINT = 26       /**< half-spaces without a region, or with one flat to rounding */
+  HS_FAULT_NO_COMMON_POINT = 26,      /**< half-spaces without a region, or with one flat to rounding */
+  /* Facets that are to be fitted within a tolerance. */
+  HS_FAULT_BEYOND_TOLERANCE = 27      /**< a dent deeper than the tolerance */
 };
 
 /** The first fault found. */
@@ -87,6 +89,16 @@ typedef struct hs_clean_report {
   int32_t reversed;     /**< 1 if the order was turned counter-clockwise */
   int32_t reserved;     /**< 0 */
 } hs_clean_report;
+
+/** The changes that hs_polyhedron_create_fitted() made or, when it refuses a dent, its place. */
+typedef struct hs_fit_report {
+  hs_fault fault;              /**< HS_FAULT_NONE, or what the text says; of a dent the lowest vertex */
+  int64_t merged;              /**< facets given beyond the faces made */
+  double deviation;            /**< largest distance of a vertex from the fitted plane of its face; of a
+                                    dent its depth below the convex hull */
+  double moved;                /**< largest distance of a corner from where it was given */
+  double sufficient_tolerance; /**< of a dent: a tolerance that takes it, tried; 0 if there is none */
+} hs_fit_report;
 
 /** @brief Says what is wrong with a polygon's vertices without making a shape.
  *  @param context for the error text
@@ -179,6 +191,27 @@ HS_CHECKED hs_status hs_polyhedron_create(hs_context *context, hs_view vertices,
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (all in one plane, out of range, or so close to
  *          degenerate that rounding hides the hull) or HS_ERROR_OUT_OF_MEMORY */
 HS_CHECKED hs_status hs_polyhedron_create_hull(hs_context *context, hs_view points, hs_shape **shape);
+
+/** @brief Makes a polyhedron of facets that are plane and convex within a tolerance, such as a file states
+ *  them by a few digits. Facets whose vertices lie within the tolerance of a common plane are one face, its
+ *  plane is fitted by least squares, and the shape is what the fitted half-spaces have in common. Each vertex
+ *  given lies within the tolerance of the planes of its facets, and in front of none by more. A corner may
+ *  move farther than that where planes meet at a small angle: see the report. Shapes that are plane and convex
+ *  to rounding keep their vertices. Memory as for the hull.
+ *  @param context owner of the allocator
+ *  @param vertices the corners; they may lie within an edge or a face
+ *  @param face_sizes,face_count,face_vertices the facets, as for hs_polyhedron_check(). Without any, those of
+ *         the convex hull are taken
+ *  @param tolerance distance, >= 0; 0 is for rounding alone. 2 units of the last digit of a file are above the
+ *         rounding of its vertices
+ *  @param shape receives the shape
+ *  @param report receives the changes, or the place of a fault of the geometry; may be NULL
+ *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (the text names the largest dent, its place and a
+ *          tolerance that would do, or another fault) or HS_ERROR_OUT_OF_MEMORY */
+HS_CHECKED hs_status hs_polyhedron_create_fitted(hs_context *context, hs_view vertices,
+                                                 const int32_t face_sizes[], int64_t face_count,
+                                                 const int32_t face_vertices[], double tolerance,
+                                                 hs_shape **shape, hs_fit_report *report);
 
 /** @brief Makes the polyhedron that half-spaces have in common. A half-space that cuts nothing off but
  *  rounding makes no face, so that the shape's face_count may be below their number. Memory as for the hull.

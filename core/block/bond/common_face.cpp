@@ -119,20 +119,23 @@ std::optional<CommonFace<D>> common_face(const Blocks<D>& blocks, std::int32_t b
   const auto [a, b, to_b] = blocks.placed(block_a, block_b);
   const double reach =
       plane_reach * std::min(blocks.radius[std::size_t(block_a)], blocks.radius[std::size_t(block_b)]);
-  std::optional<CommonFace<D>> largest;
-  double most = 0;
+  const double least = D == 2 ? reach : reach * reach;  // what is less is rounding
+  std::optional<CommonFace<D>> common;
+  double largest = 0;
+  Array<FacePoint<D>> points(memory);
   for (int f = 0; f < a.face_count(); ++f) {
     for (int g = 0; g < b.face_count(); ++g) {
       if (!are_opposite<D>(a, f, b, g, to_b, reach)) continue;
-      CommonFace<D> common{a.normal(f), Array<FacePoint<D>>(memory)};
-      const double area = add_points(a, f, b, g, to_b, common.points);
-      const double least = D == 2 ? reach : reach * reach;  // what is less is rounding
-      if (area <= std::max(most, least)) continue;
-      most = area;
-      largest.emplace(std::move(common));
+      points.clear();
+      const double area = add_points(a, f, b, g, to_b, points);
+      if (area <= least) continue;
+      if (!common) common.emplace(CommonFace<D>{a.normal(f), Array<FacePoint<D>>(memory)});
+      if (area > largest) common->normal = a.normal(f);
+      largest = std::max(largest, area);
+      common->points.insert(common->points.end(), points.begin(), points.end());
     }
   }
-  return largest;
+  return common;
 }
 
 template std::optional<CommonFace<2>> common_face(const Blocks<2>&, std::int32_t, std::int32_t, Memory*);

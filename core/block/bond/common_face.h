@@ -18,15 +18,15 @@ struct FacePoint {
   double area;
 };
 
-/// The part that two blocks' faces have in common, in the plane two edges: they lie in one plane and look at
-/// each other.
+/// The part that two blocks' faces have in common, in the plane their edges: they lie in one plane and face
+/// each other. Where a face is split, it is the sum over all pairs.
 template <int D>
 struct CommonFace {
-  Vector<D> normal;  // from a to b
+  Vector<D> normal;  // from a to b, of the pair with the largest area
   Array<FacePoint<D>> points;
 };
 
-/// Finds the largest common face of two blocks, as they are now, or none. Faces that a joint has cut apart
+/// Finds the common face of two blocks, as they are now, or none. Faces that a joint has cut apart
 /// lie in one plane to rounding only: planes within 1e-6 of the smaller block's radius are one, and parallel
 /// to that over the faces' size. In the plane there are three points, both ends and the middle; in space
 /// corners, middles of sides and centroids of the triangles that the common polygon is cut into. Linear

@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "geometry/box.h"
+#include "geometry/polyhedron/facets.h"
 #include "geometry/polyhedron/surface.h"
 #include "geometry/polyhedron/topology.h"
-#include "geometry/precise.h"
 #include "geometry/unit_vector.h"
 
 namespace halfspace {
@@ -146,15 +146,6 @@ PolyhedronFault first_split_face(const Polyhedron& p) {
   });
 }
 
-/// Twice the area, along the normal: triangles from the first corner.
-Vector<3> area_vector(const Polyhedron& p, std::int32_t face) {
-  Vector<3> area = Vector<3>::Zero();
-  for (std::size_t i = 1; i + 1 < p.loop(face).size(); ++i) {
-    area += precise_cross_product(p.corner(face, 0), p.corner(face, i), p.corner(face, i + 1));
-  }
-  return area;
-}
-
 PolyhedronFault fit_normals(Polyhedron& p) {
   p.normals.clear();
   for (std::int32_t f = 0; f < p.face_count(); ++f) {
@@ -167,20 +158,6 @@ PolyhedronFault fit_normals(Polyhedron& p) {
     p.normals.push_back((area / power_of_two_in(area)).normalized());
   }
   return {};
-}
-
-void turn_loops_round(Polyhedron& p) {
-  for (std::int32_t f = 0; f < p.face_count(); ++f) {
-    std::reverse(p.face_vertices.begin() + p.first_of_face[std::size_t(f)],
-                 p.face_vertices.begin() + p.first_of_face[std::size_t(f) + 1]);
-  }
-}
-
-bool is_inside_out(const Polyhedron& p) {
-  const Vector<3>& origin = p.vertices[0];
-  double volume = 0;
-  for (std::int32_t f = 0; f < p.face_count(); ++f) volume += area_vector(p, f).dot(p.corner(f, 0) - origin);
-  return volume < 0;
 }
 
 }  // namespace
@@ -204,7 +181,7 @@ PolyhedronFault check_polyhedron(const Polyhedron& polyhedron) {
 
 PolyhedronFault complete_polyhedron(Polyhedron& polyhedron) {
   if (const PolyhedronFault r = check_vertices_and_surface(polyhedron); r.fault != Fault::none) return r;
-  if (is_inside_out(polyhedron)) turn_loops_round(polyhedron);
+  turn_outward(polyhedron);
   if (const PolyhedronFault r = fit_normals(polyhedron); r.fault != Fault::none) return r;
   if (const PolyhedronFault r = first_misplaced(polyhedron); r.fault != Fault::none) return r;
   return first_split_face(polyhedron);

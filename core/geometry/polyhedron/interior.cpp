@@ -80,7 +80,7 @@ class LargestSphere {
     int leaving = -1;
     double least = HUGE_VAL;
     for (int i = 0; i < 4; ++i) {
-      if (rates[i] <= std::numeric_limits<double>::epsilon()) continue;
+      if (rates[i] <= smallest_pivot) continue;
       const double ratio = std::max(weights[i], 0.0) / rates[i];
       if (ratio >= least) continue;
       least = ratio;
@@ -95,6 +95,10 @@ class LargestSphere {
       least = std::min(least, plane.offset - plane.normal.dot(sphere_.head<3>()));
     return least;
   }
+
+  /// Half of a double's digits. Between opposite planes that are parallel to rounding a rate is 0 but for
+  /// rounding, and a basis with such a pivot is singular.
+  static constexpr double smallest_pivot = 0x1p-26;
 
   Array<Halfspace<3>> planes_;  // the caller's, then the tetrahedron's
   std::size_t touched_[4];

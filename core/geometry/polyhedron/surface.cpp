@@ -38,23 +38,37 @@ PolyhedronFault first_vertex_inside_edge(const HalfEdges& half_edges, std::int32
   return {};
 }
 
+PolyhedronFault check_loops(const Polyhedron& polyhedron) {
+  if (polyhedron.vertex_count() < 4 || polyhedron.face_count() < 4) return {Fault::fewer_than_four, -1, -1};
+  return first_faulty_loop(polyhedron);
+}
+
+/// Euler's formula: two surfaces, a ring, or two surfaces with a vertex in common give another number.
+PolyhedronFault check_euler(const Polyhedron& polyhedron, const HalfEdges& half_edges) {
+  const std::int32_t edges = half_edges.count() / 2;
+  if (polyhedron.vertex_count() - edges + polyhedron.face_count() != 2)
+    return {Fault::not_one_surface, -1, -1};
+  return {};
+}
+
 }  // namespace
 
-PolyhedronFault check_surface(const Polyhedron& polyhedron) {
-  if (polyhedron.vertex_count() < 4 || polyhedron.face_count() < 4) return {Fault::fewer_than_four, -1, -1};
-  if (const PolyhedronFault r = first_faulty_loop(polyhedron); r.fault != Fault::none) return r;
+PolyhedronFault check_closed(const Polyhedron& polyhedron) {
+  if (const PolyhedronFault r = check_loops(polyhedron); r.fault != Fault::none) return r;
+  const HalfEdges half_edges(polyhedron);
+  if (const PolyhedronFault r = first_unmatched_edge(half_edges); r.fault != Fault::none) return r;
+  return check_euler(polyhedron, half_edges);
+}
 
+PolyhedronFault check_surface(const Polyhedron& polyhedron) {
+  if (const PolyhedronFault r = check_loops(polyhedron); r.fault != Fault::none) return r;
   const HalfEdges half_edges(polyhedron);
   if (const PolyhedronFault r = first_unmatched_edge(half_edges); r.fault != Fault::none) return r;
   if (const PolyhedronFault r = first_vertex_inside_edge(half_edges, polyhedron.vertex_count());
       r.fault != Fault::none) {
     return r;
   }
-  // Euler's formula: two surfaces, a ring, or two surfaces with a vertex in common give another number.
-  const std::int32_t edges = half_edges.count() / 2;
-  if (polyhedron.vertex_count() - edges + polyhedron.face_count() != 2)
-    return {Fault::not_one_surface, -1, -1};
-  return {};
+  return check_euler(polyhedron, half_edges);
 }
 
 }  // namespace halfspace

@@ -140,6 +140,8 @@ pub const HS_FAULT_NO_DIRECTION: i32 = 24;
 pub const HS_FAULT_UNBOUNDED: i32 = 25;
 /// half-spaces without a region, or with one flat to rounding
 pub const HS_FAULT_NO_COMMON_POINT: i32 = 26;
+/// a dent deeper than the tolerance
+pub const HS_FAULT_BEYOND_TOLERANCE: i32 = 27;
 
 // How a block moves.
 /// never
@@ -513,6 +515,24 @@ pub struct hs_clean_report {
     pub reserved: i32,
 }
 const _: () = assert!(std::mem::size_of::<hs_clean_report>() == 24);
+
+/// The changes that hs_polyhedron_create_fitted() made or, when it refuses a dent, its place.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct hs_fit_report {
+    /// HS_FAULT_NONE, or what the text says; of a dent the lowest vertex
+    pub fault: hs_fault,
+    /// facets given beyond the faces made
+    pub merged: i64,
+    /// largest distance of a vertex from the fitted plane of its face; of a dent its depth below the convex
+    /// hull
+    pub deviation: f64,
+    /// largest distance of a corner from where it was given
+    pub moved: f64,
+    /// of a dent: a tolerance that takes it, tried; 0 if there is none
+    pub sufficient_tolerance: f64,
+}
+const _: () = assert!(std::mem::size_of::<hs_fit_report>() == 56);
 
 /// How a world is made. Fill it with hs_world_def_init().
 #[repr(C)]
@@ -1396,6 +1416,35 @@ extern "C" {
         shape: *mut *mut hs_shape,
     ) -> hs_status;
 
+    /// Makes a polyhedron of facets that are plane and convex within a tolerance, such as a file states them
+    /// by a few digits. Facets whose vertices lie within the tolerance of a common plane are one face, its
+    /// plane is fitted by least squares, and the shape is what the fitted half-spaces have in common. Each
+    /// vertex given lies within the tolerance of the planes of its facets, and in front of none by more. A
+    /// corner may move farther than that where planes meet at a small angle: see the report. Shapes that are
+    /// plane and convex to rounding keep their vertices. Memory as for the hull.
+    ///
+    /// - `context`: owner of the allocator
+    /// - `vertices`: the corners; they may lie within an edge or a face
+    /// - `face_sizes`, `face_count`, `face_vertices`: the facets, as for hs_polyhedron_check(). Without any,
+    ///   those of the convex hull are taken
+    /// - `tolerance`: distance, >= 0; 0 is for rounding alone. 2 units of the last digit of a file are above
+    ///   the rounding of its vertices
+    /// - `shape`: receives the shape
+    /// - `report`: receives the changes, or the place of a fault of the geometry; may be NULL
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (the text names the largest dent, its place and a
+    /// tolerance that would do, or another fault) or HS_ERROR_OUT_OF_MEMORY
+    pub fn hs_polyhedron_create_fitted(
+        context: *mut hs_context,
+        vertices: hs_view,
+        face_sizes: *const i32,
+        face_count: i64,
+        face_vertices: *const i32,
+        tolerance: f64,
+        shape: *mut *mut hs_shape,
+        report: *mut hs_fit_report,
+    ) -> hs_status;
+
     /// Makes the polyhedron that half-spaces have in common. A half-space that cuts nothing off but rounding
     /// makes no face, so that the shape's face_count may be below their number. Memory as for the hull.
     ///
@@ -1978,8 +2027,8 @@ extern "C" {
     /// Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
     pub fn hs_bond_def_init(def: *mut hs_bond_def, size: usize) -> hs_status;
 
-    /// Bonds two blocks along their largest common face, as they are now: both faces lie in one plane but for
-    /// rounding.
+    /// Bonds two blocks along their common face, as they are now: all pairs of faces that lie in one plane
+    /// but for rounding.
     ///
     /// - `world`, `def`: not NULL
     /// - `block_a`, `block_b`: two blocks of any kind

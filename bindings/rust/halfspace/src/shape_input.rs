@@ -64,6 +64,8 @@ constants! {
         Unbounded = HS_FAULT_UNBOUNDED,
         /// Half-spaces without a region, or with one flat to rounding.
         NoCommonPoint = HS_FAULT_NO_COMMON_POINT,
+        /// Facets to be fitted: a dent deeper than the tolerance.
+        BeyondTolerance = HS_FAULT_BEYOND_TOLERANCE,
     }
 }
 
