@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "mesh/common_planes.h"
 #include "mesh/convex_solid.h"
 #include "mesh/file_summary.h"
 #include "mesh/mesh_fault.h"
@@ -84,12 +85,12 @@ std::vector<Shape> CheckedShapes::from_file(const Block& block) {
     return {};
   }
   FileSummary summary;
-  std::vector<Shape> shapes;
+  std::vector<ConvexSolid> blocks;
   for (const Solid& solid : solids) {
     try {
       ConvexSolid made = make_convex(context_, solid, block.scale, block.tolerance);
       summary.add(solid, made.report);
-      shapes.push_back(std::move(made.shape));
+      blocks.push_back(std::move(made));
     } catch (const NotConvex& error) {
       summary.add(error);
     } catch (const MeshFault& error) {
@@ -97,9 +98,13 @@ std::vector<Shape> CheckedShapes::from_file(const Block& block) {
     }
   }
   for (const std::string& text : summary.faults()) fault(text);
+  if (summary.faults().empty()) summary.add_flush_faces(share_planes(context_, blocks));
   for (const std::string& text : summary.notes())
     faults_.note(block.shape_place, block.making.key + ".file", text);
-  return summary.faults().empty() ? std::move(shapes) : std::vector<Shape>();
+  if (!summary.faults().empty()) return {};
+  std::vector<Shape> shapes;
+  for (ConvexSolid& made : blocks) shapes.push_back(std::move(made.shape));
+  return shapes;
 }
 
 std::vector<Shape> CheckedShapes::from_boundary(const Block& block) {

@@ -1,5 +1,7 @@
 #include "library.h"
 
+#include <utility>
+
 namespace halfspace::cli {
 
 std::string LibraryError::reason() const {
@@ -69,6 +71,19 @@ Shape make_polyhedron(const Context& context, const std::vector<Point>& vertices
 Shape make_hull(const Context& context, const std::vector<Point>& points) {
   hs_shape* shape = nullptr;
   require(context, hs_polyhedron_create_hull(context.get(), view_of(points), &shape));
+  return Shape(shape);
+}
+
+Shape make_from_halfspaces(const Context& context, const std::vector<HalfSpace>& halfspaces) {
+  std::vector<Point> normals;
+  std::vector<double> offsets;
+  for (const HalfSpace& halfspace : halfspaces) {
+    normals.push_back(halfspace.normal);
+    offsets.push_back(halfspace.offset);
+  }
+  hs_shape* shape = nullptr;
+  require(context, hs_polyhedron_create_from_halfspaces(context.get(), view_of(std::as_const(normals)),
+                                                        offsets.data(), &shape));
   return Shape(shape);
 }
 

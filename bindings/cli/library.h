@@ -61,6 +61,7 @@ Shape make_polygon(const Context& context, const std::vector<Point>& vertices);
 Shape make_boundary(const Context& context, const std::vector<Point>& chain, std::size_t index, double depth);
 Shape make_polyhedron(const Context& context, const std::vector<Point>& vertices, const FaceList& faces);
 Shape make_hull(const Context& context, const std::vector<Point>& points);
+Shape make_from_halfspaces(const Context& context, const std::vector<HalfSpace>& halfspaces);
 /// The report also says what is wrong with the geometry when the library refuses it.
 Shape make_fitted(const Context& context, const std::vector<Point>& vertices, const FaceList& facets,
                   double tolerance, hs_fit_report& report);

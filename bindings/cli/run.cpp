@@ -210,9 +210,10 @@ class Run {
   /// Portion by portion, and each piece by piece, so that who interrupts it does not wait for long. False
   /// when it was interrupted.
   bool settle(const SceneStage& stage) {
+    hs_balance balance{};
     while (!at_.settling.is_over(stage, model_)) {
       if (is_interrupted()) return false;
-      const hs_balance balance = settle_on(stage, model_, at_.settling);
+      balance = settle_on(stage, model_, at_.settling);
       at_.mean = balance.mean;
       at_.largest = balance.largest;
       progress_.show(
@@ -223,7 +224,8 @@ class Run {
     at_.is_over = true;
     tell("settled", (at_.settling.is_balanced ? "at rest after " : "NOT AT REST after ") +
                         std::to_string(at_.settling.steps) + " steps, unbalanced by " + rounded(at_.mean, 2) +
-                        " of all forces, by " + rounded(at_.largest, 2) + " of a single block's" + drive());
+                        " of all forces, by " + rounded(at_.largest, 2) + " of a single block's" + drive() +
+                        (at_.settling.is_balanced ? "" : least_balanced(model_, balance)));
     record_.end_stage(at_.stage, true);
     return true;
   }

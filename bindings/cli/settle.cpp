@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "interrupt.h"
+#include "text.h"
 #include "vector.h"
 
 namespace halfspace::cli {
@@ -21,6 +22,23 @@ std::string endless_motion(const Model& model) {
     if (length(point_of(now.velocity)) > 0 || length(point_of(now.angular_velocity)) > 0) return block.name;
   }
   return {};
+}
+
+std::string least_balanced(const Model& model, const hs_balance& balance) {
+  if (balance.least_balanced == 0) return {};
+  const auto name = [&](hs_block index) { return '"' + model.layout().blocks[index].name + '"'; };
+  const std::size_t block = model.index_of(balance.least_balanced);
+  std::string text = "; most on " + name(block) + ", by " + rounded(balance.largest_force, 3) + " N";
+  double largest = 0;
+  std::string other;
+  for (const hs_contact& contact : model.contacts()) {
+    const double force = length(point_of(contact.force));
+    if ((contact.block_a != block && contact.block_b != block) || force <= largest) continue;
+    largest = force;
+    other = name(contact.block_a == block ? contact.block_b : contact.block_a);
+  }
+  if (!other.empty()) text += ", whose largest contact is " + rounded(largest, 3) + " N with " + other;
+  return text;
 }
 
 hs_balance settle_on(const SceneStage& stage, Model& model, Settling& settling) {

@@ -25,6 +25,10 @@ struct Settling {
 /// does.
 std::string endless_motion(const Model& model);
 
+/// The block that is farthest from balance, and its largest contact: the end of a sentence, or empty where no
+/// force is unbalanced.
+std::string least_balanced(const Model& model, const hs_balance& balance);
+
 /// Goes on with a stage that is not over, by so few steps that who wants to interrupt it does not wait for
 /// long.
 /// @throws LibraryError

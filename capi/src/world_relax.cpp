@@ -48,8 +48,11 @@ Relaxation read_relaxation(const hs_relaxation_def* given) {
   return relaxation;
 }
 
-void write_balance(const Balance& balance, std::int64_t steps, hs_balance* out, std::size_t size) {
-  const hs_balance ours = {balance.mean, balance.largest, balance.largest_force, steps};
+template <int D>
+void write_balance(const World<D>& world, const Balance& balance, std::int64_t steps, hs_balance* out,
+                   std::size_t size) {
+  const hs_block block = balance.block < 0 ? 0 : id_of(world.blocks(), std::size_t(balance.block));
+  const hs_balance ours = {balance.mean, balance.largest, balance.largest_force, steps, block};
   write_sized(ours, out, size);
 }
 
@@ -64,7 +67,7 @@ hs_status hs_world_relax(hs_world* world, const hs_relaxation_def* def, hs_balan
     if (balance) require_report_size(size, sizeof(hs_balance));
     const Relaxed relaxed = w.relax(relaxation);
     require_stepped(w, relaxed.result);
-    if (balance) write_balance(relaxed.balance, relaxed.steps, balance, size);
+    if (balance) write_balance(w, relaxed.balance, relaxed.steps, balance, size);
     return relaxed.is_at_rest ? HS_OK : HS_NOTE_NOT_AT_REST;
   });
 }
@@ -73,7 +76,7 @@ hs_status hs_world_get_balance(hs_world* world, hs_balance* balance, size_t size
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     require_pointer(balance, "balance");
     require_report_size(size, sizeof(hs_balance));
-    write_balance(w.balance(), 0, balance, size);
+    write_balance(w, w.balance(), 0, balance, size);
     return HS_OK;
   });
 }

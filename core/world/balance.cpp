@@ -78,6 +78,20 @@ class Acts {
   Array<double>& of_node_;
 };
 
+/// The block of a slot, or the first surface cell at a node, whose numbers follow those of the slots.
+template <int D>
+std::int32_t block_at(const Blocks<D>& blocks, std::size_t i) {
+  if (i < blocks.slot_count()) return std::int32_t(i);
+  const auto node = std::int32_t(i - blocks.slot_count());
+  for (std::size_t slot = 0; slot < blocks.slot_count(); ++slot) {
+    if (!blocks.is_of_mesh(slot)) continue;
+    for (const std::int32_t corner : blocks.meshes().surface_of_block(slot).node) {
+      if (corner == node) return std::int32_t(slot);
+    }
+  }
+  return -1;  // inside a body
+}
+
 }  // namespace
 
 template <int D>
@@ -104,23 +118,28 @@ Balance balance_of(const Model<D>& model, const ContactList<D>& contacts, const 
   double unbalanced = 0, whole = 0, count = 0;
   const auto for_each = [&](auto visit) {
     for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
-      if (blocks.moves_freely(i) && !blocks.is_of_mesh(i)) visit(acts.on_block(i));
+      if (blocks.moves_freely(i) && !blocks.is_of_mesh(i)) visit(acts.on_block(i), i);
     }
-    for (std::size_t i = 0; i < blocks.meshes().node_count(); ++i) visit(acts.on_node(i));
+    for (std::size_t i = 0; i < blocks.meshes().node_count(); ++i)
+      visit(acts.on_node(i), blocks.slot_count() + i);
   };
-  for_each([&](const Acting& acting) {
+  std::size_t at = 0;
+  for_each([&](const Acting& acting, std::size_t i) {
     unbalanced += acting.unbalanced;
     whole += acting.whole;
     ++count;
-    balance.largest_force = std::max(balance.largest_force, acting.unbalanced);
+    if (acting.unbalanced <= balance.largest_force) return;
+    balance.largest_force = acting.unbalanced;
+    at = i;
   });
+  if (balance.largest_force > 0) balance.block = block_at(blocks, at);
   if (whole == 0) {
     balance.mean = balance.largest = unbalanced > 0 ? 1 : 0;
     return balance;
   }
   balance.mean = unbalanced / whole;
   const double typical = whole / count;
-  for_each([&](const Acting& acting) {
+  for_each([&](const Acting& acting, std::size_t) {
     balance.largest = std::max(balance.largest, acting.unbalanced / std::max(acting.whole, typical));
   });
   return balance;

@@ -13,6 +13,7 @@ struct Balance {
   double mean = 0;           // all that is unbalanced over all that acts; 0 where nothing acts
   double largest = 0;        // of a single block or node; where next to nothing acts, over the mean force
   double largest_force = 0;  // that is unbalanced
+  std::int32_t block = -1;   // that it acts on, of a node a cell at the surface; -1: none
 };
 
 /// The memory that measuring the balance takes.

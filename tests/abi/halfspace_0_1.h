@@ -614,6 +614,7 @@ typedef struct hs_balance {
   double largest;
   double largest_force;
   int64_t steps;
+  hs_block least_balanced;
 } hs_balance;
 __attribute__((visibility("default"))) hs_status hs_relaxation_def_init(hs_relaxation_def *def, size_t size);
 __attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_relax(hs_world *world, const hs_relaxation_def *def, hs_balance *balance, size_t size);

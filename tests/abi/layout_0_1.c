@@ -362,11 +362,12 @@ FIELD(hs_relaxation_def, local_damping, 24, 8);
 FIELD(hs_relaxation_def, is_adaptive, 32, 4);
 FIELD(hs_relaxation_def, hold_bonds, 36, 4);
 
-_Static_assert(sizeof(hs_balance) >= 32, "hs_balance");
+_Static_assert(sizeof(hs_balance) >= 40, "hs_balance");
 FIELD(hs_balance, mean, 0, 8);
 FIELD(hs_balance, largest, 8, 8);
 FIELD(hs_balance, largest_force, 16, 8);
 FIELD(hs_balance, steps, 24, 8);
+FIELD(hs_balance, least_balanced, 32, 8);
 
 _Static_assert(sizeof(hs_strength_def) >= 56, "hs_strength_def");
 FIELD(hs_strength_def, struct_size, 0, 4);

@@ -94,6 +94,7 @@ TEST_CASE("hs_world_relax and hs_world_get_balance refuse every bad argument") {
   CHECK(std::memcmp(&balance, &untouched, sizeof balance) == 0);
   REQUIRE(hs_world_get_balance(empty.get(), &balance, sizeof balance) == HS_OK);
   for (const double none : {balance.mean, balance.largest, balance.largest_force}) CHECK(none == 0);
+  CHECK(balance.least_balanced == 0);
 }
 
 TEST_CASE("gravity, damping, time step and strength refuse every bad number") {

@@ -21,7 +21,7 @@ inline void make_block(const Context& context, const Solid& solid) {
     for (const int v : face)
       demand(v >= 0 && std::size_t(v) < solid.vertices.size(), "faces are of vertices that there are");
   try {
-    const Shape shape = make_convex(context, solid, 1);
+    const Shape shape = make_convex(context, solid, 1).shape;
     const double volume = properties_of(context, shape).volume;
     demand(volume > 0 && std::isfinite(volume), "a block has a volume");
   } catch (const MeshFault& fault) {

@@ -64,7 +64,7 @@ ConvexSolid make_convex(const Context& context, const Solid& solid, double scale
                         std::optional<double> tolerance) {
   const std::vector<Point> vertices = scaled(solid.vertices, scale);
   const double within = tolerance.value_or(default_tolerance(solid, scale, vertices));
-  ConvexSolid made;
+  ConvexSolid made{.shape = nullptr, .tolerance = within};
   try {
     made.shape = make_fitted(context, vertices, FaceList(solid.faces), within, made.report);
   } catch (const LibraryError& error) {

@@ -12,6 +12,7 @@ namespace halfspace::cli {
 struct ConvexSolid {
   Shape shape;
   hs_fit_report report{};
+  double tolerance = 0;  ///< m: within which it was fitted
 };
 
 /// What is wrong with a solid that is not convex.

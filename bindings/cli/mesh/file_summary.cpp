@@ -56,6 +56,9 @@ std::vector<std::string> FileSummary::notes() const {
                   std::to_string(merged_) + " facets merged, vertices up to " + rounded(deviation_, 2) +
                   " m off their planes, corners moved by up to " + rounded(moved_, 2) +
                   " m; usual: a file with more digits");
+  if (flush_ > 0)
+    all.push_back("joints made flush: " + counted(static_cast<std::size_t>(flush_), "face") +
+                  " moved onto the common plane of its joint; usual: a file with more digits");
   return all;
 }
 

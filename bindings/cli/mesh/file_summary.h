@@ -13,6 +13,8 @@ class FileSummary {
   void add(const Solid& solid, const hs_fit_report& report);
   void add(const MeshFault& fault);
   void add(const NotConvex& fault);
+  /// So many faces were moved onto a plane that they share with a neighbour's.
+  void add_flush_faces(int count) { flush_ += count; }
 
   /// One for each faulty block of the first ones, and one for all others.
   std::vector<std::string> faults() const;
@@ -29,6 +31,7 @@ class FileSummary {
   double moved_ = 0;
   double deviation_ = 0;
   std::string farthest_moved_;
+  int flush_ = 0;
 };
 
 }  // namespace halfspace::cli

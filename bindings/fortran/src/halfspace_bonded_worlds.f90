@@ -1,7 +1,7 @@
 !> The bonds of a world, its rest, and the factor by which it could be weaker.
 module halfspace_bonded_worlds
   use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t, c_loc, c_null_ptr, c_ptr, c_sizeof
-  use halfspace_c, halfspace_balance => hs_balance, halfspace_strength_report => hs_strength_report
+  use halfspace_c, halfspace_strength_report => hs_strength_report
   use halfspace_block_worlds, only: block_world, takes_world
   use halfspace_bonds, only: halfspace_bond, halfspace_bond_event, halfspace_bond_report, halfspace_bond_state
   use halfspace_contacts, only: halfspace_block
@@ -9,6 +9,17 @@ module halfspace_bonded_worlds
   implicit none
   private
   public :: bonded_world, halfspace_balance, halfspace_strength_report
+
+  !> hs_balance byte for byte: the distance of forces from balance.
+  type, bind(c) :: halfspace_balance
+    !> unbalanced over all forces, see HS_UNBALANCED_MEAN; 0 where no force acts
+    real(c_double) :: mean = 0
+    real(c_double) :: largest = 0  !< see HS_UNBALANCED_LARGEST
+    real(c_double) :: largest_force = 0  !< that is unbalanced, N
+    integer(c_int64_t) :: steps = 0  !< that relax() has taken; else 0
+    !> the block that largest_force acts on, of a node a cell at the surface; default: there is none
+    type(halfspace_block) :: least_balanced
+  end type halfspace_balance
 
   !> A world whose blocks can hold together, and that can come to rest; halfspace_world extends it.
   type, extends(block_world) :: bonded_world

@@ -673,6 +673,7 @@ module halfspace_c
     real(c_double) :: largest = 0.0_c_double  !< see HS_UNBALANCED_LARGEST
     real(c_double) :: largest_force = 0.0_c_double  !< that is unbalanced, N
     integer(c_int64_t) :: steps = 0  !< that hs_world_relax() has taken; else 0
+    integer(c_int64_t) :: least_balanced = 0  !< the block that largest_force acts on, of a node a cell at the surface; 0: none
   end type hs_balance
 
   !> The search for the factor of safety. Fill it with hs_strength_def_init().

@@ -5,7 +5,7 @@ module halfspace_checks
   use halfspace_contexts, only: halfspace_context, own_or_given
   use halfspace_errors, only: conclude, had_memory
   use halfspace_handles, only: shared_handle
-  use halfspace_shapes, only: list_from_0
+  use halfspace_shapes, only: count_from_1, list_from_0
   use halfspace_views, only: are_points, mutable_view, view
   implicit none
   private
@@ -53,12 +53,6 @@ contains
     if (status == HS_OK) call count_from_1(fault)
     call conclude(status, owner%context(), stat, errmsg)
   end subroutine halfspace_check_polyhedron
-
-  elemental subroutine count_from_1(fault)
-    type(halfspace_fault), intent(inout) :: fault
-    fault%vertex = fault%vertex + 1
-    fault%face = fault%face + 1
-  end subroutine count_from_1
 
   !> Drops repeated vertices and vertices on the line of their neighbours, and turns the order
   !! counter-clockwise. It never moves a vertex.

@@ -7,14 +7,16 @@
 !! are read where they are. A shape that is given no context makes one of its own.
 module halfspace_shapes
   use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t, c_loc, c_null_ptr, c_ptr, c_sizeof
-  use halfspace_c, halfspace_shape_properties => hs_shape_properties
+  use halfspace_c, halfspace_fault => hs_fault, halfspace_fit_report => hs_fit_report, &
+    halfspace_shape_properties => hs_shape_properties
   use halfspace_contexts, only: halfspace_context, own_or_given
   use halfspace_errors, only: conclude, had_memory, refuse
   use halfspace_handles, only: shared_handle
   use halfspace_views, only: address_of, are_points, is_vector, mutable_view, three_of, view
   implicit none
   private
-  public :: halfspace_shape, halfspace_shape_properties, context_of, handle_of, list_from_0
+  public :: halfspace_fit_report, halfspace_shape, halfspace_shape_properties
+  public :: context_of, count_from_1, handle_of, list_from_0
 
   !> Assignment shares: all copies are the same shape, which ends with the last of them.
   type :: halfspace_shape
@@ -26,6 +28,7 @@ module halfspace_shapes
     procedure :: create_boundary
     procedure :: create_polyhedron
     procedure :: create_polyhedron_hull
+    procedure :: create_fitted
     procedure :: create_from_halfspaces
     procedure :: cut
     procedure :: destroy
@@ -171,6 +174,58 @@ contains
     end if
     call conclude(status, owner%context(), stat, errmsg)
   end subroutine create_polyhedron
+
+  !> Makes a polyhedron of facets that are plane and convex within a tolerance, such as a file states them by a few
+  !! digits. Facets in a common plane within the tolerance are one face, and the planes are fitted. Without facets
+  !! those of the convex hull are taken.
+  subroutine create_fitted(self, vertices, tolerance, face_sizes, face_vertices, report, rows, context, stat, errmsg)
+    class(halfspace_shape), intent(inout) :: self
+    real(c_double), intent(in), target :: vertices(:,:)
+    real(c_double), intent(in) :: tolerance  !< distance, >= 0; 0 is for rounding alone
+    integer(c_int32_t), intent(in), target, contiguous, optional :: face_sizes(:)
+    integer(c_int32_t), intent(in), optional :: face_vertices(:)  !< both as for create_polyhedron(), or neither
+    !> Receives the changes, or the fault of an error, counted from 1.
+    type(halfspace_fit_report), intent(out), optional :: report
+    logical, intent(in), optional :: rows
+    type(halfspace_context), intent(in), optional :: context
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(shared_handle) :: owner
+    type(c_ptr) :: object, sizes, corners
+    integer(c_int32_t) :: status
+    integer(c_int64_t) :: count
+    integer(c_int32_t), allocatable, target :: from_0(:)
+    type(halfspace_fit_report), target :: changes
+    if (.not. are_points(vertices, 'vertices', rows, stat, errmsg)) return
+    sizes = c_null_ptr
+    corners = c_null_ptr
+    count = 0
+    if (present(face_sizes) .neqv. present(face_vertices)) then
+      call refuse('face_sizes, face_vertices: one is given without the other', stat, errmsg)
+      return
+    end if
+    if (present(face_sizes)) then
+      if (.not. list_from_0(face_sizes, face_vertices, from_0, stat, errmsg)) return
+      sizes = c_loc(face_sizes)
+      corners = c_loc(from_0)
+      count = size(face_sizes, kind=c_int64_t)
+    end if
+    if (.not. own_or_given(context, owner, stat, errmsg)) return
+    status = hs_polyhedron_create_fitted(owner%object(), view(vertices, rows), sizes, count, corners, tolerance, &
+                                         object, c_loc(changes))
+    call count_from_1(changes%fault)
+    if (present(report)) report = changes
+    if (status == HS_OK) then
+      if (.not. self%handle%takes(object, hs_shape_destroy, owner, stat=stat, errmsg=errmsg)) return
+    end if
+    call conclude(status, owner%context(), stat, errmsg)
+  end subroutine create_fitted
+
+  elemental subroutine count_from_1(fault)
+    type(halfspace_fault), intent(inout) :: fault
+    fault%vertex = fault%vertex + 1
+    fault%face = fault%face + 1
+  end subroutine count_from_1
 
   !> The lists of a polyhedron's faces as C counts. They must be as long as their sizes say, as C cannot know.
   logical function list_from_0(face_sizes, face_vertices, from_0, stat, errmsg)

@@ -27,7 +27,11 @@ contains
   end procedure relax
 
   module procedure find_balance
-    call conclude(hs_world_get_balance(self%c_handle(), values, c_sizeof(values)), self%c_context(), stat, errmsg)
+    type(hs_balance) :: found
+    integer(c_int32_t) :: status
+    status = hs_world_get_balance(self%c_handle(), found, c_sizeof(found))
+    values = transfer(found, values)
+    call conclude(status, self%c_context(), stat, errmsg)
   end procedure find_balance
 
   module procedure set_gravity

@@ -62,6 +62,7 @@ contains
     call expect(at_rest .and. balance%steps > 0, 'it comes to rest')
     call expect(balance%largest <= 1e-6_real64 .and. balance%mean <= 1e-6_real64, 'forces are balanced')
     call expect(balance%largest_force <= 2e-6_real64 * density * gravity, 'the largest that is not')
+    call expect(balance%least_balanced == block, 'on the only block that moves')
     call world%block_state(block, state)
     call expect_close(state%pose%position(1:2), [0.0_real64, 0.5_real64 - overlap], 1e-4_real64 * overlap, 'where')
     call expect(all(abs(state%velocity) <= 0) .and. all(abs(state%angular_velocity) <= 0), 'it is at rest')

@@ -16,6 +16,7 @@ program test_shapes
   call edges_of_a_triangle()
   call cut_of_a_cuboid()
   call faults_are_counted_from_1()
+  call facets_are_fitted_within_a_tolerance()
   call lists_of_wrong_length_are_refused()
   call clean_up()
   call finish()
@@ -107,6 +108,30 @@ contains
     call halfspace_check_polyhedron(cuboid, sizes, outlines, fault)
     call expect(fault%kind == HS_FAULT_NONE, 'a cuboid has no fault')
   end subroutine faults_are_counted_from_1
+
+  subroutine facets_are_fitted_within_a_tolerance()
+    type(halfspace_shape) :: shape
+    type(halfspace_shape_properties) :: properties
+    type(halfspace_fit_report) :: report
+    real(real64) :: rounded(3, 8)
+    integer :: stat
+    character(300) :: text
+    rounded = cuboid
+    rounded(3, 7) = rounded(3, 7) + 1e-3_real64
+    call shape%create_fitted(rounded, 2e-3_real64, sizes, outlines, report)
+    call shape%properties(properties)
+    call expect(properties%face_count == 6 .and. report%fault%kind == HS_FAULT_NONE, 'six plane faces')
+    call expect(report%moved > 1e-4 .and. report%moved < 2e-3, 'the corners have moved')
+    call shape%create_fitted(cuboid, 0.0_real64, report=report)
+    call expect(report%merged == 0 .and. .not. report%moved > 0, 'the hull of exact corners')
+    rounded(3, 7) = cuboid(3, 7) - 0.5  ! folds both faces at it inwards
+    call shape%create_fitted(rounded, 1e-3_real64, sizes, outlines, report, stat=stat, errmsg=text)
+    call expect(stat == HS_ERROR_GEOMETRY .and. report%fault%kind == HS_FAULT_BEYOND_TOLERANCE, 'a dent')
+    call expect(report%fault%vertex >= 1 .and. report%fault%vertex <= 8, 'the dent has a vertex')
+    call expect(report%sufficient_tolerance > 1e-3, 'and a tolerance that would do')
+    call shape%create_fitted(rounded, 1e-3_real64, sizes, stat=stat, errmsg=text)
+    call expect_text(text, 'face_sizes, face_vertices: one is given without the other')
+  end subroutine facets_are_fitted_within_a_tolerance
 
   subroutine lists_of_wrong_length_are_refused()
     type(halfspace_shape) :: shape

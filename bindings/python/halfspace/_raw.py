@@ -839,6 +839,8 @@ class hs_balance(Structure):
         ("largest", c_double),  # see HS_UNBALANCED_LARGEST
         ("largest_force", c_double),  # that is unbalanced, N
         ("steps", c_int64),  # that hs_world_relax() has taken; else 0
+        # the block that largest_force acts on, of a node a cell at the surface; 0: none
+        ("least_balanced", hs_block),
     ]
 
 

@@ -38,6 +38,7 @@ typedef struct hs_balance {
   double largest;        /**< see HS_UNBALANCED_LARGEST */
   double largest_force;  /**< that is unbalanced, N */
   int64_t steps;         /**< that hs_world_relax() has taken; else 0 */
+  hs_block least_balanced; /**< the block that largest_force acts on, of a node a cell at the surface; 0: none */
 } hs_balance;
 
 /** @brief Fills a relaxation's definition with its defaults.

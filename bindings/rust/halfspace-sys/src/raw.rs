@@ -1162,8 +1162,10 @@ pub struct hs_balance {
     pub largest_force: f64,
     /// that hs_world_relax() has taken; else 0
     pub steps: i64,
+    /// the block that largest_force acts on, of a node a cell at the surface; 0: none
+    pub least_balanced: hs_block,
 }
-const _: () = assert!(std::mem::size_of::<hs_balance>() == 32);
+const _: () = assert!(std::mem::size_of::<hs_balance>() == 40);
 
 /// The search for the factor of safety. Fill it with hs_strength_def_init().
 #[repr(C)]

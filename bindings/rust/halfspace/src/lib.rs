@@ -163,7 +163,7 @@ pub use reaction::{Reaction, ReactionReport};
 pub use relax::{Balance, Relaxation, Relaxed};
 pub use report::{Energy, Report};
 pub use shape::{Cut, HalfSpace, Shape, ShapeProperties};
-pub use shape_input::{Cleaned, Fault, FaultKind};
+pub use shape_input::{Cleaned, Fault, FaultKind, FitReport};
 pub use strength::{StrengthFound, StrengthSearch};
 pub use view::{Point, View};
 pub use world::{World, WorldDef};

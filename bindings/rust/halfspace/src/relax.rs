@@ -5,6 +5,7 @@ use std::mem::{size_of, MaybeUninit};
 
 use halfspace_sys as sys;
 
+use crate::block::Block;
 use crate::constants::setters;
 use crate::world::World;
 use crate::Result;
@@ -86,6 +87,8 @@ pub struct Balance {
     pub largest: f64,
     /// The largest of them, in N.
     pub largest_force: f64,
+    /// The block that it acts on, of a node a cell; `None` if nothing is unbalanced.
+    pub least_balanced: Option<Block>,
 }
 
 impl From<sys::hs_balance> for Balance {
@@ -94,6 +97,7 @@ impl From<sys::hs_balance> for Balance {
             mean: raw.mean,
             largest: raw.largest,
             largest_force: raw.largest_force,
+            least_balanced: Block::from_raw(raw.least_balanced),
         }
     }
 }

@@ -9,7 +9,7 @@ use halfspace_sys as sys;
 use crate::context::{Context, Owner};
 use crate::error::Error;
 use crate::mutable_view::ViewMut;
-use crate::shape_input::FaceLists;
+use crate::shape_input::{FaceLists, FitReport};
 use crate::view::View;
 use crate::Result;
 
@@ -164,6 +164,35 @@ impl Shape {
                 shape,
             )
         })
+    }
+
+    /// A polyhedron of facets that are plane and convex within a tolerance, such as a file states
+    /// them by a few digits. Facets in a common plane within the tolerance are one face, and the
+    /// planes are fitted. Without facets those of the convex hull are taken. The error of a dent
+    /// names its place and a tolerance that takes it.
+    pub fn polyhedron_fitted<'a, F: AsRef<[usize]>>(
+        context: &Context,
+        vertices: impl Into<View<'a>>,
+        faces: &[F],
+        tolerance: f64,
+    ) -> Result<(Self, FitReport)> {
+        let vertices = vertices.into().raw();
+        let faces = FaceLists::new(faces)?;
+        let mut report = sys::hs_fit_report::default();
+        // SAFETY: the view borrows what it says, and the lists are as long as the sizes add up to.
+        let shape = Self::make(context, |shape| unsafe {
+            sys::hs_polyhedron_create_fitted(
+                context.handle(),
+                vertices,
+                faces.sizes.as_ptr(),
+                faces.sizes.len() as i64,
+                faces.vertices.as_ptr(),
+                tolerance,
+                shape,
+                &mut report,
+            )
+        })?;
+        Ok((shape, FitReport::from_raw(&report)))
     }
 
     /// The convex hull of points as a polyhedron with whole faces: what is in one plane to rounding

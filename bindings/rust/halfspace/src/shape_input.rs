@@ -105,6 +105,28 @@ pub struct Cleaned {
     pub reversed: bool,
 }
 
+/// The changes that [`Shape::polyhedron_fitted`](crate::Shape::polyhedron_fitted) made.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct FitReport {
+    /// Facets given beyond the faces made.
+    pub merged: usize,
+    /// Largest distance of a vertex from the fitted plane of its face.
+    pub deviation: f64,
+    /// Largest distance of a corner from where it was given.
+    pub moved: f64,
+}
+
+impl FitReport {
+    pub(crate) fn from_raw(raw: &sys::hs_fit_report) -> Self {
+        Self {
+            merged: raw.merged as usize,
+            deviation: raw.deviation,
+            moved: raw.moved,
+        }
+    }
+}
+
 impl Context {
     /// Says what is wrong with a polygon's vertices without making a shape.
     ///

@@ -41,6 +41,7 @@ fn a_block_settles_under_gravity() -> Result<()> {
     assert!(relaxed.is_at_rest && relaxed.steps > 0);
     assert!(relaxed.balance.largest <= 1e-6 && relaxed.balance.mean <= 1e-6);
     assert!(relaxed.balance.largest_force <= 2e-6 * DENSITY * GRAVITY);
+    assert_eq!(relaxed.balance.least_balanced, Some(block));
     let state = world.block_state(block)?;
     let overlap = DENSITY * GRAVITY / STIFFNESS;
     assert!((state.pose.position[1] - 0.5 + overlap).abs() < 1e-4 * overlap);

@@ -50,6 +50,23 @@ fn half_spaces_make_the_same_polyhedron() -> Result<()> {
 }
 
 #[test]
+fn facets_are_fitted_within_a_tolerance() -> Result<()> {
+    let context = Context::new()?;
+    let mut rounded = CUBE;
+    rounded[6][2] += 1e-3;
+    let (shape, report) = Shape::polyhedron_fitted(&context, &rounded, &FACES, 2e-3)?;
+    assert_eq!(shape.faces().len(), 6);
+    assert!(report.moved > 1e-4 && report.moved < 2e-3);
+    let no_facets: [[usize; 3]; 0] = [];
+    let (_, report) = Shape::polyhedron_fitted(&context, &CUBE, &no_facets, 0.0)?;
+    assert_eq!((report.merged, report.moved), (0, 0.0));
+    rounded[6][2] -= 0.5;
+    let error = Shape::polyhedron_fitted(&context, &rounded, &FACES, 1e-3).unwrap_err();
+    assert!(error.to_string().contains("tolerance"), "{error}");
+    Ok(())
+}
+
+#[test]
 fn a_plane_beside_a_shape_leaves_it_whole() -> Result<()> {
     let cube = Shape::polyhedron(&Context::new()?, &CUBE, &FACES)?;
     let parts = cube.cut([3.0, 0.0, 0.0], [1.0, 0.0, 0.0])?;
