@@ -10,7 +10,7 @@
 namespace halfspace::cli {
 namespace {
 
-/// Planes that differ by less than this share of a block's size are one.
+/// Faces that are off by less than this fraction of their distance from the origin are flush.
 constexpr double rounding = 1e-13;
 
 struct Face {
@@ -64,16 +64,21 @@ double inner_radius(const std::vector<Point>& polygon) {
   return length(area_normal(polygon)) / perimeter;
 }
 
-/// Do two faces look at each other within a distance, on an area that is not lost in it? Their directions may
-/// differ by as much as that distance turns the smaller one; a face so small that it turns any way has none.
-bool have_joint(const Face& a, const Face& b, double within) {
-  if (dot(a.plane.normal, b.plane.normal) > -0.5) return false;
+enum class Joint { none, flush, uneven };
+
+/// How two faces look at each other within a distance, on an area that is not lost in it. Their directions
+/// may differ by as much as that distance turns the smaller one; a face so small that it turns any way has
+/// none.
+Joint joint_of(const Face& a, const Face& b, double within) {
+  if (dot(a.plane.normal, b.plane.normal) > -0.5) return Joint::none;
   const double slope = length(plus(a.plane.normal, b.plane.normal));
   const double radius = std::min(inner_radius(a.corners), inner_radius(b.corners));
-  if (radius < 2 * within || slope * radius > within) return false;
+  if (radius < 2 * within || slope * radius > within) return Joint::none;
   const std::vector<Point> part = covered(a, b);
-  if (part.size() < 3 || farthest(b.plane, part) > within) return false;
-  return 0.5 * length(area_normal(part)) > within * within;
+  if (part.size() < 3 || inner_radius(part) < 2 * within) return Joint::none;
+  const double off = std::max(farthest(a.plane, part), farthest(b.plane, part));
+  if (off > within) return Joint::none;
+  return off <= rounding * (std::abs(a.plane.offset) + radius) ? Joint::flush : Joint::uneven;
 }
 
 /// The plane of least squares through points, near a plane given: heights over it are regressed on the
@@ -101,6 +106,7 @@ class Joints {
  public:
   Joints(const Context& context, std::vector<ConvexSolid>& blocks) : context_(context), blocks_(blocks) {
     for (std::size_t b = 0; b < blocks.size(); ++b) add_faces(b);
+    is_uneven_.resize(faces_.size(), false);
     join_of_.resize(faces_.size());
     std::iota(join_of_.begin(), join_of_.end(), std::size_t(0));
     find_joints();
@@ -112,7 +118,8 @@ class Joints {
     std::vector<bool> changed(blocks_.size(), false);
     int moved = 0;
     for (const std::vector<std::size_t>& joint : joints) {
-      if (joint.size() < 2 || !take_common_plane(joint)) continue;
+      if (std::none_of(joint.begin(), joint.end(), [&](std::size_t f) { return is_uneven_[f]; })) continue;
+      if (!take_common_plane(joint)) continue;
       moved += static_cast<int>(joint.size());
       for (const std::size_t f : joint) changed[faces_[f].block] = true;
     }
@@ -168,7 +175,10 @@ class Joints {
     const double within = blocks_[a].tolerance + blocks_[b].tolerance;
     for (std::size_t f = first_[a]; f < end_of(a); ++f) {
       for (std::size_t g = first_[b]; g < end_of(b); ++g) {
-        if (root(f) != root(g) && have_joint(faces_[f], faces_[g], within)) join_of_[root(g)] = root(f);
+        const Joint joint = joint_of(faces_[f], faces_[g], within);
+        if (joint == Joint::none) continue;
+        join_of_[root(g)] = root(f);
+        if (joint == Joint::uneven) is_uneven_[f] = true;
       }
     }
   }
@@ -178,7 +188,7 @@ class Joints {
     return face;
   }
 
-  /// Gives the faces of a joint one plane, unless they have it or it is too far from one of them.
+  /// Gives the faces of a joint one plane, unless it is too far from one of them.
   bool take_common_plane(const std::vector<std::size_t>& joint) {
     std::vector<Point> corners;
     std::size_t widest = joint[0];
@@ -187,21 +197,15 @@ class Joints {
       if (length(area_normal(faces_[f].corners)) > length(area_normal(faces_[widest].corners))) widest = f;
     }
     const HalfSpace common = plane_through(corners, faces_[widest].plane);
-    bool is_flush = true;
     for (const std::size_t f : joint) {
-      const double off = farthest(common, faces_[f].corners);
-      if (!(off <= blocks_[faces_[f].block].tolerance)) return false;
-      is_flush = is_flush && off <= rounding * (std::abs(common.offset) + size_of(faces_[f].block));
+      if (!(farthest(common, faces_[f].corners) <= blocks_[faces_[f].block].tolerance)) return false;
     }
-    if (is_flush) return false;
     for (const std::size_t f : joint) {
       const double side = dot(common.normal, faces_[f].plane.normal) > 0 ? 1 : -1;
       faces_[f].plane = {times(side, common.normal), side * common.offset};
     }
     return true;
   }
-
-  double size_of(std::size_t block) const { return length(minus(boxes_[block].high, boxes_[block].low)); }
 
   void make_anew(std::size_t block) {
     std::vector<HalfSpace> planes;
@@ -215,6 +219,7 @@ class Joints {
   std::vector<Face> faces_;
   std::vector<std::size_t> first_;    // of a block's faces
   std::vector<std::size_t> join_of_;  // a face of the same joint, itself at the root
+  std::vector<bool> is_uneven_;       // is there a face that it has a joint with, and is not flush with?
 };
 
 }  // namespace
