@@ -11,6 +11,10 @@ namespace {
 /// Measuring costs as much as a step.
 constexpr std::int64_t steps_per_look = 10;
 
+/// The slowest motion is found over more steps, in which contacts that open and close come back to where they
+/// were.
+constexpr std::int64_t steps_per_damping = 10 * steps_per_look;
+
 /// Share of the stable step where forces are continuous; the rest is left to the damping. Springs per contact
 /// are not continuous: their jumps make more energy in larger steps than damping takes. There a smaller share
 /// stays as it is, and so does a smaller step that is given.
@@ -140,9 +144,12 @@ void World<D>::relax_under_damping(const Relaxation& relaxation, Watch& watch, R
     relaxed.is_at_rest = ratio <= relaxation.ratio;
     relaxed.has_fallen = relaxation.most_way > 0 && watch.way.longest(model_.blocks) > relaxation.most_way;
     if (!relaxation.is_adaptive) continue;
+    if (relaxed.steps % steps_per_damping != 0) continue;
     const double wanted = watch.slowest.look();
-    // The damping of one step is little, or steps would not be stable.
-    if (wanted >= 0) model_.settings.mass_damping = std::min(wanted, 0.2 / clock_.time_step());
+    // Motion that no stiffness resists is a fall, which damping only delays. The damping of one step is
+    // little, or steps would not be stable.
+    model_.settings.mass_damping =
+        wanted < 0 ? 0.5 * model_.settings.mass_damping : std::min(wanted, 0.2 / clock_.time_step());
   }
 }
 

@@ -16,14 +16,19 @@ SETTLE = """
 [[stage]]
 do = "settle"
 ratio = 1e-6
-most_steps = 200000
 [output]
 frame_interval = 1e9
 """
+FALL = """
+[[stage]]
+do = "run"
+duration = {duration}
+local_damping = 0.3
+"""
 
 
-def scene(dimension, law, parts):
-    return STONE.format(dimension=dimension, law=law) + "".join(parts) + SETTLE
+def scene(dimension, law, parts, fall=""):
+    return STONE.format(dimension=dimension, law=law) + "".join(parts) + fall + SETTLE
 
 
 def block(name, vertices, kind="rigid"):
@@ -153,7 +158,7 @@ def polygon_packing(law, folder, columns, rows):
                 tuple(m + p for m, p in zip(middle, polar(0.38 + 0.02 * (number * 7 % 5),
                                                           2 * math.pi * i / corners + 0.7 * number)))
                 for i in range(corners)]))
-    return scene(2, law, parts)
+    return scene(2, law, parts, FALL.format(duration=1 + 0.1 * rows))
 
 
 def polyhedron_packing(law, folder, columns, rows):
@@ -177,7 +182,7 @@ def polyhedron_packing(law, folder, columns, rows):
             y, z = c * y - s * z, s * y + c * z
             points.append((middle[0] + x, middle[1] + y, middle[2] + z))
         parts.append(block(f"grain.{number}", points))
-    return scene(3, law, parts)
+    return scene(3, law, parts, FALL.format(duration=1 + 0.1 * rows))
 
 
 ALL = {
@@ -195,7 +200,7 @@ ALL = {
     "slope, joints at 2 m": (jointed_slope, 2.0),
     "slope, joints at 0.6 m": (jointed_slope, 0.6),
     "packing of 100 polygons": (polygon_packing, 10, 10),
-    "packing of 2000 polygons": (polygon_packing, 40, 50),
+    "packing of 2000 polygons": (polygon_packing, 50, 40),
     "packing of 125 polyhedra": (polyhedron_packing, 5, 5),
     "packing of 1000 polyhedra": (polyhedron_packing, 10, 10),
 }
