@@ -11,9 +11,12 @@ namespace {
 /// Measuring costs as much as a step.
 constexpr std::int64_t steps_per_look = 10;
 
-/// The slowest motion is found over more steps, in which contacts that open and close come back to where they
-/// were.
-constexpr std::int64_t steps_per_damping = 10 * steps_per_look;
+/// The slowest motion is found over these steps and, as the world comes to rest, over up to ten times as
+/// many: contacts that open and close at a high frequency then come back to where they were, and do not hide
+/// it.
+std::int64_t steps_per_damping(std::int64_t steps) {
+  return steps_per_look * std::clamp<std::int64_t>(steps / 1000, 1, 10);
+}
 
 /// Share of the stable step where forces are continuous; the rest is left to the damping. Springs per contact
 /// are not continuous: their jumps make more energy in larger steps than damping takes. There a smaller share
@@ -144,7 +147,7 @@ void World<D>::relax_under_damping(const Relaxation& relaxation, Watch& watch, R
     relaxed.is_at_rest = ratio <= relaxation.ratio;
     relaxed.has_fallen = relaxation.most_way > 0 && watch.way.longest(model_.blocks) > relaxation.most_way;
     if (!relaxation.is_adaptive) continue;
-    if (relaxed.steps % steps_per_damping != 0) continue;
+    if (relaxed.steps % steps_per_damping(relaxed.steps) != 0) continue;
     const double wanted = watch.slowest.look();
     // Motion that no stiffness resists is a fall, which damping only delays. The damping of one step is
     // little, or steps would not be stable.

@@ -16,6 +16,7 @@ SETTLE = """
 [[stage]]
 do = "settle"
 ratio = 1e-6
+most_steps = {most_steps}
 [output]
 frame_interval = 1e9
 """
@@ -27,8 +28,8 @@ local_damping = 0.3
 """
 
 
-def scene(dimension, law, parts, fall=""):
-    return STONE.format(dimension=dimension, law=law) + "".join(parts) + fall + SETTLE
+def scene(dimension, law, parts, fall="", most_steps=100000):
+    return STONE.format(dimension=dimension, law=law) + "".join(parts) + fall + SETTLE.format(most_steps=most_steps)
 
 
 def block(name, vertices, kind="rigid"):
@@ -158,7 +159,7 @@ def polygon_packing(law, folder, columns, rows):
                 tuple(m + p for m, p in zip(middle, polar(0.38 + 0.02 * (number * 7 % 5),
                                                           2 * math.pi * i / corners + 0.7 * number)))
                 for i in range(corners)]))
-    return scene(2, law, parts, FALL.format(duration=1 + 0.1 * rows))
+    return scene(2, law, parts, FALL.format(duration=1 + 0.1 * rows), 1000000)
 
 
 def polyhedron_packing(law, folder, columns, rows):
@@ -182,7 +183,7 @@ def polyhedron_packing(law, folder, columns, rows):
             y, z = c * y - s * z, s * y + c * z
             points.append((middle[0] + x, middle[1] + y, middle[2] + z))
         parts.append(block(f"grain.{number}", points))
-    return scene(3, law, parts, FALL.format(duration=1 + 0.1 * rows))
+    return scene(3, law, parts, FALL.format(duration=1 + 0.1 * rows), 200000)
 
 
 ALL = {
