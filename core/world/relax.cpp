@@ -146,13 +146,10 @@ void World<D>::relax_under_damping(const Relaxation& relaxation, Watch& watch, R
     const double ratio = relaxation.by_largest ? relaxed.balance.largest : relaxed.balance.mean;
     relaxed.is_at_rest = ratio <= relaxation.ratio;
     relaxed.has_fallen = relaxation.most_way > 0 && watch.way.longest(model_.blocks) > relaxation.most_way;
-    if (!relaxation.is_adaptive) continue;
-    if (relaxed.steps % steps_per_damping(relaxed.steps) != 0) continue;
+    if (!relaxation.is_adaptive || relaxed.steps % steps_per_damping(relaxed.steps) != 0) continue;
     const double wanted = watch.slowest.look();
-    // Motion that no stiffness resists is a fall, which damping only delays. The damping of one step is
-    // little, or steps would not be stable.
-    model_.settings.mass_damping =
-        wanted < 0 ? 0.5 * model_.settings.mass_damping : std::min(wanted, 0.2 / clock_.time_step());
+    // The damping of one step is little, or steps would not be stable.
+    if (wanted >= 0) model_.settings.mass_damping = std::min(wanted, 0.2 / clock_.time_step());
   }
 }
 
