@@ -51,8 +51,8 @@ History::History(const Layout& layout) {
 void History::add(const Model& model) {
   const hs_world_report& report = model.report();
   const hs_energy& energy = report.energy;
-  text_ += shortest(report.time) + ',' + std::to_string(report.steps) + ',' +
-           std::to_string(report.contact_count + model.reaction_report().reaction_count);
+  text_ +=
+      shortest(report.time) + ',' + std::to_string(report.steps) + ',' + std::to_string(report.contact_count);
   for (double value :
        {report.largest_overlap, report.largest_speed, energy.kinetic, energy.gravity, energy.strain,
         energy.friction_loss, energy.contact_damping_loss, energy.local_damping_loss,

@@ -109,10 +109,10 @@ void cut_by_set(const Context& context, const JointSet& set, std::size_t finishe
 }  // namespace
 
 double joint_offset(const JointSet& set, std::int64_t k) {
-  // Two neighbouring deviations of at most spread / 2 each change a spacing by at most spread.
+  // Two neighbouring deviations of at most jitter / 2 each change a spacing by at most jitter.
   Random mixed(set.seed);
   Random random(mixed.bits() ^ static_cast<std::uint64_t>(k));
-  const double deviation = set.spread * (random.uniform() - 0.5);
+  const double deviation = set.jitter * (random.uniform() - 0.5);
   return set.offset + set.spacing * (static_cast<double>(k) + deviation);
 }
 

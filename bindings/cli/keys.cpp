@@ -30,6 +30,15 @@ std::string joined(const std::vector<std::string_view>& words) {
   return text;
 }
 
+/// The present name of a key that was renamed, or nothing.
+std::string_view new_name(std::string_view key) {
+  static constexpr std::pair<std::string_view, std::string_view> renamed[] = {{"most_steps", "max_steps"},
+                                                                              {"spread", "jitter"}};
+  for (const auto& [before, now] : renamed)
+    if (key == before) return now;
+  return {};
+}
+
 }  // namespace
 
 bool Range::holds(double value) const {
@@ -348,13 +357,16 @@ void Keys::withdraw_missing(std::string_view key) {
 void Keys::finish() {
   for (const auto& [key, node] : *table_) {
     if (std::find(asked_.begin(), asked_.end(), key.str()) != asked_.end()) continue;
-    const std::string_view meant = nearest(key.str(), asked_);
+    const std::string_view renamed = new_name(key.str());
+    const bool is_renamed = std::find(asked_.begin(), asked_.end(), renamed) != asked_.end();
+    const std::string_view meant = is_renamed ? renamed : nearest(key.str(), asked_);
     withdraw_missing(meant);
     // Another kind would have other keys.
     if (!is_kind_known_ && (has(kind_) || meant != kind_)) continue;
     const toml::source_position begin = key.source().begin;
     faults_->add({static_cast<int>(begin.line), static_cast<int>(begin.column)}, path(key.str()),
-                 "unknown key" + suggestion(key.str(), asked_) + "; allowed: " + joined(asked_));
+                 is_renamed ? "renamed; use " + std::string(renamed)
+                            : "unknown key" + suggestion(key.str(), asked_) + "; allowed: " + joined(asked_));
   }
   if (is_kind_known_) return;
   for (std::string_view key : asked_)

@@ -103,12 +103,12 @@ void Model::add(const LayoutBody& given) {
   bodies_.push_back(body);
 }
 
-void Model::step_towards(double time, std::int64_t most_steps, double end) {
+void Model::step_towards(double time, std::int64_t max_steps, double end) {
   const double step = usual_time_step();
   const double target = std::min({time, next_motion_change(), end});
   // Where the time step cannot be told yet, one step finds it.
   const double left = step > 0 ? (target - report_.time) / step : 1;
-  auto steps = std::clamp<std::int64_t>(std::llround(std::min(left, 1e15)), 1, most_steps);
+  auto steps = std::clamp<std::int64_t>(std::llround(std::min(left, 1e15)), 1, max_steps);
   const double to_end = step > 0 ? (end - report_.time) / step : never;
   if (to_end < 1e15 && std::abs(to_end - std::round(to_end)) * step > time_tolerance(end)) {
     if (to_end < 2) return step_shortened((end - report_.time) / std::ceil(to_end));
@@ -309,46 +309,7 @@ std::vector<hs_contact> Model::contacts() const {
     contact.block_a = index_of(contact.block_a);
     contact.block_b = index_of(contact.block_b);
   }
-  for (const hs_reaction& reaction : reactions()) contacts.push_back(contact_of(reaction));
   return contacts;
-}
-
-std::vector<hs_reaction> Model::reactions() const {
-  std::vector<hs_reaction> reactions(static_cast<std::size_t>(reaction_report().reaction_count));
-  require(context_, hs_world_get_reactions(world_.get(), reactions.data(),
-                                           static_cast<int64_t>(reactions.size()), nullptr));
-  return reactions;
-}
-
-hs_reaction_report Model::reaction_report() const {
-  hs_reaction_report report;
-  require(context_, hs_world_get_reaction_report(world_.get(), &report, sizeof report));
-  return report;
-}
-
-/// A contact of one point. Its normal is from a to b, and its force on b.
-hs_contact Model::contact_of(const hs_reaction& reaction) const {
-  hs_contact contact{};
-  contact.block_a = index_of(reaction.block_a);
-  contact.block_b = index_of(reaction.block_b);
-  const bool in_plane = layout_.dimension == 2;
-  contact.type = reaction.pair_kind == HS_PAIR_EDGE_EDGE ? HS_CONTACT_EDGE_EDGE
-                 : in_plane                              ? HS_CONTACT_VERTEX_EDGE
-                                                         : HS_CONTACT_VERTEX_FACE;
-  contact.pair_kind = reaction.pair_kind;
-  contact.feature_a = reaction.feature_a;
-  contact.feature_b = reaction.feature_b;
-  contact.point_count = 1;
-  contact.gap = contact.center_gap = contact.gaps[0] = reaction.gap;
-  for (int k = 0; k < 3; ++k) {
-    contact.normal[k] = -reaction.normal[k];
-    contact.center[k] = contact.points[0][k] = contact.force_point[k] = reaction.point[k];
-    contact.force[k] = -reaction.force[k];
-    contact.normal_force += reaction.force[k] * reaction.normal[k];
-  }
-  for (int k = 0; k < 3; ++k)
-    contact.shear_force[k] = contact.force[k] - contact.normal_force * contact.normal[k];
-  return contact;
 }
 
 std::vector<BlockFrame> Model::frame_of(std::size_t index) const {

@@ -37,9 +37,9 @@ class Model {
   static constexpr double never = std::numeric_limits<double>::infinity();
 
   /// Steps the world, stopping on the way wherever a prescribed motion starts or stops, to the step nearest
-  /// to a time. Does at most `most_steps` steps. Where there is an end, the last one or two before it are
+  /// to a time. Does at most `max_steps` steps. Where there is an end, the last one or two before it are
   /// shortened so that it is met. @throws LibraryError
-  void step_towards(double time, std::int64_t most_steps, double end = never);
+  void step_towards(double time, std::int64_t max_steps, double end = never);
   /// Has such an end been met?
   bool has_met(double end) const { return end - report_.time <= time_tolerance(end); }
 
@@ -71,8 +71,6 @@ class Model {
   Frame frame() const;
   /// The contacts there are; blocks are named by their indices in the layout.
   std::vector<hs_contact> contacts() const;
-  /// Those without springs in numbers; they are among the contacts.
-  hs_reaction_report reaction_report() const;
   /// The bonds made, and what has failed of them.
   hs_bond_report bond_report() const;
   /// The two blocks of a bond, in the order in which they were made, by their indices in the layout.
@@ -114,9 +112,6 @@ class Model {
   double time_tolerance(double end) const;
 
   const Context& context_;
-  std::vector<hs_reaction> reactions() const;
-  hs_contact contact_of(const hs_reaction& reaction) const;
-
   Layout layout_;
   World world_;
   std::vector<hs_block> blocks_;  ///< 0: a cell of a body

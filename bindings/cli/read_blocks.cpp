@@ -155,7 +155,7 @@ JointSet read_joint_set(Keys& keys) {
   }
   set.spacing = keys.number("spacing", above(0), required);
   set.offset = keys.number("offset", any_number(), set.offset);
-  set.spread = keys.number("spread", {.low = 0, .high = 1, .with_high = false}, set.spread);
+  set.jitter = keys.number("jitter", {.low = 0, .high = 1, .with_high = false}, set.jitter);
   set.seed = read_seed(keys);
   set.key = keys.path("spacing");
   set.place = keys.place("spacing");

@@ -39,8 +39,8 @@ SceneStage read_stage(Keys& keys) {
     hs_relaxation_def_init(&stage.relaxation, sizeof stage.relaxation);
     stage.relaxation.ratio = keys.number("ratio", above(0), stage.relaxation.ratio);
     stage.relaxation.measure = keys.word("measure", {"mean", "largest"}, stage.relaxation.measure);
-    stage.relaxation.most_steps =
-        keys.integer("most_steps", 1, std::numeric_limits<std::int64_t>::max(), stage.relaxation.most_steps);
+    stage.relaxation.max_steps =
+        keys.integer("max_steps", 1, std::numeric_limits<std::int64_t>::max(), stage.relaxation.max_steps);
     stage.relaxation.hold_bonds = keys.word("bonds", {"may fail", "hold"}, stage.relaxation.hold_bonds);
     stage.portions = keys.integer("portions", 1, 10'000, stage.portions);
   } else {

@@ -96,7 +96,7 @@ std::string end_of(SceneStage stage) {
   archive.add(stage.duration);
   archive.add(stage.rest_speed);
   archive.add(stage.relaxation.ratio);
-  archive.add(stage.relaxation.most_steps);
+  archive.add(stage.relaxation.max_steps);
   return archive.bytes();
 }
 
@@ -217,7 +217,7 @@ class Run {
       at_.mean = balance.mean;
       at_.largest = balance.largest;
       progress_.show(
-          static_cast<double>(at_.settling.steps) / static_cast<double>(stage.relaxation.most_steps),
+          static_cast<double>(at_.settling.steps) / static_cast<double>(stage.relaxation.max_steps),
           "unbalanced " + rounded(balance.mean, 2));
       record_.add_due();
     }
@@ -225,7 +225,7 @@ class Run {
     tell("settled", (at_.settling.is_balanced ? "at rest after " : "NOT AT REST after ") +
                         std::to_string(at_.settling.steps) + " steps, unbalanced by " + rounded(at_.mean, 2) +
                         " of all forces, by " + rounded(at_.largest, 2) + " of a single block's" + drive() +
-                        (at_.settling.is_balanced ? "" : least_balanced(model_, balance)));
+                        (at_.settling.is_balanced ? "" : largest_force_block(model_, balance)));
     record_.end_stage(at_.stage, true);
     return true;
   }

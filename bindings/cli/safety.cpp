@@ -34,7 +34,7 @@ std::string not_settled(const Scene& scene, Model& model, Progress& progress) {
     hs_balance balance{};
     while (!settling.is_over(stage, model) && !interrupt_asked()) {
       balance = settle_on(stage, model, settling);
-      progress.show(static_cast<double>(settling.steps) / static_cast<double>(stage.relaxation.most_steps),
+      progress.show(static_cast<double>(settling.steps) / static_cast<double>(stage.relaxation.max_steps),
                     "settling, unbalanced " + rounded(balance.mean, 2));
     }
     if (!settling.is_at_rest(model))
@@ -188,7 +188,7 @@ SafetyResult find_factor_of_safety(const Scene& scene, Model& model, const std::
   const double farthest = *std::max_element(limits.begin(), limits.end());
   const std::size_t bonds_before = model.bond_events().size();
   SafetyTrials trials(model, std::move(limits), [&](std::int64_t steps, double unbalanced) {
-    const double of_trial = static_cast<double>(steps) / static_cast<double>(SafetyTrials::most_steps);
+    const double of_trial = static_cast<double>(steps) / static_cast<double>(SafetyTrials::max_steps);
     progress.show((static_cast<double>(search.count()) + of_trial) / search.count_of_all(),
                   "trial " + std::to_string(search.count() + 1) + ", " + search.factor_text(false) +
                       ", unbalanced " + rounded(unbalanced, 2));

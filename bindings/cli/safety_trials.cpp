@@ -114,11 +114,11 @@ std::optional<Trial> SafetyTrials::at(double factor) {
   hs_relaxation_def piece;
   hs_relaxation_def_init(&piece, sizeof piece);
   piece.hold_bonds = 0;
-  piece.most_steps = steps_of_piece;
+  piece.max_steps = steps_of_piece;
   model_.restore(at_rest_);
   model_.weaken(factor);
   bool has_fallen = false;
-  while (!trial.stands && !has_fallen && trial.steps < most_steps) {
+  while (!trial.stands && !has_fallen && trial.steps < max_steps) {
     if (interrupt_asked()) return std::nullopt;
     hs_balance balance{};
     try {

@@ -43,7 +43,7 @@ class SafetyTrials {
   bool has_fallen() const { return !fallen_.empty(); }
   const Frame& standing() const { return standing_; }
 
-  static constexpr std::int64_t most_steps = 100'000;  ///< what is not at rest by then falls
+  static constexpr std::int64_t max_steps = 100'000;  ///< what is not at rest by then falls
 
  private:
   void find_farthest(Trial& trial, bool& is_too_far) const;

@@ -184,7 +184,7 @@ struct JointSet {
   Point normal{0, 1, 0};  ///< unit length
   double spacing = 1;
   double offset = 0;  ///< of joint 0 from the origin, along the joints' normal
-  double spread = 0;  ///< random deviation of each spacing, share of the spacing
+  double jitter = 0;  ///< random deviation of each spacing, share of the spacing
   std::uint64_t seed = 0;
   std::string key = {};  ///< path of the spacing in the file and
   Place place = {};      ///< where it stands, for faults

@@ -24,10 +24,10 @@ std::string endless_motion(const Model& model) {
   return {};
 }
 
-std::string least_balanced(const Model& model, const hs_balance& balance) {
-  if (balance.least_balanced == 0) return {};
+std::string largest_force_block(const Model& model, const hs_balance& balance) {
+  if (balance.largest_force_block == 0) return {};
   const auto name = [&](hs_block index) { return '"' + model.layout().blocks[index].name + '"'; };
-  const std::size_t block = model.index_of(balance.least_balanced);
+  const std::size_t block = model.index_of(balance.largest_force_block);
   std::string text = "; most on " + name(block) + ", by " + rounded(balance.largest_force, 3) + " N";
   double largest = 0;
   std::string other;
@@ -46,7 +46,7 @@ hs_balance settle_on(const SceneStage& stage, Model& model, Settling& settling) 
   if ((settling.is_balanced || settling.portions == 0) && !model.is_changed())
     model.change_to(static_cast<double>(++settling.portions) / static_cast<double>(stage.portions));
   hs_relaxation_def piece = stage.relaxation;
-  piece.most_steps = std::min(steps_of_piece, stage.relaxation.most_steps - settling.steps);
+  piece.max_steps = std::min(steps_of_piece, stage.relaxation.max_steps - settling.steps);
   hs_balance balance{};
   settling.is_balanced = model.settle(piece, balance);
   settling.steps += balance.steps;

@@ -17,7 +17,7 @@ struct Settling {
 
   bool is_at_rest(const Model& model) const { return is_balanced && model.is_changed(); }
   bool is_over(const SceneStage& stage, const Model& model) const {
-    return is_at_rest(model) || is_driven || steps >= stage.relaxation.most_steps;
+    return is_at_rest(model) || is_driven || steps >= stage.relaxation.max_steps;
   }
 };
 
@@ -27,7 +27,7 @@ std::string endless_motion(const Model& model);
 
 /// The block that is farthest from balance, and its largest contact: the end of a sentence, or empty where no
 /// force is unbalanced.
-std::string least_balanced(const Model& model, const hs_balance& balance);
+std::string largest_force_block(const Model& model, const hs_balance& balance);
 
 /// Goes on with a stage that is not over, by so few steps that who wants to interrupt it does not wait for
 /// long.

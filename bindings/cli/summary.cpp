@@ -102,11 +102,10 @@ std::string bonds_text(const Scene& scene, const hs_bond_report& bonds) {
 }
 
 /// Nothing of a scene where nothing touched without a spring.
-std::string touches_text(const hs_reaction_report& reactions) {
-  if (reactions.touch_count == 0) return {};
-  return report_line("touches", std::to_string(reactions.touch_count) + " without a spring took " +
-                                    rounded(reactions.impact_loss, 4) + " J; " +
-                                    std::to_string(reactions.reaction_count) + " go on");
+std::string touches_text(const hs_world_report& report) {
+  if (report.touch_count == 0) return {};
+  return report_line("touches", std::to_string(report.touch_count) + " without a spring took " +
+                                    rounded(report.impact_loss, 4) + " J");
 }
 
 /// Nothing of a step that was a stable one all the time.
@@ -136,7 +135,7 @@ std::string sleep_text(const Scene& scene, const hs_world_report& report) {
   return report_line("asleep", std::to_string(report.sleeping_count) + " of " +
                                    std::to_string(report.block_count) +
                                    " blocks at the end; by sleep any has missed at most " +
-                                   rounded(report.missed_by_sleep, 2) + " m of its way");
+                                   rounded(report.max_sleep_error, 2) + " m of its way");
 }
 
 std::string run_out_text(const RunOut& reach, int dimension) {
@@ -196,25 +195,24 @@ std::string summary(const Scene& scene, const Model& model, const Peaks& peaks, 
                     const Frame& end, Outcome outcome) {
   const hs_world_report& report = model.report();
   const hs_bond_report bonds = model.bond_report();
-  const hs_reaction_report reactions = model.reaction_report();
   const RunOut reach = run_out(start, end, scene.world.dimension);
   return report_line("scene", scene.title) + report_line("outcome", describe(outcome)) +
          report_line("blocks", blocks_text(model.layout(), end)) +
          report_line("simulated", rounded(report.time, 6) + " s in " + std::to_string(report.steps) +
                                       " steps of " + rounded(report.time_step, 4) +
                                       " s (stable: " + rounded(report.stable_time_step, 4) + " s)") +
-         report_line("contacts", std::to_string(report.contact_count + reactions.reaction_count) +
-                                     " at the end, largest overlap " + rounded(report.largest_overlap, 3) +
-                                     " m, fastest block " + rounded(report.largest_speed, 3) + " m/s") +
+         report_line("contacts", std::to_string(report.contact_count) + " at the end, largest overlap " +
+                                     rounded(report.largest_overlap, 3) + " m, fastest block " +
+                                     rounded(report.largest_speed, 3) + " m/s") +
          report_line("in the whole run", "largest overlap " + rounded(peaks.overlap, 3) +
                                              " m, fastest block " + rounded(report.peak_speed, 3) + " m/s") +
          time_step_text(report, peaks) + fast_blocks_text(report, peaks) + sleep_text(scene, report) +
          (report.potential_length > 0
               ? report_line("potential length", rounded(report.potential_length, 6) + " m")
               : std::string()) +
-         bonds_text(scene, bonds) + touches_text(reactions) +
-         report_line("energy residual", energy_text(report, bonds.fracture_loss + reactions.impact_loss)) +
-         negative_losses_text(report, bonds.fracture_loss + reactions.impact_loss) +
+         bonds_text(scene, bonds) + touches_text(report) +
+         report_line("energy residual", energy_text(report, bonds.fracture_loss + report.impact_loss)) +
+         negative_losses_text(report, bonds.fracture_loss + report.impact_loss) +
          report_line("run-out", run_out_text(reach, scene.world.dimension));
 }
 

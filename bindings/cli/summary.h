@@ -26,7 +26,7 @@ struct Peaks {
   void add(const hs_world_report& report) {
     overlap = std::max(overlap, report.peak_overlap);
     if (report.stable_time_step > 0) stable_time_step = std::min(stable_time_step, report.stable_time_step);
-    stop = std::max(stop, report.deepest_stop);
+    stop = std::max(stop, report.max_penetration_ratio);
   }
   double overlap = 0;  ///< of steps in between, too, but by potentials in space
   double stable_time_step = std::numeric_limits<double>::infinity();  ///< the least

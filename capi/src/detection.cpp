@@ -22,7 +22,7 @@ template <int D>
 void judge(const PosedPair<D>& posed, const PairOptions& options, hs_pair_cache* cache, Memory* room,
            hs_contact& out) {
   const Frames<D> frames = read_frames(posed);
-  Witness<D> witness;
+  PairCache<D> witness;
   if (cache) witness = read_cache(*cache, posed);
   write_contact(search_pair(posed, frames, options, witness, room), out);
   if (cache) write_cache(witness, posed, out, *cache);

@@ -69,7 +69,7 @@ namespace {
                                              Rotation<2> b_in_a, TwoLanes to_b, Rotation<2> frame_of_a) {
   return guarded_in_arithmetic_of_host(a.context, "hs_pair_detect", [&] {
     const TurnedPolygon turned(as<2>(b).outline(), b_in_a, &a.context->memory);
-    Witness<2> witness;
+    PairCache<2> witness;
     write_contact(describe_overlap(posed_as<2>(a, at_a, b, at_b), turned.outline(), {to_b[0], to_b[1]},
                                    frame_of_a, {owner, edge, 0}, DetectOptions(), witness),
                   out);

@@ -34,7 +34,7 @@ void require_feature(std::int32_t index, Feature feature, const Shape<3>& shape,
 
 }  // namespace
 
-Witness<2> read_cache(const hs_pair_cache& cache, const PosedPair<2>& posed) {
+PairCache<2> read_cache(const hs_pair_cache& cache, const PosedPair<2>& posed) {
   require_state(cache);
   if (cache.state == PairState::unknown) return {};
   require_kind(cache, NamedPair::vertex_face, "polygons");
@@ -44,7 +44,7 @@ Witness<2> read_cache(const hs_pair_cache& cache, const PosedPair<2>& posed) {
   return {PairState::State(cache.state), in_plane(pair_in(cache))};
 }
 
-Witness<3> read_cache(const hs_pair_cache& cache, const PosedPair<3>& posed) {
+PairCache<3> read_cache(const hs_pair_cache& cache, const PosedPair<3>& posed) {
   require_state(cache);
   if (cache.state == PairState::unknown) return {};
   const bool is_separated = cache.state == PairState::separated;
@@ -56,7 +56,7 @@ Witness<3> read_cache(const hs_pair_cache& cache, const PosedPair<3>& posed) {
   const FeaturesOfPair& features = features_of_kind[cache.pair_kind];
   require_feature(cache.feature_a, features.a, posed.a, "feature_a");
   require_feature(cache.feature_b, features.b, posed.b, "feature_b");
-  Witness<3> witness{PairState::State(cache.state), pair_in(cache)};
+  PairCache<3> witness{PairState::State(cache.state), pair_in(cache)};
   if (is_separated) {
     // A plane that has kept other shapes apart is not remembered.
     if (cache.shapes != fingerprint_of(posed)) return {};

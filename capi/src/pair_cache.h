@@ -13,12 +13,12 @@ inline NamedPair pair_in(const hs_pair_cache& cache) {
 }
 
 /// The witness of a pair in a cache, checked.
-Witness<2> read_cache(const hs_pair_cache& cache, const PosedPair<2>& posed);
-Witness<3> read_cache(const hs_pair_cache& cache, const PosedPair<3>& posed);
+PairCache<2> read_cache(const hs_pair_cache& cache, const PosedPair<2>& posed);
+PairCache<3> read_cache(const hs_pair_cache& cache, const PosedPair<3>& posed);
 
 /// Writes the witness, and of a separated pair the proof in what has been found.
 template <int D>
-void write_cache(const Witness<D>& witness, const PosedPair<D>& posed, const hs_contact& found,
+void write_cache(const PairCache<D>& witness, const PosedPair<D>& posed, const hs_contact& found,
                  hs_pair_cache& cache) {
   const NamedPair pair = named(witness.pair);
   cache.state = witness.state;
@@ -26,14 +26,14 @@ void write_cache(const Witness<D>& witness, const PosedPair<D>& posed, const hs_
   cache.feature_a = pair.a;
   cache.feature_b = pair.b;
   cache.shapes = 0;
-  if (witness.state == Witness<D>::separated) keep_proof(posed, found.normal, found.gap, cache);
+  if (witness.state == PairCache<D>::separated) keep_proof(posed, found.normal, found.gap, cache);
 }
 
 /// The answer when the pair is still proven to be separated by more than the margin.
 template <int D>
 [[gnu::always_inline]] inline bool answer_by_proof(const PosedPair<D>& posed, const hs_pair_cache& cache,
                                                    hs_contact& out, double margin = 0) {
-  if (cache.state != Witness<D>::separated) return false;
+  if (cache.state != PairCache<D>::separated) return false;
   const double gap = proven_gap(posed, cache, margin);
   if (!(gap > 0)) return false;
   write_pair(ContactType::none, 0, separating(pair_in(cache)), Vector<D>(cache.normal), gap, out);

@@ -25,7 +25,7 @@ hs_world_def default_definition() {
 
 template <>
 hs_law_def default_definition() {
-  const SpringLaw defaults;
+  const ContactLaw defaults;
   hs_law_def def{};
   def.normal_stiffness = defaults.normal_stiffness;
   def.normal_damping = defaults.normal_damping;
@@ -71,13 +71,13 @@ WorldSettings<D> read_settings(const hs_world_def& def) {
   return settings;
 }
 
-SpringLaw read_law(const hs_law_def* given) {
+ContactLaw read_law(const hs_law_def* given) {
   const hs_law_def def = read_definition(given, "law");
   if (def.stiffness_kind < HS_STIFFNESS_PER_CONTACT || def.stiffness_kind > HS_STIFFNESS_NONE) {
     refuse(HS_ERROR_ARGUMENT, "law.stiffness_kind is %d; it must be an HS_STIFFNESS_ value",
            def.stiffness_kind);
   }
-  SpringLaw law;
+  ContactLaw law;
   law.stiffness_kind = StiffnessKind(def.stiffness_kind);
   law.normal_stiffness = require_above_zero(def.normal_stiffness, "law.normal_stiffness");
   law.shear_stiffness = require_from_zero(def.shear_stiffness, "law.shear_stiffness");

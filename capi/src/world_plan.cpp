@@ -13,13 +13,13 @@ std::int32_t active_parts(const World<D>& world) {
   const auto some_law = [&](auto condition) { return model.materials.laws().any(condition); };
   std::int32_t parts = 0;
   const auto add = [&](std::int32_t part, bool is_active) { parts |= is_active ? part : 0; };
-  add(HS_PART_FRICTION, some_law([](const SpringLaw& law) { return law.resists_shear(); }));
-  add(HS_PART_BONDS, !world.bonds().empty() || some_law([](const SpringLaw& law) { return law.bonds(); }));
-  add(HS_PART_CONTACT_DAMPING, some_law([](const SpringLaw& law) { return law.is_damped(); }));
+  add(HS_PART_FRICTION, some_law([](const ContactLaw& law) { return law.resists_shear(); }));
+  add(HS_PART_BONDS, !world.bonds().empty() || some_law([](const ContactLaw& law) { return law.bonds(); }));
+  add(HS_PART_CONTACT_DAMPING, some_law([](const ContactLaw& law) { return law.is_damped(); }));
   add(HS_PART_AREA,
-      some_law([](const SpringLaw& law) { return law.stiffness_kind == StiffnessKind::per_area; }));
-  add(HS_PART_POTENTIAL, some_law([](const SpringLaw& law) { return law.is_potential(); }));
-  add(HS_PART_REACTIONS, some_law([](const SpringLaw& law) { return law.has_no_spring(); }));
+      some_law([](const ContactLaw& law) { return law.stiffness_kind == StiffnessKind::per_area; }));
+  add(HS_PART_POTENTIAL, some_law([](const ContactLaw& law) { return law.is_potential(); }));
+  add(HS_PART_HARD_CONTACTS, some_law([](const ContactLaw& law) { return law.has_no_spring(); }));
   add(HS_PART_STRAIN, model.blocks.has_deformable());
   add(HS_PART_LOCAL_DAMPING, model.settings.local_damping > 0);
   add(HS_PART_MASS_DAMPING, model.settings.mass_damping > 0);
@@ -99,9 +99,9 @@ void measure(World<D>& world, std::int64_t steps, hs_world_plan& plan) {
   plan.pair_seconds = a_step(Pass::pairs);
   plan.gather_seconds = a_step(Pass::gather);
   plan.bond_seconds = a_step(Pass::bonds);
-  plan.reaction_seconds = a_step(Pass::reactions);
+  plan.hard_contact_seconds = a_step(Pass::reactions);
   plan.motion_seconds = a_step(Pass::motion);
-  plan.book_seconds = a_step(Pass::book);
+  plan.ledger_seconds = a_step(Pass::book);
 }
 
 }  // namespace

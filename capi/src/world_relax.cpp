@@ -16,7 +16,7 @@ hs_relaxation_def default_definition() {
   hs_relaxation_def def{};
   def.measure = HS_UNBALANCED_MEAN;
   def.ratio = defaults.ratio;
-  def.most_steps = defaults.most_steps;
+  def.max_steps = defaults.max_steps;
   def.local_damping = defaults.local_damping;
   def.is_adaptive = defaults.is_adaptive;
   def.hold_bonds = defaults.holds_bonds;
@@ -29,9 +29,9 @@ Relaxation read_relaxation(const hs_relaxation_def* given) {
   const hs_relaxation_def def = read_definition(given, "def");
   if (def.measure != HS_UNBALANCED_MEAN && def.measure != HS_UNBALANCED_LARGEST)
     refuse(HS_ERROR_ARGUMENT, "def.measure is %d; it must be an HS_UNBALANCED_ value", def.measure);
-  if (def.most_steps < 1) {
-    refuse(HS_ERROR_ARGUMENT, "def.most_steps is %lld; it must be at least 1",
-           static_cast<long long>(def.most_steps));
+  if (def.max_steps < 1) {
+    refuse(HS_ERROR_ARGUMENT, "def.max_steps is %lld; it must be at least 1",
+           static_cast<long long>(def.max_steps));
   }
   if (def.is_adaptive != 0 && def.is_adaptive != 1)
     refuse(HS_ERROR_ARGUMENT, "def.is_adaptive is %d; it must be 0 or 1", def.is_adaptive);
@@ -40,7 +40,7 @@ Relaxation read_relaxation(const hs_relaxation_def* given) {
   Relaxation relaxation;
   relaxation.by_largest = def.measure == HS_UNBALANCED_LARGEST;
   relaxation.ratio = require_above_zero(def.ratio, "def.ratio");
-  relaxation.most_steps = def.most_steps;
+  relaxation.max_steps = def.max_steps;
   relaxation.local_damping = require(def.local_damping >= 0 && def.local_damping < 1, def.local_damping,
                                      "def.local_damping", "at least 0 and below 1");
   relaxation.is_adaptive = def.is_adaptive == 1;

@@ -44,6 +44,55 @@ void write_force(const ContactForce<D>& force, const Vector<D>& normal, const Ve
   if constexpr (D == 3) out.twist = force.couple.dot(normal);
 }
 
+static_assert(int(Meeting::corner_and_face) == HS_PAIR_VERTEX_FACE &&
+              int(Meeting::edges) == HS_PAIR_EDGE_EDGE);
+
+template <int D>
+std::int64_t contact_count_of(const World<D>& world) {
+  return std::int64_t(world.contact_count() + world.hard_contacts().all().size());
+}
+
+template <int D>
+void write_spring_contact(const World<D>& world, std::size_t c, hs_contact& out) {
+  const Blocks<D>& blocks = world.blocks();
+  const Candidate<D>& pair = world.candidate_of(c);
+  const Vector<D>& origin = blocks.position[std::size_t(pair.a)];
+  out.block_a = id_of(blocks, std::size_t(pair.a));
+  out.block_b = id_of(blocks, std::size_t(pair.b));
+  Contact<D> contact = world.contact(c);
+  // Detected, but forces may not have been evaluated yet.
+  if (world.knows_forces()) write_force(world.contact_force(c), contact.normal, origin, out);
+  place(contact, Rotation<D>(), origin);
+  write_contact(contact, out);
+}
+
+/// A point that a law without a spring keeps apart. Core has the block of the vertex first, with the normal
+/// and the force towards it.
+template <int D>
+void write_constraint(const World<D>& world, const ContactConstraint<D>& at, hs_contact& out) {
+  const Blocks<D>& blocks = world.blocks();
+  const bool is_turned = at.a > at.b, is_corner = at.meeting == Meeting::corner_and_face;
+  out.block_a = id_of(blocks, std::size_t(is_turned ? at.b : at.a));
+  out.block_b = id_of(blocks, std::size_t(is_turned ? at.a : at.b));
+  out.type = !is_corner ? HS_CONTACT_EDGE_EDGE : D == 2 ? HS_CONTACT_VERTEX_EDGE : HS_CONTACT_VERTEX_FACE;
+  out.pair_kind = is_corner && is_turned ? HS_PAIR_FACE_VERTEX : std::int32_t(at.meeting);
+  out.feature_a = is_turned ? at.feature_b : at.feature_a;
+  out.feature_b = is_turned ? at.feature_a : at.feature_b;
+  out.point_count = 1;
+  const Vector<D> place = place_of(at.of_a, blocks);
+  const Vector<D> normal = is_turned ? at.normal : Vector<D>(-at.normal);
+  write_vector(place, out.points[0]);
+  write_vector(place, out.center);
+  out.gap = out.center_gap = out.gaps[0] = at.gap;
+  write_vector(normal, out.normal);
+  const Vector<D> force = is_turned ? at.force : Vector<D>(-at.force);
+  write_vector(force, out.force);
+  write_vector(place, out.force_point);
+  out.normal_force = normal.dot(force);
+  write_vector(Vector<D>(force - out.normal_force * normal), out.shear_force);
+  out.touched_at = at.touched_at;
+}
+
 }  // namespace
 
 hs_status hs_world_detect(hs_world* world, int64_t* touching) {
@@ -88,7 +137,7 @@ hs_status hs_world_get_report(hs_world* world, hs_world_report* report, size_t s
                                   std::isfinite(stable) ? stable : 0,
                                   w.blocks().count(),
                                   std::int64_t(w.candidates().pairs().size()),
-                                  std::int64_t(w.contact_count()),
+                                  contact_count_of(w),
                                   w.candidates().builds(),
                                   overlap,
                                   w.largest_speed(),
@@ -97,11 +146,14 @@ hs_status hs_world_get_report(hs_world* world, hs_world_report* report, size_t s
                                   w.ledger().block_strain,
                                   w.ledger().block_damping_loss,
                                   w.divided_steps(),
-                                  w.deepest_stop(),
+                                  w.max_penetration_ratio(),
                                   std::max(w.peak_overlap(), overlap),
                                   w.peak_speed(),
                                   w.sleeping_count(),
-                                  w.missed_by_sleep()};
+                                  w.max_sleep_error(),
+                                  w.hard_contacts().touches(),
+                                  w.hard_contacts().iterations(),
+                                  w.ledger().impact_loss};
     write_sized(ours, report, size);
     return HS_OK;
   });
@@ -112,22 +164,16 @@ hs_status hs_world_get_contacts(const hs_world* world, hs_contact contacts[], in
   return with_world(world, __func__, [&]<int D>(const World<D>& w) {
     require_count(capacity, "capacity");
     if (capacity > 0) require_pointer(contacts, "contacts");
-    const Blocks<D>& blocks = w.blocks();
-    const std::int64_t all = std::int64_t(w.contact_count());
+    const std::int64_t all = contact_count_of(w);
     if (count) *count = all;
     return write_all(all, capacity, [&](int i) {
       const std::size_t c = std::size_t(i);
-      const Candidate<D>& pair = w.candidate_of(c);
-      const Vector<D>& origin = blocks.position[std::size_t(pair.a)];
-      hs_contact& out = contacts[i];
-      out = {};
-      out.block_a = id_of(blocks, std::size_t(pair.a));
-      out.block_b = id_of(blocks, std::size_t(pair.b));
-      Contact<D> contact = w.contact(c);
-      // Detected, but forces may not have been evaluated yet.
-      if (w.knows_forces()) write_force(w.contact_force(c), contact.normal, origin, out);
-      place(contact, Rotation<D>(), origin);
-      write_contact(contact, out);
+      contacts[i] = {};
+      if (c < w.contact_count()) {
+        write_spring_contact(w, c, contacts[i]);
+      } else {
+        write_constraint(w, w.hard_contacts().all()[c - w.contact_count()], contacts[i]);
+      }
     });
   });
 }

@@ -3,7 +3,7 @@
 #include "halfspace/strength.h"
 #include "refuse_step.h"
 #include "sized_struct.h"
-#include "world/strength.h"
+#include "world/relaxation/strength.h"
 #include "world_bytes.h"
 
 using namespace halfspace;
@@ -19,8 +19,8 @@ hs_strength_def default_definition() {
   def.high = defaults.high;
   def.resolution = defaults.resolution;
   def.ratio = 1e-5;
-  def.most_way = 0.1;
-  def.most_steps = 100000;
+  def.max_displacement = 0.1;
+  def.max_steps = 100000;
   return def;
 }
 
@@ -44,12 +44,12 @@ Search read_search(const hs_strength_def* given) {
                                 "above def.low and at most 1e75");
   search.bracket.resolution = require_above_zero(def.resolution, "def.resolution");
   search.relaxation.ratio = require_above_zero(def.ratio, "def.ratio");
-  search.relaxation.most_way = require_above_zero(def.most_way, "def.most_way");
-  if (def.most_steps < 1) {
-    refuse(HS_ERROR_ARGUMENT, "def.most_steps is %lld; it must be at least 1",
-           static_cast<long long>(def.most_steps));
+  search.relaxation.max_displacement = require_above_zero(def.max_displacement, "def.max_displacement");
+  if (def.max_steps < 1) {
+    refuse(HS_ERROR_ARGUMENT, "def.max_steps is %lld; it must be at least 1",
+           static_cast<long long>(def.max_steps));
   }
-  search.relaxation.most_steps = def.most_steps;
+  search.relaxation.max_steps = def.max_steps;
   search.relaxation.holds_bonds = false;
   return search;
 }

@@ -6,7 +6,7 @@
 
 namespace halfspace::capi {
 
-static_assert(most_region_points == HS_CONTACT_POINTS);
+static_assert(max_region_points == HS_CONTACT_POINTS);
 
 /// A pair as the API names it: in the plane the edge stands for the face.
 using NamedPair = PotentialPair<3>;

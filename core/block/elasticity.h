@@ -18,7 +18,7 @@ struct Elasticity {
   bool is_given() const { return shear_modulus > 0; }
   /// False for what none can be, after reading a snapshot.
   bool is_consistent() const {
-    return is_finite(lame) && is_from_zero(shear_modulus) && is_from_zero(damping_time);
+    return is_finite(lame) && is_nonnegative(shear_modulus) && is_nonnegative(damping_time);
   }
 
   template <int D>

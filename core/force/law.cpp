@@ -6,22 +6,22 @@
 
 namespace halfspace {
 
-bool SpringLaw::is_consistent() const {
+bool ContactLaw::is_consistent() const {
   return stiffness_kind >= StiffnessKind::per_contact && stiffness_kind <= StiffnessKind::none &&
-         is_positive(normal_stiffness) && is_from_zero(shear_stiffness) && is_from_zero(tan_friction) &&
-         is_from_zero(cohesion) && is_from_zero(tensile_strength) && is_from_zero(normal_damping) &&
-         is_from_zero(shear_damping);
+         is_positive(normal_stiffness) && is_nonnegative(shear_stiffness) && is_nonnegative(tan_friction) &&
+         is_nonnegative(cohesion) && is_nonnegative(tensile_strength) && is_nonnegative(normal_damping) &&
+         is_nonnegative(shear_damping);
 }
 
-SpringLaw SpringLaw::weaker_by(double factor) const {
-  SpringLaw weaker = *this;
+ContactLaw ContactLaw::weaker_by(double factor) const {
+  ContactLaw weaker = *this;
   weaker.tan_friction /= factor;
   weaker.cohesion /= factor;
   weaker.tensile_strength /= factor;
   return weaker;
 }
 
-void LawTable::set(std::int32_t a, std::int32_t b, const SpringLaw& law) {
+void LawTable::set(std::int32_t a, std::int32_t b, const ContactLaw& law) {
   std::int32_t& own = law_of_pair_[index(a, b)];
   if (own < 0) {
     own_.push_back(law);
@@ -34,7 +34,7 @@ void LawTable::set(std::int32_t a, std::int32_t b, const SpringLaw& law) {
 
 void LawTable::weaken(double factor) {
   default_ = default_.weaker_by(factor);
-  for (SpringLaw& law : own_) law = law.weaker_by(factor);
+  for (ContactLaw& law : own_) law = law.weaker_by(factor);
 }
 
 bool LawTable::is_consistent() const {
@@ -42,7 +42,7 @@ bool LawTable::is_consistent() const {
   const auto names_a_law = [&](std::int32_t index) {
     return index >= -1 && index < std::int64_t(own_.size());
   };
-  const auto is_known = [&](const SpringLaw& law) {
+  const auto is_known = [&](const ContactLaw& law) {
     return law.is_consistent() && (knows_potential_ || !law.is_potential()) &&
            (knows_no_spring_ || !law.has_no_spring());
   };

@@ -14,7 +14,7 @@ enum class StiffnessKind : std::int32_t { per_contact = 0, per_area = 1, potenti
 /// Penalty spring with Mohr-Coulomb friction (Wang et al. 2021, section 3), the potential force with the same
 /// friction (Zheng et al. 2020, section 3), or no spring at all (Li et al. 2015, section 4): then stiffness
 /// and damping count for nothing.
-struct SpringLaw {
+struct ContactLaw {
   StiffnessKind stiffness_kind = StiffnessKind::per_contact;
   std::int32_t reserved = 0;      // so that saved laws have no padding
   double normal_stiffness = 1e9;  // N/m, Pa/m or, of potentials, Pa
@@ -33,7 +33,7 @@ struct SpringLaw {
   bool is_potential() const { return stiffness_kind == StiffnessKind::potential; }
   bool bonds() const { return cohesion > 0 || tensile_strength > 0; }
   /// The same with all strengths divided by a factor.
-  SpringLaw weaker_by(double factor) const;
+  ContactLaw weaker_by(double factor) const;
   /// False for what no law can be, after reading a snapshot.
   bool is_consistent() const;
   /// The viscosity of the more damped of both dashpots, beside a spring between blocks of this reduced mass.
@@ -54,16 +54,16 @@ class LawTable {
     law_of_pair_.resize(law_of_pair_.size() + std::size_t(material_count_) + 1, -1);
     ++material_count_;
   }
-  void set_default(const SpringLaw& law) {
+  void set_default(const ContactLaw& law) {
     default_ = law;
     note(law);
   }
-  void set(std::int32_t a, std::int32_t b, const SpringLaw& law);
+  void set(std::int32_t a, std::int32_t b, const ContactLaw& law);
 
   /// Divides all strengths by a factor.
   void weaken(double factor);
 
-  const SpringLaw& between(std::int32_t a, std::int32_t b) const {
+  const ContactLaw& between(std::int32_t a, std::int32_t b) const {
     const std::int32_t own = law_of_pair_[index(a, b)];
     return own < 0 ? default_ : own_[std::size_t(own)];
   }
@@ -92,7 +92,7 @@ class LawTable {
   }
 
  private:
-  void note(const SpringLaw& law) {
+  void note(const ContactLaw& law) {
     knows_potential_ |= law.is_potential();
     knows_no_spring_ |= law.has_no_spring();
   }
@@ -102,8 +102,8 @@ class LawTable {
     return row * (row + 1) / 2 + column;
   }
 
-  SpringLaw default_;
-  Array<SpringLaw> own_;
+  ContactLaw default_;
+  Array<ContactLaw> own_;
   Array<std::int32_t> law_of_pair_;  // -1: default
   std::int32_t material_count_ = 0;
   std::int32_t knows_potential_ = 0;

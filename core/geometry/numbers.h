@@ -19,8 +19,8 @@ constexpr double farthest_place = 0x1p32;
 
 inline bool is_finite(double value) { return std::isfinite(value); }
 inline bool is_positive(double value) { return value > 0 && std::isfinite(value); }
-inline bool is_from_zero(double value) { return value >= 0 && std::isfinite(value); }
-inline bool is_share(double value, double most) { return value >= 0 && value <= most; }
+inline bool is_nonnegative(double value) { return value >= 0 && std::isfinite(value); }
+inline bool is_fraction(double value, double most) { return value >= 0 && value <= most; }
 
 template <class Values, class Condition>
 bool all(const Values& values, Condition condition) {

@@ -88,10 +88,10 @@ struct PairState {
 
 /// The proof of the verdict on a pair of blocks, which is tried first in the next step.
 template <int D>
-struct Witness;
+struct PairCache;
 
 template <>
-struct Witness<2> {
+struct PairCache<2> {
   using State = PairState::State;
   using enum PairState::State;
   State state = unknown;
@@ -103,7 +103,7 @@ struct Witness<2> {
 /// still holds. Separated blocks may have a plane between them that no feature of theirs tells; then the pair
 /// is of two vertices, and says where to look first for what is deepest along the plane's normal.
 template <>
-struct Witness<3> {
+struct PairCache<3> {
   using State = PairState::State;
   using enum PairState::State;
   State state = unknown;
@@ -115,8 +115,8 @@ struct Witness<3> {
 };
 
 template <int D>
-bool touching(const Witness<D>& witness) {
-  return witness.state >= Witness<D>::touching;
+bool touching(const PairCache<D>& witness) {
+  return witness.state >= PairCache<D>::touching;
 }
 
 /// A contact between blocks a and b, relative to the centroid of a, or the proof that there is none.
@@ -140,7 +140,7 @@ struct Contact<2> {
 
 /// The most points of a contact region that are kept. The overlap of two faces seldom has more corners; where
 /// it has, those are kept that lie farthest in as many directions spread evenly round the contact plane.
-constexpr int most_region_points = 8;
+constexpr int max_region_points = 8;
 
 /// The contact plane is that of the face of `pair`; where edges or vertices meet it goes through the point
 /// given, which between two edges is the middle of their nearest points. Without initial values, as in the
@@ -156,8 +156,8 @@ struct Contact<3> {
   double length;             // of the contact region: 0 unless edge-face
   Vector<3> center;          // centroid of the contact region, on the contact plane
   double center_gap;         // there
-  Vector<3> points[most_region_points];  // corners of the region, counter-clockwise about the normal
-  double gaps[most_region_points];       // at the points
+  Vector<3> points[max_region_points];  // corners of the region, counter-clockwise about the normal
+  double gaps[max_region_points];       // at the points
 };
 
 /// The middle of a contact's region, or of where the features of a separated pair are nearest.

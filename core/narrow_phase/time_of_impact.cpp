@@ -46,7 +46,7 @@ Angular<3> turn_by_rate(const Vector<3>& v, const Vector<3>& rate) { return cros
 /// Names the features that meet where a mere plane was between the blocks.
 void name_features(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b, Impact<3>& impact) {
   if (impact.pair.kind != PotentialPair<3>::vertex_vertex) return;
-  impact.pair = initial_pair(a, b, to_b, {Witness<3>::separated, impact.pair, impact.normal});
+  impact.pair = initial_pair(a, b, to_b, {PairCache<3>::separated, impact.pair, impact.normal});
   impact.gap = refresh(a, b, to_b, impact.pair);
   impact.normal = normal_of(a, b, impact.pair);
 }

@@ -47,7 +47,7 @@ struct Power {
 };
 
 /// Sums over the blocks.
-struct Stock {
+struct EnergySample {
   double kinetic = 0;
   double gravity = 0;
   double block_strain = 0;
@@ -56,7 +56,7 @@ struct Stock {
   double applied_power = 0;  // of applied forces, by the velocity in the middle of the motion
   Power power;
 
-  void add(const Stock& more) {
+  void add(const EnergySample& more) {
     kinetic += more.kinetic;
     gravity += more.gravity;
     block_strain += more.block_strain;
@@ -85,29 +85,29 @@ class EnergyLedger {
 
   /// Begins anew with a changed world: its edit's change of the energy is outer work. `noise` is the energy
   /// that rounding and the blocks' fall by their own size amount to, besides what is there.
-  void begin(const Stock& stock, double noise) {
-    take(stock);
+  void begin(const EnergySample& sample, double noise) {
+    take(sample);
     noise_energy_ = noise + entries_.kinetic + entries_.strain + entries_.block_strain;
     entries_.outer_work = entries_.total() - residual_before_edit_;
   }
 
   /// Books a motion. Powers are known at both of its ends: the trapezoid between them is as exact as the step
   /// itself.
-  void book(const Stock& stock, double duration) {
+  void book(const EnergySample& sample, double duration) {
     const double half = 0.5 * duration;
-    const Power &before = power_, &after = stock.power;
+    const Power &before = power_, &after = sample.power;
     entries_.contact_damping_loss += half * (before.contact_damping + after.contact_damping);
     entries_.local_damping_loss += half * (before.local_damping + after.local_damping);
     entries_.mass_damping_loss += half * (before.mass_damping + after.mass_damping);
     entries_.block_damping_loss += half * (before.block_damping + after.block_damping);
-    entries_.outer_work += duration * stock.applied_power + half * (before.outer + after.outer);
-    take(stock);
+    entries_.outer_work += duration * sample.applied_power + half * (before.outer + after.outer);
+    take(sample);
   }
 
   /// All but nothing of the energy present was there before: the numbers made it. (Near the stable step, but
   /// below it, the ledger of a spring swings by the share q^2 of its energy, q the time step over the stable
   /// one.)
-  bool makes_energy() const {
+  bool is_unstable() const {
     const double made = entries_.residual();
     const double present = entries_.kinetic + entries_.strain + entries_.block_strain + entries_.losses();
     return !(made <= 0.995 * present || made <= noise_energy_);
@@ -122,11 +122,11 @@ class EnergyLedger {
   }
 
  private:
-  void take(const Stock& stock) {
-    entries_.kinetic = stock.kinetic;
-    entries_.gravity = stock.gravity;
-    entries_.block_strain = stock.block_strain;
-    power_ = stock.power;
+  void take(const EnergySample& sample) {
+    entries_.kinetic = sample.kinetic;
+    entries_.gravity = sample.gravity;
+    entries_.block_strain = sample.block_strain;
+    power_ = sample.power;
   }
 
   Ledger entries_;

@@ -16,10 +16,10 @@ namespace halfspace {
 namespace {
 
 /// No motion is a smaller part of a step.
-constexpr double least_part = 0x1p-24;
+constexpr double min_part = 0x1p-24;
 
 /// A blow that is passed on from block to block lengthens motions each time.
-constexpr int most_renewals = 16;
+constexpr int max_renewals = 16;
 
 constexpr double largest_double = std::numeric_limits<double>::max();
 
@@ -28,17 +28,17 @@ constexpr double largest_double = std::numeric_limits<double>::max();
 /// Plans the coming motion: false when it is out of hand. Brings the neighbour list up to date when the
 /// motion would use it up. All memory is taken here, so that a motion once begun is finished.
 template <int D>
-bool World<D>::plan_motion(double duration) {
-  if (reactions_.is_wanted()) integrator_.kicks().begin(duration);
-  if (!integrator_.plan(duration)) return false;
-  if (contacts_.neighbors().used_up()) {
+bool World<D>::predict_motion(double duration) {
+  if (hard_contacts_.is_wanted()) integrator_.kicks().begin(duration);
+  if (!integrator_.predict(duration)) return false;
+  if (contacts_.neighbors().needs_rebuild()) {
     lap(Pass::motion);
     renew_neighbors();
     lap(Pass::search);
   }
-  if (!reactions_.is_wanted()) return true;
+  if (!hard_contacts_.is_wanted()) return true;
   lap(Pass::motion);
-  const bool is_planned = plan_reactions(duration);
+  const bool is_planned = predict_hard_contacts(duration);
   lap(Pass::reactions);
   return is_planned;
 }
@@ -46,20 +46,20 @@ bool World<D>::plan_motion(double duration) {
 /// A block that is struck may go farther than its neighbour list has been told: then it is made anew, and the
 /// blows with it.
 template <int D>
-bool World<D>::plan_reactions(double duration) {
-  for (int i = 0; i < most_renewals; ++i) {
-    if (!reactions_.plan(clock_.time(), duration)) return false;
-    if (!contacts_.neighbors().used_up()) return true;
+bool World<D>::predict_hard_contacts(double duration) {
+  for (int i = 0; i < max_renewals; ++i) {
+    if (!hard_contacts_.predict(clock_.time(), duration)) return false;
+    if (!contacts_.neighbors().needs_rebuild()) return true;
     renew_neighbors();
     integrator_.kicks().begin(duration);
-    if (!integrator_.plan(duration)) return false;
+    if (!integrator_.predict(duration)) return false;
   }
   return false;
 }
 
 /// The result of a step whose motion cannot be planned.
 template <int D>
-StepResult World<D>::out_of_hand() const {
+StepResult World<D>::diverged() const {
   return inverted_cell().body >= 0 ? StepResult::inverted : StepResult::unstable;
 }
 
@@ -69,15 +69,15 @@ template <int D>
 StepResult World<D>::divide() {
   for (;;) {
     double part = 1;
-    if (integrator_.most_turned() > most_turn) {
-      part = 0.9 * most_turn / integrator_.most_turned();
-    } else if (fast_motion_.any()) {
-      part = fast_motion_.calm_part();
+    if (integrator_.max_rotation() > max_turn) {
+      part = 0.9 * max_turn / integrator_.max_rotation();
+    } else if (continuous_collision_.any()) {
+      part = continuous_collision_.safe_fraction();
       if (part < 1 && model_.settings.fast_blocks == FastBlocks::refuse) return StepResult::too_fast;
     }
     if (part >= 1) return StepResult::ok;
-    if (!(part * integrator_.duration() >= least_part * clock_.time_step())) return StepResult::unstable;
-    if (!plan_motion(part * integrator_.duration())) return out_of_hand();
+    if (!(part * integrator_.duration() >= min_part * clock_.time_step())) return StepResult::unstable;
+    if (!predict_motion(part * integrator_.duration())) return diverged();
   }
 }
 
@@ -88,15 +88,15 @@ bool World<D>::choose_time_step() {
   const double stable = model_.settings.safety * stable_step_.bound();
   // One that is divided where blocks are fast need not know of speeds.
   return clock_.choose(model_.settings.fast_blocks == FastBlocks::refuse
-                           ? std::min(stable, fast_motion_.calm_time_step())
+                           ? std::min(stable, continuous_collision_.safe_time_step())
                            : stable);
 }
 
 template <int D>
-void World<D>::note_speeds(const Stock& stock) {
+void World<D>::note_speeds(const EnergySample& sample) {
   // One beyond all numbers is the largest.
-  peak_speed_ = std::max(peak_speed_, std::min(std::sqrt(stock.squared_speed), largest_double));
-  fast_motion_.note_speeds(stock);
+  peak_speed_ = std::max(peak_speed_, std::min(std::sqrt(sample.squared_speed), largest_double));
+  continuous_collision_.note_speeds(sample);
 }
 
 template <int D>
@@ -113,9 +113,9 @@ StepResult World<D>::prepare() {
   if (model_.settings.sleep_tolerance > 0) sleep_.resize(slots);
   evaluate_forces(0);
   double noise = 0;
-  const Stock stock = integrator_.begin(clock_.time_step(), noise);
-  note_speeds(stock);
-  ledger_.begin(stock, noise);
+  const EnergySample sample = integrator_.begin(clock_.time_step(), noise);
+  note_speeds(sample);
+  ledger_.begin(sample, noise);
   edited_ = false;
   return StepResult::ok;
 }
@@ -125,53 +125,53 @@ template <int D>
 void World<D>::move() {
   const double duration = integrator_.duration();
   model_.fix_potential_length();
-  if (reactions_.is_wanted()) reactions_.book_first(ledger_);
+  if (hard_contacts_.is_wanted()) hard_contacts_.apply_position_impulses(ledger_);
   integrator_.kick_and_drift();
   forget_contacts();
   made_ = duration;
   lap(Pass::motion);
   evaluate_forces(duration);
   made_ = 0;
-  if (reactions_.is_wanted()) {
-    reactions_.look();
-    spring_stop_.note(reactions_.deepest());
+  if (hard_contacts_.is_wanted()) {
+    hard_contacts_.look();
+    penetration_bound_.note(hard_contacts_.deepest());
     lap(Pass::reactions);
   }
-  Stock stock = integrator_.kick();
+  EnergySample sample = integrator_.kick();
   lap(Pass::motion);
-  if (reactions_.is_wanted()) {
-    reactions_.stop(stock, ledger_);
+  if (hard_contacts_.is_wanted()) {
+    hard_contacts_.stop(sample, ledger_);
     lap(Pass::reactions);
   }
-  note_speeds(stock);
-  ledger_.book(stock, duration);
+  note_speeds(sample);
+  ledger_.book(sample, duration);
   contacts_.neighbors().tidy_plans();
   lap(Pass::book);
 }
 
 /// Plans what is left of the step: in one go, or as much of it as fast blocks may do at once.
 template <int D>
-StepResult World<D>::plan_rest() {
-  if (ledger_.makes_energy()) return StepResult::unstable;
-  return plan_motion(clock_.rest()) ? divide() : out_of_hand();
+StepResult World<D>::predict_rest() {
+  if (ledger_.is_unstable()) return StepResult::unstable;
+  return predict_motion(clock_.rest()) ? divide() : diverged();
 }
 
 template <int D>
-StepResult World<D>::prepare_and_plan() {
-  if (contacts_.has_fresh()) make_bonds();
+StepResult World<D>::prepare_and_predict() {
+  if (contacts_.has_new_blocks()) make_bonds();
   const StepResult result = prepare();
-  return result == StepResult::ok ? plan_rest() : result;
+  return result == StepResult::ok ? predict_rest() : result;
 }
 
 /// A changed world finds its contacts and makes its bonds before it shows how much memory the motion takes:
 /// when there is too little, what was known before is put back.
 template <int D>
-StepResult World<D>::plan_changed() {
-  renew_used_up_neighbors();
+StepResult World<D>::predict_changed() {
+  renew_neighbors_if_needed();
   contacts_.neighbors().remember_pairs();
   const auto before = copies_of(state(), model_.blocks.kind.get_allocator().resource());
   try {
-    return prepare_and_plan();
+    return prepare_and_predict();
   } catch (const std::bad_alloc&) {
     contacts_.neighbors().recall_pairs();
     state() = before;
@@ -185,33 +185,34 @@ template <int D>
 StepResult World<D>::step() {
   int motions = 0;
   wake(sleep_.wake_in_time(clock_.time(), clock_.time_step()));
-  StepResult result = edited_ || contacts_.has_fresh() ? plan_changed() : plan_rest();
-  for (;; result = plan_rest()) {
+  StepResult result = edited_ || contacts_.has_new_blocks() ? predict_changed() : predict_rest();
+  for (;; result = predict_rest()) {
     if (result != StepResult::ok) return result;
     const double duration = integrator_.duration();
     const bool is_last = duration >= clock_.rest();
     move();
     if (is_last) break;
     clock_.pass_part(duration);
-    if (++motions == most_motions) return fast_motion_.any() ? StepResult::too_fast : StepResult::unstable;
+    if (++motions == max_motions)
+      return continuous_collision_.any() ? StepResult::too_fast : StepResult::unstable;
   }
   clock_.complete_step();
   look_for_sleep();
   return StepResult::ok;
 }
 
-#define HALFSPACE_MEMBERS(D)                         \
-  template bool World<D>::plan_motion(double);       \
-  template bool World<D>::plan_reactions(double);    \
-  template StepResult World<D>::out_of_hand() const; \
-  template StepResult World<D>::divide();            \
-  template bool World<D>::choose_time_step();        \
-  template void World<D>::note_speeds(const Stock&); \
-  template StepResult World<D>::prepare();           \
-  template void World<D>::move();                    \
-  template StepResult World<D>::plan_rest();         \
-  template StepResult World<D>::prepare_and_plan();  \
-  template StepResult World<D>::plan_changed();      \
+#define HALFSPACE_MEMBERS(D)                                \
+  template bool World<D>::predict_motion(double);           \
+  template bool World<D>::predict_hard_contacts(double);    \
+  template StepResult World<D>::diverged() const;           \
+  template StepResult World<D>::divide();                   \
+  template bool World<D>::choose_time_step();               \
+  template void World<D>::note_speeds(const EnergySample&); \
+  template StepResult World<D>::prepare();                  \
+  template void World<D>::move();                           \
+  template StepResult World<D>::predict_rest();             \
+  template StepResult World<D>::prepare_and_predict();      \
+  template StepResult World<D>::predict_changed();          \
   template StepResult World<D>::step();
 
 HALFSPACE_MEMBERS(2)

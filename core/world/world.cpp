@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "world/strength.h"
+#include "world/relaxation/strength.h"
 
 namespace halfspace {
 
@@ -16,17 +16,17 @@ World<D>::World(const WorldSettings<D>& settings, Memory* memory, Threads* threa
       bond_pass_(model_),
       sleep_(memory),
       integrator_(model_, contacts_.neighbors(), forces_, sleep_, threads, memory),
-      reactions_(model_, contacts_, integrator_, memory),
+      hard_contacts_(model_, contacts_, integrator_, memory),
       stable_step_(model_, contacts_, memory),
-      spring_stop_(model_, contacts_),
-      fast_motion_(model_, contacts_, integrator_, clock_, stable_step_, spring_stop_, worker_count(threads),
-                   memory),
+      penetration_bound_(model_, contacts_),
+      continuous_collision_(model_, contacts_, integrator_, clock_, stable_step_, penetration_bound_,
+                            worker_count(threads), memory),
       entrances_(model_, contacts_),
       sums_(memory) {}
 
 template <int D>
 void World<D>::make_bonds() {
-  if (model_.materials.laws().any([](const SpringLaw& law) { return law.bonds(); })) {
+  if (model_.materials.laws().any([](const ContactLaw& law) { return law.bonds(); })) {
     detect();
     contacts_.bond_fresh();
     forget_contacts();  // bonded pairs count as such from now on
@@ -43,9 +43,9 @@ void World<D>::forget_contacts() {
 
 template <int D>
 void World<D>::fit_rooms() {
-  fast_motion_.fit_room();
+  continuous_collision_.fit_room();
   forces_.fit_rooms();
-  if (reactions_.is_wanted()) reactions_.survey();
+  if (hard_contacts_.is_wanted()) hard_contacts_.rebuild_surface();
   sums_.reserve(chunk_count(contacts_.neighbors().room(), pairs_per_chunk));
 }
 
@@ -58,7 +58,7 @@ void World<D>::renew_neighbors() {
   Bonds<D>& bonds = model_.blocks.bonds();
   if (!bonds.rings().is_current()) bonds.rings().find(model_.blocks);
   const bool with_shear =
-      model_.materials.laws().any([](const SpringLaw& law) { return law.resists_shear(); });
+      model_.materials.laws().any([](const ContactLaw& law) { return law.resists_shear(); });
   neighbors.search_again(model_.blocks, model_.settings.skin, with_shear);
   contacts_.fit_room();
   fit_rooms();
@@ -70,8 +70,8 @@ void World<D>::renew_neighbors() {
 
 /// Contacts that are to be found need a list that is not used up.
 template <int D>
-void World<D>::renew_used_up_neighbors() {
-  if (!contacts_.are_found() && contacts_.neighbors().used_up()) renew_neighbors();
+void World<D>::renew_neighbors_if_needed() {
+  if (!contacts_.are_found() && contacts_.neighbors().needs_rebuild()) renew_neighbors();
 }
 
 /// Finds the contacts among a chunk of pairs. Calls `on_contact(k, contact)` for each that there was before,
@@ -81,7 +81,7 @@ template <class OnContact>
 void World<D>::find_in(const Chunk& chunk, PairSums& sums, OnContact on_contact) {
   Array<Candidate<D>>& pairs = contacts_.neighbors().pairs();
   Contact<D> contact;
-  const bool some_have_no_spring = reactions_.is_wanted();
+  const bool some_have_no_spring = hard_contacts_.is_wanted();
   for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
     if (some_have_no_spring && model_.law_of(pairs[k]).has_no_spring()) continue;
     if (sleep_.leaves_out(pairs[k])) {
@@ -92,7 +92,7 @@ void World<D>::find_in(const Chunk& chunk, PairSums& sums, OnContact on_contact)
     if (found == Found::apart) continue;
     if (found == Found::met) {
       if (made_ > 0 && contacts_.is_described(pairs[k]))
-        fast_motion_.find_entrance(pairs[k], made_, chunk.worker);
+        continuous_collision_.find_entrance(pairs[k], made_, chunk.worker);
       contacts_.keep_met(k, chunk.begin, sums);
       continue;
     }
@@ -115,7 +115,7 @@ void World<D>::take_in_met(OnContact on_contact) {
         entrances_.describe(k, sums_, contact);
         contacts_.note_overlap(k, contact, sums);
       }
-      sums.deepest_stop = std::max(sums.deepest_stop, spring_stop_.of_meeting(pair));
+      sums.max_penetration_ratio = std::max(sums.max_penetration_ratio, penetration_bound_.of_meeting(pair));
       on_contact(k, contact, sums);
     }
   }
@@ -134,7 +134,7 @@ template <int D>
 void World<D>::end_finding() {
   contacts_.end(sums_);
   for (const PairSums& sums : sums_) {
-    spring_stop_.note(sums.deepest_stop);
+    penetration_bound_.note(sums.max_penetration_ratio);
     ledger_.add_friction_loss(sums.released);
   }
 }
@@ -142,7 +142,7 @@ void World<D>::end_finding() {
 template <int D>
 void World<D>::detect() {
   if (contacts_.are_found()) return;
-  renew_used_up_neighbors();
+  renew_neighbors_if_needed();
   forget_contacts();
   pass_over_pairs([&](const Chunk& chunk, PairSums& sums) {
     find_in(chunk, sums, [](std::size_t, const Contact<D>&) {});
@@ -154,7 +154,7 @@ void World<D>::detect() {
 /// Finds the contacts on the way, unless they are known.
 template <int D>
 void World<D>::evaluate_forces(double elapsed) {
-  renew_used_up_neighbors();
+  renew_neighbors_if_needed();
   if (sleep_.any() && !are_left_out_loaded_) load_left_out();
   const bool are_found = contacts_.are_found();
   if (!are_found) forget_contacts();
@@ -218,10 +218,10 @@ void World<D>::load_left_out() {
 /// Contacts without a spring have an order of their own: a world with any does not sleep.
 template <int D>
 void World<D>::look_for_sleep() {
-  if (!(model_.settings.sleep_tolerance > 0) || reactions_.is_wanted()) return;
+  if (!(model_.settings.sleep_tolerance > 0) || hard_contacts_.is_wanted()) return;
   if (clock_.steps() % steps_between_looks != 0) return;
   if (sleep_.look(model_, contacts_, clock_.time(), least_sleep_in_steps * clock_.time_step(),
-                  [&](std::size_t i) { return integrator_.pace_of(i); }))
+                  [&](std::size_t i) { return integrator_.speed_bound_of(i); }))
     are_left_out_loaded_ = false;
 }
 
@@ -230,7 +230,7 @@ void World<D>::look_for_sleep() {
 template <int D>
 void World<D>::load_by_bonds(double elapsed) {
   BondEnergy energy;
-  if (bond_pass_.load(clock_.steps(), clock_.time() + elapsed, energy)) contacts_.neighbors().expire();
+  if (bond_pass_.load(clock_.steps(), clock_.time() + elapsed, energy)) contacts_.neighbors().invalidate();
   bond_strain_energy_ = energy.strain;
   ledger_.set_contact_strain(ledger_.entries().strain + energy.strain);
   ledger_.add_fracture_loss(energy.fracture_loss);
@@ -267,9 +267,10 @@ template <int D>
 bool World<D>::is_consistent() const {
   return model_.is_consistent() && contacts_.is_consistent() && integrator_.is_consistent(edited_) &&
          (edited_ || contacts_.neighbors().list_length() == model_.blocks.slot_count()) &&
-         clock_.is_consistent() && reactions_.is_consistent() &&
+         clock_.is_consistent() && hard_contacts_.is_consistent() &&
          sleep_.is_consistent(model_.blocks.slot_count(), !edited_ && model_.settings.sleep_tolerance > 0) &&
-         spring_stop_.is_consistent() && is_from_zero(peak_speed_) && is_strength_factor(strength_factor_);
+         penetration_bound_.is_consistent() && is_nonnegative(peak_speed_) &&
+         is_strength_factor(strength_factor_);
 }
 
 template class World<2>;

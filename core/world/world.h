@@ -7,19 +7,19 @@
 #include <tuple>
 
 #include "block/mesh/surface.h"
-#include "world/balance.h"
-#include "world/bond_pass.h"
-#include "world/clock.h"
-#include "world/contact_list.h"
-#include "world/entrance.h"
-#include "world/fast_motion.h"
-#include "world/force_pass.h"
-#include "world/integrator.h"
+#include "world/contacts/bond_pass.h"
+#include "world/contacts/contact_list.h"
+#include "world/contacts/entrance.h"
+#include "world/contacts/force_pass.h"
+#include "world/hard_contact/hard_contacts.h"
 #include "world/ledger.h"
-#include "world/model.h"
-#include "world/reaction_pass.h"
-#include "world/spring_stop.h"
-#include "world/stable_step.h"
+#include "world/model/model.h"
+#include "world/motion/clock.h"
+#include "world/motion/continuous_collision.h"
+#include "world/motion/integrator.h"
+#include "world/motion/penetration_bound.h"
+#include "world/motion/stable_step.h"
+#include "world/relaxation/balance.h"
 #include "world/stopwatch.h"
 
 namespace halfspace {
@@ -48,13 +48,13 @@ struct StressField {
 struct Relaxed {
   StepResult result = StepResult::ok;
   bool is_at_rest = false;
-  bool has_fallen = false;  // some block or node has moved too far
+  bool has_failed = false;  // some block or node has moved too far
   std::int64_t steps = 0;
   Balance balance;
 };
 
 /// The most motions in one call of step().
-constexpr int most_motions = 1 << 14;
+constexpr int max_motions = 1 << 14;
 
 /// Blocks, their contacts, and time. Holds the parts of a world and puts them in order: a step plans a
 /// motion, makes its first half, finds the contacts at the new places, loads the blocks with their forces,
@@ -72,8 +72,8 @@ class World {
   /// False when a cell of that material would be too stiff to be computed with: then nothing has changed.
   bool set_elasticity(std::int32_t material, const Elasticity& elasticity);
   const Elasticity& elasticity(std::int32_t material) const { return model_.materials.elasticity(material); }
-  void set_default_law(const SpringLaw& law);
-  void set_law(std::int32_t a, std::int32_t b, const SpringLaw& law);
+  void set_default_law(const ContactLaw& law);
+  void set_law(std::int32_t a, std::int32_t b, const ContactLaw& law);
   std::int32_t add_block(const Shape<D>& shape, BlockKind kind, std::int32_t material,
                          const Vector<D>& position, const Rotation<D>& rotation);
   void remove_block(std::int32_t slot);
@@ -151,7 +151,7 @@ class World {
   }
   const NeighborList<D>& candidates() const { return contacts_.neighbors(); }
   /// Contacts by laws without a spring.
-  const ReactionPass<D>& reactions() const { return reactions_; }
+  const HardContacts<D>& hard_contacts() const { return hard_contacts_; }
   const Ledger& ledger() const { return ledger_.entries(); }
   double time() const { return clock_.time(); }
   std::int64_t steps() const { return clock_.steps(); }
@@ -163,11 +163,11 @@ class World {
   /// After StepResult::inverted.
   const InvertedCell& inverted_cell() const { return integrator_.inverted(); }
   /// After StepResult::too_fast.
-  const FastPair& fast_pair() const { return fast_motion_.pair(); }
+  const FastPair& fast_pair() const { return continuous_collision_.pair(); }
   std::int64_t sleeping_count() const { return sleep_.count(); }
   /// The most of its way that any block has missed by sleep.
-  double missed_by_sleep() const { return sleep_.missed(clock_.time()); }
-  double deepest_stop() const { return spring_stop_.deepest(); }
+  double max_sleep_error() const { return sleep_.max_error(clock_.time()); }
+  double max_penetration_ratio() const { return penetration_bound_.deepest(); }
   double peak_overlap() const { return contacts_.peak_overlap(); }
   /// The largest of all blocks that move freely, at the ends of all motions so far.
   double peak_speed() const { return peak_speed_; }
@@ -196,8 +196,8 @@ class World {
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(model_, contacts_, forces_, integrator_, ledger_, clock_, spring_stop_, peak_speed_,
-            bond_strain_energy_, strength_factor_, reactions_, sleep_, edited_);
+    archive(model_, contacts_, forces_, integrator_, ledger_, clock_, penetration_bound_, peak_speed_,
+            bond_strain_energy_, strength_factor_, hard_contacts_, sleep_, edited_);
   }
 
  private:
@@ -212,7 +212,7 @@ class World {
   std::int64_t make_bonds_of(const BondLaw& law, Make make);
   void forget_contacts();
   void renew_neighbors();
-  void renew_used_up_neighbors();
+  void renew_neighbors_if_needed();
   template <class OnContact>
   void find_in(const Chunk& pairs, PairSums& sums, OnContact on_contact);
   template <class Visit>
@@ -227,11 +227,11 @@ class World {
   void look_for_sleep();
   void stop_all();
   bool leaves_room_for_damping(double time_step);
-  template <class Watch>
-  void relax_under_damping(const Relaxation& relaxation, Watch& watch, Relaxed& relaxed);
+  template <class RestMonitor>
+  void relax_under_damping(const Relaxation& relaxation, RestMonitor& monitor, Relaxed& relaxed);
   void evaluate_forces(double elapsed);
   bool choose_time_step();
-  void note_speeds(const Stock& stock);
+  void note_speeds(const EnergySample& sample);
   /// All that a step of a changed world writes to before it moves the blocks, but for the pairs and what is
   /// worked out anew from the rest.
   auto state() {
@@ -239,13 +239,13 @@ class World {
                           model_.blocks.bonds().state(), model_.blocks.meshes().state(),
                           std::tie(peak_speed_, bond_strain_energy_, edited_));
   }
-  bool plan_motion(double duration);
-  bool plan_reactions(double duration);
-  StepResult prepare_and_plan();
-  StepResult plan_changed();
-  StepResult plan_rest();
+  bool predict_motion(double duration);
+  bool predict_hard_contacts(double duration);
+  StepResult prepare_and_predict();
+  StepResult predict_changed();
+  StepResult predict_rest();
   StepResult divide();
-  StepResult out_of_hand() const;
+  StepResult diverged() const;
   void move();
   void lap(Pass pass) {
     if (stopwatch_) stopwatch_->lap(pass);
@@ -261,10 +261,10 @@ class World {
   BondPass<D> bond_pass_;
   Sleep<D> sleep_;
   Integrator<D> integrator_;
-  ReactionPass<D> reactions_;
+  HardContacts<D> hard_contacts_;
   StableStep<D> stable_step_;
-  SpringStop<D> spring_stop_;
-  FastMotion<D> fast_motion_;
+  PenetrationBound<D> penetration_bound_;
+  ContinuousCollision<D> continuous_collision_;
   Entrances<D> entrances_;
   Array<PairSums> sums_;  // of each chunk of pairs
   double peak_speed_ = 0;

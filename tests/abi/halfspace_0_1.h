@@ -44,6 +44,7 @@ typedef struct hs_contact {
   double normal_force;
   double shear_force[3];
   double twist;
+  double touched_at;
 } hs_contact;
 enum {
   HS_STIFFNESS_PER_CONTACT = 0,
@@ -272,11 +273,14 @@ typedef struct hs_world_report {
   double block_strain_energy;
   double block_damping_loss;
   int64_t divided_steps;
-  double deepest_stop;
+  double max_penetration_ratio;
   double peak_overlap;
   double peak_speed;
   int64_t sleeping_count;
-  double missed_by_sleep;
+  double max_sleep_error;
+  int64_t touch_count;
+  int64_t iteration_count;
+  double impact_loss;
 } hs_world_report;
 __attribute__((visibility("default"))) hs_status hs_world_def_init(hs_world_def *def, size_t size, int32_t dimension);
 __attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_create(hs_context *context, const hs_world_def *def, hs_world **world);
@@ -538,7 +542,7 @@ enum {
   HS_PART_STRAIN = 32,
   HS_PART_LOCAL_DAMPING = 64,
   HS_PART_MASS_DAMPING = 128,
-  HS_PART_REACTIONS = 256,
+  HS_PART_HARD_CONTACTS = 256,
   HS_PART_SLEEP = 512
 };
 typedef struct hs_world_plan {
@@ -560,7 +564,7 @@ typedef struct hs_world_plan {
   double pair_seconds;
   double gather_seconds;
   double motion_seconds;
-  double book_seconds;
+  double ledger_seconds;
   int64_t body_count;
   int64_t cell_count;
   int64_t node_count;
@@ -571,31 +575,9 @@ typedef struct hs_world_plan {
   hs_body limiting_body;
   int64_t limiting_cell;
   double bond_seconds;
-  double reaction_seconds;
+  double hard_contact_seconds;
 } hs_world_plan;
 __attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_get_plan(const hs_world *world, int64_t steps, hs_world_plan *plan, size_t size);
-typedef struct hs_reaction {
-  uint64_t block_a;
-  uint64_t block_b;
-  int32_t pair_kind;
-  int32_t feature_a;
-  int32_t feature_b;
-  int32_t reserved;
-  double point[3];
-  double normal[3];
-  double force[3];
-  double gap;
-  double touched_at;
-} hs_reaction;
-typedef struct hs_reaction_report {
-  int64_t reaction_count;
-  int64_t touch_count;
-  int64_t round_count;
-  double impact_loss;
-} hs_reaction_report;
-__attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_get_reactions(const hs_world *world, hs_reaction reactions[], int64_t capacity,
-                                            int64_t *count);
-__attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_get_reaction_report(const hs_world *world, hs_reaction_report *report, size_t size);
 enum {
   HS_UNBALANCED_MEAN = 0,
   HS_UNBALANCED_LARGEST = 1
@@ -604,7 +586,7 @@ typedef struct hs_relaxation_def {
   uint32_t struct_size;
   int32_t measure;
   double ratio;
-  int64_t most_steps;
+  int64_t max_steps;
   double local_damping;
   int32_t is_adaptive;
   int32_t hold_bonds;
@@ -614,7 +596,7 @@ typedef struct hs_balance {
   double largest;
   double largest_force;
   int64_t steps;
-  hs_block least_balanced;
+  hs_block largest_force_block;
 } hs_balance;
 __attribute__((visibility("default"))) hs_status hs_relaxation_def_init(hs_relaxation_def *def, size_t size);
 __attribute__((visibility("default"))) __attribute__((warn_unused_result)) hs_status hs_world_relax(hs_world *world, const hs_relaxation_def *def, hs_balance *balance, size_t size);
@@ -629,8 +611,8 @@ typedef struct hs_strength_def {
   double high;
   double resolution;
   double ratio;
-  double most_way;
-  int64_t most_steps;
+  double max_displacement;
+  int64_t max_steps;
 } hs_strength_def;
 typedef struct hs_strength_report {
   double factor;

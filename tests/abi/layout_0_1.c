@@ -9,7 +9,7 @@
   _Static_assert(offsetof(type, field) == offset && sizeof(((type *)0)->field) == size, #type "." #field)
 
 
-_Static_assert(sizeof(hs_contact) == 488, "hs_contact");
+_Static_assert(sizeof(hs_contact) == 496, "hs_contact");
 FIELD(hs_contact, block_a, 0, 8);
 FIELD(hs_contact, block_b, 8, 8);
 FIELD(hs_contact, type, 16, 4);
@@ -32,6 +32,7 @@ FIELD(hs_contact, force_point, 424, 24);
 FIELD(hs_contact, normal_force, 448, 8);
 FIELD(hs_contact, shear_force, 456, 24);
 FIELD(hs_contact, twist, 480, 8);
+FIELD(hs_contact, touched_at, 488, 8);
 
 _Static_assert(sizeof(hs_law_def) >= 64, "hs_law_def");
 FIELD(hs_law_def, struct_size, 0, 4);
@@ -151,7 +152,7 @@ FIELD(hs_energy, mass_damping_loss, 48, 8);
 FIELD(hs_energy, outer_work, 56, 8);
 FIELD(hs_energy, residual, 64, 8);
 
-_Static_assert(sizeof(hs_world_report) >= 232, "hs_world_report");
+_Static_assert(sizeof(hs_world_report) >= 256, "hs_world_report");
 FIELD(hs_world_report, dimension, 0, 4);
 FIELD(hs_world_report, reserved, 4, 4);
 FIELD(hs_world_report, steps, 8, 8);
@@ -169,11 +170,14 @@ FIELD(hs_world_report, potential_length, 160, 8);
 FIELD(hs_world_report, block_strain_energy, 168, 8);
 FIELD(hs_world_report, block_damping_loss, 176, 8);
 FIELD(hs_world_report, divided_steps, 184, 8);
-FIELD(hs_world_report, deepest_stop, 192, 8);
+FIELD(hs_world_report, max_penetration_ratio, 192, 8);
 FIELD(hs_world_report, peak_overlap, 200, 8);
 FIELD(hs_world_report, peak_speed, 208, 8);
 FIELD(hs_world_report, sleeping_count, 216, 8);
-FIELD(hs_world_report, missed_by_sleep, 224, 8);
+FIELD(hs_world_report, max_sleep_error, 224, 8);
+FIELD(hs_world_report, touch_count, 232, 8);
+FIELD(hs_world_report, iteration_count, 240, 8);
+FIELD(hs_world_report, impact_loss, 248, 8);
 
 _Static_assert(sizeof(hs_elasticity_def) >= 32, "hs_elasticity_def");
 FIELD(hs_elasticity_def, struct_size, 0, 4);
@@ -321,7 +325,7 @@ FIELD(hs_world_plan, search_seconds, 104, 8);
 FIELD(hs_world_plan, pair_seconds, 112, 8);
 FIELD(hs_world_plan, gather_seconds, 120, 8);
 FIELD(hs_world_plan, motion_seconds, 128, 8);
-FIELD(hs_world_plan, book_seconds, 136, 8);
+FIELD(hs_world_plan, ledger_seconds, 136, 8);
 FIELD(hs_world_plan, body_count, 144, 8);
 FIELD(hs_world_plan, cell_count, 152, 8);
 FIELD(hs_world_plan, node_count, 160, 8);
@@ -332,32 +336,13 @@ FIELD(hs_world_plan, limiting_bond, 192, 8);
 FIELD(hs_world_plan, limiting_body, 200, 8);
 FIELD(hs_world_plan, limiting_cell, 208, 8);
 FIELD(hs_world_plan, bond_seconds, 216, 8);
-FIELD(hs_world_plan, reaction_seconds, 224, 8);
-
-_Static_assert(sizeof(hs_reaction) == 120, "hs_reaction");
-FIELD(hs_reaction, block_a, 0, 8);
-FIELD(hs_reaction, block_b, 8, 8);
-FIELD(hs_reaction, pair_kind, 16, 4);
-FIELD(hs_reaction, feature_a, 20, 4);
-FIELD(hs_reaction, feature_b, 24, 4);
-FIELD(hs_reaction, reserved, 28, 4);
-FIELD(hs_reaction, point, 32, 24);
-FIELD(hs_reaction, normal, 56, 24);
-FIELD(hs_reaction, force, 80, 24);
-FIELD(hs_reaction, gap, 104, 8);
-FIELD(hs_reaction, touched_at, 112, 8);
-
-_Static_assert(sizeof(hs_reaction_report) >= 32, "hs_reaction_report");
-FIELD(hs_reaction_report, reaction_count, 0, 8);
-FIELD(hs_reaction_report, touch_count, 8, 8);
-FIELD(hs_reaction_report, round_count, 16, 8);
-FIELD(hs_reaction_report, impact_loss, 24, 8);
+FIELD(hs_world_plan, hard_contact_seconds, 224, 8);
 
 _Static_assert(sizeof(hs_relaxation_def) >= 40, "hs_relaxation_def");
 FIELD(hs_relaxation_def, struct_size, 0, 4);
 FIELD(hs_relaxation_def, measure, 4, 4);
 FIELD(hs_relaxation_def, ratio, 8, 8);
-FIELD(hs_relaxation_def, most_steps, 16, 8);
+FIELD(hs_relaxation_def, max_steps, 16, 8);
 FIELD(hs_relaxation_def, local_damping, 24, 8);
 FIELD(hs_relaxation_def, is_adaptive, 32, 4);
 FIELD(hs_relaxation_def, hold_bonds, 36, 4);
@@ -367,7 +352,7 @@ FIELD(hs_balance, mean, 0, 8);
 FIELD(hs_balance, largest, 8, 8);
 FIELD(hs_balance, largest_force, 16, 8);
 FIELD(hs_balance, steps, 24, 8);
-FIELD(hs_balance, least_balanced, 32, 8);
+FIELD(hs_balance, largest_force_block, 32, 8);
 
 _Static_assert(sizeof(hs_strength_def) >= 56, "hs_strength_def");
 FIELD(hs_strength_def, struct_size, 0, 4);
@@ -376,8 +361,8 @@ FIELD(hs_strength_def, low, 8, 8);
 FIELD(hs_strength_def, high, 16, 8);
 FIELD(hs_strength_def, resolution, 24, 8);
 FIELD(hs_strength_def, ratio, 32, 8);
-FIELD(hs_strength_def, most_way, 40, 8);
-FIELD(hs_strength_def, most_steps, 48, 8);
+FIELD(hs_strength_def, max_displacement, 40, 8);
+FIELD(hs_strength_def, max_steps, 48, 8);
 
 _Static_assert(sizeof(hs_strength_report) >= 40, "hs_strength_report");
 FIELD(hs_strength_report, factor, 0, 8);
@@ -489,7 +474,7 @@ _Static_assert(HS_PART_POTENTIAL == 16, "HS_PART_POTENTIAL");
 _Static_assert(HS_PART_STRAIN == 32, "HS_PART_STRAIN");
 _Static_assert(HS_PART_LOCAL_DAMPING == 64, "HS_PART_LOCAL_DAMPING");
 _Static_assert(HS_PART_MASS_DAMPING == 128, "HS_PART_MASS_DAMPING");
-_Static_assert(HS_PART_REACTIONS == 256, "HS_PART_REACTIONS");
+_Static_assert(HS_PART_HARD_CONTACTS == 256, "HS_PART_HARD_CONTACTS");
 _Static_assert(HS_PART_SLEEP == 512, "HS_PART_SLEEP");
 
 _Static_assert(HS_UNBALANCED_MEAN == 0, "HS_UNBALANCED_MEAN");

@@ -70,7 +70,7 @@ def fall_asleep(world):
 
 def seconds(plan):
     return float(plan.search_seconds + plan.pair_seconds + plan.gather_seconds + plan.bond_seconds
-                 + plan.motion_seconds + plan.reaction_seconds + plan.book_seconds)
+                 + plan.motion_seconds + plan.hard_contact_seconds + plan.ledger_seconds)
 
 
 def main():

@@ -98,11 +98,6 @@ class MeshWorld {
   const CountingMemory& memory() const { return memory_; }
   void step(int steps) const { check(hs_world_step(world_.get(), steps)); }
 
-  hs_reaction_report reactions() const {
-    hs_reaction_report report;
-    check(hs_world_get_reaction_report(world_.get(), &report, sizeof report));
-    return report;
-  }
   hs_world_report report() const {
     hs_world_report report;
     check(hs_world_get_report(world_.get(), &report, sizeof report));
@@ -196,16 +191,15 @@ void time_contacts(int32_t kind, bool on_its_like, int32_t law, const Plan& plan
     of_apart.add(seconds_of([&] { apart.step(steps); }));
   }
   const hs_world_report report = touching.report();
-  const hs_reaction_report reactions = touching.reactions();
-  const std::int64_t contacts = has_spring ? report.contact_count : reactions.reaction_count;
   const double of_cell = of_apart.minimum() / (steps * apart.cells()),
-               of_contact = (of_touching.minimum() - of_apart.minimum()) / (steps * double(contacts));
+               of_contact =
+                   (of_touching.minimum() - of_apart.minimum()) / (steps * double(report.contact_count));
   std::printf("%-10s %-8s %-8s %7.0f %8lld %8lld %10lld %8.1f %8.1f %8.1f %8.1f\n",
               halfspace_test::name_of_cell(kind), on_its_like ? "its like" : "a block",
               has_spring ? "per area" : "none", touching.cells(), static_cast<long long>(report.block_count),
-              static_cast<long long>(contacts), static_cast<long long>(report.candidate_count), 1e9 * of_cell,
-              1e9 * of_contact, of_contact / of_cell,
-              0.5 * double(reactions.round_count) / double(report.steps));
+              static_cast<long long>(report.contact_count), static_cast<long long>(report.candidate_count),
+              1e9 * of_cell, 1e9 * of_contact, of_contact / of_cell,
+              0.5 * double(report.iteration_count) / double(report.steps));
   std::fflush(stdout);
 }
 

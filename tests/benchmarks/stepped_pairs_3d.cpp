@@ -12,9 +12,9 @@
 namespace halfspace_benchmark {
 namespace {
 
+using halfspace::PairCache;
 using halfspace::Rotation;
 using halfspace::Vector;
-using halfspace::Witness;
 
 Vector<3> draw_direction(Random& random) {
   const auto d = halfspace_test::random_direction(random);
@@ -50,21 +50,21 @@ class SteppedPair {
   }
 
   bool judge_without_memory() const {
-    Witness<3> witness;
+    PairCache<3> witness;
     judge_pair(a_, b_, to_b_, witness);
-    return witness.state == Witness<3>::touching;
+    return witness.state == PairCache<3>::touching;
   }
   bool judge() {
     if (!still_separated(a_, b_, to_b_, judged_)) judge_pair(a_, b_, to_b_, judged_);
-    return judged_.state == Witness<3>::touching;
+    return judged_.state == PairCache<3>::touching;
   }
   /// Leaves the witness as it is after a step of a world, but for the verdict.
   void describe(halfspace::Contact<3>& contact) {
-    if (judged_.state == Witness<3>::touching) describe_contact<3>(a_, b_, to_b_, judged_, {}, contact);
+    if (judged_.state == PairCache<3>::touching) describe_contact<3>(a_, b_, to_b_, judged_, {}, contact);
   }
 
   bool find_contact_without_memory(halfspace::Contact<3>& contact) const {
-    Witness<3> witness;
+    PairCache<3> witness;
     return halfspace::find_contact(a_, b_, to_b_, {}, witness, contact);
   }
   bool find_contact(halfspace::Contact<3>& contact) {
@@ -82,8 +82,8 @@ class SteppedPair {
   halfspace::Outline<3> a_;  // into outlines_, as both blocks are turned there
   halfspace::Outline<3> b_;
   Vector<3> to_b_;
-  Witness<3> judged_;
-  Witness<3> found_;
+  PairCache<3> judged_;
+  PairCache<3> found_;
 };
 
 }  // namespace

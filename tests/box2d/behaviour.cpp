@@ -22,7 +22,7 @@ struct Arena {
   std::optional<NarrowPhase> narrow_phase;
 };
 
-class Witness : public b2ContactListener {
+class PairCache : public b2ContactListener {
  public:
   void BeginContact(b2Contact*) override { ++begun; }
   void EndContact(b2Contact*) override { ++ended; }
@@ -58,9 +58,9 @@ TEST_CASE("a box falls 3 m and lies at 1.01 m a second later") {
 }
 
 TEST_CASE("a listener sees the same bounces, and impulses that carry the weight") {
-  Witness witnesses[2];
+  PairCache witnesses[2];
   for (const bool by_halfspaces : {false, true}) {
-    Witness& witness = witnesses[by_halfspaces];
+    PairCache& witness = witnesses[by_halfspaces];
     Arena arena(by_halfspaces);
     arena.world.SetAllowSleeping(false);
     arena.world.SetContactListener(&witness);
@@ -96,7 +96,7 @@ TEST_CASE("a bullet does not pass a thin wall") {
 
 TEST_CASE("sensors begin and end as they do") {
   for (const bool by_halfspaces : {false, true}) {
-    Witness witness;
+    PairCache witness;
     Arena arena(by_halfspaces);
     arena.world.SetContactListener(&witness);
     add_polygon(arena.world, box_shape(1, 1), {0, 0}, 0, b2_staticBody).SetSensor(true);
@@ -134,7 +134,7 @@ TEST_CASE("a block stays on a slope below the angle of friction, and slides abov
 
 TEST_CASE("a belt that a listener sets moving carries a box") {
   for (const bool by_halfspaces : {false, true}) {
-    Witness witness;
+    PairCache witness;
     witness.belt_speed = 2;
     Arena arena(by_halfspaces);
     arena.world.SetContactListener(&witness);

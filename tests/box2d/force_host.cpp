@@ -45,7 +45,7 @@ class LastFreedFirst {
   std::map<std::size_t, std::vector<void*>> freed_;
 };
 
-class Witness : public b2ContactListener {
+class PairCache : public b2ContactListener {
  public:
   void BeginContact(b2Contact*) override { ++begun; }
   void EndContact(b2Contact*) override { ++ended; }
@@ -164,7 +164,7 @@ TEST_CASE("a body that has gone to infinity does not stop the others") {
 TEST_CASE("the host's listener sees contacts begin and end, and may let them through") {
   for (const bool lets_through : {false, true}) {
     ForceWorld arena(law_of(1e5, 0));
-    Witness witness;
+    PairCache witness;
     witness.lets_through = lets_through;
     arena.world.SetContactListener(&witness);
     add_floor(arena.world);
@@ -183,7 +183,7 @@ TEST_CASE("at its end the contacts are Box2D's again, at its beginning nobody is
   ForceWorld arena(law_of(1e6, 0.5));
   add_stack(arena.world, 3);
   arena.step(30);
-  Witness witness;
+  PairCache witness;
   arena.world.SetContactListener(&witness);
   arena.forces.reset();
   step(arena.world, 60);

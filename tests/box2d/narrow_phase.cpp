@@ -88,21 +88,21 @@ TEST_CASE("at rest feature ids stay, and impulses are carried from step to step"
 
 TEST_CASE("a narrow phase that leaves everything to Box2D changes no bit") {
   const bool left = true;
-  b2World stock({0, -10}), adapted({0, -10});
+  b2World sample({0, -10}), adapted({0, -10});
   const NarrowPhase narrow_phase(adapted, left_to_box2d(left));
-  for (b2World* world : {&stock, &adapted}) add_stack(*world, 5);
+  for (b2World* world : {&sample, &adapted}) add_stack(*world, 5);
   for (int i = 0; i < 100; ++i) {
-    step(stock);
+    step(sample);
     step(adapted);
-    REQUIRE(state_of(stock) == state_of(adapted));
+    REQUIRE(state_of(sample) == state_of(adapted));
   }
   CHECK(narrow_phase.statistics().pairs == 0);
 }
 
 TEST_CASE("other worlds go on as Box2D's, bit by bit") {
-  b2World stock({0, -10});
-  add_stack(stock, 5);
-  step(stock, 100);
+  b2World sample({0, -10});
+  add_stack(sample, 5);
+  step(sample, 100);
 
   b2World adapted({0, -10}), bystander({0, -10});
   const NarrowPhase narrow_phase(adapted);
@@ -111,7 +111,7 @@ TEST_CASE("other worlds go on as Box2D's, bit by bit") {
     step(adapted);
     step(bystander);
   }
-  CHECK(state_of(bystander) == state_of(stock));
+  CHECK(state_of(bystander) == state_of(sample));
   CHECK(narrow_phase.statistics().pairs > 0);
 }
 
@@ -131,13 +131,13 @@ TEST_CASE("worlds that step in threads of their own go as each would alone") {
 }
 
 TEST_CASE("begun and ended between two steps, it leaves no trace in a living world") {
-  b2World stock({0, -10}), visited({0, -10});
-  for (b2World* world : {&stock, &visited}) add_stack(*world, 5);
+  b2World sample({0, -10}), visited({0, -10});
+  for (b2World* world : {&sample, &visited}) add_stack(*world, 5);
   for (int i = 0; i < 120; ++i) {
     if (i % 10 == 5) NarrowPhase(visited, {});
-    step(stock);
+    step(sample);
     step(visited);
-    REQUIRE(state_of(stock) == state_of(visited));
+    REQUIRE(state_of(sample) == state_of(visited));
   }
 }
 

@@ -23,9 +23,9 @@ Options with_true_polygons() {
 }
 
 /// Box2D's solver, on the contacts of Box2D's own narrow phase.
-class Stock : public Engine {
+class EnergySample : public Engine {
  public:
-  explicit Stock(Stage& stage) : world_(stage.world()) {}
+  explicit EnergySample(Stage& stage) : world_(stage.world()) {}
   void step() override { world_.Step(float(frame_seconds), 8, 3); }
 
  private:
@@ -33,9 +33,10 @@ class Stock : public Engine {
 };
 
 /// Box2D's solver, on those of the half-space narrow phase, which meets the true polygons.
-class Halfspace : public Stock {
+class Halfspace : public EnergySample {
  public:
-  Halfspace(Stage& stage, Options options) : Stock(stage), narrow_phase_(stage.world(), std::move(options)) {}
+  Halfspace(Stage& stage, Options options)
+      : EnergySample(stage), narrow_phase_(stage.world(), std::move(options)) {}
 
  private:
   NarrowPhase narrow_phase_;
@@ -56,7 +57,7 @@ class Forces : public Engine {
   ForceMode forces_;
 };
 
-std::unique_ptr<Engine> begin_stock(Stage& stage) { return std::make_unique<Stock>(stage); }
+std::unique_ptr<Engine> begin_stock(Stage& stage) { return std::make_unique<EnergySample>(stage); }
 
 std::unique_ptr<Engine> begin_halfspace(Stage& stage) {
   return std::make_unique<Halfspace>(stage, with_true_polygons());

@@ -162,7 +162,7 @@ TEST_CASE("sizes of the reports on bonds, balance and strength") {
                                    [&](hs_strength_report* report, std::size_t size) {
                                      hs_strength_def def;
                                      require_ok(hs_strength_def_init(&def, sizeof def), c);
-                                     def.most_steps = 1;
+                                     def.max_steps = 1;
                                      return hs_world_find_strength_factor(w, &def, report, size, nullptr);
                                    });
 }
@@ -190,7 +190,7 @@ TEST_CASE(
   REQUIRE(hs_relaxation_def_init(&relaxation, sizeof relaxation) == HS_OK);
   CHECK(relaxation.measure == HS_UNBALANCED_MEAN);
   CHECK(relaxation.ratio == 1e-5);
-  CHECK(relaxation.most_steps == 1000000);
+  CHECK(relaxation.max_steps == 1000000);
   CHECK(relaxation.local_damping == 0.1);
   CHECK(relaxation.is_adaptive == 1);
   CHECK(relaxation.hold_bonds == 1);
@@ -201,8 +201,8 @@ TEST_CASE(
   CHECK(strength.high == 5);
   CHECK(strength.resolution == 0.005);
   CHECK(strength.ratio == 1e-5);
-  CHECK(strength.most_way == 0.1);
-  CHECK(strength.most_steps == 100000);
+  CHECK(strength.max_displacement == 0.1);
+  CHECK(strength.max_steps == 100000);
 }
 
 TEST_CASE("the defaults are those the headers state") {

@@ -29,8 +29,6 @@ struct Written {
   hs_bond bonds[2];
   hs_bond_event events[2];
   hs_bond_report bond_report;
-  hs_reaction reactions[2];
-  hs_reaction_report reaction_report;
   hs_balance balance;
   hs_strength_report strength;
   hs_body body;

@@ -1,4 +1,4 @@
-// The functions of halfspace/bond.h, reaction.h, relax.h and strength.h as calls on a scene.
+// The functions of halfspace/bond.h, relax.h and strength.h as calls on a scene.
 
 #include "capi/entry_points.h"
 
@@ -22,7 +22,7 @@ hs_status relax(Scene& s) {
 hs_status find_strength(Scene& s) {
   hs_strength_def def;
   require_ok(hs_strength_def_init(&def, sizeof def), s.context.get());
-  def.most_steps = 1;
+  def.max_steps = 1;
   def.ratio = 1e-30;
   return keep(s.made.world, [&](hs_world** fallen) {
     return hs_world_find_strength_factor(s.world.get(), &def, &s.written.strength, sizeof s.written.strength,
@@ -65,15 +65,6 @@ std::vector<EntryPoint> entry_points_of_bonds() {
          return hs_world_get_bond_events(s.world.get(), 0, s.written.events, 2, &s.written.counts[0]);
        },
        bond_boxes},
-      {"hs_world_get_reactions", Allocates::never,
-       [](S s) {
-         return hs_world_get_reactions(s.world.get(), s.written.reactions, 2, &s.written.counts[0]);
-       }},
-      {"hs_world_get_reaction_report", Allocates::never,
-       [](S s) {
-         return hs_world_get_reaction_report(s.world.get(), &s.written.reaction_report,
-                                             sizeof s.written.reaction_report);
-       }},
       {"hs_world_get_bond_report", Allocates::never,
        [](S s) {
          return hs_world_get_bond_report(s.world.get(), &s.written.bond_report, sizeof s.written.bond_report);

@@ -118,10 +118,10 @@ inline std::vector<hs_bond_event> bond_events_of(const hs_world* world) {
   return events;
 }
 
-inline hs_relaxation_def relaxation_def(std::int64_t most_steps, double ratio) {
+inline hs_relaxation_def relaxation_def(std::int64_t max_steps, double ratio) {
   hs_relaxation_def def;
   if (hs_relaxation_def_init(&def, sizeof def) != HS_OK) throw std::runtime_error("no relaxation definition");
-  def.most_steps = most_steps;
+  def.max_steps = max_steps;
   def.ratio = ratio;
   return def;
 }

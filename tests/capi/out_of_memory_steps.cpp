@@ -8,7 +8,7 @@
 namespace halfspace_test {
 namespace {
 
-constexpr int most_steps = 12, steps_after = 3;
+constexpr int max_steps = 12, steps_after = 3;
 
 /// A call that makes so many steps.
 struct Run {
@@ -94,12 +94,12 @@ std::int64_t survives_failure(const Run& run, int dimension, long n, const std::
   const std::unique_ptr<Scene> scene = scene_for(run, dimension);
   const std::int64_t first = steps_of(*scene);
   scene->ledger.fail_at = scene->ledger.allocations + n;
-  const hs_status status = run.call(*scene, most_steps);
+  const hs_status status = run.call(*scene, max_steps);
   const bool failed = scene->ledger.allocations > scene->ledger.fail_at;
   scene->ledger.fail_at = -1;
   CHECK(status == (failed ? HS_ERROR_OUT_OF_MEMORY : HS_OK));
   const std::int64_t made = steps_of(*scene) - first;
-  REQUIRE((made >= 0 && made <= most_steps));
+  REQUIRE((made >= 0 && made <= max_steps));
   INFO("after step " << made);
   const Course& undisturbed = courses[std::size_t(made)];
   const bool is_at_whole_step = seen(*scene) == undisturbed.seen;
@@ -109,18 +109,18 @@ std::int64_t survives_failure(const Run& run, int dimension, long n, const std::
   CHECK(copy_goes_on);
   const bool goes_on = end_of(*scene, scene->world.get()) == undisturbed.end;
   CHECK(goes_on);
-  return failed ? made : most_steps;
+  return failed ? made : max_steps;
 }
 
 /// Fails each allocation in turn. Returns how many steps have been made at most before one failed.
 std::int64_t survive_every_failure(const Run& run, int dimension) {
   std::vector<Course> courses;
-  for (int steps = 0; steps <= most_steps; ++steps) courses.push_back(course_of(run, dimension, steps));
+  for (int steps = 0; steps <= max_steps; ++steps) courses.push_back(course_of(run, dimension, steps));
   std::int64_t most_made = 0;
   for (long n = 0;; ++n) {
     INFO(run.name << " in " << dimension << "D, allocation " << n << " fails");
     const std::int64_t made = survives_failure(run, dimension, n, courses);
-    if (made == most_steps) return most_made;
+    if (made == max_steps) return most_made;
     most_made = std::max(most_made, made);
   }
 }

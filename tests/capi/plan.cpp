@@ -123,7 +123,7 @@ TEST_CASE("the limit is that of the thinnest element, or of the stiffest bond") 
   CHECK(by_bond.limiting_block + by_bond.limiting_neighbor == blocks[0] + blocks[1]);
   CHECK(by_bond.stable_time_step < 1e-2 * by_element.stable_time_step);
   CHECK(by_bond.bond_seconds > 0);
-  CHECK(by_bond.reaction_seconds == 0);
+  CHECK(by_bond.hard_contact_seconds == 0);
 }
 
 TEST_CASE("cells that have been removed are not counted") {

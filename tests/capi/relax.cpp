@@ -59,8 +59,8 @@ TEST_CASE("hs_world_relax and hs_world_get_balance refuse every bad argument") {
       {"def.ratio", "-1", [](D& d) { d.ratio = -1; }},
       {"def.ratio", "nan", [](D& d) { d.ratio = nan; }},
       {"def.ratio", "inf", [](D& d) { d.ratio = inf; }},
-      {"def.most_steps", "0", [](D& d) { d.most_steps = 0; }},
-      {"def.most_steps", "-5", [](D& d) { d.most_steps = -5; }},
+      {"def.max_steps", "0", [](D& d) { d.max_steps = 0; }},
+      {"def.max_steps", "-5", [](D& d) { d.max_steps = -5; }},
       {"def.local_damping", "-0.1", [](D& d) { d.local_damping = -0.1; }},
       {"def.local_damping", "1", [](D& d) { d.local_damping = 1; }},
       {"def.local_damping", "nan", [](D& d) { d.local_damping = nan; }},
@@ -94,7 +94,7 @@ TEST_CASE("hs_world_relax and hs_world_get_balance refuse every bad argument") {
   CHECK(std::memcmp(&balance, &untouched, sizeof balance) == 0);
   REQUIRE(hs_world_get_balance(empty.get(), &balance, sizeof balance) == HS_OK);
   for (const double none : {balance.mean, balance.largest, balance.largest_force}) CHECK(none == 0);
-  CHECK(balance.least_balanced == 0);
+  CHECK(balance.largest_force_block == 0);
 }
 
 TEST_CASE("gravity, damping, time step and strength refuse every bad number") {
@@ -153,9 +153,9 @@ TEST_CASE("hs_world_find_strength_factor refuses every bad argument") {
       {"def.resolution", "0", [](D& d) { d.resolution = 0; }},
       {"def.resolution", "inf", [](D& d) { d.resolution = inf; }},
       {"def.ratio", "-1", [](D& d) { d.ratio = -1; }},
-      {"def.most_way", "0", [](D& d) { d.most_way = 0; }},
-      {"def.most_way", "nan", [](D& d) { d.most_way = nan; }},
-      {"def.most_steps", "0", [](D& d) { d.most_steps = 0; }},
+      {"def.max_displacement", "0", [](D& d) { d.max_displacement = 0; }},
+      {"def.max_displacement", "nan", [](D& d) { d.max_displacement = nan; }},
+      {"def.max_steps", "0", [](D& d) { d.max_steps = 0; }},
   };
   const auto find = [&](const hs_strength_def* def, hs_strength_report* into, std::size_t size) {
     return [&, def, into, size] { return hs_world_find_strength_factor(w, def, into, size, &fallen); };
@@ -291,7 +291,7 @@ TEST_CASE("a search for strength leaves the world as it is, and gives the copy t
   REQUIRE(hs_world_relax(s.world.get(), &at_rest, nullptr, 0) == HS_OK);
   hs_strength_def def = strength_def();
   def.resolution = 0.05;
-  def.most_steps = 20000;
+  def.max_steps = 20000;
   const std::vector<unsigned char> before = saved(s.world.get());
   hs_strength_report report;
   hs_world* made = nullptr;
@@ -322,7 +322,7 @@ TEST_CASE("a search for strength ends where there is no number between its bound
   def.low = 1;
   def.high = 1 + 8 * std::numeric_limits<double>::epsilon();
   def.resolution = 1e-75;
-  def.most_steps = 1;
+  def.max_steps = 1;
   def.ratio = 1e75;  // all stand
   hs_strength_report report;
   REQUIRE(hs_world_find_strength_factor(s.world.get(), &def, &report, sizeof report, nullptr) == HS_OK);
@@ -330,7 +330,7 @@ TEST_CASE("a search for strength ends where there is no number between its bound
   // Some factor between both is that at which the box begins to slide: it is found to the last bit.
   def = strength_def();
   def.resolution = 1e-75;
-  def.most_steps = 2000;
+  def.max_steps = 2000;
   def.ratio = 1e-3;
   REQUIRE(hs_world_find_strength_factor(s.world.get(), &def, &report, sizeof report, nullptr) == HS_OK);
   CHECK(report.trials < 80);

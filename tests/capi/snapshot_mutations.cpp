@@ -82,8 +82,6 @@ void read_bodies_and_bonds(hs_world* world) {
   CHECK(hs_world_get_bond_events(world, 0, events, 8, nullptr) >= HS_OK);
   hs_bond_report report;
   CHECK(hs_world_get_bond_report(world, &report, sizeof report) == HS_OK);
-  hs_reaction reactions[8];
-  CHECK(hs_world_get_reactions(world, reactions, 8, nullptr) >= HS_OK);
   CHECK(hs_world_set_strength_factor(world, 2) == HS_OK);
   const hs_relaxation_def def = relaxation_def(2, 1e-9);
   (void)hs_world_relax(world, &def, nullptr, 0);

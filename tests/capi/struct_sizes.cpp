@@ -245,12 +245,12 @@ TEST_CASE("sizes of hs_relaxation_def") {
   hs_relaxation_def chosen = defaults;
   chosen.measure = HS_UNBALANCED_LARGEST;
   chosen.ratio = 1e-3;
-  chosen.most_steps = 7;
+  chosen.max_steps = 7;
   chosen.local_damping = 0.5;
   chosen.is_adaptive = 0;
   chosen.hold_bonds = 0;
   const std::vector<std::size_t> ends = {
-      offsetof(hs_relaxation_def, ratio), offsetof(hs_relaxation_def, most_steps),
+      offsetof(hs_relaxation_def, ratio), offsetof(hs_relaxation_def, max_steps),
       offsetof(hs_relaxation_def, local_damping), offsetof(hs_relaxation_def, is_adaptive),
       offsetof(hs_relaxation_def, hold_bonds)};
   check_sizes(defaults, chosen, ends, [](const hs_relaxation_def* def) {
@@ -272,12 +272,14 @@ TEST_CASE("sizes of hs_strength_def") {
   chosen.high = 3;
   chosen.resolution = 1;
   chosen.ratio = 1e-3;
-  chosen.most_way = 0.2;
-  chosen.most_steps = 50;
-  const std::vector<std::size_t> ends = {
-      offsetof(hs_strength_def, low),      offsetof(hs_strength_def, high),
-      offsetof(hs_strength_def, ratio),    offsetof(hs_strength_def, resolution),
-      offsetof(hs_strength_def, most_way), offsetof(hs_strength_def, most_steps)};
+  chosen.max_displacement = 0.2;
+  chosen.max_steps = 50;
+  const std::vector<std::size_t> ends = {offsetof(hs_strength_def, low),
+                                         offsetof(hs_strength_def, high),
+                                         offsetof(hs_strength_def, ratio),
+                                         offsetof(hs_strength_def, resolution),
+                                         offsetof(hs_strength_def, max_displacement),
+                                         offsetof(hs_strength_def, max_steps)};
   check_sizes(defaults, chosen, ends, [](const hs_strength_def* def) {
     const TwoBoxes scene;
     require_ok(hs_world_remove_block(scene.world.get(), scene.box_away), scene.context.get());

@@ -89,11 +89,11 @@ const Field report_fields[] = {INT32(hs_world_report, dimension),
                                NUMBER(hs_world_report, block_strain_energy),
                                NUMBER(hs_world_report, block_damping_loss),
                                INT64(hs_world_report, divided_steps),
-                               NUMBER(hs_world_report, deepest_stop),
+                               NUMBER(hs_world_report, max_penetration_ratio),
                                NUMBER(hs_world_report, peak_overlap),
                                NUMBER(hs_world_report, peak_speed),
                                INT64(hs_world_report, sleeping_count),
-                               NUMBER(hs_world_report, missed_by_sleep),
+                               NUMBER(hs_world_report, max_sleep_error),
                                END_OF_TABLE};
 
 const Field energy_fields[] = {NUMBER(hs_energy, kinetic),

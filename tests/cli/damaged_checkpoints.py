@@ -91,7 +91,7 @@ tensile_fracture_energy = 5
 name = "settle"
 do = "settle"
 ratio = 1e-3
-most_steps = 20
+max_steps = 20
 portions = 2
 bonds = "may fail"
 

@@ -45,7 +45,7 @@ bool on_border(Point p) { return std::min({p[0], 20 - p[0], p[1], 50 - p[1]}) < 
 TEST_CASE("blocks of a jointed rock fill the region") {
   const Context context = make_context();
   JointedRock rock = collapse_rock();
-  rock.joint_sets[0].spread = GENERATE(0.0, 0.7);
+  rock.joint_sets[0].jitter = GENERATE(0.0, 0.7);
   const JointedBlocks cut = cut_rectangle(context, rock);
   double area = 0;
   for (const Shape& block : cut.blocks) area += properties_of(context, block).volume;
@@ -58,7 +58,7 @@ TEST_CASE("blocks of a jointed rock fill the region") {
 TEST_CASE("every joint separates the blocks, and blocks are no wider than the spacing") {
   const Context context = make_context();
   JointedRock rock = collapse_rock();
-  rock.joint_sets[0].spread = 0.5;
+  rock.joint_sets[0].jitter = 0.5;
   rock.joint_sets[0].seed = 3;
   const JointedBlocks cut = cut_rectangle(context, rock);
   double worst = 0;
@@ -70,7 +70,7 @@ TEST_CASE("every joint separates the blocks, and blocks are no wider than the sp
         low = std::min(low, along(p, normal));
         high = std::max(high, along(p, normal));
       }
-      CHECK(high - low <= set.spacing * (1 + set.spread) + rounding);
+      CHECK(high - low <= set.spacing * (1 + set.jitter) + rounding);
       for (std::int64_t k = -20; k <= 60; ++k) {
         const double joint = joint_offset(set, k);
         const double reach =
@@ -120,7 +120,7 @@ TEST_CASE("dip is measured downwards towards +x") {
 }
 
 TEST_CASE("a spacing deviates by no more than its spread, and on average not at all") {
-  const JointSet set{.spacing = 2, .offset = 5, .spread = 0.6, .seed = 42};
+  const JointSet set{.spacing = 2, .offset = 5, .jitter = 0.6, .seed = 42};
   double least = INFINITY, largest = -INFINITY;
   for (std::int64_t k = -500; k < 500; ++k) {
     const double spacing = joint_offset(set, k + 1) - joint_offset(set, k);

@@ -35,7 +35,7 @@ std::vector<Point> box(const Point& low, const Point& high) {
 JointedRock slope_rock() {
   JointedRock rock;
   rock.joint_sets = {{.normal = joint_normal(35 * degree, 80 * degree), .spacing = 1.6},
-                     {.normal = joint_normal(70 * degree, 250 * degree), .spacing = 1.8, .spread = 0.3},
+                     {.normal = joint_normal(70 * degree, 250 * degree), .spacing = 1.8, .jitter = 0.3},
                      {.normal = joint_normal(85 * degree, 10 * degree), .spacing = 2, .offset = 0.4}};
   return rock;
 }

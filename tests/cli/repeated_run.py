@@ -28,7 +28,7 @@ class RepeatedRun(unittest.TestCase):
             # The collapse with irregular joints, for as long as it takes to get many contacts.
             text = (EXAMPLES / "rock_collapse" / "friction_15.toml").read_text()
             text = text.replace("duration = 7.5", "duration = 0.3").replace("[2.5, 5.0]", "[0.1]")
-            text = text.replace("spacing = 1.5", "spacing = 1.5\nspread = 0.4\nseed = 7")
+            text = text.replace("spacing = 1.5", "spacing = 1.5\njitter = 0.4\nseed = 7")
             runs = []
             for name, threads in (("once", 1), ("again", 2)):
                 scene = Path(directory, f"{name}.toml")

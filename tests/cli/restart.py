@@ -60,7 +60,7 @@ STAGES = """
 [[stage]]
 name = "settling"
 do = "settle"
-most_steps = 30000
+max_steps = 30000
 ratio = 1e-7
 
 [[stage]]
@@ -223,11 +223,11 @@ class Restart(SceneTest):
         self.assertLess(max(steps), 1.2 * 0.6 / 50)
 
     def test_a_stage_goes_on_with_more_steps(self):
-        few = STAGED.replace("most_steps = 30000", "most_steps = 20")
+        few = STAGED.replace("max_steps = 30000", "max_steps = 20")
         few = few[:few.index('[[stage]]\nname = "shaking"')]
         first = self.run_whole(few, name="few")
         self.assertIn("NOT AT REST after 20 steps", (first / "summary.txt").read_text())
-        more = few.replace("most_steps = 20", "most_steps = 30000").replace("ratio = 1e-7", "ratio = 1e-3")
+        more = few.replace("max_steps = 20", "max_steps = 30000").replace("ratio = 1e-7", "ratio = 1e-3")
         answer = halfspace("run", self.scene_file(more), "-o", first, "--from", first / "checkpoint")
         self.assertIn("at rest after", answer.stdout)
         self.assertNotIn("NOT AT REST", answer.stdout)

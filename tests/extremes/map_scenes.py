@@ -98,8 +98,8 @@ def bounce(way, *, unit=1.0, origin=0.0, speed=1.0, step=0.02, plate=4.0):
         world, block = build(time_step=step * float(world.report.time_step))
     time = 2 * away / pace + math.pi * math.sqrt(mass / per_face)
     world.step(max(1, int(1.2 * time / world.report.time_step)))
-    if world.report.deepest_stop > 0.5:
-        raise Told(f"springs so soft let the block come {world.report.deepest_stop:.2g} of its thickness deep")
+    if world.report.max_penetration_ratio > 0.5:
+        raise Told(f"springs so soft let the block come {world.report.max_penetration_ratio:.2g} of its thickness deep")
     out = world.state(block).velocity[way.dimension - 1]
     return abs(out - pace) / pace
 

@@ -15,7 +15,7 @@ using namespace halfspace_test;
 using namespace halfspace::box2d;
 
 constexpr int most_bodies = 8;
-constexpr int most_steps = 40;
+constexpr int max_steps = 40;
 
 /// Within what Box2D is made for: 0.1 to 10 m, and far around that.
 float length_from(Bytes& bytes) { return std::ldexp(1 + float(bytes.byte()) / 256, bytes.between(-6, 6)); }
@@ -180,7 +180,7 @@ class Arena {
   }
 
   void step() {
-    if (++steps_ > most_steps) return;
+    if (++steps_ > max_steps) return;
     if (!forces_) return world_.Step(1 / 60.f, 8, 3);
     try {
       constexpr int most_sub_steps = 50;

@@ -14,7 +14,7 @@ class WorldUnderCalls {
   WorldUnderCalls(Bytes bytes, hs_context* context) : bytes_(bytes), context_(context) {}
 
  protected:
-  static constexpr int most_steps = 30;
+  static constexpr int max_steps = 30;
 
   hs_world* world() const { return world_.get(); }
 
@@ -248,20 +248,20 @@ class BodyCalls : public WorldUnderCalls {
   }
 
   void relax() {
-    const int steps = std::min(bytes_.between(1, 12), most_steps - steps_);
+    const int steps = std::min(bytes_.between(1, 12), max_steps - steps_);
     const hs_relaxation_def def = read_relaxation(std::max(steps, 1));
     if (steps <= 0) return;
     steps_ += steps;
-    if (!halfspace_fuzz::relax(world(), def)) steps_ = most_steps;
+    if (!halfspace_fuzz::relax(world(), def)) steps_ = max_steps;
   }
 
   void find_strength_factor() {
     hs_strength_def def;
     hs_strength_def_init(&def, sizeof def);
-    def.most_steps = bytes_.between(1, 3);
+    def.max_steps = bytes_.between(1, 3);
     def.resolution = 4;
     def.ratio = bytes_.positive_or(def.ratio);
-    if (steps_ + 6 > most_steps) return;
+    if (steps_ + 6 > max_steps) return;
     steps_ += 6;
     const std::vector<unsigned char> before = saved(world());
     hs_strength_report report;
@@ -272,7 +272,7 @@ class BodyCalls : public WorldUnderCalls {
             status,
             {HS_ERROR_ARGUMENT, HS_ERROR_STATE, HS_ERROR_UNSTABLE, HS_ERROR_TOO_FAST, HS_ERROR_INVERTED},
             "find_strength_factor"))
-      steps_ = most_steps;
+      steps_ = max_steps;
     demand(saved(world()) == before, "a search for strength changes nothing");
     if (fallen) check_motion(fallen);
   }

@@ -89,20 +89,7 @@ inline void check_balance(hs_world* world) {
   demand(!(balance.mean < 0) && !(balance.largest < 0), "a balance is a share");
 }
 
-inline void check_reactions(const hs_world* world) {
-  hs_reaction_report report{};
-  if (!succeeds_or(hs_world_get_reaction_report(world, &report, sizeof report), {}, "get_reaction_report"))
-    return;
-  std::vector<hs_reaction> reactions(static_cast<std::size_t>(report.reaction_count));
-  demand(hs_world_get_reactions(world, reactions.data(), report.reaction_count, nullptr) == HS_OK,
-         "reactions are told");
-  for (const hs_reaction& at : reactions)
-    demand(all_finite(at.force) && all_finite(at.normal) && all_finite(at.point), "a reaction is of numbers");
-}
-
 inline void check_report(hs_world* world) {
-  check_reactions(world);
-
   hs_world_report r{};
   if (!succeeds_or(hs_world_get_report(world, &r, sizeof r), {}, "get_report")) return;
   const hs_energy& e = r.energy;

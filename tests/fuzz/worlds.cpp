@@ -225,9 +225,9 @@ class Calls : BodyCalls {
   }
 
   void step_some() {
-    const int steps = std::min(bytes_.below(12), most_steps - steps_);
+    const int steps = std::min(bytes_.below(12), max_steps - steps_);
     steps_ += steps;
-    if (!step(world(), steps)) steps_ = most_steps;  // one that is divided very often would be so again
+    if (!step(world(), steps)) steps_ = max_steps;  // one that is divided very often would be so again
   }
 
   /// A world and what is restored of its bytes do the same from there, whether or not one of them is asked
@@ -236,11 +236,11 @@ class Calls : BodyCalls {
     const World twin = restored(context_, saved(world()));
     demand(saved(twin.get()) == saved(world()), "a restored world is the one that was saved");
     if (bytes_.flag()) check_report(twin.get());
-    const int steps = std::min(bytes_.between(1, 4), most_steps - steps_);
+    const int steps = std::min(bytes_.between(1, 4), max_steps - steps_);
     if (steps <= 0) return;
     steps_ += steps;
     const bool one = step(world(), steps), other = step(twin.get(), steps);
-    if (!one) steps_ = most_steps;
+    if (!one) steps_ = max_steps;
     demand(one == other, "a restored world goes on as the one that was saved");
     demand(saved(twin.get()) == saved(world()), "a restored world goes on bit for bit");
   }

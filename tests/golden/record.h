@@ -74,7 +74,7 @@ inline void record(Hash& hash, const hs_contact& c) {
 inline void record(Hash& hash, const hs_world_report& r) {
   hash.all(r.steps, r.time, r.time_step, r.stable_time_step, r.block_count, r.contact_count,
            r.largest_overlap, r.largest_speed, r.potential_length, r.block_strain_energy,
-           r.block_damping_loss, r.divided_steps, r.deepest_stop);
+           r.block_damping_loss, r.divided_steps, r.max_penetration_ratio);
   const hs_energy& e = r.energy;
   hash.all(e.kinetic, e.gravity, e.strain, e.friction_loss, e.contact_damping_loss, e.local_damping_loss,
            e.mass_damping_loss, e.outer_work, e.residual);

@@ -16,7 +16,7 @@ SETTLE = """
 [[stage]]
 do = "settle"
 ratio = 1e-6
-most_steps = {most_steps}
+max_steps = {max_steps}
 [output]
 frame_interval = 1e9
 """
@@ -28,8 +28,8 @@ local_damping = 0.3
 """
 
 
-def scene(dimension, law, parts, fall="", most_steps=100000):
-    return STONE.format(dimension=dimension, law=law) + "".join(parts) + fall + SETTLE.format(most_steps=most_steps)
+def scene(dimension, law, parts, fall="", max_steps=100000):
+    return STONE.format(dimension=dimension, law=law) + "".join(parts) + fall + SETTLE.format(max_steps=max_steps)
 
 
 def block(name, vertices, kind="rigid"):
@@ -141,7 +141,7 @@ spacing = {spacing}
 [[jointed_rock.joint_set]]
 dip = 75
 spacing = {1.3 * spacing}
-spread = 0.3
+jitter = 0.3
 """, rectangle("base", (-1, -1), (31, 0), "fixed"), rectangle("back", (-1, 0), (0, 17), "fixed")]
     return scene(2, law, parts)
 

@@ -23,8 +23,8 @@ Elasticity elastic() {
 }
 
 template <int D>
-SpringLaw frictionless() {
-  SpringLaw law = test::bare_law();
+ContactLaw frictionless() {
+  ContactLaw law = test::bare_law();
   law.stiffness_kind = D == 2 ? StiffnessKind::potential : StiffnessKind::per_area;
   law.normal_stiffness = stiffness;
   law.shear_stiffness = 0;
@@ -35,7 +35,7 @@ template <int D>
 struct Scene {
   World<D> world;
 
-  explicit Scene(double time_step, const SpringLaw& law = frictionless<D>())
+  explicit Scene(double time_step, const ContactLaw& law = frictionless<D>())
       : world(settings(time_step), memory) {
     world.add_material(density);
     world.set_elasticity(0, elastic<D>());
@@ -257,7 +257,7 @@ TEST_CASE("affine blocks that come and go leave the others as they are, and thei
 }
 
 TEST_CASE("rigid blocks do to the bit what they do in a world without affine blocks") {
-  SpringLaw law = test::bare_law();
+  ContactLaw law = test::bare_law();
   law.normal_stiffness = law.shear_stiffness = stiffness;
   law.tan_friction = 0.4;
   Scene<2> plain(1e-4, law), mixed(1e-4, law);
@@ -282,7 +282,7 @@ TEST_CASE("rigid blocks do to the bit what they do in a world without affine blo
 TEST_CASE("in space, affine blocks in other units do the same to the bit, scaled by powers of two") {
   const auto run = [](double length) {
     Random random(46);
-    SpringLaw law = frictionless<3>();
+    ContactLaw law = frictionless<3>();
     law.normal_stiffness *= length;  // Pa/m
     law.shear_stiffness = law.normal_stiffness;
     law.tan_friction = 0.5;

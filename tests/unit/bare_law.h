@@ -5,8 +5,8 @@
 namespace halfspace::test {
 
 /// A law without the damping that laws have by default.
-inline SpringLaw bare_law() {
-  SpringLaw law;
+inline ContactLaw bare_law() {
+  ContactLaw law;
   law.normal_damping = law.shear_damping = 0;
   return law;
 }

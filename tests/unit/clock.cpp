@@ -1,4 +1,4 @@
-#include "world/clock.h"
+#include "world/motion/clock.h"
 
 #include <limits>
 

@@ -1,4 +1,4 @@
-#include "world/contact_list.h"
+#include "world/contacts/contact_list.h"
 
 #include <cmath>
 
@@ -12,8 +12,8 @@ namespace {
 
 using Finds = std::vector<Found>;
 
-SpringLaw bonding_law() {
-  SpringLaw law = bare_law();
+ContactLaw bonding_law() {
+  ContactLaw law = bare_law();
   law.tensile_strength = 1;
   return law;
 }
@@ -83,7 +83,7 @@ TEMPLATE_TEST_CASE_SIG("fresh blocks that touch are bonded, and in contact where
 
 TEMPLATE_TEST_CASE_SIG("what the shear spring of an ended contact held is lost to friction", "", ((int D), D),
                        2, 3) {
-  SpringLaw law = bare_law();
+  ContactLaw law = bare_law();
   law.tan_friction = 0.5;
   WorldParts<D> parts(law);
   parts.add(cube<D>(), BlockKind::fixed, at<D>(0, 0));

@@ -150,7 +150,7 @@ TEST_CASE("from the violated pair the walk finds the side that is less deep, pas
     for (const Vector<3>& axis : {y_axis, z_axis}) {
       for (const double sign : {-1.0, 1.0}) {
         const Shape<3> other = block_of(turned(cube, angle, axis));
-        const Witness<3> through_side{Witness<3>::separated, touching_through(block, x_axis).pair};
+        const PairCache<3> through_side{PairCache<3>::separated, touching_through(block, x_axis).pair};
         const Met met = meet(block, other, 0.5 * x_axis + 0.9 * sign * axis, through_side);
         CHECK(met.contact.normal.isApprox(sign * axis));
         CHECK(met.contact.type == ContactType::face_face);
@@ -191,7 +191,7 @@ TEST_CASE("the walk ends at a pair less deep than all its neighbours") {
     for (int f = 0; f < a.face_count(); ++f) {
       Pair start{Pair::face_vertex, f, 0};
       const double gap_at_start = refresh(a, b, to_b, start);
-      Witness<3> witness{Witness<3>::separated, start};
+      PairCache<3> witness{PairCache<3>::separated, start};
       remember_contact(a, b, to_b, least.pair, witness);
       const double gap = refresh(a, b, to_b, witness.pair);
       CHECK(gap >= gap_at_start);
@@ -206,8 +206,8 @@ TEST_CASE("the walk ends at a pair less deep than all its neighbours") {
 TEST_CASE("in space, the violated pair is tried first, and left when it no longer holds") {
   const Shape<3> block = block_of(cube), other = block_of(tip);
   const Met apart = meet(block, other, {0, 0, 1.6});
-  REQUIRE(apart.witness.state == Witness<3>::separated);
-  Witness<3> witness = apart.witness;
+  REQUIRE(apart.witness.state == PairCache<3>::separated);
+  PairCache<3> witness = apart.witness;
   CHECK(still_separated(block.outline(), other.outline(), {0.1, 0.1, 1.55}, witness));
   CHECK(witness.pair == apart.witness.pair);
   CHECK_FALSE(still_separated(block.outline(), other.outline(), {1, 0, 0}, witness));
@@ -217,7 +217,7 @@ TEST_CASE("a plane between blocks is kept until it no longer holds") {
   const Shape<3> block = block_of(cube), other = block_of(tip);
   const Outline<3>&a = block.outline(), &b = other.outline();
   const Vector<3> diagonal = Vector<3>(1, 1, 1).normalized();
-  Witness<3> witness{Witness<3>::separated, {Pair::vertex_vertex, 0, 0}, diagonal};
+  PairCache<3> witness{PairCache<3>::separated, {Pair::vertex_vertex, 0, 0}, diagonal};
   // Along it the cube reaches 1.5 / sqrt(3) and the tip 1 / sqrt(3).
   const Vector<3> apart = 2.51 / std::sqrt(3) * diagonal, together = 2.49 / std::sqrt(3) * diagonal;
   CHECK(still_separated(a, b, apart, witness));
@@ -235,12 +235,12 @@ TEST_CASE("a fast block of many vertices that is all but through a thin plate ke
     const Outline<3>&a = plate.outline(), &b = block.outline();
     const auto [lowest, highest] = std::minmax_element(b.z, b.z + b.vertex_count());
     const double x = random.uniform(-3, 3), y = random.uniform(-3, 3);
-    Witness<3> witness, none;
+    PairCache<3> witness, none;
     judge_pair(a, b, Vector<3>(x, y, 0.05 - *lowest + 0.03), witness);
-    REQUIRE(witness.state == Witness<3>::separated);
+    REQUIRE(witness.state == PairCache<3>::separated);
     const Vector<3> within(x, y, -0.05 - *highest + 0.03);
     judge_pair(a, b, within, witness);
-    REQUIRE(witness.state == Witness<3>::touching);
+    REQUIRE(witness.state == PairCache<3>::touching);
     CHECK(normal_of(a, b, witness.pair).z() > 0.9);
     // Without its history it is pushed on.
     judge_pair(a, b, within, none);
@@ -256,20 +256,20 @@ TEST_CASE("what is remembered saves searches along a motion, and never changes t
     const Shape<3> shape_a = random_block(random, random.integer(4, 40));
     const Vector<3> axis = random_direction(random), from = random.uniform(1, 2) * axis;
     const Vector<3> path = 0.4 * random_direction(random);
-    Witness<3> witness;
+    PairCache<3> witness;
     for (double time = 0; time < 1; time += 0.02) {
       const Shape<3> shape_b = block_of(turned(points, 0.2 * time, axis));
       const Outline<3>&a = shape_a.outline(), &b = shape_b.outline();
       const Vector<3> to_b = from + time * path;
-      const Witness<3>::State before = witness.state;
+      const PairCache<3>::State before = witness.state;
       const bool is_proven = still_separated(a, b, to_b, witness) || still_touching(a, b, to_b, witness);
       if (!still_separated(a, b, to_b, witness)) judge_pair(a, b, to_b, witness);
-      CHECK((witness.state == Witness<3>::separated) == (find_separation(a, b, to_b).gap > 0));
+      CHECK((witness.state == PairCache<3>::separated) == (find_separation(a, b, to_b).gap > 0));
       ++steps;
       proven += is_proven;
       changes += time > 0 && witness.state != before;
       if (is_proven) CHECK(witness.state == before);
-      if (witness.state == Witness<3>::separated) continue;
+      if (witness.state == PairCache<3>::separated) continue;
       Contact<3> contact;
       describe_contact(a, b, to_b, witness, {}, contact);
     }
@@ -286,7 +286,7 @@ TEST_CASE("a contact that is known by its description is the one that is found w
     const Shape<3> shape_a = random_block(random, random.integer(4, 40));
     const Vector<3> axis = random_direction(random), path = 0.05 * random_direction(random);
     const Outline<3>& a = shape_a.outline();
-    Witness<3> witness, judged;
+    PairCache<3> witness, judged;
     Vector<3> from = 2 * axis;
     for (double time = 0; time < 1; time += 0.05) {
       const Shape<3> shape_b = block_of(turned(points, 0.01 * time, axis));
@@ -298,11 +298,11 @@ TEST_CASE("a contact that is known by its description is the one that is found w
       }
       const Vector<3> to_b = from + time * path;
       Contact<3> contact, described;
-      Witness<3> before = witness;
+      PairCache<3> before = witness;
       known += describe_plainly_touching(a, b, to_b, before, {}, contact);
       const bool found = find_contact(a, b, to_b, {}, witness, contact);
       if (!still_separated(a, b, to_b, judged)) judge_pair(a, b, to_b, judged);
-      REQUIRE(found == (judged.state == Witness<3>::touching));
+      REQUIRE(found == (judged.state == PairCache<3>::touching));
       REQUIRE(found == (find_separation(a, b, to_b).gap <= 0));
       if (!found) continue;
       ++touching;
@@ -325,12 +325,12 @@ TEST_CASE("no memory, whatever it holds, makes blocks touch or lie apart that do
   const double nothing = std::numeric_limits<double>::quiet_NaN();
   for (const Vector<3>& proof :
        {Vector<3>(0, 0, 0), Vector<3>(0.5, 0, 0), Vector<3>(nothing, 0, 0), Vector<3>(HUGE_VAL, 0, 0)}) {
-    for (const auto state : {Witness<3>::separated, Witness<3>::touching}) {
+    for (const auto state : {PairCache<3>::separated, PairCache<3>::touching}) {
       for (const double x : {0.75, 1.25}) {
-        Witness<3> witness{state, {Pair::vertex_vertex, 0, 0}, proof};
-        if (state == Witness<3>::touching) witness.pair = {Pair::face_vertex, 0, 0};
+        PairCache<3> witness{state, {Pair::vertex_vertex, 0, 0}, proof};
+        if (state == PairCache<3>::touching) witness.pair = {Pair::face_vertex, 0, 0};
         if (!still_separated(o, o, {x, 0.1, 0.2}, witness)) judge_pair(o, o, {x, 0.1, 0.2}, witness);
-        CHECK((witness.state == Witness<3>::touching) == (x < 1));
+        CHECK((witness.state == PairCache<3>::touching) == (x < 1));
       }
     }
   }

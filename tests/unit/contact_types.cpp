@@ -10,14 +10,14 @@ namespace {
 
 struct Met {
   Contact<2> contact;
-  Witness<2> witness;
+  PairCache<2> witness;
 };
 
-Met meet(const Shape<2>& a, const Shape<2>& b, const Vector<2>& to_b, Witness<2> witness = {},
+Met meet(const Shape<2>& a, const Shape<2>& b, const Vector<2>& to_b, PairCache<2> witness = {},
          const DetectOptions& options = {}) {
   Met met{{}, witness};  // no contact yet
   judge_pair(a.outline(), b.outline(), to_b, met.witness);
-  if (met.witness.state == Witness<2>::touching)
+  if (met.witness.state == PairCache<2>::touching)
     describe_contact(a.outline(), b.outline(), to_b, met.witness.pair, options, met.contact);
   return met;
 }
@@ -90,8 +90,8 @@ TEST_CASE("a thin block that is overlapped past its middle keeps the side throug
 
 TEST_CASE("the violated pair is kept, tried first, and left when it no longer holds") {
   const Met apart = meet(square, diamond, {2.5, 0});
-  REQUIRE(apart.witness.state == Witness<2>::separated);
-  Witness<2> witness = apart.witness;
+  REQUIRE(apart.witness.state == PairCache<2>::separated);
+  PairCache<2> witness = apart.witness;
   CHECK(still_separated(square.outline(), diamond.outline(), {2.4, 0.1}, witness));
   CHECK(witness.pair.edge == apart.witness.pair.edge);
   CHECK_FALSE(still_separated(square.outline(), diamond.outline(), {0, 2.5}, witness));

@@ -60,7 +60,7 @@ struct Case {
 
   Met met(const Shape<3>& shape_a, const Shape<3>& shape_b, const Vector<3>& from_a_to_b) const {
     return meet(shape_a, shape_b, from_a_to_b,
-                through_upper_face ? touching_through(shape_a, z_axis) : Witness<3>());
+                through_upper_face ? touching_through(shape_a, z_axis) : PairCache<3>());
   }
   Met met() const { return met(block_of(a), block_of(b), to_b); }
 };
@@ -369,7 +369,8 @@ TEST_CASE("in space, a turned scene has the turned contact") {
       const Shape<3> a = block_of(turned(c.a, turn)), b = block_of(turned(c.b, turn));
       const Vector<3> to_b = turn * c.to_b;
       const Contact<3> other =
-          meet(a, b, to_b, c.through_upper_face ? touching_through(a, turn * z_axis) : Witness<3>()).contact;
+          meet(a, b, to_b, c.through_upper_face ? touching_through(a, turn * z_axis) : PairCache<3>())
+              .contact;
       CHECK(other.type == contact.type);
       CHECK(other.gap == Approx(contact.gap).margin(1e-15));
       CHECK(other.area == Approx(contact.area));

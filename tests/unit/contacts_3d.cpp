@@ -79,7 +79,7 @@ Separation<3> pair_of_largest_gap(const Outline<3>& a, const Outline<3>& b, cons
   return best;
 }
 
-Met meet(const Shape<3>& a, const Shape<3>& b, const Vector<3>& to_b, const Witness<3>& witness,
+Met meet(const Shape<3>& a, const Shape<3>& b, const Vector<3>& to_b, const PairCache<3>& witness,
          const DetectOptions& options) {
   Met met{{}, witness};
   const Separation<3> found = pair_of_largest_gap(a.outline(), b.outline(), to_b);
@@ -91,15 +91,15 @@ Met meet(const Shape<3>& a, const Shape<3>& b, const Vector<3>& to_b, const Witn
   return met;
 }
 
-Witness<3> touching_through(const Shape<3>& a, const Vector<3>& direction) {
+PairCache<3> touching_through(const Shape<3>& a, const Vector<3>& direction) {
   const Outline<3>& o = a.outline();
   Pair pair{Pair::face_vertex, 0, 0};
   for (int f = 1; f < o.face_count(); ++f)
     if (o.normal(f).dot(direction) > o.normal(pair.a).dot(direction)) pair.a = f;
-  return {Witness<3>::touching, pair};
+  return {PairCache<3>::touching, pair};
 }
 
-Witness<3> swapped(const Witness<3>& witness) {
+PairCache<3> swapped(const PairCache<3>& witness) {
   const Pair& p = witness.pair;
   const Pair::Kind kind = p.kind == Pair::face_vertex   ? Pair::vertex_face
                           : p.kind == Pair::vertex_face ? Pair::face_vertex
@@ -112,7 +112,7 @@ void check_by_definition(const Shape<3>& a, const Shape<3>& b, const Vector<3>& 
   CHECK(c.normal.norm() == Approx(1).epsilon(1e-14));
   CHECK(c.gap <= 0);
   CHECK(c.point_count >= 1);
-  CHECK(c.point_count <= most_region_points);
+  CHECK(c.point_count <= max_region_points);
   const bool in_middle = c.type == ContactType::edge_edge;
   for (int i = 0; i < c.point_count; ++i) {
     const Vector<3> from = in_middle ? c.points[i] - 0.5 * c.gaps[i] * c.normal : c.points[i];

@@ -33,17 +33,17 @@ Separation<3> pair_of_largest_gap(const Outline<3>& a, const Outline<3>& b, cons
 
 struct Met {
   Contact<3> contact;
-  Witness<3> witness;
+  PairCache<3> witness;
 };
 
 /// As a step of a run meets two blocks; the contact is none when they are apart.
-Met meet(const Shape<3>& a, const Shape<3>& b, const Vector<3>& to_b, const Witness<3>& witness = {},
+Met meet(const Shape<3>& a, const Shape<3>& b, const Vector<3>& to_b, const PairCache<3>& witness = {},
          const DetectOptions& options = {});
 
 /// Memory of blocks that touch through the face of a that looks most along a direction.
-Witness<3> touching_through(const Shape<3>& a, const Vector<3>& direction);
+PairCache<3> touching_through(const Shape<3>& a, const Vector<3>& direction);
 /// The same pair seen from the other block.
-Witness<3> swapped(const Witness<3>& witness);
+PairCache<3> swapped(const PairCache<3>& witness);
 
 /// What holds of every contact of blocks that overlap, whatever its type: its points lie on the contact plane
 /// and in the block whose face or edge that is, and as far along the normal as the gap is, in the other.

@@ -36,7 +36,7 @@ TEST_CASE("the parts of a divided polyhedron are those that cutting it leaves") 
     const Vector<3> point = random_vector(random, -0.2, 0.2), normal = random_direction(random);
     const Polyhedron first = cut_polyhedron(whole, point, normal, memory).behind;
 
-    Sounding sounding(memory);
+    VertexDepths sounding(memory);
     const DepthRange height = sounding.take(block.outline(), plane_at(point, normal));
     if (height.least > -0.01 || height.most < 0.01) continue;
     DividedPolyhedron divided(memory);
@@ -72,7 +72,7 @@ TEST_CASE("a divided polyhedron loses nothing where planes pass through its vert
       } while (normal.isZero(0));
       return Halfspace<3>{normal, double(random.integer(-1, 1))};
     };
-    Sounding sounding(memory);
+    VertexDepths sounding(memory);
     const Halfspace<3> first = draw_plane();
     if (sounding.take(cube.outline(), first).most <= 0) continue;
     DividedPolyhedron divided(memory);

@@ -20,8 +20,8 @@ Memory* const memory = std::pmr::get_default_resource();
 /// Two blocks and their plan.
 struct PlannedPair {
   Blocks<3> blocks{memory};
-  DivisionPlans plans{memory};
-  PlanMemory known;
+  CachedDivisions plans{memory};
+  DivisionCache known;
   PotentialRoom<3> room{memory};
 
   PlannedPair(const Shape<3>& a, const Shape<3>& b) {
@@ -293,11 +293,11 @@ TEST_CASE("blocks of too many faces for a plan are pushed without one") {
 TEST_CASE("plans are kept one by one, and room that none uses is given free") {
   Random random(204);
   struct Known {
-    PlanMemory plan;
+    DivisionCache plan;
     std::vector<PlanCode> codes;
   };
   std::vector<Known> pairs(20);
-  DivisionPlans plans(memory);
+  CachedDivisions plans(memory);
   plans.reserve(pairs.size());
   plans.serve_pairs(pairs.size());
   int refused = 0;

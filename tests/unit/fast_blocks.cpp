@@ -33,8 +33,8 @@ Vector<D> along_x(double length) {
 
 /// Springs that stop a mass of such a speed, over a face of area 1, within this depth.
 template <int D>
-SpringLaw law_that_stops(StiffnessKind kind, double mass, double speed, double depth) {
-  SpringLaw law;
+ContactLaw law_that_stops(StiffnessKind kind, double mass, double speed, double depth) {
+  ContactLaw law;
   law.stiffness_kind = kind;
   law.normal_stiffness = mass * speed * speed / (depth * depth);
   law.shear_stiffness = law.normal_damping = law.shear_damping = 0;
@@ -45,7 +45,7 @@ template <int D>
 struct Scene {
   World<D> world;
 
-  explicit Scene(const SpringLaw& law, const WorldSettings<D>& made = settings()) : world(made, memory) {
+  explicit Scene(const ContactLaw& law, const WorldSettings<D>& made = settings()) : world(made, memory) {
     world.add_material(density);
     Elasticity elasticity;
     elasticity.lame = elasticity.shear_modulus = law.normal_stiffness;
@@ -161,7 +161,7 @@ TEMPLATE_TEST_CASE_SIG("a plate that is driven through a bar at rest takes it al
 
 /// Runs until the bar is refused, or has been sent back.
 template <int D>
-StepResult result_of_bounce(const SpringLaw& law, double speed, const WorldSettings<D>& settings,
+StepResult result_of_bounce(const ContactLaw& law, double speed, const WorldSettings<D>& settings,
                             FastPair& fast) {
   Scene<D> scene(law, settings);
   scene.add(plate<D>(thickness), BlockKind::fixed, 0);
@@ -181,7 +181,7 @@ TEMPLATE_TEST_CASE_SIG("a world that shall not divide its steps tells the pair a
     for (const double speed_in_steps : {0.3, 7.3, 100.0}) {
       INFO(D << "D, " << name_of(kind) << ", " << speed_in_steps << " thicknesses a step");
       const double speed = speed_in_steps * thickness / time_step;
-      const SpringLaw law = law_that_stops<D>(kind, density * thickness, speed, 0.1 * thickness);
+      const ContactLaw law = law_that_stops<D>(kind, density * thickness, speed, 0.1 * thickness);
       WorldSettings<D> settings = Scene<D>::settings();
       settings.fast_blocks = FastBlocks::refuse;
       FastPair fast;
@@ -203,7 +203,7 @@ TEMPLATE_TEST_CASE_SIG("a world that shall not divide its steps tells the pair a
 TEMPLATE_TEST_CASE_SIG("a step that would be divided without end is refused where it has come to", "",
                        ((int D), D), 2, 3) {
   constexpr double thin = 1e-5, speed = 5e3;
-  const SpringLaw soft = law_that_stops<D>(StiffnessKind::per_contact, density * thin, 1, 1);
+  const ContactLaw soft = law_that_stops<D>(StiffnessKind::per_contact, density * thin, 1, 1);
   Scene<D> scene(soft);
   scene.add(plate<D>(thin), BlockKind::fixed, 0);
   const std::int32_t sliding = scene.add(plate<D>(thin), BlockKind::rigid, 0.99 * thin);
@@ -211,7 +211,7 @@ TEMPLATE_TEST_CASE_SIG("a step that would be divided without end is refused wher
   for (int calls = 1; calls <= 2; ++calls) {
     REQUIRE(scene.world.step() == StepResult::too_fast);
     const double way = scene.world.blocks().position[std::size_t(sliding)].y();
-    CHECK(way == Approx(calls * most_motions * 0.5 * 0.25 * thin));
+    CHECK(way == Approx(calls * max_motions * 0.5 * 0.25 * thin));
     CHECK(scene.world.steps() == 0);
     CHECK(scene.world.fast_pair().speed == Approx(speed));
     CHECK(scene.world.fast_pair().time_step == Approx(0.25 * thin / speed));
@@ -227,7 +227,7 @@ struct Throw {
 
 /// How deep springs are told to let a bar come that is thrown so.
 double told_stop(const Throw& thrown, double step) {
-  SpringLaw law = law_that_stops<2>(StiffnessKind::per_contact, density * thickness, 100, 5 * thickness);
+  ContactLaw law = law_that_stops<2>(StiffnessKind::per_contact, density * thickness, 100, 5 * thickness);
   WorldSettings<2> settings = Scene<2>::settings();
   settings.time_step = step;
   Scene<2> scene(law, settings);
@@ -239,7 +239,7 @@ double told_stop(const Throw& thrown, double step) {
   const double fall = spin[0] != 0 ? 0 : -100;
   scene.world.set_velocity(bar, {thrown.speed_along, fall}, spin);
   while (scene.world.time() < 0.03) REQUIRE(scene.world.step() == StepResult::ok);
-  return scene.world.deepest_stop();
+  return scene.world.max_penetration_ratio();
 }
 
 }  // namespace
@@ -257,7 +257,7 @@ TEST_CASE("springs too soft for a speed are told however the blocks meet: off th
 }
 
 TEST_CASE("a bar that flies along a plate is not told to be stopped by it") {
-  const SpringLaw law =
+  const ContactLaw law =
       law_that_stops<2>(StiffnessKind::per_contact, density * thickness, 100, 5 * thickness);
   Scene<2> scene(law);
   scene.world.add_block(shape_of(rectangle(10, thickness)), BlockKind::fixed, 0, {0, 0}, {});
@@ -266,7 +266,7 @@ TEST_CASE("a bar that flies along a plate is not told to be stopped by it") {
   scene.world.set_velocity(bar, {100, 0}, Angular<2>::Zero());
   for (int i = 0; i < 100; ++i) {
     REQUIRE(scene.world.step() == StepResult::ok);
-    CHECK(scene.world.deepest_stop() <= 1e-9);
+    CHECK(scene.world.max_penetration_ratio() <= 1e-9);
   }
 }
 
@@ -274,13 +274,13 @@ TEST_CASE("what lies deep at rest is told as deep") {
   const double depth = 0.3 * thickness, gravity = 10;
   WorldSettings<2> settings = Scene<2>::settings();
   settings.gravity = {-gravity, 0};
-  SpringLaw law = law_that_stops<2>(StiffnessKind::per_contact, 1, 1, 1);
+  ContactLaw law = law_that_stops<2>(StiffnessKind::per_contact, 1, 1, 1);
   law.normal_stiffness = density * thickness * gravity / depth;
   Scene<2> scene(law, settings);
   scene.add(plate<2>(thickness), BlockKind::fixed, 0);
   scene.add(plate<2>(thickness), BlockKind::rigid, thickness - depth);
   REQUIRE(scene.world.step() == StepResult::ok);
-  CHECK(scene.world.deepest_stop() == Approx(0.3).epsilon(1e-3));
+  CHECK(scene.world.max_penetration_ratio() == Approx(0.3).epsilon(1e-3));
 }
 
 namespace {

@@ -1,8 +1,7 @@
-#include "world/fast_motion.h"
-
 #include <cmath>
 
 #include "catch.h"
+#include "world/motion/continuous_collision.h"
 #include "world_parts.h"
 
 using namespace halfspace;
@@ -28,8 +27,8 @@ struct Flight : WorldParts<D> {
     this->list_neighbors();
     double noise = 0;
     this->fast_motion.note_speeds(this->integrator.begin(time_step, noise));
-    REQUIRE(this->integrator.plan(time_step));
-    if (this->neighbors.used_up()) this->list_neighbors();
+    REQUIRE(this->integrator.predict(time_step));
+    if (this->neighbors.needs_rebuild()) this->list_neighbors();
     this->find_contacts();
   }
 };
@@ -49,7 +48,7 @@ TEMPLATE_TEST_CASE_SIG(
   alone.list_neighbors();
   double noise = 0;
   alone.fast_motion.note_speeds(alone.integrator.begin(time_step, noise));
-  REQUIRE(alone.integrator.plan(time_step));
+  REQUIRE(alone.integrator.predict(time_step));
   CHECK_FALSE(alone.fast_motion.any());
 }
 
@@ -58,7 +57,7 @@ TEMPLATE_TEST_CASE_SIG("a motion goes on until just before the first touch", "",
     Flight<D> flight(thicknesses);
     const double motion = thicknesses * thickness;
     // An eighth of the thickness before: half of what is calm, so that the next part does not end beyond.
-    CHECK(flight.fast_motion.calm_part() * motion == Approx(distance - thickness / 8));
+    CHECK(flight.fast_motion.safe_fraction() * motion == Approx(distance - thickness / 8));
     const FastPair& pair = flight.fast_motion.pair();
     CHECK(pair.a == 0);
     CHECK(pair.b == 1);
@@ -73,7 +72,7 @@ TEMPLATE_TEST_CASE_SIG("a motion past a plate, or away from it, is made at once 
   for (const Vector<D>& direction : {at<D>(1, 0), at<D>(0, 1)}) {
     Flight<D> flight(100, direction, thickness);
     CHECK(flight.fast_motion.any());
-    CHECK(flight.fast_motion.calm_part() == 1);
+    CHECK(flight.fast_motion.safe_fraction() == 1);
     CHECK(flight.spring_stop.deepest() == 0);
   }
 }
@@ -82,7 +81,7 @@ TEMPLATE_TEST_CASE_SIG(
     "the calm step is that in which the nearest pair closes by a quarter of the thinner one", "",
     ((int D), D), 2, 3) {
   Flight<D> flight(100);
-  CHECK(flight.fast_motion.calm_time_step() == Approx(thickness / 4 / flight.speed));
+  CHECK(flight.fast_motion.safe_time_step() == Approx(thickness / 4 / flight.speed));
   Flight<D> at_rest(0);
-  CHECK(at_rest.fast_motion.calm_time_step() == HUGE_VAL);
+  CHECK(at_rest.fast_motion.safe_time_step() == HUGE_VAL);
 }

@@ -1,4 +1,4 @@
-#include "world/force_pass.h"
+#include "world/contacts/force_pass.h"
 
 #include <cmath>
 
@@ -15,7 +15,7 @@ constexpr double stiffness = 48, depth = 0.125, offset = 0.5;
 /// Two blocks of sides 1 that overlap by the depth in x, and beside that by a half in y.
 template <int D>
 struct Overlapping : WorldParts<D> {
-  explicit Overlapping(const SpringLaw& law) : WorldParts<D>(law) {
+  explicit Overlapping(const ContactLaw& law) : WorldParts<D>(law) {
     this->add(cube<D>(), BlockKind::rigid, at<D>(3, 2));
     this->add(cube<D>(), BlockKind::rigid, at<D>(3 + 1 - depth, 2 + offset));
     this->list_neighbors();
@@ -55,7 +55,7 @@ TEMPLATE_TEST_CASE_SIG("a spring presses overlapping blocks apart by its stiffne
 }
 
 TEMPLATE_TEST_CASE_SIG("a spring per area presses by the area too that both share", "", ((int D), D), 2, 3) {
-  SpringLaw law = normal_spring(stiffness);
+  ContactLaw law = normal_spring(stiffness);
   law.stiffness_kind = StiffnessKind::per_area;
   Overlapping<D> parts(law);
   CHECK(parts.load_blocks().strain == Approx(0.5 * stiffness * offset * depth * depth));
@@ -76,7 +76,7 @@ TEMPLATE_TEST_CASE_SIG("loads of several contacts add up", "", ((int D), D), 2, 
 
 TEMPLATE_TEST_CASE_SIG("a dashpot takes c v^2, c its share of twice the root of k m", "", ((int D), D), 2,
                        3) {
-  SpringLaw law = normal_spring(stiffness);
+  ContactLaw law = normal_spring(stiffness);
   law.normal_damping = 0.25;
   WorldParts<D> parts(law, {}, 3);
   parts.add(cube<D>(), BlockKind::rigid, at<D>(0, 0), at<D>(0.5, 0));

@@ -62,7 +62,7 @@ TEST_CASE("integrals over a bonded face are those over many small pieces of it")
   Random random(71);
   for (int round = 0; round < 20; ++round) {
     // A polygon of up to 8 corners with a linear gap.
-    const Points polygon = random_polygon(random, most_region_points / 2, 1);
+    const Points polygon = random_polygon(random, max_region_points / 2, 1);
     const Shape<2> shape = shape_of(polygon);
     const double at_origin = random.uniform(-1, 1);
     const Vector<2> slope(random.uniform(-1, 1), random.uniform(-1, 1));

@@ -10,14 +10,14 @@ namespace {
 
 /// Rates that grow evenly with time, each in its own way. All numbers here are short binary ones, of which
 /// sums are exact.
-Stock stock_at(double time) {
-  Stock stock;
-  stock.power = {.outer = 1 + 2 * time,
-                 .contact_damping = 2 + 4 * time,
-                 .local_damping = 3 + 6 * time,
-                 .mass_damping = 4 + 8 * time,
-                 .block_damping = 5 + 10 * time};
-  return stock;
+EnergySample stock_at(double time) {
+  EnergySample sample;
+  sample.power = {.outer = 1 + 2 * time,
+                  .contact_damping = 2 + 4 * time,
+                  .local_damping = 3 + 6 * time,
+                  .mass_damping = 4 + 8 * time,
+                  .block_damping = 5 + 10 * time};
+  return sample;
 }
 
 }  // namespace
@@ -28,9 +28,9 @@ TEST_CASE("of rates that grow evenly the ledger holds the integrals, whatever th
   double time = 0;
   for (const double duration : {0.5, 0.125, 1.0, 0.375}) {
     time += duration;
-    Stock stock = stock_at(time);
-    stock.applied_power = 0.25;
-    ledger.book(stock, duration);
+    EnergySample sample = stock_at(time);
+    sample.applied_power = 0.25;
+    ledger.book(sample, duration);
   }
   const double integral = time + time * time;  // of 1 + 2 t
   const Ledger& entries = ledger.entries();
@@ -43,7 +43,7 @@ TEST_CASE("of rates that grow evenly the ledger holds the integrals, whatever th
 }
 
 TEST_CASE("sums over parts of a world are those over all of it, and the fastest is the fastest of any") {
-  Stock sum = stock_at(1), other = stock_at(2);
+  EnergySample sum = stock_at(1), other = stock_at(2);
   sum.kinetic = sum.gravity = sum.block_strain = 1;
   other.kinetic = other.gravity = other.block_strain = 2;
   sum.squared_speed = other.squared_swing = 3;
@@ -67,27 +67,27 @@ TEST_CASE("a residual is what no entry explains") {
   ledger.set_contact_strain(2);
   ledger.add_friction_loss(4);
   ledger.add_contact_damping_loss(8);
-  Stock stock;
-  stock.kinetic = 16;
-  stock.gravity = -32;
-  stock.block_strain = 64;
-  stock.applied_power = 1;
-  ledger.book(stock, 1);
+  EnergySample sample;
+  sample.kinetic = 16;
+  sample.gravity = -32;
+  sample.block_strain = 64;
+  sample.applied_power = 1;
+  ledger.book(sample, 1);
   CHECK(ledger.entries().total() == 2 + 4 + 8 + 16 - 32 + 64);
   CHECK(ledger.entries().residual() == 61);
 }
 
 TEST_CASE("what an edit does to the energy is outer work, and no residual is lost by it") {
   EnergyLedger ledger;
-  Stock stock;
-  stock.kinetic = 1;
-  ledger.begin(stock, 0);
+  EnergySample sample;
+  sample.kinetic = 1;
+  ledger.begin(sample, 0);
   CHECK(ledger.entries().outer_work == 1);
-  stock.kinetic = 1.25;  // out of nothing
-  ledger.book(stock, 1);
+  sample.kinetic = 1.25;  // out of nothing
+  ledger.book(sample, 1);
   ledger.note_edit();
-  stock.gravity = 8;  // lifted
-  ledger.begin(stock, 0);
+  sample.gravity = 8;  // lifted
+  ledger.begin(sample, 0);
   CHECK(ledger.entries().outer_work == 9);
   CHECK(ledger.entries().residual() == 0.25);
 }
@@ -95,31 +95,31 @@ TEST_CASE("what an edit does to the energy is outer work, and no residual is los
 namespace {
 
 /// Asks of a world that holds one energy before a motion and another after it.
-bool makes_energy(double before, double after, double noise, double applied_power = 0) {
+bool is_unstable(double before, double after, double noise, double applied_power = 0) {
   EnergyLedger ledger;
-  Stock stock;
-  stock.kinetic = before;
-  ledger.begin(stock, noise);
-  stock.kinetic = after;
-  stock.applied_power = applied_power;
-  ledger.book(stock, 1);
-  return ledger.makes_energy();
+  EnergySample sample;
+  sample.kinetic = before;
+  ledger.begin(sample, noise);
+  sample.kinetic = after;
+  sample.applied_power = applied_power;
+  ledger.book(sample, 1);
+  return ledger.is_unstable();
 }
 
 }  // namespace
 
 TEST_CASE("energy is made where all but nothing of it was there before") {
-  CHECK(makes_energy(0.004, 1, 0));
-  CHECK_FALSE(makes_energy(0.006, 1, 0));
-  CHECK_FALSE(makes_energy(1, 0.004, 0));         // lost
-  CHECK_FALSE(makes_energy(0.004, 1, 0, 0.996));  // worked in
-  CHECK(makes_energy(1, std::numeric_limits<double>::quiet_NaN(), 0));
+  CHECK(is_unstable(0.004, 1, 0));
+  CHECK_FALSE(is_unstable(0.006, 1, 0));
+  CHECK_FALSE(is_unstable(1, 0.004, 0));         // lost
+  CHECK_FALSE(is_unstable(0.004, 1, 0, 0.996));  // worked in
+  CHECK(is_unstable(1, std::numeric_limits<double>::quiet_NaN(), 0));
 }
 
 TEST_CASE("energy within the noise is not judged, and what a world begins with counts as noise") {
-  CHECK_FALSE(makes_energy(0, 0.9, 1));
-  CHECK(makes_energy(0, 1.1, 1));
-  CHECK_FALSE(makes_energy(0.004, 0.9, 1));
-  CHECK(makes_energy(0.004, 1.1, 1));
-  CHECK_FALSE(makes_energy(0.004, 1.006, 1));  // 1.002 made, 1.004 is noise
+  CHECK_FALSE(is_unstable(0, 0.9, 1));
+  CHECK(is_unstable(0, 1.1, 1));
+  CHECK_FALSE(is_unstable(0.004, 0.9, 1));
+  CHECK(is_unstable(0.004, 1.1, 1));
+  CHECK_FALSE(is_unstable(0.004, 1.006, 1));  // 1.002 made, 1.004 is noise
 }

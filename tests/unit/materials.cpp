@@ -1,4 +1,4 @@
-#include "world/materials.h"
+#include "world/model/materials.h"
 
 #include "catch.h"
 
@@ -7,7 +7,7 @@ using namespace halfspace;
 TEST_CASE("two materials have the law that was set for them, in either order, and others the default") {
   Materials materials(std::pmr::get_default_resource());
   for (const double density : {1000, 2000, 3000}) materials.add(density);
-  SpringLaw own, common;
+  ContactLaw own, common;
   own.normal_stiffness = 5;
   common.normal_stiffness = 7;
   materials.laws().set(2, 1, own);

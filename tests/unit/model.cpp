@@ -1,4 +1,4 @@
-#include "world/model.h"
+#include "world/model/model.h"
 
 #include "catch.h"
 #include "world_parts.h"
@@ -8,8 +8,8 @@ using namespace halfspace::test;
 
 namespace {
 
-SpringLaw potential_law() {
-  SpringLaw law;
+ContactLaw potential_law() {
+  ContactLaw law;
   law.stiffness_kind = StiffnessKind::potential;
   return law;
 }
@@ -40,7 +40,7 @@ TEMPLATE_TEST_CASE_SIG("H is the mean length of all edges when forces were first
 TEST_CASE("a given H is taken, and without potentials none is fixed") {
   WorldSettings<2> settings;
   settings.potential_length = 7;
-  WorldParts<2> given(potential_law(), settings), none{SpringLaw()};
+  WorldParts<2> given(potential_law(), settings), none{ContactLaw()};
   given.add(brick<2>(), BlockKind::rigid, {0, 0});
   CHECK(given.model.potential_length() == 7);
   none.add(brick<2>(), BlockKind::rigid, {0, 0});
@@ -50,8 +50,8 @@ TEST_CASE("a given H is taken, and without potentials none is fixed") {
 }
 
 TEST_CASE("the law of two blocks is that of their materials") {
-  WorldParts<2> parts{SpringLaw()};
-  SpringLaw own;
+  WorldParts<2> parts{ContactLaw()};
+  ContactLaw own;
   own.normal_stiffness = 5;
   parts.model.materials.add(1);
   parts.model.materials.laws().set(0, 1, own);
@@ -59,5 +59,5 @@ TEST_CASE("the law of two blocks is that of their materials") {
   parts.blocks.material[1] = 1;
   CHECK(parts.model.law_between(0, 1).normal_stiffness == 5);
   CHECK(parts.model.law_between(1, 2).normal_stiffness == 5);
-  CHECK(parts.model.law_between(0, 2).normal_stiffness == SpringLaw().normal_stiffness);
+  CHECK(parts.model.law_between(0, 2).normal_stiffness == ContactLaw().normal_stiffness);
 }

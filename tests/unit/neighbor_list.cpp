@@ -1,4 +1,4 @@
-#include "world/neighbor_list.h"
+#include "world/contacts/neighbor_list.h"
 
 #include <cmath>
 #include <set>
@@ -29,7 +29,7 @@ template <int D>
 struct Heap : WorldParts<D> {
   std::vector<Vector<D>> sides;
 
-  Heap(Random& random, int count, double region) : WorldParts<D>(SpringLaw()) {
+  Heap(Random& random, int count, double region) : WorldParts<D>(ContactLaw()) {
     for (int i = 0; i < count; ++i) {
       Vector<D> size, place;
       for (int k = 0; k < D; ++k) {
@@ -60,8 +60,8 @@ TEMPLATE_TEST_CASE_SIG(
     Heap<D> heap(random, 60, D == 2 ? 8 : 3);
     heap.list_neighbors();
     const PairSet pairs = listed(heap.neighbors);
-    const auto [skin, used_up] = heap.neighbors.skins();
-    CHECK_FALSE(used_up);
+    const auto [skin, needs_rebuild] = heap.neighbors.skins();
+    CHECK_FALSE(needs_rebuild);
     for (std::int32_t a = 0; a < 60; ++a) {
       for (std::int32_t b = a + 1; b < 60; ++b) {
         const std::size_t i = std::size_t(a), j = std::size_t(b);
@@ -83,67 +83,67 @@ TEMPLATE_TEST_CASE_SIG("a skin is a share of a block's size, and a fixed block h
                        3) {
   WorldSettings<D> settings;
   settings.skin = 0.25;
-  WorldParts<D> parts(SpringLaw(), settings);
+  WorldParts<D> parts(ContactLaw(), settings);
   parts.add(cube<D>(), BlockKind::fixed, at<D>(0, 0));
   parts.add(cube<D>(), BlockKind::rigid, at<D>(5, 0));
   parts.list_neighbors();
-  const auto [skin, used_up] = parts.neighbors.skins();
+  const auto [skin, needs_rebuild] = parts.neighbors.skins();
   CHECK(skin[0] == 0);
   CHECK(skin[1] == Approx(0.25 * std::sqrt(D)));
 }
 
 TEMPLATE_TEST_CASE_SIG("the list is used up when a block is to move, or turn, by more than its skin", "",
                        ((int D), D), 2, 3) {
-  WorldParts<D> parts{SpringLaw()};
+  WorldParts<D> parts{ContactLaw()};
   parts.add(cube<D>(), BlockKind::rigid, at<D>(0, 0));
   parts.list_neighbors();
   NeighborList<D>& list = parts.neighbors;
   const double skin = std::get<0>(list.skins())[0];
-  list.begin_plan();
-  CHECK_FALSE(list.plan(parts.blocks, 0, 0.99 * skin));
-  CHECK(list.planned_motion(0) == 0.99 * skin);
-  CHECK(list.plan(parts.blocks, 0, 1.01 * skin));
+  list.begin_announcements();
+  CHECK_FALSE(list.announce(parts.blocks, 0, 0.99 * skin));
+  CHECK(list.announced_motion(0) == 0.99 * skin);
+  CHECK(list.announce(parts.blocks, 0, 1.01 * skin));
   parts.blocks.place(0, at<D>(0.6 * skin, 0), {});
   list.note_placement(parts.blocks, 0);
-  CHECK_FALSE(list.used_up());
-  CHECK(list.plan(parts.blocks, 0, 0.5 * skin));  // both ways together
+  CHECK_FALSE(list.needs_rebuild());
+  CHECK(list.announce(parts.blocks, 0, 0.5 * skin));  // both ways together
 
   parts.list_neighbors();
   Angular<D> turn = Angular<D>::Zero();
   turn[0] = 2 * skin / parts.blocks.radius[0];
   parts.blocks.place(0, at<D>(0.6 * skin, 0), Rotation<D>().turned_by(turn));
   list.note_placement(parts.blocks, 0);
-  CHECK(list.used_up());
+  CHECK(list.needs_rebuild());
 }
 
 TEMPLATE_TEST_CASE_SIG("a pair that stays keeps what it remembers, and a bonded one stays", "", ((int D), D),
                        2, 3) {
-  WorldParts<D> parts{SpringLaw()};
+  WorldParts<D> parts{ContactLaw()};
   for (const double x : {0.0, 1.0, 2.0, 3.0}) parts.add(cube<D>(), BlockKind::rigid, at<D>(x, 0));
   parts.list_neighbors();
   REQUIRE(listed(parts.neighbors) == PairSet{{0, 1}, {1, 2}, {2, 3}});
-  parts.neighbors.pairs()[1].witness.state = Witness<D>::overlapping;
+  parts.neighbors.pairs()[1].witness.state = PairCache<D>::overlapping;
   parts.neighbors.pairs()[2].bonded = true;
   parts.blocks.place(0, at<D>(-9, 0), {});
   parts.blocks.place(3, at<D>(12, 0), {});
   parts.list_neighbors();
   REQUIRE(listed(parts.neighbors) == PairSet{{1, 2}, {2, 3}});
-  CHECK(parts.neighbors.pairs()[0].witness.state == Witness<D>::overlapping);
-  CHECK(parts.neighbors.pairs()[1].witness.state == Witness<D>::unknown);
+  CHECK(parts.neighbors.pairs()[0].witness.state == PairCache<D>::overlapping);
+  CHECK(parts.neighbors.pairs()[1].witness.state == PairCache<D>::unknown);
   CHECK(parts.neighbors.builds() == 2);
   parts.neighbors.forget(2);
   CHECK(parts.neighbors.pairs().empty());
 }
 
 TEST_CASE("a block is calm in half a quarter of what is thinner, itself or a neighbour") {
-  WorldParts<2> parts{SpringLaw()};
+  WorldParts<2> parts{ContactLaw()};
   parts.add(cuboid<2>({4, 0.5}), BlockKind::rigid, {0, 0});
   parts.add(cuboid<2>({4, 1}), BlockKind::fixed, {0, 0.75});
   parts.add(cuboid<2>({4, 2}), BlockKind::rigid, {0, 2.25});
   parts.add(cuboid<2>({4, 2}), BlockKind::rigid, {0, 50});
   parts.list_neighbors();
-  CHECK(parts.neighbors.calm_motion(0) == Approx(0.5 / 8));
-  CHECK(parts.neighbors.calm_motion(2) == Approx(1.0 / 8));
-  CHECK(parts.neighbors.calm_motion(3) == HUGE_VAL);
-  CHECK(parts.neighbors.least_calm_motion() == Approx(0.5 / 8));
+  CHECK(parts.neighbors.safe_displacement(0) == Approx(0.5 / 8));
+  CHECK(parts.neighbors.safe_displacement(2) == Approx(1.0 / 8));
+  CHECK(parts.neighbors.safe_displacement(3) == HUGE_VAL);
+  CHECK(parts.neighbors.min_safe_displacement() == Approx(0.5 / 8));
 }

@@ -75,7 +75,7 @@ struct OnPlate {
 TEST_CASE("a corner of a region has the part of the stiffness that its exterior angle is of a turn") {
   Random random(81);
   for (int round = 0; round < 300; ++round) {
-    const Region region{random_polygon(random, most_region_points / 2, 1)};
+    const Region region{random_polygon(random, max_region_points / 2, 1)};
     const PointSprings<3> springs = region.springs();
     double sum = 0;
     for (std::size_t i = 0; i < region.corners.size(); ++i) {
@@ -91,7 +91,7 @@ TEST_CASE("a corner of a region has the part of the stiffness that its exterior 
 TEST_CASE("corners that split, and regions that become a segment, leave every place its stiffness") {
   Random random(82);
   for (int round = 0; round < 200; ++round) {
-    const Region region{random_polygon(random, most_region_points / 2 - 1, 1),
+    const Region region{random_polygon(random, max_region_points / 2 - 1, 1),
                         {random.uniform(-0.01, 0.01), random.uniform(-0.01, 0.01)}};
     // A corner is cut off by a little, or is there twice.
     const double little = round % 3 == 0 ? 0 : 1e-9;
@@ -117,7 +117,7 @@ TEST_CASE("a vertex has the same stiffness however its face is tilted, alone or 
   Random random(83);
   int of_type[7] = {};
   for (int round = 0; round < 100; ++round) {
-    const Points base = random_polygon(random, most_region_points / 2, 0.5);
+    const Points base = random_polygon(random, max_region_points / 2, 0.5);
     OnPlate block(base, round % 2);
     const double direction = random.uniform(0, 2 * pi);
     const Vector<3> axis(std::cos(direction), std::sin(direction), 0);
@@ -136,7 +136,7 @@ TEST_CASE("a vertex has the same stiffness however its face is tilted, alone or 
 TEST_CASE("an edge has the same stiffness however the face at it is tilted") {
   Random random(84);
   for (int round = 0; round < 100; ++round) {
-    const Points base = random_polygon(random, most_region_points / 2, 0.5);
+    const Points base = random_polygon(random, max_region_points / 2, 0.5);
     OnPlate block(base, round % 2);
     const Vector<2> edge = (base[1] - base[0]).normalized();
     const Vector<3> axis(edge.x(), edge.y(), 0);

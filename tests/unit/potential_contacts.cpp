@@ -31,7 +31,7 @@ struct TwoInWorld {
   }
 
   void set_law(StiffnessKind kind) {
-    SpringLaw law = test::bare_law();
+    ContactLaw law = test::bare_law();
     law.stiffness_kind = kind;
     law.normal_stiffness = law.shear_stiffness = 1e6;
     law.tan_friction = 0.6;

@@ -41,8 +41,8 @@ Kept moved(const Kept& before, Random& random, double by) {
 }
 
 template <int D>
-Contact<D> look_at(const PosedPair<D>& posed) {
-  Witness<D> witness;
+Contact<D> find_vertex_face(const PosedPair<D>& posed) {
+  PairCache<D> witness;
   return search_pair(posed, frames_of<D>(posed.at_a, posed.at_b), {}, witness,
                      std::pmr::get_default_resource());
 }
@@ -73,7 +73,7 @@ void check_proofs(const Shape<D>& a, const Shape<D>& b, Random& random) {
   for (int i = 0; i < 500; ++i) {
     const Kept at_a = random_pose<D>(random, 2), at_b = random_pose<D>(random, 2);
     const PosedPair<D> before{a, at_a.given(), b, at_b.given()};
-    const Contact<D> apart = look_at(before);
+    const Contact<D> apart = find_vertex_face(before);
     if (apart.type != ContactType::none) continue;
     double normal[3] = {};
     for (int k = 0; k < D; ++k) normal[k] = apart.normal[k];

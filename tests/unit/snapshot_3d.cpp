@@ -53,7 +53,7 @@ std::unique_ptr<World<3>> busy_world(Memory* memory) {
   auto world = std::make_unique<World<3>>(settings, memory);
   const std::int32_t stone = world->add_material(1000), glue = world->add_material(1500),
                      clay = world->add_material(1200);
-  SpringLaw law = test::bare_law();
+  ContactLaw law = test::bare_law();
   law.normal_stiffness = 1e6;
   law.shear_stiffness = 5e5;
   law.tan_friction = 0.5;

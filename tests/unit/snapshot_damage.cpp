@@ -22,7 +22,7 @@ std::unique_ptr<World<3>> small_world() {
   settings.time_step = 1e-3;
   auto world = std::make_unique<World<3>>(settings, memory);
   const std::int32_t stone = world->add_material(1000);
-  SpringLaw law;
+  ContactLaw law;
   law.normal_stiffness = law.shear_stiffness = 1e6;
   law.tan_friction = 0.5;
   world->set_default_law(law);
@@ -63,7 +63,7 @@ struct ForgetBlocks {
   void forget(Array<double>& of_blocks) { of_blocks.clear(); }
   void forget(Array<Vector<3>>& of_blocks) { of_blocks.clear(); }
   void forget(Array<Rotation<3>>& of_blocks) { of_blocks.clear(); }
-  void forget(std::int32_t& used_up) { used_up = 1; }
+  void forget(std::int32_t& needs_rebuild) { needs_rebuild = 1; }
   template <class Other>
   void forget(Other&) {}
 };

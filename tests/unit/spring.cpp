@@ -28,15 +28,15 @@ struct OnTop {
     contact.gaps[0] = contact.gaps[1] = -overlap;
   }
 
-  PairLoad<2> press(const SpringLaw& law, double elapsed) {
+  PairLoad<2> press(const ContactLaw& law, double elapsed) {
     energy = {};
     return Spring<2>(law, 1, elapsed)
         .evaluate(contact, PointSprings<2>{{0.5, 0.5}}, motion, shear, bonded, energy);
   }
 };
 
-SpringLaw stiff() {
-  SpringLaw law = test::bare_law();
+ContactLaw stiff() {
+  ContactLaw law = test::bare_law();
   law.normal_stiffness = 1000;
   law.shear_stiffness = 100;
   return law;
@@ -54,7 +54,7 @@ TEST_CASE("the stiffness of a contact is shared over its points") {
 }
 
 TEST_CASE("shear grows with slip, up to Mohr-Coulomb, and sliding loses force times slip") {
-  SpringLaw law = stiff();
+  ContactLaw law = stiff();
   law.tan_friction = 0.5;
   OnTop block(0.01);
   block.motion.velocity = {1, 0};  // b slips to the right; the tangent of an upward normal points left
@@ -70,7 +70,7 @@ TEST_CASE("shear grows with slip, up to Mohr-Coulomb, and sliding loses force ti
 }
 
 TEST_CASE("an intact contact holds cohesion and tension until it fails, then friction only") {
-  SpringLaw law = stiff();
+  ContactLaw law = stiff();
   law.tan_friction = 0.5;
   law.cohesion = 3;           // times a length of 2: 6
   law.tensile_strength = 10;  // 20
@@ -97,7 +97,7 @@ TEST_CASE("an intact contact holds cohesion and tension until it fails, then fri
 }
 
 TEST_CASE("viscous damping brakes and never pulls") {
-  SpringLaw law = stiff();
+  ContactLaw law = stiff();
   law.normal_damping = 0.5;
   OnTop block(0.001);
   block.motion.velocity = {0, -1};
@@ -110,7 +110,7 @@ TEST_CASE("viscous damping brakes and never pulls") {
 }
 
 TEST_CASE("action and reaction: the torques about any one point cancel") {
-  SpringLaw law = stiff();
+  ContactLaw law = stiff();
   law.tan_friction = 0.5;
   OnTop block(0.01);
   block.contact.gaps[1] = -0.02;

@@ -15,8 +15,8 @@ namespace {
 
 constexpr double stiffness = 1000;
 
-SpringLaw without_friction(StiffnessKind kind) {
-  SpringLaw law = test::bare_law();
+ContactLaw without_friction(StiffnessKind kind) {
+  ContactLaw law = test::bare_law();
   law.stiffness_kind = kind;
   law.normal_stiffness = stiffness;
   return law;
@@ -215,7 +215,7 @@ TEST_CASE("in space, swapping the blocks turns the force round") {
     swapped.blocks.set_motion(0, velocity, spin_b);
     swapped.blocks.set_motion(1, Vector<3>::Zero(), spin_a);
     two.pair = pair_of_largest_gap(two.blocks.outline(0), two.blocks.outline(1), to_b).pair;
-    const Witness<3> other = test::swapped(Witness<3>{Witness<3>::touching, two.pair});
+    const PairCache<3> other = test::swapped(PairCache<3>{PairCache<3>::touching, two.pair});
     swapped.pair = other.pair;
     const PairLoad<3> load = two.evaluate(1e-3), turned = swapped.evaluate(1e-3);
     const double rounding = 1e-12 * (load.contact.force.norm() + load.contact.torque_on_b(two.to_b()).norm());

@@ -1,8 +1,7 @@
-#include "world/spring_stop.h"
-
 #include <cmath>
 
 #include "catch.h"
+#include "world/motion/penetration_bound.h"
 #include "world_parts.h"
 
 using namespace halfspace;
@@ -18,7 +17,7 @@ struct FlyingPlate : WorldParts<D> {
   double area = std::pow(length, D - 1);
   double mass = density * thickness * area;
 
-  explicit FlyingPlate(const SpringLaw& law, double x = 1, double velocity = -speed,
+  explicit FlyingPlate(const ContactLaw& law, double x = 1, double velocity = -speed,
                        BlockKind of_target = BlockKind::fixed)
       : WorldParts<D>(law, settings(), density) {
     Vector<D> sides = Vector<D>::Constant(length);
@@ -42,7 +41,7 @@ struct FlyingPlate : WorldParts<D> {
 
 TEMPLATE_TEST_CASE_SIG("springs stop a block in v sqrt(m / k), told over the thickness of the thinner one",
                        "", ((int D), D), 2, 3) {
-  SpringLaw law = normal_spring(stiffness);
+  ContactLaw law = normal_spring(stiffness);
   FlyingPlate<D> per_contact(law);
   CHECK(per_contact.spring_stop.deepest() ==
         Approx(speed * std::sqrt(per_contact.mass / stiffness) / thickness));

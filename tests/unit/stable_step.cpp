@@ -1,4 +1,4 @@
-#include "world/stable_step.h"
+#include "world/motion/stable_step.h"
 
 #include <cmath>
 
@@ -25,7 +25,7 @@ struct ClampedBar : WorldParts<2> {
   static constexpr double length = 16, height = 0.25, support = 0.25;
   double mass = density * length * height;
 
-  explicit ClampedBar(const SpringLaw& law, const WorldSettings<2>& settings = {})
+  explicit ClampedBar(const ContactLaw& law, const WorldSettings<2>& settings = {})
       : WorldParts<2>(law, settings, density) {
     add(cuboid<2>({length, height}), BlockKind::rigid, {0, 0});
     for (const double x : {-0.5, 0.5})
@@ -74,7 +74,7 @@ TEST_CASE("of a bar on springs at its ends the stable step is below that of its 
 /// omega^2 + 4 dt zeta omega < 4.
 TEST_CASE("dashpots shorten the stable step as they do that of an oscillator") {
   for (const double damping : {0.1, 0.5, 1.0}) {
-    SpringLaw law = normal_spring(stiffness);
+    ContactLaw law = normal_spring(stiffness);
     law.normal_damping = damping;
     ClampedBar bar(law);
     const double arm = (bar.length - bar.support) / 2, inertia = bar.mass * (16 * 16 + 0.25 * 0.25) / 12;
@@ -96,7 +96,7 @@ TEST_CASE("mass damping shortens the stable step as dashpots do, and tells none 
     ClampedBar bar(normal_spring(stiffness), settings);
     const double limit = (std::sqrt(gamma * gamma + 4 * omega * omega) - gamma) / (omega * omega);
     CHECK(bar.stable_step.bound() == Approx(limit).epsilon(1e-12));
-    SpringLaw no_spring = normal_spring(stiffness);
+    ContactLaw no_spring = normal_spring(stiffness);
     no_spring.stiffness_kind = StiffnessKind::none;
     WorldParts<2> parts(no_spring, settings);
     parts.add(cube<2>(), BlockKind::rigid, at<2>(0, 0));

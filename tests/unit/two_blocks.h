@@ -10,7 +10,7 @@ namespace halfspace::test {
 /// Two blocks in space and the spring between them, which is evaluated as a world does.
 struct TwoBlocks {
   Blocks<3> blocks{std::pmr::get_default_resource()};
-  SpringLaw law = bare_law();
+  ContactLaw law = bare_law();
   DetectOptions detect;
   PotentialPair<3> pair;
   ShearSpring<3> shear;

@@ -16,8 +16,8 @@ Memory* const memory = std::pmr::get_default_resource();
 const Vector<3> gravity(0, 0, -10);
 const Vector<3> nothing(0, 0, 0);
 
-SpringLaw law(double stiffness, double tan_friction = 0) {
-  SpringLaw law = test::bare_law();
+ContactLaw law(double stiffness, double tan_friction = 0) {
+  ContactLaw law = test::bare_law();
   law.normal_stiffness = law.shear_stiffness = stiffness;
   law.tan_friction = tan_friction;
   return law;
@@ -34,7 +34,7 @@ WorldSettings<3> settings(double time_step, const Vector<3>& weight) {
 struct Scene {
   World<3> world;
 
-  Scene(const WorldSettings<3>& how, const SpringLaw& spring) : world(how, memory) {
+  Scene(const WorldSettings<3>& how, const ContactLaw& spring) : world(how, memory) {
     world.add_material(1000);
     world.set_default_law(spring);
   }
@@ -144,7 +144,7 @@ TEST_CASE("in space, two blocks that collide keep momentum, and a boost changes 
   Random random(92);
   const Shape<3> a = random_block(random, 10), b = random_block(random, 14);
   const auto collided = [&](const Vector<3>& boost, const Vector<3>& place, StiffnessKind kind) {
-    SpringLaw spring = law(1e7, 0.3);
+    ContactLaw spring = law(1e7, 0.3);
     spring.stiffness_kind = kind;
     auto made = std::make_unique<Scene>(settings(1e-4, nothing), spring);
     Scene& scene = *made;
@@ -182,7 +182,7 @@ TEST_CASE("in space, two blocks that collide keep momentum, and a boost changes 
 TEST_CASE("in space, a tip that strikes a face off its middle keeps all energy: two go away and turn") {
   const double stiffness = 1e7, step = 1e-4;
   for (const StiffnessKind kind : {StiffnessKind::per_contact, StiffnessKind::per_area}) {
-    SpringLaw spring = law(stiffness);
+    ContactLaw spring = law(stiffness);
     spring.stiffness_kind = kind;
     Scene scene(settings(step, nothing), spring);
     const std::int32_t struck = scene.add(cube(), BlockKind::rigid, nothing);

@@ -5,14 +5,14 @@
 
 #include "bare_law.h"
 #include "polyhedra.h"
-#include "world/clock.h"
-#include "world/contact_list.h"
-#include "world/fast_motion.h"
-#include "world/force_pass.h"
-#include "world/integrator.h"
-#include "world/model.h"
-#include "world/spring_stop.h"
-#include "world/stable_step.h"
+#include "world/contacts/contact_list.h"
+#include "world/contacts/force_pass.h"
+#include "world/model/model.h"
+#include "world/motion/clock.h"
+#include "world/motion/continuous_collision.h"
+#include "world/motion/integrator.h"
+#include "world/motion/penetration_bound.h"
+#include "world/motion/stable_step.h"
 
 namespace halfspace::test {
 
@@ -38,8 +38,8 @@ Vector<D> at(double x, double y) {
 }
 
 /// A law per contact with a normal spring and nothing else.
-inline SpringLaw normal_spring(double stiffness) {
-  SpringLaw law = bare_law();
+inline ContactLaw normal_spring(double stiffness) {
+  ContactLaw law = bare_law();
   law.normal_stiffness = stiffness;
   law.shear_stiffness = 0;
   return law;
@@ -58,11 +58,11 @@ struct WorldParts {
   Sleep<D> sleep{memory};
   Integrator<D> integrator{model, neighbors, forces, sleep, nullptr, memory};
   StableStep<D> stable_step{model, contacts, memory};
-  SpringStop<D> spring_stop{model, contacts};
-  FastMotion<D> fast_motion{model, contacts, integrator, clock, stable_step, spring_stop, 1, memory};
+  PenetrationBound<D> spring_stop{model, contacts};
+  ContinuousCollision<D> fast_motion{model, contacts, integrator, clock, stable_step, spring_stop, 1, memory};
   PairSums sums;  // of the contacts last found
 
-  explicit WorldParts(const SpringLaw& law, const WorldSettings<D>& settings = {}, double density = 1)
+  explicit WorldParts(const ContactLaw& law, const WorldSettings<D>& settings = {}, double density = 1)
       : model(settings, memory) {
     model.materials.add(density);
     model.materials.laws().set_default(law);
@@ -81,7 +81,7 @@ struct WorldParts {
   /// Makes the neighbour list, and room for what comes of it.
   void list_neighbors() {
     const bool with_shear =
-        model.materials.laws().any([](const SpringLaw& law) { return law.resists_shear(); });
+        model.materials.laws().any([](const ContactLaw& law) { return law.resists_shear(); });
     neighbors.search_again(blocks, model.settings.skin, with_shear);
     contacts.fit_room();
     forces.fit_rooms();

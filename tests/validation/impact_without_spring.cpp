@@ -66,10 +66,10 @@ BarImpact impact_of(Bars& bars) {
   int forces = 0;
   while (scene.report().time < 0.01 + 3 / bars.wave_speed) {
     scene.step();
-    const std::vector<hs_reaction> reactions = scene.reactions();
-    if (reactions.empty()) continue;
+    const std::vector<hs_contact> contacts = scene.contacts();
+    if (contacts.empty()) continue;
     if (touched_at == 0) {
-      touched_at = reactions.front().touched_at;
+      touched_at = contacts.front().touched_at;
       continue;  // the blow is no force
     }
     const double now = scene.report().time, force = scene.force_on(bars.struck).x() / theory;
@@ -83,7 +83,7 @@ BarImpact impact_of(Bars& bars) {
   CHECK(touched_at == Approx(0.01).epsilon(1e-12));
   impact.duration = (impact.duration + 0.5 * time_step) / waves;
   impact.mean = sum / forces;
-  impact.loss = scene.reaction_report().impact_loss / energy;
+  impact.loss = scene.report().impact_loss / energy;
   impact.left = scene.speed(bars.striker);
   CHECK(scene.speed(bars.striker) + scene.speed(bars.struck) == Approx(1).epsilon(1e-13));
   CHECK(std::abs(scene.report().energy.residual) < 2e-3 * energy);
@@ -98,11 +98,11 @@ TEST_CASE("C6: a triangle strikes the middle of an edge within a step", "[mesh][
   Triangles triangles(1, 5e-4);
   const double energy = 0.5 * triangles.scene.body_state(triangles.striker).mass * 9;
   triangles.step_until(0.3334);
-  REQUIRE(triangles.scene.reactions().size() == 1);
-  CHECK(triangles.scene.reactions().front().touched_at == Approx(1.0 / 3).margin(1e-12));
-  CHECK(triangles.scene.reaction_report().impact_loss / energy == Approx(2.0 / 9).epsilon(1e-11));
+  REQUIRE(triangles.scene.contacts().size() == 1);
+  CHECK(triangles.scene.contacts().front().touched_at == Approx(1.0 / 3).margin(1e-12));
+  CHECK(triangles.scene.report().impact_loss / energy == Approx(2.0 / 9).epsilon(1e-11));
   triangles.step_until(0.6);
-  CHECK(triangles.scene.reactions().empty());
+  CHECK(triangles.scene.contacts().empty());
   const double struck = triangles.scene.speed(triangles.struck),
                left = triangles.scene.speed(triangles.striker);
   std::printf("C6: the struck triangle leaves at %.4f m/s, the striker goes on at %.4f m/s\n", struck, left);
@@ -116,7 +116,7 @@ TEST_CASE("C6: the finer the mesh, the less is lost", "[mesh][reaction]") {
     Triangles triangles(parts, 0);
     const double energy = 0.5 * triangles.scene.body_state(triangles.striker).mass * 9;
     triangles.step_until(0.6);
-    const double loss = triangles.scene.reaction_report().impact_loss / energy,
+    const double loss = triangles.scene.report().impact_loss / energy,
                  struck = triangles.scene.speed(triangles.struck);
     std::printf("C6 with %d elements a side: %.5f of the energy lost, the struck one leaves at %.4f m/s\n",
                 parts, loss, struck);

@@ -18,16 +18,6 @@ class ReactingScene : public MeshScene {
  public:
   using MeshScene::MeshScene;
 
-  std::vector<hs_reaction> reactions() const {
-    std::vector<hs_reaction> all(std::size_t(reaction_report().reaction_count));
-    check(hs_world_get_reactions(world(), all.data(), std::int64_t(all.size()), nullptr));
-    return all;
-  }
-  hs_reaction_report reaction_report() const {
-    hs_reaction_report report;
-    check(hs_world_get_reaction_report(world(), &report, sizeof report));
-    return report;
-  }
   hs_body body_of(hs_block block) const {
     hs_body body = 0;
     check(hs_world_get_body_of_block(world(), block, &body, nullptr));
@@ -36,17 +26,17 @@ class ReactingScene : public MeshScene {
   /// The sum of all forces on a body. That of a touch in the last step is a blow.
   Node force_on(hs_body body) const {
     Node force = Node::Zero();
-    for (const hs_reaction& reaction : reactions()) {
-      if (body_of(reaction.block_a) == body) force += Eigen::Map<const Node>(reaction.force);
-      if (body_of(reaction.block_b) == body) force -= Eigen::Map<const Node>(reaction.force);
+    for (const hs_contact& contact : contacts()) {
+      if (body_of(contact.block_b) == body) force += Eigen::Map<const Node>(contact.force);
+      if (body_of(contact.block_a) == body) force -= Eigen::Map<const Node>(contact.force);
     }
     return force;
   }
   Node force_on_block(hs_block block) const {
     Node force = Node::Zero();
-    for (const hs_reaction& reaction : reactions()) {
-      if (reaction.block_a == block) force += Eigen::Map<const Node>(reaction.force);
-      if (reaction.block_b == block) force -= Eigen::Map<const Node>(reaction.force);
+    for (const hs_contact& contact : contacts()) {
+      if (contact.block_b == block) force += Eigen::Map<const Node>(contact.force);
+      if (contact.block_a == block) force -= Eigen::Map<const Node>(contact.force);
     }
     return force;
   }

@@ -41,7 +41,7 @@ TEST_CASE("a damped block rests with its weight and touches nothing anew", "[mes
     for (const int32_t kind : {HS_CELL_QUAD, HS_CELL_TRIANGLE}) {
       Floor floor(30 * degree, 20, floor_is_mesh, kind);
       while (floor.scene.report().time < 1.5) floor.scene.step();
-      const std::int64_t touches = floor.scene.reaction_report().touch_count;
+      const std::int64_t touches = floor.scene.report().touch_count;
       double squared = 0;
       int steps = 0;
       for (; floor.scene.report().time < 2; ++steps) {
@@ -52,7 +52,7 @@ TEST_CASE("a damped block rests with its weight and touches nothing anew", "[mes
       std::printf("a body of %s on a floor that is %s: force over weight off by %.1e rms\n",
                   name_of_cell(kind), floor_is_mesh ? "a mesh" : "one block", std::sqrt(squared / steps));
       CHECK(std::sqrt(squared / steps) < 1e-3);
-      CHECK(floor.scene.reaction_report().touch_count == touches);
+      CHECK(floor.scene.report().touch_count == touches);
     }
   }
 }
@@ -84,7 +84,7 @@ TEST_CASE("relaxation sees the forces of contacts without springs", "[mesh][reac
   Floor floor(0, 0, true, HS_CELL_QUAD);
   const hs_balance balance = relax(floor.scene, 1e-6);
   CHECK(balance.mean <= 1e-6);
-  CHECK(floor.scene.reactions().size() >= 7);
+  CHECK(floor.scene.contacts().size() >= 7);
 }
 
 /// Strength counts for contacts that are there from the start: two bars of equal cells hold until the pull on
@@ -155,12 +155,12 @@ TEST_CASE("boxes that stand turned on each other come to rest on all places wher
     weight += gravity * scene.state(block).mass;
   }
   scene.step(500);
-  const hs_reaction_report settled = scene.reaction_report();
+  const hs_world_report settled = scene.report();
   scene.step(1000);
-  const hs_reaction_report report = scene.reaction_report();
-  CHECK(report.reaction_count == 4 + 8 + 8);
+  const hs_world_report report = scene.report();
+  CHECK(report.contact_count == 4 + 8 + 8);
   CHECK(report.touch_count == settled.touch_count);
-  CHECK(report.round_count - settled.round_count < 10 * 1000);
+  CHECK(report.iteration_count - settled.iteration_count < 10 * 1000);
   CHECK(-scene.force_on_block(floor).z() == Approx(weight).epsilon(1e-6));
   CHECK(scene.report().energy.kinetic < 1e-12 * weight);
   // A blow takes the speed at which it is met, not that at the middle or the ends of its step.
@@ -224,17 +224,17 @@ TEST_CASE("a tower of blocks stands at once", "[reaction]") {
     add(8, -0.5, HS_BLOCK_FIXED);
     for (int i = 0; i < 10; ++i) tower.push_back(add(1, i + 0.5, HS_BLOCK_RIGID));
     scene.step(500);
-    hs_reaction_report report;
-    scene.check(hs_world_get_reaction_report(scene.world(), &report, sizeof report));
+    hs_world_report report;
+    scene.check(hs_world_get_report(scene.world(), &report, sizeof report));
     double moved = 0;
     for (std::size_t i = 0; i < tower.size(); ++i) {
       const Triple place = scene.place_of(tower[i]);
       moved = std::max(moved, std::abs(place[std::size_t(dimension) - 1] - (double(i) + 0.5)));
     }
     std::printf("a tower of ten, %dD: moved by %.1e, %.1f rounds a step\n", dimension, moved,
-                double(report.round_count) / 500);
+                double(report.iteration_count) / 500);
     CHECK(moved < 1e-6);
-    CHECK(report.round_count < 50 * 500);
+    CHECK(report.iteration_count < 50 * 500);
   }
 }
 
@@ -253,10 +253,10 @@ TEST_CASE("a block that is crushed for want of rounds is told", "[reaction]") {
     CAPTURE(ratio, sunk);
     if (ratio == 1e2) {
       CHECK(sunk < 1e-6);
-      CHECK(scene.report().deepest_stop == 0);
+      CHECK(scene.report().max_penetration_ratio == 0);
     } else {
       CHECK(sunk > 0.1);
-      CHECK(scene.report().deepest_stop > 0.25);
+      CHECK(scene.report().max_penetration_ratio > 0.25);
     }
   }
 }

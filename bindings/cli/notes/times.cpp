@@ -23,14 +23,14 @@ void note_time_step(const Start& start, Faults& faults) {
 }
 
 void note_duration(const Start& start, Faults& faults) {
-  constexpr double fewest_steps = 2, most_steps = 1e9;
+  constexpr double fewest_steps = 2, max_steps = 1e9;
   const Scene& scene = start.scene;
   const hs_world_report& report = start.model.report();
   const double step =
       scene.world.time_step > 0 ? scene.world.time_step : scene.world.safety * report.stable_time_step;
   if (!(step > 0) || !scene.stages.empty()) return;
   const double steps = scene.duration / step;
-  if (steps > most_steps) {
+  if (steps > max_steps) {
     faults.note(scene.places.duration, "world.duration",
                 shortest(scene.duration) + " s takes " + rounded(steps, 2) + " steps of " + rounded(step, 3) +
                     " s; usual: up to 1e8 steps");

@@ -123,8 +123,8 @@ std::string shares(const hs_world_plan& world) {
                                                    {world.gather_seconds, "forces gathered"},
                                                    {world.bond_seconds, "bonds"},
                                                    {world.motion_seconds, "motion"},
-                                                   {world.reaction_seconds, "springless contacts"},
-                                                   {world.book_seconds, "ledger"},
+                                                   {world.hard_contact_seconds, "springless contacts"},
+                                                   {world.ledger_seconds, "ledger"},
                                                    {world.search_seconds, "search for neighbours"}};
   double all = 0;
   for (const auto& [seconds, name] : passes) all += seconds;

@@ -43,7 +43,7 @@ Scene without(Scene scene, int part, const FaceSize& face) {
       break;
     case HS_PART_AREA:
     case HS_PART_POTENTIAL:
-    case HS_PART_REACTIONS:
+    case HS_PART_HARD_CONTACTS:
       return with(scene, {.law = HS_STIFFNESS_PER_CONTACT}, face);
     case HS_PART_STRAIN:
       return with(scene, {.kind = HS_BLOCK_RIGID}, face);
@@ -70,7 +70,7 @@ const std::vector<PartName>& part_names() {
                                               {HS_PART_STRAIN, "strain"},
                                               {HS_PART_LOCAL_DAMPING, "local damping"},
                                               {HS_PART_MASS_DAMPING, "mass damping"},
-                                              {HS_PART_REACTIONS, "springless contacts"},
+                                              {HS_PART_HARD_CONTACTS, "springless contacts"},
                                               {HS_PART_SLEEP, "sleep"}};
   return names;
 }
@@ -80,7 +80,7 @@ std::vector<Without> without_each(const Scene& scene, int active_parts, const Fa
   const bool has_cells = some_block_is(scene, HS_BLOCK_MESH);
   const auto can_go = [&](int part) {
     if (part == HS_PART_STRAIN) return !names_cells && (has_cells || some_block_is(scene, HS_BLOCK_AFFINE));
-    return part != HS_PART_REACTIONS || face.stiffness > 0;
+    return part != HS_PART_HARD_CONTACTS || face.stiffness > 0;
   };
   std::vector<Without> all;
   for (const PartName& named : part_names()) {

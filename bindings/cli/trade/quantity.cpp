@@ -83,7 +83,7 @@ class Watch {
   Point force() const {
     const std::vector<std::size_t>& referenced = model_.layout().referenced;
     const bool is_told = referenced.size() == 1 && !model_.layout().blocks[referenced[0]].body &&
-                         model_.reaction_report().reaction_count == 0;
+                         model_.report().touch_count == 0;
     if (is_told) return point_of(model_.state_of(referenced[0]).force);
     Point sum{};
     for (const hs_contact& contact : model_.contacts()) {

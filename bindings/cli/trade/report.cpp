@@ -157,7 +157,7 @@ const char* reason_of(RunEnd end) {
     case RunEnd::too_few_steps:
       return "too few steps for the time";
     case RunEnd::not_at_rest:
-      return "a stage is not at rest after its most_steps";
+      return "a stage is not at rest after its max_steps";
     case RunEnd::no_angle:
       return "stands without friction, or not at 89 degrees either";
     default:

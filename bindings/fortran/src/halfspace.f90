@@ -29,7 +29,7 @@ module halfspace
     HS_CELL_QUAD, HS_CELL_TETRAHEDRON, HS_CELL_PRISM, HS_CELL_HEXAHEDRON, HS_AXIS_X, HS_AXIS_Y, HS_AXIS_Z, &
     HS_IMPACT_NEVER, HS_IMPACT_AT_START, HS_IMPACT_TOUCH, HS_FAST_DIVIDE, HS_FAST_REFUSE, HS_PART_FRICTION, &
     HS_PART_BONDS, HS_PART_CONTACT_DAMPING, HS_PART_AREA, &
-    HS_PART_POTENTIAL, HS_PART_STRAIN, HS_PART_LOCAL_DAMPING, HS_PART_MASS_DAMPING, HS_PART_REACTIONS, HS_PART_SLEEP, &
+    HS_PART_POTENTIAL, HS_PART_STRAIN, HS_PART_LOCAL_DAMPING, HS_PART_MASS_DAMPING, HS_PART_HARD_CONTACTS, HS_PART_SLEEP, &
     HS_BOND_HOLDS, HS_BOND_TENSION, HS_BOND_SHEAR, HS_UNBALANCED_MEAN, HS_UNBALANCED_LARGEST
   use halfspace_bodies, only: halfspace_body, halfspace_body_state, halfspace_cell_state, operator(==), operator(/=)
   use halfspace_bonded_worlds, only: halfspace_balance, halfspace_strength_report
@@ -44,7 +44,6 @@ module halfspace
   use halfspace_impacts, only: halfspace_impact, halfspace_time_of_impact
   use halfspace_meshes, only: halfspace_mesh, halfspace_mesh_properties
   use halfspace_pairs, only: halfspace_detect_pair, halfspace_detect_pairs, halfspace_pair_cache
-  use halfspace_reactions, only: halfspace_reaction, halfspace_reaction_report
   use halfspace_shapes, only: halfspace_fit_report, halfspace_shape, halfspace_shape_properties
   use halfspace_worlds, only: halfspace_block_state, halfspace_energy, halfspace_world, halfspace_world_plan, &
     halfspace_world_report

@@ -5,7 +5,6 @@ module halfspace_bonded_worlds
   use halfspace_block_worlds, only: block_world, takes_world
   use halfspace_bonds, only: halfspace_bond, halfspace_bond_event, halfspace_bond_report, halfspace_bond_state
   use halfspace_contacts, only: halfspace_block
-  use halfspace_reactions, only: halfspace_reaction, halfspace_reaction_report
   implicit none
   private
   public :: bonded_world, halfspace_balance, halfspace_strength_report
@@ -18,7 +17,7 @@ module halfspace_bonded_worlds
     real(c_double) :: largest_force = 0  !< that is unbalanced, N
     integer(c_int64_t) :: steps = 0  !< that relax() has taken; else 0
     !> the block that largest_force acts on, of a node a cell at the surface; default: there is none
-    type(halfspace_block) :: least_balanced
+    type(halfspace_block) :: largest_force_block
   end type halfspace_balance
 
   !> A world whose blocks can hold together, and that can come to rest; halfspace_world extends it.
@@ -30,8 +29,6 @@ module halfspace_bonded_worlds
     procedure :: bonds
     procedure :: bond_events
     procedure :: bond_report
-    procedure :: reactions
-    procedure :: reaction_report
     procedure :: relax
     procedure :: balance => find_balance
     procedure :: set_gravity
@@ -40,27 +37,6 @@ module halfspace_bonded_worlds
     procedure :: set_strength_factor
     procedure :: find_strength_factor
   end type bonded_world
-
-  ! Contacts without springs: halfspace_worlds_reactions.f90.
-  interface
-
-    !> Contacts by laws without a spring at the end of the last step, sorted by their blocks.
-    module subroutine reactions(self, list, stat, errmsg)
-      class(bonded_world), intent(in) :: self
-      type(halfspace_reaction), allocatable, intent(inout) :: list(:)
-      integer, intent(out), optional :: stat
-      character(*), intent(inout), optional :: errmsg
-    end subroutine reactions
-
-    !> Their numbers, and the energy that touches have taken.
-    module subroutine reaction_report(self, values, stat, errmsg)
-      class(bonded_world), intent(in) :: self
-      type(halfspace_reaction_report), intent(out) :: values
-      integer, intent(out), optional :: stat
-      character(*), intent(inout), optional :: errmsg
-    end subroutine reaction_report
-
-  end interface
 
   ! Bonds: halfspace_worlds_bonds.f90.
   interface
@@ -125,16 +101,16 @@ module halfspace_bonded_worlds
 
     !> Steps the world under strong damping until no force is left unbalanced. Its own damping, and whether bonds are
     !! held, come back afterwards; velocities are set to 0. Time passes, but means nothing.
-    module subroutine relax(self, at_rest, balance, ratio, measure, most_steps, local_damping, adaptive, hold_bonds, &
+    module subroutine relax(self, at_rest, balance, ratio, measure, max_steps, local_damping, adaptive, hold_bonds, &
                             stat, errmsg)
       class(bonded_world), intent(inout) :: self
-      !> whether it has come to rest within most_steps; without this, it is the note HS_NOTE_NOT_AT_REST that it has not
+      !> whether it has come to rest within max_steps; without this, it is the note HS_NOTE_NOT_AT_REST that it has not
       logical, intent(out), optional :: at_rest
       type(halfspace_balance), intent(out), optional :: balance  !< forces that are unbalanced then, and steps
       real(c_double), intent(in), optional :: ratio  !< unbalanced forces at which it is at rest, > 0; default 1e-5
       !> HS_UNBALANCED_MEAN (default): their share of all forces; or HS_UNBALANCED_LARGEST: of a single block or node
       integer(c_int32_t), intent(in), optional :: measure
-      integer, intent(in), optional :: most_steps  !< >= 1; default 1000000
+      integer, intent(in), optional :: max_steps  !< >= 1; default 1000000
       !> [0, 1) meanwhile; default 0.1, beside adaptive damping; by itself 0.8 does best
       real(c_double), intent(in), optional :: local_damping
       !> default .true.: mass damping twice as fast as the slowest motion that is left swings; otherwise the world's
@@ -188,7 +164,7 @@ module halfspace_bonded_worlds
 
     !> Looks for the factor of safety by bisection: how many times weaker all materials could be until something moves.
     !! Each trial relaxes a copy of the world with bonds that may fail. The world stays as it is, and should be at rest.
-    module subroutine find_strength_factor(self, report, low, high, resolution, ratio, most_way, most_steps, fallen, &
+    module subroutine find_strength_factor(self, report, low, high, resolution, ratio, max_displacement, max_steps, fallen, &
                                            stat, errmsg)
       class(bonded_world), intent(in) :: self
       type(halfspace_strength_report), intent(out) :: report  !< the factor, its bracket, and trials
@@ -197,9 +173,9 @@ module halfspace_bonded_worlds
       real(c_double), intent(in), optional :: resolution  !< the bracket that is narrow enough, > 0; default 0.005
       real(c_double), intent(in), optional :: ratio  !< unbalanced forces at which it stands, > 0; default 1e-5
       !> share of its size by which a block that moves has fallen, > 0; default 0.1
-      real(c_double), intent(in), optional :: most_way
+      real(c_double), intent(in), optional :: max_displacement
       !> steps after which a world that is not at rest falls as well, >= 1; default 100000
-      integer, intent(in), optional :: most_steps
+      integer, intent(in), optional :: max_steps
       !> becomes the copy that fell last, as it was then, or no world where none did: velocities and bond events show
       !! how
       class(bonded_world), intent(inout), optional :: fallen

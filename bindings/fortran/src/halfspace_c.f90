@@ -144,7 +144,8 @@ module halfspace_c
   integer(c_int32_t), parameter :: HS_PART_STRAIN = 32  !< a block is affine or a cell of a mesh
   integer(c_int32_t), parameter :: HS_PART_LOCAL_DAMPING = 64  !< the world has local damping
   integer(c_int32_t), parameter :: HS_PART_MASS_DAMPING = 128  !< the world has mass damping
-  integer(c_int32_t), parameter :: HS_PART_REACTIONS = 256  !< a law has no spring: impulses are found for all contacts together
+  !> a law without a spring: one solver finds the impulses of all its contacts
+  integer(c_int32_t), parameter :: HS_PART_HARD_CONTACTS = 256
   integer(c_int32_t), parameter :: HS_PART_SLEEP = 512  !< blocks at rest may sleep
 
   !> The ratios by which forces are compared.
@@ -187,6 +188,7 @@ module halfspace_c
     real(c_double) :: normal_force = 0.0_c_double  !< compression > 0
     real(c_double) :: shear_force(3) = 0.0_c_double  !< in the contact plane, on block b; without friction 0 to rounding
     real(c_double) :: twist = 0.0_c_double  !< 3D: torque about the normal, on block b
+    real(c_double) :: touched_at = 0.0_c_double  !< s: time of the touch, inside of a step, by a law without springs; else 0
   end type hs_contact
 
   !> Normal force with Mohr-Coulomb friction, by a penalty spring or a potential. Fill it with
@@ -322,9 +324,8 @@ module halfspace_c
     real(c_double) :: potential_length = 0.0_c_double
     integer(c_int32_t) :: fast_blocks = 0  !< an HS_FAST_ value; default HS_FAST_DIVIDE
     integer(c_int32_t) :: reserved = 0  !< 0
-    !> m, >= 0: blocks whose points would go less far than this while nothing reaches them may stand still in
-    !! time and be left out of steps; over a whole run no block misses more of its way. 0 (default): none
-    !! does. Worlds with a law of HS_STIFFNESS_NONE and meshes do not sleep
+    !> m, >= 0: the largest displacement error of a block by sleep over a run; blocks at rest are then left
+    !! out of steps. 0 (default): no block sleeps. Worlds with HS_STIFFNESS_NONE or meshes do not sleep
     real(c_double) :: sleep_tolerance = 0.0_c_double
   end type hs_world_def
 
@@ -363,7 +364,7 @@ module halfspace_c
     real(c_double) :: local_damping_loss = 0.0_c_double  !< by local damping, so far
     real(c_double) :: mass_damping_loss = 0.0_c_double  !< by mass-proportional damping, so far
     real(c_double) :: outer_work = 0.0_c_double  !< by prescribed blocks, applied forces, surface loads and edits, so far
-    real(c_double) :: residual = 0.0_c_double  !< all but outer_work, minus outer_work: what the numbers themselves made or lost
+    real(c_double) :: residual = 0.0_c_double  !< all but outer_work, minus outer_work: the energy error of the time stepping
   end type hs_energy
 
   !> The state of a world in numbers. Later versions may append to it.
@@ -377,7 +378,7 @@ module halfspace_c
     real(c_double) :: stable_time_step = 0.0_c_double
     integer(c_int64_t) :: block_count = 0  !< living blocks
     integer(c_int64_t) :: candidate_count = 0  !< pairs in the neighbour list
-    integer(c_int64_t) :: contact_count = 0  !< pairs in contact
+    integer(c_int64_t) :: contact_count = 0  !< contacts: pairs by laws with springs, points by laws without
     integer(c_int64_t) :: list_builds = 0  !< how often the neighbour list was built
     real(c_double) :: largest_overlap = 0.0_c_double  !< of the last detection
     real(c_double) :: largest_speed = 0.0_c_double  !< of all blocks that move freely, now
@@ -386,18 +387,22 @@ module halfspace_c
     real(c_double) :: block_strain_energy = 0.0_c_double  !< of affine blocks and meshes, now; counts in the residual
     real(c_double) :: block_damping_loss = 0.0_c_double  !< in affine blocks and meshes, so far; counts in the residual
     integer(c_int64_t) :: divided_steps = 0  !< steps so far that fast blocks have divided
-    !> largest share of the thinner block's thickness up to which springs let two blocks come, the root of d^2
-    !! + v^2 m/k for those that approach at v where they are nearest and lie d deep: of all when they met, of
-    !! those that divided a step in each part of it, and of those in the neighbour list now. Above 0.25 or so
-    !! springs are too soft; from 0.5 on blocks may pass through each other. By laws without a spring as deep
-    !! as contacts have come where their rounds have not sufficed
-    real(c_double) :: deepest_stop = 0.0_c_double
+    !> largest penetration at which springs stop two blocks, over the thinner block's thickness, so far. Above
+    !! 0.25 increase the normal stiffness; from 0.5 on blocks may pass through each other. See
+    !! docs/concepts/impact.md
+    real(c_double) :: max_penetration_ratio = 0.0_c_double
     !> largest overlap so far, at every detection; by potentials in space, whose steps find no overlaps, now
     real(c_double) :: peak_overlap = 0.0_c_double
     !> largest speed so far of all blocks that move freely, at the end of every step and part of one
     real(c_double) :: peak_speed = 0.0_c_double
     integer(c_int64_t) :: sleeping_count = 0  !< blocks that sleep now
-    real(c_double) :: missed_by_sleep = 0.0_c_double  !< m: of its way any block has missed at most by sleep so far
+    real(c_double) :: max_sleep_error = 0.0_c_double  !< m: largest displacement error of a block by sleep, so far
+    !> touches so far by laws without springs; a corner that slides from face to face touches anew
+    integer(c_int64_t) :: touch_count = 0
+    !> iterations so far of the solver of laws without springs: sweeps over all of their contacts
+    integer(c_int64_t) :: iteration_count = 0
+    !> J, in 2D per unit thickness: lost so far by their touches; counts in the residual
+    real(c_double) :: impact_loss = 0.0_c_double
   end type hs_world_report
 
   !> Elasticity of a material. Fill it with hs_elasticity_def_init().
@@ -571,7 +576,7 @@ module halfspace_c
     integer(c_int32_t) :: struct_size = 0  !< set by hs_pair_options_init()
     integer(c_int32_t) :: reserved = 0  !< 0
     !> edges (3D: faces, or an edge and a face) closer to parallel than this share a region; rad, [0, 0.5];
-    !! default 0.01. In 3D what bears is followed up to twice that angle, so that the energy does not jump
+    !! default 0.01. A region that exists is followed to larger angles, so that the energy does not jump
     real(c_double) :: parallel_angle = 0.0_c_double
     !> how near the end of an edge (3D: the border of a face) a vertex meets what is there: share of the
     !! shorter of the two edges that face each other; [0, 0.5]; default 1e-6
@@ -592,11 +597,11 @@ module halfspace_c
     integer(c_int32_t) :: dimension = 0  !< 2 or 3
     integer(c_int32_t) :: parts = 0  !< HS_PART_ bits: what is active
     integer(c_int64_t) :: fixed_count = 0  !< blocks that never move
-    integer(c_int64_t) :: prescribed_count = 0  !< blocks that move as they are told
+    integer(c_int64_t) :: prescribed_count = 0  !< blocks with a prescribed motion
     integer(c_int64_t) :: rigid_count = 0  !< blocks that move by Newton's law
     integer(c_int64_t) :: affine_count = 0  !< blocks that strain
     integer(c_int64_t) :: candidate_count = 0  !< pairs in the neighbour list
-    integer(c_int64_t) :: contact_count = 0  !< pairs in contact
+    integer(c_int64_t) :: contact_count = 0  !< pairs in contact by laws with springs
     integer(c_int64_t) :: block_bytes = 0  !< state of all blocks with their shapes, as a snapshot holds it
     integer(c_int64_t) :: pair_bytes = 0  !< state of all pairs: neighbour list, shear springs, plans; likewise
     real(c_double) :: stable_time_step = 0.0_c_double  !< as in the report; 0 without blocks that move freely
@@ -609,7 +614,7 @@ module halfspace_c
     real(c_double) :: gather_seconds = 0.0_c_double  !< of a step: adding up the forces on blocks
     !> of a step: moving, turning and straining blocks, nodes and elements of meshes
     real(c_double) :: motion_seconds = 0.0_c_double
-    real(c_double) :: book_seconds = 0.0_c_double  !< of a step: the energy ledger
+    real(c_double) :: ledger_seconds = 0.0_c_double  !< of a step: the energy ledger
     integer(c_int64_t) :: body_count = 0  !< bodies of finite elements
     integer(c_int64_t) :: cell_count = 0  !< of all of them
     integer(c_int64_t) :: node_count = 0  !< likewise
@@ -623,57 +628,30 @@ module halfspace_c
     integer(c_int64_t) :: limiting_body = 0
     integer(c_int64_t) :: limiting_cell = 0  !< of that body: the stiffest for its mass
     real(c_double) :: bond_seconds = 0.0_c_double  !< of a step: loading blocks by bonds
-    real(c_double) :: reaction_seconds = 0.0_c_double  !< of a step: finding the impulses of contacts without springs
+    real(c_double) :: hard_contact_seconds = 0.0_c_double  !< of a step: the solver of contacts without springs
   end type hs_world_plan
-
-  !> Two points that are in touch by a law without a spring.
-  type, bind(c) :: hs_reaction
-    integer(c_int64_t) :: block_a = 0  !< id of the block whose corner it is; of two edges that of the first
-    integer(c_int64_t) :: block_b = 0  !< id of the block whose face it is (in 2D its edge); of two edges that of the second
-    integer(c_int32_t) :: pair_kind = 0  !< HS_PAIR_VERTEX_FACE or, in 3D, HS_PAIR_EDGE_EDGE
-    integer(c_int32_t) :: feature_a = 0  !< index of block a's vertex; of two edges, of blocks of a mesh too, block a's edge
-    integer(c_int32_t) :: feature_b = 0  !< index of block b's face (in 2D its edge) or edge
-    integer(c_int32_t) :: reserved = 0  !< 0
-    real(c_double) :: point(3) = 0.0_c_double  !< where they touch
-    real(c_double) :: normal(3) = 0.0_c_double  !< unit, outwards from block b
-    !> on block a at the end of the last step, normal and shear together. In the step of the touch it is that
-    !! of the blow: the impulse that was left of it at the step's end, over half the step
-    real(c_double) :: force(3) = 0.0_c_double
-    real(c_double) :: gap = 0.0_c_double  !< > 0 apart: what rounding and turning have left
-    real(c_double) :: touched_at = 0.0_c_double  !< time of the touch, inside of a step
-  end type hs_reaction
-
-  !> Contacts without springs in numbers. Later versions may append to it.
-  type, bind(c) :: hs_reaction_report
-    integer(c_int64_t) :: reaction_count = 0  !< in touch now
-    integer(c_int64_t) :: touch_count = 0  !< touches so far; a corner that slides from face to face touches anew
-    !> so far: how often all contacts of a kick have been gone through until none changed any more
-    integer(c_int64_t) :: round_count = 0
-    !> J, in 2D per unit thickness: lost so far where points met. It counts in the world's residual
-    real(c_double) :: impact_loss = 0.0_c_double
-  end type hs_reaction_report
 
   !> The way in which a world is brought to rest. Fill it with hs_relaxation_def_init().
   type, bind(c) :: hs_relaxation_def
     integer(c_int32_t) :: struct_size = 0  !< set by hs_relaxation_def_init()
     integer(c_int32_t) :: measure = 0  !< an HS_UNBALANCED_ value; default HS_UNBALANCED_MEAN
     real(c_double) :: ratio = 0.0_c_double  !< at which it is at rest, > 0; default 1e-5
-    integer(c_int64_t) :: most_steps = 0  !< >= 1; default 1000000
+    integer(c_int64_t) :: max_steps = 0  !< >= 1; default 1000000
     !> [0, 1) meanwhile; default 0.1, beside adaptive damping; by itself 0.8 does best
     real(c_double) :: local_damping = 0.0_c_double
-    !> 1 (default): mass damping twice as fast as the slowest motion that is left swings, found anew all the
-    !! time; or 0: that of the world
+    !> 1 (default): critical mass damping of the slowest motion, estimated while stepping (Underwood 1983); or
+    !! 0: the world's mass damping
     integer(c_int32_t) :: is_adaptive = 0
-    integer(c_int32_t) :: hold_bonds = 0  !< 1 (default): bonds do not fail meanwhile; or 0
+    integer(c_int32_t) :: hold_bonds = 0  !< 1 (default): bonds do not fail while the world relaxes; or 0
   end type hs_relaxation_def
 
   !> The balance of a world. Later versions may append to it.
   type, bind(c) :: hs_balance
     real(c_double) :: mean = 0.0_c_double  !< see HS_UNBALANCED_MEAN; 0 where no force acts
     real(c_double) :: largest = 0.0_c_double  !< see HS_UNBALANCED_LARGEST
-    real(c_double) :: largest_force = 0.0_c_double  !< that is unbalanced, N
-    integer(c_int64_t) :: steps = 0  !< that hs_world_relax() has taken; else 0
-    integer(c_int64_t) :: least_balanced = 0  !< the block that largest_force acts on, of a node a cell at the surface; 0: none
+    real(c_double) :: largest_force = 0.0_c_double  !< largest unbalanced force, N
+    integer(c_int64_t) :: steps = 0  !< taken by hs_world_relax(); else 0
+    integer(c_int64_t) :: largest_force_block = 0  !< the block that it acts on; of a node, a cell at the surface. 0: none
   end type hs_balance
 
   !> The search for the factor of safety. Fill it with hs_strength_def_init().
@@ -684,8 +662,9 @@ module halfspace_c
     real(c_double) :: high = 0.0_c_double  !< above low: one at which it should fall; default 5
     real(c_double) :: resolution = 0.0_c_double  !< > 0: the bracket that is narrow enough; default 0.005
     real(c_double) :: ratio = 0.0_c_double  !< > 0: unbalanced forces at which a world stands, see hs_relaxation_def; default 1e-5
-    real(c_double) :: most_way = 0.0_c_double  !< > 0: share of its size by which a block that moves has fallen; default 0.1
-    integer(c_int64_t) :: most_steps = 0  !< >= 1: what is not at rest by then falls as well; default 100000
+    !> > 0: displacement of a block, over its size, that counts as failure; default 0.1
+    real(c_double) :: max_displacement = 0.0_c_double
+    integer(c_int64_t) :: max_steps = 0  !< >= 1: a world that is not at rest by then has failed; default 100000
   end type hs_strength_def
 
   !> The result of that search. Later versions may append to it.
@@ -1275,8 +1254,11 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_get_report
     end function hs_world_get_report
 
-    !> The contacts of the last detection, sorted by block index, a before b; none after a change of poses,
-    !! blocks or laws. Forces are 0 until they are evaluated.
+    !> The contacts of the last detection, block a before b; none after a change of poses, blocks or laws.
+    !! Those by laws with springs come first, one a pair, sorted by block index; their forces are 0 until they
+    !! are evaluated. Those by laws without springs follow, one a point, as of the end of the last step: a
+    !! vertex at a face, or two edges. In the step of a touch their force is the impulse that is left at the
+    !! end of the step, over half the step (Li et al. 2015, sections 3 and 4).
     !! Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
     function hs_world_get_contacts(world, contacts, capacity, count) bind(c)
       import
@@ -1775,28 +1757,6 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_get_plan
     end function hs_world_get_plan
 
-    !> The contacts by laws without a spring at the end of the last step, sorted by block a, block b and
-    !! features.
-    !! Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
-    function hs_world_get_reactions(world, reactions, capacity, count) bind(c)
-      import
-      type(c_ptr), value :: world  !< not NULL
-      type(c_ptr), value :: reactions  !< receives them; may be NULL if capacity is 0
-      integer(c_int64_t), value :: capacity  !< in reactions
-      type(c_ptr), value :: count  !< receives their number; may be NULL
-      integer(c_int32_t) :: hs_world_get_reactions
-    end function hs_world_get_reactions
-
-    !> Their numbers, and the energy that touches have taken.
-    !! Returns HS_OK or HS_ERROR_ARGUMENT
-    function hs_world_get_reaction_report(world, report, size) bind(c)
-      import
-      type(c_ptr), value :: world  !< not NULL
-      type(hs_reaction_report), intent(out) :: report  !< receives them; what this library does not know of a longer struct is 0
-      integer(c_size_t), value :: size  !< sizeof(hs_reaction_report) as the caller was compiled
-      integer(c_int32_t) :: hs_world_get_reaction_report
-    end function hs_world_get_reaction_report
-
     !> Fills a relaxation's definition with its defaults.
     !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
     function hs_relaxation_def_init(def, size) bind(c)
@@ -1808,7 +1768,7 @@ module halfspace_c
 
     !> Steps a world until it is at rest. Its own damping, and whether bonds are held, come back afterwards;
     !! at rest, velocities are set to 0.
-    !! Returns HS_OK, HS_NOTE_NOT_AT_REST after def.most_steps, or what hs_world_step() returns: the world
+    !! Returns HS_OK, HS_NOTE_NOT_AT_REST after def.max_steps, or what hs_world_step() returns: the world
     !! stays where it has come to
     function hs_world_relax(world, def, balance, size) bind(c)
       import

@@ -43,6 +43,7 @@ module halfspace_contacts
     real(c_double) :: normal_force = 0  !< compression > 0
     real(c_double) :: shear_force(3) = 0  !< in the contact plane, on block b
     real(c_double) :: twist = 0  !< 3D: torque about the normal, on block b
+    real(c_double) :: touched_at = 0  !< s: time of the touch, inside of a step, by a law without springs; else 0
   end type halfspace_contact
 
   interface operator(==)

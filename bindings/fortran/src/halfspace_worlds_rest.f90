@@ -13,7 +13,7 @@ contains
     status = hs_relaxation_def_init(def, c_sizeof(def))
     if (present(ratio)) def%ratio = ratio
     if (present(measure)) def%measure = measure
-    if (present(most_steps)) def%most_steps = most_steps
+    if (present(max_steps)) def%max_steps = max_steps
     if (present(local_damping)) def%local_damping = local_damping
     if (present(adaptive)) def%is_adaptive = merge(1, 0, adaptive)
     if (present(hold_bonds)) def%hold_bonds = merge(1, 0, hold_bonds)
@@ -68,8 +68,8 @@ contains
     if (present(high)) def%high = high
     if (present(resolution)) def%resolution = resolution
     if (present(ratio)) def%ratio = ratio
-    if (present(most_way)) def%most_way = most_way
-    if (present(most_steps)) def%most_steps = most_steps
+    if (present(max_displacement)) def%max_displacement = max_displacement
+    if (present(max_steps)) def%max_steps = max_steps
     status = hs_world_find_strength_factor(self%c_handle(), def, report, c_sizeof(report), object)
     if (status == HS_OK) then
       if (present(fallen)) then

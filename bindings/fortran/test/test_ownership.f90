@@ -320,9 +320,9 @@ contains
     call world%bond_events(events, stat=stat, errmsg=text)
     if (stat /= HS_OK) return
     call expect(size(bonds) == 1 .and. size(events) == 3, 'a bond has failed')
-    call world%find_strength_factor(report, most_steps=10, fallen=fallen, stat=stat, errmsg=text)
+    call world%find_strength_factor(report, max_steps=10, fallen=fallen, stat=stat, errmsg=text)
     if (stat /= HS_OK) return
-    call world%find_strength_factor(report, most_steps=10, stat=stat, errmsg=text)
+    call world%find_strength_factor(report, max_steps=10, stat=stat, errmsg=text)
     if (stat /= HS_OK) return
     call expect(fallen%exists(), 'a world has fallen')
     call world%save(bytes, stat, text)

@@ -45,23 +45,19 @@ def impact(law):
     times, forces = [], []
     while world.time < GAP / SPEED + 1.4 * DURATION:
         world.step()
-        if law.stiffness_kind == hs.StiffnessKind.NONE:
-            of_step = world.reactions()
-            blow = len(of_step) and of_step["touched_at"].max() > world.time - world.report.time_step
-            force = 0.0 if blow else sum_of_forces(world, of_step, struck)
-        else:
-            force = sum_of_forces(world, world.contacts(), struck)
+        contacts = world.contacts()
+        is_impact = len(contacts) and contacts["touched_at"].max() > world.time - world.report.time_step
+        force = 0.0 if is_impact else sum_of_forces(world, contacts, struck)
         times.append(world.time - GAP / SPEED)
         forces.append(force / FORCE)
     return np.array(times), np.array(forces), int(world.report.steps)
 
 
 def sum_of_forces(world, contacts, body):
-    """The force along x on a body: that of a contact acts on its block b, that of a reaction on its block a."""
-    names = ("block_b", "block_a") if "area" in contacts.dtype.names else ("block_a", "block_b")
+    """The force along x on a body: that of a contact acts on its block b."""
     total = 0.0
     for contact in contacts:
-        on, against = (world.body_of_block(int(contact[name]))[0] for name in names)
+        on, against = (world.body_of_block(int(contact[name]))[0] for name in ("block_b", "block_a"))
         total += contact["force"][0] * ((on == body) - (against == body))
     return total
 

@@ -49,10 +49,6 @@ BOND_EVENT = record_type(_raw.hs_bond_event)
 BOND_REPORT = record_type(_raw.hs_bond_report)
 #: How balanced a world is: the struct ``hs_balance``; its mean is ``["mean"]``, as records have a method of that name.
 BALANCE = record_type(_raw.hs_balance)
-#: Two points in touch by a law without a spring: the struct ``hs_reaction``.
-REACTION = record_type(_raw.hs_reaction)
-#: Those of a world in numbers: the struct ``hs_reaction_report``.
-REACTION_REPORT = record_type(_raw.hs_reaction_report)
 #: What strength reduction found: the struct ``hs_strength_report``.
 STRENGTH_REPORT = record_type(_raw.hs_strength_report)
 #: A world in numbers: the struct ``hs_world_report``.

@@ -158,7 +158,7 @@ HS_PART_POTENTIAL = 16
 HS_PART_STRAIN = 32  # a block is affine or a cell of a mesh
 HS_PART_LOCAL_DAMPING = 64  # the world has local damping
 HS_PART_MASS_DAMPING = 128  # the world has mass damping
-HS_PART_REACTIONS = 256  # a law has no spring: impulses are found for all contacts together
+HS_PART_HARD_CONTACTS = 256  # a law without a spring: one solver finds the impulses of all its contacts
 HS_PART_SLEEP = 512  # blocks at rest may sleep
 
 # The ratios by which forces are compared.
@@ -236,6 +236,7 @@ class hs_contact(Structure):
         ("normal_force", c_double),  # compression > 0
         ("shear_force", c_double * 3),  # in the contact plane, on block b; without friction 0 to rounding
         ("twist", c_double),  # 3D: torque about the normal, on block b
+        ("touched_at", c_double),  # s: time of the touch, inside of a step, by a law without springs; else 0
     ]
 
 
@@ -406,9 +407,8 @@ class hs_world_def(Structure):
         ("potential_length", c_double),
         ("fast_blocks", c_int32),  # an HS_FAST_ value; default HS_FAST_DIVIDE
         ("reserved", c_int32),  # 0
-        # m, >= 0: blocks whose points would go less far than this while nothing reaches them may stand still
-        # in time and be left out of steps; over a whole run no block misses more of its way. 0 (default):
-        # none does. Worlds with a law of HS_STIFFNESS_NONE and meshes do not sleep
+        # m, >= 0: the largest displacement error of a block by sleep over a run; blocks at rest are then left
+        # out of steps. 0 (default): no block sleeps. Worlds with HS_STIFFNESS_NONE or meshes do not sleep
         ("sleep_tolerance", c_double),
     ]
 
@@ -456,8 +456,7 @@ class hs_energy(Structure):
         ("local_damping_loss", c_double),  # by local damping, so far
         ("mass_damping_loss", c_double),  # by mass-proportional damping, so far
         ("outer_work", c_double),  # by prescribed blocks, applied forces, surface loads and edits, so far
-        # all but outer_work, minus outer_work: what the numbers themselves made or lost
-        ("residual", c_double),
+        ("residual", c_double),  # all but outer_work, minus outer_work: the energy error of the time stepping
     ]
 
 
@@ -474,7 +473,7 @@ class hs_world_report(Structure):
         ("stable_time_step", c_double),
         ("block_count", c_int64),  # living blocks
         ("candidate_count", c_int64),  # pairs in the neighbour list
-        ("contact_count", c_int64),  # pairs in contact
+        ("contact_count", c_int64),  # contacts: pairs by laws with springs, points by laws without
         ("list_builds", c_int64),  # how often the neighbour list was built
         ("largest_overlap", c_double),  # of the last detection
         ("largest_speed", c_double),  # of all blocks that move freely, now
@@ -483,19 +482,23 @@ class hs_world_report(Structure):
         ("block_strain_energy", c_double),  # of affine blocks and meshes, now; counts in the residual
         ("block_damping_loss", c_double),  # in affine blocks and meshes, so far; counts in the residual
         ("divided_steps", c_int64),  # steps so far that fast blocks have divided
-        # largest share of the thinner block's thickness up to which springs let two blocks come, the root of
-        # d^2 + v^2 m/k for those that approach at v where they are nearest and lie d deep: of all when they
-        # met, of those that divided a step in each part of it, and of those in the neighbour list now. Above
-        # 0.25 or so springs are too soft; from 0.5 on blocks may pass through each other. By laws without a
-        # spring as deep as contacts have come where their rounds have not sufficed
-        ("deepest_stop", c_double),
+        # largest penetration at which springs stop two blocks, over the thinner block's thickness, so far.
+        # Above 0.25 increase the normal stiffness; from 0.5 on blocks may pass through each other. See
+        # docs/concepts/impact.md
+        ("max_penetration_ratio", c_double),
         # largest overlap so far, at every detection; by potentials in space, whose steps find no overlaps,
         # now
         ("peak_overlap", c_double),
         # largest speed so far of all blocks that move freely, at the end of every step and part of one
         ("peak_speed", c_double),
         ("sleeping_count", c_int64),  # blocks that sleep now
-        ("missed_by_sleep", c_double),  # m: of its way any block has missed at most by sleep so far
+        ("max_sleep_error", c_double),  # m: largest displacement error of a block by sleep, so far
+        # touches so far by laws without springs; a corner that slides from face to face touches anew
+        ("touch_count", c_int64),
+        # iterations so far of the solver of laws without springs: sweeps over all of their contacts
+        ("iteration_count", c_int64),
+        # J, in 2D per unit thickness: lost so far by their touches; counts in the residual
+        ("impact_loss", c_double),
     ]
 
 
@@ -719,7 +722,7 @@ class hs_pair_options(Structure):
         ("struct_size", c_uint32),  # set by hs_pair_options_init()
         ("reserved", c_uint32),  # 0
         # edges (3D: faces, or an edge and a face) closer to parallel than this share a region; rad, [0, 0.5];
-        # default 0.01. In 3D what bears is followed up to twice that angle, so that the energy does not jump
+        # default 0.01. A region that exists is followed to larger angles, so that the energy does not jump
         ("parallel_angle", c_double),
         # how near the end of an edge (3D: the border of a face) a vertex meets what is there: share of the
         # shorter of the two edges that face each other; [0, 0.5]; default 1e-6
@@ -743,11 +746,11 @@ class hs_world_plan(Structure):
         ("dimension", c_int32),  # 2 or 3
         ("parts", c_int32),  # HS_PART_ bits: what is active
         ("fixed_count", c_int64),  # blocks that never move
-        ("prescribed_count", c_int64),  # blocks that move as they are told
+        ("prescribed_count", c_int64),  # blocks with a prescribed motion
         ("rigid_count", c_int64),  # blocks that move by Newton's law
         ("affine_count", c_int64),  # blocks that strain
         ("candidate_count", c_int64),  # pairs in the neighbour list
-        ("contact_count", c_int64),  # pairs in contact
+        ("contact_count", c_int64),  # pairs in contact by laws with springs
         ("block_bytes", c_int64),  # state of all blocks with their shapes, as a snapshot holds it
         ("pair_bytes", c_int64),  # state of all pairs: neighbour list, shear springs, plans; likewise
         ("stable_time_step", c_double),  # as in the report; 0 without blocks that move freely
@@ -760,7 +763,7 @@ class hs_world_plan(Structure):
         ("gather_seconds", c_double),  # of a step: adding up the forces on blocks
         # of a step: moving, turning and straining blocks, nodes and elements of meshes
         ("motion_seconds", c_double),
-        ("book_seconds", c_double),  # of a step: the energy ledger
+        ("ledger_seconds", c_double),  # of a step: the energy ledger
         ("body_count", c_int64),  # bodies of finite elements
         ("cell_count", c_int64),  # of all of them
         ("node_count", c_int64),  # likewise
@@ -775,42 +778,7 @@ class hs_world_plan(Structure):
         ("limiting_body", hs_body),
         ("limiting_cell", c_int64),  # of that body: the stiffest for its mass
         ("bond_seconds", c_double),  # of a step: loading blocks by bonds
-        ("reaction_seconds", c_double),  # of a step: finding the impulses of contacts without springs
-    ]
-
-
-class hs_reaction(Structure):
-    """Two points that are in touch by a law without a spring."""
-
-    _fields_ = [
-        ("block_a", c_uint64),  # id of the block whose corner it is; of two edges that of the first
-        # id of the block whose face it is (in 2D its edge); of two edges that of the second
-        ("block_b", c_uint64),
-        ("pair_kind", c_int32),  # HS_PAIR_VERTEX_FACE or, in 3D, HS_PAIR_EDGE_EDGE
-        # index of block a's vertex; of two edges, of blocks of a mesh too, block a's edge
-        ("feature_a", c_int32),
-        ("feature_b", c_int32),  # index of block b's face (in 2D its edge) or edge
-        ("reserved", c_int32),  # 0
-        ("point", c_double * 3),  # where they touch
-        ("normal", c_double * 3),  # unit, outwards from block b
-        # on block a at the end of the last step, normal and shear together. In the step of the touch it is
-        # that of the blow: the impulse that was left of it at the step's end, over half the step
-        ("force", c_double * 3),
-        ("gap", c_double),  # > 0 apart: what rounding and turning have left
-        ("touched_at", c_double),  # time of the touch, inside of a step
-    ]
-
-
-class hs_reaction_report(Structure):
-    """Contacts without springs in numbers. Later versions may append to it."""
-
-    _fields_ = [
-        ("reaction_count", c_int64),  # in touch now
-        ("touch_count", c_int64),  # touches so far; a corner that slides from face to face touches anew
-        # so far: how often all contacts of a kick have been gone through until none changed any more
-        ("round_count", c_int64),
-        # J, in 2D per unit thickness: lost so far where points met. It counts in the world's residual
-        ("impact_loss", c_double),
+        ("hard_contact_seconds", c_double),  # of a step: the solver of contacts without springs
     ]
 
 
@@ -821,13 +789,13 @@ class hs_relaxation_def(Structure):
         ("struct_size", c_uint32),  # set by hs_relaxation_def_init()
         ("measure", c_int32),  # an HS_UNBALANCED_ value; default HS_UNBALANCED_MEAN
         ("ratio", c_double),  # at which it is at rest, > 0; default 1e-5
-        ("most_steps", c_int64),  # >= 1; default 1000000
+        ("max_steps", c_int64),  # >= 1; default 1000000
         # [0, 1) meanwhile; default 0.1, beside adaptive damping; by itself 0.8 does best
         ("local_damping", c_double),
-        # 1 (default): mass damping twice as fast as the slowest motion that is left swings, found anew all
-        # the time; or 0: that of the world
+        # 1 (default): critical mass damping of the slowest motion, estimated while stepping (Underwood 1983);
+        # or 0: the world's mass damping
         ("is_adaptive", c_int32),
-        ("hold_bonds", c_int32),  # 1 (default): bonds do not fail meanwhile; or 0
+        ("hold_bonds", c_int32),  # 1 (default): bonds do not fail while the world relaxes; or 0
     ]
 
 
@@ -837,10 +805,10 @@ class hs_balance(Structure):
     _fields_ = [
         ("mean", c_double),  # see HS_UNBALANCED_MEAN; 0 where no force acts
         ("largest", c_double),  # see HS_UNBALANCED_LARGEST
-        ("largest_force", c_double),  # that is unbalanced, N
-        ("steps", c_int64),  # that hs_world_relax() has taken; else 0
-        # the block that largest_force acts on, of a node a cell at the surface; 0: none
-        ("least_balanced", hs_block),
+        ("largest_force", c_double),  # largest unbalanced force, N
+        ("steps", c_int64),  # taken by hs_world_relax(); else 0
+        # the block that it acts on; of a node, a cell at the surface. 0: none
+        ("largest_force_block", hs_block),
     ]
 
 
@@ -855,8 +823,9 @@ class hs_strength_def(Structure):
         ("resolution", c_double),  # > 0: the bracket that is narrow enough; default 0.005
         # > 0: unbalanced forces at which a world stands, see hs_relaxation_def; default 1e-5
         ("ratio", c_double),
-        ("most_way", c_double),  # > 0: share of its size by which a block that moves has fallen; default 0.1
-        ("most_steps", c_int64),  # >= 1: what is not at rest by then falls as well; default 100000
+        # > 0: displacement of a block, over its size, that counts as failure; default 0.1
+        ("max_displacement", c_double),
+        ("max_steps", c_int64),  # >= 1: a world that is not at rest by then has failed; default 100000
     ]
 
 
@@ -1304,8 +1273,11 @@ def declare(library):
     ]
     library.hs_world_get_report.restype = hs_status
 
-    # The contacts of the last detection, sorted by block index, a before b; none after a change of poses,
-    # blocks or laws. Forces are 0 until they are evaluated.
+    # The contacts of the last detection, block a before b; none after a change of poses, blocks or laws.
+    # Those by laws with springs come first, one a pair, sorted by block index; their forces are 0 until they
+    # are evaluated. Those by laws without springs follow, one a point, as of the end of the last step: a
+    # vertex at a face, or two edges. In the step of a touch their force is the impulse that is left at the
+    # end of the step, over half the step (Li et al. 2015, sections 3 and 4).
     library.hs_world_get_contacts.argtypes = [
         POINTER(hs_world),  # world
         c_void_p,  # contacts
@@ -1699,24 +1671,6 @@ def declare(library):
         c_size_t,  # size
     ]
     library.hs_world_get_plan.restype = hs_status
-
-    # The contacts by laws without a spring at the end of the last step, sorted by block a, block b and
-    # features.
-    library.hs_world_get_reactions.argtypes = [
-        POINTER(hs_world),  # world
-        c_void_p,  # reactions
-        c_int64,  # capacity
-        POINTER(c_int64),  # count
-    ]
-    library.hs_world_get_reactions.restype = hs_status
-
-    # Their numbers, and the energy that touches have taken.
-    library.hs_world_get_reaction_report.argtypes = [
-        POINTER(hs_world),  # world
-        POINTER(hs_reaction_report),  # report
-        c_size_t,  # size
-    ]
-    library.hs_world_get_reaction_report.restype = hs_status
 
     # Fills a relaxation's definition with its defaults.
     library.hs_relaxation_def_init.argtypes = [

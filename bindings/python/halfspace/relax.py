@@ -8,11 +8,11 @@ from numpy.typing import ArrayLike
 from . import _raw
 from ._arrays import BALANCE, STRENGTH_REPORT, empty_record, vector
 from ._library import library
-from .reaction import ReactingBlocks
+from .bond import BondedBlocks
 from .constants import Unbalanced, choice
 
 
-class Statics(ReactingBlocks):
+class Statics(BondedBlocks):
     """Rest, and what leads away from it."""
 
     def relax(
@@ -20,7 +20,7 @@ class Statics(ReactingBlocks):
         ratio: float = 1e-5,
         *,
         measure: Union[Unbalanced, str] = Unbalanced.MEAN,
-        most_steps: int = 1000000,
+        max_steps: int = 1000000,
         local_damping: float = 0.1,
         adaptive: bool = True,
         hold_bonds: bool = True,
@@ -34,7 +34,7 @@ class Statics(ReactingBlocks):
             Of unbalanced forces to all, at which it is at rest.
         measure : Unbalanced or its name
             Over all forces, or the largest ratio of a single block or node.
-        most_steps : int
+        max_steps : int
             At least 1.
         local_damping : float
             [0, 1) meanwhile; without adaptive damping 0.8 does best.
@@ -50,7 +50,7 @@ class Statics(ReactingBlocks):
         """
         struct = _raw.hs_relaxation_def()
         library.hs_relaxation_def_init(ctypes.byref(struct), ctypes.sizeof(struct))
-        struct.measure, struct.ratio, struct.most_steps = choice(measure, Unbalanced, "measure"), ratio, most_steps
+        struct.measure, struct.ratio, struct.max_steps = choice(measure, Unbalanced, "measure"), ratio, max_steps
         struct.local_damping, struct.is_adaptive, struct.hold_bonds = local_damping, int(adaptive), int(hold_bonds)
         array, address = empty_record(BALANCE)
         balance = _raw.hs_balance.from_address(address)
@@ -90,8 +90,8 @@ class Statics(ReactingBlocks):
         resolution: float = 0.005,
         *,
         ratio: float = 1e-5,
-        most_way: float = 0.1,
-        most_steps: int = 100000,
+        max_displacement: float = 0.1,
+        max_steps: int = 100000,
     ) -> Any:
         """Looks for the factor of safety by bisection: how many times weaker all materials could be until something
         moves. Each trial relaxes a copy of the world, which stays as it is and should be at rest.
@@ -102,9 +102,9 @@ class Statics(ReactingBlocks):
             The bracket, and how narrow it has to be.
         ratio : float
             Of unbalanced forces at which a world stands.
-        most_way : float
+        max_displacement : float
             Share of its size by which a block that moves has fallen.
-        most_steps : int
+        max_steps : int
             What is not at rest by then falls as well.
 
         Returns
@@ -115,7 +115,7 @@ class Statics(ReactingBlocks):
         struct = _raw.hs_strength_def()
         library.hs_strength_def_init(ctypes.byref(struct), ctypes.sizeof(struct))
         struct.low, struct.high, struct.resolution, struct.ratio = low, high, resolution, ratio
-        struct.most_way, struct.most_steps = most_way, most_steps
+        struct.max_displacement, struct.max_steps = max_displacement, max_steps
         array, address = empty_record(STRENGTH_REPORT)
         report = _raw.hs_strength_report.from_address(address)
         self._call(library.hs_world_find_strength_factor, struct, report, STRENGTH_REPORT.itemsize, None)

@@ -73,7 +73,7 @@ def test_the_factor_of_safety_of_a_block_on_a_slope():
 
 
 def test_what_slides_does_not_come_to_rest():
-    at_rest, balance = slope(np.radians(40), np.radians(30)).relax(most_steps=2000)
+    at_rest, balance = slope(np.radians(40), np.radians(30)).relax(max_steps=2000)
     assert not at_rest and balance["mean"] > 1e-3 and balance.steps == 2000
 
 

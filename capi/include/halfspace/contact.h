@@ -66,6 +66,7 @@ typedef struct hs_contact {
   double normal_force;   /**< compression > 0 */
   double shear_force[3]; /**< in the contact plane, on block b; without friction 0 to rounding */
   double twist;          /**< 3D: torque about the normal, on block b */
+  double touched_at;     /**< s: time of the touch, inside of a step, by a law without springs; else 0 */
 } hs_contact;
 
 #ifdef __cplusplus

@@ -34,7 +34,6 @@
 #include "halfspace/mesh.h"
 #include "halfspace/pair.h"
 #include "halfspace/plan.h"
-#include "halfspace/reaction.h"
 #include "halfspace/relax.h"
 #include "halfspace/shape.h"
 #include "halfspace/status.h"

@@ -41,8 +41,8 @@ typedef struct hs_pair_options {
   uint32_t struct_size;  /**< set by hs_pair_options_init() */
   uint32_t reserved;     /**< 0 */
   double parallel_angle; /**< edges (3D: faces, or an edge and a face) closer to parallel than this share a
-                              region; rad, [0, 0.5]; default 0.01. In 3D what bears is followed up to twice that
-                              angle, so that the energy does not jump */
+                              region; rad, [0, 0.5]; default 0.01. A region that exists is followed to larger
+                              angles, so that the energy does not jump */
   double vertex_zone;    /**< how near the end of an edge (3D: the border of a face) a vertex meets what is
                               there: share of the shorter of the two edges that face each other; [0, 0.5];
                               default 1e-6 */

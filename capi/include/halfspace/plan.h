@@ -25,7 +25,7 @@ enum {
   HS_PART_STRAIN = 32,         /**< a block is affine or a cell of a mesh */
   HS_PART_LOCAL_DAMPING = 64,  /**< the world has local damping */
   HS_PART_MASS_DAMPING = 128,  /**< the world has mass damping */
-  HS_PART_REACTIONS = 256,     /**< a law has no spring: impulses are found for all contacts together */
+  HS_PART_HARD_CONTACTS = 256, /**< a law without a spring: one solver finds the impulses of all its contacts */
   HS_PART_SLEEP = 512          /**< blocks at rest may sleep */
 };
 
@@ -34,11 +34,11 @@ typedef struct hs_world_plan {
   int32_t dimension;          /**< 2 or 3 */
   int32_t parts;              /**< HS_PART_ bits: what is active */
   int64_t fixed_count;        /**< blocks that never move */
-  int64_t prescribed_count;   /**< blocks that move as they are told */
+  int64_t prescribed_count;   /**< blocks with a prescribed motion */
   int64_t rigid_count;        /**< blocks that move by Newton's law */
   int64_t affine_count;       /**< blocks that strain */
   int64_t candidate_count;    /**< pairs in the neighbour list */
-  int64_t contact_count;      /**< pairs in contact */
+  int64_t contact_count;      /**< pairs in contact by laws with springs */
   int64_t block_bytes;        /**< state of all blocks with their shapes, as a snapshot holds it */
   int64_t pair_bytes;         /**< state of all pairs: neighbour list, shear springs, plans; likewise */
   double stable_time_step;    /**< as in the report; 0 without blocks that move freely */
@@ -49,7 +49,7 @@ typedef struct hs_world_plan {
   double pair_seconds;        /**< of a step: detecting pairs and loading contacts */
   double gather_seconds;      /**< of a step: adding up the forces on blocks */
   double motion_seconds;      /**< of a step: moving, turning and straining blocks, nodes and elements of meshes */
-  double book_seconds;        /**< of a step: the energy ledger */
+  double ledger_seconds;      /**< of a step: the energy ledger */
   int64_t body_count;         /**< bodies of finite elements */
   int64_t cell_count;         /**< of all of them */
   int64_t node_count;         /**< likewise */
@@ -61,7 +61,7 @@ typedef struct hs_world_plan {
                                    bonds have */
   int64_t limiting_cell;      /**< of that body: the stiffest for its mass */
   double bond_seconds;        /**< of a step: loading blocks by bonds */
-  double reaction_seconds;    /**< of a step: finding the impulses of contacts without springs */
+  double hard_contact_seconds; /**< of a step: the solver of contacts without springs */
 } hs_world_plan;
 
 /** @brief Says what a world computes and what limits its step and, by steps, what that costs. All is found out on a copy, which

@@ -1,8 +1,8 @@
 /** @file
- *  @brief A world is brought to rest, and changed while it lives: settle under its loads, then excavate, load or let go.
+ *  @brief Dynamic relaxation, and changes of a living world: settle it under its loads, then excavate, load or release.
  *
- *  Dynamic relaxation steps a world under strong damping until no force is left unbalanced (Cundall 1987, Underwood 1983). Time passes
- *  in it, but means nothing. Thread rule: as for the world.
+ *  Dynamic relaxation steps a world under strong damping until all forces are balanced (Cundall 1987, Underwood 1983). Its time has no
+ *  physical meaning. Thread rule: as for the world.
  */
 #ifndef HALFSPACE_RELAX_H
 #define HALFSPACE_RELAX_H
@@ -25,20 +25,20 @@ typedef struct hs_relaxation_def {
   uint32_t struct_size;  /**< set by hs_relaxation_def_init() */
   int32_t measure;       /**< an HS_UNBALANCED_ value; default HS_UNBALANCED_MEAN */
   double ratio;          /**< at which it is at rest, > 0; default 1e-5 */
-  int64_t most_steps;    /**< >= 1; default 1000000 */
+  int64_t max_steps;     /**< >= 1; default 1000000 */
   double local_damping;  /**< [0, 1) meanwhile; default 0.1, beside adaptive damping; by itself 0.8 does best */
-  int32_t is_adaptive;   /**< 1 (default): mass damping twice as fast as the slowest motion that is left swings, found anew all the time;
-                              or 0: that of the world */
-  int32_t hold_bonds;    /**< 1 (default): bonds do not fail meanwhile; or 0 */
+  int32_t is_adaptive;   /**< 1 (default): critical mass damping of the slowest motion, estimated while stepping (Underwood 1983); or 0:
+                              the world's mass damping */
+  int32_t hold_bonds;    /**< 1 (default): bonds do not fail while the world relaxes; or 0 */
 } hs_relaxation_def;
 
 /** The balance of a world. Later versions may append to it. */
 typedef struct hs_balance {
   double mean;           /**< see HS_UNBALANCED_MEAN; 0 where no force acts */
   double largest;        /**< see HS_UNBALANCED_LARGEST */
-  double largest_force;  /**< that is unbalanced, N */
-  int64_t steps;         /**< that hs_world_relax() has taken; else 0 */
-  hs_block least_balanced; /**< the block that largest_force acts on, of a node a cell at the surface; 0: none */
+  double largest_force;  /**< largest unbalanced force, N */
+  int64_t steps;         /**< taken by hs_world_relax(); else 0 */
+  hs_block largest_force_block; /**< the block that it acts on; of a node, a cell at the surface. 0: none */
 } hs_balance;
 
 /** @brief Fills a relaxation's definition with its defaults.
@@ -50,7 +50,7 @@ HS_API hs_status hs_relaxation_def_init(hs_relaxation_def *def, size_t size);
  *  velocities are set to 0.
  *  @param world not NULL @param def not NULL
  *  @param balance receives how balanced it is then; may be NULL @param size sizeof(hs_balance) as the caller was compiled
- *  @return HS_OK, HS_NOTE_NOT_AT_REST after def.most_steps, or what hs_world_step() returns: the world stays where it has come to */
+ *  @return HS_OK, HS_NOTE_NOT_AT_REST after def.max_steps, or what hs_world_step() returns: the world stays where it has come to */
 HS_CHECKED hs_status hs_world_relax(hs_world *world, const hs_relaxation_def *def, hs_balance *balance, size_t size);
 
 /** @brief How balanced a world is now. Takes as long as a step.

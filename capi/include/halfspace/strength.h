@@ -23,8 +23,8 @@ typedef struct hs_strength_def {
   double high;          /**< above low: one at which it should fall; default 5 */
   double resolution;    /**< > 0: the bracket that is narrow enough; default 0.005 */
   double ratio;         /**< > 0: unbalanced forces at which a world stands, see hs_relaxation_def; default 1e-5 */
-  double most_way;      /**< > 0: share of its size by which a block that moves has fallen; default 0.1 */
-  int64_t most_steps;   /**< >= 1: what is not at rest by then falls as well; default 100000 */
+  double max_displacement; /**< > 0: displacement of a block, over its size, that counts as failure; default 0.1 */
+  int64_t max_steps;    /**< >= 1: a world that is not at rest by then has failed; default 100000 */
 } hs_strength_def;
 
 /** The result of that search. Later versions may append to it. */

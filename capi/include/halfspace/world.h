@@ -57,9 +57,8 @@ typedef struct hs_world_def {
                                 edges when forces are first used */
   int32_t fast_blocks;     /**< an HS_FAST_ value; default HS_FAST_DIVIDE */
   int32_t reserved;        /**< 0 */
-  double sleep_tolerance;  /**< m, >= 0: blocks whose points would go less far than this while nothing reaches them may stand still
-                                in time and be left out of steps; over a whole run no block misses more of its way. 0 (default): none
-                                does. Worlds with a law of HS_STIFFNESS_NONE and meshes do not sleep */
+  double sleep_tolerance;  /**< m, >= 0: the largest displacement error of a block by sleep over a run; blocks at rest are then left out
+                                of steps. 0 (default): no block sleeps. Worlds with HS_STIFFNESS_NONE or meshes do not sleep */
 } hs_world_def;
 
 /** How a block is made. Fill it with hs_block_def_init(). */
@@ -97,7 +96,7 @@ typedef struct hs_energy {
   double local_damping_loss;   /**< by local damping, so far */
   double mass_damping_loss;    /**< by mass-proportional damping, so far */
   double outer_work;      /**< by prescribed blocks, applied forces, surface loads and edits, so far */
-  double residual;        /**< all but outer_work, minus outer_work: what the numbers themselves made or lost */
+  double residual;        /**< all but outer_work, minus outer_work: the energy error of the time stepping */
 } hs_energy;
 
 /** The state of a world in numbers. Later versions may append to it. */
@@ -110,7 +109,7 @@ typedef struct hs_world_report {
   double stable_time_step;   /**< safe bound from stiffness, viscosity and mass; 0 without blocks that move freely */
   int64_t block_count;       /**< living blocks */
   int64_t candidate_count;   /**< pairs in the neighbour list */
-  int64_t contact_count;     /**< pairs in contact */
+  int64_t contact_count;     /**< contacts: pairs by laws with springs, points by laws without */
   int64_t list_builds;       /**< how often the neighbour list was built */
   double largest_overlap;    /**< of the last detection */
   double largest_speed;      /**< of all blocks that move freely, now */
@@ -119,15 +118,16 @@ typedef struct hs_world_report {
   double block_strain_energy; /**< of affine blocks and meshes, now; counts in the residual */
   double block_damping_loss; /**< in affine blocks and meshes, so far; counts in the residual */
   int64_t divided_steps;     /**< steps so far that fast blocks have divided */
-  double deepest_stop;       /**< largest share of the thinner block's thickness up to which springs let two blocks come, the root of
-                                  d^2 + v^2 m/k for those that approach at v where they are nearest and lie d deep: of all when they
-                                  met, of those that divided a step in each part of it, and of those in the neighbour list now. Above
-                                  0.25 or so springs are too soft; from 0.5 on blocks may pass through each other. By laws without a
-                                  spring as deep as contacts have come where their rounds have not sufficed */
+  double max_penetration_ratio; /**< largest penetration at which springs stop two blocks, over the thinner block's thickness, so far. Above
+                                  0.25 increase the normal stiffness; from 0.5 on blocks may pass through each other. See
+                                  docs/concepts/impact.md */
   double peak_overlap;       /**< largest overlap so far, at every detection; by potentials in space, whose steps find no overlaps, now */
   double peak_speed;         /**< largest speed so far of all blocks that move freely, at the end of every step and part of one */
   int64_t sleeping_count;    /**< blocks that sleep now */
-  double missed_by_sleep;    /**< m: of its way any block has missed at most by sleep so far */
+  double max_sleep_error;    /**< m: largest displacement error of a block by sleep, so far */
+  int64_t touch_count;       /**< touches so far by laws without springs; a corner that slides from face to face touches anew */
+  int64_t iteration_count;   /**< iterations so far of the solver of laws without springs: sweeps over all of their contacts */
+  double impact_loss;        /**< J, in 2D per unit thickness: lost so far by their touches; counts in the residual */
 } hs_world_report;
 
 /** @brief Fills a world definition with its defaults.
@@ -271,8 +271,10 @@ HS_CHECKED hs_status hs_world_step(hs_world *world, int64_t steps);
  *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY */
 HS_CHECKED hs_status hs_world_get_report(hs_world *world, hs_world_report *report, size_t size);
 
-/** @brief The contacts of the last detection, sorted by block index, a before b; none after a change of poses, blocks or laws. Forces
- *  are 0 until they are evaluated.
+/** @brief The contacts of the last detection, block a before b; none after a change of poses, blocks or laws. Those by laws with springs
+ *  come first, one a pair, sorted by block index; their forces are 0 until they are evaluated. Those by laws without springs follow, one
+ *  a point, as of the end of the last step: a vertex at a face, or two edges. In the step of a touch their force is the impulse that is
+ *  left at the end of the step, over half the step (Li et al. 2015, sections 3 and 4).
  *  @param world not NULL @param contacts receives them; may be NULL if capacity is 0 @param capacity in contacts
  *  @param count receives their number; may be NULL
  *  @return HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT */

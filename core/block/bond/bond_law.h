@@ -42,10 +42,10 @@ struct BondLaw {
 
   /// False for what none can be, after reading a snapshot.
   bool is_consistent() const {
-    return is_positive(normal_stiffness) && is_positive(shear_stiffness) && is_from_zero(tensile_strength) &&
-           is_from_zero(cohesion) && is_from_zero(tan_friction) && is_from_zero(residual_cohesion) &&
-           is_from_zero(residual_tan_friction) && is_from_zero(tensile_fracture_energy) &&
-           is_from_zero(shear_fracture_energy);
+    return is_positive(normal_stiffness) && is_positive(shear_stiffness) &&
+           is_nonnegative(tensile_strength) && is_nonnegative(cohesion) && is_nonnegative(tan_friction) &&
+           is_nonnegative(residual_cohesion) && is_nonnegative(residual_tan_friction) &&
+           is_nonnegative(tensile_fracture_energy) && is_nonnegative(shear_fracture_energy);
   }
 };
 

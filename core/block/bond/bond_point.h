@@ -32,8 +32,8 @@ struct BondPoint {
   bool is_broken() const { return damage >= 1; }
   bool is_consistent() const {
     return all_finite(on_a) && all_finite(on_b) && all_finite(slid) && all_finite(shear) &&
-           is_positive(area) && is_finite(normal_traction) && is_from_zero(widest) &&
-           is_from_zero(faded_slip) && is_share(damage, 1) && failure >= BondFailure::none &&
+           is_positive(area) && is_finite(normal_traction) && is_nonnegative(widest) &&
+           is_nonnegative(faded_slip) && is_fraction(damage, 1) && failure >= BondFailure::none &&
            failure <= BondFailure::shear;
   }
 };

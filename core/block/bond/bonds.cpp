@@ -15,7 +15,7 @@ void Bonds<D>::add(Bond<D> bond, std::span<const BondPoint<D>> points) {
   if (events_.capacity() < wanted) events_.reserve(2 * wanted);
   bond.first_point = std::int64_t(points_.size());
   bond.point_count = std::int64_t(points.size());
-  rings_.expire();
+  rings_.invalidate();
   bonds_.push_back(bond);
   points_.insert(points_.end(), points.begin(), points.end());
 }
@@ -42,7 +42,7 @@ void Bonds<D>::index() {
 
 template <int D>
 void Bonds<D>::forget(std::int32_t block) {
-  if (!empty()) rings_.expire();
+  if (!empty()) rings_.invalidate();
   for (Bond<D>& bond : bonds_) {
     if (bond.a == block || bond.b == block) {
       bond.a = bond.b = -1;

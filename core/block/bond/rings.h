@@ -21,7 +21,7 @@ class BondRings {
   explicit BondRings(Memory* memory) : members_(memory), links_(memory), faced_(memory) {}
 
   /// Bonds or blocks are others than before: all rings are to be found anew.
-  void expire() { is_current_ = 0; }
+  void invalidate() { is_current_ = 0; }
   bool is_current() const { return is_current_ != 0; }
   /// Finds them where the points of bonds are now. When memory runs out nothing has changed.
   void find(const Blocks<D>& blocks);

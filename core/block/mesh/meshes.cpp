@@ -219,7 +219,7 @@ bool Meshes<D>::is_consistent(std::int32_t material_count) const {
     if (vectors->size() != nodes || !all(*vectors, is_finite_vector)) return false;
   }
   if (force.size() != nodes) return false;  // beyond all numbers it ends the run, as with blocks
-  if (mass.size() != nodes || held.size() != nodes || !all(mass, is_from_zero)) return false;
+  if (mass.size() != nodes || held.size() != nodes || !all(mass, is_nonnegative)) return false;
   for (std::size_t i = 0; i < nodes; ++i) {
     if (mass[i] == 0 && held[i] != held_along_all<D>) return false;
   }
@@ -229,8 +229,8 @@ bool Meshes<D>::is_consistent(std::int32_t material_count) const {
     if (body.first_node != counted || body.node_count < 0 || body.node_count > left) return false;
     // D nodes at most tell a face, and a face is of two cells at most, which have more than two.
     if (body.cell_count < 0 || double(body.cell_count) > std::pow(double(body.node_count), D)) return false;
-    if (!all_finite(body.origin) || !(body.squared_frequency >= 0) || !is_from_zero(body.damping_time) ||
-        !is_from_zero(body.steepest))
+    if (!all_finite(body.origin) || !(body.squared_frequency >= 0) || !is_nonnegative(body.damping_time) ||
+        !is_nonnegative(body.steepest))
       return false;
     counted += body.node_count;
   }

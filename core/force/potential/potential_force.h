@@ -44,8 +44,8 @@ struct PotentialRoom<2> {
     near_a.resize(edges);
   }
   /// The first (second, third) polygon to work on.
-  Vector<2>* polygon(int which) { return corners.data() + std::size_t(which) * most_corners(); }
-  std::size_t most_corners() const { return polygon_room(near_a.size()); }
+  Vector<2>* polygon(int which) { return corners.data() + std::size_t(which) * max_corners(); }
+  std::size_t max_corners() const { return polygon_room(near_a.size()); }
 
   Array<double> least_depth;   // of the other block's vertices, behind each edge
   Array<std::int32_t> near_a;  // edges of a that can be the nearest one to some point of b
@@ -91,8 +91,8 @@ struct PotentialRoom<3> {
   Array<double> least_depth;  // of the intersection behind each face, or less
   Array<NearFace> near_a;     // can be the nearest one to some point of the intersection
   Array<NearFace> near_b;
-  Sounding sounding_of_a;
-  Sounding sounding_of_b;
+  VertexDepths sounding_of_a;
+  VertexDepths sounding_of_b;
   Array<DividedPolyhedron::Index> vertices;  // of the intersection
   DividedPolyhedron intersection;
   CellDivision cells;

@@ -17,7 +17,7 @@ namespace halfspace {
 /// The parts of a contact's stiffness that its points have. Those of a region of faces add up to 1.
 template <int D>
 struct PointSprings {
-  double part[D == 2 ? 2 : most_region_points];
+  double part[D == 2 ? 2 : max_region_points];
 };
 
 inline PointSprings<2> point_springs(const Outline<2>&, const Outline<2>&, const Vector<2>&,

@@ -59,7 +59,7 @@ template <int D>
 class Spring {
  public:
   /// `elapsed` is the time over which the shear spring grows.
-  Spring(const SpringLaw& law, double reduced_mass, double elapsed)
+  Spring(const ContactLaw& law, double reduced_mass, double elapsed)
       : law_(law), reduced_mass_(reduced_mass), elapsed_(elapsed) {}
 
   /// The force of springs at points, with a base of PointSprings, or per area, with a base of Overlap.
@@ -121,7 +121,7 @@ class Spring {
                    ShearSpring<D>& spring, bool bonded, ContactEnergy& energy) const;
   double viscosity(double share_of_critical, double stiffness) const;
 
-  const SpringLaw& law_;
+  const ContactLaw& law_;
   double reduced_mass_;
   double elapsed_;
 };

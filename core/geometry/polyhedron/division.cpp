@@ -30,7 +30,7 @@ void DividedPolyhedron::reserve(std::size_t edges, std::size_t vertices) {
   grow(half_of_edge_, 2 * edges);
 }
 
-void DividedPolyhedron::begin(const Outline<3>& block, const Sounding& sounding, Index new_face) {
+void DividedPolyhedron::begin(const Outline<3>& block, const VertexDepths& sounding, Index new_face) {
   const Topology& t = *block.topology;
   make_room(std::size_t(2 * t.edge_count));
   grow(first_of_vertex_, std::size_t(t.vertex_count));

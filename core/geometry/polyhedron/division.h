@@ -63,7 +63,7 @@ class DividedPolyhedron {
 
   /// Begins with what of a block is inside a plane, behind which it has been sounded. The block's faces keep
   /// their numbers.
-  void begin(const Outline<3>& block, const Sounding& sounding, Index new_face);
+  void begin(const Outline<3>& block, const VertexDepths& sounding, Index new_face);
   void begin(const DividedPolyhedron& other);
 
   /// The number of all parts, those that are wanted no more included.

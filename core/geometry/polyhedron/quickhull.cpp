@@ -15,8 +15,8 @@ namespace {
 struct Loops {
   std::int32_t* first_of_facet;
   std::int32_t* corners;
-  std::int32_t most_facets;
-  std::int32_t most_corners;
+  std::int32_t max_facets;
+  std::int32_t max_corners;
   std::int32_t facets;
 };
 
@@ -27,7 +27,7 @@ void copy_loops(qhT* qh, Loops& loops) {
   facetT* facet;
   FORALLfacets {
     setT* loop = qh_facet3vertex(qh, facet);
-    if (loops.facets == loops.most_facets || corners + qh_setsize(qh, loop) > loops.most_corners)
+    if (loops.facets == loops.max_facets || corners + qh_setsize(qh, loop) > loops.max_corners)
       qh_errexit(qh, qh_ERRqhull, facet, nullptr);  // not a polyhedron's surface
     vertexT* vertex;
     vertexT** vertexp;
@@ -68,10 +68,10 @@ QuickhullResult quickhull(Array<double>& coordinates, double coplanar, Array<std
                           Array<std::int32_t>& corners) {
   const auto count = std::int32_t(coordinates.size() / 3);
   // Euler's formula, all facets triangles.
-  const std::int32_t most_facets = 2 * count - 4;
-  first_of_facet.resize(std::size_t(most_facets) + 1);
-  corners.resize(std::size_t(3 * most_facets));
-  Loops loops{first_of_facet.data(), corners.data(), most_facets, 3 * most_facets, 0};
+  const std::int32_t max_facets = 2 * count - 4;
+  first_of_facet.resize(std::size_t(max_facets) + 1);
+  corners.resize(std::size_t(3 * max_facets));
+  Loops loops{first_of_facet.data(), corners.data(), max_facets, 3 * max_facets, 0};
 
   // qhull insists on a place for its messages: here it is a buffer that nobody reads.
   char buffer[256];

@@ -6,8 +6,8 @@
 
 namespace halfspace {
 
-DepthRange Sounding::take(std::size_t count, const double* x, const double* y, const double* z,
-                          const Halfspace<3>& plane) {
+DepthRange VertexDepths::take(std::size_t count, const double* x, const double* y, const double* z,
+                              const Halfspace<3>& plane) {
   reserve(count);
   const TwoLanes nx = both(plane.normal.x()), ny = both(plane.normal.y()), nz = both(plane.normal.z());
   const TwoLanes offset = both(plane.offset);

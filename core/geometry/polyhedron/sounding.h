@@ -11,9 +11,9 @@ struct DepthRange {
 };
 
 /// How deep each vertex of a block lies behind a plane: what is known before it is cut there.
-class Sounding {
+class VertexDepths {
  public:
-  explicit Sounding(Memory* memory) : depth_(memory) {}
+  explicit VertexDepths(Memory* memory) : depth_(memory) {}
 
   DepthRange take(const Outline<3>& block, const Halfspace<3>& plane) {
     return take(std::size_t(block.vertex_count()), block.x, block.y, block.z, plane);

@@ -28,7 +28,7 @@ template <int most_vertices>
 /// The contact of polygons that overlap, given b as it is seen from a.
 inline Contact<2> describe_overlap(const PosedPair<2>& posed, const Outline<2>& b, const Vector<2>& to_b,
                                    const Rotation<2>& frame_of_a, const PotentialPair<2>& least_depth,
-                                   const DetectOptions& options, Witness<2>& witness) {
+                                   const DetectOptions& options, PairCache<2>& witness) {
   Contact<2> contact;
   describe_overlap(posed.a.outline(), b, to_b, least_depth, options, witness, contact);
   place(contact, frame_of_a, Vector<2>(posed.at_a.position));
@@ -39,16 +39,16 @@ inline Contact<2> describe_overlap(const PosedPair<2>& posed, const Outline<2>& 
 /// The contact is in the host's frame. `room` is for the outline of a polygon of many vertices. Inlined by
 /// force: what it finds would go through memory otherwise.
 [[gnu::always_inline]] inline Contact<2> search_pair(const PosedPair<2>& posed, const Frames<2>& frames,
-                                                     const PairOptions& options, Witness<2>& witness,
+                                                     const PairOptions& options, PairCache<2>& witness,
                                                      Memory* room) {
   const Outline<2>&a = posed.a.outline(), &b = posed.b.outline();
   const auto without_region = [&](Separation<2> found) {
     const bool apart = found.gap > options.margin;
     if (!apart) found.gap = refresh(a, b, frames.seen, found.pair);  // looks for its vertex, only now
-    witness = {apart ? Witness<2>::separated : Witness<2>::unknown, found.pair};
+    witness = {apart ? PairCache<2>::separated : PairCache<2>::unknown, found.pair};
     return contact_at(found, apart ? ContactType::none : ContactType::vertex_edge, posed, frames.turns);
   };
-  if (witness.state == Witness<2>::separated) {
+  if (witness.state == PairCache<2>::separated) {
     const double gap = refresh(a, b, frames.seen, witness.pair);
     if (gap > options.margin) return without_region({gap, witness.pair});
   }

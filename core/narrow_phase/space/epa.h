@@ -47,8 +47,8 @@ class ExpandingPolytope {
   [[gnu::always_inline]] bool expand(const Corner& c);
 
  private:
-  static constexpr int most_corners = 128;
-  static constexpr int most_facets = 2 * most_corners;  // by Euler's formula, and four to spare
+  static constexpr int max_corners = 128;
+  static constexpr int max_facets = 2 * max_corners;  // by Euler's formula, and four to spare
   static constexpr int lanes = 4;
 
   /// The corners of a facet, counter-clockwise seen from outside. In one word: what has just been written
@@ -73,7 +73,7 @@ class ExpandingPolytope {
   };
   /// The facets that a point lies beyond, and which of the others is nearest to the origin.
   struct Visible {
-    std::uint64_t bits[most_facets / 64];
+    std::uint64_t bits[max_facets / 64];
     int words;
     Distance nearest_other;
 
@@ -82,9 +82,9 @@ class ExpandingPolytope {
   /// Where new facets go, and the edges that they take in with the new corner.
   struct Horizon {
     int count = 0;
-    Edge edges[3 * most_facets + lanes];
+    Edge edges[3 * max_facets + lanes];
     int place_count = 0;
-    int places[most_facets + lanes];
+    int places[max_facets + lanes];
   };
 
   void put_corner(int i, const Corner& c) {
@@ -103,16 +103,16 @@ class ExpandingPolytope {
   void forget_facet(int f);
   [[gnu::always_inline]] void forget_four_facets(int first);
 
-  double at_[most_corners][4];  // three, and one so that no corner straddles lines of the cache
-  int vertex_of_a_[most_corners], vertex_of_b_[most_corners];
-  int last_horizon_[most_corners];  // that a corner was on: that of the corner of this index
-  Triangle triangles_[most_facets];
+  double at_[max_corners][4];  // three, and one so that no corner straddles lines of the cache
+  int vertex_of_a_[max_corners], vertex_of_b_[max_corners];
+  int last_horizon_[max_corners];  // that a corner was on: that of the corner of this index
+  Triangle triangles_[max_facets];
   // The facets, read four at a time: normals of any length, the height along them up to which a point is not
   // outside, and the squares of the distances. Which one is nearest does not wait for a root.
-  double nx_[most_facets + lanes], ny_[most_facets + lanes], nz_[most_facets + lanes],
-      limit_[most_facets + lanes], distance_square_[most_facets + lanes];
+  double nx_[max_facets + lanes], ny_[max_facets + lanes], nz_[max_facets + lanes],
+      limit_[max_facets + lanes], distance_square_[max_facets + lanes];
   // The facet that has an edge of the surface on its left, by the edge's ends.
-  std::uint8_t facet_at_[most_corners][most_corners];
+  std::uint8_t facet_at_[max_corners][max_corners];
   int corner_count_ = 0;
   int facet_count_ = 0;
   int nearest_ = 0;
@@ -262,8 +262,8 @@ inline bool ExpandingPolytope<Four>::expand(const Corner& c) {
   Horizon horizon;
   find_horizon(visible, horizon);
   const int added = horizon.count - horizon.place_count;
-  if (horizon.count == 0 || is_pinched(horizon) || corner_count_ == most_corners ||
-      facet_count_ + added > most_facets)
+  if (horizon.count == 0 || is_pinched(horizon) || corner_count_ == max_corners ||
+      facet_count_ + added > max_facets)
     return false;
   // One corner adds two facets; one that swallows others leaves places over.
   for (int i = horizon.count; i < horizon.place_count; ++i) forget_facet(horizon.places[i]);

@@ -57,18 +57,18 @@ const Piece& cut_by(const Piece& cutter, double rounding, Piece& polygon, Piece&
 /// angle: of edges square to one, either end would do, and so would any corner that pieces have in between.
 class FarthestPoints {
  public:
-  FarthestPoints() { std::fill_n(height_, most_region_points, -HUGE_VAL); }
+  FarthestPoints() { std::fill_n(height_, max_region_points, -HUGE_VAL); }
 
   void consider(const Vector<2>& p) {
     Vector<2> direction(0.98768834059513777, 0.15643446504023087);  // 9 degrees
-    for (int i = 0; i < most_region_points; ++i) {
+    for (int i = 0; i < max_region_points; ++i) {
       const double height = direction.dot(p);
       if (height > height_[i]) {
         height_[i] = height;
         point_[i] = p;
       }
       constexpr double cosine = 0.70710678118654757, sine = cosine;  // of an eighth of a turn
-      static_assert(most_region_points == 8);
+      static_assert(max_region_points == 8);
       direction = {cosine * direction.x() - sine * direction.y(),
                    sine * direction.x() + cosine * direction.y()};
     }
@@ -77,15 +77,15 @@ class FarthestPoints {
   /// Each once.
   int write(Vector<2>* points) const {
     int count = 0;
-    for (int i = 0; i < most_region_points; ++i) {
-      if (point_[i] != point_[i == 0 ? most_region_points - 1 : i - 1]) points[count++] = point_[i];
+    for (int i = 0; i < max_region_points; ++i) {
+      if (point_[i] != point_[i == 0 ? max_region_points - 1 : i - 1]) points[count++] = point_[i];
     }
     return count;
   }
 
  private:
-  double height_[most_region_points];
-  Vector<2> point_[most_region_points];
+  double height_[max_region_points];
+  Vector<2> point_[max_region_points];
 };
 
 /// Adds area and centroid; the latter times the area until the end.
@@ -121,7 +121,7 @@ FaceOverlap overlap_of(const FlatFace& one, const FlatFace& other, const Vector<
       add_area(part, overlap);
       for (int k = 0; k < part.count; ++k)
         overlap.lowest = std::min(overlap.lowest, slope.dot(part.corner[k]));
-      if (in_one_piece && part.count <= most_region_points) {
+      if (in_one_piece && part.count <= max_region_points) {
         overlap.count = part.count;
         std::copy_n(part.corner, part.count, overlap.corner);
       } else {

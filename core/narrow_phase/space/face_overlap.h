@@ -12,12 +12,12 @@ struct FaceOverlap {
   Vector<2> centroid{0, 0};
   double lowest = 0;  // of a linear function of the points, over all corners
   int count = 0;      // of the corners kept, counter-clockwise
-  Vector<2> corner[most_region_points];
+  Vector<2> corner[max_region_points];
 };
 
 /// Overlap of two faces, which may have any number of corners; `slope` is that of the linear function. Up to
 /// rounding, an overlap without area has none. All corners are kept when they are not more than
-/// most_region_points and neither face has more than 32 corners; else those that lie farthest in that many
+/// max_region_points and neither face has more than 32 corners; else those that lie farthest in that many
 /// directions spread evenly round the plane, so that the corners kept span all but slivers at the others.
 FaceOverlap overlap_of(const FlatFace& one, const FlatFace& other, const Vector<2>& slope, double rounding);
 

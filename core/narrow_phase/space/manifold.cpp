@@ -166,8 +166,9 @@ void describe_contact(const SeenOutline& a, const SeenOutline& b, const Vector<3
 }
 
 bool describe_plainly_touching(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
-                               const Witness<3>& witness, const DetectOptions& options, Contact<3>& contact) {
-  if (witness.state != Witness<3>::touching ||
+                               const PairCache<3>& witness, const DetectOptions& options,
+                               Contact<3>& contact) {
+  if (witness.state != PairCache<3>::touching ||
       describe_plain_contact(a, b, to_b, witness.pair, options, contact) != Plain::and_touching)
     return false;
   contact.pair = witness.pair;

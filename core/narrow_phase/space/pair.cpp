@@ -51,7 +51,7 @@ double gap_at_face(const Outline<3>& owner, int face, const Outline<3>& other, c
   });
 }
 
-double gap_at_plane(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, Witness<3>& witness) {
+double gap_at_plane(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, PairCache<3>& witness) {
   const Vector<3>& normal = witness.proof;
   if (are_few(std::max(a.vertex_count(), b.vertex_count()))) {
     return with_widest_lanes([&]<class Four>() __attribute__((always_inline)) {
@@ -141,7 +141,7 @@ double refresh(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b
   }
 }
 
-double refresh(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, Witness<3>& witness) {
+double refresh(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, PairCache<3>& witness) {
   using Pair = PotentialPair<3>;
   Pair& pair = witness.pair;
   if (pair.kind == Pair::face_vertex) return gap_at_face(a, pair.a, b, to_b, pair.b);
@@ -154,7 +154,7 @@ double refresh(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, 
 }
 
 PotentialPair<3> initial_pair(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
-                              const Witness<3>& witness) {
+                              const PairCache<3>& witness) {
   const PotentialPair<3>& pair = witness.pair;
   if (pair.kind != PotentialPair<3>::vertex_vertex) return pair;
   const int deepest_of_a = a.deepest_near(-witness.proof, pair.a).vertex;

@@ -16,16 +16,16 @@ double refresh(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b
 /// Gap of what keeps two blocks apart: of a face and a vertex; or, of two edges or vertices, between what
 /// both blocks reach along the remembered normal, which two edges renew when it no longer does. Vertices are
 /// brought up to date only where that helps to find them next time.
-double refresh(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, Witness<3>& witness);
+double refresh(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, PairCache<3>& witness);
 
 /// True when blocks that touched are easily seen to touch still: where the remembered pair is, or at the
 /// remembered point.
-bool still_touching(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, Witness<3>& witness);
+bool still_touching(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, PairCache<3>& witness);
 
 /// Remembers a point of both blocks in the middle of a contact: at a face, half as deep as that is.
-void remember_proof(const Contact<3>& contact, const Vector<3>& to_b, Witness<3>& witness);
+void remember_proof(const Contact<3>& contact, const Vector<3>& to_b, PairCache<3>& witness);
 /// Remembers a known point of blocks that touch.
-inline void remember_point(const Vector<3>& point, Witness<3>& witness) {
+inline void remember_point(const Vector<3>& point, PairCache<3>& witness) {
   if (touching(witness)) witness.proof = point;
 }
 
@@ -33,13 +33,13 @@ inline void remember_point(const Vector<3>& point, Witness<3>& witness) {
 /// the violated one; or, when only a plane is remembered, the less deep of those whose faces look most along
 /// it from either side.
 PotentialPair<3> initial_pair(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
-                              const Witness<3>& witness);
+                              const PairCache<3>& witness);
 
 /// The less deep of the pairs whose faces look most along a normal from a to b, from either side.
 inline PotentialPair<3> pair_along(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
                                    const Vector<3>& normal) {
   constexpr PotentialPair<3> anywhere{PotentialPair<3>::vertex_vertex, 0, 0};
-  return initial_pair(a, b, to_b, {Witness<3>::separated, anywhere, normal});
+  return initial_pair(a, b, to_b, {PairCache<3>::separated, anywhere, normal});
 }
 
 /// Walks over the Minkowski difference to the pair of least depth that is reached without passing a deeper
@@ -62,10 +62,11 @@ void describe_contact(const SeenOutline& a, const SeenOutline& b, const Vector<3
 /// The contact of blocks that touched, if it is at a point and shows by itself that they touch still: as a
 /// rule, then, of a pair from step to step. False else, and nothing is known yet.
 bool describe_plainly_touching(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
-                               const Witness<3>& witness, const DetectOptions& options, Contact<3>& contact);
+                               const PairCache<3>& witness, const DetectOptions& options,
+                               Contact<3>& contact);
 
-inline Witness<3> witness_of(const Separation<3>& separation) {
-  return {Witness<3>::separated, separation.pair, separation.normal};
+inline PairCache<3> witness_of(const Separation<3>& separation) {
+  return {PairCache<3>::separated, separation.pair, separation.normal};
 }
 
 }  // namespace halfspace

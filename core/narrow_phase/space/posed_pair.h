@@ -19,10 +19,10 @@ inline Contact<3> separated(const Separation<3>& found) {
 
 /// Searches a pair of polyhedra, as plane/posed_pair.h does polygons.
 [[gnu::always_inline]] inline Contact<3> search_pair(const PosedPair<3>& posed, const Frames<3>& frames,
-                                                     const PairOptions& options, Witness<3>& witness,
+                                                     const PairOptions& options, PairCache<3>& witness,
                                                      Memory*) {
   const Outline<3>&a = posed.a.outline(), &b = posed.b.outline();
-  if (witness.state == Witness<3>::separated) {
+  if (witness.state == PairCache<3>::separated) {
     // The plane between the blocks may still lie there, though motion has worn out its proof.
     const Vector<3> normal = witness.proof, seen_from_a = frames.of_a.inverse() * normal;
     const double gap = gap_along(seen_from_a, a, b, frames);

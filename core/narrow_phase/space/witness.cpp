@@ -79,9 +79,9 @@ bool overlap_at_pair(const Outline<3>& a, const Outline<3>& b, const Vector<3>& 
 
 }  // namespace
 
-bool still_touching(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, Witness<3>& witness) {
+bool still_touching(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, PairCache<3>& witness) {
   if (!touching(witness)) return false;
-  if (witness.state == Witness<3>::overlapping) return both_contain(a, b, to_b, witness.proof);
+  if (witness.state == PairCache<3>::overlapping) return both_contain(a, b, to_b, witness.proof);
   // The faster one first (bench_pairs_3d, stepped pairs).
   constexpr int few_faces = 32;
   const bool point_first =
@@ -91,7 +91,7 @@ bool still_touching(const Outline<3>& a, const Outline<3>& b, const Vector<3>& t
          (!point_first && both_contain(a, b, to_b, witness.proof));
 }
 
-void remember_proof(const Contact<3>& contact, const Vector<3>& to_b, Witness<3>& witness) {
+void remember_proof(const Contact<3>& contact, const Vector<3>& to_b, PairCache<3>& witness) {
   if (contact.pair.kind == PotentialPair<3>::edge_edge) {
     witness.proof = contact.center;
     return;

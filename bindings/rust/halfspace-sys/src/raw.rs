@@ -226,8 +226,8 @@ pub const HS_PART_STRAIN: i32 = 32;
 pub const HS_PART_LOCAL_DAMPING: i32 = 64;
 /// the world has mass damping
 pub const HS_PART_MASS_DAMPING: i32 = 128;
-/// a law has no spring: impulses are found for all contacts together
-pub const HS_PART_REACTIONS: i32 = 256;
+/// a law without a spring: one solver finds the impulses of all its contacts
+pub const HS_PART_HARD_CONTACTS: i32 = 256;
 /// blocks at rest may sleep
 pub const HS_PART_SLEEP: i32 = 512;
 
@@ -344,8 +344,10 @@ pub struct hs_contact {
     pub shear_force: [f64; 3],
     /// 3D: torque about the normal, on block b
     pub twist: f64,
+    /// s: time of the touch, inside of a step, by a law without springs; else 0
+    pub touched_at: f64,
 }
-const _: () = assert!(std::mem::size_of::<hs_contact>() == 488);
+const _: () = assert!(std::mem::size_of::<hs_contact>() == 496);
 
 /// Normal force with Mohr-Coulomb friction, by a penalty spring or a potential. Fill it with
 /// hs_law_def_init(). Springs are those of Wang et al. 2021, section 3; potentials those of Zheng et al.
@@ -566,9 +568,8 @@ pub struct hs_world_def {
     pub fast_blocks: i32,
     /// 0
     pub reserved: i32,
-    /// m, >= 0: blocks whose points would go less far than this while nothing reaches them may stand still in
-    /// time and be left out of steps; over a whole run no block misses more of its way. 0 (default): none
-    /// does. Worlds with a law of HS_STIFFNESS_NONE and meshes do not sleep
+    /// m, >= 0: the largest displacement error of a block by sleep over a run; blocks at rest are then left
+    /// out of steps. 0 (default): no block sleeps. Worlds with HS_STIFFNESS_NONE or meshes do not sleep
     pub sleep_tolerance: f64,
 }
 const _: () = assert!(std::mem::size_of::<hs_world_def>() == 112);
@@ -640,7 +641,7 @@ pub struct hs_energy {
     pub mass_damping_loss: f64,
     /// by prescribed blocks, applied forces, surface loads and edits, so far
     pub outer_work: f64,
-    /// all but outer_work, minus outer_work: what the numbers themselves made or lost
+    /// all but outer_work, minus outer_work: the energy error of the time stepping
     pub residual: f64,
 }
 const _: () = assert!(std::mem::size_of::<hs_energy>() == 72);
@@ -665,7 +666,7 @@ pub struct hs_world_report {
     pub block_count: i64,
     /// pairs in the neighbour list
     pub candidate_count: i64,
-    /// pairs in contact
+    /// contacts: pairs by laws with springs, points by laws without
     pub contact_count: i64,
     /// how often the neighbour list was built
     pub list_builds: i64,
@@ -683,22 +684,26 @@ pub struct hs_world_report {
     pub block_damping_loss: f64,
     /// steps so far that fast blocks have divided
     pub divided_steps: i64,
-    /// largest share of the thinner block's thickness up to which springs let two blocks come, the root of
-    /// d^2 + v^2 m/k for those that approach at v where they are nearest and lie d deep: of all when they
-    /// met, of those that divided a step in each part of it, and of those in the neighbour list now. Above
-    /// 0.25 or so springs are too soft; from 0.5 on blocks may pass through each other. By laws without a
-    /// spring as deep as contacts have come where their rounds have not sufficed
-    pub deepest_stop: f64,
+    /// largest penetration at which springs stop two blocks, over the thinner block's thickness, so far.
+    /// Above 0.25 increase the normal stiffness; from 0.5 on blocks may pass through each other. See
+    /// docs/concepts/impact.md
+    pub max_penetration_ratio: f64,
     /// largest overlap so far, at every detection; by potentials in space, whose steps find no overlaps, now
     pub peak_overlap: f64,
     /// largest speed so far of all blocks that move freely, at the end of every step and part of one
     pub peak_speed: f64,
     /// blocks that sleep now
     pub sleeping_count: i64,
-    /// m: of its way any block has missed at most by sleep so far
-    pub missed_by_sleep: f64,
+    /// m: largest displacement error of a block by sleep, so far
+    pub max_sleep_error: f64,
+    /// touches so far by laws without springs; a corner that slides from face to face touches anew
+    pub touch_count: i64,
+    /// iterations so far of the solver of laws without springs: sweeps over all of their contacts
+    pub iteration_count: i64,
+    /// J, in 2D per unit thickness: lost so far by their touches; counts in the residual
+    pub impact_loss: f64,
 }
-const _: () = assert!(std::mem::size_of::<hs_world_report>() == 232);
+const _: () = assert!(std::mem::size_of::<hs_world_report>() == 256);
 
 /// Elasticity of a material. Fill it with hs_elasticity_def_init().
 #[repr(C)]
@@ -997,7 +1002,7 @@ pub struct hs_pair_options {
     /// 0
     pub reserved: u32,
     /// edges (3D: faces, or an edge and a face) closer to parallel than this share a region; rad, \[0, 0.5\];
-    /// default 0.01. In 3D what bears is followed up to twice that angle, so that the energy does not jump
+    /// default 0.01. A region that exists is followed to larger angles, so that the energy does not jump
     pub parallel_angle: f64,
     /// how near the end of an edge (3D: the border of a face) a vertex meets what is there: share of the
     /// shorter of the two edges that face each other; \[0, 0.5\]; default 1e-6
@@ -1025,7 +1030,7 @@ pub struct hs_world_plan {
     pub parts: i32,
     /// blocks that never move
     pub fixed_count: i64,
-    /// blocks that move as they are told
+    /// blocks with a prescribed motion
     pub prescribed_count: i64,
     /// blocks that move by Newton's law
     pub rigid_count: i64,
@@ -1033,7 +1038,7 @@ pub struct hs_world_plan {
     pub affine_count: i64,
     /// pairs in the neighbour list
     pub candidate_count: i64,
-    /// pairs in contact
+    /// pairs in contact by laws with springs
     pub contact_count: i64,
     /// state of all blocks with their shapes, as a snapshot holds it
     pub block_bytes: i64,
@@ -1056,7 +1061,7 @@ pub struct hs_world_plan {
     /// of a step: moving, turning and straining blocks, nodes and elements of meshes
     pub motion_seconds: f64,
     /// of a step: the energy ledger
-    pub book_seconds: f64,
+    pub ledger_seconds: f64,
     /// bodies of finite elements
     pub body_count: i64,
     /// of all of them
@@ -1078,55 +1083,10 @@ pub struct hs_world_plan {
     pub limiting_cell: i64,
     /// of a step: loading blocks by bonds
     pub bond_seconds: f64,
-    /// of a step: finding the impulses of contacts without springs
-    pub reaction_seconds: f64,
+    /// of a step: the solver of contacts without springs
+    pub hard_contact_seconds: f64,
 }
 const _: () = assert!(std::mem::size_of::<hs_world_plan>() == 232);
-
-/// Two points that are in touch by a law without a spring.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default)]
-pub struct hs_reaction {
-    /// id of the block whose corner it is; of two edges that of the first
-    pub block_a: u64,
-    /// id of the block whose face it is (in 2D its edge); of two edges that of the second
-    pub block_b: u64,
-    /// HS_PAIR_VERTEX_FACE or, in 3D, HS_PAIR_EDGE_EDGE
-    pub pair_kind: i32,
-    /// index of block a's vertex; of two edges, of blocks of a mesh too, block a's edge
-    pub feature_a: i32,
-    /// index of block b's face (in 2D its edge) or edge
-    pub feature_b: i32,
-    /// 0
-    pub reserved: i32,
-    /// where they touch
-    pub point: [f64; 3],
-    /// unit, outwards from block b
-    pub normal: [f64; 3],
-    /// on block a at the end of the last step, normal and shear together. In the step of the touch it is that
-    /// of the blow: the impulse that was left of it at the step's end, over half the step
-    pub force: [f64; 3],
-    /// \> 0 apart: what rounding and turning have left
-    pub gap: f64,
-    /// time of the touch, inside of a step
-    pub touched_at: f64,
-}
-const _: () = assert!(std::mem::size_of::<hs_reaction>() == 120);
-
-/// Contacts without springs in numbers. Later versions may append to it.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default)]
-pub struct hs_reaction_report {
-    /// in touch now
-    pub reaction_count: i64,
-    /// touches so far; a corner that slides from face to face touches anew
-    pub touch_count: i64,
-    /// so far: how often all contacts of a kick have been gone through until none changed any more
-    pub round_count: i64,
-    /// J, in 2D per unit thickness: lost so far where points met. It counts in the world's residual
-    pub impact_loss: f64,
-}
-const _: () = assert!(std::mem::size_of::<hs_reaction_report>() == 32);
 
 /// The way in which a world is brought to rest. Fill it with hs_relaxation_def_init().
 #[repr(C)]
@@ -1139,13 +1099,13 @@ pub struct hs_relaxation_def {
     /// at which it is at rest, > 0; default 1e-5
     pub ratio: f64,
     /// \>= 1; default 1000000
-    pub most_steps: i64,
+    pub max_steps: i64,
     /// \[0, 1) meanwhile; default 0.1, beside adaptive damping; by itself 0.8 does best
     pub local_damping: f64,
-    /// 1 (default): mass damping twice as fast as the slowest motion that is left swings, found anew all the
-    /// time; or 0: that of the world
+    /// 1 (default): critical mass damping of the slowest motion, estimated while stepping (Underwood 1983);
+    /// or 0: the world's mass damping
     pub is_adaptive: i32,
-    /// 1 (default): bonds do not fail meanwhile; or 0
+    /// 1 (default): bonds do not fail while the world relaxes; or 0
     pub hold_bonds: i32,
 }
 const _: () = assert!(std::mem::size_of::<hs_relaxation_def>() == 40);
@@ -1158,12 +1118,12 @@ pub struct hs_balance {
     pub mean: f64,
     /// see HS_UNBALANCED_LARGEST
     pub largest: f64,
-    /// that is unbalanced, N
+    /// largest unbalanced force, N
     pub largest_force: f64,
-    /// that hs_world_relax() has taken; else 0
+    /// taken by hs_world_relax(); else 0
     pub steps: i64,
-    /// the block that largest_force acts on, of a node a cell at the surface; 0: none
-    pub least_balanced: hs_block,
+    /// the block that it acts on; of a node, a cell at the surface. 0: none
+    pub largest_force_block: hs_block,
 }
 const _: () = assert!(std::mem::size_of::<hs_balance>() == 40);
 
@@ -1183,10 +1143,10 @@ pub struct hs_strength_def {
     pub resolution: f64,
     /// \> 0: unbalanced forces at which a world stands, see hs_relaxation_def; default 1e-5
     pub ratio: f64,
-    /// \> 0: share of its size by which a block that moves has fallen; default 0.1
-    pub most_way: f64,
-    /// \>= 1: what is not at rest by then falls as well; default 100000
-    pub most_steps: i64,
+    /// \> 0: displacement of a block, over its size, that counts as failure; default 0.1
+    pub max_displacement: f64,
+    /// \>= 1: a world that is not at rest by then has failed; default 100000
+    pub max_steps: i64,
 }
 const _: () = assert!(std::mem::size_of::<hs_strength_def>() == 56);
 
@@ -1856,8 +1816,11 @@ extern "C" {
         size: usize,
     ) -> hs_status;
 
-    /// The contacts of the last detection, sorted by block index, a before b; none after a change of poses,
-    /// blocks or laws. Forces are 0 until they are evaluated.
+    /// The contacts of the last detection, block a before b; none after a change of poses, blocks or laws.
+    /// Those by laws with springs come first, one a pair, sorted by block index; their forces are 0 until
+    /// they are evaluated. Those by laws without springs follow, one a point, as of the end of the last step:
+    /// a vertex at a face, or two edges. In the step of a touch their force is the impulse that is left at
+    /// the end of the step, over half the step (Li et al. 2015, sections 3 and 4).
     ///
     /// - `world`: not NULL
     /// - `contacts`: receives them; may be NULL if capacity is 0
@@ -2481,35 +2444,6 @@ extern "C" {
         size: usize,
     ) -> hs_status;
 
-    /// The contacts by laws without a spring at the end of the last step, sorted by block a, block b and
-    /// features.
-    ///
-    /// - `world`: not NULL
-    /// - `reactions`: receives them; may be NULL if capacity is 0
-    /// - `capacity`: in reactions
-    /// - `count`: receives their number; may be NULL
-    ///
-    /// Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
-    pub fn hs_world_get_reactions(
-        world: *const hs_world,
-        reactions: *mut hs_reaction,
-        capacity: i64,
-        count: *mut i64,
-    ) -> hs_status;
-
-    /// Their numbers, and the energy that touches have taken.
-    ///
-    /// - `world`: not NULL
-    /// - `report`: receives them; what this library does not know of a longer struct is 0
-    /// - `size`: sizeof(hs_reaction_report) as the caller was compiled
-    ///
-    /// Returns HS_OK or HS_ERROR_ARGUMENT
-    pub fn hs_world_get_reaction_report(
-        world: *const hs_world,
-        report: *mut hs_reaction_report,
-        size: usize,
-    ) -> hs_status;
-
     /// Fills a relaxation's definition with its defaults.
     ///
     /// - `def`: to fill
@@ -2525,7 +2459,7 @@ extern "C" {
     /// - `balance`: receives how balanced it is then; may be NULL
     /// - `size`: sizeof(hs_balance) as the caller was compiled
     ///
-    /// Returns HS_OK, HS_NOTE_NOT_AT_REST after def.most_steps, or what hs_world_step() returns: the world
+    /// Returns HS_OK, HS_NOTE_NOT_AT_REST after def.max_steps, or what hs_world_step() returns: the world
     /// stays where it has come to
     pub fn hs_world_relax(
         world: *mut hs_world,

@@ -154,6 +154,11 @@ impl Contact {
         self.raw.twist
     }
 
+    /// Time of the touch, inside of a step, by a law without springs; else 0.
+    pub fn touched_at(&self) -> f64 {
+        self.raw.touched_at
+    }
+
     /// What detection leaves as it was when the blocks are separated.
     fn of_region<T: Default>(&self, value: T) -> T {
         if self.is_touching() {

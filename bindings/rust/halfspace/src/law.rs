@@ -81,7 +81,7 @@ impl Law {
     }
 
     /// No spring: blocks are kept apart by just the force that does, from the moment of their touch
-    /// on. Stiffnesses and dampings count for nothing. See [`World::reactions`](crate::World::reactions).
+    /// on. Stiffnesses and dampings count for nothing. See [`World::contacts`](crate::World::contacts).
     pub fn without_spring(mut self) -> Self {
         self.raw.stiffness_kind = sys::HS_STIFFNESS_NONE;
         self

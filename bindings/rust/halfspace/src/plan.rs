@@ -26,7 +26,7 @@ pub struct Plan {
     /// The world has mass damping.
     pub mass_damping: bool,
     /// A law has no spring: impulses are found for all contacts together.
-    pub reactions: bool,
+    pub hard_contacts: bool,
     /// Blocks at rest may sleep.
     pub sleep: bool,
     /// Blocks that never move.
@@ -63,7 +63,7 @@ pub struct Plan {
     /// Time of a step: moving, turning and straining blocks.
     pub motion_seconds: f64,
     /// Time of a step: the energy ledger.
-    pub book_seconds: f64,
+    pub ledger_seconds: f64,
     /// Bodies of finite elements.
     pub body_count: usize,
     /// Cells of all of them.
@@ -84,7 +84,7 @@ pub struct Plan {
     /// Time of a step: loading blocks by bonds.
     pub bond_seconds: f64,
     /// Time of a step: finding the impulses of contacts without springs.
-    pub reaction_seconds: f64,
+    pub hard_contact_seconds: f64,
 }
 
 impl From<sys::hs_world_plan> for Plan {
@@ -99,7 +99,7 @@ impl From<sys::hs_world_plan> for Plan {
             strain: has(sys::HS_PART_STRAIN),
             local_damping: has(sys::HS_PART_LOCAL_DAMPING),
             mass_damping: has(sys::HS_PART_MASS_DAMPING),
-            reactions: has(sys::HS_PART_REACTIONS),
+            hard_contacts: has(sys::HS_PART_HARD_CONTACTS),
             sleep: has(sys::HS_PART_SLEEP),
             fixed_count: raw.fixed_count as usize,
             prescribed_count: raw.prescribed_count as usize,
@@ -117,7 +117,7 @@ impl From<sys::hs_world_plan> for Plan {
             pair_seconds: raw.pair_seconds,
             gather_seconds: raw.gather_seconds,
             motion_seconds: raw.motion_seconds,
-            book_seconds: raw.book_seconds,
+            ledger_seconds: raw.ledger_seconds,
             body_count: raw.body_count as usize,
             cell_count: raw.cell_count as usize,
             node_count: raw.node_count as usize,
@@ -128,7 +128,7 @@ impl From<sys::hs_world_plan> for Plan {
             limiting_cell: Body::from_id(raw.limiting_body)
                 .map(|body| (body, raw.limiting_cell as usize)),
             bond_seconds: raw.bond_seconds,
-            reaction_seconds: raw.reaction_seconds,
+            hard_contact_seconds: raw.hard_contact_seconds,
         }
     }
 }

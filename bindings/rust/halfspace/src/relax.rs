@@ -14,7 +14,7 @@ use crate::Result;
 ///
 /// ```
 /// use halfspace::Relaxation;
-/// let careful = Relaxation::default().by_largest().ratio(1e-6).most_steps(50_000);
+/// let careful = Relaxation::default().by_largest().ratio(1e-6).max_steps(50_000);
 /// ```
 #[derive(Clone, Copy, Debug)]
 #[must_use]
@@ -46,8 +46,8 @@ impl Relaxation {
     }
 
     /// Steps after which it is given up, at least 1; by default 1000000.
-    pub fn most_steps(mut self, steps: u64) -> Self {
-        self.raw.most_steps = i64::try_from(steps).unwrap_or(i64::MAX);
+    pub fn max_steps(mut self, steps: u64) -> Self {
+        self.raw.max_steps = i64::try_from(steps).unwrap_or(i64::MAX);
         self
     }
 
@@ -88,7 +88,7 @@ pub struct Balance {
     /// The largest of them, in N.
     pub largest_force: f64,
     /// The block that it acts on, of a node a cell; `None` if nothing is unbalanced.
-    pub least_balanced: Option<Block>,
+    pub largest_force_block: Option<Block>,
 }
 
 impl From<sys::hs_balance> for Balance {
@@ -97,7 +97,7 @@ impl From<sys::hs_balance> for Balance {
             mean: raw.mean,
             largest: raw.largest,
             largest_force: raw.largest_force,
-            least_balanced: Block::from_raw(raw.least_balanced),
+            largest_force_block: Block::from_raw(raw.largest_force_block),
         }
     }
 }

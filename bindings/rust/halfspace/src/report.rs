@@ -68,7 +68,7 @@ pub struct Report {
     /// all when they met, of those that divided a step in each part of it, and of those in the
     /// neighbour list now. Above 0.25 or so springs are too soft; from 0.5 on blocks may pass
     /// through each other.
-    pub deepest_stop: f64,
+    pub max_penetration_ratio: f64,
     /// Largest overlap so far, at every detection; by potentials in space, whose steps find no
     /// overlaps, now.
     pub peak_overlap: f64,
@@ -78,7 +78,13 @@ pub struct Report {
     /// Blocks that sleep now.
     pub sleeping_count: usize,
     /// The most of its way, in m, that any block has missed by sleep so far.
-    pub missed_by_sleep: f64,
+    pub max_sleep_error: f64,
+    /// Touches so far by laws without springs; a corner that slides from face to face touches anew.
+    pub touch_count: usize,
+    /// Iterations so far of the solver of laws without springs: sweeps over all of their contacts.
+    pub iteration_count: usize,
+    /// Energy lost so far by their touches, in J; counts in the residual.
+    pub impact_loss: f64,
 }
 
 impl From<sys::hs_energy> for Energy {
@@ -116,11 +122,14 @@ impl From<sys::hs_world_report> for Report {
             block_strain_energy: raw.block_strain_energy,
             block_damping_loss: raw.block_damping_loss,
             divided_steps: raw.divided_steps as u64,
-            deepest_stop: raw.deepest_stop,
+            max_penetration_ratio: raw.max_penetration_ratio,
             peak_overlap: raw.peak_overlap,
             peak_speed: raw.peak_speed,
             sleeping_count: raw.sleeping_count as usize,
-            missed_by_sleep: raw.missed_by_sleep,
+            max_sleep_error: raw.max_sleep_error,
+            touch_count: raw.touch_count as usize,
+            iteration_count: raw.iteration_count as usize,
+            impact_loss: raw.impact_loss,
         }
     }
 }

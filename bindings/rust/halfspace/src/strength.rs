@@ -34,12 +34,12 @@ impl StrengthSearch {
         /// [`Relaxation::ratio`](crate::Relaxation::ratio); by default 1e-5.
         ratio: f64,
         /// Share of its size by which a block that moves has fallen, above 0; by default 0.1.
-        most_way: f64,
+        max_displacement: f64,
     }
 
     /// Steps after which a world that is not at rest falls as well, at least 1; by default 100000.
-    pub fn most_steps(mut self, steps: u64) -> Self {
-        self.raw.most_steps = i64::try_from(steps).unwrap_or(i64::MAX);
+    pub fn max_steps(mut self, steps: u64) -> Self {
+        self.raw.max_steps = i64::try_from(steps).unwrap_or(i64::MAX);
         self
     }
 }

@@ -34,14 +34,14 @@ fn block_on_slope(context: &Context, angle: f64) -> Result<(World, Block)> {
 fn a_block_settles_under_gravity() -> Result<()> {
     let (mut world, block) = block_on_slope(&Context::new()?, 0.0)?;
     assert!((world.balance()?.mean - 1.0).abs() < 1e-12, "it falls");
-    let too_short = world.relax(&Relaxation::default().most_steps(20))?;
+    let too_short = world.relax(&Relaxation::default().max_steps(20))?;
     assert_eq!((too_short.is_at_rest, too_short.steps), (false, 20));
 
     let relaxed = world.relax(&Relaxation::default().by_largest().ratio(1e-6))?;
     assert!(relaxed.is_at_rest && relaxed.steps > 0);
     assert!(relaxed.balance.largest <= 1e-6 && relaxed.balance.mean <= 1e-6);
     assert!(relaxed.balance.largest_force <= 2e-6 * DENSITY * GRAVITY);
-    assert_eq!(relaxed.balance.least_balanced, Some(block));
+    assert_eq!(relaxed.balance.largest_force_block, Some(block));
     let state = world.block_state(block)?;
     let overlap = DENSITY * GRAVITY / STIFFNESS;
     assert!((state.pose.position[1] - 0.5 + overlap).abs() < 1e-4 * overlap);
@@ -131,8 +131,8 @@ fn a_block_on_a_slope_has_its_factor_of_safety() -> Result<()> {
 fn a_search_may_end_at_once() -> Result<()> {
     let (mut world, block) = block_on_slope(&Context::new()?, 20f64.to_radians())?;
     assert!(world.relax(&Relaxation::default())?.is_at_rest);
-    let search = StrengthSearch::default().ratio(1e-4).most_way(0.05);
-    let found = world.find_strength_factor(&search.high(1.5).most_steps(20_000))?;
+    let search = StrengthSearch::default().ratio(1e-4).max_displacement(0.05);
+    let found = world.find_strength_factor(&search.high(1.5).max_steps(20_000))?;
     assert!(found.stands_at_low && !found.falls_at_high && found.fallen.is_none());
     let found = world.find_strength_factor(&search.low(1.7).resolution(0.1))?;
     assert!(!found.stands_at_low && !found.falls_at_high && found.fallen.is_some());

@@ -191,8 +191,8 @@ PotentialForce<2> potential_force(const Outline<2>& a, const Outline<2>& b, cons
   find_near_edges(of_b, a, at_a, room.least_depth.data());
   if (of_a.near.empty() || of_b.near.empty()) return {};
 
-  Polygon intersection(room.polygon(0), room.most_corners()), cell(room.polygon(1), room.most_corners()),
-      cut(room.polygon(2), room.most_corners());
+  Polygon intersection(room.polygon(0), room.max_corners()), cell(room.polygon(1), room.max_corners()),
+      cut(room.polygon(2), room.max_corners());
   for (int v = 0; v < b.count; ++v) intersection.add(b.vertex(v) + to_b);
   for (const std::int32_t edge : of_a.near) {
     cut.keep_inside(intersection, of_a.half_plane(edge));

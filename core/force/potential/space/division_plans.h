@@ -12,7 +12,7 @@
 namespace halfspace {
 
 /// The memory that a pair of blocks has of its plan.
-class PlanMemory {
+class DivisionCache {
  public:
   bool knows() const { return first_ >= 0; }
   /// Where the plan begins that it knows.
@@ -29,21 +29,21 @@ class PlanMemory {
 ///
 /// How many there is room for follows from the number of pairs, and that room is taken beforehand: steps ask
 /// for no memory, and a restored world makes the plans that the saved one would have made.
-class DivisionPlans {
+class CachedDivisions {
  public:
-  explicit DivisionPlans(Memory* memory) : codes_(memory) {}
+  explicit CachedDivisions(Memory* memory) : codes_(memory) {}
 
   void reserve(std::size_t pairs) { codes_.reserve(room_for(pairs)); }
   /// Pairs for whose number there is no room reserved have none.
   void serve_pairs(std::size_t pairs) { room_ = std::min(room_for(pairs), codes_.capacity()); }
 
-  std::span<const PlanCode> operator[](const PlanMemory& memory) const {
+  std::span<const PlanCode> operator[](const DivisionCache& memory) const {
     const PlanCode* const head = codes_.data() + memory.first();
     return {head + head_size, std::size_t(head[0])};
   }
 
   /// False when there is no room for it.
-  bool add(std::span<const PlanCode> plan, PlanMemory& memory) {
+  bool add(std::span<const PlanCode> plan, DivisionCache& memory) {
     const std::size_t first = codes_.size();
     if (first + head_size + plan.size() > room_) {
       is_full_ = true;

@@ -16,7 +16,7 @@ constexpr std::uint8_t not_near = 255;
 void DivisionRecord::reserve(std::size_t edges) {
   corners_.reserve(most_plan_corners);
   for (int owner = 0; owner < 2; ++owner) {
-    near_[owner].reserve(most_near_faces);
+    near_[owner].reserve(max_near_faces);
     place_[owner].reserve(edges);
     meet_[owner].reserve(edges);
   }
@@ -28,7 +28,7 @@ void DivisionRecord::begin(const PlacedBlock& a, const PlacedBlock& b, int whole
   block_[1].emplace(b);
   whole_ = whole;
   corners_.clear();
-  is_complete_ = std::max(near_a.size(), near_b.size()) <= most_near_faces &&
+  is_complete_ = std::max(near_a.size(), near_b.size()) <= max_near_faces &&
                  std::max(a.outline.face_count(), b.outline.face_count()) <= most_faces_to_plan;
   if (!is_complete_) return;
   near_[0].assign(near_a.begin(), near_a.end());
@@ -91,7 +91,7 @@ void DivisionRecord::lay_on(Index plane, DivisionCorner& corner) const {
 
 /// Where it is on any of them these are the nearest.
 void DivisionRecord::find_nearest(int owner, DivisionCorner& corner) const {
-  double depth[most_near_faces], least = HUGE_VAL;
+  double depth[max_near_faces], least = HUGE_VAL;
   const std::size_t count = near_[owner].size();
   for (std::size_t k = 0; k < count; ++k) {
     depth[k] = near_[owner][k].plane.depth(corner.at);

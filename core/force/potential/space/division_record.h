@@ -10,7 +10,7 @@ namespace halfspace {
 
 /// Some of a block's near faces.
 using FaceSet = std::uint64_t;
-constexpr std::size_t most_near_faces = 64;
+constexpr std::size_t max_near_faces = 64;
 inline FaceSet face_set(std::size_t face) { return FaceSet(1) << face; }
 
 /// A corner of what two blocks have in common, or of cells: a vertex of a block, or where planes meet. A

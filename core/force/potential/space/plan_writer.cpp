@@ -12,7 +12,7 @@
 namespace halfspace {
 namespace {
 
-constexpr int most_near = int(most_near_faces);
+constexpr int most_near = int(max_near_faces);
 
 /// Numbers what a record has as a plan does, and puts that down. Every solid is the convex one that has those
 /// corners which lie in its faces.
@@ -253,8 +253,8 @@ class PlanWriter {
   std::array<const Corner*, most_plan_corners> corners_;
   std::size_t corner_count_ = 0;
   std::array<std::array<PlanesOfCorner::Faces, 3>, most_plan_corners> told_by_;
-  int faces_[2][most_near_faces];
-  int number_of_face_[2][most_near_faces];
+  int faces_[2][max_near_faces];
+  int number_of_face_[2][max_near_faces];
   int face_count_of_[2] = {};
   int cell_count_[2] = {};
   int face_count_ = 0;  // of both
@@ -266,7 +266,7 @@ class PlanWriter {
 
 }  // namespace
 
-std::span<const PlanCode> write_plan(const DivisionRecord& record, Array<PlanCode>& room) {
+std::span<const PlanCode> encode_division(const DivisionRecord& record, Array<PlanCode>& room) {
   return PlanWriter(record, room).write();
 }
 

@@ -9,6 +9,6 @@ namespace halfspace {
 
 /// The plan of how two blocks' intersection has been divided. Empty when there is none: it would be too
 /// large, or what is written down does not fit together, as where much lies in one place to rounding.
-std::span<const PlanCode> write_plan(const DivisionRecord& record, Array<PlanCode>& room);
+std::span<const PlanCode> encode_division(const DivisionRecord& record, Array<PlanCode>& room);
 
 }  // namespace halfspace

@@ -16,7 +16,7 @@ std::optional<PotentialForce<3>> follow(std::span<const PlanCode> plan, const Ou
 /// The force of potentials of a pair that may know a plan: by that, or else found anew, and then with a plan
 /// for the next time if one is to be made. In the same places it has the same bits again.
 PotentialForce<3> planned_force(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
-                                bool makes_plans, PlanMemory& memory, DivisionPlans& plans,
+                                bool makes_plans, DivisionCache& memory, CachedDivisions& plans,
                                 PotentialRoom<3>& room);
 
 }  // namespace halfspace

@@ -10,7 +10,7 @@ std::uint64_t set_of(std::size_t corner) { return std::uint64_t(1) << corner; }
 }  // namespace
 
 bool PlannedSolid::add_corner(int number, const Vector<3>& at, FaceSet first_sort, FaceSet second_sort) {
-  if (count_ == most_corners) return false;
+  if (count_ == max_corners) return false;
   number_[count_] = number;
   at_[count_] = at;
   planes_[count_] = {first_sort, second_sort};
@@ -45,7 +45,7 @@ void PlannedSolid::find_edges() {
 
 /// Goes around the facet from corner to corner.
 bool PlannedSolid::add_facet(CornerSet corners, const Vector<3>& outward) {
-  std::array<std::size_t, most_corners> around;
+  std::array<std::size_t, max_corners> around;
   std::size_t size = 0;
   CornerSet rest = corners, next = corners;
   while (next != 0) {

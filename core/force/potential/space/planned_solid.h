@@ -20,7 +20,7 @@ void for_each(std::uint64_t set, Visit visit) {
 /// set of either sort is one number.
 class PlannedSolid {
  public:
-  static constexpr std::size_t most_corners = 64;
+  static constexpr std::size_t max_corners = 64;
 
   /// False when there are too many.
   bool add_corner(int number, const Vector<3>& at, FaceSet first_sort, FaceSet second_sort);
@@ -56,14 +56,14 @@ class PlannedSolid {
 
   std::size_t count_ = 0;
   std::size_t top_ = 0;
-  std::array<int, most_corners> number_;
-  std::array<Vector<3>, most_corners> at_;
-  std::array<std::array<FaceSet, 2>, most_corners> planes_;  // of each corner
-  CornerSet on_[2][most_near_faces] = {};                    // corners in each plane
+  std::array<int, max_corners> number_;
+  std::array<Vector<3>, max_corners> at_;
+  std::array<std::array<FaceSet, 2>, max_corners> planes_;  // of each corner
+  CornerSet on_[2][max_near_faces] = {};                    // corners in each plane
   FaceSet met_[2] = {};
-  std::array<CornerSet, most_corners> neighbors_;      // along edges
-  std::array<CornerSet, most_corners> to_{}, from_{};  // along edges of facets, as these go around
-  std::array<std::array<int, 3>, 2 * most_corners> triangles_;
+  std::array<CornerSet, max_corners> neighbors_;      // along edges
+  std::array<CornerSet, max_corners> to_{}, from_{};  // along edges of facets, as these go around
+  std::array<std::array<int, 3>, 2 * max_corners> triangles_;
   std::size_t triangle_count_ = 0;
 };
 

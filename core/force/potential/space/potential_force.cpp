@@ -53,7 +53,7 @@ class Intersection {
 
   /// `first` is the cutter's face to begin with, behind which the whole has been sounded. False when there
   /// is nothing.
-  bool find(int first, const Sounding& sounding) {
+  bool find(int first, const VertexDepths& sounding) {
     room_.intersection.begin(whole_.outline, sounding, plane_of_cutter(first));
     take_inside();
     find_least_depths(cutter_, Bounds(room_.intersection, room_.vertices));

@@ -65,9 +65,9 @@ struct DepthSums {
 /// has the first corner and those from `from` to `to`.
 template <class Visitor>
 void for_each_piece(int corners, Visitor visit) {
-  constexpr int most_steps = 14;
-  for (int from = 1; from < corners - 1; from += most_steps)
-    visit(from, std::min(from + most_steps, corners - 1));
+  constexpr int max_steps = 14;
+  for (int from = 1; from < corners - 1; from += max_steps)
+    visit(from, std::min(from + max_steps, corners - 1));
 }
 
 /// A convex polygon with depths, one piece of a face, that is cut by one half-plane after another.

@@ -136,11 +136,11 @@ pub fn of_report(report: &Report, field: &str) -> Vec<f64> {
         "block_strain_energy" => vec![report.block_strain_energy],
         "block_damping_loss" => vec![report.block_damping_loss],
         "divided_steps" => vec![report.divided_steps as f64],
-        "deepest_stop" => vec![report.deepest_stop],
+        "max_penetration_ratio" => vec![report.max_penetration_ratio],
         "peak_overlap" => vec![report.peak_overlap],
         "peak_speed" => vec![report.peak_speed],
         "sleeping_count" => vec![report.sleeping_count as f64],
-        "missed_by_sleep" => vec![report.missed_by_sleep],
+        "max_sleep_error" => vec![report.max_sleep_error],
         _ => unknown(field),
     }
 }

@@ -1,0 +1,41 @@
+"""Contacts without springs: bars that meet, and a block that rests."""
+import numpy as np
+import pytest
+
+import halfspace as hs
+
+COLUMNS = 10
+
+
+def test_bars_lose_what_theory_says_and_keep_their_momentum():
+    world = hs.World(gravity=(0, 0), law=hs.Law(stiffness_kind=hs.StiffnessKind.NONE))
+    world.add_material(1000)
+    world.set_elasticity(0, hs.Elasticity(young_modulus=1e9, poisson_ratio=0))
+    bar = hs.Mesh.rectangle(1, 1 / COLUMNS, COLUMNS, 1)
+    striker = world.add_mesh(bar, (-0.501, 0), velocity=(1, 0, 0))
+    struck = world.add_mesh(bar, (0.5, 0))
+    assert len(world.contacts()) == 0
+    touched = None
+    while world.time < 4e-3:
+        world.step()
+        if touched is None and len(world.contacts()):
+            touched = world.contacts()["touched_at"]
+    assert touched == pytest.approx(1e-3)
+    mass = world.body_state(striker).mass
+    assert world.report.impact_loss == pytest.approx(0.5 * mass * 0.25 / COLUMNS, rel=1e-3)
+    momentum = world.body_state(striker).momentum + world.body_state(struck).momentum
+    assert momentum[0] == pytest.approx(mass, rel=1e-12)
+    assert world.body_state(struck).momentum[0] > 0.95 * mass
+
+
+def test_a_square_rests_with_its_weight():
+    world = hs.World(gravity=(0, -10), time_step=1e-3, law=hs.Law(stiffness_kind=hs.StiffnessKind.NONE))
+    world.add_material(2000)
+    world.add_block(hs.Shape.rectangle(3, 1), (0, -0.5), kind=hs.BlockKind.FIXED)
+    block = world.add_block(hs.Shape.rectangle(1, 1), (0, 0.55))
+    world.step(200)
+    contacts = world.contacts()
+    sign = np.where(contacts["block_b"] == block, 1, -1)
+    assert (sign * contacts["force"][:, 1]).sum() == pytest.approx(20000)
+    # A blow is booked with the mean velocity of its step: gravity adds g dt / 2 to 1 m/s in that.
+    assert world.report.impact_loss == pytest.approx(20000 * 0.05, rel=0.011)

@@ -1,0 +1,304 @@
+#include "world/contacts/neighbor_list.h"
+
+#include <algorithm>
+
+#include "geometry/numbers.h"
+#include "narrow_phase/features.h"
+#include "narrow_phase/plane/separation.h"
+#include "narrow_phase/space/separation.h"
+
+namespace halfspace {
+namespace {
+
+bool knows_its_plan(const Candidate<2>&, const CachedDivisions&, const Outline<2>&, const Outline<2>&) {
+  return true;
+}
+bool knows_its_plan(const Candidate<3>& pair, const CachedDivisions& plans, const Outline<3>& a,
+                    const Outline<3>& b) {
+  return !pair.plan.knows() || is_plan(plans[pair.plan], a, b);
+}
+
+}  // namespace
+
+template <int D>
+NeighborList<D>::NeighborList(Memory* memory)
+    : pairs_(memory),
+      shear_(memory),
+      plans_(memory),
+      reference_position_(memory),
+      reference_rotation_(memory),
+      reference_gradient_(memory),
+      skin_(memory),
+      planned_(memory),
+      safe_displacement_(memory),
+      displacements_(memory),
+      by_second_(memory),
+      first_by_second_(memory),
+      search_(memory),
+      boxes_(memory),
+      sizes_(memory),
+      found_(memory),
+      sorted_(memory),
+      first_of_block_(memory),
+      next_pairs_(memory),
+      next_shear_(memory) {}
+
+/// A share of each block's own size, but no more than of the typical block's: a large plate's skin would fill
+/// its list with grains that it never meets; but never less than what the block is about to move. A fixed
+/// block needs none.
+template <int D>
+void NeighborList<D>::choose_skins(const Blocks<D>& blocks, double relative_skin) {
+  sizes_.clear();
+  for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
+    if (blocks.moves_freely(i)) sizes_.push_back(blocks.radius[i]);
+  }
+  double typical = 0;
+  if (!sizes_.empty()) {
+    const auto middle = sizes_.begin() + std::ptrdiff_t(sizes_.size() / 2);
+    std::nth_element(sizes_.begin(), middle, sizes_.end());
+    typical = *middle;
+  }
+  for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
+    const double planned = displacements_.empty() ? planned_[i] : planned_[i] - displacements_[i].norm();
+    skin_[i] =
+        blocks.moves(i) ? std::max(relative_skin * 2 * std::min(blocks.radius[i], typical), planned) : 0;
+  }
+}
+
+/// Neither of two blocks is fast when each moves by no more than half of what they may together.
+template <int D>
+void NeighborList<D>::choose_safe_displacements(const Blocks<D>& blocks) noexcept {
+  std::fill(safe_displacement_.begin(), safe_displacement_.end(), HUGE_VAL);
+  for (const Candidate<D>& pair : pairs_) {
+    const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
+    const double calm =
+        0.5 * safe_thickness_fraction * std::min(blocks.strained_thickness(a), blocks.strained_thickness(b));
+    safe_displacement_[a] = std::min(safe_displacement_[a], calm);
+    safe_displacement_[b] = std::min(safe_displacement_[b], calm);
+  }
+  min_safe_displacement_ = HUGE_VAL;
+  for (const double calm : safe_displacement_)
+    min_safe_displacement_ = std::min(min_safe_displacement_, calm);
+}
+
+/// Blocks whose boxes overlap may still be farther apart than both their skins: then they cannot touch before
+/// the list is used up. Of packed triangles that is one pair in five.
+template <int D>
+bool NeighborList<D>::may_touch(const Blocks<D>& blocks, const BlockPair& pair) const {
+  const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
+  if ((!blocks.moves_freely(a) && !blocks.moves_freely(b)) || blocks.are_joined(a, b)) return false;
+  const PlacedBlocks<D> at = blocks.placed(pair.a, pair.b);
+  const double reach = skin_[a] + skin_[b] + way(a).norm() + way(b).norm();
+  return find_separation(at.a, at.b, at.to_b).gap <= reach;
+}
+
+template <int D>
+void NeighborList<D>::search(const Blocks<D>& blocks) {
+  const std::size_t slots = blocks.slot_count();
+  boxes_.resize(slots);
+  const auto measure = [&](std::size_t i) {
+    boxes_[i] = blocks.box(std::int32_t(i));
+    const Vector<D> way = this->way(i);
+    boxes_[i].lower = boxes_[i].lower.cwiseMin(boxes_[i].lower + way).array() - skin_[i];
+    boxes_[i].upper = boxes_[i].upper.cwiseMax(boxes_[i].upper + way).array() + skin_[i];
+  };
+  // Blocks that stand count only where some other may reach them.
+  Box<D> reached;
+  for (std::size_t i = 0; i < slots; ++i) {
+    if (!blocks.moves_freely(i)) continue;
+    measure(i);
+    reached.include(boxes_[i].lower);
+    reached.include(boxes_[i].upper);
+  }
+  for (std::size_t i = 0; i < slots; ++i) {
+    if (blocks.moves_freely(i)) continue;
+    boxes_[i] = Box<D>();
+    const double reach = blocks.radius[i] + skin_[i] + way(i).norm();
+    const Box<D> about{blocks.position[i].array() - reach, blocks.position[i].array() + reach};
+    if (blocks.lives(i) && about.overlaps(reached)) measure(i);
+  }
+  found_.clear();
+  refit(found_, room_);
+  search_.search(
+      std::span<const Box<D>>(boxes_), [&](std::size_t i) { return !boxes_[i].is_empty(); },
+      [&](const BlockPair& pair) {
+        if (may_touch(blocks, pair)) found_.push_back(pair);
+      });
+  const std::size_t found = found_.size();
+  if (found > room_ || 5 * found < 4 * room_) room_ = found + found / 8;
+}
+
+/// By counting on a, then by b within each: linear, since a block has few neighbours.
+template <int D>
+void NeighborList<D>::sort_found(std::size_t slots) {
+  first_of_block_.assign(slots + 1, 0);
+  for (const BlockPair& pair : found_) ++first_of_block_[std::size_t(pair.a) + 1];
+  for (std::size_t i = 0; i < slots; ++i) first_of_block_[i + 1] += first_of_block_[i];
+  sorted_.clear();
+  refit(sorted_, room_);
+  sorted_.resize(found_.size());
+  for (const BlockPair& pair : found_) sorted_[first_of_block_[std::size_t(pair.a)]++] = pair;
+  auto first = sorted_.begin();
+  for (std::size_t i = 0; i < slots; ++i) {
+    const auto last = sorted_.begin() + first_of_block_[i];
+    std::sort(first, last, [](const BlockPair& p, const BlockPair& q) { return p.b < q.b; });
+    first = last;
+  }
+}
+
+/// Both lists are sorted: one merge. A bonded pair stays even if its boxes have parted.
+template <int D>
+void NeighborList<D>::carry_over(bool with_shear) noexcept {
+  const auto precedes = [](const auto& p, const auto& q) { return p.a < q.a || (p.a == q.a && p.b < q.b); };
+  next_pairs_.clear();
+  next_shear_.clear();
+  const auto keep = [&](const Candidate<D>& pair, const ShearSpring<D>& shear) {
+    next_pairs_.push_back(pair);
+    if (with_shear) next_shear_.push_back(shear);
+  };
+  const auto shear_of = [&](std::size_t old) { return shear_.empty() ? ShearSpring<D>{} : shear_[old]; };
+
+  std::size_t old = 0;
+  const auto keep_bonded = [&] {
+    if (pairs_[old].bonded) keep(pairs_[old], shear_of(old));
+    ++old;
+  };
+  for (const BlockPair& pair : sorted_) {
+    while (old < pairs_.size() && precedes(pairs_[old], pair)) keep_bonded();
+    const bool known = old < pairs_.size() && !precedes(pair, pairs_[old]);
+    if (known) {
+      keep(pairs_[old], shear_of(old));
+      ++old;
+    } else {
+      keep(Candidate<D>{pair.a, pair.b, {}, 0, {}}, {});
+    }
+  }
+  while (old < pairs_.size()) keep_bonded();
+}
+
+/// All of one length whenever memory runs out.
+template <int D>
+void NeighborList<D>::resize(std::size_t slots, bool with_gradients) {
+  skin_.reserve(slots);
+  planned_.reserve(slots);
+  safe_displacement_.reserve(slots);
+  reference_position_.reserve(slots);
+  reference_rotation_.reserve(slots);
+  if (with_gradients) reference_gradient_.resize(slots, Tensor<D>::Identity());
+  skin_.resize(slots);
+  planned_.resize(slots);
+  safe_displacement_.resize(slots);
+  if (!displacements_.empty()) displacements_.resize(slots, Vector<D>::Zero());
+  reference_position_.resize(slots, Vector<D>::Zero());
+  reference_rotation_.resize(slots);
+}
+
+template <int D>
+void NeighborList<D>::search_again(const Blocks<D>& blocks, double relative_skin, bool with_shear) {
+  resize(blocks.slot_count(), !blocks.deformations().empty());
+  choose_skins(blocks, relative_skin);
+  search(blocks);
+  sort_found(blocks.slot_count());
+  const auto bonded =
+      std::count_if(pairs_.begin(), pairs_.end(), [](const Candidate<D>& pair) { return pair.bonded; });
+  const std::size_t most = std::max(room_, sorted_.size() + std::size_t(bonded));
+  refit(next_pairs_, most);
+  refit(next_shear_, with_shear ? most : 0);
+}
+
+template <int D>
+void NeighborList<D>::renew(const Blocks<D>& blocks, bool with_shear) noexcept {
+  carry_over(with_shear);
+  pairs_.swap(next_pairs_);
+  shear_.swap(next_shear_);
+  for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
+    reference_position_[i] = blocks.position[i];
+    reference_rotation_[i] = blocks.rotation[i];
+  }
+  for (const Deformation<D>& deformation : blocks.deformations().all())
+    reference_gradient_[std::size_t(deformation.slot)] = deformation.gradient;
+  choose_safe_displacements(blocks);
+  displacements_.clear();
+  is_indexed_ = false;
+  needs_rebuild_ = false;
+  ++builds_;
+}
+
+template <int D>
+void NeighborList<D>::remember_pairs() {
+  next_pairs_ = pairs_;
+  next_shear_ = shear_;
+}
+
+template <int D>
+void NeighborList<D>::recall_pairs() noexcept {
+  is_indexed_ = false;
+  pairs_.swap(next_pairs_);
+  shear_.swap(next_shear_);
+}
+
+template <int D>
+void NeighborList<D>::forget(std::int32_t slot) {
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    if (pairs_[k].a == slot || pairs_[k].b == slot) continue;
+    pairs_[kept] = pairs_[k];
+    if (!shear_.empty()) shear_[kept] = shear_[k];
+    ++kept;
+  }
+  pairs_.resize(kept);
+  is_indexed_ = false;
+  if (!shear_.empty()) shear_.resize(kept);
+  needs_rebuild_ = true;
+}
+
+/// A counting sort: pairs with the same second block stay in order of their first ones.
+template <int D>
+void NeighborList<D>::index_pairs() noexcept {
+  if (is_indexed_) return;
+  first_by_second_.assign(skin_.size() + 1, 0);
+  for (const Candidate<D>& pair : pairs_) ++first_by_second_[std::size_t(pair.b)];
+  std::uint32_t end = 0;
+  for (std::uint32_t& first : first_by_second_) first = end += first;
+  by_second_.resize(pairs_.size());
+  for (std::size_t k = pairs_.size(); k-- > 0;)
+    by_second_[--first_by_second_[std::size_t(pairs_[k].b)]] = std::uint32_t(k);
+  is_indexed_ = true;
+}
+
+template <int D>
+bool NeighborList<D>::is_consistent(const Blocks<D>& blocks) const {
+  const std::size_t slots = blocks.slot_count();
+  const std::size_t listed = list_length();
+  if (listed > slots || planned_.size() != listed || safe_displacement_.size() != listed ||
+      (!needs_rebuild_ && listed != slots))
+    return false;
+  if (reference_position_.size() != listed || reference_rotation_.size() != listed) return false;
+  if (!shear_.empty() && shear_.size() != pairs_.size()) return false;
+  if constexpr (D == 3) {
+    if (!plans_.are_of(pairs_)) return false;
+  }
+  if (!reference_gradient_.empty() && reference_gradient_.size() > slots) return false;
+  const auto lives = [&](std::int32_t slot) {
+    return slot >= 0 && std::size_t(slot) < slots && blocks.lives(std::size_t(slot));
+  };
+  const auto follows = [](const Candidate<D>& p, const Candidate<D>& q) {
+    return p.a > q.a || (p.a == q.a && p.b >= q.b);
+  };
+  if (std::adjacent_find(pairs_.begin(), pairs_.end(), follows) != pairs_.end()) return false;
+  return all(pairs_, [&](const Candidate<D>& pair) {
+    if (!lives(pair.a) || !lives(pair.b) || pair.a >= pair.b) return false;
+    const PairCache<D>& witness = pair.witness;
+    constexpr auto last = D == 2 ? PairCache<D>::touching : PairCache<D>::overlapping;
+    if (witness.state < PairCache<D>::unknown || witness.state > last) return false;
+    if (!knows_its_plan(pair, plans_, blocks.outline(pair.a), blocks.outline(pair.b))) return false;
+    const bool separated = witness.state == PairCache<D>::separated;
+    return (separated || has_a_plane(witness.pair)) &&
+           names_features(witness.pair, blocks.outline(pair.a), blocks.outline(pair.b));
+  });
+}
+
+template class NeighborList<2>;
+template class NeighborList<3>;
+
+}  // namespace halfspace

@@ -1,0 +1,196 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <tuple>
+#include <type_traits>
+
+#include "block/blocks.h"
+#include "broad_phase/grid.h"
+#include "force/potential/space/division_plans.h"
+#include "force/spring/shear_spring.h"
+#include "narrow_phase/contact.h"
+
+namespace halfspace {
+
+struct NoPlan {};
+
+/// A pair of blocks near enough to touch soon, a < b, and what it remembers. There is no gap between members
+/// or behind them: saved candidates hold no stray bytes.
+template <int D>
+struct Candidate {
+  std::int32_t a;
+  std::int32_t b;
+  PairCache<D> witness;
+  std::int32_t bonded = 0;
+  [[no_unique_address]] std::conditional_t<D == 2, NoPlan, DivisionCache> plan;
+};
+static_assert(std::has_unique_object_representations_v<DivisionCache>);
+
+/// Blocks that move no farther against each other at once than this share of what is thinner cannot pass
+/// through each other unseen, nor past their middles.
+constexpr double safe_thickness_fraction = 0.25;
+
+/// The neighbour list: all pairs that can touch before some block has moved by more than its skin. Sorted by
+/// (a, b).
+template <int D>
+class NeighborList {
+ public:
+  explicit NeighborList(Memory* memory);
+
+  /// True when a block may come near another that is not in its list.
+  bool needs_rebuild() const { return needs_rebuild_; }
+  void invalidate() { needs_rebuild_ = true; }
+
+  void begin_announcements() { displacements_.clear(); }
+  /// Announces how far a block's farthest point will move. Call for each block before it moves. True when it
+  /// uses the list up.
+  bool announce(const Blocks<D>& blocks, std::size_t slot, double motion) {
+    planned_[slot] = motion;
+    return !(moved(blocks, slot) + motion <= skin_[slot]);
+  }
+  /// The way that the centroid is planned to go, when it is far: the search then looks along it instead of
+  /// all around.
+  void announce_displacement(std::size_t slot, const Vector<D>& way) {
+    displacements_.resize(planned_.size(), Vector<D>::Zero());
+    displacements_[slot] = way;
+  }
+  /// As announced.
+  double announced_motion(std::size_t slot) const { return planned_[slot]; }
+  /// As far as a block may move in a step and be none that is fast, whichever neighbour it meets.
+  double safe_displacement(std::size_t slot) const { return safe_displacement_[slot]; }
+  /// The least of all blocks', or less.
+  double min_safe_displacement() const { return min_safe_displacement_; }
+
+  /// Notes that a block has been put elsewhere.
+  void note_placement(const Blocks<D>& blocks, std::size_t slot) {
+    const bool is_listed = slot < skin_.size();
+    if (!is_listed || !(moved(blocks, slot) <= skin_[slot])) needs_rebuild_ = true;
+  }
+
+  /// Searches again and takes all memory that the new list needs: the pairs in use stay as they are, and as
+  /// remembered. `relative_skin` is the skin as a share of a block's size; `with_shear` says whether any law
+  /// needs a shear spring.
+  void search_again(const Blocks<D>& blocks, double relative_skin, bool with_shear);
+  /// Takes the new list into use. Pairs that stay keep their witness.
+  void renew(const Blocks<D>& blocks, bool with_shear) noexcept;
+
+  /// Keeps a copy of the pairs and their springs, until the list is renewed.
+  void remember_pairs();
+  void recall_pairs() noexcept;
+  /// The skins and whether they are used up: what a search has written to that runs out of memory.
+  auto skins() { return std::tie(skin_, needs_rebuild_); }
+
+  /// Drops the pairs of a block that is removed.
+  void forget(std::int32_t slot);
+
+  /// Calls `visit(k)` for each pair of a block, in ascending order of the other one. Pairs have not changed
+  /// since index_pairs().
+  template <class Visit>
+  void for_each_pair_of(std::int32_t slot, Visit visit) const {
+    for (std::uint32_t i = first_by_second_[std::size_t(slot)]; i < first_by_second_[std::size_t(slot) + 1];
+         ++i)
+      visit(by_second_[i]);
+    const auto is_before = [](const Candidate<D>& pair, std::int32_t block) { return pair.a < block; };
+    auto pair = std::lower_bound(pairs_.begin(), pairs_.end(), slot, is_before);
+    for (; pair != pairs_.end() && pair->a == slot; ++pair) visit(std::size_t(pair - pairs_.begin()));
+  }
+  /// Finds the pairs of each second block, unless they are known. Takes no memory but what reserve_index()
+  /// has taken.
+  void index_pairs() noexcept;
+  void reserve_index() {
+    by_second_.reserve(room());
+    first_by_second_.reserve(skin_.size() + 1);
+    is_indexed_ = false;
+  }
+
+  Array<Candidate<D>>& pairs() { return pairs_; }
+  const Array<Candidate<D>>& pairs() const { return pairs_; }
+  /// One per pair; none at all when no law resists shear.
+  std::span<ShearSpring<D>> shear() { return shear_; }
+  /// The plans of pairs in space whose contact is by potentials.
+  CachedDivisions& plans() {
+    plans_.serve_pairs(pairs_.size());
+    return plans_;
+  }
+  /// Takes the room for plans of all pairs, also of a list that is to be taken into use; a snapshot does not
+  /// hold it.
+  void reserve_plans() { plans_.reserve(room()); }
+  /// Gives free what plans take that are no more used, when that is more than what is.
+  void tidy_plans() noexcept {
+    if constexpr (D == 3) plans_.tidy(pairs_);
+  }
+  /// The room that lists of contacts need: for all pairs, and some to spare, so that a settled heap whose
+  /// pairs come and go asks for no memory.
+  std::size_t room() const { return std::max(pairs_.capacity(), next_pairs_.capacity()); }
+  std::int64_t builds() const { return builds_; }
+  /// The number of slots that the list was made for.
+  std::size_t list_length() const { return skin_.size(); }
+  bool has_springs() const { return shear_.size() == pairs_.size(); }
+
+  /// False for what no list can be, after reading a snapshot.
+  bool is_consistent(const Blocks<D>& blocks) const;
+
+  template <class Archive>
+  void visit(Archive& archive) {
+    archive(pairs_, shear_, plans_, reference_position_, reference_rotation_, reference_gradient_, skin_,
+            planned_, safe_displacement_, needs_rebuild_, builds_);
+  }
+
+ private:
+  /// How far a block's farthest point can have moved since the search.
+  double moved(const Blocks<D>& blocks, std::size_t slot) const {
+    const double way = (blocks.position[slot] - reference_position_[slot]).norm();
+    if (!blocks.is_deformable(slot))
+      return way + blocks.radius[slot] * blocks.rotation[slot].farthest_from(reference_rotation_[slot]);
+    if (slot >= reference_gradient_.size()) return HUGE_VAL;
+    return way + blocks.radius[slot] * (blocks.deformation(slot).gradient - reference_gradient_[slot]).norm();
+  }
+
+  void choose_skins(const Blocks<D>& blocks, double relative_skin);
+  void choose_safe_displacements(const Blocks<D>& blocks) noexcept;
+  Vector<D> way(std::size_t slot) const {
+    return displacements_.empty() ? Vector<D>::Zero() : displacements_[slot];
+  }
+  bool may_touch(const Blocks<D>& blocks, const BlockPair& pair) const;
+  void resize(std::size_t slots, bool with_gradients);
+  void search(const Blocks<D>& blocks);
+  void sort_found(std::size_t slots);
+  void carry_over(bool with_shear) noexcept;
+
+  Array<Candidate<D>> pairs_;
+  Array<ShearSpring<D>> shear_;
+  CachedDivisions plans_;
+  Array<Vector<D>> reference_position_;
+  Array<Rotation<D>> reference_rotation_;
+  Array<Tensor<D>> reference_gradient_;  // of deformable blocks, if there are any
+  Array<double> skin_;
+  Array<double> planned_;             // motion announced for the coming step
+  Array<double> safe_displacement_;   // up to which a block is not fast, whichever neighbour it meets
+  Array<Vector<D>> displacements_;    // announced, until the next search; none if no block goes far
+  double min_safe_displacement_ = 0;  // not saved: 0 until the next search
+  std::int32_t needs_rebuild_ = 1;
+  std::int64_t builds_ = 0;
+
+  // The pairs sorted by their second blocks, and where those of each begin; found when they are asked for.
+  Array<std::uint32_t> by_second_;
+  Array<std::uint32_t> first_by_second_;
+  bool is_indexed_ = false;
+
+  // Working memory of the search, kept so that it allocates nothing in a steady run.
+  Grid<D> search_;
+  Array<Box<D>> boxes_;
+  Array<double> sizes_;
+  std::size_t room_ = 0;
+  Array<BlockPair> found_;
+  Array<BlockPair> sorted_;
+  Array<std::uint32_t> first_of_block_;
+  Array<Candidate<D>> next_pairs_;
+  Array<ShearSpring<D>> next_shear_;
+};
+
+extern template class NeighborList<2>;
+extern template class NeighborList<3>;
+
+}  // namespace halfspace

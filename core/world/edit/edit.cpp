@@ -1,0 +1,176 @@
+#include <algorithm>
+
+#include "world/world.h"
+
+namespace halfspace {
+
+/// Every change of the world from outside: what it does to the energy is booked as outer work by prepare().
+template <int D>
+void World<D>::edit() {
+  if (!edited_) ledger_.note_edit();
+  edited_ = true;
+  sleep_.wake_all(clock_.time());
+}
+
+template <int D>
+std::int32_t World<D>::add_material(double density) {
+  const std::int32_t material = model_.materials.add(density);
+  edit();
+  return material;
+}
+
+template <int D>
+void World<D>::change_laws() {
+  contacts_.neighbors().invalidate();  // shear springs may be needed now
+  forget_contacts();
+  edit();
+}
+
+template <int D>
+void World<D>::set_default_law(const ContactLaw& law) {
+  model_.materials.laws().set_default(law.weaker_by(strength_factor_));
+  change_laws();
+}
+
+template <int D>
+void World<D>::set_law(std::int32_t a, std::int32_t b, const ContactLaw& law) {
+  model_.materials.laws().set(a, b, law.weaker_by(strength_factor_));
+  change_laws();
+}
+
+template <int D>
+std::int32_t World<D>::add_block(const Shape<D>& shape, BlockKind kind, std::int32_t material,
+                                 const Vector<D>& position, const Rotation<D>& rotation) {
+  contacts_.make_room_for_block();
+  const std::int32_t slot = model_.blocks.add(shape, kind, material, density(material));
+  contacts_.add_fresh(slot, model_.blocks.slot_count());
+  contacts_.neighbors().invalidate();
+  set_pose(slot, position, rotation);
+  return slot;
+}
+
+template <int D>
+void World<D>::remove_block(std::int32_t slot) {
+  model_.blocks.remove(slot);
+  // Its slot may come to name another block: no pair may remember it.
+  contacts_.neighbors().forget(slot);
+  hard_contacts_.forget();
+  integrator_.forget_reaction();
+  forget_contacts();
+  edit();
+  sleep_.forget(std::size_t(slot));
+}
+
+template <int D>
+void World<D>::set_pose(std::int32_t slot, const Vector<D>& position, const Rotation<D>& rotation) {
+  model_.blocks.place(slot, position, rotation);
+  contacts_.neighbors().note_placement(model_.blocks, std::size_t(slot));
+  forget_contacts();
+  edit();
+}
+
+template <int D>
+void World<D>::set_velocity(std::int32_t slot, const Vector<D>& velocity, const Angular<D>& spin) {
+  model_.blocks.set_motion(slot, velocity, spin);
+  edit();
+}
+
+template <int D>
+bool World<D>::set_elasticity(std::int32_t material, const Elasticity& elasticity) {
+  Meshes<D>& meshes = model_.blocks.meshes();
+  const auto take = [&](const Elasticity& taken) {
+    model_.materials.set_elasticity(material, taken);
+    meshes.renew_elasticity(model_.materials.bulk());
+  };
+  const Elasticity before = model_.materials.elasticity(material);
+  take(elasticity);
+  bool is_bounded =
+      all(meshes.bodies(), [](const Body<D>& body) { return is_finite(body.squared_frequency); });
+  meshes.for_each_element([&](const auto& element) { is_bounded = is_bounded && element.is_finite(); });
+  if (!is_bounded) {
+    take(before);
+    return false;
+  }
+  edit();
+  return true;
+}
+
+template <int D>
+void World<D>::set_deformation(std::int32_t slot, const Tensor<D>& gradient, const Tensor<D>& rate) {
+  model_.blocks.deform(slot, gradient, rate);
+  contacts_.neighbors().note_placement(model_.blocks, std::size_t(slot));
+  forget_contacts();
+  edit();
+}
+
+template <int D>
+void World<D>::set_stress(std::int32_t slot, const Tensor<D>& stress) {
+  const std::size_t s = std::size_t(slot);
+  model_.blocks.deformation(s).set_stress(stress, model_.elasticity_of(s));
+  edit();
+}
+
+template <int D>
+void World<D>::add_surface_load(std::int32_t slot, int face, const Vector<D>& traction) {
+  const Face<D> loaded = model_.blocks.undeformed_face(slot, face);
+  Deformation<D>& deformation = model_.blocks.deformation(std::size_t(slot));
+  const Vector<D> force = loaded.area * traction;
+  deformation.load_force += force;
+  deformation.load += force * loaded.centroid.transpose();
+  edit();
+}
+
+template <int D>
+void World<D>::clear_surface_loads(std::int32_t slot) {
+  Deformation<D>& deformation = model_.blocks.deformation(std::size_t(slot));
+  deformation.load_force = Vector<D>::Zero();
+  deformation.load = Tensor<D>::Zero();
+  edit();
+}
+
+template <int D>
+void World<D>::set_applied_force(std::int32_t slot, const Vector<D>& force, const Angular<D>& torque) {
+  const std::size_t s = std::size_t(slot);
+  if (force != model_.blocks.applied_force[s] || torque != model_.blocks.applied_torque[s])
+    wake(sleep_.wake_island_of(s, clock_.time()));
+  if (model_.blocks.is_affine(s))
+    ledger_.add_outer_power((torque - model_.blocks.applied_torque[s]).dot(model_.blocks.spin[s]));
+  model_.blocks.applied_force[s] = force;
+  model_.blocks.applied_torque[s] = torque;
+  if (!edited_) integrator_.accelerate(s);  // the next step begins under this force
+}
+
+template <int D>
+bool World<D>::set_shear_force(std::size_t which, const Vector<D>& force) {
+  if (!model_.law_of(contacts_.pair_of(which)).resists_shear()) return false;
+  // The energy is known at the next evaluation, which knows the stiffness.
+  const Vector<D> normal = contact(which).normal;
+  remember(contacts_.shear_of(which), shear_of(force, normal), preloaded, normal);
+  edit();
+  return true;
+}
+
+#define HALFSPACE_MEMBERS(D)                                                                            \
+  template void World<D>::edit();                                                                       \
+  template std::int32_t World<D>::add_material(double);                                                 \
+  template void World<D>::change_laws();                                                                \
+  template void World<D>::set_default_law(const ContactLaw&);                                           \
+  template void World<D>::set_law(std::int32_t, std::int32_t, const ContactLaw&);                       \
+  template std::int32_t World<D>::add_block(const Shape<D>&, BlockKind, std::int32_t, const Vector<D>&, \
+                                            const Rotation<D>&);                                        \
+  template void World<D>::remove_block(std::int32_t);                                                   \
+  template void World<D>::set_pose(std::int32_t, const Vector<D>&, const Rotation<D>&);                 \
+  template void World<D>::set_velocity(std::int32_t, const Vector<D>&, const Angular<D>&);              \
+  template bool World<D>::set_elasticity(std::int32_t, const Elasticity&);                              \
+  template void World<D>::set_deformation(std::int32_t, const Tensor<D>&, const Tensor<D>&);            \
+  template void World<D>::set_stress(std::int32_t, const Tensor<D>&);                                   \
+  template void World<D>::add_surface_load(std::int32_t, int, const Vector<D>&);                        \
+  template void World<D>::clear_surface_loads(std::int32_t);                                            \
+  template void World<D>::set_applied_force(std::int32_t, const Vector<D>&, const Angular<D>&);         \
+  template bool World<D>::set_shear_force(std::size_t, const Vector<D>&);
+
+HALFSPACE_MEMBERS(2)
+HALFSPACE_MEMBERS(3)
+#undef HALFSPACE_MEMBERS
+
+}  // namespace halfspace

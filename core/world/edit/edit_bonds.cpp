@@ -1,0 +1,122 @@
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "block/bond/common_face.h"
+#include "world/world.h"
+
+// Edits from outside of the bonds of a world.
+
+namespace halfspace {
+namespace {
+
+/// A point or a normal of space in the frame of a block's shape.
+template <int D>
+Tensor<D> to_frame(const Blocks<D>& blocks, std::int32_t block) {
+  return blocks.gradient(std::size_t(block)).inverse();
+}
+template <int D>
+Vector<D> normal_in_frame(const Blocks<D>& blocks, std::int32_t block, const Vector<D>& normal) {
+  return (blocks.gradient(std::size_t(block)).transpose() * normal).normalized();
+}
+
+}  // namespace
+
+template <int D>
+bool World<D>::bond_pair(std::int32_t a, std::int32_t b, std::int32_t law) {
+  if (a > b) std::swap(a, b);
+  Blocks<D>& blocks = model_.blocks;
+  Memory* memory = sums_.get_allocator().resource();
+  if (blocks.are_joined(std::size_t(a), std::size_t(b))) return false;
+  const std::optional<CommonFace<D>> face = common_face(blocks, a, b, memory);
+  if (!face) return false;
+  const Tensor<D> to_a = to_frame(blocks, a), to_b = to_frame(blocks, b);
+  const Vector<D> way = blocks.position[std::size_t(b)] - blocks.position[std::size_t(a)];
+  Array<BondPoint<D>> points(memory);
+  double area = 0;
+  for (const FacePoint<D>& place : face->points) {
+    BondPoint<D> point;
+    point.on_a = to_a * place.place;
+    point.on_b = to_b * (place.place - way);
+    point.area = place.area;
+    area += place.area;
+    points.push_back(point);
+  }
+  Bond<D> bond;
+  bond.a = a;
+  bond.b = b;
+  bond.law = law;
+  bond.normal_a = normal_in_frame(blocks, a, face->normal);
+  bond.normal_b = normal_in_frame(blocks, b, face->normal);
+  bond.extent = D == 2 ? area : std::sqrt(area);
+  blocks.bonds().add(bond, points);
+  return true;
+}
+
+/// Calls make(number) with that of the law, which makes bonds of it and returns how many. When there are
+/// none, or memory runs out, there is no such law.
+template <int D>
+template <class Make>
+std::int64_t World<D>::make_bonds_of(const BondLaw& law, Make make) {
+  Bonds<D>& bonds = model_.blocks.bonds();
+  const std::int32_t number = bonds.add_law(law.weaker_by(strength_factor_));
+  std::int64_t count = 0;
+  try {
+    count = make(number);
+  } catch (...) {
+    bonds.take_back_law();
+    throw;
+  }
+  if (count == 0) {
+    bonds.take_back_law();
+    return 0;
+  }
+  bonds.index();
+  contacts_.neighbors().invalidate();  // what meets at a corner within is no pair any more
+  // Pairs that a law of contact has bonded give way.
+  for (Candidate<D>& pair : contacts_.neighbors().pairs()) {
+    if (pair.bonded && bonds.keeps(pair.a, pair.b)) pair.bonded = 0;
+  }
+  change_laws();
+  return count;
+}
+
+template <int D>
+bool World<D>::bond_pair(std::int32_t a, std::int32_t b, const BondLaw& law) {
+  return make_bonds_of(law, [&](std::int32_t number) { return std::int64_t(bond_pair(a, b, number)); }) > 0;
+}
+
+/// The neighbour list knows all pairs that touch.
+template <int D>
+std::int64_t World<D>::bond_materials(std::int32_t material_a, std::int32_t material_b, const BondLaw& law) {
+  if (contacts_.neighbors().needs_rebuild()) renew_neighbors();
+  const auto are_wanted = [&](const Candidate<D>& pair) {
+    const std::int32_t of_a = model_.blocks.material[std::size_t(pair.a)];
+    const std::int32_t of_b = model_.blocks.material[std::size_t(pair.b)];
+    return (of_a == material_a && of_b == material_b) || (of_a == material_b && of_b == material_a);
+  };
+  return make_bonds_of(law, [&](std::int32_t number) {
+    std::int64_t count = 0;
+    for (const Candidate<D>& pair : contacts_.neighbors().pairs()) {
+      if (are_wanted(pair) && bond_pair(pair.a, pair.b, number)) ++count;
+    }
+    return count;
+  });
+}
+
+template <int D>
+void World<D>::hold_bonds(bool are_held) {
+  sleep_.wake_all(clock_.time());
+  model_.blocks.bonds().hold(are_held);
+}
+
+#define HALFSPACE_MEMBERS(D)                                                                  \
+  template bool World<D>::bond_pair(std::int32_t, std::int32_t, std::int32_t);                \
+  template bool World<D>::bond_pair(std::int32_t, std::int32_t, const BondLaw&);              \
+  template std::int64_t World<D>::bond_materials(std::int32_t, std::int32_t, const BondLaw&); \
+  template void World<D>::hold_bonds(bool);
+
+HALFSPACE_MEMBERS(2)
+HALFSPACE_MEMBERS(3)
+#undef HALFSPACE_MEMBERS
+
+}  // namespace halfspace

@@ -1,0 +1,194 @@
+#include "block/mesh/make_element.h"
+#include "block/mesh/surface.h"
+#include "world/world.h"
+
+// Edits from outside of the meshes of a world.
+
+namespace halfspace {
+namespace {
+
+/// A cell that is strained by more has no stress that means anything.
+constexpr double largest_prestrain = 1e6;
+
+/// The gradients of the interpolation between the corners of a simplex.
+template <int D>
+Eigen::Matrix<double, D, D + 1> gradients_of(const std::array<Vector<D>, D + 1>& corners) {
+  Tensor<D> edges;
+  for (int k = 0; k < D; ++k) edges.col(k) = corners[std::size_t(k) + 1] - corners[0];
+  const Tensor<D> inverse = edges.inverse().transpose();
+  Eigen::Matrix<double, D, D + 1> gradients;
+  gradients << -inverse.rowwise().sum(), inverse;
+  return gradients;
+}
+
+}  // namespace
+
+/// Nodes share their mass among the blocks that they bear, so that springs at all of them count once in the
+/// stable step. `bearing` has room for a number of each node, all 0.
+template <int D>
+void World<D>::weigh_surface(std::int32_t body, Array<int>& bearing) {
+  Blocks<D>& blocks = model_.blocks;
+  const Meshes<D>& meshes = blocks.meshes();
+  const std::size_t first_node = std::size_t(meshes.body(body).first_node);
+  for (const SurfaceCell<D>& cell : meshes.surface_of(body)) {
+    for (const std::int32_t node : cell.node) ++bearing[std::size_t(node) - first_node];
+  }
+  for (const SurfaceCell<D>& cell : meshes.surface_of(body))
+    blocks.weigh(cell, meshes.masses_of(cell, bearing));
+}
+
+/// The masses of its blocks are those of weigh_surface(), for a surface that is new as a whole.
+template <int D>
+MeshFaultReport World<D>::add_surface(std::int32_t body, std::span<const SurfaceSimplex<D>> simplices,
+                                      std::span<const std::int32_t> cell_materials) {
+  Memory* memory = sums_.get_allocator().resource();
+  Blocks<D>& blocks = model_.blocks;
+  Meshes<D>& meshes = blocks.meshes();
+  const Body<D>& of_body = meshes.body(body);
+  const std::int32_t first_node = std::int32_t(of_body.first_node);
+  Array<int> bearing(std::size_t(of_body.node_count), 0, memory);
+  for (const SurfaceSimplex<D>& simplex : simplices) {
+    for (const std::int32_t node : simplex.node) ++bearing[std::size_t(node)];
+  }
+  meshes.make_room_on_surface(simplices.size(), blocks.slot_count());
+  for (const SurfaceSimplex<D>& simplex : simplices) {
+    std::array<Vector<D>, D + 1> corners;
+    Eigen::Matrix<double, D, D + 1> places;
+    SurfaceCell<D> cell;
+    cell.body = body;
+    cell.cell = simplex.cell;
+    cell.outer_faces = simplex.outer_faces;
+    for (std::size_t i = 0; i <= D; ++i) {
+      const std::size_t node = std::size_t(first_node + simplex.node[i]);
+      cell.node[i] = std::int32_t(node);
+      corners[i] = places.col(Eigen::Index(i)) = meshes.given[node];
+    }
+    if (!is_upright<D, D + 1>(places) || check_simplex(corners, memory).fault != Fault::none)
+      return {MeshFault::inside_out, simplex.cell};
+    const Shape<D> shape = shape_of_simplex(corners, memory);
+    const std::int32_t material = cell_materials[std::size_t(simplex.cell)];
+    cell.gradients = gradients_of<D>(corners);
+    cell.block = blocks.add(shape, BlockKind::mesh, material, density(material));
+    blocks.put_on_surface(cell, meshes.masses_of(cell, bearing));
+    const std::size_t slot = std::size_t(cell.block);
+    if (!is_within_bounds(mass_of(shape, density(material)), blocks.inertia[slot]))
+      return {MeshFault::beyond_bounds, simplex.cell};
+    if (!cell.gradients.allFinite() || !blocks.deformation(slot).is_consistent())
+      return {MeshFault::inside_out, simplex.cell};
+  }
+  return {};
+}
+
+template <int D>
+PlacedMesh World<D>::add_mesh(const Mesh<D>& mesh, const Pose<D>& pose,
+                              std::span<const std::int32_t> cell_materials) {
+  Blocks<D>& blocks = model_.blocks;
+  Meshes<D>& meshes = blocks.meshes();
+  const Array<SurfaceSimplex<D>> simplices = surface_simplices(mesh, sums_.get_allocator().resource());
+  contacts_.make_room_for_blocks(blocks.slot_count() + simplices.size());
+  PlacedMesh placed;
+  placed.body = meshes.add(mesh, pose, cell_materials, model_.materials.bulk());
+  const auto take_back = [&] {
+    const Array<SurfaceCell<D>>& surface = meshes.surface();
+    for (auto cell = surface.rbegin(); cell != surface.rend() && cell->body == placed.body; ++cell)
+      blocks.take_back(cell->block);
+    meshes.take_back();
+  };
+  try {
+    placed.report = meshes.fault_of(placed.body);
+    if (placed.report.fault == MeshFault::none)
+      placed.report = add_surface(placed.body, simplices, cell_materials);
+  } catch (...) {
+    take_back();
+    throw;
+  }
+  if (placed.report.fault != MeshFault::none) {
+    take_back();
+    return placed;
+  }
+  for (const SurfaceCell<D>& cell : meshes.surface_of(placed.body))
+    contacts_.add_fresh(cell.block, blocks.slot_count());
+  contacts_.neighbors().invalidate();
+  forget_contacts();
+  edit();
+  return placed;
+}
+
+template <int D>
+void World<D>::remove_mesh(std::int32_t body) {
+  Meshes<D>& meshes = model_.blocks.meshes();
+  for (const SurfaceCell<D>& cell : meshes.surface_of(body)) remove_block(cell.block);
+  meshes.remove(body);
+  integrator_.forget_reaction();
+  if (hard_contacts_.is_wanted()) contacts_.neighbors().invalidate();  // nodes have other numbers
+  edit();
+}
+
+/// Nothing changes when any cell's strain is beyond bounds.
+template <int D>
+bool World<D>::set_body_stress(std::int32_t body, const StressField<D>& field) {
+  Meshes<D>& meshes = model_.blocks.meshes();
+  const Vector<D> origin = meshes.body(body).origin;
+  const auto stressed = [&]<int N>(Element<D, N> element) {
+    const Eigen::Matrix<double, D, N> places = gathered<D, N>(meshes.place, element.node);
+    const Vector<D> middle = origin + places.rowwise().mean();
+    element.set_stress(element.field_of(places), field.at(middle),
+                       model_.materials.elasticity(element.material));
+    return element.prestrain;
+  };
+  bool is_bounded = true;
+  meshes.for_each_element_of(body, [&](const auto& element) {
+    is_bounded = is_bounded && stressed(element).norm() <= largest_prestrain;
+  });
+  if (!is_bounded) return false;
+  meshes.for_each_element_of(body, [&](auto& element) { element.prestrain = stressed(element); });
+  edit();
+  return true;
+}
+
+// A node without mass, of which no cell is left, stays where it is.
+
+template <int D>
+void World<D>::hold_node(std::size_t node, std::uint8_t held) {
+  Meshes<D>& meshes = model_.blocks.meshes();
+  if (meshes.mass[node] > 0) meshes.held[node] = held;
+  edit();
+}
+
+template <int D>
+void World<D>::set_node_velocity(std::size_t node, const Vector<D>& velocity) {
+  Meshes<D>& meshes = model_.blocks.meshes();
+  if (meshes.mass[node] > 0) meshes.velocity[node] = velocity;
+  edit();
+}
+
+template <int D>
+void World<D>::set_node_force(std::size_t node, const Vector<D>& force) {
+  Meshes<D>& meshes = model_.blocks.meshes();
+  if (meshes.mass[node] > 0) meshes.applied_force[node] = force;
+  edit();
+}
+
+template <int D>
+void World<D>::end_node_edits(std::int32_t body) {
+  for (const SurfaceCell<D>& cell : model_.blocks.meshes().surface_of(body))
+    model_.blocks.follow_node_velocities(cell);
+}
+
+#define HALFSPACE_MEMBERS(D)                                                                             \
+  template void World<D>::weigh_surface(std::int32_t, Array<int>&);                                      \
+  template MeshFaultReport World<D>::add_surface(std::int32_t, std::span<const SurfaceSimplex<D>>,       \
+                                                 std::span<const std::int32_t>);                         \
+  template PlacedMesh World<D>::add_mesh(const Mesh<D>&, const Pose<D>&, std::span<const std::int32_t>); \
+  template void World<D>::remove_mesh(std::int32_t);                                                     \
+  template bool World<D>::set_body_stress(std::int32_t, const StressField<D>&);                          \
+  template void World<D>::hold_node(std::size_t, std::uint8_t);                                          \
+  template void World<D>::set_node_velocity(std::size_t, const Vector<D>&);                              \
+  template void World<D>::set_node_force(std::size_t, const Vector<D>&);                                 \
+  template void World<D>::end_node_edits(std::int32_t);
+
+HALFSPACE_MEMBERS(2)
+HALFSPACE_MEMBERS(3)
+#undef HALFSPACE_MEMBERS
+
+}  // namespace halfspace

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "block/blocks.h"
+#include "world/model/materials.h"
+#include "world/model/settings.h"
+
+namespace halfspace {
+
+/// Settings, materials and blocks of a world. Its parts read them and move the blocks.
+template <int D>
+struct Model {
+  Model(const WorldSettings<D>& given, Memory* memory) : settings(given), materials(memory), blocks(memory) {}
+  Model(const Model&) = delete;  // the parts of a world refer to it
+
+  const ContactLaw& law_between(std::size_t a, std::size_t b) const {
+    return materials.laws().between(blocks.material[a], blocks.material[b]);
+  }
+  template <class Pair>
+  const ContactLaw& law_of(const Pair& pair) const {
+    return law_between(std::size_t(pair.a), std::size_t(pair.b));
+  }
+  const Elasticity& elasticity_of(std::size_t block) const {
+    return materials.elasticity(blocks.material[block]);
+  }
+
+  /// H of potential laws: one length for all blocks (Zheng et al. 2020, section 3.2).
+  double potential_length() const;
+  /// Forces have been evaluated with it: from now on it stays, whatever becomes of the blocks.
+  void fix_potential_length() {
+    if (materials.laws().knows_potential()) fixed_length = potential_length();
+  }
+
+  bool is_consistent() const {
+    return settings.is_consistent() && materials.is_consistent() && blocks.is_consistent(materials.count()) &&
+           is_nonnegative(fixed_length);
+  }
+
+  template <class Archive>
+  void visit(Archive& archive) {
+    archive(settings, materials, blocks, fixed_length);
+  }
+
+  WorldSettings<D> settings;
+  Materials materials;
+  Blocks<D> blocks;
+  double fixed_length = 0;  // H, once the first forces have been used
+};
+
+extern template struct Model<2>;
+extern template struct Model<3>;
+
+}  // namespace halfspace

@@ -1,0 +1,284 @@
+#include "world/motion/mesh_motion.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "world/motion/local_damping.h"
+
+namespace halfspace {
+namespace {
+
+/// A body that has gone so far that rounding of its places strains a cell by more is lost.
+constexpr double most_rounded = 1e-3;
+
+}  // namespace
+
+/// All forces on the nodes: what acts on them from outside, then elements and contacts in ascending order.
+/// Returns the energy of strain.
+template <int D>
+double MeshMotion<D>::evaluate_forces() {
+  for (std::size_t i = 0; i < meshes_.node_count(); ++i)
+    meshes_.force[i] = meshes_.mass[i] * settings_.gravity + meshes_.applied_force[i];
+  largest_strain_ = 0;
+  double energy = 0;
+  meshes_.for_each_element([&](const auto& element) { energy += load_nodes_of(element); });
+  for (const SurfaceCell<D>& cell : meshes_.surface()) load_nodes_of(cell);
+  return energy;
+}
+
+template <int D>
+template <int N>
+double MeshMotion<D>::load_nodes_of(const Element<D, N>& element) {
+  using E = Element<D, N>;
+  const Elasticity& elasticity = model_.materials.elasticity(element.material);
+  const typename E::Field place = element.field_of(gathered<D, N>(meshes_.place, element.node));
+  const Tensor<D> strain = E::strain_of(place);
+  const typename E::Amplitudes bending = E::bending_of(place);
+  Tensor<D> driving_strain = element.stressing_strain(strain);
+  typename E::Amplitudes driving_bending = bending;
+  if (elasticity.damping_time > 0) {
+    const typename E::Field rate = element.field_of(gathered<D, N>(meshes_.velocity, element.node));
+    driving_strain += elasticity.damping_time * E::strain_rate_of(place, rate);
+    driving_bending += elasticity.damping_time * E::bending_rate_of(place, rate);
+  }
+  const typename E::Nodes forces =
+      element.forces(place, elasticity.stress<D>(driving_strain), element.drive(driving_bending));
+  for (int i = 0; i < N; ++i) meshes_.force[std::size_t(element.node[std::size_t(i)])] += forces.col(i);
+  largest_strain_ = std::max(largest_strain_, strain.squaredNorm());
+  return element.strain_energy(strain, bending, elasticity);
+}
+
+/// A simplex moves by an affine field: the work of its contacts over it is that of these forces over its
+/// nodes.
+template <int D>
+void MeshMotion<D>::load_nodes_of(const SurfaceCell<D>& cell) {
+  const std::size_t block = std::size_t(cell.block);
+  const Blocks<D>& blocks = model_.blocks;
+  const Vector<D> share = blocks.force[block] / (D + 1);
+  const Deformation<D>& deformation = blocks.deformation(block);
+  largest_strain_ = std::max(largest_strain_, deformation.strain().squaredNorm());
+  const Tensor<D> in_frame = deformation.virial * deformation.gradient.inverse().transpose();
+  for (int i = 0; i <= D; ++i)
+    meshes_.force[std::size_t(cell.node[std::size_t(i)])] += share + in_frame * cell.gradients.col(i);
+}
+
+/// Newton's law with local and mass-proportional damping, of the components that are not held.
+template <int D>
+void MeshMotion<D>::accelerate(std::size_t i) {
+  const Vector<D>& velocity = meshes_.velocity[i];
+  const Vector<D> reaction = this->reaction(i);
+  for (int k = 0; k < D; ++k) {
+    const double force =
+        damped(meshes_.force[i][k] + reaction[k], velocity[k], settings_.local_damping) - reaction[k];
+    acceleration_[i][k] = is_held(i, k) ? 0 : force / meshes_.mass[i] - settings_.mass_damping * velocity[k];
+  }
+}
+
+/// A node's energies, and the rates at which what holds it and damping change the world's. `opposed` is the
+/// velocity that damping was formed with.
+template <int D>
+void MeshMotion<D>::sample_energy(std::size_t i, const Vector<D>& opposed, EnergySample& sample) const {
+  const Vector<D>& velocity = meshes_.velocity[i];
+  const double mass = meshes_.mass[i];
+  const Vector<D> force = meshes_.force[i] + reaction(i);
+  sample.squared_speed = std::max(sample.squared_speed, velocity.squaredNorm());
+  sample.kinetic += 0.5 * mass * velocity.squaredNorm();
+  for (int k = 0; k < D; ++k) {
+    if (is_held(i, k)) {
+      sample.power.outer -= meshes_.force[i][k] * velocity[k];
+    } else {
+      sample.power.local_damping += settings_.local_damping * damped_power(force[k], opposed[k], velocity[k]);
+      sample.power.mass_damping += settings_.mass_damping * mass * opposed[k] * velocity[k];
+    }
+  }
+}
+
+template <int D>
+void MeshMotion<D>::take_surface_stock(EnergySample& sample) const {
+  const Blocks<D>& blocks = model_.blocks;
+  for (const SurfaceCell<D>& cell : meshes_.surface()) {
+    const std::size_t block = std::size_t(cell.block);
+    const double radius = blocks.radius[block];
+    sample.squared_swing =
+        std::max(sample.squared_swing, radius * radius * blocks.deformation(block).rate.squaredNorm());
+    sample.power.contact_damping += forces_.dashpot_power(block);
+  }
+}
+
+/// Rate of what viscous stress takes that was formed with the velocities of so much earlier, before any
+/// kicks.
+template <int D>
+double MeshMotion<D>::damping_power(double earlier_by, const VelocityChange<D>* kicks) const {
+  double power = 0;
+  meshes_.for_each_element([&]<int N>(const Element<D, N>& element) {
+    using E = Element<D, N>;
+    const Elasticity& elasticity = model_.materials.elasticity(element.material);
+    if (elasticity.damping_time == 0) return;
+    const typename E::Field place = element.field_of(gathered<D, N>(meshes_.place, element.node));
+    const typename E::Nodes velocity = gathered<D, N>(meshes_.velocity, element.node);
+    const typename E::Field now = element.field_of(velocity);
+    typename E::Nodes before = velocity - earlier_by * gathered<D, N>(acceleration_, element.node);
+    if (kicks) {
+      for (int i = 0; i < N; ++i) before.col(i) -= kicks->of_node(std::size_t(element.node[std::size_t(i)]));
+    }
+    const typename E::Field earlier = element.field_of(before);
+    const Tensor<D> stress = elasticity.stress<D>(E::strain_rate_of(place, earlier));
+    double rate = element.volume * stress.cwiseProduct(E::strain_rate_of(place, now)).sum();
+    if constexpr (E::modes > 0)
+      rate += element.drive(E::bending_rate_of(place, earlier)).dot(E::bending_rate_of(place, now));
+    power += elasticity.damping_time * rate;
+  });
+  return power;
+}
+
+template <int D>
+void MeshMotion<D>::begin(double time_step, EnergySample& sample, double& noise) {
+  if (meshes_.empty()) return;
+  sample.block_strain += evaluate_forces();
+  for (const Body<D>& body : meshes_.bodies()) {
+    for (std::size_t i = std::size_t(body.first_node); i < std::size_t(body.first_node + body.node_count);
+         ++i) {
+      accelerate(i);
+      const Vector<D> position = body.origin + meshes_.place[i];
+      const double speed = std::numeric_limits<double>::epsilon() * position.norm() / time_step;
+      noise += meshes_.mass[i] * (speed * speed + settings_.gravity.norm() * meshes_.place[i].norm());
+      sample.gravity -= meshes_.mass[i] * settings_.gravity.dot(position);
+      sample_energy(i, meshes_.velocity[i], sample);
+    }
+  }
+  take_surface_stock(sample);
+  sample.power.block_damping += damping_power(0);
+}
+
+/// A body that moves as a whole strains nothing, but that its places are rounded from where it was put.
+template <int D>
+typename MeshMotion<D>::Bending MeshMotion<D>::most_bent() const {
+  Bending most;
+  for (const Body<D>& body : meshes_.bodies()) {
+    const std::size_t first = std::size_t(body.first_node), last = first + std::size_t(body.node_count);
+    if (first == last) continue;
+    const Vector<D> common = predicted_displacement_of_node(first);
+    double aside = 0, reach = 0;
+    for (std::size_t i = first; i < last; ++i) {
+      const Vector<D> way = predicted_displacement_of_node(i);
+      if (!way.allFinite()) return {HUGE_VAL, HUGE_VAL};
+      aside = std::max(aside, (way - common).squaredNorm());
+      reach = std::max(reach, (meshes_.place[i] + way).squaredNorm());
+    }
+    most.by_motion = std::max(most.by_motion, body.steepest * std::sqrt(aside));
+    most.by_rounding = std::max(most.by_rounding, body.steepest * std::sqrt(reach));
+  }
+  most.by_rounding *= std::numeric_limits<double>::epsilon();
+  return most;
+}
+
+/// Does no cell turn inside out, nor a block at the surface get flat?
+template <int D>
+bool MeshMotion<D>::keeps_upright() {
+  const auto check = [&](const auto& cell, const auto& gradients) {
+    Tensor<D> next = Tensor<D>::Zero();
+    for (std::size_t i = 0; i < cell.node.size(); ++i) {
+      const std::size_t node = std::size_t(cell.node[i]);
+      next += (meshes_.place[node] + predicted_displacement_of_node(node)) *
+              gradients.col(Eigen::Index(i)).transpose();
+    }
+    if (inverted_.body < 0 && !(next.determinant() > 0 && condition_of<D>(next) <= largest_condition))
+      inverted_ = {cell.body, cell.cell};
+  };
+  meshes_.for_each_element([&](const auto& element) { check(element, element.gradients); });
+  for (const SurfaceCell<D>& cell : meshes_.surface()) check(cell, cell.gradients);
+  return inverted_.body < 0;
+}
+
+/// As long as the gradient's least stretch, sqrt(1 - 2 |E|) or more, is beyond what the motion changes,
+/// nothing turns inside out, and no cell has to be looked at. That is so in all but wild motions.
+template <int D>
+bool MeshMotion<D>::predict(double duration) {
+  duration_ = duration;
+  inverted_ = {};
+  if (meshes_.empty()) return true;
+  const Bending bent = most_bent();
+  if (!std::isfinite(bent.by_motion) || !(bent.by_rounding <= most_rounded)) return false;
+  const double least_stretch = std::sqrt(std::max(1 - 2 * std::sqrt(largest_strain_), 0.0));
+  return bent.by_motion < 0.5 * least_stretch || keeps_upright();
+}
+
+template <int D>
+Vector<D> MeshMotion<D>::predicted_displacement(std::size_t block) const {
+  Vector<D> sum = Vector<D>::Zero();
+  for (const std::int32_t i : meshes_.surface_of_block(block).node)
+    sum += predicted_displacement_of_node(std::size_t(i));
+  return sum / (D + 1);
+}
+
+template <int D>
+Tensor<D> MeshMotion<D>::predicted_stretch(std::size_t block) const {
+  const SurfaceCell<D>& cell = meshes_.surface_of_block(block);
+  Tensor<D> sum = Tensor<D>::Zero();
+  for (int i = 0; i <= D; ++i)
+    sum += predicted_displacement_of_node(std::size_t(cell.node[std::size_t(i)])) *
+           cell.gradients.col(i).transpose();
+  return sum;
+}
+
+template <int D>
+void MeshMotion<D>::kick_and_drift(double duration) {
+  for (std::size_t i = 0; i < meshes_.node_count(); ++i) {
+    meshes_.velocity[i] += 0.5 * duration * acceleration_[i];
+    if (!kicks_.empty()) meshes_.velocity[i] += kicks_.of_node(i);
+    meshes_.place[i] += duration * meshes_.velocity[i];
+  }
+  for (const SurfaceCell<D>& cell : meshes_.surface()) model_.blocks.follow_nodes(cell);
+}
+
+template <int D>
+void MeshMotion<D>::kick(double duration, EnergySample& sample) {
+  if (meshes_.empty()) return;
+  strain_energy_ = evaluate_forces();
+  sample.block_strain += strain_energy_;
+  bool is_damped = false;
+  for (const Body<D>& body : meshes_.bodies()) {
+    is_damped = is_damped || body.damping_time > 0;
+    for (std::size_t i = std::size_t(body.first_node); i < std::size_t(body.first_node + body.node_count);
+         ++i) {
+      const Vector<D> middle_velocity = meshes_.velocity[i];
+      accelerate(i);
+      sample.applied_power += meshes_.applied_force[i].dot(middle_velocity);
+      // A kick beyond all numbers is none, as with rigid blocks.
+      const Vector<D> velocity = middle_velocity + 0.5 * duration * acceleration_[i];
+      if (velocity.allFinite()) meshes_.velocity[i] = velocity;
+      sample.gravity -= meshes_.mass[i] * settings_.gravity.dot(body.origin + meshes_.place[i]);
+      sample_energy(i, middle_velocity, sample);
+    }
+  }
+  for (const SurfaceCell<D>& cell : meshes_.surface()) model_.blocks.follow_node_velocities(cell);
+  take_surface_stock(sample);
+  if (is_damped) sample.power.block_damping += damping_power(0.5 * duration);
+}
+
+template <int D>
+void MeshMotion<D>::take_kicks(double duration, EnergySample& sample) {
+  if (meshes_.empty()) return;
+  sample.block_strain += strain_energy_;
+  bool is_damped = false;
+  for (const Body<D>& body : meshes_.bodies()) {
+    is_damped = is_damped || body.damping_time > 0;
+    for (std::size_t i = std::size_t(body.first_node); i < std::size_t(body.first_node + body.node_count);
+         ++i) {
+      const Vector<D> middle_velocity = meshes_.velocity[i] - 0.5 * duration * acceleration_[i];
+      meshes_.velocity[i] += kicks_.of_node(i);
+      sample.gravity -= meshes_.mass[i] * settings_.gravity.dot(body.origin + meshes_.place[i]);
+      sample_energy(i, middle_velocity, sample);
+    }
+  }
+  for (const SurfaceCell<D>& cell : meshes_.surface()) model_.blocks.follow_node_velocities(cell);
+  take_surface_stock(sample);
+  if (is_damped) sample.power.block_damping += damping_power(0.5 * duration, &kicks_);
+}
+
+template class MeshMotion<2>;
+template class MeshMotion<3>;
+
+}  // namespace halfspace

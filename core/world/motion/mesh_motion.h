@@ -1,0 +1,107 @@
+#pragma once
+
+#include <tuple>
+
+#include "block/mesh/meshes.h"
+#include "world/contacts/force_pass.h"
+#include "world/ledger.h"
+#include "world/model/model.h"
+#include "world/motion/velocity_change.h"
+
+namespace halfspace {
+
+/// The part of a step that meshes have: their nodes are kicked and drift, driven by the elements, by gravity
+/// and by the contacts of the blocks at their surface, which follow them.
+template <int D>
+class MeshMotion {
+ public:
+  MeshMotion(Model<D>& model, const ForcePass<D>& forces, const VelocityChange<D>& kicks,
+             const VelocityChange<D>& reaction, Memory* memory)
+      : settings_(model.settings),
+        model_(model),
+        meshes_(model.blocks.meshes()),
+        forces_(forces),
+        kicks_(kicks),
+        reaction_(reaction),
+        acceleration_(memory) {}
+
+  /// Accelerations of all nodes from the forces at hand, and what there is of energy; adds to the noise, see
+  /// Integrator::begin().
+  void begin(double time_step, EnergySample& sample, double& noise);
+  /// False when the motion is not finite, or would turn a cell inside out: then inverted() names it.
+  bool predict(double duration);
+  const InvertedCell& inverted() const { return inverted_; }
+  /// The planned motion of a block at the surface.
+  Vector<D> predicted_displacement(std::size_t block) const;
+  Tensor<D> predicted_stretch(std::size_t block) const;
+  /// The force that the kick at the end of the last motion stands for.
+  Vector<D> reaction(std::size_t node) const {
+    if (reaction_.empty()) return Vector<D>::Zero();
+    return reaction_.rate() * meshes_.mass[node] * reaction_.of_node(node);
+  }
+  Vector<D> predicted_displacement_of_node(std::size_t node) const {
+    Vector<D> velocity = meshes_.velocity[node] + 0.5 * duration_ * acceleration_[node];
+    if (!kicks_.empty()) velocity += kicks_.of_node(node);
+    return duration_ * velocity;
+  }
+  const Vector<D>& acceleration_of(std::size_t node) const { return acceleration_[node]; }
+  /// Velocities to the middle of the motion, places to its end.
+  void kick_and_drift(double duration);
+  /// Velocities to its end.
+  void kick(double duration, EnergySample& sample);
+  /// Takes the kicks into the velocities, and the stock anew.
+  void take_kicks(double duration, EnergySample& sample);
+
+  void reserve() { acceleration_.reserve(meshes_.node_count()); }
+  /// Memory has been reserved.
+  void resize() { acceleration_.resize(meshes_.node_count(), Vector<D>::Zero()); }
+
+  /// Accelerations and the largest strain, by the last forces.
+  auto state() { return std::tie(acceleration_, largest_strain_); }
+
+  /// False for what cannot be, after reading a snapshot.
+  bool is_consistent(bool is_edited) const {
+    return is_edited || acceleration_.size() == meshes_.node_count();
+  }
+
+  template <class Archive>
+  void visit(Archive& archive) {
+    archive(acceleration_, largest_strain_);
+  }
+
+ private:
+  bool is_held(std::size_t node, int component) const { return (meshes_.held[node] >> component & 1) != 0; }
+  double evaluate_forces();
+  template <int N>
+  double load_nodes_of(const Element<D, N>& element);
+  void load_nodes_of(const SurfaceCell<D>& cell);
+  void accelerate(std::size_t node);
+  /// The most by which the planned motion can change any element's gradient: by itself, and as places are
+  /// rounded.
+  struct Bending {
+    double by_motion = 0;
+    double by_rounding = 0;
+  };
+  Bending most_bent() const;
+  bool keeps_upright();
+  void sample_energy(std::size_t node, const Vector<D>& opposed, EnergySample& sample) const;
+  void take_surface_stock(EnergySample& sample) const;
+  double damping_power(double earlier_by, const VelocityChange<D>* kicks = nullptr) const;
+
+  const WorldSettings<D>& settings_;
+  Model<D>& model_;
+  Meshes<D>& meshes_;
+  const ForcePass<D>& forces_;
+  const VelocityChange<D>& kicks_;
+  const VelocityChange<D>& reaction_;
+  Array<Vector<D>> acceleration_;  // of each node, from the last forces
+  double largest_strain_ = 0;      // of all elements, at the last forces
+  double strain_energy_ = 0;       // likewise
+  double duration_ = 0;            // of the planned motion
+  InvertedCell inverted_;
+};
+
+extern template class MeshMotion<2>;
+extern template class MeshMotion<3>;
+
+}  // namespace halfspace

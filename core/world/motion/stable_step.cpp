@@ -1,0 +1,162 @@
+#include "world/motion/stable_step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace halfspace {
+namespace {
+
+/// The largest area, in the plane the largest width, that blocks of this radius can share.
+template <int D>
+double largest_base(double radius) {
+  return D == 2 ? 2 * radius : std::numbers::pi * radius * radius;
+}
+
+}  // namespace
+
+/// The stiffest that a contact of a block can be by a law.
+template <int D>
+double StableStep<D>::largest_stiffness(const ContactLaw& law, std::size_t slot,
+                                        double potential_length) const {
+  const double spring = std::max(law.normal_stiffness, law.shear_stiffness);
+  switch (law.stiffness_kind) {
+    case StiffnessKind::none:
+      return 0;
+    case StiffnessKind::per_area:
+      return spring * blocks_.largest_face[slot];
+    case StiffnessKind::potential:
+      return std::max(2 * law.normal_stiffness / potential_length * largest_base<D>(blocks_.radius[slot]),
+                      law.shear_stiffness);
+    default:
+      return spring;
+  }
+}
+
+/// The stiffest and the most viscous contact that a block can have: with one far heavier.
+template <int D>
+typename StableStep<D>::StiffnessSum StableStep<D>::stiffest_contact(std::size_t slot,
+                                                                     double potential_length) const {
+  StiffnessSum hardest;
+  for (std::int32_t other = 0; other < model_.materials.count(); ++other) {
+    const ContactLaw& law = model_.materials.laws().between(blocks_.material[slot], other);
+    const double stiffness = largest_stiffness(law, slot, potential_length);
+    hardest.stiffness = std::max(hardest.stiffness, stiffness);
+    hardest.viscosity = std::max(hardest.viscosity, law.viscosity(stiffness, blocks_.mass[slot]));
+  }
+  return hardest;
+}
+
+/// The hardness of a contact that is there: no stiffer than the smaller of its blocks allows, and braked by
+/// dashpots for the mass that both move together.
+template <int D>
+typename StableStep<D>::StiffnessSum StableStep<D>::contact_stiffness_of(std::size_t c,
+                                                                         double potential_length) const {
+  const Candidate<D>& pair = contacts_.pair_of(c);
+  const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
+  const ContactLaw& law = model_.law_of(pair);
+  StiffnessSum hardness;
+  hardness.contacts = 1;
+  hardness.stiffness =
+      std::min(largest_stiffness(law, a, potential_length), largest_stiffness(law, b, potential_length));
+  hardness.viscosity = law.is_damped() ? law.viscosity(hardness.stiffness, blocks_.reduced_mass(a, b)) : 0;
+  return hardness;
+}
+
+template <int D>
+typename StableStep<D>::StiffnessSum StableStep<D>::contact_stiffness_of(const Bond<D>& bond) const {
+  const BondLaw& law = blocks_.bonds().law_of(bond);
+  StiffnessSum hardness;  // no contact: when it has failed there may be some besides
+  for (const BondPoint<D>& point : blocks_.bonds().points_of(bond))
+    hardness.stiffness += point.area * std::max(law.normal_stiffness, law.shear_stiffness);
+  return hardness;
+}
+
+/// The vibration of a deformable block by itself, or of the mesh that it is of.
+template <int D>
+typename StableStep<D>::Wave StableStep<D>::wave_of(std::size_t slot) const {
+  if (blocks_.is_of_mesh(slot)) {
+    const Meshes<D>& meshes = blocks_.meshes();
+    const Body<D>& body = meshes.body(meshes.surface_of_block(slot).body);
+    return {body.squared_frequency, body.damping_time};
+  }
+  const Deformation<D>& deformation = blocks_.deformation(slot);
+  const Elasticity& elasticity = model_.elasticity_of(slot);
+  return {deformation.volume * elasticity.template largest_stiffness<D>() / deformation.least_moment,
+          elasticity.damping_time};
+}
+
+/// Gershgorin: no frequency exceeds omega^2 = sum_contacts n K (1/m + y), with y = r^2/I of the point that
+/// yields most to a force, and n = 2, or 1 where the other block stands still; and no decay
+/// gamma = sum_contacts n c (1/m + y).
+/// Dashpots and mass damping read the velocity of half a step before, so that central differences are stable
+/// as long as dt^2 omega^2 + 2 dt gamma < 4. Blocks will meet others: never fewer than so many contacts are
+/// counted.
+template <int D>
+typename StableStep<D>::Limit StableStep<D>::limit() {
+  // Blocks of a mesh share their nodes with others, which count theirs.
+  constexpr int least_contacts = 4, least_contacts_of_mesh = 1;
+  const double length = model_.materials.laws().knows_potential() ? model_.potential_length() : 0;
+  stiffness_of_block_.assign(blocks_.slot_count(), {});
+  const auto add_to_both = [&](std::int32_t a, std::int32_t b, const StiffnessSum& hardness) {
+    const int times = blocks_.moves_freely(std::size_t(a)) && blocks_.moves_freely(std::size_t(b)) ? 2 : 1;
+    stiffness_of_block_[std::size_t(a)].add(hardness, times);
+    stiffness_of_block_[std::size_t(b)].add(hardness, times);
+  };
+  for (std::size_t c = 0; c < contacts_.count(); ++c)
+    add_to_both(contacts_.pair_of(c).a, contacts_.pair_of(c).b, contact_stiffness_of(c, length));
+  for (const Bond<D>& bond : blocks_.bonds().all()) {
+    if (bond.is_joint) add_to_both(bond.a, bond.b, contact_stiffness_of(bond));
+  }
+  Limit limit;
+  for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
+    if (!blocks_.moves_freely(i)) continue;
+    StiffnessSum& all = stiffness_of_block_[i];
+    const int least = blocks_.is_of_mesh(i) ? least_contacts_of_mesh : least_contacts;
+    all.add(stiffest_contact(i, length), 2 * std::max(least - all.contacts, 0));
+    const bool is_deformable = blocks_.is_deformable(i);
+    const double mobility = 1 / blocks_.mass[i] + blocks_.strain_mobility(i);
+    double omega_squared = all.stiffness * mobility;
+    double gamma = all.viscosity * mobility;
+    const double by_others = omega_squared;
+    if (is_deformable) {
+      const Wave wave = wave_of(i);
+      omega_squared += wave.squared_frequency;
+      if (wave.damping_time > 0) gamma += wave.damping_time * wave.squared_frequency;
+    }
+    // It brakes as dashpots do, but by itself it tells no step.
+    if (omega_squared > 0) gamma += model_.settings.mass_damping;
+    const double step = 4 / (gamma + std::sqrt(gamma * gamma + 4 * omega_squared));
+    if (step < limit.step) limit = {step, std::int32_t(i), omega_squared > 2 * by_others};
+  }
+  return limit;
+}
+
+template <int D>
+std::optional<typename StableStep<D>::Neighbor> StableStep<D>::stiffest_neighbor_of(
+    std::int32_t block) const {
+  const double length = model_.materials.laws().knows_potential() ? model_.potential_length() : 0;
+  std::optional<Neighbor> stiffest;
+  double most = 0;
+  const auto look = [&](std::int32_t a, std::int32_t b, std::int64_t bond, const StiffnessSum& hardness) {
+    if (stiffest && hardness.stiffness <= most) return;
+    stiffest = {a == block ? b : a, bond};
+    most = hardness.stiffness;
+  };
+  for (std::size_t c = 0; c < contacts_.count(); ++c) {
+    const Candidate<D>& pair = contacts_.pair_of(c);
+    if (pair.a == block || pair.b == block) look(pair.a, pair.b, -1, contact_stiffness_of(c, length));
+  }
+  const Array<Bond<D>>& bonds = blocks_.bonds().all();
+  for (std::size_t i = 0; i < bonds.size(); ++i) {
+    const Bond<D>& bond = bonds[i];
+    if (bond.is_joint && (bond.a == block || bond.b == block))
+      look(bond.a, bond.b, std::int64_t(i), contact_stiffness_of(bond));
+  }
+  return stiffest;
+}
+
+template class StableStep<2>;
+template class StableStep<3>;
+
+}  // namespace halfspace

@@ -1,0 +1,122 @@
+#pragma once
+
+#include "block/blocks.h"
+#include "geometry/numbers.h"
+
+namespace halfspace {
+
+/// A point that a block carries along: of a mesh by some of its nodes, each with its weight, else at the end
+/// of an arm from the centroid, of an affine block in its shape's frame. There is no gap between members.
+template <int D>
+struct MaterialPoint {
+  std::int32_t block = -1;
+  std::array<std::int32_t, 3> node{};  // the first D count
+  Vector<D> weight = Vector<D>::Zero();
+  Vector<D> arm = Vector<D>::Zero();
+};
+
+/// The sum over the nodes of a point of a mesh: each node's vector, as it weighs.
+template <int D, class OfNode>
+Vector<D> weighed(const MaterialPoint<D>& point, OfNode of_node) {
+  Vector<D> sum = Vector<D>::Zero();
+  for (int i = 0; i < D; ++i) {
+    if (point.weight[i] != 0) sum += point.weight[i] * of_node(std::size_t(point.node[std::size_t(i)]));
+  }
+  return sum;
+}
+
+/// Sudden changes of velocity, by impulses at points. A world that knows none has none of it.
+template <int D>
+class VelocityChange {
+ public:
+  VelocityChange(const Blocks<D>& blocks, Memory* memory)
+      : blocks_(blocks), of_node_(memory), of_block_(memory), momentum_(memory), of_gradient_(memory) {}
+
+  bool empty() const { return of_block_.empty(); }
+  /// Takes the memory, for all of them to be none, in one half of a motion of such a duration.
+  void begin(double duration) {
+    rate_ = 2 / duration;
+    of_block_.assign(blocks_.slot_count(), Vector<D>::Zero());
+    momentum_.assign(blocks_.slot_count(), Angular<D>::Zero());
+    of_gradient_.assign(blocks_.has_deformable() ? blocks_.slot_count() : 0, Tensor<D>::Zero());
+    of_node_.assign(blocks_.meshes().node_count(), Vector<D>::Zero());
+  }
+  void swap(VelocityChange& other) noexcept {
+    of_node_.swap(other.of_node_);
+    of_block_.swap(other.of_block_);
+    momentum_.swap(other.momentum_);
+    of_gradient_.swap(other.of_gradient_);
+    std::swap(rate_, other.rate_);
+  }
+  void end() {
+    of_block_.clear();
+    momentum_.clear();
+    of_gradient_.clear();
+    of_node_.clear();
+  }
+
+  // What has been added to the world since has none.
+  Vector<D> of_node(std::size_t node) const { return of(of_node_, node, Vector<D>(Vector<D>::Zero())); }
+  Vector<D> of_block(std::size_t slot) const { return of(of_block_, slot, Vector<D>(Vector<D>::Zero())); }
+  Angular<D> momentum(std::size_t slot) const { return of(momentum_, slot, Angular<D>(Angular<D>::Zero())); }
+  Tensor<D> of_gradient(std::size_t slot) const {
+    return of(of_gradient_, slot, Tensor<D>(Tensor<D>::Zero()));
+  }
+  /// The force over the impulse, as if it had acted all through its half of the motion.
+  double rate() const { return rate_; }
+
+  /// The change of a point's velocity.
+  Vector<D> at(const MaterialPoint<D>& point) const;
+  /// An impulse on a point.
+  void add(const MaterialPoint<D>& point, const Vector<D>& impulse);
+
+  /// False for what none can be, after reading a snapshot.
+  bool is_consistent() const {
+    return momentum_.size() == of_block_.size() && of_block_.size() <= blocks_.slot_count() &&
+           of_gradient_.size() <= of_block_.size() && of_node_.size() <= blocks_.meshes().node_count() &&
+           is_nonnegative(rate_);
+  }
+  template <class Archive>
+  void visit(Archive& archive) {
+    archive(of_node_, of_block_, momentum_, of_gradient_, rate_);
+  }
+
+ private:
+  template <class T>
+  static T of(const Array<T>& kicks, std::size_t which, const T& none) {
+    return which < kicks.size() ? kicks[which] : none;
+  }
+
+  const Blocks<D>& blocks_;
+  Array<Vector<D>> of_node_;
+  Array<Vector<D>> of_block_;
+  Array<Angular<D>> momentum_;    // angular
+  Array<Tensor<D>> of_gradient_;  // of affine blocks
+  double rate_ = 0;
+};
+
+/// The place of a point now.
+template <int D>
+Vector<D> place_of(const MaterialPoint<D>& point, const Blocks<D>& blocks);
+/// Its velocity now.
+template <int D>
+Vector<D> velocity_of(const MaterialPoint<D>& point, const Blocks<D>& blocks);
+/// The part of it that is prescribed, so that no force changes it.
+template <int D>
+Vector<D> prescribed_velocity_of(const MaterialPoint<D>& point, const Blocks<D>& blocks);
+/// The change of a point's velocity over the impulse on it.
+template <int D>
+Tensor<D> inverse_mass_at(const MaterialPoint<D>& point, const Blocks<D>& blocks);
+
+extern template class VelocityChange<2>;
+extern template class VelocityChange<3>;
+extern template Vector<2> place_of(const MaterialPoint<2>&, const Blocks<2>&);
+extern template Vector<3> place_of(const MaterialPoint<3>&, const Blocks<3>&);
+extern template Vector<2> velocity_of(const MaterialPoint<2>&, const Blocks<2>&);
+extern template Vector<3> velocity_of(const MaterialPoint<3>&, const Blocks<3>&);
+extern template Vector<2> prescribed_velocity_of(const MaterialPoint<2>&, const Blocks<2>&);
+extern template Vector<3> prescribed_velocity_of(const MaterialPoint<3>&, const Blocks<3>&);
+extern template Tensor<2> inverse_mass_at(const MaterialPoint<2>&, const Blocks<2>&);
+extern template Tensor<3> inverse_mass_at(const MaterialPoint<3>&, const Blocks<3>&);
+
+}  // namespace halfspace

@@ -1,0 +1,184 @@
+#include "world/relaxation/balance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace halfspace {
+namespace {
+
+/// The forces on one block or node: the size of their sum, and the sum of their sizes.
+struct Acting {
+  double unbalanced = 0;
+  double whole = 0;
+};
+
+template <int D>
+class Acts {
+ public:
+  Acts(const Model<D>& model, const Integrator<D>& integrator, BalanceRoom& room)
+      : model_(model),
+        integrator_(integrator),
+        blocks_(model.blocks),
+        meshes_(model.blocks.meshes()),
+        of_block_(room.of_block),
+        of_node_(room.of_node) {
+    std::fill(of_block_.begin(), of_block_.end(), 0);
+    std::fill(of_node_.begin(), of_node_.end(), 0);
+  }
+
+  void add(std::int32_t block, double size) {
+    if (!blocks_.is_of_mesh(std::size_t(block))) {
+      of_block_[std::size_t(block)] += size;
+      return;
+    }
+    for (const std::int32_t node : meshes_.surface_of_block(std::size_t(block)).node)
+      of_node_[std::size_t(node)] += size / (D + 1);
+  }
+  void add_elements() {
+    meshes_.for_each_element([&]<int N>(const Element<D, N>& element) {
+      const auto forces =
+          element.elastic_forces(element.field_of(gathered<D, N>(meshes_.place, element.node)),
+                                 model_.materials.elasticity(element.material));
+      for (int i = 0; i < N; ++i) of_node_[std::size_t(element.node[std::size_t(i)])] += forces.col(i).norm();
+    });
+  }
+
+  Acting on_block(std::size_t i) const {
+    const Vector<D> weight = blocks_.mass[i] * model_.settings.gravity;
+    const auto reaction = integrator_.reaction(i);
+    Vector<D> force = blocks_.force[i] + blocks_.applied_force[i] + weight + reaction.force;
+    double turning = (blocks_.torque[i] + blocks_.applied_torque[i] + reaction.torque).norm();
+    double loads = blocks_.applied_force[i].norm() + blocks_.applied_torque[i].norm() / blocks_.radius[i];
+    if (blocks_.is_affine(i)) {
+      const Deformation<D>& deformation = blocks_.deformation(i);
+      force += deformation.load_force;
+      loads += deformation.load.norm() / blocks_.radius[i];
+      turning = (deformation.drive(blocks_.applied_torque[i], model_.elasticity_of(i)) +
+                 integrator_.strain_reaction(i))
+                    .norm();
+    }
+    return {force.norm() + turning / blocks_.radius[i], of_block_[i] + weight.norm() + loads};
+  }
+  Acting on_node(std::size_t i) const {
+    Vector<D> force = meshes_.force[i] + integrator_.reaction_on_node(i);
+    for (int k = 0; k < D; ++k) {
+      if (meshes_.held[i] >> k & 1) force[k] = 0;
+    }
+    return {force.norm(),
+            of_node_[i] + meshes_.mass[i] * model_.settings.gravity.norm() + meshes_.applied_force[i].norm()};
+  }
+
+ private:
+  const Model<D>& model_;
+  const Integrator<D>& integrator_;
+  const Blocks<D>& blocks_;
+  const Meshes<D>& meshes_;
+  Array<double>& of_block_;
+  Array<double>& of_node_;
+};
+
+/// The block of a slot, or the first surface cell at a node, whose numbers follow those of the slots.
+template <int D>
+std::int32_t block_at(const Blocks<D>& blocks, std::size_t i) {
+  if (i < blocks.slot_count()) return std::int32_t(i);
+  const auto node = std::int32_t(i - blocks.slot_count());
+  for (std::size_t slot = 0; slot < blocks.slot_count(); ++slot) {
+    if (!blocks.is_of_mesh(slot)) continue;
+    for (const std::int32_t corner : blocks.meshes().surface_of_block(slot).node) {
+      if (corner == node) return std::int32_t(slot);
+    }
+  }
+  return -1;  // inside a body
+}
+
+}  // namespace
+
+template <int D>
+Balance balance_of(const Model<D>& model, const ContactList<D>& contacts, const ForcePass<D>& forces,
+                   const HardContacts<D>& reactions, const Integrator<D>& integrator, BalanceRoom& room) {
+  const Blocks<D>& blocks = model.blocks;
+  Acts<D> acts(model, integrator, room);
+  const auto add_to_both = [&](std::int32_t a, std::int32_t b, double size) {
+    acts.add(a, size);
+    acts.add(b, size);
+  };
+  for (std::size_t c = 0; c < contacts.count(); ++c)
+    add_to_both(contacts.pair_of(c).a, contacts.pair_of(c).b, forces.of_contact(c).force.norm());
+  for (const ContactConstraint<D>& reaction : reactions.all())
+    add_to_both(reaction.a, reaction.b, reaction.force.norm());
+  for (const Bond<D>& bond : blocks.bonds().all()) {
+    if (!bond.is_joint) continue;
+    for (const BondPoint<D>& point : blocks.bonds().points_of(bond))
+      add_to_both(bond.a, bond.b, point.area * std::hypot(point.normal_traction, point.shear.norm()));
+  }
+  acts.add_elements();
+
+  Balance balance;
+  double unbalanced = 0, whole = 0, count = 0;
+  const auto for_each = [&](auto visit) {
+    for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
+      if (blocks.moves_freely(i) && !blocks.is_of_mesh(i)) visit(acts.on_block(i), i);
+    }
+    for (std::size_t i = 0; i < blocks.meshes().node_count(); ++i)
+      visit(acts.on_node(i), blocks.slot_count() + i);
+  };
+  std::size_t at = 0;
+  for_each([&](const Acting& acting, std::size_t i) {
+    unbalanced += acting.unbalanced;
+    whole += acting.whole;
+    ++count;
+    if (acting.unbalanced <= balance.largest_force) return;
+    balance.largest_force = acting.unbalanced;
+    at = i;
+  });
+  if (balance.largest_force > 0) balance.block = block_at(blocks, at);
+  if (whole == 0) {
+    balance.mean = balance.largest = unbalanced > 0 ? 1 : 0;
+    return balance;
+  }
+  balance.mean = unbalanced / whole;
+  const double typical = whole / count;
+  for_each([&](const Acting& acting, std::size_t) {
+    balance.largest = std::max(balance.largest, acting.unbalanced / std::max(acting.whole, typical));
+  });
+  return balance;
+}
+
+/// Only what moves freely takes part, and only its translation.
+template <int D>
+double SlowestMotion<D>::look() {
+  const Blocks<D>& blocks = model_.blocks;
+  const Meshes<D>& meshes = blocks.meshes();
+  const std::size_t slots = blocks.slot_count();
+  double stiffness = 0, inertia = 0;
+  const auto note = [&](std::size_t i, double mass, const Vector<D>& place, const Vector<D>& force) {
+    const Vector<D> moved = place - places_[i];
+    stiffness -= moved.dot(force - forces_[i]);
+    inertia += mass * moved.squaredNorm();
+    places_[i] = place;
+    forces_[i] = force;
+  };
+  for (std::size_t i = 0; i < slots; ++i) {
+    if (blocks.moves_freely(i) && !blocks.is_of_mesh(i))
+      note(i, blocks.mass[i], blocks.position[i], blocks.force[i] + blocks.applied_force[i]);
+  }
+  for (std::size_t i = 0; i < meshes.node_count(); ++i) {
+    Vector<D> force = meshes.force[i], place = meshes.place[i];
+    for (int k = 0; k < D; ++k) {
+      if (meshes.held[i] >> k & 1) force[k] = place[k] = 0;
+    }
+    note(slots + i, meshes.mass[i], place, force);
+  }
+  const bool is_known = std::exchange(has_looked_, true) && stiffness > 0 && inertia > 0;
+  return is_known ? 2 * std::sqrt(stiffness / inertia) : -1;
+}
+
+template class SlowestMotion<2>;
+template class SlowestMotion<3>;
+template Balance balance_of(const Model<2>&, const ContactList<2>&, const ForcePass<2>&,
+                            const HardContacts<2>&, const Integrator<2>&, BalanceRoom&);
+template Balance balance_of(const Model<3>&, const ContactList<3>&, const ForcePass<3>&,
+                            const HardContacts<3>&, const Integrator<3>&, BalanceRoom&);
+
+}  // namespace halfspace
