@@ -141,7 +141,7 @@ gravity = [0, 0]
         self.assertEqual(self.line(run, "meshes"), "1 body of 64 cells and 51 nodes")
         self.assertIn("can go", self.line(run, "springless contacts"))
         self.assertIn("allowed: no --time", self.plan(stages, "--time", "0.1").stderr)
-        hasty = self.plan(stages.replace('"settle"', '"settle"\nmost_steps = 1'))
+        hasty = self.plan(stages.replace('"settle"', '"settle"\nmax_steps = 1'))
         self.assertEqual(hasty.returncode, 3, hasty.stdout)
 
     def test_bricks_fall_without_their_bonds(self):

@@ -100,7 +100,7 @@ class Safety(SceneTest):
     def test_what_is_not_found_is_told(self):
         self.assertIn("below 2: the scene falls even there", self.safety(scene_of(RIGID, 20), "--low", 2, code=1))
         self.assertIn("above 1.5: the scene stands even there", self.safety(scene_of(RIGID, 20), "--high", 1.5, code=1))
-        sliding = scene_of(RIGID, 40).replace("duration = 1\n", "") + '[[stage]]\ndo = "settle"\nmost_steps = 2000\n'
+        sliding = scene_of(RIGID, 40).replace("duration = 1\n", "") + '[[stage]]\ndo = "settle"\nmax_steps = 2000\n'
         self.assertIn("not at rest", self.safety(sliding, code=1))
         self.assertIn("--low", self.safety(scene_of(RIGID, 20), "--low", 3, "--high", 2, code=2))
 

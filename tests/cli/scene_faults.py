@@ -94,6 +94,13 @@ class SceneFaults(unittest.TestCase):
             self.assertIn(': no such material: "stone"', answer.stderr)
             self.assertNotIn("not elastic", answer.stderr)
 
+    def test_a_key_that_was_renamed_is_told_its_name(self):
+        text = (SCENES / "falling_block.toml").read_text()
+        text = re.sub(r"duration = .*\n", "", text, count=1) + '[[stage]]\ndo = "settle"\nmost_steps = 10\n'
+        answer = check_text(text)
+        self.assertIn("stage[0].most_steps: renamed; use max_steps", answer.stderr)
+        self.assertIn("1 fault in", answer.stderr)
+
     def test_laws_between_materials_that_do_not_exist_are_not_one_law(self):
         laws = "".join(f'[[law]]\nbetween = ["{name}", "{name}"]\n' for name in ("ice", "snow"))
         answer = check_text((SCENES / "falling_block.toml").read_text() + laws)

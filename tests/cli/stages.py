@@ -66,7 +66,7 @@ class Stages(SceneTest):
         self.assertRegex(held, r"bonds +1 made, 0 have come apart; cracks of 0 m\n")
 
     def test_what_does_not_come_to_rest_is_told(self):
-        text = WALL.format(strength=1e7).replace('do = "settle"', 'do = "settle"\nmost_steps = 20')
+        text = WALL.format(strength=1e7).replace('do = "settle"', 'do = "settle"\nmax_steps = 20')
         self.assertRegex(self.run_scene(text).stdout, r"stage settling +settled until \S+ s, NOT AT REST after 20 steps")
 
     def test_a_run_stage_lasts_as_long_as_it_says(self):

@@ -164,8 +164,8 @@ module halfspace_bonded_worlds
 
     !> Looks for the factor of safety by bisection: how many times weaker all materials could be until something moves.
     !! Each trial relaxes a copy of the world with bonds that may fail. The world stays as it is, and should be at rest.
-    module subroutine find_strength_factor(self, report, low, high, resolution, ratio, max_displacement, max_steps, fallen, &
-                                           stat, errmsg)
+    module subroutine find_strength_factor(self, report, low, high, resolution, ratio, max_displacement, max_steps, &
+                                           fallen, stat, errmsg)
       class(bonded_world), intent(in) :: self
       type(halfspace_strength_report), intent(out) :: report  !< the factor, its bracket, and trials
       real(c_double), intent(in), optional :: low  !< a factor at which it should stand, >= 1e-75; default 0.5

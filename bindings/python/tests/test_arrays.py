@@ -206,7 +206,7 @@ def test_structured_arrays_have_their_fields_as_attributes(resting_world):
 
 
 def test_structured_arrays_match_the_header():
-    assert hs.CONTACT.itemsize == 488
+    assert hs.CONTACT.itemsize == 496
     assert np.zeros(2, hs.CONTACT)["points"].shape == (2, 8, 3)
     assert hs.CONTACT.fields["normal"][1] == 40
     assert hs.PAIR_CACHE.itemsize == 120
