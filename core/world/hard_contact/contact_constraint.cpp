@@ -5,18 +5,19 @@
 namespace halfspace {
 namespace {
 
-/// Changes that are smaller than this share of the velocities at hand are none.
+/// The solver has converged when changes are below this fraction of the largest velocity.
 constexpr double smallest_change = 1e-8;
 
 constexpr int max_iterations = 1000;
 
-/// Corners of both blocks at faces of the other one are more contacts than there are ways to move. Where they
-/// do not quite want the same, by rounding and by turns within the motion, changes go on for ever: rounds end
-/// when so many have not made them smaller by a thousandth.
+/// Vertices of both blocks at faces of the other one are more constraints than degrees of freedom. Where they
+/// contradict each other by rounding or rotation, the changes never vanish: the solver stops when they have
+/// not fallen by a thousandth in this number of iterations.
 constexpr int max_stalled_iterations = 48;
 
-/// The impulse of a contact that stops it, if all others stay as they are: its normal part first, then what
-/// shear is left of that. A rigid block at whose side it lies turns, so that both depend on each other.
+/// The impulse that stops a contact if all others keep theirs, projected onto the friction cone: the normal
+/// part first, then the shear part with the velocity that remains. Both depend on each other where a block
+/// turns.
 template <int D>
 Vector<D> projected_impulse(const ContactConstraint<D>& at, const Vector<D>& velocity) {
   const double before = at.impulse.dot(at.normal), opening = velocity.dot(at.normal);
@@ -31,7 +32,7 @@ Vector<D> projected_impulse(const ContactConstraint<D>& at, const Vector<D>& vel
   return normal * at.normal + shear;
 }
 
-/// Goes through all contacts once. Returns the largest change, as a velocity.
+/// One sweep over all contacts. Returns the largest change, as a velocity.
 template <int D>
 double sweep_contacts(std::span<ContactConstraint<D>> reactions, bool is_backwards,
                       VelocityChange<D>& kicks) {
@@ -54,10 +55,10 @@ double sweep_contacts(std::span<ContactConstraint<D>> reactions, bool is_backwar
   return changed;
 }
 
-/// Leads impulses on the way that their rounds have taken so far: there and back is one step of a symmetric
-/// iteration, which conjugate gradients make fast (Fletcher and Reeves; with bounds Silcowitz-Hansen, Niebe
-/// and Erleben 2010). A stack of ten takes 9 rounds instead of a thousand, and a block that bears one a
-/// hundred times heavier 4 instead of 78. The next round puts what goes beyond its bound back to it.
+/// Accelerates the sweeps: forwards and backwards is one step of a symmetric iteration, to which conjugate
+/// gradients apply (Fletcher and Reeves; with bounds Silcowitz-Hansen, Niebe and Erleben 2010). A stack of
+/// ten takes 9 iterations instead of a thousand, and a block under one a hundred times heavier 4 instead
+/// of 78. The next sweep projects impulses beyond their bounds.
 template <int D>
 class NonsmoothConjugateGradient {
  public:
