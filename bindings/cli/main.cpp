@@ -290,13 +290,12 @@ int main_of(int argc, char** argv) {
                    "Work between two checkpoints, as 90s, 10min or 2h; 10min by default")
       ->transform(time_with_unit())
       ->check(finite_above_zero());
-  CLI::App* check_command =
-      app.add_subcommand("check", "Tell everything that is wrong with a scene, without running it");
+  CLI::App* check_command = app.add_subcommand("check", "List all faults of a scene, without running it");
   check_command->add_option("scene", file, "The scene file (TOML)")->required();
 
   TradeOptions trade_options;
-  CLI::App* trade_command = app.add_subcommand(
-      "trade", "Run a scene with its knobs turned: what error each setting has, and what it costs");
+  CLI::App* trade_command =
+      app.add_subcommand("trade", "Vary the parameters of a scene: the error and the cost of each setting");
   trade_command->add_option("scene", file, "The scene file (TOML); [reference] says what is measured")
       ->required();
   CLI::Option* force_option = add_output(trade_command);
@@ -314,7 +313,7 @@ int main_of(int argc, char** argv) {
 
   PlanOptions plan_options;
   CLI::App* plan_command = app.add_subcommand(
-      "plan", "Tell what a scene makes the library compute, what that costs, and what could be left out");
+      "plan", "Report the active parts of a scene, their cost, and the parts that could be left out");
   plan_command->add_option("scene", file, "The scene file (TOML)")->required();
   plan_command
       ->add_option("--time", plan_options.time, "How far to run, in s; the scene's duration by default")
@@ -327,7 +326,7 @@ int main_of(int argc, char** argv) {
 
   SafetyOptions safety_options;
   CLI::App* safety_command = app.add_subcommand(
-      "safety", "Find the factor of safety: by how much all strengths can be divided until the scene falls");
+      "safety", "Find the factor of safety: the largest factor by which all strengths can be divided");
   safety_command->add_option("scene", file, "The scene file (TOML)")->required();
   safety_command
       ->add_flag("--resume", safety_options.resumes, "Go on from the trials that the directory holds")

@@ -142,7 +142,7 @@ std::string knobs_text(const Front& front) {
   const std::string text = steps.text() + stiffness.text() + laws.text() + cells.text() + kinds.text() +
                            dampings.text() + skins.text();
   if (text.empty()) return text;
-  return "\nerror by knob, all others held\n" + text +
+  return "\nerror by parameter, all others held\n" + text +
          "(the step against the finest, the others against the scene's own at the same step)\n";
 }
 
