@@ -121,7 +121,7 @@ def own_error(finest, next_finest):
 
 
 def table(rows, dimension):
-    lines = ["| task | engine | 10 % | 1 % | 0.1 % | 0.01 % | least | finest | from the next |",
+    lines = ["| task | engine | 10 % | 1 % | 0.1 % | 0.01 % | min | finest | from the next |",
              "|---|---|---|---|---|---|---|---|---|"]
     for task, of_task in grouped((row for row in rows if row.dimension == dimension), lambda row: row.task).items():
         for curve, points in grouped(of_task, lambda row: row.curve).items():
@@ -135,15 +135,15 @@ def table(rows, dimension):
 
 PAGE = """# Cost to reach an error, task by task
 
-Processor seconds for a second of the scene at the cheapest setting within the error. A dash: no setting came so near;
-"> 100 s": none that was done within that time. Least is the smallest error, finest that of the stiffest springs at half
-of the stable step, or of the shortest step; both against the exact answer. The last column tells how far that run is
-from the next finest. Where these hardly differ and are far from the exact answer, an engine converges to something
-else; what came nearer did so by chance.
+Processor seconds per second of the scene, at the cheapest setting within the error. A dash: no setting reaches the
+error; "> 100 s": none reached it within that time. "Min" is the smallest error. "Finest" is the error with the stiffest
+springs at half of the stable step, or with the shortest step. Both are against the exact answer. The last column is the
+difference between this run and the next finest. If this difference is small and both are far from the exact answer, the
+engine converges to another value; smaller errors are then coincidence.
 
-What is bisected has its exact answer in the middle of the interval, so that no error is below 3.1e-5, and 0.5 means
-that the scene did not change anywhere between half the exact answer and one and a half. Costs of equal runs differed by
-up to 1.5 times. `tests/trade/run` writes this page.
+Bisection has the exact answer in the middle of its interval: no error is below 3.1e-5, and 0.5 means that the outcome
+is the same from half the exact answer to one and a half. Costs of equal runs differed by up to 1.5 times.
+`tests/trade/run` writes this page.
 
 ## In the plane
 
