@@ -30,11 +30,21 @@ std::string joined(const std::vector<std::string_view>& words) {
   return text;
 }
 
+/// Keys that were renamed, before and now. Scenes may still have the old ones.
+constexpr std::pair<std::string_view, std::string_view> renamed_keys[] = {{"most_steps", "max_steps"},
+                                                                          {"spread", "jitter"}};
+
+/// The value of a key, or of the one that it was before.
+const toml::node* value_of(const toml::table& table, std::string_view key) {
+  if (const toml::node* node = table.get(key)) return node;
+  for (const auto& [before, now] : renamed_keys)
+    if (key == now) return table.get(before);
+  return nullptr;
+}
+
 /// The present name of a key that was renamed, or nothing.
 std::string_view new_name(std::string_view key) {
-  static constexpr std::pair<std::string_view, std::string_view> renamed[] = {{"most_steps", "max_steps"},
-                                                                              {"spread", "jitter"}};
-  for (const auto& [before, now] : renamed)
+  for (const auto& [before, now] : renamed_keys)
     if (key == before) return now;
   return {};
 }
@@ -61,7 +71,7 @@ Place Keys::place_of(const toml::node& node) {
 }
 
 Place Keys::place(std::string_view key) const {
-  const toml::node* node = table_->get(key);
+  const toml::node* node = value_of(*table_, key);
   return place_of(node ? *node : *table_);
 }
 
@@ -80,7 +90,7 @@ bool Keys::has_any(std::initializer_list<std::string_view> keys) {
 
 const toml::node* Keys::find(std::string_view key, std::string_view what, bool is_required) {
   ask(key);
-  const toml::node* node = table_->get(key);
+  const toml::node* node = value_of(*table_, key);
   const bool table_told = table_ == &no_keys;  // its absence is a fault already, or allowed
   if (!node && is_required && !table_told) fault(key, "missing; required: " + std::string(what));
   return node;
@@ -357,16 +367,19 @@ void Keys::withdraw_missing(std::string_view key) {
 void Keys::finish() {
   for (const auto& [key, node] : *table_) {
     if (std::find(asked_.begin(), asked_.end(), key.str()) != asked_.end()) continue;
-    const std::string_view renamed = new_name(key.str());
-    const bool is_renamed = std::find(asked_.begin(), asked_.end(), renamed) != asked_.end();
-    const std::string_view meant = is_renamed ? renamed : nearest(key.str(), asked_);
+    const toml::source_position begin = key.source().begin;
+    const Place place{static_cast<int>(begin.line), static_cast<int>(begin.column)};
+    const std::string_view now = new_name(key.str());
+    if (std::find(asked_.begin(), asked_.end(), now) != asked_.end()) {
+      faults_->note(place, path(key.str()), "renamed; use " + std::string(now));
+      continue;
+    }
+    const std::string_view meant = nearest(key.str(), asked_);
     withdraw_missing(meant);
     // Another kind would have other keys.
     if (!is_kind_known_ && (has(kind_) || meant != kind_)) continue;
-    const toml::source_position begin = key.source().begin;
-    faults_->add({static_cast<int>(begin.line), static_cast<int>(begin.column)}, path(key.str()),
-                 is_renamed ? "renamed; use " + std::string(renamed)
-                            : "unknown key" + suggestion(key.str(), asked_) + "; allowed: " + joined(asked_));
+    faults_->add(place, path(key.str()),
+                 "unknown key" + suggestion(key.str(), asked_) + "; allowed: " + joined(asked_));
   }
   if (is_kind_known_) return;
   for (std::string_view key : asked_)
