@@ -1,7 +1,6 @@
 #include "mesh/common_planes.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -15,9 +14,9 @@ constexpr double rounding = 1e-13;
 
 struct Face {
   std::size_t block;
-  std::size_t index;
   HalfSpace plane;
   std::vector<Point> corners;
+  double radius = 0;  // inner_radius() of the corners
 };
 
 struct Box {
@@ -72,7 +71,7 @@ enum class Joint { none, flush, uneven };
 Joint joint_of(const Face& a, const Face& b, double within) {
   if (dot(a.plane.normal, b.plane.normal) > -0.5) return Joint::none;
   const double slope = length(plus(a.plane.normal, b.plane.normal));
-  const double radius = std::min(inner_radius(a.corners), inner_radius(b.corners));
+  const double radius = std::min(a.radius, b.radius);
   if (radius < 2 * within || slope * radius > within) return Joint::none;
   const std::vector<Point> part = covered(a, b);
   if (part.size() < 3 || inner_radius(part) < 2 * within) return Joint::none;
@@ -139,7 +138,7 @@ class Joints {
     Box box{block};
     first_.push_back(faces_.size());
     for (std::size_t f = 0; f < planes.size(); ++f) {
-      Face face{block, f, planes[f], {}};
+      Face face{block, planes[f], {}};
       for (const int v : loops[f]) face.corners.push_back(vertices[static_cast<std::size_t>(v)]);
       face.plane.offset += dot(face.plane.normal, centroid);
       for (const Point& p : face.corners) {
@@ -148,6 +147,7 @@ class Joints {
           box.high[axis] = std::max(box.high[axis], p[axis] + blocks_[block].tolerance);
         }
       }
+      face.radius = inner_radius(face.corners);
       faces_.push_back(std::move(face));
     }
     boxes_.push_back(box);
@@ -155,12 +155,11 @@ class Joints {
 
   /// Sorts boxes along x, and sweeps over them.
   void find_joints() {
-    std::vector<Box> sorted = boxes_;
-    std::sort(sorted.begin(), sorted.end(), [](const Box& a, const Box& b) { return a.low[0] < b.low[0]; });
-    for (std::size_t i = 0; i < sorted.size(); ++i) {
-      const Box& a = sorted[i];
-      for (std::size_t j = i + 1; j < sorted.size() && sorted[j].low[0] <= a.high[0]; ++j) {
-        const Box& b = sorted[j];
+    std::sort(boxes_.begin(), boxes_.end(), [](const Box& a, const Box& b) { return a.low[0] < b.low[0]; });
+    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+      const Box& a = boxes_[i];
+      for (std::size_t j = i + 1; j < boxes_.size() && boxes_[j].low[0] <= a.high[0]; ++j) {
+        const Box& b = boxes_[j];
         if (b.low[1] <= a.high[1] && a.low[1] <= b.high[1] && b.low[2] <= a.high[2] && a.low[2] <= b.high[2])
           join_faces(a.block, b.block);
       }

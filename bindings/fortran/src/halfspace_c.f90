@@ -1255,10 +1255,10 @@ module halfspace_c
     end function hs_world_get_report
 
     !> The contacts of the last detection, block a before b; none after a change of poses, blocks or laws.
-    !! Those by laws with springs come first, one a pair, sorted by block index; their forces are 0 until they
-    !! are evaluated. Those by laws without springs follow, one a point, as of the end of the last step: a
-    !! vertex at a face, or two edges. In the step of a touch their force is the impulse that is left at the
-    !! end of the step, over half the step (Li et al. 2015, sections 3 and 4).
+    !! Contacts by laws with springs come first, one per pair, sorted by block index; their forces are 0 until
+    !! they are evaluated. Contacts by laws without springs follow, one per point, as of the end of the last
+    !! step: a vertex at a face, or two edges. In the step of a touch their force is the impulse that is left
+    !! at the end of the step, over half the step (Li et al. 2015, sections 3 and 4).
     !! Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
     function hs_world_get_contacts(world, contacts, capacity, count) bind(c)
       import

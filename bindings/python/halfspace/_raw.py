@@ -1274,10 +1274,10 @@ def declare(library):
     library.hs_world_get_report.restype = hs_status
 
     # The contacts of the last detection, block a before b; none after a change of poses, blocks or laws.
-    # Those by laws with springs come first, one a pair, sorted by block index; their forces are 0 until they
-    # are evaluated. Those by laws without springs follow, one a point, as of the end of the last step: a
-    # vertex at a face, or two edges. In the step of a touch their force is the impulse that is left at the
-    # end of the step, over half the step (Li et al. 2015, sections 3 and 4).
+    # Contacts by laws with springs come first, one per pair, sorted by block index; their forces are 0 until
+    # they are evaluated. Contacts by laws without springs follow, one per point, as of the end of the last
+    # step: a vertex at a face, or two edges. In the step of a touch their force is the impulse that is left
+    # at the end of the step, over half the step (Li et al. 2015, sections 3 and 4).
     library.hs_world_get_contacts.argtypes = [
         POINTER(hs_world),  # world
         c_void_p,  # contacts

@@ -1,8 +1,8 @@
 /** @file
  *  @brief Dynamic relaxation, and changes of a living world: settle it under its loads, then excavate, load or release.
  *
- *  Dynamic relaxation steps a world under strong damping until all forces are balanced (Cundall 1987, Underwood 1983). Its time has no
- *  physical meaning. Thread rule: as for the world.
+ *  Dynamic relaxation steps a world under strong damping until all forces are balanced (Cundall 1987,
+ *  Underwood 1983). Its time has no physical meaning. Thread rule: as for the world.
  */
 #ifndef HALFSPACE_RELAX_H
 #define HALFSPACE_RELAX_H
@@ -27,8 +27,8 @@ typedef struct hs_relaxation_def {
   double ratio;          /**< at which it is at rest, > 0; default 1e-5 */
   int64_t max_steps;     /**< >= 1; default 1000000 */
   double local_damping;  /**< [0, 1) meanwhile; default 0.1, beside adaptive damping; by itself 0.8 does best */
-  int32_t is_adaptive;   /**< 1 (default): critical mass damping of the slowest motion, estimated while stepping (Underwood 1983); or 0:
-                              the world's mass damping */
+  int32_t is_adaptive;   /**< 1 (default): critical mass damping of the slowest motion, estimated while stepping
+                              (Underwood 1983); or 0: the world's mass damping */
   int32_t hold_bonds;    /**< 1 (default): bonds do not fail while the world relaxes; or 0 */
 } hs_relaxation_def;
 

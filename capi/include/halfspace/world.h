@@ -57,8 +57,9 @@ typedef struct hs_world_def {
                                 edges when forces are first used */
   int32_t fast_blocks;     /**< an HS_FAST_ value; default HS_FAST_DIVIDE */
   int32_t reserved;        /**< 0 */
-  double sleep_tolerance;  /**< m, >= 0: the largest displacement error of a block by sleep over a run; blocks at rest are then left out
-                                of steps. 0 (default): no block sleeps. Worlds with HS_STIFFNESS_NONE or meshes do not sleep */
+  double sleep_tolerance;  /**< m, >= 0: the largest displacement error of a block by sleep over a run; blocks at rest
+                                are then left out of steps. 0 (default): no block sleeps. Worlds with
+                                HS_STIFFNESS_NONE or meshes do not sleep */
 } hs_world_def;
 
 /** How a block is made. Fill it with hs_block_def_init(). */
@@ -118,9 +119,9 @@ typedef struct hs_world_report {
   double block_strain_energy; /**< of affine blocks and meshes, now; counts in the residual */
   double block_damping_loss; /**< in affine blocks and meshes, so far; counts in the residual */
   int64_t divided_steps;     /**< steps so far that fast blocks have divided */
-  double max_penetration_ratio; /**< largest penetration at which springs stop two blocks, over the thinner block's thickness, so far. Above
-                                  0.25 increase the normal stiffness; from 0.5 on blocks may pass through each other. See
-                                  docs/concepts/impact.md */
+  double max_penetration_ratio; /**< largest penetration at which springs stop two blocks, over the thinner block's
+                                  thickness, so far. Above 0.25 increase the normal stiffness; from 0.5 on blocks
+                                  may pass through each other. See docs/concepts/impact.md */
   double peak_overlap;       /**< largest overlap so far, at every detection; by potentials in space, whose steps find no overlaps, now */
   double peak_speed;         /**< largest speed so far of all blocks that move freely, at the end of every step and part of one */
   int64_t sleeping_count;    /**< blocks that sleep now */
@@ -271,10 +272,11 @@ HS_CHECKED hs_status hs_world_step(hs_world *world, int64_t steps);
  *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY */
 HS_CHECKED hs_status hs_world_get_report(hs_world *world, hs_world_report *report, size_t size);
 
-/** @brief The contacts of the last detection, block a before b; none after a change of poses, blocks or laws. Those by laws with springs
- *  come first, one a pair, sorted by block index; their forces are 0 until they are evaluated. Those by laws without springs follow, one
- *  a point, as of the end of the last step: a vertex at a face, or two edges. In the step of a touch their force is the impulse that is
- *  left at the end of the step, over half the step (Li et al. 2015, sections 3 and 4).
+/** @brief The contacts of the last detection, block a before b; none after a change of poses, blocks or laws.
+ *  Contacts by laws with springs come first, one per pair, sorted by block index; their forces are 0 until they
+ *  are evaluated. Contacts by laws without springs follow, one per point, as of the end of the last step: a
+ *  vertex at a face, or two edges. In the step of a touch their force is the impulse that is left at the end of
+ *  the step, over half the step (Li et al. 2015, sections 3 and 4).
  *  @param world not NULL @param contacts receives them; may be NULL if capacity is 0 @param capacity in contacts
  *  @param count receives their number; may be NULL
  *  @return HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT */

@@ -121,7 +121,8 @@ class Fit {
     return report;
   }
 
-  /// Of a surface that is no polyhedron within a tolerance. Without a dent deeper than rounding it is folded.
+  /// Reports the deepest dent of a surface that no polyhedron fits within the tolerance. A surface without a
+  /// dent deeper than rounding is folded.
   void describe_dent(double rounding, FitReport& report) const {
     const Dent dent = largest_dent(surface_, moved_by(hull_, -origin_));
     if (!(dent.depth > rounding)) {

@@ -288,7 +288,7 @@ EnergySample Integrator<D>::kick() {
   return all;
 }
 
-/// What the first half of the kick has told of the blocks' velocities is told anew.
+/// Adds the velocity changes of contacts to the velocities, and samples the blocks' energy again.
 template <int D>
 void Integrator<D>::take_kicks(EnergySample& sample) {
   EnergySample all;

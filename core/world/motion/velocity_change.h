@@ -55,7 +55,7 @@ class VelocityChange {
     of_node_.clear();
   }
 
-  // What has been added to the world since has none.
+  // Blocks and nodes added to the world since have none.
   Vector<D> of_node(std::size_t node) const { return of(of_node_, node, Vector<D>(Vector<D>::Zero())); }
   Vector<D> of_block(std::size_t slot) const { return of(of_block_, slot, Vector<D>(Vector<D>::Zero())); }
   Angular<D> momentum(std::size_t slot) const { return of(momentum_, slot, Angular<D>(Angular<D>::Zero())); }

@@ -1817,10 +1817,10 @@ extern "C" {
     ) -> hs_status;
 
     /// The contacts of the last detection, block a before b; none after a change of poses, blocks or laws.
-    /// Those by laws with springs come first, one a pair, sorted by block index; their forces are 0 until
-    /// they are evaluated. Those by laws without springs follow, one a point, as of the end of the last step:
-    /// a vertex at a face, or two edges. In the step of a touch their force is the impulse that is left at
-    /// the end of the step, over half the step (Li et al. 2015, sections 3 and 4).
+    /// Contacts by laws with springs come first, one per pair, sorted by block index; their forces are 0
+    /// until they are evaluated. Contacts by laws without springs follow, one per point, as of the end of the
+    /// last step: a vertex at a face, or two edges. In the step of a touch their force is the impulse that is
+    /// left at the end of the step, over half the step (Li et al. 2015, sections 3 and 4).
     ///
     /// - `world`: not NULL
     /// - `contacts`: receives them; may be NULL if capacity is 0
