@@ -5,7 +5,7 @@
 #include "pose_and_vector.h"
 #include "strided_view.h"
 
-// Angular velocities and torques have three components at the interface. In the plane z alone counts.
+// Angular velocities and torques have three components in the C interface; in 2D only z is used.
 
 namespace halfspace::capi {
 
@@ -28,18 +28,18 @@ Angular<D> read_finite_angular(const double* values, const char* name) {
   return angular;
 }
 
-/// The energy that a block would have is so far below infinity that sums over blocks stay finite. `prefix`
-/// stands before the arguments' names.
+/// Refuses a kinetic energy so large that sums over blocks could overflow. `prefix` precedes the names of the
+/// arguments in the error text.
 template <int D>
 void require_energy(double mass, const Inertia<D>& inertia, const Rotation<D>& rotation,
                     const Vector<D>& velocity, const Angular<D>& spin, const char* prefix = "") {
   constexpr double largest = 1e300;
   const double energy = 0.5 * (mass * velocity.squaredNorm() + spin.dot(inertia.momentum(spin, rotation)));
   if (energy <= largest) return;
-  refuse(
-      HS_ERROR_ARGUMENT,
-      "%svelocity and %sangular_velocity are up to %g and %g: a kinetic energy of %g; it must be at most %g",
-      prefix, prefix, velocity.cwiseAbs().maxCoeff(), spin.cwiseAbs().maxCoeff(), energy, largest);
+  refuse(HS_ERROR_ARGUMENT,
+         "%svelocity and %sangular_velocity have max components of %g and %g: the kinetic energy is %g; it "
+         "must be at most %g",
+         prefix, prefix, velocity.cwiseAbs().maxCoeff(), spin.cwiseAbs().maxCoeff(), energy, largest);
 }
 
 template <int D>

@@ -8,18 +8,17 @@
 
 namespace halfspace::capi {
 
-/// As long as it lives the processor computes as it does by default: rounds to nearest, keeps numbers near 0,
-/// and lets what is not a number pass. Hosts may have it otherwise, as Fortran programs that end at the first
-/// invalid operation; but lanes that a mask takes out later hold such numbers, compilers work ahead of
-/// comparisons, and results shall have the same bits in every host. In the end all is as the host had it,
-/// flags of exceptions among it.
+/// Sets the default floating-point environment during its lifetime: round to nearest, subnormal numbers, no
+/// traps. The destructor restores the host's environment, including exception flags. Hosts may enable traps,
+/// as Fortran programs do; but masked lanes may hold NaN, compilers evaluate speculatively, and results must
+/// be bit-identical in every host.
 class DefaultArithmetic {
  public:
   DefaultArithmetic(const DefaultArithmetic&) = delete;
   DefaultArithmetic& operator=(const DefaultArithmetic&) = delete;
 
 #ifdef __SSE2__
-  // All that the library computes is in the registers that this word controls. It costs little to look at.
+  // This register controls all arithmetic of the library. Reading it is cheap.
   DefaultArithmetic() : of_host_(_mm_getcsr()) {
     if ((of_host_ & ~unsigned(_MM_EXCEPT_MASK)) != all_traps_off) _mm_setcsr(all_traps_off);
   }

@@ -79,7 +79,7 @@ hs_status hs_context_create(const hs_context_def* def, hs_context** context) {
     require_pointer(context, "context");
     const hs_context_def known = def ? read_definition(def, "def") : default_definition<hs_context_def>();
     if (!known.allocate != !known.release)
-      refuse(HS_ERROR_ARGUMENT, "set allocate and release both, or neither");
+      refuse(HS_ERROR_ARGUMENT, "def.allocate or def.release is NULL; set both or neither");
     require(known.threads >= 1 && known.threads <= most_threads, known.threads, "threads", "from 1 to 256");
     HostMemory memory(known);
     *context = create_in<hs_context>(memory, known);
@@ -100,5 +100,5 @@ void hs_context_destroy(hs_context* context) {
 }
 
 const char* hs_context_last_error(const hs_context* context) {
-  return context ? context->last_error : "no context: a handle was NULL";
+  return context ? context->last_error : "no context: the context or a handle was NULL";
 }

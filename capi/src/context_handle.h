@@ -8,7 +8,7 @@
 #include "halfspace/context.h"
 #include "threads/threads.h"
 
-/// Work as core has cut it.
+/// A parallel task of core.
 struct hs_task {
   void (*work)(void* data, int worker);
   void* data;
@@ -16,7 +16,7 @@ struct hs_task {
 
 namespace halfspace::capi {
 
-/// The host's allocator, or the C library's, behind the interface that core takes.
+/// Memory resource of core: the host's allocator, or by default the C library's.
 class HostMemory : public std::pmr::memory_resource {
  public:
   explicit HostMemory(const hs_context_def& def) : def_(def) {}
@@ -29,7 +29,7 @@ class HostMemory : public std::pmr::memory_resource {
   hs_context_def def_;
 };
 
-/// The host's scheduler behind the interface that core takes.
+/// Threads of core: the host's scheduler.
 class HostThreads : public Threads {
  public:
   explicit HostThreads(const hs_context_def& def) : def_(def) {}
@@ -44,7 +44,7 @@ class HostThreads : public Threads {
   hs_context_def def_;
 };
 
-/// None for one thread.
+/// Returns NULL for one thread.
 std::unique_ptr<Threads> threads_of(const hs_context_def& def);
 
 }  // namespace halfspace::capi
@@ -59,7 +59,7 @@ struct hs_context {
 
 namespace halfspace::capi {
 
-/// A handle's object, in memory of the host.
+/// Creates and destroys the object of a handle in memory of the host.
 template <class T, class... Arguments>
 T* create_in(HostMemory& memory, Arguments&&... arguments) {
   void* place = memory.allocate(sizeof(T), alignof(T));
@@ -76,7 +76,7 @@ void destroy_in(HostMemory& memory, T* object) {
   memory.deallocate(object, sizeof(T), alignof(T));
 }
 
-/// The same in the context's memory.
+/// Likewise, in the memory of the context.
 template <class T, class... Arguments>
 T* create(hs_context* context, Arguments&&... arguments) {
   return create_in<T>(context->memory, std::forward<Arguments>(arguments)...);

@@ -6,12 +6,12 @@ namespace halfspace::capi {
 
 // Detection of one pair in either dimension. The cache may be NULL.
 
-/// Detects by looking at the shapes. Refuses poses and a cache that are wrong.
+/// Detects from the shapes. Refuses invalid poses and caches.
 template <int D>
 void judge(const PosedPair<D>& posed, const PairOptions& options, hs_pair_cache* cache, Memory* room,
            hs_contact& out);
 
-/// Detects by the proof in the cache, or else by looking at the shapes.
+/// Detects from the separation proof in the cache, or else from the shapes.
 template <int D>
 void detect(const PosedPair<D>& posed, const PairOptions& options, hs_pair_cache* cache, Memory* room,
             hs_contact& out) {

@@ -11,7 +11,7 @@
 
 namespace halfspace::capi {
 
-/// Why a call is refused. Thrown inside the guard only.
+/// Status and text of a refused call. It is thrown inside the guard only.
 struct Refusal {
   hs_status status;
   char text[400];
@@ -32,9 +32,9 @@ inline void report(hs_context* context, const char* function, const char* text) 
   if (context) std::snprintf(context->last_error, sizeof context->last_error, "%s: %s", function, text);
 }
 
-/// Turns what the body throws into a status and a text. Single pairs are detected so, which raise no trap:
-/// setting the processor's arithmetic waits for all that it computes, for a tenth of a pair's time
-/// (bench_pairs_3d, November 2026).
+/// Calls the body and converts exceptions into a status and an error text. Detection of single pairs uses it,
+/// as it triggers no traps: setting the floating-point environment stalls the pipeline, which costs a tenth
+/// of a pair (bench_pairs_3d, November 2026).
 template <class Body>
 hs_status guarded_in_arithmetic_of_host(hs_context* context, const char* function, Body&& body) noexcept {
   try {
@@ -54,8 +54,8 @@ hs_status guarded_in_arithmetic_of_host(hs_context* context, const char* functio
   }
 }
 
-/// The one guard around every other fallible entry point: runs the body, turns what it throws into a status
-/// and a text. Nothing passes. The body computes as processors do by default, whatever the host has set.
+/// The guard of all other functions that can fail: no exception leaves it. The body runs in the default
+/// floating-point environment, whatever the host has set.
 template <class Body>
 hs_status guarded(hs_context* context, const char* function, Body&& body) noexcept {
   const DefaultArithmetic arithmetic;

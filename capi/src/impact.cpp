@@ -43,11 +43,11 @@ struct MemberName {
   char characters[40];
 };
 
-/// The change in the duration of component i, which is given per time.
+/// Component i of a rate times the duration.
 double read_change(const double* rate, int i, double duration, double largest, const char* name) {
   const double change = duration * rate[i];
   if (!(std::abs(change) <= largest)) {
-    refuse(HS_ERROR_ARGUMENT, "%s[%d] is %g; times the duration it must be at most %g", name, i, rate[i],
+    refuse(HS_ERROR_ARGUMENT, "%s[%d] is %g; times duration it must be at most %g", name, i, rate[i],
            largest);
   }
   return change;
@@ -80,8 +80,8 @@ Sweep<D> read_motion(const hs_motion_def* given, double duration, const char* na
   require_gradient<D>(gradient + stretch, MemberName(name, "gradient at the end"));
   if (const std::optional<Collapse> collapse = collapse_on_the_way<D>(gradient, stretch)) {
     refuse(HS_ERROR_ARGUMENT,
-           "%s.gradient_rate turns the shape inside out: its volume is %g of that at the start"
-           " after %g of the duration",
+           "%s.gradient_rate inverts the shape: its volume is %g times the initial volume after a fraction "
+           "%g of duration",
            name, collapse->volume, collapse->time);
   }
   sweep.gradient = start.rotation.tensor() * gradient;

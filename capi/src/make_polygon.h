@@ -5,7 +5,8 @@
 
 namespace halfspace::capi {
 
-/// A shape from vertices in either order; refuses faulty ones. `name` says in the text what they are.
+/// Creates a shape from vertices in either order; refuses faulty vertices. `name` is their name in the error
+/// text.
 hs_shape* make_polygon(hs_context* context, const Array<Vector<2>>& vertices, const char* name);
 
 }  // namespace halfspace::capi

@@ -10,10 +10,10 @@ using namespace halfspace::capi;
 
 namespace {
 
-/// Nodes and cells are numbered by 32 bits.
+/// Nodes and cells have 32-bit indices.
 constexpr int bits_of_nodes = 28;
 
-/// Names the argument, the cell and the node at fault, with its place if it has one.
+/// Refuses a mesh. The text names the argument, the faulty cell and the faulty node with its position.
 template <int D>
 [[noreturn]] void refuse_mesh(const Mesh<D>& mesh, const MeshFaultReport& report,
                               std::span<const std::int32_t> kinds, std::size_t cell_node_count) {
@@ -21,18 +21,18 @@ template <int D>
   const auto cell = static_cast<long long>(report.cell), node = static_cast<long long>(report.node);
   switch (report.fault) {
     case MeshFault::no_cells:
-      refuse(HS_ERROR_ARGUMENT, "cell_count is 0; a mesh has at least one cell");
+      refuse(HS_ERROR_ARGUMENT, "cell_count is 0; it must be at least 1");
     case MeshFault::wrong_kind:
-      refuse(HS_ERROR_ARGUMENT, "cell_kinds[%lld] is %d; it must be an HS_CELL_ value of %d dimensions", cell,
+      refuse(HS_ERROR_ARGUMENT, "cell_kinds[%lld] is %d; it must be an HS_CELL_ value of dimension %d", cell,
              kinds[std::size_t(cell)], D);
     case MeshFault::wrong_count:
       refuse(HS_ERROR_ARGUMENT, "cell_node_count is %zu; cell_kinds need %s", cell_node_count,
              cell < 0 ? "fewer" : "more");
     case MeshFault::no_such_node:
-      refuse(HS_ERROR_ARGUMENT, "cell %lld names node %lld; nodes.count is %zu", cell, node,
-             mesh.nodes.size());
+      refuse(HS_ERROR_ARGUMENT, "cell %lld has node %lld; it must be below nodes.count, which is %zu", cell,
+             node, mesh.nodes.size());
     case MeshFault::node_twice:
-      refuse(HS_ERROR_GEOMETRY, "cell %lld names node %lld twice", cell, node);
+      refuse(HS_ERROR_GEOMETRY, "cell %lld has node %lld twice", cell, node);
     case MeshFault::out_of_range:
     case MeshFault::unused_node:
       refuse(report.fault == MeshFault::unused_node ? HS_ERROR_GEOMETRY : HS_ERROR_ARGUMENT,

@@ -7,7 +7,7 @@
 #include "halfspace/mesh.h"
 #include "require.h"
 
-/// The part of a handle that meshes of either dimension have. The mesh itself follows, see MeshHandle.
+/// Members of handles of both dimensions. MeshHandle adds the mesh.
 struct hs_mesh {
   hs_context* context;
   std::int32_t dimension;
@@ -16,7 +16,7 @@ struct hs_mesh {
 
 namespace halfspace::capi {
 
-/// A mesh behind its handle.
+/// Handle with its mesh.
 template <int D>
 struct MeshHandle : hs_mesh {
   MeshHandle(hs_context* owner, Mesh<D>&& made)
@@ -27,14 +27,14 @@ struct MeshHandle : hs_mesh {
 
 inline hs_context* context_of(const hs_mesh* mesh) { return mesh ? mesh->context : nullptr; }
 
-/// Calls use(mesh) with the Mesh<2> or Mesh<3> that the handle is.
+/// Calls use(mesh) with the Mesh<2> or Mesh<3> of the handle.
 template <class Use>
 auto visit(const hs_mesh& handle, Use&& use) {
   return handle.dimension == 2 ? use(static_cast<const MeshHandle<2>&>(handle).mesh)
                                : use(static_cast<const MeshHandle<3>&>(handle).mesh);
 }
 
-/// The mesh of a body for a world of D dimensions.
+/// Returns the mesh for a body in a world of D dimensions; refuses the other dimension.
 template <int D>
 const Mesh<D>& require_mesh(const hs_mesh* mesh) {
   require_pointer(mesh, "mesh");

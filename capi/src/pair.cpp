@@ -40,8 +40,8 @@ void require_for(int dimension, const PairOptions& options) {
 
 namespace {
 
-/// hs_pair_detect() when it takes more than the proof in the cache; apart from it, so that the proof is all
-/// that is paid for there.
+/// hs_pair_detect() without a valid separation proof. It is a function of its own, so that a call with a
+/// valid proof stays cheap.
 [[gnu::noinline]] hs_status detect_guarded(const hs_shape* shape_a, const hs_pose* pose_a,
                                            const hs_shape* shape_b, const hs_pose* pose_b,
                                            const hs_pair_options* options, hs_pair_cache* cache,
@@ -62,8 +62,8 @@ namespace {
   });
 }
 
-/// The contact of blocks that detect_cold() has found to overlap. What it knows of the poses is handed over
-/// in registers.
+/// Describes the contact of blocks for which detect_cold() has found an overlap. Its results are passed in
+/// registers.
 [[gnu::noinline]] hs_status describe_guarded(const hs_shape& a, const hs_pose& at_a, const hs_shape& b,
                                              const hs_pose& at_b, int owner, int edge, hs_contact& out,
                                              Rotation<2> b_in_a, TwoLanes to_b, Rotation<2> frame_of_a) {
@@ -77,8 +77,8 @@ namespace {
   });
 }
 
-/// hs_pair_detect() without cache and options, for blocks within most_combinations: the proof of separation
-/// passes no guard, as nothing on its way throws.
+/// hs_pair_detect() without cache and options, for polygons within most_combinations. The path of separated
+/// polygons needs no guard, as nothing on it throws.
 template <int most_vertices>
 [[gnu::always_inline]] inline hs_status detect_cold(const hs_shape& a, const hs_pose& at_a, const hs_shape& b,
                                                     const hs_pose& at_b, hs_contact* contact) {
@@ -96,15 +96,15 @@ template <int most_vertices>
                           TwoLanes{to_b.x(), to_b.y()}, frames.of_a());
 }
 
-/// The same where a call costs little beside the vertices.
+/// Likewise, not inlined: the call is cheap compared with the vertices.
 template <int most_vertices>
 [[gnu::noinline]] hs_status detect_cold_by_call(const hs_shape& a, const hs_pose& at_a, const hs_shape& b,
                                                 const hs_pose& at_b, hs_contact* contact) {
   return detect_cold<most_vertices>(a, at_a, b, at_b, contact);
 }
 
-/// hs_pair_detect() with a cache and without options, of what are not two polygons; apart, so that polygons
-/// do not pay for the registers that it takes.
+/// hs_pair_detect() with a cache and without options, unless both shapes are polygons. It is a function of
+/// its own, so that polygons need not save its registers.
 [[gnu::noinline]] hs_status detect_in_space(const hs_shape* shape_a, const hs_pose* pose_a,
                                             const hs_shape* shape_b, const hs_pose* pose_b,
                                             hs_pair_cache* cache, hs_contact* contact) {

@@ -12,7 +12,7 @@ void require_state(const hs_pair_cache& cache) {
   }
 }
 
-/// `last` is the last that is allowed, and `when` says for what pairs.
+/// `last` is the last allowed kind; `when` names the pairs in the error text.
 void require_kind(const hs_pair_cache& cache, NamedPair::Kind last, const char* when) {
   if (cache.pair_kind < NamedPair::face_vertex || cache.pair_kind > last) {
     refuse(HS_ERROR_ARGUMENT, "cache->pair_kind is %d; for %s it must be from 0 to %d", cache.pair_kind, when,
@@ -20,7 +20,7 @@ void require_kind(const hs_pair_cache& cache, NamedPair::Kind last, const char* 
   }
 }
 
-/// `features` says in words what the shape has `count` of.
+/// The shape has `count` features; `features` is their name in the error text.
 void require_index(std::int32_t index, int count, const char* name, const char* features) {
   if (!is_below(index, count)) {
     refuse(HS_ERROR_ARGUMENT, "cache->%s is %d; the shape has %d %s", name, index, count, features);
@@ -58,7 +58,7 @@ PairCache<3> read_cache(const hs_pair_cache& cache, const PosedPair<3>& posed) {
   require_feature(cache.feature_b, features.b, posed.b, "feature_b");
   PairCache<3> witness{PairState::State(cache.state), pair_in(cache)};
   if (is_separated) {
-    // A plane that has kept other shapes apart is not remembered.
+    // The separating plane of other shapes is ignored.
     if (cache.shapes != fingerprint_of(posed)) return {};
     for (const double component : cache.normal) require_finite(component, "cache->normal");
     witness.proof = Vector<3>(cache.normal);

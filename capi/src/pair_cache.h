@@ -7,16 +7,16 @@
 
 namespace halfspace::capi {
 
-/// The remembered pair, not checked.
+/// The cached pair, not validated.
 inline NamedPair pair_in(const hs_pair_cache& cache) {
   return {NamedPair::Kind(cache.pair_kind), cache.feature_a, cache.feature_b};
 }
 
-/// The witness of a pair in a cache, checked.
+/// The state of a pair from its cache, validated.
 PairCache<2> read_cache(const hs_pair_cache& cache, const PosedPair<2>& posed);
 PairCache<3> read_cache(const hs_pair_cache& cache, const PosedPair<3>& posed);
 
-/// Writes the witness, and of a separated pair the proof in what has been found.
+/// Writes the state of a pair and, if it is separated, the separation proof from the contact `found`.
 template <int D>
 void write_cache(const PairCache<D>& witness, const PosedPair<D>& posed, const hs_contact& found,
                  hs_pair_cache& cache) {
@@ -29,7 +29,7 @@ void write_cache(const PairCache<D>& witness, const PosedPair<D>& posed, const h
   if (witness.state == PairCache<D>::separated) keep_proof(posed, found.normal, found.gap, cache);
 }
 
-/// The answer when the pair is still proven to be separated by more than the margin.
+/// If the separation proof still implies a gap above the margin, writes the contact and returns true.
 template <int D>
 [[gnu::always_inline]] inline bool answer_by_proof(const PosedPair<D>& posed, const hs_pair_cache& cache,
                                                    hs_contact& out, double margin = 0) {

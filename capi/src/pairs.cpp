@@ -23,15 +23,15 @@ hs_status hs_pairs_detect(hs_context* context, const hs_shape* const shapes[], c
     }
     const PairOptions known = read_options(options);
 
-    // All input is judged before anything is written.
+    // All input is validated before anything is written.
     for (std::int64_t i = 0; i < body_count; ++i) {
       require_pointer(shapes[i], {"shapes", i});
       visit(*shapes[i], [&]<int D>(const Shape<D>&) { read_pose<D>(&poses[i], {"poses", i}); });
     }
     for (std::int64_t i = 0; i < 2 * pair_count; ++i) {
       if (pairs[i] < 0 || pairs[i] >= body_count) {
-        refuse(HS_ERROR_ARGUMENT, "pairs[%lld] is %d; there are %lld bodies", static_cast<long long>(i),
-               pairs[i], static_cast<long long>(body_count));
+        refuse(HS_ERROR_ARGUMENT, "pairs[%lld] is %d; it must be >= 0 and below body_count, which is %lld",
+               static_cast<long long>(i), pairs[i], static_cast<long long>(body_count));
       }
     }
     const auto visit_pair = [&](std::int64_t i, auto use) {

@@ -23,24 +23,25 @@ using Points = Array<Vector<2>>;
   refuse_points<2>(points, report.vertex, name, name, fault_text(report.fault));
 }
 
-/// Another end than the one called so.
+/// Reads a point that must differ from `end`, whose name is `name_of_end`.
 Vector<2> read_other_end(const double point[3], const char* name, const Vector<2>& end,
                          const char* name_of_end) {
   const Vector<2> other = read_finite_vector<2>(point, name);
   if (other == end) {
-    refuse(HS_ERROR_ARGUMENT, "%s is %s; it must not be where %s is", name, PointText(other).characters,
+    refuse(HS_ERROR_ARGUMENT, "%s is %s; it must differ from %s", name, PointText(other).characters,
            name_of_end);
   }
   return other;
 }
 
-/// The other end of the segment that follows at `joint`, in line with the one from `from` when not given.
+/// Reads the other end of the neighbour at `joint` of a segment that starts at `from`. NULL is a collinear
+/// neighbour.
 Vector<2> read_neighbour(const double point[3], const char* name, const Vector<2>& from,
                          const Vector<2>& joint, const char* name_of_joint) {
   if (!point) return 2 * joint - from;
   const Vector<2> other = read_other_end(point, name, joint, name_of_joint);
   if (turn(from, joint, other) == Turn::straight && (joint - from).dot(other - joint) < 0) {
-    refuse(HS_ERROR_ARGUMENT, "%s is %s; from %s the chain must not go straight back", name,
+    refuse(HS_ERROR_ARGUMENT, "%s is %s; the chain must not reverse its direction at %s", name,
            PointText(other).characters, name_of_joint);
   }
   return other;
@@ -94,7 +95,7 @@ hs_status hs_polygon_create_boundary(hs_context* context, const double before[3]
     const Points vertices = polygon_behind(segment, depth, &context->memory);
     const FaultReport report = vertices.empty() ? FaultReport{Fault::zero_area} : check_polygon(vertices);
     if (report.fault != Fault::none) {
-      refuse(HS_ERROR_GEOMETRY, "depth is %g; what is so far behind first %s and second %s %s", depth,
+      refuse(HS_ERROR_GEOMETRY, "depth is %g; the polygon behind first %s and second %s %s", depth,
              PointText(start).characters, PointText(end).characters, fault_text(report.fault));
     }
     return create<ShapeHandle<2>>(context, context, std::span(vertices));

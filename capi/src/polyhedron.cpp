@@ -16,11 +16,11 @@ using namespace halfspace::capi;
 
 namespace {
 
-/// What a polyhedron is made of is numbered by 32 bits, also while it is made: a hull has up to six corners
-/// of facets to a point.
+/// Vertices, edges and faces have 32-bit indices, also during construction: a hull has up to six facet
+/// corners per point.
 constexpr int bits_of_points = 26;
 
-/// Vertices and loops as the host has them.
+/// Reads vertices and faces; refuses invalid counts.
 Polyhedron read_polyhedron(hs_context* context, const hs_view& vertices, const std::int32_t* face_sizes,
                            std::int64_t face_count, const std::int32_t* face_vertices) {
   require_numbered(vertices.count, "vertices.count", bits_of_points);
@@ -55,7 +55,7 @@ Polyhedron read_polyhedron(hs_context* context, const hs_view& vertices, const s
   refuse_points<3>(vertices, report.vertex, "vertices", "vertices", text);
 }
 
-/// Only points out of range are faulty each by itself; what else is wrong concerns the whole.
+/// Only points out of range are faulty individually; other faults concern all points.
 [[noreturn]] void refuse_hull(const PolyhedronFault& report, const Array<Vector<3>>& points) {
   const bool is_one = report.fault == Fault::out_of_range;
   refuse_points<3>(points, is_one ? report.vertex : -1, "points", "hull of points", fault_text(report.fault));
@@ -72,9 +72,9 @@ hs_fit_report to_report(const FitReport& fit) {
 
 [[noreturn]] void refuse_fit(const FitReport& report, double tolerance, const Array<Vector<3>>& vertices) {
   if (report.fault.fault != Fault::beyond_tolerance) refuse_polyhedron(report.fault, vertices);
-  char remedy[48] = "no tolerance below its size would do";
+  char remedy[48] = "no tolerance below its size is sufficient";
   if (report.sufficient > 0)
-    std::snprintf(remedy, sizeof remedy, "a tolerance of %.2g would do", report.sufficient);
+    std::snprintf(remedy, sizeof remedy, "a tolerance of %.2g is sufficient", report.sufficient);
   refuse(HS_ERROR_GEOMETRY, "face %lld has a dent %.3g deep at vertices[%lld] = %s; tolerance is %g, %s",
          static_cast<long long>(report.fault.face), report.deviation,
          static_cast<long long>(report.fault.vertex),
@@ -154,7 +154,7 @@ hs_status hs_polyhedron_create_from_halfspaces(hs_context* context, hs_view norm
       halfspaces.push_back({read_point<3>(normals, i), offsets[i]});
 
     Polyhedron polyhedron(&context->memory);
-    std::int64_t redundant = 0;  // the host sees it by the number of faces
+    std::int64_t redundant = 0;  // the number of faces shows it
     const PolyhedronFault report = polyhedron_from_halfspaces(halfspaces, polyhedron, redundant);
     if (report.fault != Fault::none) refuse_halfspaces(report, halfspaces);
     return create<ShapeHandle<3>>(context, context, polyhedron);

@@ -6,10 +6,10 @@
 
 namespace halfspace::capi {
 
-/// A pose as core reads it.
+/// A pose as core takes it.
 inline GivenPose given(const hs_pose& pose) { return {pose.position, pose.rotation}; }
 
-/// Says which part of a pose is wrong. Only called when one is.
+/// Refuses an invalid pose. The text names the faulty component.
 template <int D>
 [[noreturn]] void refuse_pose(const GivenPose& pose, const ArgumentName& argument) {
   const NameText name(argument);
@@ -37,7 +37,7 @@ Pose<D> read_pose(const hs_pose* pose, const ArgumentName& name) {
   return pose_of<D>(given(*pose));
 }
 
-/// The pose of a block of a world.
+/// Reads the pose of a block of a world, whose position is limited by its radius.
 template <int D>
 Pose<D> read_place(const hs_pose* pose, double radius, const ArgumentName& name) {
   const Pose<D> place = read_pose<D>(pose, name);
@@ -45,8 +45,8 @@ Pose<D> read_place(const hs_pose* pose, double radius, const ArgumentName& name)
   for (int i = 0; i < D; ++i) {
     if (std::abs(place.position[i]) <= farthest) continue;
     refuse(HS_ERROR_ARGUMENT,
-           "%s->position[%d] is %g; for a block of radius %g it must be at most %g, as rounding would "
-           "move it by too large a part of its size",
+           "%s->position[%d] is %g; for a block of radius %g it must be at most %g, to limit rounding "
+           "relative to its size",
            NameText(name).characters, i, place.position[i], radius, farthest);
   }
   return place;
@@ -60,7 +60,7 @@ Vector<D> read_finite_vector(const double* values, const char* name) {
   return vector;
 }
 
-/// The third component, 0 in the plane.
+/// The third component, 0 in 2D.
 template <class Vector>
 double z_of(const Eigen::MatrixBase<Vector>& v) {
   if constexpr (Vector::SizeAtCompileTime == 2) {

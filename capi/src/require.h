@@ -9,7 +9,8 @@
 
 namespace halfspace::capi {
 
-/// The name of an argument in a refusal: "pose", or "poses[3]" for one of an array. Put into words only then.
+/// The name of an argument in an error text: "pose", or "poses[3]" for an array element. It is formatted on
+/// refusal only.
 struct ArgumentName {
   ArgumentName(const char* alone) : name(alone) {}
   ArgumentName(const char* array, std::int64_t at) : name(array), index(at) {}
@@ -36,7 +37,7 @@ inline double require_finite(double value, const char* name) {
   return value;
 }
 
-/// `range` says in words what `holds` checked.
+/// `range` describes the condition `holds` in the error text.
 inline double require(bool holds, double value, const char* name, const char* range) {
   if (!holds) refuse(HS_ERROR_ARGUMENT, "%s is %g; it must be %s", name, value, range);
   return value;
@@ -54,7 +55,7 @@ inline void require_count(std::int64_t count, const char* name) {
     refuse(HS_ERROR_ARGUMENT, "%s is %lld; it must be >= 0", name, static_cast<long long>(count));
 }
 
-/// The count of what is numbered by so many bits.
+/// Refuses a count above 2^bits.
 inline void require_numbered(std::int64_t count, const char* name, int bits) {
   require_count(count, name);
   if (count > std::int64_t(1) << bits) {
@@ -70,7 +71,7 @@ inline double require_component(double value, const char* name, int i) {
   return value;
 }
 
-/// A point in words, "(1, 2)".
+/// A point as text, "(1, 2)".
 struct PointText {
   template <int D>
   explicit PointText(const Eigen::Matrix<double, D, 1>& p) {
@@ -84,7 +85,7 @@ struct PointText {
   char characters[96];
 };
 
-/// Refuses points for the faulty one or, below 0, all of them, which are called `whole` then.
+/// Refuses points. The text names point `faulty` or, if that is below 0, all points as `whole`.
 template <int D>
 [[noreturn]] void refuse_points(const Array<Vector<D>>& points, std::int64_t faulty, const char* name,
                                 const char* whole, const char* fault) {

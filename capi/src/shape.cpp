@@ -10,9 +10,10 @@ using namespace halfspace::capi;
 
 namespace {
 
-// What both dimensions have, under one name each. In the plane the edges stand for the faces.
+// Common functions of both dimensions. In 2D the edges take the place of the faces.
 
-/// The vertices of all faces one face after the other: where those of a face begin, and the one at a place.
+/// The vertices of all faces, face after face: index of the first vertex of a face, and the vertex at an
+/// index.
 int begin_of_face(const Shape<2>&, int face) { return 2 * face; }
 int begin_of_face(const Shape<3>& s, int face) { return s.topology().first_of_face[face]; }
 int face_vertex(const Shape<2>& s, int place) { return (place + 1) / 2 % s.vertex_count(); }

@@ -25,7 +25,7 @@ Plane<D> read_plane(const double* point, const double* normal) {
     plane.normal[i] = require_finite(normal[i], "normal");
   }
   if (plane.normal.isZero(0)) {
-    refuse(HS_ERROR_ARGUMENT, "normal is %s; it must have a direction", PointText(plane.normal).characters);
+    refuse(HS_ERROR_ARGUMENT, "normal is %s; it must not be 0", PointText(plane.normal).characters);
   }
   return plane;
 }
@@ -35,7 +35,7 @@ struct Parts {
   hs_shape* ahead = nullptr;
 };
 
-/// Makes both parts or, when there is no memory for the second or it is faulty, none.
+/// Makes both parts, or none if the second one fails.
 template <class Part, class Make>
 Parts make_parts(const Part& behind, const Part& ahead, Make make) {
   Parts parts;

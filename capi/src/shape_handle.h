@@ -6,11 +6,11 @@
 #include "halfspace/shape.h"
 #include "require.h"
 
-/// The part that shapes of either dimension have. The shape itself follows, see ShapeHandle.
+/// Members of handles of both dimensions. ShapeHandle adds the shape.
 struct hs_shape {
   int dimension() const { return polygon_vertices < no_polygon ? 2 : 3; }
 
-  /// Beyond any limit to the vertices of polygons, so that a comparison with one tells polyhedra as well.
+  /// Above any limit on polygon vertices, so that a comparison with the limit also excludes polyhedra.
   static constexpr std::int32_t no_polygon = INT32_MAX;
 
   hs_context* context;
@@ -19,7 +19,7 @@ struct hs_shape {
 
 namespace halfspace::capi {
 
-/// A shape behind its handle.
+/// Handle with its shape.
 template <int D>
 struct ShapeHandle : hs_shape {
   template <class Source>
@@ -39,7 +39,7 @@ const Shape<D>& as(const hs_shape& handle) {
   return static_cast<const ShapeHandle<D>&>(handle).shape;
 }
 
-/// Calls use(shape) with the Shape<2> or Shape<3> that the handle is.
+/// Calls use(shape) with the Shape<2> or Shape<3> of the handle.
 template <class Use>
 auto visit(const hs_shape& handle, Use&& use) {
   return handle.dimension() == 2 ? use(as<2>(handle)) : use(as<3>(handle));
@@ -56,7 +56,7 @@ hs_status make_shape(hs_context* context, hs_shape** shape, const char* function
   });
 }
 
-/// The body of an entry point: guarded, with the shape as what it is.
+/// The body of an entry point: guarded, calls use(shape) with the Shape<2> or Shape<3> of the handle.
 template <class Use>
 hs_status with_shape(const hs_shape* shape, const char* function, Use&& use) {
   return guarded(context_of(shape), function, [&] {

@@ -9,31 +9,31 @@
 
 namespace halfspace::capi {
 
-/// No struct of any version is larger: beyond it a size is garbage.
+/// Upper bound of the size of any struct of any version.
 constexpr std::size_t largest_struct = 1u << 16;
 
-/// Fills a caller's struct, whose size tells with which version of it the caller was compiled: as much of
-/// ours as it holds, and zeros for what only a later version knows.
+/// Fills a struct of the caller's version, which follows from its size: copies the fields that both versions
+/// have, and sets fields of a later version to 0.
 template <class Struct>
 void write_sized(const Struct& ours, Struct* out, std::size_t size) {
   std::memset(static_cast<void*>(out), 0, size);
   std::memcpy(static_cast<void*>(out), &ours, std::min(size, sizeof ours));
 }
 
-/// The size of a report, refused when it is below that of the report's first version.
+/// Refuses a size below that of the first version of the report.
 inline void require_report_size(std::size_t size, std::size_t first_version) {
   if (size < first_version || size > largest_struct) {
-    refuse(HS_ERROR_ARGUMENT, "size is %zu; it must be that of the struct, from %zu to %zu", size,
+    refuse(HS_ERROR_ARGUMENT, "size is %zu; it must be the size of the struct, from %zu to %zu", size,
            first_version, largest_struct);
   }
 }
 
-/// The defaults of a definition, given next to the functions that read it.
+/// The defaults of a definition; specialised next to the functions that read it.
 template <class Definition>
 Definition default_definition();
 
-/// A definition's size tells which version of it the caller was compiled with; a smaller or larger one than
-/// ours is met by reading what both know.
+/// Reads a definition of the caller's version, which follows from its size: the fields that both versions
+/// have; others keep their defaults.
 template <class Definition>
 Definition read_definition(const Definition* given, const char* name) {
   require_pointer(given, name);
@@ -48,7 +48,8 @@ Definition read_definition(const Definition* given, const char* name) {
   return known;
 }
 
-/// The init function behind every definition: the defaults, as much of them as the caller's struct holds.
+/// The body of all init functions of definitions: writes the defaults of the fields that the caller's struct
+/// has.
 template <class Definition>
 hs_status write_definition(Definition* def, std::size_t size) {
   if (!def || size < 2 * sizeof(std::uint32_t) || size > largest_struct) return HS_ERROR_ARGUMENT;

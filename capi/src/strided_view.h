@@ -27,7 +27,7 @@ void require_view(const View& view, const char* name) {
   }
 }
 
-/// The address of component `first` of point i.
+/// Address of a component of point i; `first` is its address for point 0.
 template <class Component>
 Component* at(Component* first, std::int64_t stride, std::int64_t i) {
   return first + i * (stride / std::int64_t(sizeof(double)));
@@ -54,7 +54,7 @@ Vector<D> read_finite_point(const hs_view& view, std::int64_t i, const char* nam
   return p;
 }
 
-/// The points as read(i) reads them one by one.
+/// All points of a view, each by read(i).
 template <int D, class Read>
 Array<Vector<D>> read_points(hs_context* context, const hs_view& view, const char* name, Read&& read) {
   require_view<D>(view, name);
@@ -80,7 +80,7 @@ void write_point(const hs_mutable_view& view, std::int64_t i, const Eigen::Matri
   if (view.z) *at(view.z, view.stride, i) = z_of(p);
 }
 
-/// HS_OK, or the note that `count` entries did not fit.
+/// HS_NOTE_TRUNCATED if `count` exceeds the capacity, else HS_OK.
 inline hs_status fits(std::int64_t count, std::int64_t capacity) {
   return count > capacity ? HS_NOTE_TRUNCATED : HS_OK;
 }

@@ -23,7 +23,7 @@ Tensor<D> read_finite_tensor(const double* values, const char* name) {
   return tensor;
 }
 
-/// Components are named from `first` on.
+/// `first` is the index of the first component in the error text.
 template <int D>
 Tensor<D> read_symmetric_tensor(const double* values, const char* name, int first = 0) {
   require_pointer(values, name);
@@ -33,7 +33,7 @@ Tensor<D> read_symmetric_tensor(const double* values, const char* name, int firs
   for (int i = 0; i < D; ++i) {
     for (int k = 0; k < i; ++k) {
       if (values[3 * i + k] != values[3 * k + i]) {
-        refuse(HS_ERROR_ARGUMENT, "%s[%d] is %g, %s[%d] is %g; a stress is symmetric", name,
+        refuse(HS_ERROR_ARGUMENT, "%s[%d] is %g, %s[%d] is %g; a stress must be symmetric", name,
                first + 3 * k + i, values[3 * k + i], name, first + 3 * i + k, values[3 * i + k]);
       }
     }
@@ -47,7 +47,7 @@ void write_tensor(const Tensor<D>& tensor, double out[9]) {
     for (int column = 0; column < D; ++column) out[3 * row + column] = tensor(row, column);
 }
 
-/// Refuses a gradient that turns a shape inside out or makes it flat to rounding.
+/// Refuses a deformation gradient that inverts a shape or flattens it to rounding.
 template <int D>
 void require_gradient(const Tensor<D>& gradient, const char* name) {
   const auto require_of = [&](bool holds, double value, const char* words, const char* range) {

@@ -33,7 +33,8 @@ Elasticity read_elasticity(const hs_elasticity_def* given, int dimension) {
   elasticity.lame = def.plane == HS_PLANE_STRESS ? young * poisson / (1 - poisson * poisson)
                                                  : young * poisson / ((1 + poisson) * (1 - 2 * poisson));
   elasticity.shear_modulus = young / (2 * (1 + poisson));
-  require(elasticity.shear_modulus > 0, young, "elasticity.young_modulus", "so large that it can be halved");
+  require(elasticity.shear_modulus > 0, young, "elasticity.young_modulus",
+          "so large that the shear modulus is above 0");
   elasticity.damping_time = require_from_zero(def.damping_time, "elasticity.damping_time");
   return elasticity;
 }
@@ -76,11 +77,10 @@ hs_status hs_world_set_elasticity(hs_world* world, int32_t material, const hs_el
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     require_material(w, material, "material");
     if (!w.set_elasticity(material, read_elasticity(elasticity, D))) {
-      refuse(
-          HS_ERROR_ARGUMENT,
-          "elasticity.young_modulus is %g; by that a cell of material %d has a stiffness beyond what can be "
-          "computed with",
-          elasticity->young_modulus, material);
+      refuse(HS_ERROR_ARGUMENT,
+             "elasticity.young_modulus is %g; it makes the stiffness of a cell of material %d too large to "
+             "compute; decrease it",
+             elasticity->young_modulus, material);
     }
     return HS_OK;
   });
@@ -129,7 +129,8 @@ hs_status hs_world_add_surface_load(hs_world* world, hs_block block, int32_t fac
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     const std::size_t slot = affine_slot_of(w, block);
     const int faces = w.blocks().outline(std::int32_t(slot)).face_count();
-    if (face < 0 || face >= faces) refuse(HS_ERROR_ARGUMENT, "face is %d; the block has %d", face, faces);
+    if (face < 0 || face >= faces)
+      refuse(HS_ERROR_ARGUMENT, "face is %d; the block has %d faces", face, faces);
     w.add_surface_load(std::int32_t(slot), face, read_finite_vector<D>(traction, "traction"));
     return HS_OK;
   });

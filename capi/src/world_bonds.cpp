@@ -87,8 +87,8 @@ hs_bond_event event_of(const BondEvent<D>& event) {
   return out;
 }
 
-/// Refuses a bond that would swing a block that moves freely beyond all numbers. No common face is larger
-/// than the largest of the block's own.
+/// Refuses stiffnesses that could overflow for a block that moves freely. Its largest face bounds the area of
+/// any common face.
 template <int D>
 void require_borne(const Blocks<D>& blocks, std::size_t slot, const BondLaw& law) {
   constexpr double largest = 1e300;  // so that sums over bonds stay finite
@@ -97,8 +97,8 @@ void require_borne(const Blocks<D>& blocks, std::size_t slot, const BondLaw& law
   if (stiffness * (1 / blocks.mass[slot] + blocks.strain_mobility(slot)) <= largest) return;
   refuse(
       HS_ERROR_ARGUMENT,
-      "def.normal_stiffness is %g, def.shear_stiffness is %g: too stiff for block %#llx, whose mass is %g, "
-      "to be computed with",
+      "def.normal_stiffness is %g, def.shear_stiffness is %g: too large for block %#llx of mass %g; decrease "
+      "them",
       law.normal_stiffness, law.shear_stiffness, static_cast<unsigned long long>(id_of(blocks, slot)),
       blocks.mass[slot]);
 }
@@ -120,7 +120,7 @@ hs_status hs_world_bond_blocks(hs_world* world, hs_block block_a, hs_block block
     require_borne(w.blocks(), std::size_t(a), law);
     require_borne(w.blocks(), std::size_t(b), law);
     if (!w.bond_pair(a, b, law)) {
-      refuse(HS_ERROR_STATE, "block_a %#llx and block_b %#llx have no common face, or hold together already",
+      refuse(HS_ERROR_STATE, "block_a %#llx and block_b %#llx have no common face or are bonded already",
              name(block_a), name(block_b));
     }
     return HS_OK;

@@ -11,7 +11,7 @@
 #include "require.h"
 #include "world/world.h"
 
-/// What worlds of either dimension have. The world itself follows, see WorldHandle.
+/// Members of handles of both dimensions. WorldHandle adds the world.
 struct hs_world {
   hs_context* context;
   std::int32_t dimension;
@@ -19,7 +19,7 @@ struct hs_world {
 
 namespace halfspace::capi {
 
-/// A world behind its handle.
+/// Handle with its world.
 template <int D>
 struct WorldHandle : hs_world {
   WorldHandle(hs_context* owner, const WorldSettings<D>& settings)
@@ -30,7 +30,7 @@ struct WorldHandle : hs_world {
 
 inline hs_context* context_of(const hs_world* world) { return world ? world->context : nullptr; }
 
-/// Calls use(world) with the World<2> or World<3> that the handle is.
+/// Calls use(world) with the World<2> or World<3> of the handle.
 template <class Use>
 auto visit(hs_world& handle, Use&& use) {
   return handle.dimension == 2 ? use(static_cast<WorldHandle<2>&>(handle).world)
@@ -42,7 +42,7 @@ auto visit(const hs_world& handle, Use&& use) {
                                : use(static_cast<const WorldHandle<3>&>(handle).world);
 }
 
-/// The body of an entry point: guarded, with the world as what it is.
+/// The body of an entry point: guarded, calls use(world) with the World<2> or World<3> of the handle.
 template <class Handle, class Use>
 hs_status with_world(Handle* world, const char* function, Use&& use) {
   return guarded(context_of(world), function, [&] {
@@ -51,7 +51,7 @@ hs_status with_world(Handle* world, const char* function, Use&& use) {
   });
 }
 
-/// Ids carry the slot, from 1 so that 0 is no block, and the slot's generation.
+/// An id holds the slot plus 1 (0 is no block) and the generation of the slot.
 template <int D>
 hs_block id_of(const Blocks<D>& blocks, std::size_t slot) {
   return (std::uint64_t(blocks.generation[slot]) << 32) | (slot + 1);
@@ -69,13 +69,13 @@ std::int32_t slot_of(const Blocks<D>& blocks, hs_block id, const char* name) {
   return std::int32_t(slot);
 }
 
-/// Ids of bodies are made likewise.
+/// Ids of bodies have the same format.
 template <int D>
 hs_body id_of(const Meshes<D>& meshes, std::int32_t body) {
   return (std::uint64_t(meshes.body(body).generation) << 32) | (std::uint64_t(body) + 1);
 }
 
-/// Which of the bodies an id names that are there.
+/// The index of an existing body.
 template <int D>
 std::int32_t body_of(const Meshes<D>& meshes, hs_body id, const char* name) {
   const std::uint64_t body = (id & 0xffffffffu) - 1;
@@ -95,7 +95,7 @@ void for_each_block(const Blocks<D>& blocks, Visitor&& visit) {
   }
 }
 
-/// Calls write(i, slot) for as many of them as fit, and tells how many there are.
+/// Calls write(i, slot) for as many blocks as fit, and writes their number to `count`.
 template <int D, class Write>
 hs_status write_blocks(const Blocks<D>& blocks, std::int64_t capacity, std::int64_t* count, Write&& write) {
   for_each_block(blocks, [&](std::int64_t i, std::int32_t slot) {
@@ -105,7 +105,7 @@ hs_status write_blocks(const Blocks<D>& blocks, std::int64_t capacity, std::int6
   return fits(blocks.count(), capacity);
 }
 
-/// Writes a vector and an angular one of each into the host's views; the latter may be none.
+/// Writes a vector and an angular vector per block into the host's views; the second view may be empty.
 template <int D>
 hs_status write_blocks(const Blocks<D>& blocks, const Array<Vector<D>>& vectors, const hs_mutable_view& out,
                        const Array<Angular<D>>& angulars, const hs_mutable_view& angular_out) {
@@ -117,11 +117,11 @@ hs_status write_blocks(const Blocks<D>& blocks, const Array<Vector<D>>& vectors,
   return all_angulars ? fits(blocks.count(), out.count) : HS_NOTE_TRUNCATED;
 }
 
-/// Refuses a block of a mesh, for what only its nodes can do.
+/// Refuses a block of a mesh, which only its nodes can move.
 template <int D>
 void require_no_mesh(const Blocks<D>& blocks, std::int32_t slot, const char* name) {
   if (blocks.is_of_mesh(std::size_t(slot))) {
-    refuse(HS_ERROR_STATE, "%s is %#llx, which is of a mesh: its nodes move it", name,
+    refuse(HS_ERROR_STATE, "%s is %#llx, a block of a mesh; only its nodes can be changed", name,
            static_cast<unsigned long long>(id_of(blocks, std::size_t(slot))));
   }
 }

@@ -14,7 +14,7 @@ namespace halfspace::capi {
 
 template <>
 hs_world_def default_definition() {
-  const WorldSettings<2> defaults;  // those of either dimension, but for the gravity
+  const WorldSettings<2> defaults;  // the same in both dimensions, except gravity
   hs_world_def def{};
   def.safety = defaults.safety;
   def.skin = defaults.skin;
@@ -47,7 +47,7 @@ constexpr std::size_t end_of_gravity = offsetof(hs_world_def, gravity) + sizeof 
 
 bool is_dimension(int32_t number) { return number == 2 || number == 3; }
 
-/// The default that depends on the dimension.
+/// Sets the default gravity, which depends on the dimension.
 void point_gravity_down(hs_world_def& def) { def.gravity[def.dimension - 1] = -9.81; }
 
 template <int D>
@@ -73,7 +73,8 @@ WorldSettings<D> read_settings(const hs_world_def& def) {
 
 ContactLaw read_law(const hs_law_def* given) {
   const hs_law_def def = read_definition(given, "law");
-  if (def.stiffness_kind < HS_STIFFNESS_PER_CONTACT || def.stiffness_kind > HS_STIFFNESS_NONE) {
+  if (def.stiffness_kind < HS_STIFFNESS_PER_CONTACT ||
+      StiffnessKind(def.stiffness_kind) > StiffnessKind::last) {
     refuse(HS_ERROR_ARGUMENT, "law.stiffness_kind is %d; it must be an HS_STIFFNESS_ value",
            def.stiffness_kind);
   }
@@ -91,13 +92,13 @@ ContactLaw read_law(const hs_law_def* given) {
   law.shear_damping = require_from_zero(def.shear_damping, "law.shear_damping");
   if (law.is_potential() && law.bonds()) {
     refuse(HS_ERROR_ARGUMENT,
-           "law.cohesion is %g, law.tensile_strength is %g; HS_STIFFNESS_POTENTIAL takes neither",
+           "law.cohesion is %g, law.tensile_strength is %g; both must be 0 with HS_STIFFNESS_POTENTIAL",
            law.cohesion, law.tensile_strength);
   }
   return law;
 }
 
-/// The shape of a block for a world of D dimensions.
+/// Returns the shape for a block in a world of D dimensions; refuses the other dimension.
 template <int D>
 const Shape<D>& require_shape(const hs_shape* shape, const char* name) {
   require_pointer(shape, name);
@@ -111,10 +112,11 @@ void require_mass(const Shape<D>& shape, double density) {
   const double mass = mass_of(shape, density);
   const Inertia<D> inertia = Inertia<D>::of(shape, density);
   if (is_within_bounds(mass, inertia)) return;
-  refuse(HS_ERROR_ARGUMENT,
-         "shape and def.material give a mass of %g and a moment of inertia of %g; they must be from %g to %g "
-         "and to %g",
-         mass, inertia.least_moment(), least_mass, largest_mass, largest_inertia);
+  refuse(
+      HS_ERROR_ARGUMENT,
+      "shape and def.material give a mass of %g and a moment of inertia of %g; the mass must be from %g to "
+      "%g, the moment of inertia at most %g",
+      mass, inertia.least_moment(), least_mass, largest_mass, largest_inertia);
 }
 
 }  // namespace
@@ -209,14 +211,15 @@ hs_status hs_world_add_block(hs_world* world, const hs_shape* shape, const hs_bl
     const Angular<D> spin = read_finite_angular<D>(known.angular_velocity, "def.angular_velocity");
     if (known.kind == HS_BLOCK_FIXED && (velocity != Vector<D>::Zero() || spin != Angular<D>::Zero())) {
       refuse(HS_ERROR_ARGUMENT,
-             "def.velocity is %s, def.angular_velocity is (%g, %g, %g); a fixed block has none",
+             "def.velocity is %s, def.angular_velocity is (%g, %g, %g); both must be 0 for a fixed block",
              PointText(velocity).characters, known.angular_velocity[0], known.angular_velocity[1],
              known.angular_velocity[2]);
     }
     if (known.reserved != 0) refuse(HS_ERROR_ARGUMENT, "def.reserved is %d; it must be 0", known.reserved);
     require_mass(form, w.density(known.material));
     if (known.kind == HS_BLOCK_AFFINE && !w.elasticity(known.material).is_given()) {
-      refuse(HS_ERROR_STATE, "def.material is %d, which is not elastic: hs_world_set_elasticity() first",
+      refuse(HS_ERROR_STATE,
+             "def.material is %d, which has no elasticity; call hs_world_set_elasticity() first",
              known.material);
     }
     require_energy(mass_of(form, w.density(known.material)), Inertia<D>::of(form, w.density(known.material)),

@@ -22,7 +22,7 @@ hs_body_def default_definition() {
 
 namespace {
 
-/// A material for each cell.
+/// Returns the material of each cell; refuses materials without elasticity.
 template <int D>
 Array<std::int32_t> read_materials(const hs_world& handle, const World<D>& world, const Mesh<D>& mesh,
                                    std::int32_t common, const std::int32_t* given) {
@@ -34,14 +34,14 @@ Array<std::int32_t> read_materials(const hs_world& handle, const World<D>& world
     require_material(world, materials[cell], name);
     if (!world.elasticity(materials[cell]).is_given()) {
       refuse(HS_ERROR_STATE,
-             "the material of cell %zu is %d, which is not elastic: hs_world_set_elasticity() first", cell,
-             materials[cell]);
+             "the material of cell %zu is %d, which has no elasticity; call hs_world_set_elasticity() first",
+             cell, materials[cell]);
     }
   }
   return materials;
 }
 
-/// No cell may be farther off than a block of its size.
+/// Reads the pose of a mesh. Cells have the same limit of position as a block of their size.
 template <int D>
 Pose<D> read_frame(const hs_pose* given, const Mesh<D>& mesh) {
   const Pose<D> pose = read_pose<D>(given, "def.pose");
@@ -53,23 +53,22 @@ Pose<D> read_frame(const hs_pose* given, const Mesh<D>& mesh) {
       const double farthest = farthest_place * radius;
       if (place.cwiseAbs().maxCoeff() <= farthest) return;
       refuse(HS_ERROR_ARGUMENT,
-             "def.pose puts cell %zu at %s; for a cell of radius %g no coordinate may exceed %g, as rounding "
-             "would move it by too large a part of its size",
+             "def.pose puts cell %zu at %s; for a cell of radius %g coordinates must be at most %g, to limit "
+             "rounding relative to its size",
              cell, PointText(place).characters, radius, farthest);
     });
   }
   return pose;
 }
 
-/// Says why a mesh cannot be put where it should be. A cell that is beyond bounds is not always known: then
-/// the lightest and the stiffest material of all cells are told.
+/// Refuses a mesh at its pose. If the cell out of bounds is not known, the text has the lowest density and
+/// the highest shear modulus of all cells.
 template <int D>
 [[noreturn]] void refuse_placed(const World<D>& world, const MeshFaultReport& report,
                                 const Array<std::int32_t>& materials) {
   const char* const text = fault_text(report.fault);
   if (report.fault == MeshFault::inside_out) {
-    refuse(HS_ERROR_GEOMETRY, "cell %lld of mesh %s where def.pose puts it",
-           static_cast<long long>(report.cell), text);
+    refuse(HS_ERROR_GEOMETRY, "cell %lld of mesh %s at def.pose", static_cast<long long>(report.cell), text);
   }
   if (report.cell >= 0) {
     const std::int32_t material = materials[std::size_t(report.cell)];
@@ -87,7 +86,7 @@ template <int D>
          density, shear_modulus);
 }
 
-/// Components along axes that are not held are not read.
+/// Components along axes that are not held are ignored.
 template <int D>
 Vector<D> read_held_velocity(const double* velocity, std::int32_t axes) {
   Vector<D> held = Vector<D>::Zero();
@@ -98,15 +97,15 @@ Vector<D> read_held_velocity(const double* velocity, std::int32_t axes) {
   return held;
 }
 
-/// Calls use(node) for each of the nodes, by its place in the world's arrays, after all have been judged.
+/// Validates all nodes, then calls use(node) with the index of each in the world's arrays.
 template <int D, class Use>
 void for_each_node(const Body<D>& body, const std::int32_t* nodes, std::int64_t count, Use&& use) {
   require_count(count, "count");
   if (count > 0) require_pointer(nodes, "nodes");
   for (std::int64_t i = 0; i < count; ++i) {
     if (nodes[i] < 0 || nodes[i] >= body.node_count) {
-      refuse(HS_ERROR_ARGUMENT, "nodes[%lld] is %d; the body has %lld", static_cast<long long>(i), nodes[i],
-             static_cast<long long>(body.node_count));
+      refuse(HS_ERROR_ARGUMENT, "nodes[%lld] is %d; the body has %lld nodes", static_cast<long long>(i),
+             nodes[i], static_cast<long long>(body.node_count));
     }
   }
   for (std::int64_t i = 0; i < count; ++i) use(std::size_t(body.first_node + nodes[i]));
@@ -118,14 +117,14 @@ std::span<const std::int32_t> read_cells(const Body<D>& body, const std::int32_t
   if (count > 0) require_pointer(cells, "cells");
   for (std::int64_t i = 0; i < count; ++i) {
     if (cells[i] < 0 || cells[i] >= body.cell_count) {
-      refuse(HS_ERROR_ARGUMENT, "cells[%lld] is %d; the body has %lld", static_cast<long long>(i), cells[i],
-             static_cast<long long>(body.cell_count));
+      refuse(HS_ERROR_ARGUMENT, "cells[%lld] is %d; the body has %lld cells", static_cast<long long>(i),
+             cells[i], static_cast<long long>(body.cell_count));
     }
   }
   return {cells, std::size_t(count)};
 }
 
-/// Would a body be without cells?
+/// True if a body would have no cells.
 template <int D>
 bool keeps_none(const Meshes<D>& meshes, std::int32_t body, std::span<const std::int32_t> without,
                 Memory* memory) {
@@ -137,7 +136,7 @@ bool keeps_none(const Meshes<D>& meshes, std::int32_t body, std::span<const std:
   return !keeps_some;
 }
 
-/// The body of an entry point that writes a vector of each node.
+/// The body of an entry point that writes a vector per node.
 template <class VectorOf>
 hs_status write_nodes(const hs_world* world, hs_body body, const hs_mutable_view& out, int64_t* count,
                       const char* name, const char* function, VectorOf&& vector_of) {
@@ -226,12 +225,12 @@ hs_status hs_world_remove_cells(hs_world* world, hs_body body, const int32_t cel
     require_view<D>(released, "released");
     const std::span<const std::int32_t> wanted = read_cells(known, cells, count);
     if (keeps_none(w.meshes(), which, wanted, &world->context->memory)) {
-      refuse(HS_ERROR_STATE, "cells are all that the body has; hs_world_remove_body() takes it out");
+      refuse(HS_ERROR_STATE, "cells are all cells of the body; call hs_world_remove_body() instead");
     }
     Array<Vector<D>> forces(std::size_t(known.node_count), Vector<D>::Zero(), &world->context->memory);
     const MeshFaultReport report = w.remove_cells(which, wanted, forces);
     if (report.fault != MeshFault::none) {
-      refuse(HS_ERROR_GEOMETRY, "cell %lld, at the surface without cells, %s",
+      refuse(HS_ERROR_GEOMETRY, "cell %lld, at the surface after removal of cells, %s",
              static_cast<long long>(report.cell), fault_text(report.fault));
     }
     return write_all(std::int64_t(forces.size()), released.count,
@@ -278,7 +277,7 @@ hs_status hs_world_set_node_velocities(hs_world* world, hs_body body, hs_view ve
              static_cast<long long>(velocities.count), static_cast<long long>(known.node_count));
     }
     const auto read = [&](std::int64_t i) { return read_finite_point<D>(velocities, i, "velocities"); };
-    for (std::int64_t i = 0; i < velocities.count; ++i) read(i);  // all are judged before any is set
+    for (std::int64_t i = 0; i < velocities.count; ++i) read(i);  // validates all before any is set
     for (std::int64_t i = 0; i < velocities.count; ++i) {
       const std::size_t node = std::size_t(known.first_node + i);
       if (w.meshes().mass[node] > 0) w.set_node_velocity(node, read(i));
@@ -298,7 +297,7 @@ hs_status hs_world_hold_nodes(hs_world* world, hs_body body, const int32_t nodes
     }
     const Vector<D> wanted = read_held_velocity<D>(velocity, axes);
     for_each_node(known, nodes, count, [&](std::size_t node) {
-      if (w.meshes().mass[node] == 0) return;  // all of its cells are gone: it stays
+      if (w.meshes().mass[node] == 0) return;  // a node without cells stays at rest
       Vector<D> kept = w.meshes().velocity[node];
       for (int k = 0; k < D; ++k) {
         if (axes >> k & 1) kept[k] = wanted[k];
@@ -332,7 +331,7 @@ hs_status hs_world_set_body_stress(hs_world* world, hs_body body, const double s
         field.gradient[std::size_t(k)] = read_symmetric_tensor<D>(gradient + 9 * k, "gradient", 9 * k);
     }
     if (!w.set_body_stress(which, field))
-      refuse(HS_ERROR_ARGUMENT, "stress, with gradient, strains a cell by more than 1e+06");
+      refuse(HS_ERROR_ARGUMENT, "stress and gradient strain a cell by more than 1e+06");
     return HS_OK;
   });
 }

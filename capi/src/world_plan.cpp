@@ -29,7 +29,7 @@ std::int32_t active_parts(const World<D>& world) {
 
 template <int D>
 void count_kinds(const Blocks<D>& blocks, hs_world_plan& plan) {
-  std::int64_t of_meshes = 0;  // cells are counted as such
+  std::int64_t of_meshes = 0;  // counted as cells
   std::int64_t* const counts[] = {&plan.fixed_count, &plan.prescribed_count, &plan.rigid_count,
                                   &plan.affine_count, &of_meshes};
   for_each_block(blocks, [&](std::int64_t, std::int32_t slot) {
@@ -68,7 +68,7 @@ void find_limit(World<D>& world, hs_world_plan& plan) {
   plan.limiting_cell = meshes.stiffest_cell_of(body, world.model().materials.bulk());
 }
 
-/// A second world of the same state.
+/// A copy of a world.
 template <int D>
 class Copy {
  public:
@@ -99,7 +99,7 @@ void measure(World<D>& world, std::int64_t steps, hs_world_plan& plan) {
   plan.pair_seconds = a_step(Pass::pairs);
   plan.gather_seconds = a_step(Pass::gather);
   plan.bond_seconds = a_step(Pass::bonds);
-  plan.hard_contact_seconds = a_step(Pass::reactions);
+  plan.hard_contact_seconds = a_step(Pass::hard_contacts);
   plan.motion_seconds = a_step(Pass::motion);
   plan.ledger_seconds = a_step(Pass::book);
 }
@@ -113,7 +113,7 @@ hs_status hs_world_get_plan(const hs_world* world, int64_t steps, hs_world_plan*
     require_report_size(size, sizeof(hs_world_plan));
     Copy<D> copy(world->context, given);
     World<D>& w = copy.world();
-    w.prepare();  // contacts and the time step of a world that has been changed
+    w.prepare();  // updates contacts and time step after a change
     hs_world_plan ours{};
     ours.dimension = D;
     count_kinds(w.blocks(), ours);

@@ -42,7 +42,8 @@ hs_status hs_world_restore(hs_context* context, const void* bytes, size_t count,
     if (count < sizeof header)
       refuse(HS_ERROR_FORMAT, "count is %zu; a snapshot has at least %zu bytes", count, sizeof header);
     std::memcpy(&header, bytes, sizeof header);
-    if (header.magic != snapshot::magic) refuse(HS_ERROR_FORMAT, "bytes do not begin as a snapshot does");
+    if (header.magic != snapshot::magic)
+      refuse(HS_ERROR_FORMAT, "bytes do not begin with the magic number of a snapshot");
     if (header.version != snapshot::version || (header.dimension != 2 && header.dimension != 3)) {
       refuse(HS_ERROR_FORMAT,
              "snapshot has version %u and dimension %u; this library reads version %u, dimension 2 or 3",
@@ -51,7 +52,7 @@ hs_status hs_world_restore(hs_context* context, const void* bytes, size_t count,
     const std::span<const std::byte> state(static_cast<const std::byte*>(bytes) + sizeof header,
                                            count - sizeof header);
     if (header.size != state.size()) {
-      refuse(HS_ERROR_FORMAT, "count is %zu; the snapshot says %zu", count,
+      refuse(HS_ERROR_FORMAT, "count is %zu; the snapshot has %zu bytes", count,
              std::size_t(header.size) + sizeof header);
     }
     if (header.checksum != snapshot::checksum(state))

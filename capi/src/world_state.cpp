@@ -66,7 +66,7 @@ hs_status hs_world_set_velocity(hs_world* world, hs_block block, const double ve
     const Vector<D> v = read_finite_vector<D>(velocity, "velocity");
     const Angular<D> spin = read_finite_angular<D>(angular_velocity, "angular_velocity");
     if (w.blocks().kind[std::size_t(slot)] == BlockKind::fixed) {
-      refuse(HS_ERROR_STATE, "block %#llx is fixed and takes no velocity",
+      refuse(HS_ERROR_STATE, "block %#llx is fixed; its velocity cannot be set",
              static_cast<unsigned long long>(block));
     }
     require_energy_of(w.blocks(), slot, v, spin);
@@ -83,7 +83,7 @@ hs_status hs_world_set_applied_force(hs_world* world, hs_block block, const doub
     const Angular<D> t = read_finite_angular<D>(torque, "torque");
     require_no_mesh(w.blocks(), slot, "block");
     if (!w.blocks().moves_freely(std::size_t(slot))) {
-      refuse(HS_ERROR_STATE, "block %#llx is neither rigid nor affine: no force moves it",
+      refuse(HS_ERROR_STATE, "block %#llx is neither rigid nor affine; forces act on these kinds only",
              static_cast<unsigned long long>(block));
     }
     w.set_applied_force(slot, f, t);
@@ -112,7 +112,7 @@ hs_status hs_world_set_poses(hs_world* world, const hs_pose poses[], int64_t cou
     const auto read = [&](std::int64_t i, std::int32_t slot) {
       return read_place<D>(&poses[i], w.blocks().radius[std::size_t(slot)], {"poses", i});
     };
-    for_each_block(w.blocks(), read);  // all are judged before any block moves
+    for_each_block(w.blocks(), read);  // validates all before any block moves
     for_each_block(w.blocks(), [&](std::int64_t i, std::int32_t slot) {
       const Pose<D> to = read(i, slot);
       if (!w.blocks().is_of_mesh(std::size_t(slot))) w.set_pose(slot, to.position, to.rotation);
@@ -154,7 +154,7 @@ hs_status hs_world_set_velocities(hs_world* world, hs_view velocities, hs_view a
         if (kind != BlockKind::fixed && kind != BlockKind::mesh) use(slot, velocity, spin);
       });
     };
-    // All are judged before any velocity changes.
+    // All velocities are validated before any changes.
     for_each_velocity([&](std::int32_t slot, const Vector<D>& velocity, const Angular<D>& spin) {
       require_energy_of(w.blocks(), slot, velocity, spin);
     });

@@ -32,7 +32,7 @@ void require_detected(const World<D>& world) {
   }
 }
 
-/// What the contact does to its blocks, as far as forces have been evaluated.
+/// Writes the force of a contact.
 template <int D>
 void write_force(const ContactForce<D>& force, const Vector<D>& normal, const Vector<D>& origin,
                  hs_contact& out) {
@@ -60,16 +60,16 @@ void write_spring_contact(const World<D>& world, std::size_t c, hs_contact& out)
   out.block_a = id_of(blocks, std::size_t(pair.a));
   out.block_b = id_of(blocks, std::size_t(pair.b));
   Contact<D> contact = world.contact(c);
-  // Detected, but forces may not have been evaluated yet.
+  // Forces may not have been evaluated since detection.
   if (world.knows_forces()) write_force(world.contact_force(c), contact.normal, origin, out);
   place(contact, Rotation<D>(), origin);
   write_contact(contact, out);
 }
 
-/// A point that a law without a spring keeps apart. Core has the block of the vertex first, with the normal
-/// and the force towards it.
+/// Writes a contact constraint of a law without springs. In core the block of the vertex is first, and normal
+/// and force point towards it.
 template <int D>
-void write_constraint(const World<D>& world, const ContactConstraint<D>& at, hs_contact& out) {
+void write_constraint(const World<D>& world, const HardContact<D>& at, hs_contact& out) {
   const Blocks<D>& blocks = world.blocks();
   const bool is_turned = at.a > at.b, is_corner = at.meeting == Meeting::corner_and_face;
   out.block_a = id_of(blocks, std::size_t(is_turned ? at.b : at.a));
@@ -126,7 +126,7 @@ hs_status hs_world_get_report(hs_world* world, hs_world_report* report, size_t s
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     require_pointer(report, "report");
     require_report_size(size, offsetof(hs_world_report, energy) + sizeof(hs_energy));
-    w.prepare();  // energies and the time step of a world that has been changed
+    w.prepare();  // updates energies and time step after a change
     const double stable = w.stable_time_step();
     const double overlap = w.largest_overlap();
     const hs_world_report ours = {D,
@@ -190,9 +190,10 @@ hs_status hs_world_set_shear_force(hs_world* world, hs_block block_a, hs_block b
       refuse(HS_ERROR_STALE_ID, "block_a %#llx and block_b %#llx are not in contact",
              static_cast<unsigned long long>(block_a), static_cast<unsigned long long>(block_b));
     }
-    // The contact is from the lower slot to the higher.
+    // A contact is from the lower slot to the higher.
     if (!w.set_shear_force(*contact, a < b ? on_second : Vector<D>(-on_second))) {
-      refuse(HS_ERROR_STATE, "the law between block_a and block_b has no friction and no shear spring");
+      refuse(HS_ERROR_STATE,
+             "the law of block_a and block_b has neither friction nor cohesion, so no shear spring");
     }
     return HS_OK;
   });

@@ -54,7 +54,7 @@ Search read_search(const hs_strength_def* given) {
   return search;
 }
 
-/// Copies of a world that are weakened and relaxed, one after the other. Keeps the one that fell last.
+/// Relaxes copies of a world with reduced strength, one after the other. Keeps the last one that failed.
 template <int D>
 class Trials {
  public:

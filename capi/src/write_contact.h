@@ -8,12 +8,12 @@ namespace halfspace::capi {
 
 static_assert(max_region_points == HS_CONTACT_POINTS);
 
-/// A pair as the API names it: in the plane the edge stands for the face.
+/// A pair as in the C interface: in 2D the edge takes the place of the face.
 using NamedPair = PotentialPair<3>;
 
 inline NamedPair named(const PotentialPair<3>& pair) { return pair; }
 
-// Which block owns the edge or face is as good as random: arithmetic instead of branches.
+// The owner of the edge or face is unpredictable, so arithmetic is cheaper than branches.
 
 inline std::int32_t selected(bool second, std::int32_t one, std::int32_t other) {
   return one ^ ((one ^ other) & -std::int32_t(second));
@@ -30,8 +30,7 @@ inline PotentialPair<2> in_plane(const NamedPair& pair) {
   return {pair.kind, selected(b_owns, pair.a, pair.b), selected(b_owns, pair.b, pair.a)};
 }
 
-/// A pair as the proof of separation: a face is all of it, which vertex is deepest does not matter. None is
-/// -1, all bits set.
+/// A pair as separation proof: the face alone is the proof, so the vertex is -1 (all bits set).
 inline NamedPair separating(const PotentialPair<2>& pair) {
   return {NamedPair::Kind(pair.owner), pair.edge | -pair.owner, pair.edge | (pair.owner - 1)};
 }
@@ -41,7 +40,7 @@ inline NamedPair separating(const NamedPair& pair) {
           pair.b | -std::int32_t(pair.kind == NamedPair::face_vertex)};
 }
 
-/// The part that is always set.
+/// Writes the fields that are always set.
 template <int D>
 void write_pair(ContactType type, int point_count, const NamedPair& pair, const Vector<D>& normal, double gap,
                 hs_contact& out) {
@@ -58,8 +57,7 @@ void write_pair(ContactType type, int point_count, const NamedPair& pair, const 
 inline double area_of(const Contact<2>& contact) { return contact.length; }  // times unit thickness
 inline double area_of(const Contact<3>& contact) { return contact.area; }
 
-/// A contact in the host's terms, without ids and forces. What it does not say of the region, as when there
-/// is none, is left as it was.
+/// Writes a contact without ids and forces. Fields of a missing region are not written.
 template <int D>
 [[gnu::always_inline]] inline void write_contact(const Contact<D>& contact, hs_contact& out) {
   const NamedPair pair = contact.type == ContactType::none ? separating(contact.pair) : named(contact.pair);

@@ -15,7 +15,7 @@ namespace {
 double largest_face_of(const Shape<2>& shape) { return shape.longest_edge(); }
 double largest_face_of(const Shape<3>& shape) { return shape.largest_face(); }
 
-/// A force at X accelerates the gradient by force X^T M^-1, and with it the point X: most at a vertex.
+/// A force f at X accelerates the gradient by f X^T M^-1, and X by that times X: maximum at a vertex.
 template <int D>
 double strain_mobility_of(const Outline<D>& own, const Tensor<D>& inverse_mass_matrix) {
   double most = 0;
@@ -24,7 +24,7 @@ double strain_mobility_of(const Outline<D>& own, const Tensor<D>& inverse_mass_m
   return most;
 }
 
-/// The least eigenvalue of a symmetric tensor; in the plane the determinant over the largest one.
+/// The smallest eigenvalue of a symmetric tensor; in 2D the determinant divided by the largest eigenvalue.
 double least_eigenvalue(const Tensor<2>& t) {
   const double mean = 0.5 * (t(0, 0) + t(1, 1));
   const double difference = 0.5 * (t(0, 0) - t(1, 1)) / mean, across = t(0, 1) / mean;
@@ -35,8 +35,8 @@ double least_eigenvalue(const Tensor<3>& t) {
   return Eigen::SelfAdjointEigenSolver<Tensor<3>>(t, Eigen::EigenvaluesOnly).eigenvalues()[0];
 }
 
-/// Scaled by a power of two, which changes no bit: a determinant has the square or the cube of its numbers,
-/// and may be beyond them.
+/// Scaled by a power of two, which is exact: the determinant is a square or cube of the entries and could
+/// overflow or underflow.
 template <int D>
 Tensor<D> inverse_of(const Tensor<D>& t) {
   int exponent = 0;
@@ -45,7 +45,7 @@ Tensor<D> inverse_of(const Tensor<D>& t) {
   return scale * (scale * t).inverse();
 }
 
-/// The deformation of a block as it is given: none.
+/// The deformation of a new block: none.
 template <int D>
 Deformation<D> undeformed(const Shape<D>& shape, double density, std::int32_t slot) {
   Deformation<D> deformation;
@@ -108,7 +108,7 @@ Blocks<D>::Blocks(Memory* memory)
 
 template <int D>
 void Blocks<D>::resize(std::size_t slots) {
-  if (free_slots_.capacity() < slots) free_slots_.reserve(2 * slots);  // removing a block takes no memory
+  if (free_slots_.capacity() < slots) free_slots_.reserve(2 * slots);  // so remove() allocates nothing
   kind.resize(slots, BlockKind::none);
   material.resize(slots);
   generation.resize(slots);
@@ -142,7 +142,7 @@ double Blocks<D>::strain_mobility(std::size_t slot) const {
 template <int D>
 std::int32_t Blocks<D>::add(const Shape<D>& shape, BlockKind block_kind, std::int32_t block_material,
                             double density) {
-  // All memory first: when there is none, nothing has changed.
+  // Allocates first: when memory runs out, nothing has changed.
   const bool appended = free_slots_.empty();
   const std::size_t slots = slot_count();
   const std::int32_t slot = appended ? std::int32_t(slots) : free_slots_.back();
@@ -189,7 +189,7 @@ void Blocks<D>::remove(std::int32_t slot) {
   --living_;
 }
 
-/// A slot of the first generation has come with its block; another one goes back to those that are free.
+/// A slot of generation 1 was appended with its block and is removed; any other becomes free again.
 template <int D>
 void Blocks<D>::take_back(std::int32_t slot) {
   const std::size_t s = std::size_t(slot);
@@ -209,7 +209,7 @@ void Blocks<D>::place(std::int32_t slot, const Vector<D>& to, const Rotation<D>&
   const std::size_t s = std::size_t(slot);
   position[s] = to;
   if (is_deformable(s)) {
-    // Turned as a whole, its strain and strain rate with it.
+    // A rigid rotation: strain and strain rate rotate with the block.
     const Deformation<D>& now = deformation(s);
     const Tensor<D> turn = (turned * rotation[s].inverse()).tensor(), gradient = turn * now.gradient;
     const Tensor<D> straining = now.rate - cross_tensor(spin[s]) * now.gradient;
@@ -221,7 +221,7 @@ void Blocks<D>::place(std::int32_t slot, const Vector<D>& to, const Rotation<D>&
   outlines_.turn(slot, turned);
 }
 
-/// The angle counts whole turns on from where it was.
+/// The angle stays continuous: whole turns are counted.
 template <int D>
 void Blocks<D>::set_rotation(std::size_t slot, const Rotation<D>& turned) {
   rotation[slot] = turned;
@@ -237,7 +237,7 @@ void Blocks<D>::set_motion(std::int32_t slot, const Vector<D>& new_velocity, con
   const std::size_t s = std::size_t(slot);
   velocity[s] = new_velocity;
   if (is_deformable(s)) {
-    // Its strain rate stays.
+    // The strain rate stays.
     const Deformation<D>& now = deformation(s);
     const Angular<D> change = new_spin - spin[s];
     return deform(slot, now.gradient, now.rate + cross_tensor(change) * now.gradient);
@@ -283,7 +283,7 @@ void Blocks<D>::drift_affine(std::int32_t slot, const Vector<D>& way, double dur
   deform(slot, now.gradient + duration * now.rate, now.rate);
 }
 
-/// The point that a force moves most is the node of least mass.
+/// The largest inverse effective mass is that of the node with the smallest mass.
 template <int D>
 void Blocks<D>::weigh(const SurfaceCell<D>& cell, const Eigen::Matrix<double, D + 1, 1>& masses) {
   const std::size_t s = std::size_t(cell.block);

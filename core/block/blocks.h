@@ -17,10 +17,10 @@
 
 namespace halfspace {
 
-/// How a block moves. The values are those of the C API; `none` marks a free slot.
+/// The unknowns of a block. The values are those of the C API; `none` marks a free slot.
 enum class BlockKind : std::int32_t { none = -1, fixed = 0, prescribed = 1, rigid = 2, affine = 3, mesh = 4 };
 
-/// Two blocks where they are: their outlines, and the way from a's centroid to b's.
+/// The outlines of two blocks at their present poses, and the vector from a's centroid to b's.
 template <int D>
 struct PlacedBlocks {
   Outline<D> a;
@@ -28,7 +28,7 @@ struct PlacedBlocks {
   Vector<D> to_b;
 };
 
-/// All blocks of a world, a component to an array. Slots of removed blocks are used again, under a new
+/// All blocks of a world, as a structure of arrays. Slots of removed blocks are reused, with a new
 /// generation.
 template <int D>
 class Blocks {
@@ -39,16 +39,16 @@ class Blocks {
   bool lives(std::size_t slot) const { return kind[slot] != BlockKind::none; }
   /// By Newton's law.
   bool moves_freely(std::size_t slot) const { return kind[slot] >= BlockKind::rigid; }
-  /// As it is told to, or by Newton's law.
+  /// With a prescribed velocity, or by Newton's law.
   bool moves(std::size_t slot) const { return kind[slot] >= BlockKind::prescribed; }
   bool has_deformable() const { return !deformations_.empty(); }
   bool is_affine(std::size_t slot) const { return kind[slot] == BlockKind::affine; }
-  /// At the surface of a mesh, whose nodes move it.
+  /// A cell at the surface of a mesh, moved by its nodes.
   bool is_of_mesh(std::size_t slot) const { return kind[slot] == BlockKind::mesh; }
-  /// Strains as a whole: as an unknown of its own, or as the nodes of its mesh do.
+  /// Has a uniform strain: an unknown of its own, or given by the nodes of its mesh.
   bool is_deformable(std::size_t slot) const { return kind[slot] >= BlockKind::affine; }
-  /// Two blocks that a bond holds, or a ring of bonds around a corner, or of one mesh and with a common node,
-  /// never touch.
+  /// Blocks joined by a bond or by a ring of bonds around a corner, or cells of one mesh with a common node,
+  /// are never in contact.
   bool are_joined(std::size_t a, std::size_t b) const {
     return (is_of_mesh(a) && is_of_mesh(b) && meshes_.are_joined(a, b)) ||
            (!bonds_.empty() && (bonds_.keeps(std::int32_t(a), std::int32_t(b)) ||
@@ -58,42 +58,42 @@ class Blocks {
 
   std::int32_t add(const Shape<D>& shape, BlockKind block_kind, std::int32_t block_material, double density);
   void remove(std::int32_t slot);
-  /// Takes the block back that was added last, as if it had never been.
+  /// Undoes the last add().
   void take_back(std::int32_t slot);
 
-  /// Puts a block somewhere and turns its outline. Its spin stays.
+  /// Sets the pose of a block and its outline. The spin stays.
   void place(std::int32_t slot, const Vector<D>& to, const Rotation<D>& turned);
   void set_motion(std::int32_t slot, const Vector<D>& new_velocity, const Angular<D>& new_spin);
-  /// Changes velocity and angular momentum. The spin follows where the block drifts on.
+  /// Changes velocity and angular momentum. The spin is updated in the next drift.
   void push(std::size_t slot, const Vector<D>& velocity_change, const Angular<D>& momentum_change) {
     velocity[slot] += velocity_change;
     momentum[slot] += momentum_change;
   }
-  /// The same for a block that stays where it is, its spin included.
+  /// The same with the spin, for a block that does not move in between.
   void kick(std::size_t slot, const Vector<D>& velocity_change, const Angular<D>& momentum_change) {
     push(slot, velocity_change, momentum_change);
     spin[slot] = inertia[slot].spin(momentum[slot], rotation[slot]);
   }
-  /// The same for the deformation of an affine block.
+  /// The same for the deformation rate of an affine block.
   void strain(std::size_t slot, const Tensor<D>& rate_change) {
     deformation(slot).rate += rate_change;
     renew_spin(slot);
   }
-  /// Moves an affine block, and turns and strains it at the present rate.
+  /// Moves, rotates and strains an affine block at its present rate.
   void drift_affine(std::int32_t slot, const Vector<D>& way, double duration);
-  /// Moves a block: a rigid one goes on under its own momentum, which stays while in space its spin changes.
+  /// Moves a block. Angular momentum of a rigid block is conserved; in 3D its spin changes.
   void drift(std::int32_t slot, const Vector<D>& way, const Rotation<D>& turned);
 
   Outline<D> outline(std::int32_t slot) const { return outlines_[slot]; }
-  /// The acceleration over the force, beside that of the whole block, of the point that a force moves most.
+  /// The largest inverse effective mass over the block's points, minus 1 / mass.
   double strain_mobility(std::size_t slot) const;
-  /// In its shape's frame.
+  /// In the frame of the shape.
   Outline<D> own_outline(std::int32_t slot) const { return outlines_.own(slot); }
-  /// As the shape is turned, and strained.
+  /// The deformation gradient; the rotation where the block does not deform.
   Tensor<D> gradient(std::size_t slot) const {
     return is_deformable(slot) ? deformation(slot).gradient : rotation[slot].tensor();
   }
-  /// As thick as it is strained, or less.
+  /// A lower bound of the thickness in the present deformation.
   double strained_thickness(std::size_t slot) const {
     return is_deformable(slot) ? thickness[slot] / deformation(slot).gradient.inverse().norm()
                                : thickness[slot];
@@ -101,51 +101,48 @@ class Blocks {
   double thinner(std::int32_t a, std::int32_t b) const {
     return std::min(strained_thickness(std::size_t(a)), strained_thickness(std::size_t(b)));
   }
-  /// How fast the points of a block move at most beside its centroid, now.
+  /// A bound of the speed of any point relative to the centroid, now.
   double swing(std::size_t slot) const {
     return radius[slot] * (is_deformable(slot) ? deformation(slot).rate.norm() : spin[slot].norm());
   }
-  /// At most: of any point of one against any of the other, now.
+  /// A bound of the relative speed of any two points of two blocks, now.
   double speed_between(std::int32_t a, std::int32_t b) const {
     const std::size_t i = std::size_t(a), j = std::size_t(b);
     return (velocity[j] - velocity[i]).norm() + swing(i) + swing(j);
   }
-  /// The velocity of a point of a block, at a place seen from its centroid.
+  /// The velocity of the point at `arm` from the centroid.
   Vector<D> velocity_at(std::size_t slot, const Vector<D>& arm) const {
     if (is_deformable(slot)) return velocity[slot] + deformation(slot).velocity_gradient() * arm;
     return velocity[slot] + swept(spin[slot], arm);
   }
-  /// The deformation of a deformable block.
   Deformation<D>& deformation(std::size_t slot) { return deformations_[slot]; }
   const Deformation<D>& deformation(std::size_t slot) const { return deformations_[slot]; }
-  /// The deformations of all deformable blocks.
   Deformations<D>& deformations() { return deformations_; }
   const Deformations<D>& deformations() const { return deformations_; }
   Bonds<D>& bonds() { return bonds_; }
   const Bonds<D>& bonds() const { return bonds_; }
-  /// The bodies that the blocks of meshes belong to.
   Meshes<D>& meshes() { return meshes_; }
   const Meshes<D>& meshes() const { return meshes_; }
-  /// Makes a new block one of a mesh. `masses` are those of its nodes, as far as they are its own.
+  /// Makes a new block a cell of a mesh. `masses` are the cell's parts of its nodes' masses.
   void put_on_surface(const SurfaceCell<D>& cell, const Eigen::Matrix<double, D + 1, 1>& masses);
-  /// Gives a block of a mesh the mass of its nodes, as far as it is its own.
+  /// Sets a mesh block's mass from the cell's parts of its nodes' masses.
   void weigh(const SurfaceCell<D>& cell, const Eigen::Matrix<double, D + 1, 1>& masses);
-  /// Puts a block of a mesh where its nodes are, and moves it as they do.
+  /// Sets pose, deformation and velocities of a mesh block from its nodes.
   void follow_nodes(const SurfaceCell<D>& cell);
-  /// The same where the nodes' velocities have changed alone.
+  /// The same where only velocities of nodes have changed.
   void follow_node_velocities(const SurfaceCell<D>& cell);
-  /// Sets how an affine block is turned and strained, and how fast.
+  /// Sets the deformation gradient of an affine block, and its rate.
   void deform(std::int32_t slot, const Tensor<D>& gradient, const Tensor<D>& rate);
   Face<D> undeformed_face(std::int32_t slot, int face) const { return face_of(outlines_.own(slot), face); }
   PlacedBlocks<D> placed(std::int32_t a, std::int32_t b) const {
     return {outline(a), outline(b), position[std::size_t(b)] - position[std::size_t(a)]};
   }
   Box<D> box(std::int32_t slot) const;
-  /// The edges of the block that has most of them.
+  /// The maximum number of edges of a block.
   std::size_t most_edges() const;
-  /// How many doubles the largest block takes that is deformed.
+  /// The maximum number of doubles in the outline of a block.
   std::size_t most_components() const;
-  /// The mass that two blocks move together, of which one at least moves freely.
+  /// The reduced mass of two blocks, at least one of which moves freely.
   double reduced_mass(std::size_t a, std::size_t b) const {
     const auto inverse = [&](std::size_t i) { return moves_freely(i) ? 1 / mass[i] : 0; };
     return 1 / (inverse(a) + inverse(b));
@@ -156,8 +153,7 @@ class Blocks {
     return 0.5 * (mass[s] * velocity[s].squaredNorm() + spin[s].dot(momentum[s]));
   }
 
-  /// False for what no blocks can be, after reading a snapshot: nothing read from it can then lead out of the
-  /// arrays.
+  /// False for data of a damaged snapshot. If true, no index read from it is out of range.
   bool is_consistent(std::int32_t material_count) const;
 
   template <class Archive>
@@ -176,7 +172,7 @@ class Blocks {
   Array<Vector<D>> force;  // of the contacts
   Array<Vector<D>> applied_force;
   Array<Rotation<D>> rotation;
-  Array<double> angle;  // in the plane: that of the rotation, counting whole turns
+  Array<double> angle;  // of the rotation, with whole turns; only in 2D
   Array<Angular<D>> spin;
   Array<Angular<D>> momentum;  // angular
   Array<Angular<D>> torque;    // of the contacts
@@ -184,7 +180,7 @@ class Blocks {
   Array<double> mass;
   Array<Inertia<D>> inertia;
   Array<double> radius;        // of the bounding circle or sphere
-  Array<double> largest_face;  // its area; in the plane the length of the longest edge
+  Array<double> largest_face;  // area; in 2D the length of the longest edge
   Array<double> thickness;     // of the shape
 
  private:
@@ -192,7 +188,7 @@ class Blocks {
   void set_rotation(std::size_t slot, const Rotation<D>& turned);
   void renew_spin(std::size_t slot);
 
-  Array<std::int32_t> free_slots_;  // there is room for all
+  Array<std::int32_t> free_slots_;  // capacity for all slots
   Outlines<D> outlines_;
   Deformations<D> deformations_;
   Meshes<D> meshes_;

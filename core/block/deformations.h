@@ -4,7 +4,7 @@
 
 namespace halfspace {
 
-/// The deformations of a world's deformable blocks, side by side. A world without any has none of it.
+/// The deformations of a world's deformable blocks, in one array. Empty in worlds without any.
 template <int D>
 class Deformations {
  public:
@@ -14,10 +14,10 @@ class Deformations {
   Array<Deformation<D>>& all() { return all_; }
   const Array<Deformation<D>>& all() const { return all_; }
 
-  /// Takes the memory that the next block will need, whichever slot below `slots` it gets.
+  /// Allocates for the next block, whichever slot below `slots` it gets.
   void make_room(std::size_t slots) {
     make_room_for_one(all_);
-    if (of_slot_.capacity() < slots) of_slot_.reserve(2 * slots);  // as blocks come one by one
+    if (of_slot_.capacity() < slots) of_slot_.reserve(2 * slots);  // blocks are added one by one
   }
   void add(const Deformation<D>& deformation) {
     const std::size_t slot = std::size_t(deformation.slot);
@@ -25,7 +25,7 @@ class Deformations {
     of_slot_[slot] = std::int32_t(all_.size());
     all_.push_back(deformation);
   }
-  /// The last one takes the place of the one removed.
+  /// The last deformation moves into the gap.
   void remove(std::int32_t slot) {
     const std::int32_t here = of_slot_[std::size_t(slot)];
     all_[std::size_t(here)] = all_.back();
@@ -37,8 +37,7 @@ class Deformations {
   Deformation<D>& operator[](std::size_t slot) { return all_[std::size_t(of_slot_[slot])]; }
   const Deformation<D>& operator[](std::size_t slot) const { return all_[std::size_t(of_slot_[slot])]; }
 
-  /// False for what cannot be, after reading a snapshot. So many blocks are deformable: those for which
-  /// `is_deformable(slot)`.
+  /// False for data of a damaged snapshot. The deformable blocks are those with `is_deformable(slot)`.
   template <class IsDeformable>
   bool is_consistent(std::size_t slots, IsDeformable is_deformable) const {
     if (of_slot_.size() > slots) return false;
@@ -60,7 +59,7 @@ class Deformations {
   }
 
  private:
-  Array<std::int32_t> of_slot_;  // where in all_; short of the slots after the last deformable block
+  Array<std::int32_t> of_slot_;  // index in all_; ends at the last deformable block
   Array<Deformation<D>> all_;
 };
 

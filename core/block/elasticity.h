@@ -7,16 +7,16 @@
 
 namespace halfspace {
 
-/// Hooke's law of an isotropic material between Green's strain and the second Piola stress (St. Venant and
-/// Kirchhoff): linear, and blind to rotation however large. For strains as those of rock; squeezed to 0.58 of
-/// its length a block gives way.
+/// Hooke's law of an isotropic material between Green-Lagrange strain and second Piola-Kirchhoff stress (St.
+/// Venant-Kirchhoff): linear, and invariant to large rotations. For small strains, as in rock; a block
+/// compressed to 0.58 of its length becomes unstable.
 struct Elasticity {
-  double lame = 0;  // first of Lame's constants, Pa; in plane stress that which the plane sees
+  double lame = 0;  // first Lame constant, Pa; in plane stress its 2D equivalent
   double shear_modulus = 0;
-  double damping_time = 0;  // s: of the stress by strain rate to that by strain (Rayleigh's beta)
+  double damping_time = 0;  // s, Rayleigh's beta: viscous stress = damping_time * stiffness * strain rate
 
   bool is_given() const { return shear_modulus > 0; }
-  /// False for what none can be, after reading a snapshot.
+  /// False for data of a damaged snapshot.
   bool is_consistent() const {
     return is_finite(lame) && is_nonnegative(shear_modulus) && is_nonnegative(damping_time);
   }
@@ -26,14 +26,14 @@ struct Elasticity {
     return lame * strain.trace() * Tensor<D>::Identity() + 2 * shear_modulus * strain;
   }
 
-  /// The other way round.
+  /// The inverse.
   template <int D>
   Tensor<D> strain(const Tensor<D>& stress) const {
     const double mean = lame / (D * lame + 2 * shear_modulus) * stress.trace();
     return (stress - mean * Tensor<D>::Identity()) / (2 * shear_modulus);
   }
 
-  /// No strain of length 1 has more energy per volume than half of it.
+  /// The largest ratio of twice the energy per volume to the squared norm of the strain.
   template <int D>
   double largest_stiffness() const {
     return 2 * shear_modulus + std::max(D * lame, 0.0);

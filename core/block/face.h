@@ -5,7 +5,7 @@
 
 namespace halfspace {
 
-/// A face of a block, in the plane an edge.
+/// A face of a block; in 2D an edge.
 template <int D>
 struct Face {
   double area;

@@ -4,24 +4,24 @@
 
 namespace halfspace {
 
-/// How a block goes on that no torque acts on.
+/// The motion of a block without torque.
 template <int D>
 struct FreeTurn {
-  Angular<D> spin;       // at first
-  Rotation<D> rotation;  // after a while
+  Angular<D> spin;       // at the start
+  Rotation<D> rotation;  // at the end
 };
 
-/// In the plane it keeps its spin.
+/// In 2D the spin is constant.
 inline FreeTurn<2> turned_freely(const Rotation<2>& rotation, const Inertia<2>& inertia,
                                  const Angular<2>& momentum, double duration) {
   const Angular<2> spin = inertia.spin(momentum, rotation);
   return {spin, rotation.turned_by(duration * spin)};
 }
 
-/// In space its angular momentum stays and its spin does not. Turns about the principal axes one after the
-/// other, each by what the momentum along that axis gives: there and back again, so that the error is of
-/// second order in the duration and, being that of a symplectic map, does not add up in the energy
-/// (Dullweber, Leimkuhler and McLachlan 1997).
+/// In 3D angular momentum is constant, the spin is not. The rotation is split into rotations about the
+/// principal axes, each by the momentum along that axis, in a symmetric sequence. The error is of second
+/// order in the duration, and the energy error does not accumulate, as the map is symplectic (Dullweber,
+/// Leimkuhler and McLachlan 1997).
 inline FreeTurn<3> turned_freely(const Rotation<3>& rotation, const Inertia<3>& inertia,
                                  const Angular<3>& momentum, double duration) {
   Rotation<3> axes = rotation * inertia.axes;

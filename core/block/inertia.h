@@ -12,11 +12,11 @@ namespace halfspace {
 inline double mass_of(const Shape<2>& shape, double density) { return density * shape.area(); }
 inline double mass_of(const Shape<3>& shape, double density) { return density * shape.volume(); }
 
-// Masses and moments of inertia within these bounds can be computed with: neither they nor their products
-// with velocities vanish or are infinite.
+// Bounds of masses and moments of inertia: within them neither these nor their products with velocities
+// overflow or underflow.
 constexpr double least_mass = 1e-300, least_inertia = 1e-300, largest_mass = 1e150, largest_inertia = 1e300;
 
-/// How a block resists turning about its centroid.
+/// The moment or tensor of inertia about the centroid.
 template <int D>
 struct Inertia;
 
@@ -29,14 +29,14 @@ struct Inertia<2> {
   Angular<2> momentum(const Angular<2>& spin, const Rotation<2>&) const { return moment * spin; }
   Angular<2> spin(const Angular<2>& momentum, const Rotation<2>&) const { return momentum / moment; }
   double least_moment() const { return moment; }
-  /// Acceleration of a point of the shape over the force there, at most, as far as it comes of turning.
+  /// The largest inverse effective mass at a point of the shape due to rotation.
   double yield_at(const Vector<2>& arm) const { return arm.squaredNorm() / moment; }
 };
 
 template <>
 struct Inertia<3> {
   Vector<3> moments = Vector<3>::Zero();  // principal
-  Rotation<3> axes;                       // of these, in the shape's frame
+  Rotation<3> axes;                       // of the principal moments, in the frame of the shape
 
   static Inertia of(const Shape<3>& shape, double density);
 
@@ -49,8 +49,8 @@ struct Inertia<3> {
     return turned * Vector<3>((turned.inverse() * momentum).cwiseQuotient(moments));
   }
   double least_moment() const { return moments.minCoeff(); }
-  /// The largest eigenvalue of X I^-1 X^T, X the cross product with the arm: of rank 2, so that the sum of
-  /// its eigenvalues and that of their products tell them.
+  /// The largest eigenvalue of X I^-1 X^T, with X the cross product matrix of the arm. X has rank 2, so its
+  /// sum and product of eigenvalues suffice.
   double yield_at(const Vector<3>& arm) const {
     const Vector<3> inverse = moments.cwiseInverse();
     const Vector<3> square = (axes.inverse() * arm).cwiseAbs2();
@@ -60,7 +60,7 @@ struct Inertia<3> {
   }
 };
 
-/// The inertia is judged by its least principal moment.
+/// For the smallest principal moment.
 template <int D>
 bool is_within_bounds(double mass, const Inertia<D>& inertia) {
   const double moment = inertia.least_moment();

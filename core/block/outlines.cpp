@@ -9,10 +9,10 @@
 namespace halfspace {
 namespace {
 
-/// How many doubles the vertices and the half-spaces of an outline take.
+/// The sizes of an outline's arrays, in doubles.
 struct Extent {
-  std::size_t vertices;    // of each coordinate
-  std::size_t halfspaces;  // of each component of a normal, and of the offset
+  std::size_t vertices;    // per coordinate
+  std::size_t halfspaces;  // per component of a normal, and of the offset
   int dimension;
 
   std::size_t offset() const { return std::size_t(dimension) * (vertices + halfspaces); }
@@ -144,7 +144,7 @@ bool Outlines<2>::counts_users(std::span<const std::int32_t>) const {
   return true;
 }
 
-/// A topology that fewer had than do would go while it is needed.
+/// A count that is too small would free a topology while blocks still use it.
 template <>
 bool Outlines<3>::counts_users(std::span<const std::int32_t> living) const {
   Array<std::int32_t> users(topologies_.size(), 0, form_.get_allocator());

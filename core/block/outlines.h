@@ -12,8 +12,8 @@
 
 namespace halfspace {
 
-/// The outlines of a world's blocks, each in its shape's frame and turned as its block is, about the
-/// centroid. What one block needs lies together. Blocks are known by their slots.
+/// The outlines of a world's blocks by slot, relative to the centroid: in the frame of the shape, and at the
+/// present rotation or deformation. The data of one block is contiguous.
 template <int D>
 class Outlines {
  public:
@@ -26,7 +26,7 @@ class Outlines {
   }
   std::size_t slot_count() const { return first_.size(); }
 
-  /// A shape's outline for a new block, without a slot yet.
+  /// A shape's outline for a new block, not yet assigned to a slot.
   struct Taken {
     std::int64_t first;
     std::int32_t form;
@@ -34,20 +34,20 @@ class Outlines {
   Taken take_in(const Shape<D>& shape);
   void assign(std::int32_t slot, const Taken& taken);
   void undo(const Taken& taken);
-  /// The same for the block that was added last.
+  /// The same for the block added last.
   void take_back(std::int32_t slot) { undo({first_[std::size_t(slot)], form_[std::size_t(slot)]}); }
-  /// Closes the gap that a removed block leaves.
+  /// Closes the gap of a removed block.
   void drop(std::int32_t slot);
 
   void turn(std::int32_t slot, const Rotation<D>& rotation);
-  /// Turns and strains: vertices by the gradient, half-spaces so that they stay those of the faces.
+  /// Vertices are mapped by the gradient, half-spaces so that they remain those of the faces.
   void deform(std::int32_t slot, const Tensor<D>& gradient);
   /// Valid until a block is added or removed.
   Outline<D> operator[](std::int32_t slot) const { return seen_in(turned_, slot); }
-  /// In its shape's frame.
+  /// In the frame of the shape.
   Outline<D> own(std::int32_t slot) const { return seen_in(own_, slot); }
 
-  /// False for what cannot be, after reading a snapshot, when the blocks of these slots live.
+  /// False for data of a damaged snapshot, given the slots of the living blocks.
   bool is_consistent(std::span<const std::int32_t> living) const;
 
   template <class Archive>
@@ -67,15 +67,15 @@ class Outlines {
   bool counts_users(std::span<const std::int32_t> living) const;
   std::size_t length(std::int32_t form) const;
 
-  Array<std::int64_t> first_;  // of the block's components in own_ and turned_
-  Array<std::int32_t> form_;   // in the plane how many vertices, in space which topology
+  Array<std::int64_t> first_;  // index of the block's components in own_ and turned_
+  Array<std::int32_t> form_;   // in 2D the number of vertices, in 3D the index of the topology
   // Per block x, y, nx, ny, offset, or x, y, z, nx, ny, nz, offset, each padded.
   Array<double> own_;
   Array<double> turned_;
   [[no_unique_address]] std::conditional_t<D == 3, Topologies, NoTopologies> topologies_;
 };
 
-// Every pair looks at its two outlines in every step.
+// Inline, as detection reads two outlines per pair and step.
 template <>
 inline Outline<2> Outlines<2>::seen_in(const Array<double>& components, std::int32_t slot) const {
   const int count = form_[std::size_t(slot)];

@@ -9,7 +9,7 @@
 namespace halfspace {
 namespace {
 
-/// FNV-1a over the arrays, which lie one after the other.
+/// FNV-1a over the contiguous arrays.
 std::uint64_t hash_of(const std::int32_t* indices, std::int64_t length) {
   std::uint64_t hash = 0xcbf29ce484222325u;
   for (std::int64_t i = 0; i < length; ++i) hash = (hash ^ std::uint64_t(indices[i])) * 0x100000001b3u;
@@ -34,7 +34,7 @@ std::int32_t Topologies::find(std::uint64_t hash, const Topology& topology, std:
   return -1;
 }
 
-/// Views and order of what is kept.
+/// Rebuilds views_ and by_hash_.
 void Topologies::find_anew() {
   views_.clear();
   by_hash_.clear();
@@ -64,7 +64,7 @@ std::int32_t Topologies::add(const Topology& topology) {
     ++kept_[std::size_t(known)].users;
     return known;
   }
-  // All memory first: when there is none, nothing has changed.
+  // Allocates first: when memory runs out, nothing has changed.
   const bool all_in_use = by_hash_.size() == kept_.size();
   const auto unused =
       all_in_use ? kept_.end()

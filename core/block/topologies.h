@@ -7,27 +7,27 @@
 
 namespace halfspace {
 
-/// The topologies of all blocks of a world, each kept once however many blocks have it.
+/// The topologies of a world's blocks; equal ones are stored once.
 class Topologies {
  public:
   explicit Topologies(Memory* memory) : indices_(memory), kept_(memory), views_(memory), by_hash_(memory) {}
 
-  /// Takes a block's topology in, or finds it here. Returns where.
+  /// Adds a block's topology, or finds an equal one. Returns its index.
   std::int32_t add(const Topology& topology);
-  /// One block less has it.
+  /// One block fewer uses it.
   void release(std::int32_t which);
-  /// Stays where it is until the next one is added or released.
+  /// Valid until the next one is added or released.
   const Topology& operator[](std::int32_t which) const { return views_[std::size_t(which)]; }
 
-  /// False for what cannot be, after reading a snapshot: each topology is the one that its faces' loops have,
-  /// and these are of one closed surface, so that who walks along it comes back.
+  /// False for data of a damaged snapshot. If true, each topology is the one made from the loops of its
+  /// faces, of one closed surface, so that walks along it return to their start.
   bool is_consistent() const;
   bool has(std::int32_t which) const { return users(which) > 0; }
-  /// How many blocks have it.
+  /// The number of blocks that use it.
   std::int32_t users(std::int32_t which) const {
     return which >= 0 && std::size_t(which) < kept_.size() ? kept_[std::size_t(which)].users : 0;
   }
-  /// All there are are below this.
+  /// All indices are below this.
   std::size_t size() const { return kept_.size(); }
 
   template <class Archive>
@@ -42,7 +42,7 @@ class Topologies {
     std::int32_t vertices = 0;
     std::int32_t edges = 0;
     std::int32_t faces = 0;
-    std::int32_t users = 0;  // 0: free for another
+    std::int32_t users = 0;  // 0: free for another topology
     std::uint64_t hash = 0;
 
     std::int64_t length() const;
@@ -55,8 +55,8 @@ class Topologies {
 
   Array<std::int32_t> indices_;
   Array<Kept> kept_;
-  Array<Topology> views_;        // of kept_; empty after reading what cannot be
-  Array<std::int32_t> by_hash_;  // those in use, sorted: the others are free
+  Array<Topology> views_;        // of kept_; empty after reading a damaged snapshot
+  Array<std::int32_t> by_hash_;  // indices of those in use, sorted by hash
 };
 
 }  // namespace halfspace

@@ -15,16 +15,16 @@ struct BlockPair {
 
 /// Finds all pairs of overlapping boxes, at any ratio of sizes, in time linear in blocks and pairs.
 ///
-/// A grid per power of two: each block lies in the grid whose cell is just larger than itself, by its centre,
-/// and looks for others in its own grid and in all coarser ones, at most 3^D cells in each. A cell as large
-/// as the largest block, as in the papers, would put all grains on a plate into one cell.
+/// A hierarchical grid, one level per power of two. The centre of a block lies in the grid with cells just
+/// larger than the block. It searches this grid and all coarser ones, in at most 3^D cells each. One cell
+/// size, that of the largest block as in the papers, would put all grains on a plate into one cell.
 template <int D>
 class Grid {
  public:
   explicit Grid(Memory* memory) : cells_(memory), first_of_bucket_(memory), levels_(memory) {}
 
-  /// Calls `found(BlockPair)` for each pair among the given boxes, each once, in an order fixed by the input.
-  /// `is_member(i)` tells which entries are blocks at all.
+  /// Calls `found(BlockPair)` once per pair among the given boxes, in an order fixed by the input.
+  /// `is_member(i)` is false for entries that are not blocks.
   template <class IsMember, class Found>
   void search(std::span<const Box<D>> boxes, IsMember is_member, Found found);
 
@@ -50,7 +50,7 @@ class Grid {
   void sort_into_buckets(std::span<const Box<D>> boxes, IsMember is_member);
 
   Array<Cell> cells_;                     // of the blocks, sorted by bucket
-  Array<std::uint32_t> first_of_bucket_;  // one more than buckets
+  Array<std::uint32_t> first_of_bucket_;  // size: number of buckets + 1
   Array<std::int32_t> levels_;            // in use, ascending
 };
 

@@ -6,11 +6,11 @@
 
 #include "broad_phase/grid.h"
 
-// The search of a grid per power of two, as plain loops (grid.h has the idea):
+// The search of the hierarchical grid (see grid.h):
 //
-//   put each block, by the cell of its centre, into a bucket by the hash of the cell
+//   put each block into the bucket of its centre's cell, by the hash of the cell
 //   for each block, each grid at least as coarse as its own, and each cell there that its box reaches:
-//     for each block of that cell's bucket: report the two once if their boxes overlap
+//     for each block in the bucket of that cell: report the pair once if the boxes overlap
 
 namespace halfspace {
 
@@ -23,9 +23,9 @@ std::int32_t Grid<D>::level_of(const Box<D>& box) {
 
 template <int D>
 std::int64_t Grid<D>::cell_index(double coordinate, double cell_size) {
-  // Beyond this the cells of a far-off block run together: slower there, but no pair is lost.
+  // Cells beyond this merge into one: far blocks cost more, but no pair is lost.
   constexpr double farthest = 0x1p60;
-  // In this order what is not a number, which only a damaged snapshot holds, counts as far off too.
+  // This order of min and max also maps NaN, possible in a damaged snapshot, to a far cell.
   return std::int64_t(std::floor(std::max(std::min(farthest, coordinate / cell_size), -farthest)));
 }
 
@@ -50,7 +50,7 @@ typename Grid<D>::Cell Grid<D>::cell_of(const Box<D>& box, std::size_t block) {
   return cell;
 }
 
-/// By counting: within a bucket the order of the blocks stays.
+/// A counting sort, stable within each bucket.
 template <int D>
 template <class IsMember>
 void Grid<D>::sort_into_buckets(std::span<const Box<D>> boxes, IsMember is_member) {
@@ -65,7 +65,7 @@ void Grid<D>::sort_into_buckets(std::span<const Box<D>> boxes, IsMember is_membe
   cells_.resize(members);
   for (std::size_t i = boxes.size(); i-- > 0;) {
     if (!is_member(i)) continue;
-    // Filled from the back: the end of each bucket comes down to its start.
+    // Filled backwards: the end of each bucket moves down to its start.
     const Cell cell = cell_of(boxes[i], i);
     cells_[--first_of_bucket_[bucket_of(cell) + 1]] = cell;
   }
@@ -87,14 +87,14 @@ void Grid<D>::search(std::span<const Box<D>> boxes, IsMember is_member, Found fo
     const Box<D>& box = boxes[std::size_t(own.block)];
     for (auto level = std::lower_bound(levels_.begin(), levels_.end(), own.level); level != levels_.end();
          ++level) {
-      // Centres of that grid's blocks lie within half a cell of their boxes.
+      // Centres of blocks in that grid are within half a cell of their boxes.
       const double size = std::ldexp(1.0, *level);
       Cell wanted;
       wanted.level = *level;
       std::int64_t first[D], last[D];
       for (int k = 0; k < D; ++k) {
         first[k] = cell_index(box.lower[k] - 0.5 * size, size);
-        // No farther, though a damaged snapshot says so.
+        // At most 3 cells, even for a damaged snapshot.
         last[k] = std::min(cell_index(box.upper[k] + 0.5 * size, size), first[k] + 2);
         wanted.index[k] = first[k];
       }

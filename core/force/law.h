@@ -8,22 +8,22 @@
 
 namespace halfspace {
 
-/// A stiffness refers to one of these. The values are those of the C API.
-enum class StiffnessKind : std::int32_t { per_contact = 0, per_area = 1, potential = 2, none = 3 };
+/// The reference of a stiffness. The values are those of the C API.
+enum class StiffnessKind : std::int32_t { per_contact, per_area, potential, none, last = none };
 
-/// Penalty spring with Mohr-Coulomb friction (Wang et al. 2021, section 3), the potential force with the same
-/// friction (Zheng et al. 2020, section 3), or no spring at all (Li et al. 2015, section 4): then stiffness
-/// and damping count for nothing.
+/// A penalty law with Mohr-Coulomb friction (Wang et al. 2021, section 3), a potential law with the same
+/// friction (Zheng et al. 2020, section 3), or no spring at all (Li et al. 2015, section 4), where stiffness
+/// and damping are unused.
 struct ContactLaw {
   StiffnessKind stiffness_kind = StiffnessKind::per_contact;
-  std::int32_t reserved = 0;      // so that saved laws have no padding
-  double normal_stiffness = 1e9;  // N/m, Pa/m or, of potentials, Pa
-  double shear_stiffness = 1e9;   // N/m or Pa/m; of potentials N/m
+  std::int32_t reserved = 0;      // explicit padding of saved laws
+  double normal_stiffness = 1e9;  // N/m, Pa/m or, for potentials, Pa
+  double shear_stiffness = 1e9;   // N/m or Pa/m; for potentials N/m
   double tan_friction = 0;        // tangent of the friction angle
-  double cohesion = 0;            // Pa, of intact contacts
-  double tensile_strength = 0;    // Pa, of intact contacts
-  double normal_damping = 0.1;    // share of critical: without any, friction on springs feeds the vibration
-  double shear_damping = 0.1;     // of what it should hold; likewise
+  double cohesion = 0;            // Pa, until failure
+  double tensile_strength = 0;    // Pa, until failure
+  double normal_damping = 0.1;    // ratio to critical; at 0, friction on springs excites vibrations
+  double shear_damping = 0.1;     // ratio to critical, likewise
 
   bool has_no_spring() const { return stiffness_kind == StiffnessKind::none; }
   bool resists_shear() const {
@@ -32,11 +32,11 @@ struct ContactLaw {
   bool is_damped() const { return !has_no_spring() && normal_damping + shear_damping > 0; }
   bool is_potential() const { return stiffness_kind == StiffnessKind::potential; }
   bool bonds() const { return cohesion > 0 || tensile_strength > 0; }
-  /// The same with all strengths divided by a factor.
+  /// The same law with all strengths divided by a factor.
   ContactLaw weaker_by(double factor) const;
-  /// False for what no law can be, after reading a snapshot.
+  /// False for data of a damaged snapshot.
   bool is_consistent() const;
-  /// The viscosity of the more damped of both dashpots, beside a spring between blocks of this reduced mass.
+  /// The larger viscosity of both dashpots, for a spring between blocks of this reduced mass.
   double viscosity(double stiffness, double reduced_mass) const {
     return 2 * std::max(normal_damping, shear_damping) * std::sqrt(stiffness * reduced_mass);
   }
@@ -49,7 +49,7 @@ class LawTable {
 
   std::int32_t material_count() const { return material_count_; }
 
-  /// One more material, that has the default law with all.
+  /// Adds a material, with the default law for all its pairs.
   void add_material() {
     law_of_pair_.resize(law_of_pair_.size() + std::size_t(material_count_) + 1, -1);
     ++material_count_;
@@ -68,13 +68,13 @@ class LawTable {
     return own < 0 ? default_ : own_[std::size_t(own)];
   }
 
-  /// True when a law of potentials has ever been set: known without going through all pairs.
+  /// True if a potential law has ever been set; costs no loop over pairs.
   bool knows_potential() const { return knows_potential_; }
 
-  /// Likewise for a law without a spring.
+  /// The same for a law without a spring.
   bool knows_no_spring() const { return knows_no_spring_; }
 
-  /// True when the condition holds for a law that some pair of materials has.
+  /// True if the condition holds for the law of any pair of materials.
   template <class Condition>
   bool any(Condition condition) const {
     for (std::int32_t index : law_of_pair_) {
@@ -83,7 +83,7 @@ class LawTable {
     return false;
   }
 
-  /// False for what no table can be, after reading a snapshot.
+  /// False for data of a damaged snapshot.
   bool is_consistent() const;
 
   template <class Archive>
@@ -96,7 +96,7 @@ class LawTable {
     knows_potential_ |= law.is_potential();
     knows_no_spring_ |= law.has_no_spring();
   }
-  /// The place in the lower triangle, row by row: a new material adds a row and moves nothing.
+  /// The index in the lower triangle, row by row: a new material adds a row at the end.
   static std::size_t index(std::int32_t a, std::int32_t b) {
     const std::size_t row = std::size_t(std::max(a, b)), column = std::size_t(std::min(a, b));
     return row * (row + 1) / 2 + column;

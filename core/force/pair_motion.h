@@ -4,23 +4,23 @@
 
 namespace halfspace {
 
-/// The strain rates of two blocks; zero for one that is not affine.
+/// The velocity gradients of two blocks by strain; zero for blocks that are not affine.
 template <int D>
 struct StrainRates {
   Tensor<D> of_a = Tensor<D>::Zero();
   Tensor<D> of_b = Tensor<D>::Zero();
 };
 
-/// How two blocks move: velocities of their centroids, angular velocities and strain rates.
+/// The relative motion of two blocks: velocities of their centroids, spins and strain rates.
 template <int D>
 struct PairMotion {
   Vector<D> velocity;  // of b's centroid relative to a's
   Vector<D> to_b;
   Angular<D> spin_a;
   Angular<D> spin_b;
-  const StrainRates<D>* strain_rates = nullptr;  // none of two rigid blocks
+  const StrainRates<D>* strain_rates = nullptr;  // null for two rigid blocks
 
-  /// Velocity of b's material relative to a's at a point given from a's centroid.
+  /// Velocity of b relative to a at a material point, given from a's centroid.
   Vector<D> relative_at(const Vector<D>& p) const {
     Vector<D> relative = velocity + swept(spin_b, p - to_b) - swept(spin_a, p);
     if (strain_rates) {
@@ -30,7 +30,7 @@ struct PairMotion {
     return relative;
   }
 
-  /// How much faster the blocks open along a unit direction from place to place across it.
+  /// The gradient, across a unit direction, of the opening velocity along it.
   Vector<D> opening_slope(const Vector<D>& direction) const {
     Vector<D> slope = -swept(Angular<D>(spin_b - spin_a), direction);
     if (strain_rates) {

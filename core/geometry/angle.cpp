@@ -6,18 +6,17 @@
 
 #include "geometry/precise.h"
 
-// The angle is counted in quarter turns, exactly: its 53 bits times 2/pi, of which only the bits that matter
-// are taken (Payne and Hanek 1983). What it has beyond whole quarters, at most half of one, goes into the
-// series of sine and cosine, which are short there. The angle of a vector is found the other way round: the
-// nearest direction of a row of nine is taken off, and the series of the arctangent is short for the rest.
-// The rounding of a series' leading term is carried along.
+// The angle is reduced to quarter turns exactly: its 53 bits times the relevant bits of 2/pi (Payne and Hanek
+// 1983). The remainder, at most half a quarter turn, is the argument of short series of sine and cosine. The
+// angle of a vector is reduced by the nearest of nine directions, and the remainder is the argument of a
+// short series of the arctangent. The rounding error of a series' leading term is added in.
 
 namespace halfspace {
 namespace {
 
 constexpr Precise quarter_turn = {0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54};
 
-/// 2/pi in binary, 64 zeros before the point.
+/// 2/pi in binary, after 64 zero bits.
 constexpr std::uint32_t quarters_per_radian[] = {
     0,          0,          0xa2f9836e, 0x4e441529, 0xfc2757d1, 0xf534ddc0, 0xdb629599,
     0x3c439041, 0xfe5163ab, 0xdebbc561, 0xb7246e3a, 0x424dd2e0, 0x06492eea, 0x09d1921c,
@@ -26,7 +25,7 @@ constexpr std::uint32_t quarters_per_radian[] = {
     0x6d367ecf, 0x27cb09b7, 0x4f463f66, 0x9e5fea2d, 0x7527bac7, 0xebe5f17b, 0x3d0739f7,
     0x8a5292ea, 0x6bfb5fb1, 0x1f8d5d08, 0x56033046, 0xfc7b6bab, 0xf0cfbc20, 0x9af4361d};
 
-/// 32 of its bits, from a place counted from the first zero.
+/// 32 bits, from a bit counted from the first zero.
 std::uint32_t bits_from(int place) {
   const std::uint64_t two_words =
       std::uint64_t(quarters_per_radian[place / 32]) << 32 | quarters_per_radian[place / 32 + 1];
@@ -44,21 +43,21 @@ Precise operator/(const Precise& a, const Precise& b) {
   return {quotient, rest / b.high};
 }
 
-/// An angle as whole quarter turns, but for whole turns, and what is left of it, in radians.
+/// An angle as a number of quarter turns modulo 4, and a remainder in radians.
 struct Quarters {
   unsigned whole;
   Precise rest;
 };
 
-/// The angle is above 1e-15.
+/// Requires an angle above 1e-15.
 Quarters quarters_of(double angle) {
   int exponent;
   const auto digits = std::uint64_t(std::ldexp(std::frexp(angle, &exponent), 53));
   exponent -= 53;
-  // Bits before these 192 make whole turns, bits behind them are too small to tell.
+  // Bits above these 192 are whole turns, bits below are negligible.
   constexpr int words = 6;
   std::array<std::uint32_t, words>
-      product{};  // the lowest word first; 2 bits of whole quarters, then the rest
+      product{};  // lowest word first; 2 bits of whole quarters, then the remainder
   for (const int half : {0, 1}) {
     std::uint64_t carry = 0;
     for (int i = half; i < words; ++i) {
@@ -69,7 +68,7 @@ Quarters quarters_of(double angle) {
     }
   }
   const auto bits_after = [&](std::size_t i) { return product[i] << 2 | product[i - 1] >> 30; };
-  // The rest reaches half a quarter beyond the last whole one, or half a quarter short of the next.
+  // The remainder is between -1/2 and 1/2 of a quarter turn.
   const std::uint32_t first = bits_after(5);
   const unsigned rounded_up = first >> 31;
   const double a = (double(first) - (rounded_up ? 0x1p32 : 0)) * 0x1p-32, b = bits_after(4) * 0x1p-64,
@@ -79,7 +78,7 @@ Quarters quarters_of(double angle) {
   return {(product[5] >> 30) + rounded_up, all * quarter_turn};
 }
 
-/// The rest is at most pi/4 either way.
+/// Requires a remainder of at most pi/4 in magnitude.
 Precise cosine_of_rest(const Precise& r) {
   const double q = r.high * r.high, lost = std::fma(r.high, r.high, -q);
   constexpr double c4 = 1 / 24.0, c6 = 1 / 720.0, c8 = 1 / 40320.0, c10 = 1 / 3628800.0,
@@ -110,7 +109,7 @@ CosineAndSine<Precise> precise_cosine_and_sine(double angle) {
   return {of_magnitude.cosine, std::signbit(angle) ? -of_magnitude.sine : of_magnitude.sine};
 }
 
-/// The angles of slopes of 0 to 8 eighths.
+/// Arctangents of 0/8 to 8/8.
 constexpr Precise angle_of_eighths[] = {{0, 0},
                                         {0x1.fd5ba9aac2f6ep-4, -0x1.cd37686760c17p-59},
                                         {0x1.f5b75f92c80ddp-3, 0x1.8ab6e3cf7afbdp-57},
@@ -121,7 +120,7 @@ constexpr Precise angle_of_eighths[] = {{0, 0},
                                         {0x1.700a7c5784634p-1, -0x1.8c34d25aadef6p-56},
                                         {0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55}};
 
-/// The slope rise / run is from 0 to 1.
+/// Requires a slope rise / run from 0 to 1.
 Precise angle_of_slope(double rise, double run) {
   const int eighths = int(8 * rise / run + 0.5);
   const Precise slope = {eighths / 8.0, 0}, negative_slope = {-eighths / 8.0, 0};

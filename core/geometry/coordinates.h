@@ -5,13 +5,13 @@
 
 namespace halfspace {
 
-/// A vector in space; of lanes, as many vectors as these have.
+/// A vector in 3D; with lanes, one vector per lane.
 template <class Number>
 struct Coordinates {
   Number x, y, z;
 };
 
-// Inlined by force: see four_lanes.h.
+// Always inlined: see four_lanes.h.
 
 template <class Number>
 [[gnu::always_inline]] inline Coordinates<Number> operator+(const Coordinates<Number>& a,

@@ -16,7 +16,7 @@ void deform_components(const Outline<D>& own, const Tensor<D>& gradient, double*
   double* normals = components + D * vertices;
   map_vectors(gradient, own.x, vertices, components);
   map_vectors(Tensor<D>(gradient.inverse().transpose()), own.nx, halfspaces, normals);
-  // Their lengths are not 1 any more, and the offsets are as many times too large.
+  // Normalized: the normals are no longer of unit length, and the offsets are scaled by the same factor.
   double* offset = normals + D * halfspaces;
   for (std::size_t i = 0; i < halfspaces; ++i) {
     Eigen::Map<Vector<D>, 0, Eigen::InnerStride<>> normal(normals + i,

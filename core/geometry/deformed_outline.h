@@ -7,7 +7,7 @@
 
 namespace halfspace {
 
-/// Vectors whose components lie in arrays of `count` one after the other.
+/// Maps vectors stored as component arrays of length `count`, one after the other.
 inline void map_vectors(const Tensor<2>& map, const double* own, std::size_t count, double* mapped) {
   const double *x = own, *y = own + count;
   double *out_x = mapped, *out_y = mapped + count;
@@ -27,13 +27,12 @@ inline void map_vectors(const Tensor<3>& map, const double* own, std::size_t cou
   }
 }
 
-/// How many doubles the components of an outline take: x, y, nx, ny, offset, or x, y, z, nx, ny, nz, offset,
-/// each padded, one after the other.
+/// The number of doubles of an outline: x, y, nx, ny, offset, or x, y, z, nx, ny, nz, offset, each padded.
 std::size_t component_count(const Outline<2>& outline);
 std::size_t component_count(const Outline<3>& outline);
 
-/// The outline of a shape that is turned and strained by a gradient: vertices by the gradient, half-spaces so
-/// that they stay those of the faces. Lies in `components`, of which there are component_count().
+/// The outline of a shape mapped by a deformation gradient: vertices by the gradient, half-spaces so that
+/// they remain those of the faces. `components` has room for component_count() doubles.
 Outline<2> deformed(const Outline<2>& own, const Tensor<2>& gradient, double* components);
 Outline<3> deformed(const Outline<3>& own, const Tensor<3>& gradient, double* components);
 

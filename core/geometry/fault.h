@@ -15,7 +15,7 @@ enum class Fault : std::int32_t {
   not_convex = 5,
   self_crossing = 6,
   zero_area = 7,
-  // How a polyhedron's vertices and faces hang together.
+  // Topology of a polyhedron.
   fewer_than_four = 8,
   face_too_short = 9,
   no_such_vertex = 10,
@@ -24,7 +24,7 @@ enum class Fault : std::int32_t {
   unmatched_edge = 13,
   vertex_inside_edge = 14,
   not_one_surface = 15,
-  // Where they are.
+  // Geometry of a polyhedron.
   out_of_range = 16,
   coinciding_vertices = 17,
   zero_volume = 18,
@@ -32,16 +32,16 @@ enum class Fault : std::int32_t {
   face_not_plane = 20,
   vertex_outside_face = 21,
   coplanar_faces = 22,
-  // Reasons why points or half-spaces have no polyhedron.
+  // Points or half-spaces that have no polyhedron.
   hull_failed = 23,
   no_direction = 24,
   unbounded = 25,
   no_common_point = 26,
-  // Facets that are to be fitted within a tolerance.
+  // Facets to be fitted within a tolerance.
   beyond_tolerance = 27,
 };
 
-/// The fault in words, e.g. "is on the line of its neighbours".
+/// The fault as text, e.g. "is on the line of its neighbours".
 const char* fault_text(Fault fault);
 
 }  // namespace halfspace

@@ -7,7 +7,7 @@
 
 namespace halfspace {
 
-/// A number that tells shapes apart, the same in every process. Odd.
+/// A hash that identifies a shape, the same in every process. Odd.
 class Fingerprint {
  public:
   void mix(std::uint64_t bits) {
@@ -29,7 +29,7 @@ inline std::uint64_t fingerprint_of(const Outline<2>& outline) {
   return fingerprint.value();
 }
 
-/// Its faces belong to it: a pair is known by their numbers.
+/// With the loops of the faces, as pair caches refer to face indices.
 inline std::uint64_t fingerprint_of(const Outline<3>& outline) {
   Fingerprint fingerprint;
   for (const double* component : {outline.x, outline.y, outline.z})

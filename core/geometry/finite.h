@@ -5,7 +5,7 @@
 
 namespace halfspace {
 
-/// Eigen's allFinite() says the same, by templates that cost the compiler far more.
+/// The same as Eigen's allFinite(), whose templates take far longer to compile.
 template <class Matrix>
 bool all_finite(const Eigen::PlainObjectBase<Matrix>& matrix) {
   const double* const values = matrix.data();

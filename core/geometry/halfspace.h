@@ -4,10 +4,10 @@
 
 namespace halfspace {
 
-/// The points whose depth is not negative, in the plane a half-plane. The normal points out of it.
+/// The points of non-negative depth; in 2D a half-plane. The normal points out of it.
 template <int D>
 struct Halfspace {
-  Vector<D> normal;  // of any length but 0: depths are as many times too large
+  Vector<D> normal;  // not 0, of any length: depths are scaled by it
   double offset;
 
   double depth(const Vector<D>& p) const { return offset - normal.dot(p); }

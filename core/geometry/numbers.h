@@ -5,17 +5,17 @@
 
 namespace halfspace {
 
-/// Numbers from outside are no larger, as the coordinates of shapes are: no square is infinite then, nor its
-/// product with a mass or a stiffness. False for NaN.
+/// The limit of input numbers, such as coordinates of shapes: squares, and their products with a mass or a
+/// stiffness, do not overflow. False for NaN.
 constexpr double largest_number = 1e75;
 inline bool is_within_limits(double value) { return std::abs(value) <= largest_number; }
 
-/// The farthest from the origin that a block of a world may be put, in its bounding radii. There, its place
-/// is rounded by 2^-21 of its radius. Thirty times farther off, a block that meets another one with small
-/// steps does not move at all, as each is lost in rounding.
+/// The largest distance of a block from the origin of a world, in its bounding radii. Its position is then
+/// rounded to 2^-21 of its radius. At thirty times that distance, small displacements of blocks in contact
+/// are lost in rounding.
 constexpr double farthest_place = 0x1p32;
 
-// Numbers that were read from a snapshot are checked by these before they are computed with.
+// Checks of numbers from a snapshot, before they are used.
 
 inline bool is_finite(double value) { return std::isfinite(value); }
 inline bool is_positive(double value) { return value > 0 && std::isfinite(value); }

@@ -6,11 +6,11 @@
 
 namespace halfspace {
 
-/// Which way the path a -> b -> c turns.
+/// The direction in which the path a -> b -> c turns.
 enum class Turn { right = -1, straight = 0, left = 1 };
 
-/// Sign of the double area of (a, b, c), "straight" when it is within the rounding of its own evaluation
-/// (the static part of Shewchuk's orient2d filter, 1997): such a corner cannot be told from a straight line.
+/// Sign of twice the area of (a, b, c); "straight" when it is below the error bound of its own evaluation
+/// (the static part of Shewchuk's orient2d filter, 1997).
 inline Turn turn(const Vector<2>& a, const Vector<2>& b, const Vector<2>& c) {
   constexpr double unit_roundoff = 0x1p-53;
   constexpr double bound = (3 + 16 * unit_roundoff) * unit_roundoff;

@@ -16,28 +16,28 @@ struct Pose {
   Rotation<D> rotation;
 };
 
-/// A pose where a host keeps it: the centroid's three coordinates, and a quaternion x, y, z, w. In the plane
-/// that turns about z.
+/// A pose in the host's memory: the centroid's three coordinates, and a quaternion x, y, z, w. In 2D the
+/// quaternion is a rotation about z.
 struct GivenPose {
   const double* position;
   const double* quaternion;
 };
 
-/// The length of a quaternion may be off 1 by 1e-6, and so its square by this. Other faults of a pose are
-/// weighed so that this is their limit, too.
+/// The norm of a quaternion may deviate from 1 by 1e-6, and so its square by this. Other faults of a pose are
+/// weighted so that this is their limit, too.
 constexpr double largest_fault = 2e-6;
-/// Squares of a quaternion's x and y are weighed by this in the plane: either may be 1e-6.
+/// Weight of the squares of x and y in 2D: each may be 1e-6.
 constexpr double weight_off_axis = 1e6;
-/// Coordinates are weighed by this: they count only near the largest number. What is not finite exceeds the
-/// limit or fails the comparison.
+/// Weight of coordinates: they matter only near the largest number. Values that are not finite exceed the
+/// limit or fail the comparison.
 constexpr double weight_far_off = largest_fault / largest_number;
 
 inline double fault_of_quaternion(const double q[4]) {
   return abs(1.0 - ((q[0] * q[0] + q[1] * q[1]) + (q[2] * q[2] + q[3] * q[3])));
 }
 
-/// Quaternions about z as turns, and by how much their squared lengths are off 1. Number is a double, or
-/// TwoLanes for those of two poses side by side.
+/// Rotations by quaternions about z, and the deviation of their squared norms from 1. Number is a double, or
+/// TwoLanes for two poses.
 template <class Number>
 struct TurnAboutZ {
   CosineAndSine<Number> turn;
@@ -63,7 +63,7 @@ inline bool turn_exactly_about_z(const GivenPose& a, const GivenPose& b) {
   return any << 1 == 0;  // without the sign
 }
 
-/// Is the quaternion of unit length, in the plane about z, and the place near enough? False also for NaN.
+/// Is the quaternion of unit norm, in 2D about z, and the position within limits? False also for NaN.
 template <int D>
 bool is_tolerable(const GivenPose& given) {
   const double *p = given.position, *q = given.quaternion;
@@ -73,7 +73,7 @@ bool is_tolerable(const GivenPose& given) {
   return turn_about_z(q[2], q[3]).fault + weight_off_axis * off_axis <= largest_fault;
 }
 
-/// True only when both poses are tolerable; faster. It may be false for some that are.
+/// Faster; true only if both poses are tolerable, but may be false for tolerable ones.
 template <int D>
 [[gnu::always_inline]] inline bool are_tolerable(const GivenPose& a, const GivenPose& b) {
   const TwoLanes far_off = abs(load_two(a.position)) + abs(load_two(b.position));
@@ -86,7 +86,7 @@ template <int D>
          fault_of_quaternion(b.quaternion) <= largest_fault && weight_far_off * farthest <= largest_fault;
 }
 
-/// A tolerable pose to compute with.
+/// Converts a tolerable pose.
 template <int D>
 Pose<D> pose_of(const GivenPose& given) {
   const double* q = given.quaternion;

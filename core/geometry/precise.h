@@ -12,7 +12,7 @@ struct Precise {
   double low;
 };
 
-/// Without any rounding (Knuth's two-sum).
+/// Without rounding error (Knuth's two-sum).
 inline Precise difference(double a, double b) {
   const double d = a - b;
   const double b_in_d = a - d;
@@ -30,7 +30,7 @@ inline Precise operator-(const Precise& a, const Precise& b) {
   return {d.high, d.low + (a.low - b.low)};
 }
 
-/// (a - o) x (b - o), all but the last bits right however narrow the triangle o, a, b is.
+/// (a - o) x (b - o), accurate to the last bits however narrow the triangle o, a, b is.
 inline Vector<3> precise_cross_product(const Vector<3>& o, const Vector<3>& a, const Vector<3>& b) {
   Precise p[3], q[3];
   for (int i = 0; i < 3; ++i) {

@@ -8,19 +8,19 @@
 
 namespace halfspace {
 
-/// From the z and w of a quaternion whose squared length is 1 but for a deficit of at most 3e-6: the series
-/// of its inverse is exact to rounding then, and faster than a division.
+/// From the z and w of a quaternion whose squared norm is 1 minus a deficit of at most 3e-6: then the series
+/// of the inverse is accurate to rounding, and faster than a division.
 template <class Number>
 CosineAndSine<Number> cosine_and_sine(const Number& z, const Number& w, const Number& deficit) {
   const Number inverse = (1.0 + deficit) + deficit * deficit;
   return {(w * w - z * z) * inverse, 2.0 * w * z * inverse};
 }
 
-/// A turn about the origin.
+/// A rotation about the origin.
 template <int D>
 class Rotation;
 
-/// In the plane: a unit complex number, cosine and sine.
+/// In 2D: a unit complex number, cosine and sine.
 template <>
 class Rotation<2> {
  public:
@@ -47,28 +47,28 @@ class Rotation<2> {
     return turn;
   }
 
-  /// This rotation followed by a further turn, brought back to unit length.
+  /// This rotation followed by a rotation by an angle, normalized.
   Rotation turned_by(const Angular<2>& turn) const {
     if (turn[0] == 0) return *this;
     const auto [c, s] = cosine_and_sine_of(turn[0]);
     const Rotation next = Rotation(c, s) * *this;
-    // One Newton step of 1/sqrt(c^2 + s^2) at 1: the length is off by rounding only.
+    // One Newton step of 1/sqrt(c^2 + s^2) at 1 leaves only rounding errors of the length.
     const double correction = 1.5 - 0.5 * (next.cosine * next.cosine + next.sine * next.sine);
     return {next.cosine * correction, next.sine * correction};
   }
 
-  /// The shortest turn that leads here from another rotation.
+  /// The shortest rotation from another rotation to this one.
   Angular<2> turn_since(const Rotation& before) const {
     const Rotation turn = *this * before.inverse();
     return Angular<2>(angle_at(turn.cosine, turn.sine));
   }
 
-  /// No unit vector is turned to places farther apart by these two.
+  /// A bound of the distance between the images of a unit vector under both rotations.
   double farthest_from(const Rotation& other) const {
     return std::abs(cosine - other.cosine) + std::abs(sine - other.sine);
   }
 
-  /// As a unit quaternion x, y, z, w. Of its two parts the larger is found first, so that no digits cancel.
+  /// As a unit quaternion x, y, z, w. Its larger component is computed first, to avoid cancellation.
   void write_quaternion(double q[4]) const {
     const double larger = std::sqrt(0.5 * (1 + std::abs(cosine)));
     q[0] = q[1] = 0;
@@ -79,14 +79,13 @@ class Rotation<2> {
   Rotation(double c = 1, double s = 0) : cosine(c), sine(s) {}
 };
 
-/// In space: the columns of its matrix are where it takes the axes.
+/// In 3D: a matrix, whose columns are the images of the axes.
 template <>
 class Rotation<3> {
  public:
   Rotation() = default;
 
-  /// From a quaternion x, y, z, w that is of unit length to rounding or nearly so: what it is off is taken
-  /// out.
+  /// From a quaternion x, y, z, w of nearly unit norm, which is normalized.
   static Rotation from_quaternion(const double q[4]) {
     const double x = q[0], y = q[1], z = q[2], w = q[3];
     const double inverse = 1 / (x * x + y * y + z * z + w * w);
@@ -124,7 +123,7 @@ class Rotation<3> {
     return columns;
   }
 
-  /// From where it takes the axes: right-handed unit vectors at right angles to each other.
+  /// From the images of the axes: orthonormal and right-handed.
   static Rotation from_axes(const Vector<3>& x, const Vector<3>& y, const Vector<3>& z) {
     Rotation rotation;
     rotation.columns_[0] = x;
@@ -133,10 +132,10 @@ class Rotation<3> {
     return rotation;
   }
 
-  /// Where it takes axis k.
+  /// The image of axis k.
   const Vector<3>& axis(int k) const { return columns_[k]; }
 
-  /// This rotation followed by a further turn: about the direction of `turn`, by its length.
+  /// This rotation followed by one about the direction of `turn`, by its length.
   Rotation turned_by(const Angular<3>& turn) const {
     const double angle = turn.norm();
     if (angle == 0) return *this;
@@ -151,7 +150,7 @@ class Rotation<3> {
     return next.straightened();
   }
 
-  /// Turns about where it takes axis k. Rounding is left in: see straightened().
+  /// Rotates about the image of axis k, without normalization: see straightened().
   void turn_about_own_axis(int k, double angle) {
     const auto [c, s] = cosine_and_sine_of(angle);
     Vector<3>&first = columns_[(k + 1) % 3], &second = columns_[(k + 2) % 3];
@@ -160,7 +159,7 @@ class Rotation<3> {
     first = turned;
   }
 
-  /// The rotation nearest to this one, which is off by rounding: a Newton step of the polar decomposition.
+  /// The nearest rotation, without the accumulated rounding: a Newton step of the polar decomposition.
   Rotation straightened() const {
     const Tensor<3> m = tensor();
     const Eigen::Matrix3d gram = m.transpose().lazyProduct(m);
@@ -168,7 +167,7 @@ class Rotation<3> {
     return from_axes(nearest.col(0), nearest.col(1), nearest.col(2));
   }
 
-  /// The turn that leads here from another rotation, by well below half a turn.
+  /// The rotation vector from another rotation to this one, of well below half a turn.
   Angular<3> turn_since(const Rotation& before) const {
     const Rotation turn = *this * before.inverse();
     const Vector<3>&x = turn.columns_[0], &y = turn.columns_[1], &z = turn.columns_[2];
@@ -177,18 +176,18 @@ class Rotation<3> {
     return sine > 0 ? Angular<3>(angle_at(cosine, sine) / (2 * sine) * twice_sine) : Angular<3>::Zero();
   }
 
-  /// No unit vector is turned to places farther apart by these two.
+  /// A bound of the distance between the images of a unit vector under both rotations.
   double farthest_from(const Rotation& other) const {
     return std::sqrt((columns_[0] - other.columns_[0]).squaredNorm() +
                      (columns_[1] - other.columns_[1]).squaredNorm() +
                      (columns_[2] - other.columns_[2]).squaredNorm());
   }
 
-  /// As a unit quaternion x, y, z, w, the one with w >= 0 but for rounding. Of its four parts the largest is
-  /// found first, so that no digits cancel.
+  /// As a unit quaternion x, y, z, w, with w >= 0 to rounding. The largest of its four components is computed
+  /// first, to avoid cancellation.
   void write_quaternion(double q[4]) const {
     const Vector<3>&x = columns_[0], &y = columns_[1], &z = columns_[2];
-    // Four times the square of each part.
+    // Four times the square of each component.
     const double squares[] = {1 + x.x() - y.y() - z.z(), 1 - x.x() + y.y() - z.z(), 1 - x.x() - y.y() + z.z(),
                               1 + x.x() + y.y() + z.z()};
     const double xy = x.y() + y.x(), yz = y.z() + z.y(), zx = z.x() + x.z();

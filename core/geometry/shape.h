@@ -12,7 +12,7 @@
 
 namespace halfspace {
 
-/// Measures of a shape of either dimension.
+/// Measures of a shape in 2D or 3D.
 template <int D>
 class ShapeMeasures {
  public:
@@ -20,10 +20,10 @@ class ShapeMeasures {
   double bounding_radius() const { return bounding_radius_; }
   double shortest_edge() const { return shortest_edge_; }
   double longest_edge() const { return longest_edge_; }
-  /// The least width across an edge or, in space, a face: between two edges a polyhedron may be narrower, a
-  /// flat tetrahedron by half.
+  /// The smallest width normal to an edge or, in 3D, to a face. Normal to two edges a polyhedron may be
+  /// narrower, a flat tetrahedron by half.
   double thickness() const { return thickness_; }
-  /// Tells shapes apart, see Fingerprint.
+  /// Identifies the shape, see Fingerprint.
   std::uint64_t fingerprint() const { return fingerprint_; }
 
  protected:
@@ -43,9 +43,9 @@ class Shape;
 template <>
 class Shape<2> : public ShapeMeasures<2> {
  public:
-  /// From vertices in either order that check_polygon() found no fault with.
+  /// Requires vertices, in either order, without a fault by check_polygon().
   Shape(std::span<const Vector<2>> vertices, Memory* memory);
-  /// Another one of the same bits.
+  /// A copy with the same bits.
   Shape(const Shape& other, Memory* memory);
   Shape(const Shape&) = delete;  // its outline points into its own components
   Shape& operator=(const Shape&) = delete;
@@ -76,7 +76,7 @@ class Shape<2> : public ShapeMeasures<2> {
 template <>
 class Shape<3> : public ShapeMeasures<3> {
  public:
-  /// From a polyhedron that check_polyhedron() found no fault with.
+  /// Requires a polyhedron without a fault by check_polyhedron().
   Shape(const Polyhedron& polyhedron, Memory* memory);
   Shape(const Shape&) = delete;  // its outline points into its own components
   Shape& operator=(const Shape&) = delete;
@@ -107,11 +107,11 @@ class Shape<3> : public ShapeMeasures<3> {
   double largest_face_ = 0;
   TopologyArrays topology_;
   Array<double> components_;           // x, y, z, then nx, ny, nz, offset, each padded
-  std::optional<GaussMap> gauss_map_;  // of many vertices
+  std::optional<GaussMap> gauss_map_;  // only with many vertices
   Outline<3> outline_;                 // into components_, topology_ and gauss_map_
 };
 
-/// The polyhedron that a shape was made from, in the coordinates that it was made from, to rounding.
+/// The polyhedron of a shape, in the coordinates that it was made from, to rounding.
 Polyhedron polyhedron_of(const Shape<3>& shape, Memory* memory);
 
 }  // namespace halfspace

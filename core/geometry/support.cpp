@@ -9,7 +9,7 @@ Support support_at(const Outline<3>& block, const Vector<3>& direction, int v) {
   return {direction.x() * block.x[v] + direction.y() * block.y[v] + direction.z() * block.z[v], v};
 }
 
-/// Without a branch: which one it is is as good as random.
+/// Without branches, as they would be unpredictable.
 Support deeper(const Support& s, const Support& t) {
   return {std::min(s.height, t.height), t.height < s.height ? t.vertex : s.vertex};
 }
@@ -27,8 +27,7 @@ Support walk_from(const Outline<3>& block, const Vector<3>& direction, Support h
 
 }  // namespace
 
-/// Heights over a convex surface have one minimum: every vertex that is not the deepest has a deeper
-/// neighbour.
+/// On a convex surface every vertex except the deepest has a deeper neighbour.
 Support walk_to_deepest(const Outline<3>& block, const Vector<3>& direction, int hint) {
   return walk_from(block, direction, support_at(block, direction, hint));
 }

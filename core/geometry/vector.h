@@ -12,7 +12,7 @@ namespace halfspace {
 template <int D>
 using Vector = Eigen::Matrix<double, D, 1>;
 
-/// A matrix that turns and stretches a vector.
+/// A linear map of vectors.
 template <int D>
 using Tensor = Eigen::Matrix<double, D, D>;
 
@@ -20,14 +20,14 @@ using Tensor = Eigen::Matrix<double, D, D>;
 template <class T>
 using Array = std::pmr::vector<T>;
 
-/// Room for one entry more, gained by doubling, so that entries added one by one cost linear time.
+/// Reserves one more entry, by doubling, so that appending costs linear time.
 template <class T>
 void make_room_for_one(Array<T>& array) {
   if (array.capacity() == array.size()) array.reserve(2 * array.size() + 1);
 }
 
-/// Capacity near `room`: more when it is short, less when most would lie idle. Entries stay, also when there
-/// is no memory.
+/// Adjusts the capacity to `room`: grows it if smaller, shrinks it if much larger. Entries stay, also when
+/// memory runs out.
 template <class T>
 void refit(Array<T>& array, std::size_t room) {
   if (array.capacity() >= room && array.capacity() <= room + room / 4) return;
@@ -46,10 +46,10 @@ inline Vector<3> cross_product(const Vector<3>& a, const Vector<3>& b) {
   return {a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(), a.x() * b.y() - a.y() * b.x()};
 }
 
-/// The vector turned by a right angle counter-clockwise.
+/// The vector rotated by 90 degrees counter-clockwise.
 inline Vector<2> perpendicular(const Vector<2>& v) { return {-v.y(), v.x()}; }
 
-/// Angular velocity, angular momentum or torque: a single number in the plane, counter-clockwise.
+/// Angular velocity, angular momentum or torque: in 2D one number, counter-clockwise.
 template <int D>
 using Angular = Vector<D == 2 ? 1 : 3>;
 
@@ -59,17 +59,17 @@ inline Angular<2> moment(const Vector<2>& arm, const Vector<2>& force) {
 }
 inline Angular<3> moment(const Vector<3>& arm, const Vector<3>& force) { return cross_product(arm, force); }
 
-/// Moment of all forces whose products force * arm^T are summed in a tensor.
+/// Moment of forces whose products force * arm^T are summed in a tensor.
 inline Angular<2> moment(const Tensor<2>& virial) { return Angular<2>(virial(1, 0) - virial(0, 1)); }
 inline Angular<3> moment(const Tensor<3>& virial) {
   return {virial(2, 1) - virial(1, 2), virial(0, 2) - virial(2, 0), virial(1, 0) - virial(0, 1)};
 }
 
-/// Velocity that a spin gives the end of an arm.
+/// Velocity of the end of an arm by a spin.
 inline Vector<2> swept(const Angular<2>& spin, const Vector<2>& arm) { return spin[0] * perpendicular(arm); }
 inline Vector<3> swept(const Angular<3>& spin, const Vector<3>& arm) { return cross_product(spin, arm); }
 
-/// The tensor that gives an arm the velocity by a spin.
+/// The tensor that maps an arm to its velocity by a spin.
 inline Tensor<2> cross_tensor(const Angular<2>& spin) {
   Tensor<2> turn;
   turn << 0, -spin[0], spin[0], 0;

@@ -14,60 +14,58 @@ enum class ContactType : std::int32_t {
   vertex_vertex = 1,
   vertex_edge = 2,
   edge_edge = 3,
-  edge_face = 4,  // this and what follows in space only
+  edge_face = 4,  // from here on in 3D only
   face_face = 5,
   vertex_face = 6
 };
 
-/// Settings of detection that trade nothing but what a contact is called.
+/// Settings of detection that affect only the type and region of a contact.
 struct DetectOptions {
-  double parallel_angle = 0.01;  // rad: edges (in space, faces) closer to parallel than this share a region
-  double vertex_zone =
-      1e-6;  // share of the shorter edge's length that an end of an edge counts as its vertex
+  double parallel_angle = 0.01;  // rad: edges (in 3D faces) at a smaller angle share a region
+  double vertex_zone = 1e-6;     // fraction of the shorter edge's length at its end that counts as its vertex
 
-  /// Beyond the parallel angle, and up to this one, features share a region as long as they overlap at more
-  /// of its points than a simpler contact would have: so no spring is lost that bears.
+  /// Up to this angle, above the parallel angle, features share a region while more of its points overlap
+  /// than a simpler contact has: so no loaded spring is lost.
   double region_angle() const { return std::max(parallel_angle, std::min(15 * parallel_angle, 0.3)); }
-  /// A region so long and so deep has come down to one point before it is tilted by that angle.
+  /// Does a tilted region of this length and depth end before it exceeds that angle?
   bool outlasts(double length, double depth) const { return depth <= length * region_angle(); }
 };
 
-/// A facet of the Minkowski difference of two blocks is a potential contact pair (Wang et al. 2021, eqs. 9,
-/// 17 and 23).
+/// A potential contact pair, which is a facet of the Minkowski difference of two blocks (Wang et al. 2021,
+/// eqs. 9, 17 and 23).
 template <int D>
 struct PotentialPair;
 
-/// In the plane it is known by its edge alone: the vertex is the other block's deepest one behind it.
+/// In 2D identified by its edge alone: the vertex is the other block's deepest one behind it.
 template <>
 struct PotentialPair<2> {
-  std::int32_t owner = 0;   // whose edge: 0 block a, 1 block b
+  std::int32_t owner = 0;   // of the edge: 0 block a, 1 block b
   std::int32_t edge = 0;    // of the owner
   std::int32_t vertex = 0;  // of the other block
   friend bool operator==(const PotentialPair&, const PotentialPair&) = default;
 };
 
-/// In space it is a face of one block and the other's deepest vertex behind it, or an edge of each. Of
-/// separated blocks it may also be a vertex of each, deepest along the normal of some plane between the
-/// blocks.
+/// In 3D a face of one block and the other's deepest vertex behind it, or an edge of each. For separated
+/// blocks also a vertex of each, the deepest along the normal of a separating plane.
 template <>
 struct PotentialPair<3> {
   enum Kind : std::int32_t { face_vertex = 0, vertex_face = 1, edge_edge = 2, vertex_vertex = 3 };
-  Kind kind = face_vertex;  // which features: first of block a, second of block b
-  std::int32_t a = 0;       // index of that of block a
-  std::int32_t b = 0;       // index of that of block b
+  Kind kind = face_vertex;  // the features: first of block a, second of block b
+  std::int32_t a = 0;       // index of the feature of block a
+  std::int32_t b = 0;       // index of the feature of block b
   friend bool operator==(const PotentialPair&, const PotentialPair&) = default;
 };
 
-/// Two vertices may keep blocks apart, but no contact is described by them.
+/// Does the pair define a contact plane? Two vertices only prove separation.
 inline bool has_a_plane(const PotentialPair<2>&) { return true; }
 inline bool has_a_plane(const PotentialPair<3>& pair) { return pair.kind != PotentialPair<3>::vertex_vertex; }
 
-/// A violated potential pair, or the pair of least depth when none is violated, and its gap.
+/// A violated potential pair, or the pair of minimum depth if none is violated, and its gap.
 template <int D>
 struct Separation;
 
-/// The pair is known by its edge; its vertex is only where to look for the deepest one first, unless a
-/// function says more.
+/// The pair is identified by its edge; its vertex is only a start for the search of the deepest one, unless a
+/// function documents more.
 template <>
 struct Separation<2> {
   double gap;
@@ -82,11 +80,11 @@ struct Separation<3> {
 };
 
 struct PairState {
-  /// Overlapping, in space: the blocks touch, and nobody has asked through which pair.
+  /// overlapping, in 3D: the blocks touch, but their pair has not been computed.
   enum State : std::int32_t { unknown = 0, separated = 1, touching = 2, overlapping = 3 };
 };
 
-/// The proof of the verdict on a pair of blocks, which is tried first in the next step.
+/// The cached proof of the last result for a pair of blocks, tested first in the next step.
 template <int D>
 struct PairCache;
 
@@ -95,22 +93,21 @@ struct PairCache<2> {
   using State = PairState::State;
   using enum PairState::State;
   State state = unknown;
-  /// Separated: the last violated pair, tried first. Touching: the pair through which the blocks met.
+  /// Separated: the last violated pair, tested first. Touching: the pair through which the blocks met.
   PotentialPair<2> pair;
 };
 
-/// In space a search costs more, so that its proof is remembered as well: what is asked first is whether it
-/// still holds. Separated blocks may have a plane between them that no feature of theirs tells; then the pair
-/// is of two vertices, and says where to look first for what is deepest along the plane's normal.
+/// In 3D a search costs more, so its proof is cached, too, and tested first. The plane between separated
+/// blocks may not belong to any feature; then the pair is two vertices, the start of the search along the
+/// plane's normal.
 template <>
 struct PairCache<3> {
   using State = PairState::State;
   using enum PairState::State;
   State state = unknown;
-  PotentialPair<3> pair;  // as in the plane; overlapping: one that means nothing any more
+  PotentialPair<3> pair;  // as in 2D; overlapping: undefined
   /// In the orientation of the outlines. Separated: the unit normal, from a to b, of a plane between the
-  /// blocks. Else a point of both, seen from the centroid of a. Checked before it is believed:
-  /// any value will do.
+  /// blocks. Else a point in both, relative to the centroid of a. Verified before use, so any value is valid.
   Vector<3> proof = Vector<3>::Zero();
 };
 
@@ -119,18 +116,17 @@ bool touching(const PairCache<D>& witness) {
   return witness.state >= PairCache<D>::touching;
 }
 
-/// A contact between blocks a and b, relative to the centroid of a, or the proof that there is none.
+/// A contact between blocks a and b, relative to the centroid of a, or the proof of their separation.
 template <int D>
 struct Contact;
 
-/// Without initial values: detection writes one for each pair, and what a separated pair leaves unset costs
-/// nothing.
+/// Without initial values, which would cost time for each separated pair.
 template <>
 struct Contact<2> {
   ContactType type;
   PotentialPair<2> pair;     // the contact plane; of a separated pair, the violated pair
-  std::int32_t point_count;  // 0 when separated, and then only normal and gap follow
-  std::int32_t reserved;  // fills the gap before the next member, so that saved contacts hold no stray bytes
+  std::int32_t point_count;  // 0 when separated; then only normal and gap are set
+  std::int32_t reserved;     // explicit padding, so that all saved bytes are defined
   double gap;           // of the pair, or of the deeper end of an edge-edge region; > 0 proves the separation
   Vector<2> normal;     // unit, from a to b
   Vector<2> points[2];  // of the region, on the contact plane
@@ -138,29 +134,28 @@ struct Contact<2> {
   double length;        // of the contact region: 0 unless edge-edge
 };
 
-/// The most points of a contact region that are kept. The overlap of two faces seldom has more corners; where
-/// it has, those are kept that lie farthest in as many directions spread evenly round the contact plane.
+/// The maximum number of points of a contact region. An overlap of two faces seldom has more corners; then
+/// those farthest in as many evenly spread directions are kept.
 constexpr int max_region_points = 8;
 
-/// The contact plane is that of the face of `pair`; where edges or vertices meet it goes through the point
-/// given, which between two edges is the middle of their nearest points. Without initial values, as in the
-/// plane; what lies past point_count is left unset.
+/// The contact plane is that of the face of `pair`. For edges or vertices it goes through the given point,
+/// between two edges the midpoint of their nearest points. Without initial values, as in 2D.
 template <>
 struct Contact<3> {
   ContactType type;
   PotentialPair<3> pair;     // the contact plane; of a separated pair, the violated pair
-  std::int32_t point_count;  // 0 when separated, and then only normal and gap follow
+  std::int32_t point_count;  // 0 when separated; then only normal and gap are set
   double gap;                // of the pair, or of the deepest point of the region; > 0 proves the separation
   Vector<3> normal;          // unit, from a to b
   double area;               // of the contact region: 0 unless face-face
   double length;             // of the contact region: 0 unless edge-face
   Vector<3> center;          // centroid of the contact region, on the contact plane
-  double center_gap;         // there
+  double center_gap;         // at `center`
   Vector<3> points[max_region_points];  // corners of the region, counter-clockwise about the normal
   double gaps[max_region_points];       // at the points
 };
 
-/// The middle of a contact's region, or of where the features of a separated pair are nearest.
+/// The centre of a contact's region, or of the nearest points of a separated pair.
 inline Vector<2> middle_of(const Contact<2>& contact) {
   return contact.point_count == 2 ? 0.5 * (contact.points[0] + contact.points[1]) : contact.points[0];
 }
@@ -170,7 +165,7 @@ inline double gap_in_middle_of(const Contact<2>& contact) {
 }
 inline double gap_in_middle_of(const Contact<3>& contact) { return contact.center_gap; }
 
-/// A contact that is its pair alone or, of type none, the proof that there is none.
+/// A contact described by its pair alone or, with type none, the proof of separation.
 template <int D>
 [[gnu::always_inline]] inline Contact<D> contact_without_region(ContactType type,
                                                                 const PotentialPair<D>& pair,
@@ -184,8 +179,7 @@ template <int D>
   return contact;
 }
 
-/// Moves a contact into the host's frame: `rotation` turns into it, and the old origin lies at `origin`
-/// there.
+/// Transforms a contact to the host's frame, by `rotation`; the old origin is at `origin`.
 template <int D>
 void place(Contact<D>& contact, const Rotation<D>& rotation, const Vector<D>& origin) {
   contact.normal = rotation * contact.normal;

@@ -7,7 +7,7 @@
 
 namespace halfspace {
 
-/// A potential pair in space is made of these.
+/// The features of a potential pair in 3D.
 enum class Feature { vertex, edge, face };
 struct FeaturesOfPair {
   Feature a;
@@ -27,7 +27,7 @@ inline int count_of(Feature feature, const Outline<3>& block) {
 
 inline bool is_below(std::int32_t index, std::int32_t count) { return index >= 0 && index < count; }
 
-/// Does a pair that was read from a snapshot name features that the blocks have?
+/// Does a pair from a snapshot have valid indices of features?
 inline bool names_features(const PotentialPair<2>& pair, const Outline<2>& a, const Outline<2>& b) {
   if (pair.owner != 0 && pair.owner != 1) return false;
   return is_below(pair.edge, (pair.owner == 0 ? a : b).count) &&

@@ -5,27 +5,27 @@
 
 namespace halfspace {
 
-/// The frames in which two posed blocks are compared. Detection takes the poses relative to each other: the
-/// distance from the origin, which both share, costs no digits.
+/// The frames in which two posed blocks are compared. Detection uses relative poses, so that the distance
+/// from the origin costs no accuracy.
 template <int D>
 struct Frames;
 
-/// In the plane each block sees the other in a frame of its own.
+/// In 2D each block has the other in its own frame.
 template <>
 struct Frames<2> {
   Turns turns;            // of both
-  Placement<Turns> seen;  // by each
+  Placement<Turns> seen;  // in each block's frame
 
   Rotation<2> of_a() const { return only(turns, 0); }
   Rotation<2> b_in_a() const { return only(seen.into_other, 1); }
   Vector<2> to_b() const { return only(seen.to_other, 0); }
 };
 
-/// In space both blocks are seen from the frame of a.
+/// In 3D both blocks are in the frame of a.
 template <>
 struct Frames<3> {
   Rotation<3> of_a;
-  Rotation<3> b_in_a;  // turns from the frame of b into that of a
+  Rotation<3> b_in_a;  // from the frame of b to that of a
   Vector<3> to_b;      // from the centroid of a
 };
 

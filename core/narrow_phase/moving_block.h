@@ -13,15 +13,15 @@
 
 namespace halfspace {
 
-/// How far a block's points reach, and what bounds how their heights bend.
+/// Bounds of the positions of a block's points, for the bound of their heights' second derivatives.
 struct Reach {
   double radius = 0;   // about the centroid, at any time
-  double across = 0;   // about the axis of the turn through the centroid, at any time
-  double stretch = 0;  // how far the stretch takes a point
+  double across = 0;   // about the rotation axis through the centroid, at any time
+  double stretch = 0;  // the largest displacement of a point by the stretch
 };
 
-/// A block that moves over an interval, seen from its centroid. Its outline is laid down in `room`, of
-/// component_count() doubles.
+/// A block that moves over an interval, relative to its centroid. `room` has component_count() doubles for
+/// its outline.
 template <int D>
 class MovingBlock {
  public:
@@ -34,24 +34,24 @@ class MovingBlock {
   double angle() const { return angle_; }
   const Angular<D>& turn() const { return sweep_.turn; }
 
-  /// As it is at a time. Valid until the next call.
+  /// The outline at a time. Valid until the next call.
   Outline<D> outline_at(double time) { return deformed(own_, sweep_.gradient_at(time), room_); }
 
-  /// How deep it lies along a direction at a time.
+  /// The height of the deepest point along a direction at a time.
   double depth_along(const Vector<D>& direction, double time) const {
     return deepest_along(Vector<D>(sweep_.gradient_at(time).transpose() * direction));
   }
 
-  /// How fast the stretch alone moves places about the centroid at a time.
+  /// The velocity gradient of the stretch alone at a time.
   Tensor<D> stretching_at(double time) const {
     const Tensor<D> turned = sweep_.turned_by(time);
     return turned * sweep_.stretch * sweep_.stretched_at(time).inverse() * turned.transpose();
   }
 
-  /// Bound of how much the height of a point bends along a normal that turns by `turn` in the interval: seen
-  /// from what turns with the normal, a point at y has the second derivative ((w - u)^2 + [u w]) y + 2 (u -
-  /// w) s, in which w and u stand for the cross tensors of the normal's turn and of the block's and s is the
-  /// stretch's rate.
+  /// Bound of the second derivative of a point's height along a normal that rotates by `turn` in the
+  /// interval: in the frame of the normal, a point y has the second derivative ((w - u)^2 + [u w]) y + 2 (u -
+  /// w) s, with the cross tensors w of the normal's rotation and u of the block's, and the rate s of the
+  /// stretch.
   double bend(const Angular<D>& turn) const {
     const Angular<D> slip = turn - sweep_.turn;
     const double speed = slip.norm();

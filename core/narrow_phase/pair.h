@@ -8,8 +8,7 @@
 
 namespace halfspace {
 
-/// Gap of a potential pair whose vertex may have moved on: `pair.vertex` is brought up to date. Seen from the
-/// frame of the owner, as far as the vertex allows.
+/// Gap of a potential pair; updates its vertex to the deepest one. Computed in the frame of the edge's owner.
 template <class Lanes>
 double refresh(const Outline<2>& a, const Outline<2>& b, const Placement<Lanes>& at, PotentialPair<2>& pair) {
   const Owner owner(a, b, pair);
@@ -27,19 +26,19 @@ inline double refresh(const Outline<2>& a, const Outline<2>& b, const Vector<2>&
   return refresh(a, b, placement_unturned(to_b), pair);
 }
 
-/// Gap of the pair that keeps two blocks apart.
+/// Gap of the cached pair of separated blocks.
 inline double refresh(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
                       PairCache<2>& witness) {
   return refresh(a, b, to_b, witness.pair);
 }
 
-/// The pair through which blocks begin to meet that were separated at last (Wang et al. 2021, section 2.5).
+/// The pair through which separated blocks start to touch (Wang et al. 2021, section 2.5).
 inline PotentialPair<2> initial_pair(const Outline<2>&, const Outline<2>&, const Vector<2>&,
                                      const PairCache<2>& witness) {
   return witness.pair;
 }
 
-/// In the plane a search is as fast as a proof of contact.
+/// In 2D a search is as fast as a proof of contact.
 inline bool still_touching(const Outline<2>&, const Outline<2>&, const Vector<2>&, PairCache<2>&) {
   return false;
 }
@@ -50,23 +49,23 @@ inline bool describe_plainly_touching(const Outline<2>&, const Outline<2>&, cons
 inline void remember_proof(const Contact<2>&, const Vector<2>&, PairCache<2>&) {}
 inline void remember_point(const Vector<2>&, PairCache<2>&) {}
 
-/// Unit normal of a potential pair's half-space, turned so that it points from a to b.
+/// Unit normal of a potential pair's half-space, oriented from a to b.
 inline Vector<2> normal_of(const Outline<2>& a, const Outline<2>& b, const PotentialPair<2>& pair) {
   return pair.owner == 0 ? a.normal(pair.edge) : Vector<2>(-b.normal(pair.edge));
 }
 
-/// The less deep of the pairs whose faces look most along a normal from a to b, from either side.
+/// The pair of smaller depth, of a's edge with its normal nearest to `normal` and b's nearest to -`normal`.
 PotentialPair<2> pair_along(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
                             const Vector<2>& normal);
 
-/// Walks around the Minkowski difference to the pair of least depth that is reached without passing a deeper
-/// one. So the contact keeps the side through which the blocks met, also when a thin block is overlapped past
-/// its middle.
+/// Walks around the Minkowski difference to the pair of minimum depth that is reached without passing a
+/// deeper one. So the contact stays on the side through which the blocks met, also when a thin block is
+/// penetrated beyond its middle.
 PotentialPair<2> descend(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
                          const PotentialPair<2>& start);
 
-/// Type, normal, gap and region of the contact at a potential pair, touching or not. `pair` is moved to the
-/// neighbouring one when the vertex has left the edge across its end.
+/// Computes type, normal, gap and region of the contact at a potential pair, touching or not. Replaces `pair`
+/// by the neighbouring one when the vertex has left the edge across its end.
 void describe_contact(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b, PotentialPair<2>& pair,
                       const DetectOptions& options, Contact<2>& contact);
 
@@ -74,18 +73,18 @@ inline PairCache<2> witness_of(const Separation<2>& separation) {
   return {PairCache<2>::separated, separation.pair};
 }
 
-// From here on the plane and space are alike. Outlines are in one orientation, each relative to its own
-// centroid; `to_b` leads from that of a to that of b.
+// From here on for 2D and 3D. Outlines are in one orientation, each relative to its own centroid; `to_b` is
+// the vector from the centroid of a to that of b.
 
-/// True when what is remembered still proves separation by itself (eqs. 12 and 31).
+/// Does the cached pair still prove separation (eqs. 12 and 31)?
 template <int D>
 bool still_separated(const Outline<D>& a, const Outline<D>& b, const Vector<D>& to_b, PairCache<D>& witness) {
   return witness.state == PairCache<D>::separated && refresh(a, b, to_b, witness) > 0;
 }
 
-/// The pair through which blocks meet that are found to overlap: the one through which they begin to, or
-/// what a walk from there reaches that is less deep; the one remembered when they touched before; without
-/// history the given one, of least depth (section 2.5). Remembers it, with its vertex brought up to date.
+/// Caches the pair through which overlapping blocks have met, and updates its vertex: after separation the
+/// pair through which they start to touch, or one of smaller depth reached by a walk from it; after contact
+/// the cached one; without history the given one, of minimum depth (section 2.5).
 template <int D>
 void remember_contact(const Seen<D>& a, const Seen<D>& b, const Vector<D>& to_b,
                       const PotentialPair<D>& least_depth, PairCache<D>& witness) {
@@ -98,8 +97,8 @@ void remember_contact(const Seen<D>& a, const Seen<D>& b, const Vector<D>& to_b,
   witness.state = PairCache<D>::touching;
 }
 
-/// Type, normal, gap and region of the contact at the remembered pair. In space, a point of both blocks is
-/// remembered as well, by which the next step may know sooner that they are still in contact.
+/// Computes type, normal, gap and region of the contact at the cached pair. In 3D also caches a point of both
+/// blocks, as a faster proof of contact in the next step.
 template <int D>
 void describe_contact(const Seen<D>& a, const Seen<D>& b, const Vector<D>& to_b, PairCache<D>& witness,
                       const DetectOptions& options, Contact<D>& contact) {
@@ -107,7 +106,6 @@ void describe_contact(const Seen<D>& a, const Seen<D>& b, const Vector<D>& to_b,
   if (witness.state == PairCache<D>::touching) remember_proof(contact, to_b, witness);
 }
 
-/// Describes the contact of two blocks that overlap.
 template <int D>
 void describe_overlap(const Seen<D>& a, const Seen<D>& b, const Vector<D>& to_b,
                       const PotentialPair<D>& least_depth, const DetectOptions& options,
@@ -116,8 +114,8 @@ void describe_overlap(const Seen<D>& a, const Seen<D>& b, const Vector<D>& to_b,
   describe_contact(a, b, to_b, witness, options, contact);
 }
 
-/// Judges all potential pairs of two blocks, unless they are known still to touch, and remembers the contact
-/// or the separation.
+/// Tests all potential pairs of two blocks, unless they are proven to touch, and caches the contact or the
+/// separation.
 template <int D>
 void judge_pair(const Outline<D>& a, const Outline<D>& b, const Vector<D>& to_b, PairCache<D>& witness) {
   if (still_touching(a, b, to_b, witness)) return;
@@ -129,25 +127,25 @@ void judge_pair(const Outline<D>& a, const Outline<D>& b, const Vector<D>& to_b,
   }
 }
 
-/// True when two blocks touch.
+/// Do two blocks touch?
 template <int D>
 bool touch(const Outline<D>& a, const Outline<D>& b, const Vector<D>& to_b, PairCache<D>& witness) {
   if (!still_separated(a, b, to_b, witness)) judge_pair(a, b, to_b, witness);
   return touching(witness);
 }
 
-/// The pair through which blocks that touch do so: the remembered one, or that of least depth.
+/// The contact pair of touching blocks: the cached one, or that of minimum depth.
 template <int D>
 PotentialPair<D> pair_in_contact(const Outline<D>& a, const Outline<D>& b, const Vector<D>& to_b,
                                  const PairCache<D>& witness) {
   if (witness.state != PairCache<D>::overlapping) return witness.pair;
   const Separation<D> separation = find_separation(a, b, to_b);
-  // To rounding they may be apart.
+  // To rounding they may be separated.
   return separation.gap > 0 ? initial_pair(a, b, to_b, witness_of(separation)) : separation.pair;
 }
 
-/// True when two blocks touch; then their contact is described. The same as to judge the pair and to describe
-/// the contact after that, but that a contact which has hardly changed is known to be one by its description.
+/// If two blocks touch, describes their contact and returns true. The result is that of touch() followed by
+/// describe_contact(), but a contact that has hardly changed is proven by its description.
 template <int D>
 bool find_contact(const Outline<D>& a, const Outline<D>& b, const Vector<D>& to_b,
                   const DetectOptions& options, PairCache<D>& witness, Contact<D>& contact) {

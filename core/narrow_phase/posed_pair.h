@@ -6,7 +6,7 @@
 
 namespace halfspace {
 
-/// Two shapes of one dimension and where they are.
+/// Two shapes with their poses.
 template <int D>
 struct PosedPair {
   const Shape<D>& a;
@@ -15,16 +15,16 @@ struct PosedPair {
   GivenPose at_b;
 };
 
-/// Odd, hence never 0; other for the same shapes swapped.
+/// Odd, hence never 0; changes when the shapes are swapped.
 template <int D>
 std::uint64_t fingerprint_of(const PosedPair<D>& posed) {
   return posed.a.fingerprint() + 2 * posed.b.fingerprint();
 }
 
-/// The questions that a host may ask of one pair. Polyhedra take the defaults of what is said here.
+/// Options of a search of one pair. For polyhedra only defaults of these are supported.
 struct PairOptions : DetectOptions {
-  double margin = 0;        // blocks with no gap above it are in contact
-  bool with_region = true;  // else a contact is its pair alone
+  double margin = 0;        // a pair with a gap above it is separated
+  bool with_region = true;  // false: a contact is its pair alone
 };
 
 }  // namespace halfspace

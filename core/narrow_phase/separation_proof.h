@@ -10,19 +10,19 @@
 
 namespace halfspace {
 
-/// A proof that two shapes stay separated after they have moved: along the normal their centroids were
-/// farther apart than they reach together, as they were turned then. The host keeps it, with other things of
-/// its own.
+/// A proof that two shapes remain separated after displacements: the distance of their centroids along a
+/// normal exceeded their common reach in their orientations at that time. Stored by the host, with other
+/// data.
 template <class Proof>
 concept SeparationProof = requires(Proof& proof) {
-  { (proof.shapes) } -> std::same_as<std::uint64_t&>;    // fingerprint_of() these; 0 if there is no proof
-  { (proof.reach) } -> std::same_as<double&>;            // of both together along the normal, or more
+  { (proof.shapes) } -> std::same_as<std::uint64_t&>;    // their fingerprint_of(); 0 without a proof
+  { (proof.reach) } -> std::same_as<double&>;            // upper bound, of both together along the normal
   { (proof.normal) } -> std::same_as<double(&)[3]>;      // unit, from a to b
   { (proof.rotation_a) } -> std::same_as<double(&)[4]>;  // quaternions
   { (proof.rotation_b) } -> std::same_as<double(&)[4]>;
 };
 
-/// How far a unit vector leads from a's centroid to b's.
+/// The distance from a's centroid to b's along a unit vector.
 template <int D>
 double distance_along(const double normal[3], const PosedPair<D>& posed) {
   const double *a = posed.at_a.position, *b = posed.at_b.position;
@@ -30,9 +30,9 @@ double distance_along(const double normal[3], const PosedPair<D>& posed) {
   return D == 2 ? along[0] + along[1] : along[0] + along[1] + (b[2] - a[2]) * normal[2];
 }
 
-/// How far two shapes reach towards each other along the normal on which they have been found separated, or
-/// more. Fewer than 32 roundings lie between the poses and the gap, of numbers no larger than the way between
-/// the centroids and the radii; and far apart, where these leave nothing of the reach, the radii bound it.
+/// Upper bound of the reach of two shapes towards each other along the normal of their separation. Fewer than
+/// 32 rounding errors occur between the poses and the gap, of numbers up to the distance of the centroids and
+/// the radii. At large distances, where these exceed the reach, the radii are the bound.
 template <int D>
 double reach_of(const PosedPair<D>& posed, const double normal[3], double gap) {
   const double *a = posed.at_a.position, *b = posed.at_b.position;
@@ -43,7 +43,7 @@ double reach_of(const PosedPair<D>& posed, const double normal[3], double gap) {
   return std::min(reach, (1 + largest_fault) * radii);
 }
 
-/// Keeps a proof from the gap by which a pair has been found separated along a normal.
+/// Stores a proof from the gap along a normal.
 template <int D, SeparationProof Proof>
 void keep_proof(const PosedPair<D>& posed, const double normal[3], double gap, Proof& proof) {
   proof.shapes = fingerprint_of(posed);
@@ -53,10 +53,10 @@ void keep_proof(const PosedPair<D>& posed, const double normal[3], double gap, P
   std::copy_n(posed.at_b.quaternion, 4, proof.rotation_b);
 }
 
-/// The gap that is left at these poses, at least. A block that turns by an angle moves none of its points by
-/// more than 2 R sin(angle / 2), and its quaternion by 2 sin(angle / 4): the reach grows by at most 2 R times
-/// the latter, here summed over the components, and by a little more as quaternions may be off unit length.
-/// Translation counts as it is.
+/// Lower bound of the gap at these poses. A rotation by an angle displaces the points of a block by up to
+/// 2 R sin(angle / 2), and its quaternion by 2 sin(angle / 4): the reach grows by at most 2 R times the
+/// latter, summed over the components, and by a little more as quaternions may deviate from unit norm.
+/// Translation is exact.
 template <int D, SeparationProof Proof>
 [[gnu::always_inline]] inline double gap_left(const PosedPair<D>& posed, const Proof& proof) {
   const double *a = posed.at_a.quaternion, *b = posed.at_b.quaternion;
@@ -70,9 +70,8 @@ template <int D, SeparationProof Proof>
   return (distance_along(proof.normal, posed) - proof.reach) - points_per_quaternion * (moved[0] + moved[1]);
 }
 
-/// The gap that is left when it still proves the pair separated by more than the margin, else 0. Poses that
-/// are to be refused prove nothing, nor do those in the plane whose quaternions turn about z but for
-/// rounding.
+/// The gap if it still proves separation by more than the margin, else 0. Invalid poses prove nothing, nor do
+/// poses in 2D whose quaternions rotate about z only to rounding.
 template <int D, SeparationProof Proof>
 [[gnu::always_inline]] inline double proven_gap(const PosedPair<D>& posed, const Proof& proof,
                                                 double margin) {

@@ -9,36 +9,35 @@
 
 namespace halfspace {
 
-/// How a block moves over an interval whose time runs from 0 to 1: its centroid goes straight, the block
-/// turns evenly about it, and seen from what turns with it its gradient changes evenly. A rigid block has a
-/// rotation as gradient and no stretch; an affine block, as the world moves it, does not turn but stretch. At
-/// a time its points are at position + time way + R(time turn) (gradient + time stretch) X, X their place in
-/// the shape's frame.
+/// The motion of a block in an interval of time 0 to 1: its centroid moves on a straight line, the block
+/// rotates at a constant rate about it, and in the rotating frame its gradient changes at a constant rate. A
+/// rigid block has a rotation as gradient and no stretch; an affine block has no rotation but stretch. A
+/// point X of the shape's frame is at position + time way + R(time turn) (gradient + time stretch) X.
 template <int D>
 struct Sweep {
   Vector<D> position = Vector<D>::Zero();      // of the centroid at the start
-  Vector<D> way = Vector<D>::Zero();           // of the centroid
+  Vector<D> way = Vector<D>::Zero();           // displacement of the centroid
   Tensor<D> gradient = Tensor<D>::Identity();  // at the start
-  Angular<D> turn = Angular<D>::Zero();        // as far as one likes, also beyond a full one
-  Tensor<D> stretch = Tensor<D>::Zero();       // of the gradient, by the end
+  Angular<D> turn = Angular<D>::Zero();        // rotation vector, of any length
+  Tensor<D> stretch = Tensor<D>::Zero();       // total change of the gradient
 
   Tensor<D> turned_by(double time) const { return Rotation<D>().turned_by(time * turn).tensor(); }
   Tensor<D> gradient_at(double time) const { return turned_by(time) * stretched_at(time); }
-  /// Seen from what turns with the block.
+  /// In the rotating frame.
   Tensor<D> stretched_at(double time) const { return gradient + time * stretch; }
 };
 
 inline double volume_bend(const Tensor<2>&) { return 0; }
 inline double volume_bend(const Tensor<3>& change) { return change.determinant(); }
 
-/// A time on the way at which a shape is flat or inside out, and its volume then as a share of that at first.
+/// A time at which a shape is flat or inverted, and its volume relative to the initial one.
 struct Collapse {
   double time;
   double volume;
 };
 
-/// A stretch may turn a shape inside out between its start and its end. Its volume on the way is a polynomial
-/// in the invariants of the change, which is least where its derivative is 0.
+/// A stretch may invert a shape between its start and its end. The volume is a polynomial in the invariants
+/// of the change, and its minimum is where the derivative is 0.
 template <int D>
 std::optional<Collapse> collapse_on_the_way(const Tensor<D>& gradient, const Tensor<D>& stretch) {
   const Tensor<D> change = gradient.inverse() * stretch;

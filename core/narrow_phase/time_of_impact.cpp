@@ -8,27 +8,27 @@
 #include "narrow_phase/pair.h"
 #include "narrow_phase/space/potential_pairs.h"
 
-// Between two times the gap along a normal, min over vertices of smooth functions none of which bends by more
-// than `bend`, lies above the straight line between its values at both times by no less than -bend/2 (t -
-// t1)(t2 - t). So two looks prove the blocks apart for a while, or tell for how long (conservative
-// advancement, Mirtich 1996, by second instead of first derivatives). The normal turns with the feature that
-// it belongs to: faces that turn alike stay parallel, and whatever turns, the way to the touch shortens by
-// squares as a Newton iteration's does. Where one normal sees no gap any more, the next is sought.
+// Between two times the gap along a normal is the minimum over vertices of smooth functions with second
+// derivatives up to `bend`. So it is above the straight line between its values at both times minus
+// bend/2 (t - t1)(t2 - t). Two evaluations thus prove separation for some time (conservative advancement,
+// Mirtich 1996, with second instead of first derivatives). The normal rotates with its feature: faces with
+// the same rotation stay parallel, and convergence to the impact is quadratic. Where one normal's gap
+// vanishes, the next is searched.
 
 namespace halfspace {
 namespace {
 
-/// A unit normal from a to b that turns evenly.
+/// A unit normal from a to b that rotates at a constant rate.
 template <int D>
 struct TurningNormal {
   Vector<D> normal;  // at a time
-  Angular<D> turn;   // in the interval
+  Angular<D> turn;   // rotation vector in the interval
   double time;
 
   Vector<D> at(double t) const { return Rotation<D>().turned_by((t - time) * turn) * normal; }
 };
 
-/// A time and the gap then.
+/// The gap at a time.
 struct Look {
   double time;
   double gap;
@@ -39,11 +39,11 @@ Vector<2> normal_of(const Separation<2>& found, const Outline<2>& a, const Outli
 }
 Vector<3> normal_of(const Separation<3>& found, const Outline<3>&, const Outline<3>&) { return found.normal; }
 
-/// The spin that turns a unit vector by the part of its rate at right angles to it.
+/// The angular velocity of a unit vector with a given rate of change.
 Angular<2> turn_by_rate(const Vector<2>& v, const Vector<2>& rate) { return Angular<2>(cross(v, rate)); }
 Angular<3> turn_by_rate(const Vector<3>& v, const Vector<3>& rate) { return cross_product(v, rate); }
 
-/// Names the features that meet where a mere plane was between the blocks.
+/// Finds the features at the impact where only a plane separated the blocks.
 void name_features(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b, Impact<3>& impact) {
   if (impact.pair.kind != PotentialPair<3>::vertex_vertex) return;
   impact.pair = initial_pair(a, b, to_b, {PairCache<3>::separated, impact.pair, impact.normal});
@@ -61,7 +61,7 @@ class MovingPair {
         b_(b, sweep_of_b, room + component_count(a)),
         to_b_(sweep_of_b.position - sweep_of_a.position),
         way_(sweep_of_b.way - sweep_of_a.way) {
-    // Each gap is a sum of some ten products for each component, each off by a few units in the last place.
+    // Each gap is a sum of about ten products per component, each with an error of a few ulps.
     constexpr double unit = 64 * std::numeric_limits<double>::epsilon();
     rounding_ = unit * (to_b_.norm() + way_.norm() + a_.reach().radius * (1 + a_.angle()) +
                         b_.reach().radius * (1 + b_.angle()));
@@ -92,7 +92,7 @@ class MovingPair {
     double last;
   };
 
-  /// When the spheres about both blocks meet.
+  /// The time span in which the bounding spheres overlap.
   Span when_within_reach() const {
     const double radius = (1 + 1e-9) * (a_.reach().radius + b_.reach().radius) + rounding_;
     const double square = way_.squaredNorm(), along = to_b_.dot(way_);
@@ -113,7 +113,7 @@ class MovingPair {
     turn_ = turn_of(found.pair, impact.normal, time, a, b);
     return impact;
   }
-  /// With what is only of interest in the end.
+  /// Adds the data that only the final result needs.
   Impact<D> at(Impact<D> impact, typename Impact<D>::State state) {
     impact.state = state;
     const Vector<D> to_b = to_b_at(impact.time);
@@ -137,7 +137,7 @@ class MovingPair {
            (a_.bend(turn) + b_.bend(turn) + 2 * swept(turn, way_).norm() + speed * speed * farthest);
   }
 
-  /// How long the gap is proven open from one look on, by another: never past that.
+  /// The time up to which the gap is proven open by two evaluations; at most that of the second.
   static double proven(const Look& from, const Look& to, double bend) {
     const double span = to.time - from.time;
     const double slope = (to.gap - from.gap) / span - 0.5 * bend * span;
@@ -206,7 +206,7 @@ class MovingPair {
   MovingBlock<D> a_;
   MovingBlock<D> b_;
   Vector<D> to_b_;  // at the start
-  Vector<D> way_;   // of b as seen from a
+  Vector<D> way_;   // displacement of b relative to a
   double rounding_;
   Angular<D> turn_ = Angular<D>::Zero();
 };

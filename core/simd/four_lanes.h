@@ -8,17 +8,16 @@
 
 namespace halfspace {
 
-// Four doubles that every operation treats alike, in two makes: one register of a processor that has AVX, or
-// two of the x86-64 baseline. Each lane rounds as a double does, so the bits do not depend on it. Code for
-// both is a template of the make, `Four`, and begins with with_widest_lanes().
+// Four doubles in one value, in two variants: one AVX register, or two registers of the x86-64 baseline. Each
+// lane rounds like a double, so both variants give the same bits. Code for both is a template of the lane
+// type, `Four`, called by with_widest_lanes().
 //
-// Functions that take or return lanes of AVX are inlined by force: a call would pass them in different places
-// depending on what it was compiled for.
+// Functions that take or return AVX lanes are always inlined: the calling convention for them depends on the
+// target that the caller is compiled for.
 
-/// One register.
 using FourLanes = double __attribute__((vector_size(32)));
 
-/// Two registers. Compilers would take FourLanes apart lane by lane where there is no register for them.
+/// Two registers. Without AVX, compilers would split FourLanes into scalars.
 struct TwiceTwoLanes {
   TwoLanes low;
   TwoLanes high;
@@ -59,7 +58,7 @@ template <class Four>
 inline TwoLanes low_half(const TwiceTwoLanes& a) { return a.low; }
 inline TwoLanes high_half(const TwiceTwoLanes& a) { return a.high; }
 
-/// Where a is less than b, the lane of `then`; elsewhere that of `otherwise`.
+/// Per lane: a < b ? then : otherwise.
 inline TwoLanes select_less(TwoLanes a, TwoLanes b, TwoLanes then, TwoLanes otherwise) {
   return a < b ? then : otherwise;
 }
@@ -73,13 +72,13 @@ inline TwiceTwoLanes select_less(const TwiceTwoLanes& a, const TwiceTwoLanes& b,
           select_less(a.high, b.high, then.high, otherwise.high)};
 }
 
-/// Lane by lane, the smaller one.
+/// The smaller value of each lane.
 template <class Four>
 [[gnu::always_inline]] inline Four min(const Four& a, const Four& b) {
   return select_less(a, b, a, b);
 }
 
-/// Lane by lane, the larger one.
+/// The larger value of each lane.
 template <class Four>
 [[gnu::always_inline]] inline Four max(const Four& a, const Four& b) {
   return select_less(b, a, a, b);
@@ -132,21 +131,21 @@ template <class Four>
   return four_of<Four>(std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3]));
 }
 
-/// Bit i is set when lane i has a sign: is below 0, or -0.
+/// Bit i is the sign bit of lane i; it is set for -0 too.
 template <class Four>
 [[gnu::always_inline]] inline unsigned signs_of_four(const Four& a) {
   return signs(low_half(a)) | signs(high_half(a)) << 2;
 }
 
 #ifdef __x86_64__
-/// Does what it is given compiled for AVX2, with what it calls inlined.
+/// Runs work compiled for AVX2, with all its calls inlined.
 template <class Work>
 [[gnu::target("avx2"), gnu::flatten]] inline auto with_avx2(const Work& work) {
   return work.template operator()<FourLanes>();
 }
 #endif
 
-/// Does work, a function template of the make of lanes, with the one that suits the processor.
+/// Runs work, a function template of the lane type, with the widest lanes of the processor.
 template <class Work>
 inline auto with_widest_lanes(const Work& work) {
 #ifdef __x86_64__

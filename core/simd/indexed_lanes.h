@@ -5,7 +5,7 @@
 
 namespace halfspace {
 
-/// Values, and the index of the vertex, edge or face that each is of. Whole numbers, as doubles.
+/// Values, each with the index of its vertex, edge or face. Indices are integers stored as doubles.
 template <class Lanes>
 struct Indexed {
   Lanes value;
@@ -14,8 +14,7 @@ struct Indexed {
 
 using IndexedLanes = Indexed<TwoLanes>;
 
-/// Lane by lane, the one of the larger (smaller) value. Without branches: which one wins is as good as
-/// random.
+/// The larger (smaller) value of each lane, with its index. Without branches, as they would be unpredictable.
 inline IndexedLanes max(const IndexedLanes& a, const IndexedLanes& b) {
   return {max(a.value, b.value), b.value > a.value ? b.index : a.index};
 }
@@ -24,7 +23,7 @@ template <class Lanes>
   return {select_less(b.value, a.value, b.value, a.value), select_less(b.value, a.value, b.index, a.index)};
 }
 
-/// The smallest of all lanes, with its index.
+/// The minimum of all lanes, with its index.
 template <class Four>
 [[gnu::always_inline]] inline IndexedLanes reduce_min(const Indexed<Four>& a) {
   const IndexedLanes two = min(IndexedLanes{low_half(a.value), low_half(a.index)},

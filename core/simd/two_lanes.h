@@ -4,9 +4,8 @@
 
 namespace halfspace {
 
-/// Two doubles that every operation treats alike: one register of the x86-64 baseline. By the vector
-/// extensions of GCC and Clang, which also compare and select lane by lane; each lane rounds as a double
-/// does, so the bits do not depend on it.
+/// Two doubles in one register of the x86-64 baseline. The vector extensions of GCC and Clang also compare
+/// and select per lane. Each lane rounds like a double, so results are the same bits as with scalars.
 using TwoLanes = double __attribute__((vector_size(16)));
 
 inline TwoLanes load_two(const double* p) {
@@ -19,16 +18,16 @@ inline void store_two(double* p, TwoLanes lanes) { __builtin_memcpy(p, &lanes, s
 
 inline TwoLanes both(double value) { return TwoLanes{value, value}; }
 
-/// The first (second) lanes of two.
+/// The first (second) lanes of both.
 inline TwoLanes firsts(TwoLanes a, TwoLanes b) { return TwoLanes{a[0], b[0]}; }
 inline TwoLanes seconds(TwoLanes a, TwoLanes b) { return TwoLanes{a[1], b[1]}; }
 
 inline TwoLanes exchanged(TwoLanes a) { return TwoLanes{a[1], a[0]}; }
 
-/// Sum of the lanes of each.
+/// The sum of the lanes of each.
 inline TwoLanes sums(TwoLanes a, TwoLanes b) { return firsts(a, b) + seconds(a, b); }
 
-/// Bit i is set when lane i has a sign: is below 0, or -0.
+/// Bit i is the sign bit of lane i; it is set for -0 too.
 inline unsigned signs(TwoLanes a) {
 #ifdef __SSE2__
   return unsigned(__builtin_ia32_movmskpd(a));

@@ -5,7 +5,7 @@
 namespace halfspace {
 namespace {
 
-/// Passes follow each other within microseconds, in which a thread that sleeps does not wake up.
+/// Threads poll before they sleep: passes follow within microseconds, less than it takes to wake up.
 constexpr int looks_before_sleep = 4096;
 
 template <class T>
@@ -51,7 +51,7 @@ void ThreadPool::run(void (*work)(void*, int), void* data) {
   for (int left; (left = at_work_.load(std::memory_order_acquire)) > 0;) wait_until_other(at_work_, left);
 }
 
-/// Computes as processors do by default, whatever the host has set for itself.
+/// Uses the default floating-point environment, whatever the host has set.
 void ThreadPool::wait_and_work(int worker) {
   std::fesetenv(FE_DFL_ENV);
   for (std::uint32_t seen = 0;; ++seen) {

@@ -9,7 +9,7 @@
 
 namespace halfspace {
 
-/// Threads of its own, that wait for work; the calling one is the first worker.
+/// Worker threads that wait for work; the calling thread is the first worker.
 class ThreadPool : public Threads {
  public:
   explicit ThreadPool(int count);
@@ -24,7 +24,7 @@ class ThreadPool : public Threads {
 
   void (*work_)(void*, int) = nullptr;
   void* data_ = nullptr;
-  std::atomic<std::uint32_t> job_ = 0;  // the number of the job that is to be done
+  std::atomic<std::uint32_t> job_ = 0;  // number of the current job
   std::atomic<int> at_work_ = 0;
   std::atomic<bool> ends_ = false;
   std::vector<std::thread> threads_;

@@ -9,20 +9,20 @@
 
 namespace halfspace {
 
-/// Runs work side by side. A world without any runs it one after the other, to the same bits.
+/// Runs work in parallel. A world without threads runs it in sequence, with the same bits.
 class Threads {
  public:
   virtual ~Threads() = default;
   virtual int count() const = 0;
-  /// Calls work(data, 0), work(data, 1) ... up to count() - 1, each once, in whatever order and at the same
-  /// time, and comes back when all have ended. The work throws nothing.
+  /// Calls work(data, 0) to work(data, count() - 1), once each, in any order and at the same time. Returns
+  /// when all have finished. The work must not throw.
   virtual void run(void (*work)(void* data, int worker), void* data) = 0;
 };
 
-/// The number of workers that may be at work at the same time.
+/// The maximum number of workers at the same time.
 inline int worker_count(const Threads* threads) { return threads ? threads->count() : 1; }
 
-/// A chunk of a long row of things, and who is at work on it.
+/// A part of an array, and the worker that processes it.
 struct Chunk {
   std::size_t index;
   std::size_t begin;
@@ -34,15 +34,15 @@ inline std::size_t chunk_count(std::size_t things, std::size_t per_chunk) {
   return (things + per_chunk - 1) / per_chunk;
 }
 
-/// Which chunks of a row are still to be taken. Each worker has a range of its own, the same in every pass
-/// over the row: what it wrote in one pass is in its own cache in the next. A chunk that another takes costs
-/// several times as much. So a worker that has ended helps only those that are far behind.
+/// Hands out the chunks of an array. Each worker has its own range, the same in every pass: data that it
+/// wrote in one pass is in its own cache in the next. A chunk taken by another worker costs several times as
+/// much, so a worker that has finished takes chunks only from ranges that are far behind.
 class ChunkQueue {
  public:
   ChunkQueue(std::size_t chunks, std::size_t workers)
       : chunks_(chunks), ranges_(std::min({workers, chunks / 2, most_ranges})) {}
 
-  /// Calls `visit(index)` for chunks that nobody has taken, until none is left for it or it returns false.
+  /// Calls `visit(index)` for chunks not yet taken, until none is left to it or visit returns false.
   template <class Visit>
   void take(int worker, Visit visit) {
     for (std::size_t turn = 0; turn < ranges_; ++turn) {
@@ -60,7 +60,7 @@ class ChunkQueue {
 
  private:
   static constexpr std::size_t most_ranges = 16;
-  struct alignas(64) Taken {  // a cache line each
+  struct alignas(64) Taken {  // one cache line each
     std::atomic<std::size_t> count = 0;
   };
 
@@ -69,8 +69,8 @@ class ChunkQueue {
   std::array<Taken, most_ranges> taken_;
 };
 
-/// Calls `visit(chunk)` for all chunks of a row. How the row is cut does not depend on the threads: what is
-/// summed up chunk by chunk, and then over the chunks in order, has the same bits for any number of them.
+/// Calls `visit(chunk)` for all chunks of an array. The chunks do not depend on the number of threads: sums
+/// per chunk, added up in the order of the chunks, have the same bits for any number of threads.
 template <class Visit>
 void for_each_chunk(Threads* threads, std::size_t things, std::size_t per_chunk, Visit visit) {
   const std::size_t chunks = chunk_count(things, per_chunk);
@@ -78,7 +78,7 @@ void for_each_chunk(Threads* threads, std::size_t things, std::size_t per_chunk,
     visit(Chunk{index, index * per_chunk, std::min(things, (index + 1) * per_chunk), worker});
   };
   const std::size_t workers = std::size_t(worker_count(threads));
-  if (workers == 1 || chunks < 4) {  // to hand over so little costs as much as to do it
+  if (workers == 1 || chunks < 4) {  // dispatch would cost as much as the work
     for (std::size_t index = 0; index < chunks; ++index) visit_chunk(index, 0);
     return;
   }
@@ -99,9 +99,8 @@ void for_each_chunk(Threads* threads, std::size_t things, std::size_t per_chunk,
   if (fault) std::rethrow_exception(fault);
 }
 
-/// Calls `visit(chunk, sum)` for all chunks of a row; `sums` holds those of all chunks, in order, at the end.
-/// A worker keeps the sum to itself while it is at work: two that write side by side into one cache line wait
-/// for each other.
+/// Calls `visit(chunk, sum)` for all chunks of an array; `sums` returns one sum per chunk, in order. Each
+/// worker accumulates in a local sum, to avoid false sharing of cache lines.
 template <class Sums, class Visit>
 void sum_each_chunk(Threads* threads, std::size_t things, std::size_t per_chunk, Sums& sums, Visit visit) {
   sums.assign(chunk_count(things, per_chunk), {});

@@ -5,19 +5,19 @@
 
 namespace halfspace {
 
-/// Where the energy is and where it went.
+/// Energies, losses and external work, J; in 2D per unit thickness.
 struct Ledger {
   double kinetic = 0;
   double gravity = 0;
   double strain = 0;        // of contacts
-  double block_strain = 0;  // of affine blocks
+  double block_strain = 0;  // of deformable blocks
   double friction_loss = 0;
   double fracture_loss = 0;  // of bonds
-  double impact_loss = 0;    // where points meet by a law without a spring
+  double impact_loss = 0;    // of hard contacts
   double contact_damping_loss = 0;
   double local_damping_loss = 0;
   double mass_damping_loss = 0;
-  double block_damping_loss = 0;  // in affine blocks
+  double block_damping_loss = 0;  // in deformable blocks
   double outer_work = 0;
 
   double losses() const {
@@ -25,11 +25,11 @@ struct Ledger {
            mass_damping_loss + block_damping_loss;
   }
   double total() const { return kinetic + gravity + strain + block_strain + losses(); }
-  /// The energy that the numbers themselves made (> 0) or lost (< 0).
+  /// The energy that the numerical method has created (> 0) or lost (< 0).
   double residual() const { return total() - outer_work; }
 };
 
-/// Rates at which prescribed motion, and torques on affine blocks, put energy in and damping takes it out.
+/// Power that prescribed motion, and torques on affine blocks, add, and that damping dissipates, W.
 struct Power {
   double outer = 0;
   double contact_damping = 0;
@@ -46,14 +46,14 @@ struct Power {
   }
 };
 
-/// Sums over the blocks.
+/// Sums and maxima over the blocks.
 struct EnergySample {
   double kinetic = 0;
   double gravity = 0;
   double block_strain = 0;
-  double squared_speed = 0;  // of the fastest
-  double squared_swing = 0;  // of the points that move fastest about their centroid
-  double applied_power = 0;  // of applied forces, by the velocity in the middle of the motion
+  double squared_speed = 0;  // maximum
+  double squared_swing = 0;  // maximum, of points relative to their centroid
+  double applied_power = 0;  // of applied forces, at the velocity in the middle of the motion
   Power power;
 
   void add(const EnergySample& more) {
@@ -67,7 +67,7 @@ struct EnergySample {
   }
 };
 
-/// Keeps the ledger of a world from one state to the next, and judges it.
+/// Updates the ledger of a world in each motion, and detects instability.
 class EnergyLedger {
  public:
   const Ledger& entries() const { return entries_; }
@@ -80,19 +80,18 @@ class EnergyLedger {
   void add_contact_damping_loss(double loss) { entries_.contact_damping_loss += loss; }
   void add_outer_power(double power) { power_.outer += power; }
 
-  /// Before the world is changed from outside, for the first time since the last state known.
+  /// Call before the first external change since the last motion.
   void note_edit() { residual_before_edit_ = entries_.residual(); }
 
-  /// Begins anew with a changed world: its edit's change of the energy is outer work. `noise` is the energy
-  /// that rounding and the blocks' fall by their own size amount to, besides what is there.
+  /// Restarts after an edit, whose change of energy is external work. `noise`: the energy of rounding errors,
+  /// and of a fall of the blocks by their own size.
   void begin(const EnergySample& sample, double noise) {
     take(sample);
     noise_energy_ = noise + entries_.kinetic + entries_.strain + entries_.block_strain;
     entries_.outer_work = entries_.total() - residual_before_edit_;
   }
 
-  /// Books a motion. Powers are known at both of its ends: the trapezoid between them is as exact as the step
-  /// itself.
+  /// Books a motion. The trapezoidal rule between the powers at its ends is as accurate as the step.
   void book(const EnergySample& sample, double duration) {
     const double half = 0.5 * duration;
     const Power &before = power_, &after = sample.power;
@@ -104,16 +103,16 @@ class EnergyLedger {
     take(sample);
   }
 
-  /// All but nothing of the energy present was there before: the numbers made it. (Near the stable step, but
-  /// below it, the ledger of a spring swings by the share q^2 of its energy, q the time step over the stable
-  /// one.)
+  /// True when the numerical method has created nearly all of the present energy. (Just below the stable
+  /// step, the residual of a spring oscillates by the fraction q^2 of its energy, q being the time step over
+  /// the stable one.)
   bool is_unstable() const {
     const double made = entries_.residual();
     const double present = entries_.kinetic + entries_.strain + entries_.block_strain + entries_.losses();
     return !(made <= 0.995 * present || made <= noise_energy_);
   }
 
-  /// All that is written to before a motion.
+  /// State that is written before a motion.
   auto state() { return std::tie(entries_, noise_energy_, residual_before_edit_, power_); }
 
   template <class Archive>
@@ -130,7 +129,7 @@ class EnergyLedger {
   }
 
   Ledger entries_;
-  double noise_energy_ = 0;  // of the whole, below which energy made by the numbers is not judged
+  double noise_energy_ = 0;  // J; a residual below it does not count as instability
   double residual_before_edit_ = 0;
   Power power_;  // at the last forces
 };

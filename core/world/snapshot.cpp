@@ -20,7 +20,7 @@ bool read_state(std::span<const std::byte> state, World<D>& world) {
   return true;
 }
 
-// Compiled here alone, as a state is read and written by code for each kind of part.
+// Instantiated only here, because reading and writing generates code for each type of part.
 #define HALFSPACE_STATE(D)                                             \
   template std::size_t write_state(const World<D>&, std::byte*);       \
   template std::size_t write_state(const Blocks<D>&, std::byte*);      \

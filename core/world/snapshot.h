@@ -13,21 +13,21 @@ namespace halfspace {
 template <int D>
 class World;
 
-/// Bytes of a snapshot: header, then every member that visit() names, in its order. Numbers are as the
-/// machine has them.
+/// Bytes of a snapshot: a header, then every member that visit() lists, in this order. Numbers are in the
+/// machine's format.
 namespace snapshot {
 
 constexpr std::uint64_t magic = 0x31'77'70'73'66'6c'61'68;  // "halfspw1"
-constexpr std::uint32_t version = 20;
+constexpr std::uint32_t version = 21;
 
-/// FNV-1a: tells a damaged file from a good one.
+/// FNV-1a, to detect damaged files.
 inline std::uint64_t checksum(std::span<const std::byte> bytes) {
   std::uint64_t hash = 0xcbf29ce484222325u;
   for (std::byte b : bytes) hash = (hash ^ std::uint64_t(b)) * 0x100000001b3u;
   return hash;
 }
 
-/// Appends to bytes; without any it only counts.
+/// Writes to `out`; without `out` it only counts.
 class Writer {
  public:
   static constexpr bool reads = false;
@@ -71,7 +71,7 @@ class Writer {
   std::size_t size_ = 0;
 };
 
-/// Takes from bytes; `failed()` when they end too early.
+/// Reads from bytes; failed() if they end too early.
 class Reader {
  public:
   static constexpr bool reads = true;
@@ -126,8 +126,8 @@ class Reader {
   bool failed_ = false;
 };
 
-/// Writes the state of a world or of a part of it, or without a place only counts. Returns the number of
-/// bytes.
+/// Writes the state of a world or of a part of it, and returns the number of bytes. Without `out` it only
+/// counts.
 template <class Part>
 std::size_t write_state(const Part& part, std::byte* out);
 
@@ -136,7 +136,7 @@ std::size_t state_size(const Part& part) {
   return write_state(part, nullptr);
 }
 
-/// Gives a new world a state that write_state() wrote. Any other is refused: then the result is false.
+/// Restores into a new world a state that write_state() wrote. Returns false for any other.
 template <int D>
 bool read_state(std::span<const std::byte> state, World<D>& world);
 

@@ -29,7 +29,7 @@ void World<D>::make_bonds() {
   if (model_.materials.laws().any([](const ContactLaw& law) { return law.bonds(); })) {
     detect();
     contacts_.bond_fresh();
-    forget_contacts();  // bonded pairs count as such from now on
+    forget_contacts();  // bonded pairs count as contacts from now on
     edit();
   }
   contacts_.end_fresh();
@@ -45,13 +45,12 @@ template <int D>
 void World<D>::fit_rooms() {
   continuous_collision_.fit_room();
   forces_.fit_rooms();
-  if (hard_contacts_.is_wanted()) hard_contacts_.rebuild_surface();
+  hard_contacts_.rebuild_surface();
   sums_.reserve(chunk_count(contacts_.neighbors().room(), pairs_per_chunk));
 }
 
-/// The new list has room for a contact at every pair, so that detection asks for no memory. When there is no
-/// room, nothing has changed: the contacts known are still those of the list in use, and there is still room
-/// for all of it.
+/// Reserves memory for a contact of every pair, so that detection allocates nothing. If memory runs out,
+/// nothing has changed: contacts, list and memory in use remain valid.
 template <int D>
 void World<D>::renew_neighbors() {
   NeighborList<D>& neighbors = contacts_.neighbors();
@@ -68,20 +67,20 @@ void World<D>::renew_neighbors() {
   are_left_out_loaded_ = false;
 }
 
-/// Contacts that are to be found need a list that is not used up.
+/// Detection requires a valid neighbour list.
 template <int D>
 void World<D>::renew_neighbors_if_needed() {
   if (!contacts_.are_found() && contacts_.neighbors().needs_rebuild()) renew_neighbors();
 }
 
-/// Finds the contacts among a chunk of pairs. Calls `on_contact(k, contact)` for each that there was before,
-/// described if that is wanted.
+/// Finds the contacts of a chunk of pairs. Calls `on_contact(k, contact)` for each that existed before, with
+/// the contact computed if is_described().
 template <int D>
 template <class OnContact>
 void World<D>::find_in(const Chunk& chunk, PairSums& sums, OnContact on_contact) {
   Array<Candidate<D>>& pairs = contacts_.neighbors().pairs();
   Contact<D> contact;
-  const bool some_have_no_spring = hard_contacts_.is_wanted();
+  const bool some_have_no_spring = hard_contacts_.is_used();
   for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
     if (some_have_no_spring && model_.law_of(pairs[k]).has_no_spring()) continue;
     if (sleep_.leaves_out(pairs[k])) {
@@ -101,8 +100,7 @@ void World<D>::find_in(const Chunk& chunk, PairSums& sums, OnContact on_contact)
   }
 }
 
-/// Describes the contacts that there were not before, by those that there were. Calls
-/// `on_contact(k, contact, sums)` for each.
+/// Computes the new contacts, from those that existed before. Calls `on_contact(k, contact, sums)` for each.
 template <int D>
 template <class OnContact>
 void World<D>::take_in_met(OnContact on_contact) {
@@ -121,8 +119,8 @@ void World<D>::take_in_met(OnContact on_contact) {
   }
 }
 
-/// Calls `visit(chunk, sums)` for all pairs in the neighbour list. Potentials in space make their plans one
-/// after the other.
+/// Calls `visit(chunk, sums)` for all pairs in the neighbour list. Potential laws in 3D run in sequence,
+/// because they share one array of division plans.
 template <int D>
 template <class Visit>
 void World<D>::pass_over_pairs(Visit visit) {
@@ -151,7 +149,7 @@ void World<D>::detect() {
   end_finding();
 }
 
-/// Finds the contacts on the way, unless they are known.
+/// Finds the contacts in the same pass, unless they are known.
 template <int D>
 void World<D>::evaluate_forces(double elapsed) {
   renew_neighbors_if_needed();
@@ -192,7 +190,7 @@ void World<D>::evaluate_forces(double elapsed) {
   for (const PairSums& sums : sums_) energy.add(sums.energy);
   ledger_.set_contact_strain(energy.strain);
   ledger_.add_friction_loss(energy.friction_loss);
-  // An island that is touched has been left out of this motion: the forces at its end move it.
+  // A touched island has slept in this motion: the forces at its end move it.
   wake(sleep_.wake_touched(contacts_, clock_.time() + elapsed));
   lap(Pass::gather);
   if (model_.blocks.bonds().empty()) return;
@@ -200,7 +198,7 @@ void World<D>::evaluate_forces(double elapsed) {
   lap(Pass::bonds);
 }
 
-/// Works out the forces of contacts that stay as they are, once, for the steps that leave them out.
+/// Computes the forces of the contacts that sleep leaves out, once for all steps that skip them.
 template <int D>
 void World<D>::load_left_out() {
   typename ForcePass<D>::Evaluation evaluation = forces_.begin(0);
@@ -215,18 +213,17 @@ void World<D>::load_left_out() {
   are_left_out_loaded_ = true;
 }
 
-/// Contacts without a spring have an order of their own: a world with any does not sleep.
+/// Worlds with hard contacts, which have their own search, do not sleep.
 template <int D>
 void World<D>::look_for_sleep() {
-  if (!(model_.settings.sleep_tolerance > 0) || hard_contacts_.is_wanted()) return;
+  if (!(model_.settings.sleep_tolerance > 0) || hard_contacts_.is_used()) return;
   if (clock_.steps() % steps_between_looks != 0) return;
   if (sleep_.look(model_, contacts_, clock_.time(), least_sleep_in_steps * clock_.time_step(),
                   [&](std::size_t i) { return integrator_.speed_bound_of(i); }))
     are_left_out_loaded_ = false;
 }
 
-/// After the contacts have loaded the blocks. Those that have come apart are found as contacts from the next
-/// motion on.
+/// Call after the contact forces. Detection includes separated bonds from the next motion on.
 template <int D>
 void World<D>::load_by_bonds(double elapsed) {
   BondEnergy energy;

@@ -26,13 +26,13 @@ namespace halfspace {
 
 enum class StepResult { ok, unstable, no_time_step, too_fast, inverted };
 
-/// A mesh that has become a body, or what keeps it from that.
+/// The body of an added mesh, or the fault of the mesh.
 struct PlacedMesh {
   MeshFaultReport report;
   std::int32_t body = -1;
 };
 
-/// A stress that is linear in space.
+/// A stress that is linear in position.
 template <int D>
 struct StressField {
   Tensor<D> at(const Vector<D>& place) const {
@@ -44,32 +44,32 @@ struct StressField {
   std::array<Tensor<D>, D> gradient;  // along each axis
 };
 
-/// The end of bringing a world to rest.
+/// The result of a relaxation.
 struct Relaxed {
   StepResult result = StepResult::ok;
   bool is_at_rest = false;
-  bool has_failed = false;  // some block or node has moved too far
+  bool has_failed = false;  // some block has moved beyond max_displacement
   std::int64_t steps = 0;
   Balance balance;
 };
 
-/// The most motions in one call of step().
+/// Maximum number of motions in one call of step().
 constexpr int max_motions = 1 << 14;
 
-/// Blocks, their contacts, and time. Holds the parts of a world and puts them in order: a step plans a
-/// motion, makes its first half, finds the contacts at the new places, loads the blocks with their forces,
-/// makes the second half and books the energy.
+/// Blocks, their contacts, and time. Owns the parts of a world and orders them: a step predicts a motion,
+/// makes its first half, finds the contacts at the new positions, computes their forces, makes the second
+/// half, and books the energy.
 template <int D>
 class World {
  public:
-  /// The threads, if any, must live as long.
+  /// The threads, if any, must outlive the world.
   World(const WorldSettings<D>& settings, Memory* memory, Threads* threads = nullptr);
 
-  // Making and changing.
+  // Edits.
   std::int32_t add_material(double density);
   double density(std::int32_t material) const { return model_.materials.density(material); }
   std::int32_t material_count() const { return model_.materials.count(); }
-  /// False when a cell of that material would be too stiff to be computed with: then nothing has changed.
+  /// False, without any change, if the stiffness of a cell of that material would not be finite.
   bool set_elasticity(std::int32_t material, const Elasticity& elasticity);
   const Elasticity& elasticity(std::int32_t material) const { return model_.materials.elasticity(material); }
   void set_default_law(const ContactLaw& law);
@@ -79,70 +79,67 @@ class World {
   void remove_block(std::int32_t slot);
   void set_pose(std::int32_t slot, const Vector<D>& position, const Rotation<D>& rotation);
   void set_velocity(std::int32_t slot, const Vector<D>& velocity, const Angular<D>& spin);
-  /// Puts a mesh into the world, at a pose of its frame, with a material for each cell; and its surface's
-  /// cells, as blocks. When memory runs out nothing has changed.
+  /// Adds a mesh at a pose, with a material per cell, and the cells of its surface as blocks. If memory runs
+  /// out, nothing has changed.
   PlacedMesh add_mesh(const Mesh<D>& mesh, const Pose<D>& pose, std::span<const std::int32_t> cell_materials);
   void remove_mesh(std::int32_t body);
-  /// Takes cells out of a body, not all of them; what they bordered on is its surface from now on. Adds what
-  /// they did to nodes, by their stress and their weight, to `released`, one for each node of the body. A
-  /// node without a cell stays where it is, without mass. Nothing has changed where there is a fault, or
-  /// memory runs out.
+  /// Removes some, but not all, cells of a body; their neighbours become part of its surface. Adds the nodal
+  /// forces of their stress and weight to `released`, one per node of the body. A node without cells keeps
+  /// its position and has no mass. On a fault, or if memory runs out, nothing has changed.
   MeshFaultReport remove_cells(std::int32_t body, std::span<const std::int32_t> cells,
                                std::span<Vector<D>> released);
-  /// Stresses the cells of a body as they are now. False, and nothing has changed, for a stress beyond
-  /// bounds.
+  /// Sets the stress of a body's cells in their current deformation. False, without any change, for a stress
+  /// out of bounds.
   bool set_body_stress(std::int32_t body, const StressField<D>& field);
-  /// Bonds two blocks along their common face, as they are now: false when they have none, or hold together
-  /// already.
+  /// Bonds two blocks along their current common face. False if there is none, or if they are joined already.
   bool bond_pair(std::int32_t a, std::int32_t b, const BondLaw& law);
-  /// Bonds all pairs of blocks of two materials along their common faces, and tells how many.
+  /// Bonds all pairs of blocks of two materials along their common faces. Returns the number of bonds.
   std::int64_t bond_materials(std::int32_t material_a, std::int32_t material_b, const BondLaw& law);
   /// Held bonds do not fail.
   void hold_bonds(bool are_held);
-  /// Components of a node's velocity that are held stay as they are set; bit k of `held` stands for component
-  /// k.
+  /// Held components of a node's velocity are constant; bit k of `held` is for component k.
   void hold_node(std::size_t node, std::uint8_t held);
   void set_node_velocity(std::size_t node, const Vector<D>& velocity);
   void set_node_force(std::size_t node, const Vector<D>& force);
-  /// The blocks at a body's surface take up what has been set for its nodes.
+  /// Updates the surface blocks of a body after edits of its nodes.
   void end_node_edits(std::int32_t body);
-  /// For an affine block.
+  /// Only for affine blocks.
   void set_deformation(std::int32_t slot, const Tensor<D>& gradient, const Tensor<D>& rate);
   void set_stress(std::int32_t slot, const Tensor<D>& stress);
-  /// Force per area of a face, in the plane of an edge, as the shape was given.
+  /// `traction`: force per area of a face, in 2D an edge, of the undeformed shape, Pa.
   void add_surface_load(std::int32_t slot, int face, const Vector<D>& traction);
   void clear_surface_loads(std::int32_t slot);
   void set_applied_force(std::int32_t slot, const Vector<D>& force, const Angular<D>& torque);
-  /// Sets the shear spring of a contact in force on b, of which what lies in the contact plane counts. False
-  /// when it has none.
+  /// Sets the force of a contact's shear spring on b; only its part in the contact plane counts. False if
+  /// there is no shear spring.
   bool set_shear_force(std::size_t contact, const Vector<D>& force);
 
   // Stages.
-  /// Neighbour search, when motion has used the list up, and detection.
+  /// Neighbour search, if the list needs a rebuild, and detection.
   void detect();
   bool is_detected() const { return contacts_.are_found(); }
-  /// Contact forces into the blocks; shear springs grow over `elapsed`.
+  /// Computes the contact forces on blocks. `elapsed`: time over which shear springs grow, s.
   void evaluate_forces_for_host(double elapsed);
-  /// One step of velocity Verlet. When memory runs out the world is as it was before; when the motion is not
-  /// stable no block has moved.
+  /// One step of velocity Verlet. If memory runs out, the world is as before; if the motion is unstable, no
+  /// block has moved.
   StepResult step();
-  /// Steps under strong damping until forces are in balance. What is at rest then has no
-  /// velocity; damping and bonds are as before.
+  /// Dynamic relaxation: steps under damping until forces balance. At rest, sets all free velocities to 0.
+  /// Damping and bonds are as before.
   Relaxed relax(const Relaxation& relaxation);
   Balance balance();
   void set_gravity(const Vector<D>& gravity);
   void set_damping(double local_damping, double mass_damping);
   void set_time_step(double time_step);
-  /// All strengths of laws and bonds are those given over this factor: friction, cohesion, tensile strength.
+  /// Divides all given strengths of laws and bonds by this factor: friction, cohesion, tensile strength.
   void set_strength_factor(double factor);
-  /// Brings time step, contacts, forces and ledger up to date after changes.
+  /// Updates time step, contacts, forces and ledger after edits.
   StepResult prepare();
 
-  // Reading.
+  // Queries.
   const Blocks<D>& blocks() const { return model_.blocks; }
   std::size_t contact_count() const { return contacts_.count(); }
   Contact<D> contact(std::size_t c) const { return contacts_.contact(c); }
-  /// Forces may not have been evaluated yet.
+  /// False until forces have been evaluated for the current contacts.
   bool knows_forces() const { return forces_.are_known(); }
   const ContactForce<D>& contact_force(std::size_t c) const { return forces_.of_contact(c); }
   const Candidate<D>& candidate_of(std::size_t contact) const { return contacts_.pair_of(contact); }
@@ -150,7 +147,7 @@ class World {
     return contacts_.contact_between(a, b);
   }
   const NeighborList<D>& candidates() const { return contacts_.neighbors(); }
-  /// Contacts by laws without a spring.
+  /// Contacts of laws without springs.
   const HardContacts<D>& hard_contacts() const { return hard_contacts_; }
   const Ledger& ledger() const { return ledger_.entries(); }
   double time() const { return clock_.time(); }
@@ -165,20 +162,20 @@ class World {
   /// After StepResult::too_fast.
   const FastPair& fast_pair() const { return continuous_collision_.pair(); }
   std::int64_t sleeping_count() const { return sleep_.count(); }
-  /// The most of its way that any block has missed by sleep.
+  /// Maximum displacement error by sleep so far, over all blocks, m.
   double max_sleep_error() const { return sleep_.max_error(clock_.time()); }
   double max_penetration_ratio() const { return penetration_bound_.deepest(); }
   double peak_overlap() const { return contacts_.peak_overlap(); }
-  /// The largest of all blocks that move freely, at the ends of all motions so far.
+  /// Maximum speed so far of the free blocks, at the ends of all motions, m/s.
   double peak_speed() const { return peak_speed_; }
-  /// The largest at present, of all contacts and of all blocks that move freely.
+  /// Current maxima, over all contacts and over all free blocks.
   double largest_overlap() const;
   double largest_speed() const;
   double potential_length() const { return model_.potential_length(); }
   bool knows_potential() const { return model_.materials.laws().knows_potential(); }
-  /// The bound for the contacts that are known.
+  /// The stable time step for the current contacts, s.
   double stable_time_step() { return stable_step_.bound(); }
-  /// The block that sets it, and what this meets or is bonded to most stiffly.
+  /// The block that determines it, and the other block of its stiffest contact or bond.
   typename StableStep<D>::Limit stable_limit() { return stable_step_.limit(); }
   std::optional<typename StableStep<D>::Neighbor> stiffest_neighbor_of(std::int32_t slot) const {
     return stable_step_.stiffest_neighbor_of(slot);
@@ -186,12 +183,12 @@ class World {
   const Model<D>& model() const { return model_; }
   const ContactList<D>& contacts() const { return contacts_; }
 
-  /// Steps tell it their passes, until it is taken away by a null pointer.
+  /// Steps report their passes to the stopwatch; a null pointer removes it.
   void set_stopwatch(Stopwatch* stopwatch) { stopwatch_ = stopwatch; }
 
-  /// Takes the room that laws and times of impact need, which a snapshot does not hold.
+  /// Reserves the working memory of laws and times of impact, which snapshots do not contain.
   void fit_rooms();
-  /// False for what no world can be, after reading a snapshot: a damaged one is refused and not run.
+  /// Validates the state read from a snapshot, so that a damaged one is refused.
   bool is_consistent() const;
 
   template <class Archive>
@@ -232,15 +229,13 @@ class World {
   void evaluate_forces(double elapsed);
   bool choose_time_step();
   void note_speeds(const EnergySample& sample);
-  /// All that a step of a changed world writes to before it moves the blocks, but for the pairs and what is
-  /// worked out anew from the rest.
+  /// State that a step after an edit writes before it moves the blocks, except the pairs and derived data.
   auto state() {
     return std::tuple_cat(contacts_.state(), forces_.state(), ledger_.state(), clock_.epoch(),
                           model_.blocks.bonds().state(), model_.blocks.meshes().state(),
                           std::tie(peak_speed_, bond_strain_energy_, edited_));
   }
   bool predict_motion(double duration);
-  bool predict_hard_contacts(double duration);
   StepResult prepare_and_predict();
   StepResult predict_changed();
   StepResult predict_rest();
@@ -248,7 +243,7 @@ class World {
   StepResult diverged() const;
   void move();
   void lap(Pass pass) {
-    if (stopwatch_) stopwatch_->lap(pass);
+    if (stopwatch_ && (pass != Pass::hard_contacts || hard_contacts_.is_used())) stopwatch_->lap(pass);
   }
 
   Threads* threads_;
@@ -266,14 +261,14 @@ class World {
   PenetrationBound<D> penetration_bound_;
   ContinuousCollision<D> continuous_collision_;
   Entrances<D> entrances_;
-  Array<PairSums> sums_;  // of each chunk of pairs
+  Array<PairSums> sums_;  // per chunk of pairs
   double peak_speed_ = 0;
   double bond_strain_energy_ = 0;
-  double left_out_strain_ = 0;        // in contacts that sleep leaves out
-  bool are_left_out_loaded_ = false;  // their forces are at hand
+  double left_out_strain_ = 0;        // of the contacts that sleep leaves out
+  bool are_left_out_loaded_ = false;  // their forces are computed
   double strength_factor_ = 1;
-  double made_ = 0;          // duration of the motion just made, while contacts are found that it has led to
-  std::int32_t edited_ = 1;  // since the last step: forces, accelerations and ledger are of another state
+  double made_ = 0;          // duration of the last motion, during detection at its end; else 0
+  std::int32_t edited_ = 1;  // 1: forces, accelerations and ledger are out of date
 };
 
 extern template class World<2>;

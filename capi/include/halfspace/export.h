@@ -1,26 +1,26 @@
 /** @file
- *  @brief Marks what the shared library exports; everything else is hidden.
+ *  @brief Export macros: the shared library exports the functions marked by them and hides all others.
  */
 #ifndef HALFSPACE_EXPORT_H
 #define HALFSPACE_EXPORT_H
 
 #if defined(__GNUC__) || defined(__clang__)
-/** Visible outside the shared library. */
+/** Exported by the shared library. */
 #define HS_API __attribute__((visibility("default")))
 #else
-/** Visible outside the shared library. */
+/** Exported by the shared library. */
 #define HS_API
 #endif
 
-/* [[nodiscard]], where there is it, lets a cast to void pass; the attribute of older C does not, by gcc. */
+/* [[nodiscard]] is preferred: a cast to void silences it, but not gcc's attribute for older C. */
 #if (defined(__cplusplus) && __cplusplus >= 201703L) || (defined(__STDC_VERSION__) && __STDC_VERSION__ >= 202311L)
-/** Likewise, and returns a status that is to be read: compilers warn where it is not. */
+/** Exported, and returns a status: compilers warn if the caller discards it. */
 #define HS_CHECKED [[nodiscard]] HS_API
 #elif defined(__GNUC__) || defined(__clang__)
-/** Likewise, and returns a status that is to be read: compilers warn where it is not. */
+/** Exported, and returns a status: compilers warn if the caller discards it. */
 #define HS_CHECKED HS_API __attribute__((warn_unused_result))
 #else
-/** Likewise, and returns a status that is to be read: compilers warn where it is not. */
+/** Exported, and returns a status: compilers warn if the caller discards it. */
 #define HS_CHECKED HS_API
 #endif
 

@@ -1,5 +1,5 @@
 /** @file
- *  @brief What a world computes, what that costs, and what limits its time step.
+ *  @brief Plan of a world: its active parts, their cost in memory and time, and the limit of its time step.
  */
 #ifndef HALFSPACE_PLAN_H
 #define HALFSPACE_PLAN_H
@@ -15,63 +15,72 @@
 extern "C" {
 #endif
 
-/** The parts of a step besides detection and normal forces of rigid blocks. One that is not active is neither stored nor computed. */
+/** Optional parts of a step, in addition to detection and normal forces of rigid blocks. Inactive parts are
+ *  neither stored nor computed. */
 enum {
-  HS_PART_FRICTION = 1,        /**< a law resists shear: each pair keeps a shear spring */
-  HS_PART_BONDS = 2,           /**< a law has cohesion or tensile strength */
-  HS_PART_CONTACT_DAMPING = 4, /**< a law has dashpots */
-  HS_PART_AREA = 8,            /**< a law is per area: overlaps are measured */
-  HS_PART_POTENTIAL = 16,      /**< a law is one of potentials: overlaps are divided; in space each pair keeps a plan of that */
-  HS_PART_STRAIN = 32,         /**< a block is affine or a cell of a mesh */
+  HS_PART_FRICTION = 1,        /**< a law has friction or cohesion: each pair stores a shear spring */
+  HS_PART_BONDS = 2,           /**< there are bonds, or a law has cohesion or tensile strength */
+  HS_PART_CONTACT_DAMPING = 4, /**< a law has damping */
+  HS_PART_AREA = 8,            /**< a law is per area: overlap areas (3D: volumes) are computed */
+  HS_PART_POTENTIAL = 16,      /**< a law is a potential: overlaps are divided into cells; in 3D each pair
+                                    caches its division */
+  HS_PART_STRAIN = 32,         /**< a block is affine or of a mesh */
   HS_PART_LOCAL_DAMPING = 64,  /**< the world has local damping */
   HS_PART_MASS_DAMPING = 128,  /**< the world has mass damping */
-  HS_PART_HARD_CONTACTS = 256, /**< a law without a spring: one solver finds the impulses of all its contacts */
-  HS_PART_SLEEP = 512          /**< blocks at rest may sleep */
+  HS_PART_HARD_CONTACTS = 256, /**< a law has no spring: a solver computes the impulses of all its contact
+                                    constraints */
+  HS_PART_SLEEP = 512          /**< sleep is enabled */
 };
 
-/** The account of a world. Later versions may append to it. */
+/** Plan of a world. Later versions may append to it. */
 typedef struct hs_world_plan {
   int32_t dimension;          /**< 2 or 3 */
-  int32_t parts;              /**< HS_PART_ bits: what is active */
-  int64_t fixed_count;        /**< blocks that never move */
-  int64_t prescribed_count;   /**< blocks with a prescribed motion */
-  int64_t rigid_count;        /**< blocks that move by Newton's law */
-  int64_t affine_count;       /**< blocks that strain */
+  int32_t parts;              /**< sum of the HS_PART_ values that are active */
+  int64_t fixed_count;        /**< fixed blocks */
+  int64_t prescribed_count;   /**< prescribed blocks */
+  int64_t rigid_count;        /**< rigid blocks */
+  int64_t affine_count;       /**< affine blocks */
   int64_t candidate_count;    /**< pairs in the neighbour list */
   int64_t contact_count;      /**< pairs in contact by laws with springs */
-  int64_t block_bytes;        /**< state of all blocks with their shapes, as a snapshot holds it */
-  int64_t pair_bytes;         /**< state of all pairs: neighbour list, shear springs, plans; likewise */
-  double stable_time_step;    /**< as in the report; 0 without blocks that move freely */
-  hs_block limiting_block;    /**< sets it: the stiffest for its mass; 0 without blocks that move freely */
-  hs_block limiting_neighbor; /**< at its stiffest contact or bond; 0 while it has none: then contacts that it may get limit the step */
-  int64_t measured_steps;     /**< done to measure the times below */
-  double search_seconds;      /**< of a step: building neighbour lists */
-  double pair_seconds;        /**< of a step: detecting pairs and loading contacts */
-  double gather_seconds;      /**< of a step: adding up the forces on blocks */
-  double motion_seconds;      /**< of a step: moving, turning and straining blocks, nodes and elements of meshes */
-  double ledger_seconds;      /**< of a step: the energy ledger */
+  int64_t block_bytes;        /**< snapshot size of all blocks with their shapes, bytes */
+  int64_t pair_bytes;         /**< snapshot size of all pairs: neighbour list, shear springs, cached
+                                   divisions; bytes */
+  double stable_time_step;    /**< s, as in hs_world_report; 0 without blocks that move freely */
+  hs_block limiting_block;    /**< block of the largest stiffness per mass, which limits the step; 0: none
+                                   moves freely */
+  hs_block limiting_neighbor; /**< its neighbour at its stiffest contact or bond; 0: none, possible future
+                                   contacts limit the step */
+  int64_t measured_steps;     /**< number of steps measured for the times below */
+  double search_seconds;      /**< s per step: neighbour search */
+  double pair_seconds;        /**< s per step: detection and contact forces */
+  double gather_seconds;      /**< s per step: sums of forces on blocks */
+  double motion_seconds;      /**< s per step: time integration of blocks, nodes and elements */
+  double ledger_seconds;      /**< s per step: energy ledger */
   int64_t body_count;         /**< bodies of finite elements */
-  int64_t cell_count;         /**< of all of them */
-  int64_t node_count;         /**< likewise */
-  int64_t bond_count;         /**< bonds made, those that have come apart among them */
-  int64_t mesh_bytes;         /**< of the bytes of blocks: bodies with their nodes and cells */
-  int64_t bond_bytes;         /**< likewise: bonds with their points and events */
-  int64_t limiting_bond;      /**< index of the bond to the limiting neighbour, in the order of hs_world_get_bonds(); -1: it is a contact */
-  hs_body limiting_body;      /**< that the limiting block is of, where its elements have the greater part in the limit; 0: contacts and
-                                   bonds have */
-  int64_t limiting_cell;      /**< of that body: the stiffest for its mass */
-  double bond_seconds;        /**< of a step: loading blocks by bonds */
-  double hard_contact_seconds; /**< of a step: the solver of contacts without springs */
+  int64_t cell_count;         /**< cells of all bodies */
+  int64_t node_count;         /**< nodes of all bodies */
+  int64_t bond_count;         /**< bonds made so far, including failed ones */
+  int64_t mesh_bytes;         /**< part of block_bytes: bodies with their nodes and cells */
+  int64_t bond_bytes;         /**< part of block_bytes: bonds with their points and events */
+  int64_t limiting_bond;      /**< index of the bond to the limiting neighbour, in the order of
+                                   hs_world_get_bonds(); -1: contact */
+  hs_body limiting_body;      /**< body of the limiting block, if its elements limit the step; 0: contacts or
+                                   bonds do */
+  int64_t limiting_cell;      /**< cell of limiting_body with the largest stiffness per mass */
+  double bond_seconds;        /**< s per step: forces of bonds */
+  double hard_contact_seconds; /**< s per step: solver of contacts without springs */
 } hs_world_plan;
 
-/** @brief Says what a world computes and what limits its step and, by steps, what that costs. All is found out on a copy, which
- *  takes as much memory again for as long: the world stays as it is.
+/** @brief Returns the plan of a world. It works on a temporary copy of the world, which needs the memory of a
+ *  second world.
  *  @param world not NULL
- *  @param steps to measure, >= 0; 0 measures no times. If the copy cannot go on, the times are of the steps that it did
- *  @param plan receives it; what this library does not know of a longer struct is 0
+ *  @param steps number of steps to measure, >= 0; 0 measures no times. If the copy fails, times are of the
+ *         completed steps
+ *  @param plan receives it; fields unknown to this version of the library are 0
  *  @param size sizeof(hs_world_plan) as the caller was compiled
  *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY. Thread rule: as for the world. */
-HS_CHECKED hs_status hs_world_get_plan(const hs_world *world, int64_t steps, hs_world_plan *plan, size_t size);
+HS_CHECKED hs_status hs_world_get_plan(const hs_world *world, int64_t steps, hs_world_plan *plan,
+                                       size_t size);
 
 #ifdef __cplusplus
 }

@@ -1,9 +1,9 @@
 /** @file
- *  @brief A world: blocks, materials, laws, and time. Used whole (step) or stage by stage (detect, forces).
+ *  @brief A world: blocks, materials, laws and time.
  *
- *  Stage by stage, a host with its own integrator sets poses and velocities, calls hs_world_detect(), then
- *  hs_world_forces(), and moves its bodies itself. hs_world_step() does all of it, by velocity Verlet. Only hs_world_step() strains
- *  affine blocks.
+ *  hs_world_step() integrates a world by velocity Verlet. A host with its own integrator instead sets poses
+ *  and velocities, calls hs_world_detect() and hs_world_forces(), and moves its bodies itself; affine blocks
+ *  do not strain then.
  */
 #ifndef HALFSPACE_WORLD_H
 #define HALFSPACE_WORLD_H
@@ -18,117 +18,128 @@
 extern "C" {
 #endif
 
-/** Opaque. */
+/** Opaque world. */
 typedef struct hs_world hs_world;
 
-/** Names a block: index and generation. 0 is no block; a removed block's id never names another. */
+/** Id of a block: index and generation. 0 is no block; ids of removed blocks are not reused. */
 typedef uint64_t hs_block;
 
-/** How a block moves. */
+/** Kinds of blocks. */
 enum {
-  HS_BLOCK_FIXED = 0,      /**< never */
-  HS_BLOCK_PRESCRIBED = 1, /**< with the velocity and spin given, whatever the forces */
-  HS_BLOCK_RIGID = 2,      /**< by Newton's law */
-  HS_BLOCK_AFFINE = 3,     /**< by Newton's law, and straining as a whole: see affine.h */
-  HS_BLOCK_MESH = 4        /**< as the nodes of its mesh do: see mesh.h, whose hs_world_add_mesh() makes it */
+  HS_BLOCK_FIXED = 0,      /**< does not move */
+  HS_BLOCK_PRESCRIBED = 1, /**< moves with the given velocity, whatever the forces */
+  HS_BLOCK_RIGID = 2,      /**< moves by Newton's law */
+  HS_BLOCK_AFFINE = 3,     /**< moves by Newton's law, with uniform strain: see affine.h */
+  HS_BLOCK_MESH = 4        /**< surface cell of a mesh, moved by its nodes: made by hs_world_add_mesh(), see
+                                mesh.h */
 };
 
-/** What becomes of a step in which two blocks would move far against the thinner of them: more than a quarter of its thickness. */
+/** Continuous collision: treatment of a step in which two blocks in contact, or about to touch, would move by
+ *  more than a quarter of the thinner block's thickness. */
 enum {
-  HS_FAST_DIVIDE = 0, /**< when they meet, or are in touch, it is divided: up to their first touch, and on from there by small parts. After
-                           16384 of these it is refused, too */
-  HS_FAST_REFUSE = 1  /**< when they meet, or are in touch, it is refused with HS_ERROR_TOO_FAST */
+  HS_FAST_DIVIDE = 0, /**< divide the step: one substep to the first touch, then small ones. More than 16384
+                           substeps are HS_ERROR_TOO_FAST */
+  HS_FAST_REFUSE = 1  /**< refuse the step with HS_ERROR_TOO_FAST */
 };
 
-/** How a world is made. Fill it with hs_world_def_init(). */
+/** Settings of a world. Fill it with hs_world_def_init(). */
 typedef struct hs_world_def {
   uint32_t struct_size;  /**< set by hs_world_def_init() */
   int32_t dimension;     /**< 2 or 3, as given to hs_world_def_init() */
-  double gravity[3];     /**< acceleration; default 0, -9.81, 0 in 2D and 0, 0, -9.81 in 3D */
-  double time_step;      /**< > 0, or 0 (default): safety times the stable time step, found when the first step begins and
-                              again after each change of the world from outside */
-  double safety;         /**< (0, 1]; default 0.5 */
-  double local_damping;  /**< [0, 1): force opposing each velocity component, share of the force; default 0 */
+  double gravity[3];     /**< m/s2; default (0, -9.81, 0) in 2D, (0, 0, -9.81) in 3D */
+  double time_step;      /**< s, > 0, or 0 (default): safety times the stable time step, computed at the first
+                              step and after each change of the world by the host */
+  double safety;         /**< factor of the stable time step, (0, 1]; default 0.5 */
+  double local_damping;  /**< ratio of the damping force to the unbalanced force, per component, [0, 1);
+                              default 0 */
   double mass_damping;   /**< 1/s, >= 0: force -mass_damping * mass * velocity; default 0 */
-  double skin;           /**< reach of the neighbour list, share of a block's size; (0, 1]; default 0.1 */
-  double parallel_angle; /**< see hs_pair_options */
-  double vertex_zone;    /**< see hs_pair_options */
-  double potential_length; /**< H of HS_STIFFNESS_POTENTIAL, m, > 0: one for all blocks; or 0 (default): the mean length of all blocks'
-                                edges when forces are first used */
+  double skin;           /**< skin of the neighbour list, as a fraction of a block's size, (0, 1]; default
+                              0.1 */
+  double parallel_angle; /**< rad, [0, 0.5]; default 0.01; see hs_pair_options */
+  double vertex_zone;    /**< [0, 0.5]; default 1e-6; see hs_pair_options */
+  double potential_length; /**< length H of HS_STIFFNESS_POTENTIAL, m, > 0; or 0 (default): mean length of all
+                                edges at the first evaluation of forces */
   int32_t fast_blocks;     /**< an HS_FAST_ value; default HS_FAST_DIVIDE */
   int32_t reserved;        /**< 0 */
-  double sleep_tolerance;  /**< m, >= 0: the largest displacement error of a block by sleep over a run; blocks at rest
-                                are then left out of steps. 0 (default): no block sleeps. Worlds with
-                                HS_STIFFNESS_NONE or meshes do not sleep */
+  double sleep_tolerance;  /**< max displacement error of a block by sleep over a run, m, >= 0; default 0: no
+                                block sleeps. Worlds with HS_STIFFNESS_NONE or meshes do not sleep */
 } hs_world_def;
 
-/** How a block is made. Fill it with hs_block_def_init(). */
+/** Settings of a block. Fill it with hs_block_def_init(). */
 typedef struct hs_block_def {
   uint32_t struct_size;       /**< set by hs_block_def_init() */
   int32_t kind;               /**< an HS_BLOCK_ value; default HS_BLOCK_RIGID */
-  int32_t material;           /**< from hs_world_add_material() */
+  int32_t material;           /**< index from hs_world_add_material(); default 0 */
   int32_t reserved;           /**< 0 */
-  hs_pose pose;               /**< default: where the shape's vertices were given */
-  double velocity[3];         /**< of the centroid; default 0 */
+  hs_pose pose;               /**< default: the coordinates of the shape's vertices */
+  double velocity[3];         /**< of the centroid, m/s; default 0 */
   double angular_velocity[3]; /**< rad/s; 2D uses z; default 0 */
 } hs_block_def;
 
-/** A block's motion. */
+/** Motion of a block. */
 typedef struct hs_block_state {
   int32_t kind;               /**< an HS_BLOCK_ value */
   int32_t material;           /**< index */
   hs_pose pose;               /**< of the centroid */
-  double angle;               /**< 2D: that of the pose, rad, counting whole turns, so that it is unbounded */
-  double velocity[3];         /**< of the centroid */
-  double angular_velocity[3]; /**< 2D: z */
-  double force[3];            /**< contact force of the last force evaluation */
-  double torque[3];           /**< contact torque about the centroid, likewise */
-  double mass;                /**< 2D: per unit thickness */
+  double angle;               /**< 2D: rotation, rad, including full turns */
+  double velocity[3];         /**< of the centroid, m/s */
+  double angular_velocity[3]; /**< rad/s; 2D: z */
+  double force[3];            /**< contact force of the last force evaluation, N */
+  double torque[3];           /**< contact torque about the centroid of the last force evaluation, N m */
+  double mass;                /**< kg, in 2D per unit thickness */
 } hs_block_state;
 
-/** Where the energy is and where it went, since the world was made (J, in 2D per unit thickness). Adding or removing blocks and
- *  setting a motion are booked as outer work. */
+/** Energy ledger since the world was made, J, in 2D per unit thickness. Changes by the host (added or removed
+ *  blocks, set motions) count as external work. See docs/concepts/energy.md. */
 typedef struct hs_energy {
-  double kinetic;         /**< now */
-  double gravity;         /**< potential, zero at the origin, now */
-  double strain;          /**< in the contact springs, now */
-  double friction_loss;   /**< by sliding and by breaking bonds, so far */
-  double contact_damping_loss; /**< by viscous contact damping, so far */
-  double local_damping_loss;   /**< by local damping, so far */
-  double mass_damping_loss;    /**< by mass-proportional damping, so far */
-  double outer_work;      /**< by prescribed blocks, applied forces, surface loads and edits, so far */
-  double residual;        /**< all but outer_work, minus outer_work: the energy error of the time stepping */
+  double kinetic;         /**< current kinetic energy */
+  double gravity;         /**< current potential energy of gravity, 0 at the origin */
+  double strain;          /**< current energy of contact springs and bonds */
+  double friction_loss;   /**< dissipated by sliding and by failure of cohesive contacts */
+  double contact_damping_loss; /**< dissipated by viscous contact damping */
+  double local_damping_loss;   /**< dissipated by local damping */
+  double mass_damping_loss;    /**< dissipated by mass damping */
+  double outer_work;      /**< work of prescribed blocks, applied forces, surface loads and changes by the
+                               host */
+  double residual;        /**< numerical energy error: current energy plus losses minus outer_work */
 } hs_energy;
 
-/** The state of a world in numbers. Later versions may append to it. */
+/** State of a world. Later versions may append to it. */
 typedef struct hs_world_report {
   int32_t dimension;         /**< 2 or 3 */
   int32_t reserved;          /**< 0 */
-  int64_t steps;             /**< done so far */
-  double time;               /**< passed so far */
-  double time_step;          /**< in use */
-  double stable_time_step;   /**< safe bound from stiffness, viscosity and mass; 0 without blocks that move freely */
+  int64_t steps;             /**< completed steps */
+  double time;               /**< s */
+  double time_step;          /**< current time step, s */
+  double stable_time_step;   /**< bound by stiffness, viscosity and mass, s; 0 without blocks that move
+                                  freely */
   int64_t block_count;       /**< living blocks */
   int64_t candidate_count;   /**< pairs in the neighbour list */
-  int64_t contact_count;     /**< contacts: pairs by laws with springs, points by laws without */
-  int64_t list_builds;       /**< how often the neighbour list was built */
-  double largest_overlap;    /**< of the last detection */
-  double largest_speed;      /**< of all blocks that move freely, now */
-  hs_energy energy;          /**< the ledger */
-  double potential_length;   /**< in use; 0 without a law of potentials */
-  double block_strain_energy; /**< of affine blocks and meshes, now; counts in the residual */
-  double block_damping_loss; /**< in affine blocks and meshes, so far; counts in the residual */
-  int64_t divided_steps;     /**< steps so far that fast blocks have divided */
-  double max_penetration_ratio; /**< largest penetration at which springs stop two blocks, over the thinner block's
-                                  thickness, so far. Above 0.25 increase the normal stiffness; from 0.5 on blocks
-                                  may pass through each other. See docs/concepts/impact.md */
-  double peak_overlap;       /**< largest overlap so far, at every detection; by potentials in space, whose steps find no overlaps, now */
-  double peak_speed;         /**< largest speed so far of all blocks that move freely, at the end of every step and part of one */
-  int64_t sleeping_count;    /**< blocks that sleep now */
-  double max_sleep_error;    /**< m: largest displacement error of a block by sleep, so far */
-  int64_t touch_count;       /**< touches so far by laws without springs; a corner that slides from face to face touches anew */
-  int64_t iteration_count;   /**< iterations so far of the solver of laws without springs: sweeps over all of their contacts */
-  double impact_loss;        /**< J, in 2D per unit thickness: lost so far by their touches; counts in the residual */
+  int64_t contact_count;     /**< contacts: pairs for laws with springs, points for laws without */
+  int64_t list_builds;       /**< number of builds of the neighbour list */
+  double largest_overlap;    /**< max overlap of the last detection, m */
+  double largest_speed;      /**< current max speed of blocks that move freely, m/s */
+  hs_energy energy;          /**< energy ledger */
+  double potential_length;   /**< current length H, m; 0 without a law of potentials */
+  double block_strain_energy; /**< current strain energy of affine blocks and meshes, J; included in the
+                                   residual */
+  double block_damping_loss; /**< dissipated by damping in affine blocks and meshes, J; included in the
+                                  residual */
+  int64_t divided_steps;     /**< steps divided by continuous collision */
+  double max_penetration_ratio; /**< max penetration that springs allow, over the thinner block's thickness;
+                                     above 0.25 increase normal_stiffness, see docs/concepts/impact.md */
+  double peak_overlap;       /**< max overlap of all detections so far, m; with potentials in 3D the current
+                                  max overlap */
+  double peak_speed;         /**< max speed so far of blocks that move freely, over all steps and substeps,
+                                  m/s */
+  int64_t sleeping_count;    /**< sleeping blocks */
+  double max_sleep_error;    /**< max displacement error of a block by sleep so far, m */
+  int64_t touch_count;       /**< touches so far of laws without springs; a corner that slides to another face
+                                  touches again */
+  int64_t iteration_count;   /**< iterations so far of the constraint solver of laws without springs (sweeps
+                                  over all contacts) */
+  double impact_loss;        /**< dissipated by impacts of laws without springs, J, in 2D per unit thickness;
+                                  included in the residual */
 } hs_world_report;
 
 /** @brief Fills a world definition with its defaults.
@@ -137,147 +148,157 @@ typedef struct hs_world_report {
  *  @return HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time. */
 HS_API hs_status hs_world_def_init(hs_world_def *def, size_t size, int32_t dimension);
 
-/** @brief Makes an empty world.
- *  @param context owner of the allocator
+/** @brief Creates an empty world.
+ *  @param context allocates the world and keeps error texts
  *  @param def not NULL
- *  @param world receives it; end it with hs_world_destroy()
+ *  @param world receives it; the caller destroys it with hs_world_destroy()
  *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY */
 HS_CHECKED hs_status hs_world_create(hs_context *context, const hs_world_def *def, hs_world **world);
 
-/** @brief Ends a world with all it holds. @param world may be NULL */
+/** @brief Destroys a world with all its blocks and bodies. @param world may be NULL */
 HS_API void hs_world_destroy(hs_world *world);
 
 /** @brief Adds a material.
  *  @param world not NULL
- *  @param density > 0
- *  @param material receives its index, counted from 0
+ *  @param density kg/m3, > 0
+ *  @param material receives its index
  *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY */
 HS_CHECKED hs_status hs_world_add_material(hs_world *world, double density, int32_t *material);
 
-/** @brief Sets the law of all pairs of materials that have none of their own.
+/** @brief Sets the law of all pairs of materials without a law of their own.
  *  @param world not NULL @param law not NULL
  *  @return HS_OK or HS_ERROR_ARGUMENT */
 HS_CHECKED hs_status hs_world_set_default_law(hs_world *world, const hs_law_def *law);
 
-/** @brief Sets the law between two materials (either order).
- *  @param world not NULL @param material_a,material_b indices; the same one twice is legal @param law not NULL
+/** @brief Sets the law of two materials, in either order.
+ *  @param world not NULL @param material_a,material_b indices, may be the same @param law not NULL
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID or HS_ERROR_OUT_OF_MEMORY */
 HS_CHECKED hs_status hs_world_set_law(hs_world *world, int32_t material_a, int32_t material_b,
                                       const hs_law_def *law);
 
 /** @brief Fills a block definition with its defaults for a shape.
  *  @param def to fill @param size sizeof(hs_block_def) as the caller was compiled
- *  @param shape gives the default pose; not NULL
+ *  @param shape not NULL; its centroid is the default position
  *  @return HS_OK or HS_ERROR_ARGUMENT */
 HS_API hs_status hs_block_def_init(hs_block_def *def, size_t size, const hs_shape *shape);
 
-/** @brief Adds a block. The world copies the shape. No component of its position may exceed 2^32 of its bounding radius: farther
- *  off, rounding would move it by too large a part of its size.
+/** @brief Adds a block. The world copies the shape. Components of its position are at most 2^32 times its
+ *  bounding radius, which limits the rounding error relative to its size.
  *  @param world not NULL @param shape not NULL @param def not NULL @param block receives its id
- *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID (material), HS_ERROR_STATE (an affine block of a material that is not
- *  elastic) or HS_ERROR_OUT_OF_MEMORY */
+ *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID (material), HS_ERROR_STATE (affine block of a material
+ *         without elasticity) or HS_ERROR_OUT_OF_MEMORY */
 HS_CHECKED hs_status hs_world_add_block(hs_world *world, const hs_shape *shape, const hs_block_def *def,
                                         hs_block *block);
 
-/** @brief Removes a block; its id becomes stale. The cost grows with the size of the world.
+/** @brief Removes a block; its id becomes stale. The cost is proportional to the size of the world.
  *  @param world not NULL @param block id
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID or HS_ERROR_OUT_OF_MEMORY */
 HS_CHECKED hs_status hs_world_remove_block(hs_world *world, hs_block block);
 
-/** @brief The ids of all blocks in the order of the block arrays below.
+/** @brief Bulk: ids of all blocks. All arrays of blocks below have this order.
  *  @param world not NULL @param blocks receives them; may be NULL if capacity is 0 @param capacity in ids
  *  @param count receives the number of blocks; may be NULL
  *  @return HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT */
 HS_CHECKED hs_status hs_world_get_blocks(const hs_world *world, hs_block blocks[], int64_t capacity,
                                          int64_t *count);
 
-/** @brief One block's motion.
+/** @brief Returns the motion of a block.
  *  @param world not NULL @param block id @param state receives it
  *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID */
 HS_CHECKED hs_status hs_world_get_block_state(const hs_world *world, hs_block block, hs_block_state *state);
 
-/** @brief One block's vertices where they are now, counter-clockwise.
- *  @param world not NULL @param block id @param vertices receives them @param count receives their number; may be NULL
+/** @brief Returns the current positions of a block's vertices, in 2D counter-clockwise.
+ *  @param world not NULL @param block id @param vertices receives them; its count is the capacity
+ *  @param count receives the number of vertices; may be NULL
  *  @return HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID */
 HS_CHECKED hs_status hs_world_get_block_vertices(const hs_world *world, hs_block block,
                                                  hs_mutable_view vertices, int64_t *count);
 
-/** @brief Puts a block elsewhere.
- *  @param world not NULL @param block id @param pose where to, no farther off than hs_world_add_block() allows
+/** @brief Sets the pose of a block.
+ *  @param world not NULL @param block id @param pose with a position in the range of hs_world_add_block()
  *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID */
 HS_CHECKED hs_status hs_world_set_pose(hs_world *world, hs_block block, const hs_pose *pose);
 
-/** @brief Sets a block's velocity and angular velocity (3 values each); a fixed block takes none, an affine one
- *  strains on as before.
- *  @param world not NULL @param block id @param velocity of the centroid @param angular_velocity rad/s; 2D uses z
+/** @brief Sets the velocity and angular velocity of a block. The strain rate of an affine block does not
+ *  change.
+ *  @param world not NULL @param block id @param velocity of the centroid, 3 values, m/s
+ *  @param angular_velocity 3 values, rad/s; 2D uses z
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE for a fixed block */
 HS_CHECKED hs_status hs_world_set_velocity(hs_world *world, hs_block block, const double velocity[3],
                                            const double angular_velocity[3]);
 
-/** @brief Sets the force and torque (3 values each) that act on a rigid or affine block from outside until set again.
- *  @param world not NULL @param block id @param force at the centroid @param torque about the centroid; 2D uses z
+/** @brief Sets the external force and torque on a rigid or affine block, until set again.
+ *  @param world not NULL @param block id @param force at the centroid, 3 values, N
+ *  @param torque about the centroid, 3 values, N m; 2D uses z
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE for other kinds */
 HS_CHECKED hs_status hs_world_set_applied_force(hs_world *world, hs_block block, const double force[3],
                                                 const double torque[3]);
 
 /** @brief Bulk: poses of all blocks, in the order of hs_world_get_blocks().
- *  @param world not NULL @param poses receives them; may be NULL if capacity is 0 @param capacity in poses @param count receives the number; may be NULL
+ *  @param world not NULL @param poses receives them; may be NULL if capacity is 0 @param capacity in poses
+ *  @param count receives the number of blocks; may be NULL
  *  @return HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT */
 HS_CHECKED hs_status hs_world_get_poses(const hs_world *world, hs_pose poses[], int64_t capacity,
                                         int64_t *count);
 
 /** @brief Bulk: sets the poses of all blocks, in the order of hs_world_get_blocks().
- *  @param world not NULL @param poses one per block, no farther off than hs_world_add_block() allows @param count must be the number of blocks
- *  @return HS_OK or HS_ERROR_ARGUMENT, then no block has moved */
+ *  @param world not NULL @param poses one per block, with positions in the range of hs_world_add_block()
+ *  @param count must be the number of blocks
+ *  @return HS_OK or HS_ERROR_ARGUMENT (no block has moved) */
 HS_CHECKED hs_status hs_world_set_poses(hs_world *world, const hs_pose poses[], int64_t count);
 
 /** @brief Bulk: velocities and angular velocities of all blocks, in the order of hs_world_get_blocks().
- *  @param world not NULL @param velocities receives them; its count is the capacity
- *  @param angular_velocities 2D: z only, x and y are 0; a view with count 0 skips it
+ *  @param world not NULL @param velocities receives them, m/s; its count is the capacity
+ *  @param angular_velocities receives them, rad/s; in 2D x and y are 0; a view with count 0 skips it
  *  @return HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT */
 HS_CHECKED hs_status hs_world_get_velocities(const hs_world *world, hs_mutable_view velocities,
                                              hs_mutable_view angular_velocities);
 
-/** @brief Bulk: sets velocities and angular velocities of all blocks; entries of fixed blocks are ignored.
- *  @param world not NULL @param velocities one per block @param angular_velocities one per block; 2D uses z
- *  @return HS_OK or HS_ERROR_ARGUMENT, then no velocity has changed */
+/** @brief Bulk: sets velocities and angular velocities of all blocks, in the order of hs_world_get_blocks().
+ *  Entries of fixed and mesh blocks are ignored.
+ *  @param world not NULL @param velocities one per block, m/s
+ *  @param angular_velocities one per block, rad/s; 2D uses z; a view with count 0 keeps the current ones
+ *  @return HS_OK or HS_ERROR_ARGUMENT (no velocity has changed) */
 HS_CHECKED hs_status hs_world_set_velocities(hs_world *world, hs_view velocities, hs_view angular_velocities);
 
-/** @brief Stage: neighbour search and detection at the present poses.
+/** @brief Stage: neighbour search and detection at the current poses.
  *  @param world not NULL @param touching receives the number of pairs in contact; may be NULL
  *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY */
 HS_CHECKED hs_status hs_world_detect(hs_world *world, int64_t *touching);
 
-/** @brief Stage: contact forces at the present poses and velocities, after hs_world_detect().
+/** @brief Stage: contact forces at the current poses and velocities, after hs_world_detect().
  *  @param world not NULL
- *  @param elapsed time since the last call, >= 0: shear springs grow by velocity times this
- *  @param forces receives the force on each block, in the order of hs_world_get_blocks()
- *  @param torques receives the torque about each centroid (2D: z); a view with count 0 skips it
+ *  @param elapsed time since the last call, s, >= 0: shear springs extend by velocity times this
+ *  @param forces receives the force on each block, N, in the order of hs_world_get_blocks()
+ *  @param torques receives the torque about each centroid, N m (2D: z); a view with count 0 skips it
  *  @return HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT, or HS_ERROR_STATE before detection at these poses */
 HS_CHECKED hs_status hs_world_forces(hs_world *world, double elapsed, hs_mutable_view forces,
                                      hs_mutable_view torques);
 
-/** @brief Steps the world.
+/** @brief Steps the world. After an error it keeps the last valid state, and can be read or saved. Within a
+ *  divided step (docs/concepts/impact.md) this is the last valid substep, and the next call completes the
+ *  step.
  *  @param world not NULL
- *  @param steps >= 0
- *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (no time step given and none can be derived), or HS_ERROR_OUT_OF_MEMORY or
- *  HS_ERROR_UNSTABLE or HS_ERROR_TOO_FAST: the world stays at the last good step and can be read, saved or restored. Where fast blocks had
- *  divided a step (docs/concepts/impact.md), it stays at the last good part of it, and the next call ends that step. */
+ *  @param steps number of steps, >= 0
+ *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (no time step given and none can be derived),
+ *         HS_ERROR_OUT_OF_MEMORY, HS_ERROR_UNSTABLE, HS_ERROR_TOO_FAST or HS_ERROR_INVERTED */
 HS_CHECKED hs_status hs_world_step(hs_world *world, int64_t steps);
 
-/** @brief Time, time step, counts, energies. After a change of the world it detects and evaluates forces first, as a step would; that
- *  leaves no trace in the run. Without a time step the energies are those of before the change.
- *  @param world not NULL @param report receives them; what this library does not know of a longer struct is 0
+/** @brief Returns time, time step, counts and energies. After a change of the world it detects contacts and
+ *  evaluates forces first, without any effect on the run. Without a time step the energies are those before
+ *  the change.
+ *  @param world not NULL @param report receives it; fields unknown to this version of the library are 0
  *  @param size sizeof(hs_world_report) as the caller was compiled
  *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY */
 HS_CHECKED hs_status hs_world_get_report(hs_world *world, hs_world_report *report, size_t size);
 
-/** @brief The contacts of the last detection, block a before b; none after a change of poses, blocks or laws.
- *  Contacts by laws with springs come first, one per pair, sorted by block index; their forces are 0 until they
- *  are evaluated. Contacts by laws without springs follow, one per point, as of the end of the last step: a
- *  vertex at a face, or two edges. In the step of a touch their force is the impulse that is left at the end of
- *  the step, over half the step (Li et al. 2015, sections 3 and 4).
- *  @param world not NULL @param contacts receives them; may be NULL if capacity is 0 @param capacity in contacts
+/** @brief Bulk: contacts of the last detection, with block a before b; none after a change of poses, blocks
+ *  or laws. Contacts of laws with springs are first, one per pair, sorted by block index; their forces are 0
+ *  until evaluated. Contacts of laws without springs follow, one per point (vertex-face or edge-edge), at the
+ *  end of the last step; in the step of a touch their force is the remaining impulse divided by half the step
+ *  (Li et al. 2015, sections 3 and 4).
+ *  @param world not NULL @param contacts receives them; may be NULL if capacity is 0
+ *  @param capacity in contacts
  *  @param count receives their number; may be NULL
  *  @return HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT */
 HS_CHECKED hs_status hs_world_get_contacts(const hs_world *world, hs_contact contacts[], int64_t capacity,
@@ -286,21 +307,22 @@ HS_CHECKED hs_status hs_world_get_contacts(const hs_world *world, hs_contact con
 /** @brief Preloads the shear spring of a contact, e.g. to start from equilibrium.
  *  @param world after hs_world_detect() or a step
  *  @param block_a,block_b the pair, either order
- *  @param shear_force on block_b, 3 finite values; what lies in the contact plane counts
- *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID if the two are not in contact, or HS_ERROR_STATE before detection at these
- *  poses and laws, or when their law has neither friction nor cohesion */
+ *  @param shear_force on block_b, 3 values, N; only the component in the contact plane is used
+ *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID if they are not in contact, or HS_ERROR_STATE before
+ *         detection at these poses and laws, or if their law has neither friction nor cohesion */
 HS_CHECKED hs_status hs_world_set_shear_force(hs_world *world, hs_block block_a, hs_block block_b,
                                               const double shear_force[3]);
 
-/** @brief Saves the whole state of motion and contact. A restored world goes on bit for bit.
+/** @brief Saves a snapshot of the complete state. A restored world continues bit for bit.
  *  @param world not NULL @param bytes receives it; may be NULL if capacity is 0 @param capacity in bytes
- *  @param count receives the number of bytes; not NULL
+ *  @param count receives the size of the snapshot in bytes; not NULL
  *  @return HS_OK, HS_NOTE_TRUNCATED (nothing was written) or HS_ERROR_ARGUMENT */
 HS_CHECKED hs_status hs_world_save(const hs_world *world, void *bytes, size_t capacity, size_t *count);
 
-/** @brief Makes a world from saved bytes, with its blocks, ids, materials and laws.
- *  @param context owner of the allocator @param bytes from hs_world_save() @param count number of bytes
- *  @param world receives it
+/** @brief Creates a world from a snapshot, with the same ids, materials and laws.
+ *  @param context allocates the world and keeps error texts @param bytes from hs_world_save()
+ *  @param count number of bytes
+ *  @param world receives it; the caller destroys it with hs_world_destroy()
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_FORMAT or HS_ERROR_OUT_OF_MEMORY */
 HS_CHECKED hs_status hs_world_restore(hs_context *context, const void *bytes, size_t count, hs_world **world);
 

@@ -7,7 +7,7 @@ double mixed(double of_opening, double of_slip) {
   return std::min(1.0, std::sqrt(of_opening * of_opening + of_slip * of_slip));
 }
 
-/// Stiffness across the faces: that of the way back from the widest opening, once strength has faded.
+/// Normal stiffness: after softening the secant stiffness at the largest opening.
 template <int D>
 double normal_stiffness(const BondLaw& law, double opening, const BondPoint<D>& point) {
   if (opening <= 0) return law.normal_stiffness;
@@ -16,7 +16,7 @@ double normal_stiffness(const BondLaw& law, double opening, const BondPoint<D>& 
   return law.tensile_strength * (1 - point.damage) / point.widest;
 }
 
-/// The shear that a point bears under this normal traction.
+/// The shear strength under this normal traction.
 template <int D>
 double shear_strength(const BondLaw& law, double normal, const BondPoint<D>& point) {
   const double left = 1 - point.damage;
@@ -25,7 +25,7 @@ double shear_strength(const BondLaw& law, double normal, const BondPoint<D>& poi
   return std::max(cohesion - normal * tangent, 0.0);
 }
 
-/// The share of strength that has faded by the present opening, and by slip so far.
+/// The damage caused by the largest opening and by the slip so far.
 template <int D>
 double faded(const BondLaw& law, const BondPoint<D>& point) {
   const double peak = law.opening_at_peak(), end = law.opening_at_end(), slip_end = law.slip_at_end();
@@ -40,7 +40,7 @@ void fail(BondPoint<D>& point, BondFailure by) {
   point.failure = by;
 }
 
-/// Tension first: where both criteria are met at once the face opens.
+/// Tension first: where both criteria are met at once, the point fails in tension.
 template <int D>
 void judge(const BondLaw& law, double opening, double trial_shear, BondPoint<D>& point) {
   if (opening > law.opening_at_peak()) {
@@ -79,7 +79,7 @@ BondTraction<D> traction_of(const BondLaw& law, double opening, const Vector<D>&
   traction.energy = 0.5 * (traction.normal * opening + shear * shear / law.shear_stiffness);
   traction.breaks = point.is_broken() && !was_broken;
   if (was_broken) {
-    // The work of both ends' tractions, as the step does it, but for what the spring has gained.
+    // The work of the mean traction, as in the step, without the energy that the spring has gained.
     traction.friction_loss = 0.5 * (traction.shear - point.shear).dot(yielded);
   } else {
     traction.fracture_loss = trial_energy - traction.energy;

@@ -10,22 +10,22 @@
 
 namespace halfspace {
 
-/// The way in which a point of a bond has failed, or none. The values are those of the C API.
+/// The failure mode of a point of a bond. The values are those of the C API.
 enum class BondFailure : std::int32_t { none = 0, tension = 1, shear = 2 };
 
-/// An integration point of a bond: where it is in both blocks, and what has become of it. There is no gap
-/// between members: a saved one holds no stray bytes.
+/// An integration point of a bond: its places in both blocks, and its state. Without implicit padding, so
+/// that all saved bytes are defined.
 template <int D>
 struct BondPoint {
-  Vector<D> on_a = Vector<D>::Zero();  // in the shapes' frames
+  Vector<D> on_a = Vector<D>::Zero();  // in the frames of the shapes
   Vector<D> on_b = Vector<D>::Zero();
-  Vector<D> slid = Vector<D>::Zero();   // slip without a spring force, in a's frame as a is turned
-  Vector<D> shear = Vector<D>::Zero();  // traction on b, in space, of the last forces
+  Vector<D> slid = Vector<D>::Zero();   // slip without spring force, in a's rotating frame
+  Vector<D> shear = Vector<D>::Zero();  // traction on b, in the world's frame, at the last evaluation
   double area = 0;
-  double normal_traction = 0;  // > 0 in tension, of the last forces
-  double widest = 0;           // opening so far, while strength fades
-  double faded_slip = 0;       // likewise
-  double damage = 0;           // share of the strength that is gone
+  double normal_traction = 0;  // > 0 in tension, at the last evaluation
+  double widest = 0;           // largest opening so far, during softening
+  double faded_slip = 0;       // slip so far, during softening
+  double damage = 0;           // fraction of the strength that is lost
   BondFailure failure = BondFailure::none;
   std::int32_t reserved = 0;
 
@@ -38,19 +38,19 @@ struct BondPoint {
   }
 };
 
-/// The answer of a bond's point to an opening and an elastic slip, per area.
+/// Traction and energies of a point per area, for an opening and an elastic slip.
 template <int D>
 struct BondTraction {
   double normal = 0;                    // > 0 in tension
-  Vector<D> shear = Vector<D>::Zero();  // as the slip
+  Vector<D> shear = Vector<D>::Zero();  // in the direction of the slip
   double energy = 0;                    // of the springs
-  double fracture_loss = 0;             // of this motion
+  double fracture_loss = 0;             // in this evaluation
   double friction_loss = 0;
-  bool breaks = false;  // now
+  bool breaks = false;  // in this evaluation
 };
 
-/// Works out the traction of a point, and what becomes of it. `slip` is that since the springs were without
-/// force; what it loses of that is `yielded`. A held bond never fails.
+/// Computes the traction of a point and updates its state. `slip` is measured from the force-free state;
+/// `yielded` returns its inelastic part. A held bond never fails.
 template <int D>
 BondTraction<D> traction_of(const BondLaw& law, double opening, const Vector<D>& slip, bool is_held,
                             BondPoint<D>& point, Vector<D>& yielded);

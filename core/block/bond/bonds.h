@@ -8,23 +8,23 @@
 
 namespace halfspace {
 
-/// Two blocks that hold together along a common face. There is no gap between members.
+/// Two blocks bonded along a common face. Without implicit padding.
 template <int D>
 struct Bond {
-  std::int32_t a = -1;  // slots, a < b; -1 when one has been removed
+  std::int32_t a = -1;  // slots, a < b; -1 after removal
   std::int32_t b = -1;
   std::int32_t law = 0;
-  std::int32_t is_joint = 1;  // 0: it has come apart, and contact has taken over
+  std::int32_t is_joint = 1;  // 0: the bond has separated, and contact replaces it
   std::int64_t first_point = 0;
   std::int64_t point_count = 0;
   Vector<D> normal_a = Vector<D>::Zero();  // of the face, from a to b, in a's frame, and in b's
   Vector<D> normal_b = Vector<D>::Zero();
   double extent = 0;            // of the face
-  std::int32_t hands_over = 0;  // 1: its contact does not know its shear force yet
+  std::int32_t hands_over = 0;  // 1: its contact still has to take over the shear force
   std::int32_t reserved = 0;
 };
 
-/// A point of a bond that has failed. There is no gap between members.
+/// The failure of a point of a bond. Without implicit padding.
 template <int D>
 struct BondEvent {
   std::int64_t bond = 0;
@@ -34,16 +34,15 @@ struct BondEvent {
   std::int32_t reserved = 0;
   double time = 0;
   double area = 0;
-  double normal_traction = 0;  // that it bore before
+  double normal_traction = 0;  // before failure
   double shear_traction = 0;
-  double energy = 0;  // lost at once
+  double energy = 0;  // released by the failure
   double padding = 0;
   Vector<D> position = Vector<D>::Zero();
   Vector<D> normal = Vector<D>::Zero();
 };
 
-/// The bonds of a world, with their points side by side, and what has failed so far. A world without any has
-/// none of it.
+/// The bonds of a world, their points in one array, and the failures so far. Empty in worlds without bonds.
 template <int D>
 class Bonds {
  public:
@@ -66,23 +65,22 @@ class Bonds {
   BondRings<D>& rings() { return rings_; }
   const BondRings<D>& rings() const { return rings_; }
 
-  /// Returns the law's number.
+  /// Returns the index of the law.
   std::int32_t add_law(const BondLaw& law) {
     laws_.push_back(law);
     return std::int32_t(laws_.size()) - 1;
   }
-  /// Takes the law back that was added last, with all bonds that have it; they were added since.
+  /// Removes the law added last, and the bonds of that law, which were added after it.
   void take_back_law();
-  /// Takes a bond in, with its points. When memory runs out nothing has changed. Call index() when all are
-  /// in.
+  /// Adds a bond with its points. When memory runs out, nothing has changed. Call index() after the last one.
   void add(Bond<D> bond, std::span<const BondPoint<D>> points);
-  /// Makes keeps() know of the bonds.
+  /// Rebuilds the search index of keeps().
   void index();
-  /// There is room for one event of each point.
+  /// Memory is reserved for one event per point.
   void add_event(const BondEvent<D>& event) { events_.push_back(event); }
-  /// Ends the bonds of a block that is removed.
+  /// Removes the bonds of a removed block.
   void forget(std::int32_t block);
-  /// Is there a bond, whole or failed, that keeps two blocks from being a contact?
+  /// Is there a bond, intact or failed, that replaces the contact of two blocks?
   bool keeps(std::int32_t a, std::int32_t b) const;
 
   /// Divides all strengths by a factor.
@@ -91,7 +89,7 @@ class Bonds {
   bool are_held() const { return is_held_; }
   void hold(bool is_held) { is_held_ = is_held; }
 
-  /// All that forces write to.
+  /// The state that the evaluation of forces changes.
   auto state() { return std::tie(bonds_, points_, events_, rings_.groups()); }
 
   bool is_consistent(std::size_t slots) const;
@@ -116,7 +114,7 @@ class Bonds {
   Array<Bond<D>> bonds_;
   Array<BondPoint<D>> points_;
   Array<BondEvent<D>> events_;
-  Array<Named> sorted_;  // by their pairs, for the search
+  Array<Named> sorted_;  // by pair, for the search
   BondRings<D> rings_;
   std::int32_t is_held_ = 0;
 };

@@ -9,14 +9,13 @@
 namespace halfspace {
 namespace {
 
-/// Planes that are nearer than this share of the smaller block's radius are one.
+/// Planes within this fraction of the smaller block's radius coincide.
 constexpr double plane_reach = 1e-6;
 
-/// Faces whose planes differ by less of a right angle than this are parallel: they were one before a joint
-/// cut them.
+/// Faces are parallel when their normals differ by at most this: a joint set has cut them from one plane.
 constexpr double parallel_faces = 1e-6;
 
-/// Do the face's planes coincide, looking at each other?
+/// Do two faces lie in one plane, with opposite normals?
 template <int D>
 bool are_opposite(const Outline<D>& a, int f, const Outline<D>& b, int g, const Vector<D>& to_b,
                   double reach) {
@@ -25,7 +24,7 @@ bool are_opposite(const Outline<D>& a, int f, const Outline<D>& b, int g, const 
          std::abs(normal.dot(to_b) - b.offset[g] - a.offset[f]) <= reach;
 }
 
-/// The common part of two edges on one line, by Simpson's rule.
+/// The overlap of two edges on one line, with the points of Simpson's rule.
 double add_points(const Outline<2>& a, int f, const Outline<2>& b, int g, const Vector<2>& to_b,
                   Array<FacePoint<2>>& points) {
   const Vector<2> start = a.vertex(f), along = (a.vertex(a.next(f)) - start).normalized();
@@ -40,7 +39,7 @@ double add_points(const Outline<2>& a, int f, const Outline<2>& b, int g, const 
   return to - from;
 }
 
-/// A face's corners in coordinates of its plane.
+/// The vertices of a face in coordinates of its plane.
 Array<Vector<2>> flattened(const Outline<3>& block, int face, const Vector<3>& shift, const Vector<3>& x,
                            const Vector<3>& y, Memory* memory) {
   const Topology& topology = *block.topology;
@@ -52,7 +51,7 @@ Array<Vector<2>> flattened(const Outline<3>& block, int face, const Vector<3>& s
   return corners;
 }
 
-/// The common part of two faces in one plane.
+/// The overlap of two faces in one plane.
 Array<Vector<2>> common_polygon(const Array<Vector<2>>& one, const Array<Vector<2>>& other) {
   Array<Vector<2>> common(one, one.get_allocator());
   for (std::size_t i = 0; i < other.size(); ++i) {
@@ -67,9 +66,8 @@ Array<Vector<2>> common_polygon(const Array<Vector<2>>& one, const Array<Vector<
   return common;
 }
 
-/// Integrates over a polygon, cut into triangles from its first corner, by the rule of corners, middles of
-/// sides and centroids: 1/20, 2/15 and 9/20 of each triangle's area. Calls add(place, share) for each of them
-/// once.
+/// Integrates over a polygon, divided into triangles from its first corner, with weights 1/20, 2/15 and 9/20
+/// of a triangle's area at corners, midpoints of sides and centroid. Calls add(place, area) once per point.
 template <class Add>
 double integrate(const Array<Vector<2>>& polygon, Add add) {
   Memory* memory = polygon.get_allocator().resource();
@@ -94,7 +92,7 @@ double integrate(const Array<Vector<2>>& polygon, Add add) {
   return whole;
 }
 
-/// The common part of two faces in one plane.
+/// The overlap of two faces in one plane.
 double add_points(const Outline<3>& a, int f, const Outline<3>& b, int g, const Vector<3>& to_b,
                   Array<FacePoint<3>>& points) {
   Memory* memory = points.get_allocator().resource();
@@ -119,7 +117,7 @@ std::optional<CommonFace<D>> common_face(const Blocks<D>& blocks, std::int32_t b
   const auto [a, b, to_b] = blocks.placed(block_a, block_b);
   const double reach =
       plane_reach * std::min(blocks.radius[std::size_t(block_a)], blocks.radius[std::size_t(block_b)]);
-  const double least = D == 2 ? reach : reach * reach;  // what is less is rounding
+  const double least = D == 2 ? reach : reach * reach;  // smaller areas are rounding errors
   std::optional<CommonFace<D>> common;
   double largest = 0;
   Array<FacePoint<D>> points(memory);

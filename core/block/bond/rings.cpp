@@ -10,10 +10,10 @@
 namespace halfspace {
 namespace {
 
-/// Points of bonds that are nearer than this share of the smaller block's radius lie together.
+/// Points of bonds within this fraction of the smaller block's radius coincide.
 constexpr double corner_reach = 1e-4;
 
-/// A direction that few corners of regular bodies lie across.
+/// A direction to which few edges and faces of regular bodies are normal.
 template <int D>
 Vector<D> odd_direction() {
   constexpr double odd[] = {0.8017, 0.5345, 0.2673};
@@ -22,7 +22,7 @@ Vector<D> odd_direction() {
 
 }  // namespace
 
-/// A point of a bond in space, and the blocks that it holds.
+/// A point of a bond, and the blocks that it joins.
 template <int D>
 struct BondRings<D>::End {
   Vector<D> place;
@@ -51,7 +51,7 @@ class BondRings<D>::Finder {
     sort_members();
   }
 
-  /// Pairs that meet at a ring and have a face in common, bonded or not: when it opens, they may touch again.
+  /// Pairs of blocks in one ring that have a common face, bonded or not: when it opens, they may touch again.
   void add_faced(Array<std::uint64_t>& faced) const {
     Array<Member> by_ring(members, memory_);
     std::sort(by_ring.begin(), by_ring.end(), [](const Member& one, const Member& other) {
@@ -95,7 +95,7 @@ class BondRings<D>::Finder {
     }
   }
 
-  /// Ends that lie together get the same number: that of the first of them along the direction.
+  /// Ends that coincide get one number: that of the first of them along the direction.
   void number_rings() {
     std::sort(ends_.begin(), ends_.end(), [](const End& one, const End& other) {
       return std::tie(one.along, one.point) < std::tie(other.along, other.point);
@@ -110,7 +110,7 @@ class BondRings<D>::Finder {
                      [](const End& one, const End& other) { return one.ring < other.ring; });
   }
 
-  /// The blocks at the surface of meshes, by their nodes.
+  /// The blocks at the surface of meshes, by node.
   void collect_cells() {
     for (const SurfaceCell<D>& cell : blocks_.meshes().surface()) {
       for (const std::int32_t node : cell.node) of_node_.push_back({node, cell.block});
@@ -125,7 +125,7 @@ class BondRings<D>::Finder {
     for (const End& end : ends) links.push_back({end.point, member(end, end.a), member(end, end.b)});
   }
 
-  /// The number of a block's membership in the ring that is being made.
+  /// Returns the index of a block's member of the present ring; adds it if needed.
   std::int32_t member(const End& end, std::int32_t block) {
     for (std::size_t i = first_of_ring_; i < members.size(); ++i) {
       if (members[i].block == block) return std::int32_t(i);
@@ -197,7 +197,7 @@ void BondRings<D>::find(const Blocks<D>& blocks) {
   is_current_ = 1;
 }
 
-/// Each member takes the least number of those that it is linked with, until none changes.
+/// Each member takes the smallest group of its links, until none changes.
 template <int D>
 void BondRings<D>::regroup(std::span<const BondPoint<D>> points) {
   for (std::size_t i = 0; i < members_.size(); ++i) members_[i].group = std::int32_t(i);

@@ -12,25 +12,25 @@ namespace halfspace {
 template <int D>
 class Blocks;
 
-/// The rings of bonds around their corners: blocks meet there that have no face in common. As long as whole
-/// points of bonds lead from one to the other around the corner, they are no contact: springs between them
-/// would only make the body stiffer.
+/// Rings of bonds around corners where blocks meet without a common face. While intact points of bonds
+/// connect two blocks around the corner, the blocks are not in contact: contact springs would only stiffen
+/// the body.
 template <int D>
 class BondRings {
  public:
   explicit BondRings(Memory* memory) : members_(memory), links_(memory), faced_(memory) {}
 
-  /// Bonds or blocks are others than before: all rings are to be found anew.
+  /// Bonds or blocks have changed: all rings must be rebuilt.
   void invalidate() { is_current_ = 0; }
   bool is_current() const { return is_current_ != 0; }
-  /// Finds them where the points of bonds are now. When memory runs out nothing has changed.
+  /// Finds the rings at the present places of the points. When memory runs out, nothing has changed.
   void find(const Blocks<D>& blocks);
-  /// Looks at the points again, some of which have broken: true when blocks are no longer held that had been.
+  /// Updates the rings after points have failed. Returns true when a pair is no longer held.
   bool look(std::span<const BondPoint<D>> points);
-  /// Does a ring hold two blocks that no bond holds?
+  /// Does a ring join two blocks without a bond of their own?
   bool hold(std::int32_t a, std::int32_t b) const;
 
-  /// All that forces write to.
+  /// The state that the evaluation of forces changes.
   auto& groups() { return members_; }
 
   bool is_consistent(std::size_t slots, std::size_t points) const;
@@ -44,12 +44,12 @@ class BondRings {
   struct Member {
     std::int32_t block = -1;
     std::int32_t ring = 0;
-    std::int32_t group = 0;  // members of a ring with the same number are held together
+    std::int32_t group = 0;  // members of a ring with the same number are joined
     std::int32_t former_group = 0;
 
     auto key() const { return std::tie(block, ring); }
   };
-  /// Two members that a point of a bond holds, or the mesh that both are of.
+  /// Two members joined by a point of a bond, or by their mesh.
   struct Link {
     std::int64_t point = -1;  // -1 for a mesh
     std::int32_t one = 0;     // of the members
@@ -59,10 +59,9 @@ class BondRings {
   class Finder;
   void regroup(std::span<const BondPoint<D>> points);
 
-  Array<Member> members_;  // in order of their keys
+  Array<Member> members_;  // sorted by key()
   Array<Link> links_;
-  Array<std::uint64_t>
-      faced_;  // pairs of blocks with a face in common, which touch there; in ascending order
+  Array<std::uint64_t> faced_;  // pairs of blocks with a common face, which may touch there; ascending
   std::int32_t is_current_ = 1;
 };
 

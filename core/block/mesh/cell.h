@@ -9,16 +9,15 @@ namespace halfspace {
 /// The kinds of cells of a mesh. The values are those of the C API.
 enum class CellKind : std::int32_t { triangle = 0, quad = 1, tetrahedron = 2, prism = 3, hexahedron = 4 };
 
-/// The nodes of a cell of some kind, and how they hang together. They are numbered as Gmsh and VTK do: those
-/// of a polygon counter-clockwise, those of the prism and the hexahedron first at the bottom and then, in the
-/// same order, at the top.
+/// The nodes of a kind of cell, and its topology. The numbering is that of Gmsh and VTK: counter-clockwise in
+/// polygons; in prisms and hexahedra first the bottom and then, in the same order, the top.
 struct CellForm {
   int dimension;
   int nodes;
-  int nodes_of_face[6];  // 0 behind the last
-  int faces[6][4];       // in the plane edges
+  int nodes_of_face[6];  // 0 for unused faces
+  int faces[6][4];       // in 2D edges
   int simplex_count;
-  int simplices[5][4];  // that fill the cell: contact sees those which have a face at the surface
+  int simplices[5][4];  // that fill the cell; those with a face at the surface are blocks
 };
 
 inline bool is_cell_kind(std::int32_t kind) {

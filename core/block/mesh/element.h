@@ -11,16 +11,16 @@
 
 namespace halfspace {
 
-// A cell of a mesh as a finite element. Its points move by an affine field, told by the mean gradient F of
-// the places, and by the fields that nodes beyond those of a simplex allow: hourglass modes, of amplitude h =
-// sum_i y_i gamma_i (Belytschko and Bindeman 1993). Both parts store energy by themselves:
+// A cell of a mesh as a finite element. Its points move by an affine field, given by the mean gradient F of
+// the places, and by hourglass modes where it has more nodes than a simplex, with amplitudes
+// h = sum_i y_i gamma_i (Belytschko and Bindeman 1993). Both parts store energy independently:
 //
 //   U = V (1/2 E : C : E) + 1/2 q . K q,    E = 1/2 (F^T F - 1),    q_k = F^T h_k
 //
-// E and q do not change as the cell turns, so that a rotation, however large, strains nothing, and forces are
-// the exact derivative of U: the ledger closes. For small strains K makes the element that of incompatible
-// modes (Taylor, Beresford and Wilson 1976), which bends without locking: see make_element.cpp. A linear
-// triangle or tetrahedron has no modes.
+// E and q are invariant to rotations, so that large rotations cause no strain. Forces are the exact
+// derivative of U, so that the energy balance closes. For small strains K makes the element that of
+// incompatible modes (Taylor, Beresford and Wilson 1976), which bends without locking: see make_element.cpp.
+// Linear triangles and tetrahedra have no modes.
 
 /// The hourglass modes of an element.
 template <int D, int N>
@@ -37,7 +37,7 @@ struct Hourglass<D, D + 1> {
   bool is_consistent() const { return true; }
 };
 
-/// Vectors of nodes, a column for each of these.
+/// Vectors of the given nodes, one per column.
 template <int D, int N>
 Eigen::Matrix<double, D, N> gathered(const Array<Vector<D>>& of_nodes,
                                      const std::array<std::int32_t, N>& nodes) {
@@ -46,7 +46,7 @@ Eigen::Matrix<double, D, N> gathered(const Array<Vector<D>>& of_nodes,
   return all;
 }
 
-/// A finite element of N nodes. There is no gap between its members: a saved one holds no stray bytes.
+/// A finite element of N nodes. Without implicit padding, so that all saved bytes are defined.
 template <int D, int N>
 struct Element {
   static constexpr int modes = N - D - 1;
@@ -54,7 +54,7 @@ struct Element {
   using Modes = Eigen::Matrix<double, D, modes>;
   using Amplitudes = Eigen::Matrix<double, D * modes, 1>;
 
-  /// The places or the motion of its nodes.
+  /// Positions or velocities of its nodes.
   struct Field {
     Tensor<D> gradient;
     Modes amplitude;
@@ -68,7 +68,7 @@ struct Element {
     }
   }
 
-  /// Green's.
+  /// Green-Lagrange strain.
   static Tensor<D> strain_of(const Field& place) {
     return 0.5 * (place.gradient.transpose() * place.gradient - Tensor<D>::Identity());
   }
@@ -76,10 +76,9 @@ struct Element {
     const Tensor<D> half = 0.5 * place.gradient.transpose() * rate.gradient;
     return half + half.transpose();
   }
-  /// The strain that stress comes from: with that by which the cell was stressed as it was put into the
-  /// world.
+  /// The strain that causes stress: with the initial strain of the cell.
   Tensor<D> stressing_strain(const Tensor<D>& strain) const { return strain + prestrain; }
-  /// Cauchy's, elastic.
+  /// Cauchy stress, elastic.
   Tensor<D> stress(const Field& place, const Elasticity& elasticity) const {
     const Tensor<D> inner = elasticity.stress<D>(stressing_strain(strain_of(place)));
     return place.gradient * inner * place.gradient.transpose() / place.gradient.determinant();
@@ -89,7 +88,7 @@ struct Element {
     const Tensor<D> inner = place.gradient.determinant() * back * wanted * back.transpose();
     prestrain = elasticity.strain<D>(inner) - strain_of(place);
   }
-  /// Amplitudes as the cell sees them that turns with itself.
+  /// Amplitudes in the rotating frame of the cell.
   static Amplitudes bending_of(const Field& place) {
     if constexpr (modes == 0) return {};
     const Modes bending = place.gradient.transpose() * place.amplitude;
@@ -102,7 +101,7 @@ struct Element {
     return Eigen::Map<const Amplitudes>(bending.data());
   }
 
-  /// The forces that drive the modes when they are bent so.
+  /// The generalized forces of the modes at these amplitudes.
   Amplitudes drive(const Amplitudes& bending) const {
     if constexpr (modes == 0) {
       return {};
@@ -119,7 +118,7 @@ struct Element {
     return affine + 0.5 * bending.dot(drive(bending));
   }
 
-  /// The forces on the nodes by a second Piola stress, and by what drives the modes.
+  /// The nodal forces by a second Piola-Kirchhoff stress and the generalized forces of the modes.
   Nodes forces(const Field& place, const Tensor<D>& stress, const Amplitudes& drive) const {
     Tensor<D> by_gradient = volume * place.gradient * stress;
     if constexpr (modes == 0) {
@@ -131,7 +130,7 @@ struct Element {
     }
   }
 
-  /// Those by which it resists where it is, without what damps it.
+  /// The elastic nodal forces, without damping.
   Nodes elastic_forces(const Field& place, const Elasticity& elasticity) const {
     return forces(place, elasticity.stress<D>(stressing_strain(strain_of(place))), drive(bending_of(place)));
   }
@@ -139,21 +138,21 @@ struct Element {
   bool is_finite() const {
     return all_finite(gradients) && all_finite(prestrain) && hourglass.is_consistent();
   }
-  /// False for what none can be, after reading a snapshot.
+  /// False for data of a damaged snapshot.
   bool is_consistent(std::size_t node_count, std::int32_t material_count) const {
     const auto is_node = [&](std::int32_t i) { return i >= 0 && std::size_t(i) < node_count; };
     return all(node, is_node) && cell >= 0 && material >= 0 && material < material_count &&
            is_positive(volume) && is_finite();
   }
 
-  std::array<std::int32_t, N> node{};  // in the world's array
+  std::array<std::int32_t, N> node{};  // index in the world's array
   std::int32_t body = 0;
-  std::int32_t cell = 0;  // of the body's mesh
+  std::int32_t cell = 0;  // index in the mesh of the body
   std::int32_t material = 0;
   std::array<std::int32_t, D == 2 ? 4 - (N + 1) % 4 : 4 - (N + 3) % 4> padding{};
-  double volume = 0;  // of the cell as it was given, in the plane its area
+  double volume = 0;  // of the undeformed cell; in 2D its area
   Tensor<D> prestrain = Tensor<D>::Zero();
-  Eigen::Matrix<double, D, N> gradients;  // means over the cell of those of the nodes' interpolation
+  Eigen::Matrix<double, D, N> gradients;  // means over the cell of the gradients of the nodes' interpolation
   [[no_unique_address]] Hourglass<D, N> hourglass;
 };
 

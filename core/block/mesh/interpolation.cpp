@@ -8,7 +8,7 @@ namespace {
 /// Corners of the square and the cube, in the order of their nodes.
 constexpr double corners[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
                                   {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
-/// Corners of the triangle, and how its three weights rise along x and y.
+/// Corners of the triangle, and the gradients of its three weights.
 constexpr double sides[3][2] = {{0, 0}, {1, 0}, {0, 1}};
 constexpr double rises[3][2] = {{-1, -1}, {1, 0}, {0, 1}};
 
@@ -69,7 +69,7 @@ CellMatrix Interpolation::gradients(const std::array<double, 3>& at) const {
   return gradients;
 }
 
-/// Products of coordinates; of the prism those of its height and of two weights of the triangle, from their
+/// Products of coordinates; for the prism, of its height and the deviation of two triangle weights from their
 /// mean.
 CellMatrix Interpolation::modes() const {
   CellMatrix modes(node_count(), mode_count());

@@ -11,8 +11,8 @@
 namespace halfspace {
 namespace {
 
-/// Hooke's law as a matrix over the components of the gradient of a displacement, column by column: of its
-/// symmetric part alone.
+/// Hooke's law as a matrix over the components of a displacement gradient, column by column. Only its
+/// symmetric part has stress.
 template <int D>
 CellMatrix stiffness_of_gradient(const Elasticity& elasticity) {
   CellMatrix stiffness(D * D, D * D);
@@ -26,7 +26,7 @@ CellMatrix stiffness_of_gradient(const Elasticity& elasticity) {
   return stiffness;
 }
 
-/// Writes the gradients of displacements along each axis by a scalar field of this gradient: D columns.
+/// Writes D columns: the gradients of the displacements along each axis by a scalar field with this gradient.
 void write_gradients_by(const double* gradient, int dimension, int first, CellMatrix& columns) {
   columns.middleCols(first, dimension).setZero();
   for (int k = 0; k < dimension; ++k) {
@@ -39,10 +39,10 @@ CellMatrix stiffness_by(const CellMatrix& gradients, const CellMatrix& hooke) {
   return product_of_transposed(gradients, product(hooke, gradients));
 }
 
-/// The interpolation of a cell that is no simplex, at a point: the map of the parent cell there.
+/// The interpolation of a cell that is not a simplex, at one point.
 struct Mapped {
   CellMatrix inverse_transposed;
-  CellMatrix gradients;  // of the nodes' weights, in space
+  CellMatrix gradients;  // of the nodes' weights, in the frame of the mesh
   double determinant;
 };
 
@@ -56,7 +56,7 @@ Mapped map_at(const CellMatrix& nodes, const Interpolation& form, const std::arr
   return mapped;
 }
 
-/// gamma: what tells the amplitude of each mode, and vanishes for affine fields and for the other modes.
+/// gamma: gives the amplitude of each mode, and is orthogonal to affine fields and to the other modes.
 CellMatrix dual_modes(const CellMatrix& nodes, const Interpolation& form) {
   const int n = form.node_count();
   CellMatrix fields(n, n);
@@ -67,10 +67,10 @@ CellMatrix dual_modes(const CellMatrix& nodes, const Interpolation& form) {
   return inverse.bottomRows(form.mode_count()).transpose();
 }
 
-/// K: the stiffness of the modes in the element of incompatible modes, for small strains. Modes are taken
-/// without their mean gradient, and so are bubbles, with the determinant of the middle (Taylor, Beresford and
-/// Wilson 1976): neither works against a uniform stress, so that modes and affine fields share no energy and
-/// the patch test holds exactly.
+/// K: the stiffness of the modes in the element of incompatible modes, for small strains. Modes are used
+/// without their mean gradient, and bubbles with the map of the cell's centre (Taylor, Beresford and Wilson
+/// 1976). Neither works against a uniform stress, so modes and affine fields share no energy and the patch
+/// test holds exactly.
 CellMatrix stiffness_of_modes(const CellMatrix& nodes, const CellMatrix& mean_gradients,
                               const Interpolation& form, const CellMatrix& hooke) {
   const int dimension = form.dimension(), modes = form.mode_count(), bubbles = form.bubble_count();
@@ -100,7 +100,7 @@ CellMatrix stiffness_of_modes(const CellMatrix& nodes, const CellMatrix& mean_gr
   return 0.5 * (condensed + condensed.transpose());
 }
 
-/// The edges of a simplex from its first corner.
+/// The edges of a simplex from its first node.
 template <int D>
 Tensor<D> edges_of(const CellMatrix& nodes, const int* corners) {
   Tensor<D> edges;
@@ -118,7 +118,7 @@ double volume_of_simplex(const Tensor<D>& edges) {
 
 constexpr int first_nodes[] = {0, 1, 2, 3};
 
-/// The part that all elements have: volume and mean gradients.
+/// Volume and mean gradients, which all elements have.
 struct Affine {
   double volume = 0;
   CellMatrix gradients;
@@ -173,7 +173,7 @@ CellMatrix nodal_volumes(const CellMatrix& nodes, CellKind kind) {
   return volumes;
 }
 
-/// The largest eigenvalue of the stiffness against lumped masses; both are of one element.
+/// The largest eigenvalue of the stiffness and the lumped masses of one element.
 double largest_eigenvalue(CellMatrix stiffness, const double* masses, int dimension) {
   const int unknowns = int(stiffness.cols());
   for (int i = 0; i < unknowns; ++i) {
@@ -185,7 +185,7 @@ double largest_eigenvalue(CellMatrix stiffness, const double* masses, int dimens
       .eigenvalues()[unknowns - 1];
 }
 
-/// How far the amplitudes of all modes change by the motion of each node along each axis.
+/// The change of all modes' amplitudes per displacement of each node along each axis.
 CellMatrix amplitudes_by(const CellMatrix& gamma, int dimension) {
   const int nodes = int(gamma.rows()), modes = int(gamma.cols());
   CellMatrix amplitudes = CellMatrix::Zero(dimension * modes, dimension * nodes);
@@ -198,7 +198,7 @@ CellMatrix amplitudes_by(const CellMatrix& gamma, int dimension) {
   return amplitudes;
 }
 
-/// Of an affine field over a volume, by the motion of each node along each axis.
+/// Stiffness of a uniform strain over a volume, for displacements of each node along each axis.
 CellMatrix affine_stiffness(const CellMatrix& node_gradients, double volume, const CellMatrix& hooke) {
   const int dimension = int(node_gradients.rows()), nodes = int(node_gradients.cols());
   CellMatrix gradients(dimension * dimension, dimension * nodes);

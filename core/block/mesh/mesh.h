@@ -12,28 +12,28 @@ namespace halfspace {
 enum class MeshFault {
   none,
   no_cells,
-  wrong_kind,   // no kind at all, or one of another dimension
+  wrong_kind,   // unknown, or of another dimension
   wrong_count,  // of the cells' nodes
   no_such_node,
   node_twice,    // in one cell
   out_of_range,  // a node
   unused_node,
-  inside_out,      // a cell, somewhere, or flat
+  inside_out,      // a cell, at some point, or flat
   face_too_often,  // in more than two cells
-  beyond_bounds,   // a cell, in its mass or its stiffness
+  beyond_bounds,   // a cell: mass or stiffness
 };
 
-/// The fault in words, e.g. "is inside out or flat".
+/// The fault as text, e.g. "is inside out or flat".
 const char* fault_text(MeshFault fault);
 
-/// The first fault, and the cell and node it sits at, -1 where it is none of them.
+/// The first fault, with its cell and node; -1 where it has none.
 struct MeshFaultReport {
   MeshFault fault = MeshFault::none;
   std::int64_t cell = -1;
   std::int64_t node = -1;
 };
 
-/// A mesh in plain words: nodes, and cells that share them. Nodes of a cell are numbered as form_of() says.
+/// A mesh: nodes, and cells that share them. The nodes of a cell are numbered as in form_of().
 template <int D>
 struct Mesh {
   explicit Mesh(Memory* memory)
@@ -47,17 +47,16 @@ struct Mesh {
 
   Array<Vector<D>> nodes;
   Array<CellKind> kinds;
-  Array<std::int32_t> first_of_cell;  // in cell_nodes; one more than there are cells
+  Array<std::int32_t> first_of_cell;  // index in cell_nodes; size: number of cells + 1
   Array<std::int32_t> cell_nodes;
 };
 
-/// Says what keeps cells of these kinds, with their nodes one after the other, from being a mesh; and fills
-/// it.
+/// Fills a mesh from the kinds of cells and their nodes, one cell after the other. Returns the first fault.
 template <int D>
 MeshFaultReport make_mesh(std::span<const std::int32_t> kinds, std::span<const std::int32_t> cell_nodes,
                           Mesh<D>& mesh);
 
-/// The middle of the box around the nodes: in a world places are seen from there.
+/// The centre of the nodes' bounding box, the origin of a body's coordinates in a world.
 template <int D>
 Vector<D> middle_of(const Mesh<D>& mesh) {
   Vector<D> lower = mesh.nodes.front(), upper = lower;

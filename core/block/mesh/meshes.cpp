@@ -21,7 +21,7 @@ Meshes<D>::Meshes(Memory* memory)
       surface_(memory),
       of_block_(memory) {}
 
-/// The body's step is that of its stiffest element.
+/// The stiffest element limits the time step of the body.
 template <int D>
 template <int N>
 void Meshes<D>::note_stiffness(const Element<D, N>& element, const Eigen::Matrix<double, N, 1>& masses,
@@ -218,7 +218,7 @@ bool Meshes<D>::is_consistent(std::int32_t material_count) const {
   for (const Array<Vector<D>>* vectors : {&place, &given, &velocity, &applied_force}) {
     if (vectors->size() != nodes || !all(*vectors, is_finite_vector)) return false;
   }
-  if (force.size() != nodes) return false;  // beyond all numbers it ends the run, as with blocks
+  if (force.size() != nodes) return false;  // not finite: the next step reports it, as for blocks
   if (mass.size() != nodes || held.size() != nodes || !all(mass, is_nonnegative)) return false;
   for (std::size_t i = 0; i < nodes; ++i) {
     if (mass[i] == 0 && held[i] != held_along_all<D>) return false;
@@ -227,7 +227,7 @@ bool Meshes<D>::is_consistent(std::int32_t material_count) const {
   for (const Body<D>& body : bodies_) {
     const std::int64_t left = std::int64_t(nodes) - counted;
     if (body.first_node != counted || body.node_count < 0 || body.node_count > left) return false;
-    // D nodes at most tell a face, and a face is of two cells at most, which have more than two.
+    // D nodes identify a face, and a face has at most two cells, each with more than two faces.
     if (body.cell_count < 0 || double(body.cell_count) > std::pow(double(body.node_count), D)) return false;
     if (!all_finite(body.origin) || !(body.squared_frequency >= 0) || !is_nonnegative(body.damping_time) ||
         !is_nonnegative(body.steepest))

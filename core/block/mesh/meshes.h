@@ -14,7 +14,7 @@
 
 namespace halfspace {
 
-/// The elements of a world, those of each number of nodes side by side.
+/// The elements of a world, one array per number of nodes.
 template <int D>
 using Elements =
     std::conditional_t<D == 2, std::tuple<Array<Element<2, 3>>, Array<Element<2, 4>>>,
@@ -26,11 +26,11 @@ struct BulkMaterials {
   std::span<const Elasticity> elasticity;
 };
 
-/// A mesh that was put into a world.
+/// A mesh in a world.
 template <int D>
 struct Body {
   Vector<D> origin =
-      Vector<D>::Zero();  // that nodes are seen from, so that a far place costs strains nothing
+      Vector<D>::Zero();  // of its nodes' coordinates: strains stay accurate far from the world's origin
   std::uint32_t generation = 0;
   std::int32_t lives = 0;
   std::int64_t first_node = 0;
@@ -42,23 +42,23 @@ struct Body {
   double reserved = 0;
 };
 
-/// The bits `held` of a node that is held along all axes.
+/// The value of `held` of a node that is held along all axes.
 template <int D>
 inline constexpr std::uint8_t held_along_all = (1 << D) - 1;
 
-/// A simplex at the surface of a body. It is a block, by which the body meets others; its nodes move it.
+/// A simplex at the surface of a body: a block that makes contact for the body and is moved by its nodes.
 template <int D>
 struct SurfaceCell {
   std::int32_t block = -1;  // slot
   std::int32_t body = 0;
-  std::int32_t cell = 0;         // of the body's mesh
+  std::int32_t cell = 0;         // index in the mesh of the body
   std::int32_t outer_faces = 0;  // bit k: the face opposite to node k is at the surface
   std::array<std::int32_t, D + 1> node{};
   std::array<std::int32_t, D == 2 ? 1 : 4> padding{};
-  Eigen::Matrix<double, D, D + 1> gradients =  // of its nodes' interpolation, in its shape's frame
+  Eigen::Matrix<double, D, D + 1> gradients =  // of its nodes' interpolation, in the frame of its shape
       Eigen::Matrix<double, D, D + 1>::Zero();
 
-  /// The mean of what its nodes have, and the gradient.
+  /// The mean of a nodal field over its nodes, and the gradient of the field.
   Vector<D> mean_of(const Array<Vector<D>>& of_nodes) const {
     Vector<D> sum = Vector<D>::Zero();
     for (const std::int32_t i : node) sum += of_nodes[std::size_t(i)];
@@ -72,14 +72,14 @@ struct SurfaceCell {
   }
 };
 
-/// A cell that has been turned inside out.
+/// A cell that has become inverted.
 struct InvertedCell {
   std::int32_t body = -1;  // none
   std::int32_t cell = -1;
 };
 
-/// The bodies of finite elements in a world: nodes that elements share, a component to an array. A world
-/// without any has none of it.
+/// The bodies of finite elements in a world: nodes shared by elements, as a structure of arrays. Empty in
+/// worlds without meshes.
 template <int D>
 class Meshes {
  public:
@@ -91,11 +91,11 @@ class Meshes {
   const Body<D>& body(std::int32_t body) const { return bodies_[std::size_t(body)]; }
   const Array<SurfaceCell<D>>& surface() const { return surface_; }
 
-  /// Takes a mesh in, at a pose of its own frame, with a material for each cell: nodes and elements, no
-  /// surface yet. Returns the body.
+  /// Adds nodes and elements of a mesh, at a pose of its frame, with one material per cell, without its
+  /// surface. Returns the index of the body.
   std::int32_t add(const Mesh<D>& mesh, const Pose<D>& pose, std::span<const std::int32_t> cell_materials,
                    const BulkMaterials& materials);
-  /// Takes the memory for so many cells of the surface more, when there are so many slots.
+  /// Allocates for so many more surface cells, after the present slots.
   void make_room_on_surface(std::size_t cells, std::size_t slots) {
     const auto make_room = [](auto& array, std::size_t count) {
       if (array.capacity() < count) array.reserve(std::max(count, 2 * array.capacity()));
@@ -103,7 +103,7 @@ class Meshes {
     make_room(surface_, surface_.size() + cells);
     make_room(of_block_, slots + cells);
   }
-  /// Takes a block in that is a cell of the surface.
+  /// Adds a block that is a cell of the surface.
   void add_to_surface(const SurfaceCell<D>& cell) {
     const std::size_t slot = std::size_t(cell.block);
     double& steepest = bodies_[std::size_t(cell.body)].steepest;
@@ -112,23 +112,23 @@ class Meshes {
     if (of_block_.size() <= slot) of_block_.resize(slot + 1, -1);
     of_block_[slot] = std::int32_t(surface_.size()) - 1;
   }
-  /// Takes the body back that was added last, as if it had never been.
+  /// Undoes the last add().
   void take_back();
-  /// The cell of a body's stiffest element, which sets the step of all; -1 without any.
+  /// The cell of a body's stiffest element, which limits the time step; -1 without elements.
   std::int32_t stiffest_cell_of(std::int32_t body, const BulkMaterials& materials) const;
-  /// The fault that keeps a body's elements from being computed with.
+  /// The first fault of a body's elements, if any.
   MeshFaultReport fault_of(std::int32_t body) const;
-  /// Takes a body out with its nodes, elements and surface. The others keep their names.
+  /// Removes a body with its nodes, elements and surface. Indices of other bodies stay.
   void remove(std::int32_t body);
-  /// Takes cells out for which is_gone[cell] is true, with their surface, and gives nodes the mass of what is
-  /// left. A node without any stays where it is.
+  /// Removes the cells with is_gone[cell] and their surface, and updates the masses of nodes. A node without
+  /// cells stays in place.
   void remove_cells(std::int32_t body, const Array<std::uint8_t>& is_gone, const BulkMaterials& materials);
-  /// Forgets the last cells of the surface, from the number of them on; their blocks have been taken back.
+  /// Removes the surface cells from this index on; their blocks have been removed before.
   void take_back_surface(std::size_t from);
-  /// Works out anew what elements know of their materials.
+  /// Updates what elements have computed from their materials.
   void renew_elasticity(const BulkMaterials& materials);
 
-  /// Calls visit(element) for all elements, in their order.
+  /// Calls visit(element) for all elements, in order.
   template <class Visit>
   void for_each_element(Visit&& visit) {
     std::apply([&](auto&... kind) { (visit_all(kind, visit), ...); }, elements_);
@@ -138,7 +138,7 @@ class Meshes {
     std::apply([&](const auto&... kind) { (visit_all(kind, visit), ...); }, elements_);
   }
 
-  /// The same for the elements of a body, which stand side by side in each kind's array.
+  /// The same for the elements of a body, which are contiguous in the array of each kind.
   template <class Visit>
   void for_each_element_of(std::int32_t body, Visit&& visit) {
     std::apply([&](auto&... kind) { (visit_body(kind, body, visit), ...); }, elements_);
@@ -147,14 +147,13 @@ class Meshes {
   void for_each_element_of(std::int32_t body, Visit&& visit) const {
     std::apply([&](const auto&... kind) { (visit_body(kind, body, visit), ...); }, elements_);
   }
-  /// The surface cells of a body.
   std::span<const SurfaceCell<D>> surface_of(std::int32_t body) const {
     const auto [first, last] = range_of(surface_, body);
     return {first, last};
   }
 
-  /// The masses of a surface cell's nodes, as far as they are its own: `bearing` says how many cells each
-  /// node of the body bears.
+  /// The parts of a surface cell in the masses of its nodes: `bearing` is the number of surface cells per
+  /// node of the body.
   Eigen::Matrix<double, D + 1, 1> masses_of(const SurfaceCell<D>& cell, const Array<int>& bearing) const {
     Eigen::Matrix<double, D + 1, 1> masses;
     for (std::size_t i = 0; i <= D; ++i) {
@@ -164,11 +163,11 @@ class Meshes {
     return masses;
   }
 
-  /// The surface cell that a block is.
+  /// The surface cell of a block.
   const SurfaceCell<D>& surface_of_block(std::size_t slot) const {
     return surface_[std::size_t(of_block_[slot])];
   }
-  /// Two surface cells that a node joins, which never touch each other.
+  /// Do two surface cells have a common node? They are then never in contact.
   bool are_joined(std::size_t a, std::size_t b) const {
     for (const std::int32_t i : surface_of_block(a).node) {
       for (const std::int32_t k : surface_of_block(b).node) {
@@ -186,13 +185,13 @@ class Meshes {
     std::apply([&](auto&... kind) { (archive(kind), ...); }, elements_);
   }
 
-  /// All that forces write to.
+  /// The state that the evaluation of forces changes.
   auto state() { return std::tie(force); }
 
-  Array<Vector<D>> place;  // from its body's origin
-  Array<Vector<D>> given;  // the place that strains are measured from
+  Array<Vector<D>> place;  // from the origin of its body
+  Array<Vector<D>> given;  // undeformed place, the reference of strains
   Array<Vector<D>> velocity;
-  Array<Vector<D>> force;  // all, before damping
+  Array<Vector<D>> force;  // sum, before damping
   Array<Vector<D>> applied_force;
   Array<double> mass;
   Array<std::uint8_t> held;  // bit k: component k of the velocity is prescribed
@@ -202,9 +201,9 @@ class Meshes {
   static void visit_all(Kind& kind, Visit& visit) {
     for (auto& element : kind) visit(element);
   }
-  /// Where surface cells are, after they have changed.
+  /// Rebuilds of_block_ after surface cells have changed.
   void index_surface();
-  /// The part of an array in ascending order of bodies that belongs to one of them.
+  /// The elements of one body in an array sorted by body.
   template <class Parts>
   static auto range_of(Parts& parts, std::int32_t body) {
     const auto first = std::partition_point(parts.begin(), parts.end(),
@@ -231,8 +230,8 @@ class Meshes {
 
   Elements<D> elements_;
   Array<Body<D>> bodies_;
-  Array<SurfaceCell<D>> surface_;  // in ascending order of bodies, then of cells
-  Array<std::int32_t> of_block_;   // where in surface_, or -1; short of the slots after the last
+  Array<SurfaceCell<D>> surface_;  // sorted by body, then by cell
+  Array<std::int32_t> of_block_;   // index in surface_, or -1; ends at the last surface block
 };
 
 extern template class Meshes<2>;

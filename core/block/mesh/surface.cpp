@@ -5,7 +5,7 @@
 namespace halfspace {
 namespace {
 
-/// A face of a cell, known by its nodes in ascending order, -1 where it has fewer than four.
+/// A face of a cell with the sorted indices of its nodes; -1 for a missing fourth one.
 struct KeyedFace {
   std::array<std::int32_t, 4> key;
   SurfaceFace face;

@@ -10,17 +10,17 @@
 
 namespace halfspace {
 
-/// A face that only one cell has.
+/// A face of exactly one cell.
 struct SurfaceFace {
   std::int32_t cell;
-  std::int32_t face;  // of the cell's form
+  std::int32_t face;  // index in the form of the cell
 };
 
-/// A simplex of a cell that has a face at the surface.
+/// A simplex of a cell, with a face at the surface.
 template <int D>
 struct SurfaceSimplex {
   std::int32_t cell;
-  std::array<std::int32_t, D + 1> node;  // of the mesh
+  std::array<std::int32_t, D + 1> node;  // indices in the mesh
   std::int32_t outer_faces = 0;          // bit k: the face opposite to node k is at the surface
 };
 
@@ -28,16 +28,16 @@ struct SurfaceSimplex {
 template <int D>
 Array<SurfaceFace> surface_of(const Mesh<D>& mesh, Memory* memory);
 
-/// The first cell that has a face which two others have already, or -1.
+/// The first cell with a face that two other cells have already, or -1.
 template <int D>
 std::int64_t cell_too_many(const Mesh<D>& mesh, Memory* memory);
 
-/// The simplices of a mesh that others meet, in ascending order of cells. They strain uniformly, so that they
-/// stay convex and their contacts act on their nodes without any loss.
+/// The simplices that make contact, in ascending order of cells. Their strain is uniform, so that they stay
+/// convex and contact forces are distributed to their nodes exactly.
 template <int D>
 Array<SurfaceSimplex<D>> surface_simplices(const Mesh<D>& mesh, Memory* memory);
 
-/// The fault that keeps corners from being a simplex that touches others, and its shape.
+/// The fault of these corners as a block, and the shape.
 FaultReport check_simplex(const std::array<Vector<2>, 3>& corners, Memory* memory);
 PolyhedronFault check_simplex(const std::array<Vector<3>, 4>& corners, Memory* memory);
 Shape<2> shape_of_simplex(const std::array<Vector<2>, 3>& corners, Memory* memory);

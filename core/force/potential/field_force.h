@@ -4,23 +4,23 @@
 
 namespace halfspace {
 
-/// The force of one block's potential, the owner's, on the other one, and in return on its owner. It is a sum
-/// over the cells of their common part, each of which has one face of the owner for its nearest.
+/// The force of one block's potential, the owner's, on the other block, and its reaction on the owner. A sum
+/// over the cells of their overlap, each with one face of the owner as its nearest.
 ///
-/// When the owner moves, the depth changes as its face moves where the cell's centroid has its foot: the
-/// force on the owner acts there. When the other one does, the cell moves, and as it is squeezed the energy
-/// in it falls: its virial has an isotropic part.
+/// When the owner moves, the depth changes by the motion of its face at the foot of the cell's centroid: the
+/// force on the owner acts there. When the other block moves, the cell moves with it, and its compression
+/// reduces the energy in it: its virial has an isotropic part.
 ///
-/// Who follows a plan sums up the same in lanes (`followed_plan.cpp`).
+/// A cached division is evaluated to the same sum, in lanes (`followed_plan.cpp`).
 template <int D>
 struct FieldForce {
   Vector<D> force = Vector<D>::Zero();          // on the other block
-  Tensor<D> at_cells = Tensor<D>::Zero();       // force times position^T, of the cells' centroids
-  Tensor<D> cells_to_feet = Tensor<D>::Zero();  // and of the way from there to their feet
+  Tensor<D> at_cells = Tensor<D>::Zero();       // force times position^T, at the cells' centroids
+  Tensor<D> cells_to_feet = Tensor<D>::Zero();  // force times vector^T, from the centroids to their feet
   double energy = 0;
 
-  /// A cell of so much area or volume; the moment is that of the position, the energy that of the depth
-  /// behind the nearest face.
+  /// Adds a cell of the given area or volume, the moment of its position, and the energy of the depth behind
+  /// the nearest face.
   void add_cell(double content, const Vector<D>& moment, double energy_in_cell, const Vector<D>& normal) {
     force += content * normal;
     at_cells += normal * moment.transpose();
@@ -36,7 +36,7 @@ struct FieldForce {
   }
 };
 
-/// The force of both potentials. The centroid of the common part is seen from that of a.
+/// The force of both potentials. The centroid of the overlap is relative to that of a.
 template <int D>
 PotentialForce<D> sum_of(const FieldForce<D>& by_a, const FieldForce<D>& by_b, const Vector<D>& centroid_a,
                          const Vector<D>& centroid_b, const Vector<D>& centroid, double content) {

@@ -9,26 +9,25 @@
 
 namespace halfspace {
 
-/// The potential force gathered into one that acts along a line (Zheng et al. 2020, section 3.3).
+/// The potential force as a resultant along a line (Zheng et al. 2020, section 3.3).
 template <int D>
 struct LineOfAction {
   Vector<D> direction;                     // unit, of the force on b
   double force = 0;                        // along it
-  Vector<D> loading_point;                 // on the line, nearest to the centroid of what the blocks share;
+  Vector<D> loading_point;                 // on the line, nearest to the centroid of the overlap;
                                            // relative to the centroid of a
-  Angular<D> couple = Angular<D>::Zero();  // on b, besides the force at that point
+  Angular<D> couple = Angular<D>::Zero();  // on b, with the force at that point
   double energy = 0;                       // stored
-  double stiffness = 0;                    // with which the force grows there with the depth
-  double twist_radius = 0;  // in space: radius of gyration of what the blocks share, about the line
-  Vector<D> middle = Vector<D>::Zero();  // centroid of what the blocks share
-  Tensor<D> spread = Tensor<D>::Zero();  // of what they share: mean of the way from there times itself^T
+  double stiffness = 0;                    // of the force, along the line
+  double twist_radius = 0;                 // in 3D: radius of gyration of the overlap, about the line
+  Vector<D> middle = Vector<D>::Zero();    // centroid of the overlap
+  Tensor<D> spread = Tensor<D>::Zero();    // of the overlap: mean of r r^T about its centroid
 
-  /// How far from the middle the line is, as a share of what is certain to belong to what the blocks share.
+  /// Distance of the line from the centroid, divided by the certain extent of the overlap there; at most 1.
   double unevenness() const {
     const Vector<D> way = loading_point - middle, across = way - direction.dot(way) * direction;
     if (across.isZero(0)) return 0;
-    // Only the part of the spread across the line counts; any value serves along it, as nothing is seen
-    // there.
+    // Only the spread across the line counts. The value along it is arbitrary, but must not be 0.
     const Tensor<D> shadow = Tensor<D>::Identity() - direction * direction.transpose();
     const Tensor<D> seen = shadow * spread * shadow + spread.trace() * (direction * direction.transpose());
     const double square = across.dot(seen.inverse() * across);
@@ -36,8 +35,8 @@ struct LineOfAction {
   }
 };
 
-/// The virial of the couple that forces along a normal make, at arms across it: these strain what they turn.
-/// Forces across the normal that twist about it strain nothing.
+/// The virial of the couple of forces along a normal, at arms across it: these strain as they rotate. Forces
+/// across the normal that twist about it cause no strain.
 inline Tensor<2> virial_of_couple(const Angular<2>& couple, const Vector<2>& normal) {
   return -couple[0] * normal * perpendicular(normal).transpose();
 }
@@ -53,8 +52,8 @@ Tensor<D> virial_of(const Vector<D>& force, const Vector<D>& arm, const Angular<
   return force * arm.transpose() + virial_of_couple(couple, normal);
 }
 
-/// The way from a point to the line on which a force has this moment about the point. What of the moment is
-/// about the force itself no line has.
+/// The vector from a point to the line of action of a force with this moment about the point. A moment about
+/// the force itself has no such line.
 inline Vector<2> way_to_line(const Vector<2>& force, const Angular<2>& moment) {
   return -moment[0] / force.squaredNorm() * perpendicular(force);
 }
@@ -70,8 +69,8 @@ inline double radius_of_gyration(const Tensor<3>& spread, const Vector<3>& direc
   return std::sqrt(std::max(0.0, square));
 }
 
-/// `stiffness` is k_n / H. No force at all is directed from one centroid to the other, halfway. Where the
-/// forces all but cancel the line runs far from the blocks: then the force acts at the centroid, with a
+/// `stiffness` is k_n / H. A zero force has the direction between the centroids, and the point halfway. Where
+/// the forces nearly cancel, the line is far from the blocks: then the force acts at the centroid, with a
 /// couple.
 template <int D>
 LineOfAction<D> line_of_action(const PotentialForce<D>& potential, double stiffness, const Vector<D>& to_b) {
@@ -80,7 +79,7 @@ LineOfAction<D> line_of_action(const PotentialForce<D>& potential, double stiffn
   if (!(potential.energy > 0)) return line;
   line.loading_point = line.middle = potential.centroid;
   line.energy = stiffness * potential.energy;
-  // Length or area over which the blocks meet: exact for faces that do so squarely.
+  // Length or area over which the blocks touch: exact for parallel faces.
   const double base = potential.content * (potential.content / potential.energy);
   line.stiffness = 2 * stiffness * base;
   const Vector<D> force = stiffness * potential.force;
@@ -100,8 +99,8 @@ LineOfAction<D> line_of_action(const PotentialForce<D>& potential, double stiffn
   return line;
 }
 
-/// The virials beside those of the force at the loading point and of the couple: they turn nothing and strain
-/// affine blocks.
+/// The virials without those of the force at the loading point and of the couple: they strain affine blocks
+/// but do not rotate them.
 template <int D>
 struct Stretch {
   Tensor<D> of_a = Tensor<D>::Zero();

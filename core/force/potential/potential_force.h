@@ -15,18 +15,17 @@ namespace halfspace {
 template <int D>
 struct PotentialForce {
   Vector<D> force = Vector<D>::Zero();  // on b, opposite on a
-  // Force times arm^T from the block's own centroid, summed over the forces on it: its moment, and how it is
-  // strained.
+  // Force times arm^T from the block's own centroid, summed over the forces on it: gives moment and strain.
   Tensor<D> virial_a = Tensor<D>::Zero();
   Tensor<D> virial_b = Tensor<D>::Zero();
-  Vector<D> centroid = Vector<D>::Zero();  // of what the blocks have in common; relative to that of a
-  double content = 0;                      // area or volume of it
-  double energy = 0;                       // falls along the force: that is its gradient
-  // Mean of the way from that centroid times itself^T: a contact that spreads resists tilting and twisting.
+  Vector<D> centroid = Vector<D>::Zero();  // of the overlap, relative to that of a
+  double content = 0;                      // area or volume of the overlap
+  double energy = 0;                       // the force is its negative gradient
+  // Mean of r r^T about that centroid: wide contacts resist tilting and twisting.
   Tensor<D> spread = Tensor<D>::Zero();
 };
 
-/// Room to work in. Once it has grown to the largest blocks it asks for no more memory.
+/// Working memory. After growth to the largest blocks it allocates nothing.
 template <int D>
 struct PotentialRoom;
 
@@ -35,25 +34,25 @@ struct PotentialRoom<2> {
   explicit PotentialRoom(Memory* memory)
       : least_depth(memory), near_a(memory), near_b(memory), corners(memory) {}
 
-  /// Takes the room that two blocks of so many edges at most need.
+  /// Reserves for two blocks of up to `edges` edges.
   void reserve(std::size_t edges) {
     if (near_a.size() >= edges) return;
     corners.resize(3 * polygon_room(edges), Vector<2>::Zero());
-    least_depth.resize(edges + 1);  // they are found in pairs
+    least_depth.resize(edges + 1);  // they are computed in pairs
     near_b.resize(edges);
     near_a.resize(edges);
   }
-  /// The first (second, third) polygon to work on.
+  /// The first (second, third) working polygon.
   Vector<2>* polygon(int which) { return corners.data() + std::size_t(which) * max_corners(); }
   std::size_t max_corners() const { return polygon_room(near_a.size()); }
 
   Array<double> least_depth;   // of the other block's vertices, behind each edge
-  Array<std::int32_t> near_a;  // edges of a that can be the nearest one to some point of b
+  Array<std::int32_t> near_a;  // edges of a that can be the nearest to some point of b
   Array<std::int32_t> near_b;
   Array<Vector<2>> corners;
 
  private:
-  /// The corners of both blocks, one more for each cut, and as many that rounding may add.
+  /// The corners of both blocks, one more per cut, and as many for rounding.
   static std::size_t polygon_room(std::size_t edges) { return 6 * edges; }
 };
 
@@ -71,9 +70,8 @@ struct PotentialRoom<3> {
         record(memory),
         plan(memory) {}
 
-  /// Takes the room that two blocks of so many edges at most need, unless more than 32 faces are the nearest
-  /// in what they share, or it has very many vertices for them: then the room grows with them, and stays. A
-  /// block has at most 2/3 as many faces as edges.
+  /// Reserves for two blocks of up to `edges` edges. Grows later where more than 32 faces are near to the
+  /// overlap, or its parts have very many vertices. A block has at most 2/3 as many faces as edges.
   void reserve(std::size_t edges) {
     const std::size_t faces = edges, vertices_of_parts = 256 + 8 * edges;
     least_depth.resize(std::max(least_depth.size(), faces));
@@ -88,8 +86,8 @@ struct PotentialRoom<3> {
     plan.reserve(most_plan_codes);
   }
 
-  Array<double> least_depth;  // of the intersection behind each face, or less
-  Array<NearFace> near_a;     // can be the nearest one to some point of the intersection
+  Array<double> least_depth;  // lower bound, of the intersection behind each face
+  Array<NearFace> near_a;     // can be the nearest to some point of the intersection
   Array<NearFace> near_b;
   VertexDepths sounding_of_a;
   VertexDepths sounding_of_b;
@@ -100,18 +98,18 @@ struct PotentialRoom<3> {
   Array<PlanCode> plan;
 };
 
-/// A point inside a block has its distance to the nearest edge as potential; what two blocks have in common
-/// is pushed down both. The paper integrates the potential over the outline of the intersection, piece by
-/// piece between demarcation points. By the divergence theorem that is the integral of its gradient over the
-/// intersection, and the gradient is constant where one edge is the nearest: area times normal, cell by cell.
-/// The energy is area times depth at the cells' centroids. Cost grows with the product of the numbers of
-/// edges; of cells there are but the few whose edges the other block reaches.
+/// The potential of a point inside a block is its distance to the nearest edge. The paper integrates the
+/// potential over the boundary of the intersection, piece by piece between demarcation points. By the
+/// divergence theorem this is the integral of its gradient over the intersection, and the gradient is
+/// constant where one edge is the nearest: area times normal, per cell. The energy is area times depth at the
+/// cells' centroids. The cost grows with the product of the numbers of edges; cells are few, only those of
+/// edges that the other block reaches.
 ///
-/// Force and virials are the gradient of the energy by any affine motion of either block.
+/// Force and virials are the gradient of the energy for any affine motion of either block.
 PotentialForce<2> potential_force(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
                                   PotentialRoom<2>& room);
 
-/// In space the cells are volumes. How they are found is written down where there is a record.
+/// In 3D the cells are volumes. `record`, if given, receives their division.
 PotentialForce<3> potential_force(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
                                   PotentialRoom<3>& room, DivisionRecord* record = nullptr);
 

@@ -21,9 +21,9 @@ JointFace<2> joint_face(const Contact<2>& contact) {
 /// The gap is linear: exact by triangles from the centroid to the sides.
 JointFace<3> joint_face(const Contact<3>& contact) {
   const double at_center = contact.center_gap;
-  Tensor<3> spread = Tensor<3>::Zero();  // integral of the arm times itself^T
-  Vector<3> tilted = Vector<3>::Zero();  // integral of the gap's linear part times the arm
-  double squared = 0;                    // and of its square
+  Tensor<3> spread = Tensor<3>::Zero();  // integral of r r^T about the centroid
+  Vector<3> tilted = Vector<3>::Zero();  // integral of the gap's linear part times r
+  double squared = 0;                    // integral of its square
   for (int i = 0; i < contact.point_count; ++i) {
     const int j = i + 1 == contact.point_count ? 0 : i + 1;
     const Vector<3> p = contact.points[i] - contact.center, q = contact.points[j] - contact.center;

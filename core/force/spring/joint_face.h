@@ -4,8 +4,8 @@
 
 namespace halfspace {
 
-/// Springs spread evenly over the region of a contact, for unit stiffness per area: what holds two faces
-/// together that were one. They pull as well as push.
+/// Springs distributed over the region of a bonded contact of two faces, for unit stiffness per area. They
+/// act in tension and compression.
 template <int D>
 struct JointFace {
   double base = 0;  // length or area
@@ -13,11 +13,11 @@ struct JointFace {
   Angular<D> couple = Angular<D>::Zero();  // on b, about the centre
   double depth_squared = 0;                // integral: twice the energy
   double twist_radius = 0;
-  Tensor<D> spread = Tensor<D>::Zero();  // mean of the way from the centre times itself^T
+  Tensor<D> spread = Tensor<D>::Zero();  // mean of r r^T about the centre
   Vector<D> center = Vector<D>::Zero();
 };
 
-/// Does the contact have such a region? Two edges in the plane, two faces in space.
+/// Does the contact have such a region? Two edges in 2D, two faces in 3D.
 inline bool is_joint_face(const Contact<2>& contact) { return contact.point_count == 2; }
 inline bool is_joint_face(const Contact<3>& contact) { return contact.type == ContactType::face_face; }
 

@@ -10,20 +10,20 @@ namespace {
 
 constexpr double square_corner = 0.25;
 
-/// None where rounding, or numbers out of range, have left no directions.
+/// 0 where the direction is lost by rounding or overflow.
 double part_of_whole_turn(double cosine, double sine) {
   return cosine * cosine + sine * sine > 0 ? angle_at(cosine, sine) / (2 * std::numbers::pi) : 0;
 }
 
-/// The part of a whole turn by which an outline turns from one direction to another. An outline that rounding
-/// has made concave there goes straight on, or back.
+/// The exterior angle between two directions, divided by 2 pi. A corner made concave by rounding counts as
+/// straight, or as a reversal.
 double part_of_turn(const Vector<3>& from, const Vector<3>& to, const Vector<3>& normal) {
   const Vector<3> across = cross_product(from, to);
   const double rise = across.dot(normal) > 0 ? across.norm() : 0;
   return part_of_whole_turn(from.dot(to), rise);
 }
 
-/// The corners of the region lie on the other block's face: the contact plane sees its angles askew.
+/// By the exterior angles of the corners in the plane of the other block's face, not in the contact plane.
 void share_by_turns(const Contact<3>& contact, PointSprings<3>& springs) {
   const int count = contact.point_count;
   const auto next = [&](int i) { return i + 1 == count ? 0 : i + 1; };
@@ -44,17 +44,17 @@ void share_by_turns(const Contact<3>& contact, PointSprings<3>& springs) {
     Vector<3> after = side_after(i);
     const double length = after.norm();
     springs.part[i] = 0;
-    if (length == 0) continue;  // the same point once more: the next one turns for both
+    if (length == 0) continue;  // duplicate point: the next one has the angle of both
     after /= length;
     springs.part[i] = part_of_turn(before, after, contact.normal);
     sum += springs.part[i];
     before = after;
   }
-  // A region that is smaller than rounding may have all corners in one point.
+  // A region smaller than rounding may have all corners in one point.
   for (int i = 0; i < count; ++i) springs.part[i] = sum > 0 ? springs.part[i] / sum : 1.0 / count;
 }
 
-/// The block that comes to the contact plane with a vertex, or with an edge that ends there.
+/// The block that touches the contact plane with a vertex, or with an edge from that vertex.
 struct TouchingBlock {
   const Outline<3>& block;
   Vector<3> shift;
@@ -69,9 +69,9 @@ struct TouchingBlock {
   Vector<3> direction(int v, int k) const {
     return (block.vertex(topology().vertex_neighbour[k]) - block.vertex(v)).normalized();
   }
-  /// How much the face between the vertex's k-th neighbour and the next looks at the contact plane.
+  /// Cosine of the angle between the contact plane and the face after the vertex's k-th neighbour.
   double facing(int k) const { return -inward.dot(block.normal(topology().vertex_face[k])); }
-  /// The part of a whole turn that the face's corner at the vertex has.
+  /// The exterior angle of the face's corner at the vertex, divided by 2 pi.
   double part_of_corner(int v, int k) const {
     const Vector<3> in = direction(v, k), out = direction(v, after(v, k));
     return part_of_whole_turn(-in.dot(out), cross_product(in, out).norm());
@@ -85,8 +85,8 @@ double part_of_vertex(const TouchingBlock& touching) {
   return touching.part_of_corner(touching.vertex, most);
 }
 
-/// The edge at the vertex that runs along the region, and of the two faces at it the one that faces the
-/// contact plane more. Where the region ends before the edge does, another edge crosses.
+/// The edge at the vertex along the region, and the one of its two faces more nearly parallel to the contact
+/// plane. Where the region ends before the edge does, another edge crosses.
 void share_edge(const TouchingBlock& touching, const Contact<3>& contact, PointSprings<3>& springs) {
   const Topology& topology = touching.topology();
   const int vertex = touching.vertex;

@@ -5,16 +5,16 @@
 
 namespace halfspace {
 
-// Springs at the corners of a contact's region, each on its own (Wang et al. 2021, eq. 36).
+// Independent springs at the corners of a contact's region (Wang et al. 2021, eq. 36).
 //
-// The stiffness is shared evenly among the directions in the contact plane, and a corner has that of all
-// directions in which it is the outermost: its exterior angle over a whole turn. In the plane there are two
-// directions, and two springs of half the stiffness. A corner that splits into two leaves them what it had,
-// and a region that shrinks to a segment leaves each end a half, so that nothing jumps where a region
-// changes. The angle at a vertex is that of its face, however the block is tilted: so no stiffness moves as
-// the tilt changes, and no couple comes of it (docs/decisions/springs_at_corners.md).
+// The stiffness is distributed evenly over the directions in the contact plane. A corner has the stiffness of
+// the directions in which it is the outermost: its exterior angle divided by 2 pi. In 2D there are two
+// directions, and two springs of half the stiffness. A corner that splits into two distributes its stiffness
+// to them, and a region that shrinks to a segment leaves half at each end, so that the force is continuous.
+// The angle at a vertex is that of its face, for any tilt: so no stiffness moves with the tilt, and no couple
+// results (docs/decisions/springs_at_corners.md).
 
-/// The parts of a contact's stiffness that its points have. Those of a region of faces add up to 1.
+/// The fractions of a contact's stiffness at its points. Those of a region of faces add up to 1.
 template <int D>
 struct PointSprings {
   double part[D == 2 ? 2 : max_region_points];
@@ -24,8 +24,8 @@ inline PointSprings<2> point_springs(const Outline<2>&, const Outline<2>&, const
                                      const Contact<2>&) {
   return {{0.5, 0.5}};
 }
-/// A vertex or an edge that touches alone has the springs that it would have in a region of the face at it
-/// that looks most against the contact plane. Edges that cross count as square to each other.
+/// A vertex or an edge alone has the springs that it would have in a region of its face most nearly parallel
+/// to the contact plane. Crossing edges count as orthogonal.
 PointSprings<3> point_springs(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
                               const Contact<3>& contact);
 
@@ -33,8 +33,8 @@ PointSprings<3> point_springs(const Outline<3>& a, const Outline<3>& b, const Ve
 inline double base_of(const Contact<2>& contact) { return contact.length; }
 inline double base_of(const Contact<3>& contact) { return contact.area; }
 
-/// Radius of gyration of the springs' forces about the normal through their centre. A share of force each,
-/// all of them together 1.
+/// Radius of gyration of the springs' forces about the normal through their centre. `share` is the fraction
+/// of the force at each point, with a sum of 1.
 inline double twist_radius(const Contact<2>&, const Vector<2>&, const double*) { return 0; }
 double twist_radius(const Contact<3>& contact, const Vector<3>& center, const double* share);
 

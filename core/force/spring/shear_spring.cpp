@@ -10,7 +10,7 @@ Shear<3> carried(const ShearSpring<3>& spring, const Vector<3>& normal, const Pa
   Vector<3> force = spring.force.head<3>();
   const Vector<3> axis = cross_product(spring.normal, normal);
   const double cosine = spring.normal.dot(normal);
-  // Opposite normals have no least rotation: the force lies in both planes.
+  // Opposite normals have no unique smallest rotation: the force lies in both planes.
   if (cosine > -1) {
     const Vector<3> moved = cross_product(axis, force);
     force += moved + cross_product(axis, moved) / (1 + cosine);

@@ -5,35 +5,35 @@
 
 namespace halfspace {
 
-/// Shear of a contact, as a force on b or as a slip of b's material against a's: in the plane its component
-/// along the tangent perpendicular(normal). In space a vector in the contact plane, and as a fourth component
-/// the twist about the normal, taken at the radius of gyration of the contact's pressure: a twist is a slip
-/// there, and a twisting moment a force there. So one stiffness and one limit of friction hold for both
-/// together, the latter an ellipsoid (Howe and Cutkosky 1996).
+/// Shear of a contact, as a force on b or a slip of b relative to a: in 2D the component along the tangent
+/// perpendicular(normal). In 3D a vector in the contact plane, and as a fourth component the twist about the
+/// normal, at the radius of gyration of the contact's pressure: a twist is a slip there, and a twisting
+/// moment a force. So both share one stiffness and one limit of friction, an ellipsoid (Howe and Cutkosky
+/// 1996).
 template <int D>
 using Shear = Vector<D == 2 ? 1 : 4>;
 
-/// The memory of a sliding contact.
+/// The state of a contact's shear spring.
 template <int D>
 struct ShearSpring;
 
-/// The stiffness of a force set from outside: it is that of the next evaluation, which books no loss.
+/// Marks a force set by the user: the next evaluation sets its stiffness, without a loss.
 constexpr double preloaded = -1;
 
 template <>
 struct ShearSpring<2> {
   Shear<2> force = Shear<2>::Zero();
-  double stiffness = 0;  // that holds it
+  double stiffness = 0;  // of the spring with this force
 };
 
 template <>
 struct ShearSpring<3> {
   Shear<3> force = Shear<3>::Zero();
-  double stiffness = 0;                  // that holds it
-  Vector<3> normal = Vector<3>::Zero();  // of the contact plane that the force lies in
+  double stiffness = 0;                  // of the spring with this force
+  Vector<3> normal = Vector<3>::Zero();  // of the contact plane of the force
 };
 
-/// The energy that a spring of this stiffness stores with such a force.
+/// The energy of a spring of this stiffness with this force.
 template <int D>
 double shear_energy(const Shear<D>& force, double stiffness) {
   return stiffness > 0 ? 0.5 * force.squaredNorm() / stiffness : 0;
@@ -43,13 +43,13 @@ double energy_of(const ShearSpring<D>& spring) {
   return shear_energy<D>(spring.force, spring.stiffness);
 }
 
-/// The force remembered, brought into the present contact plane. In the plane the tangent turns with the
-/// contact, and the scalar force with it.
+/// The stored force, rotated into the present contact plane. In 2D the tangent rotates with the contact, and
+/// the scalar force is unchanged.
 inline Shear<2> carried(const ShearSpring<2>& spring, const Vector<2>&, const PairMotion<2>&, double) {
   return spring.force;
 }
 
-/// In space the force turns as the normal does, by the least rotation, and with the mean spin of both blocks
+/// In 3D the force rotates with the normal, by the smallest rotation, and with the mean spin of both blocks
 /// about it.
 Shear<3> carried(const ShearSpring<3>& spring, const Vector<3>& normal, const PairMotion<3>& motion,
                  double elapsed);
@@ -62,7 +62,7 @@ inline void remember(ShearSpring<3>& spring, const Shear<3>& force, double stiff
   spring = {force, stiffness, normal};
 }
 
-/// Slip velocity at a point whose material has the given velocity of b against a.
+/// Slip velocity at a point with the given velocity of b relative to a.
 inline Shear<2> slip_velocity(const Vector<2>& velocity, const Vector<2>& normal, const PairMotion<2>&,
                               double) {
   return Shear<2>(perpendicular(normal).dot(velocity));
@@ -74,13 +74,13 @@ inline Shear<3> slip_velocity(const Vector<3>& velocity, const Vector<3>& normal
   return slip;
 }
 
-/// The force in the contact plane that a shear is.
+/// The force of a shear in the contact plane.
 inline Vector<2> shear_vector(const Shear<2>& shear, const Vector<2>& normal) {
   return shear[0] * perpendicular(normal);
 }
 inline Vector<3> shear_vector(const Shear<3>& shear, const Vector<3>&) { return shear.head<3>(); }
 
-/// The other way round: of a force on b, what lies in the contact plane.
+/// The inverse: the component in the contact plane of a force on b.
 inline Shear<2> shear_of(const Vector<2>& force, const Vector<2>& normal) {
   return Shear<2>(perpendicular(normal).dot(force));
 }

@@ -15,7 +15,7 @@ double Spring<D>::viscosity(double share_of_critical, double stiffness) const {
   return share_of_critical == 0 ? 0 : 2 * share_of_critical * std::sqrt(stiffness * reduced_mass_);
 }
 
-/// One spring at each point of the region (eq. 36), and a dashpot beside it.
+/// One spring at each point of the region (eq. 36), with a dashpot in parallel.
 template <int D>
 typename Spring<D>::NormalPart Spring<D>::normal_part(const Contact<D>& contact,
                                                       const PointSprings<D>& springs,
@@ -36,7 +36,7 @@ typename Spring<D>::NormalPart Spring<D>::normal_part(const Contact<D>& contact,
     if (law_.normal_damping > 0) {
       const double opening = contact.normal.dot(motion.relative_at(contact.points[i]));
       viscous = -springs.part[i] * viscosity_of_all * opening;
-      if (!bonded) viscous = std::max(viscous, -elastic);  // a dashpot alone never pulls
+      if (!bonded) viscous = std::max(viscous, -elastic);  // no tension by a dashpot
       normal.viscous_force += viscous;
       weighted_viscous += viscous * contact.points[i];
     }
@@ -49,7 +49,7 @@ typename Spring<D>::NormalPart Spring<D>::normal_part(const Contact<D>& contact,
   if (has_center) {
     normal.center = weighted / normal.force;
   } else {
-    // A bond pulls at one end and pushes at the other: what has no centre has a couple.
+    // A bond has tension at one end and compression at the other: without a centre it has a couple.
     normal.center = middle_of(contact);
     const Vector<D> moment_arm = weighted - normal.force * normal.center;
     normal.couple = moment(moment_arm, contact.normal);
@@ -67,8 +67,8 @@ typename Spring<D>::NormalPart Spring<D>::normal_part(const Contact<D>& contact,
   return normal;
 }
 
-/// The stiffness per area times the overlap: the linear depth integrated over the region, moment included.
-/// The springs of an intact joint are spread over the faces that were one.
+/// The stiffness per area times the overlap: the linear depth integrated over the region, with its moment.
+/// The springs of an intact bond are distributed over its common face.
 template <int D>
 typename Spring<D>::NormalPart Spring<D>::normal_part(const Contact<D>& contact, const Overlap<D>& overlap,
                                                       const PairMotion<D>& motion, bool bonded,
@@ -101,10 +101,10 @@ typename Spring<D>::NormalPart Spring<D>::normal_part(const Contact<D>& contact,
   return normal;
 }
 
-/// Dashpots spread as the springs are: they brake the bed's opening and its tilting alike. Where nothing is
-/// bonded they pull at most as much as leaves the centre of all that presses within the bed: the springs'
-/// force is an even part in the middle and the rest at the end of what is certain to belong to the bed, and
-/// the even part less the dashpots' pull has its centre there, too.
+/// Dashpots with the distribution of the springs: they damp the bed's opening and tilting. Without a bond
+/// their tension is limited so that the centre of pressure stays within the bed: the springs' force is a
+/// constant part with its centre in the middle and the rest at the certain extent of the bed, and the
+/// constant part minus the dashpots' tension has its centre there, too.
 template <int D>
 void Spring<D>::damp(const Vector<D>& direction, const PairMotion<D>& motion, bool bonded, const Bed& bed,
                      NormalPart& normal) const {
@@ -151,10 +151,10 @@ bool Spring<D>::holds(const NormalPart& normal, const ShearTrial& trial) const {
          trial.force.norm() <= shear_limit(normal, true);
 }
 
-/// Incremental shear spring with Mohr-Coulomb's limit (eqs. 37-40). Where its stiffness falls, as an area
-/// does that becomes smaller, the springs that part take their force and energy with them; where it grows,
-/// only new slip is stiffer, and of what is stored no more counts than comes back (Elata and Berryman 1996).
-/// So a spring never gives more than it took.
+/// Incremental shear spring with the Mohr-Coulomb limit (eqs. 37-40). Where its stiffness decreases, as with
+/// the area, the removed springs take their force and energy with them; where it increases, only new slip is
+/// stiffer, and of the stored energy only the recoverable part counts (Elata and Berryman 1996). So a spring
+/// never releases more than it stored.
 template <int D>
 typename Spring<D>::ShearPart Spring<D>::shear_force(const NormalPart& normal, const ShearTrial& trial,
                                                      const Vector<D>& direction, ShearSpring<D>& spring,
@@ -166,7 +166,7 @@ typename Spring<D>::ShearPart Spring<D>::shear_force(const NormalPart& normal, c
   const bool slides = wanted > limit;
   if (slides) force *= limit / wanted;
 
-  // Work that motion put in and the spring does not hold is lost.
+  // Work that the spring does not store is lost.
   if (spring.stiffness == preloaded) spring.stiffness = stiffness;
   const double stored = shear_energy<D>(force, stiffness);
   const double put_in = -0.5 * (before + force).dot(slip);
@@ -181,7 +181,7 @@ typename Spring<D>::ShearPart Spring<D>::shear_force(const NormalPart& normal, c
   return {total, total - force};
 }
 
-/// The normal part with what friction and bond make of the trial.
+/// The normal part, with the shear part limited by friction and bond.
 template <int D>
 [[gnu::always_inline]] inline PairLoad<D> Spring<D>::load(const NormalPart& normal, const ShearTrial& trial,
                                                           const Vector<D>& direction, ShearSpring<D>& spring,
@@ -209,7 +209,7 @@ PairLoad<D> Spring<D>::evaluate(const Contact<D>& contact, const Base& base, con
   NormalPart normal = normal_part(contact, base, motion, bonded, energy);
   ShearTrial trial = shear_trial(normal, contact.normal, motion, spring);
   if (bonded && !holds(normal, trial)) {
-    // Torn or sheared off: what the bond held is lost, what is still compressed goes on without it.
+    // The bond fails: its stored energy is lost, and the compressed part continues without it.
     const double held = energy.strain - before.strain;
     bonded = false;
     energy = before;

@@ -14,15 +14,15 @@ namespace halfspace {
 template <int D>
 struct ContactForce {
   Vector<D> force = Vector<D>::Zero();
-  Vector<D> point = Vector<D>::Zero();     // where it acts, relative to the centroid of a
-  Angular<D> couple = Angular<D>::Zero();  // besides the force at the point
-  double reserved = 0;  // fills the gap at the end in the plane, so that saved forces hold no stray bytes
+  Vector<D> point = Vector<D>::Zero();     // of application, relative to the centroid of a
+  Angular<D> couple = Angular<D>::Zero();  // with the force at the point
+  double reserved = 0;                     // explicit padding in 2D, so that all saved bytes are defined
 
   Angular<D> torque_on_a() const { return -moment(point, force) - couple; }
   Angular<D> torque_on_b(const Vector<D>& to_b) const { return moment(point - to_b, force) + couple; }
 };
 
-/// The part of a contact's force that its dashpots make, at the same point.
+/// The dashpots' part of a contact's force, at the same point.
 template <int D>
 struct DashpotForce {
   Vector<D> force;
@@ -31,18 +31,18 @@ struct DashpotForce {
   static DashpotForce none() { return {Vector<D>::Zero(), Angular<D>::Zero()}; }
 };
 
-/// The load that a contact puts on its two blocks.
+/// The load of a contact on its two blocks.
 template <int D>
 struct PairLoad {
   ContactForce<D> contact;
-  Vector<D> normal;         // along it the blocks repel each other, across it they shear
-  DashpotForce<D> viscous;  // left unset unless the law is damped
+  Vector<D> normal;         // repulsion is along it, shear across it
+  DashpotForce<D> viscous;  // unset unless the law is damped
 
   ContactForce<D> dashpots() const { return {viscous.force, contact.point, viscous.couple}; }
 };
 
-/// Energies that a contact stores, and has lost to friction in this evaluation. What its dashpots lose is
-/// known when the step has ended.
+/// Energies that a contact stores, and has lost to friction in this evaluation. The dashpots' loss is
+/// computed at the end of the step.
 struct ContactEnergy {
   double strain = 0;
   double friction_loss = 0;
@@ -53,51 +53,50 @@ struct ContactEnergy {
   }
 };
 
-/// Force of a contact: by penalty (Wang et al. 2021, eqs. 36-40) or by potentials. Stateless but for the
+/// Force of a contact: by penalty (Wang et al. 2021, eqs. 36-40) or by potentials. Its only state is the
 /// shear spring and the bond.
 template <int D>
 class Spring {
  public:
-  /// `elapsed` is the time over which the shear spring grows.
+  /// `elapsed` is the time in which the shear spring grows.
   Spring(const ContactLaw& law, double reduced_mass, double elapsed)
       : law_(law), reduced_mass_(reduced_mass), elapsed_(elapsed) {}
 
-  /// The force of springs at points, with a base of PointSprings, or per area, with a base of Overlap.
+  /// The force of springs at points, with PointSprings as base, or per area, with Overlap as base.
   template <class Base>
   PairLoad<D> evaluate(const Contact<D>& contact, const Base& base, const PairMotion<D>& motion,
                        ShearSpring<D>& spring, bool& bonded, ContactEnergy& energy) const;
 
-  /// By the potentials of both blocks. The shear spring is at the loading point and across the line of
-  /// action.
+  /// By the potentials of both blocks. The shear spring is at the loading point, across the line of action.
   PairLoad<D> evaluate(const LineOfAction<D>& line, const PairMotion<D>& motion, ShearSpring<D>& spring,
                        ContactEnergy& energy) const;
 
  private:
   struct NormalPart {
     double force = 0;
-    double base = 0;  // length or area: what cohesion and shear stiffness per area act on
+    double base = 0;  // length or area, for cohesion and shear stiffness per area
     double twist_radius = 0;
-    Angular<D> couple = Angular<D>::Zero();  // on b, besides the force at the centre
+    Angular<D> couple = Angular<D>::Zero();  // on b, with the force at the centre
     Vector<D> center = Vector<D>::Zero();
-    double viscous_force = 0;                        // what of the force dashpots make
+    double viscous_force = 0;                        // the dashpots' part of the force
     Angular<D> viscous_couple = Angular<D>::Zero();  // and of the couple
   };
 
-  /// Springs spread over a part of the contact plane, with a dashpot beside each.
+  /// Springs distributed over a part of the contact plane, each with a dashpot.
   struct Bed {
     double stiffness = 0;                  // of all
     Vector<D> middle = Vector<D>::Zero();  // centroid of the part
-    Tensor<D> spread = Tensor<D>::Zero();  // mean of the way from there times itself^T
-    double reach = 0;                      // so many radii of gyration of the middle all belongs to the part
-    double unevenness = 0;                 // how far from the middle the springs' centre is, over that
+    Tensor<D> spread = Tensor<D>::Zero();  // mean of r r^T about the centroid
+    double reach = 0;                      // certain extent of the part, in radii of gyration
+    double unevenness = 0;                 // distance of the springs' centre from the middle, divided by that
   };
 
   struct ShearPart {
     Shear<D> force = Shear<D>::Zero();
-    Shear<D> viscous = Shear<D>::Zero();  // what of it dashpots make
+    Shear<D> viscous = Shear<D>::Zero();  // the dashpots' part of the force
   };
 
-  /// The shear spring as it would be if the contact neither slid nor broke.
+  /// The shear spring without slip and failure.
   struct ShearTrial {
     double stiffness = 0;
     Shear<D> velocity = Shear<D>::Zero();

@@ -9,8 +9,8 @@
 namespace halfspace {
 namespace {
 
-/// Where the flank goes from the end to which `along` leads, when the chain goes on along `next`; both of
-/// unit length. `side` is 1 when the inside is at the left of them, -1 when it is at the right.
+/// The direction of a flank at the end to which `along` points, where the chain continues along `next`; both
+/// are unit vectors. `side` is 1 when the inside is on their left, -1 when on the right.
 Vector<2> flank(const Vector<2>& along, const Vector<2>& next, double side) {
   constexpr double cosine = 0.5, sine = 0.5 * std::numbers::sqrt3;  // of 60 degrees
   if (along.dot(next) >= cosine) return cosine * next + side * sine * perpendicular(next);

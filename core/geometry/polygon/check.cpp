@@ -11,8 +11,8 @@
 namespace halfspace {
 namespace {
 
-// Second moments grow with the fourth power of the size: from this to the largest number neither they nor
-// their products with a density overflow or vanish.
+// Second moments grow with the fourth power of the size: between this and the largest number neither they nor
+// their products with a density overflow or underflow.
 constexpr double smallest_polygon_extent = 1e-75;
 
 FaultReport first_not_finite(std::span<const Vector<2>> vertices) {
@@ -31,7 +31,7 @@ FaultReport first_repeated(std::span<const Vector<2>> vertices) {
   return {};
 }
 
-// Below that the length of an edge, and with it the normal, are lost among the least numbers there are.
+// Shorter edges have no accurate length and normal, as their components are subnormal.
 constexpr double shortest_edge = std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();
 
 FaultReport first_too_short(std::span<const Vector<2>> vertices) {
@@ -45,7 +45,7 @@ FaultReport first_too_short(std::span<const Vector<2>> vertices) {
 }
 
 bool all_on_one_line(std::span<const Vector<2>> vertices) {
-  // Two vertices far apart, so that the line is well defined.
+  // From two vertices far apart, so that the line is accurate.
   const auto farther = [&](const Vector<2>& from) {
     return *std::max_element(vertices.begin(), vertices.end(), [&](const Vector<2>& p, const Vector<2>& q) {
       return (p - from).squaredNorm() < (q - from).squaredNorm();
@@ -57,12 +57,12 @@ bool all_on_one_line(std::span<const Vector<2>> vertices) {
                      [&](const Vector<2>& p) { return turn(a, b, p) == Turn::straight; });
 }
 
-/// Above or right of the other: the half of the plane that a direction belongs to.
+/// The half of the plane to which a direction belongs.
 bool points_up(const Vector<2>& direction) {
   return direction.y() > 0 || (direction.y() == 0 && direction.x() > 0);
 }
 
-/// About as wide as its area over its length.
+/// Tests the area divided by the length, which is about the width.
 bool is_narrow(std::span<const Vector<2>> vertices, double length) {
   double doubled_area_over_length = 0;
   for (std::size_t i = 1; i + 1 < vertices.size(); ++i)
@@ -70,7 +70,7 @@ bool is_narrow(std::span<const Vector<2>> vertices, double length) {
   return std::abs(doubled_area_over_length) < smallest_polygon_extent;
 }
 
-/// How often the edges' directions go round: a convex outline does so once.
+/// The number of turns of the edges' directions: 1 for a convex outline.
 int winding_of_directions(std::span<const Vector<2>> vertices) {
   const std::size_t n = vertices.size();
   int changes = 0;
@@ -90,7 +90,7 @@ FaultReport first_wrong_turn(std::span<const Vector<2>> vertices) {
     const Vector<2>& after = vertices[(i + 1) % n];
     const Turn here = turn(before, vertices[i], after);
     if (here == Turn::straight) {
-      // Straight on is a superfluous vertex; straight back is an outline that folds onto itself.
+      // Straight ahead: a superfluous vertex. Straight back: the outline folds onto itself.
       const bool folds = (vertices[i] - before).dot(after - vertices[i]) < 0;
       return {folds ? Fault::self_crossing : Fault::collinear_vertex, std::int64_t(i)};
     }
@@ -103,7 +103,7 @@ bool edges_cross(const Vector<2>& a, const Vector<2>& b, const Vector<2>& c, con
   return int(turn(a, b, c)) * int(turn(a, b, d)) < 0 && int(turn(c, d, a)) * int(turn(c, d, b)) < 0;
 }
 
-/// Only reached for faulty input, so its quadratic cost does not matter.
+/// Quadratic in cost, but only reached for invalid input.
 bool outline_crosses_itself(std::span<const Vector<2>> vertices) {
   const std::size_t n = vertices.size();
   for (std::size_t i = 0; i < n; ++i) {
@@ -117,7 +117,7 @@ bool outline_crosses_itself(std::span<const Vector<2>> vertices) {
 }  // namespace
 
 bool is_clockwise(std::span<const Vector<2>> vertices) {
-  // Relative to a vertex, so that the distance from the origin costs no digits.
+  // Relative to a vertex, so that the distance from the origin costs no accuracy.
   double doubled_area = 0;
   for (std::size_t i = 1; i + 1 < vertices.size(); ++i) {
     doubled_area += cross(vertices[i] - vertices[0], vertices[i + 1] - vertices[0]);

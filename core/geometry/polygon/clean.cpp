@@ -25,7 +25,7 @@ void weld(Array<Vector<2>>& kept, double tolerance, CleanReport& report) {
 }
 
 void straighten(Array<Vector<2>>& kept, double tolerance, CleanReport& report) {
-  // A vertex that goes gives its neighbours new ones: round and round until a whole round finds nothing.
+  // Removing a vertex changes its neighbours: repeated until a whole pass finds nothing.
   for (std::size_t i = 0, found_bent = 0; kept.size() > 3 && found_bent < kept.size();) {
     const std::size_t n = kept.size();
     if (is_straight(kept[(i + n - 1) % n], kept[i], kept[(i + 1) % n], tolerance)) {

@@ -14,8 +14,8 @@ struct CleanReport {
   bool reversed = false;
 };
 
-/// Drops vertices within the tolerance of the one before or of their neighbours' line, and turns the order
-/// counter-clockwise. No vertex moves.
+/// Removes vertices within the tolerance of the one before or of the line of their neighbours, and makes the
+/// order counter-clockwise. No vertex moves.
 Array<Vector<2>> clean_polygon(std::span<const Vector<2>> vertices, double tolerance, CleanReport& report,
                                Memory* memory);
 

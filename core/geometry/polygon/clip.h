@@ -11,16 +11,16 @@ inline Vector<2> between(const Vector<2>& from, const Vector<2>& to, double shar
   return from + share * (to - from);
 }
 
-/// Where an edge leaves a half-plane. Worked out from its inner end to its outer one, so that both polygons
-/// at the edge find the same bits. Corners are whatever between() knows.
+/// The point where an edge leaves a half-plane. Computed from its inner to its outer end, so that both
+/// polygons at the edge get the same bits. Corner is any type with between().
 template <class Corner>
 Corner crossing(const Corner& inside, double height_inside, const Corner& outside, double height_outside) {
   return between(inside, outside, height_inside / (height_inside - height_outside));
 }
 
-/// One step of Sutherland and Hodgman (1974): calls `add` for the corners of what of a convex polygon has a
-/// height of at most 0. Corners within `rounding` of that count as on it: where edges coincide but for
-/// rounding there is no corner.
+/// One step of Sutherland and Hodgman (1974): calls `add` for each corner of the part of a convex polygon
+/// with height <= 0. Corners within `rounding` of 0 count as 0, so that edges that coincide to rounding add
+/// no corner.
 template <class Corner, class Height, class Add>
 void clip(std::span<const Corner> polygon, Height height, double rounding, Add add) {
   if (polygon.empty()) return;

@@ -12,7 +12,7 @@ namespace halfspace {
 namespace {
 
 void keep_if_polygon(Array<Vector<2>>& part, Memory* memory) {
-  // Rounding may leave a corner straight or bent in: the hull drops those and nothing else.
+  // Rounding may leave a straight or slightly concave corner: the hull removes it and nothing else.
   part = convex_hull(part, memory);
   if (part.size() < 3) part.clear();
 }
@@ -32,7 +32,7 @@ PolygonParts cut_polygon(std::span<const Vector<2>> vertices, const Vector<2>& p
     highest = std::max(highest, heights[i]);
     reach = std::max(reach, from_point.cwiseAbs().maxCoeff() + vertices[i].cwiseAbs().maxCoeff());
   }
-  // Coordinates carry half an ulp each, the dot product two more: within this a vertex is on the line.
+  // Coordinates have an error of half an ulp, the dot product two more: a vertex within this is on the line.
   const double rounding = 8 * std::numeric_limits<double>::epsilon() * reach;
   for (double& h : heights) {
     if (std::abs(h) <= rounding) h = 0;

@@ -7,7 +7,7 @@
 namespace halfspace {
 namespace {
 
-/// Appends one chain of Andrew's monotone chain (1979): points come sorted, each corner kept turns left.
+/// Appends one chain of Andrew's monotone chain (1979): points are sorted, and each corner kept turns left.
 template <class Iterator>
 void append_chain(Iterator first, Iterator last, Array<Vector<2>>& hull) {
   const std::size_t start = hull.size();
@@ -17,10 +17,10 @@ void append_chain(Iterator first, Iterator last, Array<Vector<2>>& hull) {
     }
     hull.push_back(*first);
   }
-  hull.pop_back();  // it begins the other chain
+  hull.pop_back();  // first point of the other chain
 }
 
-/// The two chains meet where the filter could not look across: drop what is straight there, too.
+/// Removes straight corners where the two chains meet, which the chains themselves do not test.
 void drop_straight_corners(Array<Vector<2>>& hull) {
   for (std::size_t i = 0; hull.size() >= 3 && i < hull.size();) {
     const std::size_t n = hull.size();

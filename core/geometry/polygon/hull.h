@@ -7,7 +7,7 @@
 namespace halfspace {
 
 /// Convex hull, counter-clockwise, without vertices that are on the line of their neighbours to rounding.
-/// Fewer than 3 vertices come back when all points are on one line.
+/// Returns fewer than 3 vertices when all points are on one line.
 Array<Vector<2>> convex_hull(std::span<const Vector<2>> points, Memory* memory);
 
 }  // namespace halfspace

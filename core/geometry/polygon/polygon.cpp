@@ -26,8 +26,8 @@ Shape<2>::Shape(const Shape& other, Memory* memory)
   point_outline();
 }
 
-/// Exact moments by fanning triangles out of the first vertex: all coordinates are differences, so that the
-/// distance from the origin costs no digits, and all triangles have positive area, so that nothing cancels.
+/// Moments by triangles from the first vertex. Coordinates are differences, so that the distance from the
+/// origin costs no accuracy, and all areas are positive, so that there is no cancellation.
 void Shape<2>::measure(std::span<const Vector<2>> vertices) {
   const Vector<2>& origin = vertices[0];
   Vector<2> first_moment = Vector<2>::Zero();
@@ -70,14 +70,14 @@ void Shape<2>::store(std::span<const Vector<2>> vertices) {
     const Vector<2>& here = vertices[std::size_t(i)];
     const Vector<2> edge = vertices[std::size_t(i + 1 == count_ ? 0 : i + 1)] - here;
     const double length = edge.stableNorm();
-    // Relative to the centroid as it is reported, rounding included: the difference of near numbers is exact,
-    // so that adjacent shapes stay adjacent wherever they are.
+    // Relative to the rounded centroid: the difference of close numbers is exact, so that adjacent shapes
+    // remain adjacent anywhere.
     const Vector<2> local = here - centroid_;
     x[i] = local.x();
     y[i] = local.y();
     nx[i] = edge.y() / length;
     ny[i] = -edge.x() / length;
-    // The offset is that of the edge's middle: so a mirrored shape has the same bits, mirrored.
+    // From the midpoint of the edge, so that a mirrored shape has the same bits, mirrored.
     const Vector<2> middle = local + 0.5 * edge;
     offset[i] = nx[i] * middle.x() + ny[i] * middle.y();
     bounding_radius_ = std::max(bounding_radius_, local.norm());
@@ -95,8 +95,7 @@ void Shape<2>::point_outline() {
   outline_ = {count_, x, x + stride, x + 2 * stride, x + 3 * stride, x + 4 * stride};
 }
 
-/// Across edge after edge, what lies farthest from it moves on around the polygon (rotating calipers, Shamos
-/// 1978).
+/// Rotating calipers (Shamos 1978): from edge to edge, the farthest vertex moves on around the polygon.
 void Shape<2>::measure_thickness() {
   const auto depth = [&](int edge, int vertex) {
     return outline_.offset[edge] - outline_.normal(edge).dot(outline_.vertex(vertex));

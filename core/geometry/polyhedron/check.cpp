@@ -16,11 +16,11 @@ namespace {
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 // Second moments grow with the fifth power of the size: within these limits neither they nor their products
-// with a density overflow or vanish.
+// with a density overflow or underflow.
 constexpr double largest_allowed = 1e50;
 constexpr double smallest_polyhedron_extent = 1e-50;
 
-/// Heights over a plane, the lowest and the highest, and the vertex that is highest.
+/// The lowest and highest height over a plane, and the highest vertex.
 struct Heights {
   double lowest = HUGE_VAL;
   double highest = -HUGE_VAL;
@@ -69,7 +69,7 @@ PolyhedronFault first_coinciding(const Polyhedron& p) {
 }
 
 bool all_in_one_plane(std::span<const Vector<3>> points) {
-  // Three points far apart, so that the plane is well defined.
+  // From three points far apart, so that the plane is accurate.
   const auto farthest = [&](auto distance) {
     return *std::max_element(points.begin(), points.end(), [&](const Vector<3>& p, const Vector<3>& q) {
       return distance(p) < distance(q);
@@ -93,8 +93,8 @@ PolyhedronFault check_vertices_and_surface(const Polyhedron& p) {
   return first_coinciding(p);
 }
 
-/// Convex by its definition: all vertices are behind all planes. Quadratic in the size, but without a search
-/// that would have to trust the convexity that is in question.
+/// Convex by definition: all vertices are behind all planes. Quadratic in the size, but without a search that
+/// relies on convexity.
 PolyhedronFault first_misplaced(const Polyhedron& p) {
   const double tolerance = flatness_tolerance(largest_coordinate(p.vertices));
   for (std::int32_t f = 0; f < p.face_count(); ++f) {
@@ -114,7 +114,7 @@ PolyhedronFault first_misplaced(const Polyhedron& p) {
   return {};
 }
 
-/// Calls is_faulty(face, neighbour) across every edge until it is true.
+/// Calls is_faulty(face, neighbour) for each edge until it returns true.
 template <class IsFaulty>
 PolyhedronFault first_coplanar(const Polyhedron& p, IsFaulty is_faulty) {
   const HalfEdges half_edges(p);
@@ -128,7 +128,7 @@ PolyhedronFault first_coplanar(const Polyhedron& p, IsFaulty is_faulty) {
 
 PolyhedronFault first_parallel_neighbours(const Polyhedron& p) {
   return first_coplanar(p, [&](std::int32_t face, std::int32_t neighbour) {
-    // Each component of a unit normal carries about one unit of rounding.
+    // Each component of a unit normal has an error of about one ulp.
     const Vector<3>& a = p.normals[std::size_t(face)];
     const Vector<3>& b = p.normals[std::size_t(neighbour)];
     return a.dot(b) > 0 && cross_product(a, b).norm() <= 4 * epsilon;
@@ -153,7 +153,7 @@ PolyhedronFault fit_normals(Polyhedron& p) {
     double longest = 0;
     for (std::size_t i = 1; i < p.loop(f).size(); ++i)
       longest = std::max(longest, (p.corner(f, i) - p.corner(f, 0)).squaredNorm());
-    // Narrower than a few roundings of its length, a face has no direction of its own.
+    // A face narrower than a few ulps of its length has no normal.
     if (area.norm() <= 8 * epsilon * longest) return {Fault::face_without_area, -1, f};
     p.normals.push_back((area / power_of_two_in(area)).normalized());
   }

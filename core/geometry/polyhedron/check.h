@@ -8,31 +8,31 @@
 
 namespace halfspace {
 
-/// The first fault, and the vertex and face it sits at, -1 when it is the whole polyhedron.
+/// The first fault, and its vertex and face; -1 for the whole polyhedron.
 struct PolyhedronFault {
   Fault fault = Fault::none;
   std::int64_t vertex = -1;
   std::int64_t face = -1;
 };
 
-/// How far rounding may put a vertex off the plane of its face, for coordinates up to `reach`. A vertex that
-/// is turned, moved or interpolated between two others is off by some 4 units of rounding, eps * reach; 256
-/// leave room for dozens of such steps one after the other.
+/// Bound of a vertex's distance from the plane of its face by rounding, for coordinates up to `reach`.
+/// Rotation, translation or interpolation has an error of about 4 eps * reach; 256 allow for dozens of them
+/// in sequence.
 double flatness_tolerance(double reach);
 
-/// Within this a vertex cannot be told from one on a plane: a few units of rounding of the vertex, and those
-/// of its height. Two neighbouring faces whose vertices are all that near to both planes are one face.
+/// Vertices within this distance of a plane are on it: a few ulps of the vertex, and those of its height. Two
+/// neighbouring faces are coplanar when all of their vertices are on both planes.
 double coplanarity_tolerance(double reach);
 
-/// Says what keeps points from having a hull at all: fewer than 4, out of range, all in one plane.
+/// Returns the reason why points have no hull: fewer than 4, out of range, coplanar.
 PolyhedronFault check_points(std::span<const Vector<3>> points);
 
-/// Says what keeps vertices, loops and normals from being a convex polyhedron with whole faces. Edges may be
-/// short and angles small. Loops run counter-clockwise.
+/// Returns the fault of vertices, loops and normals as a convex polyhedron without coplanar faces. Edges may
+/// be short and angles small. Loops must be counter-clockwise.
 PolyhedronFault check_polyhedron(const Polyhedron& polyhedron);
 
-/// Gives vertices and loops alone the normals that they imply, or says what keeps them from being a convex
-/// polyhedron with whole faces. When all loops run clockwise, all are turned round.
+/// Computes the normals from vertices and loops, or returns their fault as a convex polyhedron without
+/// coplanar faces. If all loops are clockwise, all are reversed.
 PolyhedronFault complete_polyhedron(Polyhedron& polyhedron);
 
 }  // namespace halfspace

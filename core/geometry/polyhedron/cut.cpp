@@ -12,16 +12,16 @@
 
 // A plane cuts a polyhedron into two parts:
 //
-//   heights of all vertices over the plane, 0 to rounding
-//   each face keeps its vertices on the part's side; where an edge crosses, both parts get one new vertex
-//   the new face goes along the vertices on the plane, from loop to loop
+//   compute the heights of all vertices over the plane, 0 to rounding
+//   keep each face's vertices on the part's side; where an edge crosses, both parts get one new vertex
+//   make the new face along the vertices on the plane, from loop to loop
 
 namespace halfspace {
 namespace {
 
 using Flags = Array<std::uint8_t>;
 
-/// The vertices' heights over the cutting plane, 0 when they are on it to rounding.
+/// The heights of the vertices over the cutting plane; 0 within rounding.
 struct Section {
   Section(const Polyhedron& whole, const Vector<3>& point, const Vector<3>& normal, Memory* memory)
       : unit(unit_vector(normal)), heights(whole.vertices.size(), memory) {
@@ -49,9 +49,8 @@ struct Section {
   std::int32_t highest = 0;
 };
 
-/// One part of a cut. Its vertices are those inside, on its side of the plane to rounding, and those on the
-/// plane; a vertex on the plane belongs to it only when an edge leads from it to one inside. So a face that
-/// has nothing inside does not belong to it at all, and no face of it is in the plane but the new one.
+/// One part of a cut: its vertices inside, and those on the plane with an edge to one inside. So a face
+/// without a vertex inside does not belong to the part, and only the new face lies in the plane.
 class Part {
  public:
   /// side: -1 behind the plane, 1 ahead of it.
@@ -66,12 +65,12 @@ class Part {
         next_on_rim_(memory),
         part_(memory) {}
 
-  /// Empty, with the reason, when rounding leaves nothing valid.
+  /// Empty, with the reason, when nothing valid remains after rounding.
   Polyhedron make(Fault& fault) {
     if (!tell_inside_from_outside()) return nothing(fault, Fault::not_one_surface);
     for (std::int32_t f = 0; f < topology_.face_count; ++f) keep_inside_of_face(f);
     if (!close()) return nothing(fault, Fault::not_one_surface);
-    // Edges that meet under a small angle may be crossed at places that rounding does not tell apart.
+    // Edges at a small angle may have crossings that coincide to rounding.
     weld_short_edges(part_, 4 * std::numeric_limits<double>::epsilon() * section_.reach);
     const PolyhedronFault report = check_polyhedron(part_);
     if (report.fault != Fault::none) return nothing(fault, report.fault);
@@ -87,10 +86,10 @@ class Part {
   double height(std::int32_t v) const { return side_ * section_.heights[std::size_t(v)]; }
   bool is_inside(std::int32_t v) const { return inside_[std::size_t(v)]; }
 
-  /// Inside and outside, connected each, as convexity wants it: then the plane crosses a ring of faces, each
-  /// once. From a vertex on the plane an edge leads to one that is strictly outside. Where none does,
-  /// rounding has put the vertex there: it is inside, or else the ring would come to one of its neighbours
-  /// twice; but amid such that are outside, so is it. False when rounding tears the inside apart.
+  /// Makes inside and outside connected, as convexity requires: then the plane crosses a ring of faces, once
+  /// each. A vertex on the plane is outside if an edge connects it to one strictly outside. Otherwise
+  /// rounding has moved it there and it is inside, as the ring would else pass a neighbour twice, unless all
+  /// its neighbours are outside. False when rounding splits the inside.
   bool tell_inside_from_outside() {
     const std::int32_t farthest_inside = side_ > 0 ? section_.highest : section_.lowest;
     const std::int32_t farthest_outside = side_ > 0 ? section_.lowest : section_.highest;
@@ -104,7 +103,7 @@ class Part {
     return true;
   }
 
-  /// Which wanted vertices edges lead to by way of passable vertices only.
+  /// Flags the wanted vertices that are connected to `vertex` through passable vertices only.
   template <class Wanted, class Passable>
   Flags reached_from(std::int32_t vertex, Wanted is_wanted, Passable is_passable) const {
     Flags reached(inside_.size(), false, part_.memory());
@@ -135,8 +134,8 @@ class Part {
     return place;
   }
 
-  /// The vertex that the plane leaves on an edge that goes out. Evaluated from the end behind the plane to
-  /// the end ahead, so that both parts, and both neighbours across a face, find the same bits.
+  /// The vertex where the plane crosses an edge. Computed from the end behind the plane to the end ahead, so
+  /// that both parts, and both faces of the edge, get the same bits.
   std::int32_t crossing(std::int32_t edge, std::int32_t outer) {
     if (height(outer) == 0) return kept(outer);
     std::int32_t& place = place_of_edge_[std::size_t(edge)];
@@ -159,7 +158,7 @@ class Part {
     const std::int32_t count = topology_.first_of_face[face + 1] - topology_.first_of_face[face];
     const auto next = [&](std::int32_t i) { return i + 1 == count ? 0 : i + 1; };
 
-    std::int32_t entry = -1;  // the corner outside before the first inside
+    std::int32_t entry = -1;  // the outside corner before the first inside
     bool has_inside = false;
     for (std::int32_t i = 0; i < count; ++i) {
       has_inside = has_inside || is_inside(vertices[i]);
@@ -184,7 +183,7 @@ class Part {
     part_.normals.push_back(whole_.normals[std::size_t(face)]);
   }
 
-  /// The new face, along the rim: false when that is not one ring.
+  /// Makes the new face along the rim; false if the rim is not one ring.
   bool close() {
     const auto is_rim = [](std::int32_t next) { return next >= 0; };
     const auto on_rim = std::count_if(next_on_rim_.begin(), next_on_rim_.end(), is_rim);
@@ -207,9 +206,9 @@ class Part {
   const Section& section_;
   int side_;
   Flags inside_;
-  Array<std::int32_t> place_of_vertex_;  // in the part, -1 while it has none
-  Array<std::int32_t> place_of_edge_;    // of the vertex that the plane leaves on it
-  Array<std::int32_t> next_on_rim_;      // counter-clockwise around the new face, -1 for vertices off it
+  Array<std::int32_t> place_of_vertex_;  // index in the part, or -1
+  Array<std::int32_t> place_of_edge_;    // index of the edge's crossing in the part, or -1
+  Array<std::int32_t> next_on_rim_;      // counter-clockwise around the new face; -1 for vertices off it
   Polyhedron part_;
 };
 

@@ -9,16 +9,16 @@ namespace halfspace {
 struct PolyhedronParts {
   Polyhedron behind;
   Polyhedron ahead;
-  /// The fault that a part cut off would have, when it is too thin to be a polyhedron; then there is no cut,
-  /// and the other part is the whole.
+  /// The fault of a part that is too thin to be a polyhedron; then nothing is cut off, and the other part is
+  /// the whole.
   Fault too_thin = Fault::none;
 };
 
-/// Cuts a valid polyhedron by the plane through `point` with normal `normal`, which need not be of unit
-/// length. Both parts get the same new vertices and a new face each, the last; all other faces keep their
-/// planes, to the bit. A part that the plane touches only to rounding is empty, and vertices a few roundings
-/// apart become one. The heights of vertices carry the rounding of their distance to `point`, which should
-/// therefore be as near as the coordinates are large, or nearer.
+/// Cuts a valid polyhedron by the plane through `point` with normal `normal`, of any length. Both parts get
+/// the same new vertices, and a new face as their last; all other faces keep the bits of their planes. A part
+/// that the plane touches only to rounding is empty, and vertices a few ulps apart are merged. Heights of
+/// vertices have the rounding error of their distance to `point`, which should not exceed the size of the
+/// coordinates.
 PolyhedronParts cut_polyhedron(const Polyhedron& whole, const Vector<3>& point, const Vector<3>& normal,
                                Memory* memory);
 

@@ -8,8 +8,7 @@
 
 namespace halfspace {
 
-/// Gained by doubling, for all arrays alike: the last one tells what every one has, wherever memory ran out
-/// before.
+/// Grows all arrays geometrically. The last one has the size that all have, wherever memory ran out before.
 void DividedPolyhedron::gain_room_for(std::size_t vertices) {
   const std::size_t room = std::max(vertices, 2 * outside_.size());
   const auto widen = [](auto& array, std::size_t size) {
@@ -47,9 +46,9 @@ void DividedPolyhedron::begin(const Outline<3>& block, const VertexDepths& sound
   close_inside(new_face);
 }
 
-/// Where d edges meet inside there is a row of d - 2 vertices, from each to the next an edge without length
-/// that has the last face on its left. The first and the last have two edges of the block, the others one. A
-/// vertex outside is but a place that edges go to.
+/// An inner vertex with d edges becomes d - 2 vertices in a row, connected by edges of length 0 with the last
+/// face on their left. The first and the last have two edges of the block, the others one. An outer vertex is
+/// only a place where edges end.
 void DividedPolyhedron::add_block_vertex(const Outline<3>& block, std::int32_t v, double depth) {
   const Vertex vertex{block.x[v], block.y[v], block.z[v], depth};
   if (depth < 0) {
@@ -114,7 +113,7 @@ void DividedPolyhedron::cut_edges(Part part) {
 }
 
 void DividedPolyhedron::cut_edges_of_inside() {
-  // For two vertices at each of their edges; and for one crossing more than there is.
+  // Up to two new vertices per edge, and room to write one crossing too many.
   make_room(vertex_count_ + 6 * inside_count_ + 1);
   Vertex* const vertex = vertex_.data();
   Index* const twin = twin_.data();
@@ -131,7 +130,7 @@ void DividedPolyhedron::cut_edges_of_inside() {
   for (Crossing* crossing = crossings_.data(); crossing != end; ++crossing, ++added) {
     const Vertex &p = vertex[crossing->inner()], &q = vertex[crossing->outer()];
     crossing->share = p.depth / (p.depth - q.depth);
-    // Depths as if they were coordinates, too: nobody reads them before they are sounded again.
+    // Interpolates the depth like a coordinate; it is computed again before it is used.
     const TwoLanes share = both(crossing->share), p_xy = load_two(&p.x), p_z = load_two(&p.z);
     store_two(&vertex[added].x, p_xy + share * (load_two(&q.x) - p_xy));
     store_two(&vertex[added].z, p_z + share * (load_two(&q.z) - p_z));
@@ -140,21 +139,20 @@ void DividedPolyhedron::cut_edges_of_inside() {
   }
 }
 
-/// One edge of a new vertex is that which has been cut; the others lead to those before it and behind
-/// it along the new face.
+/// Sets the faces around a new vertex. One edge is the one cut, the others connect it along the new face.
 inline void DividedPolyhedron::surround(Index vertex, Index left, Index right, Index new_face) {
   face_[4 * vertex] = right;
   face_[4 * vertex + 1] = new_face;
   face_[4 * vertex + 2] = left;
 }
 
-/// Along a face, behind the vertex where its outline leaves a part comes the one where it comes back.
+/// Connects the vertex where a face's outline leaves the part to the one where it returns.
 inline void DividedPolyhedron::join(Index exit, Index entry) {
   twin_[4 * exit + 2] = 4 * entry + 1;
   twin_[4 * entry + 1] = 4 * exit + 2;
 }
 
-/// Calls `join(exit, entry)`. Where rounding has torn a face, its outline may come and go more than once.
+/// Calls `join(exit, entry)` for each cut face, several times where rounding has split the face.
 template <class Join>
 inline void DividedPolyhedron::join_along_faces(Join join) {
   Index entry = vertex_count_;
@@ -197,10 +195,9 @@ void DividedPolyhedron::close_both(Index new_face) {
   vertex_count_ += 2 * count;
 }
 
-/// A sum over tetrahedra from one vertex, the top, to the triangles of the faces that are not at it. What is
-/// inside of a face that is cut is seen from where its outline comes in: with the top in the plane as well,
-/// what is missing, the new edges, counts for nothing. Where rounding has torn a face, each of its loops
-/// counts by itself.
+/// Sums over tetrahedra from one vertex, the top, to triangles of the faces that do not contain it. A cut
+/// face is divided from the vertex where its outline enters; with the top in the cutting plane, the missing
+/// new edges have no volume. Where rounding has split a face, each of its loops counts separately.
 template <class Sums>
 inline void DividedPolyhedron::sum_up_inside(Index top_vertex, Sums& sums) {
   const Vertex* const vertex = vertex_.data();
@@ -210,7 +207,7 @@ inline void DividedPolyhedron::sum_up_inside(Index top_vertex, Sums& sums) {
   const auto seen_from_top = [&](Index v) { return point(v) - top; };
   const Index first_new = vertex_count_;
   std::size_t walked = 0;
-  // Along the outline of a face from a corner, until it leaves or, when it is whole, comes back.
+  // Along the outline of a face from a corner, until it leaves or, for an uncut face, returns.
   const auto add_face = [&](Index corner, Index half, bool at_top, bool is_whole) {
     const Coordinates<double> p = seen_from_top(corner);
     Coordinates<double> q = seen_from_top(half / 4);

@@ -12,35 +12,33 @@
 
 namespace halfspace {
 
-/// Apart, so that looking whether there is room costs no call.
+/// Not inlined, so that the usual test for capacity needs no call.
 template <class T>
 [[gnu::noinline]] void gain_room(Array<T>& array, std::size_t room) {
   array.resize(std::max(room, 2 * array.size()));
 }
 
-/// So many entries at least, gained by doubling: room that is filled anew asks for no memory that it had
-/// before.
+/// Grows an array geometrically to at least `room` entries; never shrinks, so that reuse allocates nothing.
 template <class T>
 void grow(Array<T>& array, std::size_t room) {
   if (array.size() < room) gain_room(array, room);
 }
 
-/// A convex polyhedron that planes cut into parts where it lies: where an edge crosses the plane either part
-/// gets a vertex of its own, and these are joined to a new face. Nothing else is touched. A part is known by
-/// its vertices. Its edges may have no length and its faces no area, but its surface is closed, however
-/// rounding places the vertices.
+/// A convex polyhedron divided by planes in place. Where an edge crosses the plane, each part gets a new
+/// vertex, and these are connected to a new face. A part is identified by its vertices. Its edges may have
+/// length 0 and its faces no area, but its surface is closed, wherever rounding places the vertices.
 ///
-/// Three edges meet at each vertex; where a block has more, there are several vertices in one place.
+/// Three edges meet at each vertex; a block's vertex with more edges becomes several vertices in one place.
 ///
-/// A face has the number that it is told to have: those that meet at a vertex tell where it comes from.
+/// The caller numbers the faces: the numbers of the faces at a vertex identify its origin.
 class DividedPolyhedron {
  public:
   using Index = std::uint32_t;
   using Part = std::span<const Index>;
 
-  /// Where an edge from a vertex inside to one outside crosses the plane: so much of it is inside.
+  /// The crossing of the plane with an edge from an inner to an outer vertex; `share` is the inner fraction.
   struct Crossing {
-    Index inner_half;  // of the edge, seen from either vertex
+    Index inner_half;  // half-edges from both vertices
     Index outer_half;
     double share;
     Index inner() const { return inner_half / 4; }
@@ -58,17 +56,17 @@ class DividedPolyhedron {
         first_of_vertex_(memory),
         half_of_edge_(memory) {}
 
-  /// For blocks of so many edges at most, until there are more than so many vertices.
+  /// Reserves memory for blocks of up to `edges` edges and divisions of up to `vertices` vertices.
   void reserve(std::size_t edges, std::size_t vertices);
 
-  /// Begins with what of a block is inside a plane, behind which it has been sounded. The block's faces keep
-  /// their numbers.
+  /// Starts with the part of a block behind a plane, given its vertices' depths. The block's faces keep their
+  /// indices.
   void begin(const Outline<3>& block, const VertexDepths& sounding, Index new_face);
   void begin(const DividedPolyhedron& other);
 
-  /// The number of all parts, those that are wanted no more included.
+  /// The number of vertices of all parts, including discarded ones.
   Index vertex_count() const { return vertex_count_; }
-  /// Takes back what has been added since there were so many vertices.
+  /// Discards the vertices from this number on.
   void shrink_to(Index vertices) { vertex_count_ = vertices; }
 
   Vector<3> position(Index vertex) const {
@@ -78,29 +76,29 @@ class DividedPolyhedron {
   std::array<Index, 3> faces_at(Index vertex) const {
     return {face_[4 * vertex], face_[4 * vertex + 1], face_[4 * vertex + 2]};
   }
-  /// On either side of the edge.
+  /// The faces on both sides of the edge.
   std::array<Index, 2> faces_along(const Crossing& crossing) const {
     return {face_[crossing.inner_half], face_[clockwise(crossing.inner_half)]};
   }
 
-  /// How deep the vertices of a part lie behind a plane: what is known before it is cut there.
+  /// Computes the depths of a part's vertices behind a plane, before a cut.
   DepthRange sound(Part part, const Halfspace<3>& plane);
 
-  /// Measures a part that has not been cut, or what is inside the plane where one has just been cut.
+  /// Measures an uncut part, or the inside of a cut before it is closed.
   VolumeAndSpread measure(Part part);
   VolumeAndMoment measure_inside();
 
-  /// Cuts the edges of a part behind whose plane its vertices have been sounded. Vertices in the plane are
+  /// Cuts the edges of a part at the depths of its vertices computed before. Vertices in the plane are
   /// inside.
   void cut_edges(Part part);
-  /// By what `depth_of(vertex)` tells.
+  /// The same at the depths depth_of(vertex).
   template <class DepthOf>
   void cut_edges(Part part, DepthOf depth_of);
-  /// Closes what is inside, or both parts, by a new face. The new vertices are the last ones of either part,
-  /// in the order of the crossings.
+  /// Closes the inside, or both parts, by a new face. The new vertices are the last of each part, in the
+  /// order of the crossings.
   void close_inside(Index new_face);
   void close_both(Index new_face);
-  /// As if the part had not been cut.
+  /// Undoes the cut of the part's edges.
   void take_back_cut() {
     for (const Crossing& crossing : crossings()) twin_[crossing.inner_half] = crossing.outer_half;
   }
@@ -111,10 +109,10 @@ class DividedPolyhedron {
  private:
   struct Vertex {
     double x, y, z;
-    double depth;  // behind the plane to cut at
+    double depth;  // behind the cutting plane
   };
 
-  // Halves 4 v, 4 v + 1 and 4 v + 2 of edges leave vertex v, counter-clockwise seen from outside.
+  // Half-edges 4 v, 4 v + 1 and 4 v + 2 leave vertex v, counter-clockwise seen from outside.
   static Index clockwise(Index half) { return (half & 3) == 0 ? half + 2 : half - 1; }
 
   void make_room(std::size_t vertices) {
@@ -132,21 +130,21 @@ class DividedPolyhedron {
   void sum_up_inside(Index top, Sums& sums);
 
   Array<Vertex> vertex_;
-  Array<Index> twin_;  // of half an edge, seen from its other vertex
-  Array<Index> face_;  // on its left
+  Array<Index> twin_;  // the opposite half-edge
+  Array<Index> face_;  // on the left of the half-edge
   Array<Index> inside_;
   Array<Index> outside_;
   Array<Crossing> crossings_;
-  Array<std::uint8_t> walked_;    // which halves of edges have been measured
-  Array<Index> first_of_vertex_;  // of the block's
-  Array<Index> half_of_edge_;     // of the block's, seen from its end and from its start
+  Array<std::uint8_t> walked_;    // half-edges measured already
+  Array<Index> first_of_vertex_;  // index of the first vertex of each of the block's
+  Array<Index> half_of_edge_;     // half-edges of each of the block's edges, from its end and from its start
   Index vertex_count_ = 0;
   std::size_t inside_count_ = 0;
   std::size_t outside_count_ = 0;
   std::size_t crossing_count_ = 0;
 };
 
-/// Without branches: on which side a vertex is, is as good as random.
+/// Without branches: the side of a vertex is unpredictable.
 template <class DepthOf>
 void DividedPolyhedron::cut_edges(Part part, DepthOf depth_of) {
   Vertex* const vertex = vertex_.data();

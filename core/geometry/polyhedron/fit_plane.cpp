@@ -8,7 +8,7 @@
 namespace halfspace {
 namespace {
 
-/// The error of a slope is squared by each round: from 0.1 to below rounding.
+/// Each iteration squares the error of the slope: from 0.1 to below rounding.
 constexpr int rounds = 5;
 
 Vector<3> mean_of(std::span<const Vector<3>> points) {
@@ -25,8 +25,8 @@ Vector<3> farthest_from(const Vector<3>& mean, std::span<const Vector<3>> points
   return farthest;
 }
 
-/// The normal without the slope of the heights: across, the slope of what is left once that along the longest
-/// extent is taken out, so that a narrow face does not cancel.
+/// The normal corrected by the slope of the heights over it. The slope across is that of the residual after
+/// the slope along the longest extent, so that there is no cancellation for a narrow face.
 Vector<3> without_slope(std::span<const Vector<3>> points, const Vector<3>& mean, const Vector<3>& longest,
                         const Vector<3>& normal) {
   const Vector<3> u = unit_vector<3>(longest - normal.dot(longest) * normal);

@@ -7,16 +7,15 @@
 
 namespace halfspace {
 
-/// A plane and the largest distance of the points that it was fitted to.
+/// A plane, and its largest distance from the points to which it was fitted.
 struct FittedPlane {
   Halfspace<3> plane{Vector<3>::Zero(), 0};  // with a unit normal
   double deviation = HUGE_VAL;
 };
 
-/// The plane with the least sum of squared distances to points, its normal on the side of `direction`, which
-/// is near it and not 0. The heights over a plane are regressed on the coordinates in it, until they have no
-/// slope left: then the plane is the one of total least squares. Unlike the eigenvector of a covariance it
-/// keeps all digits of faces that are long and narrow.
+/// The total least squares plane of points, with its normal on the side of `direction`, a rough normal that
+/// is not 0. Heights over the plane are regressed on its coordinates until the slope vanishes. Unlike an
+/// eigenvector of the covariance, this is accurate for long and narrow faces.
 FittedPlane fit_plane(std::span<const Vector<3>> points, const Vector<3>& direction);
 
 }  // namespace halfspace

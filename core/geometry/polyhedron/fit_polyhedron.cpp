@@ -20,7 +20,7 @@ Polyhedron moved_by(const Polyhedron& polyhedron, const Vector<3>& shift) {
   return moved;
 }
 
-/// The depth of a facet's lowest corner below that plane of the hull to which the facet is nearest.
+/// The depth of a facet's lowest corner below the hull's plane nearest to the facet.
 struct Dent {
   double depth = 0;
   std::int64_t vertex = -1;
@@ -50,7 +50,7 @@ Dent largest_dent(const Polyhedron& surface, const Polyhedron& hull) {
   return largest;
 }
 
-/// The largest distance of a vertex from the planes of its faces, or in front of any other.
+/// The largest distance of a vertex from the planes of its faces, or in front of another plane.
 double deviation_of(const Polyhedron& surface, const MergedFacets& faces) {
   double largest = 0;
   for (const FittedPlane& face : faces.planes) {
@@ -60,7 +60,7 @@ double deviation_of(const Polyhedron& surface, const MergedFacets& faces) {
   return largest;
 }
 
-/// The faces that a vertex belongs to, each once.
+/// The faces of each vertex, each once.
 Array<Array<std::int32_t>> faces_of_vertices(const Polyhedron& surface, const MergedFacets& faces) {
   Array<Array<std::int32_t>> found(surface.vertices.size(), surface.memory());
   for (std::int32_t f = 0; f < surface.face_count(); ++f) {
@@ -73,7 +73,7 @@ Array<Array<std::int32_t>> faces_of_vertices(const Polyhedron& surface, const Me
   return found;
 }
 
-/// A corner has moved to the nearest one; any other vertex to the planes of its faces.
+/// A corner moves to the nearest new vertex; any other vertex to the planes of its faces.
 double largest_movement(const Polyhedron& surface, const MergedFacets& faces, const Polyhedron& made) {
   const Array<Array<std::int32_t>> faces_of = faces_of_vertices(surface, faces);
   double largest = 0;
@@ -91,7 +91,7 @@ double largest_movement(const Polyhedron& surface, const MergedFacets& faces, co
   return largest;
 }
 
-/// A surface and its hull, which is empty when there is none, fitted within one tolerance or another.
+/// A surface and its hull, if any, to be fitted within several tolerances.
 class Fit {
  public:
   explicit Fit(const Polyhedron& given)
@@ -100,7 +100,7 @@ class Fit {
     hull_fault_ = convex_hull(given.vertices, hull_);
   }
 
-  /// On a fault, which does not say yet where it is, the polyhedron is of no use.
+  /// On a fault, not yet with its place, the polyhedron is undefined.
   FitReport within(double tolerance, Polyhedron& polyhedron) const {
     FitReport report;
     const MergedFacets faces = merge_facets(surface_, tolerance);
@@ -122,7 +122,7 @@ class Fit {
   }
 
   /// Reports the deepest dent of a surface that no polyhedron fits within the tolerance. A surface without a
-  /// dent deeper than rounding is folded.
+  /// dent above rounding is folded.
   void describe_dent(double rounding, FitReport& report) const {
     const Dent dent = largest_dent(surface_, moved_by(hull_, -origin_));
     if (!(dent.depth > rounding)) {
@@ -135,7 +135,7 @@ class Fit {
     Box<3> box;
     for (const Vector<3>& v : surface_.vertices) box.include(v);
     Polyhedron polyhedron(surface_.memory());
-    // A fitted plane halves a dent at best.
+    // A fitted plane reduces a dent to half at best.
     for (double tried = rounded_up(0.5 * dent.depth); tried > 0 && tried < box.extent();
          tried = rounded_up(growth * tried)) {
       if (within(tried, polyhedron).fault.fault != Fault::none) continue;
@@ -149,7 +149,7 @@ class Fit {
  private:
   static constexpr double growth = 1.05;
 
-  /// To two decimal digits, as a text states it.
+  /// To two significant digits, for the error text.
   static double rounded_up(double value) {
     if (!(value > 0)) return 0;
     const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
@@ -169,7 +169,7 @@ class Fit {
   }
 
   Vector<3> origin_;
-  Polyhedron surface_;  // about its first vertex, so that planes keep their digits however far away it is
+  Polyhedron surface_;  // relative to its first vertex, so that planes stay accurate far from the origin
   Polyhedron hull_;
   PolyhedronFault hull_fault_;
 };

@@ -9,7 +9,7 @@
 namespace halfspace {
 namespace {
 
-/// The directions through the corners of a cell.
+/// The directions to the corners of a cell.
 struct Cell {
   Vector<3> corner[4];
 
@@ -24,14 +24,14 @@ struct Cell {
   }
 };
 
-/// Goes through the vertices of a polyhedron, cell by cell.
+/// Finds the candidates of one cell after the other.
 class Search {
  public:
   Search(const Outline<3>& outline, Memory* memory)
       : outline_(outline), seen_in_(std::size_t(outline.vertex_count()), -1, memory) {}
 
-  /// Appends those that may lie deepest along a direction through a cell. They hang together: as a direction
-  /// turns, what lies deepest moves on from a vertex to a neighbour.
+  /// Appends the vertices that are deepest along some direction through a cell. They are connected: as a
+  /// direction rotates, the deepest vertex moves to a neighbour.
   void append_candidates(const Cell& cell, int cell_index, Array<std::int32_t>& vertices) {
     const std::size_t first = vertices.size();
     start_ = walk_to_deepest(outline_, cell.corner[0], start_).vertex;
@@ -52,7 +52,7 @@ class Search {
             t.vertex_neighbour + t.first_of_vertex[vertex + 1]};
   }
 
-  /// No neighbour lies deeper along all directions through the cell: along all of its corners.
+  /// Is no neighbour deeper along all directions through the cell, that is, along all of its corners?
   bool is_candidate(const Cell& cell, std::int32_t vertex) const {
     const std::span<const std::int32_t> around = neighbours(vertex);
     return std::none_of(around.begin(), around.end(), [&](std::int32_t neighbour) {
@@ -63,7 +63,7 @@ class Search {
   }
 
   const Outline<3>& outline_;
-  Array<int> seen_in_;  // the last cell in which a vertex has been looked at
+  Array<int> seen_in_;  // the last cell in which a vertex was tested
   std::int32_t start_ = 0;
 };
 

@@ -12,17 +12,16 @@ namespace halfspace {
 template <int D>
 struct Outline;
 
-/// For every direction, a few vertices of a polyhedron of many: the one that lies deepest along it is among
-/// them. The faces of a cube about the origin are divided into cells; to a cell belongs what lies deepest
-/// along some direction through it: the Gauss map of the polyhedron, on a raster. In the orientation of the
-/// outline that it was made for.
+/// A Gauss map on a grid: for every direction, a few of a polyhedron's many vertices, with the deepest one
+/// among them. The faces of a cube about the origin are divided into cells; each cell has the vertices that
+/// are deepest along some direction through it, in the orientation of the given outline.
 class GaussMap {
  public:
-  /// With a quarter as many cells to a face of the cube as there are vertices: more would be slower to read
-  /// from memory than they save.
+  /// A cube face has a quarter as many cells as there are vertices: more would cost more memory access than
+  /// they save.
   GaussMap(const Outline<3>& outline, Memory* memory);
 
-  /// A direction without length has some, but no matter which.
+  /// The zero vector gets some valid candidates.
   std::span<const std::int32_t> candidates(const Vector<3>& direction) const {
     const std::size_t cell = std::size_t(cell_of(direction));
     const std::int32_t first = first_of_cell_[cell];
@@ -35,7 +34,7 @@ class GaussMap {
     const int axis = x >= y ? (x >= z ? 0 : 2) : (y >= z ? 1 : 2);
     const int u = axis == 0 ? 1 : 0, v = axis == 2 ? 1 : 2;
     const double scale = 0.5 * cells_ / std::max(std::max(x, y), z);
-    // Whatever the direction, a cell: where there is none, max() takes NaN for 0.
+    // Returns a valid cell for any direction: max() replaces NaN by 0.
     const auto along = [&](int c) {
       return int(std::min(std::max(0.0, direction[c] * scale + 0.5 * cells_), cells_ - 1.0));
     };
@@ -43,7 +42,7 @@ class GaussMap {
     return (side * cells_ + along(u)) * cells_ + along(v);
   }
 
-  int cells_ = 0;  // along an edge of the cube
+  int cells_ = 0;  // per edge of the cube
   Array<std::int32_t> first_of_cell_;
   Array<std::int32_t> vertices_;
 };

@@ -27,7 +27,7 @@ PolyhedronFault to_unit_normals(Array<Halfspace<3>>& halfspaces) {
   return {};
 }
 
-/// Which half-space each dual vertex stands for: the hull keeps the points' order, and equal points are equal
+/// The half-space of each dual vertex: the hull keeps the order of the points, and equal points are equal
 /// half-spaces.
 Array<std::int32_t> half_spaces_of(const Polyhedron& dual, std::span<const Vector<3>> points) {
   Array<std::int32_t> found(dual.memory());
@@ -39,7 +39,7 @@ Array<std::int32_t> half_spaces_of(const Polyhedron& dual, std::span<const Vecto
   return found;
 }
 
-/// The point of the planes nearest to where they meet, from one near it: as often as that brings it nearer.
+/// The least squares intersection of planes, by iterative refinement from a nearby point.
 class Meeting {
  public:
   Meeting(std::span<const Halfspace<3>> halfspaces, std::span<const std::int32_t> planes)
@@ -73,8 +73,8 @@ class Meeting {
   std::span<const std::int32_t> planes_;
 };
 
-/// A vertex where the planes of each dual face meet, a face around each dual vertex. False when a dual face
-/// does not have the origin behind it: then there is a direction without an end.
+/// Makes a vertex where the planes of each dual face meet, and a face around each dual vertex. False, as the
+/// intersection is unbounded, when the origin is not behind a dual face.
 bool take_dual(const Polyhedron& dual, std::span<const std::int32_t> source,
                std::span<const Halfspace<3>> halfspaces, Polyhedron& polyhedron) {
   const double rounding = coplanarity_tolerance(largest_coordinate(dual.vertices));
@@ -100,8 +100,7 @@ bool take_dual(const Polyhedron& dual, std::span<const std::int32_t> source,
   return true;
 }
 
-/// Cuts by the half-spaces that the dual did not tell from redundant ones: in a thin region it sees them as
-/// too much alike.
+/// Cuts by the half-spaces that the dual hull merged: in a thin region they are too similar there.
 PolyhedronFault cut_by_all(std::span<const Halfspace<3>> halfspaces, Polyhedron& polyhedron) {
   for (std::size_t i = 0; i < halfspaces.size(); ++i) {
     const Halfspace<3>& h = halfspaces[i];
@@ -124,7 +123,7 @@ PolyhedronFault intersect(std::span<const Halfspace<3>> given, Polyhedron& polyh
   const double reach = inside.point.cwiseAbs().maxCoeff() + std::abs(inside.clearance);
   if (!(inside.clearance > flatness_tolerance(reach))) return {Fault::no_common_point, -1, -1};
 
-  // Seen from inside, so that from here on all offsets are exact and as small as the region.
+  // Relative to the inner point, so that all further offsets are exact and as small as the region.
   Array<Vector<3>> points(polyhedron.memory());
   for (Halfspace<3>& h : halfspaces) {
     h.offset -= h.normal.dot(inside.point);
@@ -138,7 +137,7 @@ PolyhedronFault intersect(std::span<const Halfspace<3>> given, Polyhedron& polyh
     return {Fault::unbounded, -1, -1};
   if (const PolyhedronFault r = cut_by_all(halfspaces, polyhedron); r.fault != Fault::none) return r;
   for (Vector<3>& v : polyhedron.vertices) v += inside.point;
-  // Planes that meet in one vertex to the rounding of their offsets make several.
+  // Planes that meet in one vertex to rounding make several, which are merged.
   weld_short_edges(polyhedron, coplanarity_tolerance(largest_coordinate(polyhedron.vertices)));
   return check_polyhedron(polyhedron);
 }

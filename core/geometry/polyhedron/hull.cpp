@@ -10,8 +10,8 @@
 namespace halfspace {
 namespace {
 
-/// The points about the middle of their box, in units of a power of two near its size: qhull rounds less
-/// there, and scaling the points by a power of two changes none of its decisions.
+/// The points relative to the centre of their box, in units of a power of two near its size: this reduces
+/// qhull's rounding errors, and scaling by a power of two changes none of its decisions.
 class Normalized {
  public:
   Normalized(std::span<const Vector<3>> points, Memory* memory) : coordinates_(memory) {
@@ -51,8 +51,8 @@ PolyhedronFault find_hull(std::span<const Vector<3>> points, Polyhedron& hull) {
     case QuickhullResult::failed:
       return {Fault::hull_failed, -1, -1};
   }
-  hull.normals.resize(std::size_t(hull.face_count()));  // found when the faces are
-  drop_degenerate(hull);                                // merging facets can leave a vertex inside an edge
+  hull.normals.resize(std::size_t(hull.face_count()));  // computed with the faces
+  drop_degenerate(hull);                                // merging facets may leave a vertex inside an edge
   return complete_polyhedron(hull);
 }
 

@@ -10,10 +10,10 @@ namespace {
 
 using Vector4 = Eigen::Vector4d;
 
-/// The largest sphere, centre x and radius r, between planes n.p = d: r is largest under n.x + r <= d for
-/// all. The dual is to mix the planes, with weights >= 0 that sum up to 1, so that the normals cancel and the
-/// offset is least. The simplex method solves it with four planes at a time: those that the sphere touches
-/// are the answer, and a plane that cuts into the sphere takes the place of one of them.
+/// The largest sphere between planes n.p = d: maximizes the radius r under n.x + r <= d, with the centre x.
+/// The dual minimizes the offset of a convex combination of the planes whose normals cancel. The simplex
+/// method solves it with a basis of four planes, those that the sphere touches; a plane that cuts the sphere
+/// replaces one of them.
 class LargestSphere {
  public:
   LargestSphere(std::span<const Halfspace<3>> halfspaces, Memory* memory)
@@ -21,7 +21,7 @@ class LargestSphere {
     double largest = 0;
     for (const Halfspace<3>& h : halfspaces) largest = std::max(largest, std::abs(h.offset));
     const double far_away = 1e6 * (largest > 0 ? largest : 1);
-    // A regular tetrahedron around everything, to begin with: equal weights make its normals cancel.
+    // Starts from a regular tetrahedron around everything: with equal weights its normals cancel.
     const double c = 1 / std::sqrt(3.0);
     for (const Vector<3>& normal :
          {Vector<3>(c, c, c), Vector<3>(c, -c, -c), Vector<3>(-c, c, -c), Vector<3>(-c, -c, c)}) {
@@ -31,7 +31,7 @@ class LargestSphere {
   }
 
   Interior find() {
-    // Rounding could make it go in circles. Ever smaller spheres take far fewer rounds than this.
+    // Rounding could cause cycling; convergence takes far fewer iterations than this limit.
     for (std::size_t round = 0; round < 10 * planes_.size(); ++round) {
       fit_sphere();
       const std::size_t deepest = most_violated();
@@ -56,10 +56,10 @@ class LargestSphere {
     sphere_ = basis_.transpose().fullPivLu().solve(offsets);
   }
 
-  /// How far the sphere sticks out of a plane.
+  /// The distance by which the sphere exceeds a plane.
   double violation(std::size_t plane) const { return column(plane).dot(sphere_) - planes_[plane].offset; }
 
-  /// The number of planes when the sphere keeps behind all of them to rounding.
+  /// Returns the number of planes when the sphere is behind all of them to rounding.
   std::size_t most_violated() const {
     const double rounding = 16 * std::numeric_limits<double>::epsilon() * sphere_.cwiseAbs().maxCoeff();
     std::size_t worst = planes_.size();
@@ -72,7 +72,7 @@ class LargestSphere {
     return worst;
   }
 
-  /// As the new plane's weight grows, the one whose weight is first to vanish leaves.
+  /// As the weight of the new plane grows, the plane whose weight vanishes first leaves the basis.
   void exchange(std::size_t entering) {
     const Eigen::FullPivLU<Eigen::Matrix4d> lu(basis_);
     const Vector4 weights = lu.solve(Vector4(0, 0, 0, 1));
@@ -96,13 +96,13 @@ class LargestSphere {
     return least;
   }
 
-  /// Half of a double's digits. Between opposite planes that are parallel to rounding a rate is 0 but for
-  /// rounding, and a basis with such a pivot is singular.
+  /// Half the digits of a double. Between opposite, nearly parallel planes a rate is 0 to rounding, and a
+  /// basis with that pivot would be singular.
   static constexpr double smallest_pivot = 0x1p-26;
 
   Array<Halfspace<3>> planes_;  // the caller's, then the tetrahedron's
   std::size_t touched_[4];
-  Eigen::Matrix4d basis_ = Eigen::Matrix4d::Zero();  // columns of the planes touched
+  Eigen::Matrix4d basis_ = Eigen::Matrix4d::Zero();  // columns of the touched planes
   Vector4 sphere_ = Vector4::Zero();                 // centre, radius
 };
 

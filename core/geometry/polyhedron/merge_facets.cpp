@@ -82,7 +82,7 @@ class Merging {
     open_.push_back(facet);
   }
 
-  /// The corners that the growing face does not have yet.
+  /// Adds the corners that the growing face does not have yet.
   void add_corners(std::int32_t facet) {
     for (const std::int32_t v : surface_.loop(facet)) {
       if (face_of_vertex_[std::size_t(v)] == growing()) continue;
@@ -100,7 +100,7 @@ class Merging {
     for (const std::int32_t v : surface_.loop(facet)) face_of_vertex_[std::size_t(v)] = growing();
   }
 
-  /// No wider than the tolerance, a facet may well have been turned over by the rounding of its corners.
+  /// The normal of a facet narrower than the tolerance may be reversed by the rounding of its corners.
   bool is_narrow(std::int32_t facet) const {
     return areas_[std::size_t(facet)].norm() <= 2 * tolerance_ * longest_side(surface_, facet);
   }
@@ -123,7 +123,7 @@ class Merging {
   Array<std::int32_t> face_of_vertex_;
   Array<Vector<3>> corners_;  // of the growing face
   Vector<3> area_ = Vector<3>::Zero();
-  Array<std::int32_t> open_;  // facets whose neighbours are still to be tried
+  Array<std::int32_t> open_;  // facets whose neighbours have not been tried yet
   MergedFacets merged_;
 };
 

@@ -5,7 +5,7 @@
 
 namespace halfspace {
 
-/// Facets of a surface sorted into faces, each with the plane fitted to all of its vertices.
+/// Facets of a surface grouped into faces, each with the plane fitted to all of its vertices.
 struct MergedFacets {
   explicit MergedFacets(Memory* memory) : face_of_facet(memory), planes(memory) {}
 
@@ -13,11 +13,10 @@ struct MergedFacets {
   Array<FittedPlane> planes;
 };
 
-/// Merges neighbouring facets as long as all of their vertices lie within the tolerance of a common fitted
-/// plane. Faces grow from the largest facets on, so that narrow ones, whose own direction is that of the
-/// rounding of their corners, come to the face that they lie in. A single facet may deviate by more than the
-/// tolerance; one without an area has a deviation that is infinite. Requires a closed surface whose loops run
-/// counter-clockwise.
+/// Merges neighbouring facets while all of their vertices are within the tolerance of a common fitted plane.
+/// Faces grow from the largest facets, so that narrow ones, whose normals are dominated by rounding, join the
+/// face in which they lie. A single facet may deviate by more than the tolerance; one without area has an
+/// infinite deviation. Requires a closed surface with counter-clockwise loops.
 MergedFacets merge_facets(const Polyhedron& surface, double tolerance);
 
 }  // namespace halfspace

@@ -18,9 +18,9 @@ double largest_coordinate(std::span<const Vector<3>> vertices) {
 
 namespace {
 
-/// Calls visit(weight, a, b, c) for every triangle of the surface: corners relative to the first vertex,
-/// weight six times the volume of the tetrahedron that they make with it (so that whole numbers stay whole).
-/// Faces at the first vertex are left out: they make none.
+/// Calls visit(weight, a, b, c) for every triangle of the surface: corners relative to the first vertex, and
+/// six times the volume of the tetrahedron with it (so that integers stay integers). Faces at the first
+/// vertex are skipped, as their volumes are 0.
 template <class Visit>
 void for_each_tetrahedron(const Polyhedron& polyhedron, Visit visit) {
   const Vector<3>& origin = polyhedron.vertices[0];
@@ -50,9 +50,9 @@ Shape<3>::Shape(const Polyhedron& polyhedron, Memory* memory)
   fingerprint_ = fingerprint_of(outline_);
 }
 
-/// Exact moments by tetrahedra from the first vertex to the triangles of the other faces: all coordinates are
-/// differences, so that the distance from the origin costs no digits, and all tetrahedra have positive
-/// volume, so that nothing cancels.
+/// Moments by tetrahedra from the first vertex to the triangles of the other faces. Coordinates are
+/// differences, so that the distance from the origin costs no accuracy, and all volumes are positive, so that
+/// there is no cancellation.
 void Shape<3>::measure(const Polyhedron& polyhedron) {
   double weights = 0;
   Vector<3> weighted_corners = Vector<3>::Zero();
@@ -67,7 +67,7 @@ void Shape<3>::measure(const Polyhedron& polyhedron) {
 
   for_each_tetrahedron(
       polyhedron, [&](double weight, const Vector<3>& a, const Vector<3>& b, const Vector<3>& c) {
-        // Corners p about the centroid, s their sum: V/20 (s s^T + the sum of p p^T).
+        // Corners p about the centroid, s their sum: V/20 (s s^T + sum of p p^T).
         const Vector<3> corners[4] = {-to_centroid, a - to_centroid, b - to_centroid, c - to_centroid};
         const Vector<3> sum = corners[0] + corners[1] + corners[2] + corners[3];
         const auto product = [&](int r, int s) {
@@ -97,8 +97,8 @@ void Shape<3>::store(const Polyhedron& polyhedron) {
   outline_ = {&topology_.view(), x, y, z, nx, ny, nz, offset, nullptr};
 
   for (int i = 0; i < vertex_stride; ++i) {
-    // Relative to the centroid as it is reported, rounding included: the difference of near numbers is exact,
-    // so that adjacent shapes stay adjacent wherever they are.
+    // Relative to the rounded centroid: the difference of close numbers is exact, so that adjacent shapes
+    // remain adjacent anywhere.
     const Vector<3> local = polyhedron.vertices[std::size_t(std::min(i, vertices - 1))] - centroid_;
     x[i] = local.x();
     y[i] = local.y();
@@ -111,8 +111,7 @@ void Shape<3>::store(const Polyhedron& polyhedron) {
     nx[f] = normal.x();
     ny[f] = normal.y();
     nz[f] = normal.z();
-    // Halfway between the corners that rounding puts lowest and highest: the same in whatever order they
-    // come.
+    // The mean of the lowest and highest corner, so that their order does not matter.
     double lowest = HUGE_VAL;
     double highest = -HUGE_VAL;
     for (const std::int32_t v : polyhedron.loop(face)) {

@@ -7,15 +7,15 @@
 
 namespace halfspace {
 
-/// A convex polyhedron in plain words: vertices, and faces as loops of vertices. What hulls, cuts and callers
-/// make, and Shape<3> is made from.
+/// A convex polyhedron: vertices, and faces as loops of vertices. The result of hulls and cuts, and the input
+/// of Shape<3>.
 struct Polyhedron {
   explicit Polyhedron(Memory* memory)
       : vertices(memory), first_of_face(1, 0, memory), face_vertices(memory), normals(memory) {}
 
   Polyhedron(Polyhedron&&) = default;
   Polyhedron& operator=(Polyhedron&&) = default;
-  /// A copy takes its memory from where it is told to.
+  /// Copies into memory of the given allocator.
   Polyhedron(const Polyhedron& other, Memory* memory)
       : vertices(other.vertices, memory),
         first_of_face(other.first_of_face, memory),
@@ -37,19 +37,18 @@ struct Polyhedron {
   }
 
   void append_corner(std::int32_t vertex) { face_vertices.push_back(vertex); }
-  /// The corners appended since the last face are one more.
+  /// Ends a face of the corners appended since the last one.
   void end_face() { first_of_face.push_back(std::int32_t(face_vertices.size())); }
 
   Array<Vector<3>> vertices;
-  Array<std::int32_t> first_of_face;  // face_count + 1, begins with 0
+  Array<std::int32_t> first_of_face;  // size face_count + 1, starts with 0
   Array<std::int32_t> face_vertices;
-  /// Outer unit normal of each face. Carried along with the loops because the vertices of a small face,
-  /// rounded as they are, do not tell it: a corner cut a thousand times keeps the planes that it was cut
-  /// with.
+  /// Outer unit normal of each face. Stored with the loops, as rounded vertices of a small face do not define
+  /// it: after a thousand cuts the faces still have the normals of the cutting planes.
   Array<Vector<3>> normals;
 };
 
-/// The largest absolute coordinate: what the rounding of coordinates is measured by.
+/// The largest absolute coordinate, the scale of rounding errors.
 double largest_coordinate(std::span<const Vector<3>> vertices);
 
 }  // namespace halfspace

@@ -11,7 +11,7 @@ extern "C" {
 namespace halfspace {
 namespace {
 
-/// Loops in plain memory: qhull leaves by longjmp, past all destructors.
+/// Loops in plain memory: qhull exits by longjmp, which skips destructors.
 struct Loops {
   std::int32_t* first_of_facet;
   std::int32_t* corners;
@@ -28,7 +28,7 @@ void copy_loops(qhT* qh, Loops& loops) {
   FORALLfacets {
     setT* loop = qh_facet3vertex(qh, facet);
     if (loops.facets == loops.max_facets || corners + qh_setsize(qh, loop) > loops.max_corners)
-      qh_errexit(qh, qh_ERRqhull, facet, nullptr);  // not a polyhedron's surface
+      qh_errexit(qh, qh_ERRqhull, facet, nullptr);  // not the surface of a polyhedron
     vertexT* vertex;
     vertexT** vertexp;
     FOREACHvertex_(loop) loops.corners[corners++] = qh_pointid(qh, vertex->point);
@@ -37,7 +37,7 @@ void copy_loops(qhT* qh, Loops& loops) {
   }
 }
 
-/// qhull's exit code; 0 is success.
+/// Returns qhull's exit code; 0 is success.
 int copy_loops_or_return(qhT* qh, Loops& loops) {
   const int code = setjmp(qh->errexit);
   if (code == 0) {
@@ -67,13 +67,13 @@ int run(double* coordinates, int count, double coplanar, std::FILE* messages, Lo
 QuickhullResult quickhull(Array<double>& coordinates, double coplanar, Array<std::int32_t>& first_of_facet,
                           Array<std::int32_t>& corners) {
   const auto count = std::int32_t(coordinates.size() / 3);
-  // Euler's formula, all facets triangles.
+  // By Euler's formula for triangles only.
   const std::int32_t max_facets = 2 * count - 4;
   first_of_facet.resize(std::size_t(max_facets) + 1);
   corners.resize(std::size_t(3 * max_facets));
   Loops loops{first_of_facet.data(), corners.data(), max_facets, 3 * max_facets, 0};
 
-  // qhull insists on a place for its messages: here it is a buffer that nobody reads.
+  // qhull requires a stream for its messages: a buffer that is not read.
   char buffer[256];
   std::FILE* messages = fmemopen(buffer, sizeof buffer, "w");
   if (!messages) throw std::bad_alloc();

@@ -5,8 +5,8 @@
 namespace halfspace {
 namespace {
 
-/// Rewrites the loops: keep(v) is the vertex that takes the place of v, -1 for none. Equal neighbours in a
-/// loop become one; faces that end up with fewer than three vertices go.
+/// Rewrites the loops: vertex keep(v) replaces v, -1 removes it. Equal neighbours in a loop become one; faces
+/// with fewer than three vertices are removed.
 template <class Keep>
 void rewrite_loops(Polyhedron& p, Keep keep) {
   std::int32_t kept_faces = 0;
@@ -50,7 +50,7 @@ void drop_unused_vertices(Polyhedron& p) {
   for (std::int32_t& v : p.face_vertices) v = place[std::size_t(v)];
 }
 
-/// The vertex that takes the place of another, at the end of a chain of places taken.
+/// The vertex that replaces another, at the end of a chain of replacements.
 std::int32_t place_of(std::int32_t v, const Array<std::int32_t>& taken_by) {
   while (taken_by[std::size_t(v)] != v) v = taken_by[std::size_t(v)];
   return v;
@@ -59,7 +59,7 @@ std::int32_t place_of(std::int32_t v, const Array<std::int32_t>& taken_by) {
 }  // namespace
 
 void drop_degenerate(Polyhedron& polyhedron) {
-  // A face that goes may leave a vertex with two faces, which goes; so may a face that it was a corner of.
+  // A removed face may leave a vertex with two faces, which is removed, and then another face.
   for (std::size_t before = polyhedron.face_vertices.size() + 1; polyhedron.face_vertices.size() < before;) {
     before = polyhedron.face_vertices.size();
     const Array<std::int32_t> faces = faces_at_vertices(polyhedron);

@@ -4,12 +4,12 @@
 
 namespace halfspace {
 
-/// Drops vertices with fewer than three faces, faces with fewer than three vertices, and vertices without
-/// use. Edges stay shared by two faces. No vertex moves.
+/// Removes vertices with fewer than three faces, faces with fewer than three vertices, and unused vertices.
+/// Each edge still has two faces. No vertex moves.
 void drop_degenerate(Polyhedron& polyhedron);
 
-/// Makes one vertex of the two ends of every edge whose components are all within `length`, and drops what
-/// that leaves degenerate.
+/// Merges the ends of every edge whose components are all within `length`, and removes what becomes
+/// degenerate.
 void weld_short_edges(Polyhedron& polyhedron, double length);
 
 }  // namespace halfspace

@@ -10,7 +10,7 @@ struct DepthRange {
   double most;
 };
 
-/// How deep each vertex of a block lies behind a plane: what is known before it is cut there.
+/// The depths of a block's vertices behind a plane, computed before a cut.
 class VertexDepths {
  public:
   explicit VertexDepths(Memory* memory) : depth_(memory) {}

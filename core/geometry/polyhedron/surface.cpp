@@ -30,7 +30,7 @@ PolyhedronFault first_unmatched_edge(const HalfEdges& half_edges) {
   return {};
 }
 
-/// A corner of a convex polyhedron has three faces; two meet along an edge and nowhere else.
+/// A vertex with two faces is inside an edge.
 PolyhedronFault first_vertex_inside_edge(const HalfEdges& half_edges, std::int32_t vertex_count) {
   for (std::int32_t v = 0; v < vertex_count; ++v) {
     if (half_edges.leaving(v).size() < 3) return {Fault::vertex_inside_edge, v, -1};
@@ -43,7 +43,7 @@ PolyhedronFault check_loops(const Polyhedron& polyhedron) {
   return first_faulty_loop(polyhedron);
 }
 
-/// Euler's formula: two surfaces, a ring, or two surfaces with a vertex in common give another number.
+/// Euler's formula excludes several surfaces, tori, and surfaces that share a vertex.
 PolyhedronFault check_euler(const Polyhedron& polyhedron, const HalfEdges& half_edges) {
   const std::int32_t edges = half_edges.count() / 2;
   if (polyhedron.vertex_count() - edges + polyhedron.face_count() != 2)

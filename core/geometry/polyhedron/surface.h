@@ -4,11 +4,11 @@
 
 namespace halfspace {
 
-/// Says what keeps loops of vertices from being one closed surface without holes, every edge of which two
-/// faces share in opposite directions. Where the vertices are plays no part.
+/// Returns the fault of loops as one closed surface without holes, where each edge has two faces in opposite
+/// directions. Independent of coordinates.
 PolyhedronFault check_closed(const Polyhedron& polyhedron);
 
-/// The same of a polyhedron's surface, each vertex of which is a corner of three faces at least.
+/// The same for a polyhedron, where each vertex has at least three faces.
 PolyhedronFault check_surface(const Polyhedron& polyhedron);
 
 }  // namespace halfspace

@@ -127,7 +127,7 @@ TopologyArrays::TopologyArrays(const Polyhedron& polyhedron, Memory* memory) : i
       vertex_edge[k] = face_edge[h];
       vertex_face[k] = half_edges.face(h);
       ++k;
-      // The face on the left of a leaving edge lies counter-clockwise of it; the next edge is the one by
+      // The face on the left of an outgoing edge is counter-clockwise of it; the next edge is the one by
       // which that face's loop arrives.
       h = half_edges.twin(half_edges.previous(h));
     } while (h != first);

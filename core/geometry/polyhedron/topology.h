@@ -5,11 +5,11 @@
 
 namespace halfspace {
 
-/// A step along a face's loop, from a corner to the next: half of an edge, whose other half is in the
-/// neighbouring face. Half-edge h starts at corner h of Polyhedron::face_vertices.
+/// The half of an edge in one face's loop, from a corner to the next; its twin is in the neighbouring face.
+/// Half-edge h starts at corner h of Polyhedron::face_vertices.
 class HalfEdges {
  public:
-  /// Requires that all vertices of the loops exist.
+  /// All vertices of the loops must exist.
   explicit HalfEdges(const Polyhedron& polyhedron);
 
   std::int32_t count() const { return std::int32_t(face_.size()); }
@@ -18,7 +18,7 @@ class HalfEdges {
   std::int32_t previous(std::int32_t h) const;
   std::int32_t start(std::int32_t h) const { return polyhedron_.face_vertices[std::size_t(h)]; }
   std::int32_t end(std::int32_t h) const { return start(next(h)); }
-  /// The half-edge that goes the other way, -1 when there is none, or several, or another goes the same way.
+  /// The half-edge in the opposite direction; -1 unless there is exactly one in each direction.
   std::int32_t twin(std::int32_t h) const { return twin_[std::size_t(h)]; }
 
   /// The half-edges that start at a vertex, in the order of their faces.
@@ -36,20 +36,19 @@ class HalfEdges {
   Array<std::int32_t> twin_;
 };
 
-/// The topology whose arrays lie one after the other from `indices` on, in the order in which Topology names
-/// them.
+/// The topology whose arrays are contiguous from `indices` on, in the order of Topology's members.
 Topology topology_at(const std::int32_t* indices, std::int32_t vertices, std::int32_t edges,
                      std::int32_t faces);
 
-/// How many indices that are.
+/// The number of those indices.
 inline std::int64_t topology_length(std::int64_t vertices, std::int64_t edges, std::int64_t faces) {
   return (faces + 1) + 14 * edges + (vertices + 1);
 }
 
-/// Owns the arrays that a Topology points to.
+/// Owns the arrays of a Topology.
 class TopologyArrays {
  public:
-  /// Requires a polyhedron with whose surface check_polyhedron() finds no fault.
+  /// Requires a polyhedron without a fault by check_polyhedron().
   TopologyArrays(const Polyhedron& polyhedron, Memory* memory);
   TopologyArrays(const TopologyArrays&) = delete;  // the view points into its own arrays
   TopologyArrays& operator=(const TopologyArrays&) = delete;

@@ -11,10 +11,10 @@ struct VolumeAndMoment {
   Vector<3> moment = Vector<3>::Zero();  // of the position
 };
 struct VolumeAndSpread : VolumeAndMoment {
-  Tensor<3> spread = Tensor<3>::Zero();  // mean of the way from the centroid times itself^T
+  Tensor<3> spread = Tensor<3>::Zero();  // mean of r r^T about the centroid
 };
 
-/// Six times the volume of the tetrahedron with the origin for its first vertex.
+/// Six times the volume of the tetrahedron of these points and the origin.
 template <class Number>
 [[gnu::always_inline]] inline Number sixfold_volume(const Coordinates<Number>& p,
                                                     const Coordinates<Number>& q,
@@ -22,13 +22,13 @@ template <class Number>
   return dot_product(p, cross_product(q, r));
 }
 
-/// Sums over tetrahedra with the origin for a vertex; lanes add up as many at a time.
+/// Sums over tetrahedra with one vertex at the origin; lanes add several at a time.
 template <class Number>
 struct VolumeSums {
   Number volume{};               // six times
   Coordinates<Number> moment{};  // 24 times
 
-  /// Adds one, and returns six times its volume.
+  /// Adds a tetrahedron and returns six times its volume.
   [[gnu::always_inline]] Number add(const Coordinates<Number>& p, const Coordinates<Number>& q,
                                     const Coordinates<Number>& r) {
     const Number sixfold = sixfold_volume(p, q, r);

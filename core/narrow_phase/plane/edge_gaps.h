@@ -9,21 +9,21 @@
 
 namespace halfspace {
 
-// These functions are inlined by force: called, they would hand their lanes over through memory, in the chain
-// of operations that the first branch on a pair waits for.
+// These functions are always inlined: calls would pass lanes through memory, on the critical path to the
+// first branch on a pair.
 
 /// Heights of points along directions.
 inline TwoLanes heights_along(const DirectionLanes& directions, const DirectionLanes& points) {
   return directions.x * points.x + directions.y * points.y;
 }
 
-/// Half-spaces of two edges, side by side.
+/// Half-spaces of two edges, one per lane.
 struct HalfspaceLanes {
   DirectionLanes normal;
   TwoLanes offset;
 };
 
-/// Two edges of one block, which meet the same vertices of the other.
+/// Two edges of one block, tested with the same vertices of the other.
 struct EdgesOfOne {
   const Outline<2>& owner;
   const Outline<2>& other;
@@ -35,7 +35,7 @@ struct EdgesOfOne {
   [[gnu::always_inline]] int vertex_count() const { return other.count; }
 };
 
-/// An edge of each of two triangles, which meet one another's vertices.
+/// One edge of each of two triangles, tested with the vertices of the other.
 class EdgesOfTriangles {
  public:
   [[gnu::always_inline]] EdgesOfTriangles(const Outline<2>& a, const Outline<2>& b) : a_(a.x), b_(b.x) {}
@@ -49,7 +49,7 @@ class EdgesOfTriangles {
   [[gnu::always_inline]] int vertex_count() const { return 3; }
 
  private:
-  // From the first array all others are found without a look at the outline.
+  // All arrays are at fixed offsets from the first one, so that the outline is not read.
   static constexpr int stride = Outline<2>::padded(3);
   enum Component { x = 0, y = stride, nx = 2 * stride, ny = 3 * stride, offset = 4 * stride };
   [[gnu::always_inline]] static TwoLanes each(const double* first, const double* second, Component c, int i) {
@@ -60,8 +60,8 @@ class EdgesOfTriangles {
   const double* b_;
 };
 
-/// Gaps of edges, by all combinations with the other's vertices, of which there are three at least: those of
-/// the edges e, two side by side, and of as many pairs that follow. They share what is read of the vertices.
+/// Gaps of edges over all vertices of the other block, at least three: of edges e and e + 1, one per lane,
+/// and of the following pairs. The vertices are loaded once for all of them.
 template <int pairs, class Blocks, class Lanes>
 [[gnu::always_inline]] inline std::array<TwoLanes, pairs> gaps_at(int e, const Blocks& blocks,
                                                                   const Placement<Lanes>& at) {
@@ -83,12 +83,12 @@ template <int pairs, class Blocks, class Lanes>
   return gap;
 }
 
-/// The larger of each lane of two pairs of edges that follow one another.
+/// The larger gap of two successive pairs of edges, per lane.
 inline IndexedLanes larger_of_two(const std::array<TwoLanes, 2>& gaps, TwoLanes first_edges) {
   return max(IndexedLanes{gaps[0], first_edges}, IndexedLanes{gaps[1], first_edges + both(2)});
 }
 
-/// The largest gap among the edges of `owner`. Of the other's arrays only the vertices are read.
+/// The largest gap among the edges of `owner`. Of the other block only vertices are read.
 template <class Lanes>
 [[gnu::always_inline]] inline IndexedLanes largest_gap(const Outline<2>& owner, const Outline<2>& other,
                                                        const Placement<Lanes>& at) {
@@ -104,8 +104,8 @@ template <class Lanes>
   return max(largest, IndexedLanes{exchanged(largest.value), exchanged(largest.index)});
 }
 
-/// The largest gap of each of two triangles, both side by side: no lane is lost on padding, and there is no
-/// branch between them.
+/// The largest gap of each of two triangles, one per lane: without padding lanes, and without a branch
+/// between them.
 template <class Lanes>
 [[gnu::always_inline]] inline IndexedLanes largest_gap_of_each(const Outline<2>& a, const Outline<2>& b,
                                                                const Placement<Lanes>& at) {

@@ -4,13 +4,12 @@
 #include "narrow_phase/pair.h"
 #include "narrow_phase/plane/potential_pairs.h"
 
-// The contact region of two polygons at a potential pair, an edge and the vertex before it; most often the
-// remembered one:
+// The contact region of two polygons at a potential pair, an edge and a vertex in front of it:
 //
-//   the other block's edge at the vertex is near to parallel, and lies over the edge: edge on edge, two
-//   points (beyond the parallel angle: as long as both points overlap)
+//   the other block's edge at the vertex is nearly parallel, and lies over the edge: edge on edge, two points
+//   (beyond the parallel angle: while both points overlap)
 //
-//   else the foot of the vertex lies on the edge: vertex on edge, one point
+//   else the foot of the vertex is on the edge: vertex on edge, one point
 //
 //   else, near an end of the edge: vertex on vertex, along the sum of both half-spaces' normals
 //
@@ -19,7 +18,7 @@
 namespace halfspace {
 namespace {
 
-/// A potential pair seen from the block that owns the edge.
+/// A potential pair in the frame of the edge's owner.
 struct PairFrame {
   const Outline<2>& owner;
   const Outline<2>& other;
@@ -27,13 +26,13 @@ struct PairFrame {
   int edge;
   int vertex;
   Vector<2> normal = owner.normal(edge);
-  Vector<2> tangent = perpendicular(normal);  // along the edge, counter-clockwise round the owner
+  Vector<2> tangent = perpendicular(normal);  // along the edge, counter-clockwise around the owner
   Vector<2> start = owner.vertex(edge);
   Vector<2> end = owner.vertex(owner.next(edge));
   Vector<2> middle = 0.5 * (start + end);
   double half_length = 0.5 * tangent.dot(end - start);
 
-  /// Distance along the edge from its middle: so a mirrored pair finds the same bits, mirrored.
+  /// Distance along the edge from its midpoint, so that a mirrored pair has the same bits, mirrored.
   double along(const Vector<2>& p) const { return tangent.dot(p - middle); }
   double gap(const Vector<2>& p) const { return normal.dot(p) - owner.offset[edge]; }
   Vector<2> on_edge(double s) const { return middle + s * tangent; }
@@ -46,17 +45,17 @@ PairFrame frame_of(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to
   return {owner.block, owner.other, owner.sign * to_b, pair.edge, pair.vertex};
 }
 
-/// The other block's edge at the vertex that is nearer to parallel with the contact plane.
+/// The other block's edge at the vertex that is more nearly parallel to the contact plane.
 struct FacingEdge {
   int far_vertex;
-  double sine;  // of the angle to the contact plane, >= 0 but for rounding
+  double sine;  // of the angle to the contact plane, >= 0 to rounding
 };
 
 FacingEdge facing_edge(const PairFrame& f) {
   const int before = f.other.previous(f.vertex);
   const double cosine_after = -f.other.normal(f.vertex).dot(f.normal);
   const double cosine_before = -f.other.normal(before).dot(f.normal);
-  // By tables instead of branches: which edge it is is as good as random.
+  // By tables instead of branches, as the edge is unpredictable.
   const int ends[] = {before, f.other.next(f.vertex)}, edges[] = {before, f.vertex};
   const int after = cosine_after >= cosine_before;
   const double sine = std::abs(cross(f.other.normal(edges[after]), f.normal));
@@ -79,8 +78,7 @@ void describe_edge_edge(const PairFrame& f, const FacingEdge& facing, double fro
     contact.points[i] = f.on_edge(ends[i]);
     contact.gaps[i] = gap_near + slope * (ends[i] - s_near);
   }
-  // The vertex itself may lie beyond the edge's end: the deeper end of the region says how far the blocks
-  // overlap.
+  // The vertex itself may lie beyond the edge's end: the gap is that of the deeper end of the region.
   contact.gap = std::min(contact.gaps[0], contact.gaps[1]);
 }
 
@@ -103,7 +101,7 @@ void describe_vertex_vertex(const PairFrame& f, const Vector<2>& end, const Vect
   describe_point(ContactType::vertex_vertex, end, contact);
 }
 
-/// Outer normal of a pair's half-space, pointing from the owner of the pair's frame `f` to the other block.
+/// Outer normal of a pair's half-space, from the owner of the pair's frame `f` to the other block.
 Vector<2> normal_away_from(const PotentialPair<2>& pair, int frame_owner, const Outline<2>& a,
                            const Outline<2>& b) {
   const Vector<2> normal = pair.owner == 0 ? a.normal(pair.edge) : b.normal(pair.edge);
@@ -134,7 +132,7 @@ void describe_contact(const Outline<2>& a, const Outline<2>& b, const Vector<2>&
       }
     }
     contact.gap = f.gap(vertex);
-    // The zone is a share of the shorter of both edges: that of a long plate would swallow whole grains.
+    // The zone is a fraction of the shorter edge: for a long plate it would otherwise exceed small grains.
     const double facing_length = (f.other.vertex(facing.far_vertex) - f.other.vertex(f.vertex)).norm();
     const double zone = options.vertex_zone * std::min(2 * f.half_length, facing_length);
     if (std::abs(s) < f.half_length - zone) {
@@ -153,7 +151,7 @@ void describe_contact(const Outline<2>& a, const Outline<2>& b, const Vector<2>&
   }
   contact.pair = pair;
   contact.reserved = 0;
-  // Seen from the owner so far: relative to a's centroid, and from a to b.
+  // From the owner's frame to: relative to a's centroid, and from a to b.
   const double sign = 1 - 2 * pair.owner;
   contact.normal *= sign;
   for (int i = 0; i < contact.point_count; ++i) contact.points[i] += double(pair.owner) * to_b;

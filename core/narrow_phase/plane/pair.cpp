@@ -15,7 +15,7 @@ int edge_along(const Outline<2>& block, const Vector<2>& direction) {
 }
 
 bool are_in_line(const Vector<2>& one, const Vector<2>& other) {
-  constexpr double flat = 1e-6;  // rad: far above rounding, far below an angle that matters
+  constexpr double flat = 1e-6;  // rad: far above rounding, far below relevant angles
   return std::abs(cross(one, other)) < flat && one.dot(other) > 0;
 }
 
@@ -28,7 +28,7 @@ PotentialPair<2> pair_along(const Outline<2>& a, const Outline<2>& b, const Vect
   return gap_of_a >= gap_of_b ? of_a : of_b;
 }
 
-/// Parallel sides of both blocks are two pairs in one line: the way leads on over the second one.
+/// Parallel edges of both blocks are two pairs in one line: the walk continues over the second one.
 PotentialPair<2> descend(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
                          const PotentialPair<2>& start) {
   PotentialPair<2> best = start;

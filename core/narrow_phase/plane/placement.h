@@ -6,16 +6,16 @@
 
 namespace halfspace {
 
-/// Two directions in the plane, side by side.
+/// Two directions in 2D, one per lane.
 struct DirectionLanes {
   TwoLanes x;
   TwoLanes y;
 };
 
-/// Two turns, side by side.
+/// Two rotations in 2D, one per lane.
 using Turns = CosineAndSine<TwoLanes>;
 
-/// Directions turned, each by the turn in its lane, and turned back.
+/// Each direction rotated by the rotation in its lane, and rotated back.
 inline DirectionLanes turned(const Turns& turns, const DirectionLanes& d) {
   return {turns.cosine * d.x - turns.sine * d.y, turns.sine * d.x + turns.cosine * d.y};
 }
@@ -23,15 +23,15 @@ inline DirectionLanes turned_back(const Turns& turns, const DirectionLanes& d) {
   return {turns.cosine * d.x + turns.sine * d.y, turns.cosine * d.y - turns.sine * d.x};
 }
 
-/// One lane of several, in both.
+/// Copies one lane to both.
 inline DirectionLanes both(const DirectionLanes& d, int lane) { return {both(d.x[lane]), both(d.y[lane])}; }
 inline Turns both(const Turns& turns, int lane) { return {both(turns.cosine[lane]), both(turns.sine[lane])}; }
 
-/// One lane of several.
+/// Extracts one lane.
 inline Vector<2> only(const DirectionLanes& d, int lane) { return {d.x[lane], d.y[lane]}; }
 inline Rotation<2> only(const Turns& turns, int lane) { return {turns.cosine[lane], turns.sine[lane]}; }
 
-/// The turns between frames of one orientation.
+/// The identity, for frames of one orientation.
 struct NoTurns {};
 inline const DirectionLanes& turned(NoTurns, const DirectionLanes& d) { return d; }
 inline NoTurns both(NoTurns, int) { return {}; }
@@ -39,11 +39,11 @@ struct NoRotation {};
 inline const Vector<2>& operator*(NoRotation, const Vector<2>& v) { return v; }
 inline NoRotation only(NoTurns, int) { return {}; }
 
-/// How two blocks lie to each other, each in a frame of its own: in the first lane what a sees, in the second
-/// what b does.
+/// The relative placement of two blocks, each in its own frame: in the first lane b relative to a, in the
+/// second a relative to b.
 template <class Lanes>
 struct Placement {
-  Lanes into_other;         // turns from its own frame into that of the other
+  Lanes into_other;         // rotation from its own frame to that of the other
   DirectionLanes to_other;  // from its centroid to that of the other, in its own frame
 };
 

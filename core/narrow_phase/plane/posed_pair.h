@@ -6,8 +6,8 @@
 
 namespace halfspace {
 
-/// Judges all potential pairs of polygons with at most `most_vertices` each, within most_combinations. A
-/// known bound lets the loops be unrolled.
+/// Tests all potential pairs of polygons with at most `most_vertices` vertices each, within
+/// most_combinations. The known bound allows loops to be unrolled.
 template <int most_vertices>
 [[gnu::always_inline]] inline Separation<2> find_separation_of_few(const PosedPair<2>& posed,
                                                                    const Placement<Turns>& seen) {
@@ -17,7 +17,7 @@ template <int most_vertices>
   return find_separation_by_all(a, b, seen);
 }
 
-/// A contact without region at a pair that has been found.
+/// A contact without region at a given pair.
 [[gnu::always_inline]] inline Contact<2> contact_at(const Separation<2>& found, ContactType type,
                                                     const PosedPair<2>& posed, const Turns& turns) {
   const Owner owner(posed.a.outline(), posed.b.outline(), found.pair);
@@ -25,7 +25,7 @@ template <int most_vertices>
   return contact_without_region<2>(type, found.pair, owner.sign * normal, found.gap);
 }
 
-/// The contact of polygons that overlap, given b as it is seen from a.
+/// The contact of overlapping polygons, with b in the frame of a.
 inline Contact<2> describe_overlap(const PosedPair<2>& posed, const Outline<2>& b, const Vector<2>& to_b,
                                    const Rotation<2>& frame_of_a, const PotentialPair<2>& least_depth,
                                    const DetectOptions& options, PairCache<2>& witness) {
@@ -35,16 +35,16 @@ inline Contact<2> describe_overlap(const PosedPair<2>& posed, const Outline<2>& 
   return contact;
 }
 
-/// Looks at the shapes, each in its own frame as long as that will do, and remembers the pair that it finds.
-/// The contact is in the host's frame. `room` is for the outline of a polygon of many vertices. Inlined by
-/// force: what it finds would go through memory otherwise.
+/// Tests the shapes, each in its own frame as long as possible, and caches the pair. The contact is in the
+/// host's frame. `room` allocates the outline of a polygon of many vertices. Always inlined, as the result
+/// would otherwise be passed through memory.
 [[gnu::always_inline]] inline Contact<2> search_pair(const PosedPair<2>& posed, const Frames<2>& frames,
                                                      const PairOptions& options, PairCache<2>& witness,
                                                      Memory* room) {
   const Outline<2>&a = posed.a.outline(), &b = posed.b.outline();
   const auto without_region = [&](Separation<2> found) {
     const bool apart = found.gap > options.margin;
-    if (!apart) found.gap = refresh(a, b, frames.seen, found.pair);  // looks for its vertex, only now
+    if (!apart) found.gap = refresh(a, b, frames.seen, found.pair);  // computes the vertex, needed only now
     witness = {apart ? PairCache<2>::separated : PairCache<2>::unknown, found.pair};
     return contact_at(found, apart ? ContactType::none : ContactType::vertex_edge, posed, frames.turns);
   };

@@ -2,15 +2,15 @@
 
 #include "narrow_phase/plane/potential_pairs.h"
 
-// Polygons of many vertices: the half-spaces of both outlines, sorted by direction, merge into the outline of
-// the Minkowski difference. Each is a potential pair with the vertex that the merge has come to
-// (docs/theory.md), so that all pairs are seen in count_a + count_b steps. The largest gap decides; one above
-// the margin ends the search. Others go by all combinations (separation.h).
+// Polygons of many vertices: the half-spaces of both outlines, sorted by direction, merge to the outline of
+// the Minkowski difference. Each is a potential pair with the vertex that the merge has reached
+// (docs/theory.md), so that all pairs are visited in count_a + count_b steps. The largest gap decides; one
+// above the margin ends the search. Others are tested by all combinations (separation.h).
 
 namespace halfspace {
 
 int walk_to_deepest_vertex(const Outline<2>& block, const Vector<2>& normal, int hint) {
-  // The heights along a convex outline have one minimum: walk downhill to it, one way or the other.
+  // Heights along a convex outline have one minimum: walk downhill, in one direction or the other.
   int deepest = hint;
   double least = height_along(normal, block, hint);
   const auto walk = [&](auto neighbour) {
@@ -21,7 +21,7 @@ int walk_to_deepest_vertex(const Outline<2>& block, const Vector<2>& normal, int
   };
   walk([&](int v) { return block.next(v); });
   if (deepest == hint) walk([&](int v) { return block.previous(v); });
-  // Below the centroid the way down is steep; above it, a hint on a blunt top may have found none.
+  // Below the centroid the descent is steep; above it, on a blunt top, the walk may stop at once.
   return least < 0 ? deepest : deepest_vertex(block, normal);
 }
 

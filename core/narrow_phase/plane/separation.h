@@ -11,8 +11,8 @@
 
 namespace halfspace {
 
-/// The blocks of a potential pair by their part in it. By a table instead of a branch: who owns the edge is
-/// as good as random.
+/// The blocks of a potential pair by their role. By a table instead of a branch, as the owner of the edge is
+/// unpredictable.
 struct Owner {
   Owner(const Outline<2>& a, const Outline<2>& b, const PotentialPair<2>& pair)
       : blocks{&a, &b}, block(*blocks[pair.owner]), other(*blocks[1 - pair.owner]), sign(signs[pair.owner]) {}
@@ -22,16 +22,16 @@ struct Owner {
   const Outline<2>* blocks[2];
   const Outline<2>& block;
   const Outline<2>& other;
-  double sign;  // of what leads from a to b, seen from the owner
+  double sign;  // of vectors from a to b, relative to the owner
 };
 
 inline double height_along(const Vector<2>& normal, const Outline<2>& block, int vertex) {
   return normal.x() * block.x[vertex] + normal.y() * block.y[vertex];
 }
 
-/// The vertex that lies deepest along the outer normal of the other block's half-space, that is the vertex
-/// which forms a potential contact pair with it (Wang et al. 2021, eq. 9): both its neighbours lie farther
-/// out. Two vertices at a time, and selections instead of branches: which vertex it is is as good as random.
+/// The deepest vertex along the outer normal of the other block's half-space, which is their potential
+/// contact pair (Wang et al. 2021, eq. 9): both its neighbours are farther out. Two vertices at a time, with
+/// selections instead of branches, as the vertex is unpredictable.
 inline int deepest_vertex(const Outline<2>& block, const Vector<2>& normal) {
   const TwoLanes nx = both(normal.x()), ny = both(normal.y());
   const auto heights_at = [&](int v) { return nx * load_two(block.x + v) + ny * load_two(block.y + v); };
@@ -44,25 +44,25 @@ inline int deepest_vertex(const Outline<2>& block, const Vector<2>& normal) {
   return int(min(deepest, {exchanged(deepest.value), exchanged(deepest.index)}).index[0]);
 }
 
-/// The same for a block of many vertices, by a walk from a vertex near it.
+/// The same for a block of many vertices, by a walk from a nearby vertex.
 int walk_to_deepest_vertex(const Outline<2>& block, const Vector<2>& normal, int hint);
 
-/// The same, by whichever is faster; `hint` is where to look first.
+/// The same by the faster method; `hint` is the start of a walk.
 inline int deepest_vertex(const Outline<2>& block, const Vector<2>& normal, int hint) {
   constexpr int few = 12;
   return block.count <= few ? deepest_vertex(block, normal) : walk_to_deepest_vertex(block, normal, hint);
 }
 
-/// Gap of an edge: distance of the other block's deepest vertex from the half-space, below 0 when it is
-/// inside (eq. 10). `to_other` leads from the owner's centroid to the other's.
+/// Gap of an edge: distance of the other block's deepest vertex from the half-space, negative inside (eq.
+/// 10). `to_other` is the vector from the owner's centroid to the other's.
 inline double edge_gap(const Outline<2>& owner, int edge, const Outline<2>& other, int vertex,
                        const Vector<2>& to_other) {
   const Vector<2> normal = owner.normal(edge);
   return (normal.dot(other.vertex(vertex)) + normal.dot(to_other)) - owner.offset[edge];
 }
 
-/// Up to this many vertex-edge combinations they are all judged; beyond, the merge, whose every step waits
-/// for the one before, is faster (tests/benchmarks, bench_pairs).
+/// Up to this many vertex-edge combinations all are tested; beyond, the merge is faster, whose steps depend
+/// on each other (tests/benchmarks, bench_pairs).
 constexpr int most_combinations = 1024;
 
 inline bool by_all_combinations(const Outline<2>& a, const Outline<2>& b) {
@@ -73,7 +73,7 @@ inline bool by_all_combinations(const Outline<2>& a, const Outline<2>& b) {
 Separation<2> find_separation_by_merge(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
                                        double margin = 0);
 
-/// The larger of both blocks' gaps. Without a branch: who owns it is as good as random.
+/// The larger of both blocks' gaps. Without a branch, as the owner is unpredictable.
 inline Separation<2> larger_of_each(const IndexedLanes& each) {
   const int owner = each.value[1] > each.value[0];
   const int edges[] = {int(each.index[0]), int(each.index[1])};
@@ -81,8 +81,8 @@ inline Separation<2> larger_of_each(const IndexedLanes& each) {
   return {gap, {owner, edges[owner], 0}};
 }
 
-/// Judges all potential contact pairs (eqs. 12-16); but of other blocks than triangles, stops at the first
-/// block that has one whose gap is above the margin. For blocks within most_combinations.
+/// Tests all potential contact pairs (eqs. 12-16), within most_combinations. Except for two triangles, stops
+/// after the first block with a gap above the margin.
 template <class Lanes>
 [[gnu::always_inline]] inline Separation<2> find_separation_by_all(const Outline<2>& a, const Outline<2>& b,
                                                                    const Placement<Lanes>& at,
@@ -96,7 +96,7 @@ template <class Lanes>
   return larger_of_each({firsts(of_a.value, of_b.value), firsts(of_a.index, of_b.index)});
 }
 
-/// The same for outlines in one orientation and of any count. The pair's vertex is the deepest one.
+/// The same for outlines in one orientation and any number of vertices. The pair's vertex is the deepest one.
 inline Separation<2> find_separation(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
                                      double margin = 0) {
   if (!by_all_combinations(a, b)) return find_separation_by_merge(a, b, to_b, margin);

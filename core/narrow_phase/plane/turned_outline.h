@@ -7,7 +7,7 @@
 
 namespace halfspace {
 
-/// An outline turned into another frame, in memory of its own: on the stack for most shapes.
+/// An outline rotated to another frame, in its own memory: on the stack for most shapes.
 class TurnedPolygon {
  public:
   TurnedPolygon(const Outline<2>& given, const Rotation<2>& rotation, Memory* memory)

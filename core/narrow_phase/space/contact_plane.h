@@ -15,8 +15,7 @@ struct PlaneFrame {
   Vector<3> along;
   Vector<3> across;
 
-  /// The first axis lies in the plane of two coordinates: whichever, as long as rounding leaves it at right
-  /// angles to the normal.
+  /// The first axis is normal to the coordinate axis most nearly in the plane, which keeps it accurate.
   PlaneFrame(const Vector<3>& unit_normal, const Vector<3>& point) : normal(unit_normal), origin(point) {
     int least = 0;
     normal.cwiseAbs().minCoeff(&least);
@@ -36,8 +35,8 @@ struct PlaneFrame {
   }
 };
 
-/// A face seen along the normal of a plane, which its own normal is near to or near the opposite of. Its
-/// corners are made as they are asked for, so that there is no limit to their number.
+/// A face projected along the normal of a plane to which it is nearly parallel. Its corners are computed on
+/// demand, so that their number is not limited.
 class FlatFace {
  public:
   FlatFace(const PlaneFrame& plane, const SeenOutline& block, int face, const Vector<3>& to_block)
@@ -52,7 +51,7 @@ class FlatFace {
   int next(int i) const { return i + 1 == count_ ? 0 : i + 1; }
   /// Counter-clockwise about the plane's normal.
   Vector<2> corner(int i) const { return plane_.foot_of(block_.vertex(vertex(i)) + shift_); }
-  /// An index among the block's vertices.
+  /// The index of the corner among the block's vertices.
   int vertex(int i) const {
     return block_.topology->face_vertex[first_ + (is_opposed_ ? count_ - 1 - i : i)];
   }
@@ -67,10 +66,10 @@ class FlatFace {
 };
 
 /// The half-plane left of a line through two points, in coordinates on a plane. Points within rounding of the
-/// line count as on it: where edges coincide but for rounding there is no corner.
+/// line are on it, so that edges that coincide to rounding have no crossing.
 struct HalfPlane {
   Vector<2> start;
-  Vector<2> outward;  // as long as the points are apart
+  Vector<2> outward;  // its length is the distance of the points
   double rounding;
 
   HalfPlane(const Vector<2>& from, const Vector<2>& to, double rounding_of_points)

@@ -17,42 +17,42 @@ struct PolytopeFacet {
   double offset;     // from the origin
 };
 
-/// A polytope of corners of a Minkowski difference around the origin, that grows towards the facet nearest to
-/// the origin (van den Bergen 2003, section 4.3.8): the blocks' potential contact pair of least depth.
+/// A polytope of corners of a Minkowski difference around the origin, expanded towards the facet nearest to
+/// the origin (van den Bergen 2003, section 4.3.8): the blocks' potential contact pair of minimum depth.
 ///
-/// Inlined by force, so that it works in lanes as wide as those of the search that it is part of.
+/// Always inlined, so that its lanes are as wide as those of the caller.
 template <class Four>
 class ExpandingPolytope {
  public:
-  /// From a tetrahedron around the origin.
+  /// Requires a tetrahedron around the origin.
   [[gnu::always_inline]] explicit ExpandingPolytope(const Corner* tetrahedron);
 
   /// Outer normal of the facet nearest to the origin, of any length.
   Vector<3> normal_of_nearest() const { return {nx_[nearest_], ny_[nearest_], nz_[nearest_]}; }
-  /// False when a point lies outside of the nearest facet by more than rounding.
+  /// False when a point is outside the nearest facet by more than rounding.
   bool is_behind_nearest(const Vector<3>& p) const { return normal_of_nearest().dot(p) <= limit_[nearest_]; }
   /// The plane of the nearest facet.
   PolytopeFacet nearest() const {
     const Vector<3> normal = normal_of_nearest().normalized();
     return {normal, normal.dot(corner_of_nearest(2).at)};  // the tip, as in its limit
   }
-  /// One of its three corners.
+  /// One of the three corners of the nearest facet.
   Corner corner_of_nearest(int i) const {
     const int c = triangles_[nearest_][i];
     return {{at_[c][0], at_[c][1], at_[c][2]}, vertex_of_a_[c], vertex_of_b_[c]};
   }
-  /// Below this a distance is rounding.
+  /// The rounding error of distances.
   double rounding() const { return rounding_; }
-  /// Takes in a corner. False when it lies outside of no facet, to rounding, or there is no room for it.
+  /// Adds a corner. False when it is outside of no facet, to rounding, or when there is no room.
   [[gnu::always_inline]] bool expand(const Corner& c);
 
  private:
   static constexpr int max_corners = 128;
-  static constexpr int max_facets = 2 * max_corners;  // by Euler's formula, and four to spare
+  static constexpr int max_facets = 2 * max_corners;  // by Euler's formula, with four spare
   static constexpr int lanes = 4;
 
-  /// The corners of a facet, counter-clockwise seen from outside. In one word: what has just been written
-  /// part by part is slow to read as a whole.
+  /// The corners of a facet, counter-clockwise seen from outside. Packed into one word, as reading a whole
+  /// that was just written in parts is slow.
   class Triangle {
    public:
     Triangle() = default;
@@ -66,12 +66,12 @@ class ExpandingPolytope {
     int from;
     int to;
   };
-  /// A facet, and the square of its plane's distance from the origin.
+  /// A facet, and the squared distance of its plane from the origin.
   struct Distance {
-    double square;  // < 0 where rounding has left the origin outside
+    double square;  // < 0 where rounding has put the origin outside
     int facet;
   };
-  /// The facets that a point lies beyond, and which of the others is nearest to the origin.
+  /// The facets visible from a point, and the nearest of the others to the origin.
   struct Visible {
     std::uint64_t bits[max_facets / 64];
     int words;
@@ -79,7 +79,7 @@ class ExpandingPolytope {
 
     bool has(int f) const { return bits[f / 64] >> f % 64 & 1; }
   };
-  /// Where new facets go, and the edges that they take in with the new corner.
+  /// Places for new facets, and their edges opposite to the new corner.
   struct Horizon {
     int count = 0;
     Edge edges[3 * max_facets + lanes];
@@ -103,15 +103,15 @@ class ExpandingPolytope {
   void forget_facet(int f);
   [[gnu::always_inline]] void forget_four_facets(int first);
 
-  double at_[max_corners][4];  // three, and one so that no corner straddles lines of the cache
+  double at_[max_corners][4];  // three, and one so that no corner straddles cache lines
   int vertex_of_a_[max_corners], vertex_of_b_[max_corners];
-  int last_horizon_[max_corners];  // that a corner was on: that of the corner of this index
+  int last_horizon_[max_corners];  // index of the last new corner whose horizon had it
   Triangle triangles_[max_facets];
-  // The facets, read four at a time: normals of any length, the height along them up to which a point is not
-  // outside, and the squares of the distances. Which one is nearest does not wait for a root.
+  // Per facet, read four at a time: normal of any length, height along it up to which a point is not outside,
+  // and squared distance. The nearest is found without a square root.
   double nx_[max_facets + lanes], ny_[max_facets + lanes], nz_[max_facets + lanes],
       limit_[max_facets + lanes], distance_square_[max_facets + lanes];
-  // The facet that has an edge of the surface on its left, by the edge's ends.
+  // The facet with the edge from one corner to another on its left.
   std::uint8_t facet_at_[max_corners][max_corners];
   int corner_count_ = 0;
   int facet_count_ = 0;
@@ -144,7 +144,7 @@ inline ExpandingPolytope<Four>::ExpandingPolytope(const Corner* tetrahedron) {
   nearest_ = nearest.facet;
 }
 
-/// Facets between edges and a tip, four at a time.
+/// Makes the facets between edges and a tip, four at a time.
 template <class Four>
 inline void ExpandingPolytope<Four>::put_fan(const Edge* edges, int count, int tip, const int* places,
                                              Distance& nearest) {
@@ -162,7 +162,7 @@ inline void ExpandingPolytope<Four>::put_fan(const Edge* edges, int count, int t
                nz = from_x * to_y - from_y * to_x;
     const Four square = nx * nx + ny * ny + nz * nz, height = nx * apex_x + ny * apex_y + nz * apex_z;
     const Four limit = height + all_four<Four>(rounding_) * sqrt(square);
-    // Three corners on a line span no plane: never the nearest, and nothing lies beyond it.
+    // Collinear corners span no plane: such a facet is never the nearest, and nothing is outside of it.
     const Four divisor = select_less(zero, square, square, all_four<Four>(1));
     const Four distance_square =
         select_less(zero, square, height / divisor * select_less(height, zero, zero - height, height),
@@ -182,14 +182,14 @@ inline void ExpandingPolytope<Four>::put_fan(const Edge* edges, int count, int t
   }
 }
 
-/// Never the nearest from now on, and nothing lies beyond it.
+/// Removes a facet: it is never the nearest, and nothing is outside of it.
 template <class Four>
 inline void ExpandingPolytope<Four>::forget_facet(int f) {
   nx_[f] = ny_[f] = nz_[f] = limit_[f] = 0;
   distance_square_[f] = HUGE_VAL;
 }
 
-/// Places in which there is no facet yet.
+/// Initializes unused places.
 template <class Four>
 inline void ExpandingPolytope<Four>::forget_four_facets(int first) {
   store_four(nx_ + first, all_four<Four>(0));
@@ -199,7 +199,7 @@ inline void ExpandingPolytope<Four>::forget_four_facets(int first) {
   store_four(distance_square_ + first, all_four<Four>(HUGE_VAL));
 }
 
-/// Which facets they are is as good as random: no branches.
+/// Without branches, as the visible facets are unpredictable.
 template <class Four>
 inline void ExpandingPolytope<Four>::find_visible(const Vector<3>& from, Visible& visible) {
   const Four x = all_four<Four>(from.x()), y = all_four<Four>(from.y()), z = all_four<Four>(from.z());
@@ -225,7 +225,7 @@ inline void ExpandingPolytope<Four>::find_visible(const Vector<3>& from, Visible
   visible.nearest_other = {nearest.value[0], int(nearest.index[0])};
 }
 
-/// The horizon are the edges of visible facets whose other facet is not visible.
+/// The horizon is the edges between visible and hidden facets.
 template <class Four>
 inline void ExpandingPolytope<Four>::find_horizon(const Visible& visible, Horizon& horizon) const {
   for (int word = 0; word < visible.words; ++word) {
@@ -241,8 +241,8 @@ inline void ExpandingPolytope<Four>::find_horizon(const Visible& visible, Horizo
   }
 }
 
-/// Rounding may tear the surface: then the horizon comes to a corner twice, and edges would have more than
-/// two facets.
+/// Rounding may break the surface: then the horizon visits a corner twice, and edges would have more than two
+/// facets.
 template <class Four>
 inline bool ExpandingPolytope<Four>::is_pinched(const Horizon& horizon) {
   bool is_pinched = false;
@@ -254,7 +254,7 @@ inline bool ExpandingPolytope<Four>::is_pinched(const Horizon& horizon) {
   return is_pinched;
 }
 
-/// The visible facets make room for those between the horizon and the new corner.
+/// Replaces the visible facets by those between the horizon and the new corner.
 template <class Four>
 inline bool ExpandingPolytope<Four>::expand(const Corner& c) {
   Visible visible;
@@ -265,7 +265,7 @@ inline bool ExpandingPolytope<Four>::expand(const Corner& c) {
   if (horizon.count == 0 || is_pinched(horizon) || corner_count_ == max_corners ||
       facet_count_ + added > max_facets)
     return false;
-  // One corner adds two facets; one that swallows others leaves places over.
+  // Each corner adds two facets; if it hides others, some places remain empty.
   for (int i = horizon.count; i < horizon.place_count; ++i) forget_facet(horizon.places[i]);
   for (int i = 0; i < added; ++i) horizon.places[horizon.place_count++] = facet_count_++;
   forget_four_facets(facet_count_);

@@ -10,7 +10,7 @@
 namespace halfspace {
 namespace {
 
-/// A face of more corners is taken in pieces: a fan from its first corner.
+/// A face with more corners is divided into pieces, as a fan from its first corner.
 constexpr int most_piece_corners = 32;
 
 /// A convex polygon: a piece of one face, cut by a piece of another. Each cut adds one corner at most.
@@ -19,13 +19,13 @@ struct Piece {
   Vector<2> corner[2 * most_piece_corners];
 
   void add(const Vector<2>& p) {
-    // Only a polygon that rounding has made not quite convex is ever cut into more: by as little.
+    // Only a polygon made slightly concave by rounding gets more; the loss is as small.
     if (count < 2 * most_piece_corners) corner[count++] = p;
   }
   std::span<const Vector<2>> corners() const { return {corner, std::size_t(count)}; }
 };
 
-constexpr int corners_in_fan = most_piece_corners - 2;  // besides the first, and the last of the piece before
+constexpr int corners_in_fan = most_piece_corners - 2;  // without the first, and the last of the piece before
 
 int piece_count(const FlatFace& face) { return (face.count() - 2 + corners_in_fan - 1) / corners_in_fan; }
 
@@ -37,7 +37,7 @@ void take_piece(const FlatFace& face, int index, Piece& piece) {
   for (int i = from; i <= to; ++i) piece.add(face.corner(i));
 }
 
-/// Cuts a polygon by the sides of a piece; the two take turns as room for the result.
+/// Cuts a polygon by the sides of a piece; the two buffers alternate.
 const Piece& cut_by(const Piece& cutter, double rounding, Piece& polygon, Piece& room) {
   Piece* kept = &polygon;
   Piece* next = &room;
@@ -53,8 +53,8 @@ const Piece& cut_by(const Piece& cutter, double rounding, Piece& polygon, Piece&
   return *kept;
 }
 
-/// The points of many that are farthest in directions spread evenly. The directions are turned by an odd
-/// angle: of edges square to one, either end would do, and so would any corner that pieces have in between.
+/// The farthest of many points in evenly spread directions. The directions are rotated by an odd angle: for
+/// edges normal to one, both ends and all points between would be equally far.
 class FarthestPoints {
  public:
   FarthestPoints() { std::fill_n(height_, max_region_points, -HUGE_VAL); }
@@ -74,7 +74,7 @@ class FarthestPoints {
     }
   }
 
-  /// Each once.
+  /// Writes each point once.
   int write(Vector<2>* points) const {
     int count = 0;
     for (int i = 0; i < max_region_points; ++i) {
@@ -88,7 +88,7 @@ class FarthestPoints {
   Vector<2> point_[max_region_points];
 };
 
-/// Adds area and centroid; the latter times the area until the end.
+/// Adds area and centroid, the latter times the area.
 void add_area(const Piece& piece, FaceOverlap& overlap) {
   const Vector<2> first = piece.corner[0];
   double twice_area = 0;

@@ -10,23 +10,22 @@
 #include "narrow_phase/space/potential_pairs.h"
 #include "narrow_phase/space/simplex.h"
 
-// GJK walks a simplex of corners of the Minkowski difference b - a towards the origin, EPA grows it from
+// GJK moves a simplex of corners of the Minkowski difference b - a towards the origin, EPA expands it from
 // there:
 //
 //   corner <- support of the difference towards the origin
 //   repeat: the corner does not pass the origin? then that direction is a plane between the blocks
-//           the simplex gets the corner, and keeps the face of it that is nearest to the origin
-//   the origin is inside: expand the facet nearest to it by its support, until the support is in the facet
+//           add the corner to the simplex, and keep its face nearest to the origin
+//   the origin is inside: expand the nearest facet by its support, until the support is in the facet
 //
-// The last facet names features of both blocks: a face and a vertex, or two edges. Their own gap, which knows
-// of no polytope, is the answer; where the facet is no proof of it, the neighbouring features are tried until
-// none is better.
+// The last facet gives features of both blocks: a face and a vertex, or two edges. The result is the gap of
+// these features, independent of the polytope. If the facet does not prove it, neighbouring features are
+// tested until none has a smaller depth.
 
 namespace halfspace {
 namespace {
 
-/// The plane between blocks that are apart: a half-space of which block only its own deepest vertices are
-/// known.
+/// The plane between separated blocks, with their deepest vertices as its pair.
 Separation<3> between(const Corner& deepest, const Vector<3>& direction) {
   const double length = direction.norm();
   return {direction.dot(deepest.at) / length,
@@ -42,21 +41,21 @@ int edge_between(const Topology& topology, int from, int to) {
   return -1;
 }
 
-/// A facet of the polytope in the end.
+/// The last facet of the polytope.
 struct FoundFacet {
   Vector<3> normal;  // unit, from a to b
-  Corner corner;     // the one that its plane goes through
-  bool is_proven;    // no corner of the difference lies deeper
+  Corner corner;     // a corner on its plane
+  bool is_proven;    // no corner of the difference is deeper
 
-  /// Deepest along a unit normal, too, when that is the facet's own but for rounding: any other corner is
-  /// deeper by no more than this share of the difference's size.
+  /// Is the corner also the deepest along a unit normal that equals the facet's to rounding? Any other is
+  /// deeper by at most this fraction of the difference's size.
   bool is_corner_deepest_along(const Vector<3>& other) const {
     constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
     return is_proven && (other - normal).squaredNorm() <= rounding * rounding;
   }
 };
 
-/// A face of block a at the facet, and the vertex of b that is deepest behind it.
+/// A face of block a at the facet, and the deepest vertex of b behind it.
 template <class Turn>
 Separation<3> at_face_of_a(const MinkowskiDifference<Turn>& difference, const FoundFacet& facet) {
   const Outline<3>&a = difference.a(), &b = difference.b();
@@ -71,7 +70,7 @@ Separation<3> at_face_of_a(const MinkowskiDifference<Turn>& difference, const Fo
           normal};
 }
 
-/// A face of block b at the facet, and the vertex of a that is deepest behind it.
+/// A face of block b at the facet, and the deepest vertex of a behind it.
 template <class Turn>
 Separation<3> at_face_of_b(const MinkowskiDifference<Turn>& difference, const FoundFacet& facet) {
   const Outline<3>&a = difference.a(), &b = difference.b();
@@ -97,26 +96,26 @@ Separation<3> at_edges(const MinkowskiDifference<Turn>& difference, const FoundF
   return {normal.dot(deepest.at), pair, normal};
 }
 
-/// The vertices of one block that a facet's corners have: one, those of an edge, or three of a face.
+/// The vertices of one block in a facet's corners: one, two of an edge, or three of a face.
 struct FacetVertices {
   int first;
-  int second;  // another than the first, if there is one
+  int second;  // different from the first, if any
   int count;
 
   FacetVertices(int i, int j, int k)
       : first(i), second(j != i ? j : k), count(1 + (j != i) + (k != i && k != j)) {}
 };
 
-/// Do both faces at an edge look elsewhere? If not, the face may lie in the plane and comes first.
+/// Are both faces at an edge oblique to a direction? If not, a face may lie in the plane and has priority.
 bool is_sharp(const Outline<3>& block, int edge, const Vector<3>& along) {
-  constexpr double in_plane = 1 - 1e-9;  // cosine of an angle far above rounding, far below one that matters
+  constexpr double in_plane = 1 - 1e-9;  // cosine of an angle far above rounding, far below relevant angles
   const Topology& topology = *block.topology;
   return block.normal(topology.edge_left[edge]).dot(along) < in_plane &&
          block.normal(topology.edge_right[edge]).dot(along) < in_plane;
 }
 
-/// The potential pair whose facet of the Minkowski difference holds three corners: a face of either block at
-/// the vertices found, or an edge of each; where they share a plane, the one of largest gap.
+/// The potential pair of the facet with three given corners: a face of either block at those vertices, or an
+/// edge of each. If several share the plane, the one of largest gap.
 template <class Turn, class Polytope>
 Separation<3> pair_at(const MinkowskiDifference<Turn>& difference, const Polytope& polytope, bool is_proven) {
   const Outline<3>&a = difference.a(), &b = difference.b();
@@ -127,7 +126,7 @@ Separation<3> pair_at(const MinkowskiDifference<Turn>& difference, const Polytop
   const double rounding = polytope.rounding();
   const auto is_as_deep = [&](const Separation<3>& found) { return found.gap >= -nearest.offset - rounding; };
 
-  // As a rule the corners tell which features they are of.
+  // Usually the corners identify the features.
   const FacetVertices of_a(c.a, d.a, e.a), of_b(c.b, d.b, e.b);
   if (of_b.count == 1) {
     const Separation<3> face_of_a = at_face_of_a(difference, facet);
@@ -147,15 +146,14 @@ Separation<3> pair_at(const MinkowskiDifference<Turn>& difference, const Polytop
       return edges;
   }
 
-  // Where a face is parallel to a feature of the other block, several share the plane.
+  // Where a face is parallel to a feature of the other block, several pairs share the plane.
   const Separation<3> face_of_a = at_face_of_a(difference, facet);
   const Separation<3> face_of_b = at_face_of_b(difference, facet);
   const Separation<3>& face = face_of_b.gap > face_of_a.gap ? face_of_b : face_of_a;
   return edges.gap > face.gap + rounding ? edges : face;
 }
 
-/// Grows a simplex that holds the origin on its boundary into a tetrahedron, as long as the difference is not
-/// flat.
+/// Completes a simplex with the origin on its boundary to a tetrahedron, unless the difference is flat.
 template <class Turn>
 void complete(const MinkowskiDifference<Turn>& difference, Simplex& simplex) {
   const Vector<3> first = simplex.corner[0].at;
@@ -180,13 +178,13 @@ void complete(const MinkowskiDifference<Turn>& difference, Simplex& simplex) {
   if (simplex.count == 3) take(cross_product(from_first(1), from_first(2)));
 }
 
-/// Moves a simplex towards the origin until that is found behind a plane: then there is none inside the
-/// simplex. Else it ends as a tetrahedron around the origin, or short of one when the difference is flat.
+/// GJK: moves a simplex towards the origin until a plane separates them. If none does, the simplex ends as a
+/// tetrahedron around the origin, or with fewer corners when the difference is flat.
 template <class Four, class Turn>
 [[gnu::always_inline]] inline bool is_behind_plane(const MinkowskiDifference<Turn>& difference,
                                                    Separation<3>& plane, Simplex& simplex) {
   Vector<3> direction = difference.to_b();
-  if (direction.squaredNorm() == 0) direction = {1, 0, 0};  // too short to have a length
+  if (direction.squaredNorm() == 0) direction = {1, 0, 0};  // the length may underflow
   double distance = HUGE_VAL;
   Corner c = difference.template deepest_along<Four>(direction);
   for (;;) {
@@ -194,7 +192,7 @@ template <class Four, class Turn>
       plane = between(c, direction);
       return true;
     }
-    // A corner that has been found before brings the simplex no nearer: it touches the origin, to rounding.
+    // A corner found before brings the simplex no nearer: it touches the origin, to rounding.
     if (simplex.has(c)) break;
     simplex.add(c);
     direction = simplex.nearest;
@@ -206,7 +204,7 @@ template <class Four, class Turn>
   return false;
 }
 
-/// The least deep of a pair and of those of all faces.
+/// The pair of smallest depth among the given one and those of all faces.
 template <class Turn>
 Separation<3> least_deep_of_faces(const MinkowskiDifference<Turn>& difference, const Separation<3>& found) {
   const SeenOutline a = difference.a(), b = difference.seen_b();
@@ -220,9 +218,9 @@ Separation<3> least_deep_of_faces(const MinkowskiDifference<Turn>& difference, c
   return best;
 }
 
-/// The least deep pair next to the one found, and next to that: for when the polytope is no proof. Its
-/// normals are those of triangles, which may be slivers that rounding turns, and it has room for so many
-/// corners only; the normals here are those of the blocks' own features.
+/// Walks to the neighbouring pair of smallest depth, repeatedly, where the polytope is not a proof. The
+/// normals of its triangles may be wrong for slivers, and its number of corners is limited; the normals here
+/// are those of the blocks' own features.
 template <class Turn>
 Separation<3> refined(const MinkowskiDifference<Turn>& difference, const Separation<3>& found) {
   const SeenOutline a = difference.a(), b = difference.seen_b();
@@ -239,7 +237,7 @@ Separation<3> refined(const MinkowskiDifference<Turn>& difference, const Separat
   return best;
 }
 
-/// For blocks between which no plane was found. Where rounding has hidden it, the gap found may be above 0.
+/// EPA, for blocks without a separating plane. Where rounding has hidden one, the gap may be positive.
 template <class Four, class Turn>
 [[gnu::always_inline]] inline Separation<3> least_depth(const MinkowskiDifference<Turn>& difference,
                                                         const Simplex& around_origin) {
@@ -250,17 +248,17 @@ template <class Four, class Turn>
     const bool is_facet = polytope.is_behind_nearest(c.at);
     if (is_facet || !polytope.expand(c)) {
       const Separation<3> found = pair_at(difference, polytope, is_facet);
-      constexpr double may_be_turned = 1e8;  // how far a sliver's plane may be off, in its corners' rounding
+      constexpr double may_be_turned = 1e8;  // error of a sliver's plane, in rounding errors of its corners
       const bool is_final = is_facet && found.gap <= -may_be_turned * polytope.rounding();
       if (is_final) return found;
-      // Next to it is only what is next to it: of many sides that are about as deep the best may be far away.
+      // The walk is local: among many sides of nearly the same depth, the minimum may be far away.
       return refined(difference, is_facet ? found : least_deep_of_faces(difference, found));
     }
   }
 }
 
-/// For blocks that lie flat in one plane, to rounding, and meet there: no polytope has room for them. Any
-/// face will do to begin with.
+/// For blocks that are flat in one plane, to rounding, and touch there: a polytope would have no volume.
+/// Starts from any face.
 template <class Turn>
 Separation<3> least_depth_of_flat(const MinkowskiDifference<Turn>& difference, const Simplex& flat) {
   const FoundFacet facet{flat.nearest, flat.corner[0], false};

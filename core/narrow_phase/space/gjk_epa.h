@@ -5,11 +5,10 @@
 
 namespace halfspace {
 
-/// The potential pair of least depth of blocks that overlap, or a plane between blocks that are apart, found
-/// by descent instead of by judging all pairs, whose number grows with the product of both blocks' features.
-/// First a simplex of corners of the Minkowski difference is moved towards the origin until it holds it or is
-/// found behind a plane (Gilbert, Johnson and Keerthi 1988); from there a polytope expands to the nearest
-/// facet.
+/// The potential pair of minimum depth of overlapping blocks, or a plane between separated blocks, without
+/// testing all pairs, whose number is the product of both blocks' features. GJK moves a simplex of corners of
+/// the Minkowski difference towards the origin until it contains it or a plane separates them (Gilbert,
+/// Johnson and Keerthi 1988); then EPA expands a polytope to the nearest facet.
 template <class Turn>
 Separation<3> find_separation_by_descent(const MinkowskiDifference<Turn>& difference);
 

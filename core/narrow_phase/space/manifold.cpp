@@ -7,12 +7,12 @@
 #include "narrow_phase/space/pair.h"
 #include "narrow_phase/space/potential_pairs.h"
 
-// The contact region of two polyhedra at a potential pair, most often the remembered one:
+// The contact region of two polyhedra at a potential pair, usually the cached one:
 //
-//   a plain contact, by far the most, is described at once (manifold_at_point.h)
+//   a contact at a point, by far the most frequent, is described directly (manifold_at_point.h)
 //   a face and a vertex: face on face, edge on face or vertex on face (manifold_faces.h)
-//   two edges: the region of a face nearly in their plane, or else the point where they cross
-//   where the nearest points lie beyond an end or a side: the neighbouring pair, from the start
+//   two edges: the region of a face nearly in their plane, else the point where they cross
+//   where the nearest points are beyond an end or a side: the neighbouring pair, from the start
 
 namespace halfspace {
 namespace {
@@ -25,7 +25,7 @@ PotentialPair<3> swapped(const PotentialPair<3>& pair) {
   return {kind, pair.b, pair.a};
 }
 
-/// The contact seen from b becomes that seen from a.
+/// Converts a contact relative to b to one relative to a.
 void turn_round(const Vector<3>& to_b, Contact<3>& contact) {
   contact.normal = -contact.normal;
   contact.center += to_b;
@@ -34,8 +34,8 @@ void turn_round(const Vector<3>& to_b, Contact<3>& contact) {
   std::reverse(contact.gaps, contact.gaps + contact.point_count);
 }
 
-/// Returns the pair, or the neighbouring one when one of the nearest points lies beyond an end of its edge:
-/// then this is the contact at the end.
+/// Returns the pair, or the neighbouring one if a nearest point is beyond an end of its edge; then the
+/// contact is the one at that end.
 PotentialPair<3> describe_edges(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
                                 const MeetingEdges& edges, const PotentialPair<3>& pair,
                                 Contact<3>& contact) {
@@ -53,7 +53,7 @@ PotentialPair<3> describe_edges(const SeenOutline& a, const SeenOutline& b, cons
   return facet_across(a, b, side, edges.parallelogram.normal()).pair;
 }
 
-/// The faces at two edges. Their vertices are only where to look for the deepest ones.
+/// The faces at two edges. Their vertices are only starts of a search.
 struct FacesAtEdges {
   PotentialPair<3> pair[4];
 
@@ -66,7 +66,7 @@ struct FacesAtEdges {
     pair[3] = {Pair::vertex_face, of_a.edge_start[edges.a], of_b.edge_right[edges.b]};
   }
 
-  /// The potential pair of least depth, with its vertex brought up to date.
+  /// The potential pair of smallest depth, with its vertex updated.
   PotentialPair<3> least_deep(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b) {
     int best = 0;
     double best_gap = -HUGE_VAL;
@@ -80,8 +80,8 @@ struct FacesAtEdges {
   }
 };
 
-/// Which of the faces at two edges, in the order of FacesAtEdges, is nearest to parallel with the plane of
-/// both, if it is within an angle of it; -1 else.
+/// The face at two edges, in the order of FacesAtEdges, most nearly parallel to the plane of both, within an
+/// angle; -1 if there is none.
 int face_parallel_to(const MeetingEdges& edges, double angle) {
   const Vector<3> normal = edges.parallelogram.normal();
   const Vector<3> faces[] = {edges.a.left, edges.a.right, -edges.b.left, -edges.b.right};
@@ -96,8 +96,8 @@ int face_parallel_to(const MeetingEdges& edges, double angle) {
   return best;
 }
 
-/// Two edges that cross nearly in the plane of a face, as they do where a face comes down on another one
-/// askew, touch as the face does if it has a region. The pair becomes that of the face then; else false.
+/// Two edges that cross nearly in the plane of a face, as where a face lands obliquely on another, have that
+/// face's contact if it has a region. Then `pair` becomes that of the face; else returns false.
 bool describe_edges_in_face(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
                             const MeetingEdges& edges, const DetectOptions& options, PotentialPair<3>& pair,
                             Contact<3>& contact) {
@@ -114,7 +114,7 @@ bool describe_edges_in_face(const SeenOutline& a, const SeenOutline& b, const Ve
   return true;
 }
 
-/// Returns the pair, or the one to move on to.
+/// Returns the pair, or its neighbour that replaces it.
 PotentialPair<3> describe_faces(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
                                 const PotentialPair<3>& pair, const DetectOptions& options,
                                 Contact<3>& contact) {
@@ -125,7 +125,7 @@ PotentialPair<3> describe_faces(const SeenOutline& a, const SeenOutline& b, cons
   return next;
 }
 
-/// The same for any pair. Edges that have ceased to be a potential pair become the least deep of their faces.
+/// The same for any pair. Edges that are no potential pair any more become their face of smallest depth.
 PotentialPair<3> describe_at(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
                              PotentialPair<3>& pair, const DetectOptions& options, Contact<3>& contact) {
   if (pair.kind == PotentialPair<3>::edge_edge) {
@@ -139,7 +139,7 @@ PotentialPair<3> describe_at(const SeenOutline& a, const SeenOutline& b, const V
   return describe_faces(a, b, to_b, pair, options, contact);
 }
 
-/// Where it is not plain what the contact is. Not inlined, as it is rare.
+/// For contacts other than at a point. Not inlined, as it is rare.
 [[gnu::noinline]] void describe_and_move(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
                                          PotentialPair<3>& pair, const DetectOptions& options,
                                          Contact<3>& contact) {
@@ -148,7 +148,7 @@ PotentialPair<3> describe_at(const SeenOutline& a, const SeenOutline& b, const V
   for (int moves = a.topology->edge_count + b.topology->edge_count;
        describe_plain_contact(a, b, to_b, pair, options, contact) == Plain::no; --moves) {
     const PotentialPair<3> next = describe_at(a, b, to_b, pair, options, contact);
-    // A vertex of separated blocks may lie beyond the edge between two facets on the way from either: it
+    // For a vertex of separated blocks beyond the edge between two facets, both refer to each other: it
     // stays.
     if (next == pair || next == last || moves == 0) break;
     last = pair;

@@ -6,8 +6,7 @@
 #include "narrow_phase/space/manifold_faces.h"
 #include "narrow_phase/space/witness.h"
 
-// A step spends most of its time here. It is kept apart from what is rare, so that all of it stays in
-// registers.
+// Most of a step's time is spent here. Separated from rare cases, so that all data stays in registers.
 
 namespace halfspace {
 namespace {
@@ -19,8 +18,8 @@ const Outline<3>& in_itself(const SeenOutline& block) { return block.unturned();
 const Vector<3>& in_frame_of(const Outline<3>&, const Vector<3>& v) { return v; }
 Vector<3> in_frame_of(const SeenOutline& block, const Vector<3>& v) { return block.in_own_frame(v); }
 
-/// Do all edges at a vertex rise from the plane with a given normal more steeply than what shares a region
-/// with it? Then so do the faces between them. By a margin far above rounding.
+/// Are all edges at a vertex steeper than the region angle over the plane with a given normal? Then so are
+/// the faces between them. With a margin far above rounding.
 template <class Block>
 bool rises_steeply(const Block& block, int vertex, const Vector<3>& normal, double region_angle) {
   const Outline<3>& own = in_itself(block);
@@ -36,14 +35,13 @@ bool rises_steeply(const Block& block, int vertex, const Vector<3>& normal, doub
   return true;
 }
 
-/// Where two points of a face's plane lie.
+/// The places of two points in a face's plane.
 struct PlacesOnFace {
   bool is_well_inside;
   bool is_other_on_face;
 };
 
-/// The point farther from the face's border than what counts as on it, by a margin, too; the other one just
-/// on the face.
+/// Is `point` inside the face by more than the zone of its border, with a margin, and is `other` on the face?
 template <class Block>
 PlacesOnFace places_on_face(const Block& block, int face, const Vector<3>& point, const Vector<3>& other,
                             double vertex_zone) {
@@ -56,7 +54,7 @@ PlacesOnFace places_on_face(const Block& block, int face, const Vector<3>& point
   Vector<3> from = own.vertex(topology.face_vertex[end - 1]);
   for (int k = first; k < end; ++k) {
     const Vector<3> to = own.vertex(topology.face_vertex[k]), along = to - from;
-    const Vector<3> inward = cross_product(normal, along);  // as long as the edge
+    const Vector<3> inward = cross_product(normal, along);  // its length is that of the edge
     if (inward.dot(p - from) <= 2 * vertex_zone * along.squaredNorm()) return {false, false};
     is_other_on_face &= inward.dot(q - from) >= 0;
     from = to;
@@ -74,7 +72,7 @@ Plain describe_vertex_inside_face(const Block& a, const Block& b, const Vector<3
   const double sense = is_of_a ? 1 : -1;
   const FaceVertex<Block> f{owner, other, sense * to_b, face, vertex};
   if (!rises_steeply(other, vertex, f.normal, options.region_angle())) return Plain::no;
-  // The line from the vertex that is parallel to that between the centroids: see edges_cross().
+  // The line from the vertex parallel to that between the centroids: see edges_cross().
   const double rise = f.normal.dot(f.to_other);
   const double back = rise > 0 ? f.gap / rise : 0;
   const Vector<3> pierced = (f.position + f.to_other) - back * f.to_other;

@@ -5,12 +5,12 @@
 
 namespace halfspace {
 
-/// Is a contact at a point and plainly nothing else, and if so, does it show by itself that the blocks touch?
+/// Is a contact at a point, without a region, and does this also prove that the blocks touch?
 enum class Plain { no, yes, and_touching };
 
-/// The contact of a potential pair as it is as a rule: of a vertex well inside a face or of two edges that
-/// cross, with nothing near to parallel with the contact plane. Nothing is described where it may be
-/// otherwise. The vertex of a face need not be known to be the deepest one: it is where the answer is not no.
+/// Describes the most frequent contacts of a potential pair: a vertex well inside a face, or two crossing
+/// edges, with no feature nearly parallel to the contact plane. In doubt returns no and describes nothing.
+/// The vertex of a face need not be the deepest one: if the result is not no, it is.
 Plain describe_plain_contact(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
                              const PotentialPair<3>& pair, const DetectOptions& options, Contact<3>& contact);
 

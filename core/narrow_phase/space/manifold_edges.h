@@ -7,7 +7,7 @@
 
 namespace halfspace {
 
-/// An edge of each block, both seen from their own block's centroid.
+/// An edge of each block, each relative to its own block's centroid.
 struct MeetingEdges {
   SeenEdge a;
   SeenEdge b;
@@ -17,16 +17,16 @@ struct MeetingEdges {
   MeetingEdges(const Block& block_a, const Block& block_b, const PotentialPair<3>& pair)
       : a(block_a, pair.a), b(block_b, pair.b) {}
 
-  /// Not of edges that are all but parallel, which have no plane to go by.
+  /// False for nearly parallel edges, which have no plane.
   bool are_potential_pair() const {
     return !are_all_but_parallel(parallelogram.square, a.along.squaredNorm(), b.along.squaredNorm()) &&
            is_edge_pair(a, b, parallelogram.normal());
   }
 
-  /// Are they plainly a potential pair, whose plane no face at either edge is near to parallel with? By the
+  /// Are they certainly a potential pair, with no face at either edge nearly parallel to their plane? By the
   /// four signs of edge and face normal (docs/theory.md), with a margin: at the edge of a, the sine of the
-  /// angle between face and plane is left . along_b |along_a| / area. Edges that are all but parallel to each
-  /// other have no plane to go by.
+  /// angle between face and plane is left . along_b |along_a| / area. False for nearly parallel edges, which
+  /// have no plane.
   bool cross_steeply(double region_angle) const {
     constexpr double flat = 1e-6;  // rad: far above rounding
     const double a_left = a.left.dot(b.along), a_right = a.right.dot(b.along);
@@ -43,7 +43,7 @@ struct MeetingEdges {
   }
 };
 
-/// The nearest points of the lines of two edges, as shares of the edges' lengths.
+/// The nearest points of the lines of two edges, as fractions of the edges' lengths.
 struct NearestPoints {
   Vector<3> between;  // from the start of one edge to that of the other
   double share_of_a;
@@ -61,7 +61,7 @@ struct NearestPoints {
   }
 };
 
-/// The contact in the middle between the nearest points of two edges.
+/// Describes the contact at the midpoint of the nearest points of two edges.
 [[gnu::always_inline]] inline void describe_edge_edge(const MeetingEdges& edges, const NearestPoints& nearest,
                                                       const Vector<3>& to_b, Contact<3>& contact) {
   const Vector<3> on_a = edges.a.start + std::clamp(nearest.share_of_a, 0.0, 1.0) * edges.a.along;

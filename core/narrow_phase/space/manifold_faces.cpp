@@ -11,7 +11,7 @@
 namespace halfspace {
 namespace {
 
-/// A face and a vertex in coordinates on the plane, whose origin is the foot of the vertex.
+/// A face and a vertex in coordinates on the plane, with the foot of the vertex as origin.
 struct FlatFaceVertex : FaceVertex<SeenOutline> {
   PlaneFrame plane = PlaneFrame(normal, foot);
   FlatFace polygon = FlatFace(plane, owner, face, Vector<3>::Zero());
@@ -20,7 +20,7 @@ struct FlatFaceVertex : FaceVertex<SeenOutline> {
   FlatFaceVertex(const FlatFaceVertex&) = delete;  // the polygon refers to the plane
   FlatFaceVertex& operator=(const FlatFaceVertex&) = delete;
 
-  /// How far rounding may put points near the face off in its plane: a few units of what was subtracted.
+  /// Rounding error of points near the face in its plane: a few ulps of the subtracted coordinates.
   double rounding() const {
     double reach = to_other.cwiseAbs().maxCoeff();
     for (int i = 0; i < polygon.count(); ++i)
@@ -29,14 +29,13 @@ struct FlatFaceVertex : FaceVertex<SeenOutline> {
   }
 };
 
-/// An edge of the other block at the vertex, by the neighbour at its far end, and the sine of its angle with
-/// the plane.
+/// An edge of the other block at the vertex, by its other end, and the sine of its angle to the plane.
 struct FacingNeighbour {
   int far_vertex;
   double sine;
 };
 
-/// The one nearest to parallel.
+/// The edge most nearly parallel to the plane.
 FacingNeighbour facing_edge(const FaceVertex<SeenOutline>& f) {
   const Topology& topology = *f.other.topology;
   FacingNeighbour best{topology.vertex_neighbour[topology.first_of_vertex[f.vertex]], HUGE_VAL};
@@ -48,18 +47,17 @@ FacingNeighbour facing_edge(const FaceVertex<SeenOutline>& f) {
   return {best.far_vertex, std::sqrt(best.sine)};
 }
 
-/// A face of the other block at the vertex, and what it and the face have in common.
+/// A face of the other block at the vertex, and its overlap with the face.
 struct FacingFace {
-  double sine = 1;  // of its angle with the plane
-  Vector<2> slope;  // over the plane it is linear, and goes through the vertex before the origin
+  double sine = 1;  // of its angle to the plane
+  Vector<2> slope;  // of its height over the plane, which is linear and 0 at the origin
   FaceOverlap overlap;
 
   bool is_there() const { return overlap.area > 0; }
 };
 
-/// The deepest of all faces that are within an angle of the plane and overlap. Where the deepest point is on
-/// more than one, the one nearest to parallel counts. Chosen by the angle alone, another that has far less
-/// depth would take its place.
+/// The deepest of all overlapping faces within an angle of the plane. If several have the deepest point, the
+/// one most nearly parallel. The angle alone could select a face of far smaller depth.
 FacingFace facing_face(const FlatFaceVertex& f, double angle) {
   const Topology& topology = *f.other.topology;
   const double rounding = f.rounding();
@@ -118,23 +116,23 @@ bool describe_edge_face(const FlatFaceVertex& f, int far_vertex, Contact<3>& con
   return true;
 }
 
-/// Where the foot of the vertex lies by the edge of the face that it is nearest to, or farthest beyond.
+/// The place of the vertex's foot relative to the nearest edge of the face, or to the one farthest exceeded.
 struct Place {
-  int corner = 0;             // the edge goes from this corner of the face
+  int corner = 0;             // of the face, start of the edge
   double beyond = -HUGE_VAL;  // distance from the edge, outward
-  double zone = 0;            // so near counts as on it
+  double zone = 0;            // distance that counts as on the edge
   double along = 0;           // from the corner
   double length = 0;          // of the edge
 };
 
-/// `facing_length` is that of the other block's edge that faces the face: on a long plate a share of the
-/// plate's own length would swallow whole grains.
+/// `facing_length` is the length of the other block's edge: a fraction of a long plate's own length could
+/// exceed small grains.
 Place place_of_foot(const FlatFaceVertex& f, double facing_length, const DetectOptions& options) {
   Place place;
   for (int i = 0; i < f.polygon.count(); ++i) {
     const Vector<2> start = f.polygon.corner(i), edge = f.polygon.corner(f.polygon.next(i)) - start;
     const double length = edge.norm();
-    if (length == 0) continue;  // so far from the foot that rounding leaves nothing of it
+    if (length == 0) continue;                          // vanishes in rounding, far from the foot
     const double beyond = cross(edge, start) / length;  // of the origin
     const double zone = options.vertex_zone * std::min(length, facing_length);
     if (beyond - zone <= place.beyond - place.zone) continue;
@@ -143,8 +141,8 @@ Place place_of_foot(const FlatFaceVertex& f, double facing_length, const DetectO
   return place;
 }
 
-/// A vertex of each block meet: the normal is that of the sum of the normals of all potential pairs whose
-/// facets of the Minkowski difference come together there, `f` one of them (section 2.5).
+/// Two vertices meet: the normal is that of the sum of the normals of all potential pairs whose facets of the
+/// Minkowski difference meet there, including `f` (section 2.5).
 void describe_vertex_vertex(const FaceVertex<SeenOutline>& f, int vertex_of_owner, Contact<3>& contact) {
   const Topology &of_owner = *f.owner.topology, &of_other = *f.other.topology;
   const auto is_deepest = [](const SeenOutline& block, int vertex, const Vector<3>& normal) {
@@ -181,7 +179,7 @@ void describe_vertex_vertex(const FaceVertex<SeenOutline>& f, int vertex_of_owne
   describe_point(ContactType::vertex_vertex, point, contact);
 }
 
-/// The point of the face's border at a share of the length of the edge that the foot lies by.
+/// The point at a fraction of the length of the edge nearest to the foot.
 Vector<3> point_of_border(const FlatFaceVertex& f, const Place& place, double share) {
   const Vector<3> start = f.owner.vertex(f.polygon.vertex(place.corner));
   const Vector<3> end = f.owner.vertex(f.polygon.vertex(f.polygon.next(place.corner)));
@@ -197,8 +195,8 @@ void describe_vertex_edge(const FlatFaceVertex& f, const Vector<3>& normal_acros
   describe_point(ContactType::vertex_edge, point, contact);
 }
 
-/// The foot of the vertex lies outside the face: the contact is at the border then, with the face's own
-/// normal and gap. A normal between two faces would find a depth between points that lie apart.
+/// The foot of the vertex is outside the face: the contact is at the border, with the face's normal and gap.
+/// A normal between two faces would give a depth between points that are apart.
 void describe_border(const FlatFaceVertex& f, const Place& place, Contact<3>& contact) {
   const double share = place.along / place.length;
   const bool at_corner = share <= 0 || share >= 1;
@@ -206,13 +204,13 @@ void describe_border(const FlatFaceVertex& f, const Place& place, Contact<3>& co
                  point_of_border(f, place, std::clamp(share, 0.0, 1.0)), contact);
 }
 
-/// How many points of the region lie behind the contact plane.
+/// The number of points of the region behind the contact plane.
 int overlapping_point_count(const Contact<3>& contact) {
   return int(
       std::count_if(contact.gaps, contact.gaps + contact.point_count, [](double gap) { return gap < 0; }));
 }
 
-/// The distance of the point that lies farthest from the deepest one.
+/// The largest distance of a point from the deepest one.
 double reach_from_deepest(const Contact<3>& contact) {
   const auto deepest = std::min_element(contact.gaps, contact.gaps + contact.point_count) - contact.gaps;
   double reach = 0;
@@ -221,15 +219,15 @@ double reach_from_deepest(const Contact<3>& contact) {
   return std::sqrt(reach);
 }
 
-/// Does a tilted region bear at more points than a simpler contact would, and until it does not?
+/// Has a tilted region more overlapping points than a simpler contact, and does it end before region_angle()?
 bool bears_tilted(const Contact<3>& contact, int points, const DetectOptions& options) {
   return overlapping_point_count(contact) > points &&
          options.outlasts(reach_from_deepest(contact), -contact.gap);
 }
 
-/// The region of a face and what is near to parallel with it of the other block at the vertex: a face, or
-/// else an edge. One that is tilted by more than the parallel angle counts as long as more of its points
-/// overlap than an edge, or a vertex, has. False when there is none.
+/// Describes the region of a face with a nearly parallel face, or else edge, of the other block at the
+/// vertex. Beyond the parallel angle it needs more overlapping points than an edge or a vertex has. False if
+/// there is none.
 bool describe_region(const FlatFaceVertex& f, const FacingNeighbour& edge, const DetectOptions& options,
                      Contact<3>& contact) {
   contact.normal = f.normal;
@@ -270,8 +268,8 @@ PotentialPair<3> describe_face_vertex(const SeenOutline& a, const SeenOutline& b
   const Facet across =
       facet_across(a, b, side_along(*a.topology, 0, f.face, edge_of_face, f.vertex), f.normal);
   if (place.beyond > place.zone) {
-    // This contact stands in until the pair has moved, or where it cannot move on: between blocks that touch
-    // with faces in one plane that only meet at their borders.
+    // A temporary contact until the pair has moved. It remains if the pair cannot move: between blocks with
+    // faces in one plane that only meet at their borders.
     describe_border(f, place, contact);
     return across.pair;
   }

@@ -6,13 +6,13 @@
 
 namespace halfspace {
 
-/// The turn from a frame into itself.
+/// The identity, for frames of one orientation.
 struct NoTurn {
   NoTurn inverse() const { return {}; }
   const Vector<3>& operator*(const Vector<3>& v) const { return v; }
 };
 
-/// A vertex of the Minkowski difference b - a, and the vertices of a and b that it is the difference of.
+/// A vertex of the Minkowski difference b - a, with the vertices of a and b of which it is the difference.
 struct Corner {
   Vector<3> at;
   int a;
@@ -21,16 +21,16 @@ struct Corner {
   bool same_as(const Corner& other) const { return a == other.a && b == other.b; }
 };
 
-/// All differences of a point of b and a point of a, seen from the frame of a: the origin lies in it just
-/// when the blocks overlap, and its facets are their potential contact pairs (docs/theory.md). Block b is
-/// in its own frame, and only what is asked for is turned.
+/// All differences of a point of b and a point of a, in the frame of a: it contains the origin if and only if
+/// the blocks overlap, and its facets are their potential contact pairs (docs/theory.md). Block b stays in
+/// its own frame; only results are rotated.
 template <class Turn>
 class MinkowskiDifference {
  public:
   MinkowskiDifference(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, const Turn& b_in_a)
       : a_(a), b_(b), to_b_(to_b), b_in_a_(b_in_a), a_in_b_(b_in_a.inverse()) {}
 
-  /// The corner that lies deepest along a direction; `near` is where to look first.
+  /// The deepest corner along a direction; `near` is the start of the search.
   template <class Four = TwiceTwoLanes>
   [[gnu::always_inline]] Corner deepest_along(const Vector<3>& direction) const {
     return corner_of(deepest<Four>(a_, -direction).vertex,
@@ -44,7 +44,7 @@ class MinkowskiDifference {
   const Outline<3>& a() const { return a_; }
   const Outline<3>& b() const { return b_; }
   const Vector<3>& to_b() const { return to_b_; }
-  /// Block b seen from the frame of a.
+  /// Block b in the frame of a.
   SeenOutline seen_b() const {
     if constexpr (std::is_same_v<Turn, NoTurn>) {
       return b_;

@@ -9,7 +9,7 @@
 namespace halfspace {
 namespace {
 
-/// A face of `owner` and the other's deepest vertex.
+/// Gap of a face of `owner`; updates the other's deepest vertex.
 double refresh_face(const SeenOutline& owner, int face, const SeenOutline& other, const Vector<3>& to_other,
                     std::int32_t& vertex) {
   const Vector<3> normal = owner.normal(face);
@@ -18,7 +18,7 @@ double refresh_face(const SeenOutline& owner, int face, const SeenOutline& other
   return (support.height + normal.dot(to_other)) - owner.offset[face];
 }
 
-/// Between what both blocks reach along a direction.
+/// Gap between the supports of both blocks along a direction.
 double gap_along(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b, const Vector<3>& normal,
                  std::int32_t& vertex_of_a, std::int32_t& vertex_of_b) {
   const Support of_a = a.deepest_near(-normal, vertex_of_a), of_b = b.deepest_near(normal, vertex_of_b);
@@ -35,8 +35,8 @@ double refresh_edges(const SeenOutline& a, const SeenOutline& b, const Vector<3>
   return gap_along(a, b, to_b, normal, near_a, near_b);
 }
 
-// Whether blocks are apart needs no vertex: of few, the least height is known sooner than one of the
-// vertices. Else the vertex is brought up to date.
+// A proof of separation needs no vertex: for few vertices, their least height is computed faster than the
+// vertex with it. Otherwise the vertex is updated.
 bool are_few(int vertices) {
   constexpr int too_few_to_walk = 48;  // bench_pairs_3d, stepped pairs
   return vertices <= too_few_to_walk;
@@ -64,15 +64,15 @@ double gap_at_plane(const Outline<3>& a, const Outline<3>& b, const Vector<3>& t
   return gap_along(a, b, to_b, normal, near_a, near_b);
 }
 
-/// Facets of the Minkowski difference in one plane, which they are when a face is parallel to an edge or a
-/// face of the other block, and the neighbour that is least deep. More than there is room for are left out,
-/// with what lies behind them.
+/// Facets of the Minkowski difference in one plane, as where a face is parallel to an edge or a face of the
+/// other block, and their neighbour of smallest depth. Facets beyond the capacity are ignored, with their
+/// neighbours.
 class FacetsInOnePlane {
  public:
   FacetsInOnePlane(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b, const Facet& first)
       : a_(a), b_(b), to_b_(to_b), best_(first) {
     add(first);
-    // The list grows while it is gone through.
+    // The list grows during the iteration.
     for (int i = 0; i < count_; ++i) {
       for_each_side(a, b, facet_[i].pair, [&](const FacetSide& side) {
         const Facet facet = facet_across(a, b, side, facet_[i].normal);
@@ -86,7 +86,7 @@ class FacetsInOnePlane {
 
  private:
   bool is_in_plane(const Facet& facet) const {
-    constexpr double flat = 1e-6;  // rad: far above rounding, far below an angle that matters
+    constexpr double flat = 1e-6;  // rad: far above rounding, far below relevant angles
     return cross_product(facet.normal, facet_[0].normal).norm() < flat &&
            facet.normal.dot(facet_[0].normal) > 0;
   }
@@ -148,7 +148,7 @@ double refresh(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, 
   if (pair.kind == Pair::vertex_face) return gap_at_face(b, pair.b, a, -to_b, pair.a);
   const double gap = gap_at_plane(a, b, to_b, witness);
   if (gap > 0 || pair.kind == Pair::vertex_vertex) return gap;
-  // The edges may still keep them apart, with the normal that they have by now.
+  // The edges may still separate the blocks with their present normal.
   witness.proof = edge_pair_normal(a, pair.a, b, pair.b);
   return gap_at_plane(a, b, to_b, witness);
 }

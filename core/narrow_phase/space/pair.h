@@ -5,62 +5,60 @@
 
 namespace halfspace {
 
-// The counterparts in space of what pair.h has for the plane. Outlines are in one orientation, each relative
-// to its own centroid; `to_b` leads from that of a to that of b.
+// The counterparts in 3D of the functions for 2D in pair.h. Outlines are in one orientation, each relative to
+// its own centroid; `to_b` is the vector from the centroid of a to that of b.
 
-/// Gap of a potential pair along its normal, with the deepest vertex of a face's half-space brought up to
-/// date. Of two edges, the gap between what both blocks reach along edge_pair_normal(): however the blocks
-/// have turned, above 0 it proves separation; -infinity where the edges are parallel. Not for two vertices.
+/// Gap of a potential pair along its normal; updates the deepest vertex of a face's half-space. For two
+/// edges, the gap between the supports of both blocks along edge_pair_normal(): for any orientations it
+/// proves separation if positive; -infinity for parallel edges. Not for two vertices.
 double refresh(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b, PotentialPair<3>& pair);
 
-/// Gap of what keeps two blocks apart: of a face and a vertex; or, of two edges or vertices, between what
-/// both blocks reach along the remembered normal, which two edges renew when it no longer does. Vertices are
-/// brought up to date only where that helps to find them next time.
+/// Gap of the cached proof of separation: of a face and a vertex; or, for two edges or vertices, between the
+/// supports of both blocks along the cached normal, which two edges update when it fails. Vertices are
+/// updated only where that accelerates the next search.
 double refresh(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, PairCache<3>& witness);
 
-/// True when blocks that touched are easily seen to touch still: where the remembered pair is, or at the
-/// remembered point.
+/// True when blocks that touched are easily proven to touch still: by the cached pair or the cached point.
 bool still_touching(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, PairCache<3>& witness);
 
-/// Remembers a point of both blocks in the middle of a contact: at a face, half as deep as that is.
+/// Caches a point of both blocks, in the middle of a contact; at a face, at half the depth.
 void remember_proof(const Contact<3>& contact, const Vector<3>& to_b, PairCache<3>& witness);
-/// Remembers a known point of blocks that touch.
+/// Caches a given point of touching blocks.
 inline void remember_point(const Vector<3>& point, PairCache<3>& witness) {
   if (touching(witness)) witness.proof = point;
 }
 
-/// The pair through which blocks begin to meet that were separated at last (Wang et al. 2021, section 2.5):
-/// the violated one; or, when only a plane is remembered, the less deep of those whose faces look most along
-/// it from either side.
+/// The pair through which separated blocks start to touch (Wang et al. 2021, section 2.5): the violated one;
+/// or, if only a plane is cached, pair_along() its normal.
 PotentialPair<3> initial_pair(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
                               const PairCache<3>& witness);
 
-/// The less deep of the pairs whose faces look most along a normal from a to b, from either side.
+/// The pair of smaller depth, of a's face with its normal nearest to `normal` and b's nearest to -`normal`.
 inline PotentialPair<3> pair_along(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
                                    const Vector<3>& normal) {
   constexpr PotentialPair<3> anywhere{PotentialPair<3>::vertex_vertex, 0, 0};
   return initial_pair(a, b, to_b, {PairCache<3>::separated, anywhere, normal});
 }
 
-/// Walks over the Minkowski difference to the pair of least depth that is reached without passing a deeper
-/// one. So the contact keeps the side through which the blocks met, also when a thin block is overlapped past
-/// its middle.
+/// Walks over the Minkowski difference to the pair of minimum depth that is reached without passing a deeper
+/// one. So the contact stays on the side through which the blocks met, also when a thin block is penetrated
+/// beyond its middle.
 PotentialPair<3> descend(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
                          const PotentialPair<3>& start);
 
-/// Type, normal, gap and region of the contact at a potential pair, touching or not. The vertex of a face is
-/// brought up to date; not for two vertices.
+/// Computes type, normal, gap and region of the contact at a potential pair, touching or not. Updates the
+/// vertex of a face; not for two vertices.
 ///
-/// `pair` is moved over the Minkowski difference as long as the contact point lies beyond an end of its edge
-/// or outside its face; edges that have ceased to be a potential pair first become the least deep of their
-/// faces. Of blocks that overlap each move takes it to a lesser depth, so that they come to an end by
-/// themselves. In any case there are no more of them than both blocks have edges, nor one straight back: then
-/// the edge or end that the contact point lies beyond stands in.
+/// Moves `pair` over the Minkowski difference while the contact point is beyond an end of its edge or outside
+/// its face; edges that are no longer a potential pair are first replaced by their face of smallest depth.
+/// For overlapping blocks each move reduces the depth, so that the walk ends. In any case there are at most
+/// as many moves as both blocks have edges, and none straight back: then the contact is at the edge or end
+/// that was passed.
 void describe_contact(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
                       PotentialPair<3>& pair, const DetectOptions& options, Contact<3>& contact);
 
-/// The contact of blocks that touched, if it is at a point and shows by itself that they touch still: as a
-/// rule, then, of a pair from step to step. False else, and nothing is known yet.
+/// Describes the contact of blocks that touched, if it is at a point and proves contact, as it usually does
+/// from step to step. False decides nothing.
 bool describe_plainly_touching(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
                                const PairCache<3>& witness, const DetectOptions& options,
                                Contact<3>& contact);

@@ -7,7 +7,7 @@
 namespace halfspace {
 namespace {
 
-/// How far rounding may put the height of an edge between two vertices off along a unit normal.
+/// Rounding error of the height difference of two vertices along a unit normal.
 double rounding_between(const Vector<3>& from, const Vector<3>& to) {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   return 4 * epsilon * (from.cwiseAbs().maxCoeff() + to.cwiseAbs().maxCoeff());
@@ -51,7 +51,7 @@ FacetSide side_at_end(const SeenOutline& owner_block, int owner, int edge, const
   const int start = topology.edge_start[ending], end = topology.edge_end[ending];
   const Vector<3> to_other_end = other.vertex(vertex == start ? end : start) - other.vertex(vertex);
   const int left = owner_block.topology->edge_left[edge], right = owner_block.topology->edge_right[edge];
-  // Towards the face behind which this end of the other edge is the deeper one.
+  // Towards the face behind which this end of the other edge is deeper.
   const bool turns_left =
       to_other_end.dot(owner_block.normal(left)) >= to_other_end.dot(owner_block.normal(right));
   return {owner, edge, turns_left ? left : right, vertex};
@@ -66,7 +66,7 @@ Facet facet_across(const SeenOutline& a, const SeenOutline& b, const FacetSide& 
   const Vector<3> to = owner.normal(side.towards);
   const Vector<3> vertex = other.vertex(side.vertex), along = edge_vector(owner, side.edge);
 
-  // On the way the normal is from + share * (to - from), but for its length.
+  // The normal on the path is from + share * (to - from), normalized.
   double share = 1;
   int edge_reached = -1;
   for (int k = topology.first_of_vertex[side.vertex]; k < topology.first_of_vertex[side.vertex + 1]; ++k) {
@@ -74,7 +74,7 @@ Facet facet_across(const SeenOutline& a, const SeenOutline& b, const FacetSide& 
     const double climb = std::max(0.0, from.dot(edge));
     const double climb_at_end = to.dot(edge);
     if (climb_at_end >= -rounding_between(vertex, neighbour)) continue;
-    // A way that stays all but in the plane is parallel to the side's edge, and has no plane of its own.
+    // An edge that stays nearly in the plane is parallel to the side's edge, and has no plane.
     if (are_all_but_parallel(cross_product(along, edge).squaredNorm(), along.squaredNorm(),
                              edge.squaredNorm()))
       continue;

@@ -7,15 +7,15 @@
 
 namespace halfspace {
 
-/// From the start of an edge to its end.
+/// The vector from an edge's start to its end.
 inline Vector<3> edge_vector(const SeenOutline& block, int edge) {
   return block.vertex(block.topology->edge_end[edge]) - block.vertex(block.topology->edge_start[edge]);
 }
 
-/// The face at a vertex that looks most along a direction.
+/// The face at a vertex whose normal is nearest to a direction.
 int face_along(const SeenOutline& block, int vertex, const Vector<3>& direction);
 
-/// An edge of a block and the outer normals of the faces at it: read once, and asked often.
+/// An edge of a block and the outer normals of its faces, read once for repeated use.
 struct SeenEdge {
   Vector<3> start;
   Vector<3> along;  // from its start to its end
@@ -30,18 +30,17 @@ struct SeenEdge {
         right(block.normal(block.topology->edge_right[edge])) {}
 };
 
-/// True when a block lies behind the plane through one of its edges whose outer normal, at right angles to
-/// the edge, is given.
+/// Is a block behind the plane through one of its edges with a given outer normal? The normal must be
+/// orthogonal to the edge.
 inline bool is_outer_normal(const SeenEdge& edge, const Vector<3>& normal) {
-  // Both point from the edge into its face.
+  // Both vectors point from the edge into its face.
   const Vector<3> into_left = cross_product(edge.left, edge.along);
   const Vector<3> into_right = cross_product(edge.along, edge.right);
   return normal.dot(into_left) <= 0 && normal.dot(into_right) <= 0;
 }
 
-/// Are two edges parallel but for an angle that is far above rounding and far below one that matters? The
-/// normal of what they span is next to nothing but rounding, and their facet of the Minkowski difference a
-/// sliver.
+/// Are two edges parallel within an angle far above rounding and far below relevant angles? Then their common
+/// normal is dominated by rounding, and their facet of the Minkowski difference is a sliver.
 inline bool are_all_but_parallel(double square_of_cross_product, double square_a, double square_b) {
   constexpr double flat = 1e-6;  // rad
   return square_of_cross_product <= flat * flat * square_a * square_b;
@@ -49,7 +48,7 @@ inline bool are_all_but_parallel(double square_of_cross_product, double square_a
 
 /// The parallelogram of an edge of each block.
 struct Parallelogram {
-  Vector<3> across;  // at right angles to both edges, as long as the area is large
+  Vector<3> across;  // normal to both edges; its length is the area
   double square;     // of the area
   double sense;      // 1 or, where the edge of a turns clockwise about `normal` towards that of b, -1
 
@@ -58,15 +57,14 @@ struct Parallelogram {
         square(across.squaredNorm()),
         sense(across.dot(a.left + a.right) < 0 ? -1 : 1) {}
 
-  /// The normal has unit length and points out of a as the faces at a's edge do: for an edge-edge potential
-  /// pair it is the normal from a to b. It is zero when the edges are exactly parallel.
+  /// The unit normal on the outer side of a, by the faces at a's edge: for a potential pair it points from a
+  /// to b. Zero when the edges are exactly parallel.
   Vector<3> normal() const {
     const double area = std::sqrt(square);
     return (area == 0 ? 0 : sense / area) * across;
   }
 };
 
-/// The normal alone.
 inline Vector<3> edge_pair_normal(const SeenOutline& a, int edge_of_a, const Vector<3>& along_b) {
   return Parallelogram(SeenEdge(a, edge_of_a), along_b).normal();
 }
@@ -74,9 +72,9 @@ inline Vector<3> edge_pair_normal(const SeenOutline& a, int edge_of_a, const See
   return edge_pair_normal(a, edge_of_a, edge_vector(b, edge_of_b));
 }
 
-/// True when an edge of each block are a potential contact pair (Wang et al. 2021, eqs. 23-26): both blocks
-/// lie on their own sides of the normal of their parallelogram, which is given. Of edges parallel to
-/// rounding, it tells whether that normal, as rounded, can serve.
+/// Are an edge of each block a potential contact pair (Wang et al. 2021, eqs. 23-26)? That is, are both
+/// blocks on their own sides of their parallelogram, with the given normal? For edges parallel to rounding
+/// the result is for the rounded normal.
 inline bool is_edge_pair(const SeenEdge& a, const SeenEdge& b, const Vector<3>& normal) {
   return normal != Vector<3>::Zero() && is_outer_normal(a, normal) && is_outer_normal(b, -normal);
 }
@@ -84,7 +82,7 @@ inline bool is_edge_pair(const SeenEdge& a, const SeenEdge& b) {
   return is_edge_pair(a, b, Parallelogram(a, b.along).normal());
 }
 
-/// Unit normal of a potential pair's half-space, turned so that it points from a to b. Not for two vertices.
+/// Unit normal of a potential pair's half-space, oriented from a to b. Not for two vertices.
 inline Vector<3> normal_of(const SeenOutline& a, const SeenOutline& b, const PotentialPair<3>& pair) {
   if (pair.kind == PotentialPair<3>::face_vertex) return a.normal(pair.a);
   if (pair.kind == PotentialPair<3>::vertex_face) return -b.normal(pair.b);
@@ -92,9 +90,9 @@ inline Vector<3> normal_of(const SeenOutline& a, const SeenOutline& b, const Pot
 }
 
 /// A side of a facet of the Minkowski difference: an edge of one block and a vertex of the other. Across it
-/// the normal turns about the edge towards the outer normal of a face at it.
+/// the normal rotates about the edge towards the outer normal of one of its faces.
 struct FacetSide {
-  int owner;    // whose edge: 0 block a, 1 block b
+  int owner;    // of the edge: 0 block a, 1 block b
   int edge;     // of the owner
   int towards;  // face of the owner
   int vertex;   // of the other block
@@ -103,7 +101,7 @@ struct FacetSide {
 /// The side at an edge of the face, for the facet of a face of block `owner` and the other's vertex.
 FacetSide side_along(const Topology& owner_topology, int owner, int face, int edge, int vertex);
 
-/// The side at an end, `ending`, of one edge, for the facet of an edge of each block. The end belongs to the
+/// The side at an end of the edge `ending`, for the facet of an edge of each block. The end belongs to the
 /// block that is not `owner`.
 FacetSide side_at_end(const SeenOutline& owner_block, int owner, int edge, const SeenOutline& other,
                       int ending, int vertex);
@@ -114,12 +112,12 @@ struct Facet {
   Vector<3> normal;
 };
 
-/// The facet on the other side, of one whose unit normal from a to b is given. The normal turns about the
-/// side's edge until another edge at the vertex comes to lie in the plane, or else until the face does.
+/// The facet across a side, of one with the given unit normal from a to b. The normal rotates about the
+/// side's edge until another edge at the vertex lies in the plane, or else until the face does.
 Facet facet_across(const SeenOutline& a, const SeenOutline& b, const FacetSide& side,
                    const Vector<3>& normal);
 
-/// Visits the sides of a facet. Of a pair of two edges parallel to rounding they need not all be there.
+/// Visits the sides of a facet. For two edges parallel to rounding some may be missing.
 template <class Visitor>
 void for_each_side(const SeenOutline& a, const SeenOutline& b, const PotentialPair<3>& pair,
                    Visitor&& visit) {

@@ -9,11 +9,11 @@
 
 // SAT over edges: two edges are a potential contact pair where their arcs on the Gauss map cross.
 //
-//   for each face of a block: which edges of the other one descend along its normal (a set of 64 bits)
+//   for each face of a block: the other's edges that descend along its normal (a set of 64 bits)
 //   for each edge: those that descend on one of its sides and climb on the other cross it
-//   a pair of edges that cross each other in the same sense is judged by its gap along a x b
+//   the gap of each pair of edges that cross each other in the same sense is computed along a x b
 //
-// Pairs are judged two at a time. In one lane the gap is (start of b - start of a) . (a x b) / |a x b|.
+// Two pairs at a time, one per lane: the gap is (start of b - start of a) . (a x b) / |a x b|.
 
 namespace halfspace {
 namespace {
@@ -40,9 +40,9 @@ struct EdgeDirections {
   Vector<3> operator[](int e) const { return {x[e], y[e], z[e]}; }
 };
 
-/// For each edge of a block, the other block's edges that cross from one of its two faces to the other in the
-/// sense of docs/theory.md: `falling` those that descend along the outer normal of the face on its left and
-/// climb along that on its right, `rising` the others that cross.
+/// For each edge of a block, the other block's edges that cross between its two faces in the sense of
+/// docs/theory.md: `falling` ones descend along the outer normal of the left face and climb along that of the
+/// right one, `rising` ones vice versa.
 struct CrossingEdges {
   EdgeSet falling[most_edges_in_set];
   EdgeSet rising[most_edges_in_set];
@@ -50,7 +50,7 @@ struct CrossingEdges {
   /// The sign of each (edge, face) is computed once.
   CrossingEdges(const Outline<3>& block, const EdgeDirections& others, int other_count) {
     constexpr int most_faces =
-        2 * most_edges_in_set / 3;   // each has three edges at least, each edge two faces
+        2 * most_edges_in_set / 3;   // each has at least three edges, each edge two faces
     EdgeSet descending[most_faces];  // the other's edges, along each face's normal
     const Topology& topology = *block.topology;
     for (int f = 0; f < topology.face_count; ++f) {
@@ -76,20 +76,20 @@ struct EdgePair {
   std::int16_t b;
 };
 
-/// Lists the pairs in which each edge is among those that cross the other. Returns their number.
+/// Lists the pairs of edges that cross each other. Returns their number.
 int list_pairs(const EdgeSet* across_a, int count_a, const EdgeSet* across_b, EdgePair* pairs) {
   int count = 0;
   for (int i = 0; i < count_a; ++i) {
     for (EdgeSet left = across_a[i]; left != 0; left &= left - 1) {
       const int j = std::countr_zero(left);
       pairs[count] = {std::int16_t(i), std::int16_t(j)};
-      count += int(across_b[j] >> i & 1);  // without a branch: as good as random
+      count += int(across_b[j] >> i & 1);  // without an unpredictable branch
     }
   }
   return count;
 }
 
-/// The edge-edge pairs of two blocks and their gaps: how far the edge of b lies before that of a.
+/// The edge-edge pairs of two blocks and their gaps: the distance of b's edge in front of a's.
 class JudgedPairs {
  public:
   JudgedPairs(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b)
@@ -101,7 +101,7 @@ class JudgedPairs {
     for (int k = 0; k < count_; k += 2) judge_two(k, std::min(k + 1, count_ - 1));
   }
 
-  /// The one of largest gap; -1 when there is none left.
+  /// The remaining pair of largest gap; -1 if there is none.
   int largest() const {
     int best = -1;
     double gap = -HUGE_VAL;
@@ -114,8 +114,8 @@ class JudgedPairs {
   double gap(int k) const { return gaps_[k]; }
   void drop(int k) { gaps_[k] = -HUGE_VAL; }
 
-  /// The normal of edges that are all but parallel is rounded as much as they are. What both blocks reach
-  /// along it is a proof all the same.
+  /// The normal of nearly parallel edges is inaccurate. The gap between both blocks' supports along it is a
+  /// proof all the same.
   Separation<3> proven(int k) const {
     const EdgePair pair = pairs_[k];
     const Vector<3> unit = sense(k) * cross_product(edges_of_a_[pair.a], edges_of_b_[pair.b]).normalized();
@@ -125,7 +125,7 @@ class JudgedPairs {
   }
 
  private:
-  /// Out of a is a x b where both rise, b x a where both fall.
+  /// The outward normal of a is a x b where both rise, b x a where both fall.
   double sense(int k) const { return k < rising_ ? 1 : -1; }
 
   void judge_two(int k, int l) {
@@ -143,7 +143,7 @@ class JudgedPairs {
         ny * ((TwoLanes{b_.y[p_b], b_.y[q_b]} + both(to_b_.y())) - TwoLanes{a_.y[p_a], a_.y[q_a]}) +
         nz * ((TwoLanes{b_.z[p_b], b_.z[q_b]} + both(to_b_.z())) - TwoLanes{a_.z[p_a], a_.z[q_a]});
     const TwoLanes square = nx * nx + ny * ny + nz * nz;
-    const TwoLanes above_zero = square + (square > both(0) ? both(0) : both(1));  // 0 / 0 would spring a trap
+    const TwoLanes above_zero = square + (square > both(0) ? both(0) : both(1));  // 0 / 0 would trap
     const TwoLanes length = {std::sqrt(above_zero[0]), std::sqrt(above_zero[1])};
     const TwoLanes gap =
         square > both(0) ? TwoLanes{sense(k), sense(l)} * from_a_to_b / length : both(-HUGE_VAL);
@@ -165,7 +165,7 @@ class JudgedPairs {
 
 }  // namespace
 
-/// Four signs of edge direction and face normal decide (docs/theory.md): edges a and b make a facet of the
+/// By four signs of edge direction and face normal (docs/theory.md): edges a and b make a facet of the
 /// Minkowski difference when b crosses between the faces of a and a between those of b, in the same sense.
 void judge_edge_pairs(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, Separation<3>& best) {
   JudgedPairs pairs(a, b, to_b);

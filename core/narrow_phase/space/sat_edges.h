@@ -7,12 +7,12 @@
 
 namespace halfspace {
 
-/// Up to this many edges a block's edges fit the bits of an EdgeSet.
+/// The maximum number of edges of a block for an EdgeSet.
 constexpr int most_edges_in_set = 64;
 
-/// Judges the edge-edge potential contact pairs of two blocks in one orientation, each of up to
-/// most_edges_in_set edges (Wang et al. 2021, eqs. 23-30). Of these `best` becomes the one of largest gap, if
-/// that is larger than the one it has.
+/// Tests the edge-edge potential contact pairs of two blocks in one orientation, each of up to
+/// most_edges_in_set edges (Wang et al. 2021, eqs. 23-30). If their largest gap exceeds that of `best`, it
+/// replaces `best`.
 void judge_edge_pairs(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, Separation<3>& best);
 
 }  // namespace halfspace

@@ -12,8 +12,8 @@ struct FaceGap {
   int face;
 };
 
-/// The largest gap among the faces of `owner`, by all combinations with the other's vertices (Wang et al.
-/// 2021, eqs. 17-22). Both are in one orientation; `to_other` leads from the owner's centroid to the other's.
+/// The largest gap among the faces of `owner`, over all vertices of the other block (Wang et al. 2021, eqs.
+/// 17-22). Both are in one orientation; `to_other` leads from the owner's centroid to the other's.
 inline FaceGap largest_face_gap(const Outline<3>& owner, const Outline<3>& other, const Vector<3>& to_other) {
   const TwoLanes to_x = both(to_other.x()), to_y = both(to_other.y()), to_z = both(to_other.z());
   struct Normals {
@@ -25,7 +25,7 @@ inline FaceGap largest_face_gap(const Outline<3>& owner, const Outline<3>& other
   };
   const int vertices = other.vertex_count();
   IndexedLanes largest = {both(-HUGE_VAL), both(0)};
-  // Four faces at a time share what is read of a vertex.
+  // Each vertex is loaded once for four faces.
   for (int f = 0; f < owner.face_count(); f += 4) {
     const Normals first = normals_at(f), second = normals_at(f + 2);
     TwoLanes deepest_first = both(HUGE_VAL), deepest_second = both(HUGE_VAL);

@@ -8,25 +8,25 @@
 
 namespace halfspace {
 
-/// A polyhedron's outline as it is seen from another frame: its vertices and normals are turned as they are
-/// asked for. A contact has few of them, and blocks may have many.
+/// A polyhedron's outline in another frame: its vertices and normals are rotated on demand, as a contact
+/// needs few of them.
 class SeenOutline {
  public:
-  /// In its own frame. The outline must live as long.
+  /// In its own frame. The outline must outlive this.
   SeenOutline(const Outline<3>& outline) : SeenOutline(outline, nullptr) {}
-  /// From the frame into which `rotation` turns, which must live as long, too.
+  /// In the frame to which `rotation` rotates; the rotation must outlive this, too.
   SeenOutline(const Outline<3>& outline, const Rotation<3>& rotation) : SeenOutline(outline, &rotation) {}
   SeenOutline(const Outline<3>& outline, Rotation<3>&& rotation) = delete;
 
   Vector<3> vertex(int i) const { return turned(outline_->vertex(i)); }
   Vector<3> normal(int f) const { return turned(outline_->normal(f)); }
 
-  /// In its own frame: to ask much about many of its features, turn the question instead of each of them.
+  /// In its own frame: for many features, rotate the direction instead of each of them.
   const Outline<3>& unturned() const { return *outline_; }
   bool is_turned() const { return rotation_ != nullptr; }
   Vector<3> in_own_frame(const Vector<3>& v) const { return rotation_ ? rotation_->inverse() * v : v; }
 
-  /// The vertex that lies deepest along a direction, of which one near it is known.
+  /// The deepest vertex along a direction, searched from a nearby one.
   Support deepest_near(const Vector<3>& direction, int vertex) const {
     return walk_to_deepest(*outline_, in_own_frame(direction), vertex);
   }
@@ -43,7 +43,7 @@ class SeenOutline {
   const Rotation<3>* rotation_;
 };
 
-/// As what a contact is described from: in the plane, blocks are turned as a whole.
+/// The input of contact description: in 2D, blocks are rotated as a whole.
 template <int D>
 using Seen = std::conditional_t<D == 3, SeenOutline, Outline<2>>;
 

@@ -5,9 +5,9 @@
 #include "narrow_phase/space/sat_edges.h"
 #include "narrow_phase/space/sat_faces.h"
 
-// SAT: the largest gap among all potential pairs of two polyhedra. A face of either, with the vertex of the
-// other that is deepest behind it, comes first, as one that is open proves the blocks apart; pairs of edges
-// follow. Blocks of many features go by descent instead (gjk_epa.h).
+// SAT: the largest gap among all potential pairs of two polyhedra. Faces, each with the other's deepest
+// vertex behind it, are tested first, as one open face proves separation; then pairs of edges. Blocks of many
+// features are searched by descent instead (gjk_epa.h).
 
 namespace halfspace {
 namespace {

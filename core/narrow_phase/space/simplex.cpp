@@ -6,23 +6,23 @@
 namespace halfspace {
 namespace {
 
-/// The face of a simplex on which the point nearest to the origin lies: its newest corner, and those of the
-/// others that it has besides. The newest is always one: it lies beyond the plane, square to the way to the
-/// origin, that the others lie on or behind.
+/// The face of a simplex with the point nearest to the origin: its newest corner, and its other corners. The
+/// newest always belongs to it, as it is beyond the plane, normal to the direction of the origin, that bounds
+/// the others.
 struct Nearest {
   int other[3];
-  int count;  // of the others
+  int count;  // of the other corners
   Vector<3> point;
 };
 
-/// On the segment from the newest corner to another one.
+/// The nearest point on the segment from the newest corner to another one.
 Nearest on_segment(const Vector<3>& newest, const Vector<3>& to, double towards_origin, int other) {
   const double share = std::min(1.0, towards_origin / to.squaredNorm());
   return {{other}, 1, newest + share * to};
 }
 
-/// On the triangle with two others: at the newest corner, on a side that goes out from it, or inside, told
-/// apart by signs (Ericson 2005, section 5.1.5).
+/// The nearest point on the triangle with two others: at the newest corner, on a side from it, or inside,
+/// decided by signs (Ericson 2005, section 5.1.5).
 Nearest on_triangle(const Vector<3>& newest, const Vector<3>& to_i, const Vector<3>& to_j, int i, int j) {
   const double along_i = -to_i.dot(newest), along_j = -to_j.dot(newest);
   if (along_i <= 0 && along_j <= 0) return {{}, 0, newest};
@@ -34,11 +34,11 @@ Nearest on_triangle(const Vector<3>& newest, const Vector<3>& to_i, const Vector
   return {{i, j}, 2, newest + (share_i / whole) * to_i + (share_j / whole) * to_j};
 }
 
-/// On the tetrahedron with all three others, or the origin if that is inside.
+/// The nearest point on the tetrahedron with all three others, or the origin if it is inside.
 Nearest in_tetrahedron(const Vector<3>& newest, const Vector<3>* to) {
   const Vector<3> normal[] = {cross_product(to[0], to[1]), cross_product(to[1], to[2]),
                               cross_product(to[2], to[0])};
-  const double volume = normal[0].dot(to[2]);  // six times it: how far each face's fourth corner is
+  const double volume = normal[0].dot(to[2]);  // six times the volume: the side of each face's fourth corner
   Nearest best{{0, 1, 2}, 3, Vector<3>::Zero()};
   double least = HUGE_VAL;
   for (int i = 0; i < 3; ++i) {

@@ -4,7 +4,7 @@
 
 namespace halfspace {
 
-/// Up to four corners of a Minkowski difference, and the point of their hull that is nearest to the origin.
+/// Up to four corners of a Minkowski difference, and the point of their hull nearest to the origin.
 struct Simplex {
   Corner corner[4];
   int count = 0;
@@ -16,7 +16,7 @@ struct Simplex {
     }
     return false;
   }
-  /// Takes one more, and drops those that the point nearest to the origin does not need. Four remain when the
+  /// Adds a corner, and removes those not needed for the point nearest to the origin. Four remain when the
   /// origin is inside.
   void add(const Corner& c);
 };

@@ -10,10 +10,9 @@
 
 namespace halfspace {
 
-/// The vertex that lies deepest along a direction: with an outer normal of the other block's half-space it
-/// forms a potential contact pair (Wang et al. 2021, eq. 17). Twice four vertices at a time, each four with a
-/// deepest of its own so that neither waits for the other, and selections instead of branches: which vertex
-/// it is is as good as random.
+/// The deepest vertex along a direction: with an outer normal of the other block's half-space it is a
+/// potential contact pair (Wang et al. 2021, eq. 17). Eight vertices at a time, in two independent chains of
+/// four, with selections instead of branches, as the vertex is unpredictable.
 template <class Four = TwiceTwoLanes>
 [[gnu::always_inline]] inline Support deepest_among_all(const Outline<3>& block, const Vector<3>& direction) {
   const Four nx = all_four<Four>(direction.x()), ny = all_four<Four>(direction.y()),
@@ -38,7 +37,7 @@ template <class Four = TwiceTwoLanes>
           std::min(int(least.index[0]), block.vertex_count() - 1)};  // padding repeats the last
 }
 
-/// The same for a block that has a map of what is deepest.
+/// The same for a block with a Gauss map.
 [[gnu::always_inline]] inline Support deepest_on_map(const Outline<3>& block, const Vector<3>& direction) {
   Support deepest{HUGE_VAL, 0};
   for (const int v : block.gauss_map->candidates(direction)) {
@@ -49,8 +48,7 @@ template <class Four = TwiceTwoLanes>
   return deepest;
 }
 
-/// The same, by whichever is fastest; `hint` is where to look first if nothing is known of the block but its
-/// edges.
+/// The same by the fastest method; `hint` is the start of a walk.
 template <class Four = TwiceTwoLanes>
 [[gnu::always_inline]] inline Support deepest(const Outline<3>& block, const Vector<3>& direction, int hint) {
   if (block.vertex_count() <= few_vertices) return deepest_among_all<Four>(block, direction);
@@ -62,7 +60,7 @@ template <class Four = TwiceTwoLanes>
   return block.gauss_map ? deepest_on_map(block, direction) : walk_to_deepest(block, direction);
 }
 
-/// How deep the deepest vertex lies, without saying which one it is: for half the work.
+/// The height of the deepest vertex, without its index: half the cost.
 template <class Four>
 [[gnu::always_inline]] inline double least_height(const Outline<3>& block, const Vector<3>& direction) {
   const Four nx = all_four<Four>(direction.x()), ny = all_four<Four>(direction.y()),
@@ -72,7 +70,7 @@ template <class Four>
            nz * load_four<Four>(block.z + v);
   };
   Four least = all_four<Four>(HUGE_VAL);
-  // In this order, NaN is passed over.
+  // This order of arguments ignores NaN.
   for (int v = 0; v < block.vertex_count(); v += 4) least = min(heights(v), least);
   return reduce_min(least);
 }

@@ -7,7 +7,7 @@
 
 namespace halfspace {
 
-/// The outline of a block of up to most_edges_in_set edges turned into another frame, in memory of its own.
+/// The outline of a block of up to most_edges_in_set edges rotated to another frame, in its own memory.
 class TurnedPolyhedron {
  public:
   TurnedPolyhedron(const Outline<3>& given, const Rotation<3>& rotation) {
@@ -25,10 +25,10 @@ class TurnedPolyhedron {
   const Outline<3>& outline() const { return outline_; }
 
  private:
-  /// Vertices and faces are two more than the edges (Euler), each padded.
+  /// Vertices and faces are the edges plus two (Euler), each padded.
   static constexpr int most_components = 3 * (most_edges_in_set + 2 + 2 * 3);
 
-  /// Two at a time, as Rotation does one.
+  /// Two at a time, with the same bits as Rotation.
   static void turn(const Rotation<3>& rotation, const double* x, const double* y, const double* z, int count,
                    double* turned_x, double* turned_y, double* turned_z) {
     const Vector<3> axes[] = {rotation * Vector<3>::UnitX(), rotation * Vector<3>::UnitY(),

@@ -6,21 +6,21 @@
 #include "narrow_phase/space/potential_pairs.h"
 #include "simd/four_lanes.h"
 
-// Proofs that blocks still touch: each shows a point that both have.
+// Proofs that blocks still touch: each is a point of both.
 
 namespace halfspace {
 namespace {
 
-/// A height along a unit normal that rounding alone does not make. Less than that, and what is divided by it
-/// is nowhere, or beyond all numbers.
+/// Is a height along a unit normal above rounding? A quotient by a smaller height is meaningless or
+/// overflows.
 bool is_told_from_0(double height, const Vector<3>& way) {
   return height > std::ldexp(way.cwiseAbs().maxCoeff(), -52);
 }
 
-/// Does the line from the face that is parallel to that between the centroids meet the other's vertex behind
-/// the face? Then the segments from these two points to the centroids of their blocks cross. In other words,
-/// of the pyramid whose base is the facet of the Minkowski difference and whose apex is the difference of the
-/// centroids, the origin is inside (docs/theory.md).
+/// Does the line through the other's vertex, parallel to that between the centroids, meet the face in front
+/// of the vertex? Then the segments from these two points to the centroids of their blocks cross.
+/// Equivalently, the origin is inside the pyramid over the facet of the Minkowski difference with the
+/// difference of the centroids as its apex (docs/theory.md).
 bool overlaps_at_face(const Outline<3>& owner, int face, const Outline<3>& other, int vertex,
                       const Vector<3>& to_other) {
   const Vector<3> normal = owner.normal(face), point = other.vertex(vertex) + to_other;
@@ -37,7 +37,7 @@ bool overlaps_at_face(const Outline<3>& owner, int face, const Outline<3>& other
   return true;
 }
 
-/// The same of two edges.
+/// The same for two edges.
 bool overlap_at_edges(const Outline<3>& a, int edge_of_a, const Outline<3>& b, int edge_of_b,
                       const Vector<3>& to_b) {
   const Vector<3> along_a = edge_vector(a, edge_of_a), along_b = edge_vector(b, edge_of_b);
@@ -51,7 +51,7 @@ template <class Four>
 [[gnu::always_inline]] inline bool contains(const Outline<3>& block, const Vector<3>& p) {
   const Four x = all_four<Four>(p.x()), y = all_four<Four>(p.y()), z = all_four<Four>(p.z()),
              none = all_four<Four>(0);
-  // Summed up, so that no NaN gets lost.
+  // A sum, so that NaN propagates.
   Four outside = none;
   for (int f = 0; f < block.face_count(); f += 4) {
     const Four height = load_four<Four>(block.nx + f) * x + load_four<Four>(block.ny + f) * y +
@@ -68,7 +68,7 @@ bool both_contain(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_
   });
 }
 
-/// Where the remembered pair is. The vertex of a face is brought up to date.
+/// Do the blocks overlap at the cached pair? Updates the vertex of a face.
 bool overlap_at_pair(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
                      PotentialPair<3>& pair) {
   if (pair.kind == PotentialPair<3>::edge_edge) return overlap_at_edges(a, pair.a, b, pair.b, to_b);
@@ -82,7 +82,7 @@ bool overlap_at_pair(const Outline<3>& a, const Outline<3>& b, const Vector<3>& 
 bool still_touching(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, PairCache<3>& witness) {
   if (!touching(witness)) return false;
   if (witness.state == PairCache<3>::overlapping) return both_contain(a, b, to_b, witness.proof);
-  // The faster one first (bench_pairs_3d, stepped pairs).
+  // The faster test first (bench_pairs_3d, stepped pairs).
   constexpr int few_faces = 32;
   const bool point_first =
       witness.pair.kind != PotentialPair<3>::edge_edge && a.face_count() + b.face_count() <= few_faces;
@@ -96,15 +96,15 @@ void remember_proof(const Contact<3>& contact, const Vector<3>& to_b, PairCache<
     witness.proof = contact.center;
     return;
   }
-  // From the point that lies behind the face halfway out towards the centroid of its own block: inside that,
-  // however slanted it stands.
+  // The point behind the face, moved half the depth towards the centroid of its own block, is inside both
+  // blocks at any inclination.
   const bool is_of_a = contact.pair.kind == PotentialPair<3>::face_vertex;
   const double to_point = is_of_a ? contact.center_gap : -contact.center_gap;
   const Vector<3> point = contact.center + to_point * contact.normal;
   const Vector<3> inward = (is_of_a ? 1.0 : 0.0) * to_b - point;
   const double rise = (is_of_a ? 1 : -1) * contact.normal.dot(inward);
-  const bool has_inside = is_told_from_0(rise, inward);  // not a block as small as the other's rounding
-  const double above_zero = rise + (has_inside ? 0 : HUGE_VAL);  // as compilers divide ahead of the choice
+  const bool has_inside = is_told_from_0(rise, inward);          // not for a block below the other's rounding
+  const double above_zero = rise + (has_inside ? 0 : HUGE_VAL);  // as compilers divide before the selection
   witness.proof = point - 0.5 * contact.center_gap / above_zero * inward;
 }
 

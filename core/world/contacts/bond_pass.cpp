@@ -6,13 +6,13 @@
 namespace halfspace {
 namespace {
 
-/// A joint that has slid so far, as a share of its size, is left to contact, which knows how far the faces
-/// still overlap.
+/// A joint that has slid farther than this fraction of its extent is replaced by contact, which computes the
+/// current overlap of the faces.
 constexpr double slip_of_contact = 0.1;
 
 }  // namespace
 
-/// The mean of the normals that both blocks see, so that swapped blocks find the same.
+/// The mean of the face normals in both blocks, so that the result does not depend on their order.
 template <int D>
 Vector<D> BondPass<D>::normal_of(const Bond<D>& bond) const {
   const auto seen = [&](std::int32_t block, const Vector<D>& normal) {
@@ -60,7 +60,8 @@ typename BondPass<D>::Placement BondPass<D>::placement_of(const Bond<D>& bond) c
           blocks_.gradient(b), blocks_.rotation[a].tensor()};
 }
 
-/// The force acts half-way between the places of the point in both blocks: so it makes no angular momentum.
+/// The force acts at the midpoint between the positions of the point in both blocks, so it conserves angular
+/// momentum.
 template <int D>
 void BondPass<D>::load_point(std::int64_t which, std::int64_t number, const Placement& at,
                              BondPoint<D>& point, Load& load, Hold& hold, BondEnergy& energy) {
@@ -79,7 +80,7 @@ void BondPass<D>::load_point(std::int64_t which, std::int64_t number, const Plac
   point.slid = at.turn_a.transpose() * (slid + yielded);
   point.normal_traction = traction.normal;
   point.shear = -traction.shear;
-  // A traction beyond all numbers is none, nor does it fail: its force ends the run.
+  // If the traction is not finite, the point keeps its state, and the force makes the step unstable.
   const bool is_of_numbers = point.is_consistent();
   if (!is_of_numbers) point = before;
 
@@ -123,7 +124,7 @@ bool BondPass<D>::load(std::int64_t step, double time, BondEnergy& energy) {
   return (has_broken && bonds_.rings().look(bonds_.points())) || has_come_apart;
 }
 
-/// Forces of a pair's joints add up. The energy of the spring is found as that of a force set from outside.
+/// Adds up the forces of a pair's joints. The next evaluation computes the energy of the spring.
 template <int D>
 void BondPass<D>::hand_over(ContactList<D>& contacts) {
   for (Bond<D>& bond : bonds_.all()) {

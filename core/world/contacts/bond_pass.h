@@ -9,29 +9,30 @@
 
 namespace halfspace {
 
-/// The energy that bonds hold and lose.
+/// Strain energy and losses of bonds.
 struct BondEnergy {
   double strain = 0;
   double fracture_loss = 0;
   double friction_loss = 0;
 };
 
-/// Loads blocks with the forces of their bonds, and lets bonds fail. A bond that has failed at all of its
-/// points is a joint that rubs, until it is open or has slid far: then contact takes over. An open joint has
-/// no force, and neither has the contact that begins; one that has slid far hands its shear force over.
+/// Computes the forces of bonds, and their failure. A bond that has failed at all of its points acts as a
+/// frictional joint until it opens or slides far; then contact replaces it. The contact of an open joint
+/// begins without force; that of a joint that has slid far takes over its shear force.
 template <int D>
 class BondPass {
  public:
   explicit BondPass(Model<D>& model) : model_(model), blocks_(model.blocks), bonds_(model.blocks.bonds()) {}
 
-  /// Loads come on top of those of contacts. Returns true when a pair has come apart that contact must know
-  /// of.
+  /// Adds the forces of bonds to those of contacts. Returns true when the neighbour list needs a rebuild: a
+  /// joint or a ring of bonds no longer connects a pair.
   bool load(std::int64_t step, double time, BondEnergy& energy);
-  /// Gives contacts the shear forces of joints that have come apart. The neighbour list knows their pairs.
+  /// Adds the shear forces of separated joints to their contacts. Precondition: the neighbour list contains
+  /// the pairs.
   void hand_over(ContactList<D>& contacts);
 
  private:
-  /// The places of a bond's two blocks now.
+  /// The current poses of a bond's two blocks.
   struct Placement {
     Vector<D> normal;
     Vector<D> to_b;
@@ -39,17 +40,18 @@ class BondPass {
     Tensor<D> frame_b;
     Tensor<D> turn_a;
   };
-  /// The force of a bond on its second block, gathered over its points.
+  /// The force of a bond on its second block, summed over its points.
   struct Load {
     Vector<D> force = Vector<D>::Zero();
     Tensor<D> on_a = Tensor<D>::Zero();  // force times arm^T
     Tensor<D> on_b = Tensor<D>::Zero();
   };
-  /// The state of a bond's points, of which two things keep it a joint.
+  /// The state of a bond's points. A bond stays a joint while a point is closed and the minimum slip is
+  /// small.
   struct Hold {
-    bool is_closed = false;  // somewhere
+    bool is_closed = false;  // at any point
     double least_slip = HUGE_VAL;
-    bool has_broken = false;  // somewhere, just now
+    bool has_broken = false;  // at any point, in this step
   };
 
   Vector<D> normal_of(const Bond<D>& bond) const;

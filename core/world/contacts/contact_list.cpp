@@ -10,13 +10,13 @@
 namespace halfspace {
 namespace {
 
-/// Blocks that a joint has cut apart touch to rounding only: what lies nearer than this share of the smaller
-/// one's radius was one face.
+/// Blocks cut along a joint touch up to rounding. A gap or overlap below this fraction of the smaller radius
+/// counts as a common face.
 constexpr double bond_reach = 1e-6;
 
-/// Both blocks reach up to so far from the origin. A corner turned by hand is off by up to 3 sqrt(2)
-/// roundings of that, two from a face and one from the vertex on it count, and less than four more come from
-/// the centroids, from which vertices are measured, and from the normal and the gap.
+/// Bound of the rounding error of a gap, from the largest distances of both blocks from the origin. A corner
+/// rotated by the caller has an error of up to 3 sqrt(2) roundings of that distance; two corners of a face
+/// and one vertex count. Centroids, normal and gap add fewer than four more.
 double rounding_of_touch(double reach_of_a, double reach_of_b) {
   constexpr double roundings = 3 * 3 * 1.41421356237309505 + 4;
   constexpr double rounding = 0.5 * std::numeric_limits<double>::epsilon();
@@ -38,7 +38,7 @@ bool ContactList<D>::is_described(const Candidate<D>& pair) const {
   return is_always_described(pair) || pair.witness.state == PairCache<D>::unknown || pair.bonded;
 }
 
-/// A contact that has ended gives up what its shear spring held.
+/// Releases the energy of the shear spring when a contact ends.
 template <int D>
 void ContactList<D>::release_shear(std::size_t k, PairSums& sums) {
   if (neighbors_.shear().empty()) return;
@@ -66,13 +66,12 @@ Found ContactList<D>::find(std::size_t k, Contact<D>& contact, PairSums& sums) {
         witness.state = PairCache<D>::unknown;
       return Found::apart;
     }
-    witness.pair = initial_pair(a, b, to_b, witness);  // a contact has no two vertices
+    witness.pair = initial_pair(a, b, to_b, witness);  // two vertices define no contact plane
     describe_contact<D>(a, b, to_b, witness, model_.settings.detect, contact);
   }
   if (before == PairCache<D>::unknown && contact.gap >= -rounding_of_touch(pair)) {
-    // Neatly stacked: at first sight the strict form of inclusion holds (eq. 11). Which pair they touch
-    // through rounding alone would decide, so the pair of least depth will be the initial one, once they
-    // overlap.
+    // Stacked flush: the first detection uses strict inclusion (eq. 11). Rounding alone would select the
+    // pair, so the pair of minimum depth becomes the initial one once the blocks overlap.
     witness.state = PairCache<D>::unknown;
     if (!pair.bonded) return Found::apart;
   }
@@ -110,7 +109,7 @@ void ContactList<D>::add_fresh(std::int32_t slot, std::size_t slots) {
   any_fresh_ = true;
 }
 
-/// Intact contacts are those that are there when a block's first step begins (Wang et al. 2021, section 2.5).
+/// Contacts are intact if they exist when the first step of a block begins (Wang et al. 2021, section 2.5).
 template <int D>
 void ContactList<D>::bond_fresh() {
   const Blocks<D>& blocks = model_.blocks;
@@ -178,7 +177,7 @@ bool ContactList<D>::names_pairs() const {
          (touching_.empty() || touching_.back() < neighbors_.pairs().size());
 }
 
-/// They are sorted as their pairs are.
+/// Contacts are sorted as their pairs are.
 template <int D>
 std::optional<std::size_t> ContactList<D>::contact_between(std::int32_t a, std::int32_t b) const {
   const std::pair wanted(std::min(a, b), std::max(a, b));

@@ -14,25 +14,25 @@
 
 namespace halfspace {
 
-/// The state of a pair that has been looked at: `met` when it was not in contact before.
+/// The result of detection for a pair; `met`: in contact, but not before.
 enum class Found { apart, in_contact, met };
 
-/// Pairs that one worker goes through at once.
+/// Pairs that a worker processes at a time.
 constexpr std::size_t pairs_per_chunk = 256;
 
 /// Sums over a chunk of pairs.
 struct PairSums {
   std::uint32_t contacts = 0;
-  std::uint32_t met = 0;  // of them: not in contact before
+  std::uint32_t met = 0;  // of these, not in contact before
   double released = 0;    // energy of shear springs whose contact has ended
   double peak_overlap = 0;
   double max_penetration_ratio = 0;
   ContactEnergy energy{};
-  std::int32_t last_block = -1;  // of those that its loads act on
+  std::int32_t last_block = -1;  // largest slot that the contacts load; -1: none
 };
 
-/// The contacts of a world: which of the neighbour list's pairs touch. A contact is not kept: it follows from
-/// its pair, and in a packing most pairs have none.
+/// The contacts of a world, as pairs of the neighbour list. Contacts are not stored: each is computed from
+/// its pair, and most pairs of a packing do not touch.
 template <int D>
 class ContactList {
  public:
@@ -51,27 +51,27 @@ class ContactList {
   NeighborList<D>& neighbors() { return neighbors_; }
   const NeighborList<D>& neighbors() const { return neighbors_; }
 
-  /// Described anew from the present poses and the remembered pair: reading contacts costs time, but stepping
-  /// no memory for them.
+  /// Computed from the current poses and the cached pair on each call, so that steps need no memory for
+  /// contacts.
   Contact<D> contact(std::size_t c) const {
     Contact<D> contact;
     describe(pair_of(c), contact);
     return contact;
   }
-  /// Describes the contact of a pair that is known to have one.
+  /// Computes the contact of a pair that is in contact.
   void describe(const Candidate<D>& pair, Contact<D>& contact) const;
 
   /// Adds a force on b to the shear spring of a pair of the list, if its law has one.
   void add_shear(std::int32_t a, std::int32_t b, const Vector<D>& force, const Vector<D>& normal);
 
-  /// The one between two blocks, in either order, if there is any.
+  /// The contact between two blocks, in either order, if any.
   std::optional<std::size_t> contact_between(std::int32_t a, std::int32_t b) const;
 
   bool are_found() const { return found_; }
-  /// Contacts are forgotten, and found anew by find() of each pair, chunk by chunk. Is the pair in contact,
-  /// or held together by its bond? Then the contact is described, if that is wanted.
+  /// Tests a pair; a bonded pair is always in contact. Computes the contact if is_described(). Called for
+  /// each pair, chunk by chunk, after forget().
   Found find(std::size_t k, Contact<D>& contact, PairSums& sums);
-  /// Keeps a pair in contact, when its description is final.
+  /// Records a pair in contact, with its final description.
   void keep(std::size_t k, std::size_t first_of_chunk, const Contact<D>& contact, PairSums& sums) {
     found_in_chunks_[first_of_chunk + sums.contacts++] = std::uint32_t(k);
     note_overlap(k, contact, sums);
@@ -80,7 +80,7 @@ class ContactList {
     if (is_always_described(neighbors_.pairs()[k]))
       sums.peak_overlap = std::max(sums.peak_overlap, -contact.gap);
   }
-  /// Keeps a pair that has met. Through what, is found out when all other contacts are known.
+  /// Records a pair that has met. Its entry face is determined once all other contacts are known.
   void keep_met(std::size_t k, std::size_t first_of_chunk, PairSums& sums) {
     found_in_chunks_[first_of_chunk + sums.contacts++] = std::uint32_t(k);
     met_in_chunks_[first_of_chunk + sums.met++] = std::uint32_t(k);
@@ -89,18 +89,18 @@ class ContactList {
   std::span<const std::uint32_t> met_in(std::size_t chunk, const PairSums& sums) const {
     return {met_in_chunks_.begin() + std::ptrdiff_t(chunk * pairs_per_chunk), sums.met};
   }
-  /// Was a pair in contact when it was last looked at, or is it bonded?
+  /// True for a pair that was in contact at its last detection, or is bonded.
   static bool was_in_contact(const Candidate<D>& pair) {
     return pair.bonded || pair.witness.state >= PairCache<D>::touching;
   }
-  /// Keeps a pair that stays as it is, if it was in contact.
+  /// Records a pair that detection skips, if it was in contact.
   void keep_as_it_was(std::size_t k, std::size_t first_of_chunk, PairSums& sums) {
     const Candidate<D>& pair = neighbors_.pairs()[k];
     if (!was_in_contact(pair)) return;
     found_in_chunks_[first_of_chunk + sums.contacts++] = std::uint32_t(k);
     sums.last_block = std::max(sums.last_block, pair.b);
   }
-  /// When all chunks have been gone through.
+  /// Collects the contacts of all chunks.
   void end(std::span<const PairSums> chunks);
   /// The contacts in a chunk of pairs.
   std::span<const std::uint32_t> touching_in(std::size_t chunk) const;
@@ -109,30 +109,30 @@ class ContactList {
     found_ = false;
   }
 
-  /// Is a contact described as it is found? In space that costs as much as a force by springs, and potentials
-  /// read nothing of it. It is wanted all the same when blocks are first seen, and when another law has
-  /// bonded them. In the plane it is cheap, and a pair has to be brought up to date on the way: there a
-  /// description moves it on by one edge at most.
+  /// True when detection also computes the contact. In 3D that costs as much as a spring force, and potential
+  /// laws need it only at the first detection and for pairs bonded by another law. In 2D it is cheap, and
+  /// always needed because it updates the cached pair, by at most one edge per detection.
   bool is_described(const Candidate<D>& pair) const;
-  /// How far rounding alone lets a pair overlap, or stand apart, that was meant to touch.
+  /// Bound of the gap or overlap that rounding causes for two blocks placed exactly in touch.
   double rounding_of_touch(const Candidate<D>& pair) const;
 
-  /// A block whose first step has not begun.
+  /// Marks a block as new until its first step.
   void add_fresh(std::int32_t slot, std::size_t slots);
   void make_room_for_block() { make_room_for_one(new_blocks_); }
   void make_room_for_blocks(std::size_t slots) {
     if (new_blocks_.capacity() < slots) new_blocks_.reserve(std::max(slots, 2 * new_blocks_.capacity()));
   }
   bool has_new_blocks() const { return any_fresh_; }
-  /// Bonds what fresh blocks touch; contacts are known. Bonded pairs count as contacts from then on.
+  /// Bonds new blocks to those that they touch. Bonded pairs count as contacts. Precondition: contacts are
+  /// found.
   void bond_fresh();
   void end_fresh();
-  /// Does a law hold two blocks together, in either order? They are a pair of the list.
+  /// True when a contact law bonds two blocks, in either order.
   bool bonds(std::int32_t a, std::int32_t b) const;
-  /// Bonds of pairs without a spring are kept where their points are, from the first step on.
+  /// Clears the bonds of pairs without springs: from the first step on, each HardContact has its own.
   void end_bonds_without_spring();
 
-  /// Takes room for a contact at every pair of a list that is to be taken into use.
+  /// Reserves memory for a contact of every pair, including those of the next list.
   void fit_room() {
     refit(touching_, neighbors_.room());
     found_in_chunks_.resize(neighbors_.room());
@@ -140,31 +140,30 @@ class ContactList {
     neighbors_.reserve_index();
   }
 
-  /// The largest of all contacts found so far that were described, which those of potentials in space are
-  /// not.
+  /// Maximum overlap so far, m. Excludes potential laws in 3D, which compute no contacts.
   double peak_overlap() const { return peak_overlap_; }
 
-  /// All that a step of a changed world writes to before it moves the blocks, but for the pairs.
+  /// State that a step after an edit writes before it moves the blocks, except the pairs.
   auto state() {
     return std::tuple_cat(neighbors_.skins(),
                           std::tie(touching_, new_blocks_, any_fresh_, peak_overlap_, found_));
   }
 
-  /// Do contacts name pairs in the list?
+  /// True when all contacts refer to pairs of the list.
   bool names_pairs() const;
-  /// False for what no list can be, after reading a snapshot.
+  /// Validates the state read from a snapshot.
   bool is_consistent() const;
 
   template <class Archive>
   void visit(Archive& archive) {
     archive(new_blocks_, any_fresh_, neighbors_, touching_, peak_overlap_, found_);
-    if constexpr (Archive::reads) fit_room();  // steps ask for no memory
+    if constexpr (Archive::reads) fit_room();  // steps allocate nothing
   }
 
  private:
   void release_shear(std::size_t k, PairSums& sums);
   std::optional<std::size_t> pair_between(std::int32_t a, std::int32_t b) const;
-  /// Potentials in space have no contact described, but at first sight.
+  /// False for potential laws in 3D, which compute contacts only at the first detection.
   bool is_always_described(const Candidate<D>& pair) const {
     return D == 2 || !model_.materials.laws().knows_potential() || !model_.law_of(pair).is_potential();
   }
@@ -172,12 +171,12 @@ class ContactList {
   Model<D>& model_;
   NeighborList<D> neighbors_;
   Array<std::uint32_t> touching_;         // the pair of each contact
-  Array<std::uint32_t> found_in_chunks_;  // the same while they are found, each chunk where its pairs begin
-  Array<std::uint32_t> met_in_chunks_;    // those of them that have met
-  Array<std::uint8_t> new_blocks_;        // of each block: its first step has not begun
+  Array<std::uint32_t> found_in_chunks_;  // the same during detection; each chunk has the range of its pairs
+  Array<std::uint32_t> met_in_chunks_;    // likewise, pairs that have met
+  Array<std::uint8_t> new_blocks_;        // per block: 1 until its first step
   std::int32_t any_fresh_ = 0;
   double peak_overlap_ = 0;
-  std::int32_t found_ = 0;  // contacts belong to the present poses
+  std::int32_t found_ = 0;  // 1: contacts are those of the current poses
 };
 
 extern template class ContactList<2>;

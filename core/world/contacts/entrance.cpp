@@ -8,16 +8,16 @@
 namespace halfspace {
 namespace {
 
-/// Surfaces that differ by no more than this share of the smaller block's radius are flush: files round their
-/// coordinates, and supports give way.
+/// Surfaces are flush when they differ by at most this fraction of the smaller radius: files round their
+/// coordinates, and supports deflect.
 constexpr double flush = 1e-3;
 
-/// A side that looks farther away from the lift than this does not keep blocks apart because of the lift.
+/// Minimum cosine of the angle between the lift and the normal of an entry face that it reveals.
 constexpr double least_cosine = 0.5;
 
 }  // namespace
 
-/// Only contacts of before count, so that the order in which pairs are met is of no matter.
+/// Pairs that meet in this detection do not count as third blocks, so the order of pairs does not matter.
 template <int D>
 bool Entrances<D>::has_met(std::size_t k, std::span<const PairSums> found) const {
   const std::size_t chunk = k / pairs_per_chunk;
@@ -25,8 +25,8 @@ bool Entrances<D>::has_met(std::size_t k, std::span<const PairSums> found) const
   return std::binary_search(met.begin(), met.end(), k);
 }
 
-/// The pair of faces that look along the lift, where these are the outermost ones; or what keeps the blocks
-/// apart when one of them is lifted out of a third.
+/// Lifts a block out of a third. Returns the pair along the lift if it leaves the two flush or apart, else
+/// the pair of the largest gap if that separates them, else none.
 template <int D>
 typename Entrances<D>::Way Entrances<D>::way_beside(const Candidate<D>& met, std::int32_t lifted,
                                                     const Candidate<D>& known) const {

@@ -5,26 +5,25 @@
 
 namespace halfspace {
 
-// A block that slides over the joint of two others is pressed a little into the one that it leaves, and meets
-// the next one below the surface: through the face in the joint, as it seems, where nothing can ever come in.
-// So an entrance counts only where it is free: where a block, lifted out of one that it is pressed against
-// already, is out of the other as well, they meet through what lies that way. Game engines call such a face
-// an internal edge.
+// Internal edges. A block that slides over the joint of two others penetrates the first slightly, so it meets
+// the second below the surface, apparently through the face in the joint, which is covered. Detection
+// therefore lifts a block out of each block that it already touches. If the lift separates the two that have
+// met, the entry face is one that faces the lift. See docs/concepts/contact.md.
 
-/// Through which of their faces two blocks have met.
+/// Determines the entry faces of blocks that have met.
 template <int D>
 class Entrances {
  public:
   Entrances(const Model<D>& model, ContactList<D>& contacts) : model_(model), contacts_(contacts) {}
 
-  /// A pair of the list that has met: it is remembered, and its contact described, as of the free entrance.
-  /// `found` are the sums of the chunks of pairs, all of which have been gone through.
+  /// Caches the entry face of a pair that has met, and computes its contact. `found`: the sums of all chunks
+  /// of pairs, after detection.
   void describe(std::size_t k, std::span<const PairSums> found, Contact<D>& contact);
 
  private:
   struct Way {
     PotentialPair<D> pair{};
-    double gap = -HUGE_VAL;  // that it leaves of the lifted blocks
+    double gap = -HUGE_VAL;  // of the blocks after the lift
   };
   Way free_way(const Candidate<D>& met, std::span<const PairSums> found) const;
   bool has_met(std::size_t k, std::span<const PairSums> found) const;

@@ -6,12 +6,12 @@
 #include "force/potential/space/planned_force.h"
 #include "narrow_phase/pair.h"
 
-// Forces are a row of passes over arrays, chunk by chunk (docs/decisions/threads.md):
+// Contact forces are computed in passes over arrays, chunk by chunk (docs/decisions/threads.md):
 //
 //   load    each pair in contact writes its own force, couple and energies
-//   gather  each block adds up the loads of its pairs, in ascending order of pairs; a row of blocks passes by
-//           the chunks of pairs without any of its own, so that who gathers reads little that others wrote
-//   sums    those of each chunk are added up in the order of chunks
+//   gather  each block adds up the loads of its pairs, in ascending order of pairs; a row of blocks skips
+//           chunks of pairs without any of its own, so a worker reads little that others wrote
+//   sums    the sums per chunk are added up in the order of chunks
 
 namespace halfspace {
 
@@ -35,7 +35,7 @@ typename ForcePass<D>::Evaluation ForcePass<D>::begin(double elapsed) const {
   return {elapsed, model_.materials.laws().knows_potential() ? model_.potential_length() : 0};
 }
 
-/// How the blocks of a pair move against each other.
+/// The relative motion of the blocks of a pair.
 template <int D>
 [[gnu::always_inline]] inline PairMotion<D> ForcePass<D>::motion_of(const Candidate<D>& pair,
                                                                     Evaluation& evaluation) const {
@@ -57,7 +57,7 @@ const StrainRates<D>* ForcePass<D>::strain_rates_of(std::size_t a, std::size_t b
   return &evaluation.strain_rates;
 }
 
-/// The force of a contact by a law of springs.
+/// The load of a contact by a spring law.
 template <int D>
 [[gnu::always_inline]] inline PairLoad<D> ForcePass<D>::spring_load(
     Candidate<D>& pair, const Contact<D>& contact, const ContactLaw& law, const Spring<D>& spring,
@@ -74,7 +74,7 @@ template <int D>
   return load;
 }
 
-/// The force is that for k_n / H = 1. In space it goes by a plan, and steps make plans.
+/// The force for k_n / H = 1. In 3D it uses a division plan, and only steps cache new plans.
 template <int D>
 inline PotentialForce<D> ForcePass<D>::potential_between(Candidate<D>& pair, const PlacedBlocks<D>& at,
                                                          int worker, bool is_step) {
@@ -86,12 +86,12 @@ inline PotentialForce<D> ForcePass<D>::potential_between(Candidate<D>& pair, con
   }
 }
 
-/// The force of a contact by a law of potentials. Where the blocks share most, they touch the longest: that
-/// is what is looked at first the next time.
+/// The load of a contact by a potential law. Caches the centroid of the overlap, which the next detection
+/// tests first.
 template <int D>
 PairLoad<D> ForcePass<D>::potential_load(Candidate<D>& pair, const ContactLaw& law, const Spring<D>& spring,
                                          ShearSpring<D>& shear, Evaluation& evaluation) {
-  // Another law has left it: potentials hold nothing together.
+  // A bond of another law ends: potential laws have no cohesion.
   if (evaluation.elapsed > 0) pair.bonded = false;
   const PlacedBlocks<D> at = blocks_.placed(pair.a, pair.b);
   const PotentialForce<D> potential = potential_between(pair, at, evaluation.worker, evaluation.elapsed > 0);
@@ -103,7 +103,7 @@ PairLoad<D> ForcePass<D>::potential_load(Candidate<D>& pair, const ContactLaw& l
   return spring.evaluate(line, motion, shear, evaluation.energy);
 }
 
-/// Only a law of springs reads the contact.
+/// Potential laws do not use `contact`.
 template <int D>
 void ForcePass<D>::load(std::size_t k, const Contact<D>& contact, Evaluation& evaluation) {
   Candidate<D>& pair = neighbors_.pairs()[k];
@@ -121,7 +121,7 @@ void ForcePass<D>::load(std::size_t k, const Contact<D>& contact, Evaluation& ev
   if (!virials_.empty()) virials_[k] = virials_of(pair, load, is_damped, evaluation);
 }
 
-/// A contact strains those of its blocks that are affine.
+/// Virials of the deformable blocks of a pair.
 template <int D>
 typename ForcePass<D>::Virials ForcePass<D>::virials_of(const Candidate<D>& pair, const PairLoad<D>& load,
                                                         bool is_damped, Evaluation& evaluation) const {
@@ -147,17 +147,16 @@ typename ForcePass<D>::Virials ForcePass<D>::virials_of(const Candidate<D>& pair
 template <int D>
 void ForcePass<D>::gather(std::span<const PairSums> chunks) {
   const std::size_t blocks = blocks_.slot_count();
-  // A few rows of blocks for each worker: each row looks at all chunks of pairs.
+  // A few rows of blocks per worker, because each row visits all chunks of pairs.
   const bool is_shared = worker_count(threads_) > 1 && contacts_.count() > 4 * pairs_per_chunk;
   const std::size_t rows = is_shared ? 4 * std::size_t(worker_count(threads_)) : 1;
-  // Whole strips each, whose marks are written by one worker alone.
+  // Rows of whole strips, so that only one worker writes the mark of a strip.
   const std::size_t in_row = (blocks / rows / blocks_per_strip + 1) * blocks_per_strip;
   for_each_chunk(threads_, blocks, in_row, [&](const Chunk& row) { gather_row(row.begin, row.end, chunks); });
   known_ = true;
 }
 
-/// Each block of a row in ascending order of its contacts. Pairs are in ascending order of their first
-/// blocks.
+/// Adds loads in ascending order of contacts. Pairs are sorted by their first blocks, so the loop ends early.
 template <int D>
 void ForcePass<D>::gather_row(std::size_t first, std::size_t last, std::span<const PairSums> chunks) {
   unload(first, last);
@@ -198,8 +197,7 @@ void ForcePass<D>::gather_contacts(std::size_t first, std::size_t last,
   }
 }
 
-/// Where nothing has been loaded, as on most of a large terrain, there is nothing to take away. Bonds load
-/// blocks, too, and leave no mark.
+/// Skips strips without loads, as on most of a large terrain. Bonds load blocks, too, but set no mark.
 template <int D>
 void ForcePass<D>::unload(std::size_t first, std::size_t last) {
   for (std::size_t begin = first; begin < last; begin += blocks_per_strip) {

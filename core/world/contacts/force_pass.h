@@ -10,9 +10,9 @@
 
 namespace halfspace {
 
-/// Loads the blocks with the forces of their contacts, by the laws of their materials. Each contact writes
-/// what is its own; then the blocks gather it, each in ascending order of its contacts. So the sums have the
-/// same bits, whoever has worked out which contact.
+/// Computes contact forces by the laws of the materials, and sums them per block. Each contact writes its own
+/// load; then each block adds up its loads in ascending order of contacts. So the sums have the same bits for
+/// any number of threads.
 template <int D>
 class ForcePass {
  public:
@@ -33,36 +33,36 @@ class ForcePass {
     for (int worker = 0; worker < workers; ++worker) potential_rooms_.emplace_back(memory);
   }
 
-  /// The common part of the forces of a chunk of contacts, and their sums.
+  /// Input common to a chunk of contacts, and the sums over it.
   struct Evaluation {
     double elapsed;
     double potential_length;
     int worker = 0;
     ContactEnergy energy{};
     std::int32_t last_block = -1;
-    // These are of the contact at hand, where a block is affine.
+    // Of the current contact, if one of its blocks is deformable.
     Stretch<D> stretch{};
     StrainRates<D> strain_rates{};
   };
 
-  /// Shear springs will grow over `elapsed`.
+  /// `elapsed`: time over which shear springs grow, s.
   Evaluation begin(double elapsed) const;
-  /// Works out what the contact of a pair in the list does to its two blocks.
+  /// Computes the load of a pair's contact on its two blocks.
   void load(std::size_t k, const Contact<D>& contact, Evaluation& evaluation);
-  /// Loads the blocks with that of all contacts. `chunks` are those whose pairs have been loaded.
+  /// Sums the loads of all contacts per block. `chunks`: those whose pairs have been loaded.
   void gather(std::span<const PairSums> chunks);
   void forget() { known_ = false; }
 
   bool are_known() const { return known_; }
   const ContactForce<D>& of_contact(std::size_t c) const { return forces_[contacts_.touching()[c]]; }
-  /// Rate of what a block loses to the dashpots of its contacts, by its present velocity.
+  /// Power that a block loses to the dashpots of its contacts at its current velocity, W.
   double dashpot_power(std::size_t block) const;
 
-  /// Takes the room that laws need, which a snapshot does not hold, and that for a contact at every pair,
-  /// also of a list that is to be taken into use.
+  /// Reserves working memory of laws, which snapshots do not contain, and memory for a contact of every pair,
+  /// including those of the next list.
   void fit_rooms();
 
-  /// All that a step of a changed world writes to before it moves the blocks.
+  /// State that a step after an edit writes before it moves the blocks.
   auto state() { return std::tie(forces_, known_, blocks_.force, blocks_.torque); }
 
   template <class Archive>
@@ -76,7 +76,7 @@ class ForcePass {
  private:
   static constexpr std::size_t blocks_per_strip = 256;
 
-  /// The load of a block by the dashpots of its contacts: their loss is known with its velocity at the end of
+  /// The load of a block by the dashpots of its contacts. Their loss follows from the velocity at the end of
   /// the step.
   struct DashpotLoad {
     Vector<D> force = Vector<D>::Zero();
@@ -88,7 +88,7 @@ class ForcePass {
     }
   };
 
-  /// The virials by which a contact strains affine blocks, and the part of them that its dashpots make.
+  /// The virials of a contact on deformable blocks, and the part due to its dashpots.
   struct Virials {
     Tensor<D> on_a = Tensor<D>::Zero();
     Tensor<D> on_b = Tensor<D>::Zero();
@@ -118,13 +118,13 @@ class ForcePass {
   const ContactList<D>& contacts_;
   NeighborList<D>& neighbors_;
   Threads* threads_;
-  Array<ContactForce<D>> forces_;            // at the pairs that are in contact
+  Array<ContactForce<D>> forces_;            // per pair, valid for those in contact
   Array<DashpotForce<D>> dashpots_;          // likewise, when a law is damped
-  Array<Virials> virials_;                   // likewise, when a block is affine
-  Array<DashpotLoad> dashpot_load_;          // of each block, when a law is damped
-  Array<std::uint8_t> is_loaded_;            // of each strip of blocks: some block may bear a load
-  Array<PotentialRoom<D>> potential_rooms_;  // of each worker, for the largest blocks
-  std::int32_t known_ = 0;                   // forces belong to the contacts
+  Array<Virials> virials_;                   // likewise, when a block is deformable
+  Array<DashpotLoad> dashpot_load_;          // per block, when a law is damped
+  Array<std::uint8_t> is_loaded_;            // per strip of blocks: 1 if some load may not be 0
+  Array<PotentialRoom<D>> potential_rooms_;  // per worker, for the largest blocks
+  std::int32_t known_ = 0;                   // 1: forces are those of the current contacts
 };
 
 extern template class ForcePass<2>;

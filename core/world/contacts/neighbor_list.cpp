@@ -43,9 +43,9 @@ NeighborList<D>::NeighborList(Memory* memory)
       next_pairs_(memory),
       next_shear_(memory) {}
 
-/// A share of each block's own size, but no more than of the typical block's: a large plate's skin would fill
-/// its list with grains that it never meets; but never less than what the block is about to move. A fixed
-/// block needs none.
+/// The skin is a fraction of the block's size, or of the median size if that is smaller: otherwise a large
+/// plate would list many grains that it never meets. It is at least the announced motion, and 0 for a fixed
+/// block.
 template <int D>
 void NeighborList<D>::choose_skins(const Blocks<D>& blocks, double relative_skin) {
   sizes_.clear();
@@ -65,7 +65,7 @@ void NeighborList<D>::choose_skins(const Blocks<D>& blocks, double relative_skin
   }
 }
 
-/// Neither of two blocks is fast when each moves by no more than half of what they may together.
+/// A pair is not fast when each block moves by at most half of the safe relative displacement.
 template <int D>
 void NeighborList<D>::choose_safe_displacements(const Blocks<D>& blocks) noexcept {
   std::fill(safe_displacement_.begin(), safe_displacement_.end(), HUGE_VAL);
@@ -81,8 +81,8 @@ void NeighborList<D>::choose_safe_displacements(const Blocks<D>& blocks) noexcep
     min_safe_displacement_ = std::min(min_safe_displacement_, calm);
 }
 
-/// Blocks whose boxes overlap may still be farther apart than both their skins: then they cannot touch before
-/// the list is used up. Of packed triangles that is one pair in five.
+/// Blocks with overlapping boxes may have a gap larger than both skins; they cannot touch before the next
+/// rebuild. This excludes one pair in five of packed triangles.
 template <int D>
 bool NeighborList<D>::may_touch(const Blocks<D>& blocks, const BlockPair& pair) const {
   const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
@@ -102,7 +102,7 @@ void NeighborList<D>::search(const Blocks<D>& blocks) {
     boxes_[i].lower = boxes_[i].lower.cwiseMin(boxes_[i].lower + way).array() - skin_[i];
     boxes_[i].upper = boxes_[i].upper.cwiseMax(boxes_[i].upper + way).array() + skin_[i];
   };
-  // Blocks that stand count only where some other may reach them.
+  // Blocks that do not move freely count only where a free block may reach them.
   Box<D> reached;
   for (std::size_t i = 0; i < slots; ++i) {
     if (!blocks.moves_freely(i)) continue;
@@ -128,7 +128,7 @@ void NeighborList<D>::search(const Blocks<D>& blocks) {
   if (found > room_ || 5 * found < 4 * room_) room_ = found + found / 8;
 }
 
-/// By counting on a, then by b within each: linear, since a block has few neighbours.
+/// Counting sort by a, then by b within each: linear, because a block has few neighbours.
 template <int D>
 void NeighborList<D>::sort_found(std::size_t slots) {
   first_of_block_.assign(slots + 1, 0);
@@ -146,7 +146,7 @@ void NeighborList<D>::sort_found(std::size_t slots) {
   }
 }
 
-/// Both lists are sorted: one merge. A bonded pair stays even if its boxes have parted.
+/// Merges both sorted lists. A bonded pair stays even if its boxes have separated.
 template <int D>
 void NeighborList<D>::carry_over(bool with_shear) noexcept {
   const auto precedes = [](const auto& p, const auto& q) { return p.a < q.a || (p.a == q.a && p.b < q.b); };
@@ -176,7 +176,7 @@ void NeighborList<D>::carry_over(bool with_shear) noexcept {
   while (old < pairs_.size()) keep_bonded();
 }
 
-/// All of one length whenever memory runs out.
+/// Reserves first, so that all arrays have the same length if memory runs out.
 template <int D>
 void NeighborList<D>::resize(std::size_t slots, bool with_gradients) {
   skin_.reserve(slots);

@@ -16,8 +16,8 @@ namespace halfspace {
 
 struct NoPlan {};
 
-/// A pair of blocks near enough to touch soon, a < b, and what it remembers. There is no gap between members
-/// or behind them: saved candidates hold no stray bytes.
+/// A pair of blocks that may touch soon, a < b, and its cached data. Without implicit padding, so that
+/// snapshots contain no undefined bytes.
 template <int D>
 struct Candidate {
   std::int32_t a;
@@ -28,8 +28,8 @@ struct Candidate {
 };
 static_assert(std::has_unique_object_representations_v<DivisionCache>);
 
-/// Blocks that move no farther against each other at once than this share of what is thinner cannot pass
-/// through each other unseen, nor past their middles.
+/// Maximum relative displacement of two blocks per motion, over the thinner block's thickness. Below it they
+/// cannot pass through each other undetected, or past each other's middle.
 constexpr double safe_thickness_fraction = 0.25;
 
 /// The neighbour list: all pairs that can touch before some block has moved by more than its skin. Sorted by
@@ -39,54 +39,52 @@ class NeighborList {
  public:
   explicit NeighborList(Memory* memory);
 
-  /// True when a block may come near another that is not in its list.
+  /// True when a block may touch another that is not in its list.
   bool needs_rebuild() const { return needs_rebuild_; }
   void invalidate() { needs_rebuild_ = true; }
 
   void begin_announcements() { displacements_.clear(); }
-  /// Announces how far a block's farthest point will move. Call for each block before it moves. True when it
-  /// uses the list up.
+  /// Announces the maximum displacement of a block's points. Call for each block before it moves. Returns
+  /// true when the list needs a rebuild.
   bool announce(const Blocks<D>& blocks, std::size_t slot, double motion) {
     planned_[slot] = motion;
     return !(moved(blocks, slot) + motion <= skin_[slot]);
   }
-  /// The way that the centroid is planned to go, when it is far: the search then looks along it instead of
-  /// all around.
+  /// Announces a large displacement of the centroid. The search then extends along it instead of in all
+  /// directions.
   void announce_displacement(std::size_t slot, const Vector<D>& way) {
     displacements_.resize(planned_.size(), Vector<D>::Zero());
     displacements_[slot] = way;
   }
-  /// As announced.
   double announced_motion(std::size_t slot) const { return planned_[slot]; }
-  /// As far as a block may move in a step and be none that is fast, whichever neighbour it meets.
+  /// Maximum displacement per step of a block that is not fast, for any of its neighbours.
   double safe_displacement(std::size_t slot) const { return safe_displacement_[slot]; }
-  /// The least of all blocks', or less.
+  /// A lower bound of safe_displacement() over all blocks.
   double min_safe_displacement() const { return min_safe_displacement_; }
 
-  /// Notes that a block has been put elsewhere.
+  /// Call after a block has been placed elsewhere.
   void note_placement(const Blocks<D>& blocks, std::size_t slot) {
     const bool is_listed = slot < skin_.size();
     if (!is_listed || !(moved(blocks, slot) <= skin_[slot])) needs_rebuild_ = true;
   }
 
-  /// Searches again and takes all memory that the new list needs: the pairs in use stay as they are, and as
-  /// remembered. `relative_skin` is the skin as a share of a block's size; `with_shear` says whether any law
-  /// needs a shear spring.
+  /// Searches for pairs, and reserves all memory of the new list. The pairs in use and their cached data do
+  /// not change. `relative_skin`: skin over block size; `with_shear`: some law needs a shear spring.
   void search_again(const Blocks<D>& blocks, double relative_skin, bool with_shear);
-  /// Takes the new list into use. Pairs that stay keep their witness.
+  /// Replaces the list by the new one. Pairs in both keep their cached data.
   void renew(const Blocks<D>& blocks, bool with_shear) noexcept;
 
   /// Keeps a copy of the pairs and their springs, until the list is renewed.
   void remember_pairs();
   void recall_pairs() noexcept;
-  /// The skins and whether they are used up: what a search has written to that runs out of memory.
+  /// State that a search writes before it may run out of memory.
   auto skins() { return std::tie(skin_, needs_rebuild_); }
 
-  /// Drops the pairs of a block that is removed.
+  /// Removes the pairs of a removed block.
   void forget(std::int32_t slot);
 
-  /// Calls `visit(k)` for each pair of a block, in ascending order of the other one. Pairs have not changed
-  /// since index_pairs().
+  /// Calls `visit(k)` for each pair of a block, in ascending order of the other block. Precondition: pairs
+  /// have not changed since index_pairs().
   template <class Visit>
   void for_each_pair_of(std::int32_t slot, Visit visit) const {
     for (std::uint32_t i = first_by_second_[std::size_t(slot)]; i < first_by_second_[std::size_t(slot) + 1];
@@ -96,8 +94,8 @@ class NeighborList {
     auto pair = std::lower_bound(pairs_.begin(), pairs_.end(), slot, is_before);
     for (; pair != pairs_.end() && pair->a == slot; ++pair) visit(std::size_t(pair - pairs_.begin()));
   }
-  /// Finds the pairs of each second block, unless they are known. Takes no memory but what reserve_index()
-  /// has taken.
+  /// Builds the index of pairs by second block, unless it is current. Allocates nothing after
+  /// reserve_index().
   void index_pairs() noexcept;
   void reserve_index() {
     by_second_.reserve(room());
@@ -107,29 +105,29 @@ class NeighborList {
 
   Array<Candidate<D>>& pairs() { return pairs_; }
   const Array<Candidate<D>>& pairs() const { return pairs_; }
-  /// One per pair; none at all when no law resists shear.
+  /// One per pair; empty when no law resists shear.
   std::span<ShearSpring<D>> shear() { return shear_; }
-  /// The plans of pairs in space whose contact is by potentials.
+  /// Division plans of pairs with potential laws, in 3D.
   CachedDivisions& plans() {
     plans_.serve_pairs(pairs_.size());
     return plans_;
   }
-  /// Takes the room for plans of all pairs, also of a list that is to be taken into use; a snapshot does not
-  /// hold it.
+  /// Reserves memory for the plans of all pairs, including those of the next list; snapshots do not contain
+  /// it.
   void reserve_plans() { plans_.reserve(room()); }
-  /// Gives free what plans take that are no more used, when that is more than what is.
+  /// Frees the memory of unused plans, when it exceeds that of used plans.
   void tidy_plans() noexcept {
     if constexpr (D == 3) plans_.tidy(pairs_);
   }
-  /// The room that lists of contacts need: for all pairs, and some to spare, so that a settled heap whose
-  /// pairs come and go asks for no memory.
+  /// Capacity of arrays per contact: all pairs, and a reserve, so that the changing pairs of a settled heap
+  /// cause no allocation.
   std::size_t room() const { return std::max(pairs_.capacity(), next_pairs_.capacity()); }
   std::int64_t builds() const { return builds_; }
-  /// The number of slots that the list was made for.
+  /// The number of slots at the last search.
   std::size_t list_length() const { return skin_.size(); }
   bool has_springs() const { return shear_.size() == pairs_.size(); }
 
-  /// False for what no list can be, after reading a snapshot.
+  /// Validates the state read from a snapshot.
   bool is_consistent(const Blocks<D>& blocks) const;
 
   template <class Archive>
@@ -139,7 +137,7 @@ class NeighborList {
   }
 
  private:
-  /// How far a block's farthest point can have moved since the search.
+  /// Upper bound of the displacement of a block's points since the last search.
   double moved(const Blocks<D>& blocks, std::size_t slot) const {
     const double way = (blocks.position[slot] - reference_position_[slot]).norm();
     if (!blocks.is_deformable(slot))
@@ -167,13 +165,13 @@ class NeighborList {
   Array<Tensor<D>> reference_gradient_;  // of deformable blocks, if there are any
   Array<double> skin_;
   Array<double> planned_;             // motion announced for the coming step
-  Array<double> safe_displacement_;   // up to which a block is not fast, whichever neighbour it meets
-  Array<Vector<D>> displacements_;    // announced, until the next search; none if no block goes far
+  Array<double> safe_displacement_;   // up to which a block is not fast, for any neighbour
+  Array<Vector<D>> displacements_;    // of centroids, until the next search; empty: none is large
   double min_safe_displacement_ = 0;  // not saved: 0 until the next search
   std::int32_t needs_rebuild_ = 1;
   std::int64_t builds_ = 0;
 
-  // The pairs sorted by their second blocks, and where those of each begin; found when they are asked for.
+  // Index of pairs by second block, and its first entry per block; built on demand.
   Array<std::uint32_t> by_second_;
   Array<std::uint32_t> first_by_second_;
   bool is_indexed_ = false;

@@ -4,7 +4,7 @@
 
 namespace halfspace {
 
-/// Every change of the world from outside: what it does to the energy is booked as outer work by prepare().
+/// Called by every external change. prepare() books its change of energy as external work.
 template <int D>
 void World<D>::edit() {
   if (!edited_) ledger_.note_edit();
@@ -52,7 +52,7 @@ std::int32_t World<D>::add_block(const Shape<D>& shape, BlockKind kind, std::int
 template <int D>
 void World<D>::remove_block(std::int32_t slot) {
   model_.blocks.remove(slot);
-  // Its slot may come to name another block: no pair may remember it.
+  // Another block may reuse the slot, so no pair may refer to it.
   contacts_.neighbors().forget(slot);
   hard_contacts_.forget();
   integrator_.forget_reaction();
@@ -143,7 +143,7 @@ void World<D>::set_applied_force(std::int32_t slot, const Vector<D>& force, cons
 template <int D>
 bool World<D>::set_shear_force(std::size_t which, const Vector<D>& force) {
   if (!model_.law_of(contacts_.pair_of(which)).resists_shear()) return false;
-  // The energy is known at the next evaluation, which knows the stiffness.
+  // The next evaluation computes the energy from the stiffness.
   const Vector<D> normal = contact(which).normal;
   remember(contacts_.shear_of(which), shear_of(force, normal), preloaded, normal);
   edit();

@@ -4,12 +4,12 @@
 #include "block/bond/common_face.h"
 #include "world/world.h"
 
-// Edits from outside of the bonds of a world.
+// External edits: bonds.
 
 namespace halfspace {
 namespace {
 
-/// A point or a normal of space in the frame of a block's shape.
+/// Transforms a point or a normal into the frame of a block's shape.
 template <int D>
 Tensor<D> to_frame(const Blocks<D>& blocks, std::int32_t block) {
   return blocks.gradient(std::size_t(block)).inverse();
@@ -52,8 +52,8 @@ bool World<D>::bond_pair(std::int32_t a, std::int32_t b, std::int32_t law) {
   return true;
 }
 
-/// Calls make(number) with that of the law, which makes bonds of it and returns how many. When there are
-/// none, or memory runs out, there is no such law.
+/// Adds the law and calls make(number), which makes bonds of this law and returns their number. Removes the
+/// law if there are none, or if memory runs out.
 template <int D>
 template <class Make>
 std::int64_t World<D>::make_bonds_of(const BondLaw& law, Make make) {
@@ -71,8 +71,8 @@ std::int64_t World<D>::make_bonds_of(const BondLaw& law, Make make) {
     return 0;
   }
   bonds.index();
-  contacts_.neighbors().invalidate();  // what meets at a corner within is no pair any more
-  // Pairs that a law of contact has bonded give way.
+  contacts_.neighbors().invalidate();  // rings of bonds exclude pairs
+  // Bonds replace the bonds of contact laws.
   for (Candidate<D>& pair : contacts_.neighbors().pairs()) {
     if (pair.bonded && bonds.keeps(pair.a, pair.b)) pair.bonded = 0;
   }
@@ -85,7 +85,7 @@ bool World<D>::bond_pair(std::int32_t a, std::int32_t b, const BondLaw& law) {
   return make_bonds_of(law, [&](std::int32_t number) { return std::int64_t(bond_pair(a, b, number)); }) > 0;
 }
 
-/// The neighbour list knows all pairs that touch.
+/// The neighbour list contains all pairs that touch.
 template <int D>
 std::int64_t World<D>::bond_materials(std::int32_t material_a, std::int32_t material_b, const BondLaw& law) {
   if (contacts_.neighbors().needs_rebuild()) renew_neighbors();

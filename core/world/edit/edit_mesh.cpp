@@ -2,15 +2,15 @@
 #include "block/mesh/surface.h"
 #include "world/world.h"
 
-// Edits from outside of the meshes of a world.
+// External edits: meshes.
 
 namespace halfspace {
 namespace {
 
-/// A cell that is strained by more has no stress that means anything.
+/// Maximum prestrain of a cell.
 constexpr double largest_prestrain = 1e6;
 
-/// The gradients of the interpolation between the corners of a simplex.
+/// The gradients of the linear shape functions of a simplex.
 template <int D>
 Eigen::Matrix<double, D, D + 1> gradients_of(const std::array<Vector<D>, D + 1>& corners) {
   Tensor<D> edges;
@@ -23,8 +23,8 @@ Eigen::Matrix<double, D, D + 1> gradients_of(const std::array<Vector<D>, D + 1>&
 
 }  // namespace
 
-/// Nodes share their mass among the blocks that they bear, so that springs at all of them count once in the
-/// stable step. `bearing` has room for a number of each node, all 0.
+/// Distributes the mass of each node over its surface blocks, so that the stable step accounts for the
+/// springs of all of them. `bearing`: one entry per node, all 0.
 template <int D>
 void World<D>::weigh_surface(std::int32_t body, Array<int>& bearing) {
   Blocks<D>& blocks = model_.blocks;
@@ -37,7 +37,7 @@ void World<D>::weigh_surface(std::int32_t body, Array<int>& bearing) {
     blocks.weigh(cell, meshes.masses_of(cell, bearing));
 }
 
-/// The masses of its blocks are those of weigh_surface(), for a surface that is new as a whole.
+/// Its blocks have the masses of weigh_surface(), for an entirely new surface.
 template <int D>
 MeshFaultReport World<D>::add_surface(std::int32_t body, std::span<const SurfaceSimplex<D>> simplices,
                                       std::span<const std::int32_t> cell_materials) {
@@ -120,11 +120,11 @@ void World<D>::remove_mesh(std::int32_t body) {
   for (const SurfaceCell<D>& cell : meshes.surface_of(body)) remove_block(cell.block);
   meshes.remove(body);
   integrator_.forget_reaction();
-  if (hard_contacts_.is_wanted()) contacts_.neighbors().invalidate();  // nodes have other numbers
+  if (hard_contacts_.is_used()) contacts_.neighbors().invalidate();  // nodes are renumbered
   edit();
 }
 
-/// Nothing changes when any cell's strain is beyond bounds.
+/// Changes nothing if the prestrain of any cell would exceed largest_prestrain.
 template <int D>
 bool World<D>::set_body_stress(std::int32_t body, const StressField<D>& field) {
   Meshes<D>& meshes = model_.blocks.meshes();
@@ -146,7 +146,7 @@ bool World<D>::set_body_stress(std::int32_t body, const StressField<D>& field) {
   return true;
 }
 
-// A node without mass, of which no cell is left, stays where it is.
+// A node without cells has no mass, and keeps its position.
 
 template <int D>
 void World<D>::hold_node(std::size_t node, std::uint8_t held) {

@@ -3,20 +3,20 @@
 #include "block/mesh/surface.h"
 #include "world/world.h"
 
-// Excavation: cells are taken out of a body. The new surface is that of a mesh of the cells that are left;
-// what of it had been surface before keeps its blocks.
+// Excavation: removes cells from a body. The new surface is that of a mesh of the remaining cells; its parts
+// that existed before keep their blocks.
 
 namespace halfspace {
 namespace {
 
-/// Cells that are left, as a mesh of the body's nodes.
+/// The remaining cells, as a mesh of the body's nodes.
 template <int D>
 struct LeftCells {
   explicit LeftCells(Memory* memory) : mesh(memory), number(memory), material(memory) {}
 
   Mesh<D> mesh;
-  Array<std::int32_t> number;    // of each in the body
-  Array<std::int32_t> material;  // of each number
+  Array<std::int32_t> number;    // per remaining cell: its number in the body
+  Array<std::int32_t> material;  // per number in the body
 };
 
 constexpr CellKind kind_of(int dimension, int nodes) {
@@ -42,7 +42,7 @@ LeftCells<D> cells_left(const Meshes<D>& meshes, std::int32_t which, const Array
   return left;
 }
 
-/// The surface of what is left, as far as it is new.
+/// The new part of the surface of the remaining cells.
 template <int D>
 Array<SurfaceSimplex<D>> new_simplices(const Meshes<D>& meshes, std::int32_t which, const LeftCells<D>& left,
                                        Memory* memory) {
@@ -67,8 +67,8 @@ Array<SurfaceSimplex<D>> new_simplices(const Meshes<D>& meshes, std::int32_t whi
 
 }  // namespace
 
-/// Cells that go have held what stays, which is shaken where it is let go at once: their forces can be faded
-/// out instead.
+/// Adds the nodal forces of the removed cells to `released`. The caller can fade them out, because a sudden
+/// release shakes the body.
 template <int D>
 void World<D>::release(std::int32_t which, const Array<std::uint8_t>& is_gone,
                        std::span<Vector<D>> released) const {

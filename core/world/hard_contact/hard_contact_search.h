@@ -34,7 +34,7 @@ struct SideOfEdge {
   std::int32_t beside;
 };
 
-/// An edge now and at the end of the planned motion: see reaction_edges.cpp.
+/// An edge now and at the end of the planned motion: see edge_edge_search.cpp.
 struct MovingEdge;
 
 /// A ball about an edge.

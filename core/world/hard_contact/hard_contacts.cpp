@@ -6,21 +6,20 @@
 namespace halfspace {
 namespace {
 
-/// Ends of motions are exact to this share of what lies at a face.
-constexpr double exact_share = 0.1;
-constexpr int most_corrections = 4;
+/// Gaps at the end of a motion are solved to this fraction of the distance at which a corner is on a face.
+constexpr double gap_tolerance = 0.1;
+constexpr int max_corrections = 4;
 
-/// Two that lie in each other at the start of a motion come apart by this share of the block.
-constexpr double recovered_share = 1e-7;
+/// Blocks that overlap at the start of a motion come apart by this fraction of the radius in it.
+constexpr double recovery = 1e-7;
 
-constexpr int most_searches = 4;
+constexpr int max_searches = 4;
 
-/// The depth, as a share of a block's radius, that rounding and turns do not reach: there rounds have not
-/// sufficed.
-constexpr double told_depth = 1e-3;
+/// Rounding and rotation do not reach this depth over the radius: there the solver has not converged.
+constexpr double reported_depth = 1e-3;
 
 template <int D>
-bool precedes(const ContactConstraint<D>& one, const ContactConstraint<D>& other) {
+bool precedes(const HardContact<D>& one, const HardContact<D>& other) {
   return one.key() < other.key();
 }
 
@@ -28,26 +27,26 @@ bool precedes(const ContactConstraint<D>& one, const ContactConstraint<D>& other
 
 template <int D>
 void HardContacts<D>::solve(double duration) {
-  integrator_.kicks().begin(duration);
-  iterations_ += solve_constraints<D>(planned_, integrator_.kicks());
+  changes().begin(duration);
+  iterations_ += solve_constraints<D>(planned_, changes());
 }
 
 template <int D>
 Vector<D> HardContacts<D>::kicked(const ContactConstraint<D>& at) const {
-  return integrator_.kicks().at(at.of_a) - integrator_.kicks().at(at.of_b);
+  return changes().at(at.of_a) - changes().at(at.of_b);
 }
 
-/// Contacts that go on stay as they are as long as they lie at their faces: more of them than a block has
-/// ways to move never quite agree on a gap of zero.
+/// Persistent contacts keep their gap while they are on their faces: more of them than a block has degrees of
+/// freedom never agree on a gap of zero.
 template <int D>
 double HardContacts<D>::gap_floor_of(const ContactConstraint<D>& at) const {
   const std::size_t b = std::size_t(at.b);
   const double settled = at.is_persistent ? search_.reach(b) : 0;
   if (std::abs(at.gap) < settled) return at.gap;
-  return std::min(-settled, at.gap + recovered_share * blocks_.radius[b]);
+  return std::min(-settled, at.gap + recovery * blocks_.radius[b]);
 }
 
-/// The velocity that a contact has to stop is that of the planned motion without any kicks.
+/// The velocity that a constraint acts on is that of the predicted motion without impulses.
 template <int D>
 void HardContacts<D>::begin(ContactConstraint<D>& at, double duration) const {
   const ContactLaw& law = model_.law_between(std::size_t(at.a), std::size_t(at.b));
@@ -65,8 +64,8 @@ void HardContacts<D>::begin(ContactConstraint<D>& at, double duration) const {
   at.velocity = opening * at.normal + (1 - at.impact_fraction) * (free - free.dot(at.normal) * at.normal);
 }
 
-/// Kicks may lead to where nothing has been seen to meet: then it is looked for anew. False when all that
-/// meets is known.
+/// Impulses may move blocks to where the search has found no contact: it searches again. False when it finds
+/// none that is new.
 template <int D>
 bool HardContacts<D>::find_more(double time, double duration) {
   search_.find(found_);
@@ -86,6 +85,7 @@ bool HardContacts<D>::find_more(double time, double duration) {
 
 template <int D>
 bool HardContacts<D>::predict(double time, double duration) {
+  if (!is_used()) return true;
   motion_began_ = time;
   search_.find(planned_);
   if (planned_.empty()) return true;
@@ -94,17 +94,18 @@ bool HardContacts<D>::predict(double time, double duration) {
   int searches = 1;
   do {
     bool is_exact = false;
-    for (int i = 0; i < most_corrections && !is_exact; ++i) {
+    for (int i = 0; i < max_corrections && !is_exact; ++i) {
       solve(duration);
       if (!integrator_.predict(duration)) return false;
       is_exact = correct(duration);
     }
-  } while (searches++ < most_searches && find_more(time, duration));
+  } while (searches++ < max_searches && find_more(time, duration));
+  next_known_.reserve(planned_.size());
   return true;
 }
 
-/// Gaps open as their normals turn, too, which impulses have not been told: it is made up for. True when it
-/// has been too little to count.
+/// Gaps also change as their normals turn, which the linear constraints leave out: the constraint velocities
+/// are corrected by it. True when the correction is below the tolerance.
 template <int D>
 bool HardContacts<D>::correct(double duration) {
   bool is_exact = true;
@@ -112,13 +113,13 @@ bool HardContacts<D>::correct(double duration) {
     at.gap = search_.predicted_gap(at);
     const double error = at.gap - at.gap_floor - duration * at.normal.dot(at.velocity + kicked(at));
     at.velocity += error / duration * at.normal;
-    const bool counts = at.is_bonded || !at.impulse.isZero(0) || at.gap < at.gap_floor;
-    if (counts && !(std::abs(error) <= exact_share * search_.reach(std::size_t(at.b)))) is_exact = false;
+    const bool is_active = at.is_bonded || !at.impulse.isZero(0) || at.gap < at.gap_floor;
+    if (is_active && !(std::abs(error) <= gap_tolerance * search_.reach(std::size_t(at.b)))) is_exact = false;
   }
   return is_exact;
 }
 
-/// Contacts that go on have touched when they did. Those that are there when a block's first step begins are
+/// Persistent contacts keep their time of first touch. Those present when a block's first step begins are
 /// bonded, as with springs (Wang et al. 2021, section 2.5).
 template <int D>
 void HardContacts<D>::remember(Array<ContactConstraint<D>>& found, double time, double duration) const {
@@ -129,7 +130,7 @@ void HardContacts<D>::remember(Array<ContactConstraint<D>>& found, double time, 
     at.touched_at = is_persistent ? before->touched_at : time + at.impact_fraction * duration;
     if (is_persistent) {
       at.impact_fraction = 0;
-      at.is_persistent = 1;
+      at.is_persistent = true;
       at.impulse = before->impulse;
       at.is_bonded = before->is_bonded;
       at.area = before->area;
@@ -141,13 +142,13 @@ void HardContacts<D>::remember(Array<ContactConstraint<D>>& found, double time, 
   }
 }
 
-/// The work of a contact's normal impulse that meets such a velocity.
+/// The work of a contact's normal impulse at this velocity before it.
 template <int D>
 double HardContacts<D>::normal_work(const ContactConstraint<D>& at, const Vector<D>& velocity) const {
   return at.impulse.dot(at.normal) * at.normal.dot(velocity + 0.5 * kicked(at));
 }
 
-/// Books what an impulse does that meets such a velocity. Returns the work of its normal part.
+/// Adds the work of an impulse to the ledger. Returns that of its normal part.
 template <int D>
 double HardContacts<D>::book(const ContactConstraint<D>& at, const Vector<D>& velocity,
                              EnergyLedger& ledger) const {
@@ -164,9 +165,8 @@ Vector<D> HardContacts<D>::velocity_of(const ContactConstraint<D>& at) const {
   return halfspace::velocity_of(at.of_a, blocks_) - halfspace::velocity_of(at.of_b, blocks_);
 }
 
-/// The impulses of a kick do their own work before all other forces act at a motion's start, and after them
-/// at its end. So the energy is kept by the step itself: a body that falls onto a floor loses what it has
-/// when it gets there.
+/// Impulses act before all other forces at a motion's start and after them at its end, so that the step
+/// itself conserves energy: a body that falls onto a floor loses what it has on arrival.
 template <int D>
 void HardContacts<D>::apply_position_impulses(EnergyLedger& ledger) {
   const double half = 0.5 * integrator_.duration();
@@ -177,16 +177,16 @@ void HardContacts<D>::apply_position_impulses(EnergyLedger& ledger) {
     const bool is_new = at.touched_at >= motion_began_;
     const bool lies_there = is_new && known_.empty() && !is_approached(at);
     at.is_new_impact = is_new && !lies_there;
-    // A contact that is there from the start presses as if it had always done so.
+    // A contact that is there from the start carries its load from the start.
     if (lies_there) at.stored_normal_work = normal_work;
   }
 }
 
 template <int D>
 bool HardContacts<D>::is_approached(const ContactConstraint<D>& at) const {
-  constexpr double little = 1e-6;
+  constexpr double tolerance = 1e-6;
   return at.impact_fraction > 0 ||
-         at.normal.dot(velocity_of(at)) < -little * at.applied_velocity_change.norm();
+         at.normal.dot(velocity_of(at)) < -tolerance * at.applied_velocity_change.norm();
 }
 
 template <int D>
@@ -197,27 +197,27 @@ void HardContacts<D>::break_when_due(ContactConstraint<D>& at) const {
 }
 
 template <int D>
-void HardContacts<D>::look() {
+void HardContacts<D>::find_at_end() {
   std::erase_if(planned_, [&](const ContactConstraint<D>& at) {
     return !at.is_bonded && at.impulse.isZero(0) && at.gap > search_.reach(std::size_t(at.b));
   });
   for (ContactConstraint<D>& at : planned_) {
     break_when_due(at);
     search_.place(at);
-    if (at.gap < -told_depth * blocks_.radius[std::size_t(at.b)])
+    if (at.gap < -reported_depth * blocks_.radius[std::size_t(at.b)])
       deepest_ = std::max(deepest_, -at.gap / blocks_.thinner(at.a, at.b));
     at.approach_velocity = velocity_of(at) + at.applied_velocity_change;
   }
 }
 
-/// Has something touched in this motion?
+/// Has any contact closed in this motion?
 template <int D>
 bool HardContacts<D>::is_impact() const {
   return std::any_of(planned_.begin(), planned_.end(),
-                     [](const ContactConstraint<D>& at) { return at.is_new_impact != 0; });
+                     [](const ContactConstraint<D>& at) { return at.is_new_impact; });
 }
 
-/// A blow is over before elements yield to it: what it takes is its own impulses' work.
+/// An impact ends before elements deform: its loss is the work of its own impulses.
 template <int D>
 void HardContacts<D>::find_impact_losses() {
   for (ContactConstraint<D>& at : planned_) at.velocity = at.approach_velocity;
@@ -225,10 +225,10 @@ void HardContacts<D>::find_impact_losses() {
   for (ContactConstraint<D>& at : planned_) at.impact_loss = -normal_work(at, at.approach_velocity);
 }
 
-/// Two that press each other take energy in each second kick and give it back in the next motion's first one.
-/// That is not lost.
+/// Loaded contacts store energy in each second half step and release it in the first of the next motion. That
+/// is no loss.
 template <int D>
-void HardContacts<D>::book_second(EnergyLedger& ledger, bool is_impact) {
+void HardContacts<D>::book_velocity_impulses(EnergyLedger& ledger, bool is_impact) {
   for (ContactConstraint<D>& at : planned_) {
     const double normal_work = book(at, at.velocity, ledger);
     const double stored_normal_work = is_impact ? -normal_work - at.impact_loss
@@ -239,14 +239,15 @@ void HardContacts<D>::book_second(EnergyLedger& ledger, bool is_impact) {
 }
 
 template <int D>
-void HardContacts<D>::stop(EnergySample& sample, EnergyLedger& ledger) {
+void HardContacts<D>::stop_approach(EnergySample& sample, EnergyLedger& ledger) {
+  if (!is_used()) return;
   const bool is_impact = this->is_impact();
   if (is_impact) find_impact_losses();
   for (ContactConstraint<D>& at : planned_) at.velocity = velocity_of(at);
   solve(integrator_.duration());
-  book_second(ledger, is_impact);
+  book_velocity_impulses(ledger, is_impact);
   for (ContactConstraint<D>& at : planned_) break_when_due(at);
-  const double rate = integrator_.kicks().rate();
+  const double rate = changes().rate();
   integrator_.take_kicks(sample);
   for (ContactConstraint<D>& at : planned_) at.force = rate * at.impulse;
   exchange_known(ledger);
@@ -266,7 +267,8 @@ void HardContacts<D>::exchange_known(EnergyLedger& ledger) {
     }
   }
   for (; before != known_.end(); ++before) ledger.add_impact_loss(before->stored_normal_work);
-  known_.swap(planned_);
+  next_known_.assign(planned_.begin(), planned_.end());
+  known_.swap(next_known_);
   planned_.clear();
 }
 
@@ -280,13 +282,14 @@ bool HardContacts<D>::is_consistent() const {
       return node >= 0 && std::size_t(node) < blocks_.meshes().node_count();
     });
   };
-  const auto is_whole = [&](const ContactConstraint<D>& at) {
+  const auto is_valid = [&](const HardContact<D>& at) {
     return is_carried(at.of_a, at.a) && is_carried(at.of_b, at.b) && at.feature_a >= 0 && at.feature_b >= 0 &&
            (at.meeting == Meeting::corner_and_face || (D == 3 && at.meeting == Meeting::edges)) &&
            at.normal.allFinite() && at.impulse.allFinite() && at.force.allFinite() && is_finite(at.gap) &&
-           is_finite(at.stored_normal_work) && is_finite(at.touched_at) && is_nonnegative(at.area);
+           is_finite(at.stored_normal_work) && is_finite(at.impact_loss) && is_finite(at.touched_at) &&
+           is_nonnegative(at.area);
   };
-  return touches_ >= 0 && halfspace::all(known_, is_whole) &&
+  return touches_ >= 0 && halfspace::all(known_, is_valid) &&
          std::is_sorted(known_.begin(), known_.end(), precedes<D>);
 }
 

@@ -7,13 +7,14 @@
 
 namespace halfspace {
 
-// A law without a spring acts by impulses, which velocity Verlet takes in as a constraint (the RATTLE of
-// Andersen 1983, with inequalities): the first kick gets those that keep every corner before the face that it
-// would pass in the motion, the second those that keep it from going on behind. For a corner that comes near
-// freely both together are the merge of Li et al. 2015, section 4, and it ends the step where that would: it
-// flies freely up to its touch, and moves on with what it struck for the rest (section 3).
+// A law without springs acts by impulses, which velocity Verlet takes as constraints (RATTLE, Andersen 1983,
+// with inequalities). The first half step gets the impulses that keep every corner in front of the face it
+// would pass in the motion, the second those that stop its approach. For a corner in free flight both
+// together are the merge of Li et al. 2015, section 4, with the step ended there: it flies freely up to its
+// touch, and moves on with the block that it hit for the rest (section 3).
 
-/// The contacts by laws without a spring, and what they do to a motion.
+/// The contacts of laws without springs, and their impulses. In a world without such laws its stages do
+/// nothing.
 template <int D>
 class HardContacts {
  public:
@@ -24,29 +25,40 @@ class HardContacts {
         integrator_(integrator),
         search_(model, contacts, integrator, memory),
         known_(memory),
+        next_known_(memory),
         planned_(memory),
         found_(memory) {}
 
-  bool is_wanted() const { return model_.materials.laws().knows_no_spring(); }
+  /// Does any law have no springs?
+  bool is_used() const { return model_.materials.laws().knows_no_spring(); }
   /// Those at the end of the last motion.
-  const Array<ContactConstraint<D>>& all() const { return known_; }
+  const Array<HardContact<D>>& all() const { return known_; }
   std::int64_t touches() const { return touches_; }
   std::int64_t iterations() const { return iterations_; }
-  /// The depth to which any has come so far, where rounds have not sufficed, as a share of the thinner
-  /// block's thickness.
+  /// The largest penetration so far where the solver did not converge, over the thickness of the thinner
+  /// block.
   double deepest() const { return deepest_; }
 
-  /// Takes note of the surfaces of meshes, after the neighbour list has been made anew.
-  void rebuild_surface() { search_.rebuild_surface(); }
-  /// Changes a motion that has been planned without, so that nothing passes through anything: false when it
-  /// gets out of hand by that.
+  /// After the neighbour list has been renewed.
+  void rebuild_surface() {
+    if (is_used()) search_.rebuild_surface();
+  }
+
+  // The stages of a motion, in their order.
+  /// Sets all impulses of the coming motion to none.
+  void begin(double duration) {
+    if (is_used()) changes().begin(duration);
+  }
+  /// Changes a motion predicted without impulses so that no block passes into another. False when the motion
+  /// diverges.
   bool predict(double time, double duration);
-  /// Books what the first kick of the planned motion will do.
+  /// Adds the work of the impulses of the first half step to the ledger.
   void apply_position_impulses(EnergyLedger& ledger);
-  /// Looks at the contacts at the end of a motion, before its second kick: none of them has an impulse yet.
-  void look();
-  /// Stops what goes on behind faces after that kick, and books it.
-  void stop(EnergySample& sample, EnergyLedger& ledger);
+  /// Updates the contacts at the end of the motion, before its second half step: none has an impulse yet.
+  void find_at_end();
+  /// Stops approach at all contacts after the second half step, and adds the work to the ledger.
+  void stop_approach(EnergySample& sample, EnergyLedger& ledger);
+
   void forget() { known_.clear(); }
 
   /// False for what cannot be, after reading a snapshot.
@@ -58,6 +70,8 @@ class HardContacts {
   }
 
  private:
+  VelocityChange<D>& changes() { return integrator_.kicks(); }
+  const VelocityChange<D>& changes() const { return integrator_.kicks(); }
   void solve(double duration);
   Vector<D> kicked(const ContactConstraint<D>& at) const;
   bool correct(double duration);
@@ -65,7 +79,7 @@ class HardContacts {
   bool is_impact() const;
   double normal_work(const ContactConstraint<D>& at, const Vector<D>& velocity) const;
   void find_impact_losses();
-  void book_second(EnergyLedger& ledger, bool is_impact);
+  void book_velocity_impulses(EnergyLedger& ledger, bool is_impact);
   void exchange_known(EnergyLedger& ledger);
   double gap_floor_of(const ContactConstraint<D>& at) const;
   void begin(ContactConstraint<D>& at, double duration) const;
@@ -80,7 +94,8 @@ class HardContacts {
   ContactList<D>& contacts_;
   Integrator<D>& integrator_;
   HardContactSearch<D> search_;
-  Array<ContactConstraint<D>> known_;  // of the last motion, in order of their keys
+  Array<HardContact<D>> known_;  // of the last motion, in order of their keys
+  Array<HardContact<D>> next_known_;
   Array<ContactConstraint<D>> planned_;
   Array<ContactConstraint<D>> found_;
   double motion_began_ = 0;   // time

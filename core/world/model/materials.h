@@ -10,7 +10,7 @@
 
 namespace halfspace {
 
-/// The materials of a world: what a block is made of, and the law of each pair of them.
+/// The materials of a world: density, elasticity, and the contact law of each pair.
 class Materials {
  public:
   explicit Materials(Memory* memory) : density_(memory), elasticity_(memory), laws_(memory) {}
@@ -33,7 +33,7 @@ class Materials {
   LawTable& laws() { return laws_; }
   const LawTable& laws() const { return laws_; }
 
-  /// False for what no materials can be, after reading a snapshot.
+  /// Validates the state read from a snapshot.
   bool is_consistent() const {
     return laws_.is_consistent() && laws_.material_count() == count() && all(density_, is_positive) &&
            elasticity_.size() == density_.size() &&

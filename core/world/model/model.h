@@ -6,7 +6,7 @@
 
 namespace halfspace {
 
-/// Settings, materials and blocks of a world. Its parts read them and move the blocks.
+/// Settings, materials and blocks of a world. The world's parts read them and move the blocks.
 template <int D>
 struct Model {
   Model(const WorldSettings<D>& given, Memory* memory) : settings(given), materials(memory), blocks(memory) {}
@@ -25,7 +25,7 @@ struct Model {
 
   /// H of potential laws: one length for all blocks (Zheng et al. 2020, section 3.2).
   double potential_length() const;
-  /// Forces have been evaluated with it: from now on it stays, whatever becomes of the blocks.
+  /// Keeps the length constant from the first force evaluation on, whatever happens to the blocks.
   void fix_potential_length() {
     if (materials.laws().knows_potential()) fixed_length = potential_length();
   }
@@ -43,7 +43,7 @@ struct Model {
   WorldSettings<D> settings;
   Materials materials;
   Blocks<D> blocks;
-  double fixed_length = 0;  // H, once the first forces have been used
+  double fixed_length = 0;  // H, from the first force evaluation on; 0 before
 };
 
 extern template struct Model<2>;

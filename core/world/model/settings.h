@@ -8,24 +8,24 @@
 
 namespace halfspace {
 
-/// A step in which two blocks would move far against the thinner of them is divided or refused.
+/// Treatment of a step in which two blocks would move far relative to the thinner one.
 enum class FastBlocks : std::int32_t { divide = 0, refuse = 1 };
 
-/// How a world is stepped.
+/// Settings of a world, as in hs_world_def.
 template <int D>
 struct WorldSettings {
   Vector<D> gravity = Vector<D>::Zero();
-  double time_step = 0;  // 0: safety times the stable one
+  double time_step = 0;  // s; 0: safety times the stable time step
   double safety = 0.5;
   double local_damping = 0;
   double mass_damping = 0;
   double skin = 0.1;
-  double potential_length = 0;  // H of potential laws; 0: mean length of the edges when forces are first used
+  double potential_length = 0;  // H of potential laws, m; 0: mean edge length at the first force evaluation
   DetectOptions detect;
   FastBlocks fast_blocks = FastBlocks::divide;
-  double sleep_tolerance = 0;  // of its way that a block may miss over a run by sleep; 0: none sleeps
+  double sleep_tolerance = 0;  // maximum displacement error of a block by sleep, m; 0: no sleep
 
-  /// False for what no settings can be, after reading a snapshot.
+  /// Validates the state read from a snapshot.
   bool is_consistent() const {
     return gravity.allFinite() && is_nonnegative(time_step) && is_fraction(safety, 1) &&
            is_fraction(local_damping, 1) && is_nonnegative(mass_damping) && is_fraction(skin, 1) &&

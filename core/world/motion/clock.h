@@ -8,7 +8,8 @@
 
 namespace halfspace {
 
-/// Time in steps. It is counted from when the step was last chosen, so that it does not gather rounding.
+/// Simulated time, computed from the number of steps since the time step was last set, so that rounding does
+/// not accumulate.
 class Clock {
  public:
   double time() const { return epoch_time_ + double(steps_ - epoch_step_) * time_step_ + passed_; }
@@ -16,10 +17,10 @@ class Clock {
   double time_step() const { return time_step_; }
   /// The number of steps that have been divided.
   std::int64_t divided_steps() const { return divided_steps_; }
-  /// The part of the step that is still to come.
+  /// The remaining time of the current step.
   double rest() const { return time_step_ - passed_; }
 
-  /// False for what is no step. Another one than before begins where time has come to.
+  /// Sets the time step; false if it is not positive. A new value applies from the current time on.
   bool choose(double time_step) {
     if (!is_positive(time_step)) return false;
     if (time_step == time_step_) return true;
@@ -38,11 +39,11 @@ class Clock {
     ++steps_;
   }
 
-  /// All that choosing a step writes to.
+  /// State that choose() writes.
   auto epoch() { return std::tie(epoch_time_, epoch_step_, time_step_, passed_); }
 
-  /// False for what no clock can be, after reading a snapshot. A step that is divided, and chosen anew before
-  /// its end, is divided more than once.
+  /// Validates the state read from a snapshot. A divided step that gets a new time step may be divided again,
+  /// so divided_steps_ may exceed steps_.
   bool is_consistent() const {
     constexpr std::int64_t max_steps = std::int64_t(1) << 62;
     return is_nonnegative(time_step_) && is_finite(epoch_time_) && epoch_step_ >= 0 &&
@@ -56,10 +57,10 @@ class Clock {
   }
 
  private:
-  double epoch_time_ = 0;  // when the time step was last chosen
+  double epoch_time_ = 0;  // when the time step was last set, s
   std::int64_t epoch_step_ = 0;
   double time_step_ = 0;
-  double passed_ = 0;  // of a step that is divided and not at its end
+  double passed_ = 0;  // part of a divided step so far, s
   std::int64_t steps_ = 0;
   std::int64_t divided_steps_ = 0;
 };

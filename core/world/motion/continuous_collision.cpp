@@ -8,7 +8,8 @@
 namespace halfspace {
 namespace {
 
-/// A share of the thinner block's thickness: in a motion that is shorter no two sides close in turn.
+/// Fraction of the thinner block's thickness. In a shorter motion the order in which faces close does not
+/// matter.
 constexpr double short_share = 0x1p-8;
 
 PairCache<2> witness_of(const Impact<2>& impact) { return {PairCache<2>::separated, impact.pair}; }
@@ -27,15 +28,15 @@ double ContinuousCollision<D>::safe_time_step() const {
   return calm;
 }
 
-/// Bounds the speed of all points by (x + y)^2 <= 2 (x^2 + y^2), with room for rounding. Boundaries that move
-/// are not among them: they are as fast in their planned motion.
+/// Bounds the speed of all points by (x + y)^2 <= 2 (x^2 + y^2), with a margin for rounding. Prescribed
+/// blocks are not included: any() tests their predicted motion.
 template <int D>
 void ContinuousCollision<D>::note_speeds(const EnergySample& sample) {
   fastest_squared_ = 2.001 * (sample.squared_speed + sample.squared_swing);
 }
 
-/// A fast block would move far in a whole step against the thinnest of itself and its neighbours: at its
-/// present speed, or at that of the planned motion. A kick that stops a block makes it no slow one.
+/// A block is fast when a whole step would move it by more than its safe displacement, at its current speed
+/// or at that of the predicted motion. So a block that an impulse stops is still fast.
 template <int D>
 bool ContinuousCollision<D>::is_fast(std::size_t i) const {
   const double calm =
@@ -44,7 +45,7 @@ bool ContinuousCollision<D>::is_fast(std::size_t i) const {
          integrator_.duration() * (blocks_.velocity[i].norm() + blocks_.swing(i)) > calm;
 }
 
-/// Most worlds are seen at once to be slow: the fastest block of all against the thinnest.
+/// First compares the largest speed with the smallest safe displacement, which suffices for most worlds.
 template <int D>
 bool ContinuousCollision<D>::any() const {
   const double calm_speed = contacts_.neighbors().min_safe_displacement() / clock_.time_step();
@@ -57,7 +58,6 @@ bool ContinuousCollision<D>::any() const {
   return false;
 }
 
-/// The motion that is planned.
 template <int D>
 Sweep<D> ContinuousCollision<D>::predicted_sweep(std::size_t i) const {
   Sweep<D> sweep;
@@ -73,8 +73,8 @@ Sweep<D> ContinuousCollision<D>::predicted_sweep(std::size_t i) const {
   return sweep;
 }
 
-/// The motion that has just been made, worked out from its end back to its start. In space the block is taken
-/// to have turned at its last spin all along. Time runs on as in the motion.
+/// The last motion, computed backwards from its end, in its own direction of time. In 3D the angular velocity
+/// at the end is taken as constant.
 template <int D>
 Sweep<D> ContinuousCollision<D>::made_sweep(std::size_t i, double made) const {
   Sweep<D> sweep;
@@ -93,8 +93,8 @@ Sweep<D> ContinuousCollision<D>::made_sweep(std::size_t i, double made) const {
   return sweep;
 }
 
-/// Where they touched at the start already but for rounding, the contact stays as it is; and in a motion that
-/// is short against the thinner block the pair that kept them apart decides as well as time does.
+/// The cached pair remains the entry if the blocks touched at the start up to rounding, or if the motion is
+/// short relative to the thinner block.
 template <int D>
 void ContinuousCollision<D>::find_entrance(Candidate<D>& pair, double made, int worker) {
   if (made * blocks_.speed_between(pair.a, pair.b) <= short_share * blocks_.thinner(pair.a, pair.b)) return;
@@ -107,8 +107,8 @@ void ContinuousCollision<D>::find_entrance(Candidate<D>& pair, double made, int 
   pair.witness.state = PairCache<D>::touching;
 }
 
-/// The part of the planned motion that a pair may make at once. Where it meets in that part, it is told
-/// through what.
+/// The fraction of the predicted motion that is safe for a pair. If the blocks meet, caches the pair of
+/// features through which they do.
 template <int D>
 double ContinuousCollision<D>::safe_fraction_of(Candidate<D>& pair, double& stable_duration) {
   const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
@@ -138,7 +138,7 @@ double ContinuousCollision<D>::safe_fraction_of(Candidate<D>& pair, double& stab
   const double calm = safe_thickness_fraction * thickness / motion,
                stable = stable_duration / integrator_.duration();
   if (calm >= 1 && stable >= 1) return 1;
-  // Where springs would drive the motion out of hand, what they do shows in a stable one only.
+  // If the springs would be unstable in the predicted motion, only a stable fraction is safe.
   const double at_once = 0.5 * (stable < 1 ? stable : calm);
   return std::max(time_of_touch - at_once, at_once);
 }
@@ -146,7 +146,7 @@ double ContinuousCollision<D>::safe_fraction_of(Candidate<D>& pair, double& stab
 template <int D>
 double ContinuousCollision<D>::safe_fraction() {
   double part = 1;
-  double stable_duration = 0;  // not known: it costs a look at all contacts
+  double stable_duration = 0;  // 0: not computed yet, because it visits all contacts
   FastPair first = pair_;
   for (Candidate<D>& pair : contacts_.neighbors().pairs()) {
     if (!is_fast(std::size_t(pair.a)) && !is_fast(std::size_t(pair.b))) continue;

@@ -12,24 +12,23 @@
 
 namespace halfspace {
 
-/// Two blocks that meet, or are in touch, too fast for a step against the thinner of them.
+/// Two blocks that meet or touch at a relative speed too large for the step and the thinner block.
 struct FastPair {
   std::int32_t a = 0;
   std::int32_t b = 0;
-  double speed = 0;      // of the fastest point of one against the other, at most
-  double thickness = 0;  // of the thinner
-  double time_step = 0;  // that would do
+  double speed = 0;      // upper bound of the relative speed of their points, m/s
+  double thickness = 0;  // of the thinner block, m
+  double time_step = 0;  // a sufficient one, s
 };
 
-// A step in which all pairs move little against the thinner of their blocks is one motion. Where one does
-// not, its time of impact tells how far the motion may go: until just before the first touch, and from there
-// on by small shares of the thickness, and stable ones, for as long as the two are fast in touch. What is
-// left of the step comes after that, by the same rule. The pair that is first in time is the one through
-// which blocks meet: when detection finds the contact it is remembered as what kept them apart. A world that
-// shall not divide its steps refuses one that it would have to.
+// A step is one motion if all pairs move little relative to their thinner block. Otherwise the time of impact
+// limits the motion: first to just before the touch, then, while the two touch and are fast, to stable
+// motions of a small fraction of the thickness. The rest of the step follows by the same rule. The pair of
+// features that closes at the time of impact is cached as the separating one, so that detection takes it as
+// the entry. A world with FastBlocks::refuse refuses a step that would have to be divided.
 
-/// Which blocks are fast against what they may meet, how far they may move at once, and through what they
-/// met.
+/// Finds fast blocks, the fraction of a motion that is safe for them, and the features through which they
+/// meet.
 template <int D>
 class ContinuousCollision {
  public:
@@ -46,24 +45,23 @@ class ContinuousCollision {
         workers_(workers),
         impact_room_(memory) {}
 
-  /// The longest step in which no listed pair is fast, at present speeds.
+  /// The largest step in which no listed pair is fast, at the current speeds.
   double safe_time_step() const;
-  /// Takes note of how fast blocks are now.
+  /// Updates the bound of all speeds.
   void note_speeds(const EnergySample& sample);
-  /// Does any block move far in the planned motion against what it may meet?
+  /// True when any block is fast in the predicted motion.
   bool any() const;
-  /// The part of the planned motion that all pairs may make at once. Where one meets in that part, it is told
-  /// through what.
+  /// The fraction of the predicted motion that is safe for all pairs. Caches the features through which pairs
+  /// meet.
   double safe_fraction();
-  /// The pair that has divided a step most, or for which it was refused.
+  /// The pair with the smallest safe fraction, or for which a step was refused.
   const FastPair& pair() const { return pair_; }
 
-  /// Two blocks have met in the motion of such a duration just made. Of the pairs that kept them apart at its
-  /// start the last to close is the one through which they met, also where others are less deep by now. It is
-  /// remembered.
+  /// Caches the entry of two blocks that met in the last motion, of duration `made`: of the pairs of features
+  /// that separated them at its start, the last to close, even if another is less deep now.
   void find_entrance(Candidate<D>& pair, double made, int worker);
 
-  /// Takes the room that times of impact need, which a snapshot does not hold.
+  /// Reserves the working memory of times of impact, which snapshots do not contain.
   void fit_room() {
     room_of_one_ = 2 * blocks_.most_components();
     impact_room_.resize(std::size_t(workers_) * room_of_one_);
@@ -85,8 +83,8 @@ class ContinuousCollision {
   PenetrationBound<D>& stop_;
   int workers_;
   std::size_t room_of_one_ = 0;
-  Array<double> impact_room_;          // of each worker, for two of the largest blocks
-  double fastest_squared_ = HUGE_VAL;  // bound of the speed of all points now; not saved
+  Array<double> impact_room_;          // per worker, for two of the largest blocks
+  double fastest_squared_ = HUGE_VAL;  // bound of the squared speed of all points; not saved
   FastPair pair_;
 };
 

@@ -45,9 +45,9 @@ void Integrator<D>::accelerate(std::size_t i) {
   blocks_.is_affine(i) ? accelerate_affine(i) : accelerate_rigid(i);
 }
 
-/// A block's energies, and the rates at which prescribed motion and damping change the world's. `opposed` is
-/// the velocity that damping was formed with. Inlined by force: called, it would hand its sums over through
-/// memory, block by block.
+/// Adds a block's energies, and the powers of prescribed motion and of damping. `opposed`: the velocity for
+/// which damping was computed. Forced inline, because a call would pass the sums through memory for each
+/// block.
 template <int D>
 [[gnu::always_inline]] inline void Integrator<D>::sample_energy(std::size_t i, const Vector<D>& opposed,
                                                                 const Angular<D>& opposed_spin,
@@ -183,7 +183,8 @@ bool Integrator<D>::predict_motion_of(std::size_t i, Plan& plan) {
   return predict_block(i, velocity, turn, plan);
 }
 
-/// Announces how far a block moves that turns, or strains, by so much: false when that is not finite.
+/// Announces the maximum displacement of a block. `turn`: its rotation or change of gradient. False when not
+/// finite.
 template <int D>
 bool Integrator<D>::predict_block(std::size_t i, const Vector<D>& velocity, double turn, Plan& plan) {
   const double motion = duration_ * velocity.norm() + blocks_.radius[i] * turn;
@@ -195,7 +196,7 @@ bool Integrator<D>::predict_block(std::size_t i, const Vector<D>& velocity, doub
   return true;
 }
 
-/// Tells the search which way blocks go that go far.
+/// Announces the displacements of blocks that move by more than their radius.
 template <int D>
 void Integrator<D>::announce_displacements() {
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
@@ -312,7 +313,7 @@ void Integrator<D>::take_kick(std::size_t i, EnergySample& sample) {
   sample_energy(i, middle_velocity, middle_spin, sample);
 }
 
-/// A sleeping block has its energies, and neither loses nor gains any.
+/// A sleeping block keeps its energies, with no power.
 template <int D>
 void Integrator<D>::kick_asleep(std::size_t i, EnergySample& sample) const {
   EnergySample own;
@@ -349,7 +350,7 @@ void Integrator<D>::kick(std::size_t i, EnergySample& sample) {
     accelerate_rigid(i);
     sample.applied_power +=
         blocks_.applied_force[i].dot(middle_velocity) + blocks_.applied_torque[i].dot(middle_spin);
-    // One beyond all numbers is none: the next motion, which is planned with it, is refused as unstable.
+    // A kick that is not finite is skipped: the next motion, predicted with it, is refused as unstable.
     const Angular<D> middle_momentum = blocks_.momentum[i];
     blocks_.kick(i, half * acceleration_[i], half * momentum_rate_[i]);
     if (!(blocks_.velocity[i].allFinite() && blocks_.spin[i].allFinite() &&

@@ -12,11 +12,11 @@
 
 namespace halfspace {
 
-/// No block turns farther at once, in rad, and no affine one changes its gradient more.
+/// Maximum rotation of a block per motion, rad; also the maximum change of an affine block's gradient.
 constexpr double max_turn = 1;
 
-/// Velocity Verlet: plans a motion from the last forces, makes its first half up to new places and, when
-/// forces are known there, its second.
+/// Velocity Verlet: predicts a motion from the last forces, makes its first half (kick and drift), and its
+/// second (kick) when the forces at the new positions are known.
 template <int D>
 class Integrator {
  public:
@@ -39,22 +39,22 @@ class Integrator {
         planned_(memory),
         samples_(memory) {}
 
-  /// Accelerations of all blocks from the forces at hand, and what there is of energy. The noise is how much
-  /// of it the blocks' fall by their own size, and positions that are off by rounding, amount to.
+  /// Computes the accelerations of all blocks from the last forces, and returns their energies. `noise`: the
+  /// energy of a fall of the blocks by their own size, plus that of rounding errors of positions.
   EnergySample begin(double time_step, double& noise);
-  /// Works out the acceleration of a block from the forces at hand.
+  /// Computes the acceleration of a block from the last forces.
   void accelerate(std::size_t block);
 
-  /// Plans a motion and announces it to the neighbour list. All memory is taken here. False when it is not
-  /// finite, presses a block flat or turns a cell of a mesh inside out: out of hand.
+  /// Predicts a motion, announces it to the neighbour list, and allocates its memory. False when it is not
+  /// finite, flattens a block or inverts a mesh cell.
   bool predict(double duration);
-  /// The cell that the last plan would have turned inside out, if any.
+  /// The cell that the last predicted motion would invert, if any.
   const InvertedCell& inverted() const { return meshes_.inverted(); }
   double duration() const { return duration_; }
-  /// The longest way of any block's points in the planned motion, and the largest turn.
+  /// The maximum displacement of any point, and the maximum rotation, in the predicted motion.
   double longest_motion() const { return longest_motion_; }
   double max_rotation() const { return max_rotation_; }
-  /// The planned motion of a block.
+  /// The predicted motion of a block.
   Vector<D> predicted_displacement(std::size_t block) const;
   Tensor<D> predicted_stretch(std::size_t block) const;
   Angular<D> predicted_turn(std::size_t block) const;
@@ -62,16 +62,15 @@ class Integrator {
   Vector<D> predicted_displacement_of_node(std::size_t node) const {
     return meshes_.predicted_displacement_of_node(node);
   }
-  /// The mean velocity of a point in the planned motion.
+  /// The mean velocity of a point in the predicted motion.
   Vector<D> predicted_velocity(const MaterialPoint<D>& point) const;
   /// The acceleration of a point by the last forces.
   Vector<D> acceleration_of(const MaterialPoint<D>& point) const;
 
-  /// The pace of the farthest point of a block, rigid or affine, by its velocity and the last forces.
+  /// Bounds of a rigid or affine block's points, from its velocity and the last forces.
   SpeedBound speed_bound_of(std::size_t block) const;
 
-  /// Changes of velocity that the first half of a motion makes besides: a plan that has been made without
-  /// them has to be made anew.
+  /// Velocity changes by contact impulses. Repeat predict() when those of the first half change.
   VelocityChange<D>& kicks() { return kicks_; }
   const VelocityChange<D>& kicks() const { return kicks_; }
   void forget_reaction() { reaction_.end(); }
@@ -80,16 +79,16 @@ class Integrator {
     Vector<D> force;
     Angular<D> torque;
   };
-  /// Those that the kick at the end of the last motion stands for.
+  /// The constraint forces equivalent to the impulses at the end of the last motion.
   BlockLoad reaction(std::size_t block) const;
   Tensor<D> strain_reaction(std::size_t block) const;
   Vector<D> reaction_on_node(std::size_t node) const { return meshes_.reaction(node); }
 
-  /// Velocities to the middle of the planned motion, places to its end.
+  /// Advances velocities to the middle of the predicted motion, and positions to its end.
   void kick_and_drift();
-  /// Velocities to its end.
+  /// Advances velocities to its end.
   EnergySample kick();
-  /// Takes the kicks into the velocities at the end of the motion, and the stock anew.
+  /// Adds the velocity changes of contacts to the velocities at the end, and samples the energy again.
   void take_kicks(EnergySample& sample);
 
   void reserve(std::size_t slots) {
@@ -98,20 +97,20 @@ class Integrator {
     any_moves_.reserve(chunk_count(slots, blocks_per_chunk));
     meshes_.reserve();
   }
-  /// Memory has been reserved.
+  /// Allocates nothing after reserve().
   void resize(std::size_t slots) {
     acceleration_.resize(slots, Vector<D>::Zero());
     momentum_rate_.resize(slots, Angular<D>::Zero());
     meshes_.resize();
   }
 
-  /// The accelerations of all that moves freely.
+  /// The accelerations of all free blocks and nodes.
   auto state() {
     return std::tuple_cat(std::tie(acceleration_, momentum_rate_, blocks_.deformations().all()),
                           meshes_.state());
   }
 
-  /// False for what cannot be, after reading a snapshot.
+  /// Validates the state read from a snapshot.
   bool is_consistent(bool is_edited) const {
     const std::size_t slots = blocks_.slot_count();
     if (!is_edited && (acceleration_.size() != slots || momentum_rate_.size() != slots)) return false;
@@ -126,23 +125,23 @@ class Integrator {
   }
 
  private:
-  /// Blocks that one worker goes through at once.
+  /// Blocks that a worker processes at a time.
   static constexpr std::size_t blocks_per_chunk = 256;
 
-  /// The plan of a chunk of blocks.
+  /// The predicted motion of a chunk of blocks.
   struct Plan {
     bool is_valid = true;
     bool needs_rebuild = false;
-    bool goes_far = false;  // some block by more than its radius
+    bool goes_far = false;  // some block moves by more than its radius
     double longest_motion = 0;
     double max_rotation = 0;
   };
 
-  /// Blocks that stand cost nothing where there is a row of them.
+  /// Marks the chunks in which any block moves; the others cost nothing.
   void look_what_moves();
   template <class Sums, class Visit>
   void sum_each_block(Sums& sums, Visit visit);
-  /// Those that drive a block, before damping.
+  /// The load on a block, before damping.
   BlockLoad load_on(std::size_t block) const;
   void take_kick(std::size_t block, EnergySample& sample);
   void accelerate_rigid(std::size_t block);
@@ -154,7 +153,7 @@ class Integrator {
   void sample_energy(std::size_t block, const Vector<D>& opposed, const Angular<D>& opposed_spin,
                      EnergySample& sample) const;
 
-  // The same for affine blocks is in integrator_affine.cpp.
+  // For affine blocks, in integrator_affine.cpp.
   Vector<D> affine_load(std::size_t block) const;
   Tensor<D> generalized_force(std::size_t block) const;
   void accelerate_affine(std::size_t block);
@@ -166,7 +165,7 @@ class Integrator {
   void take_affine_kick(std::size_t block, EnergySample& sample);
 
   VelocityChange<D> kicks_;
-  VelocityChange<D> reaction_;  // those at the end of the last motion
+  VelocityChange<D> reaction_;  // by impulses at the end of the last motion
   MeshMotion<D> meshes_;
   const WorldSettings<D>& settings_;
   const Model<D>& model_;
@@ -177,11 +176,11 @@ class Integrator {
   Threads* threads_;
   Array<Vector<D>> acceleration_;     // of each block, from the last forces
   Array<Angular<D>> momentum_rate_;   // of the angular momentum, likewise
-  Array<Rotation<D>> next_rotation_;  // planned
-  Array<std::uint8_t> any_moves_;     // in each chunk of blocks; worked out when the world has been changed
-  Array<Plan> planned_;               // of each chunk of blocks
+  Array<Rotation<D>> next_rotation_;  // predicted
+  Array<std::uint8_t> any_moves_;     // per chunk of blocks; updated after an edit
+  Array<Plan> planned_;               // per chunk of blocks
   Array<EnergySample> samples_;       // likewise
-  double duration_ = 0;               // of the planned motion: the step or a part of it
+  double duration_ = 0;               // of the predicted motion: a step or a part of it, s
   double longest_motion_ = 0;
   double max_rotation_ = 0;
 };

@@ -1,11 +1,11 @@
 #include "world/motion/integrator.h"
 #include "world/motion/local_damping.h"
 
-// The part of a step that only affine blocks have: their gradient is kicked and drifts beside the centroid.
+// The integration of affine blocks: the gradient has a kick and a drift, as the centroid has.
 
 namespace halfspace {
 
-/// The force on the centroid: the loads on the block's surface push it, too.
+/// The force on the centroid, with that of the loads on the surface.
 template <int D>
 Vector<D> Integrator<D>::affine_load(std::size_t i) const {
   return load_on(i).force + blocks_.deformation(i).load_force;
@@ -43,7 +43,7 @@ void Integrator<D>::accelerate_affine(std::size_t i) {
       load_on * deformation.inverse_mass_matrix - settings_.mass_damping * deformation.rate;
 }
 
-/// False when the motion is not finite, or would turn the block inside out or press it flat.
+/// False when the motion is not finite, or inverts or flattens the block.
 template <int D>
 bool Integrator<D>::predict_affine(std::size_t i, Plan& plan) {
   const double half = 0.5 * duration_;
@@ -73,7 +73,7 @@ void Integrator<D>::kick_and_drift_affine(std::size_t i) {
   blocks_.drift_affine(std::int32_t(i), duration_ * blocks_.velocity[i], duration_);
 }
 
-/// As sample_energy(), of velocities and of the rate that damping was formed with.
+/// As sample_energy(). `opposed_rate`: the rate for which damping was computed.
 template <int D>
 void Integrator<D>::sample_affine_energy(std::size_t i, const Vector<D>& opposed,
                                          const Tensor<D>& opposed_rate, EnergySample& sample) const {
@@ -86,7 +86,7 @@ void Integrator<D>::sample_affine_energy(std::size_t i, const Vector<D>& opposed
   sample.kinetic += 0.5 * mass * velocity.squaredNorm() + deformation.kinetic_energy();
   sample.gravity -= mass * settings_.gravity.dot(blocks_.position[i]);
   sample.block_strain += deformation.strain_energy(model_.elasticity_of(i));
-  // The strain that a torque drives changes with the gradient: it is not the same all through a step.
+  // The power of a torque depends on the gradient, so it varies within a step.
   sample.power.outer += blocks_.applied_torque[i].dot(blocks_.spin[i]);
   sample.power.contact_damping += forces_.dashpot_power(i);
   sample.power.block_damping += deformation.damping_power(model_.elasticity_of(i), opposed_rate);
@@ -117,7 +117,7 @@ void Integrator<D>::kick_affine(std::size_t i, EnergySample& sample) {
   sample.applied_power += blocks_.applied_force[i].dot(middle_velocity) +
                           deformation.load_force.dot(middle_velocity) +
                           deformation.load.cwiseProduct(middle_rate).sum();
-  // A kick beyond all numbers is none, as with rigid blocks.
+  // A kick that is not finite is skipped, as for rigid blocks.
   if (acceleration_[i].allFinite() && deformation.acceleration.allFinite()) {
     blocks_.push(i, half * acceleration_[i], Angular<D>::Zero());
     blocks_.strain(i, half * deformation.acceleration);

@@ -10,13 +10,13 @@
 namespace halfspace {
 namespace {
 
-/// A body that has gone so far that rounding of its places strains a cell by more is lost.
+/// Maximum strain of a cell by rounding of positions. It limits the distance of a body from its origin.
 constexpr double most_rounded = 1e-3;
 
 }  // namespace
 
-/// All forces on the nodes: what acts on them from outside, then elements and contacts in ascending order.
-/// Returns the energy of strain.
+/// Sums all forces on the nodes: gravity and applied forces, then elements and contacts in ascending order.
+/// Returns the strain energy.
 template <int D>
 double MeshMotion<D>::evaluate_forces() {
   for (std::size_t i = 0; i < meshes_.node_count(); ++i)
@@ -50,8 +50,8 @@ double MeshMotion<D>::load_nodes_of(const Element<D, N>& element) {
   return element.strain_energy(strain, bending, elasticity);
 }
 
-/// A simplex moves by an affine field: the work of its contacts over it is that of these forces over its
-/// nodes.
+/// Nodal forces with the same work as the cell's contacts, because a simplex has an affine displacement
+/// field.
 template <int D>
 void MeshMotion<D>::load_nodes_of(const SurfaceCell<D>& cell) {
   const std::size_t block = std::size_t(cell.block);
@@ -64,7 +64,7 @@ void MeshMotion<D>::load_nodes_of(const SurfaceCell<D>& cell) {
     meshes_.force[std::size_t(cell.node[std::size_t(i)])] += share + in_frame * cell.gradients.col(i);
 }
 
-/// Newton's law with local and mass-proportional damping, of the components that are not held.
+/// Newton's law with local and mass-proportional damping, for the components that are not held.
 template <int D>
 void MeshMotion<D>::accelerate(std::size_t i) {
   const Vector<D>& velocity = meshes_.velocity[i];
@@ -76,8 +76,8 @@ void MeshMotion<D>::accelerate(std::size_t i) {
   }
 }
 
-/// A node's energies, and the rates at which what holds it and damping change the world's. `opposed` is the
-/// velocity that damping was formed with.
+/// Adds a node's kinetic energy, and the powers of its supports and of damping. `opposed`: the velocity for
+/// which damping was computed.
 template <int D>
 void MeshMotion<D>::sample_energy(std::size_t i, const Vector<D>& opposed, EnergySample& sample) const {
   const Vector<D>& velocity = meshes_.velocity[i];
@@ -107,7 +107,7 @@ void MeshMotion<D>::take_surface_stock(EnergySample& sample) const {
   }
 }
 
-/// Rate of what viscous stress takes that was formed with the velocities of so much earlier, before any
+/// Power of the viscous stress, which was computed with the velocities `earlier_by` seconds before, without
 /// kicks.
 template <int D>
 double MeshMotion<D>::damping_power(double earlier_by, const VelocityChange<D>* kicks) const {
@@ -152,7 +152,7 @@ void MeshMotion<D>::begin(double time_step, EnergySample& sample, double& noise)
   sample.power.block_damping += damping_power(0);
 }
 
-/// A body that moves as a whole strains nothing, but that its places are rounded from where it was put.
+/// A translation of a body strains no cell, except by rounding of positions relative to the body's origin.
 template <int D>
 typename MeshMotion<D>::Bending MeshMotion<D>::most_bent() const {
   Bending most;
@@ -174,7 +174,7 @@ typename MeshMotion<D>::Bending MeshMotion<D>::most_bent() const {
   return most;
 }
 
-/// Does no cell turn inside out, nor a block at the surface get flat?
+/// True when the predicted motion inverts no cell and flattens no surface block.
 template <int D>
 bool MeshMotion<D>::keeps_upright() {
   const auto check = [&](const auto& cell, const auto& gradients) {
@@ -192,8 +192,8 @@ bool MeshMotion<D>::keeps_upright() {
   return inverted_.body < 0;
 }
 
-/// As long as the gradient's least stretch, sqrt(1 - 2 |E|) or more, is beyond what the motion changes,
-/// nothing turns inside out, and no cell has to be looked at. That is so in all but wild motions.
+/// No cell is inverted if the motion changes the gradient by less than its minimum stretch, which is at least
+/// sqrt(1 - 2 |E|). So only violent motions require a test of each cell.
 template <int D>
 bool MeshMotion<D>::predict(double duration) {
   duration_ = duration;
@@ -246,7 +246,7 @@ void MeshMotion<D>::kick(double duration, EnergySample& sample) {
       const Vector<D> middle_velocity = meshes_.velocity[i];
       accelerate(i);
       sample.applied_power += meshes_.applied_force[i].dot(middle_velocity);
-      // A kick beyond all numbers is none, as with rigid blocks.
+      // A kick that is not finite is skipped, as for rigid blocks.
       const Vector<D> velocity = middle_velocity + 0.5 * duration * acceleration_[i];
       if (velocity.allFinite()) meshes_.velocity[i] = velocity;
       sample.gravity -= meshes_.mass[i] * settings_.gravity.dot(body.origin + meshes_.place[i]);

@@ -10,8 +10,8 @@
 
 namespace halfspace {
 
-/// The part of a step that meshes have: their nodes are kicked and drift, driven by the elements, by gravity
-/// and by the contacts of the blocks at their surface, which follow them.
+/// The integration of meshes. Elements, gravity and the contacts of surface blocks load the nodes; surface
+/// blocks follow their nodes.
 template <int D>
 class MeshMotion {
  public:
@@ -25,16 +25,16 @@ class MeshMotion {
         reaction_(reaction),
         acceleration_(memory) {}
 
-  /// Accelerations of all nodes from the forces at hand, and what there is of energy; adds to the noise, see
+  /// Computes the forces and accelerations of all nodes. Adds to the energies, and to the noise of
   /// Integrator::begin().
   void begin(double time_step, EnergySample& sample, double& noise);
-  /// False when the motion is not finite, or would turn a cell inside out: then inverted() names it.
+  /// False when the motion is not finite or would invert a cell, which inverted() then returns.
   bool predict(double duration);
   const InvertedCell& inverted() const { return inverted_; }
-  /// The planned motion of a block at the surface.
+  /// The predicted motion of a surface block.
   Vector<D> predicted_displacement(std::size_t block) const;
   Tensor<D> predicted_stretch(std::size_t block) const;
-  /// The force that the kick at the end of the last motion stands for.
+  /// The constraint force equivalent to the impulses at the end of the last motion.
   Vector<D> reaction(std::size_t node) const {
     if (reaction_.empty()) return Vector<D>::Zero();
     return reaction_.rate() * meshes_.mass[node] * reaction_.of_node(node);
@@ -45,21 +45,21 @@ class MeshMotion {
     return duration_ * velocity;
   }
   const Vector<D>& acceleration_of(std::size_t node) const { return acceleration_[node]; }
-  /// Velocities to the middle of the motion, places to its end.
+  /// Advances velocities to the middle of the motion, and positions to its end.
   void kick_and_drift(double duration);
-  /// Velocities to its end.
+  /// Advances velocities to its end.
   void kick(double duration, EnergySample& sample);
-  /// Takes the kicks into the velocities, and the stock anew.
+  /// Adds the velocity changes of contacts, and samples the energy again.
   void take_kicks(double duration, EnergySample& sample);
 
   void reserve() { acceleration_.reserve(meshes_.node_count()); }
-  /// Memory has been reserved.
+  /// Allocates nothing after reserve().
   void resize() { acceleration_.resize(meshes_.node_count(), Vector<D>::Zero()); }
 
-  /// Accelerations and the largest strain, by the last forces.
+  /// Accelerations and the maximum strain, by the last forces.
   auto state() { return std::tie(acceleration_, largest_strain_); }
 
-  /// False for what cannot be, after reading a snapshot.
+  /// Validates the state read from a snapshot.
   bool is_consistent(bool is_edited) const {
     return is_edited || acceleration_.size() == meshes_.node_count();
   }
@@ -76,8 +76,8 @@ class MeshMotion {
   double load_nodes_of(const Element<D, N>& element);
   void load_nodes_of(const SurfaceCell<D>& cell);
   void accelerate(std::size_t node);
-  /// The most by which the planned motion can change any element's gradient: by itself, and as places are
-  /// rounded.
+  /// Bounds of the change of any element's gradient in the predicted motion, by displacements and by rounding
+  /// of positions.
   struct Bending {
     double by_motion = 0;
     double by_rounding = 0;
@@ -94,10 +94,10 @@ class MeshMotion {
   const ForcePass<D>& forces_;
   const VelocityChange<D>& kicks_;
   const VelocityChange<D>& reaction_;
-  Array<Vector<D>> acceleration_;  // of each node, from the last forces
-  double largest_strain_ = 0;      // of all elements, at the last forces
-  double strain_energy_ = 0;       // likewise
-  double duration_ = 0;            // of the planned motion
+  Array<Vector<D>> acceleration_;  // per node, from the last forces
+  double largest_strain_ = 0;      // maximum over all cells, squared, at the last forces
+  double strain_energy_ = 0;       // of all elements, at the last forces
+  double duration_ = 0;            // of the predicted motion
   InvertedCell inverted_;
 };
 

@@ -7,14 +7,14 @@
 
 namespace halfspace {
 
-/// The mean area, in the plane the mean width, that a block turns to another.
+/// The mean cross-section of a block: area, in 2D width.
 template <int D>
 double PenetrationBound<D>::section(std::size_t i) const {
   const double volume = blocks_.mass[i] / model_.materials.density(blocks_.material[i]);
   return volume / blocks_.strained_thickness(i);
 }
 
-/// Force per depth of two blocks whose faces meet squarely.
+/// Force per penetration of two blocks in face contact, N/m.
 template <int D>
 double PenetrationBound<D>::stiffness_between(const Candidate<D>& pair) const {
   const ContactLaw& law = model_.law_of(pair);
@@ -24,7 +24,7 @@ double PenetrationBound<D>::stiffness_between(const Candidate<D>& pair) const {
          (law.is_potential() ? 2 * law.normal_stiffness / model_.potential_length() : law.normal_stiffness);
 }
 
-/// The contact where two blocks touch or, apart, are nearest.
+/// The contact of two blocks, at their nearest features if they are separated.
 template <int D>
 Contact<D> PenetrationBound<D>::nearest_of(const Candidate<D>& pair) const {
   Contact<D> contact;
@@ -39,19 +39,19 @@ Contact<D> PenetrationBound<D>::nearest_of(const Candidate<D>& pair) const {
   return contact;
 }
 
-/// How deep the springs of a pair let it come that approaches at such a speed and lies so deep already, over
-/// the thickness of the thinner one.
+/// The ratio of a pair that approaches at `speed` and overlaps by `depth`.
 template <int D>
 double PenetrationBound<D>::from(const Candidate<D>& pair, double speed, double depth) const {
   const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
   const double way = speed > 0 ? speed * std::sqrt(blocks_.reduced_mass(a, b) / stiffness_between(pair)) : 0;
   const double thickness = blocks_.thinner(pair.a, pair.b);
   const double of_way = way / thickness, of_depth = std::max(depth, 0.0) / thickness;
-  // Not by the C library's hypot, whose last bit is the machine's; springs next to nothing let all through.
+  // Not std::hypot, whose last bit depends on the machine. The limit keeps the ratio of very soft springs
+  // finite.
   return std::min(std::sqrt(of_way * of_way + of_depth * of_depth), std::numeric_limits<double>::max());
 }
 
-/// A pair is looked at where it touches or is nearest, and at the speed at which it approaches there.
+/// The ratio at the contact or the nearest features of a pair, with the approach speed there.
 template <int D>
 double PenetrationBound<D>::of(const Candidate<D>& pair) const {
   const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
@@ -61,7 +61,7 @@ double PenetrationBound<D>::of(const Candidate<D>& pair) const {
   return from(pair, speed, -contact.gap);
 }
 
-/// A bound without a close look, but for how deep the pair lies.
+/// A bound of the ratio by the speed alone, without the depth.
 template <int D>
 double PenetrationBound<D>::most_of(const Candidate<D>& pair) const {
   return from(pair, blocks_.speed_between(pair.a, pair.b), 0);

@@ -7,23 +7,23 @@
 
 namespace halfspace {
 
-/// How deep springs let blocks come: springs that cannot stop one within a share of the thinner block's
-/// thickness are too soft for its speed.
+/// Bounds the penetration that springs allow. They are too soft for a block's speed if they allow a large
+/// fraction of the thinner block's thickness.
 template <int D>
 class PenetrationBound {
  public:
   PenetrationBound(const Model<D>& model, const ContactList<D>& contacts)
       : model_(model), blocks_(model.blocks), contacts_(contacts) {}
 
-  /// The largest share of the thinner block's thickness up to which springs let two blocks come, the root of
-  /// d^2 + v^2 m/k for those that approach at v where they are nearest and lie d deep: of all when they met,
-  /// of those that divided a step in each part of it, and of those in the neighbour list now.
+  /// Maximum penetration ratio so far: sqrt(d^2 + v^2 m/k), for blocks at depth d that approach at speed v at
+  /// the contact, over the thinner block's thickness. Computed when two blocks meet, in each motion of a
+  /// divided step, and now for all pairs of the neighbour list.
   double deepest() const;
   /// Notes a pair of blocks in touch.
   void note(const Candidate<D>& pair) { deepest_ = std::max(deepest_, of(pair)); }
-  /// Notes a share found by of_meeting().
+  /// Notes a ratio, such as that of of_meeting().
   void note(double share) { deepest_ = std::max(deepest_, share); }
-  /// The share of two blocks that were apart and touch now, or less where another is known that comes deeper.
+  /// The ratio of two blocks that have just met; 0 if it cannot exceed the maximum noted so far.
   double of_meeting(const Candidate<D>& pair) const { return most_of(pair) > deepest_ ? of(pair) : 0; }
 
   bool is_consistent() const { return is_nonnegative(deepest_); }
@@ -43,7 +43,7 @@ class PenetrationBound {
   const Model<D>& model_;
   const Blocks<D>& blocks_;
   const ContactList<D>& contacts_;
-  double deepest_ = 0;  // of those noted
+  double deepest_ = 0;  // maximum noted
 };
 
 extern template class PenetrationBound<2>;

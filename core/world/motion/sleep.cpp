@@ -13,7 +13,7 @@ constexpr double for_ever = std::numeric_limits<double>::max();
 
 }  // namespace
 
-/// The root of way(t), in a form that loses no digits. A pace beyond all numbers leaves no time.
+/// Solves way(t) = `way`, in a form without cancellation. The time is 0 for a bound that is not finite.
 double SpeedBound::time_for(double way) const {
   const double divisor = speed + std::sqrt(speed * speed + 2 * acceleration * way);
   if (!(divisor >= 0 && way > 0)) return 0;
@@ -40,9 +40,9 @@ void Sleep<D>::begin_look(const Blocks<D>& blocks, std::size_t i) {
   island_[i] = std::int32_t(i);
 }
 
-/// A sleep spends half of what is left of the tolerance at most: so there is always something left. The less
-/// there is, the longer a sleep has to be that is worth its while: or a block that is still coming to rest
-/// would spend all of it in short ones. Blocks that are driven, and those of meshes, do not sleep.
+/// A sleep uses at most half of the remaining tolerance, so some always remains. The less remains, the longer
+/// the minimum sleep: otherwise a block that is still settling would use it up in short sleeps. Prescribed
+/// blocks and mesh blocks do not sleep.
 template <int D>
 double Sleep<D>::longest_sleep(const Model<D>& model, std::size_t i, double least_sleep) const {
   if (rest_[i] == Rest::fixed) return for_ever;
@@ -62,8 +62,8 @@ std::int32_t Sleep<D>::head_of(std::int32_t slot) {
   return slot;
 }
 
-/// Fixed blocks hold no islands together. The slot that comes first stands for an island, so that no order of
-/// contacts decides it.
+/// Fixed blocks do not connect islands. The smallest slot represents an island, so the order of contacts does
+/// not matter.
 template <int D>
 void Sleep<D>::join(std::int32_t a, std::int32_t b) {
   if (rest_[std::size_t(a)] != Rest::none || rest_[std::size_t(b)] != Rest::none) return;
@@ -99,7 +99,7 @@ bool Sleep<D>::put_to_sleep(double time, double least_sleep) {
   return sleeping_ > before;
 }
 
-/// Wakes the islands for whose head `wakes` holds.
+/// Wakes the islands for whose head `wakes(head)` is true.
 template <int D>
 template <class Wakes>
 bool Sleep<D>::wake_islands(Wakes wakes, double time) {
@@ -124,7 +124,7 @@ bool Sleep<D>::wake_in_time(double time, double duration) {
   return wake_islands([&](std::size_t head) { return until_[head] <= time + duration; }, time);
 }
 
-/// A head that is touched is marked by the time that it may sleep, which is of no more use then.
+/// Marks the head of a touched island by its until_, which is no longer needed.
 template <int D>
 bool Sleep<D>::wake_touched(const ContactList<D>& contacts, double time) {
   if (!any()) return false;

@@ -8,27 +8,27 @@
 
 namespace halfspace {
 
-/// Steps between two looks for blocks that may fall asleep.
+/// Steps between two searches for islands that may sleep.
 constexpr std::int64_t steps_between_looks = 64;
 
-/// A sleep of fewer steps is not worth its while.
+/// Minimum duration of a sleep, in steps.
 constexpr double least_sleep_in_steps = 256;
 
-/// The speed of a block's farthest point at most, and how fast that changes.
+/// Bounds of the speed and the acceleration of a block's points.
 struct SpeedBound {
   double speed = 0;
   double acceleration = 0;
 
-  /// The way at most, if nothing that acts on the block changes.
+  /// Maximum displacement in `duration`, if the forces on the block do not change.
   double way(double duration) const { return duration * (speed + 0.5 * acceleration * duration); }
-  /// The time that a way takes at least.
+  /// Minimum time for a displacement of `way`.
   double time_for(double way) const;
 };
 
-/// Blocks that stand still in time while nothing reaches them: steps leave out them and the contacts among
-/// them. An island is what contacts and bonds hold together. It falls asleep as a whole and wakes as a whole:
-/// by touch, by any change from outside, and before one of its blocks has missed too much of its way. All
-/// sleep of a run costs no block more of its way than the tolerance.
+/// Sleep of blocks at rest: steps skip sleeping blocks and the contacts between them. An island, the blocks
+/// that contacts and bonds connect, falls asleep and wakes as a whole. It wakes when touched, after an edit,
+/// and when its time is over. The displacement error of a block, summed over all of its sleeps, never exceeds
+/// the tolerance.
 template <int D>
 class Sleep {
  public:
@@ -41,23 +41,23 @@ class Sleep {
         island_(memory),
         longest_(memory) {}
 
-  /// Takes all memory that sleep needs.
+  /// Reserves all memory.
   void reserve(std::size_t slots);
-  /// Memory has been reserved.
+  /// Allocates nothing after reserve().
   void resize(std::size_t slots);
 
   bool any() const { return sleeping_ > 0; }
   std::int64_t count() const { return sleeping_; }
   bool is_asleep(std::size_t slot) const { return any() && rest_[slot] == Rest::asleep; }
-  /// Does a pair stay as it is, as both blocks sleep or do not move?
+  /// True when steps skip a pair, because each of its blocks sleeps or does not move.
   bool leaves_out(const Candidate<D>& pair) const {
     return any() && rest_[std::size_t(pair.a)] != Rest::none && rest_[std::size_t(pair.b)] != Rest::none;
   }
-  /// The most of its way that any block has missed.
+  /// Maximum displacement error by sleep so far, over all blocks, m.
   double max_error(double time) const;
 
-  /// Puts islands to sleep that may sleep for a while; contacts are known. `speed_bound_of(slot)` tells how a
-  /// free block moves. True when more blocks sleep than before.
+  /// Puts islands to sleep that may sleep long enough. `speed_bound_of(slot)` returns the bound of a free
+  /// block. Returns true when more blocks sleep than before. Precondition: contacts are found.
   template <class PaceOf>
   bool look(const Model<D>& model, const ContactList<D>& contacts, double time, double least_sleep,
             PaceOf speed_bound_of) {
@@ -70,18 +70,17 @@ class Sleep {
     find_islands(model.blocks, contacts);
     return put_to_sleep(time, least_sleep);
   }
-  /// Wakes islands that have to wake before so much time has passed. True when there are any.
+  /// Wakes islands whose sleep ends within `duration`. Returns true if there are any.
   bool wake_in_time(double time, double duration);
-  /// Wakes islands that a block which moves has come to touch. True when there are any.
+  /// Wakes islands that a moving block touches. Returns true if there are any.
   bool wake_touched(const ContactList<D>& contacts, double time);
-  /// Wakes the island of a block. True when it slept.
+  /// Wakes the island of a block. Returns true if it slept.
   bool wake_island_of(std::size_t slot, double time);
   void wake_all(double time);
-  /// The slot of a block that is removed may come to be another's. All are awake.
+  /// Clears the slot of a removed block. Precondition: all blocks are awake.
   void forget(std::size_t slot);
 
-  /// False for what no sleep can be, after reading a snapshot. A world that is ready for its next step, in
-  /// which blocks may sleep, knows all slots.
+  /// Validates the state read from a snapshot. `knows_all`: the arrays must have all slots.
   bool is_consistent(std::size_t slots, bool knows_all) const;
 
   template <class Archive>
@@ -102,15 +101,15 @@ class Sleep {
   template <class Wakes>
   bool wake_islands(Wakes wakes, double time);
 
-  Array<Rest> rest_;               // of each slot; `fixed` is as of the last look
-  Array<double> error_used_;       // of the tolerance, by sleep that is over
+  Array<Rest> rest_;               // per slot; `fixed` as of the last look()
+  Array<double> error_used_;       // of the tolerance, by sleeps that have ended, m
   Array<double> since_;            // when it fell asleep
-  Array<double> until_;            // when it wakes, if nothing wakes it before
-  Array<SpeedBound> speed_bound_;  // as it fell asleep
-  Array<std::int32_t> island_;     // the slot that stands for its island
-  Array<double> longest_;          // that a block, or the island that it stands for, may sleep
-  double next_wake_ = 0;           // the first of all
-  std::int64_t sleeping_ = 0;      // blocks
+  Array<double> until_;            // when it wakes at the latest
+  Array<SpeedBound> speed_bound_;  // at the beginning of the sleep
+  Array<std::int32_t> island_;     // slot that represents the island
+  Array<double> longest_;          // maximum sleep of a block, or of the island that it represents, s
+  double next_wake_ = 0;           // the earliest of all
+  std::int64_t sleeping_ = 0;      // number of blocks
 };
 
 extern template class Sleep<2>;

@@ -7,7 +7,7 @@
 namespace halfspace {
 namespace {
 
-/// The largest area, in the plane the largest width, that blocks of this radius can share.
+/// The largest contact area, in 2D width, of two blocks of this radius.
 template <int D>
 double largest_base(double radius) {
   return D == 2 ? 2 * radius : std::numbers::pi * radius * radius;
@@ -15,7 +15,7 @@ double largest_base(double radius) {
 
 }  // namespace
 
-/// The stiffest that a contact of a block can be by a law.
+/// The maximum stiffness of a contact of a block by a law.
 template <int D>
 double StableStep<D>::largest_stiffness(const ContactLaw& law, std::size_t slot,
                                         double potential_length) const {
@@ -33,7 +33,7 @@ double StableStep<D>::largest_stiffness(const ContactLaw& law, std::size_t slot,
   }
 }
 
-/// The stiffest and the most viscous contact that a block can have: with one far heavier.
+/// The maximum stiffness and viscosity of any contact of a block: with a much heavier one.
 template <int D>
 typename StableStep<D>::StiffnessSum StableStep<D>::stiffest_contact(std::size_t slot,
                                                                      double potential_length) const {
@@ -47,8 +47,8 @@ typename StableStep<D>::StiffnessSum StableStep<D>::stiffest_contact(std::size_t
   return hardest;
 }
 
-/// The hardness of a contact that is there: no stiffer than the smaller of its blocks allows, and braked by
-/// dashpots for the mass that both move together.
+/// Stiffness and viscosity of an existing contact. The smaller block limits the stiffness; dashpots act on
+/// the reduced mass.
 template <int D>
 typename StableStep<D>::StiffnessSum StableStep<D>::contact_stiffness_of(std::size_t c,
                                                                          double potential_length) const {
@@ -66,13 +66,13 @@ typename StableStep<D>::StiffnessSum StableStep<D>::contact_stiffness_of(std::si
 template <int D>
 typename StableStep<D>::StiffnessSum StableStep<D>::contact_stiffness_of(const Bond<D>& bond) const {
   const BondLaw& law = blocks_.bonds().law_of(bond);
-  StiffnessSum hardness;  // no contact: when it has failed there may be some besides
+  StiffnessSum hardness;  // contacts = 0: after failure, contacts may be added
   for (const BondPoint<D>& point : blocks_.bonds().points_of(bond))
     hardness.stiffness += point.area * std::max(law.normal_stiffness, law.shear_stiffness);
   return hardness;
 }
 
-/// The vibration of a deformable block by itself, or of the mesh that it is of.
+/// The vibration of an affine block by itself, or of the mesh of a mesh block.
 template <int D>
 typename StableStep<D>::Wave StableStep<D>::wave_of(std::size_t slot) const {
   if (blocks_.is_of_mesh(slot)) {
@@ -86,15 +86,14 @@ typename StableStep<D>::Wave StableStep<D>::wave_of(std::size_t slot) const {
           elasticity.damping_time};
 }
 
-/// Gershgorin: no frequency exceeds omega^2 = sum_contacts n K (1/m + y), with y = r^2/I of the point that
-/// yields most to a force, and n = 2, or 1 where the other block stands still; and no decay
-/// gamma = sum_contacts n c (1/m + y).
-/// Dashpots and mass damping read the velocity of half a step before, so that central differences are stable
-/// as long as dt^2 omega^2 + 2 dt gamma < 4. Blocks will meet others: never fewer than so many contacts are
-/// counted.
+/// Gershgorin: no frequency exceeds omega^2 = sum_contacts n K (1/m + y), and no decay rate exceeds gamma =
+/// sum_contacts n c (1/m + y), with y = r^2/I of the point with the smallest effective mass, and n = 2, or 1
+/// if the other block does not move freely. Dashpots and mass damping use the velocity of half a step before,
+/// so central differences are stable if dt^2 omega^2 + 2 dt gamma < 4. A minimum number of contacts per block
+/// accounts for contacts to come.
 template <int D>
 typename StableStep<D>::Limit StableStep<D>::limit() {
-  // Blocks of a mesh share their nodes with others, which count theirs.
+  // Mesh blocks share nodes with others, which count their own contacts.
   constexpr int least_contacts = 4, least_contacts_of_mesh = 1;
   const double length = model_.materials.laws().knows_potential() ? model_.potential_length() : 0;
   stiffness_of_block_.assign(blocks_.slot_count(), {});
@@ -124,7 +123,7 @@ typename StableStep<D>::Limit StableStep<D>::limit() {
       omega_squared += wave.squared_frequency;
       if (wave.damping_time > 0) gamma += wave.damping_time * wave.squared_frequency;
     }
-    // It brakes as dashpots do, but by itself it tells no step.
+    // Mass damping acts as dashpots do, but alone it does not limit the time step.
     if (omega_squared > 0) gamma += model_.settings.mass_damping;
     const double step = 4 / (gamma + std::sqrt(gamma * gamma + 4 * omega_squared));
     if (step < limit.step) limit = {step, std::int32_t(i), omega_squared > 2 * by_others};

@@ -9,33 +9,33 @@
 
 namespace halfspace {
 
-/// Bounds the time step from above, by the stiffness of contacts and blocks against their masses.
+/// Computes the stable time step from the stiffness and the mass of contacts and blocks.
 template <int D>
 class StableStep {
  public:
   StableStep(const Model<D>& model, const ContactList<D>& contacts, Memory* memory)
       : model_(model), blocks_(model.blocks), contacts_(contacts), stiffness_of_block_(memory) {}
 
-  /// The largest step that is stable for certain, and the block that sets it.
+  /// The stable time step, a lower bound of the critical one, and the block that determines it.
   struct Limit {
-    double step = HUGE_VAL;   // when nothing can touch
+    double step = HUGE_VAL;   // s; HUGE_VAL if nothing can touch
     std::int32_t block = -1;  // -1 then
-    bool by_itself = false;   // its own vibration, or its body's, has more part in it than what it meets
+    bool by_itself = false;   // its own or its body's vibration contributes more than contacts
   };
 
-  /// Contacts are known.
+  /// Precondition: contacts are found.
   Limit limit();
   double bound() { return limit().step; }
   /// The other block of the stiffest contact or bond of a block, if it has any.
   struct Neighbor {
     std::int32_t block;
-    std::int64_t bond;  // -1: it is a contact
+    std::int64_t bond;  // -1: a contact
   };
   std::optional<Neighbor> stiffest_neighbor_of(std::int32_t block) const;
   void reserve(std::size_t slots) { stiffness_of_block_.reserve(slots); }
 
  private:
-  /// The hardness of a contact, or the sum of all that a block has.
+  /// Stiffness and viscosity of a contact, or their sums over the contacts of a block.
   struct StiffnessSum {
     int contacts = 0;
     double stiffness = 0;
@@ -52,7 +52,7 @@ class StableStep {
   StiffnessSum stiffest_contact(std::size_t block, double potential_length) const;
   StiffnessSum contact_stiffness_of(std::size_t contact, double potential_length) const;
   StiffnessSum contact_stiffness_of(const Bond<D>& bond) const;
-  /// The largest frequency of a deformable block, and how fast its damping acts.
+  /// The maximum frequency of a deformable block, squared, and its damping time.
   struct Wave {
     double squared_frequency;
     double damping_time;
@@ -62,7 +62,7 @@ class StableStep {
   const Model<D>& model_;
   const Blocks<D>& blocks_;
   const ContactList<D>& contacts_;
-  Array<StiffnessSum> stiffness_of_block_;  // of each block's contacts
+  Array<StiffnessSum> stiffness_of_block_;  // per block, over its contacts
 };
 
 extern template class StableStep<2>;

@@ -5,17 +5,17 @@
 
 namespace halfspace {
 
-/// A point that a block carries along: of a mesh by some of its nodes, each with its weight, else at the end
-/// of an arm from the centroid, of an affine block in its shape's frame. There is no gap between members.
+/// A material point of a block: in a mesh, weights of nodes; else the arm from the centroid, for an affine
+/// block in the frame of its shape. Without implicit padding.
 template <int D>
 struct MaterialPoint {
   std::int32_t block = -1;
-  std::array<std::int32_t, 3> node{};  // the first D count
+  std::array<std::int32_t, 3> node{};  // the first D are used
   Vector<D> weight = Vector<D>::Zero();
   Vector<D> arm = Vector<D>::Zero();
 };
 
-/// The sum over the nodes of a point of a mesh: each node's vector, as it weighs.
+/// The weighted sum of nodal vectors at a point of a mesh.
 template <int D, class OfNode>
 Vector<D> weighed(const MaterialPoint<D>& point, OfNode of_node) {
   Vector<D> sum = Vector<D>::Zero();
@@ -25,7 +25,7 @@ Vector<D> weighed(const MaterialPoint<D>& point, OfNode of_node) {
   return sum;
 }
 
-/// Sudden changes of velocity, by impulses at points. A world that knows none has none of it.
+/// Velocity changes by impulses at points. Empty in a world without any.
 template <int D>
 class VelocityChange {
  public:
@@ -33,7 +33,7 @@ class VelocityChange {
       : blocks_(blocks), of_node_(memory), of_block_(memory), momentum_(memory), of_gradient_(memory) {}
 
   bool empty() const { return of_block_.empty(); }
-  /// Takes the memory, for all of them to be none, in one half of a motion of such a duration.
+  /// Allocates and zeroes the changes, for one half of a motion of this duration.
   void begin(double duration) {
     rate_ = 2 / duration;
     of_block_.assign(blocks_.slot_count(), Vector<D>::Zero());
@@ -55,22 +55,22 @@ class VelocityChange {
     of_node_.clear();
   }
 
-  // Blocks and nodes added to the world since have none.
+  // Zero for blocks and nodes added since begin().
   Vector<D> of_node(std::size_t node) const { return of(of_node_, node, Vector<D>(Vector<D>::Zero())); }
   Vector<D> of_block(std::size_t slot) const { return of(of_block_, slot, Vector<D>(Vector<D>::Zero())); }
   Angular<D> momentum(std::size_t slot) const { return of(momentum_, slot, Angular<D>(Angular<D>::Zero())); }
   Tensor<D> of_gradient(std::size_t slot) const {
     return of(of_gradient_, slot, Tensor<D>(Tensor<D>::Zero()));
   }
-  /// The force over the impulse, as if it had acted all through its half of the motion.
+  /// Mean force per impulse over its half of the motion, 1/s.
   double rate() const { return rate_; }
 
   /// The change of a point's velocity.
   Vector<D> at(const MaterialPoint<D>& point) const;
-  /// An impulse on a point.
+  /// Applies an impulse at a point.
   void add(const MaterialPoint<D>& point, const Vector<D>& impulse);
 
-  /// False for what none can be, after reading a snapshot.
+  /// Validates the state read from a snapshot.
   bool is_consistent() const {
     return momentum_.size() == of_block_.size() && of_block_.size() <= blocks_.slot_count() &&
            of_gradient_.size() <= of_block_.size() && of_node_.size() <= blocks_.meshes().node_count() &&
@@ -90,21 +90,21 @@ class VelocityChange {
   const Blocks<D>& blocks_;
   Array<Vector<D>> of_node_;
   Array<Vector<D>> of_block_;
-  Array<Angular<D>> momentum_;    // angular
-  Array<Tensor<D>> of_gradient_;  // of affine blocks
+  Array<Angular<D>> momentum_;    // of angular momentum
+  Array<Tensor<D>> of_gradient_;  // of the gradient's rate, for affine blocks
   double rate_ = 0;
 };
 
-/// The place of a point now.
+/// The current position of a point.
 template <int D>
 Vector<D> place_of(const MaterialPoint<D>& point, const Blocks<D>& blocks);
-/// Its velocity now.
+/// Its current velocity.
 template <int D>
 Vector<D> velocity_of(const MaterialPoint<D>& point, const Blocks<D>& blocks);
-/// The part of it that is prescribed, so that no force changes it.
+/// The prescribed part of it, which no force changes.
 template <int D>
 Vector<D> prescribed_velocity_of(const MaterialPoint<D>& point, const Blocks<D>& blocks);
-/// The change of a point's velocity over the impulse on it.
+/// The inverse effective mass: change of a point's velocity per impulse.
 template <int D>
 Tensor<D> inverse_mass_at(const MaterialPoint<D>& point, const Blocks<D>& blocks);
 

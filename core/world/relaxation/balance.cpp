@@ -7,7 +7,7 @@
 namespace halfspace {
 namespace {
 
-/// The forces on one block or node: the size of their sum, and the sum of their sizes.
+/// Forces on a block or node: the magnitude of their sum, and the sum of their magnitudes.
 struct Acting {
   double unbalanced = 0;
   double whole = 0;
@@ -78,7 +78,7 @@ class Acts {
   Array<double>& of_node_;
 };
 
-/// The block of a slot, or the first surface cell at a node, whose numbers follow those of the slots.
+/// The block of slot i, or the first surface cell at node i - slot_count().
 template <int D>
 std::int32_t block_at(const Blocks<D>& blocks, std::size_t i) {
   if (i < blocks.slot_count()) return std::int32_t(i);
@@ -96,7 +96,7 @@ std::int32_t block_at(const Blocks<D>& blocks, std::size_t i) {
 
 template <int D>
 Balance balance_of(const Model<D>& model, const ContactList<D>& contacts, const ForcePass<D>& forces,
-                   const HardContacts<D>& reactions, const Integrator<D>& integrator, BalanceRoom& room) {
+                   const HardContacts<D>& hard_contacts, const Integrator<D>& integrator, BalanceRoom& room) {
   const Blocks<D>& blocks = model.blocks;
   Acts<D> acts(model, integrator, room);
   const auto add_to_both = [&](std::int32_t a, std::int32_t b, double size) {
@@ -105,8 +105,8 @@ Balance balance_of(const Model<D>& model, const ContactList<D>& contacts, const 
   };
   for (std::size_t c = 0; c < contacts.count(); ++c)
     add_to_both(contacts.pair_of(c).a, contacts.pair_of(c).b, forces.of_contact(c).force.norm());
-  for (const ContactConstraint<D>& reaction : reactions.all())
-    add_to_both(reaction.a, reaction.b, reaction.force.norm());
+  for (const HardContact<D>& contact : hard_contacts.all())
+    add_to_both(contact.a, contact.b, contact.force.norm());
   for (const Bond<D>& bond : blocks.bonds().all()) {
     if (!bond.is_joint) continue;
     for (const BondPoint<D>& point : blocks.bonds().points_of(bond))
@@ -145,7 +145,7 @@ Balance balance_of(const Model<D>& model, const ContactList<D>& contacts, const 
   return balance;
 }
 
-/// Only what moves freely takes part, and only its translation.
+/// Only the translation of free blocks and nodes counts.
 template <int D>
 double SlowestMotion<D>::look() {
   const Blocks<D>& blocks = model_.blocks;

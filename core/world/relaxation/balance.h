@@ -8,68 +8,65 @@
 
 namespace halfspace {
 
-/// The distance of the forces on blocks and nodes from balance.
+/// Unbalanced forces on blocks and nodes.
 struct Balance {
-  double mean = 0;           // all that is unbalanced over all that acts; 0 where nothing acts
-  double largest = 0;        // of a single block or node; where next to nothing acts, over the mean force
-  double largest_force = 0;  // that is unbalanced
-  std::int32_t block = -1;   // that it acts on, of a node a cell at the surface; -1: none
+  double mean = 0;           // sum of unbalanced forces over sum of all forces; 0 if there are none
+  double largest = 0;        // maximum ratio of a block or node; over the mean force if that is larger
+  double largest_force = 0;  // maximum unbalanced force, N
+  std::int32_t block = -1;   // on which it acts; for a node, a surface cell; -1: none
 };
 
-/// The memory that measuring the balance takes.
+/// Working memory of balance_of().
 struct BalanceRoom {
   template <int D>
   BalanceRoom(const Blocks<D>& blocks, Memory* memory)
       : of_block(blocks.slot_count(), 0, memory), of_node(blocks.meshes().node_count(), 0, memory) {}
 
-  Array<double> of_block;  // the sizes of all forces on each
+  Array<double> of_block;  // sum of the magnitudes of all forces on each
   Array<double> of_node;
 };
 
-/// Measures the balance of the last forces; the room is for as many blocks and nodes as there are. Torques
-/// count as forces at a block's radius, and so does what drives strain. Where motion is prescribed nothing is
-/// unbalanced.
+/// Computes the balance of the last forces. Torques, and generalized forces of strain, count as forces at the
+/// block's radius. Prescribed motion has no unbalanced force. `room`: for all blocks and nodes.
 template <int D>
 Balance balance_of(const Model<D>& model, const ContactList<D>& contacts, const ForcePass<D>& forces,
-                   const HardContacts<D>& reactions, const Integrator<D>& integrator, BalanceRoom& room);
+                   const HardContacts<D>& hard_contacts, const Integrator<D>& integrator, BalanceRoom& room);
 
 extern template Balance balance_of(const Model<2>&, const ContactList<2>&, const ForcePass<2>&,
                                    const HardContacts<2>&, const Integrator<2>&, BalanceRoom&);
 extern template Balance balance_of(const Model<3>&, const ContactList<3>&, const ForcePass<3>&,
                                    const HardContacts<3>&, const Integrator<3>&, BalanceRoom&);
 
-/// The way in which a world is brought to rest.
+/// Parameters of a dynamic relaxation.
 struct Relaxation {
-  bool by_largest = false;  // else by the mean
+  bool by_largest = false;  // criterion: largest ratio; false: mean ratio
   double ratio = 1e-5;
   std::int64_t max_steps = 1000000;
   double local_damping = 0.1;
-  bool is_adaptive = true;  // mass damping as the slowest motion that is left wants it
+  bool is_adaptive = true;  // mass damping critical for the slowest remaining motion
   bool holds_bonds = true;
-  double max_displacement =
-      0;  // share of its size that any block or cell may move, or it falls; 0: without end
+  double max_displacement = 0;  // failure beyond it, over a block's size; 0: no limit
 };
 
-/// Finds out how fast the slowest motion of a world swings, by Rayleigh's quotient of what it has moved and
-/// of what forces have changed by that (Underwood 1983). Twice that frequency is the mass damping under which
-/// it comes to rest soonest.
+/// Estimates the angular frequency of the slowest motion of a world by the Rayleigh quotient of displacements
+/// and the force changes due to them (Underwood 1983). Twice this frequency is the critical mass damping.
 template <int D>
 class SlowestMotion {
  public:
-  /// Takes memory for all blocks and nodes that there are.
+  /// Allocates memory for all current blocks and nodes.
   SlowestMotion(const Model<D>& model, Memory* memory)
       : model_(model),
         places_(model.blocks.slot_count() + model.blocks.meshes().node_count(), Vector<D>::Zero(), memory),
         forces_(places_.size(), Vector<D>::Zero(), memory) {}
 
-  /// Looks at the world: the mass damping that is wanted since the last look, or a negative number when it
-  /// cannot be told. Forces are known.
+  /// Returns the critical mass damping of the motion since the last call, 1/s, or a negative number if it is
+  /// undefined. Precondition: forces are evaluated.
   double look();
 
  private:
   const Model<D>& model_;
   bool has_looked_ = false;
-  Array<Vector<D>> places_;  // of blocks, then of nodes, at the last look
+  Array<Vector<D>> places_;  // of blocks, then of nodes, at the last call of look()
   Array<Vector<D>> forces_;
 };
 

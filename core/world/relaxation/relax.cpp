@@ -3,27 +3,27 @@
 #include "world/copies.h"
 #include "world/world.h"
 
-// Dynamic relaxation: steps under strong local damping until no force is left unbalanced (Cundall 1987).
+// Dynamic relaxation: steps under damping until forces balance (Cundall 1987).
 
 namespace halfspace {
 namespace {
 
-/// Measuring costs as much as a step.
+/// Computing the balance costs as much as a step.
 constexpr std::int64_t steps_per_look = 10;
 
-/// The slowest motion is found over these steps and, as the world comes to rest, over up to ten times as
-/// many: contacts that open and close at a high frequency then come back to where they were, and do not hide
-/// it.
+/// Steps between two estimates of the slowest motion, up to ten times as many near rest: over a longer
+/// interval, contacts that open and close at a high frequency return to their position, and do not affect the
+/// estimate.
 std::int64_t steps_per_damping(std::int64_t steps) {
   return steps_per_look * std::clamp<std::int64_t>(steps / 1000, 1, 10);
 }
 
-/// Share of the stable step where forces are continuous; the rest is left to the damping. Springs per contact
-/// are not continuous: their jumps make more energy in larger steps than damping takes. There a smaller share
-/// stays as it is, and so does a smaller step that is given.
+/// Fraction of the stable time step if forces are continuous; the rest is a margin for damping. Springs per
+/// contact are not continuous: in larger steps, their jumps create more energy than damping dissipates. For
+/// them a smaller given fraction remains, as does a smaller given time step.
 constexpr double safety_in_relaxation = 0.9;
 
-/// The ways of blocks since it was made, over their own size.
+/// Displacements of blocks since construction, over their radius.
 template <int D>
 class Travel {
  public:
@@ -42,7 +42,7 @@ class Travel {
   Array<Vector<D>> start_;
 };
 
-/// The things watched while a world comes to rest. All memory is taken before it does.
+/// Monitors a relaxation. All memory is allocated at construction.
 template <int D>
 struct RestMonitor {
   RestMonitor(const Model<D>& model, Memory* memory)
@@ -55,7 +55,7 @@ struct RestMonitor {
 
 }  // namespace
 
-/// Nothing moves freely where no time step can be told: then nothing is unbalanced.
+/// If there is no stable time step, no block moves freely, and nothing is unbalanced.
 template <int D>
 Balance World<D>::balance() {
   BalanceRoom room(model_.blocks, sums_.get_allocator().resource());
@@ -86,7 +86,7 @@ void World<D>::stop_all() {
   edit();
 }
 
-/// A step that is given may be one that damping makes unstable.
+/// Damping may make a given time step unstable.
 template <int D>
 bool World<D>::leaves_room_for_damping(double time_step) {
   if (time_step == 0) return true;
@@ -94,8 +94,8 @@ bool World<D>::leaves_room_for_damping(double time_step) {
   return time_step <= safety_in_relaxation * stable_step_.bound();
 }
 
-/// When memory runs out before anything has moved, a world that was ready for its next step still is: the
-/// change of its damping has left no trace.
+/// If memory runs out before anything has moved, a world that was ready for its next step still is, with its
+/// former damping.
 template <int D>
 Relaxed World<D>::relax(const Relaxation& relaxation) {
   const bool leaves_room = leaves_room_for_damping(model_.settings.time_step);
@@ -149,7 +149,7 @@ void World<D>::relax_under_damping(const Relaxation& relaxation, RestMonitor& mo
         relaxation.max_displacement > 0 && monitor.way.longest(model_.blocks) > relaxation.max_displacement;
     if (!relaxation.is_adaptive || relaxed.steps % steps_per_damping(relaxed.steps) != 0) continue;
     const double wanted = monitor.slowest.look();
-    // The damping of one step is little, or steps would not be stable.
+    // The damping per step is limited, so that steps remain stable.
     if (wanted >= 0) model_.settings.mass_damping = std::min(wanted, 0.2 / clock_.time_step());
   }
 }

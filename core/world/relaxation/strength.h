@@ -6,18 +6,18 @@
 
 namespace halfspace {
 
-/// Strengths can be divided by it, and given back, and stay numbers.
+/// In this range, division by the factor and multiplication keep strengths finite.
 inline bool is_strength_factor(double factor) { return factor >= 1e-75 && factor <= 1e75; }
 
-/// The search for the factor of safety: the number by which all strengths can be divided until something
-/// moves (Zienkiewicz, Humpheson and Lewis 1975).
+/// Strength reduction: the factor of safety is the number by which all strengths can be divided before blocks
+/// move (Zienkiewicz, Humpheson and Lewis 1975).
 struct StrengthSearch {
   double low = 0.5;
   double high = 5;
   double resolution = 0.005;
 };
 
-/// It stands at `low` and falls at `high`, unless these are the ends that were given.
+/// The world stands at `low` and fails at `high`, unless these are the given limits.
 struct StrengthFound {
   double low = 0;
   double high = 0;
@@ -26,7 +26,7 @@ struct StrengthFound {
   std::int32_t trials = 0;
 };
 
-/// Bisects between two factors; stands_at(factor) tries one, each time from the same beginning.
+/// Bisects between two factors. stands_at(factor) runs a trial, each time from the same initial state.
 template <class StandsAt>
 StrengthFound find_strength_factor(const StrengthSearch& search, StandsAt stands_at) {
   StrengthFound found{search.low, search.high};
@@ -39,7 +39,7 @@ StrengthFound find_strength_factor(const StrengthSearch& search, StandsAt stands
   found.falls_at_high = !tried(found.high);
   while (found.falls_at_high && found.high - found.low > search.resolution) {
     const double middle = 0.5 * (found.low + found.high);
-    if (middle <= found.low || middle >= found.high) break;  // there is no number between them
+    if (middle <= found.low || middle >= found.high) break;  // no number lies between them
     (tried(middle) ? found.low : found.high) = middle;
   }
   return found;

@@ -9,27 +9,25 @@
 #include "geometry/polygon/clip.h"
 #include "simd/two_lanes.h"
 
-// The potential of a block at a point is how deep the point lies behind the nearest edge. Its force on
-// another block is the sum over cells of what they have in common, one for each edge that is the nearest
-// somewhere:
+// The potential of a block at a point is the depth behind the nearest edge. Its force on another block is the
+// sum over cells of their overlap, one for each edge that is the nearest to some point:
 //
-//   near edges      where the other block's shallowest vertex is no deeper than its reach, which is how deep
-//   its
-//                   deepest vertex is behind the edge that it reaches least
+//   near edges      the other block's least depth behind the edge is at most its reach: the minimum over the
+//                   edges of the depth of its deepest vertex
 //   intersection    the other block cut by the near edges of the owner
 //   cell of an edge the intersection cut by the half-planes where that edge is nearer than each other one
-//   the cell adds   its area times the edge's normal, at the cell's centroid
+//   sum             the cell's area times the edge's normal, at the cell's centroid
 
 namespace halfspace {
 namespace {
 
-/// The half-plane of an edge of a block that lies at `shift`.
+/// The half-plane of an edge of a block at `shift`.
 Halfspace<2> half_plane(const Outline<2>& block, int edge, const Vector<2>& shift) {
   const Vector<2> normal = block.normal(edge);
   return {normal, block.offset[edge] + normal.dot(shift)};
 }
 
-/// A convex polygon in memory of its own, that is cut by one half-plane after another.
+/// A convex polygon in its own memory, cut by one half-plane after another.
 class Polygon {
  public:
   Polygon(Vector<2>* corners, std::size_t room) : corner_(corners), room_(int(room)) {}
@@ -40,7 +38,7 @@ class Polygon {
     if (count_ < room_) corner_[count_++] = p;
   }
 
-  /// Keeps the part of another polygon that is in the half-plane.
+  /// Keeps the part of another polygon inside the half-plane.
   void keep_inside(const Polygon& whole, const Halfspace<2>& half_plane) {
     count_ = 0;
     if (whole.is_empty()) return;
@@ -58,13 +56,13 @@ class Polygon {
   int count_ = 0;
 };
 
-/// Area and its first moment about one of the corners, so that no digits are lost far from the origin.
+/// Area and its first moment about one of the corners, which stays accurate far from the origin.
 struct Area {
   double content = 0;
   Vector<2> corner = Vector<2>::Zero();
   Vector<2> moment = Vector<2>::Zero();
 
-  /// Takes a part of it away.
+  /// Subtracts a part.
   Area& operator-=(const Area& part) {
     content -= part.content;
     moment -= part.moment + part.content * (part.corner - corner);
@@ -90,7 +88,7 @@ Area measure(const Polygon& polygon) {
   return sum;
 }
 
-/// Mean of the way from the centroid times itself^T.
+/// Mean of r r^T about the centroid.
 Tensor<2> spread_of(const Polygon& polygon, const Area& area) {
   const std::span<const Vector<2>> corner = polygon.corners();
   Tensor<2> sum = Tensor<2>::Zero();
@@ -104,7 +102,7 @@ Tensor<2> spread_of(const Polygon& polygon, const Area& area) {
   return sum / (24 * area.content) - way * way.transpose();
 }
 
-/// One of the two blocks, at `shift` from the centroid of a, and those of its edges that matter.
+/// One of the two blocks, at `shift` from the centroid of a, and its near edges.
 struct Owner {
   const Outline<2>& block;
   Vector<2> shift;
@@ -113,9 +111,9 @@ struct Owner {
   Halfspace<2> half_plane(std::int32_t edge) const { return halfspace::half_plane(block, edge, shift); }
 };
 
-/// No point of the other block is deeper in the owner than the least, over the edges, of how deep its
-/// vertices reach. An edge that all of it is deeper behind is nowhere the nearest. None is near when the
-/// other block is outside; else the first one is that behind which it reaches least deep.
+/// No point of the other block is deeper in the owner than its reach, the minimum over the edges of the depth
+/// of its deepest vertex. An edge behind which all of it is deeper is never the nearest. No edge is near when
+/// the other block is outside; else the first one is the edge of the minimum.
 void find_near_edges(Owner& owner, const Outline<2>& other, const Vector<2>& shift_of_other,
                      double* least_depth) {
   const Outline<2>& block = owner.block;
@@ -150,13 +148,13 @@ void add_cell(const Area& cell, const Halfspace<2>& nearest, FieldForce<2>& sum)
   sum.add_cell(cell.content, cell.content * cell.corner + cell.moment, energy, nearest.normal);
 }
 
-/// Inside it one edge is nearer than another.
+/// The half-plane in which one edge is nearer than another.
 Halfspace<2> nearer(const Halfspace<2>& edge, const Halfspace<2>& other) {
   return {other.normal - edge.normal, other.offset - edge.offset};
 }
 
-/// Cell by cell: what of the intersection has an edge for its nearest. The first one has the most: what the
-/// cells of the others leave.
+/// Sums over the cells: the part of the intersection nearest to each edge. The cell of the first edge is the
+/// remainder.
 FieldForce<2> field_force(const Owner& owner, const Polygon& intersection, const Area& whole, Polygon cell,
                           Polygon cut) {
   FieldForce<2> sum;
@@ -168,7 +166,7 @@ FieldForce<2> field_force(const Owner& owner, const Polygon& intersection, const
       if (k == i) continue;
       const Halfspace<2> rival = owner.half_plane(owner.near[k]);
       cut.keep_inside(*left, nearer(nearest, rival));
-      if (k < i && rival == nearest) cut.clear();  // one of the two has it
+      if (k < i && rival == nearest) cut.clear();  // only one of them gets the cell
       cut.exchange(cell);
       left = &cell;
     }

@@ -30,7 +30,7 @@ void CellDivision::divide(const DividedPolyhedron& polyhedron, DividedPolyhedron
   first_new_face_ = first_new_face;
   find_depths(polyhedron, whole, largest_coordinate, near);
   const std::size_t count = list_near_faces(near);
-  if (count == 0) return;  // where depths are no numbers
+  if (count == 0) return;  // depths are NaN
   if (count == 1) {
     near[lists_[0]].cell = content;
     return;
@@ -38,7 +38,7 @@ void CellDivision::divide(const DividedPolyhedron& polyhedron, DividedPolyhedron
   parts_.begin(polyhedron);
   grow(lists_, count + whole.size());
   std::copy(whole.begin(), whole.end(), lists_.begin() + std::ptrdiff_t(count));
-  // Where memory ran out before there may be parts left.
+  // Parts may be left from a call that ran out of memory.
   waiting_.clear();
   waiting_.push_back({0, count, whole.size(), content, parts_.vertex_count()});
   while (!waiting_.empty()) {
@@ -74,8 +74,8 @@ void CellDivision::find_depths(const DividedPolyhedron& polyhedron, DividedPolyh
   rounding_ = 0x1p-48 * largest;
 }
 
-/// No point is deeper than, of all faces, behind the one that the whole reaches least deep behind. The faces
-/// that are the nearest to most of it come first: then it is divided into the fewest parts.
+/// No point is deeper than the minimum over the faces of the whole's largest depth. The faces that are the
+/// nearest to most of it come first: this gives the fewest parts.
 std::size_t CellDivision::list_near_faces(const Array<NearFace>& near) {
   double reach = HUGE_VAL;
   for (const NearFace& face : near) reach = std::min(reach, face.depths.most);
@@ -91,8 +91,8 @@ std::size_t CellDivision::list_near_faces(const Array<NearFace>& near) {
   return count;
 }
 
-/// Where no third face wins against either of two, it is enough to know how much the one wins against the
-/// other: the part stays whole, as if this face were not there.
+/// Where no third face is nearer than both, the second face only takes its cell from the first: the part
+/// stays whole and continues without this face.
 void CellDivision::divide_part(const Part& part, Array<NearFace>& near) {
   Index* const face = lists_.data() + part.first;
   VolumeAndMoment rest = part.content;
@@ -115,9 +115,9 @@ void CellDivision::divide_part(const Part& part, Array<NearFace>& near) {
   add(rest, near[face[0]]);
 }
 
-/// Puts first a face that is nearer than others, behind it the one that is before it by most somewhere, and
-/// then the others that are. What is nowhere nearer than the first one is no more to be looked at, here or in
-/// parts of this. Returns how many are left.
+/// Puts a near face first, then the one nearer than it by the largest difference somewhere, then all others
+/// that are nearer somewhere. Faces that are nowhere nearer than the first are dropped, here and in parts of
+/// this part. Returns the number of faces left.
 std::size_t CellDivision::find_rivals(const Part& part) {
   Index* const near = lists_.data() + part.first;
   const DividedPolyhedron::Part vertices{near + part.near_count, part.vertex_count};
@@ -131,7 +131,7 @@ std::size_t CellDivision::find_rivals(const Part& part) {
       const Index rival = near[k];
       if (leads[i].least >= -rounding_) continue;
       if (leads[i].most <= rounding_) {
-        // Against this one the others have to be looked at again.
+        // Compared with this one, the others must be tested again.
         near[0] = rival;
         count = std::size_t(std::copy(near + k + 1, near + count, near + kept) - near);
         k = kept = 1;
@@ -149,7 +149,7 @@ std::size_t CellDivision::find_rivals(const Part& part) {
   return kept;
 }
 
-/// The leads of the nearest face before two rivals: how much deeper the vertices are behind these.
+/// The leads of the nearest face over two rivals: how much deeper the vertices are behind the rivals.
 std::array<DepthRange, 2> CellDivision::find_leads(DividedPolyhedron::Part vertices, Index nearest,
                                                    Index rival, Index other) {
   TwoLanes least = both(HUGE_VAL), most = both(-HUGE_VAL);
@@ -162,10 +162,10 @@ std::array<DepthRange, 2> CellDivision::find_leads(DividedPolyhedron::Part verti
   return {{{least[0], most[0]}, {least[1], most[1]}}};
 }
 
-/// Inside is where the second face is nearer: most often that is less, and what is inside gets measured. The
-/// plane between two faces often goes through the edge between them. Where both are as near, to rounding, is
-/// outside, so that no edges are cut there; by less than rivals may lead by, so that where a third face is as
-/// near, this makes no rival of it.
+/// Inside is where the second face is nearer: usually the smaller part, which is cheaper to measure. The
+/// plane between two faces often contains their common edge. Vertices equally near, to rounding, are outside,
+/// so that no edges are cut there. The margin is below that of find_rivals(), so that where a third face is
+/// equally near, it does not become a rival.
 void CellDivision::cut_edges(const Part& part) {
   const Index* const near = lists_.data() + part.first;
   const DividedPolyhedron::Part vertices{near + part.near_count, part.vertex_count};
@@ -175,7 +175,7 @@ void CellDivision::cut_edges(const Part& part) {
   });
 }
 
-/// Are the faces from the third one on not nearer where the second one is nearer than the first one?
+/// Are the faces from the third on nowhere nearer in the region where the second is nearer than the first?
 bool CellDivision::others_have_nothing_inside(std::span<const Index> faces) {
   for (const Index other : faces.subspan(2)) {
     const auto lead = [&](Index v) { return depths(v)[other] - depths(v)[faces[0]]; };
@@ -201,7 +201,7 @@ void CellDivision::interpolate_depths(Index first_new, std::span<const Index> fa
   }
 }
 
-/// In place of the part: the parts of the second face and of the first, each with the others.
+/// Replaces the part by those of the second and of the first face, each with the other faces.
 void CellDivision::put_aside(const Part& part, std::size_t near_count, const VolumeAndMoment& inside,
                              const VolumeAndMoment& outside) {
   const DividedPolyhedron::Part vertices_inside = parts_.inside(), vertices_outside = parts_.outside();

@@ -8,36 +8,36 @@
 
 namespace halfspace {
 
-/// Divides a polyhedron among the faces that its points are nearest to. Two faces have a part of it each,
-/// where they are nearer than the other; of what they do not win against one there, a third one has nothing
-/// in it. So each bit goes to exactly one face, however rounding places the planes between them, and it is no
-/// worse than rounding when that is not quite the nearest.
+/// Divides a polyhedron into the cells of its nearest faces. Two faces divide a part, each where it is nearer
+/// than the other; a third face gets a cell only where it is nearer than the owner of the part. So each point
+/// belongs to exactly one face, for any rounding of the planes between faces, and it is the nearest to
+/// rounding.
 class CellDivision {
  public:
   using Index = DividedPolyhedron::Index;
 
   explicit CellDivision(Memory* memory) : parts_(memory), lists_(memory), waiting_(memory), depth_(memory) {}
 
-  /// For blocks of so many edges at most, until there are more than so many vertices or near faces.
+  /// For blocks of up to `edges` edges; grows with more than `vertices` vertices or `near` near faces.
   void reserve(std::size_t edges, std::size_t vertices, std::size_t near);
 
-  /// Finds the cells in a part of a polyhedron. The largest coordinate of its vertices, or a little more,
-  /// tells how they are rounded. New faces get numbers from the first one on; where planes between near faces
-  /// cross edges is written down where there is a record.
+  /// Computes the cells of a part of a polyhedron. `largest_coordinate`, or an upper bound of it, sets the
+  /// rounding error of its vertices. New faces are numbered from `first_new_face` on. `record`, if given,
+  /// receives the crossings of planes between near faces with edges.
   void divide(const DividedPolyhedron& polyhedron, DividedPolyhedron::Part whole,
               const VolumeAndMoment& content, double largest_coordinate, Index first_new_face,
               Array<NearFace>& near, DivisionRecord* record);
 
  private:
-  /// A part has its near faces and vertices in the lists from `first` on. To each point of its content one of
-  /// these faces is the nearest. What other faces have been given already is still within its vertices, but
+  /// A part has its near faces and vertices in the lists from `first` on. Each point of its content has one
+  /// of these faces as its nearest. Cells assigned to other faces before are still within its vertices, but
   /// not in its content; there none of its faces is nearer than the first one.
   struct Part {
     std::size_t first;
     std::size_t near_count;
     std::size_t vertex_count;
     VolumeAndMoment content;
-    Index vertices_of_all;  // when it was put aside: what has been added since is of others
+    Index vertices_of_all;  // when it was queued: later vertices belong to other parts
   };
 
   void find_depths(const DividedPolyhedron& polyhedron, DividedPolyhedron::Part whole,
@@ -62,7 +62,7 @@ class CellDivision {
   DivisionRecord* record_ = nullptr;
   std::size_t stride_ = 0;
   Index first_new_face_ = 0;
-  double rounding_ = 0;  // of a difference of depths
+  double rounding_ = 0;  // error of a difference of depths
 };
 
 }  // namespace halfspace

@@ -6,7 +6,7 @@
 namespace halfspace {
 namespace {
 
-/// Walks through numbers that may be any. What it takes is below what is said, or all is wrong from there on.
+/// Reads codes with any values. is_right() becomes false at the first code that is not below its limit.
 class PlanCheck {
  public:
   explicit PlanCheck(std::span<const PlanCode> plan) : rest_(plan) {}
@@ -23,7 +23,7 @@ class PlanCheck {
   }
   int count() { return take(INT16_MAX); }
 
-  /// Returns how many of them there are.
+  /// Returns the length of the list.
   int take_list(std::initializer_list<int> ends_of_each) {
     const int listed = count();
     for (int n = 0; n < listed && is_right_; ++n)

@@ -11,11 +11,11 @@
 
 namespace halfspace {
 
-/// The memory that a pair of blocks has of its plan.
+/// The reference of a pair of blocks to its plan, if any.
 class DivisionCache {
  public:
   bool knows() const { return first_ >= 0; }
-  /// Where the plan begins that it knows.
+  /// The index of the first code of its plan.
   std::int32_t first() const { return first_; }
   void remember(std::int32_t first) { first_ = first; }
   void forget() { first_ = -1; }
@@ -24,17 +24,16 @@ class DivisionCache {
   std::int32_t first_ = -1;
 };
 
-/// The plans of all pairs of blocks, one behind the other. One that is no more used takes its room until the
-/// plans are tidied.
+/// The plans of all pairs of blocks, one after the other. Unused plans occupy memory until tidy().
 ///
-/// How many there is room for follows from the number of pairs, and that room is taken beforehand: steps ask
-/// for no memory, and a restored world makes the plans that the saved one would have made.
+/// The capacity follows from the number of pairs and is reserved beforehand: steps allocate nothing, and a
+/// restored world makes the same plans as the saved one.
 class CachedDivisions {
  public:
   explicit CachedDivisions(Memory* memory) : codes_(memory) {}
 
   void reserve(std::size_t pairs) { codes_.reserve(room_for(pairs)); }
-  /// Pairs for whose number there is no room reserved have none.
+  /// Sets the limit of memory for this number of pairs, within the reserved capacity.
   void serve_pairs(std::size_t pairs) { room_ = std::min(room_for(pairs), codes_.capacity()); }
 
   std::span<const PlanCode> operator[](const DivisionCache& memory) const {
@@ -42,7 +41,7 @@ class CachedDivisions {
     return {head + head_size, std::size_t(head[0])};
   }
 
-  /// False when there is no room for it.
+  /// False when there is no room left.
   bool add(std::span<const PlanCode> plan, DivisionCache& memory) {
     const std::size_t first = codes_.size();
     if (first + head_size + plan.size() > room_) {
@@ -55,7 +54,7 @@ class CachedDivisions {
     return true;
   }
 
-  /// Keeps only what pairs know of, when most is not or there is no more room.
+  /// Removes plans that no pair refers to, when they are the majority or there is no room left.
   template <class Pairs>
   void tidy(Pairs& pairs) noexcept {
     if (codes_.size() <= enough_ && !is_full_) return;
@@ -79,8 +78,7 @@ class CachedDivisions {
 
   std::size_t size() const { return codes_.size(); }
 
-  /// False for what no plans of these pairs can be, after reading a snapshot: each pair's plan is one of its
-  /// own.
+  /// False for data of a damaged snapshot. If true, each pair's plan is one of its own.
   template <class Pairs>
   bool are_of(const Pairs& pairs) const {
     Array<std::uint8_t> is_free_head(codes_.size(), 0, codes_.get_allocator());
@@ -101,10 +99,10 @@ class CachedDivisions {
   }
 
  private:
-  /// Its length, and which pair's it is when they are tidied.
+  /// The length of a plan, and its pair during tidy().
   static constexpr std::size_t head_size = 3;
 
-  /// Mostly enough, were all pairs in contact: a plan has 200 to 500 codes.
+  /// Usually enough even if all pairs are in contact: a plan has 200 to 500 codes.
   static std::size_t room_for(std::size_t pairs) {
     return std::min<std::size_t>(most_plan_codes + 512 * pairs, INT32_MAX / 2);
   }

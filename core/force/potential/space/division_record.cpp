@@ -75,8 +75,7 @@ void DivisionRecord::add_crossings(const DividedPolyhedron& parts) {
   }
 }
 
-/// The faces of the block that is cut come first, then those of the other one. Planes between faces come
-/// last.
+/// Faces of the cut block are numbered first, then those of the other one, then planes between faces.
 void DivisionRecord::lay_on(Index plane, DivisionCorner& corner) const {
   Index face = plane;
   for (const int block : {whole_, 1 - whole_}) {
@@ -89,7 +88,7 @@ void DivisionRecord::lay_on(Index plane, DivisionCorner& corner) const {
   }
 }
 
-/// Where it is on any of them these are the nearest.
+/// If the corner is on any faces, these are the nearest.
 void DivisionRecord::find_nearest(int owner, DivisionCorner& corner) const {
   double depth[max_near_faces], least = HUGE_VAL;
   const std::size_t count = near_[owner].size();
@@ -122,8 +121,7 @@ void DivisionRecord::add(DivisionCorner& corner) {
   if (is_complete_) corners_.push_back(corner);
 }
 
-/// Planes between two faces also cross what is nearest to a third one, on the way: no cell has a corner
-/// there.
+/// Planes between two faces also cross cells of a third one in intermediate cuts: no cell has a corner there.
 bool DivisionRecord::is_corner(DivisionCorner& corner) const {
   if (make_vertex(0, corner) || make_vertex(1, corner)) return true;
   int planes = std::popcount(corner.on[0]) + std::popcount(corner.on[1]);
@@ -131,7 +129,7 @@ bool DivisionRecord::is_corner(DivisionCorner& corner) const {
   return planes >= 3;
 }
 
-/// False when the faces of a block that the corner lies on do not tell a vertex of it.
+/// False when the faces at the corner do not identify a vertex of the block.
 bool DivisionRecord::make_vertex(int block, DivisionCorner& corner) const {
   const FaceSet faces = corner.on[block];
   if (std::popcount(faces) < 3) return false;

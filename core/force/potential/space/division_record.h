@@ -8,24 +8,24 @@
 
 namespace halfspace {
 
-/// Some of a block's near faces.
+/// A set of a block's near faces.
 using FaceSet = std::uint64_t;
 constexpr std::size_t max_near_faces = 64;
 inline FaceSet face_set(std::size_t face) { return FaceSet(1) << face; }
 
-/// A corner of what two blocks have in common, or of cells: a vertex of a block, or where planes meet. A
-/// vertex lies on all near faces that meet there.
+/// A corner of two blocks' overlap, or of cells: a vertex of a block, or an intersection of planes. A vertex
+/// lies on all near faces that meet there.
 struct DivisionCorner {
   FaceSet on[2] = {};       // of a, of b
-  FaceSet nearest[2] = {};  // as many as have it in their cells
-  bool is_shared = false;   // by the blocks: it is a corner of what they have in common
-  int block = -1;           // whose vertex it is
+  FaceSet nearest[2] = {};  // the faces with cells at the corner
+  bool is_shared = false;   // by the blocks: it is a corner of their overlap
+  int block = -1;           // owner of the vertex
   std::int32_t vertex = -1;
   Vector<3> at;
 };
 
-/// Writes down the corners of two blocks' intersection and of its cells while it is cut out and divided: the
-/// cutter knows on which faces each of them lies.
+/// Records the corners of two blocks' intersection and of its cells while it is cut and divided: only the
+/// cutter has the faces of each.
 class DivisionRecord {
  public:
   using Index = DividedPolyhedron::Index;
@@ -38,18 +38,18 @@ class DivisionRecord {
 
   void reserve(std::size_t edges);
 
-  /// Two blocks, which of them is cut, and the near faces of each. Their outlines are read until the next
-  /// ones begin.
+  /// Sets the blocks, the index of the one that is cut, and the near faces of each. Their outlines must stay
+  /// valid until the next call.
   void begin(const PlacedBlock& a, const PlacedBlock& b, int whole, const Array<NearFace>& near_a,
              const Array<NearFace>& near_b);
-  /// The record of the common part of the blocks.
+  /// Adds the corners of the overlap.
   void add_corners(const DividedPolyhedron& intersection, DividedPolyhedron::Part vertices);
-  /// From here on it is divided by the near faces of this block.
+  /// From here on the overlap is divided by the near faces of this block.
   void divide_by(int owner) { owner_ = owner; }
-  /// Where a plane between two of them has just crossed edges.
+  /// Adds the crossings of a plane between two near faces with edges.
   void add_crossings(const DividedPolyhedron& parts);
 
-  /// False when there was too much to write down.
+  /// False when there were too many corners.
   bool is_complete() const { return is_complete_; }
   const PlacedBlock& block(int owner) const { return *block_[owner]; }
   const Array<NearFace>& near(int owner) const { return near_[owner]; }
@@ -64,12 +64,12 @@ class DivisionRecord {
 
   std::optional<PlacedBlock> block_[2];
   Array<NearFace> near_[2];
-  Array<std::uint8_t> place_[2];  // among these, of each face of the block
-  Array<FaceSet> meet_[2];        // at each vertex of the block
+  Array<std::uint8_t> place_[2];  // index in near_ of each face of the block
+  Array<FaceSet> meet_[2];        // faces at each vertex of the block
   Array<DivisionCorner> corners_;
   int whole_ = 0;
   int owner_ = 0;
-  double rounding_ = 0;  // of depths
+  double rounding_ = 0;  // error of depths
   bool is_complete_ = false;
 };
 

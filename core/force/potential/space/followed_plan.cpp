@@ -10,8 +10,7 @@
 namespace halfspace {
 namespace {
 
-/// Follows a plan. Where what the blocks have in common is a corner is put at the origin, so that little is
-/// rounded there.
+/// Evaluates a plan. A corner of the overlap is the origin, which keeps rounding errors small.
 template <class Four>
 class Follower {
  public:
@@ -25,7 +24,7 @@ class Follower {
     find_corners();
     find_bounds();
     const VolumeAndSpread content = measure();
-    // Corners that have come together lie on whatever faces meet there.
+    // Corners that have merged are on all faces that meet there.
     if (!(content.volume > rounding_ * surface_of_bounds())) return std::nullopt;
     FieldForce<3> by[2];
     for (int owner = 0; owner < 2; ++owner) {
@@ -46,7 +45,7 @@ class Follower {
 
   PlanCode next() { return *code_++; }
 
-  /// A code of each of the next four in a list that has so many codes each; of fewer, the last one's again.
+  /// One code of each of the next four entries, of `codes_each` codes each; missing ones repeat the last.
   template <int codes_each>
   [[gnu::always_inline]] FourOf of_next_four(int which, int count = 4) const {
     const PlanCode* const code = code_ + which;
@@ -81,7 +80,7 @@ class Follower {
     rounding_ = plan_rounding_followed * plan_size(blocks_[1].at, reduce_max(largest_offset));
   }
 
-  /// Goes on behind the next four of a list, or the rest of it, and counts them.
+  /// Advances past the next four entries of a list, or the rest of it, and counts them.
   void pass(int rest, int codes_each, int& count) {
     const int passed = std::min(rest, 4);
     code_ += codes_each * passed;
@@ -94,7 +93,7 @@ class Follower {
       normal_.put(plane_count_, normal_[p] - normal_[q]);
       offset_[plane_count_] = offset_[p] - offset_[q];
     }
-    // What lies behind the last plane is moved as well.
+    // Entries after the last plane are translated as well.
     normal_.put_four(plane_count_, Lanes{});
     store_four(offset_ + plane_count_, Four{});
   }
@@ -130,7 +129,7 @@ class Follower {
                         meeting(planes_of_corners(0), planes_of_corners(1), planes_of_corners(2)));
       pass(rest, 3, corner_count_);
     }
-    // Lanes behind the last corner repeat the first one.
+    // Lanes after the last corner repeat the first one.
     for (int k = 0; k < 8; k += 4) corners_.put_four(corner_count_ + k, all_four<Four>(corners_[0]));
   }
 
@@ -152,7 +151,7 @@ class Follower {
     return 8 * (h.x() * h.y() + h.y() * h.z() + h.z() * h.x());
   }
 
-  /// What the blocks have in common.
+  /// Volume, moment and spread of the overlap.
   VolumeAndSpread measure() {
     const Vector<3> top = corners_[next()];
     const Lanes tops = all_four<Four>(top);
@@ -166,7 +165,7 @@ class Follower {
     return with_origin_at(top, sums);
   }
 
-  /// How deep the corners are behind the owner's planes. Eight at a time, so that a plane serves all of them.
+  /// Depths of the corners behind the owner's planes, eight at a time, so that they share a plane's load.
   void sound(int owner) {
     Four shallowest = all_four<Four>(HUGE_VAL), deepest = all_four<Four>(-HUGE_VAL);
     for (int c = 0; c < corner_count_; c += 8) {
@@ -194,9 +193,8 @@ class Follower {
     deepest_ = reduce_max(deepest);
   }
 
-  /// None outside, each nearest to the same faces, and those of what the blocks have in common on the same
-  /// ones: then that is what it was, and its cells lie within those of the owner's faces. No corner that is
-  /// not a number is nearest to any.
+  /// Is no corner outside, each nearest to the same faces, and those of the overlap on the same ones? Then
+  /// the topology is valid, and the cells are those of the owner's faces. NaN fails the test.
   bool corners_are_where_they_were() {
     bool all = shallowest_ >= -rounding_;
     for (int rest = next(); rest > 0; --rest) {
@@ -207,7 +205,7 @@ class Follower {
     return all;
   }
 
-  /// Whether, by the bounds of what the blocks have in common, a face that did not matter may do so now.
+  /// By the bounds of the overlap, may a face be relevant now that was not before?
   bool comes_near_others(int owner) const {
     const auto& [outline, at] = blocks_[owner];
     const Lanes center = all_four<Four>(center_ - at), half_size = all_four<Four>(half_size_);
@@ -224,7 +222,7 @@ class Follower {
     return near != 0;
   }
 
-  /// What the owner's faces have for cells: 24 times the moment, and six times the volume in the last lane.
+  /// Cells of the owner's faces: 24 times the moment, and six times the volume in the last lane.
   void sum_up_cells() {
     cell_count_ = next();
     std::fill_n(cells_, 4 * cell_count_, 0.0);
@@ -250,8 +248,8 @@ class Follower {
     store_four(cell, load_four<Four>(cell) + moment_and_volume);
   }
 
-  /// Returns the volume of all. What a face adds is a multiple of its normal, row by row: of the cell, and of
-  /// the energy in it.
+  /// Returns the volume of all cells. The terms of a face are multiples of its normal, row by row: of the
+  /// cell, and of its energy.
   double add_cells(int owner, FieldForce<3>& sum) const {
     double volume = 0, energy = 0;
     Four cell_rows[3] = {}, energy_rows[3] = {};
@@ -284,11 +282,11 @@ class Follower {
   const PlanCode* code_;
   PlacedBlock blocks_[2];
   const PlanCode* which_matter_[2];
-  int first_face_[3];  // of a, of b, and where the planes between faces begin
+  int first_face_[3];  // of a, of b, and of the planes between faces
   int plane_count_ = 0;
   int corner_count_ = 0;
   int cell_count_;                // of one owner
-  Vector<3> center_, half_size_;  // of what the blocks have in common
+  Vector<3> center_, half_size_;  // of the overlap
   double rounding_;
   double shallowest_, deepest_;
   Places<most_plan_planes> normal_;

@@ -5,12 +5,12 @@
 
 namespace halfspace {
 
-/// A face of a block that can be the nearest one to some point of what it has in common with another, and its
-/// cell: where it is the nearest.
+/// A face of a block that can be the nearest to some point of the overlap with another block, and its cell:
+/// the part where it is the nearest.
 struct NearFace {
   int face;
   Halfspace<3> plane;
-  DepthRange depths;  // of what the blocks have in common; at first by its bounds
+  DepthRange depths;  // of the overlap; initially of its bounds
   VolumeAndMoment cell;
 };
 

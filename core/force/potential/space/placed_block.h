@@ -5,7 +5,7 @@
 
 namespace halfspace {
 
-/// A block, and where its centroid is seen from where others are placed as well.
+/// A block, and its centroid in a common frame.
 struct PlacedBlock {
   const Outline<3>& outline;
   Vector<3> at;

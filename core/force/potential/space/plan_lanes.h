@@ -4,7 +4,7 @@
 
 namespace halfspace {
 
-/// Places or directions by component, with room for lanes behind the last ones.
+/// Positions or directions by component, with padding for lanes after the last ones.
 template <int most>
 struct Places {
   static constexpr int room = most + 8;
@@ -28,7 +28,7 @@ struct Places {
   }
 };
 
-/// Which faces, planes or corners four lanes have.
+/// The indices of faces, planes or corners in four lanes.
 struct FourOf {
   int first, second, third, fourth;
 
@@ -42,14 +42,14 @@ struct FourOf {
   }
 };
 
-/// Inside is where the height along the normal is not above the offset. The normal has any length.
+/// Inside is where the height along the normal, of any length, is at most the offset.
 template <class Number>
 struct LanesOfPlanes {
   Coordinates<Number> normal;
   Number offset;
 };
 
-/// Where three planes meet: Cramer's rule.
+/// The intersection of three planes, by Cramer's rule.
 template <class Number>
 [[gnu::always_inline]] inline Coordinates<Number> meeting(const LanesOfPlanes<Number>& p,
                                                           const LanesOfPlanes<Number>& q,

@@ -14,8 +14,7 @@ namespace {
 
 constexpr int most_near = int(max_near_faces);
 
-/// Numbers what a record has as a plan does, and puts that down. Every solid is the convex one that has those
-/// corners which lie in its faces.
+/// Encodes a record as a plan. Every solid is the convex hull of the corners in its faces.
 class PlanWriter {
  public:
   PlanWriter(const DivisionRecord& record, Array<PlanCode>& room) : record_(record), codes_(room) {}
@@ -33,7 +32,7 @@ class PlanWriter {
  private:
   using Corner = DivisionCorner;
 
-  /// Vertices of a, then of b, then others. Where planes but meet in a line no cell has a corner.
+  /// Vertices of a, then of b, then others. Where planes meet only in a line, no cell has a corner.
   bool number_corners() {
     for (const int block : {0, 1, -1}) {
       for (const Corner& corner : record_.corners()) {
@@ -64,8 +63,8 @@ class PlanWriter {
     return planes;
   }
 
-  /// Faces with cells come first, then others that matter: no corner is as deep as the whole may be behind
-  /// them, or they meet at one.
+  /// Faces with cells come first, then other relevant ones: those whose least depth is at most that of the
+  /// deepest corner, and those that contain a corner.
   bool number_faces() {
     for (int owner = 0; owner < 2; ++owner) {
       FaceSet met = 0, with_cells = 0;
@@ -99,8 +98,8 @@ class PlanWriter {
     return fits_;
   }
 
-  /// The one before a face from which it is turned the least: where faces all but agree, the planes between
-  /// them tell best where they meet.
+  /// The preceding face with the normal nearest to a face's: for nearly coplanar faces, the planes between
+  /// them locate their intersection most accurately.
   int closest_before(int owner, FaceSet together, int face) const {
     const auto turn = [&](int f) { return near(owner, f).plane.normal.dot(near(owner, face).plane.normal); };
     int closest = std::countr_zero(together);
@@ -133,7 +132,7 @@ class PlanWriter {
     for (const int code : codes) codes_[code_count_++] = PlanCode(code);
   }
 
-  /// The count of what a list has comes first.
+  /// Writes the count of a list before its entries.
   template <class PutAll>
   void put_list(std::size_t codes_each, PutAll put_all) {
     const std::size_t head = code_count_;
@@ -175,7 +174,7 @@ class PlanWriter {
     }
   }
 
-  /// Without a volume there is no plan: where the blocks meet along an edge, all corners but meet in a line.
+  /// No plan without volume: where blocks touch along an edge, all corners are nearly in a line.
   bool put_whole() {
     PlannedSolid solid;
     for (std::size_t c = 0; c < corner_count_; ++c) {
@@ -206,7 +205,7 @@ class PlanWriter {
     return all_are_closed;
   }
 
-  /// Its planes are those of the other block, its own face, and those between that and other faces.
+  /// The planes of the cell are those of the other block, its own face, and those between it and other faces.
   bool put_cell(int owner, int cell, std::size_t& count) {
     PlannedSolid solid;
     const int face = faces_[owner][cell];

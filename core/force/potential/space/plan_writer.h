@@ -7,8 +7,8 @@
 
 namespace halfspace {
 
-/// The plan of how two blocks' intersection has been divided. Empty when there is none: it would be too
-/// large, or what is written down does not fit together, as where much lies in one place to rounding.
+/// The plan of the division of two blocks' intersection. Empty when it would be too large, or when the record
+/// is inconsistent, as for many corners that coincide to rounding.
 std::span<const PlanCode> encode_division(const DivisionRecord& record, Array<PlanCode>& room);
 
 }  // namespace halfspace

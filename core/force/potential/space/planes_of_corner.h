@@ -9,10 +9,10 @@
 
 namespace halfspace {
 
-/// Planes that may tell where a corner is: the first ones of too many.
+/// Planes that may define the place of a corner; those beyond the capacity are ignored.
 class PlanesOfCorner {
  public:
-  /// A face of a block, or two and the plane between them.
+  /// A face of a block, or two faces and the plane between them.
   struct Faces {
     int one, other, owner;
   };
@@ -22,8 +22,8 @@ class PlanesOfCorner {
     if (count_ < plane_.size()) plane_[count_++] = {faces, normal, normal.norm()};
   }
 
-  /// The longer the normals of three are and the less they agree, the better others that meet there are met
-  /// as well: the volume that they span tells both. None when all of them but meet in a line.
+  /// The best conditioned three planes: those whose normals span the largest volume. None if all meet only in
+  /// a line.
   std::optional<std::array<Faces, 3>> best() const {
     double best = 0, best_share = 0;
     std::array<Faces, 3> chosen;
@@ -42,7 +42,7 @@ class PlanesOfCorner {
   }
 
  private:
-  /// A share of the volume that normals of their lengths span at most.
+  /// Minimum volume, relative to that of orthogonal normals of the same lengths.
   static constexpr double least_share = 1e-6;
 
   struct Plane {

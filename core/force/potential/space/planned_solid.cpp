@@ -22,8 +22,8 @@ bool PlannedSolid::add_corner(int number, const Vector<3>& at, FaceSet first_sor
   return true;
 }
 
-/// An edge leads from one corner to another along which two planes meet. The top has the most edges: then
-/// tetrahedra are few.
+/// Corners that share two planes are connected by an edge. The top is the corner with the most edges, which
+/// gives the fewest tetrahedra.
 void PlannedSolid::find_edges() {
   std::fill_n(neighbors_.begin(), count_, 0);
   for (std::size_t c = 0; c < count_; ++c) {

@@ -16,8 +16,8 @@ void for_each(std::uint64_t set, Visit visit) {
   for (; set != 0; set &= set - 1) visit(std::countr_zero(set));
 }
 
-/// A convex solid, told by which planes meet at each of its corners. There are two sorts of planes, so that a
-/// set of either sort is one number.
+/// A convex solid, given by the planes that meet at each of its corners. There are two sorts of planes, so
+/// that a set of each sort is one number.
 class PlannedSolid {
  public:
   static constexpr std::size_t max_corners = 64;
@@ -25,9 +25,8 @@ class PlannedSolid {
   /// False when there are too many.
   bool add_corner(int number, const Vector<3>& at, FaceSet first_sort, FaceSet second_sort);
 
-  /// Divides it into tetrahedra that have one corner in common. `outward(sort, plane)` tells on which side of
-  /// a plane it is not. False when something is missing: along each edge there are two facets, one on either
-  /// side.
+  /// Divides the solid into tetrahedra with one common corner. `outward(sort, plane)` returns the outward
+  /// normal. False when a facet is missing: each edge must have two, one on either side.
   template <class Outward>
   bool divide(Outward outward) {
     find_edges();
@@ -35,13 +34,13 @@ class PlannedSolid {
     for (int sort = 0; sort < 2; ++sort) {
       for_each(met_[sort], [&](int plane) {
         const CornerSet corners = on_[sort][plane];
-        if (!has_two(corners & (corners - 1))) return;  // touched by fewer than three
+        if (!has_two(corners & (corners - 1))) return;  // fewer than three corners
         is_closed = is_closed && add_facet(corners, outward(sort, plane));
       });
     }
     return is_closed && std::equal(to_.begin(), to_.begin() + count_, from_.begin());
   }
-  /// Where it has been divided into some.
+  /// The common corner of the tetrahedra.
   int top() const { return number_[top_]; }
   /// The other corners of each tetrahedron, counter-clockwise seen from outside.
   std::span<const std::array<int, 3>> triangles() const { return {triangles_.data(), triangle_count_}; }

@@ -10,7 +10,7 @@
 namespace halfspace {
 namespace {
 
-/// The face that a point lies least deep behind.
+/// The face of minimum depth at a point.
 int face_nearest_to(const Outline<3>& block, const Vector<3>& p) {
   const TwoLanes x = both(p.x()), y = both(p.y()), z = both(p.z());
   TwoLanes least = both(HUGE_VAL), nearest{}, face{0, 1};
@@ -22,11 +22,11 @@ int face_nearest_to(const Outline<3>& block, const Vector<3>& p) {
     least = min(least, depth);
     face += both(2);
   }
-  // The last face may have been looked at twice.
+  // The last face may have been tested twice.
   return std::min(int(least[1] < least[0] ? nearest[1] : nearest[0]), block.face_count() - 1);
 }
 
-/// What a part lies within: cheap to compare with a plane.
+/// Bounds of a part, for fast tests against a plane.
 struct Bounds {
   Bounds() = default;
   Bounds(const DividedPolyhedron& parts, DividedPolyhedron::Part part) {
@@ -45,14 +45,14 @@ struct Bounds {
   Vector<3> half_size;
 };
 
-/// What a block, the whole, has in common with another, the cutter.
+/// The overlap of one block, the whole, with another, the cutter.
 class Intersection {
  public:
   Intersection(const PlacedBlock& whole, const PlacedBlock& cutter, PotentialRoom<3>& room)
       : whole_(whole), cutter_(cutter), room_(room) {}
 
-  /// `first` is the cutter's face to begin with, behind which the whole has been sounded. False when there
-  /// is nothing.
+  /// `first` is the cutter's first face, with the depths of the whole behind it. False when there is no
+  /// overlap.
   bool find(int first, const VertexDepths& sounding) {
     room_.intersection.begin(whole_.outline, sounding, plane_of_cutter(first));
     take_inside();
@@ -67,8 +67,8 @@ class Intersection {
 
   const VolumeAndSpread& content() const { return content_; }
 
-  /// By its bounds, no point of the intersection is deeper in the owner than this. A face that all of it is
-  /// deeper behind is nowhere the nearest.
+  /// By its bounds, no point of the intersection is deeper in the owner than this. A face behind which all of
+  /// it is deeper is never the nearest.
   void find_near_faces(const PlacedBlock& owner, Array<NearFace>& near) {
     const double reach = find_least_depths(owner, bounds_);
     near.clear();
@@ -114,8 +114,8 @@ class Intersection {
     return true;
   }
 
-  /// How deep the intersection is behind each face, by its bounds: no less. Behind one of them all of it is
-  /// no deeper than what is returned.
+  /// Computes lower bounds of the intersection's depth behind each face, by its bounds. Returns an upper
+  /// bound of its depth behind one of them.
   double find_least_depths(const PlacedBlock& owner, const Bounds& bounds) {
     const Outline<3>& o = owner.outline;
     const Vector<3> center = bounds.center - owner.at;
@@ -143,7 +143,7 @@ class Intersection {
 
 }  // namespace
 
-/// The block is cut that the other reaches into less: that leaves less to cut.
+/// Cuts the block that the other penetrates less: this leaves less to cut.
 PotentialForce<3> potential_force(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
                                   PotentialRoom<3>& room, DivisionRecord* record) {
   const int of_a = face_nearest_to(a, to_b), of_b = face_nearest_to(b, -to_b);

@@ -6,15 +6,15 @@
 namespace halfspace {
 namespace {
 
-/// A point of an outline seen along the contact's normal: where it lies on the contact plane, and how deep
-/// behind it.
+/// A point of an outline in the contact's frame: its coordinate on the contact plane, and its depth behind
+/// it.
 struct SeenPoint {
   double s;
   double depth;
 };
 
-/// An outline seen so: that of the owner of the contact plane, which lies behind it, or of the other block,
-/// which comes from the front.
+/// An outline in that frame: of the owner of the contact plane, behind the plane, or of the other block, in
+/// front.
 struct SeenOutline {
   const Outline<2>& outline;
   Vector<2> shift;
@@ -28,7 +28,7 @@ struct SeenOutline {
   }
 };
 
-/// An edge so. Its sign is -1 on the far side of its block. One too steep for a slope covers nothing.
+/// An edge in that frame; sign -1 on the far side of its block. One too steep for a slope covers nothing.
 struct SeenEdge {
   SeenEdge() = default;
   SeenEdge(const SeenPoint& start, const SeenPoint& end, double sign_of_side)
@@ -47,7 +47,7 @@ struct SeenEdge {
   double sign;
 };
 
-/// Trapezoids under the depth of one outline's edges behind those of the other.
+/// Sums of trapezoids between edges of both outlines.
 struct Profile {
   double twice_area = 0;
   double six_moments = 0;
@@ -55,7 +55,7 @@ struct Profile {
   double first = HUGE_VAL;
   double last = -HUGE_VAL;
 
-  /// Where the other block's edge is deeper than the owner's.
+  /// Adds the part where the other block's edge is deeper than the owner's.
   void add(const SeenEdge& of_owner, const SeenEdge& of_other) {
     double begin = std::max(of_owner.lower_end, of_other.lower_end);
     double end = std::min(of_owner.upper_end, of_other.upper_end);
@@ -85,9 +85,8 @@ struct Profile {
 
 enum class Way { next, previous };
 
-/// Calls `visit` for the edges of an outline from a vertex on, as long as they lead on `away` (1 deeper, -1
-/// less deep) and have not gone as far as a limit. The near side of a block leads `outward` along the contact
-/// plane, and the far side comes back.
+/// Calls `visit` for the edges of an outline from a vertex on, while they go `away` (1 deeper, -1 less deep),
+/// up to a limit. The near side of a block goes `outward` along the contact plane, and the far side returns.
 template <class Visitor>
 void walk(const SeenOutline& seen, int start, const SeenPoint& at_start, Way way, double away, double limit,
           double outward, Visitor visit) {
@@ -99,15 +98,15 @@ void walk(const SeenOutline& seen, int start, const SeenPoint& at_start, Way way
        before = std::exchange(v, neighbour(v))) {
     const SeenPoint there = seen.point(v);
     const double progress = away * (there.depth - here.depth);
-    // An edge of the far side that is parallel to the plane is met from both ways, and is that of one.
+    // An edge of the far side parallel to the plane is reached by both walks, and counted in one.
     if (progress < 0 || (progress == 0 && before != start && way == Way::previous)) return;
     visit(SeenEdge(here, there, outward * (there.s - here.s) < 0 ? -1 : 1));
     here = there;
   }
 }
 
-/// The owner's outline from one end of the contact's edge on, as deep as the other block reaches. It is gone
-/// along once; edges beyond those that are kept are seen anew.
+/// The owner's outline from one end of the contact's edge, to the depth of the other block. It is walked
+/// once; edges beyond the stored ones are computed again.
 class Flank {
  public:
   Flank(const SeenOutline& owner, int start, const SeenPoint& at_start, Way way, double reach, double outward)
@@ -165,10 +164,10 @@ int deepest_from(const SeenOutline& seen, int vertex) {
 
 }  // namespace
 
-/// Along a line through both blocks, from the upper and lower side of each, the length that they have in
-/// common is (upper owner - lower other) - (upper owner - upper other) - (lower owner - lower other) + (lower
-/// owner - upper other), each only as far as above 0; and half the same sum of squares is its integral over
-/// the way by which the other has come down on the owner. So the force is the energy's derivative.
+/// On a line through both blocks, with the upper and lower side of each, the length of the overlap is
+/// (upper owner - lower other) - (upper owner - upper other) - (lower owner - lower other)
+/// + (lower owner - upper other), with negative terms set to 0. Half the same sum of squares is its integral
+/// over the penetration. So the force is the energy's derivative.
 Overlap<2> measure_overlap(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
                            const PotentialPair<2>& pair, const Vector<2>& normal) {
   const bool a_owns = pair.owner == 0;
@@ -176,8 +175,8 @@ Overlap<2> measure_overlap(const Outline<2>& a, const Outline<2>& b, const Vecto
   const Vector<2> to_other = a_owns ? to_b : Vector<2>(-to_b);
   const Outline<2>& outline = a_owns ? a : b;
   const int start = pair.edge, end = outline.next(pair.edge);
-  // The plane goes through the edge, or through that end of it where two vertices meet. Places on it are told
-  // from the edge's middle: so a mirrored pair finds the same bits.
+  // The plane goes through the edge, or through its end where two vertices meet. Coordinates are relative to
+  // the edge's midpoint, so that a mirrored pair has the same bits.
   const Vector<2> middle = 0.5 * (outline.vertex(start) + outline.vertex(end));
   const double plane =
       std::max(out.dot(outline.vertex(start) - middle), out.dot(outline.vertex(end) - middle));
@@ -186,8 +185,8 @@ Overlap<2> measure_overlap(const Outline<2>& a, const Outline<2>& b, const Vecto
   const int deepest = deepest_from(other, pair.vertex);
   const SeenPoint at_start = owner.point(start), at_end = owner.point(end), foremost = other.point(deepest);
 
-  // The outlines run against each other: the other's counter-clockwise leads towards the start of the edge.
-  // Each way is summed by itself, so that a mirrored pair finds the same bits.
+  // The outlines have opposite directions: counter-clockwise on the other leads towards the start of the
+  // edge. Each direction has its own sum, so that a mirrored pair has the same bits.
   SeenEdge edge(at_start, at_end, 1);
   edge.from = {0.5 * (at_start.s + at_end.s), 0.5 * (at_start.depth + at_end.depth)};
   const Flank flank[] = {{owner, start, at_start, Way::previous, foremost.depth, -1},
@@ -216,7 +215,7 @@ Overlap<2> measure_overlap(const Outline<2>& a, const Outline<2>& b, const Vecto
   overlap.content = 0.5 * sum.twice_area;
   overlap.depth_squared = sum.three_squares / 3;
   overlap.base = sum.last - sum.first;
-  // An area that is the rounding of larger ones has its centroid anywhere.
+  // The centroid of an area that is a difference of larger ones may be dominated by rounding.
   overlap.center = at(std::clamp(sum.six_moments / (3 * sum.twice_area), sum.first, sum.last));
   overlap.middle = at(0.5 * (sum.first + sum.last));
   overlap.spread = overlap.base * overlap.base / 12 * owner.tangent * owner.tangent.transpose();

@@ -12,7 +12,7 @@
 namespace halfspace {
 namespace {
 
-/// A point of a's surface, seen along the contact's normal, and how far a face of b lies beneath it.
+/// A point of a's surface, projected along the contact's normal, and the depth of a face of b below it.
 struct DepthPoint {
   Vector<2> foot;
   double depth;
@@ -22,7 +22,7 @@ DepthPoint between(const DepthPoint& from, const DepthPoint& to, double share) {
   return {halfspace::between(from.foot, to.foot, share), from.depth + share * (to.depth - from.depth)};
 }
 
-/// Sums over triangles on which the depth is linear.
+/// Sums over triangles with a linear depth.
 struct DepthSums {
   double volume = 0;
   double depth_squared = 0;
@@ -51,8 +51,8 @@ struct DepthSums {
   }
 
  private:
-  /// Integral of the squared distance times the depth at p alone: of the products of three barycentric
-  /// coordinates over a triangle, 2 area a! b! c! / 5!.
+  /// Integral of the squared distance times the depth at p alone: products of three barycentric coordinates
+  /// over a triangle, 2 area a! b! c! / 5!.
   void add_polar_moment(double area, const DepthPoint& p, const DepthPoint& q, const DepthPoint& r) {
     const Vector<2>&u = p.foot, &v = q.foot, &w = r.foot;
     polar_moment += p.depth * area / 60 *
@@ -61,8 +61,8 @@ struct DepthSums {
   }
 };
 
-/// Calls `visit(from, to)` for the pieces of a fan that a convex polygon of many corners is cut into: each
-/// has the first corner and those from `from` to `to`.
+/// Calls `visit(from, to)` for the pieces of a convex polygon of many corners, divided as a fan: each has the
+/// first corner and those from `from` to `to`.
 template <class Visitor>
 void for_each_piece(int corners, Visitor visit) {
   constexpr int max_steps = 14;
@@ -70,17 +70,17 @@ void for_each_piece(int corners, Visitor visit) {
     visit(from, std::min(from + max_steps, corners - 1));
 }
 
-/// A convex polygon with depths, one piece of a face, that is cut by one half-plane after another.
+/// A convex polygon with depths, a piece of one face, cut by one half-plane after another.
 class DepthPolygon {
  public:
   void add(const DepthPoint& p) {
-    // Each cut by a side of another piece adds one corner at most; rounding may add a few of no area.
+    // Each cut by a side of another piece adds one corner at most; rounding may add a few without area.
     if (count_ < room) corner_[count_++] = p;
   }
   bool is_empty() const { return count_ < 3; }
   void clear() { count_ = 0; }
 
-  /// Keeps the part of another polygon whose height is at most 0.
+  /// Keeps the part of another polygon with height <= 0.
   template <class Height>
   void keep_below(const DepthPolygon& whole, Height height) {
     count_ = 0;
@@ -99,16 +99,15 @@ class DepthPolygon {
   DepthPoint corner_[room];
 };
 
-/// Can something in one box lie over something in another, seen along the normal?
+/// Can a part of one box lie over a part of another, along the normal?
 bool may_cover(const Box<3>& over, const Box<3>& under) {
   return over.upper.z() > under.lower.z() && over.lower.x() < under.upper.x() &&
          under.lower.x() < over.upper.x() && over.lower.y() < under.upper.y() &&
          under.lower.y() < over.upper.y();
 }
 
-/// A block seen along the normal of a plane: two coordinates on it, and the height. Those of the first
-/// vertices are kept, and the boxes of the first faces; of larger blocks the others are made as they are
-/// asked for.
+/// A block in coordinates of a plane: two on it, and the height. Those of the first vertices, and the boxes
+/// of the first faces, are stored; for larger blocks the others are computed on demand.
 class SeenBlock {
  public:
   SeenBlock(const PlaneFrame& plane, const Outline<3>& block, const Vector<3>& shift)
@@ -157,12 +156,12 @@ class SeenBlock {
   const Outline<3>& block_;
   Vector<3> shift_;
   Vector<3> kept_[most_kept];
-  Vector<3> lower_[most_kept];  // of the boxes, which by themselves would all be set empty first
+  Vector<3> lower_[most_kept];  // of the boxes; an array of Box would be initialized first
   Vector<3> upper_[most_kept];
   Box<3> box_;
 };
 
-/// A face seen so: its corners counter-clockwise whether it looks up or down, and the height of its plane.
+/// A face in these coordinates: its corners, counter-clockwise even if it faces down, and its height.
 class SeenFace {
  public:
   SeenFace(const SeenBlock& block, int face)
@@ -170,7 +169,7 @@ class SeenFace {
         first_(block.topology().first_of_face[face]),
         count_(block.topology().first_of_face[face + 1] - first_) {
     const Vector<3> normal = block.normal(face);
-    constexpr double upright = 1e-9;  // the cosine: what a steeper face covers is less than rounding
+    constexpr double upright = 1e-9;  // the cosine: a steeper face covers less than rounding
     if (std::abs(normal.z()) <= upright) return;
     looks_ = normal.z() > 0 ? 1 : -1;
     slope_ = -normal.head<2>() / normal.z();
@@ -194,11 +193,10 @@ class SeenFace {
   Vector<2> slope_{0, 0};
 };
 
-/// Adds the depth of a face of b beneath one of a, where they lie over one another. Along a line through both
-/// blocks, from the upper and lower side of each, the length that they have in common is
-/// (upper a - lower b) - (upper a - upper b) - (lower a - lower b) + (lower a - upper b), each only as far as
-/// above 0; and half the same sum of squares is its integral over the way by which b has come down on a. So
-/// the force is the energy's derivative.
+/// Adds the depth of a face of b below one of a, where they overlap. On a line through both blocks, with the
+/// upper and lower side of each, the length of the overlap is (upper a - lower b) - (upper a - upper b) -
+/// (lower a - lower b) + (lower a - upper b), with negative terms set to 0. Half the same sum of squares is
+/// its integral over the penetration. So the force is the energy's derivative.
 void add_between(const SeenFace& of_a, const SeenFace& of_b, DepthSums& sums) {
   const double sign = -of_a.looks() * of_b.looks();
   const auto point = [&](const Vector<2>& foot) {
