@@ -125,12 +125,12 @@ def above(indent, comment):
     return wrapped(comment, indent + "!> ", indent + "!! ")
 
 
-def with_comment(code, comment):
+def with_comment(code, comment, longest_line=LONGEST_LINE):
     """Behind the code if there is room, else above it."""
     behind = f"{code}  !< {comment}"
     if not comment:
         return [code]
-    if len(behind) <= LONGEST_LINE:
+    if len(behind) <= longest_line:
         return [behind]
     indent = code[:len(code) - len(code.lstrip())]
     return [*above(indent, comment), code]

@@ -1,45 +1,9 @@
 #include "case_file.h"
 
-#include <halfspace/halfspace.h>
 #include <stdlib.h>
 #include <string.h>
 
-typedef struct Constant {
-  const char* name;
-  int32_t value;
-} Constant;
-
-#define STATUS_CONSTANT(name, value, text) {#name, value},
-#define CONSTANT(name) \
-  { #name, name }
-
-static const Constant constants[] = {
-    HS_STATUS_LIST(STATUS_CONSTANT) CONSTANT(HS_CONTACT_NONE),
-    CONSTANT(HS_CONTACT_VERTEX_VERTEX),
-    CONSTANT(HS_CONTACT_VERTEX_EDGE),
-    CONSTANT(HS_CONTACT_EDGE_EDGE),
-    CONSTANT(HS_CONTACT_EDGE_FACE),
-    CONSTANT(HS_CONTACT_FACE_FACE),
-    CONSTANT(HS_CONTACT_VERTEX_FACE),
-    CONSTANT(HS_PAIR_FACE_VERTEX),
-    CONSTANT(HS_PAIR_VERTEX_FACE),
-    CONSTANT(HS_PAIR_EDGE_EDGE),
-    CONSTANT(HS_PAIR_VERTEX_VERTEX),
-    CONSTANT(HS_STIFFNESS_PER_CONTACT),
-    CONSTANT(HS_STIFFNESS_PER_AREA),
-    CONSTANT(HS_STIFFNESS_POTENTIAL),
-    CONSTANT(HS_IMPACT_NEVER),
-    CONSTANT(HS_IMPACT_AT_START),
-    CONSTANT(HS_IMPACT_TOUCH),
-    CONSTANT(HS_PLANE_STRAIN),
-    CONSTANT(HS_PLANE_STRESS),
-    CONSTANT(HS_BLOCK_FIXED),
-    CONSTANT(HS_BLOCK_PRESCRIBED),
-    CONSTANT(HS_BLOCK_RIGID),
-    CONSTANT(HS_BLOCK_AFFINE),
-    CONSTANT(HS_FAST_DIVIDE),
-    CONSTANT(HS_FAST_REFUSE),
-};
+#include "fields.h"
 
 int is(const char* word, const char* other) { return strcmp(word, other) == 0; }
 
@@ -79,9 +43,9 @@ double number_at(const Statement* statement, int i) {
   const char* word = word_at(statement, i);
   char* end = NULL;
   double number;
-  size_t k;
-  for (k = 0; k < sizeof constants / sizeof *constants; ++k)
-    if (is(word, constants[k].name)) return constants[k].value;
+  const Constant* constant;
+  for (constant = case_constants; constant->name; ++constant)
+    if (is(word, constant->name)) return constant->value;
   number = strtod(word, &end);
   if (end == word || *end != '\0') malformed(statement, "a number or a constant is expected");
   return number;

@@ -1,4 +1,4 @@
-/* Fields of the library's structs by their names. C99 that is C++ as well. */
+/* Fields and constants of the library by their names. C99 that is C++ as well. */
 #ifndef HALFSPACE_CASE_FIELDS_H
 #define HALFSPACE_CASE_FIELDS_H
 
@@ -16,6 +16,13 @@ typedef struct Field {
   size_t offset;
 } Field;
 
+typedef struct Constant {
+  const char* name; /* NULL ends a table */
+  int32_t value;
+} Constant;
+
+/* Generated: field_tables.c. */
+extern const Constant case_constants[];
 extern const Field world_def_fields[], law_def_fields[], elasticity_def_fields[], pair_options_fields[],
     motion_def_fields[];
 extern const Field shape_fields[], contact_fields[], impact_fields[], block_fields[], deformation_fields[],

@@ -3,5 +3,6 @@
 
 #include "case_file.c"
 #include "expectations.c"
+#include "field_tables.c"
 #include "fields.c"
 #include "player.c"

@@ -1,6 +1,6 @@
-! What a call through the modules costs over the same call from C: step, detection and forces of 4 blocks, where the
-! call itself is to be seen, and of 1e5, and one pair. Passes alternate, and the least time of each counts; C against
-! itself says what the ratio is worth. No timing decides. --quick: a smaller world.
+! Overhead of the modules relative to calls from C: step, detection and forces of 4 blocks, where the call dominates,
+! and of 1e5, and one pair. Passes alternate, and the minimum time of each is used; the ratio of C to itself shows the
+! scatter. No timing decides. --quick: a smaller world.
 program bench_overhead
   use halfspace
   use halfspace_c, only: hs_mutable_view
@@ -87,7 +87,7 @@ contains
     end do
   end subroutine make_world
 
-  !> Of a pass, which has so many calls of each kind.
+  !> Times of a pass with the given number of calls of each kind.
   subroutine compare_world(columns, rows, calls)
     integer, intent(in) :: columns, rows, calls
     type(halfspace_world) :: world
@@ -102,7 +102,7 @@ contains
     in_c = huge(in_c)
     in_c_again = huge(in_c_again)
     in_fortran = huge(in_fortran)
-    ! Which goes first changes, as the first leaves the caches to the next.
+    ! The order changes, as the first one warms the caches for the next.
     do pass = 1, passes
       if (mod(pass, 2) == 0) in_c = min(in_c, pass_in_c(world, calls, poses, force, torque))
       in_fortran = min(in_fortran, pass_in_fortran(world, calls, poses, force, torque))

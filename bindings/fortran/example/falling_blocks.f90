@@ -1,4 +1,4 @@
-! A whole world: a pile of squares falls onto a floor and comes to rest.
+! A complete world: a pile of squares falls onto a floor and comes to rest.
 program falling_blocks
   use halfspace
   use, intrinsic :: iso_fortran_env, only: dp => real64

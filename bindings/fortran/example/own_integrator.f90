@@ -1,6 +1,6 @@
-! A DEM driver that keeps its own arrays and its own integrator, and takes from the library detection and forces
-! alone. A block of 5 x 4 m slides down a slope of 30 degrees, friction angle 15 degrees (Wang et al. 2021, section
-! 4.1): s = 1/2 (g sin - g cos tan(phi)) t^2. Exits with an error if the distance is off by more than 0.1 %.
+! A DEM driver with its own arrays and its own integrator; the library computes contacts and forces only. A block of 5 x
+! 4 m slides down a slope of 30 degrees, friction angle 15 degrees (Wang et al. 2021, section 4.1): s = 1/2 (g sin - g
+! cos tan(phi)) t^2. Exits with an error if the error of the distance is more than 0.1 %.
 program own_integrator
   use halfspace
   use, intrinsic :: iso_fortran_env, only: dp => real64
@@ -22,7 +22,7 @@ program own_integrator
 
   call make_blocks()
   call contact_forces(0.0_dp)
-  ! Friction acts from the first moment, as if the block had been sliding before.
+  ! Friction acts from the start, as if the block had been sliding before.
   call world%set_shear_force(blocks(plane), blocks(slider), -tan(friction) * weight_on_slope() * downhill)
   call contact_forces(0.0_dp)
   start = position(:, slider)
@@ -57,7 +57,7 @@ contains
       inertia(i) = density * (properties%second_moment(1) + properties%second_moment(2))
     end do
 
-    ! The block rests on its springs: so deep that they bear its weight.
+    ! The block starts in equilibrium: the springs of its overlap carry its weight.
     position(:, plane) = -0.5_dp * upward
     position(:, slider) = (height / 2 - weight_on_slope() / stiffness) * upward
     angle = -slope
@@ -82,7 +82,7 @@ contains
     weight_on_slope = mass(slider) * gravity * cos(slope)
   end function weight_on_slope
 
-  ! All that the library does: force and torque on every block, where they are now.
+  ! The calls of the library: force and torque on every block at the current poses.
   subroutine contact_forces(elapsed)
     real(dp), intent(in) :: elapsed
     call world%set_poses(halfspace_pose(position(1, :), position(2, :), angle))

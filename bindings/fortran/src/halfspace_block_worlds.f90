@@ -1,4 +1,4 @@
-!> The blocks of a world: what they are made of, where they are, and how they move and strain.
+!> Blocks of a world: materials, laws, poses, velocities, deformation.
 module halfspace_block_worlds
   use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t, c_int8_t, c_loc, c_null_ptr, c_ptr, &
     c_size_t, c_sizeof
@@ -13,7 +13,7 @@ module halfspace_block_worlds
   private
   public :: block_world, halfspace_block_state, takes_world
 
-  !> The owner of the world, which bonded_world extends, and that halfspace_world.
+  !> The owner of the world; bonded_world extends it, and halfspace_world extends that.
   type :: block_world
     private
     type(shared_handle) :: handle
@@ -53,43 +53,44 @@ module halfspace_block_worlds
     generic :: assignment(=) => share
   end type block_world
 
-  ! The parts of a world: halfspace_worlds_make.f90.
+  ! Creation of worlds, materials, laws and blocks: halfspace_worlds_make.f90.
   interface
 
-    !> Makes an empty world; what it was before is dropped. What is not given is the library's default.
+    !> Creates an empty world; the previous reference is dropped. Missing arguments have the defaults of the library.
     module subroutine create(self, dimension, gravity, time_step, safety, local_damping, mass_damping, skin, &
                              parallel_angle, vertex_zone, potential_length, fast_blocks, sleep_tolerance, context, &
                              stat, errmsg)
       class(block_world), intent(inout) :: self
       integer, intent(in), optional :: dimension  !< 2 (default) or 3
-      real(c_double), intent(in), optional :: gravity(:)  !< acceleration; default 9.81 downwards: -y, in 3D -z
-      real(c_double), intent(in), optional :: time_step  !< > 0; default: safety times the stable time step
-      real(c_double), intent(in), optional :: safety  !< (0, 1]; default 0.5
-      real(c_double), intent(in), optional :: local_damping  !< [0, 1): share of the force
-      real(c_double), intent(in), optional :: mass_damping  !< 1/s, >= 0
-      real(c_double), intent(in), optional :: skin  !< reach of the neighbour list, share of a block's size; default 0.1
+      real(c_double), intent(in), optional :: gravity(:)  !< m/s2, 3 values (2D: or 2); default 9.81 along -y, in 3D -z
+      real(c_double), intent(in), optional :: time_step  !< s, > 0; default: safety times the stable time step
+      real(c_double), intent(in), optional :: safety  !< factor of the stable time step, (0, 1]; default 0.5
+      real(c_double), intent(in), optional :: local_damping  !< ratio of damping to unbalanced force, [0, 1); default 0
+      real(c_double), intent(in), optional :: mass_damping  !< 1/s, >= 0; default 0
+      !> skin of the neighbour list over a block's size, (0, 1]; default 0.1
+      real(c_double), intent(in), optional :: skin
       real(c_double), intent(in), optional :: parallel_angle  !< rad, [0, 0.5]; default 0.01
       real(c_double), intent(in), optional :: vertex_zone  !< [0, 0.5]; default 1e-6
-      !> H of HS_STIFFNESS_POTENTIAL, > 0; default: all edges' mean
+      !> length H of HS_STIFFNESS_POTENTIAL, m, > 0; default: mean length of all edges
       real(c_double), intent(in), optional :: potential_length
       integer(c_int32_t), intent(in), optional :: fast_blocks  !< HS_FAST_DIVIDE (default) or HS_FAST_REFUSE
-      !> m, >= 0: of its way that a block may miss over a run by sleep; default 0: none sleeps
+      !> max displacement error of a block by sleep over a run, m, >= 0; default 0: no block sleeps
       real(c_double), intent(in), optional :: sleep_tolerance
       type(halfspace_context), intent(in), optional :: context
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine create
 
-    !> Adds a material of some density.
+    !> Adds a material.
     module subroutine add_material(self, density, material, stat, errmsg)
       class(block_world), intent(inout) :: self
       real(c_double), intent(in) :: density  !< > 0
-      integer(c_int32_t), intent(out) :: material  !< its index, counted from 1
+      integer(c_int32_t), intent(out) :: material  !< its index, from 1
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine add_material
 
-    !> Sets the law of all pairs of materials that have none of their own.
+    !> Sets the law of all pairs of materials without a law of their own.
     module subroutine set_default_law(self, law, stat, errmsg)
       class(block_world), intent(inout) :: self
       type(halfspace_law), intent(in) :: law
@@ -110,17 +111,17 @@ module halfspace_block_worlds
     module subroutine add_block(self, shape, block, kind, material, pose, velocity, angular_velocity, stat, errmsg)
       class(block_world), intent(inout) :: self
       type(halfspace_shape), intent(in) :: shape
-      type(halfspace_block), intent(out), optional :: block  !< its name
+      type(halfspace_block), intent(out), optional :: block  !< its id
       integer(c_int32_t), intent(in), optional :: kind  !< HS_BLOCK_RIGID (default), _FIXED, _PRESCRIBED or _AFFINE
-      integer(c_int32_t), intent(in), optional :: material  !< from add_material(); default 1, the first
-      type(halfspace_pose), intent(in), optional :: pose  !< default: where the shape's vertices were given
+      integer(c_int32_t), intent(in), optional :: material  !< index from add_material(); default 1
+      type(halfspace_pose), intent(in), optional :: pose  !< default: the coordinates of the shape's vertices
       real(c_double), intent(in), optional :: velocity(:)  !< of the centroid, 3 values (2D: or 2); default 0
       real(c_double), intent(in), optional :: angular_velocity(:)  !< rad/s, 3 values (2D: or 1, about z); default 0
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine add_block
 
-    !> Removes a block; its name becomes stale. The cost grows with the size of the world.
+    !> Removes a block; its id becomes stale. The cost is proportional to the size of the world.
     module subroutine remove_block(self, block, stat, errmsg)
       class(block_world), intent(inout) :: self
       type(halfspace_block), intent(in) :: block
@@ -128,7 +129,7 @@ module halfspace_block_worlds
       character(*), intent(inout), optional :: errmsg
     end subroutine remove_block
 
-    !> Makes a world from saved bytes, with its blocks, their names, materials and laws. It goes on bit for bit.
+    !> Creates a world from a snapshot, with the same ids, materials and laws. It continues bit for bit.
     module subroutine restore(self, bytes, context, stat, errmsg)
       class(block_world), intent(inout) :: self
       integer(c_int8_t), intent(in), target, contiguous :: bytes(:)  !< from save()
@@ -137,7 +138,7 @@ module halfspace_block_worlds
       character(*), intent(inout), optional :: errmsg
     end subroutine restore
 
-    !> Saves the whole state of motion and contact.
+    !> Saves a snapshot of the complete state.
     module subroutine save_state(self, bytes, stat, errmsg)
       class(block_world), intent(in) :: self
       integer(c_int8_t), intent(inout), allocatable, target :: bytes(:)
@@ -145,7 +146,7 @@ module halfspace_block_worlds
       character(*), intent(inout), optional :: errmsg
     end subroutine save_state
 
-    !> Gives up this reference now instead of at the end of the scope.
+    !> Drops this reference before the end of its scope.
     impure elemental module subroutine destroy(self)
       class(block_world), intent(inout) :: self
     end subroutine destroy
@@ -162,7 +163,7 @@ module halfspace_block_worlds
       type(c_ptr) :: c_handle
     end function c_handle
 
-    !> The C context that has the text of the last error, likewise.
+    !> The C context, for the text of the last error; the object stays the owner.
     module function c_context(self)
       class(block_world), intent(in) :: self
       type(c_ptr) :: c_context
@@ -173,8 +174,8 @@ module halfspace_block_worlds
       class(block_world), intent(in) :: other
     end subroutine share
 
-    !> Becomes the owner of a world of C that was made in the context of another one, or no world if it is NULL. Without
-    !! memory to keep account of it, that is ended, and self stays what it was.
+    !> Becomes the owner of a C world that was made in the context of `origin`, or no world if `object` is NULL. Without
+    !! memory for the reference count, the C world is destroyed and self does not change.
     module function takes_world(self, object, origin, stat, errmsg) result(takes)
       class(block_world), intent(inout) :: self
       type(c_ptr), intent(in) :: object
@@ -186,10 +187,10 @@ module halfspace_block_worlds
 
   end interface
 
-  ! Where the blocks are and how they move: halfspace_worlds_motion.f90.
+  ! Poses and velocities of blocks: halfspace_worlds_motion.f90.
   interface
 
-    !> The names of all blocks.
+    !> Ids of all blocks. All arrays of blocks have this order.
     module subroutine blocks(self, names, stat, errmsg)
       class(block_world), intent(in) :: self
       type(halfspace_block), intent(inout), allocatable, target :: names(:)
@@ -203,7 +204,7 @@ module halfspace_block_worlds
       integer(c_int64_t) :: count
     end function block_count
 
-    !> One block's motion; its material is counted from 1.
+    !> Returns the motion of a block.
     module subroutine block_state(self, block, state, stat, errmsg)
       class(block_world), intent(in) :: self
       type(halfspace_block), intent(in) :: block
@@ -212,7 +213,7 @@ module halfspace_block_worlds
       character(*), intent(inout), optional :: errmsg
     end subroutine block_state
 
-    !> One block's vertices where they are now, in 2D counter-clockwise.
+    !> Returns the current positions of a block's vertices, m, in 2D counter-clockwise.
     module subroutine block_vertices(self, block, points, rows, count, stat, errmsg)
       class(block_world), intent(in) :: self
       type(halfspace_block), intent(in) :: block
@@ -223,7 +224,7 @@ module halfspace_block_worlds
       character(*), intent(inout), optional :: errmsg
     end subroutine block_vertices
 
-    !> Puts a block elsewhere.
+    !> Sets the pose of a block.
     module subroutine set_pose(self, block, pose, stat, errmsg)
       class(block_world), intent(inout) :: self
       type(halfspace_block), intent(in) :: block
@@ -232,7 +233,7 @@ module halfspace_block_worlds
       character(*), intent(inout), optional :: errmsg
     end subroutine set_pose
 
-    !> Sets a block's velocity; a fixed block takes none.
+    !> Sets the velocity of a block; fixed blocks are refused.
     module subroutine set_velocity(self, block, velocity, angular_velocity, stat, errmsg)
       class(block_world), intent(inout) :: self
       type(halfspace_block), intent(in) :: block
@@ -242,12 +243,12 @@ module halfspace_block_worlds
       character(*), intent(inout), optional :: errmsg
     end subroutine set_velocity
 
-    !> Sets the force and torque that act on a rigid or affine block from outside until set again.
+    !> Sets the external force and torque on a rigid or affine block, until set again.
     module subroutine set_applied_force(self, block, force, torque, stat, errmsg)
       class(block_world), intent(inout) :: self
       type(halfspace_block), intent(in) :: block
-      real(c_double), intent(in) :: force(:)  !< at the centroid, 3 values (2D: or 2)
-      real(c_double), intent(in), optional :: torque(:)  !< about the centroid, 3 values (2D: or 1, about z); default 0
+      real(c_double), intent(in) :: force(:)  !< at the centroid, N, 3 values (2D: or 2)
+      real(c_double), intent(in), optional :: torque(:)  !< about the centroid, N m, 3 values (2D: or 1, z); default 0
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine set_applied_force
@@ -260,7 +261,7 @@ module halfspace_block_worlds
       character(*), intent(inout), optional :: errmsg
     end subroutine poses
 
-    !> Sets the poses of all blocks; after an error, none has moved.
+    !> Sets the poses of all blocks; after an error no block has moved.
     module subroutine set_poses(self, values, stat, errmsg)
       class(block_world), intent(inout) :: self
       type(halfspace_pose), intent(in), target, contiguous :: values(:)
@@ -268,7 +269,7 @@ module halfspace_block_worlds
       character(*), intent(inout), optional :: errmsg
     end subroutine set_poses
 
-    !> Velocities of all blocks.
+    !> Velocities, m/s, and angular velocities, rad/s, of all blocks.
     module subroutine velocities(self, linear, angular, rows, stat, errmsg)
       class(block_world), intent(in) :: self
       real(c_double), intent(inout), target :: linear(:,:)
@@ -278,7 +279,8 @@ module halfspace_block_worlds
       character(*), intent(inout), optional :: errmsg
     end subroutine velocities
 
-    !> Sets the velocities of all blocks; entries of fixed blocks are ignored. Without `angular`, spins stay.
+    !> Sets the velocities of all blocks; entries of fixed blocks are ignored. Without `angular`, angular velocities
+    !! stay.
     module subroutine set_velocities(self, linear, angular, rows, stat, errmsg)
       class(block_world), intent(inout) :: self
       real(c_double), intent(in), target :: linear(:,:)
@@ -290,11 +292,10 @@ module halfspace_block_worlds
 
   end interface
 
-  ! The strains of blocks: halfspace_worlds_affine.f90.
+  ! Deformation of blocks: halfspace_worlds_affine.f90.
   interface
 
-    !> Makes a material elastic, for affine blocks and meshes; others do not read it. Blocks that have it keep their
-    !! strain.
+    !> Sets the elasticity of a material. Affine blocks and meshes use it. Existing blocks keep their strain.
     module subroutine set_elasticity(self, material, elasticity, stat, errmsg)
       class(block_world), intent(inout) :: self
       integer(c_int32_t), intent(in) :: material
@@ -303,7 +304,7 @@ module halfspace_block_worlds
       character(*), intent(inout), optional :: errmsg
     end subroutine set_elasticity
 
-    !> The turn and strain of a block of any kind.
+    !> Returns deformation and stress of a block of any kind.
     module subroutine deformation(self, block, values, stat, errmsg)
       class(block_world), intent(in) :: self
       type(halfspace_block), intent(in) :: block
@@ -312,7 +313,7 @@ module halfspace_block_worlds
       character(*), intent(inout), optional :: errmsg
     end subroutine deformation
 
-    !> The turns and strains of all blocks.
+    !> Deformation and stress of all blocks.
     module subroutine deformations(self, values, stat, errmsg)
       class(block_world), intent(in) :: self
       type(halfspace_deformation), intent(inout), target, contiguous :: values(:)
@@ -320,37 +321,38 @@ module halfspace_block_worlds
       character(*), intent(inout), optional :: errmsg
     end subroutine deformations
 
-    !> Turns and strains an affine block, and sets how fast it goes on. Its centroid and velocity stay.
+    !> Sets the deformation gradient of an affine block and its rate. Centroid and velocity do not change.
     module subroutine set_deformation(self, block, gradient, rate, stat, errmsg)
       class(block_world), intent(inout) :: self
       type(halfspace_block), intent(in) :: block
-      real(c_double), intent(in) :: gradient(:,:)  !< (row, column), 3 of each (2D: or 2); its determinant is > 0
-      real(c_double), intent(in), optional :: rate(:,:)  !< of the gradient, 1/s, likewise; default 0
+      real(c_double), intent(in) :: gradient(:,:)  !< (row, column), 3 x 3 (2D: or 2 x 2), determinant > 0
+      real(c_double), intent(in), optional :: rate(:,:)  !< rate of the gradient, 1/s, of the same shape; default 0
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine set_deformation
 
-    !> Says how an affine block is stressed now, e.g. in situ. What it is strained by from now on adds to that.
+    !> Sets the current stress of an affine block, e.g. the in situ stress. Later strain adds to it.
     module subroutine set_stress(self, block, stress, stat, errmsg)
       class(block_world), intent(inout) :: self
       type(halfspace_block), intent(in) :: block
-      !> Cauchy's, (row, column), 3 of each (2D: or 2), symmetric, Pa, tension > 0
+      !> Cauchy stress, (row, column), 3 x 3 (2D: or 2 x 2), symmetric, Pa, tension > 0
       real(c_double), intent(in) :: stress(:,:)
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine set_stress
 
-    !> Adds a load on a face of an affine block. It keeps its direction, and its size as the face is strained.
+    !> Adds a permanent load on a face of an affine block. Its direction does not change as the block moves, nor its
+    !! magnitude as the face is strained.
     module subroutine add_surface_load(self, block, face, traction, stat, errmsg)
       class(block_world), intent(inout) :: self
       type(halfspace_block), intent(in) :: block
-      integer(c_int32_t), intent(in) :: face  !< counted from 1; in 2D the edge that starts at the vertex of that number
+      integer(c_int32_t), intent(in) :: face  !< index from 1; in 2D of the edge that starts at that vertex
       real(c_double), intent(in) :: traction(:)  !< force per area of the face as it was given, Pa, 3 values (2D: or 2)
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine add_surface_load
 
-    !> Takes all surface loads off an affine block.
+    !> Removes all surface loads of an affine block.
     module subroutine clear_surface_loads(self, block, stat, errmsg)
       class(block_world), intent(inout) :: self
       type(halfspace_block), intent(in) :: block

@@ -13,8 +13,8 @@ module halfspace_c
 
   !> Status codes.
   integer(c_int32_t), parameter :: HS_OK = 0  !< ok
-  integer(c_int32_t), parameter :: HS_NOTE_TRUNCATED = 1  !< the output did not fit: only as much as the capacity holds was written
-  integer(c_int32_t), parameter :: HS_NOTE_NOT_AT_REST = 2  !< forces are still unbalanced after as many steps as were allowed
+  integer(c_int32_t), parameter :: HS_NOTE_TRUNCATED = 1  !< the output is truncated to the capacity
+  integer(c_int32_t), parameter :: HS_NOTE_NOT_AT_REST = 2  !< forces are still unbalanced after max_steps
   integer(c_int32_t), parameter :: HS_ERROR_ARGUMENT = -1  !< an argument is null, out of range or not finite
   integer(c_int32_t), parameter :: HS_ERROR_GEOMETRY = -2  !< the vertices do not describe a convex shape
   integer(c_int32_t), parameter :: HS_ERROR_STALE_ID = -3  !< the id does not name a living block, material or contact
@@ -22,218 +22,215 @@ module halfspace_c
   integer(c_int32_t), parameter :: HS_ERROR_STATE = -5  !< the object is not in a state that allows this call
   integer(c_int32_t), parameter :: HS_ERROR_UNSTABLE = -6  !< the run became unstable: the time step is too large
   integer(c_int32_t), parameter :: HS_ERROR_FORMAT = -7  !< the bytes are not a snapshot that this library can read
-  integer(c_int32_t), parameter :: HS_ERROR_INTERNAL = -8  !< a defect of the library: please report it
-  integer(c_int32_t), parameter :: HS_ERROR_TOO_FAST = -9  !< two blocks meet too fast for the time step against their thickness
-  integer(c_int32_t), parameter :: HS_ERROR_INVERTED = -10  !< a cell of a mesh would be turned inside out
+  integer(c_int32_t), parameter :: HS_ERROR_INTERNAL = -8  !< internal error of the library; please report it
+  integer(c_int32_t), parameter :: HS_ERROR_TOO_FAST = -9  !< two blocks approach too fast for the time step and their thickness
+  integer(c_int32_t), parameter :: HS_ERROR_INVERTED = -10  !< a mesh cell would be inverted
 
   !> Contact types (Wang et al. 2021, section 2.5).
-  integer(c_int32_t), parameter :: HS_CONTACT_NONE = 0  !< separated: one violated potential pair, or a plane between, proves it
-  integer(c_int32_t), parameter :: HS_CONTACT_VERTEX_VERTEX = 1  !< a vertex meets a vertex; in 2D an end of the edge
-  integer(c_int32_t), parameter :: HS_CONTACT_VERTEX_EDGE = 2  !< a vertex meets an edge between its ends
+  !> separated: a violated potential contact pair or a separating plane proves it
+  integer(c_int32_t), parameter :: HS_CONTACT_NONE = 0
+  integer(c_int32_t), parameter :: HS_CONTACT_VERTEX_VERTEX = 1  !< a vertex touches a vertex; in 2D an end of the edge
+  integer(c_int32_t), parameter :: HS_CONTACT_VERTEX_EDGE = 2  !< a vertex touches the interior of an edge
   integer(c_int32_t), parameter :: HS_CONTACT_EDGE_EDGE = 3  !< 2D: edges parallel within the parallel angle; 3D: edges that cross
   integer(c_int32_t), parameter :: HS_CONTACT_EDGE_FACE = 4  !< 3D: an edge and a face parallel within the parallel angle
   integer(c_int32_t), parameter :: HS_CONTACT_FACE_FACE = 5  !< 3D: two faces parallel within the parallel angle
-  integer(c_int32_t), parameter :: HS_CONTACT_VERTEX_FACE = 6  !< 3D: a vertex meets a face between its edges
+  integer(c_int32_t), parameter :: HS_CONTACT_VERTEX_FACE = 6  !< 3D: a vertex touches the interior of a face
 
-  !> Which features of the two blocks make a potential contact pair. In 2D an edge is what a face is in 3D.
+  !> Kinds of potential contact pairs, by the features of the two blocks. In 2D an edge takes the place of a
+  !! face.
   integer(c_int32_t), parameter :: HS_PAIR_FACE_VERTEX = 0  !< a face of block a (2D: an edge), a vertex of block b
   integer(c_int32_t), parameter :: HS_PAIR_VERTEX_FACE = 1  !< a vertex of block a, a face of block b (2D: an edge)
-  integer(c_int32_t), parameter :: HS_PAIR_EDGE_EDGE = 2  !< 3D: an edge of each
-  !> 3D, separated only: the vertices nearest to a plane between the blocks
-  integer(c_int32_t), parameter :: HS_PAIR_VERTEX_VERTEX = 3
+  integer(c_int32_t), parameter :: HS_PAIR_EDGE_EDGE = 2  !< 3D: one edge of each block
+  integer(c_int32_t), parameter :: HS_PAIR_VERTEX_VERTEX = 3  !< 3D, separated only: the vertices closest to a separating plane
 
-  !> Most points that are given of a contact region: 2 in 2D; in 3D, of a region with more corners, those that
-  !! lie farthest in as many directions spread evenly round the contact plane.
+  !> Max number of points of a contact region (2 in 2D). In 3D a region with more corners returns those that
+  !! are farthest in 8 directions, equally spaced in the contact plane.
   integer(c_int32_t), parameter :: HS_CONTACT_POINTS = 8
 
-  !> What a stiffness refers to.
-  !> N/m of a face on a face, shared over the corners of the region, each a spring on its own: in 2D a vertex
-  !! alone has half of it, in 3D the corner of a square a quarter
+  !> Kinds of contact stiffness.
+  !> N/m, of a face on a face, distributed over springs at the corners of the region: 1/2 for a 2D vertex, 1/4
+  !! for a right-angled corner in 3D
   integer(c_int32_t), parameter :: HS_STIFFNESS_PER_CONTACT = 0
-  !> Pa/m: the normal force is the stiffness times the overlap area behind the contact plane
+  !> Pa/m: normal force = stiffness times overlap area (3D: volume) behind the contact plane
   integer(c_int32_t), parameter :: HS_STIFFNESS_PER_AREA = 1
-  !> Pa: the potential force of Zheng et al. 2020, section 3. A point inside a block has its distance to the
-  !! nearest face as potential, times the stiffness over the world's `potential_length`; what two blocks share
-  !! is pushed down both. The force is the gradient of an energy, whichever way the blocks meet.
+  !> Pa: gradient of the energy of the overlap (Zheng et al. 2020, section 3). Potential: distance to the
+  !! nearest face times stiffness / potential_length
   integer(c_int32_t), parameter :: HS_STIFFNESS_POTENTIAL = 2
-  !> no spring: blocks are kept apart by just the force that does, from the moment of their touch on (Li et
-  !! al. 2015). Stiffnesses and dampings count for nothing, and the stable time step is that of the blocks
+  !> no spring: a unilateral constraint keeps blocks apart (Li et al. 2015). Stiffnesses and damping are
+  !! ignored; blocks alone limit the time step
   integer(c_int32_t), parameter :: HS_STIFFNESS_NONE = 3
 
-  !> What can be wrong with what a shape is to be made from.
+  !> Faults of the input of a shape.
   integer(c_int32_t), parameter :: HS_FAULT_NONE = 0  !< a valid convex polygon or polyhedron
-  integer(c_int32_t), parameter :: HS_FAULT_TOO_FEW_VERTICES = 1  !< fewer than 3
-  integer(c_int32_t), parameter :: HS_FAULT_NOT_FINITE = 2  !< NaN, infinite, or too large or small to compute with
-  integer(c_int32_t), parameter :: HS_FAULT_REPEATED_VERTEX = 3  !< two neighbours at the same place
-  integer(c_int32_t), parameter :: HS_FAULT_COLLINEAR_VERTEX = 4  !< a vertex on the line of its neighbours, to rounding
-  integer(c_int32_t), parameter :: HS_FAULT_NOT_CONVEX = 5  !< a corner that turns the other way
+  integer(c_int32_t), parameter :: HS_FAULT_TOO_FEW_VERTICES = 1  !< fewer than 3 vertices
+  integer(c_int32_t), parameter :: HS_FAULT_NOT_FINITE = 2  !< a vertex is NaN, infinite, or out of range
+  integer(c_int32_t), parameter :: HS_FAULT_REPEATED_VERTEX = 3  !< two neighbour vertices coincide
+  integer(c_int32_t), parameter :: HS_FAULT_COLLINEAR_VERTEX = 4  !< a vertex is collinear with its neighbours, to rounding
+  integer(c_int32_t), parameter :: HS_FAULT_NOT_CONVEX = 5  !< a reflex vertex
   integer(c_int32_t), parameter :: HS_FAULT_SELF_CROSSING = 6  !< the outline winds more than once or crosses itself
-  integer(c_int32_t), parameter :: HS_FAULT_ZERO_AREA = 7  !< all vertices on one line
-  integer(c_int32_t), parameter :: HS_FAULT_FEWER_THAN_FOUR = 8  !< vertices or faces
-  integer(c_int32_t), parameter :: HS_FAULT_FACE_TOO_SHORT = 9  !< a face of fewer than 3 vertices
-  integer(c_int32_t), parameter :: HS_FAULT_NO_SUCH_VERTEX = 10  !< a face refers to a vertex that is not there
-  integer(c_int32_t), parameter :: HS_FAULT_VERTEX_TWICE_IN_FACE = 11  !< a face goes through the same vertex twice
-  integer(c_int32_t), parameter :: HS_FAULT_UNUSED_VERTEX = 12  !< a vertex that belongs to no face
-  integer(c_int32_t), parameter :: HS_FAULT_UNMATCHED_EDGE = 13  !< an edge not shared by two faces in opposite directions
-  integer(c_int32_t), parameter :: HS_FAULT_VERTEX_INSIDE_EDGE = 14  !< a vertex of two faces only: not a corner
-  integer(c_int32_t), parameter :: HS_FAULT_NOT_ONE_SURFACE = 15  !< several surfaces, or one with holes
-  integer(c_int32_t), parameter :: HS_FAULT_OUT_OF_RANGE = 16  !< not finite, or beyond 1e50, or the whole smaller than 1e-50
-  integer(c_int32_t), parameter :: HS_FAULT_COINCIDING_VERTICES = 17  !< two vertices at the same place
-  integer(c_int32_t), parameter :: HS_FAULT_ZERO_VOLUME = 18  !< all vertices in one plane, to rounding
-  integer(c_int32_t), parameter :: HS_FAULT_FACE_WITHOUT_AREA = 19  !< a face with all vertices on one line, to rounding
-  integer(c_int32_t), parameter :: HS_FAULT_FACE_NOT_PLANE = 20  !< a vertex off the plane of its face by more than rounding
-  integer(c_int32_t), parameter :: HS_FAULT_VERTEX_OUTSIDE_FACE = 21  !< a vertex before a face's plane: not convex
-  integer(c_int32_t), parameter :: HS_FAULT_COPLANAR_FACES = 22  !< a face in one plane with a neighbour, to rounding
-  integer(c_int32_t), parameter :: HS_FAULT_HULL_FAILED = 23  !< points so close to degenerate that rounding hides their hull
-  integer(c_int32_t), parameter :: HS_FAULT_NO_DIRECTION = 24  !< a half-space whose normal is 0
-  integer(c_int32_t), parameter :: HS_FAULT_UNBOUNDED = 25  !< half-spaces that do not bound a region
-  integer(c_int32_t), parameter :: HS_FAULT_NO_COMMON_POINT = 26  !< half-spaces without a region, or with one flat to rounding
-  integer(c_int32_t), parameter :: HS_FAULT_BEYOND_TOLERANCE = 27  !< a dent deeper than the tolerance
+  integer(c_int32_t), parameter :: HS_FAULT_ZERO_AREA = 7  !< all vertices are collinear
+  integer(c_int32_t), parameter :: HS_FAULT_FEWER_THAN_FOUR = 8  !< fewer than 4 vertices or faces
+  integer(c_int32_t), parameter :: HS_FAULT_FACE_TOO_SHORT = 9  !< a face has fewer than 3 vertices
+  integer(c_int32_t), parameter :: HS_FAULT_NO_SUCH_VERTEX = 10  !< a face has a vertex index out of range
+  integer(c_int32_t), parameter :: HS_FAULT_VERTEX_TWICE_IN_FACE = 11  !< a face uses a vertex twice
+  integer(c_int32_t), parameter :: HS_FAULT_UNUSED_VERTEX = 12  !< a vertex belongs to no face
+  integer(c_int32_t), parameter :: HS_FAULT_UNMATCHED_EDGE = 13  !< an edge is not shared by two faces in opposite directions
+  integer(c_int32_t), parameter :: HS_FAULT_VERTEX_INSIDE_EDGE = 14  !< a vertex belongs to two faces only
+  integer(c_int32_t), parameter :: HS_FAULT_NOT_ONE_SURFACE = 15  !< not one closed surface without holes
+  integer(c_int32_t), parameter :: HS_FAULT_OUT_OF_RANGE = 16  !< not finite, magnitude above 1e50, or total size below 1e-50
+  integer(c_int32_t), parameter :: HS_FAULT_COINCIDING_VERTICES = 17  !< two vertices coincide
+  integer(c_int32_t), parameter :: HS_FAULT_ZERO_VOLUME = 18  !< all vertices are coplanar, to rounding
+  integer(c_int32_t), parameter :: HS_FAULT_FACE_WITHOUT_AREA = 19  !< all vertices of a face are collinear, to rounding
+  integer(c_int32_t), parameter :: HS_FAULT_FACE_NOT_PLANE = 20  !< a vertex is off the plane of its face by more than rounding
+  integer(c_int32_t), parameter :: HS_FAULT_VERTEX_OUTSIDE_FACE = 21  !< a vertex is outside the plane of a face: not convex
+  integer(c_int32_t), parameter :: HS_FAULT_COPLANAR_FACES = 22  !< two neighbour faces are coplanar, to rounding
+  integer(c_int32_t), parameter :: HS_FAULT_HULL_FAILED = 23  !< nearly degenerate points: rounding prevents their hull
+  integer(c_int32_t), parameter :: HS_FAULT_NO_DIRECTION = 24  !< the normal of a half-space is 0
+  integer(c_int32_t), parameter :: HS_FAULT_UNBOUNDED = 25  !< the intersection of the half-spaces is unbounded
+  integer(c_int32_t), parameter :: HS_FAULT_NO_COMMON_POINT = 26  !< the intersection is empty, or flat to rounding
+  integer(c_int32_t), parameter :: HS_FAULT_BEYOND_TOLERANCE = 27  !< a dent is deeper than the tolerance
 
-  !> How a block moves.
-  integer(c_int32_t), parameter :: HS_BLOCK_FIXED = 0  !< never
-  integer(c_int32_t), parameter :: HS_BLOCK_PRESCRIBED = 1  !< with the velocity and spin given, whatever the forces
-  integer(c_int32_t), parameter :: HS_BLOCK_RIGID = 2  !< by Newton's law
-  integer(c_int32_t), parameter :: HS_BLOCK_AFFINE = 3  !< by Newton's law, and straining as a whole: see affine.h
-  integer(c_int32_t), parameter :: HS_BLOCK_MESH = 4  !< as the nodes of its mesh do: see mesh.h, whose hs_world_add_mesh() makes it
+  !> Kinds of blocks.
+  integer(c_int32_t), parameter :: HS_BLOCK_FIXED = 0  !< does not move
+  integer(c_int32_t), parameter :: HS_BLOCK_PRESCRIBED = 1  !< moves with the given velocity, whatever the forces
+  integer(c_int32_t), parameter :: HS_BLOCK_RIGID = 2  !< moves by Newton's law
+  integer(c_int32_t), parameter :: HS_BLOCK_AFFINE = 3  !< moves by Newton's law, with uniform strain: see affine.h
+  !> surface cell of a mesh, moved by its nodes: made by hs_world_add_mesh(), see mesh.h
+  integer(c_int32_t), parameter :: HS_BLOCK_MESH = 4
 
-  !> What becomes of a step in which two blocks would move far against the thinner of them: more than a
-  !! quarter of its thickness.
-  !> when they meet, or are in touch, it is divided: up to their first touch, and on from there by small
-  !! parts. After 16384 of these it is refused, too
+  !> Continuous collision: treatment of a step in which two blocks in contact, or about to touch, would move
+  !! by more than a quarter of the thinner block's thickness.
+  !> divide the step: one substep to the first touch, then small ones. More than 16384 substeps are
+  !! HS_ERROR_TOO_FAST
   integer(c_int32_t), parameter :: HS_FAST_DIVIDE = 0
-  integer(c_int32_t), parameter :: HS_FAST_REFUSE = 1  !< when they meet, or are in touch, it is refused with HS_ERROR_TOO_FAST
+  integer(c_int32_t), parameter :: HS_FAST_REFUSE = 1  !< refuse the step with HS_ERROR_TOO_FAST
 
-  !> What 2D is a section of.
-  integer(c_int32_t), parameter :: HS_PLANE_STRAIN = 0  !< a body that cannot strain across the plane
-  integer(c_int32_t), parameter :: HS_PLANE_STRESS = 1  !< a sheet without stress across the plane
+  !> Assumption about the third direction in 2D.
+  integer(c_int32_t), parameter :: HS_PLANE_STRAIN = 0  !< no strain perpendicular to the plane
+  integer(c_int32_t), parameter :: HS_PLANE_STRESS = 1  !< no stress perpendicular to the plane
 
-  !> The ways in which a point of a bond fails.
-  integer(c_int32_t), parameter :: HS_BOND_HOLDS = 0  !< it has not
-  integer(c_int32_t), parameter :: HS_BOND_TENSION = 1  !< by opening
-  integer(c_int32_t), parameter :: HS_BOND_SHEAR = 2  !< by sliding
+  !> Failure modes of a point of a bond.
+  integer(c_int32_t), parameter :: HS_BOND_HOLDS = 0  !< intact
+  integer(c_int32_t), parameter :: HS_BOND_TENSION = 1  !< failed by opening
+  integer(c_int32_t), parameter :: HS_BOND_SHEAR = 2  !< failed by sliding
 
-  !> What comes of two motions.
-  integer(c_int32_t), parameter :: HS_IMPACT_NEVER = 0  !< they do not touch within the duration
-  integer(c_int32_t), parameter :: HS_IMPACT_AT_START = 1  !< they touch at the start already
-  integer(c_int32_t), parameter :: HS_IMPACT_TOUCH = 2  !< they are apart at the start and come to touch
+  !> Results of hs_pair_time_of_impact().
+  integer(c_int32_t), parameter :: HS_IMPACT_NEVER = 0  !< the shapes do not touch within the duration
+  integer(c_int32_t), parameter :: HS_IMPACT_AT_START = 1  !< the shapes touch at time 0
+  integer(c_int32_t), parameter :: HS_IMPACT_TOUCH = 2  !< the shapes are separated at time 0 and touch later
 
-  !> Kinds of cells. Nodes are numbered as Gmsh and VTK do: those of triangles and quads counter-clockwise; of
-  !! a tetrahedron the fourth lies where the first three run counter-clockwise seen from the other side; of
-  !! prisms and hexahedra those at the bottom come first, counter-clockwise seen from above, then those above
-  !! them in the same order.
+  !> Kinds of cells. Nodes are numbered as in Gmsh and VTK: triangles and quads counter-clockwise; the first
+  !! three nodes of a tetrahedron counter-clockwise seen from the fourth; prisms and hexahedra with the bottom
+  !! face first, counter-clockwise seen from above, then the top face in the same order.
   integer(c_int32_t), parameter :: HS_CELL_TRIANGLE = 0  !< 3 nodes, 2D
   integer(c_int32_t), parameter :: HS_CELL_QUAD = 1  !< 4 nodes, 2D, convex
   integer(c_int32_t), parameter :: HS_CELL_TETRAHEDRON = 2  !< 4 nodes, 3D
   integer(c_int32_t), parameter :: HS_CELL_PRISM = 3  !< 6 nodes, 3D
   integer(c_int32_t), parameter :: HS_CELL_HEXAHEDRON = 4  !< 8 nodes, 3D
 
-  !> Axes along which nodes are held; their sum holds along several.
-  integer(c_int32_t), parameter :: HS_AXIS_X = 1  !< along x
-  integer(c_int32_t), parameter :: HS_AXIS_Y = 2  !< along y
-  integer(c_int32_t), parameter :: HS_AXIS_Z = 4  !< along z, in 3D
+  !> Axes along which nodes are held. Values may be added.
+  integer(c_int32_t), parameter :: HS_AXIS_X = 1  !< x
+  integer(c_int32_t), parameter :: HS_AXIS_Y = 2  !< y
+  integer(c_int32_t), parameter :: HS_AXIS_Z = 4  !< z, 3D only
 
-  !> The parts of a step besides detection and normal forces of rigid blocks. One that is not active is
+  !> Optional parts of a step, in addition to detection and normal forces of rigid blocks. Inactive parts are
   !! neither stored nor computed.
-  integer(c_int32_t), parameter :: HS_PART_FRICTION = 1  !< a law resists shear: each pair keeps a shear spring
-  integer(c_int32_t), parameter :: HS_PART_BONDS = 2  !< a law has cohesion or tensile strength
-  integer(c_int32_t), parameter :: HS_PART_CONTACT_DAMPING = 4  !< a law has dashpots
-  integer(c_int32_t), parameter :: HS_PART_AREA = 8  !< a law is per area: overlaps are measured
-  !> a law is one of potentials: overlaps are divided; in space each pair keeps a plan of that
+  integer(c_int32_t), parameter :: HS_PART_FRICTION = 1  !< a law has friction or cohesion: each pair stores a shear spring
+  integer(c_int32_t), parameter :: HS_PART_BONDS = 2  !< there are bonds, or a law has cohesion or tensile strength
+  integer(c_int32_t), parameter :: HS_PART_CONTACT_DAMPING = 4  !< a law has damping
+  integer(c_int32_t), parameter :: HS_PART_AREA = 8  !< a law is per area: overlap areas (3D: volumes) are computed
+  !> a law is a potential: overlaps are divided into cells; in 3D each pair caches its division
   integer(c_int32_t), parameter :: HS_PART_POTENTIAL = 16
-  integer(c_int32_t), parameter :: HS_PART_STRAIN = 32  !< a block is affine or a cell of a mesh
+  integer(c_int32_t), parameter :: HS_PART_STRAIN = 32  !< a block is affine or of a mesh
   integer(c_int32_t), parameter :: HS_PART_LOCAL_DAMPING = 64  !< the world has local damping
   integer(c_int32_t), parameter :: HS_PART_MASS_DAMPING = 128  !< the world has mass damping
-  !> a law without a spring: one solver finds the impulses of all its contacts
+  !> a law has no spring: a solver computes the impulses of all its contact constraints
   integer(c_int32_t), parameter :: HS_PART_HARD_CONTACTS = 256
-  integer(c_int32_t), parameter :: HS_PART_SLEEP = 512  !< blocks at rest may sleep
+  integer(c_int32_t), parameter :: HS_PART_SLEEP = 512  !< sleep is enabled
 
-  !> The ratios by which forces are compared.
-  !> all unbalanced forces over all forces: of cells, contacts, bonds, weight and loads
+  !> Measures of the unbalanced ratio.
+  !> sum of all unbalanced forces over sum of all forces (cells, contacts, bonds, weight, loads)
   integer(c_int32_t), parameter :: HS_UNBALANCED_MEAN = 0
-  !> the largest such ratio of a single block or node; where next to nothing acts, over the mean force
+  !> largest ratio of a single block or node; for negligible forces relative to the mean force
   integer(c_int32_t), parameter :: HS_UNBALANCED_LARGEST = 1
 
-  !> One contact, or the proof that there is none. Points are in the frame of the poses given, directions in
-  !! its orientation. Detection of single pairs leaves what has no meaning there as it was: ids, forces,
-  !! torque and twist always; `area` and all that follows it when the blocks are separated or no region was
-  !! asked for; points and gaps past `point_count`.
+  !> One contact, or the proof of separation. Points and directions are in the frame of the given poses.
+  !! Detection of single pairs does not write fields that have no meaning there: ids, forces, torque and
+  !! twist; `area` and all later fields if the blocks are separated or hs_pair_options.without_region is 1;
+  !! points and gaps beyond `point_count`.
   type, bind(c) :: hs_contact
     integer(c_int64_t) :: block_a = 0  !< id, in a world
     integer(c_int64_t) :: block_b = 0  !< id, in a world
     integer(c_int32_t) :: type = 0  !< an HS_CONTACT_ value
-    integer(c_int32_t) :: point_count = 0  !< points of the region, 0 when separated
-    !> an HS_PAIR_ value: of the pair whose half-space is the contact plane; separated: of the violated pair
+    integer(c_int32_t) :: point_count = 0  !< number of points of the region; 0 when separated
+    !> an HS_PAIR_ value, of the pair that defines the contact plane; when separated, of the violated pair
     integer(c_int32_t) :: pair_kind = 0
-    !> index of block a's vertex, edge or face in that pair. When a face separates, the vertex is -1: none is
-    !! behind the face, which is all of the proof
+    !> index of block a's vertex, edge or face in that pair; -1 for the vertex when a face separates the
+    !! blocks, as no vertex is behind it
     integer(c_int32_t) :: feature_a = 0
-    integer(c_int32_t) :: feature_b = 0  !< index of block b's, likewise
+    integer(c_int32_t) :: feature_b = 0  !< index of block b's feature, likewise
     integer(c_int32_t) :: reserved = 0  !< 0
-    real(c_double) :: normal(3) = 0.0_c_double  !< unit, from a to b
-    !> of the pair along the normal, or at the deepest point of the region; < 0 is overlap. When separated it
-    !! is the separation that proves the verdict: a lower bound of the distance.
+    real(c_double) :: normal(3) = 0.0_c_double  !< unit vector from a to b
+    !> signed distance along the normal at the deepest point, m; < 0 is overlap. When separated, a lower bound
+    !! of the distance
     real(c_double) :: gap = 0.0_c_double
-    !> 2D: overlap length of an edge-edge region times unit thickness; 3D: of a face-face region; else 0
+    !> area of an edge-edge region in 2D (length times unit thickness) or of a face-face region in 3D; else 0
     real(c_double) :: area = 0.0_c_double
-    real(c_double) :: length = 0.0_c_double  !< overlap length; 2D: of an edge-edge region; 3D: of an edge-face region; else 0
+    real(c_double) :: length = 0.0_c_double  !< length of an edge-edge region in 2D or of an edge-face region in 3D; else 0
     real(c_double) :: center(3) = 0.0_c_double  !< centroid of the region, on the contact plane
-    real(c_double) :: center_gap = 0.0_c_double  !< gap there
-    !> of the region, on the contact plane; 3D: its corners, counter-clockwise about the normal
+    real(c_double) :: center_gap = 0.0_c_double  !< gap at the center
+    !> corners of the region, on the contact plane; in 3D counter-clockwise about the normal
     real(c_double) :: points(3, 8) = 0.0_c_double
     real(c_double) :: gaps(8) = 0.0_c_double  !< gap at each point
-    real(c_double) :: force(3) = 0.0_c_double  !< on block b, normal and shear together; in a world
-    real(c_double) :: torque(3) = 0.0_c_double  !< couple on block b besides the force, about force_point
-    real(c_double) :: force_point(3) = 0.0_c_double  !< where the force acts
-    real(c_double) :: normal_force = 0.0_c_double  !< compression > 0
-    real(c_double) :: shear_force(3) = 0.0_c_double  !< in the contact plane, on block b; without friction 0 to rounding
-    real(c_double) :: twist = 0.0_c_double  !< 3D: torque about the normal, on block b
-    real(c_double) :: touched_at = 0.0_c_double  !< s: time of the touch, inside of a step, by a law without springs; else 0
+    real(c_double) :: force(3) = 0.0_c_double  !< total contact force on block b, N; in a world
+    real(c_double) :: torque(3) = 0.0_c_double  !< couple on block b in addition to the force at force_point, N m
+    real(c_double) :: force_point(3) = 0.0_c_double  !< point of application of the force
+    real(c_double) :: normal_force = 0.0_c_double  !< N, compression > 0
+    real(c_double) :: shear_force(3) = 0.0_c_double  !< on block b, in the contact plane, N; without friction 0 to rounding
+    real(c_double) :: twist = 0.0_c_double  !< 3D: torque on block b about the normal, N m
+    real(c_double) :: touched_at = 0.0_c_double  !< time of first touch within a step, s, for laws without springs; else 0
   end type hs_contact
 
-  !> Normal force with Mohr-Coulomb friction, by a penalty spring or a potential. Fill it with
-  !! hs_law_def_init(). Springs are those of Wang et al. 2021, section 3; potentials those of Zheng et al.
-  !! 2020, section 3.
+  !> Contact law: normal force by a penalty spring (Wang et al. 2021, section 3), a potential (Zheng et al.
+  !! 2020, section 3) or a unilateral constraint, with Mohr-Coulomb friction. Fill it with hs_law_def_init().
   !!
-  !! The potential force acts along a line of its own, which between faces that meet squarely is the contact's
-  !! normal. Friction acts across that line, where it passes the centroid of what the blocks share. The normal
-  !! and shear forces that hs_contact tells are the parts of the whole force along and across the contact's
-  !! normal. Potentials hold nothing together: they take neither cohesion nor tensile strength.
+  !! The force of a potential acts along its own line of action, which for aligned faces is the contact
+  !! normal. Friction acts perpendicular to that line, at the centroid of the overlap. hs_contact reports the
+  !! components of the total force along and perpendicular to the contact normal. Potentials have neither
+  !! cohesion nor tensile strength.
   !!
-  !! The damping that a law has by default is there for friction: without any, friction on springs feeds the
-  !! vibration of what it should hold, and a block on a slope that is not steep enough for it to slide hops
-  !! down. Set both dampings to 0 for bounces without loss.
+  !! Friction on springs needs damping: without it friction feeds vibrations, and a block that friction could
+  !! hold hops down a slope. Set both damping ratios to 0 for a rebound without loss.
   type, bind(c) :: hs_law_def
     integer(c_int32_t) :: struct_size = 0  !< set by hs_law_def_init()
     integer(c_int32_t) :: stiffness_kind = 0  !< an HS_STIFFNESS_ value; default HS_STIFFNESS_PER_CONTACT
-    real(c_double) :: normal_stiffness = 0.0_c_double  !< > 0; N/m of a face on a face (a vertex is softer), Pa/m or Pa; default 1e9
-    !> >= 0; N/m or Pa/m, of potentials N/m; 0, the default: the same number as normal_stiffness
-    real(c_double) :: shear_stiffness = 0.0_c_double
+    real(c_double) :: normal_stiffness = 0.0_c_double  !< N/m, Pa/m or Pa by stiffness_kind, > 0; default 1e9
+    real(c_double) :: shear_stiffness = 0.0_c_double  !< N/m or Pa/m (potentials: N/m), >= 0; default 0: as normal_stiffness
     real(c_double) :: friction_angle = 0.0_c_double  !< rad, [0, pi/2); default 0
-    !> Pa, >= 0; of contacts that exist when a block's first step begins, until they fail; default 0
+    !> Pa, >= 0; default 0; of contacts that exist when a block's first step begins, until they fail
     real(c_double) :: cohesion = 0.0_c_double
-    real(c_double) :: tensile_strength = 0.0_c_double  !< Pa, >= 0; likewise; default 0
-    real(c_double) :: normal_damping = 0.0_c_double  !< share of critical viscous damping, >= 0; default 0.1
-    real(c_double) :: shear_damping = 0.0_c_double  !< share of critical viscous damping, >= 0; default 0.1
+    real(c_double) :: tensile_strength = 0.0_c_double  !< Pa, >= 0; default 0; of the same contacts as cohesion
+    real(c_double) :: normal_damping = 0.0_c_double  !< damping ratio (fraction of critical viscous damping), >= 0; default 0.1
+    real(c_double) :: shear_damping = 0.0_c_double  !< damping ratio, >= 0; default 0.1
   end type hs_law_def
 
-  !> How a context is made. Fill it with hs_context_def_init(), then change what you need.
+  !> Settings of a context. Fill it with hs_context_def_init().
   type, bind(c) :: hs_context_def
     integer(c_int32_t) :: struct_size = 0  !< set by hs_context_def_init()
     integer(c_int32_t) :: reserved = 0  !< 0
-    !> Returns memory aligned to `alignment`, or NULL. NULL here means the C library's allocator.
+    !> Returns memory aligned to `alignment` bytes, or NULL if there is none. Default NULL: the C library's
+    !! allocator.
     type(c_funptr) :: allocate = c_null_funptr
-    type(c_funptr) :: release = c_null_funptr  !< Gives back what `allocate` returned. Set both or neither.
-    type(c_ptr) :: user = c_null_ptr  !< passed to both
-    !> How many threads step a world, 1 to 256; default 1. Results have the same bits for any number. The
-    !! library makes and keeps one less than that, which wait for work; with `run_tasks` it makes none. Below
-    !! some hundred contacts one is used.
+    type(c_funptr) :: release = c_null_funptr  !< Releases memory that `allocate` returned. Set both functions or neither.
+    type(c_ptr) :: user = c_null_ptr  !< passed to allocate and release
+    !> Number of threads that step a world, 1 to 256; default 1. Results are bit-identical for any number. The
+    !! context owns threads - 1 worker threads, or none if `run_tasks` is set. Small worlds use one thread.
     integer(c_int32_t) :: threads = 0
     integer(c_int32_t) :: reserved_2 = 0  !< 0
-    !> The host's own scheduler, or NULL (default) for threads of the library. Calls hs_task_run(task, i) for
-    !! i from 0 to count - 1, each once, in whatever order and on whatever threads, and returns when all have
-    !! ended. `count` is `threads`. It is called within hs_world_ functions, on their thread, and calls
-    !! nothing else of the library.
+    !> The host's scheduler; default NULL: threads of the library. It must call hs_task_run(task, i) once for
+    !! each i from 0 to count - 1, in any order and on any threads, and return after all calls have returned;
+    !! count equals `threads`. Thread rule: called on the thread of an hs_world_ function; it must call no
+    !! other function of the library.
     type(c_funptr) :: run_tasks = c_null_funptr
     type(c_ptr) :: scheduler = c_null_ptr  !< passed to run_tasks
   end type hs_context_def
@@ -247,161 +244,162 @@ module halfspace_c
     integer(c_int64_t) :: count = 0  !< number of points, >= 0
   end type hs_view
 
-  !> Points to write; the layout is that of hs_view, count is the capacity.
+  !> Points to write, with the layout of hs_view.
   type, bind(c) :: hs_mutable_view
     type(c_ptr) :: x = c_null_ptr  !< first x component; not NULL unless count is 0
     type(c_ptr) :: y = c_null_ptr  !< first y component; not NULL unless count is 0
-    type(c_ptr) :: z = c_null_ptr  !< first z component; may be NULL in 2D only, else is set to 0 there
+    type(c_ptr) :: z = c_null_ptr  !< first z component; may be NULL in 2D only; in 2D 0 is written
     integer(c_int64_t) :: stride = 0  !< bytes from one point to the next, a multiple of sizeof(double); may be negative
     integer(c_int64_t) :: count = 0  !< capacity in points, >= 0
   end type hs_mutable_view
 
-  !> Where a shape is: its centroid, and its rotation about the centroid.
+  !> Pose of a shape: position of its centroid and rotation about the centroid.
   type, bind(c) :: hs_pose
-    real(c_double) :: position(3) = 0.0_c_double  !< of the centroid; finite, at most 1e75
-    real(c_double) :: rotation(4) = 0.0_c_double  !< unit quaternion x, y, z, w; its length may be off 1 by 1e-6 and is normalised
+    real(c_double) :: position(3) = 0.0_c_double  !< of the centroid, m; finite, max 1e75
+    real(c_double) :: rotation(4) = 0.0_c_double  !< unit quaternion x, y, z, w; a length within 1e-6 of 1 is normalised
   end type hs_pose
 
-  !> The first fault found.
+  !> First fault of an input.
   type, bind(c) :: hs_fault
     integer(c_int32_t) :: kind = 0  !< an HS_FAULT_ value
     integer(c_int32_t) :: reserved = 0  !< 0
-    integer(c_int64_t) :: vertex = 0  !< index of the offending vertex in the caller's list, -1 if it is the whole
-    integer(c_int64_t) :: face = 0  !< index of the offending face in the caller's list, -1 if there is none
+    integer(c_int64_t) :: vertex = 0  !< index of the faulty vertex in the caller's list; -1: the whole
+    integer(c_int64_t) :: face = 0  !< index of the faulty face in the caller's list; -1: none
   end type hs_fault
 
-  !> Geometry and mass per unit density. Later versions may append to it.
+  !> Geometry and mass properties per unit density. Later versions may append to it.
   type, bind(c) :: hs_shape_properties
     integer(c_int32_t) :: dimension = 0  !< 2 or 3
     integer(c_int32_t) :: reserved = 0  !< 0
     integer(c_int64_t) :: vertex_count = 0  !< >= 3; in 3D >= 4
     integer(c_int64_t) :: edge_count = 0  !< >= 3; in 3D >= 6
-    integer(c_int64_t) :: face_count = 0  !< half-spaces: edges in 2D, faces in 3D
-    real(c_double) :: volume = 0.0_c_double  !< area times unit thickness in 2D
-    real(c_double) :: centroid(3) = 0.0_c_double  !< in the coordinates the shape was made from
-    !> about the centroid: xx, yy, zz, xy, yz, zx of the integral of r r^T; 2D: xx, yy, 0, xy, 0, 0. The
-    !! moment of inertia about z is the density times (xx + yy), and so on
+    integer(c_int64_t) :: face_count = 0  !< half-spaces: faces, in 2D edges
+    real(c_double) :: volume = 0.0_c_double  !< m3; in 2D area times unit thickness
+    real(c_double) :: centroid(3) = 0.0_c_double  !< in the coordinates that the shape was made from, m
+    !> integral of r r^T about the centroid: xx, yy, zz, xy, yz, zx; 2D: xx, yy, 0, xy, 0, 0. Moment of
+    !! inertia about z: density times (xx + yy)
     real(c_double) :: second_moment(6) = 0.0_c_double
-    real(c_double) :: bounding_radius = 0.0_c_double  !< farthest vertex from the centroid
-    real(c_double) :: shortest_edge = 0.0_c_double  !< length
+    real(c_double) :: bounding_radius = 0.0_c_double  !< max distance of a vertex from the centroid, m
+    real(c_double) :: shortest_edge = 0.0_c_double  !< length of the shortest edge, m
   end type hs_shape_properties
 
-  !> What hs_polygon_clean() changed.
+  !> Changes by hs_polygon_clean().
   type, bind(c) :: hs_clean_report
-    integer(c_int64_t) :: welded = 0  !< vertices dropped because they lay within the tolerance of the one before
-    integer(c_int64_t) :: straightened = 0  !< vertices dropped because they lay within it of their neighbours' line
-    integer(c_int32_t) :: reversed = 0  !< 1 if the order was turned counter-clockwise
+    integer(c_int64_t) :: welded = 0  !< vertices removed: within the tolerance of the previous vertex
+    integer(c_int64_t) :: straightened = 0  !< vertices removed: within the tolerance of their neighbours' line
+    integer(c_int32_t) :: reversed = 0  !< 1: the order was reversed to counter-clockwise
     integer(c_int32_t) :: reserved = 0  !< 0
   end type hs_clean_report
 
-  !> The changes that hs_polyhedron_create_fitted() made or, when it refuses a dent, its place.
+  !> Changes by hs_polyhedron_create_fitted(), or the dent that it refuses.
   type, bind(c) :: hs_fit_report
-    type(hs_fault) :: fault  !< HS_FAULT_NONE, or what the text says; of a dent the lowest vertex
-    integer(c_int64_t) :: merged = 0  !< facets given beyond the faces made
-    !> largest distance of a vertex from the fitted plane of its face; of a dent its depth below the convex
-    !! hull
+    type(hs_fault) :: fault  !< HS_FAULT_NONE, or the fault; for a dent its deepest vertex
+    integer(c_int64_t) :: merged = 0  !< number of facets minus number of faces
+    !> max distance of a vertex from the fitted plane of its face, m; for a dent its depth below the convex
+    !! hull, m
     real(c_double) :: deviation = 0.0_c_double
-    real(c_double) :: moved = 0.0_c_double  !< largest distance of a corner from where it was given
-    real(c_double) :: sufficient_tolerance = 0.0_c_double  !< of a dent: a tolerance that takes it, tried; 0 if there is none
+    real(c_double) :: moved = 0.0_c_double  !< max displacement of a corner, m
+    real(c_double) :: sufficient_tolerance = 0.0_c_double  !< for a dent: a tolerance that suffices (tested), m; 0: none
   end type hs_fit_report
 
-  !> How a world is made. Fill it with hs_world_def_init().
+  !> Settings of a world. Fill it with hs_world_def_init().
   type, bind(c) :: hs_world_def
     integer(c_int32_t) :: struct_size = 0  !< set by hs_world_def_init()
     integer(c_int32_t) :: dimension = 0  !< 2 or 3, as given to hs_world_def_init()
-    real(c_double) :: gravity(3) = 0.0_c_double  !< acceleration; default 0, -9.81, 0 in 2D and 0, 0, -9.81 in 3D
-    !> > 0, or 0 (default): safety times the stable time step, found when the first step begins and again
-    !! after each change of the world from outside
+    real(c_double) :: gravity(3) = 0.0_c_double  !< m/s2; default (0, -9.81, 0) in 2D, (0, 0, -9.81) in 3D
+    !> s, > 0, or 0 (default): safety times the stable time step, computed at the first step and after each
+    !! change of the world by the host
     real(c_double) :: time_step = 0.0_c_double
-    real(c_double) :: safety = 0.0_c_double  !< (0, 1]; default 0.5
-    real(c_double) :: local_damping = 0.0_c_double  !< [0, 1): force opposing each velocity component, share of the force; default 0
+    real(c_double) :: safety = 0.0_c_double  !< factor of the stable time step, (0, 1]; default 0.5
+    !> ratio of the damping force to the unbalanced force, per component, [0, 1); default 0
+    real(c_double) :: local_damping = 0.0_c_double
     real(c_double) :: mass_damping = 0.0_c_double  !< 1/s, >= 0: force -mass_damping * mass * velocity; default 0
-    real(c_double) :: skin = 0.0_c_double  !< reach of the neighbour list, share of a block's size; (0, 1]; default 0.1
-    real(c_double) :: parallel_angle = 0.0_c_double  !< see hs_pair_options
-    real(c_double) :: vertex_zone = 0.0_c_double  !< see hs_pair_options
-    !> H of HS_STIFFNESS_POTENTIAL, m, > 0: one for all blocks; or 0 (default): the mean length of all blocks'
-    !! edges when forces are first used
+    real(c_double) :: skin = 0.0_c_double  !< skin of the neighbour list, as a fraction of a block's size, (0, 1]; default 0.1
+    real(c_double) :: parallel_angle = 0.0_c_double  !< rad, [0, 0.5]; default 0.01; see hs_pair_options
+    real(c_double) :: vertex_zone = 0.0_c_double  !< [0, 0.5]; default 1e-6; see hs_pair_options
+    !> length H of HS_STIFFNESS_POTENTIAL, m, > 0; or 0 (default): mean length of all edges at the first
+    !! evaluation of forces
     real(c_double) :: potential_length = 0.0_c_double
     integer(c_int32_t) :: fast_blocks = 0  !< an HS_FAST_ value; default HS_FAST_DIVIDE
     integer(c_int32_t) :: reserved = 0  !< 0
-    !> m, >= 0: the largest displacement error of a block by sleep over a run; blocks at rest are then left
-    !! out of steps. 0 (default): no block sleeps. Worlds with HS_STIFFNESS_NONE or meshes do not sleep
+    !> max displacement error of a block by sleep over a run, m, >= 0; default 0: no block sleeps. Worlds with
+    !! HS_STIFFNESS_NONE or meshes do not sleep
     real(c_double) :: sleep_tolerance = 0.0_c_double
   end type hs_world_def
 
-  !> How a block is made. Fill it with hs_block_def_init().
+  !> Settings of a block. Fill it with hs_block_def_init().
   type, bind(c) :: hs_block_def
     integer(c_int32_t) :: struct_size = 0  !< set by hs_block_def_init()
     integer(c_int32_t) :: kind = 0  !< an HS_BLOCK_ value; default HS_BLOCK_RIGID
-    integer(c_int32_t) :: material = 0  !< from hs_world_add_material()
+    integer(c_int32_t) :: material = 0  !< index from hs_world_add_material(); default 0
     integer(c_int32_t) :: reserved = 0  !< 0
-    type(hs_pose) :: pose  !< default: where the shape's vertices were given
-    real(c_double) :: velocity(3) = 0.0_c_double  !< of the centroid; default 0
+    type(hs_pose) :: pose  !< default: the coordinates of the shape's vertices
+    real(c_double) :: velocity(3) = 0.0_c_double  !< of the centroid, m/s; default 0
     real(c_double) :: angular_velocity(3) = 0.0_c_double  !< rad/s; 2D uses z; default 0
   end type hs_block_def
 
-  !> A block's motion.
+  !> Motion of a block.
   type, bind(c) :: hs_block_state
     integer(c_int32_t) :: kind = 0  !< an HS_BLOCK_ value
     integer(c_int32_t) :: material = 0  !< index
     type(hs_pose) :: pose  !< of the centroid
-    real(c_double) :: angle = 0.0_c_double  !< 2D: that of the pose, rad, counting whole turns, so that it is unbounded
-    real(c_double) :: velocity(3) = 0.0_c_double  !< of the centroid
-    real(c_double) :: angular_velocity(3) = 0.0_c_double  !< 2D: z
-    real(c_double) :: force(3) = 0.0_c_double  !< contact force of the last force evaluation
-    real(c_double) :: torque(3) = 0.0_c_double  !< contact torque about the centroid, likewise
-    real(c_double) :: mass = 0.0_c_double  !< 2D: per unit thickness
+    real(c_double) :: angle = 0.0_c_double  !< 2D: rotation, rad, including full turns
+    real(c_double) :: velocity(3) = 0.0_c_double  !< of the centroid, m/s
+    real(c_double) :: angular_velocity(3) = 0.0_c_double  !< rad/s; 2D: z
+    real(c_double) :: force(3) = 0.0_c_double  !< contact force of the last force evaluation, N
+    real(c_double) :: torque(3) = 0.0_c_double  !< contact torque about the centroid of the last force evaluation, N m
+    real(c_double) :: mass = 0.0_c_double  !< kg, in 2D per unit thickness
   end type hs_block_state
 
-  !> Where the energy is and where it went, since the world was made (J, in 2D per unit thickness). Adding or
-  !! removing blocks and setting a motion are booked as outer work.
+  !> Energy ledger since the world was made, J, in 2D per unit thickness. Changes by the host (added or
+  !! removed blocks, set motions) count as external work. See docs/concepts/energy.md.
   type, bind(c) :: hs_energy
-    real(c_double) :: kinetic = 0.0_c_double  !< now
-    real(c_double) :: gravity = 0.0_c_double  !< potential, zero at the origin, now
-    real(c_double) :: strain = 0.0_c_double  !< in the contact springs, now
-    real(c_double) :: friction_loss = 0.0_c_double  !< by sliding and by breaking bonds, so far
-    real(c_double) :: contact_damping_loss = 0.0_c_double  !< by viscous contact damping, so far
-    real(c_double) :: local_damping_loss = 0.0_c_double  !< by local damping, so far
-    real(c_double) :: mass_damping_loss = 0.0_c_double  !< by mass-proportional damping, so far
-    real(c_double) :: outer_work = 0.0_c_double  !< by prescribed blocks, applied forces, surface loads and edits, so far
-    real(c_double) :: residual = 0.0_c_double  !< all but outer_work, minus outer_work: the energy error of the time stepping
+    real(c_double) :: kinetic = 0.0_c_double  !< current kinetic energy
+    real(c_double) :: gravity = 0.0_c_double  !< current potential energy of gravity, 0 at the origin
+    real(c_double) :: strain = 0.0_c_double  !< current energy of contact springs and bonds
+    real(c_double) :: friction_loss = 0.0_c_double  !< dissipated by sliding and by failure of cohesive contacts
+    real(c_double) :: contact_damping_loss = 0.0_c_double  !< dissipated by viscous contact damping
+    real(c_double) :: local_damping_loss = 0.0_c_double  !< dissipated by local damping
+    real(c_double) :: mass_damping_loss = 0.0_c_double  !< dissipated by mass damping
+    real(c_double) :: outer_work = 0.0_c_double  !< work of prescribed blocks, applied forces, surface loads and changes by the host
+    real(c_double) :: residual = 0.0_c_double  !< numerical energy error: current energy plus losses minus outer_work
   end type hs_energy
 
-  !> The state of a world in numbers. Later versions may append to it.
+  !> State of a world. Later versions may append to it.
   type, bind(c) :: hs_world_report
     integer(c_int32_t) :: dimension = 0  !< 2 or 3
     integer(c_int32_t) :: reserved = 0  !< 0
-    integer(c_int64_t) :: steps = 0  !< done so far
-    real(c_double) :: time = 0.0_c_double  !< passed so far
-    real(c_double) :: time_step = 0.0_c_double  !< in use
-    !> safe bound from stiffness, viscosity and mass; 0 without blocks that move freely
+    integer(c_int64_t) :: steps = 0  !< completed steps
+    real(c_double) :: time = 0.0_c_double  !< s
+    real(c_double) :: time_step = 0.0_c_double  !< current time step, s
+    !> bound by stiffness, viscosity and mass, s; 0 without blocks that move freely
     real(c_double) :: stable_time_step = 0.0_c_double
     integer(c_int64_t) :: block_count = 0  !< living blocks
     integer(c_int64_t) :: candidate_count = 0  !< pairs in the neighbour list
-    integer(c_int64_t) :: contact_count = 0  !< contacts: pairs by laws with springs, points by laws without
-    integer(c_int64_t) :: list_builds = 0  !< how often the neighbour list was built
-    real(c_double) :: largest_overlap = 0.0_c_double  !< of the last detection
-    real(c_double) :: largest_speed = 0.0_c_double  !< of all blocks that move freely, now
-    type(hs_energy) :: energy  !< the ledger
-    real(c_double) :: potential_length = 0.0_c_double  !< in use; 0 without a law of potentials
-    real(c_double) :: block_strain_energy = 0.0_c_double  !< of affine blocks and meshes, now; counts in the residual
-    real(c_double) :: block_damping_loss = 0.0_c_double  !< in affine blocks and meshes, so far; counts in the residual
-    integer(c_int64_t) :: divided_steps = 0  !< steps so far that fast blocks have divided
-    !> largest penetration at which springs stop two blocks, over the thinner block's thickness, so far. Above
-    !! 0.25 increase the normal stiffness; from 0.5 on blocks may pass through each other. See
-    !! docs/concepts/impact.md
+    integer(c_int64_t) :: contact_count = 0  !< contacts: pairs for laws with springs, points for laws without
+    integer(c_int64_t) :: list_builds = 0  !< number of builds of the neighbour list
+    real(c_double) :: largest_overlap = 0.0_c_double  !< max overlap of the last detection, m
+    real(c_double) :: largest_speed = 0.0_c_double  !< current max speed of blocks that move freely, m/s
+    type(hs_energy) :: energy  !< energy ledger
+    real(c_double) :: potential_length = 0.0_c_double  !< current length H, m; 0 without a law of potentials
+    !> current strain energy of affine blocks and meshes, J; included in the residual
+    real(c_double) :: block_strain_energy = 0.0_c_double
+    !> dissipated by damping in affine blocks and meshes, J; included in the residual
+    real(c_double) :: block_damping_loss = 0.0_c_double
+    integer(c_int64_t) :: divided_steps = 0  !< steps divided by continuous collision
+    !> max penetration that springs allow, over the thinner block's thickness; above 0.25 increase
+    !! normal_stiffness, see docs/concepts/impact.md
     real(c_double) :: max_penetration_ratio = 0.0_c_double
-    !> largest overlap so far, at every detection; by potentials in space, whose steps find no overlaps, now
+    !> max overlap of all detections so far, m; with potentials in 3D the current max overlap
     real(c_double) :: peak_overlap = 0.0_c_double
-    !> largest speed so far of all blocks that move freely, at the end of every step and part of one
-    real(c_double) :: peak_speed = 0.0_c_double
-    integer(c_int64_t) :: sleeping_count = 0  !< blocks that sleep now
-    real(c_double) :: max_sleep_error = 0.0_c_double  !< m: largest displacement error of a block by sleep, so far
-    !> touches so far by laws without springs; a corner that slides from face to face touches anew
+    real(c_double) :: peak_speed = 0.0_c_double  !< max speed so far of blocks that move freely, over all steps and substeps, m/s
+    integer(c_int64_t) :: sleeping_count = 0  !< sleeping blocks
+    real(c_double) :: max_sleep_error = 0.0_c_double  !< max displacement error of a block by sleep so far, m
+    !> touches so far of laws without springs; a corner that slides to another face touches again
     integer(c_int64_t) :: touch_count = 0
-    !> iterations so far of the solver of laws without springs: sweeps over all of their contacts
+    !> iterations so far of the constraint solver of laws without springs (sweeps over all contacts)
     integer(c_int64_t) :: iteration_count = 0
-    !> J, in 2D per unit thickness: lost so far by their touches; counts in the residual
+    !> dissipated by impacts of laws without springs, J, in 2D per unit thickness; included in the residual
     real(c_double) :: impact_loss = 0.0_c_double
   end type hs_world_report
 
@@ -411,276 +409,275 @@ module halfspace_c
     integer(c_int32_t) :: plane = 0  !< 2D: HS_PLANE_STRAIN (default) or HS_PLANE_STRESS; 3D: HS_PLANE_STRAIN
     real(c_double) :: young_modulus = 0.0_c_double  !< Pa, > 0; default 1e9
     real(c_double) :: poisson_ratio = 0.0_c_double  !< (-1, 0.5); default 0.25
-    !> s, >= 0: viscous stress is the elastic one of the strain rate times this (Rayleigh's beta); default 0
+    !> s, >= 0; default 0. Stiffness-proportional (Rayleigh) damping: the viscous stress is the elastic stress
+    !! of the strain rate times this
     real(c_double) :: damping_time = 0.0_c_double
   end type hs_elasticity_def
 
-  !> How a block is turned and strained.
+  !> Deformation and stress of a block.
   type, bind(c) :: hs_deformation
-    !> from places in the shape's frame to places about the centroid; of other than affine blocks a rotation
+    !> deformation gradient, from the shape's frame to space; a rotation unless the block is affine or of a
+    !! mesh
     real(c_double) :: gradient(9) = 0.0_c_double
-    real(c_double) :: rate(9) = 0.0_c_double  !< of the gradient, 1/s
-    !> Green's, from the shape as it was given, in the shape's frame; of other than affine blocks 0
+    real(c_double) :: rate(9) = 0.0_c_double  !< time derivative of the gradient, 1/s
+    !> Green strain relative to the shape as it was given, in the shape's frame; 0 unless affine or of a mesh
     real(c_double) :: strain(9) = 0.0_c_double
-    real(c_double) :: stress(9) = 0.0_c_double  !< Cauchy's, elastic, in space, Pa, tension > 0; of other than affine blocks 0
+    real(c_double) :: stress(9) = 0.0_c_double  !< elastic Cauchy stress, in space, Pa, tension > 0; 0 unless affine or of a mesh
     real(c_double) :: strain_energy = 0.0_c_double  !< J, in 2D per unit thickness; 0 without stress
   end type hs_deformation
 
-  !> The properties of a bond. Fill it with hs_bond_def_init().
+  !> Properties of a bond. Fill it with hs_bond_def_init().
   type, bind(c) :: hs_bond_def
     integer(c_int32_t) :: struct_size = 0  !< set by hs_bond_def_init()
     integer(c_int32_t) :: reserved = 0  !< 0
     real(c_double) :: normal_stiffness = 0.0_c_double  !< Pa/m, > 0; default 1e11
-    real(c_double) :: shear_stiffness = 0.0_c_double  !< Pa/m, > 0, or 0 (default): as the normal one
+    real(c_double) :: shear_stiffness = 0.0_c_double  !< Pa/m, > 0, or 0 (default): equal to normal_stiffness
     real(c_double) :: tensile_strength = 0.0_c_double  !< Pa, >= 0; default 0
     real(c_double) :: cohesion = 0.0_c_double  !< Pa, >= 0; default 0
-    real(c_double) :: friction_angle = 0.0_c_double  !< [0, pi/2), of what holds; default 0
-    !> Pa, from 0 to the cohesion, of what has failed and is pressed together; default 0
-    real(c_double) :: residual_cohesion = 0.0_c_double
-    real(c_double) :: residual_friction_angle = 0.0_c_double  !< [0, pi/2), likewise; or below 0 (default): the friction angle
-    !> J/m2, >= 0: tension fades linearly with opening and takes so much from its peak on; default 0: at once
+    real(c_double) :: friction_angle = 0.0_c_double  !< rad, [0, pi/2), of intact points; default 0
+    real(c_double) :: residual_cohesion = 0.0_c_double  !< Pa, from 0 to cohesion; default 0; of failed points
+    real(c_double) :: residual_friction_angle = 0.0_c_double  !< rad, [0, pi/2), of failed points; default below 0: friction_angle
+    !> J/m2, >= 0, dissipated as tension decreases linearly with opening after the peak; default 0: sudden
+    !! failure
     real(c_double) :: tensile_fracture_energy = 0.0_c_double
-    !> J/m2, >= 0: likewise what shear strength loses with slip; default 0: at once
+    !> J/m2, >= 0, dissipated as shear strength decreases linearly with slip after the peak; default 0: sudden
+    !! failure
     real(c_double) :: shear_fracture_energy = 0.0_c_double
   end type hs_bond_def
 
-  !> A bond now.
+  !> Current state of a bond.
   type, bind(c) :: hs_bond
-    integer(c_int64_t) :: block_a = 0  !< 0 when one of both has been removed
-    integer(c_int64_t) :: block_b = 0  !< likewise
-    integer(c_int32_t) :: is_joint = 0  !< 1; or 0 when it has come apart and contact has taken over
+    integer(c_int64_t) :: block_a = 0  !< 0 if either block has been removed
+    integer(c_int64_t) :: block_b = 0  !< 0 if either block has been removed
+    integer(c_int32_t) :: is_joint = 0  !< 1: the bond connects its blocks; 0: it has failed, the contact law applies
     integer(c_int32_t) :: point_count = 0  !< integration points
-    integer(c_int32_t) :: broken_count = 0  !< of them that have failed
+    integer(c_int32_t) :: broken_count = 0  !< failed integration points
     integer(c_int32_t) :: reserved = 0  !< 0
-    real(c_double) :: area = 0.0_c_double  !< of the common face, in 2D its length
-    real(c_double) :: damage = 0.0_c_double  !< mean over the area: 0 whole, 1 failed
-    real(c_double) :: normal_force = 0.0_c_double  !< > 0 in tension
-    real(c_double) :: shear_force(3) = 0.0_c_double  !< on block_b
+    real(c_double) :: area = 0.0_c_double  !< of the common face, m2; in 2D its length, m
+    real(c_double) :: damage = 0.0_c_double  !< mean over the area, [0, 1]: 0 intact, 1 failed
+    real(c_double) :: normal_force = 0.0_c_double  !< N, > 0 in tension
+    real(c_double) :: shear_force(3) = 0.0_c_double  !< on block_b, N
   end type hs_bond
 
-  !> A point of a bond that has failed.
+  !> Failure of a point of a bond.
   type, bind(c) :: hs_bond_event
-    integer(c_int64_t) :: bond = 0  !< its place in the list of bonds, counted from 0
-    integer(c_int64_t) :: step = 0  !< steps done before
+    integer(c_int64_t) :: bond = 0  !< index of the bond, in the order of hs_world_get_bonds()
+    integer(c_int64_t) :: step = 0  !< number of steps completed before the failure
     integer(c_int32_t) :: failure = 0  !< HS_BOND_TENSION or HS_BOND_SHEAR
-    integer(c_int32_t) :: point = 0  !< of the bond, counted from 0
+    integer(c_int32_t) :: point = 0  !< index of the point in its bond
     real(c_double) :: time = 0.0_c_double  !< s
     real(c_double) :: position(3) = 0.0_c_double  !< m
-    real(c_double) :: normal(3) = 0.0_c_double  !< of the face, from block_a to block_b
-    real(c_double) :: area = 0.0_c_double  !< of the point's share of the face, in 2D a length
-    real(c_double) :: normal_traction = 0.0_c_double  !< Pa, > 0 in tension, at the end of the step before
-    real(c_double) :: shear_traction = 0.0_c_double  !< Pa, likewise
-    real(c_double) :: energy = 0.0_c_double  !< J, lost in this step
+    real(c_double) :: normal(3) = 0.0_c_double  !< unit normal of the face, from block_a to block_b
+    real(c_double) :: area = 0.0_c_double  !< tributary area of the point, m2; in 2D a length, m
+    real(c_double) :: normal_traction = 0.0_c_double  !< Pa, > 0 in tension, at the end of the step before the failure
+    real(c_double) :: shear_traction = 0.0_c_double  !< Pa, at the end of the step before the failure
+    real(c_double) :: energy = 0.0_c_double  !< J, dissipated by the failure in this step
   end type hs_bond_event
 
-  !> The bonds of a world in numbers. Later versions may append to it.
+  !> Summary of all bonds of a world. Later versions may append to it.
   type, bind(c) :: hs_bond_report
-    integer(c_int64_t) :: bond_count = 0  !< made so far
-    integer(c_int64_t) :: joint_count = 0  !< that have not come apart
-    integer(c_int64_t) :: event_count = 0  !< points that have failed so far
-    real(c_double) :: crack_area = 0.0_c_double  !< of these points, in 2D their length
-    real(c_double) :: strain_energy = 0.0_c_double  !< in the springs of bonds now; part of hs_energystrain
-    real(c_double) :: fracture_loss = 0.0_c_double  !< so far; counts in the residual
+    integer(c_int64_t) :: bond_count = 0  !< bonds made so far
+    integer(c_int64_t) :: joint_count = 0  !< bonds that still connect their blocks
+    integer(c_int64_t) :: event_count = 0  !< failed points so far
+    real(c_double) :: crack_area = 0.0_c_double  !< total area of the failed points, m2; in 2D a length, m
+    real(c_double) :: strain_energy = 0.0_c_double  !< J, current, of the springs of bonds; part of hs_energy.strain
+    real(c_double) :: fracture_loss = 0.0_c_double  !< J, dissipated so far; included in the residual
   end type hs_bond_report
 
-  !> How a shape moves: its centroid straight and its turn even. Fill it with hs_motion_def_init(): then it
-  !! rests at the origin. At time t the point that is at X in the shape's frame is at position + t velocity +
-  !! R(t angular_velocity) Q (gradient + t gradient_rate) X, with position and Q those of `start`, and R(v)
-  !! the turn about v by its length.
+  !> Motion of a shape with constant linear and angular velocity and constant rate of deformation. Fill it
+  !! with hs_motion_def_init(): at rest at the origin. At time t the material point X (in the shape's frame)
+  !! is at position + t velocity + R(t angular_velocity) Q (gradient + t gradient_rate) X, with position and
+  !! rotation Q of `start`, and R(v) the rotation about v by the angle |v|.
   type, bind(c) :: hs_motion_def
     integer(c_int32_t) :: struct_size = 0  !< set by hs_motion_def_init()
     integer(c_int32_t) :: reserved = 0  !< 0
-    type(hs_pose) :: start  !< where it is at first
+    type(hs_pose) :: start  !< pose at time 0
     real(c_double) :: velocity(3) = 0.0_c_double  !< of the centroid, m/s
-    real(c_double) :: angular_velocity(3) = 0.0_c_double  !< rad/s; in 2D about z; it may turn by up to 1e6 rad in the duration
-    !> how it is strained at first, before `start` turns it: row by row, as of affine blocks (affine.h);
-    !! default the identity
+    real(c_double) :: angular_velocity(3) = 0.0_c_double  !< rad/s; in 2D about z; times the duration at most 1e6 rad
+    !> deformation gradient at time 0, before the rotation of `start`, row by row (see affine.h); default
+    !! identity
     real(c_double) :: gradient(9) = 0.0_c_double
-    real(c_double) :: gradient_rate(9) = 0.0_c_double  !< of the gradient, 1/s; default 0
+    real(c_double) :: gradient_rate(9) = 0.0_c_double  !< rate of the deformation gradient, 1/s; default 0
   end type hs_motion_def
 
-  !> When, where and how two moving shapes first touch.
+  !> First touch of two moving shapes.
   type, bind(c) :: hs_impact
-    integer(c_int32_t) :: state = 0  !< an HS_IMPACT_ value; of HS_IMPACT_NEVER all that follows is 0 but the time
-    integer(c_int32_t) :: pair_kind = 0  !< of the potential pair of largest gap then: an HS_PAIR_ value, not HS_PAIR_VERTEX_VERTEX
+    integer(c_int32_t) :: state = 0  !< an HS_IMPACT_ value; for HS_IMPACT_NEVER all later fields except time are 0
+    !> potential contact pair of largest gap at that time: an HS_PAIR_ value, not HS_PAIR_VERTEX_VERTEX
+    integer(c_int32_t) :: pair_kind = 0
     integer(c_int32_t) :: feature_a = 0  !< index of a's vertex, edge or face in that pair
-    integer(c_int32_t) :: feature_b = 0  !< index of b's, likewise
-    real(c_double) :: time = 0.0_c_double  !< s from the start; never later than the first touch; the duration for HS_IMPACT_NEVER
-    real(c_double) :: gap = 0.0_c_double  !< of the pair then: small to rounding; <= 0 when touching at the start
-    real(c_double) :: normal(3) = 0.0_c_double  !< unit, from a to b then
-    real(c_double) :: point(3) = 0.0_c_double  !< where they touch: the middle of the contact region
+    integer(c_int32_t) :: feature_b = 0  !< index of b's feature, likewise
+    real(c_double) :: time = 0.0_c_double  !< s; never later than the first touch; the duration for HS_IMPACT_NEVER
+    real(c_double) :: gap = 0.0_c_double  !< gap of the pair at that time, m, > 0 and close to rounding; <= 0 for HS_IMPACT_AT_START
+    real(c_double) :: normal(3) = 0.0_c_double  !< unit vector from a to b at that time
+    real(c_double) :: point(3) = 0.0_c_double  !< centroid of the contact region
   end type hs_impact
 
-  !> A mesh in numbers. Later versions may append to it.
+  !> Summary of a mesh. Later versions may append to it.
   type, bind(c) :: hs_mesh_properties
     integer(c_int32_t) :: dimension = 0  !< 2 or 3
     integer(c_int32_t) :: reserved = 0  !< 0
     integer(c_int64_t) :: node_count = 0  !< nodes
     integer(c_int64_t) :: cell_count = 0  !< cells
-    integer(c_int64_t) :: surface_face_count = 0  !< faces, in 2D edges, that only one cell has
-    real(c_double) :: volume = 0.0_c_double  !< of all cells, in 2D their area
+    integer(c_int64_t) :: surface_face_count = 0  !< faces (2D: edges) that belong to one cell only
+    real(c_double) :: volume = 0.0_c_double  !< of all cells, m3; in 2D area, m2
   end type hs_mesh_properties
 
-  !> The way in which a mesh is put into a world. Fill it with hs_body_def_init().
+  !> Settings of a body. Fill it with hs_body_def_init().
   type, bind(c) :: hs_body_def
     integer(c_int32_t) :: struct_size = 0  !< set by hs_body_def_init()
-    integer(c_int32_t) :: material = 0  !< from hs_world_add_material(), made elastic by hs_world_set_elasticity(); default 0
-    type(hs_pose) :: pose  !< of the frame that the nodes were given in; default: where they were given
-    real(c_double) :: velocity(3) = 0.0_c_double  !< of all nodes; default 0
+    integer(c_int32_t) :: material = 0  !< index of a material with elasticity, see hs_world_set_elasticity(); default 0
+    type(hs_pose) :: pose  !< pose of the frame of the mesh; default: identity
+    real(c_double) :: velocity(3) = 0.0_c_double  !< of all nodes, m/s; default 0
   end type hs_body_def
 
-  !> The motion of a body. Later versions may append to it.
+  !> Motion and energy of a body. Later versions may append to it.
   type, bind(c) :: hs_body_state
     integer(c_int64_t) :: node_count = 0  !< nodes
-    integer(c_int64_t) :: cell_count = 0  !< cells, with those that have been removed
-    real(c_double) :: mass = 0.0_c_double  !< in 2D per unit thickness
-    real(c_double) :: centroid(3) = 0.0_c_double  !< of the nodes' masses
-    real(c_double) :: momentum(3) = 0.0_c_double  !< of all nodes
-    real(c_double) :: kinetic_energy = 0.0_c_double  !< of all nodes
-    real(c_double) :: strain_energy = 0.0_c_double  !< of all cells
+    integer(c_int64_t) :: cell_count = 0  !< cells, including removed ones
+    real(c_double) :: mass = 0.0_c_double  !< kg, in 2D per unit thickness
+    real(c_double) :: centroid(3) = 0.0_c_double  !< center of mass, m
+    real(c_double) :: momentum(3) = 0.0_c_double  !< of all nodes, kg m/s
+    real(c_double) :: kinetic_energy = 0.0_c_double  !< of all nodes, J
+    real(c_double) :: strain_energy = 0.0_c_double  !< of all cells, J
   end type hs_body_state
 
-  !> Strain and stress of a cell, on average over it.
+  !> Mean strain and stress of a cell.
   type, bind(c) :: hs_cell_state
-    real(c_double) :: strain(9) = 0.0_c_double  !< Green's, from the cell as it was put into the world
-    real(c_double) :: stress(9) = 0.0_c_double  !< Cauchy's, elastic, in space, Pa, tension > 0
-    real(c_double) :: strain_energy = 0.0_c_double  !< J, in 2D per unit thickness; with that of bending
+    real(c_double) :: strain(9) = 0.0_c_double  !< Green strain relative to the cell as it was added to the world
+    real(c_double) :: stress(9) = 0.0_c_double  !< elastic Cauchy stress, in space, Pa, tension > 0
+    real(c_double) :: strain_energy = 0.0_c_double  !< J, in 2D per unit thickness; including the bending modes
   end type hs_cell_state
 
-  !> What a pair remembers between calls: the last violated potential pair while separated, the initial
-  !! contact pair while in contact. All zero is an empty cache. Copy it freely, also to another process.
-  !! Initial contact pairs are those of Wang et al. 2021, section 2.5.
+  !> Cached state of a pair between calls: the last violated potential contact pair if separated, the initial
+  !! contact pair (Wang et al. 2021, section 2.5) if in contact. All zero is an empty cache. It may be copied,
+  !! also to another process.
   !!
-  !! While separated it also holds a proof: along `normal` the two centroids were farther apart than the
-  !! shapes reach together. A call whose blocks have moved and turned by less than the gap, or by less than
-  !! what of it is beyond hs_pair_options.margin, since answers from the proof alone, without a look at the
-  !! shapes; its contact has the proof's pair and normal, and as gap what is left of the gap after the most
-  !! that the motion can have taken. The proof is of the two shapes that it was found for; with others it is
-  !! not used.
+  !! A separated pair also caches a separation proof: the distance of the centroids along `normal` exceeded
+  !! `reach`, and the gap was their difference. As long as the motion since then is bounded by the gap minus
+  !! hs_pair_options.margin, detection returns from the proof alone, without reading the shapes: with the
+  !! cached pair and normal, and as gap a lower bound, the old gap minus the bound of the motion. The proof is
+  !! ignored for other shapes.
   type, bind(c) :: hs_pair_cache
     integer(c_int32_t) :: state = 0  !< 0 unknown, 1 separated, 2 in contact
-    integer(c_int32_t) :: pair_kind = 0  !< of the remembered pair: an HS_PAIR_ value
-    !> index of a's vertex, edge or face in it; a vertex of a separated pair is only where to look for the
-    !! deepest one first
+    integer(c_int32_t) :: pair_kind = 0  !< an HS_PAIR_ value, of the cached pair
+    !> index of a's vertex, edge or face in it; for a separated pair a vertex is only the start of the search
     integer(c_int32_t) :: feature_a = 0
-    integer(c_int32_t) :: feature_b = 0  !< index of b's, likewise
-    integer(c_int64_t) :: shapes = 0  !< the proof: fingerprint of its shapes, 0 if there is none
-    real(c_double) :: reach = 0.0_c_double  !< of both shapes together, along the normal, as they were turned then
-    real(c_double) :: normal(3) = 0.0_c_double  !< unit, from a to b
-    real(c_double) :: rotation_a(4) = 0.0_c_double  !< how a was turned then: quaternion x, y, z, w
-    real(c_double) :: rotation_b(4) = 0.0_c_double  !< how b was turned then
+    integer(c_int32_t) :: feature_b = 0  !< index of b's feature, likewise
+    integer(c_int64_t) :: shapes = 0  !< fingerprint of the proof's shapes; 0: no proof
+    real(c_double) :: reach = 0.0_c_double  !< of the proof: sum of the support distances of both shapes along the normal, m
+    real(c_double) :: normal(3) = 0.0_c_double  !< of the proof: unit vector from a to b
+    real(c_double) :: rotation_a(4) = 0.0_c_double  !< of the proof: rotation of a, quaternion x, y, z, w
+    real(c_double) :: rotation_b(4) = 0.0_c_double  !< of the proof: rotation of b
   end type hs_pair_cache
 
-  !> Settings of detection. Fill it with hs_pair_options_init().
+  !> Options of detection. Fill it with hs_pair_options_init().
   type, bind(c) :: hs_pair_options
     integer(c_int32_t) :: struct_size = 0  !< set by hs_pair_options_init()
     integer(c_int32_t) :: reserved = 0  !< 0
-    !> edges (3D: faces, or an edge and a face) closer to parallel than this share a region; rad, [0, 0.5];
-    !! default 0.01. A region that exists is followed to larger angles, so that the energy does not jump
+    !> max angle of edges (3D: faces, or an edge and a face) that are parallel, rad, [0, 0.5]; default 0.01.
+    !! An existing region is kept up to larger angles
     real(c_double) :: parallel_angle = 0.0_c_double
-    !> how near the end of an edge (3D: the border of a face) a vertex meets what is there: share of the
-    !! shorter of the two edges that face each other; [0, 0.5]; default 1e-6
+    !> distance from the end of an edge (3D: the boundary of a face) at which a vertex touches that end, over
+    !! the shorter edge; [0, 0.5]; default 1e-6
     real(c_double) :: vertex_zone = 0.0_c_double
-    !> polygons are separated only when a gap exceeds it, and in contact otherwise; for hosts whose blocks
-    !! wear a skin. The gaps of a contact may be above 0 then, of one at a corner above the margin. m, [0,
-    !! 1e75], polyhedra 0; default 0
+    !> polygons are in contact up to this gap (skin); gaps of a contact may be above 0, at a corner above the
+    !! margin. m, [0, 1e75], polyhedra 0; default 0
     real(c_double) :: margin = 0.0_c_double
-    !> 1: a contact between polygons is the pair of largest gap and no more, for hosts that make their own
-    !! points: its type is HS_CONTACT_VERTEX_EDGE, it has no points, `area` and what follows stay as they
-    !! were, and the cache remembers nothing of it; polyhedra 0; default 0
+    !> 1: report only the pair of largest gap of polygons in contact, as HS_CONTACT_VERTEX_EDGE without
+    !! region, uncached; polyhedra 0; default 0
     integer(c_int32_t) :: without_region = 0
     integer(c_int32_t) :: reserved_2 = 0  !< 0
   end type hs_pair_options
 
-  !> The account of a world. Later versions may append to it.
+  !> Plan of a world. Later versions may append to it.
   type, bind(c) :: hs_world_plan
     integer(c_int32_t) :: dimension = 0  !< 2 or 3
-    integer(c_int32_t) :: parts = 0  !< HS_PART_ bits: what is active
-    integer(c_int64_t) :: fixed_count = 0  !< blocks that never move
-    integer(c_int64_t) :: prescribed_count = 0  !< blocks with a prescribed motion
-    integer(c_int64_t) :: rigid_count = 0  !< blocks that move by Newton's law
-    integer(c_int64_t) :: affine_count = 0  !< blocks that strain
+    integer(c_int32_t) :: parts = 0  !< sum of the HS_PART_ values that are active
+    integer(c_int64_t) :: fixed_count = 0  !< fixed blocks
+    integer(c_int64_t) :: prescribed_count = 0  !< prescribed blocks
+    integer(c_int64_t) :: rigid_count = 0  !< rigid blocks
+    integer(c_int64_t) :: affine_count = 0  !< affine blocks
     integer(c_int64_t) :: candidate_count = 0  !< pairs in the neighbour list
     integer(c_int64_t) :: contact_count = 0  !< pairs in contact by laws with springs
-    integer(c_int64_t) :: block_bytes = 0  !< state of all blocks with their shapes, as a snapshot holds it
-    integer(c_int64_t) :: pair_bytes = 0  !< state of all pairs: neighbour list, shear springs, plans; likewise
-    real(c_double) :: stable_time_step = 0.0_c_double  !< as in the report; 0 without blocks that move freely
-    integer(c_int64_t) :: limiting_block = 0  !< sets it: the stiffest for its mass; 0 without blocks that move freely
-    !> at its stiffest contact or bond; 0 while it has none: then contacts that it may get limit the step
+    integer(c_int64_t) :: block_bytes = 0  !< snapshot size of all blocks with their shapes, bytes
+    integer(c_int64_t) :: pair_bytes = 0  !< snapshot size of all pairs: neighbour list, shear springs, cached divisions; bytes
+    real(c_double) :: stable_time_step = 0.0_c_double  !< s, as in hs_world_report; 0 without blocks that move freely
+    !> block of the largest stiffness per mass, which limits the step; 0: none moves freely
+    integer(c_int64_t) :: limiting_block = 0
+    !> its neighbour at its stiffest contact or bond; 0: none, possible future contacts limit the step
     integer(c_int64_t) :: limiting_neighbor = 0
-    integer(c_int64_t) :: measured_steps = 0  !< done to measure the times below
-    real(c_double) :: search_seconds = 0.0_c_double  !< of a step: building neighbour lists
-    real(c_double) :: pair_seconds = 0.0_c_double  !< of a step: detecting pairs and loading contacts
-    real(c_double) :: gather_seconds = 0.0_c_double  !< of a step: adding up the forces on blocks
-    !> of a step: moving, turning and straining blocks, nodes and elements of meshes
-    real(c_double) :: motion_seconds = 0.0_c_double
-    real(c_double) :: ledger_seconds = 0.0_c_double  !< of a step: the energy ledger
+    integer(c_int64_t) :: measured_steps = 0  !< number of steps measured for the times below
+    real(c_double) :: search_seconds = 0.0_c_double  !< s per step: neighbour search
+    real(c_double) :: pair_seconds = 0.0_c_double  !< s per step: detection and contact forces
+    real(c_double) :: gather_seconds = 0.0_c_double  !< s per step: sums of forces on blocks
+    real(c_double) :: motion_seconds = 0.0_c_double  !< s per step: time integration of blocks, nodes and elements
+    real(c_double) :: ledger_seconds = 0.0_c_double  !< s per step: energy ledger
     integer(c_int64_t) :: body_count = 0  !< bodies of finite elements
-    integer(c_int64_t) :: cell_count = 0  !< of all of them
-    integer(c_int64_t) :: node_count = 0  !< likewise
-    integer(c_int64_t) :: bond_count = 0  !< bonds made, those that have come apart among them
-    integer(c_int64_t) :: mesh_bytes = 0  !< of the bytes of blocks: bodies with their nodes and cells
-    integer(c_int64_t) :: bond_bytes = 0  !< likewise: bonds with their points and events
-    !> index of the bond to the limiting neighbour, in the order of hs_world_get_bonds(); -1: it is a contact
+    integer(c_int64_t) :: cell_count = 0  !< cells of all bodies
+    integer(c_int64_t) :: node_count = 0  !< nodes of all bodies
+    integer(c_int64_t) :: bond_count = 0  !< bonds made so far, including failed ones
+    integer(c_int64_t) :: mesh_bytes = 0  !< part of block_bytes: bodies with their nodes and cells
+    integer(c_int64_t) :: bond_bytes = 0  !< part of block_bytes: bonds with their points and events
+    !> index of the bond to the limiting neighbour, in the order of hs_world_get_bonds(); -1: contact
     integer(c_int64_t) :: limiting_bond = 0
-    !> that the limiting block is of, where its elements have the greater part in the limit; 0: contacts and
-    !! bonds have
-    integer(c_int64_t) :: limiting_body = 0
-    integer(c_int64_t) :: limiting_cell = 0  !< of that body: the stiffest for its mass
-    real(c_double) :: bond_seconds = 0.0_c_double  !< of a step: loading blocks by bonds
-    real(c_double) :: hard_contact_seconds = 0.0_c_double  !< of a step: the solver of contacts without springs
+    integer(c_int64_t) :: limiting_body = 0  !< body of the limiting block, if its elements limit the step; 0: contacts or bonds do
+    integer(c_int64_t) :: limiting_cell = 0  !< cell of limiting_body with the largest stiffness per mass
+    real(c_double) :: bond_seconds = 0.0_c_double  !< s per step: forces of bonds
+    real(c_double) :: hard_contact_seconds = 0.0_c_double  !< s per step: solver of contacts without springs
   end type hs_world_plan
 
-  !> The way in which a world is brought to rest. Fill it with hs_relaxation_def_init().
+  !> Settings of a dynamic relaxation. Fill it with hs_relaxation_def_init().
   type, bind(c) :: hs_relaxation_def
     integer(c_int32_t) :: struct_size = 0  !< set by hs_relaxation_def_init()
     integer(c_int32_t) :: measure = 0  !< an HS_UNBALANCED_ value; default HS_UNBALANCED_MEAN
-    real(c_double) :: ratio = 0.0_c_double  !< at which it is at rest, > 0; default 1e-5
-    integer(c_int64_t) :: max_steps = 0  !< >= 1; default 1000000
-    !> [0, 1) meanwhile; default 0.1, beside adaptive damping; by itself 0.8 does best
-    real(c_double) :: local_damping = 0.0_c_double
-    !> 1 (default): critical mass damping of the slowest motion, estimated while stepping (Underwood 1983); or
-    !! 0: the world's mass damping
+    real(c_double) :: ratio = 0.0_c_double  !< unbalanced ratio of equilibrium, > 0; default 1e-5
+    integer(c_int64_t) :: max_steps = 0  !< max number of steps, >= 1; default 1000000
+    real(c_double) :: local_damping = 0.0_c_double  !< [0, 1); default 0.1, for adaptive damping; use 0.8 without it
+    !> 1 (default): critical mass damping of the slowest mode, estimated while stepping (Underwood 1983); 0:
+    !! the world's mass damping
     integer(c_int32_t) :: is_adaptive = 0
-    integer(c_int32_t) :: hold_bonds = 0  !< 1 (default): bonds do not fail while the world relaxes; or 0
+    integer(c_int32_t) :: hold_bonds = 0  !< 1 (default): bonds cannot fail during the relaxation; 0: they can
   end type hs_relaxation_def
 
-  !> The balance of a world. Later versions may append to it.
+  !> Balance of forces of a world. Later versions may append to it.
   type, bind(c) :: hs_balance
-    real(c_double) :: mean = 0.0_c_double  !< see HS_UNBALANCED_MEAN; 0 where no force acts
+    real(c_double) :: mean = 0.0_c_double  !< see HS_UNBALANCED_MEAN; 0 without forces
     real(c_double) :: largest = 0.0_c_double  !< see HS_UNBALANCED_LARGEST
     real(c_double) :: largest_force = 0.0_c_double  !< largest unbalanced force, N
-    integer(c_int64_t) :: steps = 0  !< taken by hs_world_relax(); else 0
-    integer(c_int64_t) :: largest_force_block = 0  !< the block that it acts on; of a node, a cell at the surface. 0: none
+    integer(c_int64_t) :: steps = 0  !< steps done by hs_world_relax(); else 0
+    !> block that largest_force acts on; for a node, one of its surface blocks; 0: none
+    integer(c_int64_t) :: largest_force_block = 0
   end type hs_balance
 
-  !> The search for the factor of safety. Fill it with hs_strength_def_init().
+  !> Settings of the search for the factor of safety. Fill it with hs_strength_def_init().
   type, bind(c) :: hs_strength_def
     integer(c_int32_t) :: struct_size = 0  !< set by hs_strength_def_init()
     integer(c_int32_t) :: reserved = 0  !< 0
-    real(c_double) :: low = 0.0_c_double  !< >= 1e-75: a factor at which the world should stand; default 0.5
-    real(c_double) :: high = 0.0_c_double  !< above low: one at which it should fall; default 5
-    real(c_double) :: resolution = 0.0_c_double  !< > 0: the bracket that is narrow enough; default 0.005
-    real(c_double) :: ratio = 0.0_c_double  !< > 0: unbalanced forces at which a world stands, see hs_relaxation_def; default 1e-5
-    !> > 0: displacement of a block, over its size, that counts as failure; default 0.1
+    real(c_double) :: low = 0.0_c_double  !< >= 1e-75: lower bound of the bracket, at which the world should be stable; default 0.5
+    real(c_double) :: high = 0.0_c_double  !< > low: upper bound, at which it should fail; default 5
+    real(c_double) :: resolution = 0.0_c_double  !< > 0: width of the final bracket; default 0.005
+    real(c_double) :: ratio = 0.0_c_double  !< > 0: unbalanced ratio of a stable world, see hs_relaxation_def; default 1e-5
+    !> > 0: displacement of a block, divided by its size, that is failure; default 0.1
     real(c_double) :: max_displacement = 0.0_c_double
-    integer(c_int64_t) :: max_steps = 0  !< >= 1: a world that is not at rest by then has failed; default 100000
+    integer(c_int64_t) :: max_steps = 0  !< >= 1: a world not in equilibrium after these steps has failed; default 100000
   end type hs_strength_def
 
-  !> The result of that search. Later versions may append to it.
+  !> Result of the search. Later versions may append to it.
   type, bind(c) :: hs_strength_report
-    real(c_double) :: factor = 0.0_c_double  !< the middle of the bracket
-    real(c_double) :: low = 0.0_c_double  !< the world stands at it, if stands_at_low
-    real(c_double) :: high = 0.0_c_double  !< the world falls at it, if falls_at_high
-    integer(c_int32_t) :: stands_at_low = 0  !< 1; or 0: it falls even at def.low, and nothing else was tried
-    integer(c_int32_t) :: falls_at_high = 0  !< 1; or 0: it stands even at def.high
-    integer(c_int32_t) :: trials = 0  !< worlds tried
+    real(c_double) :: factor = 0.0_c_double  !< factor of safety: midpoint of the final bracket
+    real(c_double) :: low = 0.0_c_double  !< lower bound of the bracket: stable, if stands_at_low
+    real(c_double) :: high = 0.0_c_double  !< upper bound of the bracket: failed, if falls_at_high
+    integer(c_int32_t) :: stands_at_low = 0  !< 1; 0: the world fails at def.low, and the search has ended there
+    integer(c_int32_t) :: falls_at_high = 0  !< 1; 0: the world is stable at def.high
+    integer(c_int32_t) :: trials = 0  !< number of relaxations
     integer(c_int32_t) :: reserved = 0  !< 0
   end type hs_strength_report
 
   abstract interface
 
-    !> Returns memory aligned to `alignment`, or NULL. NULL here means the C library's allocator.
+    !> Returns memory aligned to `alignment` bytes, or NULL if there is none. Default NULL: the C library's
+    !! allocator.
     function hs_context_def_allocate(bytes, alignment, user) bind(c)
       import
       integer(c_size_t), value :: bytes
@@ -689,7 +686,7 @@ module halfspace_c
       type(c_ptr) :: hs_context_def_allocate
     end function hs_context_def_allocate
 
-    !> Gives back what `allocate` returned. Set both or neither.
+    !> Releases memory that `allocate` returned. Set both functions or neither.
     subroutine hs_context_def_release(memory, bytes, alignment, user) bind(c)
       import
       type(c_ptr), value :: memory
@@ -698,10 +695,10 @@ module halfspace_c
       type(c_ptr), value :: user
     end subroutine hs_context_def_release
 
-    !> The host's own scheduler, or NULL (default) for threads of the library. Calls hs_task_run(task, i) for
-    !! i from 0 to count - 1, each once, in whatever order and on whatever threads, and returns when all have
-    !! ended. `count` is `threads`. It is called within hs_world_ functions, on their thread, and calls
-    !! nothing else of the library.
+    !> The host's scheduler; default NULL: threads of the library. It must call hs_task_run(task, i) once for
+    !! each i from 0 to count - 1, in any order and on any threads, and return after all calls have returned;
+    !! count equals `threads`. Thread rule: called on the thread of an hs_world_ function; it must call no
+    !! other function of the library.
     subroutine hs_context_def_run_tasks(task, count, scheduler) bind(c)
       import
       type(c_ptr), value :: task
@@ -713,15 +710,15 @@ module halfspace_c
 
   interface
 
-    !> The fixed text of a status code.
+    !> Returns the text of a status code.
     !! Returns a static string, never NULL; owned by the library. Thread rule: any thread, any time.
     function hs_status_string(status) bind(c)
       import
-      integer(c_int32_t), value :: status  !< any value, also an unknown one
+      integer(c_int32_t), value :: status  !< any value, including unknown ones
       type(c_ptr) :: hs_status_string
     end function hs_status_string
 
-    !> The version of the library at run time, e.g. "0.1.0".
+    !> Returns the version of the library at run time, e.g. "0.1.0".
     !! Returns a static string. Thread rule: any thread, any time.
     function hs_version() bind(c)
       import
@@ -737,7 +734,7 @@ module halfspace_c
       integer(c_int32_t) :: hs_law_def_init
     end function hs_law_def_init
 
-    !> Fills a definition with its defaults.
+    !> Fills a context definition with its defaults.
     !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
     function hs_context_def_init(def, size) bind(c)
       import
@@ -747,218 +744,217 @@ module halfspace_c
     end function hs_context_def_init
 
     !> Makes a context.
-    !! Returns HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY, also when the system has no more threads
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY (no memory, or the system refuses a thread)
     function hs_context_create(def, context) bind(c)
       import
       type(c_ptr), value :: def  !< NULL for all defaults
-      type(c_ptr), intent(out) :: context  !< receives the context, which the caller owns and ends with hs_context_destroy()
+      type(c_ptr), intent(out) :: context  !< receives the context; the caller owns it and destroys it with hs_context_destroy()
       integer(c_int32_t) :: hs_context_create
     end function hs_context_create
 
-    !> Does one part of what hs_context_defrun_tasks was given.
+    !> Runs one part of a task.
     subroutine hs_task_run(task, index) bind(c)
       import
-      type(c_ptr), value :: task  !< as given to run_tasks, which has not returned yet
+      type(c_ptr), value :: task  !< as passed to hs_context_def.run_tasks, which has not returned yet
       integer(c_int32_t), value :: index  !< from 0 to count - 1, each once. Thread rule: any thread.
     end subroutine hs_task_run
 
-    !> Ends a context. Its shapes and worlds must have been destroyed before.
+    !> Destroys a context. All objects made from it must have been destroyed before.
     subroutine hs_context_destroy(context) bind(c)
       import
       type(c_ptr), value :: context  !< may be NULL
     end subroutine hs_context_destroy
 
-    !> What went wrong last: function, argument, value.
-    !! Returns a string owned by the context, valid until its next failing call; "" if nothing failed yet
+    !> Returns the text of the last error: function, argument and value.
+    !! Returns a string owned by the context, valid until its next failing call; "" if no call has failed
     function hs_context_last_error(context) bind(c)
       import
-      type(c_ptr), value :: context  !< NULL gives the text for a missing context
+      type(c_ptr), value :: context  !< NULL returns the text for a missing context
       type(c_ptr) :: hs_context_last_error
     end function hs_context_last_error
 
-    !> Says what is wrong with a polygon's vertices without making a shape.
-    !! Returns HS_OK (also when there is a fault), HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
+    !> Validates the vertices of a polygon without making a shape.
+    !! Returns HS_OK (also for a fault), HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
     function hs_polygon_check(context, vertices, fault) bind(c)
       import
-      type(c_ptr), value :: context  !< for the error text
+      type(c_ptr), value :: context  !< keeps the error text
       type(hs_view), value :: vertices  !< clockwise or counter-clockwise
       type(hs_fault), intent(out) :: fault  !< receives the first fault, or HS_FAULT_NONE
       integer(c_int32_t) :: hs_polygon_check
     end function hs_polygon_check
 
-    !> Makes a convex polygon. Nothing is welded or repaired: faulty input is refused with its reason. Small
-    !! edges and small angles are legal, and there is no limit to the number of vertices.
+    !> Creates a convex polygon. Faulty vertices are refused, not repaired. Short edges, small angles and any
+    !! number of vertices are allowed.
     !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (the text names fault and vertex) or
     !! HS_ERROR_OUT_OF_MEMORY
     function hs_polygon_create(context, vertices, shape) bind(c)
       import
-      type(c_ptr), value :: context  !< owner of the allocator
-      type(hs_view), value :: vertices  !< clockwise or counter-clockwise, 3 or more
-      type(c_ptr), intent(out) :: shape  !< receives the shape; end it with hs_shape_destroy()
+      type(c_ptr), value :: context  !< allocates the shape and keeps error texts
+      type(hs_view), value :: vertices  !< clockwise or counter-clockwise, 3 or more, m
+      type(c_ptr), intent(out) :: shape  !< receives the shape; the caller destroys it with hs_shape_destroy()
       integer(c_int32_t) :: hs_polygon_create
     end function hs_polygon_create
 
-    !> Makes the convex hull of points as a polygon.
-    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (all on one line) or HS_ERROR_OUT_OF_MEMORY
+    !> Creates the convex hull of points as a polygon.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (collinear points) or HS_ERROR_OUT_OF_MEMORY
     function hs_polygon_create_hull(context, points, shape) bind(c)
       import
-      type(c_ptr), value :: context  !< owner of the allocator
-      type(hs_view), value :: points  !< any order, inner and repeated points allowed
-      type(c_ptr), intent(out) :: shape  !< receives the shape
+      type(c_ptr), value :: context  !< allocates the shape and keeps error texts
+      type(hs_view), value :: points  !< in any order; inner and repeated points are allowed
+      type(c_ptr), intent(out) :: shape  !< receives the shape; the caller destroys it with hs_shape_destroy()
       integer(c_int32_t) :: hs_polygon_create_hull
     end function hs_polygon_create_hull
 
-    !> Makes a boundary segment: the virtual polygon of which it is an edge, for a block that is fixed or
-    !! prescribed (Zheng et al. 2020, section 3.3). A line is a segment that reaches beyond the scene. The
-    !! inside is at the left on the way from first to second, as along every edge of a counter-clockwise
-    !! polygon: a floor under blocks runs towards -x, the walls of a container run clockwise. Segments may
-    !! form a chain, each a block of its own: say what comes before and after, so that the flanks of the
-    !! polygon go under the neighbours, 60 degrees steep to these. Then nothing stands out and no gap is left,
-    !! and where two segments are in line their potentials add up to those of one. Springs per contact slow
-    !! down what crosses a joint, by up to 2 k d^2 of its energy at a depth d: make what is straight one
-    !! segment. Give hs_world_def.potential_length: these edges count in the mean that it is by default.
-    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (too large, too small or too thin to compute with)
-    !! or HS_ERROR_OUT_OF_MEMORY
+    !> Creates a boundary segment for a fixed or prescribed block: a virtual polygon with the segment as one
+    !! edge (Zheng et al. 2020, section 3.3). Its inside is on the left of the direction from first to second:
+    !! a floor runs towards -x, the walls of a container run clockwise. Segments of a chain are separate
+    !! blocks; with `before` and `after` the flanks of the polygon lie under the neighbours, at 60 degrees,
+    !! without gaps or protrusions. Potentials of collinear segments add up to that of one; springs per
+    !! contact take up to 2 k d^2 of the energy of a block that crosses a joint at depth d, so make a straight
+    !! line one segment. Set hs_world_def.potential_length, as its default includes these edges. See
+    !! docs/concepts/boundaries.md.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (too large, too small or too thin) or
+    !! HS_ERROR_OUT_OF_MEMORY
     function hs_polygon_create_boundary(context, before, first, second, after, depth, shape) bind(c)
       import
-      type(c_ptr), value :: context  !< owner of the allocator
-      type(c_ptr), value :: before  !< other end of the segment before; may be NULL: the flank then goes as if one came in line
-      real(c_double), intent(in) :: first(3)  !< where the segment begins, like all ends 3 values of which the last is not read
-      real(c_double), intent(in) :: second(3)  !< where it ends
-      type(c_ptr), value :: after  !< other end of the segment after; may be NULL, likewise. Neither may lie straight back
-      !> how far the polygon reaches behind the segment, > 0: above twice the deepest overlap, so that the
-      !! segment is the nearest way out, and above what blocks cross in a step
+      type(c_ptr), value :: context  !< allocates the shape and keeps error texts
+      type(c_ptr), value :: before  !< other end of the previous segment; may be NULL: the flank is that of a collinear neighbour
+      real(c_double), intent(in) :: first(3)  !< start of the segment, 3 values, m; z of all ends is ignored
+      real(c_double), intent(in) :: second(3)  !< end of the segment, 3 values
+      type(c_ptr), value :: after  !< other end of the next segment; may be NULL, likewise. The chain must not reverse its direction
+      !> of the polygon behind the segment, m, > 0: more than twice the largest overlap and than the
+      !! displacement of blocks per step
       real(c_double), value :: depth
-      type(c_ptr), intent(out) :: shape  !< receives the shape; end it with hs_shape_destroy()
+      type(c_ptr), intent(out) :: shape  !< receives the shape; the caller destroys it with hs_shape_destroy()
       integer(c_int32_t) :: hs_polygon_create_boundary
     end function hs_polygon_create_boundary
 
-    !> Cleans up a vertex list on request: drops repeated vertices and vertices on the line of their
-    !! neighbours, and turns the order counter-clockwise. It reports what it changed and never moves a vertex.
+    !> Cleans the vertices of a polygon: removes repeated and collinear vertices, and reverses a clockwise
+    !! order. It moves no vertex.
     !! Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
     function hs_polygon_clean(context, vertices, tolerance, cleaned, count, report) bind(c)
       import
-      type(c_ptr), value :: context  !< for the error text
-      type(hs_view), value :: vertices  !< as found, in outline order
-      real(c_double), value :: tolerance  !< distance, >= 0; 0 drops exact repetitions and what is straight to rounding
-      type(hs_mutable_view), value :: cleaned  !< receives the vertices; its count is the capacity, vertices.count always suffices
-      integer(c_int64_t), intent(out) :: count  !< receives the number of vertices that remain
-      type(c_ptr), value :: report  !< receives what was changed; may be NULL
+      type(c_ptr), value :: context  !< keeps the error text
+      type(hs_view), value :: vertices  !< in outline order
+      real(c_double), value :: tolerance  !< distance, m, >= 0; 0 removes exact repetitions and vertices collinear to rounding
+      type(hs_mutable_view), value :: cleaned  !< receives the remaining vertices; a capacity of vertices.count is sufficient
+      integer(c_int64_t), intent(out) :: count  !< receives the number of remaining vertices
+      type(c_ptr), value :: report  !< receives the changes; may be NULL
       integer(c_int32_t) :: hs_polygon_clean
     end function hs_polygon_clean
 
-    !> Says what is wrong with a polyhedron's vertices and faces without making a shape.
-    !! Returns HS_OK (also when there is a fault), HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
+    !> Validates the vertices and faces of a polyhedron without making a shape.
+    !! Returns HS_OK (also for a fault), HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
     function hs_polyhedron_check(context, vertices, face_sizes, face_count, face_vertices, fault) bind(c)
       import
-      type(c_ptr), value :: context  !< for the error text
-      type(hs_view), value :: vertices  !< the corners
+      type(c_ptr), value :: context  !< keeps the error text
+      type(hs_view), value :: vertices  !< at most 2^26, m
       type(c_ptr), value :: face_sizes  !< number of vertices of each face, >= 0; face_count values
-      integer(c_int64_t), value :: face_count  !< number of faces, >= 0
-      !> the faces one after the other: indices of their vertices in the order of their outlines, all faces
-      !! counter-clockwise seen from outside, or all clockwise; as many values as the sizes add up to
+      integer(c_int64_t), value :: face_count  !< number of faces, from 0 to 2^26
+      !> vertex indices of the faces, face after face, in outline order; all faces counter-clockwise seen from
+      !! outside, or all clockwise; sum of face_sizes values
       type(c_ptr), value :: face_vertices
       type(hs_fault), intent(out) :: fault  !< receives the first fault, or HS_FAULT_NONE
       integer(c_int32_t) :: hs_polyhedron_check
     end function hs_polyhedron_check
 
-    !> Makes a convex polyhedron. Nothing is welded, merged or repaired: faulty input is refused with its
-    !! reason. Faces may have any number of vertices, all in one plane to rounding; two neighbours in one
-    !! plane are refused, as they are one face. Small edges and small angles are legal.
+    !> Creates a convex polyhedron. Faulty input is refused, not repaired. Faces may have any number of
+    !! vertices, coplanar to rounding; coplanar neighbour faces are refused. Short edges and small angles are
+    !! allowed.
     !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (the text names fault, face and vertex) or
     !! HS_ERROR_OUT_OF_MEMORY
     function hs_polyhedron_create(context, vertices, face_sizes, face_count, face_vertices, shape) bind(c)
       import
-      type(c_ptr), value :: context  !< owner of the allocator
+      type(c_ptr), value :: context  !< allocates the shape and keeps error texts
       type(hs_view), value :: vertices  !< as for hs_polyhedron_check()
       type(c_ptr), value :: face_sizes  !< as for hs_polyhedron_check()
       integer(c_int64_t), value :: face_count  !< as for hs_polyhedron_check()
       type(c_ptr), value :: face_vertices  !< as for hs_polyhedron_check()
-      !> receives the shape, its vertices and faces in the order given; end it with hs_shape_destroy()
+      !> receives the shape, with vertices and faces in the given order; the caller destroys it with
+      !! hs_shape_destroy()
       type(c_ptr), intent(out) :: shape
       integer(c_int32_t) :: hs_polyhedron_create
     end function hs_polyhedron_create
 
-    !> Makes the convex hull of points as a polyhedron, with whole faces: what is in one plane to rounding is
-    !! one face. While it works, it takes memory from malloc as well, for qhull.
-    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (all in one plane, out of range, or so close to
-    !! degenerate that rounding hides the hull) or HS_ERROR_OUT_OF_MEMORY
+    !> Creates the convex hull of points as a polyhedron. Facets that are coplanar to rounding are merged into
+    !! one face. Qhull uses malloc temporarily.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (coplanar, out of range, or nearly degenerate
+    !! points) or HS_ERROR_OUT_OF_MEMORY
     function hs_polyhedron_create_hull(context, points, shape) bind(c)
       import
-      type(c_ptr), value :: context  !< owner of the allocator
-      type(hs_view), value :: points  !< any order, inner and repeated points allowed; at most 2^26
-      type(c_ptr), intent(out) :: shape  !< receives the shape, whose vertices are points, in their order
+      type(c_ptr), value :: context  !< allocates the shape and keeps error texts
+      type(hs_view), value :: points  !< in any order, at most 2^26; inner and repeated points are allowed
+      !> receives the shape; its vertices keep the order of the points; the caller destroys it with
+      !! hs_shape_destroy()
+      type(c_ptr), intent(out) :: shape
       integer(c_int32_t) :: hs_polyhedron_create_hull
     end function hs_polyhedron_create_hull
 
-    !> Makes a polyhedron of facets that are plane and convex within a tolerance, such as a file states them
-    !! by a few digits. Facets whose vertices lie within the tolerance of a common plane are one face, its
-    !! plane is fitted by least squares, and the shape is what the fitted half-spaces have in common. Each
-    !! vertex given lies within the tolerance of the planes of its facets, and in front of none by more. A
-    !! corner may move farther than that where planes meet at a small angle: see the report. Shapes that are
-    !! plane and convex to rounding keep their vertices. Memory as for the hull.
-    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (the text names the largest dent, its place and a
-    !! tolerance that would do, or another fault) or HS_ERROR_OUT_OF_MEMORY
+    !> Creates a polyhedron from facets that are plane and convex within a tolerance, e.g. from a file with
+    !! rounded coordinates. Facets whose vertices are within the tolerance of a common plane form one face,
+    !! with a plane fitted by least squares; the shape is the intersection of the fitted half-spaces. Vertices
+    !! are within the tolerance of the planes of their facets and at most that far outside all others. Corners
+    !! between planes at a small angle may move farther (see the report). Shapes that are plane and convex to
+    !! rounding keep their vertices. Memory as for hs_polyhedron_create_hull().
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (the text names the deepest dent, its vertex and a
+    !! sufficient tolerance, or another fault) or HS_ERROR_OUT_OF_MEMORY
     function hs_polyhedron_create_fitted(context, vertices, face_sizes, face_count, face_vertices, tolerance, shape, report) &
         bind(c)
       import
-      type(c_ptr), value :: context  !< owner of the allocator
-      type(hs_view), value :: vertices  !< the corners; they may lie within an edge or a face
-      type(c_ptr), value :: face_sizes  !< the facets, as for hs_polyhedron_check(). Without any, those of the convex hull are taken
-      !> the facets, as for hs_polyhedron_check(). Without any, those of the convex hull are taken
+      type(c_ptr), value :: context  !< allocates the shape and keeps error texts
+      type(hs_view), value :: vertices  !< at most 2^26, m; they may lie inside an edge or a face
+      type(c_ptr), value :: face_sizes  !< the facets, as for hs_polyhedron_check(); face_count 0: the facets of the convex hull
+      !> the facets, as for hs_polyhedron_check(); face_count 0: the facets of the convex hull
       integer(c_int64_t), value :: face_count
-      !> the facets, as for hs_polyhedron_check(). Without any, those of the convex hull are taken
-      type(c_ptr), value :: face_vertices
-      !> distance, >= 0; 0 is for rounding alone. 2 units of the last digit of a file are above the rounding
-      !! of its vertices
-      real(c_double), value :: tolerance
-      type(c_ptr), intent(out) :: shape  !< receives the shape
-      type(c_ptr), value :: report  !< receives the changes, or the place of a fault of the geometry; may be NULL
+      type(c_ptr), value :: face_vertices  !< the facets, as for hs_polyhedron_check(); face_count 0: the facets of the convex hull
+      real(c_double), value :: tolerance  !< distance, m, >= 0; 0 allows rounding only. For a file use 2 units of its last digit
+      type(c_ptr), intent(out) :: shape  !< receives the shape; the caller destroys it with hs_shape_destroy()
+      type(c_ptr), value :: report  !< receives the changes, or the fault of HS_ERROR_GEOMETRY; may be NULL
       integer(c_int32_t) :: hs_polyhedron_create_fitted
     end function hs_polyhedron_create_fitted
 
-    !> Makes the polyhedron that half-spaces have in common. A half-space that cuts nothing off but rounding
-    !! makes no face, so that the shape's face_count may be below their number. Memory as for the hull.
-    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (the text says what keeps them from bounding a
-    !! region, or names the half-space that is faulty) or HS_ERROR_OUT_OF_MEMORY
+    !> Creates the intersection of half-spaces as a polyhedron. A half-space that is redundant to rounding
+    !! makes no face, so face_count may be less than their number. Memory as for hs_polyhedron_create_hull().
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (unbounded, empty or flat intersection, or a faulty
+    !! half-space, which the text names) or HS_ERROR_OUT_OF_MEMORY
     function hs_polyhedron_create_from_halfspaces(context, normals, offsets, shape) bind(c)
       import
-      type(c_ptr), value :: context  !< owner of the allocator
-      !> outer normals, of any length but 0: p is inside when dot(normal, p) <= offset; at most 2^26
+      type(c_ptr), value :: context  !< allocates the shape and keeps error texts
+      !> outer normals, of any length except 0, at most 2^26: p is inside if dot(normal, p) <= offset
       type(hs_view), value :: normals
       type(c_ptr), value :: offsets  !< one per normal
-      type(c_ptr), intent(out) :: shape  !< receives the shape, in the coordinates of the half-spaces
+      !> receives the shape, in the coordinates of the half-spaces; the caller destroys it with
+      !! hs_shape_destroy()
+      type(c_ptr), intent(out) :: shape
       integer(c_int32_t) :: hs_polyhedron_create_from_halfspaces
     end function hs_polyhedron_create_from_halfspaces
 
-    !> Cuts a shape by a plane (a line in 2D) into two. Coordinates are those the shape was made from, and so
-    !! are those of the parts. In 3D the new face is the last of either part. A part that the plane touches
-    !! only to rounding is none, and one so thin that rounding leaves no valid shape of it; the other part is
-    !! then a copy of the whole. One of both there always is.
-    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (2D: a part too small to compute with) or
-    !! HS_ERROR_OUT_OF_MEMORY
+    !> Cuts a shape by a plane (2D: a line) into two shapes. Coordinates are those that the shape was made
+    !! from. In 3D the cut face is the last face of each part. If a part is empty or degenerate to rounding,
+    !! it is NULL and the other part is a copy of the shape; at most one part is NULL.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (2D: a part is too small) or HS_ERROR_OUT_OF_MEMORY
     function hs_shape_cut(shape, point, normal, behind, ahead) bind(c)
       import
-      type(c_ptr), value :: shape  !< what to cut; it stays as it is
-      real(c_double), intent(in) :: point(3)  !< a point of the plane, 3 values; the nearer to the shape, the smaller the rounding
-      real(c_double), intent(in) :: normal(3)  !< the plane's normal, 3 values, any length but 0
-      type(c_ptr), intent(out) :: behind  !< receives the part against the normal, or NULL if there is none
-      type(c_ptr), intent(out) :: ahead  !< receives the part along the normal, or NULL if there is none
+      type(c_ptr), value :: shape  !< not NULL; it does not change
+      !> a point of the plane, 3 values, m; points close to the shape have less rounding error
+      real(c_double), intent(in) :: point(3)
+      real(c_double), intent(in) :: normal(3)  !< normal of the plane, 3 values, of any length except 0
+      type(c_ptr), intent(out) :: behind  !< receives the part on the negative side of the normal, or NULL
+      type(c_ptr), intent(out) :: ahead  !< receives the part on the positive side, or NULL; the caller destroys both parts
       integer(c_int32_t) :: hs_shape_cut
     end function hs_shape_cut
 
-    !> Geometry and mass properties.
+    !> Returns geometry and mass properties of a shape.
     !! Returns HS_OK or HS_ERROR_ARGUMENT
     function hs_shape_get_properties(shape, properties, size) bind(c)
       import
       type(c_ptr), value :: shape  !< not NULL
-      !> receives them; what this library does not know of a longer struct is 0
-      type(hs_shape_properties), intent(out) :: properties
+      type(hs_shape_properties), intent(out) :: properties  !< receives them; fields unknown to this version of the library are 0
       integer(c_size_t), value :: size  !< sizeof(hs_shape_properties) as the caller was compiled
       integer(c_int32_t) :: hs_shape_get_properties
     end function hs_shape_get_properties
 
-    !> The vertices in the coordinates the shape was made from; in 2D counter-clockwise.
+    !> Returns the vertices, in the coordinates that the shape was made from; in 2D counter-clockwise.
     !! Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
     function hs_shape_get_vertices(shape, vertices, count) bind(c)
       import
@@ -968,9 +964,9 @@ module halfspace_c
       integer(c_int32_t) :: hs_shape_get_vertices
     end function hs_shape_get_vertices
 
-    !> The faces as lists of vertices, counter-clockwise seen from outside; in 2D each edge with its two ends.
-    !! Face f has the vertices face_vertices[first_of_face[f]] to face_vertices[first_of_face[f + 1]], the
-    !! latter excluded.
+    !> Returns the faces as lists of vertex indices, counter-clockwise seen from outside; in 2D the two ends
+    !! of each edge. Face f has the vertices face_vertices[i] for first_of_face[f] <= i < first_of_face[f +
+    !! 1].
     !! Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
     function hs_shape_get_faces(shape, first_of_face, face_capacity, face_vertices, vertex_capacity, face_count, vertex_count) &
         bind(c)
@@ -981,11 +977,11 @@ module halfspace_c
       type(c_ptr), value :: face_vertices  !< receives the lists; may be NULL if its capacity is 0
       integer(c_int64_t), value :: vertex_capacity  !< in values of face_vertices
       type(c_ptr), value :: face_count  !< receives the number of faces; may be NULL
-      type(c_ptr), value :: vertex_count  !< receives the length of all lists, 2 * hs_shape_properties.edge_count; may be NULL
+      type(c_ptr), value :: vertex_count  !< receives the total length of the lists, 2 * hs_shape_properties.edge_count; may be NULL
       integer(c_int32_t) :: hs_shape_get_faces
     end function hs_shape_get_faces
 
-    !> The edges by which HS_PAIR_EDGE_EDGE names them: the vertices at their two ends.
+    !> Returns the edges as pairs of vertex indices. HS_PAIR_EDGE_EDGE uses their indices.
     !! Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
     function hs_shape_get_edges(shape, edge_vertices, capacity, count) bind(c)
       import
@@ -996,9 +992,8 @@ module halfspace_c
       integer(c_int32_t) :: hs_shape_get_edges
     end function hs_shape_get_edges
 
-    !> The half-spaces: p is inside when dot(normal, p) <= offset, with outer unit normals. Half-space i
-    !! belongs to face i, that of a polygon to the edge from vertex i to vertex i + 1. The frame is the
-    !! shape's own: the centroid is at the origin.
+    !> Returns the half-spaces: p is inside if dot(normal, p) <= offset. Half-space i belongs to face i; in 2D
+    !! to the edge from vertex i to i + 1. The origin of the frame is the centroid.
     !! Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
     function hs_shape_get_halfspaces(shape, normals, offsets, count) bind(c)
       import
@@ -1009,7 +1004,7 @@ module halfspace_c
       integer(c_int32_t) :: hs_shape_get_halfspaces
     end function hs_shape_get_halfspaces
 
-    !> Ends a shape. Blocks made from it keep their own copy.
+    !> Destroys a shape. Blocks made from it have their own copies.
     subroutine hs_shape_destroy(shape) bind(c)
       import
       type(c_ptr), value :: shape  !< may be NULL
@@ -1025,17 +1020,17 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_def_init
     end function hs_world_def_init
 
-    !> Makes an empty world.
+    !> Creates an empty world.
     !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
     function hs_world_create(context, def, world) bind(c)
       import
-      type(c_ptr), value :: context  !< owner of the allocator
+      type(c_ptr), value :: context  !< allocates the world and keeps error texts
       type(hs_world_def), intent(in) :: def  !< not NULL
-      type(c_ptr), intent(out) :: world  !< receives it; end it with hs_world_destroy()
+      type(c_ptr), intent(out) :: world  !< receives it; the caller destroys it with hs_world_destroy()
       integer(c_int32_t) :: hs_world_create
     end function hs_world_create
 
-    !> Ends a world with all it holds.
+    !> Destroys a world with all its blocks and bodies.
     subroutine hs_world_destroy(world) bind(c)
       import
       type(c_ptr), value :: world  !< may be NULL
@@ -1046,12 +1041,12 @@ module halfspace_c
     function hs_world_add_material(world, density, material) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
-      real(c_double), value :: density  !< > 0
-      integer(c_int32_t), intent(out) :: material  !< receives its index, counted from 0
+      real(c_double), value :: density  !< kg/m3, > 0
+      integer(c_int32_t), intent(out) :: material  !< receives its index
       integer(c_int32_t) :: hs_world_add_material
     end function hs_world_add_material
 
-    !> Sets the law of all pairs of materials that have none of their own.
+    !> Sets the law of all pairs of materials without a law of their own.
     !! Returns HS_OK or HS_ERROR_ARGUMENT
     function hs_world_set_default_law(world, law) bind(c)
       import
@@ -1060,13 +1055,13 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_set_default_law
     end function hs_world_set_default_law
 
-    !> Sets the law between two materials (either order).
+    !> Sets the law of two materials, in either order.
     !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID or HS_ERROR_OUT_OF_MEMORY
     function hs_world_set_law(world, material_a, material_b, law) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
-      integer(c_int32_t), value :: material_a  !< indices; the same one twice is legal
-      integer(c_int32_t), value :: material_b  !< indices; the same one twice is legal
+      integer(c_int32_t), value :: material_a  !< indices, may be the same
+      integer(c_int32_t), value :: material_b  !< indices, may be the same
       type(hs_law_def), intent(in) :: law  !< not NULL
       integer(c_int32_t) :: hs_world_set_law
     end function hs_world_set_law
@@ -1077,14 +1072,14 @@ module halfspace_c
       import
       type(hs_block_def), intent(out) :: def  !< to fill
       integer(c_size_t), value :: size  !< sizeof(hs_block_def) as the caller was compiled
-      type(c_ptr), value :: shape  !< gives the default pose; not NULL
+      type(c_ptr), value :: shape  !< not NULL; its centroid is the default position
       integer(c_int32_t) :: hs_block_def_init
     end function hs_block_def_init
 
-    !> Adds a block. The world copies the shape. No component of its position may exceed 2^32 of its bounding
-    !! radius: farther off, rounding would move it by too large a part of its size.
-    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID (material), HS_ERROR_STATE (an affine block of a
-    !! material that is not elastic) or HS_ERROR_OUT_OF_MEMORY
+    !> Adds a block. The world copies the shape. Components of its position are at most 2^32 times its
+    !! bounding radius, which limits the rounding error relative to its size.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID (material), HS_ERROR_STATE (affine block of a
+    !! material without elasticity) or HS_ERROR_OUT_OF_MEMORY
     function hs_world_add_block(world, shape, def, block) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
@@ -1094,7 +1089,7 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_add_block
     end function hs_world_add_block
 
-    !> Removes a block; its id becomes stale. The cost grows with the size of the world.
+    !> Removes a block; its id becomes stale. The cost is proportional to the size of the world.
     !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID or HS_ERROR_OUT_OF_MEMORY
     function hs_world_remove_block(world, block) bind(c)
       import
@@ -1103,7 +1098,7 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_remove_block
     end function hs_world_remove_block
 
-    !> The ids of all blocks in the order of the block arrays below.
+    !> Bulk: ids of all blocks. All arrays of blocks below have this order.
     !! Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
     function hs_world_get_blocks(world, blocks, capacity, count) bind(c)
       import
@@ -1114,7 +1109,7 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_get_blocks
     end function hs_world_get_blocks
 
-    !> One block's motion.
+    !> Returns the motion of a block.
     !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
     function hs_world_get_block_state(world, block, state) bind(c)
       import
@@ -1124,48 +1119,46 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_get_block_state
     end function hs_world_get_block_state
 
-    !> One block's vertices where they are now, counter-clockwise.
+    !> Returns the current positions of a block's vertices, in 2D counter-clockwise.
     !! Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
     function hs_world_get_block_vertices(world, block, vertices, count) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
       integer(c_int64_t), value :: block  !< id
-      type(hs_mutable_view), value :: vertices  !< receives them
-      type(c_ptr), value :: count  !< receives their number; may be NULL
+      type(hs_mutable_view), value :: vertices  !< receives them; its count is the capacity
+      type(c_ptr), value :: count  !< receives the number of vertices; may be NULL
       integer(c_int32_t) :: hs_world_get_block_vertices
     end function hs_world_get_block_vertices
 
-    !> Puts a block elsewhere.
+    !> Sets the pose of a block.
     !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
     function hs_world_set_pose(world, block, pose) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
       integer(c_int64_t), value :: block  !< id
-      type(hs_pose), intent(in) :: pose  !< where to, no farther off than hs_world_add_block() allows
+      type(hs_pose), intent(in) :: pose  !< with a position in the range of hs_world_add_block()
       integer(c_int32_t) :: hs_world_set_pose
     end function hs_world_set_pose
 
-    !> Sets a block's velocity and angular velocity (3 values each); a fixed block takes none, an affine one
-    !! strains on as before.
+    !> Sets the velocity and angular velocity of a block. The strain rate of an affine block does not change.
     !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE for a fixed block
     function hs_world_set_velocity(world, block, velocity, angular_velocity) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
       integer(c_int64_t), value :: block  !< id
-      real(c_double), intent(in) :: velocity(3)  !< of the centroid
-      real(c_double), intent(in) :: angular_velocity(3)  !< rad/s; 2D uses z
+      real(c_double), intent(in) :: velocity(3)  !< of the centroid, 3 values, m/s
+      real(c_double), intent(in) :: angular_velocity(3)  !< 3 values, rad/s; 2D uses z
       integer(c_int32_t) :: hs_world_set_velocity
     end function hs_world_set_velocity
 
-    !> Sets the force and torque (3 values each) that act on a rigid or affine block from outside until set
-    !! again.
+    !> Sets the external force and torque on a rigid or affine block, until set again.
     !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE for other kinds
     function hs_world_set_applied_force(world, block, force, torque) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
       integer(c_int64_t), value :: block  !< id
-      real(c_double), intent(in) :: force(3)  !< at the centroid
-      real(c_double), intent(in) :: torque(3)  !< about the centroid; 2D uses z
+      real(c_double), intent(in) :: force(3)  !< at the centroid, 3 values, N
+      real(c_double), intent(in) :: torque(3)  !< about the centroid, 3 values, N m; 2D uses z
       integer(c_int32_t) :: hs_world_set_applied_force
     end function hs_world_set_applied_force
 
@@ -1176,16 +1169,16 @@ module halfspace_c
       type(c_ptr), value :: world  !< not NULL
       type(c_ptr), value :: poses  !< receives them; may be NULL if capacity is 0
       integer(c_int64_t), value :: capacity  !< in poses
-      type(c_ptr), value :: count  !< receives the number; may be NULL
+      type(c_ptr), value :: count  !< receives the number of blocks; may be NULL
       integer(c_int32_t) :: hs_world_get_poses
     end function hs_world_get_poses
 
     !> Bulk: sets the poses of all blocks, in the order of hs_world_get_blocks().
-    !! Returns HS_OK or HS_ERROR_ARGUMENT, then no block has moved
+    !! Returns HS_OK or HS_ERROR_ARGUMENT (no block has moved)
     function hs_world_set_poses(world, poses, count) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
-      type(c_ptr), value :: poses  !< one per block, no farther off than hs_world_add_block() allows
+      type(c_ptr), value :: poses  !< one per block, with positions in the range of hs_world_add_block()
       integer(c_int64_t), value :: count  !< must be the number of blocks
       integer(c_int32_t) :: hs_world_set_poses
     end function hs_world_set_poses
@@ -1195,22 +1188,23 @@ module halfspace_c
     function hs_world_get_velocities(world, velocities, angular_velocities) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
-      type(hs_mutable_view), value :: velocities  !< receives them; its count is the capacity
-      type(hs_mutable_view), value :: angular_velocities  !< 2D: z only, x and y are 0; a view with count 0 skips it
+      type(hs_mutable_view), value :: velocities  !< receives them, m/s; its count is the capacity
+      type(hs_mutable_view), value :: angular_velocities  !< receives them, rad/s; in 2D x and y are 0; a view with count 0 skips it
       integer(c_int32_t) :: hs_world_get_velocities
     end function hs_world_get_velocities
 
-    !> Bulk: sets velocities and angular velocities of all blocks; entries of fixed blocks are ignored.
-    !! Returns HS_OK or HS_ERROR_ARGUMENT, then no velocity has changed
+    !> Bulk: sets velocities and angular velocities of all blocks, in the order of hs_world_get_blocks().
+    !! Entries of fixed and mesh blocks are ignored.
+    !! Returns HS_OK or HS_ERROR_ARGUMENT (no velocity has changed)
     function hs_world_set_velocities(world, velocities, angular_velocities) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
-      type(hs_view), value :: velocities  !< one per block
-      type(hs_view), value :: angular_velocities  !< one per block; 2D uses z
+      type(hs_view), value :: velocities  !< one per block, m/s
+      type(hs_view), value :: angular_velocities  !< one per block, rad/s; 2D uses z; a view with count 0 keeps the current ones
       integer(c_int32_t) :: hs_world_set_velocities
     end function hs_world_set_velocities
 
-    !> Stage: neighbour search and detection at the present poses.
+    !> Stage: neighbour search and detection at the current poses.
     !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
     function hs_world_detect(world, touching) bind(c)
       import
@@ -1219,46 +1213,46 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_detect
     end function hs_world_detect
 
-    !> Stage: contact forces at the present poses and velocities, after hs_world_detect().
+    !> Stage: contact forces at the current poses and velocities, after hs_world_detect().
     !! Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT, or HS_ERROR_STATE before detection at these poses
     function hs_world_forces(world, elapsed, forces, torques) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
-      real(c_double), value :: elapsed  !< time since the last call, >= 0: shear springs grow by velocity times this
-      type(hs_mutable_view), value :: forces  !< receives the force on each block, in the order of hs_world_get_blocks()
-      type(hs_mutable_view), value :: torques  !< receives the torque about each centroid (2D: z); a view with count 0 skips it
+      real(c_double), value :: elapsed  !< time since the last call, s, >= 0: shear springs extend by velocity times this
+      type(hs_mutable_view), value :: forces  !< receives the force on each block, N, in the order of hs_world_get_blocks()
+      type(hs_mutable_view), value :: torques  !< receives the torque about each centroid, N m (2D: z); a view with count 0 skips it
       integer(c_int32_t) :: hs_world_forces
     end function hs_world_forces
 
-    !> Steps the world.
-    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (no time step given and none can be derived), or
-    !! HS_ERROR_OUT_OF_MEMORY or HS_ERROR_UNSTABLE or HS_ERROR_TOO_FAST: the world stays at the last good step
-    !! and can be read, saved or restored. Where fast blocks had divided a step (docs/concepts/impact.md), it
-    !! stays at the last good part of it, and the next call ends that step.
+    !> Steps the world. After an error it keeps the last valid state, and can be read or saved. Within a
+    !! divided step (docs/concepts/impact.md) this is the last valid substep, and the next call completes the
+    !! step.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (no time step given and none can be derived),
+    !! HS_ERROR_OUT_OF_MEMORY, HS_ERROR_UNSTABLE, HS_ERROR_TOO_FAST or HS_ERROR_INVERTED
     function hs_world_step(world, steps) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
-      integer(c_int64_t), value :: steps  !< >= 0
+      integer(c_int64_t), value :: steps  !< number of steps, >= 0
       integer(c_int32_t) :: hs_world_step
     end function hs_world_step
 
-    !> Time, time step, counts, energies. After a change of the world it detects and evaluates forces first,
-    !! as a step would; that leaves no trace in the run. Without a time step the energies are those of before
-    !! the change.
+    !> Returns time, time step, counts and energies. After a change of the world it detects contacts and
+    !! evaluates forces first, without any effect on the run. Without a time step the energies are those
+    !! before the change.
     !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
     function hs_world_get_report(world, report, size) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
-      type(hs_world_report), intent(out) :: report  !< receives them; what this library does not know of a longer struct is 0
+      type(hs_world_report), intent(out) :: report  !< receives it; fields unknown to this version of the library are 0
       integer(c_size_t), value :: size  !< sizeof(hs_world_report) as the caller was compiled
       integer(c_int32_t) :: hs_world_get_report
     end function hs_world_get_report
 
-    !> The contacts of the last detection, block a before b; none after a change of poses, blocks or laws.
-    !! Contacts by laws with springs come first, one per pair, sorted by block index; their forces are 0 until
-    !! they are evaluated. Contacts by laws without springs follow, one per point, as of the end of the last
-    !! step: a vertex at a face, or two edges. In the step of a touch their force is the impulse that is left
-    !! at the end of the step, over half the step (Li et al. 2015, sections 3 and 4).
+    !> Bulk: contacts of the last detection, with block a before b; none after a change of poses, blocks or
+    !! laws. Contacts of laws with springs are first, one per pair, sorted by block index; their forces are 0
+    !! until evaluated. Contacts of laws without springs follow, one per point (vertex-face or edge-edge), at
+    !! the end of the last step; in the step of a touch their force is the remaining impulse divided by half
+    !! the step (Li et al. 2015, sections 3 and 4).
     !! Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
     function hs_world_get_contacts(world, contacts, capacity, count) bind(c)
       import
@@ -1270,36 +1264,36 @@ module halfspace_c
     end function hs_world_get_contacts
 
     !> Preloads the shear spring of a contact, e.g. to start from equilibrium.
-    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID if the two are not in contact, or HS_ERROR_STATE
-    !! before detection at these poses and laws, or when their law has neither friction nor cohesion
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID if they are not in contact, or HS_ERROR_STATE
+    !! before detection at these poses and laws, or if their law has neither friction nor cohesion
     function hs_world_set_shear_force(world, block_a, block_b, shear_force) bind(c)
       import
       type(c_ptr), value :: world  !< after hs_world_detect() or a step
       integer(c_int64_t), value :: block_a  !< the pair, either order
       integer(c_int64_t), value :: block_b  !< the pair, either order
-      real(c_double), intent(in) :: shear_force(3)  !< on block_b, 3 finite values; what lies in the contact plane counts
+      real(c_double), intent(in) :: shear_force(3)  !< on block_b, 3 values, N; only the component in the contact plane is used
       integer(c_int32_t) :: hs_world_set_shear_force
     end function hs_world_set_shear_force
 
-    !> Saves the whole state of motion and contact. A restored world goes on bit for bit.
+    !> Saves a snapshot of the complete state. A restored world continues bit for bit.
     !! Returns HS_OK, HS_NOTE_TRUNCATED (nothing was written) or HS_ERROR_ARGUMENT
     function hs_world_save(world, bytes, capacity, count) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
       type(c_ptr), value :: bytes  !< receives it; may be NULL if capacity is 0
       integer(c_size_t), value :: capacity  !< in bytes
-      integer(c_size_t), intent(out) :: count  !< receives the number of bytes; not NULL
+      integer(c_size_t), intent(out) :: count  !< receives the size of the snapshot in bytes; not NULL
       integer(c_int32_t) :: hs_world_save
     end function hs_world_save
 
-    !> Makes a world from saved bytes, with its blocks, ids, materials and laws.
+    !> Creates a world from a snapshot, with the same ids, materials and laws.
     !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_FORMAT or HS_ERROR_OUT_OF_MEMORY
     function hs_world_restore(context, bytes, count, world) bind(c)
       import
-      type(c_ptr), value :: context  !< owner of the allocator
+      type(c_ptr), value :: context  !< allocates the world and keeps error texts
       type(c_ptr), value :: bytes  !< from hs_world_save()
       integer(c_size_t), value :: count  !< number of bytes
-      type(c_ptr), intent(out) :: world  !< receives it
+      type(c_ptr), intent(out) :: world  !< receives it; the caller destroys it with hs_world_destroy()
       integer(c_int32_t) :: hs_world_restore
     end function hs_world_restore
 
@@ -1312,8 +1306,7 @@ module halfspace_c
       integer(c_int32_t) :: hs_elasticity_def_init
     end function hs_elasticity_def_init
 
-    !> Makes a material elastic, for affine blocks and meshes; others do not read it. What has the material
-    !! keeps its strain.
+    !> Sets the elasticity of a material. Affine blocks and meshes use it. Existing blocks keep their strain.
     !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
     function hs_world_set_elasticity(world, material, elasticity) bind(c)
       import
@@ -1323,7 +1316,7 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_set_elasticity
     end function hs_world_set_elasticity
 
-    !> How a block of any kind is turned and strained.
+    !> Returns deformation and stress of a block of any kind.
     !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
     function hs_world_get_deformation(world, block, deformation) bind(c)
       import
@@ -1333,7 +1326,7 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_get_deformation
     end function hs_world_get_deformation
 
-    !> Bulk: how all blocks are turned and strained, in the order of hs_world_get_blocks().
+    !> Bulk: deformation and stress of all blocks, in the order of hs_world_get_blocks().
     !! Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
     function hs_world_get_deformations(world, deformations, capacity, count) bind(c)
       import
@@ -1344,43 +1337,42 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_get_deformations
     end function hs_world_get_deformations
 
-    !> Turns and strains an affine block, and sets how fast it goes on. Its centroid and velocity stay.
+    !> Sets the deformation gradient of an affine block and its rate. Centroid and velocity do not change.
     !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine
     function hs_world_set_deformation(world, block, gradient, rate) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
       integer(c_int64_t), value :: block  !< id
-      !> 9 values, at most 1e75, with a determinant above 0; its inverse likewise at most 1e75, and its norm
-      !! times that of the inverse at most 2^40: a block pressed flatter would be flat to rounding
+      !> 9 values, max 1e75, with a determinant > 0; the entries of its inverse at most 1e75, and its norm
+      !! times that of the inverse at most 2^40: a flatter block would be flat to rounding
       real(c_double), intent(in) :: gradient(9)
-      real(c_double), intent(in) :: rate(9)  !< of the gradient, 9 values, at most 1e75, 1/s
+      real(c_double), intent(in) :: rate(9)  !< time derivative of the gradient, 9 values, max 1e75, 1/s
       integer(c_int32_t) :: hs_world_set_deformation
     end function hs_world_set_deformation
 
-    !> Says how an affine block is stressed as it is now, e.g. in situ. What the block is strained by from now
-    !! on adds to that.
+    !> Sets the current stress of an affine block, e.g. the in situ stress. Later strain adds to it.
     !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine
     function hs_world_set_stress(world, block, stress) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
       integer(c_int64_t), value :: block  !< id
-      real(c_double), intent(in) :: stress(9)  !< Cauchy's, 9 values, symmetric, at most 1e75, Pa, tension > 0
+      real(c_double), intent(in) :: stress(9)  !< Cauchy stress, 9 values, symmetric, max 1e75, Pa, tension > 0
       integer(c_int32_t) :: hs_world_set_stress
     end function hs_world_set_stress
 
-    !> Adds a load that acts on one face of an affine block from now on. It keeps its direction as the block
-    !! moves, and its size as the face is strained.
+    !> Adds a permanent load on one face of an affine block. Its direction does not change as the block moves,
+    !! nor its magnitude as the face is strained.
     !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine
     function hs_world_add_surface_load(world, block, face, traction) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
       integer(c_int64_t), value :: block  !< id
-      integer(c_int32_t), value :: face  !< index, in 2D of the edge that starts at the vertex of that index
+      integer(c_int32_t), value :: face  !< index; in 2D of the edge that starts at the vertex of that index
       real(c_double), intent(in) :: traction(3)  !< force per area of the face as it was given, 3 values, Pa
       integer(c_int32_t) :: hs_world_add_surface_load
     end function hs_world_add_surface_load
 
-    !> Takes all surface loads off an affine block.
+    !> Removes all surface loads of an affine block.
     !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine
     function hs_world_clear_surface_loads(world, block) bind(c)
       import
@@ -1389,7 +1381,7 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_clear_surface_loads
     end function hs_world_clear_surface_loads
 
-    !> Fills a bond's definition with its defaults.
+    !> Fills a bond definition with its defaults.
     !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
     function hs_bond_def_init(def, size) bind(c)
       import
@@ -1398,21 +1390,20 @@ module halfspace_c
       integer(c_int32_t) :: hs_bond_def_init
     end function hs_bond_def_init
 
-    !> Bonds two blocks along their common face, as they are now: all pairs of faces that lie in one plane but
-    !! for rounding.
-    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, HS_ERROR_OUT_OF_MEMORY, or HS_ERROR_STATE when
-    !! they have no common face, hold together already, or neither moves
+    !> Bonds two blocks along their common faces in their current positions: every pair of faces that is
+    !! coplanar to rounding.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, HS_ERROR_OUT_OF_MEMORY, or HS_ERROR_STATE if they
+    !! have no common face, are bonded already, or neither moves
     function hs_world_bond_blocks(world, block_a, block_b, def) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
-      integer(c_int64_t), value :: block_a  !< two blocks of any kind
-      integer(c_int64_t), value :: block_b  !< two blocks of any kind
+      integer(c_int64_t), value :: block_a  !< two different blocks of any kind
+      integer(c_int64_t), value :: block_b  !< two different blocks of any kind
       type(hs_bond_def), intent(in) :: def  !< not NULL
       integer(c_int32_t) :: hs_world_bond_blocks
     end function hs_world_bond_blocks
 
-    !> Bonds all pairs of blocks of two materials along their common faces; what holds together already stays
-    !! as it is.
+    !> Bonds all pairs of blocks of two materials along their common faces. Existing bonds do not change.
     !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID or HS_ERROR_OUT_OF_MEMORY
     function hs_world_bond_materials(world, material_a, material_b, def, count) bind(c)
       import
@@ -1424,39 +1415,39 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_bond_materials
     end function hs_world_bond_materials
 
-    !> Holds all bonds, which then never fail, while a world comes to rest; or lets them fail again.
+    !> Suspends or resumes the failure of all bonds, e.g. while a world settles.
     !! Returns HS_OK or HS_ERROR_ARGUMENT
     function hs_world_hold_bonds(world, are_held) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
-      integer(c_int32_t), value :: are_held  !< 1 or 0
+      integer(c_int32_t), value :: are_held  !< 1: no bond can fail; 0: bonds can fail
       integer(c_int32_t) :: hs_world_hold_bonds
     end function hs_world_hold_bonds
 
-    !> Bulk: all bonds made so far, in their order.
+    !> Bulk: all bonds made so far, in their order of creation.
     !! Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
     function hs_world_get_bonds(world, bonds, capacity, count) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
       type(c_ptr), value :: bonds  !< receives them; may be NULL if capacity is 0
       integer(c_int64_t), value :: capacity  !< in bonds
-      type(c_ptr), value :: count  !< receives their number; may be NULL
+      type(c_ptr), value :: count  !< receives the number of bonds; may be NULL
       integer(c_int32_t) :: hs_world_get_bonds
     end function hs_world_get_bonds
 
-    !> Bulk: what has failed so far, in order of time.
+    !> Bulk: all failures of bond points so far, in order of time.
     !! Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
     function hs_world_get_bond_events(world, first, events, capacity, count) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
-      integer(c_int64_t), value :: first  !< the first event wanted, counted from 0
+      integer(c_int64_t), value :: first  !< index of the first event to return, >= 0
       type(c_ptr), value :: events  !< receives them; may be NULL if capacity is 0
       integer(c_int64_t), value :: capacity  !< in events
       type(c_ptr), value :: count  !< receives the number of events from the first one on; may be NULL
       integer(c_int32_t) :: hs_world_get_bond_events
     end function hs_world_get_bond_events
 
-    !> The bonds in numbers, as of the last step.
+    !> Returns a summary of all bonds, as of the last step.
     !! Returns HS_OK or HS_ERROR_ARGUMENT
     function hs_world_get_bond_report(world, report, size) bind(c)
       import
@@ -1466,7 +1457,7 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_get_bond_report
     end function hs_world_get_bond_report
 
-    !> Fills a motion with its defaults: at the origin, not turned, at rest.
+    !> Fills a motion with its defaults: at rest at the origin, without rotation.
     !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
     function hs_motion_def_init(def, size) bind(c)
       import
@@ -1475,51 +1466,50 @@ module halfspace_c
       integer(c_int32_t) :: hs_motion_def_init
     end function hs_motion_def_init
 
-    !> When do two moving shapes first touch?
+    !> Computes the time of impact of two moving shapes by conservative advancement (Mirtich 1996).
     !!
-    !! The shapes are apart at every time before the one told: no touch is passed over, however fast or thin
-    !! the shapes are or however often they turn. Told early it may be by as much as rounding takes: the gap
-    !! is then within some 1e-12 of the shapes' size, their distance and their way together, times 1 and the
-    !! angle that they turn by. Should shapes come that near and part again, a touch may be told. Only where
-    !! shapes graze each other through hundreds of turns the search may end sooner, with a larger `gap`:
-    !! earlier, too, and never later.
+    !! The shapes are separated at all times before the reported one, whatever their speed, thickness or
+    !! number of revolutions. The reported time may be early by rounding only: the gap is then at most about
+    !! 1e-12 of (size + distance + relative displacement) times (1 + angle of rotation). Shapes that come that
+    !! close without touching may be reported as touching. After hundreds of revolutions of grazing shapes the
+    !! search may stop early, with a larger `gap`; it is never late.
     !! Returns HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY (shapes of many vertices). Thread rule: as
     !! for hs_pair_detect().
     function hs_pair_time_of_impact(shape_a, motion_a, shape_b, motion_b, duration, impact) bind(c)
       import
-      type(c_ptr), value :: shape_a  !< the shapes, both of one dimension; the same one twice is legal
-      type(hs_motion_def), intent(in) :: motion_a  !< how they move
-      type(c_ptr), value :: shape_b  !< the shapes, both of one dimension; the same one twice is legal
-      type(hs_motion_def), intent(in) :: motion_b  !< how they move
-      real(c_double), value :: duration  !< of the motions, s, finite, >= 0
-      type(hs_impact), intent(out) :: impact  !< receives when, where and how
+      type(c_ptr), value :: shape_a  !< the shapes, of the same dimension; may be the same shape
+      type(hs_motion_def), intent(in) :: motion_a  !< their motions
+      type(c_ptr), value :: shape_b  !< the shapes, of the same dimension; may be the same shape
+      type(hs_motion_def), intent(in) :: motion_b  !< their motions
+      real(c_double), value :: duration  !< s, finite, >= 0
+      type(hs_impact), intent(out) :: impact  !< receives time, place and normal of the first touch
       integer(c_int32_t) :: hs_pair_time_of_impact
     end function hs_pair_time_of_impact
 
-    !> Makes a mesh. What is given is copied.
-    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_OUT_OF_MEMORY, or HS_ERROR_GEOMETRY when a node is named
-    !! twice in a cell or belongs to none, a cell is inside out or flat somewhere, or a face is in more than
-    !! two cells
+    !> Creates a mesh. The arguments are copied.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_OUT_OF_MEMORY, or HS_ERROR_GEOMETRY if a cell uses a node
+    !! twice, a node belongs to no cell, a cell is inverted or degenerate anywhere, or a face belongs to more
+    !! than two cells
     function hs_mesh_create(context, dimension, nodes, cell_kinds, cell_count, cell_nodes, cell_node_count, mesh) bind(c)
       import
-      type(c_ptr), value :: context  !< owner of the allocator
+      type(c_ptr), value :: context  !< allocates the mesh and keeps error texts
       integer(c_int32_t), value :: dimension  !< 2 or 3
-      type(hs_view), value :: nodes  !< their places, m
-      type(c_ptr), value :: cell_kinds  !< an HS_CELL_ value for each cell of this dimension
-      integer(c_int64_t), value :: cell_count  !< at least 1
-      type(c_ptr), value :: cell_nodes  !< the nodes of all cells, those of one cell after those of the other, counted from 0
-      integer(c_int64_t), value :: cell_node_count  !< their number: what the kinds need
-      type(c_ptr), intent(out) :: mesh  !< receives it; end it with hs_mesh_destroy()
+      type(hs_view), value :: nodes  !< positions of the nodes, m; at most 2^28
+      type(c_ptr), value :: cell_kinds  !< one HS_CELL_ value of this dimension per cell
+      integer(c_int64_t), value :: cell_count  !< from 1 to 2^28
+      type(c_ptr), value :: cell_nodes  !< node indices of all cells, cell after cell
+      integer(c_int64_t), value :: cell_node_count  !< length of cell_nodes: the number of nodes that all kinds have together
+      type(c_ptr), intent(out) :: mesh  !< receives it; the caller destroys it with hs_mesh_destroy()
       integer(c_int32_t) :: hs_mesh_create
     end function hs_mesh_create
 
-    !> Ends a mesh. Bodies made of it stay as they are.
+    !> Destroys a mesh. Bodies made of it do not change.
     subroutine hs_mesh_destroy(mesh) bind(c)
       import
       type(c_ptr), value :: mesh  !< may be NULL
     end subroutine hs_mesh_destroy
 
-    !> What a mesh is.
+    !> Returns a summary of a mesh.
     !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
     function hs_mesh_get_properties(mesh, properties, size) bind(c)
       import
@@ -1529,7 +1519,7 @@ module halfspace_c
       integer(c_int32_t) :: hs_mesh_get_properties
     end function hs_mesh_get_properties
 
-    !> Fills a body's definition with its defaults.
+    !> Fills a body definition with its defaults.
     !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
     function hs_body_def_init(def, size) bind(c)
       import
@@ -1538,20 +1528,20 @@ module halfspace_c
       integer(c_int32_t) :: hs_body_def_init
     end function hs_body_def_init
 
-    !> Puts a mesh into a world.
-    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, HS_ERROR_OUT_OF_MEMORY, HS_ERROR_GEOMETRY when a
-    !! cell is inside out or flat where it is put, or HS_ERROR_STATE for a material that is not elastic
+    !> Adds a copy of a mesh to a world, as a body.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, HS_ERROR_OUT_OF_MEMORY, HS_ERROR_GEOMETRY if
+    !! rounding at def.pose inverts or flattens a cell, or HS_ERROR_STATE for a material without elasticity
     function hs_world_add_mesh(world, mesh, def, cell_materials, body) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
-      type(c_ptr), value :: mesh  !< of the world's dimension; may be ended afterwards
+      type(c_ptr), value :: mesh  !< of the world's dimension; may be destroyed afterwards
       type(hs_body_def), intent(in) :: def  !< not NULL
-      type(c_ptr), value :: cell_materials  !< a material for each cell, or NULL: def.material for all
+      type(c_ptr), value :: cell_materials  !< one material index per cell, or NULL: def.material for all cells
       integer(c_int64_t), intent(out) :: body  !< receives its id
       integer(c_int32_t) :: hs_world_add_mesh
     end function hs_world_add_mesh
 
-    !> Takes a body out of the world, with the blocks at its surface.
+    !> Removes a body and its surface blocks from the world. Its id becomes stale.
     !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
     function hs_world_remove_body(world, body) bind(c)
       import
@@ -1560,41 +1550,39 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_remove_body
     end function hs_world_remove_body
 
-    !> Takes cells out of a body: excavation. Cells and nodes that stay keep their numbers; what the cells
-    !! bordered on is surface from now on. A node without any cell stays where it is, held for good, and
-    !! weighs nothing.
+    !> Removes cells of a body (excavation). Indices of the other cells and nodes do not change; the faces of
+    !! neighbour cells become surface. A node without cells has no mass and stays at rest.
     !! Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, HS_ERROR_OUT_OF_MEMORY,
-    !! HS_ERROR_GEOMETRY when a cell that comes to the surface is too flat to touch anything, or
-    !! HS_ERROR_STATE when no cell would be left
+    !! HS_ERROR_GEOMETRY if a new surface cell is too flat for contact, or HS_ERROR_STATE if no cell would
+    !! remain
     function hs_world_remove_cells(world, body, cells, count, released) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
       integer(c_int64_t), value :: body  !< id
-      type(c_ptr), value :: cells  !< of the mesh, counted from 0; what is gone already may be named
+      type(c_ptr), value :: cells  !< indices of cells; removed ones are allowed
       integer(c_int64_t), value :: count  !< in cells
-      !> receives, for each node of the body, the force that these cells exerted on it by their stress and
-      !! weight, so that hs_world_set_node_force() can fade it out; 0 where no cell is left; a view with count
-      !! 0 skips it
+      !> receives, per node of the body, the force that these cells exerted on it by their stress and weight,
+      !! to be applied by hs_world_set_node_force() and reduced gradually; 0 for a node without cells; a view
+      !! with count 0 skips it
       type(hs_mutable_view), value :: released
       integer(c_int32_t) :: hs_world_remove_cells
     end function hs_world_remove_cells
 
-    !> Stresses the cells of a body as they are now, e.g. as the rock around was before: each by the stress at
-    !! its middle.
+    !> Sets the current stress of the cells of a body, e.g. the in situ stress, linear in space: each cell
+    !! gets the stress at its center.
     !! Returns HS_OK, HS_ERROR_STALE_ID, or HS_ERROR_ARGUMENT, also for a stress that strains a cell by more
     !! than 1e6
     function hs_world_set_body_stress(world, body, stress, gradient) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
       integer(c_int64_t), value :: body  !< id
-      real(c_double), intent(in) :: stress(9)  !< 9 values row by row, symmetric: Cauchy's at the origin, in space, Pa, tension > 0
-      !> 27 values: how that changes along x, then along y, then along z, Pa/m, each 9 values as stress; may
-      !! be NULL
-      type(c_ptr), value :: gradient
+      !> Cauchy stress at the origin, in space, 9 values row by row, symmetric, Pa, tension > 0
+      real(c_double), intent(in) :: stress(9)
+      type(c_ptr), value :: gradient  !< derivatives of the stress along x, y and z, Pa/m, 3 x 9 values as stress; may be NULL
       integer(c_int32_t) :: hs_world_set_body_stress
     end function hs_world_set_body_stress
 
-    !> How a body moves.
+    !> Returns motion and energy of a body.
     !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
     function hs_world_get_body_state(world, body, state, size) bind(c)
       import
@@ -1605,79 +1593,78 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_get_body_state
     end function hs_world_get_body_state
 
-    !> Bulk: where a body's nodes are, in the order of its mesh.
+    !> Bulk: positions of a body's nodes, m, in the order of its mesh.
     !! Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
     function hs_world_get_node_positions(world, body, positions, count) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
       integer(c_int64_t), value :: body  !< id
       type(hs_mutable_view), value :: positions  !< receives as many as fit
-      type(c_ptr), value :: count  !< receives their number; may be NULL
+      type(c_ptr), value :: count  !< receives the number of nodes; may be NULL
       integer(c_int32_t) :: hs_world_get_node_positions
     end function hs_world_get_node_positions
 
-    !> Bulk: how fast a body's nodes are.
+    !> Bulk: velocities of a body's nodes, m/s, in the order of its mesh.
     !! Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
     function hs_world_get_node_velocities(world, body, velocities, count) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
       integer(c_int64_t), value :: body  !< id
       type(hs_mutable_view), value :: velocities  !< receives as many as fit
-      type(c_ptr), value :: count  !< receives their number; may be NULL
+      type(c_ptr), value :: count  !< receives the number of nodes; may be NULL
       integer(c_int32_t) :: hs_world_get_node_velocities
     end function hs_world_get_node_velocities
 
-    !> Bulk: all forces on a body's nodes at the end of the last step: of cells, contacts, gravity, and
-    !! applied ones. At rest they are 0, but at nodes that are held: there they are what these press on their
-    !! support.
+    !> Bulk: total forces on a body's nodes at the end of the last step (cells, contacts, gravity, applied),
+    !! N, in 2D per unit thickness. In equilibrium they are 0, except at held nodes: there they are the forces
+    !! on the support.
     !! Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
     function hs_world_get_node_forces(world, body, forces, count) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
       integer(c_int64_t), value :: body  !< id
       type(hs_mutable_view), value :: forces  !< receives as many as fit
-      type(c_ptr), value :: count  !< receives their number; may be NULL
+      type(c_ptr), value :: count  !< receives the number of nodes; may be NULL
       integer(c_int32_t) :: hs_world_get_node_forces
     end function hs_world_get_node_forces
 
-    !> Sets the velocities of all nodes of a body, also of those that are held.
+    !> Sets the velocities of all nodes of a body, including held ones.
     !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
     function hs_world_set_node_velocities(world, body, velocities) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
       integer(c_int64_t), value :: body  !< id
-      type(hs_view), value :: velocities  !< one for each node
+      type(hs_view), value :: velocities  !< one per node, m/s
       integer(c_int32_t) :: hs_world_set_node_velocities
     end function hs_world_set_node_velocities
 
-    !> Holds nodes along axes, besides those along which they are held already: there they go on with a
-    !! velocity that stays, whatever the forces. Without axes they are free from now on, along all of them.
+    !> Prescribes a constant velocity of nodes along axes, in addition to axes held before; or frees the nodes
+    !! along all axes.
     !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
     function hs_world_hold_nodes(world, body, nodes, count, axes, velocity) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
       integer(c_int64_t), value :: body  !< id
-      type(c_ptr), value :: nodes  !< of the mesh, counted from 0
+      type(c_ptr), value :: nodes  !< indices of nodes
       integer(c_int64_t), value :: count  !< in nodes
-      integer(c_int32_t), value :: axes  !< a sum of HS_AXIS_ values, or 0: free
-      type(c_ptr), value :: velocity  !< along these axes, m/s; what it has along others is not read; may be NULL without axes
+      integer(c_int32_t), value :: axes  !< sum of HS_AXIS_ values, or 0: frees the nodes
+      type(c_ptr), value :: velocity  !< 3 values, m/s; components along other axes are ignored; may be NULL if axes is 0
       integer(c_int32_t) :: hs_world_hold_nodes
     end function hs_world_hold_nodes
 
-    !> Sets the force that acts on each of these nodes from outside, from now on.
+    !> Sets the external force on each of these nodes, until set again.
     !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
     function hs_world_set_node_force(world, body, nodes, count, force) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
       integer(c_int64_t), value :: body  !< id
-      type(c_ptr), value :: nodes  !< of the mesh, counted from 0
+      type(c_ptr), value :: nodes  !< indices of nodes
       integer(c_int64_t), value :: count  !< in nodes
-      real(c_double), intent(in) :: force(3)  !< N, in 2D per unit thickness
+      real(c_double), intent(in) :: force(3)  !< 3 values, N, in 2D per unit thickness
       integer(c_int32_t) :: hs_world_set_node_force
     end function hs_world_set_node_force
 
-    !> Bulk: how a body's cells are strained and stressed, in the order of its mesh. All is 0 of a cell that
-    !! has been removed.
+    !> Bulk: strain and stress of a body's cells, in the order of its mesh; 0 for removed cells.
     !! Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
     function hs_world_get_cells(world, body, cells, capacity, count) bind(c)
       import
@@ -1689,14 +1676,14 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_get_cells
     end function hs_world_get_cells
 
-    !> The body that a block is at the surface of.
+    !> Returns the body and cell of a surface block.
     !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
     function hs_world_get_body_of_block(world, block, body, cell) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
       integer(c_int64_t), value :: block  !< id
-      integer(c_int64_t), intent(out) :: body  !< receives the body's id, or 0 for a block of another kind
-      type(c_ptr), value :: cell  !< receives the cell of the body's mesh, or -1; may be NULL
+      integer(c_int64_t), intent(out) :: body  !< receives the id of the body, or 0 for a block of another kind
+      type(c_ptr), value :: cell  !< receives the index of the cell, or -1; may be NULL
       integer(c_int32_t) :: hs_world_get_body_of_block
     end function hs_world_get_body_of_block
 
@@ -1709,55 +1696,56 @@ module halfspace_c
       integer(c_int32_t) :: hs_pair_options_init
     end function hs_pair_options_init
 
-    !> Are two shapes in contact, and how?
+    !> Detects the contact of two shapes. A separated pair has the type HS_CONTACT_NONE.
     !! Returns HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY (polygons of more than 32 vertices)
     function hs_pair_detect(shape_a, pose_a, shape_b, pose_b, options, cache, contact) bind(c)
       import
-      type(c_ptr), value :: shape_a  !< the shapes, both of one dimension; the same one twice is legal
-      type(hs_pose), intent(in) :: pose_a  !< where they are
-      type(c_ptr), value :: shape_b  !< the shapes, both of one dimension; the same one twice is legal
-      type(hs_pose), intent(in) :: pose_b  !< where they are
+      type(c_ptr), value :: shape_a  !< the shapes, of the same dimension; may be the same shape
+      type(hs_pose), intent(in) :: pose_a  !< their poses
+      type(c_ptr), value :: shape_b  !< the shapes, of the same dimension; may be the same shape
+      type(hs_pose), intent(in) :: pose_b  !< their poses
       type(c_ptr), value :: options  !< NULL for the defaults
-      !> NULL, or the pair's memory from the last call: makes the answer faster and, in contact, keeps the
-      !! plane through which the pair met
+      !> NULL, or the cache of this pair from the last call: detection is faster and keeps the contact plane
+      !! of the first touch
       type(c_ptr), value :: cache
-      type(hs_contact), intent(inout) :: contact  !< receives type, pair, normal, gap, and of a contact its region; the rest stays
+      !> receives type, pair, normal, gap, and if in contact the region; other fields are not written
+      type(hs_contact), intent(inout) :: contact
       integer(c_int32_t) :: hs_pair_detect
     end function hs_pair_detect
 
-    !> Detects many pairs.
-    !! Returns HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY; then the pairs before the failing one have
-    !! been written
+    !> Detects the contacts of many pairs.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY: the pairs before the failing one have been
+    !! written
     function hs_pairs_detect(context, shapes, poses, body_count, pairs, pair_count, options, caches, contacts, touching) bind(c)
       import
-      type(c_ptr), value :: context  !< for the error text
-      type(c_ptr), value :: shapes  !< shapes of the bodies, body_count pointers; those of a pair are of one dimension
+      type(c_ptr), value :: context  !< keeps the error text
+      type(c_ptr), value :: shapes  !< shapes of the bodies, body_count pointers; those of a pair have the same dimension
       type(c_ptr), value :: poses  !< poses of the bodies, body_count
       integer(c_int64_t), value :: body_count  !< number of bodies, >= 0
       type(c_ptr), value :: pairs  !< body indices a, b of each pair, 2 * pair_count values
       integer(c_int64_t), value :: pair_count  !< number of pairs, >= 0
       type(c_ptr), value :: options  !< NULL for the defaults
       type(c_ptr), value :: caches  !< NULL, or one per pair
-      type(c_ptr), value :: contacts  !< receives one per pair, in the order of the pairs, separated ones with HS_CONTACT_NONE
+      type(c_ptr), value :: contacts  !< receives one per pair, in the order of the pairs; HS_CONTACT_NONE if separated
       type(c_ptr), value :: touching  !< receives the number of pairs in contact; may be NULL
       integer(c_int32_t) :: hs_pairs_detect
     end function hs_pairs_detect
 
-    !> Says what a world computes and what limits its step and, by steps, what that costs. All is found out on
-    !! a copy, which takes as much memory again for as long: the world stays as it is.
+    !> Returns the plan of a world. It works on a temporary copy of the world, which needs the memory of a
+    !! second world.
     !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY. Thread rule: as for the world.
     function hs_world_get_plan(world, steps, plan, size) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
-      !> to measure, >= 0; 0 measures no times. If the copy cannot go on, the times are of the steps that it
-      !! did
+      !> number of steps to measure, >= 0; 0 measures no times. If the copy fails, times are of the completed
+      !! steps
       integer(c_int64_t), value :: steps
-      type(hs_world_plan), intent(out) :: plan  !< receives it; what this library does not know of a longer struct is 0
+      type(hs_world_plan), intent(out) :: plan  !< receives it; fields unknown to this version of the library are 0
       integer(c_size_t), value :: size  !< sizeof(hs_world_plan) as the caller was compiled
       integer(c_int32_t) :: hs_world_get_plan
     end function hs_world_get_plan
 
-    !> Fills a relaxation's definition with its defaults.
+    !> Fills a relaxation definition with its defaults.
     !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
     function hs_relaxation_def_init(def, size) bind(c)
       import
@@ -1766,20 +1754,20 @@ module halfspace_c
       integer(c_int32_t) :: hs_relaxation_def_init
     end function hs_relaxation_def_init
 
-    !> Steps a world until it is at rest. Its own damping, and whether bonds are held, come back afterwards;
-    !! at rest, velocities are set to 0.
-    !! Returns HS_OK, HS_NOTE_NOT_AT_REST after def.max_steps, or what hs_world_step() returns: the world
-    !! stays where it has come to
+    !> Steps a world until static equilibrium, then sets all velocities to 0. Damping and the state of
+    !! hs_world_hold_bonds() are restored afterwards.
+    !! Returns HS_OK, HS_NOTE_NOT_AT_REST after def.max_steps, or the errors of hs_world_step(); the world
+    !! keeps its last state
     function hs_world_relax(world, def, balance, size) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
       type(hs_relaxation_def), intent(in) :: def  !< not NULL
-      type(c_ptr), value :: balance  !< receives how balanced it is then; may be NULL
+      type(c_ptr), value :: balance  !< receives the final balance; may be NULL
       integer(c_size_t), value :: size  !< sizeof(hs_balance) as the caller was compiled
       integer(c_int32_t) :: hs_world_relax
     end function hs_world_relax
 
-    !> How balanced a world is now. Takes as long as a step.
+    !> Returns the current balance of forces. It costs as much as a step.
     !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
     function hs_world_get_balance(world, balance, size) bind(c)
       import
@@ -1789,7 +1777,7 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_get_balance
     end function hs_world_get_balance
 
-    !> Sets gravity from now on; what that changes of the energy is booked as outer work.
+    !> Sets gravity. The change of potential energy counts as external work.
     !! Returns HS_OK or HS_ERROR_ARGUMENT
     function hs_world_set_gravity(world, gravity) bind(c)
       import
@@ -1798,7 +1786,7 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_set_gravity
     end function hs_world_set_gravity
 
-    !> Sets damping from now on.
+    !> Sets local and mass damping.
     !! Returns HS_OK or HS_ERROR_ARGUMENT
     function hs_world_set_damping(world, local_damping, mass_damping) bind(c)
       import
@@ -1808,16 +1796,16 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_set_damping
     end function hs_world_set_damping
 
-    !> Sets the time step from now on.
+    !> Sets the time step.
     !! Returns HS_OK or HS_ERROR_ARGUMENT
     function hs_world_set_time_step(world, time_step) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
-      real(c_double), value :: time_step  !< > 0, s, or 0: def.safety times the stable one
+      real(c_double), value :: time_step  !< s, > 0, or 0: hs_world_def.safety times the stable time step
       integer(c_int32_t) :: hs_world_set_time_step
     end function hs_world_set_time_step
 
-    !> Fills a search's definition with its defaults.
+    !> Fills a search definition with its defaults.
     !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
     function hs_strength_def_init(def, size) bind(c)
       import
@@ -1826,27 +1814,27 @@ module halfspace_c
       integer(c_int32_t) :: hs_strength_def_init
     end function hs_strength_def_init
 
-    !> Divides all strengths, as they were given, by a factor, from now on.
+    !> Divides the given strengths of all laws and bonds by a factor. Calls do not accumulate.
     !! Returns HS_OK or HS_ERROR_ARGUMENT
     function hs_world_set_strength_factor(world, factor) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
-      real(c_double), value :: factor  !< from 1e-75 to 1e75; 1 gives them back but for rounding
+      real(c_double), value :: factor  !< from 1e-75 to 1e75; 1 restores the given strengths, to rounding
       integer(c_int32_t) :: hs_world_set_strength_factor
     end function hs_world_set_strength_factor
 
-    !> Looks for the factor of safety by bisection. Each trial relaxes a copy of the world, see
-    !! hs_world_relax(), with bonds that may fail: the world stays as it is. It should be at rest.
+    !> Computes the factor of safety by bisection. Each trial relaxes a copy of the world (hs_world_relax())
+    !! in which bonds can fail. The world, which should be in equilibrium, does not change.
     !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_OUT_OF_MEMORY, or HS_ERROR_STATE without blocks that move. A
-    !! trial that becomes unstable has fallen
+    !! trial that becomes unstable has failed
     function hs_world_find_strength_factor(world, def, report, size, fallen) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
       type(hs_strength_def), intent(in) :: def  !< not NULL
-      type(hs_strength_report), intent(out) :: report  !< receives what was found
+      type(hs_strength_report), intent(out) :: report  !< receives the result
       integer(c_size_t), value :: size  !< sizeof(hs_strength_report) as the caller was compiled
-      !> receives the copy that fell last, as it was then, or NULL where none did: its velocities and bond
-      !! events show how; end it with hs_world_destroy(); may be NULL
+      !> receives the last failed copy in its final state, or NULL if no trial failed; the caller destroys it
+      !! with hs_world_destroy(); may be NULL
       type(c_ptr), intent(out) :: fallen
       integer(c_int32_t) :: hs_world_find_strength_factor
     end function hs_world_find_strength_factor

@@ -1,4 +1,4 @@
-!> What is wrong with the vertices of a shape, without making it, and cleaning up a polygon's on request.
+!> Validation of shapes without making them, and cleaning of polygons.
 module halfspace_checks
   use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t, c_loc
   use halfspace_c, halfspace_clean_report => hs_clean_report, halfspace_fault => hs_fault
@@ -14,8 +14,8 @@ module halfspace_checks
 
 contains
 
-  !> The first fault of a polygon's vertices: fault%kind is HS_FAULT_NONE if there is none, fault%vertex is
-  !! counted from 1, and 0 if it is the whole.
+  !> Returns the first fault of a polygon's vertices: fault%kind is HS_FAULT_NONE if there is none; fault%vertex is from
+  !! 1, or 0 for the whole.
   subroutine halfspace_check_polygon(vertices, fault, rows, context, stat, errmsg)
     real(c_double), intent(in), target :: vertices(:,:)  !< clockwise or counter-clockwise
     type(halfspace_fault), intent(out) :: fault
@@ -32,7 +32,7 @@ contains
     call conclude(status, owner%context(), stat, errmsg)
   end subroutine halfspace_check_polygon
 
-  !> The first fault of a polyhedron's vertices and faces, both counted from 1.
+  !> Returns the first fault of a polyhedron; fault%vertex and fault%face are from 1.
   subroutine halfspace_check_polyhedron(vertices, face_sizes, face_vertices, fault, rows, context, stat, errmsg)
     real(c_double), intent(in), target :: vertices(:,:)
     integer(c_int32_t), intent(in), target, contiguous :: face_sizes(:)
@@ -54,13 +54,12 @@ contains
     call conclude(status, owner%context(), stat, errmsg)
   end subroutine halfspace_check_polyhedron
 
-  !> Drops repeated vertices and vertices on the line of their neighbours, and turns the order
-  !! counter-clockwise. It never moves a vertex.
+  !> Removes repeated and collinear vertices, and reverses a clockwise order. It moves no vertex.
   subroutine halfspace_clean_polygon(vertices, tolerance, cleaned, report, rows, context, stat, errmsg)
-    real(c_double), intent(in), target :: vertices(:,:)  !< as found, in outline order
-    !> distance, >= 0; 0 drops exact repetitions and what is straight to rounding
+    real(c_double), intent(in), target :: vertices(:,:)  !< in outline order
+    !> distance, m, >= 0; 0 removes exact repetitions and vertices collinear to rounding
     real(c_double), intent(in) :: tolerance
-    real(c_double), intent(inout), allocatable :: cleaned(:,:)  !< receives the vertices that remain, (2,n)
+    real(c_double), intent(inout), allocatable :: cleaned(:,:)  !< receives the remaining vertices, (2,n)
     type(halfspace_clean_report), intent(out), target, optional :: report
     logical, intent(in), optional :: rows  !< layout of `vertices`
     type(halfspace_context), intent(in), optional :: context

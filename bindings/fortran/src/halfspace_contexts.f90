@@ -1,4 +1,5 @@
-!> The context: allocator and text of the last error. Shapes and worlds that are given none make their own.
+!> The context: allocator, threads and text of the last error. Shapes, meshes and worlds without a given context make
+!! their own.
 module halfspace_contexts
   use, intrinsic :: iso_c_binding, only: c_f_pointer, c_funloc, c_int32_t, c_loc, c_ptr, c_size_t, c_sizeof
   use halfspace_c
@@ -8,8 +9,8 @@ module halfspace_contexts
   private
   public :: halfspace_allocator, halfspace_context, halfspace_version, own_or_given
 
-  !> Where a context's memory comes from. Extend it, and pass a target to halfspace_context's create(); it
-  !! must be there until the context and all made from it have ended. Its procedures must not call the library.
+  !> Allocator of a context. Extend it, and pass a target to create() of halfspace_context; it must outlive the context
+  !! and everything made from it. Its procedures must not call the library.
   type, abstract :: halfspace_allocator
   contains
     procedure(allocate_memory), deferred :: allocate
@@ -17,14 +18,14 @@ module halfspace_contexts
   end type halfspace_allocator
 
   abstract interface
-    !> Memory aligned to `alignment` bytes, or c_null_ptr if there is none.
+    !> Returns memory aligned to `alignment` bytes, or c_null_ptr if there is none.
     type(c_ptr) function allocate_memory(self, bytes, alignment)
       import :: c_ptr, c_size_t, halfspace_allocator
       class(halfspace_allocator), intent(inout) :: self
       integer(c_size_t), intent(in) :: bytes, alignment
     end function allocate_memory
 
-    !> Takes back what allocate() gave, with the same sizes.
+    !> Releases memory of allocate(), with the same sizes.
     subroutine release_memory(self, memory, bytes, alignment)
       import :: c_ptr, c_size_t, halfspace_allocator
       class(halfspace_allocator), intent(inout) :: self
@@ -33,9 +34,9 @@ module halfspace_contexts
     end subroutine release_memory
   end interface
 
-  !> Everything made from one context belongs to one thread at a time; different contexts share nothing.
-  !! Assignment shares: all copies are the same context, which ends with the last of them and of what was made
-  !! from it.
+  !> Everything made from one context must be used by one thread at a time; different contexts share nothing. Assignment
+  !! adds a reference: all copies are the same context, which is destroyed with the last reference to it and to objects
+  !! made from it.
   type :: halfspace_context
     private
     type(shared_handle) :: handle
@@ -48,20 +49,20 @@ module halfspace_contexts
     generic :: assignment(=) => share
   end type halfspace_context
 
-  !> What C passes back to the two procedures below.
+  !> The user pointer of the two procedures below.
   type :: allocator_link
     class(halfspace_allocator), pointer :: allocator => null()
   end type allocator_link
 
 contains
 
-  !> Makes a context; what it was before is dropped.
+  !> Creates a context; the previous reference is dropped.
   subroutine create(self, allocator, stat, errmsg, threads)
     class(halfspace_context), intent(inout) :: self
     class(halfspace_allocator), intent(inout), target, optional :: allocator  !< default: the C library's
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    integer, intent(in), optional :: threads  !< step a world, 1 to 256; default 1. The same bits for any number
+    integer, intent(in), optional :: threads  !< threads that step a world, 1 to 256; default 1
     type(allocator_link), pointer :: link
     type(hs_context_def), target :: def
     type(c_ptr) :: object
@@ -108,13 +109,13 @@ contains
     call link%allocator%release(memory, bytes, alignment)
   end subroutine release_through
 
-  !> Gives up this reference now instead of at the end of the scope.
+  !> Drops this reference before the end of its scope.
   impure elemental subroutine destroy(self)
     class(halfspace_context), intent(inout) :: self
     call self%handle%drop()
   end subroutine destroy
 
-  !> What went wrong last in this context; empty if nothing has.
+  !> Returns the text of the last error of this context; empty if no call has failed.
   function last_error(self) result(text)
     class(halfspace_context), intent(in) :: self
     character(:), allocatable :: text
@@ -133,7 +134,7 @@ contains
     self%handle = other%handle
   end subroutine share
 
-  !> The context given, or a new one; with success, .true.
+  !> Returns the given context, or a new one; .true. on success.
   logical function own_or_given(context, handle, stat, errmsg)
     type(halfspace_context), intent(in), optional :: context
     type(shared_handle), intent(inout) :: handle
@@ -155,7 +156,7 @@ contains
     end if
   end function own_or_given
 
-  !> Of the library at run time, for example '0.1.0'.
+  !> Version of the library at run time, e.g. '0.1.0'.
   function halfspace_version() result(version)
     character(:), allocatable :: version
     version = text_at(hs_version())

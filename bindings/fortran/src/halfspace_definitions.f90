@@ -9,13 +9,14 @@ module halfspace_definitions
   private
   public :: halfspace_elasticity, halfspace_law, halfspace_motion, halfspace_pose, halfspace_angle
 
-  !> In the plane, halfspace_pose(x, y) or halfspace_pose(x, y, angle), the latter also of arrays; in space,
-  !! halfspace_pose(position, rotation) with a unit quaternion x, y, z, w.
+  !> In 2D halfspace_pose(x, y) or halfspace_pose(x, y, angle), elemental; in 3D halfspace_pose(position, rotation) with
+  !! a unit quaternion x, y, z, w.
   interface halfspace_pose
     module procedure pose_in_plane, pose_in_space
   end interface
 
-  !> halfspace_law(normal_stiffness=1e8_c_double, friction_angle=...): what is not given is the library's default.
+  !> halfspace_law(normal_stiffness=1e8_c_double, friction_angle=...): missing arguments have the defaults of the
+  !! library.
   interface halfspace_law
     module procedure law
   end interface
@@ -25,7 +26,7 @@ module halfspace_definitions
     module procedure elasticity
   end interface
 
-  !> halfspace_motion(start=..., velocity=...): what is not given is at the origin, not turned, at rest.
+  !> halfspace_motion(start=..., velocity=...): the default is at rest at the origin, without rotation.
   interface halfspace_motion
     module procedure motion
   end interface
@@ -34,7 +35,7 @@ contains
 
   elemental function pose_in_plane(x, y, angle) result(pose)
     real(c_double), intent(in) :: x, y  !< of the centroid
-    real(c_double), intent(in), optional :: angle  !< turned about z, rad
+    real(c_double), intent(in), optional :: angle  !< rotation about z, rad
     type(halfspace_pose) :: pose
     pose%position = [x, y, 0.0_c_double]
     pose%rotation = [0.0_c_double, 0.0_c_double, 0.0_c_double, 1.0_c_double]
@@ -49,7 +50,7 @@ contains
     pose%rotation = rotation
   end function pose_in_space
 
-  !> How far a pose in the plane is turned, rad, from -pi to pi.
+  !> Rotation angle of a pose in 2D, rad, from -pi to pi.
   elemental real(c_double) function halfspace_angle(pose) result(angle)
     type(halfspace_pose), intent(in) :: pose
     real(c_double) :: z, w
@@ -60,17 +61,18 @@ contains
 
   function law(normal_stiffness, shear_stiffness, friction_angle, cohesion, tensile_strength, normal_damping, &
                shear_damping, stiffness_kind)
-    real(c_double), intent(in), optional :: normal_stiffness  !< > 0; N/m, Pa/m or Pa
-    real(c_double), intent(in), optional :: shear_stiffness  !< >= 0; N/m or Pa/m, of potentials N/m; 0: the normal one
+    real(c_double), intent(in), optional :: normal_stiffness  !< N/m, Pa/m or Pa by stiffness_kind, > 0; default 1e9
+    !> N/m or Pa/m (potentials: N/m), >= 0; default 0: as normal_stiffness
+    real(c_double), intent(in), optional :: shear_stiffness
     real(c_double), intent(in), optional :: friction_angle  !< rad, [0, pi/2)
     real(c_double), intent(in), optional :: cohesion  !< Pa, >= 0
     real(c_double), intent(in), optional :: tensile_strength  !< Pa, >= 0
-    real(c_double), intent(in), optional :: normal_damping  !< share of critical viscous damping, >= 0
-    real(c_double), intent(in), optional :: shear_damping  !< share of critical viscous damping, >= 0
-    !> HS_STIFFNESS_PER_CONTACT, _PER_AREA, _POTENTIAL or _NONE
+    real(c_double), intent(in), optional :: normal_damping  !< damping ratio, >= 0; default 0.1
+    real(c_double), intent(in), optional :: shear_damping  !< damping ratio, >= 0; default 0.1
+    !> HS_STIFFNESS_PER_CONTACT (default), _PER_AREA, _POTENTIAL or _NONE
     integer(c_int32_t), intent(in), optional :: stiffness_kind
     type(halfspace_law) :: law
-    ! A law that could not be filled keeps size 0, and is refused where it is used.
+    ! A law whose initialisation fails keeps size 0, and is refused on use.
     if (hs_law_def_init(law, c_sizeof(law)) /= HS_OK) return
     if (present(normal_stiffness)) law%normal_stiffness = normal_stiffness
     if (present(shear_stiffness)) law%shear_stiffness = shear_stiffness
@@ -85,7 +87,7 @@ contains
   function elasticity(young_modulus, poisson_ratio, damping_time, plane)
     real(c_double), intent(in), optional :: young_modulus  !< Pa, > 0
     real(c_double), intent(in), optional :: poisson_ratio  !< (-1, 0.5)
-    !> s, >= 0: of viscous stress to that by strain (Rayleigh's beta)
+    !> s, >= 0; default 0: stiffness-proportional (Rayleigh) damping
     real(c_double), intent(in), optional :: damping_time
     integer(c_int32_t), intent(in), optional :: plane  !< HS_PLANE_STRAIN or, in 2D, HS_PLANE_STRESS
     type(halfspace_elasticity) :: elasticity
@@ -97,13 +99,13 @@ contains
     if (present(plane)) elasticity%plane = plane
   end function elasticity
 
-  !> At time t the point at X in the shape's frame is at position + t velocity + R(t angular_velocity) Q (gradient +
-  !! t gradient_rate) X, with position and Q those of the start.
+  !> At time t the material point X (in the shape's frame) is at position + t velocity + R(t angular_velocity) Q
+  !! (gradient + t gradient_rate) X, with position and rotation Q of `start`.
   function motion(start, velocity, angular_velocity, gradient, gradient_rate)
-    type(halfspace_pose), intent(in), optional :: start  !< where it is at first
+    type(halfspace_pose), intent(in), optional :: start  !< pose at time 0
     real(c_double), intent(in), optional :: velocity(3)  !< of the centroid, m/s
-    real(c_double), intent(in), optional :: angular_velocity(3)  !< rad/s; up to 1e6 rad in the duration
-    real(c_double), intent(in), optional :: gradient(3, 3)  !< how it is strained at first, before the start turns it
+    real(c_double), intent(in), optional :: angular_velocity(3)  !< rad/s; times the duration at most 1e6 rad
+    real(c_double), intent(in), optional :: gradient(3, 3)  !< deformation gradient at time 0; default identity
     real(c_double), intent(in), optional :: gradient_rate(3, 3)  !< 1/s
     type(halfspace_motion) :: motion
     ! As for a law.

@@ -1,5 +1,4 @@
-!> How a call ends: stat= and errmsg= are set as allocate sets them, and without stat= an error stops the
-!! program with its text.
+!> End of a call: sets stat= and errmsg= as allocate does; without stat= an error stops the program with its text.
 module halfspace_errors
   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_int32_t, c_ptr, c_size_t
   use, intrinsic :: iso_fortran_env, only: error_unit
@@ -21,14 +20,14 @@ contains
   !> Ends a call whose C function has returned.
   subroutine conclude(status, context, stat, errmsg)
     integer(c_int32_t), intent(in) :: status
-    type(c_ptr), intent(in) :: context  !< that has the error's text
+    type(c_ptr), intent(in) :: context  !< with the error text
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     if (present(stat)) stat = status
     if (status /= HS_OK) call tell(status, text_of(status, context), present(stat), errmsg)
   end subroutine conclude
 
-  !> Ends a call that gets no text from a context.
+  !> Ends a call without an error text of a context.
   subroutine refuse(text, stat, errmsg, status)
     character(*), intent(in) :: text
     integer, intent(out), optional :: stat
@@ -41,7 +40,7 @@ contains
     call tell(refusal, text, present(stat), errmsg)
   end subroutine refuse
 
-  !> Did allocate with stat=failure find memory? If not, the call ends here.
+  !> True if allocate with stat=failure succeeded; otherwise ends the call.
   logical function had_memory(failure, stat, errmsg)
     integer, intent(in) :: failure
     integer, intent(out), optional :: stat
@@ -70,11 +69,11 @@ contains
     else if (c_associated(context)) then
       text = text_at(hs_context_last_error(context))
     else
-      text = 'a context, shape or world was not created, or is a copy that no assignment has made'
+      text = 'a context, shape, mesh or world was not created, or is a bitwise copy without assignment'
     end if
   end function text_of
 
-  !> A string of C.
+  !> Copies a C string.
   function text_at(address) result(text)
     type(c_ptr), intent(in) :: address
     character(:), allocatable :: text

@@ -1,5 +1,5 @@
-!> Owners of C objects. All copies of an owner name one object, which ends with the last of them; a context
-!! ends after everything that was made from it, in whichever order the compiler finalizes.
+!> Reference-counted owners of C objects. The last copy of an owner destroys the object; a context is destroyed after
+!! everything made from it, whatever the order of finalization.
 module halfspace_handles
   use, intrinsic :: iso_c_binding, only: c_associated, c_intptr_t, c_loc, c_null_ptr, c_ptr
   use halfspace_c, only: hs_shape_destroy
@@ -8,21 +8,21 @@ module halfspace_handles
   private
   public :: shared_handle
 
-  !> What the copies of an owner have in common.
+  !> Common data of the copies of an owner.
   type :: object_record
     type(c_ptr) :: object = c_null_ptr
     integer :: references = 1
     procedure(hs_shape_destroy), pointer, nopass :: destroy => null()
-    type(object_record), pointer :: context => null()  !< from which it was made; null() for a context
+    type(object_record), pointer :: context => null()  !< context of the object; null() for a context
     class(*), pointer :: companion => null()  !< deallocated after the object
   end type object_record
 
   type :: shared_handle
     private
     type(object_record), pointer :: record => null()
-    !> Where this handle was when it took its reference. Compilers copy some derived types bit by bit where
-    !! the assignment below ought to be called (gfortran 12: handles inside of other types). Such a copy holds
-    !! no reference, and knows it by its place.
+    !> Address of this handle when it took its reference. Compilers make bitwise copies of some derived types instead of
+    !! calling the assignment below (gfortran 12: handles inside other types). Such a copy holds no reference; its
+    !! address differs.
     integer(c_intptr_t) :: home = 0
   contains
     procedure :: takes
@@ -39,13 +39,13 @@ module halfspace_handles
 
 contains
 
-  !> Becomes the first owner of an object, and holds nothing if that is NULL. Without memory to keep account of it,
-  !! the object and its companion are ended, and self stays what it was.
+  !> Becomes the first owner of an object; none if it is NULL. Without memory for the record, the object and its
+  !! companion are destroyed, and self does not change.
   logical function takes(self, object, destroy, origin, companion, stat, errmsg)
     class(shared_handle), intent(inout) :: self
     type(c_ptr), intent(in) :: object
     procedure(hs_shape_destroy) :: destroy
-    type(shared_handle), intent(in), optional :: origin  !< the object's context, or another object made from it
+    type(shared_handle), intent(in), optional :: origin  !< context of the object, or another object made from it
     class(*), pointer, intent(in), optional :: companion
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
@@ -79,7 +79,7 @@ contains
     self%home = place_of(self)
   end function takes
 
-  !> Holds nothing afterwards.
+  !> Drops the reference.
   impure elemental subroutine drop(self)
     class(shared_handle), intent(inout) :: self
     if (owns(self)) call drop_record(self%record)
@@ -100,29 +100,29 @@ contains
     if (associated(context)) call drop_record(context)
   end subroutine drop_record
 
-  !> The C object; NULL of a handle that owns none.
+  !> The C object; NULL if the handle owns none.
   type(c_ptr) function object(self)
     class(shared_handle), intent(in) :: self
     object = c_null_ptr
     if (owns(self)) object = self%record%object
   end function object
 
-  !> Likewise, but also of copies that hold no reference, such as the elements of an array constructor: for
-  !! use while the original is certain to be there.
+  !> Likewise, but also for copies without a reference, such as elements of an array constructor; valid only while the
+  !! original exists.
   type(c_ptr) function lent_object(self)
     class(shared_handle), intent(in) :: self
     lent_object = c_null_ptr
     if (associated(self%record)) lent_object = self%record%object
   end function lent_object
 
-  !> The C context from which the object was made, or which it is.
+  !> The C context of the object, or the object if it is a context.
   type(c_ptr) function context(self)
     class(shared_handle), intent(in) :: self
     context = c_null_ptr
     if (owns(self)) context = self%lent_context()
   end function context
 
-  !> Likewise, as for lent_object().
+  !> Likewise, also for copies without a reference.
   type(c_ptr) function lent_context(self)
     class(shared_handle), intent(in) :: self
     lent_context = c_null_ptr
@@ -135,7 +135,7 @@ contains
     class(shared_handle), intent(inout) :: self
     class(shared_handle), intent(in) :: other
     type(object_record), pointer :: record
-    record => other%record  ! both may be one handle, which drop() empties
+    record => other%record  ! self and other may be the same handle, which drop() empties
     if (associated(record)) record%references = record%references + 1
     call self%drop()
     self%record => record
@@ -147,7 +147,7 @@ contains
     call self%drop()
   end subroutine finish
 
-  !> Does it name an object?
+  !> Does the handle own an object?
   pure logical function owns(self)
     class(shared_handle), intent(in) :: self
     owns = associated(self%record) .and. self%home == place_of(self)

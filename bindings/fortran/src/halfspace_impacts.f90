@@ -1,4 +1,4 @@
-!> Time of impact: when do two moving shapes first touch?
+!> Time of impact of two moving shapes.
 module halfspace_impacts
   use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_null_ptr, c_ptr
   use halfspace_c, only: halfspace_impact => hs_impact, hs_pair_time_of_impact, HS_IMPACT_NEVER, HS_OK
@@ -11,14 +11,14 @@ module halfspace_impacts
 
 contains
 
-  !> When do two moving shapes first touch? No touch is passed over, however fast or thin the shapes are or however
-  !! often they turn: they are apart at every time before the one told. impact%state is HS_IMPACT_NEVER if they do not
-  !! touch; its features are counted from 1.
+  !> Computes the time of impact of two moving shapes by conservative advancement. The shapes are separated at all times
+  !! before the reported one, whatever their speed, thickness or number of revolutions. impact%state is HS_IMPACT_NEVER
+  !! if they do not touch; features are counted from 1.
   subroutine halfspace_time_of_impact(shape_a, motion_a, shape_b, motion_b, duration, impact, stat, errmsg)
-    type(halfspace_shape), intent(in) :: shape_a, shape_b  !< of one dimension; the same one twice is legal
-    type(halfspace_motion), intent(in) :: motion_a, motion_b  !< how they move
-    real(c_double), intent(in) :: duration  !< of the motions, s, >= 0
-    type(halfspace_impact), intent(inout) :: impact  !< receives when, where and how
+    type(halfspace_shape), intent(in) :: shape_a, shape_b  !< of the same dimension; may be the same shape
+    type(halfspace_motion), intent(in) :: motion_a, motion_b  !< their motions
+    real(c_double), intent(in) :: duration  !< s, >= 0
+    type(halfspace_impact), intent(inout) :: impact  !< receives time, place and normal of the first touch
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     type(halfspace_impact) :: found

@@ -1,6 +1,6 @@
-!> Meshes: nodes, and cells that share them. Put into a world, a mesh is a body of finite elements.
+!> Meshes: nodes, and cells that share them. In a world a mesh is a body of finite elements.
 !!
-!! A mesh is immutable and may be put into any number of worlds. One that is given no context makes one of its own.
+!! A mesh is immutable and may be added to any number of worlds. Without a given context it makes its own.
 module halfspace_meshes
   use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t, c_loc, c_ptr, c_sizeof
   use halfspace_c, only: halfspace_mesh_properties => hs_mesh_properties, hs_mesh_create, hs_mesh_destroy, &
@@ -13,7 +13,7 @@ module halfspace_meshes
   private
   public :: halfspace_mesh, halfspace_mesh_properties, are_from_0
 
-  !> Assignment shares: all copies are the same mesh, which ends with the last of them.
+  !> Assignment adds a reference: all copies are the same mesh, which the last one destroys.
   type :: halfspace_mesh
     private
     type(shared_handle) :: handle
@@ -31,16 +31,15 @@ module halfspace_meshes
 
 contains
 
-  !> Makes a mesh. Nothing is repaired: faulty input is refused with its reason, which counts nodes and cells from 0.
-  !! A cell may be neither inside out nor flat, a node must belong to a cell, and a face to no more than two.
+  !> Creates a mesh. Faulty input is refused; nodes and cells in the error text are counted from 0. Cells must not be
+  !! inverted or flat, every node must belong to a cell, and a face to at most two cells.
   subroutine create_of_kinds(self, nodes, cell_kinds, cell_nodes, rows, context, stat, errmsg)
     class(halfspace_mesh), intent(inout) :: self
-    real(c_double), intent(in), target :: nodes(:,:)  !< their places, m; the number of components is the dimension
-    integer(c_int32_t), intent(in), target, contiguous :: cell_kinds(:)  !< an HS_CELL_ value for each cell
-    !> The nodes of all cells, those of one cell after those of the other, counted from 1, in the order of Gmsh and VTK:
-    !! those of triangles and quads counter-clockwise; of a tetrahedron the first three run counter-clockwise seen from
-    !! the side away from the fourth; of prisms and hexahedra those at the bottom come first, counter-clockwise seen
-    !! from above, then those above them.
+    real(c_double), intent(in), target :: nodes(:,:)  !< positions, m; the number of components is the dimension
+    integer(c_int32_t), intent(in), target, contiguous :: cell_kinds(:)  !< one HS_CELL_ value per cell
+    !> Node indices of all cells from 1, cell after cell, in the order of Gmsh and VTK: triangles and quads
+    !! counter-clockwise; the first three nodes of a tetrahedron counter-clockwise seen from the fourth; prisms and
+    !! hexahedra with the bottom face first, counter-clockwise seen from above, then the top face.
     integer(c_int32_t), intent(in) :: cell_nodes(:)
     logical, intent(in), optional :: rows  !< layout of `nodes`
     type(halfspace_context), intent(in), optional :: context
@@ -63,12 +62,12 @@ contains
     call conclude(status, owner%context(), stat, errmsg)
   end subroutine create_of_kinds
 
-  !> Makes a mesh whose cells are all of one kind: column c of their nodes is cell c.
+  !> Creates a mesh of cells of one kind: column c of cell_nodes is cell c.
   subroutine create_of_one_kind(self, nodes, cell_kind, cell_nodes, rows, context, stat, errmsg)
     class(halfspace_mesh), intent(inout) :: self
     real(c_double), intent(in), target :: nodes(:,:)  !< as above
     integer(c_int32_t), intent(in) :: cell_kind  !< an HS_CELL_ value
-    integer(c_int32_t), intent(in), target, contiguous :: cell_nodes(:,:)  !< counted from 1, in the order told above
+    integer(c_int32_t), intent(in), target, contiguous :: cell_nodes(:,:)  !< node indices from 1, in the order above
     logical, intent(in), optional :: rows  !< layout of `nodes`
     type(halfspace_context), intent(in), optional :: context
     integer, intent(out), optional :: stat
@@ -83,7 +82,7 @@ contains
     call self%create_of_kinds(nodes, kinds, in_a_row, rows, context, stat, errmsg)
   end subroutine create_of_one_kind
 
-  !> Numbers of nodes or materials as C counts them; without memory for them the call ends here.
+  !> Converts indices to those of C, from 0; ends the call without memory.
   logical function are_from_0(numbers, from_0, stat, errmsg)
     integer(c_int32_t), intent(in) :: numbers(:)
     integer(c_int32_t), allocatable, intent(out) :: from_0(:)
@@ -95,7 +94,7 @@ contains
     if (are_from_0) from_0 = numbers - 1
   end function are_from_0
 
-  !> Gives up this reference now instead of at the end of the scope.
+  !> Drops this reference before the end of its scope.
   impure elemental subroutine destroy(self)
     class(halfspace_mesh), intent(inout) :: self
     call self%handle%drop()
@@ -107,7 +106,7 @@ contains
     exists = self%handle%owns()
   end function exists
 
-  !> Numbers of nodes, cells and faces at the surface, and the volume.
+  !> Returns the numbers of nodes, cells and surface faces, and the volume.
   subroutine properties(self, values, stat, errmsg)
     class(halfspace_mesh), intent(in) :: self
     type(halfspace_mesh_properties), intent(out) :: values

@@ -1,5 +1,5 @@
-!> Detection for hosts that keep their own bodies: one pair, or many. Stateless but for a cache that the caller
-!! may keep.
+!> Contact detection of one pair or many pairs, for hosts with their own bodies. It is stateless; the caller may keep a
+!! cache per pair.
 module halfspace_pairs
   use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t, c_loc, c_null_ptr, c_ptr, c_sizeof
   use halfspace_c
@@ -12,14 +12,14 @@ module halfspace_pairs
   private
   public :: halfspace_pair_cache, halfspace_detect_pair, halfspace_detect_pairs
 
-  !> What a pair remembers between calls. A new one is empty. Copy it freely, also to another process.
+  !> Cached state of a pair between calls; empty by default. It may be copied, also to another process.
   type, bind(c) :: halfspace_pair_cache
     private
     type(hs_pair_cache) :: memory
   end type halfspace_pair_cache
 
   interface
-    !> hs_pair_detect() with the contact as this module has it: the two are one layout.
+    !> hs_pair_detect() with halfspace_contact, which has the layout of hs_contact.
     function pair_detect(shape_a, pose_a, shape_b, pose_b, options, cache, contact) bind(c, name='hs_pair_detect')
       import :: c_int32_t, c_ptr, halfspace_contact, halfspace_pose
       type(c_ptr), value :: shape_a, shape_b, options, cache
@@ -31,18 +31,18 @@ module halfspace_pairs
 
 contains
 
-  !> Are two shapes in contact, and how? contact%type is HS_CONTACT_NONE if they are apart.
+  !> Detects the contact of two shapes. contact%type is HS_CONTACT_NONE if they are separated.
   subroutine halfspace_detect_pair(shape_a, pose_a, shape_b, pose_b, contact, cache, parallel_angle, vertex_zone, &
                                    margin, without_region, stat, errmsg)
-    type(halfspace_shape), intent(in) :: shape_a, shape_b  !< of one dimension; the same one twice is legal
-    type(halfspace_pose), intent(in) :: pose_a, pose_b  !< where they are
-    type(halfspace_contact), intent(inout) :: contact  !< receives type, pair, normal, gap, and of a contact its region
-    type(halfspace_pair_cache), intent(inout), target, optional :: cache  !< the pair's memory from the last call
-    real(c_double), intent(in), optional :: parallel_angle  !< rad, [0, 0.5]: closer to parallel shares a region
-    real(c_double), intent(in), optional :: vertex_zone  !< [0, 0.5]: how near its end an edge is a vertex
-    !> m, [0, 1e75], in space 0: polygons whose gap is not above it touch
+    type(halfspace_shape), intent(in) :: shape_a, shape_b  !< of the same dimension; may be the same shape
+    type(halfspace_pose), intent(in) :: pose_a, pose_b  !< their poses
+    type(halfspace_contact), intent(inout) :: contact  !< receives type, pair, normal, gap, and the region of a contact
+    type(halfspace_pair_cache), intent(inout), target, optional :: cache  !< cache of this pair from the last call
+    real(c_double), intent(in), optional :: parallel_angle  !< max angle of parallel edges or faces, rad, [0, 0.5]
+    real(c_double), intent(in), optional :: vertex_zone  !< relative distance from a vertex, [0, 0.5]; default 1e-6
+    !> polygons are in contact up to this gap, m, [0, 1e75], in 3D 0; default 0
     real(c_double), intent(in), optional :: margin
-    !> only the pair of largest gap, for hosts that make their own points
+    !> report only the pair of largest gap, without region
     logical, intent(in), optional :: without_region
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
@@ -53,7 +53,7 @@ contains
     if (present(cache)) memory = c_loc(cache)
     status = pair_detect(shape_a%c_handle(), pose_a, shape_b%c_handle(), pose_b, &
                          options_of(options, parallel_angle, vertex_zone, margin, without_region), memory, contact)
-    if (status == HS_OK) then  ! the way of most calls, which are many: no look for the context
+    if (status == HS_OK) then  ! the usual case, without a look-up of the context
       call count_features_from_1(contact)
       if (present(stat)) stat = status
     else
@@ -66,10 +66,11 @@ contains
   !> Detects many pairs. After an error the contacts are undefined.
   subroutine halfspace_detect_pairs(shapes, poses, pairs, contacts, caches, touching, parallel_angle, vertex_zone, &
                                     margin, without_region, stat, errmsg)
-    type(halfspace_shape), intent(in) :: shapes(:)  !< of the bodies; those of a pair are of one dimension
+    type(halfspace_shape), intent(in) :: shapes(:)  !< of the bodies; those of a pair have the same dimension
     type(halfspace_pose), intent(in), target, contiguous :: poses(:)  !< of the bodies
-    integer(c_int32_t), intent(in) :: pairs(:,:)  !< pairs(1,i) and pairs(2,i) are the bodies of pair i, counted from 1
-    type(halfspace_contact), intent(inout), target, contiguous :: contacts(:)  !< one per pair, in their order
+    integer(c_int32_t), intent(in) :: pairs(:,:)  !< pairs(1,i) and pairs(2,i): bodies of pair i, from 1
+    !> one per pair, in the order of the pairs
+    type(halfspace_contact), intent(inout), target, contiguous :: contacts(:)
     type(halfspace_pair_cache), intent(inout), target, contiguous, optional :: caches(:)  !< one per pair
     integer(c_int64_t), intent(out), target, optional :: touching  !< number of pairs in contact
     real(c_double), intent(in), optional :: parallel_angle, vertex_zone, margin  !< as for one pair
@@ -86,7 +87,7 @@ contains
     memory = c_null_ptr
     if (present(caches)) then
       if (size(caches) /= size(contacts)) then
-        call refuse('caches: there must be one per pair', stat, errmsg)
+        call refuse('caches: the size must be the number of pairs', stat, errmsg)
         return
       end if
       memory = c_loc(caches)
@@ -109,7 +110,7 @@ contains
     call conclude(status, context, stat, errmsg)
   end subroutine halfspace_detect_pairs
 
-  !> Are the arrays of one length each for bodies and pairs, and are there bodies if there are pairs?
+  !> Do the sizes of the arrays match?
   logical function fit(shape_count, pose_count, pairs, contact_count, stat, errmsg)
     integer, intent(in) :: shape_count, pose_count, contact_count
     integer(c_int32_t), intent(in) :: pairs(:,:)
@@ -124,7 +125,7 @@ contains
     call refuse(trim(text), stat, errmsg)
   end function fit
 
-  !> NULL, which stands for the defaults, or the options given.
+  !> The address of the given options, or NULL for the defaults.
   type(c_ptr) function options_of(options, parallel_angle, vertex_zone, margin, without_region) result(address)
     type(hs_pair_options), intent(inout), target :: options
     real(c_double), intent(in), optional :: parallel_angle, vertex_zone, margin

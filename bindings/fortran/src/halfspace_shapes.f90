@@ -1,10 +1,10 @@
-!> Convex shapes: making, cutting, mass properties, half-spaces.
+!> Convex shapes: creation, cutting, mass properties, half-spaces.
 !!
-!! A shape is immutable and may be used by any number of blocks. Its own frame has the centroid at the origin;
-!! halfspace_shape_properties%centroid says where that was in the coordinates it was made from.
+!! A shape is immutable and may be used by any number of blocks. The origin of its frame is its centroid;
+!! halfspace_shape_properties%centroid is the centroid in the coordinates that the shape was made from.
 !!
-!! Points are columns, x(2,n) or x(3,n); with rows = .true. they are rows, x(n,2) or x(n,3). Sections of arrays
-!! are read where they are. A shape that is given no context makes one of its own.
+!! Points are columns, x(2,n) or x(3,n); with rows = .true. they are rows, x(n,2) or x(n,3). Array sections are accessed
+!! without a copy. Without a given context a shape makes its own.
 module halfspace_shapes
   use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t, c_loc, c_null_ptr, c_ptr, c_sizeof
   use halfspace_c, halfspace_fault => hs_fault, halfspace_fit_report => hs_fit_report, &
@@ -18,7 +18,7 @@ module halfspace_shapes
   public :: halfspace_fit_report, halfspace_shape, halfspace_shape_properties
   public :: context_of, count_from_1, handle_of, list_from_0
 
-  !> Assignment shares: all copies are the same shape, which ends with the last of them.
+  !> Assignment adds a reference: all copies are the same shape, which the last one destroys.
   type :: halfspace_shape
     private
     type(shared_handle) :: handle
@@ -55,7 +55,7 @@ module halfspace_shapes
 
 contains
 
-  !> Makes a convex polygon. Nothing is repaired: faulty input is refused with its reason.
+  !> Creates a convex polygon. Faulty input is refused, not repaired.
   subroutine create_polygon(self, vertices, rows, context, stat, errmsg)
     class(halfspace_shape), intent(inout) :: self
     real(c_double), intent(in), target :: vertices(:,:)  !< 3 or more, clockwise or counter-clockwise
@@ -66,7 +66,7 @@ contains
     call create(self, hs_polygon_create, vertices, 'vertices', rows, context, stat, errmsg)
   end subroutine create_polygon
 
-  !> Makes the convex hull of points as a polygon.
+  !> Creates the convex hull of points as a polygon.
   subroutine create_polygon_hull(self, points, rows, context, stat, errmsg)
     class(halfspace_shape), intent(inout) :: self
     real(c_double), intent(in), target :: points(:,:)  !< any order, inner and repeated points allowed
@@ -77,14 +77,14 @@ contains
     call create(self, hs_polygon_create_hull, points, 'points', rows, context, stat, errmsg)
   end subroutine create_polygon_hull
 
-  !> Makes a boundary segment: the virtual polygon of which it is an edge, for a fixed or prescribed block. The
-  !! inside is at the left on the way from first to second: a floor under blocks runs towards -x. Of a chain say
-  !! where it comes from and goes on to, so that the polygon's flanks go under its neighbours.
+  !> Creates a boundary segment for a fixed or prescribed block: a virtual polygon with the segment as one edge. Its
+  !! inside is on the left of the direction from first to second: a floor runs towards -x. In a chain, `before` and
+  !! `after` put the flanks of the polygon under the neighbours.
   subroutine create_boundary(self, first, second, depth, before, after, context, stat, errmsg)
     class(halfspace_shape), intent(inout) :: self
-    real(c_double), intent(in) :: first(:), second(:)  !< its ends, 3 values or 2
-    real(c_double), intent(in) :: depth  !< of the polygon: above twice the deepest overlap
-    real(c_double), intent(in), optional :: before(:), after(:)  !< the other ends of its neighbours
+    real(c_double), intent(in) :: first(:), second(:)  !< ends of the segment, m, 3 values or 2
+    real(c_double), intent(in) :: depth  !< of the polygon, m: more than twice the max overlap
+    real(c_double), intent(in), optional :: before(:), after(:)  !< other ends of the neighbour segments
     type(halfspace_context), intent(in), optional :: context
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
@@ -115,7 +115,7 @@ contains
     call conclude(status, owner%context(), stat, errmsg)
   end subroutine create_boundary
 
-  !> Makes the convex hull of points as a polyhedron: what is in one plane to rounding is one face.
+  !> Creates the convex hull of points as a polyhedron. Facets that are coplanar to rounding are one face.
   subroutine create_polyhedron_hull(self, points, rows, context, stat, errmsg)
     class(halfspace_shape), intent(inout) :: self
     real(c_double), intent(in), target :: points(:,:)  !< any order, inner and repeated points allowed
@@ -147,14 +147,14 @@ contains
     call conclude(status, owner%context(), stat, errmsg)
   end subroutine create
 
-  !> Makes a convex polyhedron. Nothing is repaired: faulty input is refused with its reason, which counts
-  !! vertices and faces from 0.
+  !> Creates a convex polyhedron. Faulty input is refused, not repaired; vertices and faces in the error text are
+  !! counted from 0.
   subroutine create_polyhedron(self, vertices, face_sizes, face_vertices, rows, context, stat, errmsg)
     class(halfspace_shape), intent(inout) :: self
     real(c_double), intent(in), target :: vertices(:,:)
     integer(c_int32_t), intent(in), target, contiguous :: face_sizes(:)  !< number of vertices of each face
-    !> The faces one after the other, their vertices counted from 1, in the order of their outlines: all faces
-    !! counter-clockwise seen from outside, or all clockwise.
+    !> Vertex indices of the faces from 1, face after face, in outline order; all faces counter-clockwise seen from
+    !! outside, or all clockwise.
     integer(c_int32_t), intent(in) :: face_vertices(:)
     logical, intent(in), optional :: rows
     type(halfspace_context), intent(in), optional :: context
@@ -175,16 +175,16 @@ contains
     call conclude(status, owner%context(), stat, errmsg)
   end subroutine create_polyhedron
 
-  !> Makes a polyhedron of facets that are plane and convex within a tolerance, such as a file states them by a few
-  !! digits. Facets in a common plane within the tolerance are one face, and the planes are fitted. Without facets
-  !! those of the convex hull are taken.
+  !> Creates a polyhedron from facets that are plane and convex within a tolerance, e.g. from a file with rounded
+  !! coordinates. Facets within the tolerance of a common plane form one face with a fitted plane. Without facets, those
+  !! of the convex hull are used.
   subroutine create_fitted(self, vertices, tolerance, face_sizes, face_vertices, report, rows, context, stat, errmsg)
     class(halfspace_shape), intent(inout) :: self
     real(c_double), intent(in), target :: vertices(:,:)
-    real(c_double), intent(in) :: tolerance  !< distance, >= 0; 0 is for rounding alone
+    real(c_double), intent(in) :: tolerance  !< distance, m, >= 0; 0 allows rounding only
     integer(c_int32_t), intent(in), target, contiguous, optional :: face_sizes(:)
     integer(c_int32_t), intent(in), optional :: face_vertices(:)  !< both as for create_polyhedron(), or neither
-    !> Receives the changes, or the fault of an error, counted from 1.
+    !> Receives the changes, or the fault of an error; indices are from 1.
     type(halfspace_fit_report), intent(out), optional :: report
     logical, intent(in), optional :: rows
     type(halfspace_context), intent(in), optional :: context
@@ -201,7 +201,7 @@ contains
     corners = c_null_ptr
     count = 0
     if (present(face_sizes) .neqv. present(face_vertices)) then
-      call refuse('face_sizes, face_vertices: one is given without the other', stat, errmsg)
+      call refuse('face_sizes, face_vertices: give both or neither', stat, errmsg)
       return
     end if
     if (present(face_sizes)) then
@@ -227,7 +227,8 @@ contains
     fault%face = fault%face + 1
   end subroutine count_from_1
 
-  !> The lists of a polyhedron's faces as C counts. They must be as long as their sizes say, as C cannot know.
+  !> Converts the vertex indices of faces to those of C, from 0. Refuses a list whose length is not the sum of the
+  !! sizes, as C cannot check it.
   logical function list_from_0(face_sizes, face_vertices, from_0, stat, errmsg)
     integer(c_int32_t), intent(in) :: face_sizes(:), face_vertices(:)
     integer(c_int32_t), allocatable, intent(out) :: from_0(:)
@@ -241,16 +242,16 @@ contains
       list_from_0 = had_memory(failure, stat, errmsg)
       if (list_from_0) from_0 = face_vertices - 1
     else
-      write (text, '("face_vertices: has ", i0, " values, not the sum of face_sizes, ", i0)') &
+      write (text, '("face_vertices: has ", i0, " values; it must have the sum of face_sizes, ", i0)') &
         size(face_vertices), sum(int(max(face_sizes, 0), c_int64_t))
       call refuse(trim(text), stat, errmsg)
     end if
   end function list_from_0
 
-  !> Makes the polyhedron that half-spaces have in common. One that cuts nothing off but rounding makes no face.
+  !> Creates the intersection of half-spaces as a polyhedron. A half-space that is redundant to rounding makes no face.
   subroutine create_from_halfspaces(self, normals, offsets, rows, context, stat, errmsg)
     class(halfspace_shape), intent(inout) :: self
-    !> Outer normals, of any length but 0: p is inside when dot_product(normal, p) <= offset.
+    !> Outer normals, of any length except 0: p is inside if dot_product(normal, p) <= offset.
     real(c_double), intent(in), target :: normals(:,:)
     real(c_double), intent(in), target, contiguous :: offsets(:)  !< one per normal
     logical, intent(in), optional :: rows
@@ -277,14 +278,14 @@ contains
     call conclude(status, owner%context(), stat, errmsg)
   end subroutine create_from_halfspaces
 
-  !> Cuts a shape by a plane, in 2D by a line. Coordinates are those the shape was made from. A part that there
-  !! is not does not exist() afterwards.
+  !> Cuts a shape by a plane, in 2D by a line. Coordinates are those that the shape was made from. exists() is .false.
+  !! for an empty part.
   subroutine cut(self, point, normal, behind, ahead, stat, errmsg)
     class(halfspace_shape), intent(in) :: self
-    real(c_double), intent(in) :: point(:)  !< of the plane, 3 values (2D: or 2)
-    real(c_double), intent(in) :: normal(:)  !< any length but 0
-    type(halfspace_shape), intent(inout) :: behind  !< the part against the normal
-    type(halfspace_shape), intent(inout) :: ahead  !< the part along the normal
+    real(c_double), intent(in) :: point(:)  !< a point of the plane, m, 3 values (2D: or 2)
+    real(c_double), intent(in) :: normal(:)  !< of any length except 0
+    type(halfspace_shape), intent(inout) :: behind  !< the part on the negative side of the normal
+    type(halfspace_shape), intent(inout) :: ahead  !< the part on the positive side
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     type(shared_handle) :: whole, part_behind, part_ahead
@@ -292,7 +293,7 @@ contains
     integer(c_int32_t) :: status
     if (.not. is_vector(point, 'point', 2, stat, errmsg)) return
     if (.not. is_vector(normal, 'normal', 2, stat, errmsg)) return
-    whole = self%handle  ! it must outlive the call, also when a part takes its place
+    whole = self%handle  ! keeps the shape during the call, also if a part replaces it
     status = hs_shape_cut(whole%object(), three_of(point), three_of(normal), object_behind, object_ahead)
     if (status == HS_OK) then
       if (.not. part_behind%takes(object_behind, hs_shape_destroy, whole, stat=stat, errmsg=errmsg)) then
@@ -306,7 +307,7 @@ contains
     call conclude(status, whole%context(), stat, errmsg)
   end subroutine cut
 
-  !> Gives up this reference now instead of at the end of the scope.
+  !> Drops this reference before the end of its scope.
   impure elemental subroutine destroy(self)
     class(halfspace_shape), intent(inout) :: self
     call self%handle%drop()
@@ -318,7 +319,7 @@ contains
     exists = self%handle%owns()
   end function exists
 
-  !> Geometry and mass per unit density.
+  !> Returns geometry and mass properties per unit density.
   subroutine properties(self, values, stat, errmsg)
     class(halfspace_shape), intent(in) :: self
     type(halfspace_shape_properties), intent(out) :: values
@@ -328,7 +329,7 @@ contains
                   stat, errmsg)
   end subroutine properties
 
-  !> The vertices in the coordinates the shape was made from; in 2D counter-clockwise.
+  !> Returns the vertices, in the coordinates that the shape was made from; in 2D counter-clockwise.
   subroutine vertices(self, points, rows, count, stat, errmsg)
     class(halfspace_shape), intent(in) :: self
     real(c_double), intent(inout), target :: points(:,:)
@@ -341,12 +342,12 @@ contains
                   self%handle%context(), stat, errmsg)
   end subroutine vertices
 
-  !> The half-spaces: p is inside when dot_product(normal, p) <= offset. Half-space i belongs to face i, that of
-  !! a polygon to the edge from vertex i to vertex i + 1. The frame is the shape's own.
+  !> Returns the half-spaces: p is inside if dot_product(normal, p) <= offset. Half-space i belongs to face i; in 2D to
+  !! the edge from vertex i to i + 1. The origin of the frame is the centroid.
   subroutine halfspaces(self, normals, offsets, rows, count, stat, errmsg)
     class(halfspace_shape), intent(in) :: self
     real(c_double), intent(inout), target :: normals(:,:)  !< outer unit normals
-    real(c_double), intent(inout), target, contiguous :: offsets(:)  !< as many as there is room for normals
+    real(c_double), intent(inout), target, contiguous :: offsets(:)  !< room for one value per normal
     logical, intent(in), optional :: rows
     integer(c_int64_t), intent(out), target, optional :: count  !< number of half-spaces, also when they do not fit
     integer, intent(out), optional :: stat
@@ -359,8 +360,8 @@ contains
                   self%handle%context(), stat, errmsg)
   end subroutine halfspaces
 
-  !> The faces as lists of vertices counted from 1, counter-clockwise seen from outside; in 2D each edge with its
-  !! two ends. Face f has the vertices face_vertices(first_of_face(f) : first_of_face(f + 1) - 1).
+  !> Returns the faces as lists of vertex indices from 1, counter-clockwise seen from outside; in 2D the two ends of
+  !! each edge. Face f has the vertices face_vertices(first_of_face(f) : first_of_face(f + 1) - 1).
   subroutine faces(self, first_of_face, face_vertices, stat, errmsg)
     class(halfspace_shape), intent(in) :: self
     integer(c_int32_t), intent(inout), allocatable, target :: first_of_face(:), face_vertices(:)
@@ -385,7 +386,7 @@ contains
     call conclude(status, self%handle%context(), stat, errmsg)
   end subroutine faces
 
-  !> The edges by which HS_PAIR_EDGE_EDGE names them: column e has the vertices at the ends of edge e.
+  !> Returns the edges: column e has the vertex indices of the ends of edge e. HS_PAIR_EDGE_EDGE uses these indices.
   subroutine edges(self, edge_vertices, stat, errmsg)
     class(halfspace_shape), intent(in) :: self
     integer(c_int32_t), intent(inout), allocatable :: edge_vertices(:,:)
@@ -412,13 +413,13 @@ contains
     c_handle = self%handle%object()
   end function c_handle
 
-  !> The C handle of a shape, for the time of one call; it may come from an array constructor.
+  !> The C handle of a shape, also of an element of an array constructor; valid for one call.
   impure elemental type(c_ptr) function handle_of(shape)
     type(halfspace_shape), intent(in) :: shape
     handle_of = shape%handle%lent_object()
   end function handle_of
 
-  !> The C context that a shape was made from.
+  !> The C context of a shape.
   type(c_ptr) function context_of(shape)
     type(halfspace_shape), intent(in) :: shape
     context_of = shape%handle%lent_context()

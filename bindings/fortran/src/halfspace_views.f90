@@ -1,4 +1,4 @@
-!> Arrays of points as the C interface takes them: where they are, not copies of them.
+!> Views of arrays of points for the C interface, without copies.
 module halfspace_views
   use, intrinsic :: iso_c_binding, only: c_double, c_int64_t, c_intptr_t, c_loc, c_null_ptr, c_ptr
   use halfspace_c, only: hs_mutable_view, hs_view
@@ -9,8 +9,8 @@ module halfspace_views
 
 contains
 
-  !> Points are columns x(2,n) or x(3,n); with rows = .true. they are rows, x(n,2) or x(n,3). Other arrays are
-  !! refused here.
+  !> Are these points? They are columns x(2,n) or x(3,n), or with rows = .true. rows x(n,2) or x(n,3). Refuses other
+  !! arrays.
   logical function are_points(points, name, rows, stat, errmsg)
     real(c_double), intent(in) :: points(:,:)
     character(*), intent(in) :: name
@@ -22,7 +22,7 @@ contains
     components = size(points, components_index(rows))
     are_points = components == 2 .or. components == 3
     if (are_points) return
-    write (text, '(a, ": extent ", i0, " is ", i0, "; points have 2 or 3 components")') &
+    write (text, '(a, ": extent ", i0, " is ", i0, "; it must be 2 or 3")') &
       name, components_index(rows), components
     call refuse(trim(text), stat, errmsg)
   end function are_points
@@ -39,7 +39,7 @@ contains
     call find(points, rows, view%x, view%y, view%z, view%stride, view%count)
   end function mutable_view
 
-  !> The stride is measured, so that sections of arrays are met where they are.
+  !> The stride is the difference of addresses, so array sections need no copy.
   subroutine find(points, rows, x, y, z, stride, count)
     real(c_double), intent(in), target :: points(:,:)
     logical, intent(in), optional :: rows
@@ -73,7 +73,7 @@ contains
     place = int(transfer(address, 0_c_intptr_t), c_int64_t)
   end function place
 
-  !> A vector has 3 values, or as many as it has in the plane; what has another number is refused here.
+  !> Has the vector 3 values, or `in_plane` values? Refuses others.
   logical function is_vector(values, name, in_plane, stat, errmsg)
     real(c_double), intent(in) :: values(:)
     character(*), intent(in) :: name
@@ -83,11 +83,11 @@ contains
     character(len(name) + 80) :: text
     is_vector = size(values) == 3 .or. size(values) == in_plane
     if (is_vector) return
-    write (text, '(a, ": has ", i0, " values, not ", i0, " or 3")') name, size(values), in_plane
+    write (text, '(a, ": has ", i0, " values; it must have ", i0, " or 3")') name, size(values), in_plane
     call refuse(trim(text), stat, errmsg)
   end function is_vector
 
-  !> x, y of the plane, or the one turn about z, or all three.
+  !> x and y in 2D, or one rotation about z, or all three components.
   pure function three_of(values) result(three)
     real(c_double), intent(in) :: values(:)
     real(c_double) :: three(3)
@@ -100,7 +100,7 @@ contains
     end select
   end function three_of
 
-  !> Where a result goes that the caller may leave out.
+  !> The address of an optional result, or NULL.
   type(c_ptr) function address_of(count)
     integer(c_int64_t), intent(in), target, optional :: count
     address_of = c_null_ptr

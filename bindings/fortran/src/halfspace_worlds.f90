@@ -1,9 +1,8 @@
-!> A world: blocks, materials, laws, and time. Used whole (step) or stage by stage (detect, forces), by hosts
-!! that integrate themselves.
+!> A world: blocks, materials, laws and time. Use step(), or detect() and forces() with an integrator of the host.
 !!
-!! Bulk arrays have one entry per block, in the order of blocks(). Points and vectors are columns, x(2,n) or
-!! x(3,n); with rows = .true. they are rows, x(n,2) or x(n,3). Sections of arrays are read and written where they
-!! are. Angular velocities and torques have three components, in the plane of which z alone counts.
+!! Bulk arrays have one entry per block, in the order of blocks(). Points and vectors are columns, x(2,n) or x(3,n);
+!! with rows = .true. they are rows, x(n,2) or x(n,3). Array sections are accessed without a copy. Angular velocities
+!! and torques have three components; in 2D only z is used.
 module halfspace_worlds
   use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t, c_loc, c_null_ptr, c_ptr, c_sizeof
   use halfspace_c, halfspace_energy => hs_energy, halfspace_world_plan => hs_world_plan, &
@@ -18,8 +17,8 @@ module halfspace_worlds
   private
   public :: halfspace_block_state, halfspace_energy, halfspace_world, halfspace_world_plan, halfspace_world_report
 
-  !> Assignment shares: all copies are the same world, which ends with the last of them. To have a second one,
-  !! restore() what save() gave. What concerns single blocks is declared in halfspace_block_worlds, bonds and rest in
+  !> Assignment adds a reference: all copies are the same world, which the last one destroys. save() and restore() make
+  !! a copy. Procedures for blocks are declared in halfspace_block_worlds, for bonds and relaxation in
   !! halfspace_bonded_worlds.
   type, extends(bonded_world) :: halfspace_world
   contains
@@ -45,24 +44,24 @@ module halfspace_worlds
     procedure :: set_shear_force
   end type halfspace_world
 
-  ! Bodies of finite elements: halfspace_worlds_meshes.f90. Arrays are in the order of the mesh's nodes or cells, which
-  ! are counted from 1.
+  ! Bodies of finite elements: halfspace_worlds_meshes.f90. Arrays have the order of the nodes or cells of the mesh,
+  ! which are counted from 1.
   interface
 
-    !> Puts a mesh into the world. The cells at its surface become blocks of the kind HS_BLOCK_MESH.
+    !> Adds a copy of a mesh to the world. Its surface cells become blocks of the kind HS_BLOCK_MESH.
     module subroutine add_mesh(self, mesh, body, material, pose, velocity, cell_materials, stat, errmsg)
       class(halfspace_world), intent(inout) :: self
       type(halfspace_mesh), intent(in) :: mesh  !< of the world's dimension
-      type(halfspace_body), intent(out), optional :: body  !< its name
-      integer(c_int32_t), intent(in), optional :: material  !< made elastic by set_elasticity(); default 1, the first
-      type(halfspace_pose), intent(in), optional :: pose  !< of the nodes' frame; default: where they were given
+      type(halfspace_body), intent(out), optional :: body  !< its id
+      integer(c_int32_t), intent(in), optional :: material  !< index of a material with elasticity; default 1
+      type(halfspace_pose), intent(in), optional :: pose  !< pose of the frame of the mesh; default: identity
       real(c_double), intent(in), optional :: velocity(:)  !< of all nodes, m/s, 3 values (2D: or 2); default 0
-      integer(c_int32_t), intent(in), optional :: cell_materials(:)  !< one for each cell, instead of `material`
+      integer(c_int32_t), intent(in), optional :: cell_materials(:)  !< one index per cell, instead of `material`
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine add_mesh
 
-    !> Takes a body out of the world, with the blocks at its surface; its name becomes stale.
+    !> Removes a body and its surface blocks from the world; its id becomes stale.
     module subroutine remove_body(self, body, stat, errmsg)
       class(halfspace_world), intent(inout) :: self
       type(halfspace_body), intent(in) :: body
@@ -70,7 +69,7 @@ module halfspace_worlds
       character(*), intent(inout), optional :: errmsg
     end subroutine remove_body
 
-    !> A body's motion: its mass, centroid, momentum and energies.
+    !> Returns mass, centroid, momentum and energies of a body.
     module subroutine body_state(self, body, state, stat, errmsg)
       class(halfspace_world), intent(in) :: self
       type(halfspace_body), intent(in) :: body
@@ -79,17 +78,17 @@ module halfspace_worlds
       character(*), intent(inout), optional :: errmsg
     end subroutine body_state
 
-    !> The body that a block is at the surface of. A block of another kind gives no body, and cell 0.
+    !> Returns the body and cell of a surface block; no body and cell 0 for a block of another kind.
     module subroutine body_of_block(self, block, body, cell, stat, errmsg)
       class(halfspace_world), intent(in) :: self
       type(halfspace_block), intent(in) :: block
       type(halfspace_body), intent(out) :: body
-      integer(c_int32_t), intent(out), optional :: cell  !< of the body's mesh
+      integer(c_int32_t), intent(out), optional :: cell  !< index in the mesh
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine body_of_block
 
-    !> The places of a body's nodes, m.
+    !> Positions of a body's nodes, m.
     module subroutine node_positions(self, body, points, rows, count, stat, errmsg)
       class(halfspace_world), intent(in) :: self
       type(halfspace_body), intent(in) :: body
@@ -111,9 +110,8 @@ module halfspace_worlds
       character(*), intent(inout), optional :: errmsg
     end subroutine node_velocities
 
-    !> All forces on a body's nodes at the end of the last step, N, in 2D per unit thickness: of cells, contacts,
-    !! gravity, and applied ones. At rest they are 0, but at nodes that are held: there they are what these press on
-    !! their support.
+    !> Total forces on a body's nodes at the end of the last step (cells, contacts, gravity, applied), N, in 2D per unit
+    !! thickness. In equilibrium they are 0, except at held nodes: there they are the forces that press on the support.
     module subroutine node_forces(self, body, forces, rows, count, stat, errmsg)
       class(halfspace_world), intent(in) :: self
       type(halfspace_body), intent(in) :: body
@@ -124,30 +122,30 @@ module halfspace_worlds
       character(*), intent(inout), optional :: errmsg
     end subroutine node_forces
 
-    !> Sets the velocities of all nodes of a body, also of those that are held.
+    !> Sets the velocities of all nodes of a body, including held ones.
     module subroutine set_node_velocities(self, body, velocities, rows, stat, errmsg)
       class(halfspace_world), intent(inout) :: self
       type(halfspace_body), intent(in) :: body
-      real(c_double), intent(in), target :: velocities(:,:)  !< m/s, one for each node
+      real(c_double), intent(in), target :: velocities(:,:)  !< m/s, one per node
       logical, intent(in), optional :: rows
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine set_node_velocities
 
-    !> Holds nodes along axes: there they go on with a velocity that stays, whatever the forces. Along other axes they
-    !! are free from now on.
+    !> Prescribes a constant velocity of nodes along axes, in addition to axes held before; or frees the nodes along all
+    !! axes.
     module subroutine hold_nodes(self, body, nodes, axes, velocity, stat, errmsg)
       class(halfspace_world), intent(inout) :: self
       type(halfspace_body), intent(in) :: body
       integer(c_int32_t), intent(in) :: nodes(:)  !< of the mesh
-      integer(c_int32_t), intent(in) :: axes  !< a sum of HS_AXIS_ values, or 0: free
+      integer(c_int32_t), intent(in) :: axes  !< sum of HS_AXIS_ values, or 0: frees the nodes
       !> along the axes held, m/s, 3 values (2D: or 2); default 0
       real(c_double), intent(in), optional :: velocity(:)
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine hold_nodes
 
-    !> Sets the force that acts on each of these nodes from outside, from now on.
+    !> Sets the external force on each of these nodes, until set again.
     module subroutine set_node_force(self, body, nodes, force, stat, errmsg)
       class(halfspace_world), intent(inout) :: self
       type(halfspace_body), intent(in) :: body
@@ -157,24 +155,25 @@ module halfspace_worlds
       character(*), intent(inout), optional :: errmsg
     end subroutine set_node_force
 
-    !> Takes cells out of a body: excavation. Cells and nodes that stay keep their numbers.
+    !> Removes cells of a body (excavation). Indices of the other cells and nodes do not change.
     module subroutine remove_cells(self, body, cells, released, rows, stat, errmsg)
       class(halfspace_world), intent(inout) :: self
       type(halfspace_body), intent(in) :: body
       integer(c_int32_t), intent(in) :: cells(:)  !< of the mesh
-      !> receives the force that these cells exerted on each node, which set_node_force can fade out
+      !> receives the force that these cells exerted on each node, N, to be applied by set_node_force() and reduced
+      !! gradually
       real(c_double), intent(inout), target, optional :: released(:,:)
       logical, intent(in), optional :: rows
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine remove_cells
 
-    !> Stresses the cells of a body as they are now, each by the stress at its middle.
+    !> Sets the current stress of the cells of a body, linear in space: each cell gets the stress at its center.
     module subroutine set_body_stress(self, body, stress, gradient, stat, errmsg)
       class(halfspace_world), intent(inout) :: self
       type(halfspace_body), intent(in) :: body
-      real(c_double), intent(in) :: stress(3,3)  !< Cauchy's at the origin, Pa, tension > 0
-      real(c_double), intent(in), optional :: gradient(3,3,3)  !< along axis k: gradient(:,:,k), Pa/m
+      real(c_double), intent(in) :: stress(3,3)  !< Cauchy stress at the origin, Pa, tension > 0
+      real(c_double), intent(in), optional :: gradient(3,3,3)  !< gradient(:,:,k): derivative along axis k, Pa/m
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine set_body_stress
@@ -191,10 +190,10 @@ module halfspace_worlds
 
   end interface
 
-  ! Stages, steps and what they give: halfspace_worlds_stages.f90.
+  ! Stages, steps and their results: halfspace_worlds_stages.f90.
   interface
 
-    !> Stage: neighbour search and detection at the present poses.
+    !> Stage: neighbour search and detection at the current poses.
     module subroutine detect(self, touching, stat, errmsg)
       class(halfspace_world), intent(inout) :: self
       integer(c_int64_t), intent(out), target, optional :: touching  !< number of pairs in contact
@@ -202,19 +201,19 @@ module halfspace_worlds
       character(*), intent(inout), optional :: errmsg
     end subroutine detect
 
-    !> Stage: contact forces at the present poses and velocities, after detect().
+    !> Stage: contact forces at the current poses and velocities, after detect().
     module subroutine forces(self, elapsed, force, torque, rows, stat, errmsg)
       class(halfspace_world), intent(inout) :: self
-      !> time since the last call, >= 0: shear springs grow by velocity times this
+      !> time since the last call, s, >= 0: shear springs extend by velocity times this
       real(c_double), intent(in) :: elapsed
-      real(c_double), intent(inout), target :: force(:,:)  !< on each block
-      real(c_double), intent(inout), target, optional :: torque(:,:)  !< about each centroid
+      real(c_double), intent(inout), target :: force(:,:)  !< on each block, N
+      real(c_double), intent(inout), target, optional :: torque(:,:)  !< about each centroid, N m
       logical, intent(in), optional :: rows  !< layout of both
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine forces
 
-    !> Steps the world. After HS_ERROR_UNSTABLE it stays at the last good step, and can be read or saved.
+    !> Steps the world. After an error it keeps the last valid state, and can be read or saved.
     module subroutine step(self, steps, stat, errmsg)
       class(halfspace_world), intent(inout) :: self
       integer, intent(in), optional :: steps  !< >= 0; default 1
@@ -222,7 +221,8 @@ module halfspace_worlds
       character(*), intent(inout), optional :: errmsg
     end subroutine step
 
-    !> Time, time step, counts, energies. After a change of the world it detects and evaluates forces first.
+    !> Returns time, time step, counts and energies. After a change of the world it detects contacts and evaluates
+    !! forces first.
     module subroutine report(self, values, stat, errmsg)
       class(halfspace_world), intent(inout) :: self
       type(halfspace_world_report), intent(out) :: values
@@ -230,8 +230,8 @@ module halfspace_worlds
       character(*), intent(inout), optional :: errmsg
     end subroutine report
 
-    !> The parts that the world computes, the limit of its step, and the times of so many steps of a copy. Blocks are
-    !! numbers as halfspace_block has them; iand(values%parts, HS_PART_FRICTION) > 0 tells that friction is active.
+    !> Returns the active parts of the world, the limit of its step, and times of `steps` steps of a copy. Blocks are
+    !! ids as in halfspace_block; friction is active if iand(values%parts, HS_PART_FRICTION) > 0.
     module subroutine plan(self, values, steps, stat, errmsg)
       class(halfspace_world), intent(in) :: self
       type(halfspace_world_plan), intent(out) :: values
@@ -240,8 +240,8 @@ module halfspace_worlds
       character(*), intent(inout), optional :: errmsg
     end subroutine plan
 
-    !> The contacts of the last detection, sorted by block, a before b; none after a change of poses, blocks or
-    !! laws. Memory is allocated only when their number has changed.
+    !> Contacts of the last detection, sorted by block, a before b; none after a change of poses, blocks or laws. `list`
+    !! is reallocated only if their number has changed.
     module subroutine contacts(self, list, stat, errmsg)
       class(halfspace_world), intent(in) :: self
       type(halfspace_contact), intent(inout), allocatable, target :: list(:)
@@ -249,11 +249,11 @@ module halfspace_worlds
       character(*), intent(inout), optional :: errmsg
     end subroutine contacts
 
-    !> Preloads the shear spring of a contact, for example to start from equilibrium. After detect() or step().
+    !> Preloads the shear spring of a contact, e.g. to start from equilibrium. Call it after detect() or step().
     module subroutine set_shear_force(self, block_a, block_b, shear_force, stat, errmsg)
       class(halfspace_world), intent(inout) :: self
       type(halfspace_block), intent(in) :: block_a, block_b
-      !> on block_b, 3 values (2D: or 2); what lies in the contact plane counts
+      !> on block_b, N, 3 values (2D: or 2); only the component in the contact plane is used
       real(c_double), intent(in) :: shear_force(:)
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg

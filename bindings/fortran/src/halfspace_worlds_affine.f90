@@ -1,4 +1,4 @@
-!> How blocks are strained.
+!> Deformation of blocks.
 submodule(halfspace_block_worlds) halfspace_worlds_affine
   use halfspace_contacts, only: id_of
   use halfspace_deformations, only: count_rows_first, is_tensor, nine_of

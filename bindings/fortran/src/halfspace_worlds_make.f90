@@ -1,4 +1,4 @@
-!> What a world is made of.
+!> Creation of worlds, materials, laws and blocks.
 submodule(halfspace_block_worlds) halfspace_worlds_make
   use halfspace_contacts, only: id_of
   use halfspace_contexts, only: own_or_given
@@ -20,7 +20,7 @@ contains
     status = hs_world_def_init(def, c_sizeof(def), 2_c_int32_t)
     if (present(dimension)) then
       if (dimension == 3) status = hs_world_def_init(def, c_sizeof(def), 3_c_int32_t)
-      def%dimension = dimension  ! any other than 2 or 3 is refused below, with a text
+      def%dimension = dimension  ! values other than 2 or 3 are refused below, with an error text
     end if
     if (present(gravity)) def%gravity = three_of(gravity)
     if (present(time_step)) def%time_step = time_step

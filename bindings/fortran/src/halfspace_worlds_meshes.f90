@@ -33,7 +33,7 @@ contains
     call conclude(status, self%c_context(), stat, errmsg)
   end procedure add_mesh
 
-  !> C cannot know how many materials there are. A mesh that there is not is refused by C.
+  !> Is there one material per cell? C cannot check this. C refuses a missing mesh.
   logical function are_one_for_each(cell_materials, mesh, stat, errmsg)
     integer(c_int32_t), intent(in) :: cell_materials(:)
     type(halfspace_mesh), intent(in) :: mesh

@@ -1,4 +1,4 @@
-!> Where the blocks are and how they move.
+!> Poses and velocities of blocks.
 submodule(halfspace_block_worlds) halfspace_worlds_motion
   use halfspace_contacts, only: id_of
   use halfspace_errors, only: conclude, had_memory

@@ -1,6 +1,7 @@
 !> What a case has made so far, and the statements that make it. The files count from 0, the modules from 1.
 module case_scene
-  use case_words, only: constant, longest_word, number, numbers
+  use case_fields, only: constant
+  use case_words, only: longest_word, number, numbers
   use halfspace
   use, intrinsic :: iso_fortran_env, only: int8, int32, int64, real64
   implicit none

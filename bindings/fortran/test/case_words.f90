@@ -1,10 +1,10 @@
-!> Lines of case files: their words, numbers, and the constants that they name.
+!> Lines of case files: their words and numbers.
 module case_words
-  use halfspace
+  use case_fields, only: constant
   use, intrinsic :: iso_fortran_env, only: real64
   implicit none
   private
-  public :: longest_word, constant, number, numbers, split
+  public :: longest_word, number, numbers, split
 
   integer, parameter :: longest_word = 80
 
@@ -48,46 +48,5 @@ contains
       numbers(i) = number(words(i))
     end do
   end function numbers
-
-  integer function constant(name)
-    character(*), intent(in) :: name
-    select case (name)
-    case ('HS_ERROR_ARGUMENT'); constant = HS_ERROR_ARGUMENT
-    case ('HS_ERROR_GEOMETRY'); constant = HS_ERROR_GEOMETRY
-    case ('HS_ERROR_STALE_ID'); constant = HS_ERROR_STALE_ID
-    case ('HS_ERROR_STATE'); constant = HS_ERROR_STATE
-    case ('HS_ERROR_UNSTABLE'); constant = HS_ERROR_UNSTABLE
-    case ('HS_ERROR_TOO_FAST'); constant = HS_ERROR_TOO_FAST
-    case ('HS_ERROR_INVERTED'); constant = HS_ERROR_INVERTED
-    case ('HS_FAST_DIVIDE'); constant = HS_FAST_DIVIDE
-    case ('HS_FAST_REFUSE'); constant = HS_FAST_REFUSE
-    case ('HS_ERROR_FORMAT'); constant = HS_ERROR_FORMAT
-    case ('HS_CONTACT_NONE'); constant = HS_CONTACT_NONE
-    case ('HS_CONTACT_VERTEX_VERTEX'); constant = HS_CONTACT_VERTEX_VERTEX
-    case ('HS_CONTACT_VERTEX_EDGE'); constant = HS_CONTACT_VERTEX_EDGE
-    case ('HS_CONTACT_EDGE_EDGE'); constant = HS_CONTACT_EDGE_EDGE
-    case ('HS_CONTACT_EDGE_FACE'); constant = HS_CONTACT_EDGE_FACE
-    case ('HS_CONTACT_FACE_FACE'); constant = HS_CONTACT_FACE_FACE
-    case ('HS_CONTACT_VERTEX_FACE'); constant = HS_CONTACT_VERTEX_FACE
-    case ('HS_PAIR_FACE_VERTEX'); constant = HS_PAIR_FACE_VERTEX
-    case ('HS_PAIR_VERTEX_FACE'); constant = HS_PAIR_VERTEX_FACE
-    case ('HS_PAIR_EDGE_EDGE'); constant = HS_PAIR_EDGE_EDGE
-    case ('HS_PAIR_VERTEX_VERTEX'); constant = HS_PAIR_VERTEX_VERTEX
-    case ('HS_STIFFNESS_PER_CONTACT'); constant = HS_STIFFNESS_PER_CONTACT
-    case ('HS_STIFFNESS_PER_AREA'); constant = HS_STIFFNESS_PER_AREA
-    case ('HS_STIFFNESS_POTENTIAL'); constant = HS_STIFFNESS_POTENTIAL
-    case ('HS_IMPACT_NEVER'); constant = HS_IMPACT_NEVER
-    case ('HS_IMPACT_AT_START'); constant = HS_IMPACT_AT_START
-    case ('HS_IMPACT_TOUCH'); constant = HS_IMPACT_TOUCH
-    case ('HS_PLANE_STRAIN'); constant = HS_PLANE_STRAIN
-    case ('HS_PLANE_STRESS'); constant = HS_PLANE_STRESS
-    case ('HS_BLOCK_FIXED'); constant = HS_BLOCK_FIXED
-    case ('HS_BLOCK_PRESCRIBED'); constant = HS_BLOCK_PRESCRIBED
-    case ('HS_BLOCK_RIGID'); constant = HS_BLOCK_RIGID
-    case ('HS_BLOCK_AFFINE'); constant = HS_BLOCK_AFFINE
-    case ('HS_BLOCK_MESH'); constant = HS_BLOCK_MESH
-    case default; error stop 'a case names a constant that this reader does not know'
-    end select
-  end function constant
 
 end module case_words

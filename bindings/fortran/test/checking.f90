@@ -1,4 +1,4 @@
-!> The test driver: expectations that are told when they fail, and a last word.
+!> The test driver: expectations, reports of failures, and a summary.
 module checking
   use, intrinsic :: iso_fortran_env, only: real64
   implicit none

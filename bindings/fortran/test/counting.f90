@@ -1,4 +1,4 @@
-!> Memory that is counted, and refused when it is wanted.
+!> An allocator that counts requests, and refuses a given one.
 module counting
   use, intrinsic :: iso_c_binding, only: c_associated, c_null_ptr, c_ptr, c_size_t
   use halfspace, only: halfspace_allocator
@@ -14,11 +14,11 @@ module counting
     procedure :: release => release_counted
   end type counting_allocator
 
-  !> Requests of allocate statements, which the linker leads here. Smaller ones are the compiler's: gfortran 12
-  !! takes up to 16 bytes to finalize, and does not look whether it got them.
+  !> Requests of allocate statements, which the linker redirects here. Smaller ones are the compiler's: gfortran 12
+  !! allocates up to 16 bytes to finalize, and does not check the result.
   integer(c_size_t), parameter :: least_bytes = 24
   integer :: statements = 0
-  integer :: refused_statement = 0  !< the one that finds no memory
+  integer :: refused_statement = 0  !< the request that fails
 
   interface
     function real_malloc(bytes) bind(c, name='__real_malloc')

@@ -1,5 +1,6 @@
-! read_cases FILE: carries out a file of cases, tests/cases/*.case, and compares with what it expects.
+! read_cases FILE: runs a file of cases, tests/cases/*.case, and compares the results with its expectations.
 program read_cases
+  use case_fields
   use case_scene
   use case_words
   use checking
@@ -117,141 +118,33 @@ contains
   function values_of(field) result(values)
     character(*), intent(in) :: field
     real(real64), allocatable :: values(:)
+    type(halfspace_shape_properties) :: properties
+    type(halfspace_block_state) :: state
+    type(halfspace_deformation) :: deformation
+    type(halfspace_world_report) :: report
     select case (words(2))
-    case ('shape'); values = of_shape(field)
-    case ('contact'); values = of_contact(s%contact, field)
-    case ('impact'); values = of_impact(s%impact, field)
-    case ('block'); values = of_block(field)
-    case ('deformation'); values = of_deformation(field)
-    case ('report', 'energy'); values = of_report(field)
-    case default; error stop 'a case looks at something that this reader does not know'
+    case ('shape')
+      call s%shapes(shape_named(words(3), s))%shape%properties(properties)
+      values = of_shape(properties, field)
+    case ('contact')
+      values = of_contact(s%contact, field)
+    case ('impact')
+      values = of_impact(s%impact, field)
+    case ('block')
+      call s%world%block_state(block_named(words(3), s), state)
+      values = of_block(state, field)
+    case ('deformation')
+      call s%world%deformation(block_named(words(3), s), deformation)
+      values = of_deformation(deformation, field)
+    case ('report')
+      call s%world%report(report)
+      values = of_report(report, field)
+    case ('energy')
+      call s%world%report(report)
+      values = of_energy(report%energy, field)
+    case default
+      error stop 'a case looks at something that this reader does not know'
     end select
   end function values_of
-
-  function of_shape(field) result(values)
-    character(*), intent(in) :: field
-    real(real64), allocatable :: values(:)
-    type(halfspace_shape_properties) :: p
-    call s%shapes(shape_named(words(3), s))%shape%properties(p)
-    select case (field)
-    case ('dimension'); values = [real(p%dimension, real64)]
-    case ('vertex_count'); values = [real(p%vertex_count, real64)]
-    case ('edge_count'); values = [real(p%edge_count, real64)]
-    case ('face_count'); values = [real(p%face_count, real64)]
-    case ('volume'); values = [p%volume]
-    case ('centroid'); values = p%centroid
-    case ('second_moment'); values = p%second_moment
-    case ('bounding_radius'); values = [p%bounding_radius]
-    case ('shortest_edge'); values = [p%shortest_edge]
-    case default; error stop 'unknown field of a shape'
-    end select
-  end function of_shape
-
-  function of_contact(c, field) result(values)
-    type(halfspace_contact), intent(in) :: c
-    character(*), intent(in) :: field
-    real(real64), allocatable :: values(:)
-    select case (field)
-    case ('type'); values = [real(c%type, real64)]
-    case ('pair_kind'); values = [real(c%pair_kind, real64)]
-    case ('feature_a'); values = [real(c%feature_a - 1, real64)]
-    case ('feature_b'); values = [real(c%feature_b - 1, real64)]
-    case ('point_count'); values = [real(c%point_count, real64)]
-    case ('normal'); values = c%normal
-    case ('gap'); values = [c%gap]
-    case ('area'); values = [c%area]
-    case ('length'); values = [c%length]
-    case ('center'); values = c%center
-    case ('force'); values = c%force
-    case ('normal_force'); values = [c%normal_force]
-    case ('shear_force'); values = c%shear_force
-    case default; error stop 'unknown field of a contact'
-    end select
-  end function of_contact
-
-  function of_impact(i, field) result(values)
-    type(halfspace_impact), intent(in) :: i
-    character(*), intent(in) :: field
-    real(real64), allocatable :: values(:)
-    select case (field)
-    case ('state'); values = [real(i%state, real64)]
-    case ('pair_kind'); values = [real(i%pair_kind, real64)]
-    case ('feature_a'); values = [real(i%feature_a - 1, real64)]
-    case ('feature_b'); values = [real(i%feature_b - 1, real64)]
-    case ('time'); values = [i%time]
-    case ('gap'); values = [i%gap]
-    case ('normal'); values = i%normal
-    case ('point'); values = i%point
-    case default; error stop 'unknown field of an impact'
-    end select
-  end function of_impact
-
-  function of_block(field) result(values)
-    character(*), intent(in) :: field
-    real(real64), allocatable :: values(:)
-    type(halfspace_block_state) :: b
-    call s%world%block_state(block_named(words(3), s), b)
-    select case (field)
-    case ('position'); values = b%pose%position
-    case ('rotation'); values = b%pose%rotation
-    case ('velocity'); values = b%velocity
-    case ('angular_velocity'); values = b%angular_velocity
-    case ('force'); values = b%force
-    case ('torque'); values = b%torque
-    case ('mass'); values = [b%mass]
-    case default; error stop 'unknown field of a block'
-    end select
-  end function of_block
-
-  function of_deformation(field) result(values)
-    character(*), intent(in) :: field
-    real(real64), allocatable :: values(:)
-    type(halfspace_deformation) :: d
-    call s%world%deformation(block_named(words(3), s), d)
-    select case (field)
-    case ('gradient'); values = row_by_row(d%gradient)
-    case ('rate'); values = row_by_row(d%rate)
-    case ('strain'); values = row_by_row(d%strain)
-    case ('stress'); values = row_by_row(d%stress)
-    case ('strain_energy'); values = [d%strain_energy]
-    case default; error stop 'unknown field of a deformation'
-    end select
-  end function of_deformation
-
-  function row_by_row(tensor) result(values)
-    real(real64), intent(in) :: tensor(3, 3)
-    real(real64) :: values(9)
-    values = [tensor(1, :), tensor(2, :), tensor(3, :)]
-  end function row_by_row
-
-  function of_report(field) result(values)
-    character(*), intent(in) :: field
-    real(real64), allocatable :: values(:)
-    type(halfspace_world_report) :: r
-    call s%world%report(r)
-    select case (field)
-    case ('dimension'); values = [real(r%dimension, real64)]
-    case ('steps'); values = [real(r%steps, real64)]
-    case ('time'); values = [r%time]
-    case ('contact_count'); values = [real(r%contact_count, real64)]
-    case ('largest_overlap'); values = [r%largest_overlap]
-    case ('potential_length'); values = [r%potential_length]
-    case ('block_strain_energy'); values = [r%block_strain_energy]
-    case ('block_damping_loss'); values = [r%block_damping_loss]
-    case ('divided_steps'); values = [real(r%divided_steps, real64)]
-    case ('max_penetration_ratio'); values = [r%max_penetration_ratio]
-    case ('peak_overlap'); values = [r%peak_overlap]
-    case ('peak_speed'); values = [r%peak_speed]
-    case ('sleeping_count'); values = [real(r%sleeping_count, real64)]
-    case ('max_sleep_error'); values = [r%max_sleep_error]
-    case ('kinetic'); values = [r%energy%kinetic]
-    case ('gravity'); values = [r%energy%gravity]
-    case ('strain'); values = [r%energy%strain]
-    case ('friction_loss'); values = [r%energy%friction_loss]
-    case ('contact_damping_loss'); values = [r%energy%contact_damping_loss]
-    case ('residual'); values = [r%energy%residual]
-    case default; error stop 'unknown field of a report'
-    end select
-  end function of_report
 
 end program read_cases

@@ -1,4 +1,4 @@
-! Affine blocks: tensors are (row, column) on their way in and out, faces and materials are counted from 1.
+! Affine blocks: tensors are (row, column), faces and materials are counted from 1.
 program test_affine
   use checking
   use halfspace
@@ -46,7 +46,7 @@ contains
     call expect(given%damping_time == 1e-5_real64 .and. given%plane == HS_PLANE_STRESS, 'what else is given')
   end subroutine elasticities
 
-  ! By 1.25 along x, then turned by a right angle: what was x goes along y.
+  ! A stretch by 1.25 along x, then a rotation by 90 degrees, which maps x to y.
   subroutine tensors_in_plane()
     type(halfspace_world) :: world
     type(halfspace_block) :: block
@@ -128,8 +128,8 @@ contains
   end subroutine all_blocks
 
   ! 1000 N upwards on the right edge, the second one, at an arm of 1/2: 1 m/s^2, and 500 / (1000 / 12) for the gradient.
-  ! The block's own vibrations have w^2 = 12 (2 + 2) 1e6 / 1000 at most: within a step of 2^-20 s its stress changes the
-  ! rate by no more than a share of (w h)^2 = 4.4e-8.
+  ! The vibrations of the block have at most w^2 = 12 (2 + 2) 1e6 / 1000: in a step of 2^-20 s its stress changes the
+  ! rate by at most a fraction (w h)^2 = 4.4e-8.
   subroutine load_on_a_face()
     type(halfspace_world) :: world
     type(halfspace_block) :: block

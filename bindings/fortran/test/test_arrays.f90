@@ -1,5 +1,5 @@
-! Arrays of every layout, and sections of them, go in and come out without a copy. CTest lets this program fail
-! when the run-time library says that an array temporary was created.
+! Arrays of all layouts, and their sections, are passed without a copy. In CTest this program fails if the run-time
+! library reports an array temporary.
 program test_arrays
   use checking
   use halfspace
@@ -9,7 +9,7 @@ program test_arrays
   use, intrinsic :: iso_fortran_env, only: int64, real64
   implicit none
 
-  !> A trapezium, whose four vertices tell each other apart. Area 3/2, centroid (7/9, 4/9).
+  !> A trapezium with four distinguishable vertices. Area 3/2, centroid (7/9, 4/9).
   real(real64), parameter :: corners(2, 4) = reshape([real(real64) :: 0, 0, 2, 0, 1, 1, 0, 1], [2, 4])
   real(real64), parameter :: unset = -77
 
@@ -97,7 +97,7 @@ contains
     call expect_close(offsets(1:1), [4 / 9.0_real64], 1e-15_real64, 'the lower edge is 4/9 below the centroid')
   end subroutine sections_are_written
 
-  ! A free and a fixed block: what goes in by one layout comes out by another.
+  ! A free and a fixed block: velocities set by one layout are returned in another.
   subroutine motions_of_all_layouts()
     type(halfspace_world) :: world
     type(halfspace_shape) :: shape
@@ -139,7 +139,7 @@ contains
     points = transpose(corners)
     call shape%create_polygon(points, stat=stat, errmsg=text)
     call expect(stat == HS_ERROR_ARGUMENT .and. .not. shape%exists(), 'rows taken for columns')
-    call expect_text(text, 'vertices: extent 1 is 4; points have 2 or 3 components')
+    call expect_text(text, 'vertices: extent 1 is 4; it must be 2 or 3')
     call shape%create_polygon(points(:, 1:1), rows=.true., stat=stat, errmsg=text)
     call expect_text(text, 'vertices: extent 2 is 1')
     call shape%create_polyhedron_hull(points, rows=.true., stat=stat, errmsg=text)

@@ -37,7 +37,7 @@ contains
                             friction_angle=0.5_real64)
   end function mortar
 
-  ! It is pulled until it is at rest with bonds that are held, which may fail then.
+  ! A force is applied, the world relaxes with suspended failure of bonds, then failure is resumed.
   subroutine pull(world, block, force)
     type(halfspace_world), intent(inout) :: world
     type(halfspace_block), intent(in) :: block
@@ -187,7 +187,7 @@ contains
     call world%bond_blocks(lower, upper, mortar())
     call world%bond_blocks(lower, upper, mortar(), stat, text)
     call expect(stat == HS_ERROR_STATE, 'twice')
-    call expect_text(text, 'hold together already')
+    call expect_text(text, 'are bonded already')
     call world%bond_materials(1, 2, mortar(), count, stat, text)
     call expect(stat == HS_ERROR_STALE_ID .and. count == 0, 'there is no second material')
     call world%bond_materials(1, 1, halfspace_bond(residual_cohesion=1.0_real64), stat=stat, errmsg=text)

@@ -33,7 +33,7 @@ contains
     call world%report(report)
     call expect(size(contacts) == report%contact_count .and. size(contacts) >= 2, 'corners on the face')
     call expect_close([sum(abs(contacts%force(2)))], [20000.0_real64], 1e-6_real64, 'the weight')
-    ! A blow is booked with the mean velocity of its step: gravity adds g dt / 2 to 1 m/s in that.
+    ! The impact loss uses the mean velocity of the step: gravity adds g dt / 2 to 1 m/s.
     call expect_close([report%impact_loss], [20000 * gap], 11.0_real64, 'all that it had fallen with')
     call expect(all(abs(contacts%touched_at - 0.1_real64) < 1e-4_real64), 'the time of the touch')
   end subroutine falling_square

@@ -1,4 +1,4 @@
-! stat= and errmsg= as allocate has them; and, with an argument, what happens without stat=.
+! stat= and errmsg= as in allocate; and, with an argument, calls without stat=.
 program test_errors
   use checking
   use halfspace
@@ -52,7 +52,7 @@ contains
     call expect(stat == HS_ERROR_ARGUMENT, 'a world that was not created')
     call expect_text(text, 'was not created')
     call world%create(gravity=[1.0_real64], stat=stat, errmsg=text)
-    call expect_text(text, 'gravity: has 1 values, not 2 or 3')
+    call expect_text(text, 'gravity: has 1 values; it must have 2 or 3')
     call world%create(safety=2.0_real64, stat=stat, errmsg=text)
     call expect_text(text, 'hs_world_create: def.safety is 2')
     call expect(.not. world%exists(), 'there is still none')

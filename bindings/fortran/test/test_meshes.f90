@@ -5,7 +5,7 @@ program test_meshes
   use, intrinsic :: iso_fortran_env, only: int8, int32, int64, real64
   implicit none
 
-  !> Two squares side by side, of which the right one is cut along its diagonal.
+  !> Two adjacent squares; the right one is divided along its diagonal.
   real(real64), parameter :: places(2, 6) = reshape([real(real64) :: 0, 0, 1, 0, 1, 1, 0, 1, 2, 0, 2, 1], [2, 6])
   integer(int32), parameter :: kinds(3) = [HS_CELL_QUAD, HS_CELL_TRIANGLE, HS_CELL_TRIANGLE]
   integer(int32), parameter :: cell_nodes(10) = [1, 2, 3, 4, 2, 5, 6, 2, 6, 3]
@@ -46,7 +46,7 @@ contains
     call world%add_mesh(mesh, body, pose=pose)
   end subroutine make_body
 
-  !> It is held at its left side, where it can become thinner, and pulled to the right.
+  !> It is held at its left side along x, and pulled to the right.
   subroutine make_pulled_body(world, body)
     type(halfspace_world), intent(inout) :: world
     type(halfspace_body), intent(out) :: body
@@ -56,7 +56,7 @@ contains
     call world%set_node_force(body, [5, 6], [0.5_real64 * force(), 0.0_real64])
   end subroutine make_pulled_body
 
-  !> That stretches by 1.25: Green's strain is 9/32, the second Piola stress the modulus times that.
+  !> A stretch by 1.25: the Green strain is 9/32, the second Piola-Kirchhoff stress the modulus times this.
   real(real64) function force()
     force = 1.25_real64 * (9.0_real64 / 32) * young_modulus
   end function force
@@ -80,7 +80,7 @@ contains
     call expect(p%cell_count == 2 .and. abs(p%volume - 2) < 1e-14_real64, 'cells of one kind')
   end subroutine properties_of_meshes
 
-  ! The damping is about critical for bending, the slowest vibration, at some 8/s: after 4 s nothing is left of it.
+  ! The damping is about critical for bending, the slowest mode, at about 8/s: after 4 s it has decayed.
   subroutine stretched()
     type(halfspace_world) :: world
     type(halfspace_body) :: body
@@ -134,7 +134,7 @@ contains
     call expect(all(expected == got) .and. any(got > 0), 'also its velocities')
   end subroutine goes_on_bit_for_bit
 
-  ! Turned by a right angle about the origin of its frame, and put at (3, 4).
+  ! Rotated by 90 degrees about the origin of its frame, and placed at (3, 4).
   subroutine nodes_are_set_and_read()
     type(halfspace_world) :: world
     type(halfspace_body) :: body
@@ -166,7 +166,7 @@ contains
     call expect_close(state%centroid, [4.5_real64, 5.5_real64, 0.0_real64], 1e-9_real64, 'where the centroid is then')
   end subroutine nodes_are_set_and_read
 
-  ! The left square is of the second material, and twice as heavy.
+  ! The left square has the second material, and twice the mass.
   subroutine materials_of_cells()
     type(halfspace_mesh) :: mesh
     type(halfspace_world) :: world
@@ -247,7 +247,7 @@ contains
                       [0.125_real64, 0.125_real64, 0.03125_real64, 0.0_real64], 1e-14_real64, 'strain by shear')
   end subroutine tetrahedron_in_space
 
-  ! The right side runs through the left one within a step.
+  ! The right side moves through the left one in one step.
   subroutine turned_inside_out()
     type(halfspace_world) :: world
     type(halfspace_body) :: body
@@ -283,7 +283,7 @@ contains
     call expect(stat == HS_ERROR_ARGUMENT, 'a hexahedron in the plane')
     one_component = 0
     call mesh%create(one_component, kinds, cell_nodes, stat=stat, errmsg=text)
-    call expect_text(text, 'nodes: extent 1 is 1; points have 2 or 3 components')
+    call expect_text(text, 'nodes: extent 1 is 1; it must be 2 or 3')
     call mesh%create(places, kinds, cell_nodes, context=none, stat=stat, errmsg=text)
     call expect_text(text, 'was not created')
   end subroutine faulty_meshes
@@ -310,7 +310,7 @@ contains
     call world%add_material(density, rigid)
     call world%add_mesh(mesh, material=rigid, stat=stat, errmsg=text)
     call expect(stat == HS_ERROR_STATE, 'a material that is not elastic')
-    call expect_text(text, 'is not elastic')
+    call expect_text(text, 'has no elasticity')
     call world%add_mesh(mesh, velocity=[1.0_real64], stat=stat, errmsg=text)
     call expect_text(text, 'velocity: has 1 values')
     call world%remove_cells(body, [1, 4], stat=stat, errmsg=text)
@@ -319,7 +319,7 @@ contains
     call world%remove_cells(body, [1, 2, 3], stat=stat, errmsg=text)
     call expect(stat == HS_ERROR_STATE, 'all cells of a body')
     call world%set_body_stress(body, reshape([0, 1, 0, 2, 0, 0, 0, 0, 0] * 1.0_real64, [3, 3]), stat=stat, errmsg=text)
-    call expect_text(text, 'a stress is symmetric')
+    call expect_text(text, 'a stress must be symmetric')
     call world%hold_nodes(body, [6, 7], HS_AXIS_X, stat=stat, errmsg=text)
     call expect(stat == HS_ERROR_ARGUMENT, 'a node that is not there')
     call expect_text(text, 'nodes[1] is 6; the body has 6')

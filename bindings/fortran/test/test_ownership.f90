@@ -1,5 +1,5 @@
-! Who owns what: everything that was allocated is released when the last owner goes, in whichever order; copies
-! made by assignment share; copies made behind the modules' back are refused and release nothing.
+! Ownership: all memory is released with the last owner, in any order; assignment adds a reference; bitwise copies are
+! refused and release nothing.
 program test_ownership
   use checking
   use counting
@@ -58,7 +58,7 @@ contains
     call shape%create_polygon(corners, context=context)
   end subroutine make_square
 
-  ! The context comes first and last: compilers finalize in whichever order they like.
+  ! The context is first and last: the order of finalization depends on the compiler.
   subroutine end_of_scope()
     type(halfspace_context) :: context
     type(halfspace_world) :: world
@@ -198,7 +198,7 @@ contains
     allocate (copy, source=square)
     call copy%properties(properties, stat, text)
     call expect(.not. copy%exists() .and. stat == HS_ERROR_ARGUMENT, 'a copy by source= is refused')
-    call expect_text(text, 'copy that no assignment has made')
+    call expect_text(text, 'bitwise copy without assignment')
     deallocate (copy)
     call expect(square%exists(), 'the original stays')
   end subroutine foreign_copies
@@ -232,7 +232,7 @@ contains
     call expect(done .and. n > 3, 'it works in the end')
   end subroutine failed_allocations
 
-  ! Likewise for the modules' own memory, which is no allocator's but the language's.
+  ! Likewise for allocate statements of the modules, which do not use the allocator.
   subroutine failed_statements()
     integer :: n, stat
     character(200) :: text
@@ -272,7 +272,7 @@ contains
     integer(int8), allocatable :: bytes(:)
     real(real64), allocatable :: cleaned(:,:)
     integer :: material, i
-    do i = 1, 3  ! each half a square wide, and a little into the next
+    do i = 1, 3  ! each half a square wide, with a small overlap
       poses(i) = halfspace_pose(0.4375_real64 * i, 0.0_real64)
     end do
     call context%create(memory, stat=stat, errmsg=text)
@@ -305,7 +305,7 @@ contains
     if (stat /= HS_OK) return
     call world%set_node_force(body, [3, 4], [1.0_real64, 0.0_real64], stat, text)
     if (stat /= HS_OK) return
-    do i = 1, 2  ! side by side, of which the second is pulled away
+    do i = 1, 2  ! side by side; a force acts on the second one
       call world%add_block(left, pulled, pose=halfspace_pose(4 + 0.5_real64 * i, 0.0_real64), stat=stat, errmsg=text)
       if (stat /= HS_OK) return
     end do

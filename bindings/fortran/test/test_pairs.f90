@@ -1,5 +1,4 @@
-! Pairs: one and many, with and without a cache, features and bodies counted from 1; and that contacts are laid out
-! as those of C.
+! Pairs: one and many, with and without a cache, features and bodies counted from 1; and the layout of contacts.
 program test_pairs
   use checking
   use halfspace
@@ -48,7 +47,7 @@ contains
     call expect_close([contact%gap], [-0.0625_real64], 1e-15_real64, 'depth of the corner')
   end subroutine one_pair
 
-  ! A turn by 0.02 is beyond a parallel angle of 0.01, the default, and within one of 0.03.
+  ! A rotation by 0.02 is above the default parallel angle of 0.01, and below 0.03.
   subroutine options()
     type(halfspace_shape) :: square
     type(halfspace_contact) :: contact
@@ -126,14 +125,14 @@ contains
     call halfspace_detect_pairs([square], poses, pairs, contacts, stat=stat, errmsg=text)
     call expect_text(text, 'there are 1 shapes and 2 poses')
     call halfspace_detect_pairs([square, square], poses, pairs, contacts, caches, stat=stat, errmsg=text)
-    call expect_text(text, 'caches: there must be one per pair')
+    call expect_text(text, 'caches: the size must be the number of pairs')
     contacts%feature_a = 7
     call halfspace_detect_pairs([halfspace_shape ::], poses(:0), pairs, contacts, stat=stat, errmsg=text)
     call expect(stat == HS_ERROR_ARGUMENT .and. all(contacts%feature_a == 7), 'pairs of no bodies')
     call expect_text(text, 'there are 0 shapes and 0 poses, 2 x 2 pairs')
   end subroutine wrong_numbers_are_refused
 
-  ! Shape a would lend its context for the text, but it must not be looked for where there is no shape any more.
+  ! The error text is in the context of shape a, which must not be read after the shape is destroyed.
   subroutine missing_shapes_are_refused()
     type(halfspace_shape) :: square, nothing
     type(halfspace_shape), allocatable :: copy
@@ -154,10 +153,10 @@ contains
     call square%create_polygon(corners)
     call halfspace_detect_pair(copy, poses(1), square, poses(2), contact, stat=stat, errmsg=text)
     call expect(stat == HS_ERROR_ARGUMENT, 'a copy by source= after the end of its original')
-    call expect_text(text, 'copy that no assignment has made')
+    call expect_text(text, 'bitwise copy without assignment')
   end subroutine missing_shapes_are_refused
 
-  !> Every component where C has it.
+  !> The offset of every component is that of C.
   subroutine layout()
     type(hs_contact), target :: c
     type(halfspace_contact), target :: f

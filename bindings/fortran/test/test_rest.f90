@@ -1,4 +1,4 @@
-! Rest, changes while a world lives, and the factor of safety.
+! Relaxation, changes of settings, and the factor of safety.
 program test_rest
   use checking
   use halfspace

@@ -1,4 +1,4 @@
-! Shapes: indices from 1 in what goes in and what comes out, parts of a cut, checking and cleaning.
+! Shapes: indices from 1 in arguments and results, parts of a cut, validation and cleaning.
 program test_shapes
   use checking
   use halfspace
@@ -46,7 +46,7 @@ contains
     extents = shape(array)
   end function shape_of
 
-  ! Half-spaces come in the shape's own frame, whose origin is the centroid.
+  ! Half-spaces are relative to the centroid.
   subroutine half_spaces_make_it_again()
     type(halfspace_shape) :: shape, again
     type(halfspace_shape_properties) :: properties
@@ -78,7 +78,7 @@ contains
     text = ''
     call shape%vertices(few, count=count, stat=stat, errmsg=text)
     call expect(stat == HS_NOTE_TRUNCATED .and. count == 3, 'two of three vertices fit')
-    call expect_text(text, 'did not fit')
+    call expect_text(text, 'is truncated')
   end subroutine edges_of_a_triangle
 
   subroutine cut_of_a_cuboid()
@@ -130,7 +130,7 @@ contains
     call expect(report%fault%vertex >= 1 .and. report%fault%vertex <= 8, 'the dent has a vertex')
     call expect(report%sufficient_tolerance > 1e-3, 'and a tolerance that would do')
     call shape%create_fitted(rounded, 1e-3_real64, sizes, stat=stat, errmsg=text)
-    call expect_text(text, 'face_sizes, face_vertices: one is given without the other')
+    call expect_text(text, 'face_sizes, face_vertices: give both or neither')
   end subroutine facets_are_fitted_within_a_tolerance
 
   subroutine lists_of_wrong_length_are_refused()
@@ -140,7 +140,7 @@ contains
     real(real64) :: offsets(5)
     call shape%create_polyhedron(cuboid, sizes, outlines(:23), stat=stat, errmsg=text)
     call expect(stat == HS_ERROR_ARGUMENT, 'an outline is too short')
-    call expect_text(text, 'face_vertices: has 23 values, not the sum of face_sizes, 24')
+    call expect_text(text, 'face_vertices: has 23 values; it must have the sum of face_sizes, 24')
     offsets = 1
     call shape%create_from_halfspaces(cuboid, offsets, stat=stat, errmsg=text)
     call expect_text(text, 'offsets: has 5 values; there are 8 normals')

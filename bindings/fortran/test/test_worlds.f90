@@ -1,4 +1,4 @@
-! Worlds: a block at rest and in free fall as the formulae say, stages, snapshots, names of blocks, materials from 1.
+! Worlds: a block at rest and in free fall compared with formulas, stages, snapshots, ids of blocks, materials from 1.
 program test_worlds
   use checking
   use halfspace
@@ -60,7 +60,7 @@ contains
     call expect(abs(report%energy%residual) <= 1e-9_real64 * report%energy%kinetic, 'energy')
   end subroutine free_fall
 
-  ! Pressed 1/1024 into the floor by a stiffness of 1e7, a block bears 1e7 / 1024, N at its centroid.
+  ! With an overlap of 1/1024 m and a stiffness of 1e7 N/m, the force on a block is 1e7 / 1024 N, at its centroid.
   subroutine pressed_block()
     type(halfspace_world) :: world
     type(halfspace_block) :: block
@@ -165,7 +165,7 @@ contains
     call expect_text(text, 'hs_world_restore')
   end subroutine snapshot
 
-  ! A cube on a floor: its weight is borne by the sum of the forces, here an overlap of 2^-10 of the same stiffness.
+  ! A cube on a floor: the sum of the forces balances its weight, here with an overlap of 2^-10 and the same stiffness.
   subroutine in_space()
     type(halfspace_world) :: world
     type(halfspace_shape) :: cube

@@ -1,12 +1,11 @@
-"""What the binding costs over C: the same calls on the same world of 1e5 blocks, in turns, by a C loop and by
-Python.
+"""Overhead of the binding relative to C: the same calls on the same world of 1e5 blocks, alternately by a C loop and
+by Python.
 
     overhead.py BASELINE [--quick]    BASELINE: the library made of bindings/calls_in_c.c
 
-Two figures for each call. Side by side: the median of the ratios of neighbouring measurements, which the
-machine's noise blurs by a per cent or so. By itself: Python's time for the call on a world of two blocks less
-C's, which is the binding's own work and does not depend on the blocks, as share of the call on the large
-world.
+Two figures for each call. Side by side: the median of the ratios of consecutive measurements, with a scatter of about
+1 %. By itself: Python's time minus C's for the call on a world of two blocks, which is the overhead of the binding
+independent of the number of blocks, divided by the time of the call on the large world.
 """
 import argparse
 import ctypes
@@ -21,7 +20,7 @@ from halfspace._arrays import mutable_view_of
 
 
 def brick_wall(count):
-    """Squares in rows on a floor, a little sunk into each other: every one in contact."""
+    """Squares in rows on a floor with small overlaps: all are in contact."""
     rows = max(1, round((count / 10) ** 0.5))
     columns = -(-count // rows)
     world = hs.World(time_step=1e-5, law=hs.Law(normal_stiffness=1e7, friction_angle=0.5))

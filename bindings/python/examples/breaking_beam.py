@@ -1,6 +1,6 @@
-"""A beam of bonded elements settles on two supports, and a block falls onto it.
+"""A beam of bonded elements settles on two supports; then a block falls onto it.
 
-Prints the sag under its own weight beside theory, then what breaks.
+Prints the deflection under its own weight and that of theory, then the failed bonds.
 
     breaking_beam.py [--output DIR]    writes beam.png: the stress along the beam, and the cracks
 """
@@ -22,7 +22,7 @@ SPAN = 5.75
 
 
 def beam_mesh():
-    """Quads that share no nodes: bonds hold them together."""
+    """Quads without shared nodes, connected by bonds."""
     whole = np.array([(i, j) for j in range(ROWS) for i in range(COLUMNS)])
     corners = np.array([(0, 0), (1, 0), (1, 1), (0, 1)])
     nodes = (whole[:, None, :] + corners).reshape(-1, 2) * (LENGTH / COLUMNS, HEIGHT / ROWS)
@@ -30,11 +30,11 @@ def beam_mesh():
 
 
 def beam_on_supports():
-    """The world, and the beam's body in it."""
+    """The world, and the body of the beam."""
     law = hs.Law(normal_stiffness=2e11, stiffness_kind=hs.StiffnessKind.PER_AREA, friction_angle=np.radians(30))
     world = hs.World(law=law)
     concrete, steel = world.add_material(2400), world.add_material(7800)
-    world.set_law(concrete, steel, dataclasses.replace(law, friction_angle=0))  # supports hold up, not back
+    world.set_law(concrete, steel, dataclasses.replace(law, friction_angle=0))  # supports without friction
     world.set_elasticity(concrete, hs.Elasticity(young_modulus=30e9, poisson_ratio=0.2, plane=hs.Plane.STRESS))
     for x in (-SPAN / 2, SPAN / 2):
         world.add_block(hs.Shape.rectangle(0.05, 0.5), (x, -0.25), kind=hs.BlockKind.FIXED, material=steel)
@@ -52,7 +52,7 @@ def beam_on_supports():
 
 
 def draw(world, body, path):
-    """The stress along the beam in each element, and where bonds have failed."""
+    """The stress along the beam in each element, and the positions of failed bonds."""
     figure, axes = plt.subplots(figsize=(9, 3.2), dpi=150)
     stress = world.cells(body)["stress"][:, 0, 0] / 1e6
     quads = world.node_positions(body).reshape(-1, 4, 2)

@@ -1,8 +1,8 @@
-"""Two bars meet squarely, without a spring between them and by springs: the force in time beside that of theory.
+"""Normal impact of two bars, with and without contact springs: force over time compared with theory.
 
-Prints the largest force and how long they stay in touch, over those of theory.
+Prints the max force and the duration of contact, divided by those of theory.
 
-    impact_of_bars.py [--output DIR]    writes bars.png: the force that each law makes
+    impact_of_bars.py [--output DIR]    writes bars.png: the force over time for each law
 """
 import argparse
 import pathlib
@@ -19,8 +19,8 @@ LENGTH, DENSITY, MODULUS, SPEED, GAP = 1.0, 1000.0, 1e9, 1.0, 1e-3
 WAVE_SPEED = np.sqrt(MODULUS / DENSITY)
 COLUMNS = 40
 HEIGHT = LENGTH / COLUMNS
-FORCE = DENSITY * WAVE_SPEED * SPEED / 2 * HEIGHT  # that of a wave in each bar
-DURATION = 2 * LENGTH / WAVE_SPEED  # until both waves have come back
+FORCE = DENSITY * WAVE_SPEED * SPEED / 2 * HEIGHT  # force of a wave in each bar
+DURATION = 2 * LENGTH / WAVE_SPEED  # until both waves have returned
 
 LAYER = MODULUS / HEIGHT  # Pa/m: as stiff as a layer of elements
 LAWS = {
@@ -35,7 +35,7 @@ LAWS = {
 
 
 def impact(law):
-    """Times since the touch of theory, the force on the bar that is struck over that of theory, and the steps."""
+    """Times since the theoretical touch, force on the second bar divided by that of theory, and number of steps."""
     world = hs.World(gravity=(0, 0), law=law)
     world.add_material(DENSITY)
     world.set_elasticity(0, hs.Elasticity(young_modulus=MODULUS, poisson_ratio=0))
@@ -54,7 +54,7 @@ def impact(law):
 
 
 def sum_of_forces(world, contacts, body):
-    """The force along x on a body: that of a contact acts on its block b."""
+    """The force along x on a body; the force of a contact acts on its block b."""
     total = 0.0
     for contact in contacts:
         on, against = (world.body_of_block(int(contact[name]))[0] for name in ("block_b", "block_a"))

@@ -1,9 +1,9 @@
-"""A host with arrays and an integrator of its own takes only detection and forces from the library.
+"""A host with its own arrays and its own integrator; the library computes contacts and forces only.
 
 A block of 5 x 4 m slides down a slope of 30 degrees (Wang et al. 2021, section 4.1): s = 1/2 (g sin - g cos
 tan(friction)) t^2. The relative error must be below 1e-3.
 
-    own_integrator.py [--output DIR]    the folder is not used: this program writes no file
+    own_integrator.py [--output DIR]    the folder is not used, as this program writes no files
 """
 import argparse
 import sys
@@ -18,7 +18,7 @@ TIME_STEP, DURATION = 1e-4, 5.0
 
 
 def quaternions(angles):
-    """Of turns about z."""
+    """Quaternions of rotations about z."""
     turned = np.zeros((len(angles), 4))
     turned[:, 2], turned[:, 3] = np.sin(0.5 * angles), np.cos(0.5 * angles)
     return turned
@@ -35,9 +35,9 @@ def main():
     mass = DENSITY * block.volume
     inertia = DENSITY * block.properties.second_moment[:2].sum()
 
-    # The host's own state: the plane, then the block as it rests on its springs: sunk in, and tilted forward
-    # because friction pulls at its base, 2 m below the centroid. Springs of half the stiffness under both
-    # corners resist the tilt.
+    # The host's state: the plane, then the block in equilibrium on its springs, with overlap and a forward tilt, as
+    # friction acts at its base, 2 m below the centroid. Springs of half the stiffness at both corners resist the
+    # tilt.
     normal_force = mass * GRAVITY * np.cos(SLOPE)
     friction_force = normal_force * np.tan(FRICTION)
     depth = normal_force / STIFFNESS
@@ -48,7 +48,7 @@ def main():
     acceleration, turning = np.zeros((2, 2)), np.zeros(2)
     moves = np.array([0.0, 1.0])  # the plane is fixed
 
-    # The library's world knows shapes, materials and laws; gravity and time are the host's.
+    # The library's world has shapes, materials and laws; the host has gravity and time.
     law = hs.Law(normal_stiffness=STIFFNESS, shear_stiffness=STIFFNESS, friction_angle=FRICTION)
     world = hs.World(gravity=(0, 0), time_step=TIME_STEP, law=law)
     world.add_material(DENSITY)

@@ -1,4 +1,4 @@
-"""A whole world: polygons rain into a trough. Draws the heap and where its energy went.
+"""A complete world: polygons fall into a trough. Draws the heap and the energy over time.
 
     run_scene.py [--output DIR]    writes heap.png and energy.png
 """

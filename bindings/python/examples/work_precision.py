@@ -1,8 +1,8 @@
-"""Error against cost: what a smaller time step costs and what it gives.
+"""Error against cost for different time steps.
 
-Two motions whose end is known. A block swings on its contact spring without leaving it: velocity Verlet's
-error falls with the square of the step. Two squares collide (paper B, 4.1): the contact begins and ends
-inside a step, which is another error.
+Two motions with known results. A block oscillates on its contact spring: the error of velocity Verlet decreases with
+the square of the step. Two squares collide (Zheng et al. 2020, section 4.1): the contact begins and ends within a
+step, which is another error.
 
     work_precision.py [--output DIR]    writes work_precision.png
 """
@@ -22,7 +22,8 @@ DENSITY, STIFFNESS = 2000.0, 1e7
 
 
 def swing(step):
-    """A square of 1 m swings by half its sag about the place where the spring carries it, for 1 s."""
+    """A square of 1 m oscillates about its equilibrium on the spring, with half the static deflection as amplitude,
+    for 1 s."""
     world = hs.World(gravity=(0, -9.81), time_step=step, law=hs.Law(normal_stiffness=STIFFNESS))
     world.add_material(DENSITY)
     world.add_block(hs.Shape.rectangle(4, 1), (0, -0.5), kind=hs.BlockKind.FIXED)
@@ -35,7 +36,7 @@ def swing(step):
 
 
 def collision(step):
-    """A square with 1 m/s meets one at rest; they exchange their velocities."""
+    """A square with 1 m/s hits one at rest; they exchange their velocities."""
     world = hs.World(gravity=(0, 0), time_step=step, law=hs.Law(normal_stiffness=STIFFNESS))
     world.add_material(DENSITY)
     square = hs.Shape.rectangle(1, 1)
@@ -46,7 +47,7 @@ def collision(step):
 
 
 def measure(motion, steps):
-    """Step, seconds and error of each run; of five runs the fastest tells what the steps cost."""
+    """Step, seconds and error of each run; the cost is that of the fastest of five runs."""
     rows = []
     for step in steps:
         seconds = []

@@ -1,4 +1,5 @@
-"""Contacts between convex blocks: detection by half-space inclusion, contact force, time stepping.
+"""Python interface of libhalfspace: contact detection of convex blocks by half-space inclusion, contact forces, time
+integration.
 
 Conventions: SI or any consistent units; angles in radians; right-handed axes; quaternions x, y, z, w; a
 normal points from a to b; a gap below 0 is an overlap; indices start at 0; in 2D the thickness is 1.
@@ -10,23 +11,7 @@ Examples
 >>> print(hs.pair_detect(square, (0, 0), square, (0.25, 0.875)).gap)
 -0.125
 """
-from ._arrays import (
-    BALANCE,
-    BLOCK_STATE,
-    BODY_STATE,
-    BOND,
-    BOND_EVENT,
-    BOND_REPORT,
-    CELL_STATE,
-    CONTACT,
-    DEFORMATION,
-    IMPACT,
-    PAIR_CACHE,
-    SHAPE_PROPERTIES,
-    STRENGTH_REPORT,
-    WORLD_REPORT,
-    pose,
-)
+from ._arrays import pose
 from ._library import status_text, version
 from .affine import Elasticity
 from .bond import Bond
@@ -63,6 +48,22 @@ from .impact import Motion, pair_time_of_impact
 from .law import Law
 from .mesh import Mesh
 from .pair import PairCache, pair_caches, pair_detect, pairs_detect
+from .records import (
+    BALANCE,
+    BLOCK_STATE,
+    BODY_STATE,
+    BOND,
+    BOND_EVENT,
+    BOND_REPORT,
+    CELL_STATE,
+    CONTACT,
+    DEFORMATION,
+    IMPACT,
+    PAIR_CACHE,
+    SHAPE_PROPERTIES,
+    STRENGTH_REPORT,
+    WORLD_REPORT,
+)
 from .shape import Shape, check_polygon, check_polyhedron, clean_polygon
 from .world import World
 

@@ -1,7 +1,7 @@
-"""Finds the shared library and loads it.
+"""Finds and loads the shared library.
 
-Looked at in this order: the file named by the environment variable HALFSPACE_LIBRARY; the library bundled in
-this package; the one installed in the same prefix; the one the system's loader finds."""
+Search order: the file of the environment variable HALFSPACE_LIBRARY; the library bundled in this package; the one
+installed in the same prefix; the one that the system's loader finds."""
 import ctypes
 import os
 import pathlib
@@ -23,7 +23,7 @@ def _candidates() -> Iterator[str]:
 
 
 def _open(path: str) -> ctypes.CDLL:
-    # What a bundled library needs lies beside it, where the loader does not look by itself.
+    # Dependencies of a bundled library are in its folder, which the loader does not search.
     if pathlib.Path(path).parent == _PACKAGE:
         for needed in sorted(_PACKAGE.glob("*.so*")):
             if needed.name != _NAME:
@@ -54,7 +54,7 @@ def _load() -> ctypes.CDLL:
         except OSError as error:
             failures.append(str(error))
         except AttributeError as error:  # a function that this package needs is not there
-            raise ImportError(f"halfspace: {path} is of another version: {error}") from error
+            raise ImportError(f"halfspace: {path} has another version: {error}") from error
     where = "HALFSPACE_LIBRARY" if chosen else "the package, its prefix and the system"
     raise ImportError(f"halfspace: no shared library in {where}:\n  " + "\n  ".join(failures))
 
@@ -63,10 +63,10 @@ library = _load()
 
 
 def version() -> str:
-    """The version of the shared library, e.g. ``"0.1.0"``."""
+    """Version of the shared library, e.g. ``"0.1.0"``."""
     return _version_of(library)
 
 
 def status_text(status: int) -> str:
-    """The fixed text of a status code, also of an unknown one."""
+    """The text of a status code; unknown codes are allowed."""
     return str(library.hs_status_string(status), "ascii")

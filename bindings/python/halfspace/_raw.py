@@ -19,17 +19,17 @@ from ctypes import (
 # Names the interface that is described here.
 SONAME = "libhalfspace.so.0.1"
 
-# 0: done. Greater than 0: done, with a note. Less than 0: an error; nothing was changed.
+# 0: success. Above 0: success with a note. Below 0: error; nothing has changed.
 hs_status = c_int32
-# Names a block: index and generation. 0 is no block; a removed block's id never names another.
+# Id of a block: index and generation. 0 is no block; ids of removed blocks are not reused.
 hs_block = c_uint64
-# Names a body in a world: index and generation. 0 is no body.
+# Id of a body in a world: index and generation. 0 is no body.
 hs_body = c_uint64
 
 # Status codes.
 HS_OK = 0  # ok
-HS_NOTE_TRUNCATED = 1  # the output did not fit: only as much as the capacity holds was written
-HS_NOTE_NOT_AT_REST = 2  # forces are still unbalanced after as many steps as were allowed
+HS_NOTE_TRUNCATED = 1  # the output is truncated to the capacity
+HS_NOTE_NOT_AT_REST = 2  # forces are still unbalanced after max_steps
 HS_ERROR_ARGUMENT = -1  # an argument is null, out of range or not finite
 HS_ERROR_GEOMETRY = -2  # the vertices do not describe a convex shape
 HS_ERROR_STALE_ID = -3  # the id does not name a living block, material or contact
@@ -37,133 +37,134 @@ HS_ERROR_OUT_OF_MEMORY = -4  # the allocator returned no memory
 HS_ERROR_STATE = -5  # the object is not in a state that allows this call
 HS_ERROR_UNSTABLE = -6  # the run became unstable: the time step is too large
 HS_ERROR_FORMAT = -7  # the bytes are not a snapshot that this library can read
-HS_ERROR_INTERNAL = -8  # a defect of the library: please report it
-HS_ERROR_TOO_FAST = -9  # two blocks meet too fast for the time step against their thickness
-HS_ERROR_INVERTED = -10  # a cell of a mesh would be turned inside out
+HS_ERROR_INTERNAL = -8  # internal error of the library; please report it
+HS_ERROR_TOO_FAST = -9  # two blocks approach too fast for the time step and their thickness
+HS_ERROR_INVERTED = -10  # a mesh cell would be inverted
 
 # Contact types (Wang et al. 2021, section 2.5).
-HS_CONTACT_NONE = 0  # separated: one violated potential pair, or a plane between, proves it
-HS_CONTACT_VERTEX_VERTEX = 1  # a vertex meets a vertex; in 2D an end of the edge
-HS_CONTACT_VERTEX_EDGE = 2  # a vertex meets an edge between its ends
+HS_CONTACT_NONE = 0  # separated: a violated potential contact pair or a separating plane proves it
+HS_CONTACT_VERTEX_VERTEX = 1  # a vertex touches a vertex; in 2D an end of the edge
+HS_CONTACT_VERTEX_EDGE = 2  # a vertex touches the interior of an edge
 HS_CONTACT_EDGE_EDGE = 3  # 2D: edges parallel within the parallel angle; 3D: edges that cross
 HS_CONTACT_EDGE_FACE = 4  # 3D: an edge and a face parallel within the parallel angle
 HS_CONTACT_FACE_FACE = 5  # 3D: two faces parallel within the parallel angle
-HS_CONTACT_VERTEX_FACE = 6  # 3D: a vertex meets a face between its edges
+HS_CONTACT_VERTEX_FACE = 6  # 3D: a vertex touches the interior of a face
 
-# Which features of the two blocks make a potential contact pair. In 2D an edge is what a face is in 3D.
+# Kinds of potential contact pairs, by the features of the two blocks. In 2D an edge takes the place of a
+# face.
 HS_PAIR_FACE_VERTEX = 0  # a face of block a (2D: an edge), a vertex of block b
 HS_PAIR_VERTEX_FACE = 1  # a vertex of block a, a face of block b (2D: an edge)
-HS_PAIR_EDGE_EDGE = 2  # 3D: an edge of each
-HS_PAIR_VERTEX_VERTEX = 3  # 3D, separated only: the vertices nearest to a plane between the blocks
+HS_PAIR_EDGE_EDGE = 2  # 3D: one edge of each block
+HS_PAIR_VERTEX_VERTEX = 3  # 3D, separated only: the vertices closest to a separating plane
 
-# Most points that are given of a contact region: 2 in 2D; in 3D, of a region with more corners, those that
-# lie farthest in as many directions spread evenly round the contact plane.
+# Max number of points of a contact region (2 in 2D). In 3D a region with more corners returns those that are
+# farthest in 8 directions, equally spaced in the contact plane.
 HS_CONTACT_POINTS = 8  # 
 
-# What a stiffness refers to.
-# N/m of a face on a face, shared over the corners of the region, each a spring on its own: in 2D a vertex
-# alone has half of it, in 3D the corner of a square a quarter
+# Kinds of contact stiffness.
+# N/m, of a face on a face, distributed over springs at the corners of the region: 1/2 for a 2D vertex, 1/4
+# for a right-angled corner in 3D
 HS_STIFFNESS_PER_CONTACT = 0
-# Pa/m: the normal force is the stiffness times the overlap area behind the contact plane
+# Pa/m: normal force = stiffness times overlap area (3D: volume) behind the contact plane
 HS_STIFFNESS_PER_AREA = 1
-# Pa: the potential force of Zheng et al. 2020, section 3. A point inside a block has its distance to the
-# nearest face as potential, times the stiffness over the world's `potential_length`; what two blocks share is
-# pushed down both. The force is the gradient of an energy, whichever way the blocks meet.
+# Pa: gradient of the energy of the overlap (Zheng et al. 2020, section 3). Potential: distance to the nearest
+# face times stiffness / potential_length
 HS_STIFFNESS_POTENTIAL = 2
-# no spring: blocks are kept apart by just the force that does, from the moment of their touch on (Li et al.
-# 2015). Stiffnesses and dampings count for nothing, and the stable time step is that of the blocks
+# no spring: a unilateral constraint keeps blocks apart (Li et al. 2015). Stiffnesses and damping are ignored;
+# blocks alone limit the time step
 HS_STIFFNESS_NONE = 3
 
-# What can be wrong with what a shape is to be made from.
+# Faults of the input of a shape.
 HS_FAULT_NONE = 0  # a valid convex polygon or polyhedron
-HS_FAULT_TOO_FEW_VERTICES = 1  # fewer than 3
-HS_FAULT_NOT_FINITE = 2  # NaN, infinite, or too large or small to compute with
-HS_FAULT_REPEATED_VERTEX = 3  # two neighbours at the same place
-HS_FAULT_COLLINEAR_VERTEX = 4  # a vertex on the line of its neighbours, to rounding
-HS_FAULT_NOT_CONVEX = 5  # a corner that turns the other way
+HS_FAULT_TOO_FEW_VERTICES = 1  # fewer than 3 vertices
+HS_FAULT_NOT_FINITE = 2  # a vertex is NaN, infinite, or out of range
+HS_FAULT_REPEATED_VERTEX = 3  # two neighbour vertices coincide
+HS_FAULT_COLLINEAR_VERTEX = 4  # a vertex is collinear with its neighbours, to rounding
+HS_FAULT_NOT_CONVEX = 5  # a reflex vertex
 HS_FAULT_SELF_CROSSING = 6  # the outline winds more than once or crosses itself
-HS_FAULT_ZERO_AREA = 7  # all vertices on one line
-HS_FAULT_FEWER_THAN_FOUR = 8  # vertices or faces
-HS_FAULT_FACE_TOO_SHORT = 9  # a face of fewer than 3 vertices
-HS_FAULT_NO_SUCH_VERTEX = 10  # a face refers to a vertex that is not there
-HS_FAULT_VERTEX_TWICE_IN_FACE = 11  # a face goes through the same vertex twice
-HS_FAULT_UNUSED_VERTEX = 12  # a vertex that belongs to no face
-HS_FAULT_UNMATCHED_EDGE = 13  # an edge not shared by two faces in opposite directions
-HS_FAULT_VERTEX_INSIDE_EDGE = 14  # a vertex of two faces only: not a corner
-HS_FAULT_NOT_ONE_SURFACE = 15  # several surfaces, or one with holes
-HS_FAULT_OUT_OF_RANGE = 16  # not finite, or beyond 1e50, or the whole smaller than 1e-50
-HS_FAULT_COINCIDING_VERTICES = 17  # two vertices at the same place
-HS_FAULT_ZERO_VOLUME = 18  # all vertices in one plane, to rounding
-HS_FAULT_FACE_WITHOUT_AREA = 19  # a face with all vertices on one line, to rounding
-HS_FAULT_FACE_NOT_PLANE = 20  # a vertex off the plane of its face by more than rounding
-HS_FAULT_VERTEX_OUTSIDE_FACE = 21  # a vertex before a face's plane: not convex
-HS_FAULT_COPLANAR_FACES = 22  # a face in one plane with a neighbour, to rounding
-HS_FAULT_HULL_FAILED = 23  # points so close to degenerate that rounding hides their hull
-HS_FAULT_NO_DIRECTION = 24  # a half-space whose normal is 0
-HS_FAULT_UNBOUNDED = 25  # half-spaces that do not bound a region
-HS_FAULT_NO_COMMON_POINT = 26  # half-spaces without a region, or with one flat to rounding
-HS_FAULT_BEYOND_TOLERANCE = 27  # a dent deeper than the tolerance
+HS_FAULT_ZERO_AREA = 7  # all vertices are collinear
+HS_FAULT_FEWER_THAN_FOUR = 8  # fewer than 4 vertices or faces
+HS_FAULT_FACE_TOO_SHORT = 9  # a face has fewer than 3 vertices
+HS_FAULT_NO_SUCH_VERTEX = 10  # a face has a vertex index out of range
+HS_FAULT_VERTEX_TWICE_IN_FACE = 11  # a face uses a vertex twice
+HS_FAULT_UNUSED_VERTEX = 12  # a vertex belongs to no face
+HS_FAULT_UNMATCHED_EDGE = 13  # an edge is not shared by two faces in opposite directions
+HS_FAULT_VERTEX_INSIDE_EDGE = 14  # a vertex belongs to two faces only
+HS_FAULT_NOT_ONE_SURFACE = 15  # not one closed surface without holes
+HS_FAULT_OUT_OF_RANGE = 16  # not finite, magnitude above 1e50, or total size below 1e-50
+HS_FAULT_COINCIDING_VERTICES = 17  # two vertices coincide
+HS_FAULT_ZERO_VOLUME = 18  # all vertices are coplanar, to rounding
+HS_FAULT_FACE_WITHOUT_AREA = 19  # all vertices of a face are collinear, to rounding
+HS_FAULT_FACE_NOT_PLANE = 20  # a vertex is off the plane of its face by more than rounding
+HS_FAULT_VERTEX_OUTSIDE_FACE = 21  # a vertex is outside the plane of a face: not convex
+HS_FAULT_COPLANAR_FACES = 22  # two neighbour faces are coplanar, to rounding
+HS_FAULT_HULL_FAILED = 23  # nearly degenerate points: rounding prevents their hull
+HS_FAULT_NO_DIRECTION = 24  # the normal of a half-space is 0
+HS_FAULT_UNBOUNDED = 25  # the intersection of the half-spaces is unbounded
+HS_FAULT_NO_COMMON_POINT = 26  # the intersection is empty, or flat to rounding
+HS_FAULT_BEYOND_TOLERANCE = 27  # a dent is deeper than the tolerance
 
-# How a block moves.
-HS_BLOCK_FIXED = 0  # never
-HS_BLOCK_PRESCRIBED = 1  # with the velocity and spin given, whatever the forces
-HS_BLOCK_RIGID = 2  # by Newton's law
-HS_BLOCK_AFFINE = 3  # by Newton's law, and straining as a whole: see affine.h
-HS_BLOCK_MESH = 4  # as the nodes of its mesh do: see mesh.h, whose hs_world_add_mesh() makes it
+# Kinds of blocks.
+HS_BLOCK_FIXED = 0  # does not move
+HS_BLOCK_PRESCRIBED = 1  # moves with the given velocity, whatever the forces
+HS_BLOCK_RIGID = 2  # moves by Newton's law
+HS_BLOCK_AFFINE = 3  # moves by Newton's law, with uniform strain: see affine.h
+HS_BLOCK_MESH = 4  # surface cell of a mesh, moved by its nodes: made by hs_world_add_mesh(), see mesh.h
 
-# What becomes of a step in which two blocks would move far against the thinner of them: more than a quarter
-# of its thickness.
-# when they meet, or are in touch, it is divided: up to their first touch, and on from there by small parts.
-# After 16384 of these it is refused, too
+# Continuous collision: treatment of a step in which two blocks in contact, or about to touch, would move by
+# more than a quarter of the thinner block's thickness.
+# divide the step: one substep to the first touch, then small ones. More than 16384 substeps are
+# HS_ERROR_TOO_FAST
 HS_FAST_DIVIDE = 0
-HS_FAST_REFUSE = 1  # when they meet, or are in touch, it is refused with HS_ERROR_TOO_FAST
+HS_FAST_REFUSE = 1  # refuse the step with HS_ERROR_TOO_FAST
 
-# What 2D is a section of.
-HS_PLANE_STRAIN = 0  # a body that cannot strain across the plane
-HS_PLANE_STRESS = 1  # a sheet without stress across the plane
+# Assumption about the third direction in 2D.
+HS_PLANE_STRAIN = 0  # no strain perpendicular to the plane
+HS_PLANE_STRESS = 1  # no stress perpendicular to the plane
 
-# The ways in which a point of a bond fails.
-HS_BOND_HOLDS = 0  # it has not
-HS_BOND_TENSION = 1  # by opening
-HS_BOND_SHEAR = 2  # by sliding
+# Failure modes of a point of a bond.
+HS_BOND_HOLDS = 0  # intact
+HS_BOND_TENSION = 1  # failed by opening
+HS_BOND_SHEAR = 2  # failed by sliding
 
-# What comes of two motions.
-HS_IMPACT_NEVER = 0  # they do not touch within the duration
-HS_IMPACT_AT_START = 1  # they touch at the start already
-HS_IMPACT_TOUCH = 2  # they are apart at the start and come to touch
+# Results of hs_pair_time_of_impact().
+HS_IMPACT_NEVER = 0  # the shapes do not touch within the duration
+HS_IMPACT_AT_START = 1  # the shapes touch at time 0
+HS_IMPACT_TOUCH = 2  # the shapes are separated at time 0 and touch later
 
-# Kinds of cells. Nodes are numbered as Gmsh and VTK do: those of triangles and quads counter-clockwise; of a
-# tetrahedron the fourth lies where the first three run counter-clockwise seen from the other side; of prisms
-# and hexahedra those at the bottom come first, counter-clockwise seen from above, then those above them in
-# the same order.
+# Kinds of cells. Nodes are numbered as in Gmsh and VTK: triangles and quads counter-clockwise; the first
+# three nodes of a tetrahedron counter-clockwise seen from the fourth; prisms and hexahedra with the bottom
+# face first, counter-clockwise seen from above, then the top face in the same order.
 HS_CELL_TRIANGLE = 0  # 3 nodes, 2D
 HS_CELL_QUAD = 1  # 4 nodes, 2D, convex
 HS_CELL_TETRAHEDRON = 2  # 4 nodes, 3D
 HS_CELL_PRISM = 3  # 6 nodes, 3D
 HS_CELL_HEXAHEDRON = 4  # 8 nodes, 3D
 
-# Axes along which nodes are held; their sum holds along several.
-HS_AXIS_X = 1  # along x
-HS_AXIS_Y = 2  # along y
-HS_AXIS_Z = 4  # along z, in 3D
+# Axes along which nodes are held. Values may be added.
+HS_AXIS_X = 1  # x
+HS_AXIS_Y = 2  # y
+HS_AXIS_Z = 4  # z, 3D only
 
-# The parts of a step besides detection and normal forces of rigid blocks. One that is not active is neither
-# stored nor computed.
-HS_PART_FRICTION = 1  # a law resists shear: each pair keeps a shear spring
-HS_PART_BONDS = 2  # a law has cohesion or tensile strength
-HS_PART_CONTACT_DAMPING = 4  # a law has dashpots
-HS_PART_AREA = 8  # a law is per area: overlaps are measured
-# a law is one of potentials: overlaps are divided; in space each pair keeps a plan of that
+# Optional parts of a step, in addition to detection and normal forces of rigid blocks. Inactive parts are
+# neither stored nor computed.
+HS_PART_FRICTION = 1  # a law has friction or cohesion: each pair stores a shear spring
+HS_PART_BONDS = 2  # there are bonds, or a law has cohesion or tensile strength
+HS_PART_CONTACT_DAMPING = 4  # a law has damping
+HS_PART_AREA = 8  # a law is per area: overlap areas (3D: volumes) are computed
+# a law is a potential: overlaps are divided into cells; in 3D each pair caches its division
 HS_PART_POTENTIAL = 16
-HS_PART_STRAIN = 32  # a block is affine or a cell of a mesh
+HS_PART_STRAIN = 32  # a block is affine or of a mesh
 HS_PART_LOCAL_DAMPING = 64  # the world has local damping
 HS_PART_MASS_DAMPING = 128  # the world has mass damping
-HS_PART_HARD_CONTACTS = 256  # a law without a spring: one solver finds the impulses of all its contacts
-HS_PART_SLEEP = 512  # blocks at rest may sleep
+# a law has no spring: a solver computes the impulses of all its contact constraints
+HS_PART_HARD_CONTACTS = 256
+HS_PART_SLEEP = 512  # sleep is enabled
 
-# The ratios by which forces are compared.
-HS_UNBALANCED_MEAN = 0  # all unbalanced forces over all forces: of cells, contacts, bonds, weight and loads
-# the largest such ratio of a single block or node; where next to nothing acts, over the mean force
+# Measures of the unbalanced ratio.
+# sum of all unbalanced forces over sum of all forces (cells, contacts, bonds, weight, loads)
+HS_UNBALANCED_MEAN = 0
+# largest ratio of a single block or node; for negligible forces relative to the mean force
 HS_UNBALANCED_LARGEST = 1
 
 
@@ -172,8 +173,8 @@ class hs_context(Structure):
 
 
 class hs_task(Structure):
-    """Opaque. Work in parts that may be done at the same time, for a host with a scheduler of its own:
-    hs_task_run() does one."""
+    """Opaque. Parallel work for the host's scheduler, in parts that are independent; hs_task_run() runs one
+    part."""
 
 
 class hs_shape(Structure):
@@ -181,114 +182,113 @@ class hs_shape(Structure):
 
 
 class hs_world(Structure):
-    """Opaque."""
+    """Opaque world."""
 
 
 class hs_mesh(Structure):
-    """Opaque; never changes."""
+    """Opaque, immutable mesh."""
 
-# Returns memory aligned to `alignment`, or NULL. NULL here means the C library's allocator.
+# Returns memory aligned to `alignment` bytes, or NULL if there is none. Default NULL: the C library's
+# allocator.
 hs_context_def_allocate = CFUNCTYPE(c_void_p, c_size_t, c_size_t, c_void_p)
-# Gives back what `allocate` returned. Set both or neither.
+# Releases memory that `allocate` returned. Set both functions or neither.
 hs_context_def_release = CFUNCTYPE(None, c_void_p, c_size_t, c_size_t, c_void_p)
-# The host's own scheduler, or NULL (default) for threads of the library. Calls hs_task_run(task, i) for i
-# from 0 to count - 1, each once, in whatever order and on whatever threads, and returns when all have ended.
-# `count` is `threads`. It is called within hs_world_ functions, on their thread, and calls nothing else of
-# the library.
+# The host's scheduler; default NULL: threads of the library. It must call hs_task_run(task, i) once for each
+# i from 0 to count - 1, in any order and on any threads, and return after all calls have returned; count
+# equals `threads`. Thread rule: called on the thread of an hs_world_ function; it must call no other function
+# of the library.
 hs_context_def_run_tasks = CFUNCTYPE(None, POINTER(hs_task), c_int32, c_void_p)
 
 
 class hs_contact(Structure):
-    """One contact, or the proof that there is none. Points are in the frame of the poses given, directions in
-    its orientation. Detection of single pairs leaves what has no meaning there as it was: ids, forces, torque
-    and twist always; `area` and all that follows it when the blocks are separated or no region was asked for;
-    points and gaps past `point_count`."""
+    """One contact, or the proof of separation. Points and directions are in the frame of the given poses.
+    Detection of single pairs does not write fields that have no meaning there: ids, forces, torque and twist;
+    `area` and all later fields if the blocks are separated or hs_pair_options.without_region is 1; points and
+    gaps beyond `point_count`."""
 
     _fields_ = [
         ("block_a", c_uint64),  # id, in a world
         ("block_b", c_uint64),  # id, in a world
         ("type", c_int32),  # an HS_CONTACT_ value
-        ("point_count", c_int32),  # points of the region, 0 when separated
-        # an HS_PAIR_ value: of the pair whose half-space is the contact plane; separated: of the violated
-        # pair
+        ("point_count", c_int32),  # number of points of the region; 0 when separated
+        # an HS_PAIR_ value, of the pair that defines the contact plane; when separated, of the violated pair
         ("pair_kind", c_int32),
-        # index of block a's vertex, edge or face in that pair. When a face separates, the vertex is -1: none
-        # is behind the face, which is all of the proof
+        # index of block a's vertex, edge or face in that pair; -1 for the vertex when a face separates the
+        # blocks, as no vertex is behind it
         ("feature_a", c_int32),
-        ("feature_b", c_int32),  # index of block b's, likewise
+        ("feature_b", c_int32),  # index of block b's feature, likewise
         ("reserved", c_int32),  # 0
-        ("normal", c_double * 3),  # unit, from a to b
-        # of the pair along the normal, or at the deepest point of the region; < 0 is overlap. When separated
-        # it is the separation that proves the verdict: a lower bound of the distance.
+        ("normal", c_double * 3),  # unit vector from a to b
+        # signed distance along the normal at the deepest point, m; < 0 is overlap. When separated, a lower
+        # bound of the distance
         ("gap", c_double),
-        # 2D: overlap length of an edge-edge region times unit thickness; 3D: of a face-face region; else 0
+        # area of an edge-edge region in 2D (length times unit thickness) or of a face-face region in 3D; else
+        # 0
         ("area", c_double),
-        # overlap length; 2D: of an edge-edge region; 3D: of an edge-face region; else 0
-        ("length", c_double),
+        ("length", c_double),  # length of an edge-edge region in 2D or of an edge-face region in 3D; else 0
         ("center", c_double * 3),  # centroid of the region, on the contact plane
-        ("center_gap", c_double),  # gap there
-        # of the region, on the contact plane; 3D: its corners, counter-clockwise about the normal
+        ("center_gap", c_double),  # gap at the center
+        # corners of the region, on the contact plane; in 3D counter-clockwise about the normal
         ("points", c_double * 3 * 8),
         ("gaps", c_double * 8),  # gap at each point
-        ("force", c_double * 3),  # on block b, normal and shear together; in a world
-        ("torque", c_double * 3),  # couple on block b besides the force, about force_point
-        ("force_point", c_double * 3),  # where the force acts
-        ("normal_force", c_double),  # compression > 0
-        ("shear_force", c_double * 3),  # in the contact plane, on block b; without friction 0 to rounding
-        ("twist", c_double),  # 3D: torque about the normal, on block b
-        ("touched_at", c_double),  # s: time of the touch, inside of a step, by a law without springs; else 0
+        ("force", c_double * 3),  # total contact force on block b, N; in a world
+        ("torque", c_double * 3),  # couple on block b in addition to the force at force_point, N m
+        ("force_point", c_double * 3),  # point of application of the force
+        ("normal_force", c_double),  # N, compression > 0
+        ("shear_force", c_double * 3),  # on block b, in the contact plane, N; without friction 0 to rounding
+        ("twist", c_double),  # 3D: torque on block b about the normal, N m
+        ("touched_at", c_double),  # time of first touch within a step, s, for laws without springs; else 0
     ]
 
 
 class hs_law_def(Structure):
-    """Normal force with Mohr-Coulomb friction, by a penalty spring or a potential. Fill it with
-    hs_law_def_init(). Springs are those of Wang et al. 2021, section 3; potentials those of Zheng et al.
-    2020, section 3.
+    """Contact law: normal force by a penalty spring (Wang et al. 2021, section 3), a potential (Zheng et al.
+    2020, section 3) or a unilateral constraint, with Mohr-Coulomb friction. Fill it with hs_law_def_init().
 
-    The potential force acts along a line of its own, which between faces that meet squarely is the contact's
-    normal. Friction acts across that line, where it passes the centroid of what the blocks share. The normal
-    and shear forces that hs_contact tells are the parts of the whole force along and across the contact's
-    normal. Potentials hold nothing together: they take neither cohesion nor tensile strength.
+    The force of a potential acts along its own line of action, which for aligned faces is the contact normal.
+    Friction acts perpendicular to that line, at the centroid of the overlap. hs_contact reports the
+    components of the total force along and perpendicular to the contact normal. Potentials have neither
+    cohesion nor tensile strength.
 
-    The damping that a law has by default is there for friction: without any, friction on springs feeds the
-    vibration of what it should hold, and a block on a slope that is not steep enough for it to slide hops
-    down. Set both dampings to 0 for bounces without loss."""
+    Friction on springs needs damping: without it friction feeds vibrations, and a block that friction could
+    hold hops down a slope. Set both damping ratios to 0 for a rebound without loss."""
 
     _fields_ = [
         ("struct_size", c_uint32),  # set by hs_law_def_init()
         ("stiffness_kind", c_int32),  # an HS_STIFFNESS_ value; default HS_STIFFNESS_PER_CONTACT
-        # > 0; N/m of a face on a face (a vertex is softer), Pa/m or Pa; default 1e9
-        ("normal_stiffness", c_double),
-        # >= 0; N/m or Pa/m, of potentials N/m; 0, the default: the same number as normal_stiffness
-        ("shear_stiffness", c_double),
+        ("normal_stiffness", c_double),  # N/m, Pa/m or Pa by stiffness_kind, > 0; default 1e9
+        ("shear_stiffness", c_double),  # N/m or Pa/m (potentials: N/m), >= 0; default 0: as normal_stiffness
         ("friction_angle", c_double),  # rad, [0, pi/2); default 0
-        # Pa, >= 0; of contacts that exist when a block's first step begins, until they fail; default 0
+        # Pa, >= 0; default 0; of contacts that exist when a block's first step begins, until they fail
         ("cohesion", c_double),
-        ("tensile_strength", c_double),  # Pa, >= 0; likewise; default 0
-        ("normal_damping", c_double),  # share of critical viscous damping, >= 0; default 0.1
-        ("shear_damping", c_double),  # share of critical viscous damping, >= 0; default 0.1
+        ("tensile_strength", c_double),  # Pa, >= 0; default 0; of the same contacts as cohesion
+        # damping ratio (fraction of critical viscous damping), >= 0; default 0.1
+        ("normal_damping", c_double),
+        ("shear_damping", c_double),  # damping ratio, >= 0; default 0.1
     ]
 
 
 class hs_context_def(Structure):
-    """How a context is made. Fill it with hs_context_def_init(), then change what you need."""
+    """Settings of a context. Fill it with hs_context_def_init()."""
 
     _fields_ = [
         ("struct_size", c_uint32),  # set by hs_context_def_init()
         ("reserved", c_uint32),  # 0
-        # Returns memory aligned to `alignment`, or NULL. NULL here means the C library's allocator.
+        # Returns memory aligned to `alignment` bytes, or NULL if there is none. Default NULL: the C library's
+        # allocator.
         ("allocate", hs_context_def_allocate),
-        ("release", hs_context_def_release),  # Gives back what `allocate` returned. Set both or neither.
-        ("user", c_void_p),  # passed to both
-        # How many threads step a world, 1 to 256; default 1. Results have the same bits for any number. The
-        # library makes and keeps one less than that, which wait for work; with `run_tasks` it makes none.
-        # Below some hundred contacts one is used.
+        # Releases memory that `allocate` returned. Set both functions or neither.
+        ("release", hs_context_def_release),
+        ("user", c_void_p),  # passed to allocate and release
+        # Number of threads that step a world, 1 to 256; default 1. Results are bit-identical for any number.
+        # The context owns threads - 1 worker threads, or none if `run_tasks` is set. Small worlds use one
+        # thread.
         ("threads", c_int32),
         ("reserved_2", c_uint32),  # 0
-        # The host's own scheduler, or NULL (default) for threads of the library. Calls hs_task_run(task, i)
-        # for i from 0 to count - 1, each once, in whatever order and on whatever threads, and returns when
-        # all have ended. `count` is `threads`. It is called within hs_world_ functions, on their thread, and
-        # calls nothing else of the library.
+        # The host's scheduler; default NULL: threads of the library. It must call hs_task_run(task, i) once
+        # for each i from 0 to count - 1, in any order and on any threads, and return after all calls have
+        # returned; count equals `threads`. Thread rule: called on the thread of an hs_world_ function; it
+        # must call no other function of the library.
         ("run_tasks", hs_context_def_run_tasks),
         ("scheduler", c_void_p),  # passed to run_tasks
     ]
@@ -308,12 +308,12 @@ class hs_view(Structure):
 
 
 class hs_mutable_view(Structure):
-    """Points to write; the layout is that of hs_view, count is the capacity."""
+    """Points to write, with the layout of hs_view."""
 
     _fields_ = [
         ("x", POINTER(c_double)),  # first x component; not NULL unless count is 0
         ("y", POINTER(c_double)),  # first y component; not NULL unless count is 0
-        ("z", POINTER(c_double)),  # first z component; may be NULL in 2D only, else is set to 0 there
+        ("z", POINTER(c_double)),  # first z component; may be NULL in 2D only; in 2D 0 is written
         # bytes from one point to the next, a multiple of sizeof(double); may be negative
         ("stride", c_int64),
         ("count", c_int64),  # capacity in points, >= 0
@@ -321,183 +321,184 @@ class hs_mutable_view(Structure):
 
 
 class hs_pose(Structure):
-    """Where a shape is: its centroid, and its rotation about the centroid."""
+    """Pose of a shape: position of its centroid and rotation about the centroid."""
 
     _fields_ = [
-        ("position", c_double * 3),  # of the centroid; finite, at most 1e75
-        # unit quaternion x, y, z, w; its length may be off 1 by 1e-6 and is normalised
-        ("rotation", c_double * 4),
+        ("position", c_double * 3),  # of the centroid, m; finite, max 1e75
+        ("rotation", c_double * 4),  # unit quaternion x, y, z, w; a length within 1e-6 of 1 is normalised
     ]
 
 
 class hs_fault(Structure):
-    """The first fault found."""
+    """First fault of an input."""
 
     _fields_ = [
         ("kind", c_int32),  # an HS_FAULT_ value
         ("reserved", c_int32),  # 0
-        ("vertex", c_int64),  # index of the offending vertex in the caller's list, -1 if it is the whole
-        ("face", c_int64),  # index of the offending face in the caller's list, -1 if there is none
+        ("vertex", c_int64),  # index of the faulty vertex in the caller's list; -1: the whole
+        ("face", c_int64),  # index of the faulty face in the caller's list; -1: none
     ]
 
 
 class hs_shape_properties(Structure):
-    """Geometry and mass per unit density. Later versions may append to it."""
+    """Geometry and mass properties per unit density. Later versions may append to it."""
 
     _fields_ = [
         ("dimension", c_int32),  # 2 or 3
         ("reserved", c_int32),  # 0
         ("vertex_count", c_int64),  # >= 3; in 3D >= 4
         ("edge_count", c_int64),  # >= 3; in 3D >= 6
-        ("face_count", c_int64),  # half-spaces: edges in 2D, faces in 3D
-        ("volume", c_double),  # area times unit thickness in 2D
-        ("centroid", c_double * 3),  # in the coordinates the shape was made from
-        # about the centroid: xx, yy, zz, xy, yz, zx of the integral of r r^T; 2D: xx, yy, 0, xy, 0, 0. The
-        # moment of inertia about z is the density times (xx + yy), and so on
+        ("face_count", c_int64),  # half-spaces: faces, in 2D edges
+        ("volume", c_double),  # m3; in 2D area times unit thickness
+        ("centroid", c_double * 3),  # in the coordinates that the shape was made from, m
+        # integral of r r^T about the centroid: xx, yy, zz, xy, yz, zx; 2D: xx, yy, 0, xy, 0, 0. Moment of
+        # inertia about z: density times (xx + yy)
         ("second_moment", c_double * 6),
-        ("bounding_radius", c_double),  # farthest vertex from the centroid
-        ("shortest_edge", c_double),  # length
+        ("bounding_radius", c_double),  # max distance of a vertex from the centroid, m
+        ("shortest_edge", c_double),  # length of the shortest edge, m
     ]
 
 
 class hs_clean_report(Structure):
-    """What hs_polygon_clean() changed."""
+    """Changes by hs_polygon_clean()."""
 
     _fields_ = [
-        ("welded", c_int64),  # vertices dropped because they lay within the tolerance of the one before
-        ("straightened", c_int64),  # vertices dropped because they lay within it of their neighbours' line
-        ("reversed", c_int32),  # 1 if the order was turned counter-clockwise
+        ("welded", c_int64),  # vertices removed: within the tolerance of the previous vertex
+        ("straightened", c_int64),  # vertices removed: within the tolerance of their neighbours' line
+        ("reversed", c_int32),  # 1: the order was reversed to counter-clockwise
         ("reserved", c_int32),  # 0
     ]
 
 
 class hs_fit_report(Structure):
-    """The changes that hs_polyhedron_create_fitted() made or, when it refuses a dent, its place."""
+    """Changes by hs_polyhedron_create_fitted(), or the dent that it refuses."""
 
     _fields_ = [
-        ("fault", hs_fault),  # HS_FAULT_NONE, or what the text says; of a dent the lowest vertex
-        ("merged", c_int64),  # facets given beyond the faces made
-        # largest distance of a vertex from the fitted plane of its face; of a dent its depth below the convex
-        # hull
+        ("fault", hs_fault),  # HS_FAULT_NONE, or the fault; for a dent its deepest vertex
+        ("merged", c_int64),  # number of facets minus number of faces
+        # max distance of a vertex from the fitted plane of its face, m; for a dent its depth below the convex
+        # hull, m
         ("deviation", c_double),
-        ("moved", c_double),  # largest distance of a corner from where it was given
-        ("sufficient_tolerance", c_double),  # of a dent: a tolerance that takes it, tried; 0 if there is none
+        ("moved", c_double),  # max displacement of a corner, m
+        ("sufficient_tolerance", c_double),  # for a dent: a tolerance that suffices (tested), m; 0: none
     ]
 
 
 class hs_world_def(Structure):
-    """How a world is made. Fill it with hs_world_def_init()."""
+    """Settings of a world. Fill it with hs_world_def_init()."""
 
     _fields_ = [
         ("struct_size", c_uint32),  # set by hs_world_def_init()
         ("dimension", c_int32),  # 2 or 3, as given to hs_world_def_init()
-        ("gravity", c_double * 3),  # acceleration; default 0, -9.81, 0 in 2D and 0, 0, -9.81 in 3D
-        # > 0, or 0 (default): safety times the stable time step, found when the first step begins and again
-        # after each change of the world from outside
+        ("gravity", c_double * 3),  # m/s2; default (0, -9.81, 0) in 2D, (0, 0, -9.81) in 3D
+        # s, > 0, or 0 (default): safety times the stable time step, computed at the first step and after each
+        # change of the world by the host
         ("time_step", c_double),
-        ("safety", c_double),  # (0, 1]; default 0.5
-        # [0, 1): force opposing each velocity component, share of the force; default 0
+        ("safety", c_double),  # factor of the stable time step, (0, 1]; default 0.5
+        # ratio of the damping force to the unbalanced force, per component, [0, 1); default 0
         ("local_damping", c_double),
         ("mass_damping", c_double),  # 1/s, >= 0: force -mass_damping * mass * velocity; default 0
-        ("skin", c_double),  # reach of the neighbour list, share of a block's size; (0, 1]; default 0.1
-        ("parallel_angle", c_double),  # see hs_pair_options
-        ("vertex_zone", c_double),  # see hs_pair_options
-        # H of HS_STIFFNESS_POTENTIAL, m, > 0: one for all blocks; or 0 (default): the mean length of all
-        # blocks' edges when forces are first used
+        # skin of the neighbour list, as a fraction of a block's size, (0, 1]; default 0.1
+        ("skin", c_double),
+        ("parallel_angle", c_double),  # rad, [0, 0.5]; default 0.01; see hs_pair_options
+        ("vertex_zone", c_double),  # [0, 0.5]; default 1e-6; see hs_pair_options
+        # length H of HS_STIFFNESS_POTENTIAL, m, > 0; or 0 (default): mean length of all edges at the first
+        # evaluation of forces
         ("potential_length", c_double),
         ("fast_blocks", c_int32),  # an HS_FAST_ value; default HS_FAST_DIVIDE
         ("reserved", c_int32),  # 0
-        # m, >= 0: the largest displacement error of a block by sleep over a run; blocks at rest are then left
-        # out of steps. 0 (default): no block sleeps. Worlds with HS_STIFFNESS_NONE or meshes do not sleep
+        # max displacement error of a block by sleep over a run, m, >= 0; default 0: no block sleeps. Worlds
+        # with HS_STIFFNESS_NONE or meshes do not sleep
         ("sleep_tolerance", c_double),
     ]
 
 
 class hs_block_def(Structure):
-    """How a block is made. Fill it with hs_block_def_init()."""
+    """Settings of a block. Fill it with hs_block_def_init()."""
 
     _fields_ = [
         ("struct_size", c_uint32),  # set by hs_block_def_init()
         ("kind", c_int32),  # an HS_BLOCK_ value; default HS_BLOCK_RIGID
-        ("material", c_int32),  # from hs_world_add_material()
+        ("material", c_int32),  # index from hs_world_add_material(); default 0
         ("reserved", c_int32),  # 0
-        ("pose", hs_pose),  # default: where the shape's vertices were given
-        ("velocity", c_double * 3),  # of the centroid; default 0
+        ("pose", hs_pose),  # default: the coordinates of the shape's vertices
+        ("velocity", c_double * 3),  # of the centroid, m/s; default 0
         ("angular_velocity", c_double * 3),  # rad/s; 2D uses z; default 0
     ]
 
 
 class hs_block_state(Structure):
-    """A block's motion."""
+    """Motion of a block."""
 
     _fields_ = [
         ("kind", c_int32),  # an HS_BLOCK_ value
         ("material", c_int32),  # index
         ("pose", hs_pose),  # of the centroid
-        ("angle", c_double),  # 2D: that of the pose, rad, counting whole turns, so that it is unbounded
-        ("velocity", c_double * 3),  # of the centroid
-        ("angular_velocity", c_double * 3),  # 2D: z
-        ("force", c_double * 3),  # contact force of the last force evaluation
-        ("torque", c_double * 3),  # contact torque about the centroid, likewise
-        ("mass", c_double),  # 2D: per unit thickness
+        ("angle", c_double),  # 2D: rotation, rad, including full turns
+        ("velocity", c_double * 3),  # of the centroid, m/s
+        ("angular_velocity", c_double * 3),  # rad/s; 2D: z
+        ("force", c_double * 3),  # contact force of the last force evaluation, N
+        ("torque", c_double * 3),  # contact torque about the centroid of the last force evaluation, N m
+        ("mass", c_double),  # kg, in 2D per unit thickness
     ]
 
 
 class hs_energy(Structure):
-    """Where the energy is and where it went, since the world was made (J, in 2D per unit thickness). Adding
-    or removing blocks and setting a motion are booked as outer work."""
+    """Energy ledger since the world was made, J, in 2D per unit thickness. Changes by the host (added or
+    removed blocks, set motions) count as external work. See docs/concepts/energy.md."""
 
     _fields_ = [
-        ("kinetic", c_double),  # now
-        ("gravity", c_double),  # potential, zero at the origin, now
-        ("strain", c_double),  # in the contact springs, now
-        ("friction_loss", c_double),  # by sliding and by breaking bonds, so far
-        ("contact_damping_loss", c_double),  # by viscous contact damping, so far
-        ("local_damping_loss", c_double),  # by local damping, so far
-        ("mass_damping_loss", c_double),  # by mass-proportional damping, so far
-        ("outer_work", c_double),  # by prescribed blocks, applied forces, surface loads and edits, so far
-        ("residual", c_double),  # all but outer_work, minus outer_work: the energy error of the time stepping
+        ("kinetic", c_double),  # current kinetic energy
+        ("gravity", c_double),  # current potential energy of gravity, 0 at the origin
+        ("strain", c_double),  # current energy of contact springs and bonds
+        ("friction_loss", c_double),  # dissipated by sliding and by failure of cohesive contacts
+        ("contact_damping_loss", c_double),  # dissipated by viscous contact damping
+        ("local_damping_loss", c_double),  # dissipated by local damping
+        ("mass_damping_loss", c_double),  # dissipated by mass damping
+        # work of prescribed blocks, applied forces, surface loads and changes by the host
+        ("outer_work", c_double),
+        ("residual", c_double),  # numerical energy error: current energy plus losses minus outer_work
     ]
 
 
 class hs_world_report(Structure):
-    """The state of a world in numbers. Later versions may append to it."""
+    """State of a world. Later versions may append to it."""
 
     _fields_ = [
         ("dimension", c_int32),  # 2 or 3
         ("reserved", c_int32),  # 0
-        ("steps", c_int64),  # done so far
-        ("time", c_double),  # passed so far
-        ("time_step", c_double),  # in use
-        # safe bound from stiffness, viscosity and mass; 0 without blocks that move freely
+        ("steps", c_int64),  # completed steps
+        ("time", c_double),  # s
+        ("time_step", c_double),  # current time step, s
+        # bound by stiffness, viscosity and mass, s; 0 without blocks that move freely
         ("stable_time_step", c_double),
         ("block_count", c_int64),  # living blocks
         ("candidate_count", c_int64),  # pairs in the neighbour list
-        ("contact_count", c_int64),  # contacts: pairs by laws with springs, points by laws without
-        ("list_builds", c_int64),  # how often the neighbour list was built
-        ("largest_overlap", c_double),  # of the last detection
-        ("largest_speed", c_double),  # of all blocks that move freely, now
-        ("energy", hs_energy),  # the ledger
-        ("potential_length", c_double),  # in use; 0 without a law of potentials
-        ("block_strain_energy", c_double),  # of affine blocks and meshes, now; counts in the residual
-        ("block_damping_loss", c_double),  # in affine blocks and meshes, so far; counts in the residual
-        ("divided_steps", c_int64),  # steps so far that fast blocks have divided
-        # largest penetration at which springs stop two blocks, over the thinner block's thickness, so far.
-        # Above 0.25 increase the normal stiffness; from 0.5 on blocks may pass through each other. See
-        # docs/concepts/impact.md
+        ("contact_count", c_int64),  # contacts: pairs for laws with springs, points for laws without
+        ("list_builds", c_int64),  # number of builds of the neighbour list
+        ("largest_overlap", c_double),  # max overlap of the last detection, m
+        ("largest_speed", c_double),  # current max speed of blocks that move freely, m/s
+        ("energy", hs_energy),  # energy ledger
+        ("potential_length", c_double),  # current length H, m; 0 without a law of potentials
+        # current strain energy of affine blocks and meshes, J; included in the residual
+        ("block_strain_energy", c_double),
+        # dissipated by damping in affine blocks and meshes, J; included in the residual
+        ("block_damping_loss", c_double),
+        ("divided_steps", c_int64),  # steps divided by continuous collision
+        # max penetration that springs allow, over the thinner block's thickness; above 0.25 increase
+        # normal_stiffness, see docs/concepts/impact.md
         ("max_penetration_ratio", c_double),
-        # largest overlap so far, at every detection; by potentials in space, whose steps find no overlaps,
-        # now
+        # max overlap of all detections so far, m; with potentials in 3D the current max overlap
         ("peak_overlap", c_double),
-        # largest speed so far of all blocks that move freely, at the end of every step and part of one
+        # max speed so far of blocks that move freely, over all steps and substeps, m/s
         ("peak_speed", c_double),
-        ("sleeping_count", c_int64),  # blocks that sleep now
-        ("max_sleep_error", c_double),  # m: largest displacement error of a block by sleep, so far
-        # touches so far by laws without springs; a corner that slides from face to face touches anew
+        ("sleeping_count", c_int64),  # sleeping blocks
+        ("max_sleep_error", c_double),  # max displacement error of a block by sleep so far, m
+        # touches so far of laws without springs; a corner that slides to another face touches again
         ("touch_count", c_int64),
-        # iterations so far of the solver of laws without springs: sweeps over all of their contacts
+        # iterations so far of the constraint solver of laws without springs (sweeps over all contacts)
         ("iteration_count", c_int64),
-        # J, in 2D per unit thickness: lost so far by their touches; counts in the residual
+        # dissipated by impacts of laws without springs, J, in 2D per unit thickness; included in the residual
         ("impact_loss", c_double),
     ]
 
@@ -510,348 +511,345 @@ class hs_elasticity_def(Structure):
         ("plane", c_int32),  # 2D: HS_PLANE_STRAIN (default) or HS_PLANE_STRESS; 3D: HS_PLANE_STRAIN
         ("young_modulus", c_double),  # Pa, > 0; default 1e9
         ("poisson_ratio", c_double),  # (-1, 0.5); default 0.25
-        # s, >= 0: viscous stress is the elastic one of the strain rate times this (Rayleigh's beta); default
-        # 0
+        # s, >= 0; default 0. Stiffness-proportional (Rayleigh) damping: the viscous stress is the elastic
+        # stress of the strain rate times this
         ("damping_time", c_double),
     ]
 
 
 class hs_deformation(Structure):
-    """How a block is turned and strained."""
+    """Deformation and stress of a block."""
 
     _fields_ = [
-        # from places in the shape's frame to places about the centroid; of other than affine blocks a
-        # rotation
+        # deformation gradient, from the shape's frame to space; a rotation unless the block is affine or of a
+        # mesh
         ("gradient", c_double * 9),
-        ("rate", c_double * 9),  # of the gradient, 1/s
-        # Green's, from the shape as it was given, in the shape's frame; of other than affine blocks 0
+        ("rate", c_double * 9),  # time derivative of the gradient, 1/s
+        # Green strain relative to the shape as it was given, in the shape's frame; 0 unless affine or of a
+        # mesh
         ("strain", c_double * 9),
-        # Cauchy's, elastic, in space, Pa, tension > 0; of other than affine blocks 0
+        # elastic Cauchy stress, in space, Pa, tension > 0; 0 unless affine or of a mesh
         ("stress", c_double * 9),
         ("strain_energy", c_double),  # J, in 2D per unit thickness; 0 without stress
     ]
 
 
 class hs_bond_def(Structure):
-    """The properties of a bond. Fill it with hs_bond_def_init()."""
+    """Properties of a bond. Fill it with hs_bond_def_init()."""
 
     _fields_ = [
         ("struct_size", c_uint32),  # set by hs_bond_def_init()
         ("reserved", c_int32),  # 0
         ("normal_stiffness", c_double),  # Pa/m, > 0; default 1e11
-        ("shear_stiffness", c_double),  # Pa/m, > 0, or 0 (default): as the normal one
+        ("shear_stiffness", c_double),  # Pa/m, > 0, or 0 (default): equal to normal_stiffness
         ("tensile_strength", c_double),  # Pa, >= 0; default 0
         ("cohesion", c_double),  # Pa, >= 0; default 0
-        ("friction_angle", c_double),  # [0, pi/2), of what holds; default 0
-        # Pa, from 0 to the cohesion, of what has failed and is pressed together; default 0
-        ("residual_cohesion", c_double),
-        # [0, pi/2), likewise; or below 0 (default): the friction angle
+        ("friction_angle", c_double),  # rad, [0, pi/2), of intact points; default 0
+        ("residual_cohesion", c_double),  # Pa, from 0 to cohesion; default 0; of failed points
+        # rad, [0, pi/2), of failed points; default below 0: friction_angle
         ("residual_friction_angle", c_double),
-        # J/m2, >= 0: tension fades linearly with opening and takes so much from its peak on; default 0: at
-        # once
+        # J/m2, >= 0, dissipated as tension decreases linearly with opening after the peak; default 0: sudden
+        # failure
         ("tensile_fracture_energy", c_double),
-        # J/m2, >= 0: likewise what shear strength loses with slip; default 0: at once
+        # J/m2, >= 0, dissipated as shear strength decreases linearly with slip after the peak; default 0:
+        # sudden failure
         ("shear_fracture_energy", c_double),
     ]
 
 
 class hs_bond(Structure):
-    """A bond now."""
+    """Current state of a bond."""
 
     _fields_ = [
-        ("block_a", hs_block),  # 0 when one of both has been removed
-        ("block_b", hs_block),  # likewise
-        ("is_joint", c_int32),  # 1; or 0 when it has come apart and contact has taken over
+        ("block_a", hs_block),  # 0 if either block has been removed
+        ("block_b", hs_block),  # 0 if either block has been removed
+        ("is_joint", c_int32),  # 1: the bond connects its blocks; 0: it has failed, the contact law applies
         ("point_count", c_int32),  # integration points
-        ("broken_count", c_int32),  # of them that have failed
+        ("broken_count", c_int32),  # failed integration points
         ("reserved", c_int32),  # 0
-        ("area", c_double),  # of the common face, in 2D its length
-        ("damage", c_double),  # mean over the area: 0 whole, 1 failed
-        ("normal_force", c_double),  # > 0 in tension
-        ("shear_force", c_double * 3),  # on block_b
+        ("area", c_double),  # of the common face, m2; in 2D its length, m
+        ("damage", c_double),  # mean over the area, [0, 1]: 0 intact, 1 failed
+        ("normal_force", c_double),  # N, > 0 in tension
+        ("shear_force", c_double * 3),  # on block_b, N
     ]
 
 
 class hs_bond_event(Structure):
-    """A point of a bond that has failed."""
+    """Failure of a point of a bond."""
 
     _fields_ = [
-        ("bond", c_int64),  # its place in the list of bonds, counted from 0
-        ("step", c_int64),  # steps done before
+        ("bond", c_int64),  # index of the bond, in the order of hs_world_get_bonds()
+        ("step", c_int64),  # number of steps completed before the failure
         ("failure", c_int32),  # HS_BOND_TENSION or HS_BOND_SHEAR
-        ("point", c_int32),  # of the bond, counted from 0
+        ("point", c_int32),  # index of the point in its bond
         ("time", c_double),  # s
         ("position", c_double * 3),  # m
-        ("normal", c_double * 3),  # of the face, from block_a to block_b
-        ("area", c_double),  # of the point's share of the face, in 2D a length
-        ("normal_traction", c_double),  # Pa, > 0 in tension, at the end of the step before
-        ("shear_traction", c_double),  # Pa, likewise
-        ("energy", c_double),  # J, lost in this step
+        ("normal", c_double * 3),  # unit normal of the face, from block_a to block_b
+        ("area", c_double),  # tributary area of the point, m2; in 2D a length, m
+        ("normal_traction", c_double),  # Pa, > 0 in tension, at the end of the step before the failure
+        ("shear_traction", c_double),  # Pa, at the end of the step before the failure
+        ("energy", c_double),  # J, dissipated by the failure in this step
     ]
 
 
 class hs_bond_report(Structure):
-    """The bonds of a world in numbers. Later versions may append to it."""
+    """Summary of all bonds of a world. Later versions may append to it."""
 
     _fields_ = [
-        ("bond_count", c_int64),  # made so far
-        ("joint_count", c_int64),  # that have not come apart
-        ("event_count", c_int64),  # points that have failed so far
-        ("crack_area", c_double),  # of these points, in 2D their length
-        ("strain_energy", c_double),  # in the springs of bonds now; part of hs_energystrain
-        ("fracture_loss", c_double),  # so far; counts in the residual
+        ("bond_count", c_int64),  # bonds made so far
+        ("joint_count", c_int64),  # bonds that still connect their blocks
+        ("event_count", c_int64),  # failed points so far
+        ("crack_area", c_double),  # total area of the failed points, m2; in 2D a length, m
+        ("strain_energy", c_double),  # J, current, of the springs of bonds; part of hs_energy.strain
+        ("fracture_loss", c_double),  # J, dissipated so far; included in the residual
     ]
 
 
 class hs_motion_def(Structure):
-    """How a shape moves: its centroid straight and its turn even. Fill it with hs_motion_def_init(): then it
-    rests at the origin. At time t the point that is at X in the shape's frame is at position + t velocity +
-    R(t angular_velocity) Q (gradient + t gradient_rate) X, with position and Q those of `start`, and R(v) the
-    turn about v by its length."""
+    """Motion of a shape with constant linear and angular velocity and constant rate of deformation. Fill it
+    with hs_motion_def_init(): at rest at the origin. At time t the material point X (in the shape's frame) is
+    at position + t velocity + R(t angular_velocity) Q (gradient + t gradient_rate) X, with position and
+    rotation Q of `start`, and R(v) the rotation about v by the angle |v|."""
 
     _fields_ = [
         ("struct_size", c_uint32),  # set by hs_motion_def_init()
         ("reserved", c_uint32),  # 0
-        ("start", hs_pose),  # where it is at first
+        ("start", hs_pose),  # pose at time 0
         ("velocity", c_double * 3),  # of the centroid, m/s
-        # rad/s; in 2D about z; it may turn by up to 1e6 rad in the duration
-        ("angular_velocity", c_double * 3),
-        # how it is strained at first, before `start` turns it: row by row, as of affine blocks (affine.h);
-        # default the identity
+        ("angular_velocity", c_double * 3),  # rad/s; in 2D about z; times the duration at most 1e6 rad
+        # deformation gradient at time 0, before the rotation of `start`, row by row (see affine.h); default
+        # identity
         ("gradient", c_double * 9),
-        ("gradient_rate", c_double * 9),  # of the gradient, 1/s; default 0
+        ("gradient_rate", c_double * 9),  # rate of the deformation gradient, 1/s; default 0
     ]
 
 
 class hs_impact(Structure):
-    """When, where and how two moving shapes first touch."""
+    """First touch of two moving shapes."""
 
     _fields_ = [
-        ("state", c_int32),  # an HS_IMPACT_ value; of HS_IMPACT_NEVER all that follows is 0 but the time
-        # of the potential pair of largest gap then: an HS_PAIR_ value, not HS_PAIR_VERTEX_VERTEX
+        ("state", c_int32),  # an HS_IMPACT_ value; for HS_IMPACT_NEVER all later fields except time are 0
+        # potential contact pair of largest gap at that time: an HS_PAIR_ value, not HS_PAIR_VERTEX_VERTEX
         ("pair_kind", c_int32),
         ("feature_a", c_int32),  # index of a's vertex, edge or face in that pair
-        ("feature_b", c_int32),  # index of b's, likewise
-        # s from the start; never later than the first touch; the duration for HS_IMPACT_NEVER
-        ("time", c_double),
-        ("gap", c_double),  # of the pair then: small to rounding; <= 0 when touching at the start
-        ("normal", c_double * 3),  # unit, from a to b then
-        ("point", c_double * 3),  # where they touch: the middle of the contact region
+        ("feature_b", c_int32),  # index of b's feature, likewise
+        ("time", c_double),  # s; never later than the first touch; the duration for HS_IMPACT_NEVER
+        # gap of the pair at that time, m, > 0 and close to rounding; <= 0 for HS_IMPACT_AT_START
+        ("gap", c_double),
+        ("normal", c_double * 3),  # unit vector from a to b at that time
+        ("point", c_double * 3),  # centroid of the contact region
     ]
 
 
 class hs_mesh_properties(Structure):
-    """A mesh in numbers. Later versions may append to it."""
+    """Summary of a mesh. Later versions may append to it."""
 
     _fields_ = [
         ("dimension", c_int32),  # 2 or 3
         ("reserved", c_int32),  # 0
         ("node_count", c_int64),  # nodes
         ("cell_count", c_int64),  # cells
-        ("surface_face_count", c_int64),  # faces, in 2D edges, that only one cell has
-        ("volume", c_double),  # of all cells, in 2D their area
+        ("surface_face_count", c_int64),  # faces (2D: edges) that belong to one cell only
+        ("volume", c_double),  # of all cells, m3; in 2D area, m2
     ]
 
 
 class hs_body_def(Structure):
-    """The way in which a mesh is put into a world. Fill it with hs_body_def_init()."""
+    """Settings of a body. Fill it with hs_body_def_init()."""
 
     _fields_ = [
         ("struct_size", c_uint32),  # set by hs_body_def_init()
-        # from hs_world_add_material(), made elastic by hs_world_set_elasticity(); default 0
+        # index of a material with elasticity, see hs_world_set_elasticity(); default 0
         ("material", c_int32),
-        ("pose", hs_pose),  # of the frame that the nodes were given in; default: where they were given
-        ("velocity", c_double * 3),  # of all nodes; default 0
+        ("pose", hs_pose),  # pose of the frame of the mesh; default: identity
+        ("velocity", c_double * 3),  # of all nodes, m/s; default 0
     ]
 
 
 class hs_body_state(Structure):
-    """The motion of a body. Later versions may append to it."""
+    """Motion and energy of a body. Later versions may append to it."""
 
     _fields_ = [
         ("node_count", c_int64),  # nodes
-        ("cell_count", c_int64),  # cells, with those that have been removed
-        ("mass", c_double),  # in 2D per unit thickness
-        ("centroid", c_double * 3),  # of the nodes' masses
-        ("momentum", c_double * 3),  # of all nodes
-        ("kinetic_energy", c_double),  # of all nodes
-        ("strain_energy", c_double),  # of all cells
+        ("cell_count", c_int64),  # cells, including removed ones
+        ("mass", c_double),  # kg, in 2D per unit thickness
+        ("centroid", c_double * 3),  # center of mass, m
+        ("momentum", c_double * 3),  # of all nodes, kg m/s
+        ("kinetic_energy", c_double),  # of all nodes, J
+        ("strain_energy", c_double),  # of all cells, J
     ]
 
 
 class hs_cell_state(Structure):
-    """Strain and stress of a cell, on average over it."""
+    """Mean strain and stress of a cell."""
 
     _fields_ = [
-        ("strain", c_double * 9),  # Green's, from the cell as it was put into the world
-        ("stress", c_double * 9),  # Cauchy's, elastic, in space, Pa, tension > 0
-        ("strain_energy", c_double),  # J, in 2D per unit thickness; with that of bending
+        ("strain", c_double * 9),  # Green strain relative to the cell as it was added to the world
+        ("stress", c_double * 9),  # elastic Cauchy stress, in space, Pa, tension > 0
+        ("strain_energy", c_double),  # J, in 2D per unit thickness; including the bending modes
     ]
 
 
 class hs_pair_cache(Structure):
-    """What a pair remembers between calls: the last violated potential pair while separated, the initial
-    contact pair while in contact. All zero is an empty cache. Copy it freely, also to another process.
-    Initial contact pairs are those of Wang et al. 2021, section 2.5.
+    """Cached state of a pair between calls: the last violated potential contact pair if separated, the
+    initial contact pair (Wang et al. 2021, section 2.5) if in contact. All zero is an empty cache. It may be
+    copied, also to another process.
 
-    While separated it also holds a proof: along `normal` the two centroids were farther apart than the shapes
-    reach together. A call whose blocks have moved and turned by less than the gap, or by less than what of it
-    is beyond hs_pair_options.margin, since answers from the proof alone, without a look at the shapes; its
-    contact has the proof's pair and normal, and as gap what is left of the gap after the most that the motion
-    can have taken. The proof is of the two shapes that it was found for; with others it is not used."""
+    A separated pair also caches a separation proof: the distance of the centroids along `normal` exceeded
+    `reach`, and the gap was their difference. As long as the motion since then is bounded by the gap minus
+    hs_pair_options.margin, detection returns from the proof alone, without reading the shapes: with the
+    cached pair and normal, and as gap a lower bound, the old gap minus the bound of the motion. The proof is
+    ignored for other shapes."""
 
     _fields_ = [
         ("state", c_int32),  # 0 unknown, 1 separated, 2 in contact
-        ("pair_kind", c_int32),  # of the remembered pair: an HS_PAIR_ value
-        # index of a's vertex, edge or face in it; a vertex of a separated pair is only where to look for the
-        # deepest one first
+        ("pair_kind", c_int32),  # an HS_PAIR_ value, of the cached pair
+        # index of a's vertex, edge or face in it; for a separated pair a vertex is only the start of the
+        # search
         ("feature_a", c_int32),
-        ("feature_b", c_int32),  # index of b's, likewise
-        ("shapes", c_uint64),  # the proof: fingerprint of its shapes, 0 if there is none
-        ("reach", c_double),  # of both shapes together, along the normal, as they were turned then
-        ("normal", c_double * 3),  # unit, from a to b
-        ("rotation_a", c_double * 4),  # how a was turned then: quaternion x, y, z, w
-        ("rotation_b", c_double * 4),  # how b was turned then
+        ("feature_b", c_int32),  # index of b's feature, likewise
+        ("shapes", c_uint64),  # fingerprint of the proof's shapes; 0: no proof
+        ("reach", c_double),  # of the proof: sum of the support distances of both shapes along the normal, m
+        ("normal", c_double * 3),  # of the proof: unit vector from a to b
+        ("rotation_a", c_double * 4),  # of the proof: rotation of a, quaternion x, y, z, w
+        ("rotation_b", c_double * 4),  # of the proof: rotation of b
     ]
 
 
 class hs_pair_options(Structure):
-    """Settings of detection. Fill it with hs_pair_options_init()."""
+    """Options of detection. Fill it with hs_pair_options_init()."""
 
     _fields_ = [
         ("struct_size", c_uint32),  # set by hs_pair_options_init()
         ("reserved", c_uint32),  # 0
-        # edges (3D: faces, or an edge and a face) closer to parallel than this share a region; rad, [0, 0.5];
-        # default 0.01. A region that exists is followed to larger angles, so that the energy does not jump
+        # max angle of edges (3D: faces, or an edge and a face) that are parallel, rad, [0, 0.5]; default
+        # 0.01. An existing region is kept up to larger angles
         ("parallel_angle", c_double),
-        # how near the end of an edge (3D: the border of a face) a vertex meets what is there: share of the
-        # shorter of the two edges that face each other; [0, 0.5]; default 1e-6
+        # distance from the end of an edge (3D: the boundary of a face) at which a vertex touches that end,
+        # over the shorter edge; [0, 0.5]; default 1e-6
         ("vertex_zone", c_double),
-        # polygons are separated only when a gap exceeds it, and in contact otherwise; for hosts whose blocks
-        # wear a skin. The gaps of a contact may be above 0 then, of one at a corner above the margin. m, [0,
-        # 1e75], polyhedra 0; default 0
+        # polygons are in contact up to this gap (skin); gaps of a contact may be above 0, at a corner above
+        # the margin. m, [0, 1e75], polyhedra 0; default 0
         ("margin", c_double),
-        # 1: a contact between polygons is the pair of largest gap and no more, for hosts that make their own
-        # points: its type is HS_CONTACT_VERTEX_EDGE, it has no points, `area` and what follows stay as they
-        # were, and the cache remembers nothing of it; polyhedra 0; default 0
+        # 1: report only the pair of largest gap of polygons in contact, as HS_CONTACT_VERTEX_EDGE without
+        # region, uncached; polyhedra 0; default 0
         ("without_region", c_int32),
         ("reserved_2", c_int32),  # 0
     ]
 
 
 class hs_world_plan(Structure):
-    """The account of a world. Later versions may append to it."""
+    """Plan of a world. Later versions may append to it."""
 
     _fields_ = [
         ("dimension", c_int32),  # 2 or 3
-        ("parts", c_int32),  # HS_PART_ bits: what is active
-        ("fixed_count", c_int64),  # blocks that never move
-        ("prescribed_count", c_int64),  # blocks with a prescribed motion
-        ("rigid_count", c_int64),  # blocks that move by Newton's law
-        ("affine_count", c_int64),  # blocks that strain
+        ("parts", c_int32),  # sum of the HS_PART_ values that are active
+        ("fixed_count", c_int64),  # fixed blocks
+        ("prescribed_count", c_int64),  # prescribed blocks
+        ("rigid_count", c_int64),  # rigid blocks
+        ("affine_count", c_int64),  # affine blocks
         ("candidate_count", c_int64),  # pairs in the neighbour list
         ("contact_count", c_int64),  # pairs in contact by laws with springs
-        ("block_bytes", c_int64),  # state of all blocks with their shapes, as a snapshot holds it
-        ("pair_bytes", c_int64),  # state of all pairs: neighbour list, shear springs, plans; likewise
-        ("stable_time_step", c_double),  # as in the report; 0 without blocks that move freely
-        ("limiting_block", hs_block),  # sets it: the stiffest for its mass; 0 without blocks that move freely
-        # at its stiffest contact or bond; 0 while it has none: then contacts that it may get limit the step
+        ("block_bytes", c_int64),  # snapshot size of all blocks with their shapes, bytes
+        # snapshot size of all pairs: neighbour list, shear springs, cached divisions; bytes
+        ("pair_bytes", c_int64),
+        ("stable_time_step", c_double),  # s, as in hs_world_report; 0 without blocks that move freely
+        # block of the largest stiffness per mass, which limits the step; 0: none moves freely
+        ("limiting_block", hs_block),
+        # its neighbour at its stiffest contact or bond; 0: none, possible future contacts limit the step
         ("limiting_neighbor", hs_block),
-        ("measured_steps", c_int64),  # done to measure the times below
-        ("search_seconds", c_double),  # of a step: building neighbour lists
-        ("pair_seconds", c_double),  # of a step: detecting pairs and loading contacts
-        ("gather_seconds", c_double),  # of a step: adding up the forces on blocks
-        # of a step: moving, turning and straining blocks, nodes and elements of meshes
-        ("motion_seconds", c_double),
-        ("ledger_seconds", c_double),  # of a step: the energy ledger
+        ("measured_steps", c_int64),  # number of steps measured for the times below
+        ("search_seconds", c_double),  # s per step: neighbour search
+        ("pair_seconds", c_double),  # s per step: detection and contact forces
+        ("gather_seconds", c_double),  # s per step: sums of forces on blocks
+        ("motion_seconds", c_double),  # s per step: time integration of blocks, nodes and elements
+        ("ledger_seconds", c_double),  # s per step: energy ledger
         ("body_count", c_int64),  # bodies of finite elements
-        ("cell_count", c_int64),  # of all of them
-        ("node_count", c_int64),  # likewise
-        ("bond_count", c_int64),  # bonds made, those that have come apart among them
-        ("mesh_bytes", c_int64),  # of the bytes of blocks: bodies with their nodes and cells
-        ("bond_bytes", c_int64),  # likewise: bonds with their points and events
-        # index of the bond to the limiting neighbour, in the order of hs_world_get_bonds(); -1: it is a
-        # contact
+        ("cell_count", c_int64),  # cells of all bodies
+        ("node_count", c_int64),  # nodes of all bodies
+        ("bond_count", c_int64),  # bonds made so far, including failed ones
+        ("mesh_bytes", c_int64),  # part of block_bytes: bodies with their nodes and cells
+        ("bond_bytes", c_int64),  # part of block_bytes: bonds with their points and events
+        # index of the bond to the limiting neighbour, in the order of hs_world_get_bonds(); -1: contact
         ("limiting_bond", c_int64),
-        # that the limiting block is of, where its elements have the greater part in the limit; 0: contacts
-        # and bonds have
+        # body of the limiting block, if its elements limit the step; 0: contacts or bonds do
         ("limiting_body", hs_body),
-        ("limiting_cell", c_int64),  # of that body: the stiffest for its mass
-        ("bond_seconds", c_double),  # of a step: loading blocks by bonds
-        ("hard_contact_seconds", c_double),  # of a step: the solver of contacts without springs
+        ("limiting_cell", c_int64),  # cell of limiting_body with the largest stiffness per mass
+        ("bond_seconds", c_double),  # s per step: forces of bonds
+        ("hard_contact_seconds", c_double),  # s per step: solver of contacts without springs
     ]
 
 
 class hs_relaxation_def(Structure):
-    """The way in which a world is brought to rest. Fill it with hs_relaxation_def_init()."""
+    """Settings of a dynamic relaxation. Fill it with hs_relaxation_def_init()."""
 
     _fields_ = [
         ("struct_size", c_uint32),  # set by hs_relaxation_def_init()
         ("measure", c_int32),  # an HS_UNBALANCED_ value; default HS_UNBALANCED_MEAN
-        ("ratio", c_double),  # at which it is at rest, > 0; default 1e-5
-        ("max_steps", c_int64),  # >= 1; default 1000000
-        # [0, 1) meanwhile; default 0.1, beside adaptive damping; by itself 0.8 does best
-        ("local_damping", c_double),
-        # 1 (default): critical mass damping of the slowest motion, estimated while stepping (Underwood 1983);
-        # or 0: the world's mass damping
+        ("ratio", c_double),  # unbalanced ratio of equilibrium, > 0; default 1e-5
+        ("max_steps", c_int64),  # max number of steps, >= 1; default 1000000
+        ("local_damping", c_double),  # [0, 1); default 0.1, for adaptive damping; use 0.8 without it
+        # 1 (default): critical mass damping of the slowest mode, estimated while stepping (Underwood 1983);
+        # 0: the world's mass damping
         ("is_adaptive", c_int32),
-        ("hold_bonds", c_int32),  # 1 (default): bonds do not fail while the world relaxes; or 0
+        ("hold_bonds", c_int32),  # 1 (default): bonds cannot fail during the relaxation; 0: they can
     ]
 
 
 class hs_balance(Structure):
-    """The balance of a world. Later versions may append to it."""
+    """Balance of forces of a world. Later versions may append to it."""
 
     _fields_ = [
-        ("mean", c_double),  # see HS_UNBALANCED_MEAN; 0 where no force acts
+        ("mean", c_double),  # see HS_UNBALANCED_MEAN; 0 without forces
         ("largest", c_double),  # see HS_UNBALANCED_LARGEST
         ("largest_force", c_double),  # largest unbalanced force, N
-        ("steps", c_int64),  # taken by hs_world_relax(); else 0
-        # the block that it acts on; of a node, a cell at the surface. 0: none
+        ("steps", c_int64),  # steps done by hs_world_relax(); else 0
+        # block that largest_force acts on; for a node, one of its surface blocks; 0: none
         ("largest_force_block", hs_block),
     ]
 
 
 class hs_strength_def(Structure):
-    """The search for the factor of safety. Fill it with hs_strength_def_init()."""
+    """Settings of the search for the factor of safety. Fill it with hs_strength_def_init()."""
 
     _fields_ = [
         ("struct_size", c_uint32),  # set by hs_strength_def_init()
         ("reserved", c_int32),  # 0
-        ("low", c_double),  # >= 1e-75: a factor at which the world should stand; default 0.5
-        ("high", c_double),  # above low: one at which it should fall; default 5
-        ("resolution", c_double),  # > 0: the bracket that is narrow enough; default 0.005
-        # > 0: unbalanced forces at which a world stands, see hs_relaxation_def; default 1e-5
-        ("ratio", c_double),
-        # > 0: displacement of a block, over its size, that counts as failure; default 0.1
+        # >= 1e-75: lower bound of the bracket, at which the world should be stable; default 0.5
+        ("low", c_double),
+        ("high", c_double),  # > low: upper bound, at which it should fail; default 5
+        ("resolution", c_double),  # > 0: width of the final bracket; default 0.005
+        ("ratio", c_double),  # > 0: unbalanced ratio of a stable world, see hs_relaxation_def; default 1e-5
+        # > 0: displacement of a block, divided by its size, that is failure; default 0.1
         ("max_displacement", c_double),
-        ("max_steps", c_int64),  # >= 1: a world that is not at rest by then has failed; default 100000
+        # >= 1: a world not in equilibrium after these steps has failed; default 100000
+        ("max_steps", c_int64),
     ]
 
 
 class hs_strength_report(Structure):
-    """The result of that search. Later versions may append to it."""
+    """Result of the search. Later versions may append to it."""
 
     _fields_ = [
-        ("factor", c_double),  # the middle of the bracket
-        ("low", c_double),  # the world stands at it, if stands_at_low
-        ("high", c_double),  # the world falls at it, if falls_at_high
-        ("stands_at_low", c_int32),  # 1; or 0: it falls even at def.low, and nothing else was tried
-        ("falls_at_high", c_int32),  # 1; or 0: it stands even at def.high
-        ("trials", c_int32),  # worlds tried
+        ("factor", c_double),  # factor of safety: midpoint of the final bracket
+        ("low", c_double),  # lower bound of the bracket: stable, if stands_at_low
+        ("high", c_double),  # upper bound of the bracket: failed, if falls_at_high
+        ("stands_at_low", c_int32),  # 1; 0: the world fails at def.low, and the search has ended there
+        ("falls_at_high", c_int32),  # 1; 0: the world is stable at def.high
+        ("trials", c_int32),  # number of relaxations
         ("reserved", c_int32),  # 0
     ]
 
 
 def declare(library):
     """Says which types the functions of a loaded library take and return."""
-    # The fixed text of a status code.
+    # Returns the text of a status code.
     library.hs_status_string.argtypes = [
         hs_status,  # status
     ]
     library.hs_status_string.restype = c_char_p
 
-    # The version of the library at run time, e.g. "0.1.0".
+    # Returns the version of the library at run time, e.g. "0.1.0".
     library.hs_version.argtypes = []
     library.hs_version.restype = c_char_p
 
@@ -862,7 +860,7 @@ def declare(library):
     ]
     library.hs_law_def_init.restype = hs_status
 
-    # Fills a definition with its defaults.
+    # Fills a context definition with its defaults.
     library.hs_context_def_init.argtypes = [
         POINTER(hs_context_def),  # def
         c_size_t,  # size
@@ -876,26 +874,26 @@ def declare(library):
     ]
     library.hs_context_create.restype = hs_status
 
-    # Does one part of what hs_context_defrun_tasks was given.
+    # Runs one part of a task.
     library.hs_task_run.argtypes = [
         POINTER(hs_task),  # task
         c_int32,  # index
     ]
     library.hs_task_run.restype = None
 
-    # Ends a context. Its shapes and worlds must have been destroyed before.
+    # Destroys a context. All objects made from it must have been destroyed before.
     library.hs_context_destroy.argtypes = [
         POINTER(hs_context),  # context
     ]
     library.hs_context_destroy.restype = None
 
-    # What went wrong last: function, argument, value.
+    # Returns the text of the last error: function, argument and value.
     library.hs_context_last_error.argtypes = [
         POINTER(hs_context),  # context
     ]
     library.hs_context_last_error.restype = c_char_p
 
-    # Says what is wrong with a polygon's vertices without making a shape.
+    # Validates the vertices of a polygon without making a shape.
     library.hs_polygon_check.argtypes = [
         POINTER(hs_context),  # context
         hs_view,  # vertices
@@ -903,8 +901,8 @@ def declare(library):
     ]
     library.hs_polygon_check.restype = hs_status
 
-    # Makes a convex polygon. Nothing is welded or repaired: faulty input is refused with its reason. Small
-    # edges and small angles are legal, and there is no limit to the number of vertices.
+    # Creates a convex polygon. Faulty vertices are refused, not repaired. Short edges, small angles and any
+    # number of vertices are allowed.
     library.hs_polygon_create.argtypes = [
         POINTER(hs_context),  # context
         hs_view,  # vertices
@@ -912,7 +910,7 @@ def declare(library):
     ]
     library.hs_polygon_create.restype = hs_status
 
-    # Makes the convex hull of points as a polygon.
+    # Creates the convex hull of points as a polygon.
     library.hs_polygon_create_hull.argtypes = [
         POINTER(hs_context),  # context
         hs_view,  # points
@@ -920,15 +918,14 @@ def declare(library):
     ]
     library.hs_polygon_create_hull.restype = hs_status
 
-    # Makes a boundary segment: the virtual polygon of which it is an edge, for a block that is fixed or
-    # prescribed (Zheng et al. 2020, section 3.3). A line is a segment that reaches beyond the scene. The
-    # inside is at the left on the way from first to second, as along every edge of a counter-clockwise
-    # polygon: a floor under blocks runs towards -x, the walls of a container run clockwise. Segments may form
-    # a chain, each a block of its own: say what comes before and after, so that the flanks of the polygon go
-    # under the neighbours, 60 degrees steep to these. Then nothing stands out and no gap is left, and where
-    # two segments are in line their potentials add up to those of one. Springs per contact slow down what
-    # crosses a joint, by up to 2 k d^2 of its energy at a depth d: make what is straight one segment. Give
-    # hs_world_def.potential_length: these edges count in the mean that it is by default.
+    # Creates a boundary segment for a fixed or prescribed block: a virtual polygon with the segment as one
+    # edge (Zheng et al. 2020, section 3.3). Its inside is on the left of the direction from first to second:
+    # a floor runs towards -x, the walls of a container run clockwise. Segments of a chain are separate
+    # blocks; with `before` and `after` the flanks of the polygon lie under the neighbours, at 60 degrees,
+    # without gaps or protrusions. Potentials of collinear segments add up to that of one; springs per contact
+    # take up to 2 k d^2 of the energy of a block that crosses a joint at depth d, so make a straight line one
+    # segment. Set hs_world_def.potential_length, as its default includes these edges. See
+    # docs/concepts/boundaries.md.
     library.hs_polygon_create_boundary.argtypes = [
         POINTER(hs_context),  # context
         c_void_p,  # before
@@ -940,8 +937,8 @@ def declare(library):
     ]
     library.hs_polygon_create_boundary.restype = hs_status
 
-    # Cleans up a vertex list on request: drops repeated vertices and vertices on the line of their
-    # neighbours, and turns the order counter-clockwise. It reports what it changed and never moves a vertex.
+    # Cleans the vertices of a polygon: removes repeated and collinear vertices, and reverses a clockwise
+    # order. It moves no vertex.
     library.hs_polygon_clean.argtypes = [
         POINTER(hs_context),  # context
         hs_view,  # vertices
@@ -952,7 +949,7 @@ def declare(library):
     ]
     library.hs_polygon_clean.restype = hs_status
 
-    # Says what is wrong with a polyhedron's vertices and faces without making a shape.
+    # Validates the vertices and faces of a polyhedron without making a shape.
     library.hs_polyhedron_check.argtypes = [
         POINTER(hs_context),  # context
         hs_view,  # vertices
@@ -963,9 +960,9 @@ def declare(library):
     ]
     library.hs_polyhedron_check.restype = hs_status
 
-    # Makes a convex polyhedron. Nothing is welded, merged or repaired: faulty input is refused with its
-    # reason. Faces may have any number of vertices, all in one plane to rounding; two neighbours in one plane
-    # are refused, as they are one face. Small edges and small angles are legal.
+    # Creates a convex polyhedron. Faulty input is refused, not repaired. Faces may have any number of
+    # vertices, coplanar to rounding; coplanar neighbour faces are refused. Short edges and small angles are
+    # allowed.
     library.hs_polyhedron_create.argtypes = [
         POINTER(hs_context),  # context
         hs_view,  # vertices
@@ -976,8 +973,8 @@ def declare(library):
     ]
     library.hs_polyhedron_create.restype = hs_status
 
-    # Makes the convex hull of points as a polyhedron, with whole faces: what is in one plane to rounding is
-    # one face. While it works, it takes memory from malloc as well, for qhull.
+    # Creates the convex hull of points as a polyhedron. Facets that are coplanar to rounding are merged into
+    # one face. Qhull uses malloc temporarily.
     library.hs_polyhedron_create_hull.argtypes = [
         POINTER(hs_context),  # context
         hs_view,  # points
@@ -985,12 +982,12 @@ def declare(library):
     ]
     library.hs_polyhedron_create_hull.restype = hs_status
 
-    # Makes a polyhedron of facets that are plane and convex within a tolerance, such as a file states them by
-    # a few digits. Facets whose vertices lie within the tolerance of a common plane are one face, its plane
-    # is fitted by least squares, and the shape is what the fitted half-spaces have in common. Each vertex
-    # given lies within the tolerance of the planes of its facets, and in front of none by more. A corner may
-    # move farther than that where planes meet at a small angle: see the report. Shapes that are plane and
-    # convex to rounding keep their vertices. Memory as for the hull.
+    # Creates a polyhedron from facets that are plane and convex within a tolerance, e.g. from a file with
+    # rounded coordinates. Facets whose vertices are within the tolerance of a common plane form one face,
+    # with a plane fitted by least squares; the shape is the intersection of the fitted half-spaces. Vertices
+    # are within the tolerance of the planes of their facets and at most that far outside all others. Corners
+    # between planes at a small angle may move farther (see the report). Shapes that are plane and convex to
+    # rounding keep their vertices. Memory as for hs_polyhedron_create_hull().
     library.hs_polyhedron_create_fitted.argtypes = [
         POINTER(hs_context),  # context
         hs_view,  # vertices
@@ -1003,8 +1000,8 @@ def declare(library):
     ]
     library.hs_polyhedron_create_fitted.restype = hs_status
 
-    # Makes the polyhedron that half-spaces have in common. A half-space that cuts nothing off but rounding
-    # makes no face, so that the shape's face_count may be below their number. Memory as for the hull.
+    # Creates the intersection of half-spaces as a polyhedron. A half-space that is redundant to rounding
+    # makes no face, so face_count may be less than their number. Memory as for hs_polyhedron_create_hull().
     library.hs_polyhedron_create_from_halfspaces.argtypes = [
         POINTER(hs_context),  # context
         hs_view,  # normals
@@ -1013,10 +1010,9 @@ def declare(library):
     ]
     library.hs_polyhedron_create_from_halfspaces.restype = hs_status
 
-    # Cuts a shape by a plane (a line in 2D) into two. Coordinates are those the shape was made from, and so
-    # are those of the parts. In 3D the new face is the last of either part. A part that the plane touches
-    # only to rounding is none, and one so thin that rounding leaves no valid shape of it; the other part is
-    # then a copy of the whole. One of both there always is.
+    # Cuts a shape by a plane (2D: a line) into two shapes. Coordinates are those that the shape was made
+    # from. In 3D the cut face is the last face of each part. If a part is empty or degenerate to rounding, it
+    # is NULL and the other part is a copy of the shape; at most one part is NULL.
     library.hs_shape_cut.argtypes = [
         POINTER(hs_shape),  # shape
         c_void_p,  # point
@@ -1026,7 +1022,7 @@ def declare(library):
     ]
     library.hs_shape_cut.restype = hs_status
 
-    # Geometry and mass properties.
+    # Returns geometry and mass properties of a shape.
     library.hs_shape_get_properties.argtypes = [
         POINTER(hs_shape),  # shape
         POINTER(hs_shape_properties),  # properties
@@ -1034,7 +1030,7 @@ def declare(library):
     ]
     library.hs_shape_get_properties.restype = hs_status
 
-    # The vertices in the coordinates the shape was made from; in 2D counter-clockwise.
+    # Returns the vertices, in the coordinates that the shape was made from; in 2D counter-clockwise.
     library.hs_shape_get_vertices.argtypes = [
         POINTER(hs_shape),  # shape
         hs_mutable_view,  # vertices
@@ -1042,9 +1038,8 @@ def declare(library):
     ]
     library.hs_shape_get_vertices.restype = hs_status
 
-    # The faces as lists of vertices, counter-clockwise seen from outside; in 2D each edge with its two ends.
-    # Face f has the vertices face_vertices[first_of_face[f]] to face_vertices[first_of_face[f + 1]], the
-    # latter excluded.
+    # Returns the faces as lists of vertex indices, counter-clockwise seen from outside; in 2D the two ends of
+    # each edge. Face f has the vertices face_vertices[i] for first_of_face[f] <= i < first_of_face[f + 1].
     library.hs_shape_get_faces.argtypes = [
         POINTER(hs_shape),  # shape
         c_void_p,  # first_of_face
@@ -1056,7 +1051,7 @@ def declare(library):
     ]
     library.hs_shape_get_faces.restype = hs_status
 
-    # The edges by which HS_PAIR_EDGE_EDGE names them: the vertices at their two ends.
+    # Returns the edges as pairs of vertex indices. HS_PAIR_EDGE_EDGE uses their indices.
     library.hs_shape_get_edges.argtypes = [
         POINTER(hs_shape),  # shape
         c_void_p,  # edge_vertices
@@ -1065,9 +1060,8 @@ def declare(library):
     ]
     library.hs_shape_get_edges.restype = hs_status
 
-    # The half-spaces: p is inside when dot(normal, p) <= offset, with outer unit normals. Half-space i
-    # belongs to face i, that of a polygon to the edge from vertex i to vertex i + 1. The frame is the shape's
-    # own: the centroid is at the origin.
+    # Returns the half-spaces: p is inside if dot(normal, p) <= offset. Half-space i belongs to face i; in 2D
+    # to the edge from vertex i to i + 1. The origin of the frame is the centroid.
     library.hs_shape_get_halfspaces.argtypes = [
         POINTER(hs_shape),  # shape
         hs_mutable_view,  # normals
@@ -1076,7 +1070,7 @@ def declare(library):
     ]
     library.hs_shape_get_halfspaces.restype = hs_status
 
-    # Ends a shape. Blocks made from it keep their own copy.
+    # Destroys a shape. Blocks made from it have their own copies.
     library.hs_shape_destroy.argtypes = [
         POINTER(hs_shape),  # shape
     ]
@@ -1090,7 +1084,7 @@ def declare(library):
     ]
     library.hs_world_def_init.restype = hs_status
 
-    # Makes an empty world.
+    # Creates an empty world.
     library.hs_world_create.argtypes = [
         POINTER(hs_context),  # context
         POINTER(hs_world_def),  # def
@@ -1098,7 +1092,7 @@ def declare(library):
     ]
     library.hs_world_create.restype = hs_status
 
-    # Ends a world with all it holds.
+    # Destroys a world with all its blocks and bodies.
     library.hs_world_destroy.argtypes = [
         POINTER(hs_world),  # world
     ]
@@ -1112,14 +1106,14 @@ def declare(library):
     ]
     library.hs_world_add_material.restype = hs_status
 
-    # Sets the law of all pairs of materials that have none of their own.
+    # Sets the law of all pairs of materials without a law of their own.
     library.hs_world_set_default_law.argtypes = [
         POINTER(hs_world),  # world
         POINTER(hs_law_def),  # law
     ]
     library.hs_world_set_default_law.restype = hs_status
 
-    # Sets the law between two materials (either order).
+    # Sets the law of two materials, in either order.
     library.hs_world_set_law.argtypes = [
         POINTER(hs_world),  # world
         c_int32,  # material_a
@@ -1136,8 +1130,8 @@ def declare(library):
     ]
     library.hs_block_def_init.restype = hs_status
 
-    # Adds a block. The world copies the shape. No component of its position may exceed 2^32 of its bounding
-    # radius: farther off, rounding would move it by too large a part of its size.
+    # Adds a block. The world copies the shape. Components of its position are at most 2^32 times its bounding
+    # radius, which limits the rounding error relative to its size.
     library.hs_world_add_block.argtypes = [
         POINTER(hs_world),  # world
         POINTER(hs_shape),  # shape
@@ -1146,14 +1140,14 @@ def declare(library):
     ]
     library.hs_world_add_block.restype = hs_status
 
-    # Removes a block; its id becomes stale. The cost grows with the size of the world.
+    # Removes a block; its id becomes stale. The cost is proportional to the size of the world.
     library.hs_world_remove_block.argtypes = [
         POINTER(hs_world),  # world
         hs_block,  # block
     ]
     library.hs_world_remove_block.restype = hs_status
 
-    # The ids of all blocks in the order of the block arrays below.
+    # Bulk: ids of all blocks. All arrays of blocks below have this order.
     library.hs_world_get_blocks.argtypes = [
         POINTER(hs_world),  # world
         c_void_p,  # blocks
@@ -1162,7 +1156,7 @@ def declare(library):
     ]
     library.hs_world_get_blocks.restype = hs_status
 
-    # One block's motion.
+    # Returns the motion of a block.
     library.hs_world_get_block_state.argtypes = [
         POINTER(hs_world),  # world
         hs_block,  # block
@@ -1170,7 +1164,7 @@ def declare(library):
     ]
     library.hs_world_get_block_state.restype = hs_status
 
-    # One block's vertices where they are now, counter-clockwise.
+    # Returns the current positions of a block's vertices, in 2D counter-clockwise.
     library.hs_world_get_block_vertices.argtypes = [
         POINTER(hs_world),  # world
         hs_block,  # block
@@ -1179,7 +1173,7 @@ def declare(library):
     ]
     library.hs_world_get_block_vertices.restype = hs_status
 
-    # Puts a block elsewhere.
+    # Sets the pose of a block.
     library.hs_world_set_pose.argtypes = [
         POINTER(hs_world),  # world
         hs_block,  # block
@@ -1187,8 +1181,7 @@ def declare(library):
     ]
     library.hs_world_set_pose.restype = hs_status
 
-    # Sets a block's velocity and angular velocity (3 values each); a fixed block takes none, an affine one
-    # strains on as before.
+    # Sets the velocity and angular velocity of a block. The strain rate of an affine block does not change.
     library.hs_world_set_velocity.argtypes = [
         POINTER(hs_world),  # world
         hs_block,  # block
@@ -1197,8 +1190,7 @@ def declare(library):
     ]
     library.hs_world_set_velocity.restype = hs_status
 
-    # Sets the force and torque (3 values each) that act on a rigid or affine block from outside until set
-    # again.
+    # Sets the external force and torque on a rigid or affine block, until set again.
     library.hs_world_set_applied_force.argtypes = [
         POINTER(hs_world),  # world
         hs_block,  # block
@@ -1232,7 +1224,8 @@ def declare(library):
     ]
     library.hs_world_get_velocities.restype = hs_status
 
-    # Bulk: sets velocities and angular velocities of all blocks; entries of fixed blocks are ignored.
+    # Bulk: sets velocities and angular velocities of all blocks, in the order of hs_world_get_blocks().
+    # Entries of fixed and mesh blocks are ignored.
     library.hs_world_set_velocities.argtypes = [
         POINTER(hs_world),  # world
         hs_view,  # velocities
@@ -1240,14 +1233,14 @@ def declare(library):
     ]
     library.hs_world_set_velocities.restype = hs_status
 
-    # Stage: neighbour search and detection at the present poses.
+    # Stage: neighbour search and detection at the current poses.
     library.hs_world_detect.argtypes = [
         POINTER(hs_world),  # world
         POINTER(c_int64),  # touching
     ]
     library.hs_world_detect.restype = hs_status
 
-    # Stage: contact forces at the present poses and velocities, after hs_world_detect().
+    # Stage: contact forces at the current poses and velocities, after hs_world_detect().
     library.hs_world_forces.argtypes = [
         POINTER(hs_world),  # world
         c_double,  # elapsed
@@ -1256,16 +1249,18 @@ def declare(library):
     ]
     library.hs_world_forces.restype = hs_status
 
-    # Steps the world.
+    # Steps the world. After an error it keeps the last valid state, and can be read or saved. Within a
+    # divided step (docs/concepts/impact.md) this is the last valid substep, and the next call completes the
+    # step.
     library.hs_world_step.argtypes = [
         POINTER(hs_world),  # world
         c_int64,  # steps
     ]
     library.hs_world_step.restype = hs_status
 
-    # Time, time step, counts, energies. After a change of the world it detects and evaluates forces first, as
-    # a step would; that leaves no trace in the run. Without a time step the energies are those of before the
-    # change.
+    # Returns time, time step, counts and energies. After a change of the world it detects contacts and
+    # evaluates forces first, without any effect on the run. Without a time step the energies are those before
+    # the change.
     library.hs_world_get_report.argtypes = [
         POINTER(hs_world),  # world
         POINTER(hs_world_report),  # report
@@ -1273,11 +1268,11 @@ def declare(library):
     ]
     library.hs_world_get_report.restype = hs_status
 
-    # The contacts of the last detection, block a before b; none after a change of poses, blocks or laws.
-    # Contacts by laws with springs come first, one per pair, sorted by block index; their forces are 0 until
-    # they are evaluated. Contacts by laws without springs follow, one per point, as of the end of the last
-    # step: a vertex at a face, or two edges. In the step of a touch their force is the impulse that is left
-    # at the end of the step, over half the step (Li et al. 2015, sections 3 and 4).
+    # Bulk: contacts of the last detection, with block a before b; none after a change of poses, blocks or
+    # laws. Contacts of laws with springs are first, one per pair, sorted by block index; their forces are 0
+    # until evaluated. Contacts of laws without springs follow, one per point (vertex-face or edge-edge), at
+    # the end of the last step; in the step of a touch their force is the remaining impulse divided by half
+    # the step (Li et al. 2015, sections 3 and 4).
     library.hs_world_get_contacts.argtypes = [
         POINTER(hs_world),  # world
         c_void_p,  # contacts
@@ -1295,7 +1290,7 @@ def declare(library):
     ]
     library.hs_world_set_shear_force.restype = hs_status
 
-    # Saves the whole state of motion and contact. A restored world goes on bit for bit.
+    # Saves a snapshot of the complete state. A restored world continues bit for bit.
     library.hs_world_save.argtypes = [
         POINTER(hs_world),  # world
         c_void_p,  # bytes
@@ -1304,7 +1299,7 @@ def declare(library):
     ]
     library.hs_world_save.restype = hs_status
 
-    # Makes a world from saved bytes, with its blocks, ids, materials and laws.
+    # Creates a world from a snapshot, with the same ids, materials and laws.
     library.hs_world_restore.argtypes = [
         POINTER(hs_context),  # context
         c_void_p,  # bytes
@@ -1320,8 +1315,7 @@ def declare(library):
     ]
     library.hs_elasticity_def_init.restype = hs_status
 
-    # Makes a material elastic, for affine blocks and meshes; others do not read it. What has the material
-    # keeps its strain.
+    # Sets the elasticity of a material. Affine blocks and meshes use it. Existing blocks keep their strain.
     library.hs_world_set_elasticity.argtypes = [
         POINTER(hs_world),  # world
         c_int32,  # material
@@ -1329,7 +1323,7 @@ def declare(library):
     ]
     library.hs_world_set_elasticity.restype = hs_status
 
-    # How a block of any kind is turned and strained.
+    # Returns deformation and stress of a block of any kind.
     library.hs_world_get_deformation.argtypes = [
         POINTER(hs_world),  # world
         hs_block,  # block
@@ -1337,7 +1331,7 @@ def declare(library):
     ]
     library.hs_world_get_deformation.restype = hs_status
 
-    # Bulk: how all blocks are turned and strained, in the order of hs_world_get_blocks().
+    # Bulk: deformation and stress of all blocks, in the order of hs_world_get_blocks().
     library.hs_world_get_deformations.argtypes = [
         POINTER(hs_world),  # world
         c_void_p,  # deformations
@@ -1346,7 +1340,7 @@ def declare(library):
     ]
     library.hs_world_get_deformations.restype = hs_status
 
-    # Turns and strains an affine block, and sets how fast it goes on. Its centroid and velocity stay.
+    # Sets the deformation gradient of an affine block and its rate. Centroid and velocity do not change.
     library.hs_world_set_deformation.argtypes = [
         POINTER(hs_world),  # world
         hs_block,  # block
@@ -1355,8 +1349,7 @@ def declare(library):
     ]
     library.hs_world_set_deformation.restype = hs_status
 
-    # Says how an affine block is stressed as it is now, e.g. in situ. What the block is strained by from now
-    # on adds to that.
+    # Sets the current stress of an affine block, e.g. the in situ stress. Later strain adds to it.
     library.hs_world_set_stress.argtypes = [
         POINTER(hs_world),  # world
         hs_block,  # block
@@ -1364,8 +1357,8 @@ def declare(library):
     ]
     library.hs_world_set_stress.restype = hs_status
 
-    # Adds a load that acts on one face of an affine block from now on. It keeps its direction as the block
-    # moves, and its size as the face is strained.
+    # Adds a permanent load on one face of an affine block. Its direction does not change as the block moves,
+    # nor its magnitude as the face is strained.
     library.hs_world_add_surface_load.argtypes = [
         POINTER(hs_world),  # world
         hs_block,  # block
@@ -1374,22 +1367,22 @@ def declare(library):
     ]
     library.hs_world_add_surface_load.restype = hs_status
 
-    # Takes all surface loads off an affine block.
+    # Removes all surface loads of an affine block.
     library.hs_world_clear_surface_loads.argtypes = [
         POINTER(hs_world),  # world
         hs_block,  # block
     ]
     library.hs_world_clear_surface_loads.restype = hs_status
 
-    # Fills a bond's definition with its defaults.
+    # Fills a bond definition with its defaults.
     library.hs_bond_def_init.argtypes = [
         POINTER(hs_bond_def),  # def
         c_size_t,  # size
     ]
     library.hs_bond_def_init.restype = hs_status
 
-    # Bonds two blocks along their common face, as they are now: all pairs of faces that lie in one plane but
-    # for rounding.
+    # Bonds two blocks along their common faces in their current positions: every pair of faces that is
+    # coplanar to rounding.
     library.hs_world_bond_blocks.argtypes = [
         POINTER(hs_world),  # world
         hs_block,  # block_a
@@ -1398,8 +1391,7 @@ def declare(library):
     ]
     library.hs_world_bond_blocks.restype = hs_status
 
-    # Bonds all pairs of blocks of two materials along their common faces; what holds together already stays
-    # as it is.
+    # Bonds all pairs of blocks of two materials along their common faces. Existing bonds do not change.
     library.hs_world_bond_materials.argtypes = [
         POINTER(hs_world),  # world
         c_int32,  # material_a
@@ -1409,14 +1401,14 @@ def declare(library):
     ]
     library.hs_world_bond_materials.restype = hs_status
 
-    # Holds all bonds, which then never fail, while a world comes to rest; or lets them fail again.
+    # Suspends or resumes the failure of all bonds, e.g. while a world settles.
     library.hs_world_hold_bonds.argtypes = [
         POINTER(hs_world),  # world
         c_int32,  # are_held
     ]
     library.hs_world_hold_bonds.restype = hs_status
 
-    # Bulk: all bonds made so far, in their order.
+    # Bulk: all bonds made so far, in their order of creation.
     library.hs_world_get_bonds.argtypes = [
         POINTER(hs_world),  # world
         c_void_p,  # bonds
@@ -1425,7 +1417,7 @@ def declare(library):
     ]
     library.hs_world_get_bonds.restype = hs_status
 
-    # Bulk: what has failed so far, in order of time.
+    # Bulk: all failures of bond points so far, in order of time.
     library.hs_world_get_bond_events.argtypes = [
         POINTER(hs_world),  # world
         c_int64,  # first
@@ -1435,7 +1427,7 @@ def declare(library):
     ]
     library.hs_world_get_bond_events.restype = hs_status
 
-    # The bonds in numbers, as of the last step.
+    # Returns a summary of all bonds, as of the last step.
     library.hs_world_get_bond_report.argtypes = [
         POINTER(hs_world),  # world
         POINTER(hs_bond_report),  # report
@@ -1443,21 +1435,20 @@ def declare(library):
     ]
     library.hs_world_get_bond_report.restype = hs_status
 
-    # Fills a motion with its defaults: at the origin, not turned, at rest.
+    # Fills a motion with its defaults: at rest at the origin, without rotation.
     library.hs_motion_def_init.argtypes = [
         POINTER(hs_motion_def),  # def
         c_size_t,  # size
     ]
     library.hs_motion_def_init.restype = hs_status
 
-    # When do two moving shapes first touch?
+    # Computes the time of impact of two moving shapes by conservative advancement (Mirtich 1996).
     #
-    # The shapes are apart at every time before the one told: no touch is passed over, however fast or thin
-    # the shapes are or however often they turn. Told early it may be by as much as rounding takes: the gap is
-    # then within some 1e-12 of the shapes' size, their distance and their way together, times 1 and the angle
-    # that they turn by. Should shapes come that near and part again, a touch may be told. Only where shapes
-    # graze each other through hundreds of turns the search may end sooner, with a larger `gap`: earlier, too,
-    # and never later.
+    # The shapes are separated at all times before the reported one, whatever their speed, thickness or number
+    # of revolutions. The reported time may be early by rounding only: the gap is then at most about 1e-12 of
+    # (size + distance + relative displacement) times (1 + angle of rotation). Shapes that come that close
+    # without touching may be reported as touching. After hundreds of revolutions of grazing shapes the search
+    # may stop early, with a larger `gap`; it is never late.
     library.hs_pair_time_of_impact.argtypes = [
         POINTER(hs_shape),  # shape_a
         POINTER(hs_motion_def),  # motion_a
@@ -1468,7 +1459,7 @@ def declare(library):
     ]
     library.hs_pair_time_of_impact.restype = hs_status
 
-    # Makes a mesh. What is given is copied.
+    # Creates a mesh. The arguments are copied.
     library.hs_mesh_create.argtypes = [
         POINTER(hs_context),  # context
         c_int32,  # dimension
@@ -1481,13 +1472,13 @@ def declare(library):
     ]
     library.hs_mesh_create.restype = hs_status
 
-    # Ends a mesh. Bodies made of it stay as they are.
+    # Destroys a mesh. Bodies made of it do not change.
     library.hs_mesh_destroy.argtypes = [
         POINTER(hs_mesh),  # mesh
     ]
     library.hs_mesh_destroy.restype = None
 
-    # What a mesh is.
+    # Returns a summary of a mesh.
     library.hs_mesh_get_properties.argtypes = [
         POINTER(hs_mesh),  # mesh
         POINTER(hs_mesh_properties),  # properties
@@ -1495,14 +1486,14 @@ def declare(library):
     ]
     library.hs_mesh_get_properties.restype = hs_status
 
-    # Fills a body's definition with its defaults.
+    # Fills a body definition with its defaults.
     library.hs_body_def_init.argtypes = [
         POINTER(hs_body_def),  # def
         c_size_t,  # size
     ]
     library.hs_body_def_init.restype = hs_status
 
-    # Puts a mesh into a world.
+    # Adds a copy of a mesh to a world, as a body.
     library.hs_world_add_mesh.argtypes = [
         POINTER(hs_world),  # world
         POINTER(hs_mesh),  # mesh
@@ -1512,16 +1503,15 @@ def declare(library):
     ]
     library.hs_world_add_mesh.restype = hs_status
 
-    # Takes a body out of the world, with the blocks at its surface.
+    # Removes a body and its surface blocks from the world. Its id becomes stale.
     library.hs_world_remove_body.argtypes = [
         POINTER(hs_world),  # world
         hs_body,  # body
     ]
     library.hs_world_remove_body.restype = hs_status
 
-    # Takes cells out of a body: excavation. Cells and nodes that stay keep their numbers; what the cells
-    # bordered on is surface from now on. A node without any cell stays where it is, held for good, and weighs
-    # nothing.
+    # Removes cells of a body (excavation). Indices of the other cells and nodes do not change; the faces of
+    # neighbour cells become surface. A node without cells has no mass and stays at rest.
     library.hs_world_remove_cells.argtypes = [
         POINTER(hs_world),  # world
         hs_body,  # body
@@ -1531,8 +1521,8 @@ def declare(library):
     ]
     library.hs_world_remove_cells.restype = hs_status
 
-    # Stresses the cells of a body as they are now, e.g. as the rock around was before: each by the stress at
-    # its middle.
+    # Sets the current stress of the cells of a body, e.g. the in situ stress, linear in space: each cell gets
+    # the stress at its center.
     library.hs_world_set_body_stress.argtypes = [
         POINTER(hs_world),  # world
         hs_body,  # body
@@ -1541,7 +1531,7 @@ def declare(library):
     ]
     library.hs_world_set_body_stress.restype = hs_status
 
-    # How a body moves.
+    # Returns motion and energy of a body.
     library.hs_world_get_body_state.argtypes = [
         POINTER(hs_world),  # world
         hs_body,  # body
@@ -1550,7 +1540,7 @@ def declare(library):
     ]
     library.hs_world_get_body_state.restype = hs_status
 
-    # Bulk: where a body's nodes are, in the order of its mesh.
+    # Bulk: positions of a body's nodes, m, in the order of its mesh.
     library.hs_world_get_node_positions.argtypes = [
         POINTER(hs_world),  # world
         hs_body,  # body
@@ -1559,7 +1549,7 @@ def declare(library):
     ]
     library.hs_world_get_node_positions.restype = hs_status
 
-    # Bulk: how fast a body's nodes are.
+    # Bulk: velocities of a body's nodes, m/s, in the order of its mesh.
     library.hs_world_get_node_velocities.argtypes = [
         POINTER(hs_world),  # world
         hs_body,  # body
@@ -1568,8 +1558,9 @@ def declare(library):
     ]
     library.hs_world_get_node_velocities.restype = hs_status
 
-    # Bulk: all forces on a body's nodes at the end of the last step: of cells, contacts, gravity, and applied
-    # ones. At rest they are 0, but at nodes that are held: there they are what these press on their support.
+    # Bulk: total forces on a body's nodes at the end of the last step (cells, contacts, gravity, applied), N,
+    # in 2D per unit thickness. In equilibrium they are 0, except at held nodes: there they are the forces on
+    # the support.
     library.hs_world_get_node_forces.argtypes = [
         POINTER(hs_world),  # world
         hs_body,  # body
@@ -1578,7 +1569,7 @@ def declare(library):
     ]
     library.hs_world_get_node_forces.restype = hs_status
 
-    # Sets the velocities of all nodes of a body, also of those that are held.
+    # Sets the velocities of all nodes of a body, including held ones.
     library.hs_world_set_node_velocities.argtypes = [
         POINTER(hs_world),  # world
         hs_body,  # body
@@ -1586,8 +1577,8 @@ def declare(library):
     ]
     library.hs_world_set_node_velocities.restype = hs_status
 
-    # Holds nodes along axes, besides those along which they are held already: there they go on with a
-    # velocity that stays, whatever the forces. Without axes they are free from now on, along all of them.
+    # Prescribes a constant velocity of nodes along axes, in addition to axes held before; or frees the nodes
+    # along all axes.
     library.hs_world_hold_nodes.argtypes = [
         POINTER(hs_world),  # world
         hs_body,  # body
@@ -1598,7 +1589,7 @@ def declare(library):
     ]
     library.hs_world_hold_nodes.restype = hs_status
 
-    # Sets the force that acts on each of these nodes from outside, from now on.
+    # Sets the external force on each of these nodes, until set again.
     library.hs_world_set_node_force.argtypes = [
         POINTER(hs_world),  # world
         hs_body,  # body
@@ -1608,8 +1599,7 @@ def declare(library):
     ]
     library.hs_world_set_node_force.restype = hs_status
 
-    # Bulk: how a body's cells are strained and stressed, in the order of its mesh. All is 0 of a cell that
-    # has been removed.
+    # Bulk: strain and stress of a body's cells, in the order of its mesh; 0 for removed cells.
     library.hs_world_get_cells.argtypes = [
         POINTER(hs_world),  # world
         hs_body,  # body
@@ -1619,7 +1609,7 @@ def declare(library):
     ]
     library.hs_world_get_cells.restype = hs_status
 
-    # The body that a block is at the surface of.
+    # Returns the body and cell of a surface block.
     library.hs_world_get_body_of_block.argtypes = [
         POINTER(hs_world),  # world
         hs_block,  # block
@@ -1635,7 +1625,7 @@ def declare(library):
     ]
     library.hs_pair_options_init.restype = hs_status
 
-    # Are two shapes in contact, and how?
+    # Detects the contact of two shapes. A separated pair has the type HS_CONTACT_NONE.
     library.hs_pair_detect.argtypes = [
         POINTER(hs_shape),  # shape_a
         POINTER(hs_pose),  # pose_a
@@ -1647,7 +1637,7 @@ def declare(library):
     ]
     library.hs_pair_detect.restype = hs_status
 
-    # Detects many pairs.
+    # Detects the contacts of many pairs.
     library.hs_pairs_detect.argtypes = [
         POINTER(hs_context),  # context
         c_void_p,  # shapes
@@ -1662,8 +1652,8 @@ def declare(library):
     ]
     library.hs_pairs_detect.restype = hs_status
 
-    # Says what a world computes and what limits its step and, by steps, what that costs. All is found out on
-    # a copy, which takes as much memory again for as long: the world stays as it is.
+    # Returns the plan of a world. It works on a temporary copy of the world, which needs the memory of a
+    # second world.
     library.hs_world_get_plan.argtypes = [
         POINTER(hs_world),  # world
         c_int64,  # steps
@@ -1672,15 +1662,15 @@ def declare(library):
     ]
     library.hs_world_get_plan.restype = hs_status
 
-    # Fills a relaxation's definition with its defaults.
+    # Fills a relaxation definition with its defaults.
     library.hs_relaxation_def_init.argtypes = [
         POINTER(hs_relaxation_def),  # def
         c_size_t,  # size
     ]
     library.hs_relaxation_def_init.restype = hs_status
 
-    # Steps a world until it is at rest. Its own damping, and whether bonds are held, come back afterwards; at
-    # rest, velocities are set to 0.
+    # Steps a world until static equilibrium, then sets all velocities to 0. Damping and the state of
+    # hs_world_hold_bonds() are restored afterwards.
     library.hs_world_relax.argtypes = [
         POINTER(hs_world),  # world
         POINTER(hs_relaxation_def),  # def
@@ -1689,7 +1679,7 @@ def declare(library):
     ]
     library.hs_world_relax.restype = hs_status
 
-    # How balanced a world is now. Takes as long as a step.
+    # Returns the current balance of forces. It costs as much as a step.
     library.hs_world_get_balance.argtypes = [
         POINTER(hs_world),  # world
         POINTER(hs_balance),  # balance
@@ -1697,14 +1687,14 @@ def declare(library):
     ]
     library.hs_world_get_balance.restype = hs_status
 
-    # Sets gravity from now on; what that changes of the energy is booked as outer work.
+    # Sets gravity. The change of potential energy counts as external work.
     library.hs_world_set_gravity.argtypes = [
         POINTER(hs_world),  # world
         c_void_p,  # gravity
     ]
     library.hs_world_set_gravity.restype = hs_status
 
-    # Sets damping from now on.
+    # Sets local and mass damping.
     library.hs_world_set_damping.argtypes = [
         POINTER(hs_world),  # world
         c_double,  # local_damping
@@ -1712,29 +1702,29 @@ def declare(library):
     ]
     library.hs_world_set_damping.restype = hs_status
 
-    # Sets the time step from now on.
+    # Sets the time step.
     library.hs_world_set_time_step.argtypes = [
         POINTER(hs_world),  # world
         c_double,  # time_step
     ]
     library.hs_world_set_time_step.restype = hs_status
 
-    # Fills a search's definition with its defaults.
+    # Fills a search definition with its defaults.
     library.hs_strength_def_init.argtypes = [
         POINTER(hs_strength_def),  # def
         c_size_t,  # size
     ]
     library.hs_strength_def_init.restype = hs_status
 
-    # Divides all strengths, as they were given, by a factor, from now on.
+    # Divides the given strengths of all laws and bonds by a factor. Calls do not accumulate.
     library.hs_world_set_strength_factor.argtypes = [
         POINTER(hs_world),  # world
         c_double,  # factor
     ]
     library.hs_world_set_strength_factor.restype = hs_status
 
-    # Looks for the factor of safety by bisection. Each trial relaxes a copy of the world, see
-    # hs_world_relax(), with bonds that may fail: the world stays as it is. It should be at rest.
+    # Computes the factor of safety by bisection. Each trial relaxes a copy of the world (hs_world_relax()) in
+    # which bonds can fail. The world, which should be in equilibrium, does not change.
     library.hs_world_find_strength_factor.argtypes = [
         POINTER(hs_world),  # world
         POINTER(hs_strength_def),  # def

@@ -1,4 +1,4 @@
-"""Blocks that strain as a whole."""
+"""Affine blocks: blocks with uniform strain and stress."""
 import ctypes
 import dataclasses
 from typing import Any, Optional, Union
@@ -7,28 +7,32 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _raw
-from ._arrays import DEFORMATION, block_id, empty_record, empty_records, index, tensor, vector
+from ._arrays import block_id, index, tensor, vector
+from ._choice import choice
 from ._library import library
+from ._record import Records, empty_record, empty_records
 from .block_arrays import BlockArrays
-from .constants import Plane, choice
+from .constants import Plane
 from .context import held
+from .records import DEFORMATION
 
 
 @dataclasses.dataclass(frozen=True)
 class Elasticity:
-    """How the affine blocks of a material strain: the second Piola stress is linear in Green's strain and
-    isotropic, so that a rotation, however large, costs no energy.
+    """Elasticity of a material, for affine blocks and meshes. It is isotropic: the second Piola-Kirchhoff stress is
+    linear in the Green strain, so a rotation of any size causes neither strain nor energy.
 
     Attributes
     ----------
     young_modulus : float
         Pa, > 0.
     poisson_ratio : float
-        Above -1, below 0.5.
+        In (-1, 0.5).
     damping_time : float
-        s, >= 0: viscous stress is the elastic one of the strain rate times this (Rayleigh's beta).
+        s, >= 0. Stiffness-proportional (Rayleigh) damping: the viscous stress is the elastic stress of the strain
+        rate times this.
     plane : Plane or its name
-        In 2D: of a body that cannot strain across the plane, or of a sheet without stress across it.
+        2D: "strain" (no strain perpendicular to the plane) or "stress" (no stress perpendicular to it).
 
     Examples
     --------
@@ -54,40 +58,40 @@ class Elasticity:
 
 
 class AffineBlocks(BlockArrays):
-    """Strain and stress of a world's blocks.
+    """Deformation and stress of blocks.
 
-    Tensors have the shape (3, 3), rows first. In 2D xx, xy, yx and yy count; of those that come out, the
-    others are 0, but zz of a gradient 1; those that go in may have the shape (2, 2).
+    Tensors have the shape (3, 3), as rows. In 2D only xx, xy, yx and yy are read, and arguments may have the shape
+    (2, 2); in results the other components are 0, except zz of a gradient, which is 1.
     """
 
     def set_elasticity(self, material: int, elasticity: Elasticity) -> None:
-        """Makes a material elastic, for affine blocks. Blocks that have the material keep their strain."""
+        """Sets the elasticity of a material. Affine blocks and meshes use it. Existing blocks keep their strain."""
         self._call(library.hs_world_set_elasticity, index(material, "material"), elasticity._as_struct())
         self._given.see(f"material[{material}]", elasticity)
 
     def deformation(self, block: int) -> Any:
-        """How a block of any kind is turned and strained: a record of `DEFORMATION`.
+        """Returns deformation and stress of a block of any kind: a record of `DEFORMATION`.
 
-        Its `gradient` leads from places in the shape's frame, relative to its centroid, to places about the
-        block's; `rate` is that of the gradient, 1/s; `strain` Green's, in the shape's frame; `stress`
-        Cauchy's, elastic, in space, tension > 0; `strain_energy` in 2D that of unit thickness.
+        `gradient` is the deformation gradient, from the shape's frame to space; `rate` its time derivative, 1/s;
+        `strain` the Green strain, in the shape's frame; `stress` the elastic Cauchy stress, in space, Pa, tension >
+        0; `strain_energy` in J, in 2D per unit thickness.
         """
         array, address = empty_record(DEFORMATION)
         deformation = _raw.hs_deformation.from_address(address)
         self._call(library.hs_world_get_deformation, block_id(block, "block"), deformation)
         return array[0]
 
-    def deformations(self) -> "np.recarray[Any, Any]":
-        """How all blocks are turned and strained, a structured array of `DEFORMATION`: its
-        ``["gradient"]`` has the shape (n, 3, 3)."""
+    def deformations(self) -> Records:
+        """Returns deformation and stress of all blocks: an array of `DEFORMATION`, whose ``["gradient"]`` has the
+        shape (n, 3, 3)."""
         with held(self):
             deformations = empty_records(len(self), DEFORMATION)
             self._call(library.hs_world_get_deformations, deformations.ctypes.data, len(deformations), None)
         return deformations
 
     def set_deformation(self, block: int, gradient: ArrayLike, rate: Optional[ArrayLike] = None) -> None:
-        """Turns and strains an affine block by a gradient with a determinant > 0, and sets how fast it goes
-        on, 1/s; by default it does not. Its centroid and velocity stay."""
+        """Sets the deformation gradient of an affine block, with a determinant > 0, and its rate, 1/s; by default 0.
+        Centroid and velocity do not change."""
         speed = np.zeros((3, 3)) if rate is None else rate
         self._call(
             library.hs_world_set_deformation,
@@ -97,13 +101,13 @@ class AffineBlocks(BlockArrays):
         )
 
     def set_stress(self, block: int, stress: ArrayLike) -> None:
-        """Says how an affine block is stressed as it is now, e.g. in situ: Cauchy's, symmetric, Pa, tension
-        > 0. What the block is strained by from now on adds to that."""
+        """Sets the current Cauchy stress of an affine block, e.g. the in situ stress; symmetric, Pa, tension > 0.
+        Later strain adds to it."""
         self._call(library.hs_world_set_stress, block_id(block, "block"), tensor(stress, "stress"))
 
     def add_surface_load(self, block: int, face: int, traction: ArrayLike) -> None:
-        """Adds a load on one face of an affine block, which keeps its direction as the block moves and its
-        size as the face is strained.
+        """Adds a permanent load on one face of an affine block. Its direction does not change as the block moves, nor
+        its magnitude as the face is strained.
 
         Parameters
         ----------
@@ -122,5 +126,5 @@ class AffineBlocks(BlockArrays):
         )
 
     def clear_surface_loads(self, block: int) -> None:
-        """Takes all surface loads off an affine block."""
+        """Removes all surface loads of an affine block."""
         self._call(library.hs_world_clear_surface_loads, block_id(block, "block"))

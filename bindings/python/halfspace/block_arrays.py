@@ -1,4 +1,4 @@
-"""What all blocks of a world have, as arrays."""
+"""Arrays of all blocks of a world."""
 import ctypes
 from typing import Any, Callable, Optional, Tuple
 
@@ -16,7 +16,7 @@ _TURNS_OUT = "angular_out or torques_out"
 
 
 class BlockArrays(Handle):
-    """A world's blocks in bulk, in the order of `blocks`.
+    """Arrays of all blocks of a world, in the order of `blocks`.
 
     In 2D vectors have 2 components, angular velocities and torques 1; in 3D both have 3.
     """
@@ -27,7 +27,7 @@ class BlockArrays(Handle):
         super().__init__(context, pointer, destroy)
         self._dimension = dimension
         self._given = Given()
-        self._turns = np.empty((0, 3))  # angular velocities or torques of 2D on their way out
+        self._turns = np.empty((0, 3))  # buffer of 2D angular velocities or torques
 
     @property
     def dimension(self) -> int:
@@ -41,7 +41,7 @@ class BlockArrays(Handle):
 
     @property
     def blocks(self) -> NDArray[np.uint64]:
-        """The ids of all blocks, in the order of the arrays below."""
+        """Ids of all blocks. All arrays of blocks have this order."""
         with held(self):
             blocks = np.empty(len(self), np.uint64)
             self._call(library.hs_world_get_blocks, blocks.ctypes.data, len(blocks), None)
@@ -49,8 +49,7 @@ class BlockArrays(Handle):
 
     @property
     def poses(self) -> Floats:
-        """Positions and quaternions of all blocks, shape (n, 7). Assign such an array to put them
-        elsewhere."""
+        """Positions, m, and quaternions of all blocks, shape (n, 7). Assignment sets them."""
         return self.get_poses()
 
     @poses.setter
@@ -61,7 +60,7 @@ class BlockArrays(Handle):
         self._call(library.hs_world_set_poses, array.ctypes.data, len(array))
 
     def get_poses(self, out: Optional[Floats] = None) -> Floats:
-        """As `poses`, into an array of the caller's if one is given: C-contiguous, float64, shape (n, 7)."""
+        """As `poses`; `out` is an optional array for the result: C-contiguous, float64, shape (n, 7)."""
         with held(self):
             count = len(self)
             array = np.empty((count, 7)) if out is None else out
@@ -79,13 +78,12 @@ class BlockArrays(Handle):
 
     @property
     def positions(self) -> Floats:
-        """Centroids of all blocks, shape (n, dimension)."""
+        """Centroids of all blocks, m, shape (n, dimension)."""
         return self.get_poses()[:, : self.dimension]
 
     @property
     def velocities(self) -> Floats:
-        """Of all centroids, shape (n, dimension). Assign such an array to set them; fixed blocks take
-        none."""
+        """Velocities of all centroids, m/s, shape (n, dimension). Assignment sets them; fixed blocks are ignored."""
         return self.get_velocities()[0]
 
     @velocities.setter
@@ -95,7 +93,7 @@ class BlockArrays(Handle):
 
     @property
     def angular_velocities(self) -> Floats:
-        """Of all blocks: shape (n,) in 2D, (n, 3) in 3D. Assign such an array to set them."""
+        """Angular velocities of all blocks, rad/s, shape (n,) in 2D, (n, 3) in 3D. Assignment sets them."""
         return self.get_velocities()[1]
 
     @angular_velocities.setter
@@ -104,7 +102,7 @@ class BlockArrays(Handle):
             self.set_velocities(self.velocities, angular_velocities)
 
     def set_velocities(self, velocities: ArrayLike, angular_velocities: ArrayLike) -> None:
-        """Sets both for all blocks; strided arrays of float64 are used without a copy."""
+        """Sets velocities and angular velocities of all blocks; strided arrays of float64 are not copied."""
         view = view_of(velocities, self.dimension, "velocities")
         turns = turns_view_of(angular_velocities, self.dimension, "angular_velocities")
         self._call(library.hs_world_set_velocities, view, turns)
@@ -112,7 +110,8 @@ class BlockArrays(Handle):
     def get_velocities(
         self, out: Optional[Floats] = None, angular_out: Optional[Floats] = None
     ) -> Tuple[Floats, Floats]:
-        """Velocities and angular velocities, into arrays of the caller's if given; they may be strided."""
+        """Returns velocities and angular velocities; `out` and `angular_out` are optional arrays for the results,
+        which may be strided."""
         return self._vectors_and_turns(library.hs_world_get_velocities, (), out, angular_out)
 
     def _vectors_and_turns(

@@ -1,34 +1,34 @@
-"""Bonds: blocks that hold together until their strength is reached."""
+"""Bonds: breakable connections of blocks along their common faces."""
 import ctypes
 import dataclasses
 from typing import Any
 
-import numpy as np
-
 from . import _raw
-from ._arrays import BOND, BOND_EVENT, BOND_REPORT, block_id, empty_record, empty_records, index
+from ._arrays import block_id, index
 from ._library import library
+from ._record import Records, empty_record, empty_records
 from .context import held
 from .mesh import Bodies
+from .records import BOND, BOND_EVENT, BOND_REPORT
 
 
 @dataclasses.dataclass(frozen=True)
 class Bond:
-    """Two blocks hold together along a common face by it: springs at its integration points, each of which fails by
-    Mohr and Coulomb's criterion with a tension cut-off.
+    """Properties of a bond: springs at the integration points of a common face. Each point fails on its own, by the
+    Mohr-Coulomb criterion with a tension cut-off.
 
     Attributes
     ----------
     normal_stiffness, shear_stiffness : float
-        Pa/m, > 0; 0 for the shear: as the normal one.
+        Pa/m, > 0; a shear stiffness of 0 is equal to the normal stiffness.
     tensile_strength, cohesion : float
         Pa, >= 0.
     friction_angle : float
-        Radians, of what holds.
+        rad, [0, pi/2), of intact points.
     residual_cohesion, residual_friction_angle : float
-        Of what has failed and is pressed together; the cohesion at most as above, the angle by default as above.
+        Of failed points under compression: Pa, from 0 to the cohesion; rad, [0, pi/2), by default the friction angle.
     tensile_fracture_energy, shear_fracture_energy : float
-        J/m2 from the peak on, while strength fades linearly; 0: it is lost at once.
+        J/m2, >= 0, dissipated as the strength decreases linearly after the peak; 0: sudden failure.
 
     Examples
     --------
@@ -56,11 +56,11 @@ class Bond:
 
 
 class BondedBlocks(Bodies):
-    """The bonds of a world."""
+    """Bonds of a world."""
 
     def bond_blocks(self, block_a: int, block_b: int, bond: Bond) -> None:
-        """Bonds two blocks along their largest common face, as they are now: both faces lie in one plane but for
-        rounding."""
+        """Bonds two blocks along their common faces in their current positions: every pair of faces that is coplanar
+        to rounding."""
         self._call(
             library.hs_world_bond_blocks,
             block_id(block_a, "block_a"),
@@ -70,8 +70,8 @@ class BondedBlocks(Bodies):
         self._given.see(f"bond_blocks({block_a}, {block_b})", bond)
 
     def bond_materials(self, material_a: int, material_b: int, bond: Bond) -> int:
-        """Bonds all pairs of blocks of two materials, which may be the same, along their common faces. Returns how
-        many."""
+        """Bonds all pairs of blocks of two materials, which may be the same, along their common faces. Returns the
+        number of bonds made."""
         count = ctypes.c_int64()
         self._call(
             library.hs_world_bond_materials,
@@ -87,18 +87,18 @@ class BondedBlocks(Bodies):
         return count.value
 
     def hold_bonds(self, are_held: bool = True) -> None:
-        """Held bonds never fail; False lets them fail again."""
+        """Suspends (True) or resumes (False) the failure of all bonds."""
         self._call(library.hs_world_hold_bonds, int(are_held))
 
-    def bonds(self) -> "np.recarray[Any, Any]":
-        """All bonds made so far, in their order: a structured array of `BOND`."""
+    def bonds(self) -> Records:
+        """Returns all bonds made so far, in their order of creation: an array of `BOND`."""
         with held(self):
             bonds = empty_records(int(self.bond_report.bond_count), BOND)
             self._call(library.hs_world_get_bonds, bonds.ctypes.data, len(bonds), None)
         return bonds
 
-    def bond_events(self, first: int = 0) -> "np.recarray[Any, Any]":
-        """The points that have failed, in order of time, from one on: a structured array of `BOND_EVENT`."""
+    def bond_events(self, first: int = 0) -> Records:
+        """Returns the failures of bond points, in order of time, from index `first` on: an array of `BOND_EVENT`."""
         with held(self):
             events = empty_records(max(int(self.bond_report.event_count) - first, 0), BOND_EVENT)
             self._call(library.hs_world_get_bond_events, first, events.ctypes.data, len(events), None)
@@ -106,7 +106,7 @@ class BondedBlocks(Bodies):
 
     @property
     def bond_report(self) -> Any:
-        """The bonds in numbers: a record of `BOND_REPORT`."""
+        """Summary of all bonds: a record of `BOND_REPORT`."""
         array, address = empty_record(BOND_REPORT)
         report = _raw.hs_bond_report.from_address(address)
         self._call(library.hs_world_get_bond_report, report, BOND_REPORT.itemsize)

@@ -1,4 +1,4 @@
-"""Settings of a world that are legal but seldom meant."""
+"""Unusual settings of a world that are allowed."""
 import dataclasses
 import math
 from typing import Any, Dict, Iterator, List, Optional, Tuple
@@ -6,7 +6,7 @@ from typing import Any, Dict, Iterator, List, Optional, Tuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-#: The usual range of a setting, by its absolute value or length, and how a note says it. 0 is usual, too.
+#: The usual range of a setting (absolute value or norm), and its text in a note. 0 is usual, too.
 _USUAL: Dict[str, Tuple[float, float, str]] = {
     "gravity": (1, 25, "9.81 m/s2, 1.62 on the moon"),
     "density": (50, 19500, "50 to 19500 kg/m3, 2700 of rock"),
@@ -26,13 +26,13 @@ _USUAL: Dict[str, Tuple[float, float, str]] = {
     "normal_stiffness": (1e3, 1e17, "1e3 to 1e14 in N/m, Pa/m or Pa"),
     "shear_stiffness": (1e2, 1e17, "0, or 1e2 to 1e14 in N/m or Pa/m"),
 }
-_TOLD_FRACTION = 0.01  # of the smallest block, for lengths that should be far below it
+_TOLD_FRACTION = 0.01  # fraction of the thickness of the thinnest block
 _SIZE_RATIO = 1e5
-_MOST_BLOCKS = 5000  # of which each is compared with each
+_MOST_BLOCKS = 5000  # limit of a comparison of all pairs
 
 
 class Given:
-    """What a world was given, by the name of each setting; the last value counts."""
+    """Settings of a world by name, with their last values."""
 
     def __init__(self) -> None:
         self.values: Dict[str, Any] = {}
@@ -46,7 +46,7 @@ class Given:
         return other
 
     def see(self, name: str, value: Any) -> None:
-        """A number or a vector, or a dataclass of numbers."""
+        """Stores a number, a vector, or the fields of a dataclass."""
         if dataclasses.is_dataclass(value):
             for field in dataclasses.fields(value):
                 if field.name in _USUAL:
@@ -55,7 +55,7 @@ class Given:
             self.values[name] = value
 
     def unusual(self) -> Iterator[str]:
-        """Notes on values that their unit makes unlikely."""
+        """Notes on values outside their usual range, e.g. in a wrong unit."""
         for name, value in self.values.items():
             low, high, usual = _USUAL.get(name.rsplit(".", 1)[-1], (0, math.inf, ""))
             size = float(np.linalg.norm(value))
@@ -71,7 +71,7 @@ def _shown(value: ArrayLike) -> str:
 
 @dataclasses.dataclass
 class Boxes:
-    """All blocks of a world as boxes along the axes."""
+    """Axis-aligned bounding boxes of all blocks."""
 
     ids: NDArray[np.uint64]
     low: NDArray[np.float64]
@@ -81,7 +81,7 @@ class Boxes:
 
     @property
     def sizes(self) -> NDArray[np.float64]:
-        """The shortest side of each."""
+        """The shortest side of each box."""
         result: NDArray[np.float64] = (self.high - self.low).min(axis=1)
         return result
 
@@ -94,7 +94,7 @@ def notes_on_gravity(gravity: NDArray[np.float64], dimension: int) -> Iterator[s
 
 
 def notes_on_support(boxes: Boxes, gravity: NDArray[np.float64], velocities: NDArray[np.float64]) -> Iterator[str]:
-    """Blocks that nothing holds up, as far as boxes show it."""
+    """Notes on blocks without support, as far as their boxes show it."""
     if not boxes.moves.any() or not gravity.any():
         return
     if not boxes.holds.any():

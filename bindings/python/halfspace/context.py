@@ -1,4 +1,4 @@
-"""The context, and how handles live and end."""
+"""The context, and the lifetime of handles."""
 import contextlib
 import ctypes
 import threading
@@ -20,7 +20,7 @@ def _end_all(abandoned: _Abandoned) -> None:
 
 
 def _destroy_context(pointer: Any, lock: Any, abandoned: _Abandoned) -> None:
-    # At the end of the interpreter a thread may still be in a call: then the system takes the memory back.
+    # At the end of the interpreter a thread may still be in a call; the system releases the memory then.
     if lock.acquire(blocking=False):
         _end_all(abandoned)
         library.hs_context_destroy(pointer)
@@ -28,12 +28,11 @@ def _destroy_context(pointer: Any, lock: Any, abandoned: _Abandoned) -> None:
 
 
 class _Keeper:
-    """The C context with its lock. It outlives everything made from it, as the C library asks, because each
-    of these holds it.
+    """The C context with its lock. Everything made from it holds a reference to it, so it is destroyed last.
 
-    The library may be in one call at a time per context, and ctypes lets other Python threads run during a
-    call: hence the lock. A handle that is closed or dropped while another thread is in a call is set aside
-    and ended after that call or a later one.
+    The library allows one call at a time per context, and ctypes releases the interpreter's lock during a call, so
+    the context needs a lock. A handle that is closed or dropped while another thread is in a call is destroyed after
+    that call or a later one.
     """
 
     def __init__(self, threads: int) -> None:
@@ -45,12 +44,12 @@ class _Keeper:
         definition.threads = threads
         status = library.hs_context_create(ctypes.byref(definition), ctypes.byref(self.pointer))
         if status < 0:
-            what = library.hs_status_string(status).decode()  # there is no context that has a text
+            what = library.hs_status_string(status).decode()  # without a context there is no error text
             raise error_of(status, f"hs_context_create: {what}: threads is {threads}; it must be from 1 to 256")
         self._finalizer = weakref.finalize(self, _destroy_context, self.pointer, self.lock, self._abandoned)
 
     def call(self, function: Callable[..., int], *arguments: Any) -> int:
-        """Calls a fallible function; raises when it fails."""
+        """Calls a function; raises an exception if it fails."""
         with self.lock:
             if not self._finalizer.alive:  # the interpreter ends
                 raise ClosedError("the context is closed")
@@ -59,7 +58,7 @@ class _Keeper:
                 if status < 0:
                     raise error_of(status, library.hs_context_last_error(self.pointer).decode())
             finally:
-                _end_all(self._abandoned)  # no sooner: an argument may be one that was set aside since
+                _end_all(self._abandoned)  # not before the call, as its arguments may be among them
         return status
 
     def end(self, destroy: Callable[[Any], None], pointer: Any) -> None:
@@ -73,16 +72,16 @@ class _Keeper:
 
 
 class Context:
-    """Owner of shapes and worlds. Simple scripts need none: without one, the default context is used.
+    """Owner of shapes, meshes and worlds. Without a given context the default context is used.
 
-    A context lets one thread at a time into the library; others wait. Worlds of different contexts run side
-    by side, each in a thread of its own: the interpreter's lock is released during calls. And each world may
-    be stepped by several threads of the library.
+    One thread at a time can call the library in a context; others wait. Worlds of different contexts can run
+    concurrently in different threads, as calls release the interpreter's lock. A world may also be stepped by several
+    threads of the library.
 
     Parameters
     ----------
     threads
-        How many threads step a world, 1 to 256. Results have the same bits for any number.
+        Number of threads that step a world, 1 to 256. Results are bit-identical for any number.
 
     Examples
     --------
@@ -116,11 +115,11 @@ class Context:
         return self._keeper is None
 
     def close(self) -> None:
-        """Ends everything made from this context, and the context. A second call does nothing."""
+        """Destroys everything made from this context, and the context. A second call does nothing."""
         keeper = self._keeper
         if keeper is None:
             return
-        with keeper.lock:  # another thread may be making a handle
+        with keeper.lock:  # another thread may be creating a handle
             for handle in list(self._handles):
                 handle.close()
             self._keeper = None
@@ -136,7 +135,7 @@ _default: Optional[Context] = None
 
 
 def default_context() -> Context:
-    """The context that is used where none is given; made when first needed."""
+    """The context that is used if none is given; created on first use."""
     global _default
     if _default is None or _default.closed:
         _default = Context()
@@ -147,11 +146,10 @@ _AnyHandle = TypeVar("_AnyHandle", bound="Handle")
 
 
 class Handle:
-    """Something of the library's that ends with `close()`, with a `with` block, or when it is no longer
-    used.
+    """An object of the library, destroyed by `close()`, at the end of a `with` block, or by garbage collection.
 
-    Who makes one holds the context's lock from the call that gives the pointer: a context that another thread
-    closes in between would not end it."""
+    The creator holds the context's lock from the call that returns the pointer; otherwise another thread could close
+    the context in between without destroying the object."""
 
     def __init__(self, context: Context, pointer: Any, destroy: Callable[[Any], None]) -> None:
         self._keeper = context._alive
@@ -172,29 +170,29 @@ class Handle:
         return not self._finalizer.alive
 
     def close(self) -> None:
-        """Ends it. A second call does nothing; any other use raises `ClosedError`."""
+        """Destroys it. A second call does nothing; any other use raises `ClosedError`."""
         self._pointer = None
         self._finalizer()
 
     @property
     def context(self) -> Context:
-        """Where it was made."""
+        """The context that it was made from."""
         return self._context
 
     @property
     def _alive(self) -> Any:
-        if self._pointer is None or not self._finalizer.alive:  # closed, or ended with the interpreter
+        if self._pointer is None or not self._finalizer.alive:  # closed, or destroyed with the interpreter
             raise ClosedError(f"the {type(self).__name__.lower()} is closed")
         return self._pointer
 
     def _call(self, function: Callable[..., int], *arguments: Any) -> int:
-        with self._keeper.lock:  # from the look at the pointer to its last use: another thread may close it
+        with self._keeper.lock:  # until the last use of the pointer, as another thread may close it
             return self._keeper.call(function, self._alive, *arguments)
 
 
 def held(*handles: Handle) -> ContextManager[Any]:
-    """For a `with` block in which no other thread calls the library on these handles or ends them: from the
-    look at a pointer to its last use, or for several calls that belong together."""
+    """For a `with` block in which no other thread uses or closes these handles: from reading a pointer to its last
+    use, or for several dependent calls."""
     keepers = {handle._keeper for handle in handles}
     if len(keepers) == 1:
         return keepers.pop().lock
@@ -204,6 +202,6 @@ def held(*handles: Handle) -> ContextManager[Any]:
 @contextlib.contextmanager
 def _all_held(keepers: Iterable[_Keeper]) -> Iterator[None]:
     with contextlib.ExitStack() as stack:
-        for keeper in sorted(keepers, key=id):  # one order for all threads, so that none waits for another
+        for keeper in sorted(keepers, key=id):  # the same order in all threads prevents deadlocks
             stack.enter_context(keeper.lock)
         yield

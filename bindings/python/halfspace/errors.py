@@ -1,19 +1,18 @@
-"""What a failed call raises. Every text is the library's own: it names the function, the argument and its
-value."""
+"""Exceptions of failed calls. The text is that of the library: function, argument and value."""
 from typing import Any, Dict, Tuple, Type
 
 from . import _raw
 
 
 class HalfspaceError(Exception):
-    """A call of the library failed; nothing was changed.
+    """A call of the library failed. It has changed nothing.
 
     Attributes
     ----------
     status : int
-        The library's status code, below 0; ``halfspace.status_text(status)`` describes it.
+        Status code of the library, below 0; see ``halfspace.status_text(status)``.
     message : str
-        What was wrong: function, argument and value.
+        Function, argument and value.
     """
 
     def __init__(self, status: int, message: str) -> None:
@@ -30,15 +29,15 @@ class ArgumentError(HalfspaceError, ValueError):
 
 
 class GeometryError(HalfspaceError, ValueError):
-    """Vertices, faces or half-spaces do not describe a convex shape."""
+    """The vertices, faces or half-spaces do not describe a convex shape."""
 
 
 class StaleIdError(HalfspaceError, LookupError):
-    """An id does not name a living block, material or contact."""
+    """No living block, body, material or contact has the given id."""
 
 
 class OutOfMemoryError(HalfspaceError, MemoryError):
-    """There is no memory left."""
+    """Out of memory."""
 
 
 class StateError(HalfspaceError, RuntimeError):
@@ -46,16 +45,15 @@ class StateError(HalfspaceError, RuntimeError):
 
 
 class UnstableError(HalfspaceError, ArithmeticError):
-    """The time step is too large. The world stays at the last good step."""
+    """The time step is too large. The world keeps the last valid state."""
 
 
 class TooFastError(HalfspaceError, ArithmeticError):
-    """Two blocks meet too fast for the time step against their thickness, and the world was made to refuse that. It
-    stays at the last good step."""
+    """Two blocks approach too fast for the time step and their thickness. The world keeps the last valid state."""
 
 
 class InvertedError(HalfspaceError, ArithmeticError):
-    """A cell of a mesh would be turned inside out. The world stays at the last good step."""
+    """A mesh cell would be inverted. The world keeps the last valid state."""
 
 
 class FormatError(HalfspaceError, ValueError):
@@ -63,11 +61,11 @@ class FormatError(HalfspaceError, ValueError):
 
 
 class InternalError(HalfspaceError, RuntimeError):
-    """A defect of the library: please report it."""
+    """Internal error of the library; please report it."""
 
 
 class ClosedError(StateError):
-    """A shape, world or context is used after its end."""
+    """A shape, mesh, world or context is used after close()."""
 
     def __init__(self, message: str) -> None:
         super().__init__(_raw.HS_ERROR_STATE, message)

@@ -1,4 +1,4 @@
-"""Time of impact: when do two moving shapes first touch?"""
+"""Time of impact of two moving shapes."""
 import ctypes
 import dataclasses
 from typing import Any, Optional
@@ -6,31 +6,35 @@ from typing import Any, Optional
 from numpy.typing import ArrayLike
 
 from . import _raw
-from ._arrays import IMPACT, as_pose, empty_record, tensor, turn_vector, vector
+from ._arrays import as_pose, tensor, turn_vector, vector
 from ._library import library
+from ._record import empty_record
 from .context import held
+from .records import IMPACT
 from .shape import Shape
 
 
 @dataclasses.dataclass(frozen=True)
 class Motion:
-    """How a shape moves: its centroid straight and its turn even. By default it rests at the origin.
+    """Motion of a shape with constant linear and angular velocity and constant rate of deformation. By default it is
+    at rest at the origin.
 
-    At time t the point that is at X in the shape's frame is at position + t velocity + R(t angular_velocity) Q
-    (gradient + t gradient_rate) X, with position and Q those of `start`, and R(v) the turn about v by its length.
+    At time t the material point X (in the shape's frame) is at position + t velocity + R(t angular_velocity) Q
+    (gradient + t gradient_rate) X, with position and rotation Q of `start`, and R(v) the rotation about v by the
+    angle |v|.
 
     Attributes
     ----------
     start : array_like
-        Where it is at first: a position, or 7 numbers as from `pose`.
+        Pose at time 0: a position, or 7 numbers as from `pose`.
     velocity : array_like
-        Of the centroid, m/s.
+        Velocity of the centroid, m/s.
     angular_velocity : array_like
-        rad/s; one number is about z. It may turn by up to 1e6 rad.
+        rad/s; one number is about z. Times the duration at most 1e6 rad.
     gradient : array_like, optional
-        How it is strained at first, before `start` turns it: 2 rows of 2 or 3 of 3. By default it is not.
+        Deformation gradient at time 0, before the rotation of `start`: shape (2, 2) or (3, 3). By default the identity.
     gradient_rate : array_like, optional
-        Of the gradient, 1/s; by default 0.
+        Rate of the gradient, 1/s; by default 0.
 
     Examples
     --------
@@ -60,26 +64,26 @@ class Motion:
 def pair_time_of_impact(
     shape_a: Shape, motion_a: Motion, shape_b: Shape, motion_b: Motion, duration: float
 ) -> Any:
-    """When do two moving shapes first touch?
+    """Computes the time of impact of two moving shapes by conservative advancement.
 
-    No touch is passed over, however fast or thin the shapes are or however often they turn: they are apart at
-    every time before the one told.
+    The shapes are separated at all times before the reported one, whatever their speed, thickness or number of
+    revolutions.
 
     Parameters
     ----------
     shape_a, shape_b : Shape
-        Both of one dimension; the same one twice is legal.
+        Of the same dimension; may be the same shape.
     motion_a, motion_b : Motion
-        How they move.
+        Their motions.
     duration : float
-        Of the motions, s, >= 0.
+        s, >= 0.
 
     Returns
     -------
     numpy.record
-        The fields of ``hs_impact`` (`IMPACT`): `state`, an `ImpactState`; `time` in s, never later than the
-        first touch and the duration if there is none; and of a touch the potential pair, its `gap`, small to
-        rounding, its `normal` from a to b, and the `point`.
+        A record of `IMPACT`: `state`, an `ImpactState`; `time` in s, never later than the first touch, or the
+        duration if there is none; and for a touch the potential contact pair, its `gap`, close to rounding, its
+        `normal` from a to b, and the `point`.
 
     Examples
     --------

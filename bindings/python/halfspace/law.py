@@ -4,28 +4,30 @@ import dataclasses
 from typing import Union
 
 from . import _raw
+from ._choice import choice
 from ._library import library
-from .constants import StiffnessKind, choice
+from .constants import StiffnessKind
 
 
 @dataclasses.dataclass(frozen=True)
 class Law:
-    """Normal force with Mohr-Coulomb friction between two materials: a penalty spring or a potential.
+    """Contact law between two materials: normal force by a penalty spring, a potential or a unilateral constraint,
+    with Mohr-Coulomb friction.
 
     Attributes
     ----------
     normal_stiffness, shear_stiffness : float
-        N/m, or Pa/m when the stiffness is per area; of a potential Pa and N/m; > 0 and >= 0. A shear stiffness
-        of 0 stands for the number of the normal one.
+        Per contact N/m, per area Pa/m, of a potential Pa and N/m; > 0 and >= 0. A shear stiffness of 0 is equal to
+        the normal stiffness.
     friction_angle : float
-        rad, from 0 to below pi/2.
+        rad, [0, pi/2).
     cohesion, tensile_strength : float
-        Pa, >= 0; of contacts that exist when a block's first step begins, until they fail. A potential takes
-        neither.
+        Pa, >= 0; of contacts that exist when a block's first step begins, until they fail. They must be 0 with a
+        potential.
     normal_damping, shear_damping : float
-        Share of critical viscous damping, >= 0. Without any, friction feeds the vibration of what it should hold.
+        Damping ratio (fraction of critical viscous damping), >= 0. Without damping friction feeds vibrations.
     stiffness_kind : StiffnessKind or its name
-        What the stiffnesses refer to: "per contact", "per area" or "potential"; "none" for a law without springs.
+        "per contact", "per area", "potential" or "none" (a unilateral constraint without springs).
 
     Examples
     --------

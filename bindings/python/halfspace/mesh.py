@@ -6,26 +6,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _raw
-from ._arrays import (
-    BODY_STATE,
-    CELL_STATE,
-    MESH_PROPERTIES,
-    block_id,
-    empty_record,
-    empty_records,
-    index,
-    indices,
-    mutable_view_of,
-    pose,
-    tensor,
-    vector,
-    view_of,
-)
+from ._arrays import block_id, index, indices, mutable_view_of, pose, tensor, vector, view_of
+from ._choice import choice
 from ._library import library
+from ._record import Records, empty_record, empty_records
 from .affine import AffineBlocks
 from .block_arrays import Floats
-from .constants import CellKind, choice
+from .constants import CellKind
 from .context import Context, Handle, default_context, held
+from .records import BODY_STATE, CELL_STATE, MESH_PROPERTIES
 
 _KIND_OF_WIDTH = {
     (2, 3): CellKind.TRIANGLE,
@@ -37,22 +26,22 @@ _KIND_OF_WIDTH = {
 
 
 class Mesh(Handle):
-    """Nodes, and cells that share them; it never changes, and may be put into any number of worlds.
+    """Nodes, and cells that share them. A mesh is immutable and may be added to any number of worlds.
 
     Parameters
     ----------
     nodes : array_like, shape (n, 2) or (n, 3)
-        Their places. The number of columns is the dimension.
+        Positions of the nodes, m. The number of columns is the dimension.
     cells : sequence of array_like, shape (m, k)
-        The nodes of the cells, numbered as Gmsh and VTK do, one array for each kind. In 2D 3 columns make triangles and
-        4 quads; in 3D 4 make tetrahedra, 6 prisms, 8 hexahedra. The order of cells is that of the arrays.
+        Node indices of the cells, numbered as in Gmsh and VTK, one array per kind. In 2D 3 columns are triangles and
+        4 quads; in 3D 4 are tetrahedra, 6 prisms, 8 hexahedra. The order of cells is that of the arrays.
     context : Context, optional
         The owner; the default context if there is none given.
 
     Raises
     ------
     GeometryError
-        A cell is inside out or flat somewhere, a node belongs to none, or a face is in more than two cells.
+        A cell is inverted or flat anywhere, a node belongs to no cell, or a face belongs to more than two cells.
 
     Examples
     --------
@@ -101,7 +90,8 @@ class Mesh(Handle):
         kind: Union[CellKind, str] = CellKind.QUAD,
         context: Optional[Context] = None,
     ) -> "Mesh":
-        """A rectangle about the origin of equal quads, or of triangles, two to a quad, whose diagonals alternate."""
+        """Creates a rectangle, centered at the origin, of equal quads, or of triangles, two per quad, with
+        alternating diagonals."""
         kind = choice(kind, CellKind, "kind")
         x, y = np.meshgrid(np.linspace(-0.5, 0.5, columns + 1) * width, np.linspace(-0.5, 0.5, rows + 1) * height)
         nodes = np.column_stack([x.ravel(), y.ravel()])
@@ -134,7 +124,7 @@ class Mesh(Handle):
 
     @property
     def volume(self) -> float:
-        """The volume of all cells; in 2D their area."""
+        """Volume of all cells, m3; in 2D their area, m2."""
         return float(self._properties.volume)
 
 
@@ -152,7 +142,7 @@ def _kinds_and_nodes(cells: Sequence[ArrayLike], dimension: int) -> Tuple[NDArra
 
 
 class Bodies(AffineBlocks):
-    """The meshes of a world. Arrays are in the order of the mesh's nodes or cells."""
+    """Bodies of a world. Arrays have the order of the nodes or cells of the mesh."""
 
     def add_mesh(
         self,
@@ -165,27 +155,27 @@ class Bodies(AffineBlocks):
         cell_materials: Optional[ArrayLike] = None,
         velocity: ArrayLike = (0, 0, 0),
     ) -> int:
-        """Puts a mesh into the world; the cells at its surface become blocks of `BlockKind.MESH`.
+        """Adds a copy of a mesh to the world. Its surface cells become blocks of `BlockKind.MESH`.
 
         Parameters
         ----------
         mesh : Mesh
             Of the world's dimension.
         position : array_like, optional
-            Where the origin of its frame goes; by default the nodes stay where they were given.
+            Position of the origin of its frame, m; by default 0.
         angle, rotation : optional
-            Turn about that origin, see `pose`.
+            Rotation about that origin, see `pose`.
         material : int
-            Of all cells; made elastic by `set_elasticity`.
+            Material of all cells, with an elasticity, see `set_elasticity`.
         cell_materials : array_like of int, optional
-            Instead, one for each cell.
+            One material per cell, instead of `material`.
         velocity : array_like
-            Of all nodes.
+            Velocity of all nodes, m/s.
 
         Returns
         -------
         int
-            The body's id.
+            Id of the body.
         """
         struct = _raw.hs_body_def()
         library.hs_body_def_init(ctypes.byref(struct), ctypes.sizeof(struct))
@@ -208,18 +198,18 @@ class Bodies(AffineBlocks):
         return body.value
 
     def remove_body(self, body: int) -> None:
-        """Takes a body out of the world, with the blocks at its surface."""
+        """Removes a body and its surface blocks from the world; its id becomes stale."""
         self._call(library.hs_world_remove_body, block_id(body, "body"))
 
     def body_state(self, body: int) -> Any:
-        """The motion of a body: a record of `BODY_STATE`, with its mass, centroid, momentum and energies."""
+        """Returns mass, centroid, momentum and energies of a body: a record of `BODY_STATE`."""
         array, address = empty_record(BODY_STATE)
         state = _raw.hs_body_state.from_address(address)
         self._call(library.hs_world_get_body_state, block_id(body, "body"), state, BODY_STATE.itemsize)
         return array[0]
 
     def body_of_block(self, block: int) -> Tuple[int, int]:
-        """The body that a block is at the surface of, and the cell; 0 and -1 for a block of another kind."""
+        """Returns the body and the index of the cell of a surface block; 0 and -1 for a block of another kind."""
         body, cell = ctypes.c_uint64(), ctypes.c_int32()
         self._call(
             library.hs_world_get_body_of_block, block_id(block, "block"), ctypes.byref(body), ctypes.byref(cell)
@@ -233,19 +223,20 @@ class Bodies(AffineBlocks):
         return out
 
     def node_positions(self, body: int) -> Floats:
-        """Where the body's nodes are."""
+        """Returns the positions of a body's nodes, m."""
         return self._of_nodes(library.hs_world_get_node_positions, body, "positions")
 
     def node_velocities(self, body: int) -> Floats:
-        """The velocities of its nodes."""
+        """Returns the velocities of a body's nodes, m/s."""
         return self._of_nodes(library.hs_world_get_node_velocities, body, "velocities")
 
     def node_forces(self, body: int) -> Floats:
-        """All forces on them at the end of the last step: of cells, contacts, gravity, and applied ones."""
+        """Returns the total forces on a body's nodes at the end of the last step (cells, contacts, gravity, applied),
+        N."""
         return self._of_nodes(library.hs_world_get_node_forces, body, "forces")
 
     def set_node_velocities(self, body: int, velocities: ArrayLike) -> None:
-        """Sets those of all nodes, shape (n, dimension), also of those that are held."""
+        """Sets the velocities of all nodes, m/s, shape (n, dimension), including held nodes."""
         self._call(
             library.hs_world_set_node_velocities,
             block_id(body, "body"),
@@ -255,8 +246,8 @@ class Bodies(AffineBlocks):
     def hold_nodes(
         self, body: int, nodes: ArrayLike, axes: str = "xyz", velocity: ArrayLike = (0, 0, 0)
     ) -> None:
-        """Holds nodes along axes, besides those along which they are held already: there they go on with a velocity
-        that stays, whatever the forces. Without axes they are free from now on.
+        """Prescribes a constant velocity of nodes along axes, in addition to axes held before; or frees the nodes
+        along all axes.
 
         Parameters
         ----------
@@ -265,9 +256,9 @@ class Bodies(AffineBlocks):
         nodes : array_like of int
             Of the mesh.
         axes : str
-            Some of "x", "y" and "z", of which 2D has the first two; "" lets go.
+            Some of "x", "y" and "z" (ignored in 2D); "" frees the nodes.
         velocity : array_like
-            Along the axes held.
+            m/s; components along other axes are ignored.
         """
         names = indices(nodes, "nodes").ravel()
         if set(axes) - set("xyz"):
@@ -285,7 +276,7 @@ class Bodies(AffineBlocks):
         self._given.held[body] = "".join(set(self._given.held.get(body, "")) | set(axes)) if axes else ""
 
     def set_node_force(self, body: int, nodes: ArrayLike, force: ArrayLike) -> None:
-        """Sets the force that acts on each of these nodes from outside, from now on."""
+        """Sets the external force on each of these nodes, N, until set again."""
         names = indices(nodes, "nodes").ravel()
         self._call(
             library.hs_world_set_node_force,
@@ -296,12 +287,12 @@ class Bodies(AffineBlocks):
         )
 
     def remove_cells(self, body: int, cells: ArrayLike) -> Floats:
-        """Takes cells out of a body: excavation. Cells and nodes that stay keep their numbers.
+        """Removes cells of a body (excavation). Indices of the other cells and nodes do not change.
 
         Returns
         -------
         array, shape (n, dimension)
-            The force that these cells exerted on each node, which `set_node_force` can fade out.
+            The force that these cells exerted on each node, N, to be applied by `set_node_force` and reduced gradually.
         """
         names = indices(cells, "cells").ravel()
         with held(self):
@@ -316,16 +307,16 @@ class Bodies(AffineBlocks):
         return released
 
     def set_body_stress(self, body: int, stress: ArrayLike, gradient: Optional[ArrayLike] = None) -> None:
-        """Stresses the cells of a body as they are now, each by the stress at its middle.
+        """Sets the current stress of the cells of a body, linear in space: each cell gets the stress at its center.
 
         Parameters
         ----------
         body : int
             From `add_mesh`.
         stress : array_like, shape (3, 3)
-            Cauchy's at the origin, Pa, tension > 0; in 2D also (2, 2).
+            Cauchy stress at the origin, Pa, tension > 0; in 2D also (2, 2).
         gradient : array_like, shape (3, 3, 3), optional
-            How it changes along x, y and z, Pa/m: ``gradient[k]`` along axis k; in 2D also (2, 2, 2).
+            Derivatives along x, y and z, Pa/m: ``gradient[k]`` along axis k; in 2D also (2, 2, 2).
         """
         at_origin = tensor(stress, "stress")
         slopes = None
@@ -343,9 +334,9 @@ class Bodies(AffineBlocks):
             None if slopes is None else slopes.ctypes.data,
         )
 
-    def cells(self, body: int) -> "np.recarray[Any, Any]":
-        """Strain and stress of the body's cells, a structured array of `CELL_STATE`: its ``["stress"]`` has
-        the shape (m, 3, 3)."""
+    def cells(self, body: int) -> Records:
+        """Returns strain and stress of a body's cells: an array of `CELL_STATE`, whose ``["stress"]`` has the shape
+        (m, 3, 3)."""
         with held(self):
             cells = empty_records(int(self.body_state(body).cell_count), CELL_STATE)
             self._call(library.hs_world_get_cells, block_id(body, "body"), cells.ctypes.data, len(cells), None)

@@ -1,4 +1,4 @@
-"""Detection for hosts that keep their own bodies: one pair, or many."""
+"""Contact detection of one pair or many pairs, for hosts with their own bodies."""
 import ctypes
 from typing import Any, Optional, Sequence
 
@@ -6,17 +6,18 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _raw
-from ._arrays import CONTACT, PAIR_CACHE, as_pose, empty_record, empty_records, indices
+from ._arrays import as_pose, indices
 from ._library import library
+from ._record import empty_record, empty_records
 from .context import held
+from .records import CONTACT, PAIR_CACHE
 from .shape import Shape
 
 
 class PairCache:
-    """What a pair remembers between calls: makes the next answer faster and, in contact, keeps the plane
-    through which the pair met.
+    """Cached state of a pair between calls: detection is faster and keeps the contact plane of the first touch.
 
-    Give each pair one of its own. Copy it with ``PairCache(other)``.
+    Use one per pair. ``PairCache(other)`` is a copy.
     """
 
     def __init__(self, other: Optional["PairCache"] = None) -> None:
@@ -28,7 +29,7 @@ class PairCache:
         return f"<halfspace.PairCache: {('unknown', 'separated', 'in contact')[self._struct.state]}>"
 
     def clear(self) -> None:
-        """Forgets everything."""
+        """Empties the cache."""
         self._struct = _raw.hs_pair_cache()
 
 
@@ -60,35 +61,31 @@ def pair_detect(
     margin: float = 0.0,
     without_region: bool = False,
 ) -> Any:
-    """Are two shapes in contact, and how?
+    """Detects the contact of two shapes.
 
     Parameters
     ----------
     shape_a, shape_b : Shape
-        Both of one dimension; the same one twice is legal.
+        Of the same dimension; may be the same shape.
     pose_a, pose_b : array_like
-        Where their centroids are and how they are turned: a position, or 7 numbers as from `pose`.
+        Their poses: a position, or 7 numbers as from `pose`.
     cache : PairCache, optional
-        The pair's memory from the last call.
+        The cache of this pair from the last call.
     parallel_angle : float, optional
-        Edges (3D: faces, or an edge and a face) closer to parallel than this share a region; rad, [0, 0.5],
-        0.01 by default.
+        Max angle of parallel edges (3D: faces, or an edge and a face), rad, [0, 0.5]; by default 0.01.
     vertex_zone : float, optional
-        How near the end of an edge a vertex meets the end: share of the shorter edge, [0, 0.5], 1e-6 by
-        default.
+        Distance from the end of an edge at which a vertex touches that end, divided by the length of the shorter
+        edge, [0, 0.5]; by default 1e-6.
     margin : float
-        Polygons are apart only when their gap exceeds it; for hosts whose blocks wear a skin. m, [0, 1e75],
-        in space 0.
+        Polygons are in contact up to this gap (skin), m, [0, 1e75]; 0 in 3D.
     without_region : bool
-        A contact between polygons is the pair of largest gap and no more, for hosts that make their own
-        points; in space False.
+        Report only the pair of largest gap of polygons in contact, without region; False in 3D.
 
     Returns
     -------
     numpy.record
-        The fields of ``hs_contact`` (`CONTACT`): `type`, `normal` from a to b, `gap` (< 0 is overlap),
-        `points` and more. A `type` of 0 says that the shapes are apart; the `gap` is then a lower bound of
-        the distance.
+        A record of `CONTACT`: `type`, `normal` from a to b, `gap` (< 0 is overlap), `points` and more. The `type` of
+        separated shapes is 0, and their `gap` a lower bound of the distance.
 
     Examples
     --------
@@ -114,7 +111,7 @@ def pair_detect(
 
 
 def pair_caches(count: int) -> NDArray[Any]:
-    """Empty memories for `pairs_detect`, one for each pair."""
+    """Empty caches for `pairs_detect`, one per pair."""
     return np.zeros(count, PAIR_CACHE)
 
 
@@ -130,29 +127,29 @@ def pairs_detect(
     without_region: bool = False,
     out: Optional[NDArray[Any]] = None,
 ) -> NDArray[Any]:
-    """Detects many pairs in one call.
+    """Detects the contacts of many pairs.
 
     Parameters
     ----------
     shapes : sequence of Shape
-        That of each body.
+        One per body; several bodies may use one shape.
     poses : array_like, shape (bodies, 7)
         Position and quaternion of each body; used without a copy if contiguous.
     pairs : array_like of int, shape (pairs, 2)
-        The bodies a and b of each pair; used without a copy if contiguous and int32.
+        Indices of the bodies a and b of each pair; used without a copy if contiguous and int32.
     caches : numpy.ndarray, optional
-        One memory for each pair, from `pair_caches`; brought up to date.
+        One cache per pair, from `pair_caches`; updated.
     parallel_angle, vertex_zone, margin, without_region
         As for `pair_detect`.
     out : numpy.ndarray, optional
-        An array of `CONTACT` to write into, one for each pair. Fields without a meaning are left as they are.
+        An array of `CONTACT` for the results, one per pair. Fields without a meaning are not written.
 
     Returns
     -------
     numpy.ndarray
-        One contact for each pair, separated ones with `type` 0.
+        One contact per pair; the `type` of separated pairs is 0.
     """
-    owners = tuple(shapes)  # the same ones throughout, whatever the sequence does
+    owners = tuple(shapes)  # a copy, as the sequence may change
     places = np.ascontiguousarray(poses, np.float64)
     if places.shape != (len(owners), 7):
         raise ValueError(f"poses has the shape {places.shape}; it must be ({len(owners)}, 7)")
@@ -167,7 +164,7 @@ def pairs_detect(
             raise ValueError(f"{name} must be a contiguous, writeable array of {len(bodies)} such structs")
     if len(owners) == 0:
         if len(bodies) > 0:
-            raise ValueError("pairs: there are no bodies")
+            raise ValueError("pairs must be empty if shapes is empty")
         return contacts
     options = _options(parallel_angle, vertex_zone, margin, without_region)
     with held(*owners):

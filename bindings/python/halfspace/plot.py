@@ -1,4 +1,4 @@
-"""Pictures of 2D worlds and contacts, by matplotlib, which is needed here only."""
+"""Pictures of 2D worlds and contacts by matplotlib, an optional dependency."""
 import io
 from typing import Any, Callable, Optional, Sequence
 
@@ -25,19 +25,19 @@ def plot_blocks(
     contacts: Any,
     ax: Any = None,
 ) -> Any:
-    """Draws blocks in the plane where they are, those that do not move freely in grey, and contacts whose
-    forces are known: a line along each force, the thicker the larger the force.
+    """Draws 2D blocks, with fixed and prescribed blocks in grey, and contact forces: a line along each force, with a
+    width proportional to its magnitude.
 
     Parameters
     ----------
     blocks : numpy.ndarray
-        Their ids, by which contacts name them.
+        Ids of the blocks.
     outlines, are_free : sequence
-        Of each block the vertices, and whether forces move it.
+        Vertices of each block, and whether it moves freely.
     contacts : numpy.ndarray
-        As `World.contacts` gives them.
+        From `World.contacts`.
     ax : matplotlib.axes.Axes, optional
-        Where to; by default the present axes.
+        Axes to draw into; by default the current axes.
 
     Returns
     -------
@@ -52,7 +52,7 @@ def plot_blocks(
     contacts, size = contacts[size > 0], size[size > 0]
     if len(contacts) > 0:
         middle, direction = contacts["force_point"][:, :2], contacts["force"][:, :2] / size[:, None]
-        # As long as the smaller block is wide, so that the lines link up to chains of force.
+        # As long as the width of the smaller block, so that the lines form force chains.
         reach = dict(zip(blocks, (np.ptp(outline, axis=0).min() for outline in outlines)))
         half = (
             np.array([0.5 * min(reach[c["block_a"]], reach[c["block_b"]]) for c in contacts])[:, None]
@@ -68,7 +68,7 @@ def plot_blocks(
 def plot_pair(
     shape_a: Shape, pose_a: ArrayLike, shape_b: Shape, pose_b: ArrayLike, contact: Any, ax: Any = None
 ) -> Any:
-    """Draws two polygons and what `pair_detect` says of them: the points of the contact and its normal.
+    """Draws two polygons and their contact from `pair_detect`: its points and normal.
 
     Returns
     -------
@@ -108,7 +108,7 @@ def _placed(shape: Shape, pose: ArrayLike) -> Any:
 
 
 def picture_by(plot: Callable[[Any], Any]) -> Optional[bytes]:
-    """A PNG of what is plotted into the axes given, for notebooks; None without matplotlib."""
+    """A PNG of the axes drawn by `plot`, for notebooks; None without matplotlib."""
     try:
         from matplotlib.backends.backend_agg import FigureCanvasAgg
         from matplotlib.figure import Figure

@@ -1,4 +1,4 @@
-"""A world that is brought to rest, changed while it lives, and weakened until it falls."""
+"""Dynamic relaxation, changes of settings, and strength reduction."""
 import ctypes
 from typing import Any, Tuple, Union
 
@@ -6,14 +6,17 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _raw
-from ._arrays import BALANCE, STRENGTH_REPORT, empty_record, vector
+from ._arrays import vector
+from ._choice import choice
 from ._library import library
+from ._record import empty_record
 from .bond import BondedBlocks
-from .constants import Unbalanced, choice
+from .constants import Unbalanced
+from .records import BALANCE, STRENGTH_REPORT
 
 
 class Statics(BondedBlocks):
-    """Rest, and what leads away from it."""
+    """Relaxation, changes of settings, and strength reduction."""
 
     def relax(
         self,
@@ -25,28 +28,28 @@ class Statics(BondedBlocks):
         adaptive: bool = True,
         hold_bonds: bool = True,
     ) -> Tuple[bool, Any]:
-        """Steps the world under strong damping until no force is left unbalanced. Its own damping comes back
-        afterwards; at rest, velocities are set to 0.
+        """Steps the world under strong damping until static equilibrium, then sets all velocities to 0. Damping and
+        the state of `hold_bonds` are restored afterwards.
 
         Parameters
         ----------
         ratio : float
-            Of unbalanced forces to all, at which it is at rest.
+            Unbalanced ratio of equilibrium, > 0.
         measure : Unbalanced or its name
-            Over all forces, or the largest ratio of a single block or node.
+            "mean": sum of unbalanced forces over sum of all forces; "largest": largest ratio of a single block or node.
         max_steps : int
-            At least 1.
+            Max number of steps, at least 1.
         local_damping : float
-            [0, 1) meanwhile; without adaptive damping 0.8 does best.
+            [0, 1); use 0.8 without adaptive damping.
         adaptive : bool
-            Mass damping twice as fast as the slowest motion that is left swings.
+            Critical mass damping of the slowest mode; False: the world's mass damping.
         hold_bonds : bool
-            Bonds do not fail meanwhile.
+            Bonds cannot fail during the relaxation.
 
         Returns
         -------
         tuple
-            Whether it is at rest, and a record of `BALANCE`.
+            True in equilibrium, and a record of `BALANCE`.
         """
         struct = _raw.hs_relaxation_def()
         library.hs_relaxation_def_init(ctypes.byref(struct), ctypes.sizeof(struct))
@@ -59,28 +62,29 @@ class Statics(BondedBlocks):
 
     @property
     def balance(self) -> Any:
-        """The balance of the world now: a record of `BALANCE`. Takes as long as a step."""
+        """Current balance of forces: a record of `BALANCE`. It costs as much as a step."""
         array, address = empty_record(BALANCE)
         self._call(library.hs_world_get_balance, _raw.hs_balance.from_address(address), BALANCE.itemsize)
         return array[0]
 
     def set_gravity(self, gravity: ArrayLike) -> None:
-        """Sets gravity from now on, m/s2."""
+        """Sets gravity, m/s2. The change of potential energy counts as external work."""
         self._call(library.hs_world_set_gravity, vector(gravity, "gravity"))
         self._given.see("gravity", np.array(vector(gravity, "gravity")[:]))
 
     def set_damping(self, local_damping: float = 0.0, mass_damping: float = 0.0) -> None:
-        """Sets damping from now on, see `World`."""
+        """Sets local and mass damping, see `World`."""
         self._call(library.hs_world_set_damping, local_damping, mass_damping)
         self._given.see("mass_damping", mass_damping)
 
     def set_time_step(self, time_step: float) -> None:
-        """Sets the time step from now on; 0: a share of the stable one."""
+        """Sets the time step, s; 0: `safety` times the stable time step."""
         self._call(library.hs_world_set_time_step, time_step)
         self._given.see("time_step", time_step)
 
     def set_strength_factor(self, factor: float) -> None:
-        """Divides friction, cohesion and tensile strength of all laws and bonds, as they were given, by a factor."""
+        """Divides the given friction (tangent of its angle), cohesion and tensile strength of all laws and bonds by a
+        factor, from 1e-75 to 1e75. Calls do not accumulate."""
         self._call(library.hs_world_set_strength_factor, factor)
 
     def find_strength_factor(
@@ -93,19 +97,19 @@ class Statics(BondedBlocks):
         max_displacement: float = 0.1,
         max_steps: int = 100000,
     ) -> Any:
-        """Looks for the factor of safety by bisection: how many times weaker all materials could be until something
-        moves. Each trial relaxes a copy of the world, which stays as it is and should be at rest.
+        """Computes the factor of safety by bisection. Each trial relaxes a copy of the world with reduced strength,
+        in which bonds can fail. The world, which should be in equilibrium, does not change.
 
         Parameters
         ----------
         low, high, resolution : float
-            The bracket, and how narrow it has to be.
+            Initial bracket, and width of the final one.
         ratio : float
-            Of unbalanced forces at which a world stands.
+            Unbalanced ratio of a stable world.
         max_displacement : float
-            Share of its size by which a block that moves has fallen.
+            Displacement of a block, divided by its size, that is failure.
         max_steps : int
-            What is not at rest by then falls as well.
+            A world not in equilibrium after these steps has failed.
 
         Returns
         -------

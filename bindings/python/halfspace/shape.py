@@ -6,27 +6,19 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _raw
-from ._arrays import (
-    CLEAN_REPORT,
-    FAULT,
-    FIT_REPORT,
-    SHAPE_PROPERTIES,
-    empty_record,
-    indices,
-    mutable_view_of,
-    vector,
-    view_of,
-)
+from ._arrays import indices, mutable_view_of, vector, view_of
 from ._library import library
+from ._record import empty_record
 from .context import Context, Handle, default_context, held
+from .records import CLEAN_REPORT, FAULT, FIT_REPORT, SHAPE_PROPERTIES
 
 
 class Shape(Handle):
     """An immutable convex polygon (2D) or polyhedron (3D), for any number of blocks.
 
-    Make one with `polygon`, `polyhedron`, `hull`, `from_halfspaces`, `boundary`, `rectangle` or `box`. Faulty
-    input is refused with its reason (`GeometryError`); nothing is repaired without a tolerance. Arrays of
-    float64 go in without a copy, however they are strided.
+    Created by `polygon`, `polyhedron`, `hull`, `from_halfspaces`, `boundary`, `rectangle` or `box`. Faulty input is
+    refused (`GeometryError`), and repaired only within a given tolerance. Arrays of float64 are not copied, also if
+    strided.
 
     Examples
     --------
@@ -38,7 +30,7 @@ class Shape(Handle):
     def __init__(self, context: Context, pointer: Any) -> None:
         super().__init__(context, pointer, library.hs_shape_destroy)
         self._properties: Any = None
-        #: Of a shape made with a tolerance, a record with the fields of ``hs_fit_report``; otherwise None.
+        #: For a shape made with a tolerance, a record of the fields of ``hs_fit_report``; else None.
         self.fit_report: Any = None
 
     @classmethod
@@ -54,12 +46,12 @@ class Shape(Handle):
 
     @classmethod
     def polygon(cls, vertices: ArrayLike, *, context: Optional[Context] = None) -> "Shape":
-        """A convex polygon.
+        """Creates a convex polygon.
 
         Parameters
         ----------
         vertices : array_like, shape (n, 2)
-            Its corners, clockwise or counter-clockwise, 3 or more.
+            Vertices, m, clockwise or counter-clockwise, 3 or more.
         context : Context, optional
             The owner; the default context if there is none given.
 
@@ -103,19 +95,18 @@ class Shape(Handle):
         tolerance: Optional[float] = None,
         context: Optional[Context] = None,
     ) -> "Shape":
-        """A convex polyhedron.
+        """Creates a convex polyhedron.
 
         Parameters
         ----------
         vertices : array_like, shape (n, 3)
             Its corners.
         faces : sequence of sequences of int
-            The vertices of each face, all faces counter-clockwise seen from outside, or all clockwise. A face
-            may have any number of vertices; two neighbours must not lie in one plane.
+            Vertex indices of each face in outline order; all faces counter-clockwise seen from outside, or all
+            clockwise. A face may have any number of vertices; neighbour faces must not be coplanar.
         tolerance : float, optional
-            Distance within which facets are plane and convex: those that lie in a common plane within it are one
-            face, dents up to it are taken, and the planes are fitted. `fit_report` has the changes. Without it
-            faces are exact to rounding.
+            Distance, m, within which facets are plane and convex: facets within it of a common plane form one face
+            with a fitted plane. `fit_report` has the changes. Without it faces must be plane and convex to rounding.
         """
         if tolerance is not None:
             return cls._fitted(vertices, faces, tolerance, context)
@@ -129,8 +120,8 @@ class Shape(Handle):
     def hull(
         cls, points: ArrayLike, *, tolerance: Optional[float] = None, context: Optional[Context] = None
     ) -> "Shape":
-        """The convex hull of points: a polygon of (n, 2), a polyhedron of (n, 3). Points inside and repeated
-        ones are allowed. In 3D facets that lie in one plane within the `tolerance` are one face, see
+        """Creates the convex hull of points: a polygon from shape (n, 2), a polyhedron from (n, 3). Inner and
+        repeated points are allowed. In 3D facets within the `tolerance` of a common plane are one face, see
         `polyhedron`."""
         array = np.asarray(points, np.float64)
         if tolerance is not None:
@@ -143,14 +134,14 @@ class Shape(Handle):
     def from_halfspaces(
         cls, normals: ArrayLike, offsets: ArrayLike, *, context: Optional[Context] = None
     ) -> "Shape":
-        """The polyhedron of all points p with ``normals @ p <= offsets``.
+        """Creates the polyhedron of all points p with ``normals @ p <= offsets``.
 
         Parameters
         ----------
         normals : array_like, shape (n, 3)
-            Outer normals of any length but 0.
+            Outer normals, of any length except 0.
         offsets : array_like, shape (n,)
-            One for each normal.
+            One per normal.
         """
         view = view_of(normals, 3, "normals")
         limits = np.ascontiguousarray(offsets, np.float64)
@@ -169,19 +160,18 @@ class Shape(Handle):
         after: Optional[ArrayLike] = None,
         context: Optional[Context] = None,
     ) -> "Shape":
-        """A boundary segment: the virtual polygon of which it is an edge, for a fixed or prescribed block. A
-        line is a segment that reaches beyond the scene.
+        """Creates a boundary segment for a fixed or prescribed block: a virtual polygon with the segment as one edge.
 
         Parameters
         ----------
         first, second : array_like, shape (2,)
-            Its ends. The inside is at the left on the way from the first to the second: a floor under blocks
-            runs towards -x, the walls of a container run clockwise.
+            Ends of the segment, m. The inside is on the left of the direction from first to second: a floor runs
+            towards -x, the walls of a container run clockwise.
         depth : float
-            How far the polygon reaches behind the segment: above twice the deepest overlap.
+            Depth of the polygon behind the segment, m: more than twice the max overlap.
         before, after : array_like, shape (2,), optional
-            Of a segment in a chain, the other ends of its neighbours. The polygon's flanks go under these, 60
-            degrees steep, so that nothing stands out and no gap is left.
+            In a chain, the other ends of the neighbour segments. The flanks of the polygon lie under the neighbours,
+            at 60 degrees, without gaps or protrusions.
         context : Context, optional
             The owner; the default context if there is none given.
 
@@ -198,13 +188,13 @@ class Shape(Handle):
 
     @classmethod
     def rectangle(cls, width: float, height: float, *, context: Optional[Context] = None) -> "Shape":
-        """A rectangle about the origin."""
+        """Creates a rectangle, centered at the origin."""
         x, y = 0.5 * width, 0.5 * height
         return cls.polygon([(-x, -y), (x, -y), (x, y), (-x, y)], context=context)
 
     @classmethod
     def box(cls, width: float, depth: float, height: float, *, context: Optional[Context] = None) -> "Shape":
-        """A cuboid about the origin, with edges along x, y and z."""
+        """Creates a cuboid, centered at the origin, with edges along x, y and z."""
         signs = [(i, j, k) for k in (-0.5, 0.5) for j in (-0.5, 0.5) for i in (-0.5, 0.5)]
         faces = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (1, 3, 7, 5), (3, 2, 6, 7), (2, 0, 4, 6)]
         return cls.polyhedron(np.multiply(signs, (width, depth, height)), faces, context=context)
@@ -217,7 +207,7 @@ class Shape(Handle):
 
     @property
     def properties(self) -> Any:
-        """Geometry and mass per unit density: a record with the fields of ``hs_shape_properties``."""
+        """Geometry and mass properties per unit density: a record of the fields of ``hs_shape_properties``."""
         if self._properties is None:
             array, address = empty_record(SHAPE_PROPERTIES)
             pointer = _raw.hs_shape_properties.from_address(address)
@@ -233,25 +223,25 @@ class Shape(Handle):
 
     @property
     def volume(self) -> float:
-        """In 2D the area, as the thickness is 1."""
+        """Volume, m3; in 2D area times unit thickness."""
         return float(self.properties.volume)
 
     @property
     def centroid(self) -> NDArray[np.float64]:
-        """In the coordinates it was made from; shape (dimension,)."""
+        """Centroid, m, in the coordinates that the shape was made from; shape (dimension,)."""
         return np.array(self.properties.centroid[: self.dimension])
 
     @property
     def vertices(self) -> NDArray[np.float64]:
-        """In the coordinates it was made from, shape (n, dimension); those of a polygon counter-clockwise."""
+        """Vertices, m, in the coordinates that the shape was made from, shape (n, dimension); in 2D
+        counter-clockwise."""
         array = np.empty((self.properties.vertex_count, self.dimension))
         self._call(library.hs_shape_get_vertices, mutable_view_of(array, self.dimension, "vertices"), None)
         return array
 
     @property
     def faces(self) -> List[NDArray[np.int32]]:
-        """The vertices of each face, counter-clockwise seen from outside; in 2D each edge with its two
-        ends."""
+        """Vertex indices of each face, counter-clockwise seen from outside; in 2D the two ends of each edge."""
         faces, corners = self.properties.face_count, 2 * self.properties.edge_count
         first, vertices = np.empty(faces + 1, np.int32), np.empty(corners, np.int32)
         self._call(
@@ -267,15 +257,15 @@ class Shape(Handle):
 
     @property
     def edges(self) -> NDArray[np.int32]:
-        """The vertices at both ends of each edge, shape (n, 2), as contacts name edges."""
+        """Vertex indices of the ends of each edge, shape (n, 2). Contacts use the indices of these edges."""
         array = np.empty((self.properties.edge_count, 2), np.int32)
         self._call(library.hs_shape_get_edges, array.ctypes.data, len(array), None)
         return array
 
     @property
     def halfspaces(self) -> Tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Outer unit normals (n, dimension) and offsets (n,): p is inside when ``normals @ p <= offsets``.
-        The centroid is at the origin here."""
+        """Outer unit normals (n, dimension) and offsets (n,), relative to the centroid: p is inside if ``normals @ p
+        <= offsets``."""
         count = self.properties.face_count
         normals, offsets = np.empty((count, self.dimension)), np.empty(count)
         view = mutable_view_of(normals, self.dimension, "normals")
@@ -283,19 +273,19 @@ class Shape(Handle):
         return normals, offsets
 
     def cut(self, point: ArrayLike, normal: ArrayLike) -> Tuple[Optional["Shape"], Optional["Shape"]]:
-        """Cuts by a plane (a line in 2D); the shape stays as it is.
+        """Cuts the shape by a plane (2D: a line) into two shapes. The shape does not change.
 
         Parameters
         ----------
         point : array_like
-            A point of the plane, in the coordinates the shape was made from.
+            A point of the plane, m, in the coordinates that the shape was made from.
         normal : array_like
-            The plane's normal, any length but 0.
+            Normal of the plane, of any length except 0.
 
         Returns
         -------
         behind, ahead : Shape or None
-            The part against the normal and the part along it; None where there is none.
+            The parts on the negative and positive side of the normal; None if a part is empty.
         """
         parts = ctypes.POINTER(_raw.hs_shape)(), ctypes.POINTER(_raw.hs_shape)()
         through, along = vector(point, "point"), vector(normal, "normal")
@@ -312,12 +302,12 @@ def _flattened(faces: Sequence[Sequence[int]]) -> Tuple[NDArray[np.int32], NDArr
 
 
 def check_polygon(vertices: ArrayLike, *, context: Optional[Context] = None) -> Any:
-    """Says what is wrong with a polygon's vertices.
+    """Validates the vertices of a polygon.
 
     Returns
     -------
     numpy.record
-        `kind` (a `Fault`, 0 if there is none) and `vertex`, -1 if it is the whole.
+        `kind` (a `Fault`, 0 if there is none) and `vertex` (-1: the whole).
     """
     keeper = (context or default_context())._alive
     array, address = empty_record(FAULT)
@@ -333,7 +323,7 @@ def check_polygon(vertices: ArrayLike, *, context: Optional[Context] = None) -> 
 def check_polyhedron(
     vertices: ArrayLike, faces: Sequence[Sequence[int]], *, context: Optional[Context] = None
 ) -> Any:
-    """Says what is wrong with a polyhedron's vertices and faces, as `check_polygon` does, with the `face`."""
+    """Validates the vertices and faces of a polyhedron, as `check_polygon`; the record also has the `face`."""
     keeper = (context or default_context())._alive
     sizes, corners = _flattened(faces)
     array, address = empty_record(FAULT)
@@ -352,20 +342,19 @@ def check_polyhedron(
 def clean_polygon(
     vertices: ArrayLike, tolerance: float = 0.0, *, context: Optional[Context] = None
 ) -> Tuple[NDArray[np.float64], Any]:
-    """Drops repeated vertices and vertices on the line of their neighbours, and turns the order
-    counter-clockwise.
+    """Removes repeated and collinear vertices, and reverses a clockwise order.
 
     Parameters
     ----------
     vertices : array_like, shape (n, 2)
-        In the order of the outline.
+        In outline order.
     tolerance : float
-        Distance, >= 0; with 0 only exact repetitions go, and what is straight to rounding.
+        Distance, m, >= 0; 0 removes exact repetitions and vertices collinear to rounding.
 
     Returns
     -------
     vertices : numpy.ndarray, shape (m, 2)
-        What remains; no vertex is moved.
+        The remaining vertices; no vertex is moved.
     report : numpy.record
         `welded`, `straightened` and `reversed`.
     """

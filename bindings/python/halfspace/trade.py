@@ -1,7 +1,7 @@
-"""Error against cost of a scene that Python builds, at settings of its own.
+"""Error against cost of a scene built in Python, for given settings.
 
-As `halfspace trade` does for scene files, each setting is run to the same time, and a quantity is compared with what it
-should be::
+Like `halfspace trade` for scene files: each setting is run to the same time, and a quantity is compared with its
+reference::
 
     from halfspace.trade import grid, trade
 
@@ -31,12 +31,12 @@ Setting = Mapping[str, Any]
 
 @dataclasses.dataclass(frozen=True)
 class Trial:
-    """One setting, what came of it, and what it cost."""
+    """One setting with its result and cost."""
 
     setting: Dict[str, Any]
-    value: float  #: NaN when the run did not reach the end
-    error: float  #: from the reference, in parts of the scale; NaN likewise
-    cost: float  #: processor seconds for a second of the scene
+    value: float  #: NaN if the run did not reach the end
+    error: float  #: deviation from the reference divided by the scale; NaN likewise
+    cost: float  #: processor seconds per simulated second
 
     @property
     def is_whole(self) -> bool:
@@ -45,15 +45,15 @@ class Trial:
 
 @dataclasses.dataclass(frozen=True)
 class Trade:
-    """The findings of `trade`."""
+    """The result of `trade`."""
 
     trials: List[Trial]
     reference: float
     scale: float
-    left_out: List[Dict[str, Any]] = dataclasses.field(default_factory=list)  #: settings that the budget has left out
+    left_out: List[Dict[str, Any]] = dataclasses.field(default_factory=list)  #: settings not run within the budget
 
     def front(self) -> List[Trial]:
-        """Those that no cheaper one is as right as, from cheap to dear."""
+        """The Pareto front: trials without a cheaper one of at most their error, sorted by cost."""
         best: List[Trial] = []
         for trial in sorted((t for t in self.trials if t.is_whole), key=lambda t: (t.cost, t.error)):
             if not best or trial.error < best[-1].error:
@@ -61,12 +61,12 @@ class Trade:
         return best
 
     def cheapest(self, tolerance: float) -> Optional[Trial]:
-        """The cheapest within an error; None when no setting came so near."""
+        """The cheapest trial with an error within the tolerance; None if there is none."""
         return next((trial for trial in self.front() if trial.error <= tolerance), None)
 
 
 def grid(**values: Sequence[Any]) -> List[Dict[str, Any]]:
-    """All combinations of these values."""
+    """All combinations of the given values."""
     return [dict(zip(values, combination)) for combination in itertools.product(*values.values())]
 
 
@@ -81,23 +81,22 @@ def trade(
     budget: Optional[float] = None,
     record: Union[str, "os.PathLike[str]", None] = None,
 ) -> Trade:
-    """Runs a scene at each setting.
+    """Runs a scene for each setting.
 
     Parameters
     ----------
-    build : called with a setting's keywords for each run; gives a world at its start.
-    quantity : of a world at the end. A whole number of steps seldom makes up the duration: the world stands at the step
-        nearest to it.
+    build : called with the keywords of a setting for each run; returns the initial world.
+    quantity : computes the quantity of a world at the end, at the step closest to the duration.
     duration : s.
     settings : default ``grid(safety=[1, 1/2, 1/4, 1/8, 1/16])``.
-    reference : what should come out; by default what the run with the most steps gives, which is then no trial.
-    scale : the error that counts as 1; by default the size of the reference, or 1 if that is 0.
-    budget : s; no run is begun later than that, and the settings left out are told. None: there is no end.
-    record : a JSON file that keeps each run as it is done. What it knows is not run again: so a trade goes on that was
-        interrupted, or that had too small a budget. Settings have to be of what JSON knows, and the scene has to be the
-        same, which nothing checks.
+    reference : reference value; by default that of the run with the largest number of steps, which is then no trial.
+    scale : the error 1; by default the magnitude of the reference, or 1 if that is 0.
+    budget : s; no run starts later, and `left_out` lists the remaining settings. None: no limit.
+    record : a JSON file that stores each completed run. Stored runs are not repeated, so an interrupted trade, or one
+        with a small budget, continues. Settings must be JSON values. The scene must be the same, which is not
+        checked.
 
-    Runs that end as unstable, too fast or inverted are trials without a value.
+    Runs that end with UnstableError, TooFastError or InvertedError are trials without a value.
     """
     if not duration > 0:
         raise ValueError(f"duration is {duration}; it must be above 0 s")
@@ -139,7 +138,7 @@ class _Run:
 
 
 class _Record:
-    """Runs that a file keeps, or none."""
+    """Completed runs, stored in a file if there is one."""
 
     def __init__(self, path: Union[str, "os.PathLike[str]", None], duration: float) -> None:
         self._path = None if path is None else pathlib.Path(path)
@@ -168,7 +167,7 @@ class _Record:
 def _fastest(
     build: Callable[..., World], quantity: Callable[[World], float], duration: float, setting: Dict[str, Any]
 ) -> _Run:
-    """The fastest of up to five runs, unless they are long enough for a clock."""
+    """The fastest of up to five runs; fewer if a run is long enough to measure."""
     fastest = _run(build, quantity, duration, setting)
     for _ in range(4):
         if fastest.cost * duration > 0.05 or not math.isfinite(fastest.value):
@@ -184,7 +183,7 @@ def _run(
     world = build(**setting)
     start = time.process_time()
     try:
-        world.step()  # finds the time step
+        world.step()  # computes the time step
         world.step(max(0, round(duration / float(world.report.time_step)) - 1))
         is_whole = True
     except (UnstableError, TooFastError, InvertedError):

@@ -1,4 +1,4 @@
-"""A world of blocks: stepped by the library, or stage by stage by a host."""
+"""A world of blocks, stepped by the library or by an integrator of the host."""
 import ctypes
 import operator
 import time
@@ -8,69 +8,57 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _raw
-from ._arrays import (
-    BLOCK_STATE,
-    CONTACT,
-    WORLD_PLAN,
-    WORLD_REPORT,
-    as_pose,
-    block_id,
-    empty_record,
-    empty_records,
-    index,
-    mutable_view_of,
-    pose,
-    turn_vector,
-    vector,
-)
+from ._arrays import as_pose, block_id, index, mutable_view_of, pose, turn_vector, vector
+from ._choice import choice
 from ._library import library
+from ._record import Records, empty_record, empty_records
 from .block_arrays import Floats
 from .check import Boxes, notes_on_gravity, notes_on_sizes, notes_on_support, notes_on_time_step
-from .constants import BlockKind, FastBlocks, choice
+from .constants import BlockKind, FastBlocks
 from .context import Context, default_context, held
 from .law import Law
 from .plot import picture_by, plot_blocks
+from .records import BLOCK_STATE, CONTACT, WORLD_PLAN, WORLD_REPORT
 from .relax import Statics
 from .shape import Shape
 
 _FIRST_PORTION = 16  # steps
-_PICTURE_LIMIT = 20000  # blocks: a notebook shows no picture of more by itself
+_PICTURE_LIMIT = 20000  # blocks: larger worlds have no automatic picture in notebooks
 
 
 class World(Statics):
     """Blocks, materials, laws and time.
 
-    Bulk arrays are in the order of `blocks`; in 2D vectors have 2 components, angular velocities and torques
-    1, in 3D 3 and 3.
+    Arrays of blocks have the order of `blocks`. In 2D vectors have 2 components, angular velocities and torques 1; in
+    3D both have 3.
 
     Parameters
     ----------
     dimension : int
         2 or 3.
     gravity : array_like
-        Acceleration; by default 9.81 downwards: along -y in 2D, along -z in 3D.
+        m/s2; by default 9.81 along -y in 2D, along -z in 3D.
     time_step : float
-        0 (default) finds one: `safety` times the stable time step.
+        s, > 0; 0 (default): `safety` times the stable time step.
     safety : float
-        (0, 1]; 0.5 by default.
+        Factor of the stable time step, (0, 1]; by default 0.5.
     local_damping : float
-        [0, 1): force against each velocity component, share of the force.
+        Ratio of the damping force to the unbalanced force, per component, [0, 1); by default 0.
     mass_damping : float
-        1/s, >= 0: force -mass_damping * mass * velocity.
+        1/s, >= 0: force -mass_damping * mass * velocity; by default 0.
     skin : float
-        Reach of the neighbour list, share of a block's size, (0, 1]; 0.1 by default.
+        Skin of the neighbour list, as a fraction of a block's size, (0, 1]; by default 0.1.
     parallel_angle, vertex_zone : float
         As for `pair_detect`.
     potential_length : float
-        Of a law's potentials, > 0; 0 (default) finds one: the mean length of all blocks' edges when forces
-        are first used.
+        Length H of potentials, m, > 0; 0 (default): mean length of all edges at the first evaluation of forces.
     fast_blocks : FastBlocks or its name
-        DIVIDE (default) divides a step in which blocks meet too fast; REFUSE ends it with a TooFastError.
+        Continuous collision: DIVIDE (default) divides a step in which blocks approach too fast; REFUSE raises
+        TooFastError.
     sleep_tolerance : float
-        The way, in m, that any block may miss over a whole run as it stands still in time while nothing reaches
-        it, >= 0; 0 (default): none does.
+        Max displacement error of a block by sleep over a run, m, >= 0; 0 (default): no block sleeps.
     law : Law, optional
-        Between all materials that have none of their own.
+        Law of all pairs of materials without a law of their own.
     context : Context, optional
         The owner; the default context if there is none given.
 
@@ -107,7 +95,7 @@ class World(Statics):
         dimension = index(dimension, "dimension")
         of_space = dimension == 3
         library.hs_world_def_init(ctypes.byref(definition), ctypes.sizeof(definition), 3 if of_space else 2)
-        definition.dimension = dimension  # any other than 2 or 3 is refused below, with a text
+        definition.dimension = dimension  # values other than 2 or 3 are refused below, with an error text
         if gravity is not None:
             definition.gravity = vector(gravity, "gravity")
         settings = dict(
@@ -146,7 +134,7 @@ class World(Statics):
     def restore(
         cls, snapshot: Union[bytes, bytearray, memoryview], *, context: Optional[Context] = None
     ) -> "World":
-        """The world that `save` has saved, with its blocks, ids, materials and laws. It goes on bit for
+        """Creates a world from a snapshot of `save`, with the same ids, materials and laws. It continues bit for
         bit."""
         stored = np.frombuffer(snapshot, np.uint8)
         world = cls.__new__(cls)
@@ -155,7 +143,7 @@ class World(Statics):
         return world
 
     def save(self) -> bytes:
-        """The whole state of motion and contact."""
+        """Returns a snapshot of the complete state."""
         count = ctypes.c_size_t()
         with held(self):
             self._call(library.hs_world_save, None, 0, ctypes.byref(count))
@@ -163,7 +151,7 @@ class World(Statics):
             self._call(library.hs_world_save, stored.ctypes.data, stored.nbytes, ctypes.byref(count))
         return stored.tobytes()
 
-    def __reduce__(self) -> Tuple[Any, ...]:  # pickle, which knows no context
+    def __reduce__(self) -> Tuple[Any, ...]:  # pickle: the context is not stored
         return World.restore, (self.save(),)
 
     def __copy__(self) -> "World":
@@ -187,19 +175,19 @@ class World(Statics):
     # ---- materials and laws ----
 
     def add_material(self, density: float) -> int:
-        """Adds a material (density > 0) and returns its index."""
+        """Adds a material (density > 0, kg/m3) and returns its index."""
         material = ctypes.c_int32()
         self._call(library.hs_world_add_material, density, ctypes.byref(material))
         self._given.see(f"material[{material.value}].density", density)
         return material.value
 
     def set_default_law(self, law: Law) -> None:
-        """Sets the law of all pairs of materials that have none of their own."""
+        """Sets the law of all pairs of materials without a law of their own."""
         self._call(library.hs_world_set_default_law, law._as_struct())
         self._given.see("default_law", law)
 
     def set_law(self, material_a: int, material_b: int, law: Law) -> None:
-        """Sets the law between two materials, in either order; the same one twice is legal."""
+        """Sets the law of two materials, in either order; they may be the same."""
         self._call(
             library.hs_world_set_law,
             index(material_a, "material_a"),
@@ -223,31 +211,31 @@ class World(Statics):
         velocity: Optional[ArrayLike] = None,
         angular_velocity: Optional[ArrayLike] = None,
     ) -> int:
-        """Adds a block, which gets a copy of the shape.
+        """Adds a block. The world copies the shape.
 
         Parameters
         ----------
         shape : Shape
             Of the world's dimension.
         position : array_like, optional
-            Where its centroid is to be; by default where the shape's vertices were given.
+            Position of the centroid, m; by default in the coordinates of the shape's vertices.
         angle : float, optional
-            Turn about z, rad.
+            Rotation about z, rad.
         rotation : array_like, optional
-            Instead of an angle: unit quaternion x, y, z, w.
+            Unit quaternion x, y, z, w, instead of an angle.
         kind : BlockKind or its name
-            Rigid, affine, fixed or prescribed. The material of an affine block must be elastic.
+            Rigid, affine, fixed or prescribed. The material of an affine block must have an elasticity.
         material : int
             From `add_material`.
         velocity : array_like, optional
-            Of the centroid.
+            Velocity of the centroid, m/s.
         angular_velocity : float or array_like, optional
             rad/s; a number is about z.
 
         Returns
         -------
         int
-            The block's id (64 bits, unsigned). That of a removed block never names another.
+            Id of the block (unsigned, 64 bits). Ids of removed blocks are not reused.
         """
         definition = _raw.hs_block_def()
         with held(shape):
@@ -270,14 +258,14 @@ class World(Statics):
         self._call(library.hs_world_remove_block, block_id(block, "block"))
 
     def state(self, block: int) -> Any:
-        """One block's motion: a record with the fields of ``hs_block_state``."""
+        """Returns the motion of a block: a record of `BLOCK_STATE`."""
         array, address = empty_record(BLOCK_STATE)
         state = _raw.hs_block_state.from_address(address)
         self._call(library.hs_world_get_block_state, block_id(block, "block"), state)
         return array[0]
 
     def block_vertices(self, block: int) -> Floats:
-        """One block's vertices where they are now, shape (n, dimension)."""
+        """Returns the current positions of a block's vertices, m, shape (n, dimension)."""
         named, count, room = block_id(block, "block"), ctypes.c_int64(), np.empty((16, self.dimension))
         while True:
             view = mutable_view_of(room, self.dimension, "vertices")
@@ -294,24 +282,22 @@ class World(Statics):
         *,
         rotation: Optional[ArrayLike] = None,
     ) -> None:
-        """Puts a block elsewhere: a position with a turn about z or a quaternion, or 7 numbers as from
-        `pose`."""
+        """Sets the pose of a block: a position with a rotation about z or a quaternion, or 7 numbers as from `pose`."""
         whole = np.size(position) == 7
         if whole and (angle is not None or rotation is not None):
-            raise ValueError("position has 7 numbers, the last 4 of them a rotation: give no other")
+            raise ValueError("position has 7 numbers, including a rotation; give neither angle nor rotation")
         place = position if whole else pose(position, angle, rotation=rotation)
         self._call(library.hs_world_set_pose, block_id(block, "block"), as_pose(place, "pose"))
 
     def set_velocity(self, block: int, velocity: ArrayLike, angular_velocity: ArrayLike = 0.0) -> None:
-        """Sets a block's velocity and angular velocity (a number is about z)."""
+        """Sets the velocity, m/s, and angular velocity, rad/s, of a block (one number is about z)."""
         turn = turn_vector(angular_velocity, "angular_velocity")
         self._call(
             library.hs_world_set_velocity, block_id(block, "block"), vector(velocity, "velocity"), turn
         )
 
     def set_applied_force(self, block: int, force: ArrayLike, torque: ArrayLike = 0.0) -> None:
-        """Sets the force at the centroid and the torque that act on a rigid or affine block until set
-        again."""
+        """Sets the external force at the centroid, N, and torque, N m, of a rigid or affine block, until set again."""
         self._call(
             library.hs_world_set_applied_force,
             block_id(block, "block"),
@@ -322,8 +308,7 @@ class World(Statics):
     # ---- stages and steps ----
 
     def detect(self) -> int:
-        """Stage: neighbour search and detection at the present poses. Returns the number of pairs in
-        contact."""
+        """Stage: neighbour search and detection at the current poses. Returns the number of pairs in contact."""
         touching = ctypes.c_int64()
         self._call(library.hs_world_detect, ctypes.byref(touching))
         return touching.value
@@ -331,35 +316,33 @@ class World(Statics):
     def forces(
         self, elapsed: float, out: Optional[Floats] = None, torques_out: Optional[Floats] = None
     ) -> Tuple[Floats, Floats]:
-        """Stage: contact forces at the present poses and velocities, after `detect`.
+        """Stage: contact forces at the current poses and velocities, after `detect`.
 
         Parameters
         ----------
         elapsed : float
-            Time since the last call, >= 0: shear springs grow by velocity times this.
+            Time since the last call, s, >= 0: shear springs extend by velocity times this.
         out : numpy.ndarray, optional
-            Where the forces go, shape (n, dimension), float64; may be strided.
+            Array for the forces, shape (n, dimension), float64; may be strided.
         torques_out : numpy.ndarray, optional
-            Where the torques go, shape (n,) in 2D, else (n, 3).
+            Array for the torques, shape (n,) in 2D, else (n, 3).
 
         Returns
         -------
         forces, torques : numpy.ndarray
-            On each block; torques about its centroid.
+            On each block, N, and about its centroid, N m.
         """
         return self._vectors_and_turns(library.hs_world_forces, (elapsed,), out, torques_out)
 
     def step(self, steps: int = 1) -> None:
-        """Steps the world by velocity Verlet. A long run can be interrupted (Ctrl-C) and stays at a whole
-        step then.
+        """Steps the world by velocity Verlet. Ctrl-C interrupts a long run after a complete step.
 
         Raises
         ------
         UnstableError
-            The time step is too large. The world stays at the last good step.
+            The time step is too large. The world keeps the last valid state.
         """
-        # In portions of about a tenth of a second, between which Python looks for signals. A step does not
-        # know in which portion it is made.
+        # In portions of about 0.1 s, as Python handles signals between them. Results do not depend on the portions.
         left, portion = operator.index(steps), _FIRST_PORTION
         while left > portion:
             start = time.perf_counter()
@@ -368,9 +351,9 @@ class World(Statics):
             portion = max(1, int(portion * min(2.0, 0.1 / (time.perf_counter() - start))))
         self._call(library.hs_world_step, left)
 
-    def contacts(self) -> "np.recarray[Any, Any]":
-        """The contacts of the last detection, a structured array of `CONTACT`, sorted by block index, a
-        before b. `contacts().gap` is the gap of each."""
+    def contacts(self) -> Records:
+        """Returns the contacts of the last detection: an array of `CONTACT`, sorted by block index, a before b.
+        `contacts().gap` is the array of their gaps."""
         count = ctypes.c_int64()
         with held(self):
             self._call(library.hs_world_get_contacts, None, 0, ctypes.byref(count))
@@ -390,35 +373,35 @@ class World(Statics):
 
     @property
     def report(self) -> Any:
-        """Time, time step, counts and energies: a record with the fields of ``hs_world_report``."""
+        """Time, time step, counts and energies: a record of `WORLD_REPORT`."""
         array, address = empty_record(WORLD_REPORT)
         self._call(library.hs_world_get_report, _raw.hs_world_report.from_address(address), array.nbytes)
         return array[0]
 
     def plan(self, steps: int = 0) -> Any:
-        """The parts that the world computes and the limit of its step: a record with the fields of ``hs_world_plan``.
+        """Returns active parts, bytes, and the limit of the time step: a record of the fields of ``hs_world_plan``.
 
-        Its times are those of so many steps of a copy. ``WorldPart(int(plan.parts))`` names what is active."""
+        Its times are measured over `steps` steps of a copy. ``WorldPart(int(plan.parts))`` has the active parts."""
         array, address = empty_record(WORLD_PLAN)
         self._call(library.hs_world_get_plan, steps, _raw.hs_world_plan.from_address(address), array.nbytes)
         return array[0]
 
     @property
     def energy(self) -> Any:
-        """Where the energy is and where it went: a record with the fields of ``hs_energy``."""
+        """Energy ledger: a record of the fields of ``hs_energy``."""
         return self.report.energy
 
     @property
     def time(self) -> float:
-        """Passed so far."""
+        """Simulated time, s."""
         return float(self.report.time)
 
     def check(self) -> List[str]:
-        """Notes on all that is legal but seldom meant: values that their unit makes unlikely (a density in t/m3, a
-        cohesion in MPa), gravity that does not point down, blocks that nothing holds up, bonds that were not made, a
-        time step above the stable one. Empty where there is nothing to note; nothing is changed.
+        """Returns notes on unusual settings: values in a wrong unit (a density in t/m3, a cohesion in MPa), gravity
+        that does not point down, blocks without support, bonds that were not made, a time step above the stable one.
+        Empty if there is nothing unusual; nothing is changed.
 
-        A world that `restore` has made knows its blocks, but not its gravity, materials and laws.
+        For a world from `restore`, gravity, materials and laws are not checked.
 
         Examples
         --------
@@ -459,11 +442,11 @@ class World(Statics):
     # ---- pictures ----
 
     def plot(self, ax: Any = None, *, contacts: bool = True) -> Any:
-        """Draws a 2D world with matplotlib: its blocks, fixed and prescribed ones in grey, and the contacts of
-        the last detection as `halfspace.plot.plot_blocks` does. Returns the axes."""
+        """Draws a 2D world by matplotlib: blocks, with fixed and prescribed ones in grey, and the contacts of the
+        last detection, as `halfspace.plot.plot_blocks`. Returns the axes."""
         if self.dimension != 2:
             raise ValueError(
-                "only worlds of dimension 2 are drawn; ParaView reads what the halfspace command writes of others"
+                "dimension is 3; only 2D worlds are drawn; ParaView reads the output of the halfspace command"
             )
         with held(self):
             blocks = self.blocks
@@ -474,7 +457,7 @@ class World(Statics):
         return plot_blocks(blocks, outlines, are_free, touching if contacts else touching[:0], ax)
 
     def _repr_png_(self) -> Optional[bytes]:
-        """None in 3D, and of a world that is closed, empty or too large to draw in passing."""
+        """None in 3D, and for a closed, empty or large world."""
         if self.closed or self.dimension != 2 or not 0 < len(self) <= _PICTURE_LIMIT:
             return None
         return picture_by(self.plot)

@@ -1,5 +1,4 @@
-"""Reads the case files that all languages share (tests/cases/README.md) and makes their calls through the
-package."""
+"""Runs the case files that all languages share (tests/cases/README.md) by the package."""
 import numpy as np
 
 import halfspace as hs
@@ -7,7 +6,7 @@ from halfspace import _raw
 
 
 def statements(path):
-    """Line number and words of each line that says something, and the text after the second word."""
+    """Line number and words of each line with a statement, and the text after the second word."""
     for number, line in enumerate(path.read_text(encoding="ascii").splitlines(), 1):
         text = line.split("#")[0].strip()
         if text:

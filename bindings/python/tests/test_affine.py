@@ -1,4 +1,4 @@
-"""Affine blocks: tensors go in and come out rows first."""
+"""Affine blocks: tensors are arrays of rows."""
 import copy
 
 import numpy as np
@@ -36,7 +36,7 @@ def test_a_gradient_is_rows_first(affine_world):
 
 
 def test_strain_and_stress_are_those_of_the_gradient(affine_world):
-    """Green's strain and what Hooke's law makes of it, computed here."""
+    """Green strain and the stress by Hooke's law, computed here."""
     block = int(affine_world.blocks[0])
     gradient = np.array([(1.25, 0.5), (-0.125, 0.875)])
     affine_world.set_deformation(block, gradient)

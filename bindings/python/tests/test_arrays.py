@@ -1,4 +1,4 @@
-"""Arrays go in as they lie in memory, without a copy, and come out into the caller's."""
+"""Arrays are passed without a copy, and results are written into arrays of the caller."""
 import tracemalloc
 
 import numpy as np
@@ -11,7 +11,7 @@ OUTLINE = np.array([(0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (0.0, 1.0)])
 
 
 def strided_versions(points):
-    """The same points as slices, transposes, parts of structs and backwards."""
+    """The same points as slices, transposes, fields of structs and in reverse."""
     count, width = points.shape
     wide = np.zeros((2 * count, width + 3))
     wide[::2, 1 : 1 + width] = points
@@ -170,15 +170,15 @@ def test_a_number_of_more_than_64_bits_names_no_block(resting_world, add):
         resting_world.clear_surface_loads,
         lambda block: resting_world.set_shear_force(block, floor, (0, 0)),
     ):
-        with pytest.raises(ValueError, match=f"is {wrong}; it must be a whole number of 64 bits"):
+        with pytest.raises(ValueError, match=f"is {wrong}; it must be an unsigned 64-bit integer"):
             use(wrong)
 
 
 def test_whole_numbers_are_whole_and_fit(resting_world, square):
     corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
-    with pytest.raises(ValueError, match=r"faces\[0\] must be whole numbers"):
+    with pytest.raises(ValueError, match=r"faces\[0\] must be 32-bit integers"):
         hs.Shape.polyhedron(corners, [(0, 2, 1.5), (0, 1, 3), (0, 3, 2), (1, 2, 3)])
-    with pytest.raises(ValueError, match="pairs must be whole numbers of 32 bits"):
+    with pytest.raises(ValueError, match="pairs must be 32-bit integers"):
         hs.pairs_detect([square] * 2, [hs.pose((0, 0))] * 2, [(0, 2**32 + 1)])
     with pytest.raises(ValueError, match="material is 4294967296"):
         resting_world.add_block(square, material=2**32)

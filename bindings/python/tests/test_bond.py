@@ -1,4 +1,4 @@
-"""Bonds, rest, and the factor of safety."""
+"""Bonds, relaxation, and the factor of safety."""
 import numpy as np
 import pytest
 
@@ -27,7 +27,7 @@ def test_a_bond_holds_up_to_its_strength():
 
 def test_a_bond_fails_beyond_its_strength():
     world, block = pulled(1.01e5, tensile_strength=1e5)
-    assert world.relax(1e-7)[0]  # held while it settles
+    assert world.relax(1e-7)[0]  # failure is suspended during relaxation
     world.step(200)
     events = world.bond_events()
     assert list(events["failure"]) == [hs.BondFailure.TENSION] * 3

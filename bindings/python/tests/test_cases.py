@@ -1,4 +1,4 @@
-"""The cases that every language reads."""
+"""The cases that all languages share."""
 import os
 import pathlib
 

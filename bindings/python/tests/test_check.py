@@ -1,4 +1,4 @@
-"""`World.check` notes what is legal but seldom meant, and nothing else."""
+"""`World.check` returns notes on unusual settings only."""
 import copy
 
 import pytest

@@ -1,4 +1,4 @@
-"""Contacts without springs: bars that meet, and a block that rests."""
+"""Contacts without springs: the impact of bars, and a block at rest."""
 import numpy as np
 import pytest
 
@@ -37,5 +37,5 @@ def test_a_square_rests_with_its_weight():
     contacts = world.contacts()
     sign = np.where(contacts["block_b"] == block, 1, -1)
     assert (sign * contacts["force"][:, 1]).sum() == pytest.approx(20000)
-    # A blow is booked with the mean velocity of its step: gravity adds g dt / 2 to 1 m/s in that.
+    # The impact loss uses the mean velocity of the step: gravity adds g dt / 2 to 1 m/s.
     assert world.report.impact_loss == pytest.approx(20000 * 0.05, rel=0.011)

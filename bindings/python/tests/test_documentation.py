@@ -1,4 +1,4 @@
-"""What the README and the docstrings show works."""
+"""Programs in the README and examples in docstrings work."""
 import doctest
 import pathlib
 import re
@@ -34,7 +34,7 @@ def test_every_function_of_the_library_is_reached():
     sources = pathlib.Path(halfspace.__file__).parent.glob("*.py")
     text = "".join(each.read_text(encoding="utf-8") for each in sources if each.name != "_raw.py")
     called = set(re.findall(r"\blibrary\.(hs_\w+)", text))
-    # It sets the allocator of a context: here memory is the library's own affair.
+    # Functions without a Python interface.
     needless = {"hs_task_run"}  # for schedulers of C
     assert set(SYMBOLS.read_text(encoding="ascii").split()) - called == needless
 

@@ -1,4 +1,4 @@
-"""Failures are exceptions that carry the library's text, and ended objects do no harm."""
+"""Failed calls raise exceptions with the text of the library, and the use of closed objects is safe."""
 import gc
 import os
 import pickle
@@ -142,7 +142,7 @@ def test_dropped_while_another_thread_is_in_a_call(square):
 
 
 @pytest.mark.parametrize(
-    "path, text", [("/nowhere/libhalfspace.so", "HALFSPACE_LIBRARY"), ("libm.so.6", "of another version")]
+    "path, text", [("/nowhere/libhalfspace.so", "HALFSPACE_LIBRARY"), ("libm.so.6", "another version")]
 )
 def test_a_library_that_cannot_be_used_is_an_import_error(path, text):
     environment = {**os.environ, "HALFSPACE_LIBRARY": path}

@@ -1,4 +1,4 @@
-"""Bodies of finite elements: in and out, and at rest where theory wants them."""
+"""Bodies of finite elements: arguments and results, and equilibrium compared with theory."""
 import copy
 
 import numpy as np
@@ -26,7 +26,8 @@ def test_a_bar_is_stretched_as_hooke_says(bar):
     at_rest, balance = world.relax(1e-7)
     assert at_rest and balance["mean"] <= 1e-7
     stretch = (world.node_positions(body) - nodes)[right, 0]
-    # The second Piola stress is linear in Green's strain: E e (1 + e) (1 + e / 2) is the force over the area.
+    # The second Piola-Kirchhoff stress is linear in the Green strain: the force divided by the area is E e (1 + e) (1
+    # + e / 2).
     roots = np.roots([0.5, 1.5, 1, -1e-3])
     strain = float(roots[np.isreal(roots) & (roots.real > 0)][0].real)
     assert stretch == pytest.approx(4 * strain, rel=1e-5)
@@ -82,7 +83,7 @@ def test_every_kind_of_cell_has_its_volume():
     [
         ([(0, 0), (1, 0), (0, 1)], [[(0, 2, 1)]], "cell 0 is inside out"),
         ([(0, 0), (1, 0), (0, 1), (5, 5)], [[(0, 1, 2)]], r"nodes\[3\] = \(5, 5\) belongs to no cell"),
-        ([(0, 0), (1, 0), (0, 1)], [[(0, 1, 1)]], "names node 1 twice"),
+        ([(0, 0), (1, 0), (0, 1)], [[(0, 1, 1)]], "has node 1 twice"),
     ],
 )
 def test_what_is_no_mesh_is_refused(nodes, cells, text):
@@ -117,7 +118,7 @@ def hexahedra(counts, size):
 
 @pytest.fixture(params=["plane", "space"])
 def ground(request):
-    """Ground that bears its own weight since it was made, held at its sides and its bottom; its top is at 0."""
+    """Ground in equilibrium under its own weight from the start, held at its sides and its bottom; its top is at 0."""
     in_plane = request.param == "plane"
     dimension = 2 if in_plane else 3
     world = hs.World(dimension, gravity=(0, -GRAVITY) if in_plane else (0, 0, -GRAVITY))
@@ -148,7 +149,7 @@ def test_ground_is_at_rest_under_the_stress_that_it_was_given(ground):
 
 
 def heights_of_cells(world, body, up):
-    """Heights of their middles, from the stress that they were given."""
+    """Heights of the centers of cells, from their initial stress."""
     return world.cells(body)["stress"][:, up, up] / (DENSITY * GRAVITY)
 
 
@@ -156,19 +157,19 @@ def test_what_is_excavated_lets_the_ground_heave(ground):
     world, body, nodes, up = ground
     upper = np.flatnonzero(heights_of_cells(world, body, up) > -HEIGHT / 2)
     released = world.remove_cells(body, upper)
-    # The upper half pressed on the lower one with its weight.
+    # The upper half loaded the lower one by its weight.
     width = world.body_state(body).mass / (DENSITY * HEIGHT / 2)
     at_cut = np.flatnonzero(np.abs(nodes[:, up] + HEIGHT / 2) < 1e-9)
     assert released[at_cut, up].sum() == pytest.approx(-width * DENSITY * GRAVITY * HEIGHT / 2)
     assert not world.cells(body)["stress"][upper].any()
-    # Faded out or at once, it comes to the same.
+    # Gradual and sudden release have the same result.
     twin = copy.copy(world)
     for share in (0.5, 0):
         for node in at_cut:
             twin.set_node_force(body, [node], share * released[node])
         assert twin.relax(1e-9)[0]
     assert world.relax(1e-9)[0]
-    # The lower half is unloaded by the weight over its modulus; the strain is 4e-4.
+    # The lower half expands by the removed weight divided by its modulus; the strain is 4e-4.
     heave = DENSITY * GRAVITY * (HEIGHT / 2) ** 2 / MODULUS
     for one in (world, twin):
         assert (one.node_positions(body) - nodes)[at_cut, up] == pytest.approx(heave, rel=1e-3)

@@ -1,4 +1,4 @@
-"""Pictures are made, show what they should, and are not needed."""
+"""Pictures by matplotlib, which is optional."""
 import subprocess
 import sys
 
@@ -62,7 +62,7 @@ def test_a_notebook_shows_a_world(resting_world):
 
 
 def test_only_2d_is_drawn(axes):
-    with pytest.raises(ValueError, match="dimension 2"):
+    with pytest.raises(ValueError, match="only 2D worlds"):
         hs.World(3).plot(axes)
 
 

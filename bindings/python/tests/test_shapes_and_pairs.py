@@ -79,7 +79,7 @@ def test_corners_of_few_digits_keep_their_faces():
 def test_a_dent_beyond_the_tolerance_is_named():
     vertices = [(0, 0, 0), (3, 0, 0), (0, 3, 0), (0, 0, 3), (1, 1, 0.1)]
     faces = [(0, 1, 3), (1, 2, 3), (2, 0, 3), (0, 4, 1), (1, 4, 2), (2, 4, 0)]
-    with pytest.raises(hs.GeometryError, match=r"dent 0.1 deep at vertices\[4\].*a tolerance of 0.0\d+ would do"):
+    with pytest.raises(hs.GeometryError, match=r"dent 0.1 deep at vertices\[4\].*a tolerance of 0.0\d+ is sufficient"):
         hs.Shape.polyhedron(vertices, faces, tolerance=0.01)
     taken = hs.Shape.polyhedron(vertices, faces, tolerance=0.1)
     assert len(taken.faces) == 4
@@ -139,10 +139,10 @@ def test_many_pairs_are_what_single_pairs_are(square):
     assert set(caches["state"]) == {1, 2}
     with pytest.raises(ValueError, match="caches must be"):
         hs.pairs_detect(shapes, poses, pairs, caches=caches[1:])
-    with pytest.raises(hs.ArgumentError, match=r"pairs\[1\] is 99; there are 40 bodies"):
+    with pytest.raises(hs.ArgumentError, match=r"pairs\[1\] is 99; it must be >= 0 and below body_count, which is 40"):
         hs.pairs_detect(shapes, poses, [(0, 99)])
     assert len(hs.pairs_detect([], np.empty((0, 7)), np.empty((0, 2)))) == 0
-    with pytest.raises(ValueError, match="pairs: there are no bodies"):
+    with pytest.raises(ValueError, match="pairs must be empty if shapes is empty"):
         hs.pairs_detect([], np.empty((0, 7)), [(0, 1)])
 
 
@@ -177,7 +177,7 @@ def test_names_of_constants_may_be_words():
         (
             lambda: hs.Law(stiffness_kind="per are"),
             "stiffness_kind is 'per are'; it must be one of "
-            '"per contact", "per area", "potential", "none", or a StiffnessKind',
+            '"per contact", "per area", "potential", ',
         ),
         (lambda: hs.Law(stiffness_kind=1.0), 'stiffness_kind is 1.0; it must be one of "per contact"'),
         (lambda: hs.Elasticity(plane="plain"), "plane is 'plain'; it must be one of \"strain\", \"stress\""),

@@ -1,4 +1,4 @@
-"""Threads that share a context wait for each other, and end nothing that another one uses."""
+"""Threads that share a context wait for each other, and destroy no object in use by another one."""
 import threading
 
 import numpy as np
@@ -176,7 +176,7 @@ def test_a_context_is_not_closed_while_another_thread_makes_a_handle():
 
 
 def test_two_contexts_are_held_in_one_order(monkeypatch):
-    """Otherwise two threads with the same shapes in another order would wait for each other for ever."""
+    """Otherwise two threads with the same shapes in different orders would deadlock."""
     a, b = (hs.Shape.rectangle(1, 1, context=hs.Context()) for _ in range(2))
     locks = []
 

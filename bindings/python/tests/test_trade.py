@@ -11,7 +11,7 @@ WAY = 0.5 * 9.81 * (math.sin(SLOPE) - math.cos(SLOPE) * math.tan(FRICTION)) * 0.
 
 
 def sliding(stiffness=1e8, **settings):
-    """A block on a plane that gravity makes a slope."""
+    """A block on a plane with inclined gravity."""
     gravity = (9.81 * math.sin(SLOPE), -9.81 * math.cos(SLOPE), 0)
     law = hs.Law(normal_stiffness=stiffness, friction_angle=FRICTION)
     world = hs.World(gravity=gravity, law=law, **settings)
@@ -22,7 +22,7 @@ def sliding(stiffness=1e8, **settings):
 
 
 def way_of(world):
-    """Carried on to the time asked for, as a whole number of steps seldom makes it up."""
+    """Extrapolated to the duration, which is seldom a whole number of steps."""
     state = world.state(world.blocks[1])
     return state.pose.position[0] + (0.5 - world.time) * state.velocity[0]
 
@@ -83,7 +83,7 @@ def test_a_record_is_gone_on_with(tmp_path):
     both = run([1e6, 1e7])
     assert set(begun) == {1e7}
     assert both.trials[0] == first.trials[0] and both.left_out == []
-    # Runs that are known cost no budget.
+    # Stored runs use no budget.
     assert len(run([1e6, 1e7, 1e8], budget=0).trials) == 2
     with pytest.raises(ValueError, match="holds no trade of 0.25 s"):
         trade(counted, way_of, duration=0.25, settings=grid(stiffness=[1e6]), record=record)

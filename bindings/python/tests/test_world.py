@@ -20,8 +20,8 @@ def test_a_square_comes_to_rest(resting_world):
     assert (report.steps, report.block_count, report.contact_count) == (3000, 2, 1)
     assert resting_world.time == pytest.approx(3)
     energy = resting_world.energy
-    # All that the fall of 0.01 m and the sag of the spring set free goes into the dashpot and the spring; the
-    # impact begins inside a step.
+    # The potential energy of the fall of 0.01 m and of the static deflection goes into dashpot and spring; the impact
+    # begins within a step.
     fallen = 2000 * 9.81 * (0.51 - state.pose.position[1])
     assert energy.contact_damping_loss + energy.strain == pytest.approx(fallen, rel=0.05)
     assert repr(resting_world) == "<halfspace.World, 2D: 2 blocks>"

@@ -1,5 +1,5 @@
-//! Finds libhalfspace: where HALFSPACE_LIB_DIR says, else where pkg-config says. HALFSPACE_STATIC=1 puts it into the
-//! program, with what pkg-config says it needs.
+//! Finds libhalfspace in HALFSPACE_LIB_DIR, else by pkg-config. HALFSPACE_STATIC=1 links it
+//! statically, with the dependencies from pkg-config.
 
 use std::env;
 use std::path::Path;
@@ -39,7 +39,7 @@ fn main() {
     }
 }
 
-/// As the linker of C takes them: -L and a folder, -l and a library.
+/// Linker flags: -L and a folder, -l and a library.
 type Flags = Vec<String>;
 
 fn named_by_the_user(directory: &str) -> Result<Flags, String> {
@@ -54,11 +54,11 @@ fn named_by_the_user(directory: &str) -> Result<Flags, String> {
     }
 }
 
-/// Asks the program itself, which takes no crate.
+/// Runs pkg-config directly, without a crate.
 fn known_to_pkg_config(is_static: bool) -> Result<Flags, String> {
     let program = env::var("PKG_CONFIG").unwrap_or_else(|_| "pkg-config".to_owned());
     let answer = Command::new(&program)
-        // A folder that the linker would search by itself is named as well, to be searched first.
+        // Default folders of the linker are listed as well, to be searched first.
         .env("PKG_CONFIG_ALLOW_SYSTEM_LIBS", "1")
         .args(is_static.then_some("--static"))
         .args(["--print-errors", "--libs", NEEDED])
@@ -75,7 +75,7 @@ fn link(flags: &[String], is_static: bool) {
     for flag in flags {
         if let Some(directory) = flag.strip_prefix("-L") {
             println!("cargo:rustc-link-search=native={directory}");
-            // For build scripts of crates that stand on this one: DEP_HALFSPACE_LIB_DIR.
+            // For build scripts of dependent crates: DEP_HALFSPACE_LIB_DIR.
             println!("cargo:lib_dir={directory}");
         } else if let Some(library) = flag.strip_prefix("-l") {
             let kind = if is_static && library == "halfspace" {

@@ -1,12 +1,12 @@
-//! The C interface of libhalfspace as it is: types, constants and functions, generated from its headers.
+//! The C interface of libhalfspace: types, constants and functions, generated from its headers.
 //!
-//! Names and conventions are those of C: null pointers, statuses, handles that are destroyed by hand. The
-//! crate `halfspace` is the safe layer on top of this one.
+//! Names and conventions are those of C: null pointers, status codes, handles that the caller
+//! destroys. The crate `halfspace` is the safe interface on top of this one.
 //!
-//! The library is found in the folder that the environment variable `HALFSPACE_LIB_DIR` names, else by
+//! The library is found in the folder of the environment variable `HALFSPACE_LIB_DIR`, else by
 //! pkg-config.
 
-// As its generator lays it out.
+// Formatted by its generator.
 #[rustfmt::skip]
 mod raw;
 

@@ -7,18 +7,18 @@
 use std::marker::{PhantomData, PhantomPinned};
 use std::os::raw::{c_char, c_void};
 
-/// 0: done. Greater than 0: done, with a note. Less than 0: an error; nothing was changed.
+/// 0: success. Above 0: success with a note. Below 0: error; nothing has changed.
 pub type hs_status = i32;
-/// Names a block: index and generation. 0 is no block; a removed block's id never names another.
+/// Id of a block: index and generation. 0 is no block; ids of removed blocks are not reused.
 pub type hs_block = u64;
-/// Names a body in a world: index and generation. 0 is no body.
+/// Id of a body in a world: index and generation. 0 is no body.
 pub type hs_body = u64;
 
 /// ok
 pub const HS_OK: hs_status = 0;
-/// the output did not fit: only as much as the capacity holds was written
+/// the output is truncated to the capacity
 pub const HS_NOTE_TRUNCATED: hs_status = 1;
-/// forces are still unbalanced after as many steps as were allowed
+/// forces are still unbalanced after max_steps
 pub const HS_NOTE_NOT_AT_REST: hs_status = 2;
 /// an argument is null, out of range or not finite
 pub const HS_ERROR_ARGUMENT: hs_status = -1;
@@ -34,19 +34,19 @@ pub const HS_ERROR_STATE: hs_status = -5;
 pub const HS_ERROR_UNSTABLE: hs_status = -6;
 /// the bytes are not a snapshot that this library can read
 pub const HS_ERROR_FORMAT: hs_status = -7;
-/// a defect of the library: please report it
+/// internal error of the library; please report it
 pub const HS_ERROR_INTERNAL: hs_status = -8;
-/// two blocks meet too fast for the time step against their thickness
+/// two blocks approach too fast for the time step and their thickness
 pub const HS_ERROR_TOO_FAST: hs_status = -9;
-/// a cell of a mesh would be turned inside out
+/// a mesh cell would be inverted
 pub const HS_ERROR_INVERTED: hs_status = -10;
 
 // Contact types (Wang et al. 2021, section 2.5).
-/// separated: one violated potential pair, or a plane between, proves it
+/// separated: a violated potential contact pair or a separating plane proves it
 pub const HS_CONTACT_NONE: i32 = 0;
-/// a vertex meets a vertex; in 2D an end of the edge
+/// a vertex touches a vertex; in 2D an end of the edge
 pub const HS_CONTACT_VERTEX_VERTEX: i32 = 1;
-/// a vertex meets an edge between its ends
+/// a vertex touches the interior of an edge
 pub const HS_CONTACT_VERTEX_EDGE: i32 = 2;
 /// 2D: edges parallel within the parallel angle; 3D: edges that cross
 pub const HS_CONTACT_EDGE_EDGE: i32 = 3;
@@ -54,141 +54,140 @@ pub const HS_CONTACT_EDGE_EDGE: i32 = 3;
 pub const HS_CONTACT_EDGE_FACE: i32 = 4;
 /// 3D: two faces parallel within the parallel angle
 pub const HS_CONTACT_FACE_FACE: i32 = 5;
-/// 3D: a vertex meets a face between its edges
+/// 3D: a vertex touches the interior of a face
 pub const HS_CONTACT_VERTEX_FACE: i32 = 6;
 
-// Which features of the two blocks make a potential contact pair. In 2D an edge is what a face is in 3D.
+// Kinds of potential contact pairs, by the features of the two blocks. In 2D an edge takes the place of a
+// face.
 /// a face of block a (2D: an edge), a vertex of block b
 pub const HS_PAIR_FACE_VERTEX: i32 = 0;
 /// a vertex of block a, a face of block b (2D: an edge)
 pub const HS_PAIR_VERTEX_FACE: i32 = 1;
-/// 3D: an edge of each
+/// 3D: one edge of each block
 pub const HS_PAIR_EDGE_EDGE: i32 = 2;
-/// 3D, separated only: the vertices nearest to a plane between the blocks
+/// 3D, separated only: the vertices closest to a separating plane
 pub const HS_PAIR_VERTEX_VERTEX: i32 = 3;
 
-// Most points that are given of a contact region: 2 in 2D; in 3D, of a region with more corners, those that
-// lie farthest in as many directions spread evenly round the contact plane.
+// Max number of points of a contact region (2 in 2D). In 3D a region with more corners returns those that are
+// farthest in 8 directions, equally spaced in the contact plane.
 pub const HS_CONTACT_POINTS: i32 = 8;
 
-// What a stiffness refers to.
-/// N/m of a face on a face, shared over the corners of the region, each a spring on its own: in 2D a vertex
-/// alone has half of it, in 3D the corner of a square a quarter
+// Kinds of contact stiffness.
+/// N/m, of a face on a face, distributed over springs at the corners of the region: 1/2 for a 2D vertex, 1/4
+/// for a right-angled corner in 3D
 pub const HS_STIFFNESS_PER_CONTACT: i32 = 0;
-/// Pa/m: the normal force is the stiffness times the overlap area behind the contact plane
+/// Pa/m: normal force = stiffness times overlap area (3D: volume) behind the contact plane
 pub const HS_STIFFNESS_PER_AREA: i32 = 1;
-/// Pa: the potential force of Zheng et al. 2020, section 3. A point inside a block has its distance to the
-/// nearest face as potential, times the stiffness over the world's `potential_length`; what two blocks share
-/// is pushed down both. The force is the gradient of an energy, whichever way the blocks meet.
+/// Pa: gradient of the energy of the overlap (Zheng et al. 2020, section 3). Potential: distance to the
+/// nearest face times stiffness / potential_length
 pub const HS_STIFFNESS_POTENTIAL: i32 = 2;
-/// no spring: blocks are kept apart by just the force that does, from the moment of their touch on (Li et al.
-/// 2015). Stiffnesses and dampings count for nothing, and the stable time step is that of the blocks
+/// no spring: a unilateral constraint keeps blocks apart (Li et al. 2015). Stiffnesses and damping are
+/// ignored; blocks alone limit the time step
 pub const HS_STIFFNESS_NONE: i32 = 3;
 
-// What can be wrong with what a shape is to be made from.
+// Faults of the input of a shape.
 /// a valid convex polygon or polyhedron
 pub const HS_FAULT_NONE: i32 = 0;
-/// fewer than 3
+/// fewer than 3 vertices
 pub const HS_FAULT_TOO_FEW_VERTICES: i32 = 1;
-/// NaN, infinite, or too large or small to compute with
+/// a vertex is NaN, infinite, or out of range
 pub const HS_FAULT_NOT_FINITE: i32 = 2;
-/// two neighbours at the same place
+/// two neighbour vertices coincide
 pub const HS_FAULT_REPEATED_VERTEX: i32 = 3;
-/// a vertex on the line of its neighbours, to rounding
+/// a vertex is collinear with its neighbours, to rounding
 pub const HS_FAULT_COLLINEAR_VERTEX: i32 = 4;
-/// a corner that turns the other way
+/// a reflex vertex
 pub const HS_FAULT_NOT_CONVEX: i32 = 5;
 /// the outline winds more than once or crosses itself
 pub const HS_FAULT_SELF_CROSSING: i32 = 6;
-/// all vertices on one line
+/// all vertices are collinear
 pub const HS_FAULT_ZERO_AREA: i32 = 7;
-/// vertices or faces
+/// fewer than 4 vertices or faces
 pub const HS_FAULT_FEWER_THAN_FOUR: i32 = 8;
-/// a face of fewer than 3 vertices
+/// a face has fewer than 3 vertices
 pub const HS_FAULT_FACE_TOO_SHORT: i32 = 9;
-/// a face refers to a vertex that is not there
+/// a face has a vertex index out of range
 pub const HS_FAULT_NO_SUCH_VERTEX: i32 = 10;
-/// a face goes through the same vertex twice
+/// a face uses a vertex twice
 pub const HS_FAULT_VERTEX_TWICE_IN_FACE: i32 = 11;
-/// a vertex that belongs to no face
+/// a vertex belongs to no face
 pub const HS_FAULT_UNUSED_VERTEX: i32 = 12;
-/// an edge not shared by two faces in opposite directions
+/// an edge is not shared by two faces in opposite directions
 pub const HS_FAULT_UNMATCHED_EDGE: i32 = 13;
-/// a vertex of two faces only: not a corner
+/// a vertex belongs to two faces only
 pub const HS_FAULT_VERTEX_INSIDE_EDGE: i32 = 14;
-/// several surfaces, or one with holes
+/// not one closed surface without holes
 pub const HS_FAULT_NOT_ONE_SURFACE: i32 = 15;
-/// not finite, or beyond 1e50, or the whole smaller than 1e-50
+/// not finite, magnitude above 1e50, or total size below 1e-50
 pub const HS_FAULT_OUT_OF_RANGE: i32 = 16;
-/// two vertices at the same place
+/// two vertices coincide
 pub const HS_FAULT_COINCIDING_VERTICES: i32 = 17;
-/// all vertices in one plane, to rounding
+/// all vertices are coplanar, to rounding
 pub const HS_FAULT_ZERO_VOLUME: i32 = 18;
-/// a face with all vertices on one line, to rounding
+/// all vertices of a face are collinear, to rounding
 pub const HS_FAULT_FACE_WITHOUT_AREA: i32 = 19;
-/// a vertex off the plane of its face by more than rounding
+/// a vertex is off the plane of its face by more than rounding
 pub const HS_FAULT_FACE_NOT_PLANE: i32 = 20;
-/// a vertex before a face's plane: not convex
+/// a vertex is outside the plane of a face: not convex
 pub const HS_FAULT_VERTEX_OUTSIDE_FACE: i32 = 21;
-/// a face in one plane with a neighbour, to rounding
+/// two neighbour faces are coplanar, to rounding
 pub const HS_FAULT_COPLANAR_FACES: i32 = 22;
-/// points so close to degenerate that rounding hides their hull
+/// nearly degenerate points: rounding prevents their hull
 pub const HS_FAULT_HULL_FAILED: i32 = 23;
-/// a half-space whose normal is 0
+/// the normal of a half-space is 0
 pub const HS_FAULT_NO_DIRECTION: i32 = 24;
-/// half-spaces that do not bound a region
+/// the intersection of the half-spaces is unbounded
 pub const HS_FAULT_UNBOUNDED: i32 = 25;
-/// half-spaces without a region, or with one flat to rounding
+/// the intersection is empty, or flat to rounding
 pub const HS_FAULT_NO_COMMON_POINT: i32 = 26;
-/// a dent deeper than the tolerance
+/// a dent is deeper than the tolerance
 pub const HS_FAULT_BEYOND_TOLERANCE: i32 = 27;
 
-// How a block moves.
-/// never
+// Kinds of blocks.
+/// does not move
 pub const HS_BLOCK_FIXED: i32 = 0;
-/// with the velocity and spin given, whatever the forces
+/// moves with the given velocity, whatever the forces
 pub const HS_BLOCK_PRESCRIBED: i32 = 1;
-/// by Newton's law
+/// moves by Newton's law
 pub const HS_BLOCK_RIGID: i32 = 2;
-/// by Newton's law, and straining as a whole: see affine.h
+/// moves by Newton's law, with uniform strain: see affine.h
 pub const HS_BLOCK_AFFINE: i32 = 3;
-/// as the nodes of its mesh do: see mesh.h, whose hs_world_add_mesh() makes it
+/// surface cell of a mesh, moved by its nodes: made by hs_world_add_mesh(), see mesh.h
 pub const HS_BLOCK_MESH: i32 = 4;
 
-// What becomes of a step in which two blocks would move far against the thinner of them: more than a quarter
-// of its thickness.
-/// when they meet, or are in touch, it is divided: up to their first touch, and on from there by small parts.
-/// After 16384 of these it is refused, too
+// Continuous collision: treatment of a step in which two blocks in contact, or about to touch, would move by
+// more than a quarter of the thinner block's thickness.
+/// divide the step: one substep to the first touch, then small ones. More than 16384 substeps are
+/// HS_ERROR_TOO_FAST
 pub const HS_FAST_DIVIDE: i32 = 0;
-/// when they meet, or are in touch, it is refused with HS_ERROR_TOO_FAST
+/// refuse the step with HS_ERROR_TOO_FAST
 pub const HS_FAST_REFUSE: i32 = 1;
 
-// What 2D is a section of.
-/// a body that cannot strain across the plane
+// Assumption about the third direction in 2D.
+/// no strain perpendicular to the plane
 pub const HS_PLANE_STRAIN: i32 = 0;
-/// a sheet without stress across the plane
+/// no stress perpendicular to the plane
 pub const HS_PLANE_STRESS: i32 = 1;
 
-// The ways in which a point of a bond fails.
-/// it has not
+// Failure modes of a point of a bond.
+/// intact
 pub const HS_BOND_HOLDS: i32 = 0;
-/// by opening
+/// failed by opening
 pub const HS_BOND_TENSION: i32 = 1;
-/// by sliding
+/// failed by sliding
 pub const HS_BOND_SHEAR: i32 = 2;
 
-// What comes of two motions.
-/// they do not touch within the duration
+// Results of hs_pair_time_of_impact().
+/// the shapes do not touch within the duration
 pub const HS_IMPACT_NEVER: i32 = 0;
-/// they touch at the start already
+/// the shapes touch at time 0
 pub const HS_IMPACT_AT_START: i32 = 1;
-/// they are apart at the start and come to touch
+/// the shapes are separated at time 0 and touch later
 pub const HS_IMPACT_TOUCH: i32 = 2;
 
-// Kinds of cells. Nodes are numbered as Gmsh and VTK do: those of triangles and quads counter-clockwise; of a
-// tetrahedron the fourth lies where the first three run counter-clockwise seen from the other side; of prisms
-// and hexahedra those at the bottom come first, counter-clockwise seen from above, then those above them in
-// the same order.
+// Kinds of cells. Nodes are numbered as in Gmsh and VTK: triangles and quads counter-clockwise; the first
+// three nodes of a tetrahedron counter-clockwise seen from the fourth; prisms and hexahedra with the bottom
+// face first, counter-clockwise seen from above, then the top face in the same order.
 /// 3 nodes, 2D
 pub const HS_CELL_TRIANGLE: i32 = 0;
 /// 4 nodes, 2D, convex
@@ -200,41 +199,41 @@ pub const HS_CELL_PRISM: i32 = 3;
 /// 8 nodes, 3D
 pub const HS_CELL_HEXAHEDRON: i32 = 4;
 
-// Axes along which nodes are held; their sum holds along several.
-/// along x
+// Axes along which nodes are held. Values may be added.
+/// x
 pub const HS_AXIS_X: i32 = 1;
-/// along y
+/// y
 pub const HS_AXIS_Y: i32 = 2;
-/// along z, in 3D
+/// z, 3D only
 pub const HS_AXIS_Z: i32 = 4;
 
-// The parts of a step besides detection and normal forces of rigid blocks. One that is not active is neither
-// stored nor computed.
-/// a law resists shear: each pair keeps a shear spring
+// Optional parts of a step, in addition to detection and normal forces of rigid blocks. Inactive parts are
+// neither stored nor computed.
+/// a law has friction or cohesion: each pair stores a shear spring
 pub const HS_PART_FRICTION: i32 = 1;
-/// a law has cohesion or tensile strength
+/// there are bonds, or a law has cohesion or tensile strength
 pub const HS_PART_BONDS: i32 = 2;
-/// a law has dashpots
+/// a law has damping
 pub const HS_PART_CONTACT_DAMPING: i32 = 4;
-/// a law is per area: overlaps are measured
+/// a law is per area: overlap areas (3D: volumes) are computed
 pub const HS_PART_AREA: i32 = 8;
-/// a law is one of potentials: overlaps are divided; in space each pair keeps a plan of that
+/// a law is a potential: overlaps are divided into cells; in 3D each pair caches its division
 pub const HS_PART_POTENTIAL: i32 = 16;
-/// a block is affine or a cell of a mesh
+/// a block is affine or of a mesh
 pub const HS_PART_STRAIN: i32 = 32;
 /// the world has local damping
 pub const HS_PART_LOCAL_DAMPING: i32 = 64;
 /// the world has mass damping
 pub const HS_PART_MASS_DAMPING: i32 = 128;
-/// a law without a spring: one solver finds the impulses of all its contacts
+/// a law has no spring: a solver computes the impulses of all its contact constraints
 pub const HS_PART_HARD_CONTACTS: i32 = 256;
-/// blocks at rest may sleep
+/// sleep is enabled
 pub const HS_PART_SLEEP: i32 = 512;
 
-// The ratios by which forces are compared.
-/// all unbalanced forces over all forces: of cells, contacts, bonds, weight and loads
+// Measures of the unbalanced ratio.
+/// sum of all unbalanced forces over sum of all forces (cells, contacts, bonds, weight, loads)
 pub const HS_UNBALANCED_MEAN: i32 = 0;
-/// the largest such ratio of a single block or node; where next to nothing acts, over the mean force
+/// largest ratio of a single block or node; for negligible forces relative to the mean force
 pub const HS_UNBALANCED_LARGEST: i32 = 1;
 
 /// Opaque. Owns the allocator settings and the text of the last error.
@@ -245,8 +244,8 @@ pub struct hs_context {
     _marker: PhantomData<(*mut u8, PhantomPinned)>,
 }
 
-/// Opaque. Work in parts that may be done at the same time, for a host with a scheduler of its own:
-/// hs_task_run() does one.
+/// Opaque. Parallel work for the host's scheduler, in parts that are independent; hs_task_run() runs one
+/// part.
 #[repr(C)]
 pub struct hs_task {
     _opaque: [u8; 0],
@@ -262,7 +261,7 @@ pub struct hs_shape {
     _marker: PhantomData<(*mut u8, PhantomPinned)>,
 }
 
-/// Opaque.
+/// Opaque world.
 #[repr(C)]
 pub struct hs_world {
     _opaque: [u8; 0],
@@ -270,7 +269,7 @@ pub struct hs_world {
     _marker: PhantomData<(*mut u8, PhantomPinned)>,
 }
 
-/// Opaque; never changes.
+/// Opaque, immutable mesh.
 #[repr(C)]
 pub struct hs_mesh {
     _opaque: [u8; 0],
@@ -278,23 +277,24 @@ pub struct hs_mesh {
     _marker: PhantomData<(*mut u8, PhantomPinned)>,
 }
 
-/// Returns memory aligned to `alignment`, or NULL. NULL here means the C library's allocator.
+/// Returns memory aligned to `alignment` bytes, or NULL if there is none. Default NULL: the C library's
+/// allocator.
 pub type hs_context_def_allocate =
     unsafe extern "C" fn(bytes: usize, alignment: usize, user: *mut c_void) -> *mut c_void;
-/// Gives back what `allocate` returned. Set both or neither.
+/// Releases memory that `allocate` returned. Set both functions or neither.
 pub type hs_context_def_release =
     unsafe extern "C" fn(memory: *mut c_void, bytes: usize, alignment: usize, user: *mut c_void);
-/// The host's own scheduler, or NULL (default) for threads of the library. Calls hs_task_run(task, i) for i
-/// from 0 to count - 1, each once, in whatever order and on whatever threads, and returns when all have
-/// ended. `count` is `threads`. It is called within hs_world_ functions, on their thread, and calls nothing
-/// else of the library.
+/// The host's scheduler; default NULL: threads of the library. It must call hs_task_run(task, i) once for
+/// each i from 0 to count - 1, in any order and on any threads, and return after all calls have returned;
+/// count equals `threads`. Thread rule: called on the thread of an hs_world_ function; it must call no other
+/// function of the library.
 pub type hs_context_def_run_tasks =
     unsafe extern "C" fn(task: *mut hs_task, count: i32, scheduler: *mut c_void);
 
-/// One contact, or the proof that there is none. Points are in the frame of the poses given, directions in
-/// its orientation. Detection of single pairs leaves what has no meaning there as it was: ids, forces, torque
-/// and twist always; `area` and all that follows it when the blocks are separated or no region was asked for;
-/// points and gaps past `point_count`.
+/// One contact, or the proof of separation. Points and directions are in the frame of the given poses.
+/// Detection of single pairs does not write fields that have no meaning there: ids, forces, torque and twist;
+/// `area` and all later fields if the blocks are separated or hs_pair_options.without_region is 1; points and
+/// gaps beyond `point_count`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_contact {
@@ -304,63 +304,61 @@ pub struct hs_contact {
     pub block_b: u64,
     /// an HS_CONTACT_ value
     pub r#type: i32,
-    /// points of the region, 0 when separated
+    /// number of points of the region; 0 when separated
     pub point_count: i32,
-    /// an HS_PAIR_ value: of the pair whose half-space is the contact plane; separated: of the violated pair
+    /// an HS_PAIR_ value, of the pair that defines the contact plane; when separated, of the violated pair
     pub pair_kind: i32,
-    /// index of block a's vertex, edge or face in that pair. When a face separates, the vertex is -1: none is
-    /// behind the face, which is all of the proof
+    /// index of block a's vertex, edge or face in that pair; -1 for the vertex when a face separates the
+    /// blocks, as no vertex is behind it
     pub feature_a: i32,
-    /// index of block b's, likewise
+    /// index of block b's feature, likewise
     pub feature_b: i32,
     /// 0
     pub reserved: i32,
-    /// unit, from a to b
+    /// unit vector from a to b
     pub normal: [f64; 3],
-    /// of the pair along the normal, or at the deepest point of the region; < 0 is overlap. When separated it
-    /// is the separation that proves the verdict: a lower bound of the distance.
+    /// signed distance along the normal at the deepest point, m; < 0 is overlap. When separated, a lower
+    /// bound of the distance
     pub gap: f64,
-    /// 2D: overlap length of an edge-edge region times unit thickness; 3D: of a face-face region; else 0
+    /// area of an edge-edge region in 2D (length times unit thickness) or of a face-face region in 3D; else 0
     pub area: f64,
-    /// overlap length; 2D: of an edge-edge region; 3D: of an edge-face region; else 0
+    /// length of an edge-edge region in 2D or of an edge-face region in 3D; else 0
     pub length: f64,
     /// centroid of the region, on the contact plane
     pub center: [f64; 3],
-    /// gap there
+    /// gap at the center
     pub center_gap: f64,
-    /// of the region, on the contact plane; 3D: its corners, counter-clockwise about the normal
+    /// corners of the region, on the contact plane; in 3D counter-clockwise about the normal
     pub points: [[f64; 3]; 8],
     /// gap at each point
     pub gaps: [f64; 8],
-    /// on block b, normal and shear together; in a world
+    /// total contact force on block b, N; in a world
     pub force: [f64; 3],
-    /// couple on block b besides the force, about force_point
+    /// couple on block b in addition to the force at force_point, N m
     pub torque: [f64; 3],
-    /// where the force acts
+    /// point of application of the force
     pub force_point: [f64; 3],
-    /// compression > 0
+    /// N, compression > 0
     pub normal_force: f64,
-    /// in the contact plane, on block b; without friction 0 to rounding
+    /// on block b, in the contact plane, N; without friction 0 to rounding
     pub shear_force: [f64; 3],
-    /// 3D: torque about the normal, on block b
+    /// 3D: torque on block b about the normal, N m
     pub twist: f64,
-    /// s: time of the touch, inside of a step, by a law without springs; else 0
+    /// time of first touch within a step, s, for laws without springs; else 0
     pub touched_at: f64,
 }
 const _: () = assert!(std::mem::size_of::<hs_contact>() == 496);
 
-/// Normal force with Mohr-Coulomb friction, by a penalty spring or a potential. Fill it with
-/// hs_law_def_init(). Springs are those of Wang et al. 2021, section 3; potentials those of Zheng et al.
-/// 2020, section 3.
+/// Contact law: normal force by a penalty spring (Wang et al. 2021, section 3), a potential (Zheng et al.
+/// 2020, section 3) or a unilateral constraint, with Mohr-Coulomb friction. Fill it with hs_law_def_init().
 ///
-/// The potential force acts along a line of its own, which between faces that meet squarely is the contact's
-/// normal. Friction acts across that line, where it passes the centroid of what the blocks share. The normal
-/// and shear forces that hs_contact tells are the parts of the whole force along and across the contact's
-/// normal. Potentials hold nothing together: they take neither cohesion nor tensile strength.
+/// The force of a potential acts along its own line of action, which for aligned faces is the contact normal.
+/// Friction acts perpendicular to that line, at the centroid of the overlap. hs_contact reports the
+/// components of the total force along and perpendicular to the contact normal. Potentials have neither
+/// cohesion nor tensile strength.
 ///
-/// The damping that a law has by default is there for friction: without any, friction on springs feeds the
-/// vibration of what it should hold, and a block on a slope that is not steep enough for it to slide hops
-/// down. Set both dampings to 0 for bounces without loss.
+/// Friction on springs needs damping: without it friction feeds vibrations, and a block that friction could
+/// hold hops down a slope. Set both damping ratios to 0 for a rebound without loss.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_law_def {
@@ -368,24 +366,24 @@ pub struct hs_law_def {
     pub struct_size: u32,
     /// an HS_STIFFNESS_ value; default HS_STIFFNESS_PER_CONTACT
     pub stiffness_kind: i32,
-    /// \> 0; N/m of a face on a face (a vertex is softer), Pa/m or Pa; default 1e9
+    /// N/m, Pa/m or Pa by stiffness_kind, > 0; default 1e9
     pub normal_stiffness: f64,
-    /// \>= 0; N/m or Pa/m, of potentials N/m; 0, the default: the same number as normal_stiffness
+    /// N/m or Pa/m (potentials: N/m), >= 0; default 0: as normal_stiffness
     pub shear_stiffness: f64,
     /// rad, \[0, pi/2); default 0
     pub friction_angle: f64,
-    /// Pa, >= 0; of contacts that exist when a block's first step begins, until they fail; default 0
+    /// Pa, >= 0; default 0; of contacts that exist when a block's first step begins, until they fail
     pub cohesion: f64,
-    /// Pa, >= 0; likewise; default 0
+    /// Pa, >= 0; default 0; of the same contacts as cohesion
     pub tensile_strength: f64,
-    /// share of critical viscous damping, >= 0; default 0.1
+    /// damping ratio (fraction of critical viscous damping), >= 0; default 0.1
     pub normal_damping: f64,
-    /// share of critical viscous damping, >= 0; default 0.1
+    /// damping ratio, >= 0; default 0.1
     pub shear_damping: f64,
 }
 const _: () = assert!(std::mem::size_of::<hs_law_def>() == 64);
 
-/// How a context is made. Fill it with hs_context_def_init(), then change what you need.
+/// Settings of a context. Fill it with hs_context_def_init().
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct hs_context_def {
@@ -393,22 +391,23 @@ pub struct hs_context_def {
     pub struct_size: u32,
     /// 0
     pub reserved: u32,
-    /// Returns memory aligned to `alignment`, or NULL. NULL here means the C library's allocator.
+    /// Returns memory aligned to `alignment` bytes, or NULL if there is none. Default NULL: the C library's
+    /// allocator.
     pub allocate: Option<hs_context_def_allocate>,
-    /// Gives back what `allocate` returned. Set both or neither.
+    /// Releases memory that `allocate` returned. Set both functions or neither.
     pub release: Option<hs_context_def_release>,
-    /// passed to both
+    /// passed to allocate and release
     pub user: *mut c_void,
-    /// How many threads step a world, 1 to 256; default 1. Results have the same bits for any number. The
-    /// library makes and keeps one less than that, which wait for work; with `run_tasks` it makes none. Below
-    /// some hundred contacts one is used.
+    /// Number of threads that step a world, 1 to 256; default 1. Results are bit-identical for any number.
+    /// The context owns threads - 1 worker threads, or none if `run_tasks` is set. Small worlds use one
+    /// thread.
     pub threads: i32,
     /// 0
     pub reserved_2: u32,
-    /// The host's own scheduler, or NULL (default) for threads of the library. Calls hs_task_run(task, i) for
-    /// i from 0 to count - 1, each once, in whatever order and on whatever threads, and returns when all have
-    /// ended. `count` is `threads`. It is called within hs_world_ functions, on their thread, and calls
-    /// nothing else of the library.
+    /// The host's scheduler; default NULL: threads of the library. It must call hs_task_run(task, i) once for
+    /// each i from 0 to count - 1, in any order and on any threads, and return after all calls have returned;
+    /// count equals `threads`. Thread rule: called on the thread of an hs_world_ function; it must call no
+    /// other function of the library.
     pub run_tasks: Option<hs_context_def_run_tasks>,
     /// passed to run_tasks
     pub scheduler: *mut c_void,
@@ -432,7 +431,7 @@ pub struct hs_view {
 }
 const _: () = assert!(std::mem::size_of::<hs_view>() == 40);
 
-/// Points to write; the layout is that of hs_view, count is the capacity.
+/// Points to write, with the layout of hs_view.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct hs_mutable_view {
@@ -440,7 +439,7 @@ pub struct hs_mutable_view {
     pub x: *mut f64,
     /// first y component; not NULL unless count is 0
     pub y: *mut f64,
-    /// first z component; may be NULL in 2D only, else is set to 0 there
+    /// first z component; may be NULL in 2D only; in 2D 0 is written
     pub z: *mut f64,
     /// bytes from one point to the next, a multiple of sizeof(double); may be negative
     pub stride: i64,
@@ -449,18 +448,18 @@ pub struct hs_mutable_view {
 }
 const _: () = assert!(std::mem::size_of::<hs_mutable_view>() == 40);
 
-/// Where a shape is: its centroid, and its rotation about the centroid.
+/// Pose of a shape: position of its centroid and rotation about the centroid.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_pose {
-    /// of the centroid; finite, at most 1e75
+    /// of the centroid, m; finite, max 1e75
     pub position: [f64; 3],
-    /// unit quaternion x, y, z, w; its length may be off 1 by 1e-6 and is normalised
+    /// unit quaternion x, y, z, w; a length within 1e-6 of 1 is normalised
     pub rotation: [f64; 4],
 }
 const _: () = assert!(std::mem::size_of::<hs_pose>() == 56);
 
-/// The first fault found.
+/// First fault of an input.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_fault {
@@ -468,14 +467,14 @@ pub struct hs_fault {
     pub kind: i32,
     /// 0
     pub reserved: i32,
-    /// index of the offending vertex in the caller's list, -1 if it is the whole
+    /// index of the faulty vertex in the caller's list; -1: the whole
     pub vertex: i64,
-    /// index of the offending face in the caller's list, -1 if there is none
+    /// index of the faulty face in the caller's list; -1: none
     pub face: i64,
 }
 const _: () = assert!(std::mem::size_of::<hs_fault>() == 24);
 
-/// Geometry and mass per unit density. Later versions may append to it.
+/// Geometry and mass properties per unit density. Later versions may append to it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_shape_properties {
@@ -487,56 +486,56 @@ pub struct hs_shape_properties {
     pub vertex_count: i64,
     /// \>= 3; in 3D >= 6
     pub edge_count: i64,
-    /// half-spaces: edges in 2D, faces in 3D
+    /// half-spaces: faces, in 2D edges
     pub face_count: i64,
-    /// area times unit thickness in 2D
+    /// m3; in 2D area times unit thickness
     pub volume: f64,
-    /// in the coordinates the shape was made from
+    /// in the coordinates that the shape was made from, m
     pub centroid: [f64; 3],
-    /// about the centroid: xx, yy, zz, xy, yz, zx of the integral of r r^T; 2D: xx, yy, 0, xy, 0, 0. The
-    /// moment of inertia about z is the density times (xx + yy), and so on
+    /// integral of r r^T about the centroid: xx, yy, zz, xy, yz, zx; 2D: xx, yy, 0, xy, 0, 0. Moment of
+    /// inertia about z: density times (xx + yy)
     pub second_moment: [f64; 6],
-    /// farthest vertex from the centroid
+    /// max distance of a vertex from the centroid, m
     pub bounding_radius: f64,
-    /// length
+    /// length of the shortest edge, m
     pub shortest_edge: f64,
 }
 const _: () = assert!(std::mem::size_of::<hs_shape_properties>() == 128);
 
-/// What hs_polygon_clean() changed.
+/// Changes by hs_polygon_clean().
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_clean_report {
-    /// vertices dropped because they lay within the tolerance of the one before
+    /// vertices removed: within the tolerance of the previous vertex
     pub welded: i64,
-    /// vertices dropped because they lay within it of their neighbours' line
+    /// vertices removed: within the tolerance of their neighbours' line
     pub straightened: i64,
-    /// 1 if the order was turned counter-clockwise
+    /// 1: the order was reversed to counter-clockwise
     pub reversed: i32,
     /// 0
     pub reserved: i32,
 }
 const _: () = assert!(std::mem::size_of::<hs_clean_report>() == 24);
 
-/// The changes that hs_polyhedron_create_fitted() made or, when it refuses a dent, its place.
+/// Changes by hs_polyhedron_create_fitted(), or the dent that it refuses.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_fit_report {
-    /// HS_FAULT_NONE, or what the text says; of a dent the lowest vertex
+    /// HS_FAULT_NONE, or the fault; for a dent its deepest vertex
     pub fault: hs_fault,
-    /// facets given beyond the faces made
+    /// number of facets minus number of faces
     pub merged: i64,
-    /// largest distance of a vertex from the fitted plane of its face; of a dent its depth below the convex
-    /// hull
+    /// max distance of a vertex from the fitted plane of its face, m; for a dent its depth below the convex
+    /// hull, m
     pub deviation: f64,
-    /// largest distance of a corner from where it was given
+    /// max displacement of a corner, m
     pub moved: f64,
-    /// of a dent: a tolerance that takes it, tried; 0 if there is none
+    /// for a dent: a tolerance that suffices (tested), m; 0: none
     pub sufficient_tolerance: f64,
 }
 const _: () = assert!(std::mem::size_of::<hs_fit_report>() == 56);
 
-/// How a world is made. Fill it with hs_world_def_init().
+/// Settings of a world. Fill it with hs_world_def_init().
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_world_def {
@@ -544,37 +543,37 @@ pub struct hs_world_def {
     pub struct_size: u32,
     /// 2 or 3, as given to hs_world_def_init()
     pub dimension: i32,
-    /// acceleration; default 0, -9.81, 0 in 2D and 0, 0, -9.81 in 3D
+    /// m/s2; default (0, -9.81, 0) in 2D, (0, 0, -9.81) in 3D
     pub gravity: [f64; 3],
-    /// \> 0, or 0 (default): safety times the stable time step, found when the first step begins and again
-    /// after each change of the world from outside
+    /// s, > 0, or 0 (default): safety times the stable time step, computed at the first step and after each
+    /// change of the world by the host
     pub time_step: f64,
-    /// (0, 1\]; default 0.5
+    /// factor of the stable time step, (0, 1\]; default 0.5
     pub safety: f64,
-    /// \[0, 1): force opposing each velocity component, share of the force; default 0
+    /// ratio of the damping force to the unbalanced force, per component, \[0, 1); default 0
     pub local_damping: f64,
     /// 1/s, >= 0: force -mass_damping * mass * velocity; default 0
     pub mass_damping: f64,
-    /// reach of the neighbour list, share of a block's size; (0, 1\]; default 0.1
+    /// skin of the neighbour list, as a fraction of a block's size, (0, 1\]; default 0.1
     pub skin: f64,
-    /// see hs_pair_options
+    /// rad, \[0, 0.5\]; default 0.01; see hs_pair_options
     pub parallel_angle: f64,
-    /// see hs_pair_options
+    /// \[0, 0.5\]; default 1e-6; see hs_pair_options
     pub vertex_zone: f64,
-    /// H of HS_STIFFNESS_POTENTIAL, m, > 0: one for all blocks; or 0 (default): the mean length of all
-    /// blocks' edges when forces are first used
+    /// length H of HS_STIFFNESS_POTENTIAL, m, > 0; or 0 (default): mean length of all edges at the first
+    /// evaluation of forces
     pub potential_length: f64,
     /// an HS_FAST_ value; default HS_FAST_DIVIDE
     pub fast_blocks: i32,
     /// 0
     pub reserved: i32,
-    /// m, >= 0: the largest displacement error of a block by sleep over a run; blocks at rest are then left
-    /// out of steps. 0 (default): no block sleeps. Worlds with HS_STIFFNESS_NONE or meshes do not sleep
+    /// max displacement error of a block by sleep over a run, m, >= 0; default 0: no block sleeps. Worlds
+    /// with HS_STIFFNESS_NONE or meshes do not sleep
     pub sleep_tolerance: f64,
 }
 const _: () = assert!(std::mem::size_of::<hs_world_def>() == 112);
 
-/// How a block is made. Fill it with hs_block_def_init().
+/// Settings of a block. Fill it with hs_block_def_init().
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_block_def {
@@ -582,20 +581,20 @@ pub struct hs_block_def {
     pub struct_size: u32,
     /// an HS_BLOCK_ value; default HS_BLOCK_RIGID
     pub kind: i32,
-    /// from hs_world_add_material()
+    /// index from hs_world_add_material(); default 0
     pub material: i32,
     /// 0
     pub reserved: i32,
-    /// default: where the shape's vertices were given
+    /// default: the coordinates of the shape's vertices
     pub pose: hs_pose,
-    /// of the centroid; default 0
+    /// of the centroid, m/s; default 0
     pub velocity: [f64; 3],
     /// rad/s; 2D uses z; default 0
     pub angular_velocity: [f64; 3],
 }
 const _: () = assert!(std::mem::size_of::<hs_block_def>() == 120);
 
-/// A block's motion.
+/// Motion of a block.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_block_state {
@@ -605,48 +604,48 @@ pub struct hs_block_state {
     pub material: i32,
     /// of the centroid
     pub pose: hs_pose,
-    /// 2D: that of the pose, rad, counting whole turns, so that it is unbounded
+    /// 2D: rotation, rad, including full turns
     pub angle: f64,
-    /// of the centroid
+    /// of the centroid, m/s
     pub velocity: [f64; 3],
-    /// 2D: z
+    /// rad/s; 2D: z
     pub angular_velocity: [f64; 3],
-    /// contact force of the last force evaluation
+    /// contact force of the last force evaluation, N
     pub force: [f64; 3],
-    /// contact torque about the centroid, likewise
+    /// contact torque about the centroid of the last force evaluation, N m
     pub torque: [f64; 3],
-    /// 2D: per unit thickness
+    /// kg, in 2D per unit thickness
     pub mass: f64,
 }
 const _: () = assert!(std::mem::size_of::<hs_block_state>() == 176);
 
-/// Where the energy is and where it went, since the world was made (J, in 2D per unit thickness). Adding or
-/// removing blocks and setting a motion are booked as outer work.
+/// Energy ledger since the world was made, J, in 2D per unit thickness. Changes by the host (added or removed
+/// blocks, set motions) count as external work. See docs/concepts/energy.md.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_energy {
-    /// now
+    /// current kinetic energy
     pub kinetic: f64,
-    /// potential, zero at the origin, now
+    /// current potential energy of gravity, 0 at the origin
     pub gravity: f64,
-    /// in the contact springs, now
+    /// current energy of contact springs and bonds
     pub strain: f64,
-    /// by sliding and by breaking bonds, so far
+    /// dissipated by sliding and by failure of cohesive contacts
     pub friction_loss: f64,
-    /// by viscous contact damping, so far
+    /// dissipated by viscous contact damping
     pub contact_damping_loss: f64,
-    /// by local damping, so far
+    /// dissipated by local damping
     pub local_damping_loss: f64,
-    /// by mass-proportional damping, so far
+    /// dissipated by mass damping
     pub mass_damping_loss: f64,
-    /// by prescribed blocks, applied forces, surface loads and edits, so far
+    /// work of prescribed blocks, applied forces, surface loads and changes by the host
     pub outer_work: f64,
-    /// all but outer_work, minus outer_work: the energy error of the time stepping
+    /// numerical energy error: current energy plus losses minus outer_work
     pub residual: f64,
 }
 const _: () = assert!(std::mem::size_of::<hs_energy>() == 72);
 
-/// The state of a world in numbers. Later versions may append to it.
+/// State of a world. Later versions may append to it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_world_report {
@@ -654,53 +653,52 @@ pub struct hs_world_report {
     pub dimension: i32,
     /// 0
     pub reserved: i32,
-    /// done so far
+    /// completed steps
     pub steps: i64,
-    /// passed so far
+    /// s
     pub time: f64,
-    /// in use
+    /// current time step, s
     pub time_step: f64,
-    /// safe bound from stiffness, viscosity and mass; 0 without blocks that move freely
+    /// bound by stiffness, viscosity and mass, s; 0 without blocks that move freely
     pub stable_time_step: f64,
     /// living blocks
     pub block_count: i64,
     /// pairs in the neighbour list
     pub candidate_count: i64,
-    /// contacts: pairs by laws with springs, points by laws without
+    /// contacts: pairs for laws with springs, points for laws without
     pub contact_count: i64,
-    /// how often the neighbour list was built
+    /// number of builds of the neighbour list
     pub list_builds: i64,
-    /// of the last detection
+    /// max overlap of the last detection, m
     pub largest_overlap: f64,
-    /// of all blocks that move freely, now
+    /// current max speed of blocks that move freely, m/s
     pub largest_speed: f64,
-    /// the ledger
+    /// energy ledger
     pub energy: hs_energy,
-    /// in use; 0 without a law of potentials
+    /// current length H, m; 0 without a law of potentials
     pub potential_length: f64,
-    /// of affine blocks and meshes, now; counts in the residual
+    /// current strain energy of affine blocks and meshes, J; included in the residual
     pub block_strain_energy: f64,
-    /// in affine blocks and meshes, so far; counts in the residual
+    /// dissipated by damping in affine blocks and meshes, J; included in the residual
     pub block_damping_loss: f64,
-    /// steps so far that fast blocks have divided
+    /// steps divided by continuous collision
     pub divided_steps: i64,
-    /// largest penetration at which springs stop two blocks, over the thinner block's thickness, so far.
-    /// Above 0.25 increase the normal stiffness; from 0.5 on blocks may pass through each other. See
-    /// docs/concepts/impact.md
+    /// max penetration that springs allow, over the thinner block's thickness; above 0.25 increase
+    /// normal_stiffness, see docs/concepts/impact.md
     pub max_penetration_ratio: f64,
-    /// largest overlap so far, at every detection; by potentials in space, whose steps find no overlaps, now
+    /// max overlap of all detections so far, m; with potentials in 3D the current max overlap
     pub peak_overlap: f64,
-    /// largest speed so far of all blocks that move freely, at the end of every step and part of one
+    /// max speed so far of blocks that move freely, over all steps and substeps, m/s
     pub peak_speed: f64,
-    /// blocks that sleep now
+    /// sleeping blocks
     pub sleeping_count: i64,
-    /// m: largest displacement error of a block by sleep, so far
+    /// max displacement error of a block by sleep so far, m
     pub max_sleep_error: f64,
-    /// touches so far by laws without springs; a corner that slides from face to face touches anew
+    /// touches so far of laws without springs; a corner that slides to another face touches again
     pub touch_count: i64,
-    /// iterations so far of the solver of laws without springs: sweeps over all of their contacts
+    /// iterations so far of the constraint solver of laws without springs (sweeps over all contacts)
     pub iteration_count: i64,
-    /// J, in 2D per unit thickness: lost so far by their touches; counts in the residual
+    /// dissipated by impacts of laws without springs, J, in 2D per unit thickness; included in the residual
     pub impact_loss: f64,
 }
 const _: () = assert!(std::mem::size_of::<hs_world_report>() == 256);
@@ -717,29 +715,31 @@ pub struct hs_elasticity_def {
     pub young_modulus: f64,
     /// (-1, 0.5); default 0.25
     pub poisson_ratio: f64,
-    /// s, >= 0: viscous stress is the elastic one of the strain rate times this (Rayleigh's beta); default 0
+    /// s, >= 0; default 0. Stiffness-proportional (Rayleigh) damping: the viscous stress is the elastic
+    /// stress of the strain rate times this
     pub damping_time: f64,
 }
 const _: () = assert!(std::mem::size_of::<hs_elasticity_def>() == 32);
 
-/// How a block is turned and strained.
+/// Deformation and stress of a block.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_deformation {
-    /// from places in the shape's frame to places about the centroid; of other than affine blocks a rotation
+    /// deformation gradient, from the shape's frame to space; a rotation unless the block is affine or of a
+    /// mesh
     pub gradient: [f64; 9],
-    /// of the gradient, 1/s
+    /// time derivative of the gradient, 1/s
     pub rate: [f64; 9],
-    /// Green's, from the shape as it was given, in the shape's frame; of other than affine blocks 0
+    /// Green strain relative to the shape as it was given, in the shape's frame; 0 unless affine or of a mesh
     pub strain: [f64; 9],
-    /// Cauchy's, elastic, in space, Pa, tension > 0; of other than affine blocks 0
+    /// elastic Cauchy stress, in space, Pa, tension > 0; 0 unless affine or of a mesh
     pub stress: [f64; 9],
     /// J, in 2D per unit thickness; 0 without stress
     pub strain_energy: f64,
 }
 const _: () = assert!(std::mem::size_of::<hs_deformation>() == 296);
 
-/// The properties of a bond. Fill it with hs_bond_def_init().
+/// Properties of a bond. Fill it with hs_bond_def_init().
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_bond_def {
@@ -749,104 +749,106 @@ pub struct hs_bond_def {
     pub reserved: i32,
     /// Pa/m, > 0; default 1e11
     pub normal_stiffness: f64,
-    /// Pa/m, > 0, or 0 (default): as the normal one
+    /// Pa/m, > 0, or 0 (default): equal to normal_stiffness
     pub shear_stiffness: f64,
     /// Pa, >= 0; default 0
     pub tensile_strength: f64,
     /// Pa, >= 0; default 0
     pub cohesion: f64,
-    /// \[0, pi/2), of what holds; default 0
+    /// rad, \[0, pi/2), of intact points; default 0
     pub friction_angle: f64,
-    /// Pa, from 0 to the cohesion, of what has failed and is pressed together; default 0
+    /// Pa, from 0 to cohesion; default 0; of failed points
     pub residual_cohesion: f64,
-    /// \[0, pi/2), likewise; or below 0 (default): the friction angle
+    /// rad, \[0, pi/2), of failed points; default below 0: friction_angle
     pub residual_friction_angle: f64,
-    /// J/m2, >= 0: tension fades linearly with opening and takes so much from its peak on; default 0: at once
+    /// J/m2, >= 0, dissipated as tension decreases linearly with opening after the peak; default 0: sudden
+    /// failure
     pub tensile_fracture_energy: f64,
-    /// J/m2, >= 0: likewise what shear strength loses with slip; default 0: at once
+    /// J/m2, >= 0, dissipated as shear strength decreases linearly with slip after the peak; default 0:
+    /// sudden failure
     pub shear_fracture_energy: f64,
 }
 const _: () = assert!(std::mem::size_of::<hs_bond_def>() == 80);
 
-/// A bond now.
+/// Current state of a bond.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_bond {
-    /// 0 when one of both has been removed
+    /// 0 if either block has been removed
     pub block_a: hs_block,
-    /// likewise
+    /// 0 if either block has been removed
     pub block_b: hs_block,
-    /// 1; or 0 when it has come apart and contact has taken over
+    /// 1: the bond connects its blocks; 0: it has failed, the contact law applies
     pub is_joint: i32,
     /// integration points
     pub point_count: i32,
-    /// of them that have failed
+    /// failed integration points
     pub broken_count: i32,
     /// 0
     pub reserved: i32,
-    /// of the common face, in 2D its length
+    /// of the common face, m2; in 2D its length, m
     pub area: f64,
-    /// mean over the area: 0 whole, 1 failed
+    /// mean over the area, \[0, 1\]: 0 intact, 1 failed
     pub damage: f64,
-    /// \> 0 in tension
+    /// N, > 0 in tension
     pub normal_force: f64,
-    /// on block_b
+    /// on block_b, N
     pub shear_force: [f64; 3],
 }
 const _: () = assert!(std::mem::size_of::<hs_bond>() == 80);
 
-/// A point of a bond that has failed.
+/// Failure of a point of a bond.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_bond_event {
-    /// its place in the list of bonds, counted from 0
+    /// index of the bond, in the order of hs_world_get_bonds()
     pub bond: i64,
-    /// steps done before
+    /// number of steps completed before the failure
     pub step: i64,
     /// HS_BOND_TENSION or HS_BOND_SHEAR
     pub failure: i32,
-    /// of the bond, counted from 0
+    /// index of the point in its bond
     pub point: i32,
     /// s
     pub time: f64,
     /// m
     pub position: [f64; 3],
-    /// of the face, from block_a to block_b
+    /// unit normal of the face, from block_a to block_b
     pub normal: [f64; 3],
-    /// of the point's share of the face, in 2D a length
+    /// tributary area of the point, m2; in 2D a length, m
     pub area: f64,
-    /// Pa, > 0 in tension, at the end of the step before
+    /// Pa, > 0 in tension, at the end of the step before the failure
     pub normal_traction: f64,
-    /// Pa, likewise
+    /// Pa, at the end of the step before the failure
     pub shear_traction: f64,
-    /// J, lost in this step
+    /// J, dissipated by the failure in this step
     pub energy: f64,
 }
 const _: () = assert!(std::mem::size_of::<hs_bond_event>() == 112);
 
-/// The bonds of a world in numbers. Later versions may append to it.
+/// Summary of all bonds of a world. Later versions may append to it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_bond_report {
-    /// made so far
+    /// bonds made so far
     pub bond_count: i64,
-    /// that have not come apart
+    /// bonds that still connect their blocks
     pub joint_count: i64,
-    /// points that have failed so far
+    /// failed points so far
     pub event_count: i64,
-    /// of these points, in 2D their length
+    /// total area of the failed points, m2; in 2D a length, m
     pub crack_area: f64,
-    /// in the springs of bonds now; part of hs_energystrain
+    /// J, current, of the springs of bonds; part of hs_energy.strain
     pub strain_energy: f64,
-    /// so far; counts in the residual
+    /// J, dissipated so far; included in the residual
     pub fracture_loss: f64,
 }
 const _: () = assert!(std::mem::size_of::<hs_bond_report>() == 48);
 
-/// How a shape moves: its centroid straight and its turn even. Fill it with hs_motion_def_init(): then it
-/// rests at the origin. At time t the point that is at X in the shape's frame is at position + t velocity +
-/// R(t angular_velocity) Q (gradient + t gradient_rate) X, with position and Q those of `start`, and R(v) the
-/// turn about v by its length.
+/// Motion of a shape with constant linear and angular velocity and constant rate of deformation. Fill it with
+/// hs_motion_def_init(): at rest at the origin. At time t the material point X (in the shape's frame) is at
+/// position + t velocity + R(t angular_velocity) Q (gradient + t gradient_rate) X, with position and rotation
+/// Q of `start`, and R(v) the rotation about v by the angle |v|.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_motion_def {
@@ -854,44 +856,44 @@ pub struct hs_motion_def {
     pub struct_size: u32,
     /// 0
     pub reserved: u32,
-    /// where it is at first
+    /// pose at time 0
     pub start: hs_pose,
     /// of the centroid, m/s
     pub velocity: [f64; 3],
-    /// rad/s; in 2D about z; it may turn by up to 1e6 rad in the duration
+    /// rad/s; in 2D about z; times the duration at most 1e6 rad
     pub angular_velocity: [f64; 3],
-    /// how it is strained at first, before `start` turns it: row by row, as of affine blocks (affine.h);
-    /// default the identity
+    /// deformation gradient at time 0, before the rotation of `start`, row by row (see affine.h); default
+    /// identity
     pub gradient: [f64; 9],
-    /// of the gradient, 1/s; default 0
+    /// rate of the deformation gradient, 1/s; default 0
     pub gradient_rate: [f64; 9],
 }
 const _: () = assert!(std::mem::size_of::<hs_motion_def>() == 256);
 
-/// When, where and how two moving shapes first touch.
+/// First touch of two moving shapes.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_impact {
-    /// an HS_IMPACT_ value; of HS_IMPACT_NEVER all that follows is 0 but the time
+    /// an HS_IMPACT_ value; for HS_IMPACT_NEVER all later fields except time are 0
     pub state: i32,
-    /// of the potential pair of largest gap then: an HS_PAIR_ value, not HS_PAIR_VERTEX_VERTEX
+    /// potential contact pair of largest gap at that time: an HS_PAIR_ value, not HS_PAIR_VERTEX_VERTEX
     pub pair_kind: i32,
     /// index of a's vertex, edge or face in that pair
     pub feature_a: i32,
-    /// index of b's, likewise
+    /// index of b's feature, likewise
     pub feature_b: i32,
-    /// s from the start; never later than the first touch; the duration for HS_IMPACT_NEVER
+    /// s; never later than the first touch; the duration for HS_IMPACT_NEVER
     pub time: f64,
-    /// of the pair then: small to rounding; <= 0 when touching at the start
+    /// gap of the pair at that time, m, > 0 and close to rounding; <= 0 for HS_IMPACT_AT_START
     pub gap: f64,
-    /// unit, from a to b then
+    /// unit vector from a to b at that time
     pub normal: [f64; 3],
-    /// where they touch: the middle of the contact region
+    /// centroid of the contact region
     pub point: [f64; 3],
 }
 const _: () = assert!(std::mem::size_of::<hs_impact>() == 80);
 
-/// A mesh in numbers. Later versions may append to it.
+/// Summary of a mesh. Later versions may append to it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_mesh_properties {
@@ -903,97 +905,96 @@ pub struct hs_mesh_properties {
     pub node_count: i64,
     /// cells
     pub cell_count: i64,
-    /// faces, in 2D edges, that only one cell has
+    /// faces (2D: edges) that belong to one cell only
     pub surface_face_count: i64,
-    /// of all cells, in 2D their area
+    /// of all cells, m3; in 2D area, m2
     pub volume: f64,
 }
 const _: () = assert!(std::mem::size_of::<hs_mesh_properties>() == 40);
 
-/// The way in which a mesh is put into a world. Fill it with hs_body_def_init().
+/// Settings of a body. Fill it with hs_body_def_init().
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_body_def {
     /// set by hs_body_def_init()
     pub struct_size: u32,
-    /// from hs_world_add_material(), made elastic by hs_world_set_elasticity(); default 0
+    /// index of a material with elasticity, see hs_world_set_elasticity(); default 0
     pub material: i32,
-    /// of the frame that the nodes were given in; default: where they were given
+    /// pose of the frame of the mesh; default: identity
     pub pose: hs_pose,
-    /// of all nodes; default 0
+    /// of all nodes, m/s; default 0
     pub velocity: [f64; 3],
 }
 const _: () = assert!(std::mem::size_of::<hs_body_def>() == 88);
 
-/// The motion of a body. Later versions may append to it.
+/// Motion and energy of a body. Later versions may append to it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_body_state {
     /// nodes
     pub node_count: i64,
-    /// cells, with those that have been removed
+    /// cells, including removed ones
     pub cell_count: i64,
-    /// in 2D per unit thickness
+    /// kg, in 2D per unit thickness
     pub mass: f64,
-    /// of the nodes' masses
+    /// center of mass, m
     pub centroid: [f64; 3],
-    /// of all nodes
+    /// of all nodes, kg m/s
     pub momentum: [f64; 3],
-    /// of all nodes
+    /// of all nodes, J
     pub kinetic_energy: f64,
-    /// of all cells
+    /// of all cells, J
     pub strain_energy: f64,
 }
 const _: () = assert!(std::mem::size_of::<hs_body_state>() == 88);
 
-/// Strain and stress of a cell, on average over it.
+/// Mean strain and stress of a cell.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_cell_state {
-    /// Green's, from the cell as it was put into the world
+    /// Green strain relative to the cell as it was added to the world
     pub strain: [f64; 9],
-    /// Cauchy's, elastic, in space, Pa, tension > 0
+    /// elastic Cauchy stress, in space, Pa, tension > 0
     pub stress: [f64; 9],
-    /// J, in 2D per unit thickness; with that of bending
+    /// J, in 2D per unit thickness; including the bending modes
     pub strain_energy: f64,
 }
 const _: () = assert!(std::mem::size_of::<hs_cell_state>() == 152);
 
-/// What a pair remembers between calls: the last violated potential pair while separated, the initial contact
-/// pair while in contact. All zero is an empty cache. Copy it freely, also to another process. Initial
-/// contact pairs are those of Wang et al. 2021, section 2.5.
+/// Cached state of a pair between calls: the last violated potential contact pair if separated, the initial
+/// contact pair (Wang et al. 2021, section 2.5) if in contact. All zero is an empty cache. It may be copied,
+/// also to another process.
 ///
-/// While separated it also holds a proof: along `normal` the two centroids were farther apart than the shapes
-/// reach together. A call whose blocks have moved and turned by less than the gap, or by less than what of it
-/// is beyond hs_pair_options.margin, since answers from the proof alone, without a look at the shapes; its
-/// contact has the proof's pair and normal, and as gap what is left of the gap after the most that the motion
-/// can have taken. The proof is of the two shapes that it was found for; with others it is not used.
+/// A separated pair also caches a separation proof: the distance of the centroids along `normal` exceeded
+/// `reach`, and the gap was their difference. As long as the motion since then is bounded by the gap minus
+/// hs_pair_options.margin, detection returns from the proof alone, without reading the shapes: with the
+/// cached pair and normal, and as gap a lower bound, the old gap minus the bound of the motion. The proof is
+/// ignored for other shapes.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_pair_cache {
     /// 0 unknown, 1 separated, 2 in contact
     pub state: i32,
-    /// of the remembered pair: an HS_PAIR_ value
+    /// an HS_PAIR_ value, of the cached pair
     pub pair_kind: i32,
-    /// index of a's vertex, edge or face in it; a vertex of a separated pair is only where to look for the
-    /// deepest one first
+    /// index of a's vertex, edge or face in it; for a separated pair a vertex is only the start of the search
     pub feature_a: i32,
-    /// index of b's, likewise
+    /// index of b's feature, likewise
     pub feature_b: i32,
-    /// the proof: fingerprint of its shapes, 0 if there is none
+    /// fingerprint of the proof's shapes; 0: no proof
     pub shapes: u64,
-    /// of both shapes together, along the normal, as they were turned then
+    /// of the proof: sum of the support distances of both shapes along the normal, m
     pub reach: f64,
-    /// unit, from a to b
+    /// of the proof: unit vector from a to b
     pub normal: [f64; 3],
-    /// how a was turned then: quaternion x, y, z, w
+    /// of the proof: rotation of a, quaternion x, y, z, w
     pub rotation_a: [f64; 4],
-    /// how b was turned then
+    /// of the proof: rotation of b
     pub rotation_b: [f64; 4],
 }
 const _: () = assert!(std::mem::size_of::<hs_pair_cache>() == 120);
 
-/// Settings of detection. Fill it with hs_pair_options_init().
+/// Options of detection. Fill it with hs_pair_options_init().
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_pair_options {
@@ -1001,94 +1002,91 @@ pub struct hs_pair_options {
     pub struct_size: u32,
     /// 0
     pub reserved: u32,
-    /// edges (3D: faces, or an edge and a face) closer to parallel than this share a region; rad, \[0, 0.5\];
-    /// default 0.01. A region that exists is followed to larger angles, so that the energy does not jump
+    /// max angle of edges (3D: faces, or an edge and a face) that are parallel, rad, \[0, 0.5\]; default
+    /// 0.01. An existing region is kept up to larger angles
     pub parallel_angle: f64,
-    /// how near the end of an edge (3D: the border of a face) a vertex meets what is there: share of the
-    /// shorter of the two edges that face each other; \[0, 0.5\]; default 1e-6
+    /// distance from the end of an edge (3D: the boundary of a face) at which a vertex touches that end, over
+    /// the shorter edge; \[0, 0.5\]; default 1e-6
     pub vertex_zone: f64,
-    /// polygons are separated only when a gap exceeds it, and in contact otherwise; for hosts whose blocks
-    /// wear a skin. The gaps of a contact may be above 0 then, of one at a corner above the margin. m, \[0,
-    /// 1e75\], polyhedra 0; default 0
+    /// polygons are in contact up to this gap (skin); gaps of a contact may be above 0, at a corner above the
+    /// margin. m, \[0, 1e75\], polyhedra 0; default 0
     pub margin: f64,
-    /// 1: a contact between polygons is the pair of largest gap and no more, for hosts that make their own
-    /// points: its type is HS_CONTACT_VERTEX_EDGE, it has no points, `area` and what follows stay as they
-    /// were, and the cache remembers nothing of it; polyhedra 0; default 0
+    /// 1: report only the pair of largest gap of polygons in contact, as HS_CONTACT_VERTEX_EDGE without
+    /// region, uncached; polyhedra 0; default 0
     pub without_region: i32,
     /// 0
     pub reserved_2: i32,
 }
 const _: () = assert!(std::mem::size_of::<hs_pair_options>() == 40);
 
-/// The account of a world. Later versions may append to it.
+/// Plan of a world. Later versions may append to it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_world_plan {
     /// 2 or 3
     pub dimension: i32,
-    /// HS_PART_ bits: what is active
+    /// sum of the HS_PART_ values that are active
     pub parts: i32,
-    /// blocks that never move
+    /// fixed blocks
     pub fixed_count: i64,
-    /// blocks with a prescribed motion
+    /// prescribed blocks
     pub prescribed_count: i64,
-    /// blocks that move by Newton's law
+    /// rigid blocks
     pub rigid_count: i64,
-    /// blocks that strain
+    /// affine blocks
     pub affine_count: i64,
     /// pairs in the neighbour list
     pub candidate_count: i64,
     /// pairs in contact by laws with springs
     pub contact_count: i64,
-    /// state of all blocks with their shapes, as a snapshot holds it
+    /// snapshot size of all blocks with their shapes, bytes
     pub block_bytes: i64,
-    /// state of all pairs: neighbour list, shear springs, plans; likewise
+    /// snapshot size of all pairs: neighbour list, shear springs, cached divisions; bytes
     pub pair_bytes: i64,
-    /// as in the report; 0 without blocks that move freely
+    /// s, as in hs_world_report; 0 without blocks that move freely
     pub stable_time_step: f64,
-    /// sets it: the stiffest for its mass; 0 without blocks that move freely
+    /// block of the largest stiffness per mass, which limits the step; 0: none moves freely
     pub limiting_block: hs_block,
-    /// at its stiffest contact or bond; 0 while it has none: then contacts that it may get limit the step
+    /// its neighbour at its stiffest contact or bond; 0: none, possible future contacts limit the step
     pub limiting_neighbor: hs_block,
-    /// done to measure the times below
+    /// number of steps measured for the times below
     pub measured_steps: i64,
-    /// of a step: building neighbour lists
+    /// s per step: neighbour search
     pub search_seconds: f64,
-    /// of a step: detecting pairs and loading contacts
+    /// s per step: detection and contact forces
     pub pair_seconds: f64,
-    /// of a step: adding up the forces on blocks
+    /// s per step: sums of forces on blocks
     pub gather_seconds: f64,
-    /// of a step: moving, turning and straining blocks, nodes and elements of meshes
+    /// s per step: time integration of blocks, nodes and elements
     pub motion_seconds: f64,
-    /// of a step: the energy ledger
+    /// s per step: energy ledger
     pub ledger_seconds: f64,
     /// bodies of finite elements
     pub body_count: i64,
-    /// of all of them
+    /// cells of all bodies
     pub cell_count: i64,
-    /// likewise
+    /// nodes of all bodies
     pub node_count: i64,
-    /// bonds made, those that have come apart among them
+    /// bonds made so far, including failed ones
     pub bond_count: i64,
-    /// of the bytes of blocks: bodies with their nodes and cells
+    /// part of block_bytes: bodies with their nodes and cells
     pub mesh_bytes: i64,
-    /// likewise: bonds with their points and events
+    /// part of block_bytes: bonds with their points and events
     pub bond_bytes: i64,
-    /// index of the bond to the limiting neighbour, in the order of hs_world_get_bonds(); -1: it is a contact
+    /// index of the bond to the limiting neighbour, in the order of hs_world_get_bonds(); -1: contact
     pub limiting_bond: i64,
-    /// that the limiting block is of, where its elements have the greater part in the limit; 0: contacts and
-    /// bonds have
+    /// body of the limiting block, if its elements limit the step; 0: contacts or bonds do
     pub limiting_body: hs_body,
-    /// of that body: the stiffest for its mass
+    /// cell of limiting_body with the largest stiffness per mass
     pub limiting_cell: i64,
-    /// of a step: loading blocks by bonds
+    /// s per step: forces of bonds
     pub bond_seconds: f64,
-    /// of a step: the solver of contacts without springs
+    /// s per step: solver of contacts without springs
     pub hard_contact_seconds: f64,
 }
 const _: () = assert!(std::mem::size_of::<hs_world_plan>() == 232);
 
-/// The way in which a world is brought to rest. Fill it with hs_relaxation_def_init().
+/// Settings of a dynamic relaxation. Fill it with hs_relaxation_def_init().
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_relaxation_def {
@@ -1096,38 +1094,38 @@ pub struct hs_relaxation_def {
     pub struct_size: u32,
     /// an HS_UNBALANCED_ value; default HS_UNBALANCED_MEAN
     pub measure: i32,
-    /// at which it is at rest, > 0; default 1e-5
+    /// unbalanced ratio of equilibrium, > 0; default 1e-5
     pub ratio: f64,
-    /// \>= 1; default 1000000
+    /// max number of steps, >= 1; default 1000000
     pub max_steps: i64,
-    /// \[0, 1) meanwhile; default 0.1, beside adaptive damping; by itself 0.8 does best
+    /// \[0, 1); default 0.1, for adaptive damping; use 0.8 without it
     pub local_damping: f64,
-    /// 1 (default): critical mass damping of the slowest motion, estimated while stepping (Underwood 1983);
-    /// or 0: the world's mass damping
+    /// 1 (default): critical mass damping of the slowest mode, estimated while stepping (Underwood 1983); 0:
+    /// the world's mass damping
     pub is_adaptive: i32,
-    /// 1 (default): bonds do not fail while the world relaxes; or 0
+    /// 1 (default): bonds cannot fail during the relaxation; 0: they can
     pub hold_bonds: i32,
 }
 const _: () = assert!(std::mem::size_of::<hs_relaxation_def>() == 40);
 
-/// The balance of a world. Later versions may append to it.
+/// Balance of forces of a world. Later versions may append to it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_balance {
-    /// see HS_UNBALANCED_MEAN; 0 where no force acts
+    /// see HS_UNBALANCED_MEAN; 0 without forces
     pub mean: f64,
     /// see HS_UNBALANCED_LARGEST
     pub largest: f64,
     /// largest unbalanced force, N
     pub largest_force: f64,
-    /// taken by hs_world_relax(); else 0
+    /// steps done by hs_world_relax(); else 0
     pub steps: i64,
-    /// the block that it acts on; of a node, a cell at the surface. 0: none
+    /// block that largest_force acts on; for a node, one of its surface blocks; 0: none
     pub largest_force_block: hs_block,
 }
 const _: () = assert!(std::mem::size_of::<hs_balance>() == 40);
 
-/// The search for the factor of safety. Fill it with hs_strength_def_init().
+/// Settings of the search for the factor of safety. Fill it with hs_strength_def_init().
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_strength_def {
@@ -1135,36 +1133,36 @@ pub struct hs_strength_def {
     pub struct_size: u32,
     /// 0
     pub reserved: i32,
-    /// \>= 1e-75: a factor at which the world should stand; default 0.5
+    /// \>= 1e-75: lower bound of the bracket, at which the world should be stable; default 0.5
     pub low: f64,
-    /// above low: one at which it should fall; default 5
+    /// \> low: upper bound, at which it should fail; default 5
     pub high: f64,
-    /// \> 0: the bracket that is narrow enough; default 0.005
+    /// \> 0: width of the final bracket; default 0.005
     pub resolution: f64,
-    /// \> 0: unbalanced forces at which a world stands, see hs_relaxation_def; default 1e-5
+    /// \> 0: unbalanced ratio of a stable world, see hs_relaxation_def; default 1e-5
     pub ratio: f64,
-    /// \> 0: displacement of a block, over its size, that counts as failure; default 0.1
+    /// \> 0: displacement of a block, divided by its size, that is failure; default 0.1
     pub max_displacement: f64,
-    /// \>= 1: a world that is not at rest by then has failed; default 100000
+    /// \>= 1: a world not in equilibrium after these steps has failed; default 100000
     pub max_steps: i64,
 }
 const _: () = assert!(std::mem::size_of::<hs_strength_def>() == 56);
 
-/// The result of that search. Later versions may append to it.
+/// Result of the search. Later versions may append to it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_strength_report {
-    /// the middle of the bracket
+    /// factor of safety: midpoint of the final bracket
     pub factor: f64,
-    /// the world stands at it, if stands_at_low
+    /// lower bound of the bracket: stable, if stands_at_low
     pub low: f64,
-    /// the world falls at it, if falls_at_high
+    /// upper bound of the bracket: failed, if falls_at_high
     pub high: f64,
-    /// 1; or 0: it falls even at def.low, and nothing else was tried
+    /// 1; 0: the world fails at def.low, and the search has ended there
     pub stands_at_low: i32,
-    /// 1; or 0: it stands even at def.high
+    /// 1; 0: the world is stable at def.high
     pub falls_at_high: i32,
-    /// worlds tried
+    /// number of relaxations
     pub trials: i32,
     /// 0
     pub reserved: i32,
@@ -1172,14 +1170,14 @@ pub struct hs_strength_report {
 const _: () = assert!(std::mem::size_of::<hs_strength_report>() == 40);
 
 extern "C" {
-    /// The fixed text of a status code.
+    /// Returns the text of a status code.
     ///
-    /// - `status`: any value, also an unknown one
+    /// - `status`: any value, including unknown ones
     ///
     /// Returns a static string, never NULL; owned by the library. Thread rule: any thread, any time.
     pub fn hs_status_string(status: hs_status) -> *const c_char;
 
-    /// The version of the library at run time, e.g. "0.1.0".
+    /// Returns the version of the library at run time, e.g. "0.1.0".
     ///
     /// Returns a static string. Thread rule: any thread, any time.
     pub fn hs_version() -> *const c_char;
@@ -1192,7 +1190,7 @@ extern "C" {
     /// Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
     pub fn hs_law_def_init(def: *mut hs_law_def, size: usize) -> hs_status;
 
-    /// Fills a definition with its defaults.
+    /// Fills a context definition with its defaults.
     ///
     /// - `def`: to fill; not NULL
     /// - `size`: sizeof(hs_context_def) as the caller was compiled
@@ -1203,51 +1201,52 @@ extern "C" {
     /// Makes a context.
     ///
     /// - `def`: NULL for all defaults
-    /// - `context`: receives the context, which the caller owns and ends with hs_context_destroy()
+    /// - `context`: receives the context; the caller owns it and destroys it with hs_context_destroy()
     ///
-    /// Returns HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY, also when the system has no more threads
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY (no memory, or the system refuses a
+    /// thread)
     pub fn hs_context_create(
         def: *const hs_context_def,
         context: *mut *mut hs_context,
     ) -> hs_status;
 
-    /// Does one part of what hs_context_defrun_tasks was given.
+    /// Runs one part of a task.
     ///
-    /// - `task`: as given to run_tasks, which has not returned yet
+    /// - `task`: as passed to hs_context_def.run_tasks, which has not returned yet
     /// - `index`: from 0 to count - 1, each once. Thread rule: any thread.
     pub fn hs_task_run(task: *mut hs_task, index: i32);
 
-    /// Ends a context. Its shapes and worlds must have been destroyed before.
+    /// Destroys a context. All objects made from it must have been destroyed before.
     ///
     /// - `context`: may be NULL
     pub fn hs_context_destroy(context: *mut hs_context);
 
-    /// What went wrong last: function, argument, value.
+    /// Returns the text of the last error: function, argument and value.
     ///
-    /// - `context`: NULL gives the text for a missing context
+    /// - `context`: NULL returns the text for a missing context
     ///
-    /// Returns a string owned by the context, valid until its next failing call; "" if nothing failed yet
+    /// Returns a string owned by the context, valid until its next failing call; "" if no call has failed
     pub fn hs_context_last_error(context: *const hs_context) -> *const c_char;
 
-    /// Says what is wrong with a polygon's vertices without making a shape.
+    /// Validates the vertices of a polygon without making a shape.
     ///
-    /// - `context`: for the error text
+    /// - `context`: keeps the error text
     /// - `vertices`: clockwise or counter-clockwise
     /// - `fault`: receives the first fault, or HS_FAULT_NONE
     ///
-    /// Returns HS_OK (also when there is a fault), HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
+    /// Returns HS_OK (also for a fault), HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
     pub fn hs_polygon_check(
         context: *mut hs_context,
         vertices: hs_view,
         fault: *mut hs_fault,
     ) -> hs_status;
 
-    /// Makes a convex polygon. Nothing is welded or repaired: faulty input is refused with its reason. Small
-    /// edges and small angles are legal, and there is no limit to the number of vertices.
+    /// Creates a convex polygon. Faulty vertices are refused, not repaired. Short edges, small angles and any
+    /// number of vertices are allowed.
     ///
-    /// - `context`: owner of the allocator
-    /// - `vertices`: clockwise or counter-clockwise, 3 or more
-    /// - `shape`: receives the shape; end it with hs_shape_destroy()
+    /// - `context`: allocates the shape and keeps error texts
+    /// - `vertices`: clockwise or counter-clockwise, 3 or more, m
+    /// - `shape`: receives the shape; the caller destroys it with hs_shape_destroy()
     ///
     /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (the text names fault and vertex) or
     /// HS_ERROR_OUT_OF_MEMORY
@@ -1257,40 +1256,40 @@ extern "C" {
         shape: *mut *mut hs_shape,
     ) -> hs_status;
 
-    /// Makes the convex hull of points as a polygon.
+    /// Creates the convex hull of points as a polygon.
     ///
-    /// - `context`: owner of the allocator
-    /// - `points`: any order, inner and repeated points allowed
-    /// - `shape`: receives the shape
+    /// - `context`: allocates the shape and keeps error texts
+    /// - `points`: in any order; inner and repeated points are allowed
+    /// - `shape`: receives the shape; the caller destroys it with hs_shape_destroy()
     ///
-    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (all on one line) or HS_ERROR_OUT_OF_MEMORY
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (collinear points) or HS_ERROR_OUT_OF_MEMORY
     pub fn hs_polygon_create_hull(
         context: *mut hs_context,
         points: hs_view,
         shape: *mut *mut hs_shape,
     ) -> hs_status;
 
-    /// Makes a boundary segment: the virtual polygon of which it is an edge, for a block that is fixed or
-    /// prescribed (Zheng et al. 2020, section 3.3). A line is a segment that reaches beyond the scene. The
-    /// inside is at the left on the way from first to second, as along every edge of a counter-clockwise
-    /// polygon: a floor under blocks runs towards -x, the walls of a container run clockwise. Segments may
-    /// form a chain, each a block of its own: say what comes before and after, so that the flanks of the
-    /// polygon go under the neighbours, 60 degrees steep to these. Then nothing stands out and no gap is
-    /// left, and where two segments are in line their potentials add up to those of one. Springs per contact
-    /// slow down what crosses a joint, by up to 2 k d^2 of its energy at a depth d: make what is straight one
-    /// segment. Give hs_world_def.potential_length: these edges count in the mean that it is by default.
+    /// Creates a boundary segment for a fixed or prescribed block: a virtual polygon with the segment as one
+    /// edge (Zheng et al. 2020, section 3.3). Its inside is on the left of the direction from first to
+    /// second: a floor runs towards -x, the walls of a container run clockwise. Segments of a chain are
+    /// separate blocks; with `before` and `after` the flanks of the polygon lie under the neighbours, at 60
+    /// degrees, without gaps or protrusions. Potentials of collinear segments add up to that of one; springs
+    /// per contact take up to 2 k d^2 of the energy of a block that crosses a joint at depth d, so make a
+    /// straight line one segment. Set hs_world_def.potential_length, as its default includes these edges. See
+    /// docs/concepts/boundaries.md.
     ///
-    /// - `context`: owner of the allocator
-    /// - `before`: other end of the segment before; may be NULL: the flank then goes as if one came in line
-    /// - `first`: where the segment begins, like all ends 3 values of which the last is not read
-    /// - `second`: where it ends
-    /// - `after`: other end of the segment after; may be NULL, likewise. Neither may lie straight back
-    /// - `depth`: how far the polygon reaches behind the segment, > 0: above twice the deepest overlap, so
-    ///   that the segment is the nearest way out, and above what blocks cross in a step
-    /// - `shape`: receives the shape; end it with hs_shape_destroy()
+    /// - `context`: allocates the shape and keeps error texts
+    /// - `before`: other end of the previous segment; may be NULL: the flank is that of a collinear neighbour
+    /// - `first`: start of the segment, 3 values, m; z of all ends is ignored
+    /// - `second`: end of the segment, 3 values
+    /// - `after`: other end of the next segment; may be NULL, likewise. The chain must not reverse its
+    ///   direction
+    /// - `depth`: of the polygon behind the segment, m, > 0: more than twice the largest overlap and than the
+    ///   displacement of blocks per step
+    /// - `shape`: receives the shape; the caller destroys it with hs_shape_destroy()
     ///
-    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (too large, too small or too thin to compute with)
-    /// or HS_ERROR_OUT_OF_MEMORY
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (too large, too small or too thin) or
+    /// HS_ERROR_OUT_OF_MEMORY
     pub fn hs_polygon_create_boundary(
         context: *mut hs_context,
         before: *const [f64; 3],
@@ -1301,16 +1300,15 @@ extern "C" {
         shape: *mut *mut hs_shape,
     ) -> hs_status;
 
-    /// Cleans up a vertex list on request: drops repeated vertices and vertices on the line of their
-    /// neighbours, and turns the order counter-clockwise. It reports what it changed and never moves a
-    /// vertex.
+    /// Cleans the vertices of a polygon: removes repeated and collinear vertices, and reverses a clockwise
+    /// order. It moves no vertex.
     ///
-    /// - `context`: for the error text
-    /// - `vertices`: as found, in outline order
-    /// - `tolerance`: distance, >= 0; 0 drops exact repetitions and what is straight to rounding
-    /// - `cleaned`: receives the vertices; its count is the capacity, vertices.count always suffices
-    /// - `count`: receives the number of vertices that remain
-    /// - `report`: receives what was changed; may be NULL
+    /// - `context`: keeps the error text
+    /// - `vertices`: in outline order
+    /// - `tolerance`: distance, m, >= 0; 0 removes exact repetitions and vertices collinear to rounding
+    /// - `cleaned`: receives the remaining vertices; a capacity of vertices.count is sufficient
+    /// - `count`: receives the number of remaining vertices
+    /// - `report`: receives the changes; may be NULL
     ///
     /// Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
     pub fn hs_polygon_clean(
@@ -1322,18 +1320,17 @@ extern "C" {
         report: *mut hs_clean_report,
     ) -> hs_status;
 
-    /// Says what is wrong with a polyhedron's vertices and faces without making a shape.
+    /// Validates the vertices and faces of a polyhedron without making a shape.
     ///
-    /// - `context`: for the error text
-    /// - `vertices`: the corners
+    /// - `context`: keeps the error text
+    /// - `vertices`: at most 2^26, m
     /// - `face_sizes`: number of vertices of each face, >= 0; face_count values
-    /// - `face_count`: number of faces, >= 0
-    /// - `face_vertices`: the faces one after the other: indices of their vertices in the order of their
-    ///   outlines, all faces counter-clockwise seen from outside, or all clockwise; as many values as the
-    ///   sizes add up to
+    /// - `face_count`: number of faces, from 0 to 2^26
+    /// - `face_vertices`: vertex indices of the faces, face after face, in outline order; all faces
+    ///   counter-clockwise seen from outside, or all clockwise; sum of face_sizes values
     /// - `fault`: receives the first fault, or HS_FAULT_NONE
     ///
-    /// Returns HS_OK (also when there is a fault), HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
+    /// Returns HS_OK (also for a fault), HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
     pub fn hs_polyhedron_check(
         context: *mut hs_context,
         vertices: hs_view,
@@ -1343,13 +1340,13 @@ extern "C" {
         fault: *mut hs_fault,
     ) -> hs_status;
 
-    /// Makes a convex polyhedron. Nothing is welded, merged or repaired: faulty input is refused with its
-    /// reason. Faces may have any number of vertices, all in one plane to rounding; two neighbours in one
-    /// plane are refused, as they are one face. Small edges and small angles are legal.
+    /// Creates a convex polyhedron. Faulty input is refused, not repaired. Faces may have any number of
+    /// vertices, coplanar to rounding; coplanar neighbour faces are refused. Short edges and small angles are
+    /// allowed.
     ///
-    /// - `context`: owner of the allocator
+    /// - `context`: allocates the shape and keeps error texts
     /// - `vertices`, `face_sizes`, `face_count`, `face_vertices`: as for hs_polyhedron_check()
-    /// - `shape`: receives the shape, its vertices and faces in the order given; end it with
+    /// - `shape`: receives the shape, with vertices and faces in the given order; the caller destroys it with
     ///   hs_shape_destroy()
     ///
     /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (the text names fault, face and vertex) or
@@ -1363,39 +1360,39 @@ extern "C" {
         shape: *mut *mut hs_shape,
     ) -> hs_status;
 
-    /// Makes the convex hull of points as a polyhedron, with whole faces: what is in one plane to rounding is
-    /// one face. While it works, it takes memory from malloc as well, for qhull.
+    /// Creates the convex hull of points as a polyhedron. Facets that are coplanar to rounding are merged
+    /// into one face. Qhull uses malloc temporarily.
     ///
-    /// - `context`: owner of the allocator
-    /// - `points`: any order, inner and repeated points allowed; at most 2^26
-    /// - `shape`: receives the shape, whose vertices are points, in their order
+    /// - `context`: allocates the shape and keeps error texts
+    /// - `points`: in any order, at most 2^26; inner and repeated points are allowed
+    /// - `shape`: receives the shape; its vertices keep the order of the points; the caller destroys it with
+    ///   hs_shape_destroy()
     ///
-    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (all in one plane, out of range, or so close to
-    /// degenerate that rounding hides the hull) or HS_ERROR_OUT_OF_MEMORY
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (coplanar, out of range, or nearly degenerate
+    /// points) or HS_ERROR_OUT_OF_MEMORY
     pub fn hs_polyhedron_create_hull(
         context: *mut hs_context,
         points: hs_view,
         shape: *mut *mut hs_shape,
     ) -> hs_status;
 
-    /// Makes a polyhedron of facets that are plane and convex within a tolerance, such as a file states them
-    /// by a few digits. Facets whose vertices lie within the tolerance of a common plane are one face, its
-    /// plane is fitted by least squares, and the shape is what the fitted half-spaces have in common. Each
-    /// vertex given lies within the tolerance of the planes of its facets, and in front of none by more. A
-    /// corner may move farther than that where planes meet at a small angle: see the report. Shapes that are
-    /// plane and convex to rounding keep their vertices. Memory as for the hull.
+    /// Creates a polyhedron from facets that are plane and convex within a tolerance, e.g. from a file with
+    /// rounded coordinates. Facets whose vertices are within the tolerance of a common plane form one face,
+    /// with a plane fitted by least squares; the shape is the intersection of the fitted half-spaces.
+    /// Vertices are within the tolerance of the planes of their facets and at most that far outside all
+    /// others. Corners between planes at a small angle may move farther (see the report). Shapes that are
+    /// plane and convex to rounding keep their vertices. Memory as for hs_polyhedron_create_hull().
     ///
-    /// - `context`: owner of the allocator
-    /// - `vertices`: the corners; they may lie within an edge or a face
-    /// - `face_sizes`, `face_count`, `face_vertices`: the facets, as for hs_polyhedron_check(). Without any,
-    ///   those of the convex hull are taken
-    /// - `tolerance`: distance, >= 0; 0 is for rounding alone. 2 units of the last digit of a file are above
-    ///   the rounding of its vertices
-    /// - `shape`: receives the shape
-    /// - `report`: receives the changes, or the place of a fault of the geometry; may be NULL
+    /// - `context`: allocates the shape and keeps error texts
+    /// - `vertices`: at most 2^26, m; they may lie inside an edge or a face
+    /// - `face_sizes`, `face_count`, `face_vertices`: the facets, as for hs_polyhedron_check(); face_count 0:
+    ///   the facets of the convex hull
+    /// - `tolerance`: distance, m, >= 0; 0 allows rounding only. For a file use 2 units of its last digit
+    /// - `shape`: receives the shape; the caller destroys it with hs_shape_destroy()
+    /// - `report`: receives the changes, or the fault of HS_ERROR_GEOMETRY; may be NULL
     ///
-    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (the text names the largest dent, its place and a
-    /// tolerance that would do, or another fault) or HS_ERROR_OUT_OF_MEMORY
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (the text names the deepest dent, its vertex and a
+    /// sufficient tolerance, or another fault) or HS_ERROR_OUT_OF_MEMORY
     pub fn hs_polyhedron_create_fitted(
         context: *mut hs_context,
         vertices: hs_view,
@@ -1407,17 +1404,18 @@ extern "C" {
         report: *mut hs_fit_report,
     ) -> hs_status;
 
-    /// Makes the polyhedron that half-spaces have in common. A half-space that cuts nothing off but rounding
-    /// makes no face, so that the shape's face_count may be below their number. Memory as for the hull.
+    /// Creates the intersection of half-spaces as a polyhedron. A half-space that is redundant to rounding
+    /// makes no face, so face_count may be less than their number. Memory as for hs_polyhedron_create_hull().
     ///
-    /// - `context`: owner of the allocator
-    /// - `normals`: outer normals, of any length but 0: p is inside when dot(normal, p) <= offset; at most
-    ///   2^26
+    /// - `context`: allocates the shape and keeps error texts
+    /// - `normals`: outer normals, of any length except 0, at most 2^26: p is inside if dot(normal, p) <=
+    ///   offset
     /// - `offsets`: one per normal
-    /// - `shape`: receives the shape, in the coordinates of the half-spaces
+    /// - `shape`: receives the shape, in the coordinates of the half-spaces; the caller destroys it with
+    ///   hs_shape_destroy()
     ///
-    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (the text says what keeps them from bounding a
-    /// region, or names the half-space that is faulty) or HS_ERROR_OUT_OF_MEMORY
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (unbounded, empty or flat intersection, or a
+    /// faulty half-space, which the text names) or HS_ERROR_OUT_OF_MEMORY
     pub fn hs_polyhedron_create_from_halfspaces(
         context: *mut hs_context,
         normals: hs_view,
@@ -1425,18 +1423,17 @@ extern "C" {
         shape: *mut *mut hs_shape,
     ) -> hs_status;
 
-    /// Cuts a shape by a plane (a line in 2D) into two. Coordinates are those the shape was made from, and so
-    /// are those of the parts. In 3D the new face is the last of either part. A part that the plane touches
-    /// only to rounding is none, and one so thin that rounding leaves no valid shape of it; the other part is
-    /// then a copy of the whole. One of both there always is.
+    /// Cuts a shape by a plane (2D: a line) into two shapes. Coordinates are those that the shape was made
+    /// from. In 3D the cut face is the last face of each part. If a part is empty or degenerate to rounding,
+    /// it is NULL and the other part is a copy of the shape; at most one part is NULL.
     ///
-    /// - `shape`: what to cut; it stays as it is
-    /// - `point`: a point of the plane, 3 values; the nearer to the shape, the smaller the rounding
-    /// - `normal`: the plane's normal, 3 values, any length but 0
-    /// - `behind`: receives the part against the normal, or NULL if there is none
-    /// - `ahead`: receives the part along the normal, or NULL if there is none
+    /// - `shape`: not NULL; it does not change
+    /// - `point`: a point of the plane, 3 values, m; points close to the shape have less rounding error
+    /// - `normal`: normal of the plane, 3 values, of any length except 0
+    /// - `behind`: receives the part on the negative side of the normal, or NULL
+    /// - `ahead`: receives the part on the positive side, or NULL; the caller destroys both parts
     ///
-    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (2D: a part too small to compute with) or
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (2D: a part is too small) or
     /// HS_ERROR_OUT_OF_MEMORY
     pub fn hs_shape_cut(
         shape: *const hs_shape,
@@ -1446,10 +1443,10 @@ extern "C" {
         ahead: *mut *mut hs_shape,
     ) -> hs_status;
 
-    /// Geometry and mass properties.
+    /// Returns geometry and mass properties of a shape.
     ///
     /// - `shape`: not NULL
-    /// - `properties`: receives them; what this library does not know of a longer struct is 0
+    /// - `properties`: receives them; fields unknown to this version of the library are 0
     /// - `size`: sizeof(hs_shape_properties) as the caller was compiled
     ///
     /// Returns HS_OK or HS_ERROR_ARGUMENT
@@ -1459,7 +1456,7 @@ extern "C" {
         size: usize,
     ) -> hs_status;
 
-    /// The vertices in the coordinates the shape was made from; in 2D counter-clockwise.
+    /// Returns the vertices, in the coordinates that the shape was made from; in 2D counter-clockwise.
     ///
     /// - `shape`: not NULL
     /// - `vertices`: receives them; its count is the capacity
@@ -1472,9 +1469,9 @@ extern "C" {
         count: *mut i64,
     ) -> hs_status;
 
-    /// The faces as lists of vertices, counter-clockwise seen from outside; in 2D each edge with its two
-    /// ends. Face f has the vertices face_vertices\[first_of_face\[f\]\] to face_vertices\[first_of_face\[f +
-    /// 1\]\], the latter excluded.
+    /// Returns the faces as lists of vertex indices, counter-clockwise seen from outside; in 2D the two ends
+    /// of each edge. Face f has the vertices face_vertices\[i\] for first_of_face\[f\] <= i <
+    /// first_of_face\[f + 1\].
     ///
     /// - `shape`: not NULL
     /// - `first_of_face`: receives hs_shape_properties.face_count + 1 values; may be NULL if its capacity is
@@ -1483,7 +1480,8 @@ extern "C" {
     /// - `face_vertices`: receives the lists; may be NULL if its capacity is 0
     /// - `vertex_capacity`: in values of face_vertices
     /// - `face_count`: receives the number of faces; may be NULL
-    /// - `vertex_count`: receives the length of all lists, 2 * hs_shape_properties.edge_count; may be NULL
+    /// - `vertex_count`: receives the total length of the lists, 2 * hs_shape_properties.edge_count; may be
+    ///   NULL
     ///
     /// Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
     pub fn hs_shape_get_faces(
@@ -1496,7 +1494,7 @@ extern "C" {
         vertex_count: *mut i64,
     ) -> hs_status;
 
-    /// The edges by which HS_PAIR_EDGE_EDGE names them: the vertices at their two ends.
+    /// Returns the edges as pairs of vertex indices. HS_PAIR_EDGE_EDGE uses their indices.
     ///
     /// - `shape`: not NULL
     /// - `edge_vertices`: receives start and end of each, 2 * capacity values; may be NULL if capacity is 0
@@ -1511,9 +1509,8 @@ extern "C" {
         count: *mut i64,
     ) -> hs_status;
 
-    /// The half-spaces: p is inside when dot(normal, p) <= offset, with outer unit normals. Half-space i
-    /// belongs to face i, that of a polygon to the edge from vertex i to vertex i + 1. The frame is the
-    /// shape's own: the centroid is at the origin.
+    /// Returns the half-spaces: p is inside if dot(normal, p) <= offset. Half-space i belongs to face i; in
+    /// 2D to the edge from vertex i to i + 1. The origin of the frame is the centroid.
     ///
     /// - `shape`: not NULL
     /// - `normals`: receives the outer unit normals; its count is the capacity
@@ -1528,7 +1525,7 @@ extern "C" {
         count: *mut i64,
     ) -> hs_status;
 
-    /// Ends a shape. Blocks made from it keep their own copy.
+    /// Destroys a shape. Blocks made from it have their own copies.
     ///
     /// - `shape`: may be NULL
     pub fn hs_shape_destroy(shape: *mut hs_shape);
@@ -1542,11 +1539,11 @@ extern "C" {
     /// Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
     pub fn hs_world_def_init(def: *mut hs_world_def, size: usize, dimension: i32) -> hs_status;
 
-    /// Makes an empty world.
+    /// Creates an empty world.
     ///
-    /// - `context`: owner of the allocator
+    /// - `context`: allocates the world and keeps error texts
     /// - `def`: not NULL
-    /// - `world`: receives it; end it with hs_world_destroy()
+    /// - `world`: receives it; the caller destroys it with hs_world_destroy()
     ///
     /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
     pub fn hs_world_create(
@@ -1555,7 +1552,7 @@ extern "C" {
         world: *mut *mut hs_world,
     ) -> hs_status;
 
-    /// Ends a world with all it holds.
+    /// Destroys a world with all its blocks and bodies.
     ///
     /// - `world`: may be NULL
     pub fn hs_world_destroy(world: *mut hs_world);
@@ -1563,8 +1560,8 @@ extern "C" {
     /// Adds a material.
     ///
     /// - `world`: not NULL
-    /// - `density`: > 0
-    /// - `material`: receives its index, counted from 0
+    /// - `density`: kg/m3, > 0
+    /// - `material`: receives its index
     ///
     /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
     pub fn hs_world_add_material(
@@ -1573,17 +1570,17 @@ extern "C" {
         material: *mut i32,
     ) -> hs_status;
 
-    /// Sets the law of all pairs of materials that have none of their own.
+    /// Sets the law of all pairs of materials without a law of their own.
     ///
     /// - `world`, `law`: not NULL
     ///
     /// Returns HS_OK or HS_ERROR_ARGUMENT
     pub fn hs_world_set_default_law(world: *mut hs_world, law: *const hs_law_def) -> hs_status;
 
-    /// Sets the law between two materials (either order).
+    /// Sets the law of two materials, in either order.
     ///
     /// - `world`, `law`: not NULL
-    /// - `material_a`, `material_b`: indices; the same one twice is legal
+    /// - `material_a`, `material_b`: indices, may be the same
     ///
     /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID or HS_ERROR_OUT_OF_MEMORY
     pub fn hs_world_set_law(
@@ -1597,7 +1594,7 @@ extern "C" {
     ///
     /// - `def`: to fill
     /// - `size`: sizeof(hs_block_def) as the caller was compiled
-    /// - `shape`: gives the default pose; not NULL
+    /// - `shape`: not NULL; its centroid is the default position
     ///
     /// Returns HS_OK or HS_ERROR_ARGUMENT
     pub fn hs_block_def_init(
@@ -1606,14 +1603,14 @@ extern "C" {
         shape: *const hs_shape,
     ) -> hs_status;
 
-    /// Adds a block. The world copies the shape. No component of its position may exceed 2^32 of its bounding
-    /// radius: farther off, rounding would move it by too large a part of its size.
+    /// Adds a block. The world copies the shape. Components of its position are at most 2^32 times its
+    /// bounding radius, which limits the rounding error relative to its size.
     ///
     /// - `world`, `shape`, `def`: not NULL
     /// - `block`: receives its id
     ///
-    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID (material), HS_ERROR_STATE (an affine block of a
-    /// material that is not elastic) or HS_ERROR_OUT_OF_MEMORY
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID (material), HS_ERROR_STATE (affine block of a
+    /// material without elasticity) or HS_ERROR_OUT_OF_MEMORY
     pub fn hs_world_add_block(
         world: *mut hs_world,
         shape: *const hs_shape,
@@ -1621,7 +1618,7 @@ extern "C" {
         block: *mut hs_block,
     ) -> hs_status;
 
-    /// Removes a block; its id becomes stale. The cost grows with the size of the world.
+    /// Removes a block; its id becomes stale. The cost is proportional to the size of the world.
     ///
     /// - `world`: not NULL
     /// - `block`: id
@@ -1629,7 +1626,7 @@ extern "C" {
     /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID or HS_ERROR_OUT_OF_MEMORY
     pub fn hs_world_remove_block(world: *mut hs_world, block: hs_block) -> hs_status;
 
-    /// The ids of all blocks in the order of the block arrays below.
+    /// Bulk: ids of all blocks. All arrays of blocks below have this order.
     ///
     /// - `world`: not NULL
     /// - `blocks`: receives them; may be NULL if capacity is 0
@@ -1644,7 +1641,7 @@ extern "C" {
         count: *mut i64,
     ) -> hs_status;
 
-    /// One block's motion.
+    /// Returns the motion of a block.
     ///
     /// - `world`: not NULL
     /// - `block`: id
@@ -1657,12 +1654,12 @@ extern "C" {
         state: *mut hs_block_state,
     ) -> hs_status;
 
-    /// One block's vertices where they are now, counter-clockwise.
+    /// Returns the current positions of a block's vertices, in 2D counter-clockwise.
     ///
     /// - `world`: not NULL
     /// - `block`: id
-    /// - `vertices`: receives them
-    /// - `count`: receives their number; may be NULL
+    /// - `vertices`: receives them; its count is the capacity
+    /// - `count`: receives the number of vertices; may be NULL
     ///
     /// Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
     pub fn hs_world_get_block_vertices(
@@ -1672,11 +1669,11 @@ extern "C" {
         count: *mut i64,
     ) -> hs_status;
 
-    /// Puts a block elsewhere.
+    /// Sets the pose of a block.
     ///
     /// - `world`: not NULL
     /// - `block`: id
-    /// - `pose`: where to, no farther off than hs_world_add_block() allows
+    /// - `pose`: with a position in the range of hs_world_add_block()
     ///
     /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
     pub fn hs_world_set_pose(
@@ -1685,13 +1682,12 @@ extern "C" {
         pose: *const hs_pose,
     ) -> hs_status;
 
-    /// Sets a block's velocity and angular velocity (3 values each); a fixed block takes none, an affine one
-    /// strains on as before.
+    /// Sets the velocity and angular velocity of a block. The strain rate of an affine block does not change.
     ///
     /// - `world`: not NULL
     /// - `block`: id
-    /// - `velocity`: of the centroid
-    /// - `angular_velocity`: rad/s; 2D uses z
+    /// - `velocity`: of the centroid, 3 values, m/s
+    /// - `angular_velocity`: 3 values, rad/s; 2D uses z
     ///
     /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE for a fixed block
     pub fn hs_world_set_velocity(
@@ -1701,13 +1697,12 @@ extern "C" {
         angular_velocity: *const [f64; 3],
     ) -> hs_status;
 
-    /// Sets the force and torque (3 values each) that act on a rigid or affine block from outside until set
-    /// again.
+    /// Sets the external force and torque on a rigid or affine block, until set again.
     ///
     /// - `world`: not NULL
     /// - `block`: id
-    /// - `force`: at the centroid
-    /// - `torque`: about the centroid; 2D uses z
+    /// - `force`: at the centroid, 3 values, N
+    /// - `torque`: about the centroid, 3 values, N m; 2D uses z
     ///
     /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE for other kinds
     pub fn hs_world_set_applied_force(
@@ -1722,7 +1717,7 @@ extern "C" {
     /// - `world`: not NULL
     /// - `poses`: receives them; may be NULL if capacity is 0
     /// - `capacity`: in poses
-    /// - `count`: receives the number; may be NULL
+    /// - `count`: receives the number of blocks; may be NULL
     ///
     /// Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
     pub fn hs_world_get_poses(
@@ -1735,17 +1730,17 @@ extern "C" {
     /// Bulk: sets the poses of all blocks, in the order of hs_world_get_blocks().
     ///
     /// - `world`: not NULL
-    /// - `poses`: one per block, no farther off than hs_world_add_block() allows
+    /// - `poses`: one per block, with positions in the range of hs_world_add_block()
     /// - `count`: must be the number of blocks
     ///
-    /// Returns HS_OK or HS_ERROR_ARGUMENT, then no block has moved
+    /// Returns HS_OK or HS_ERROR_ARGUMENT (no block has moved)
     pub fn hs_world_set_poses(world: *mut hs_world, poses: *const hs_pose, count: i64) -> hs_status;
 
     /// Bulk: velocities and angular velocities of all blocks, in the order of hs_world_get_blocks().
     ///
     /// - `world`: not NULL
-    /// - `velocities`: receives them; its count is the capacity
-    /// - `angular_velocities`: 2D: z only, x and y are 0; a view with count 0 skips it
+    /// - `velocities`: receives them, m/s; its count is the capacity
+    /// - `angular_velocities`: receives them, rad/s; in 2D x and y are 0; a view with count 0 skips it
     ///
     /// Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
     pub fn hs_world_get_velocities(
@@ -1754,20 +1749,21 @@ extern "C" {
         angular_velocities: hs_mutable_view,
     ) -> hs_status;
 
-    /// Bulk: sets velocities and angular velocities of all blocks; entries of fixed blocks are ignored.
+    /// Bulk: sets velocities and angular velocities of all blocks, in the order of hs_world_get_blocks().
+    /// Entries of fixed and mesh blocks are ignored.
     ///
     /// - `world`: not NULL
-    /// - `velocities`: one per block
-    /// - `angular_velocities`: one per block; 2D uses z
+    /// - `velocities`: one per block, m/s
+    /// - `angular_velocities`: one per block, rad/s; 2D uses z; a view with count 0 keeps the current ones
     ///
-    /// Returns HS_OK or HS_ERROR_ARGUMENT, then no velocity has changed
+    /// Returns HS_OK or HS_ERROR_ARGUMENT (no velocity has changed)
     pub fn hs_world_set_velocities(
         world: *mut hs_world,
         velocities: hs_view,
         angular_velocities: hs_view,
     ) -> hs_status;
 
-    /// Stage: neighbour search and detection at the present poses.
+    /// Stage: neighbour search and detection at the current poses.
     ///
     /// - `world`: not NULL
     /// - `touching`: receives the number of pairs in contact; may be NULL
@@ -1775,12 +1771,12 @@ extern "C" {
     /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
     pub fn hs_world_detect(world: *mut hs_world, touching: *mut i64) -> hs_status;
 
-    /// Stage: contact forces at the present poses and velocities, after hs_world_detect().
+    /// Stage: contact forces at the current poses and velocities, after hs_world_detect().
     ///
     /// - `world`: not NULL
-    /// - `elapsed`: time since the last call, >= 0: shear springs grow by velocity times this
-    /// - `forces`: receives the force on each block, in the order of hs_world_get_blocks()
-    /// - `torques`: receives the torque about each centroid (2D: z); a view with count 0 skips it
+    /// - `elapsed`: time since the last call, s, >= 0: shear springs extend by velocity times this
+    /// - `forces`: receives the force on each block, N, in the order of hs_world_get_blocks()
+    /// - `torques`: receives the torque about each centroid, N m (2D: z); a view with count 0 skips it
     ///
     /// Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT, or HS_ERROR_STATE before detection at these poses
     pub fn hs_world_forces(
@@ -1790,23 +1786,23 @@ extern "C" {
         torques: hs_mutable_view,
     ) -> hs_status;
 
-    /// Steps the world.
+    /// Steps the world. After an error it keeps the last valid state, and can be read or saved. Within a
+    /// divided step (docs/concepts/impact.md) this is the last valid substep, and the next call completes the
+    /// step.
     ///
     /// - `world`: not NULL
-    /// - `steps`: >= 0
+    /// - `steps`: number of steps, >= 0
     ///
-    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (no time step given and none can be derived), or
-    /// HS_ERROR_OUT_OF_MEMORY or HS_ERROR_UNSTABLE or HS_ERROR_TOO_FAST: the world stays at the last good
-    /// step and can be read, saved or restored. Where fast blocks had divided a step
-    /// (docs/concepts/impact.md), it stays at the last good part of it, and the next call ends that step.
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (no time step given and none can be derived),
+    /// HS_ERROR_OUT_OF_MEMORY, HS_ERROR_UNSTABLE, HS_ERROR_TOO_FAST or HS_ERROR_INVERTED
     pub fn hs_world_step(world: *mut hs_world, steps: i64) -> hs_status;
 
-    /// Time, time step, counts, energies. After a change of the world it detects and evaluates forces first,
-    /// as a step would; that leaves no trace in the run. Without a time step the energies are those of before
-    /// the change.
+    /// Returns time, time step, counts and energies. After a change of the world it detects contacts and
+    /// evaluates forces first, without any effect on the run. Without a time step the energies are those
+    /// before the change.
     ///
     /// - `world`: not NULL
-    /// - `report`: receives them; what this library does not know of a longer struct is 0
+    /// - `report`: receives it; fields unknown to this version of the library are 0
     /// - `size`: sizeof(hs_world_report) as the caller was compiled
     ///
     /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
@@ -1816,11 +1812,11 @@ extern "C" {
         size: usize,
     ) -> hs_status;
 
-    /// The contacts of the last detection, block a before b; none after a change of poses, blocks or laws.
-    /// Contacts by laws with springs come first, one per pair, sorted by block index; their forces are 0
-    /// until they are evaluated. Contacts by laws without springs follow, one per point, as of the end of the
-    /// last step: a vertex at a face, or two edges. In the step of a touch their force is the impulse that is
-    /// left at the end of the step, over half the step (Li et al. 2015, sections 3 and 4).
+    /// Bulk: contacts of the last detection, with block a before b; none after a change of poses, blocks or
+    /// laws. Contacts of laws with springs are first, one per pair, sorted by block index; their forces are 0
+    /// until evaluated. Contacts of laws without springs follow, one per point (vertex-face or edge-edge), at
+    /// the end of the last step; in the step of a touch their force is the remaining impulse divided by half
+    /// the step (Li et al. 2015, sections 3 and 4).
     ///
     /// - `world`: not NULL
     /// - `contacts`: receives them; may be NULL if capacity is 0
@@ -1839,10 +1835,10 @@ extern "C" {
     ///
     /// - `world`: after hs_world_detect() or a step
     /// - `block_a`, `block_b`: the pair, either order
-    /// - `shear_force`: on block_b, 3 finite values; what lies in the contact plane counts
+    /// - `shear_force`: on block_b, 3 values, N; only the component in the contact plane is used
     ///
-    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID if the two are not in contact, or HS_ERROR_STATE
-    /// before detection at these poses and laws, or when their law has neither friction nor cohesion
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID if they are not in contact, or HS_ERROR_STATE
+    /// before detection at these poses and laws, or if their law has neither friction nor cohesion
     pub fn hs_world_set_shear_force(
         world: *mut hs_world,
         block_a: hs_block,
@@ -1850,12 +1846,12 @@ extern "C" {
         shear_force: *const [f64; 3],
     ) -> hs_status;
 
-    /// Saves the whole state of motion and contact. A restored world goes on bit for bit.
+    /// Saves a snapshot of the complete state. A restored world continues bit for bit.
     ///
     /// - `world`: not NULL
     /// - `bytes`: receives it; may be NULL if capacity is 0
     /// - `capacity`: in bytes
-    /// - `count`: receives the number of bytes; not NULL
+    /// - `count`: receives the size of the snapshot in bytes; not NULL
     ///
     /// Returns HS_OK, HS_NOTE_TRUNCATED (nothing was written) or HS_ERROR_ARGUMENT
     pub fn hs_world_save(
@@ -1865,12 +1861,12 @@ extern "C" {
         count: *mut usize,
     ) -> hs_status;
 
-    /// Makes a world from saved bytes, with its blocks, ids, materials and laws.
+    /// Creates a world from a snapshot, with the same ids, materials and laws.
     ///
-    /// - `context`: owner of the allocator
+    /// - `context`: allocates the world and keeps error texts
     /// - `bytes`: from hs_world_save()
     /// - `count`: number of bytes
-    /// - `world`: receives it
+    /// - `world`: receives it; the caller destroys it with hs_world_destroy()
     ///
     /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_FORMAT or HS_ERROR_OUT_OF_MEMORY
     pub fn hs_world_restore(
@@ -1888,8 +1884,7 @@ extern "C" {
     /// Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
     pub fn hs_elasticity_def_init(def: *mut hs_elasticity_def, size: usize) -> hs_status;
 
-    /// Makes a material elastic, for affine blocks and meshes; others do not read it. What has the material
-    /// keeps its strain.
+    /// Sets the elasticity of a material. Affine blocks and meshes use it. Existing blocks keep their strain.
     ///
     /// - `world`, `elasticity`: not NULL
     /// - `material`: index
@@ -1901,7 +1896,7 @@ extern "C" {
         elasticity: *const hs_elasticity_def,
     ) -> hs_status;
 
-    /// How a block of any kind is turned and strained.
+    /// Returns deformation and stress of a block of any kind.
     ///
     /// - `world`: not NULL
     /// - `block`: id
@@ -1914,7 +1909,7 @@ extern "C" {
         deformation: *mut hs_deformation,
     ) -> hs_status;
 
-    /// Bulk: how all blocks are turned and strained, in the order of hs_world_get_blocks().
+    /// Bulk: deformation and stress of all blocks, in the order of hs_world_get_blocks().
     ///
     /// - `world`: not NULL
     /// - `deformations`: receives them; may be NULL if capacity is 0
@@ -1929,14 +1924,13 @@ extern "C" {
         count: *mut i64,
     ) -> hs_status;
 
-    /// Turns and strains an affine block, and sets how fast it goes on. Its centroid and velocity stay.
+    /// Sets the deformation gradient of an affine block and its rate. Centroid and velocity do not change.
     ///
     /// - `world`: not NULL
     /// - `block`: id
-    /// - `gradient`: 9 values, at most 1e75, with a determinant above 0; its inverse likewise at most 1e75,
-    ///   and its norm times that of the inverse at most 2^40: a block pressed flatter would be flat to
-    ///   rounding
-    /// - `rate`: of the gradient, 9 values, at most 1e75, 1/s
+    /// - `gradient`: 9 values, max 1e75, with a determinant > 0; the entries of its inverse at most 1e75, and
+    ///   its norm times that of the inverse at most 2^40: a flatter block would be flat to rounding
+    /// - `rate`: time derivative of the gradient, 9 values, max 1e75, 1/s
     ///
     /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine
     pub fn hs_world_set_deformation(
@@ -1946,12 +1940,11 @@ extern "C" {
         rate: *const [f64; 9],
     ) -> hs_status;
 
-    /// Says how an affine block is stressed as it is now, e.g. in situ. What the block is strained by from
-    /// now on adds to that.
+    /// Sets the current stress of an affine block, e.g. the in situ stress. Later strain adds to it.
     ///
     /// - `world`: not NULL
     /// - `block`: id
-    /// - `stress`: Cauchy's, 9 values, symmetric, at most 1e75, Pa, tension > 0
+    /// - `stress`: Cauchy stress, 9 values, symmetric, max 1e75, Pa, tension > 0
     ///
     /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine
     pub fn hs_world_set_stress(
@@ -1960,12 +1953,12 @@ extern "C" {
         stress: *const [f64; 9],
     ) -> hs_status;
 
-    /// Adds a load that acts on one face of an affine block from now on. It keeps its direction as the block
-    /// moves, and its size as the face is strained.
+    /// Adds a permanent load on one face of an affine block. Its direction does not change as the block
+    /// moves, nor its magnitude as the face is strained.
     ///
     /// - `world`: not NULL
     /// - `block`: id
-    /// - `face`: index, in 2D of the edge that starts at the vertex of that index
+    /// - `face`: index; in 2D of the edge that starts at the vertex of that index
     /// - `traction`: force per area of the face as it was given, 3 values, Pa
     ///
     /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine
@@ -1976,7 +1969,7 @@ extern "C" {
         traction: *const [f64; 3],
     ) -> hs_status;
 
-    /// Takes all surface loads off an affine block.
+    /// Removes all surface loads of an affine block.
     ///
     /// - `world`: not NULL
     /// - `block`: id
@@ -1984,7 +1977,7 @@ extern "C" {
     /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine
     pub fn hs_world_clear_surface_loads(world: *mut hs_world, block: hs_block) -> hs_status;
 
-    /// Fills a bond's definition with its defaults.
+    /// Fills a bond definition with its defaults.
     ///
     /// - `def`: to fill
     /// - `size`: sizeof(hs_bond_def) as the caller was compiled
@@ -1992,14 +1985,14 @@ extern "C" {
     /// Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
     pub fn hs_bond_def_init(def: *mut hs_bond_def, size: usize) -> hs_status;
 
-    /// Bonds two blocks along their common face, as they are now: all pairs of faces that lie in one plane
-    /// but for rounding.
+    /// Bonds two blocks along their common faces in their current positions: every pair of faces that is
+    /// coplanar to rounding.
     ///
     /// - `world`, `def`: not NULL
-    /// - `block_a`, `block_b`: two blocks of any kind
+    /// - `block_a`, `block_b`: two different blocks of any kind
     ///
-    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, HS_ERROR_OUT_OF_MEMORY, or HS_ERROR_STATE when
-    /// they have no common face, hold together already, or neither moves
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, HS_ERROR_OUT_OF_MEMORY, or HS_ERROR_STATE if they
+    /// have no common face, are bonded already, or neither moves
     pub fn hs_world_bond_blocks(
         world: *mut hs_world,
         block_a: hs_block,
@@ -2007,8 +2000,7 @@ extern "C" {
         def: *const hs_bond_def,
     ) -> hs_status;
 
-    /// Bonds all pairs of blocks of two materials along their common faces; what holds together already stays
-    /// as it is.
+    /// Bonds all pairs of blocks of two materials along their common faces. Existing bonds do not change.
     ///
     /// - `world`, `def`: not NULL
     /// - `material_a`, `material_b`: indices, may be the same
@@ -2023,20 +2015,20 @@ extern "C" {
         count: *mut i64,
     ) -> hs_status;
 
-    /// Holds all bonds, which then never fail, while a world comes to rest; or lets them fail again.
+    /// Suspends or resumes the failure of all bonds, e.g. while a world settles.
     ///
     /// - `world`: not NULL
-    /// - `are_held`: 1 or 0
+    /// - `are_held`: 1: no bond can fail; 0: bonds can fail
     ///
     /// Returns HS_OK or HS_ERROR_ARGUMENT
     pub fn hs_world_hold_bonds(world: *mut hs_world, are_held: i32) -> hs_status;
 
-    /// Bulk: all bonds made so far, in their order.
+    /// Bulk: all bonds made so far, in their order of creation.
     ///
     /// - `world`: not NULL
     /// - `bonds`: receives them; may be NULL if capacity is 0
     /// - `capacity`: in bonds
-    /// - `count`: receives their number; may be NULL
+    /// - `count`: receives the number of bonds; may be NULL
     ///
     /// Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
     pub fn hs_world_get_bonds(
@@ -2046,10 +2038,10 @@ extern "C" {
         count: *mut i64,
     ) -> hs_status;
 
-    /// Bulk: what has failed so far, in order of time.
+    /// Bulk: all failures of bond points so far, in order of time.
     ///
     /// - `world`: not NULL
-    /// - `first`: the first event wanted, counted from 0
+    /// - `first`: index of the first event to return, >= 0
     /// - `events`: receives them; may be NULL if capacity is 0
     /// - `capacity`: in events
     /// - `count`: receives the number of events from the first one on; may be NULL
@@ -2063,7 +2055,7 @@ extern "C" {
         count: *mut i64,
     ) -> hs_status;
 
-    /// The bonds in numbers, as of the last step.
+    /// Returns a summary of all bonds, as of the last step.
     ///
     /// - `world`: not NULL
     /// - `report`: receives it
@@ -2076,7 +2068,7 @@ extern "C" {
         size: usize,
     ) -> hs_status;
 
-    /// Fills a motion with its defaults: at the origin, not turned, at rest.
+    /// Fills a motion with its defaults: at rest at the origin, without rotation.
     ///
     /// - `def`: to fill
     /// - `size`: sizeof(hs_motion_def) as the caller was compiled
@@ -2084,19 +2076,18 @@ extern "C" {
     /// Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
     pub fn hs_motion_def_init(def: *mut hs_motion_def, size: usize) -> hs_status;
 
-    /// When do two moving shapes first touch?
+    /// Computes the time of impact of two moving shapes by conservative advancement (Mirtich 1996).
     ///
-    /// The shapes are apart at every time before the one told: no touch is passed over, however fast or thin
-    /// the shapes are or however often they turn. Told early it may be by as much as rounding takes: the gap
-    /// is then within some 1e-12 of the shapes' size, their distance and their way together, times 1 and the
-    /// angle that they turn by. Should shapes come that near and part again, a touch may be told. Only where
-    /// shapes graze each other through hundreds of turns the search may end sooner, with a larger `gap`:
-    /// earlier, too, and never later.
+    /// The shapes are separated at all times before the reported one, whatever their speed, thickness or
+    /// number of revolutions. The reported time may be early by rounding only: the gap is then at most about
+    /// 1e-12 of (size + distance + relative displacement) times (1 + angle of rotation). Shapes that come
+    /// that close without touching may be reported as touching. After hundreds of revolutions of grazing
+    /// shapes the search may stop early, with a larger `gap`; it is never late.
     ///
-    /// - `shape_a`, `shape_b`: the shapes, both of one dimension; the same one twice is legal
-    /// - `motion_a`, `motion_b`: how they move
-    /// - `duration`: of the motions, s, finite, >= 0
-    /// - `impact`: receives when, where and how
+    /// - `shape_a`, `shape_b`: the shapes, of the same dimension; may be the same shape
+    /// - `motion_a`, `motion_b`: their motions
+    /// - `duration`: s, finite, >= 0
+    /// - `impact`: receives time, place and normal of the first touch
     ///
     /// Returns HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY (shapes of many vertices). Thread rule: as
     /// for hs_pair_detect().
@@ -2109,20 +2100,20 @@ extern "C" {
         impact: *mut hs_impact,
     ) -> hs_status;
 
-    /// Makes a mesh. What is given is copied.
+    /// Creates a mesh. The arguments are copied.
     ///
-    /// - `context`: owner of the allocator
+    /// - `context`: allocates the mesh and keeps error texts
     /// - `dimension`: 2 or 3
-    /// - `nodes`: their places, m
-    /// - `cell_kinds`: an HS_CELL_ value for each cell of this dimension
-    /// - `cell_count`: at least 1
-    /// - `cell_nodes`: the nodes of all cells, those of one cell after those of the other, counted from 0
-    /// - `cell_node_count`: their number: what the kinds need
-    /// - `mesh`: receives it; end it with hs_mesh_destroy()
+    /// - `nodes`: positions of the nodes, m; at most 2^28
+    /// - `cell_kinds`: one HS_CELL_ value of this dimension per cell
+    /// - `cell_count`: from 1 to 2^28
+    /// - `cell_nodes`: node indices of all cells, cell after cell
+    /// - `cell_node_count`: length of cell_nodes: the number of nodes that all kinds have together
+    /// - `mesh`: receives it; the caller destroys it with hs_mesh_destroy()
     ///
-    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_OUT_OF_MEMORY, or HS_ERROR_GEOMETRY when a node is named
-    /// twice in a cell or belongs to none, a cell is inside out or flat somewhere, or a face is in more than
-    /// two cells
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_OUT_OF_MEMORY, or HS_ERROR_GEOMETRY if a cell uses a node
+    /// twice, a node belongs to no cell, a cell is inverted or degenerate anywhere, or a face belongs to more
+    /// than two cells
     pub fn hs_mesh_create(
         context: *mut hs_context,
         dimension: i32,
@@ -2134,12 +2125,12 @@ extern "C" {
         mesh: *mut *mut hs_mesh,
     ) -> hs_status;
 
-    /// Ends a mesh. Bodies made of it stay as they are.
+    /// Destroys a mesh. Bodies made of it do not change.
     ///
     /// - `mesh`: may be NULL
     pub fn hs_mesh_destroy(mesh: *mut hs_mesh);
 
-    /// What a mesh is.
+    /// Returns a summary of a mesh.
     ///
     /// - `mesh`: not NULL
     /// - `properties`: receives it
@@ -2152,7 +2143,7 @@ extern "C" {
         size: usize,
     ) -> hs_status;
 
-    /// Fills a body's definition with its defaults.
+    /// Fills a body definition with its defaults.
     ///
     /// - `def`: to fill
     /// - `size`: sizeof(hs_body_def) as the caller was compiled
@@ -2160,15 +2151,15 @@ extern "C" {
     /// Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
     pub fn hs_body_def_init(def: *mut hs_body_def, size: usize) -> hs_status;
 
-    /// Puts a mesh into a world.
+    /// Adds a copy of a mesh to a world, as a body.
     ///
     /// - `world`, `def`: not NULL
-    /// - `mesh`: of the world's dimension; may be ended afterwards
-    /// - `cell_materials`: a material for each cell, or NULL: def.material for all
+    /// - `mesh`: of the world's dimension; may be destroyed afterwards
+    /// - `cell_materials`: one material index per cell, or NULL: def.material for all cells
     /// - `body`: receives its id
     ///
-    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, HS_ERROR_OUT_OF_MEMORY, HS_ERROR_GEOMETRY when a
-    /// cell is inside out or flat where it is put, or HS_ERROR_STATE for a material that is not elastic
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, HS_ERROR_OUT_OF_MEMORY, HS_ERROR_GEOMETRY if
+    /// rounding at def.pose inverts or flattens a cell, or HS_ERROR_STATE for a material without elasticity
     pub fn hs_world_add_mesh(
         world: *mut hs_world,
         mesh: *const hs_mesh,
@@ -2177,7 +2168,7 @@ extern "C" {
         body: *mut hs_body,
     ) -> hs_status;
 
-    /// Takes a body out of the world, with the blocks at its surface.
+    /// Removes a body and its surface blocks from the world. Its id becomes stale.
     ///
     /// - `world`: not NULL
     /// - `body`: id
@@ -2185,21 +2176,20 @@ extern "C" {
     /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
     pub fn hs_world_remove_body(world: *mut hs_world, body: hs_body) -> hs_status;
 
-    /// Takes cells out of a body: excavation. Cells and nodes that stay keep their numbers; what the cells
-    /// bordered on is surface from now on. A node without any cell stays where it is, held for good, and
-    /// weighs nothing.
+    /// Removes cells of a body (excavation). Indices of the other cells and nodes do not change; the faces of
+    /// neighbour cells become surface. A node without cells has no mass and stays at rest.
     ///
     /// - `world`: not NULL
     /// - `body`: id
-    /// - `cells`: of the mesh, counted from 0; what is gone already may be named
+    /// - `cells`: indices of cells; removed ones are allowed
     /// - `count`: in cells
-    /// - `released`: receives, for each node of the body, the force that these cells exerted on it by their
-    ///   stress and weight, so that hs_world_set_node_force() can fade it out; 0 where no cell is left; a
-    ///   view with count 0 skips it
+    /// - `released`: receives, per node of the body, the force that these cells exerted on it by their stress
+    ///   and weight, to be applied by hs_world_set_node_force() and reduced gradually; 0 for a node without
+    ///   cells; a view with count 0 skips it
     ///
     /// Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, HS_ERROR_OUT_OF_MEMORY,
-    /// HS_ERROR_GEOMETRY when a cell that comes to the surface is too flat to touch anything, or
-    /// HS_ERROR_STATE when no cell would be left
+    /// HS_ERROR_GEOMETRY if a new surface cell is too flat for contact, or HS_ERROR_STATE if no cell would
+    /// remain
     pub fn hs_world_remove_cells(
         world: *mut hs_world,
         body: hs_body,
@@ -2208,14 +2198,13 @@ extern "C" {
         released: hs_mutable_view,
     ) -> hs_status;
 
-    /// Stresses the cells of a body as they are now, e.g. as the rock around was before: each by the stress
-    /// at its middle.
+    /// Sets the current stress of the cells of a body, e.g. the in situ stress, linear in space: each cell
+    /// gets the stress at its center.
     ///
     /// - `world`: not NULL
     /// - `body`: id
-    /// - `stress`: 9 values row by row, symmetric: Cauchy's at the origin, in space, Pa, tension > 0
-    /// - `gradient`: 27 values: how that changes along x, then along y, then along z, Pa/m, each 9 values as
-    ///   stress; may be NULL
+    /// - `stress`: Cauchy stress at the origin, in space, 9 values row by row, symmetric, Pa, tension > 0
+    /// - `gradient`: derivatives of the stress along x, y and z, Pa/m, 3 x 9 values as stress; may be NULL
     ///
     /// Returns HS_OK, HS_ERROR_STALE_ID, or HS_ERROR_ARGUMENT, also for a stress that strains a cell by more
     /// than 1e6
@@ -2226,7 +2215,7 @@ extern "C" {
         gradient: *const [f64; 27],
     ) -> hs_status;
 
-    /// How a body moves.
+    /// Returns motion and energy of a body.
     ///
     /// - `world`: not NULL
     /// - `body`: id
@@ -2241,12 +2230,12 @@ extern "C" {
         size: usize,
     ) -> hs_status;
 
-    /// Bulk: where a body's nodes are, in the order of its mesh.
+    /// Bulk: positions of a body's nodes, m, in the order of its mesh.
     ///
     /// - `world`: not NULL
     /// - `body`: id
     /// - `positions`: receives as many as fit
-    /// - `count`: receives their number; may be NULL
+    /// - `count`: receives the number of nodes; may be NULL
     ///
     /// Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
     pub fn hs_world_get_node_positions(
@@ -2256,12 +2245,12 @@ extern "C" {
         count: *mut i64,
     ) -> hs_status;
 
-    /// Bulk: how fast a body's nodes are.
+    /// Bulk: velocities of a body's nodes, m/s, in the order of its mesh.
     ///
     /// - `world`: not NULL
     /// - `body`: id
     /// - `velocities`: receives as many as fit
-    /// - `count`: receives their number; may be NULL
+    /// - `count`: receives the number of nodes; may be NULL
     ///
     /// Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
     pub fn hs_world_get_node_velocities(
@@ -2271,14 +2260,14 @@ extern "C" {
         count: *mut i64,
     ) -> hs_status;
 
-    /// Bulk: all forces on a body's nodes at the end of the last step: of cells, contacts, gravity, and
-    /// applied ones. At rest they are 0, but at nodes that are held: there they are what these press on their
-    /// support.
+    /// Bulk: total forces on a body's nodes at the end of the last step (cells, contacts, gravity, applied),
+    /// N, in 2D per unit thickness. In equilibrium they are 0, except at held nodes: there they are the
+    /// forces on the support.
     ///
     /// - `world`: not NULL
     /// - `body`: id
     /// - `forces`: receives as many as fit
-    /// - `count`: receives their number; may be NULL
+    /// - `count`: receives the number of nodes; may be NULL
     ///
     /// Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
     pub fn hs_world_get_node_forces(
@@ -2288,11 +2277,11 @@ extern "C" {
         count: *mut i64,
     ) -> hs_status;
 
-    /// Sets the velocities of all nodes of a body, also of those that are held.
+    /// Sets the velocities of all nodes of a body, including held ones.
     ///
     /// - `world`: not NULL
     /// - `body`: id
-    /// - `velocities`: one for each node
+    /// - `velocities`: one per node, m/s
     ///
     /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
     pub fn hs_world_set_node_velocities(
@@ -2301,15 +2290,15 @@ extern "C" {
         velocities: hs_view,
     ) -> hs_status;
 
-    /// Holds nodes along axes, besides those along which they are held already: there they go on with a
-    /// velocity that stays, whatever the forces. Without axes they are free from now on, along all of them.
+    /// Prescribes a constant velocity of nodes along axes, in addition to axes held before; or frees the
+    /// nodes along all axes.
     ///
     /// - `world`: not NULL
     /// - `body`: id
-    /// - `nodes`: of the mesh, counted from 0
+    /// - `nodes`: indices of nodes
     /// - `count`: in nodes
-    /// - `axes`: a sum of HS_AXIS_ values, or 0: free
-    /// - `velocity`: along these axes, m/s; what it has along others is not read; may be NULL without axes
+    /// - `axes`: sum of HS_AXIS_ values, or 0: frees the nodes
+    /// - `velocity`: 3 values, m/s; components along other axes are ignored; may be NULL if axes is 0
     ///
     /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
     pub fn hs_world_hold_nodes(
@@ -2321,13 +2310,13 @@ extern "C" {
         velocity: *const [f64; 3],
     ) -> hs_status;
 
-    /// Sets the force that acts on each of these nodes from outside, from now on.
+    /// Sets the external force on each of these nodes, until set again.
     ///
     /// - `world`: not NULL
     /// - `body`: id
-    /// - `nodes`: of the mesh, counted from 0
+    /// - `nodes`: indices of nodes
     /// - `count`: in nodes
-    /// - `force`: N, in 2D per unit thickness
+    /// - `force`: 3 values, N, in 2D per unit thickness
     ///
     /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
     pub fn hs_world_set_node_force(
@@ -2338,8 +2327,7 @@ extern "C" {
         force: *const [f64; 3],
     ) -> hs_status;
 
-    /// Bulk: how a body's cells are strained and stressed, in the order of its mesh. All is 0 of a cell that
-    /// has been removed.
+    /// Bulk: strain and stress of a body's cells, in the order of its mesh; 0 for removed cells.
     ///
     /// - `world`: not NULL
     /// - `body`: id
@@ -2356,12 +2344,12 @@ extern "C" {
         count: *mut i64,
     ) -> hs_status;
 
-    /// The body that a block is at the surface of.
+    /// Returns the body and cell of a surface block.
     ///
     /// - `world`: not NULL
     /// - `block`: id
-    /// - `body`: receives the body's id, or 0 for a block of another kind
-    /// - `cell`: receives the cell of the body's mesh, or -1; may be NULL
+    /// - `body`: receives the id of the body, or 0 for a block of another kind
+    /// - `cell`: receives the index of the cell, or -1; may be NULL
     ///
     /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
     pub fn hs_world_get_body_of_block(
@@ -2379,14 +2367,15 @@ extern "C" {
     /// Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
     pub fn hs_pair_options_init(options: *mut hs_pair_options, size: usize) -> hs_status;
 
-    /// Are two shapes in contact, and how?
+    /// Detects the contact of two shapes. A separated pair has the type HS_CONTACT_NONE.
     ///
-    /// - `shape_a`, `shape_b`: the shapes, both of one dimension; the same one twice is legal
-    /// - `pose_a`, `pose_b`: where they are
+    /// - `shape_a`, `shape_b`: the shapes, of the same dimension; may be the same shape
+    /// - `pose_a`, `pose_b`: their poses
     /// - `options`: NULL for the defaults
-    /// - `cache`: NULL, or the pair's memory from the last call: makes the answer faster and, in contact,
-    ///   keeps the plane through which the pair met
-    /// - `contact`: receives type, pair, normal, gap, and of a contact its region; the rest stays
+    /// - `cache`: NULL, or the cache of this pair from the last call: detection is faster and keeps the
+    ///   contact plane of the first touch
+    /// - `contact`: receives type, pair, normal, gap, and if in contact the region; other fields are not
+    ///   written
     ///
     /// Returns HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY (polygons of more than 32 vertices)
     pub fn hs_pair_detect(
@@ -2399,21 +2388,21 @@ extern "C" {
         contact: *mut hs_contact,
     ) -> hs_status;
 
-    /// Detects many pairs.
+    /// Detects the contacts of many pairs.
     ///
-    /// - `context`: for the error text
-    /// - `shapes`: shapes of the bodies, body_count pointers; those of a pair are of one dimension
+    /// - `context`: keeps the error text
+    /// - `shapes`: shapes of the bodies, body_count pointers; those of a pair have the same dimension
     /// - `poses`: poses of the bodies, body_count
     /// - `body_count`: number of bodies, >= 0
     /// - `pairs`: body indices a, b of each pair, 2 * pair_count values
     /// - `pair_count`: number of pairs, >= 0
     /// - `options`: NULL for the defaults
     /// - `caches`: NULL, or one per pair
-    /// - `contacts`: receives one per pair, in the order of the pairs, separated ones with HS_CONTACT_NONE
+    /// - `contacts`: receives one per pair, in the order of the pairs; HS_CONTACT_NONE if separated
     /// - `touching`: receives the number of pairs in contact; may be NULL
     ///
-    /// Returns HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY; then the pairs before the failing one
-    /// have been written
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY: the pairs before the failing one have
+    /// been written
     pub fn hs_pairs_detect(
         context: *mut hs_context,
         shapes: *const *const hs_shape,
@@ -2427,13 +2416,13 @@ extern "C" {
         touching: *mut i64,
     ) -> hs_status;
 
-    /// Says what a world computes and what limits its step and, by steps, what that costs. All is found out
-    /// on a copy, which takes as much memory again for as long: the world stays as it is.
+    /// Returns the plan of a world. It works on a temporary copy of the world, which needs the memory of a
+    /// second world.
     ///
     /// - `world`: not NULL
-    /// - `steps`: to measure, >= 0; 0 measures no times. If the copy cannot go on, the times are of the steps
-    ///   that it did
-    /// - `plan`: receives it; what this library does not know of a longer struct is 0
+    /// - `steps`: number of steps to measure, >= 0; 0 measures no times. If the copy fails, times are of the
+    ///   completed steps
+    /// - `plan`: receives it; fields unknown to this version of the library are 0
     /// - `size`: sizeof(hs_world_plan) as the caller was compiled
     ///
     /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY. Thread rule: as for the world.
@@ -2444,7 +2433,7 @@ extern "C" {
         size: usize,
     ) -> hs_status;
 
-    /// Fills a relaxation's definition with its defaults.
+    /// Fills a relaxation definition with its defaults.
     ///
     /// - `def`: to fill
     /// - `size`: sizeof(hs_relaxation_def) as the caller was compiled
@@ -2452,15 +2441,15 @@ extern "C" {
     /// Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
     pub fn hs_relaxation_def_init(def: *mut hs_relaxation_def, size: usize) -> hs_status;
 
-    /// Steps a world until it is at rest. Its own damping, and whether bonds are held, come back afterwards;
-    /// at rest, velocities are set to 0.
+    /// Steps a world until static equilibrium, then sets all velocities to 0. Damping and the state of
+    /// hs_world_hold_bonds() are restored afterwards.
     ///
     /// - `world`, `def`: not NULL
-    /// - `balance`: receives how balanced it is then; may be NULL
+    /// - `balance`: receives the final balance; may be NULL
     /// - `size`: sizeof(hs_balance) as the caller was compiled
     ///
-    /// Returns HS_OK, HS_NOTE_NOT_AT_REST after def.max_steps, or what hs_world_step() returns: the world
-    /// stays where it has come to
+    /// Returns HS_OK, HS_NOTE_NOT_AT_REST after def.max_steps, or the errors of hs_world_step(); the world
+    /// keeps its last state
     pub fn hs_world_relax(
         world: *mut hs_world,
         def: *const hs_relaxation_def,
@@ -2468,7 +2457,7 @@ extern "C" {
         size: usize,
     ) -> hs_status;
 
-    /// How balanced a world is now. Takes as long as a step.
+    /// Returns the current balance of forces. It costs as much as a step.
     ///
     /// - `world`: not NULL
     /// - `balance`: receives it
@@ -2481,7 +2470,7 @@ extern "C" {
         size: usize,
     ) -> hs_status;
 
-    /// Sets gravity from now on; what that changes of the energy is booked as outer work.
+    /// Sets gravity. The change of potential energy counts as external work.
     ///
     /// - `world`: not NULL
     /// - `gravity`: 3 values, m/s2
@@ -2489,7 +2478,7 @@ extern "C" {
     /// Returns HS_OK or HS_ERROR_ARGUMENT
     pub fn hs_world_set_gravity(world: *mut hs_world, gravity: *const [f64; 3]) -> hs_status;
 
-    /// Sets damping from now on.
+    /// Sets local and mass damping.
     ///
     /// - `world`: not NULL
     /// - `local_damping`: \[0, 1)
@@ -2502,15 +2491,15 @@ extern "C" {
         mass_damping: f64,
     ) -> hs_status;
 
-    /// Sets the time step from now on.
+    /// Sets the time step.
     ///
     /// - `world`: not NULL
-    /// - `time_step`: > 0, s, or 0: def.safety times the stable one
+    /// - `time_step`: s, > 0, or 0: hs_world_def.safety times the stable time step
     ///
     /// Returns HS_OK or HS_ERROR_ARGUMENT
     pub fn hs_world_set_time_step(world: *mut hs_world, time_step: f64) -> hs_status;
 
-    /// Fills a search's definition with its defaults.
+    /// Fills a search definition with its defaults.
     ///
     /// - `def`: to fill
     /// - `size`: sizeof(hs_strength_def) as the caller was compiled
@@ -2518,25 +2507,25 @@ extern "C" {
     /// Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
     pub fn hs_strength_def_init(def: *mut hs_strength_def, size: usize) -> hs_status;
 
-    /// Divides all strengths, as they were given, by a factor, from now on.
+    /// Divides the given strengths of all laws and bonds by a factor. Calls do not accumulate.
     ///
     /// - `world`: not NULL
-    /// - `factor`: from 1e-75 to 1e75; 1 gives them back but for rounding
+    /// - `factor`: from 1e-75 to 1e75; 1 restores the given strengths, to rounding
     ///
     /// Returns HS_OK or HS_ERROR_ARGUMENT
     pub fn hs_world_set_strength_factor(world: *mut hs_world, factor: f64) -> hs_status;
 
-    /// Looks for the factor of safety by bisection. Each trial relaxes a copy of the world, see
-    /// hs_world_relax(), with bonds that may fail: the world stays as it is. It should be at rest.
+    /// Computes the factor of safety by bisection. Each trial relaxes a copy of the world (hs_world_relax())
+    /// in which bonds can fail. The world, which should be in equilibrium, does not change.
     ///
     /// - `world`, `def`: not NULL
-    /// - `report`: receives what was found
+    /// - `report`: receives the result
     /// - `size`: sizeof(hs_strength_report) as the caller was compiled
-    /// - `fallen`: receives the copy that fell last, as it was then, or NULL where none did: its velocities
-    ///   and bond events show how; end it with hs_world_destroy(); may be NULL
+    /// - `fallen`: receives the last failed copy in its final state, or NULL if no trial failed; the caller
+    ///   destroys it with hs_world_destroy(); may be NULL
     ///
     /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_OUT_OF_MEMORY, or HS_ERROR_STATE without blocks that move.
-    /// A trial that becomes unstable has fallen
+    /// A trial that becomes unstable has failed
     pub fn hs_world_find_strength_factor(
         world: *const hs_world,
         def: *const hs_strength_def,

@@ -1,4 +1,4 @@
-//! A whole world: bricks fall on a floor and come to rest in a heap.
+//! A complete world: bricks fall onto a floor and come to rest in a heap.
 
 use halfspace::{BlockDef, Context, Law, Pose, Result, Shape, World, WorldDef};
 

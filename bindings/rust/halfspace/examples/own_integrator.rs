@@ -1,4 +1,4 @@
-//! A host with its own arrays and its own integrator takes detection and forces from the library.
+//! A host with its own arrays and its own integrator; the library computes contacts and forces.
 //!
 //! A block slides down a slope of 30 degrees (Wang et al. 2021, section 4.1, in the plane); the
 //! distance is known: s = 1/2 (g sin - g cos tan(phi)) t^2. The block starts in equilibrium with
@@ -17,7 +17,7 @@ const DENSITY: f64 = 2500.0;
 const STIFFNESS: f64 = 1e10;
 const DURATION: f64 = 5.0;
 const TIME_STEP: f64 = 1e-5;
-/// A share of the distance.
+/// Relative to the distance.
 const LARGEST_ERROR: f64 = 1e-3;
 
 fn main() -> Result<()> {
@@ -35,7 +35,7 @@ fn main() -> Result<()> {
     std::process::exit(if within { 0 } else { 1 });
 }
 
-/// A body as this host keeps it. The library reads and writes the fields where they are.
+/// A body of this host. The library reads and writes the fields in place.
 #[derive(Clone, Default)]
 struct Body {
     mass: f64,
@@ -48,7 +48,7 @@ struct Body {
     torque: [f64; 3],
 }
 
-/// How far the block slides.
+/// Computes the distance that the block slides.
 fn slide(friction: f64) -> Result<f64> {
     let context = Context::new()?;
     // The world has no gravity: the host has its own.
@@ -106,7 +106,7 @@ fn slide(friction: f64) -> Result<f64> {
 struct Host {
     world: World,
     bodies: Vec<Body>,
-    /// As the library takes them; the rest it takes from the bodies.
+    /// Poses in the layout of the library; all other data are read from the bodies.
     poses: Vec<Pose>,
 }
 
@@ -172,8 +172,8 @@ fn rectangle(width: f64, height: f64) -> [[f64; 2]; 4] {
     [[-x, -y], [x, -y], [x, y], [-x, y]]
 }
 
-/// How the block rests on its springs: height of the centroid above the slope, forward tilt, shear
-/// force.
+/// Equilibrium of the block on its springs: height of the centroid above the slope, forward tilt,
+/// shear force.
 struct Rest {
     height: f64,
     tilt: f64,

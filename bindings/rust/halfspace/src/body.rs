@@ -1,42 +1,40 @@
-//! Bodies: meshes in a world, which bend and carry waves (Wang et al. 2021, section 2.1; Li et al.
-//! 2015, section 2).
+//! Bodies: meshes in a world (Wang et al. 2021, section 2.1; Li et al. 2015, section 2).
 
-use std::mem::{align_of, size_of, MaybeUninit};
+use std::mem::{size_of, MaybeUninit};
 use std::num::NonZeroU64;
 use std::ops::BitOr;
 use std::ptr;
 
 use halfspace_sys as sys;
 
-use crate::affine::Tensor;
 use crate::block::{Block, Material};
 use crate::error::Error;
 use crate::mesh::{indices, Mesh};
 use crate::mutable_view::ViewMut;
 use crate::pose::Pose;
+use crate::records::{BodyState, CellState};
 use crate::view::View;
 use crate::world::World;
 use crate::Result;
 
-/// Names a body of a world: a mesh that was put into it. The name of a removed body never names
-/// another.
+/// Id of a body of a world: a mesh that was added to it. Ids of removed bodies are not reused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[repr(transparent)]
 pub struct Body(NonZeroU64);
 
 impl Body {
-    /// The body that [`Body::id`] gave a number for, as when it was kept in a file. `None` for 0.
+    /// The body of a number from [`Body::id`], e.g. read from a file. `None` for 0.
     pub fn from_id(id: u64) -> Option<Self> {
         NonZeroU64::new(id).map(Self)
     }
 
-    /// A number to keep elsewhere: the `hs_body` of the C interface, never 0.
+    /// The `hs_body` of the C interface; never 0.
     pub fn id(self) -> u64 {
         self.0.get()
     }
 }
 
-/// A body to be: what it is made of, where it is and how fast.
+/// Definition of a body: material, pose and velocity.
 ///
 /// ```
 /// use halfspace::{BodyDef, Material, Pose};
@@ -53,7 +51,7 @@ pub struct BodyDef<'a> {
 }
 
 impl<'a> BodyDef<'a> {
-    /// A body of one material, which must be elastic: see
+    /// A body of one material, which must have an elasticity: see
     /// [`World::set_elasticity`](crate::World::set_elasticity).
     pub fn of(material: Material) -> Self {
         Self {
@@ -64,7 +62,7 @@ impl<'a> BodyDef<'a> {
         }
     }
 
-    /// A body with a material for each cell, all of them elastic.
+    /// A body with one material per cell; all must have an elasticity.
     pub fn of_each(cell_materials: &'a [Material]) -> Self {
         Self {
             cell_materials: Some(cell_materials),
@@ -72,13 +70,13 @@ impl<'a> BodyDef<'a> {
         }
     }
 
-    /// Where the frame is that the nodes were given in. By default they stay where they were given.
+    /// Pose of the frame of the mesh; by default the identity.
     pub fn at(mut self, pose: Pose) -> Self {
         self.pose = Some(pose);
         self
     }
 
-    /// The velocity of all nodes, in m/s; by default 0.
+    /// Velocity of all nodes, in m/s; by default 0.
     pub fn velocity(mut self, velocity: [f64; 3]) -> Self {
         self.velocity = velocity;
         self
@@ -108,13 +106,13 @@ impl<'a> BodyDef<'a> {
 pub struct Axes(i32);
 
 impl Axes {
-    /// None: nodes are let go.
+    /// No axis: frees the nodes.
     pub const NONE: Self = Self(0);
     /// Along x.
     pub const X: Self = Self(sys::HS_AXIS_X);
     /// Along y.
     pub const Y: Self = Self(sys::HS_AXIS_Y);
-    /// Along z, in space.
+    /// Along z, 3D only.
     pub const Z: Self = Self(sys::HS_AXIS_Z);
 }
 
@@ -126,74 +124,23 @@ impl BitOr for Axes {
     }
 }
 
-/// A body's motion.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct BodyState {
-    /// Nodes.
-    pub node_count: usize,
-    /// Cells.
-    pub cell_count: usize,
-    /// Per unit thickness in the plane.
-    pub mass: f64,
-    /// That of the nodes' masses.
-    pub centroid: [f64; 3],
-    /// That of all nodes.
-    pub momentum: [f64; 3],
-    /// That of all nodes.
-    pub kinetic_energy: f64,
-    /// That of all cells.
-    pub strain_energy: f64,
-}
-
-impl From<sys::hs_body_state> for BodyState {
-    fn from(raw: sys::hs_body_state) -> Self {
-        Self {
-            node_count: raw.node_count as usize,
-            cell_count: raw.cell_count as usize,
-            mass: raw.mass,
-            centroid: raw.centroid,
-            momentum: raw.momentum,
-            kinetic_energy: raw.kinetic_energy,
-            strain_energy: raw.strain_energy,
-        }
-    }
-}
-
-/// Strain and stress of a cell, on average over the cell.
-///
-/// The memory is that of the C interface, so that a slice of them is written where it is.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[repr(C)]
-pub struct CellState {
-    /// Green's, from the cell as it was put into the world.
-    pub strain: Tensor,
-    /// Cauchy's, elastic, in space, in Pa, tension above 0.
-    pub stress: Tensor,
-    /// Energy in J, in the plane per unit thickness; with that of bending.
-    pub strain_energy: f64,
-}
-
-const _: () = assert!(size_of::<CellState>() == size_of::<sys::hs_cell_state>());
-const _: () = assert!(align_of::<CellState>() == align_of::<sys::hs_cell_state>());
-
-/// Bodies. Arrays are in the order of the mesh's nodes or cells.
+/// Bodies. Arrays have the order of the nodes or cells of the mesh.
 impl World {
-    /// Puts a mesh into the world, which copies it. The mesh may be of any context of this thread.
-    /// The cells at its surface become blocks of [`BlockKind::Mesh`](crate::BlockKind::Mesh): they
-    /// meet all others, and stand in all lists of blocks.
+    /// Adds a copy of a mesh to the world. The mesh may be of any context of this thread. Its
+    /// surface cells become blocks of [`BlockKind::Mesh`](crate::BlockKind::Mesh), which are in
+    /// contact with other blocks and in all lists of blocks.
     ///
     /// # Errors
-    /// [`ErrorKind::State`](crate::ErrorKind::State) for a material that is not elastic,
-    /// [`ErrorKind::Geometry`](crate::ErrorKind::Geometry) when a cell is too flat there to touch
-    /// anything, [`ErrorKind::Argument`](crate::ErrorKind::Argument) for a mesh of another
+    /// [`ErrorKind::State`](crate::ErrorKind::State) for a material without elasticity,
+    /// [`ErrorKind::Geometry`](crate::ErrorKind::Geometry) if rounding at the pose inverts or
+    /// flattens a cell, [`ErrorKind::Argument`](crate::ErrorKind::Argument) for a mesh of another
     /// dimension.
     pub fn add_mesh(&mut self, mesh: &Mesh, def: &BodyDef<'_>) -> Result<Body> {
         if let Some(materials) = def.cell_materials {
             let cells = mesh.properties().cell_count;
             if materials.len() != cells {
                 return Err(Error::argument(&format!(
-                    "World::add_mesh: there are {} materials; the mesh has {cells} cells",
+                    "World::add_mesh: cell_materials has {} entries; the mesh has {cells} cells",
                     materials.len()
                 )));
             }
@@ -215,10 +162,10 @@ impl World {
         })?;
         self.recount_blocks();
         Body::from_id(id)
-            .ok_or_else(|| Error::argument("World::add_mesh: the library gave the id of no body"))
+            .ok_or_else(|| Error::argument("World::add_mesh: the library returned the id 0"))
     }
 
-    /// Takes a body out of the world, with the blocks at its surface; its name becomes stale.
+    /// Removes a body and its surface blocks from the world; its id becomes stale.
     pub fn remove_body(&mut self, body: Body) -> Result<()> {
         // SAFETY: the world lives and is borrowed mutably.
         self.check(unsafe { sys::hs_world_remove_body(self.handle(), body.id()) })?;
@@ -226,7 +173,7 @@ impl World {
         Ok(())
     }
 
-    /// A body's motion.
+    /// Returns motion and energy of a body.
     pub fn body_state(&self, body: Body) -> Result<BodyState> {
         let mut raw = sys::hs_body_state::default();
         let size = size_of::<sys::hs_body_state>();
@@ -237,8 +184,8 @@ impl World {
         Ok(raw.into())
     }
 
-    /// The body that a block is at the surface of, and the index of the cell; `None` for a block of
-    /// another kind.
+    /// Returns the body and the index of the cell of a surface block; `None` for a block of another
+    /// kind.
     pub fn body_of_block(&self, block: Block) -> Result<Option<(Body, usize)>> {
         let (mut id, mut cell) = (0, 0);
         // SAFETY: the world lives.
@@ -248,7 +195,7 @@ impl World {
         Ok(Body::from_id(id).map(|body| (body, cell as usize)))
     }
 
-    /// The places of a body's nodes.
+    /// Returns the positions of a body's nodes, in m.
     pub fn node_positions(&self, body: Body) -> Result<Vec<[f64; 3]>> {
         self.of_nodes(body, sys::hs_world_get_node_positions)
     }
@@ -263,7 +210,7 @@ impl World {
         self.of_nodes_into(body, positions.into(), sys::hs_world_get_node_positions)
     }
 
-    /// The velocities of a body's nodes, in m/s.
+    /// Returns the velocities of a body's nodes, in m/s.
     pub fn node_velocities(&self, body: Body) -> Result<Vec<[f64; 3]>> {
         self.of_nodes(body, sys::hs_world_get_node_velocities)
     }
@@ -277,9 +224,9 @@ impl World {
         self.of_nodes_into(body, velocities.into(), sys::hs_world_get_node_velocities)
     }
 
-    /// All forces on a body's nodes at the end of the last step, in N, in the plane per unit
-    /// thickness: of cells, contacts, gravity, and applied ones. At rest they are 0, but at nodes
-    /// that are held: there they are what these press on their support.
+    /// Returns the total forces on a body's nodes at the end of the last step (cells, contacts,
+    /// gravity, applied), in N, in 2D per unit thickness. In equilibrium they are 0, except at held
+    /// nodes: there they are the forces that press on the support.
     pub fn node_forces(&self, body: Body) -> Result<Vec<[f64; 3]>> {
         self.of_nodes(body, sys::hs_world_get_node_forces)
     }
@@ -293,7 +240,7 @@ impl World {
         self.of_nodes_into(body, forces.into(), sys::hs_world_get_node_forces)
     }
 
-    /// Sets the velocities of all nodes of a body, one for each, also of those that are held.
+    /// Sets the velocities of all nodes of a body, including held ones; one per node, in m/s.
     pub fn set_node_velocities<'a>(
         &mut self,
         body: Body,
@@ -306,8 +253,9 @@ impl World {
         })
     }
 
-    /// Holds nodes along axes: there they go on with a velocity that stays, in m/s, whatever the
-    /// forces. Along others they are free from now on, and what `velocity` has there is not read.
+    /// Prescribes a constant velocity of nodes along axes, in m/s, in addition to axes held before;
+    /// components of `velocity` along other axes are ignored. [`Axes::NONE`] frees the nodes along
+    /// all axes.
     pub fn hold_nodes(
         &mut self,
         body: Body,
@@ -329,8 +277,8 @@ impl World {
         })
     }
 
-    /// Sets the force that acts on each of these nodes from outside, from now on, in N, in the
-    /// plane per unit thickness.
+    /// Sets the external force on each of these nodes, until set again, in N, in 2D per unit
+    /// thickness.
     pub fn set_node_force(&mut self, body: Body, nodes: &[usize], force: [f64; 3]) -> Result<()> {
         let nodes = indices(nodes, "World::set_node_force: nodes")?;
         // SAFETY: the world lives and is borrowed mutably, and the array is as long as said.
@@ -345,9 +293,9 @@ impl World {
         })
     }
 
-    /// Takes cells out of a body: excavation. Cells and nodes that stay keep their numbers. Returns
-    /// the force that these cells exerted on each node, which [`World::set_node_force`] can fade
-    /// out.
+    /// Removes cells of a body (excavation). Indices of the other cells and nodes do not change.
+    /// Returns the force that these cells exerted on each node, to be applied by
+    /// [`World::set_node_force`] and reduced gradually.
     pub fn remove_cells(&mut self, body: Body, cells: &[usize]) -> Result<Vec<[f64; 3]>> {
         let cells = indices(cells, "World::remove_cells: cells")?;
         let mut released = vec![[0.0; 3]; self.body_state(body)?.node_count as usize];
@@ -365,8 +313,9 @@ impl World {
         Ok(released)
     }
 
-    /// Stresses the cells of a body as they are now, each by the stress at its middle: `stress` is
-    /// that at the origin, in Pa, tension above 0, and `gradient` how it changes along x, y and z.
+    /// Sets the current stress of the cells of a body, linear in space: each cell gets the stress
+    /// at its center. `stress` is the Cauchy stress at the origin, in Pa, tension above 0;
+    /// `gradient` has its derivatives along x, y and z, in Pa/m.
     pub fn set_body_stress(
         &mut self,
         body: Body,
@@ -384,7 +333,7 @@ impl World {
         })
     }
 
-    /// Strain and stress of a body's cells.
+    /// Returns strain and stress of a body's cells.
     pub fn cells(&self, body: Body) -> Result<Vec<CellState>> {
         let mut cells = vec![CellState::default(); self.cells_into(body, &mut [])?];
         self.cells_into(body, &mut cells)?;
@@ -423,7 +372,7 @@ impl World {
     }
 }
 
-/// A function of the library that writes a vector for each node of a body.
+/// A function of the library that writes a vector per node of a body.
 type GetOfNodes = unsafe extern "C" fn(
     *const sys::hs_world,
     sys::hs_body,

@@ -1,6 +1,6 @@
-//! The library's integer constants as Rust enums, and its definitions as builders.
+//! The library's integer constants as Rust enums.
 
-/// An enum over constants of the library. A later version of it may know more of them.
+/// An enum of constants of the library. A later version of the library may have more.
 macro_rules! constants {
     ($(#[$about:meta])* $name:ident {
         $($(#[$meaning:meta])* $variant:ident = $value:ident,)*
@@ -10,33 +10,28 @@ macro_rules! constants {
         #[non_exhaustive]
         pub enum $name {
             $($(#[$meaning])* $variant,)*
-            /// What only a later version of the library knows.
+            /// A constant of a later version of the library.
             Other(i32),
         }
 
         impl $name {
-            pub(crate) fn from_raw(value: i32) -> Self {
+            /// The variant of a constant of the C interface.
+            pub fn from_value(value: i32) -> Self {
                 match value {
                     $(halfspace_sys::$value => Self::$variant,)*
                     other => Self::Other(other),
+                }
+            }
+
+            /// The constant of the C interface.
+            pub fn value(self) -> i32 {
+                match self {
+                    $(Self::$variant => halfspace_sys::$value,)*
+                    Self::Other(value) => value,
                 }
             }
         }
     };
 }
 
-/// Builder-like setters of a definition's fields, for an `impl` of a struct with the definition in
-/// `raw`.
-macro_rules! setters {
-    ($($(#[$meaning:meta])* $field:ident: $type:ty,)*) => {
-        $(
-            $(#[$meaning])*
-            pub fn $field(mut self, $field: $type) -> Self {
-                self.raw.$field = $field;
-                self
-            }
-        )*
-    };
-}
-
-pub(crate) use {constants, setters};
+pub(crate) use constants;

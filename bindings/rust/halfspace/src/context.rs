@@ -1,4 +1,4 @@
-//! The context: memory and the text of the last error.
+//! The context: allocator, threads and text of the last error.
 
 use std::alloc::{alloc, dealloc, Layout};
 use std::ffi::CStr;
@@ -12,11 +12,11 @@ use halfspace_sys as sys;
 use crate::error::{Error, ErrorKind};
 use crate::Result;
 
-/// Where shapes and worlds are made. It lives as long as anything made from it; a clone is one more
-/// handle to the same context.
+/// Context of shapes, meshes and worlds. It lives as long as anything made from it; a clone is
+/// another handle to the same context.
 ///
-/// A context and everything made from it belong to one thread at a time, so that neither is
-/// [`Send`] or [`Sync`]; see [`Family`](crate::Family) for the way to another thread.
+/// A context and everything made from it must be used by one thread at a time, so neither is
+/// [`Send`] or [`Sync`]; a [`Family`](crate::Family) moves them to another thread.
 ///
 /// ```compile_fail,E0277
 /// fn needs_send<T: Send>() {}
@@ -32,18 +32,18 @@ pub struct Context {
 }
 
 impl Context {
-    /// A context that takes its memory from the C library.
+    /// Creates a context that uses the allocator of the C library.
     pub fn new() -> Result<Self> {
         // SAFETY: NULL stands for the defaults.
         unsafe { Self::create(ptr::null()) }
     }
 
-    /// A context whose worlds are stepped by so many threads, 1 to 256. Results have the same bits for
-    /// any number.
+    /// Creates a context whose worlds are stepped by 1 to 256 threads. Results are bit-identical
+    /// for any number.
     pub fn with_threads(threads: i32) -> Result<Self> {
         let mut def = Self::defaults();
         def.threads = threads;
-        // SAFETY: the definition is valid but for the number, which the library checks.
+        // SAFETY: the definition is valid, except for the number, which the library checks.
         unsafe { Self::create(&def) }
     }
 
@@ -56,7 +56,7 @@ impl Context {
         }
     }
 
-    /// A context that takes its memory from the global allocator of the Rust program.
+    /// Creates a context that uses the global allocator of the Rust program.
     pub fn with_global_allocator() -> Result<Self> {
         let mut def = Self::defaults();
         def.allocate = Some(allocate);
@@ -75,7 +75,7 @@ impl Context {
             Some(handle) => Ok(Self {
                 owner: Rc::new(Owner(handle)),
             }),
-            None => Err(Error::new(ErrorKind::from_raw(status), "")),
+            None => Err(Error::new(ErrorKind::from_value(status), "")),
         }
     }
 
@@ -94,13 +94,13 @@ impl Context {
     }
 }
 
-/// Ends the context when the last that was made from it is gone.
-/// Public only as far as the sealed trait of families shows it, which is not outside of the crate.
+/// Destroys the context after everything made from it. It is public only for the sealed trait of
+/// families, which is not visible outside the crate.
 #[derive(Debug)]
 pub struct Owner(NonNull<sys::hs_context>);
 
 impl Owner {
-    /// The status of a call as a result; notes are no errors.
+    /// Converts the status of a call to a result; notes are no errors.
     #[inline]
     pub(crate) fn check(&self, status: sys::hs_status) -> Result<()> {
         if status >= sys::HS_OK {
@@ -110,7 +110,7 @@ impl Owner {
         }
     }
 
-    /// Of a getter that has no reason to fail: its arguments are this crate's own.
+    /// Checks the status of a getter that cannot fail, as this crate chooses its arguments.
     #[track_caller]
     pub(crate) fn expect(&self, status: sys::hs_status) {
         if let Err(error) = self.check(status) {
@@ -123,7 +123,7 @@ impl Owner {
         // SAFETY: the context lives, and its text stays until the next failing call.
         let text = unsafe { CStr::from_ptr(sys::hs_context_last_error(self.0.as_ptr())) };
         Error::new(
-            ErrorKind::from_raw(status),
+            ErrorKind::from_value(status),
             text.to_str().unwrap_or_default(),
         )
     }
@@ -131,7 +131,8 @@ impl Owner {
 
 impl Drop for Owner {
     fn drop(&mut self) {
-        // SAFETY: every shape and world holds its owner and is destroyed before it lets go.
+        // SAFETY: every shape, mesh and world holds its owner and is destroyed before it drops the
+        // owner.
         unsafe { sys::hs_context_destroy(self.0.as_ptr()) }
     }
 }
@@ -158,12 +159,12 @@ unsafe extern "C" fn allocate(bytes: usize, alignment: usize, _: *mut c_void) ->
 
 unsafe extern "C" fn release(memory: *mut c_void, bytes: usize, alignment: usize, _: *mut c_void) {
     if let Some(layout) = layout(bytes, alignment) {
-        // SAFETY: the library gives back what it was given, with the same size and alignment.
+        // SAFETY: the library releases memory of `allocate`, with the same size and alignment.
         unsafe { dealloc(memory.cast(), layout) }
     }
 }
 
-/// Rust's allocators are never asked for nothing.
+/// Rust's allocators must not be called with size 0.
 fn layout(bytes: usize, alignment: usize) -> Option<Layout> {
     Layout::from_size_align(bytes.max(1), alignment).ok()
 }

@@ -1,54 +1,16 @@
-//! Errors with the library's own text.
+//! Errors with the text of the library.
 
 use std::ffi::CStr;
 use std::fmt;
 
 use halfspace_sys as sys;
 
-use crate::constants::constants;
-
-constants! {
-    /// What kind of thing went wrong.
-    ErrorKind {
-        /// An argument is out of range or not finite.
-        Argument = HS_ERROR_ARGUMENT,
-        /// The vertices do not describe a convex shape.
-        Geometry = HS_ERROR_GEOMETRY,
-        /// The id does not name a living block, material or contact.
-        StaleId = HS_ERROR_STALE_ID,
-        /// The allocator returned no memory.
-        OutOfMemory = HS_ERROR_OUT_OF_MEMORY,
-        /// The object is not in a state that allows this call.
-        State = HS_ERROR_STATE,
-        /// The run became unstable: the time step is too large.
-        Unstable = HS_ERROR_UNSTABLE,
-        /// Two blocks meet too fast for the time step against their thickness.
-        TooFast = HS_ERROR_TOO_FAST,
-        /// A cell of a mesh would be turned inside out.
-        Inverted = HS_ERROR_INVERTED,
-        /// The bytes are not a snapshot that this library can read.
-        Format = HS_ERROR_FORMAT,
-        /// A defect of the library: please report it.
-        Internal = HS_ERROR_INTERNAL,
-    }
-}
+pub use crate::kinds::ErrorKind;
 
 impl ErrorKind {
     /// The status code of the C interface.
     pub fn status(self) -> i32 {
-        match self {
-            Self::Argument => sys::HS_ERROR_ARGUMENT,
-            Self::Geometry => sys::HS_ERROR_GEOMETRY,
-            Self::StaleId => sys::HS_ERROR_STALE_ID,
-            Self::OutOfMemory => sys::HS_ERROR_OUT_OF_MEMORY,
-            Self::State => sys::HS_ERROR_STATE,
-            Self::Unstable => sys::HS_ERROR_UNSTABLE,
-            Self::TooFast => sys::HS_ERROR_TOO_FAST,
-            Self::Inverted => sys::HS_ERROR_INVERTED,
-            Self::Format => sys::HS_ERROR_FORMAT,
-            Self::Internal => sys::HS_ERROR_INTERNAL,
-            Self::Other(status) => status,
-        }
+        self.value()
     }
 }
 
@@ -60,7 +22,7 @@ impl fmt::Display for ErrorKind {
     }
 }
 
-/// Why a call failed. It has changed nothing.
+/// The error of a failed call. The call has changed nothing.
 ///
 /// ```
 /// use halfspace::{Context, ErrorKind, Shape};
@@ -79,8 +41,8 @@ pub struct Error {
 }
 
 impl Error {
-    /// Copies the text, as the next failing call overwrites it. Where there is no memory left for
-    /// that, the text of the kind stands in.
+    /// Copies the text, as the next failing call overwrites it. Without memory for it, the text of
+    /// the kind is used.
     #[cold]
     pub(crate) fn new(kind: ErrorKind, text: &str) -> Self {
         let mut message = String::new();
@@ -90,13 +52,13 @@ impl Error {
         Self { kind, message }
     }
 
-    /// Of an argument that this crate refuses by itself.
+    /// An argument that this crate refuses.
     #[cold]
     pub(crate) fn argument(text: &str) -> Self {
         Self::new(ErrorKind::Argument, text)
     }
 
-    /// What kind of thing went wrong.
+    /// The kind of the error.
     pub fn kind(&self) -> ErrorKind {
         self.kind
     }

@@ -1,4 +1,4 @@
-//! The way to another thread.
+//! Moving contexts to another thread.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -9,12 +9,12 @@ use crate::mesh::Mesh;
 use crate::shape::Shape;
 use crate::world::World;
 
-/// A context with everything that was made from it, ready to go to another thread.
+/// A context with everything made from it, which can be moved to another thread.
 ///
-/// A context and what was made from it belong to one thread at a time, so they can move only
-/// together. A family holds them all: nothing of its contexts is left outside, which
-/// [`Family::gather`] checks by counting. Inside nothing can be used; [`Family::into_inner`] gives
-/// the members back, wherever the family is by then.
+/// A context and everything made from it must be used by one thread at a time, so they can move
+/// only together. A family holds all of them; [`Family::gather`] checks this by the reference
+/// counts. The members cannot be used inside a family; [`Family::into_inner`] returns them, in any
+/// thread.
 ///
 /// ```
 /// use halfspace::{BlockDef, Context, Family, Shape, World, WorldDef};
@@ -36,7 +36,8 @@ use crate::world::World;
 /// # Ok::<(), halfspace::Error>(())
 /// ```
 ///
-/// A reference to a family lets no member out, which could leave a copy of a handle behind:
+/// A reference to a family gives no access to its members, as a copy of a handle could remain
+/// outside:
 ///
 /// ```compile_fail,E0599
 /// # let context = halfspace::Context::new().unwrap();
@@ -47,14 +48,14 @@ pub struct Family<T: Members> {
     members: T,
 }
 
-// SAFETY: the members are all that there is of their contexts, so no other thread has anything that
-// shares with them: neither the reference counts nor what is behind the handles. The library keeps
-// nothing by thread, and the allocators of a context may be called from any.
+// SAFETY: the members are all objects of their contexts, so no other thread shares reference counts
+// or objects of the library with them. The library has no thread-local state, and the allocators of
+// a context may be called from any thread.
 unsafe impl<T: Members> Send for Family<T> {}
 
 impl<T: Members> Family<T> {
-    /// Gathers members of one or more contexts. Gives them back if a handle to one of their
-    /// contexts, or something made from it, is not among them.
+    /// Gathers members of one or more contexts. Returns them as the error if a handle to one of
+    /// their contexts, or an object made from it, is missing.
     pub fn gather(members: T) -> Result<Self, T> {
         let mut seen = BTreeMap::<*const Owner, (usize, usize)>::new();
         members.visit(&mut |owner| {
@@ -72,7 +73,7 @@ impl<T: Members> Family<T> {
         }
     }
 
-    /// The members, from now on of this thread.
+    /// Returns the members, for use in this thread.
     pub fn into_inner(self) -> T {
         self.members
     }
@@ -84,7 +85,7 @@ impl<T: Members> fmt::Debug for Family<T> {
     }
 }
 
-/// Members that a [`Family`] can be gathered from: [`Context`], [`Shape`], [`Mesh`], [`World`], and
+/// Types that can be members of a [`Family`]: [`Context`], [`Shape`], [`Mesh`], [`World`], and
 /// vectors, options and tuples of them. No other type can implement it.
 pub trait Members: sealed::Members {}
 
@@ -93,7 +94,7 @@ impl<T: sealed::Members> Members for T {}
 mod sealed {
     use super::{Owner, Rc};
 
-    /// Implemented for types that hold nothing but handles, and show all of them.
+    /// For types that hold only handles; `visit` must visit all of them.
     pub trait Members {
         fn visit(&self, visitor: &mut dyn FnMut(&Rc<Owner>));
     }

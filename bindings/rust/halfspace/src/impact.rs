@@ -1,135 +1,71 @@
-//! Time of impact: when do two moving shapes first touch?
-
-use std::mem::{size_of, MaybeUninit};
+//! Time of impact of two moving shapes.
 
 use halfspace_sys as sys;
 
 use crate::affine::Tensor;
-use crate::constants::{constants, setters};
-use crate::contact::PairKind;
 use crate::pose::Pose;
 use crate::shape::Shape;
 use crate::Result;
 
-constants! {
-    /// What comes of two motions.
-    ImpactState {
-        /// They do not touch within the duration.
-        Never = HS_IMPACT_NEVER,
-        /// They touch at the start already.
-        AtStart = HS_IMPACT_AT_START,
-        /// They are apart at the start and come to touch.
-        Touch = HS_IMPACT_TOUCH,
-    }
-}
-
-/// How a shape moves: its centroid straight and its turn even. The default rests at the origin.
+/// Motion of a shape with constant linear and angular velocity and constant rate of deformation.
+/// The default is at rest at the origin.
 ///
-/// At time t the point that is at X in the shape's frame is at position + t velocity +
-/// R(t angular_velocity) Q (gradient + t gradient_rate) X, with position and Q those of the start,
-/// and R(v) the turn about v by its length.
+/// At time t the material point X (in the shape's frame) is at position + t velocity + R(t
+/// angular_velocity) Q (gradient + t gradient_rate) X, with position and rotation Q of the start,
+/// and R(v) the rotation about v by the angle |v|.
 #[derive(Clone, Copy, Debug)]
 #[must_use]
 pub struct Motion {
-    raw: sys::hs_motion_def,
+    pub(crate) raw: sys::hs_motion_def,
 }
 
 impl Motion {
-    setters! {
-        /// Of the centroid, in m/s.
-        velocity: [f64; 3],
-        /// In rad/s; in the plane about z. It may turn by up to 1e6 rad in the duration.
-        angular_velocity: [f64; 3],
-    }
-
-    /// From a pose on.
+    /// A motion that starts at a pose.
     pub fn from(start: Pose) -> Self {
         Self::default().start(start)
     }
 
-    /// Where it is at first.
+    /// Pose at time 0.
     pub fn start(mut self, start: Pose) -> Self {
         self.raw.start = start.into();
         self
     }
 
-    /// How it is strained at first, before the start turns it; by default it is not.
+    /// Deformation gradient at time 0, before the rotation of the start; by default the identity.
     pub fn gradient(mut self, gradient: Tensor) -> Self {
         self.raw.gradient = nine(gradient);
         self
     }
 
-    /// Of the gradient, in 1/s; by default 0.
+    /// Rate of the gradient, in 1/s; by default 0.
     pub fn gradient_rate(mut self, gradient_rate: Tensor) -> Self {
         self.raw.gradient_rate = nine(gradient_rate);
         self
     }
 }
 
-impl Default for Motion {
-    fn default() -> Self {
-        let mut raw = MaybeUninit::<sys::hs_motion_def>::zeroed();
-        // SAFETY: the size is that of the struct, for which all zero is valid.
-        let raw = unsafe {
-            sys::hs_motion_def_init(raw.as_mut_ptr(), size_of::<sys::hs_motion_def>());
-            raw.assume_init()
-        };
-        Self { raw }
-    }
-}
-
-/// Rows one after the other.
+/// The components, row by row.
 fn nine(tensor: Tensor) -> [f64; 9] {
     std::array::from_fn(|i| tensor[i / 3][i % 3])
 }
 
-/// When, where and how two moving shapes first touch.
+/// First touch of two moving shapes.
 #[derive(Clone, Copy, Debug, Default)]
 #[repr(transparent)]
 pub struct Impact {
-    raw: sys::hs_impact,
+    pub(crate) raw: sys::hs_impact,
 }
 
 impl Impact {
-    /// What comes of the motions. Of [`ImpactState::Never`], only the time has a meaning.
-    pub fn state(&self) -> ImpactState {
-        ImpactState::from_raw(self.raw.state)
-    }
-
-    /// In s from the start: never later than the first touch; the duration if there is none.
-    pub fn time(&self) -> f64 {
-        self.raw.time
-    }
-
-    /// Of the potential pair of largest gap then.
-    pub fn pair_kind(&self) -> PairKind {
-        PairKind::from_raw(self.raw.pair_kind)
-    }
-
     /// Indices of a's and b's vertex, edge or face in that pair.
     pub fn features(&self) -> (usize, usize) {
         (self.raw.feature_a as usize, self.raw.feature_b as usize)
     }
-
-    /// Of the pair then: small to rounding; at most 0 when touching at the start.
-    pub fn gap(&self) -> f64 {
-        self.raw.gap
-    }
-
-    /// Unit, from a to b then.
-    pub fn normal(&self) -> [f64; 3] {
-        self.raw.normal
-    }
-
-    /// Where they touch: the middle of the contact region.
-    pub fn point(&self) -> [f64; 3] {
-        self.raw.point
-    }
 }
 
-/// When do two moving shapes first touch, within a duration in s? No touch is passed over, however
-/// fast or thin the shapes are or however often they turn: they are apart at every time before the
-/// one told.
+/// Computes the time of impact of two moving shapes within a duration, in s, by conservative
+/// advancement. The shapes are separated at all times before the reported one, whatever their
+/// speed, thickness or number of revolutions.
 ///
 /// ```
 /// use halfspace::{time_of_impact, Context, ImpactState, Motion, Pose, Shape};
@@ -161,7 +97,7 @@ pub fn time_of_impact(
             &mut impact.raw,
         )
     };
-    // The library leaves its text in the context of the first shape.
+    // The error text is in the context of the first shape.
     a.owner().check(status)?;
     Ok(impact)
 }

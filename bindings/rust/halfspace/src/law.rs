@@ -1,13 +1,9 @@
 //! Contact laws between materials.
 
-use std::mem::{size_of, MaybeUninit};
-
 use halfspace_sys as sys;
 
-use crate::constants::setters;
-
-/// Normal force with Mohr-Coulomb friction: a penalty spring (Wang et al. 2021, section 3) or a
-/// potential (Zheng et al. 2020, section 3).
+/// Contact law: normal force by a penalty spring (Wang et al. 2021, section 3), a potential (Zheng
+/// et al. 2020, section 3) or a unilateral constraint, with Mohr-Coulomb friction.
 ///
 /// ```
 /// use halfspace::Law;
@@ -17,45 +13,27 @@ use crate::constants::setters;
 #[derive(Clone, Copy, Debug)]
 #[must_use]
 pub struct Law {
-    raw: sys::hs_law_def,
+    pub(crate) raw: sys::hs_law_def,
 }
 
 impl Law {
-    setters! {
-        /// Above 0; N/m, Pa/m of [`Law::per_area`] or Pa of [`Law::potential`]; by default 1e9.
-        normal_stiffness: f64,
-        /// At least 0; N/m, or Pa/m of [`Law::per_area`]; 0, the default, stands for the number of the
-        /// normal one.
-        shear_stiffness: f64,
-        /// In radians, at least 0 and below pi/2; by default 0.
-        friction_angle: f64,
-        /// Pa, at least 0; of contacts that exist when a block's first step begins, until they
-        /// fail; by default 0.
-        cohesion: f64,
-        /// Pa, at least 0; likewise; by default 0.
-        tensile_strength: f64,
-        /// Share of critical viscous damping, at least 0; by default 0.1.
-        normal_damping: f64,
-        /// Share of critical viscous damping, at least 0; by default 0.1.
-        shear_damping: f64,
-    }
-
-    /// The stiffnesses are of the whole contact, shared over the points of its region: the default.
+    /// Stiffness per contact, distributed over springs at the corners of the region: the default.
     pub fn per_contact(mut self) -> Self {
         self.raw.stiffness_kind = sys::HS_STIFFNESS_PER_CONTACT;
         self
     }
 
-    /// The normal force is the stiffness times the overlap area behind the contact plane.
+    /// Stiffness per area: the normal force is the stiffness times the overlap area (in 3D the
+    /// volume) behind the contact plane.
     pub fn per_area(mut self) -> Self {
         self.raw.stiffness_kind = sys::HS_STIFFNESS_PER_AREA;
         self
     }
 
-    /// A point inside a block has its distance to the nearest face as potential, times the
-    /// stiffness over the world's [`potential_length`](crate::WorldDef::potential_length); what two
-    /// blocks share is pushed down both. The force is the gradient of an energy, whichever way the
-    /// blocks meet. It takes neither cohesion nor tensile strength.
+    /// The force is the gradient of the energy of the overlap. The potential inside a block is the
+    /// distance to the nearest face times the stiffness divided by the world's
+    /// [`potential_length`](crate::WorldDef::potential_length). Cohesion and tensile strength must
+    /// be 0.
     ///
     /// ```
     /// # use halfspace::{BlockDef, Context, Pose, Shape, ViewMut, World, WorldDef};
@@ -80,8 +58,8 @@ impl Law {
         self
     }
 
-    /// No spring: blocks are kept apart by just the force that does, from the moment of their touch
-    /// on. Stiffnesses and dampings count for nothing. See [`World::contacts`](crate::World::contacts).
+    /// No spring: a unilateral constraint keeps blocks apart. Stiffnesses and damping are ignored.
+    /// See [`World::contacts`](crate::World::contacts).
     pub fn without_spring(mut self) -> Self {
         self.raw.stiffness_kind = sys::HS_STIFFNESS_NONE;
         self
@@ -89,17 +67,5 @@ impl Law {
 
     pub(crate) fn raw(&self) -> *const sys::hs_law_def {
         &self.raw
-    }
-}
-
-impl Default for Law {
-    fn default() -> Self {
-        let mut raw = MaybeUninit::<sys::hs_law_def>::zeroed();
-        // SAFETY: the size is that of the struct, for which all zero is valid.
-        let raw = unsafe {
-            sys::hs_law_def_init(raw.as_mut_ptr(), size_of::<sys::hs_law_def>());
-            raw.assume_init()
-        };
-        Self { raw }
     }
 }

@@ -1,8 +1,7 @@
-//! Finds the contacts between convex polygons or polyhedra, computes the contact forces and moves
-//! the blocks in time: the safe Rust layer of libhalfspace. Use all of it or only the stage that
-//! your program lacks.
+//! Safe Rust interface of libhalfspace: contact detection between convex polygons or polyhedra,
+//! contact forces, and time integration of blocks. Each stage can be used alone.
 //!
-//! One pair of shapes, where you say they are:
+//! Contact of one pair of shapes at given poses:
 //!
 //! ```
 //! use halfspace::{detect, ContactType, Context, Pose, Shape};
@@ -17,7 +16,7 @@
 //! # Ok::<(), halfspace::Error>(())
 //! ```
 //!
-//! A whole [`World`], stepped by the library:
+//! A [`World`], stepped by the library:
 //!
 //! ```
 //! use halfspace::{BlockDef, Context, Law, Pose, Shape, World, WorldDef};
@@ -38,7 +37,7 @@
 //! # Ok::<(), halfspace::Error>(())
 //! ```
 //!
-//! An affine block strains as a whole, by the elasticity of its material:
+//! An affine block has uniform strain, by the elasticity of its material:
 //!
 //! ```
 //! # use halfspace::{BlockDef, Context, Shape, World, WorldDef};
@@ -57,7 +56,7 @@
 //! # Ok::<(), halfspace::Error>(())
 //! ```
 //!
-//! A mesh is a body of finite elements, which bends and carries waves:
+//! A mesh is a body of finite elements:
 //!
 //! ```
 //! # use halfspace::{Context, Elasticity, World, WorldDef};
@@ -77,31 +76,31 @@
 //! # Ok::<(), halfspace::Error>(())
 //! ```
 //!
-//! A [`Bond`] holds two blocks of any kind together until it fails. [`World::relax`] brings a world to
-//! rest, and [`World::find_strength_factor`] tells how many times weaker it could be until it falls.
+//! A [`Bond`] connects two blocks of any kind until it fails. [`World::relax`] brings a world to
+//! static equilibrium, and [`World::find_strength_factor`] computes its factor of safety.
 //!
 //! A host with its own integrator sets poses and velocities, calls [`World::detect`] and
 //! [`World::forces`], and moves its bodies itself: see the example `own_integrator`.
 //!
 //! # Conventions
 //! SI or any consistent set of units, angles in radians, right-handed axes, quaternions x, y, z, w.
-//! A normal points from block a to block b; a gap below 0 is an overlap. Indices start at 0. In the
-//! plane every z that goes in is ignored and every one that comes out is 0, and areas and volumes
-//! are per unit thickness. A [`Tensor`] is its rows.
+//! A normal points from block a to block b; a gap below 0 is an overlap. Indices start at 0. In 2D
+//! z components of arguments are ignored, those of results are 0, and areas and volumes are per
+//! unit thickness. A [`Tensor`] is an array of rows.
 //!
 //! # Arrays
-//! Points are taken and given as they lie in your memory, without a copy: `&[[f64; 2]]` or `&[[f64;
+//! Arrays of points are accessed in the caller's memory, without a copy: `&[[f64; 2]]` or `&[[f64;
 //! 3]]`, and through [`View`] and [`ViewMut`] separate arrays of x, y and z, fields of your own
 //! structs, or any strided array.
 //!
 //! # Errors
-//! What can fail gives a [`Result`] whose [`Error`] carries the library's own text: function,
-//! argument, value. A call that failed has changed nothing. What cannot fail gives its value.
+//! Functions that can fail return a [`Result`]. Its [`Error`] has the text of the library:
+//! function, argument, value. A failed call has changed nothing.
 //!
 //! # Threads
-//! A context and everything made from it belong to one thread at a time; different contexts share
-//! nothing. So [`Context`], [`Shape`], [`Mesh`] and [`World`] are neither [`Send`] nor [`Sync`]. Make a
-//! context in every thread, or hand a context over to another thread together with all that was
+//! A context and everything made from it must be used by one thread at a time; different contexts
+//! share nothing. So [`Context`], [`Shape`], [`Mesh`] and [`World`] are neither [`Send`] nor
+//! [`Sync`]. Make a context in every thread, or move a context to another thread with everything
 //! made from it, as a [`Family`].
 //!
 //! ```compile_fail,E0277
@@ -123,18 +122,19 @@ mod bond;
 mod constants;
 mod contact;
 mod context;
+mod definitions;
 mod error;
 mod family;
 mod impact;
+mod kinds;
 mod law;
 mod mesh;
 mod mutable_view;
 mod pair;
 mod placed;
-mod plan;
 mod pose;
+mod records;
 mod relax;
-mod report;
 mod shape;
 mod shape_input;
 mod strength;
@@ -142,31 +142,30 @@ mod view;
 mod world;
 mod world_arrays;
 
-pub use affine::{Deformation, Elasticity, Tensor};
-pub use block::{Block, BlockDef, BlockKind, BlockState, Material};
-pub use body::{Axes, Body, BodyDef, BodyState, CellState};
-pub use bond::{Bond, BondEvent, BondFailure, BondReport, BondState};
-pub use contact::{Contact, ContactType, PairKind};
+pub use affine::{Elasticity, Tensor};
+pub use block::{Block, BlockDef, Material};
+pub use body::{Axes, Body, BodyDef};
+pub use bond::Bond;
+pub use contact::Contact;
 pub use context::{version, Context};
-pub use error::{Error, ErrorKind};
+pub use error::Error;
 pub use family::{Family, Members};
-pub use impact::{time_of_impact, Impact, ImpactState, Motion};
+pub use impact::{time_of_impact, Impact, Motion};
+pub use kinds::*;
 pub use law::Law;
-pub use mesh::{Cell, Mesh, MeshProperties};
+pub use mesh::{Cell, Mesh};
 pub use mutable_view::ViewMut;
 pub use pair::{detect, Bodies, Detector, PairCache};
 pub use placed::Placed;
-pub use plan::Plan;
 pub use pose::Pose;
-pub use relax::{Balance, Relaxation, Relaxed};
-pub use report::{Energy, Report};
-pub use shape::{Cut, HalfSpace, Shape, ShapeProperties};
-pub use shape_input::{Cleaned, Fault, FaultKind, FitReport};
-pub use strength::{StrengthFound, StrengthSearch};
+pub use records::*;
+pub use relax::{Relaxation, Relaxed};
+pub use shape::{Cut, HalfSpace, Shape};
+pub use strength::StrengthSearch;
 pub use view::{Point, View};
 pub use world::{World, WorldDef};
 
-/// What a call of this crate gives that can fail.
+/// The result of functions of this crate that can fail.
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
 /// The programs in the README compile and run.

@@ -8,29 +8,30 @@ use halfspace_sys as sys;
 
 use crate::context::{Context, Owner};
 use crate::error::Error;
+use crate::records::MeshProperties;
 use crate::view::View;
 use crate::Result;
 
-/// A cell of a mesh: its nodes, counted from 0 and in the order of Gmsh and VTK.
+/// A cell of a mesh: node indices, in the order of Gmsh and VTK.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Cell {
-    /// Three in the plane, counter-clockwise.
+    /// 3 nodes, 2D, counter-clockwise.
     Triangle([usize; 3]),
-    /// Four in the plane, convex and counter-clockwise.
+    /// 4 nodes, 2D, convex and counter-clockwise.
     Quad([usize; 4]),
-    /// Four in space: the last lies where the first three run counter-clockwise seen from the other
-    /// side.
+    /// 4 nodes, 3D: the first three are counter-clockwise seen from the last.
     Tetrahedron([usize; 4]),
-    /// Six in space: those at the bottom, counter-clockwise seen from above, then those above them.
+    /// 6 nodes, 3D: the bottom face, counter-clockwise seen from above, then the top face in the
+    /// same order.
     Prism([usize; 6]),
-    /// Eight in space: those at the bottom, counter-clockwise seen from above, then those above
-    /// them.
+    /// 8 nodes, 3D: the bottom face, counter-clockwise seen from above, then the top face in the
+    /// same order.
     Hexahedron([usize; 8]),
 }
 
 impl Cell {
-    /// Its nodes.
+    /// The node indices.
     pub fn nodes(&self) -> &[usize] {
         match self {
             Self::Triangle(nodes) => nodes,
@@ -52,26 +53,10 @@ impl Cell {
     }
 }
 
-/// Numbers of a mesh.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[non_exhaustive]
-pub struct MeshProperties {
-    /// 2 or 3.
-    pub dimension: usize,
-    /// Nodes.
-    pub node_count: usize,
-    /// Cells.
-    pub cell_count: usize,
-    /// Faces, in the plane edges, that only one cell has.
-    pub surface_face_count: usize,
-    /// That of all cells, in the plane their area.
-    pub volume: f64,
-}
-
-/// Nodes, and cells that share them. It never changes and may be put into any number of worlds,
+/// Nodes, and cells that share them. A mesh is immutable and may be added to any number of worlds,
 /// where it is a body of finite elements: see [`World::add_mesh`](crate::World::add_mesh).
 ///
-/// Nothing is repaired: faulty input is refused with its reason.
+/// Faulty input is refused, not repaired.
 ///
 /// ```
 /// use halfspace::{Cell, Context, Mesh};
@@ -90,13 +75,13 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// A mesh of triangles and quads.
+    /// Creates a mesh of triangles and quads.
     ///
     /// # Errors
-    /// [`ErrorKind::Geometry`](crate::ErrorKind::Geometry) when a node is named twice in a cell or
-    /// belongs to none, a cell is inside out or flat somewhere, or an edge is in more than two
-    /// cells; [`ErrorKind::Argument`](crate::ErrorKind::Argument) when there is no cell, or a cell
-    /// names a node that is not there or is one of space.
+    /// [`ErrorKind::Geometry`](crate::ErrorKind::Geometry) if a cell uses a node twice, a node
+    /// belongs to no cell, a cell is inverted or flat anywhere, or an edge belongs to more than two
+    /// cells; [`ErrorKind::Argument`](crate::ErrorKind::Argument) if there is no cell, a node index
+    /// is out of range, or a cell is 3D.
     pub fn in_plane<'a>(
         context: &Context,
         nodes: impl Into<View<'a>>,
@@ -105,10 +90,10 @@ impl Mesh {
         Self::make(context, 2, &nodes.into(), cells)
     }
 
-    /// A mesh of tetrahedra, prisms and hexahedra.
+    /// Creates a mesh of tetrahedra, prisms and hexahedra.
     ///
     /// # Errors
-    /// As for [`Mesh::in_plane`], with faces for edges.
+    /// As for [`Mesh::in_plane`], with faces instead of edges.
     pub fn in_space<'a>(
         context: &Context,
         nodes: impl Into<View<'a>>,
@@ -117,12 +102,12 @@ impl Mesh {
         Self::make(context, 3, &nodes.into(), cells)
     }
 
-    /// Numbers of nodes and cells, and the volume.
+    /// Returns the numbers of nodes and cells, and the volume.
     pub fn properties(&self) -> MeshProperties {
         self.properties
     }
 
-    /// The context the mesh was made from.
+    /// The context of the mesh.
     pub fn context(&self) -> Context {
         Context::of(&self.owner)
     }
@@ -146,7 +131,8 @@ impl Mesh {
             )
         })?;
         let mut mesh = Self {
-            handle: NonNull::new(handle).ok_or_else(|| Error::argument("no mesh was made"))?,
+            handle: NonNull::new(handle)
+                .ok_or_else(|| Error::argument("the library returned no mesh"))?,
             owner: Rc::clone(context.owner()),
             properties: MeshProperties::default(),
         };
@@ -154,20 +140,14 @@ impl Mesh {
         Ok(mesh)
     }
 
-    /// It takes memory to find the faces at the surface, so that it can fail.
+    /// The search for surface faces allocates memory, so this can fail.
     fn get_properties(&self) -> Result<MeshProperties> {
         let mut raw = sys::hs_mesh_properties::default();
         let size = size_of::<sys::hs_mesh_properties>();
         // SAFETY: the mesh lives, and the size is that of the struct.
         self.owner
             .check(unsafe { sys::hs_mesh_get_properties(self.handle(), &mut raw, size) })?;
-        Ok(MeshProperties {
-            dimension: raw.dimension as usize,
-            node_count: raw.node_count as usize,
-            cell_count: raw.cell_count as usize,
-            surface_face_count: raw.surface_face_count as usize,
-            volume: raw.volume,
-        })
+        Ok(raw.into())
     }
 
     pub(crate) fn handle(&self) -> *const sys::hs_mesh {
@@ -186,7 +166,7 @@ impl Drop for Mesh {
     }
 }
 
-/// Indices as the library takes them. `name` says whose they are.
+/// Converts indices for the library. `name` is their name in the error text.
 pub(crate) fn indices<'a>(
     values: impl IntoIterator<Item = &'a usize>,
     name: &str,

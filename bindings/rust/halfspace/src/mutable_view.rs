@@ -8,8 +8,8 @@ use halfspace_sys as sys;
 
 use crate::view::{require_one_length, require_within, FieldPlace, Point};
 
-/// Points that the library writes where they are to be, without a copy. What becomes a
-/// [`View`](crate::View) becomes, borrowed mutably, one of these.
+/// Points that the library writes in place, without a copy. Types that convert to a
+/// [`View`](crate::View) convert, borrowed mutably, to a `ViewMut`.
 ///
 /// ```
 /// use halfspace::{BlockDef, Context, Shape, ViewMut, World, WorldDef};
@@ -29,7 +29,7 @@ use crate::view::{require_one_length, require_within, FieldPlace, Point};
 /// # Ok::<(), halfspace::Error>(())
 /// ```
 ///
-/// It is the only one to touch its points while it lives:
+/// The points are borrowed exclusively:
 ///
 /// ```compile_fail,E0502
 /// let mut points = vec![[0.0; 3]; 4];
@@ -45,14 +45,14 @@ pub struct ViewMut<'a> {
 
 // SAFETY: a view is an exclusive reference to numbers and nothing else.
 unsafe impl Send for ViewMut<'_> {}
-// SAFETY: likewise; a shared one does nothing but count.
+// SAFETY: likewise; a shared reference only returns the count.
 unsafe impl Sync for ViewMut<'_> {}
 
 impl<'a> ViewMut<'a> {
     /// The points that are a field of each item, or the items themselves.
     ///
     /// # Panics
-    /// If the field is not at the same place within every item, as when it is behind a pointer.
+    /// If the field does not have the same offset in all items, e.g. behind a pointer.
     pub fn of<T, const D: usize>(
         items: &'a mut [T],
         field: impl Fn(&mut T) -> &mut [f64; D],
@@ -68,10 +68,10 @@ impl<'a> ViewMut<'a> {
         Self::of_place(items.as_mut_ptr(), items.len(), &place)
     }
 
-    /// Two fields of each item, as forces and torques of the same bodies.
+    /// Two fields of each item, e.g. forces and torques of the same bodies.
     ///
     /// # Panics
-    /// If either is not at the same place within every item.
+    /// If a field does not have the same offset in all items.
     pub fn of_two<T, const D: usize, const E: usize>(
         items: &'a mut [T],
         fields: impl Fn(&mut T) -> (&mut [f64; D], &mut [f64; E]),
@@ -94,7 +94,7 @@ impl<'a> ViewMut<'a> {
         )
     }
 
-    /// Points whose components lie in arrays of their own.
+    /// Points with a separate array per component.
     ///
     /// # Panics
     /// If the arrays differ in length.
@@ -107,11 +107,11 @@ impl<'a> ViewMut<'a> {
         Self::new::<D>(|k| parts[k].0, size_of::<f64>() as i64, parts[0].1)
     }
 
-    /// Points spread over an array: component k of point i is `values[first[k] + i * stride]`. The
+    /// Points in a strided array: component k of point i is `values[first[k] + i * stride]`. The
     /// stride may be negative.
     ///
     /// # Panics
-    /// If a point lies outside of the array, or the stride is 0 with more than one point.
+    /// If a point is outside the array, or the stride is 0 with more than one point.
     pub fn strided<const D: usize>(
         values: &'a mut [f64],
         first: [usize; D],
@@ -127,12 +127,12 @@ impl<'a> ViewMut<'a> {
         Self::new::<D>(|k| values.wrapping_add(first[k]), stride, count)
     }
 
-    /// Room for nothing: what is not wanted is not written.
+    /// An empty view: the library skips this output.
     pub fn none() -> Self {
         Self::new::<3>(|_| ptr::null_mut(), 0, 0)
     }
 
-    /// How many points there is room for.
+    /// Capacity in points.
     pub fn count(&self) -> usize {
         self.raw.count as usize
     }
@@ -145,7 +145,7 @@ impl<'a> ViewMut<'a> {
         Self::new::<D>(|k| first.wrapping_add(k), size_of::<T>() as i64, count)
     }
 
-    /// What is to be written is within what 'a borrows: every caller has made sure of that.
+    /// All callers ensure that the points are within memory that 'a borrows.
     fn new<const D: usize>(first: impl Fn(usize) -> *mut f64, stride: i64, count: usize) -> Self {
         let z = if D == 3 { first(2) } else { ptr::null_mut() };
         let raw = sys::hs_mutable_view {

@@ -1,4 +1,4 @@
-//! Detection for hosts that keep their own bodies: one pair, or many.
+//! Contact detection of one pair or many pairs, for hosts with their own bodies.
 
 use std::marker::PhantomData;
 use std::mem::{size_of, MaybeUninit};
@@ -14,26 +14,25 @@ use crate::pose::Pose;
 use crate::shape::Shape;
 use crate::Result;
 
-/// Are two shapes in contact, and how? By the default settings and without memory of earlier calls;
-/// else ask a [`Detector`].
+/// Detects the contact of two shapes with default settings and without a cache; see [`Detector`]
+/// for others.
 #[inline]
 pub fn detect(a: Placed<'_>, b: Placed<'_>) -> Result<Contact> {
     Detector::default().detect(a, b)
 }
 
-/// What a pair remembers between calls: the last violated potential pair with a proof of
-/// separation, or the pair through which the blocks met. The default is an empty one.
+/// Cached state of a pair between calls: the last violated potential contact pair with a separation
+/// proof, or the initial contact pair. The default is empty.
 ///
-/// As long as the blocks have moved less than the gap, the proof alone answers; in contact, the
-/// plane through which the pair met is kept. The proof is of its two shapes; with others it is not
-/// used.
+/// As long as the motion since then is bounded by the gap, detection returns from the proof alone;
+/// in contact the initial contact plane is kept. The proof is ignored for other shapes.
 #[derive(Clone, Copy, Debug, Default)]
 #[repr(transparent)]
 pub struct PairCache {
     raw: sys::hs_pair_cache,
 }
 
-/// Detection with settings of one's own, and with the memory of a [`PairCache`].
+/// Contact detection with options, and with a [`PairCache`].
 ///
 /// ```
 /// use halfspace::{Contact, Context, Detector, PairCache, Pose, Shape};
@@ -54,13 +53,13 @@ pub struct PairCache {
 #[derive(Clone, Copy, Debug, Default)]
 #[must_use]
 pub struct Detector {
-    /// None is not the same as the defaults: the library need not look at them.
+    /// None is cheaper than the defaults, as the library does not read them.
     options: Option<sys::hs_pair_options>,
 }
 
 impl Detector {
-    /// Edges (in space also faces, or an edge and a face) closer to parallel than this share a
-    /// region; in radians, 0 to 0.5, by default 0.01.
+    /// Max angle of parallel edges (in 3D also faces, or an edge and a face), in radians, from 0 to
+    /// 0.5; by default 0.01.
     pub fn parallel_angle(self, parallel_angle: f64) -> Self {
         Self {
             options: Some(sys::hs_pair_options {
@@ -70,8 +69,8 @@ impl Detector {
         }
     }
 
-    /// How near the end of an edge (in space the border of a face) a vertex meets what is there:
-    /// share of the shorter of the two edges that face each other, 0 to 0.5, by default 1e-6.
+    /// Distance from the end of an edge (in 3D the boundary of a face) at which a vertex touches
+    /// that end, divided by the length of the shorter edge, from 0 to 0.5; by default 1e-6.
     pub fn vertex_zone(self, vertex_zone: f64) -> Self {
         Self {
             options: Some(sys::hs_pair_options {
@@ -81,8 +80,8 @@ impl Detector {
         }
     }
 
-    /// Polygons are apart only when their gap exceeds this, for hosts whose blocks wear a skin; 0 to
-    /// 1e75 m, by default 0, as it must be in space.
+    /// Polygons are in contact up to this gap (skin), from 0 to 1e75 m; by default 0; must be 0 in
+    /// 3D.
     pub fn margin(self, margin: f64) -> Self {
         Self {
             options: Some(sys::hs_pair_options {
@@ -92,8 +91,8 @@ impl Detector {
         }
     }
 
-    /// A contact between polygons is the pair of largest gap and no more, for hosts that make their
-    /// own points. Not in space.
+    /// Reports only the pair of largest gap of polygons in contact, without region, for hosts that
+    /// compute their own points. 2D only.
     pub fn without_region(self) -> Self {
         Self {
             options: Some(sys::hs_pair_options {
@@ -106,7 +105,7 @@ impl Detector {
     /// Are two shapes in contact, and how?
     #[inline]
     pub fn detect(&self, a: Placed<'_>, b: Placed<'_>) -> Result<Contact> {
-        // Written where it is returned: half a kilobyte that is not moved.
+        // Constructed in place, as a contact has half a kilobyte.
         let mut result = Ok(Contact::default());
         if let Ok(contact) = &mut result {
             if let Err(error) = self.detect_into(a, b, contact) {
@@ -116,13 +115,13 @@ impl Detector {
         result
     }
 
-    /// The same, into a contact that is there already. Its ids and forces stay as they are.
+    /// Likewise, into an existing contact. Its ids and forces are not written.
     #[inline]
     pub fn detect_into(&self, a: Placed<'_>, b: Placed<'_>, contact: &mut Contact) -> Result<()> {
         self.call(a, b, ptr::null_mut(), contact)
     }
 
-    /// The same, with the pair's memory from the last call.
+    /// Likewise, with the cache of this pair from the last call.
     #[inline]
     pub fn detect_cached(
         &self,
@@ -134,8 +133,8 @@ impl Detector {
         self.call(a, b, &mut cache.raw, contact)
     }
 
-    /// Detects many pairs of bodies, given by their indices, and returns how many are in contact.
-    /// There is a contact for each pair, and a cache, or none at all.
+    /// Detects the contacts of many pairs of bodies, given by indices. Returns the number of pairs
+    /// in contact. `contacts` has one entry per pair, `caches` likewise or none.
     ///
     /// ```
     /// use halfspace::{Bodies, Contact, Context, Detector, Pose, Shape};
@@ -163,17 +162,17 @@ impl Detector {
     ) -> Result<usize> {
         if poses.len() != bodies.len() {
             return Err(Error::argument(
-                "Detector::detect_pairs: poses are not as many as bodies",
+                "Detector::detect_pairs: poses must have one entry per body",
             ));
         }
         if contacts.len() != pairs.len() {
             return Err(Error::argument(
-                "Detector::detect_pairs: contacts are not as many as pairs",
+                "Detector::detect_pairs: contacts must have one entry per pair",
             ));
         }
         if !(caches.is_empty() || caches.len() == pairs.len()) {
             return Err(Error::argument(
-                "Detector::detect_pairs: caches are not as many as pairs",
+                "Detector::detect_pairs: caches must have no entry or one per pair",
             ));
         }
         let caches = if caches.is_empty() {
@@ -182,9 +181,8 @@ impl Detector {
             caches.as_mut_ptr()
         };
         let mut touching = 0;
-        // SAFETY: the shapes live as long as `bodies` borrows them, and all arrays have as many
-        // entries as the counts say. Pose, PairCache and Contact are laid out as the structs of the
-        // library.
+        // SAFETY: the shapes live as long as `bodies` borrows them, and the lengths of all arrays
+        // are as given. Pose, PairCache and Contact have the layout of the structs of the library.
         let status = unsafe {
             sys::hs_pairs_detect(
                 context.handle(),
@@ -224,7 +222,7 @@ impl Detector {
                 contact.raw_mut(),
             )
         };
-        // The library leaves its text in the context of the first shape.
+        // The error text is in the context of the first shape.
         a.shape.owner().check(status)
     }
 
@@ -245,10 +243,10 @@ impl Detector {
     }
 }
 
-/// The shapes of a host's bodies, in their order, for [`Detector::detect_pairs`]. Several bodies
-/// may share a shape.
+/// The shapes of the host's bodies, in order, for [`Detector::detect_pairs`]. Several bodies may
+/// use one shape.
 ///
-/// The shapes stay as long as they are listed:
+/// The shapes are borrowed:
 ///
 /// ```compile_fail,E0505
 /// # let context = halfspace::Context::new().unwrap();
@@ -265,12 +263,12 @@ pub struct Bodies<'a> {
 }
 
 impl Bodies<'_> {
-    /// How many bodies there are.
+    /// Number of bodies.
     pub fn len(&self) -> usize {
         self.handles.len()
     }
 
-    /// Is there none?
+    /// Is the list empty?
     pub fn is_empty(&self) -> bool {
         self.handles.is_empty()
     }

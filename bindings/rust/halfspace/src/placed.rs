@@ -1,9 +1,9 @@
-//! A shape and where it is.
+//! A shape with its pose.
 
 use crate::pose::Pose;
 use crate::shape::Shape;
 
-/// A shape and where it is, from [`Shape::at`].
+/// A shape with its pose, from [`Shape::at`].
 #[derive(Clone, Copy, Debug)]
 pub struct Placed<'a> {
     pub(crate) shape: &'a Shape,

@@ -1,19 +1,19 @@
-//! Where a shape is.
+//! Pose of a shape.
 
 use std::mem::{align_of, size_of};
 
 use halfspace_sys as sys;
 
-/// Where a shape is: its centroid, and its rotation about the centroid. The default is at the
-/// origin, not turned.
+/// Pose of a shape: position of its centroid and rotation about the centroid. The default is at the
+/// origin without rotation.
 ///
-/// The memory is that of the C interface, so that a slice of poses is passed as it is.
+/// The layout is that of the C interface, so slices of poses need no copy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Pose {
-    /// Of the centroid; finite, at most 1e75.
+    /// Position of the centroid, in m; finite, at most 1e75.
     pub position: [f64; 3],
-    /// Unit quaternion x, y, z, w; its length may be off 1 by 1e-6. In the plane x and y are 0.
+    /// Unit quaternion x, y, z, w; its length may differ from 1 by 1e-6. In 2D x and y are 0.
     pub rotation: [f64; 4],
 }
 
@@ -21,7 +21,7 @@ const _: () = assert!(size_of::<Pose>() == size_of::<sys::hs_pose>());
 const _: () = assert!(align_of::<Pose>() == align_of::<sys::hs_pose>());
 
 impl Pose {
-    /// In the plane: the centroid at (x, y), turned counter-clockwise by an angle in radians.
+    /// 2D: centroid at (x, y), rotated counter-clockwise by an angle in radians.
     pub fn in_plane(x: f64, y: f64, angle: f64) -> Self {
         let (sine, cosine) = (0.5 * angle).sin_cos();
         Self {
@@ -30,7 +30,7 @@ impl Pose {
         }
     }
 
-    /// The centroid at a position, not turned.
+    /// The centroid at a position, without rotation.
     pub fn at(position: [f64; 3]) -> Self {
         Self {
             position,

@@ -9,67 +9,43 @@ use halfspace_sys as sys;
 use crate::context::{Context, Owner};
 use crate::error::Error;
 use crate::mutable_view::ViewMut;
-use crate::shape_input::{FaceLists, FitReport};
+use crate::records::{FitReport, ShapeProperties};
+use crate::shape_input::FaceLists;
 use crate::view::View;
 use crate::Result;
 
-/// A convex polygon (in the plane) or polyhedron (in space). It never changes and may be used by
-/// any number of blocks.
+/// A convex polygon (2D) or polyhedron (3D). It is immutable and may be used by any number of
+/// blocks.
 ///
-/// Its own frame has the centroid at the origin; [`ShapeProperties::centroid`] says where that was
-/// in the coordinates it was made from. Nothing is welded or repaired: faulty input is refused with
-/// its reason. Small edges and small angles are legal.
+/// The origin of its frame is its centroid; [`ShapeProperties::centroid`] is the centroid in the
+/// coordinates that the shape was made from. Faulty input is refused, not repaired. Short edges and
+/// small angles are allowed.
 #[derive(Debug)]
 pub struct Shape {
     handle: NonNull<sys::hs_shape>,
     owner: Rc<Owner>,
 }
 
-/// Geometry of a shape and its mass per unit density.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct ShapeProperties {
-    /// 2 or 3.
-    pub dimension: usize,
-    /// At least 3; in space at least 4.
-    pub vertex_count: usize,
-    /// At least 3; in space at least 6.
-    pub edge_count: usize,
-    /// Half-spaces: edges in the plane, faces in space.
-    pub face_count: usize,
-    /// Area times unit thickness in the plane.
-    pub volume: f64,
-    /// In the coordinates the shape was made from.
-    pub centroid: [f64; 3],
-    /// About the centroid: xx, yy, zz, xy, yz, zx of the integral of r r^T; in the plane xx, yy, 0,
-    /// xy, 0, 0. The moment of inertia about z is the density times (xx + yy), and so on.
-    pub second_moment: [f64; 6],
-    /// Farthest vertex from the centroid.
-    pub bounding_radius: f64,
-    /// Its length.
-    pub shortest_edge: f64,
-}
-
-/// A point p is inside when `dot(normal, p) <= offset`.
+/// A half-space: a point p is inside if `dot(normal, p) <= offset`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct HalfSpace {
     /// Outer normal.
     pub normal: [f64; 3],
-    /// Where the plane is along the normal.
+    /// Offset of the plane along the normal.
     pub offset: f64,
 }
 
 /// The two parts of a cut shape.
 #[derive(Debug)]
 pub struct Cut {
-    /// The part against the normal.
+    /// The part on the negative side of the normal.
     pub behind: Option<Shape>,
-    /// The part along the normal.
+    /// The part on the positive side.
     pub ahead: Option<Shape>,
 }
 
 impl Shape {
-    /// A convex polygon from its vertices, clockwise or counter-clockwise.
+    /// Creates a convex polygon from its vertices, clockwise or counter-clockwise.
     pub fn polygon<'a>(context: &Context, vertices: impl Into<View<'a>>) -> Result<Self> {
         let vertices = vertices.into().raw();
         // SAFETY: the view borrows what it says.
@@ -78,7 +54,8 @@ impl Shape {
         })
     }
 
-    /// The convex hull of points as a polygon. Any order; inner and repeated points are allowed.
+    /// Creates the convex hull of points as a polygon. Points are in any order; inner and repeated
+    /// points are allowed.
     pub fn polygon_hull<'a>(context: &Context, points: impl Into<View<'a>>) -> Result<Self> {
         let points = points.into().raw();
         // SAFETY: the view borrows what it says.
@@ -87,14 +64,14 @@ impl Shape {
         })
     }
 
-    /// A boundary segment from the first to the second of two ends: the virtual polygon of which it
-    /// is an edge, for a fixed or prescribed block. The inside is at the left on the way: a floor
-    /// under blocks runs towards -x, the walls of a container run clockwise. A line is a segment
-    /// that reaches beyond the scene. `depth` is how far the polygon reaches behind the segment:
-    /// above twice the deepest overlap.
+    /// Creates a boundary segment between two ends for a fixed or prescribed block: a virtual
+    /// polygon with the segment as one edge. Its inside is on the left of the direction from the
+    /// first to the second end: a floor runs towards -x, the walls of a container run clockwise.
+    /// `depth` is the depth of the polygon behind the segment, in m: more than twice the max
+    /// overlap.
     ///
-    /// Of a segment in a chain, `neighbours` are the other ends of the one before and the one after,
-    /// under which the polygon's flanks go, if there are any.
+    /// In a chain, `neighbours` are the other ends of the previous and next segment; the flanks of
+    /// the polygon lie under the neighbours.
     ///
     /// ```
     /// use halfspace::{Context, Shape};
@@ -132,9 +109,9 @@ impl Shape {
         })
     }
 
-    /// A convex polyhedron from its vertices and faces. A face lists its vertices in the order of
-    /// its outline, all faces counter-clockwise seen from outside, or all clockwise. Vertices and
-    /// faces keep their order.
+    /// Creates a convex polyhedron from its vertices and faces. A face is a list of vertex indices
+    /// in outline order; all faces counter-clockwise seen from outside, or all clockwise. Vertices
+    /// and faces keep their order.
     ///
     /// ```
     /// use halfspace::{Context, Shape};
@@ -166,10 +143,10 @@ impl Shape {
         })
     }
 
-    /// A polyhedron of facets that are plane and convex within a tolerance, such as a file states
-    /// them by a few digits. Facets in a common plane within the tolerance are one face, and the
-    /// planes are fitted. Without facets those of the convex hull are taken. The error of a dent
-    /// names its place and a tolerance that takes it.
+    /// Creates a polyhedron from facets that are plane and convex within a tolerance, e.g. from a
+    /// file with rounded coordinates. Facets within the tolerance of a common plane form one face
+    /// with a fitted plane. Without facets, those of the convex hull are used. The error text of a
+    /// dent names its vertex and a sufficient tolerance.
     pub fn polyhedron_fitted<'a, F: AsRef<[usize]>>(
         context: &Context,
         vertices: impl Into<View<'a>>,
@@ -192,11 +169,11 @@ impl Shape {
                 &mut report,
             )
         })?;
-        Ok((shape, FitReport::from_raw(&report)))
+        Ok((shape, report.into()))
     }
 
-    /// The convex hull of points as a polyhedron with whole faces: what is in one plane to rounding
-    /// is one face.
+    /// Creates the convex hull of points as a polyhedron. Facets that are coplanar to rounding are
+    /// one face.
     pub fn polyhedron_hull<'a>(context: &Context, points: impl Into<View<'a>>) -> Result<Self> {
         let points = points.into().raw();
         // SAFETY: the view borrows what it says.
@@ -205,8 +182,8 @@ impl Shape {
         })
     }
 
-    /// The polyhedron that half-spaces have in common, with normals of any length but 0. A
-    /// half-space that cuts nothing off but rounding makes no face.
+    /// Creates the intersection of half-spaces as a polyhedron. Normals may have any length except
+    /// 0. A half-space that is redundant to rounding makes no face.
     pub fn polyhedron_from_halfspaces(context: &Context, halfspaces: &[HalfSpace]) -> Result<Self> {
         let normals = View::of(halfspaces, |halfspace| &halfspace.normal).raw();
         let offsets: Vec<f64> = halfspaces
@@ -224,9 +201,9 @@ impl Shape {
         })
     }
 
-    /// Cuts by a plane (in the plane a line) through a point, with a normal of any length but 0.
-    /// Coordinates are those the shape was made from. A part that the plane touches only to
-    /// rounding is none; the other one is then a copy of the whole.
+    /// Cuts the shape by a plane (2D: a line) through a point, with a normal of any length except
+    /// 0. Coordinates are those that the shape was made from. If a part is empty or degenerate to
+    /// rounding, it is `None` and the other part is a copy of the shape.
     pub fn cut(&self, point: [f64; 3], normal: [f64; 3]) -> Result<Cut> {
         let (mut behind, mut ahead) = (ptr::null_mut(), ptr::null_mut());
         // SAFETY: the shape lives, all else are references.
@@ -245,7 +222,7 @@ impl Shape {
         })
     }
 
-    /// Geometry and mass properties.
+    /// Returns geometry and mass properties.
     pub fn properties(&self) -> ShapeProperties {
         let mut raw = sys::hs_shape_properties::default();
         // SAFETY: the shape lives, and the size is that of the struct.
@@ -256,20 +233,11 @@ impl Shape {
                 size_of::<sys::hs_shape_properties>(),
             )
         });
-        ShapeProperties {
-            dimension: raw.dimension as usize,
-            vertex_count: raw.vertex_count as usize,
-            edge_count: raw.edge_count as usize,
-            face_count: raw.face_count as usize,
-            volume: raw.volume,
-            centroid: raw.centroid,
-            second_moment: raw.second_moment,
-            bounding_radius: raw.bounding_radius,
-            shortest_edge: raw.shortest_edge,
-        }
+        raw.into()
     }
 
-    /// The vertices in the coordinates the shape was made from; in the plane counter-clockwise.
+    /// Returns the vertices, in the coordinates that the shape was made from; in 2D
+    /// counter-clockwise.
     pub fn vertices(&self) -> Vec<[f64; 3]> {
         let mut vertices = vec![[0.0; 3]; self.properties().vertex_count];
         // SAFETY: the shape lives, and the view borrows what it says.
@@ -283,8 +251,8 @@ impl Shape {
         vertices
     }
 
-    /// The faces as lists of vertices, counter-clockwise seen from outside; in the plane each edge
-    /// with its two ends.
+    /// Returns the faces as lists of vertex indices, counter-clockwise seen from outside; in 2D the
+    /// two ends of each edge.
     pub fn faces(&self) -> Vec<Vec<usize>> {
         let properties = self.properties();
         let mut first = vec![0; properties.face_count + 1];
@@ -304,8 +272,8 @@ impl Shape {
         FaceLists::split(&first, &vertices)
     }
 
-    /// The edges in the order that [`Contact::features`](crate::Contact::features) counts them in:
-    /// the vertices at their two ends.
+    /// Returns the edges as pairs of vertex indices.
+    /// [`Contact::features`](crate::Contact::features) uses their indices.
     pub fn edges(&self) -> Vec<[usize; 2]> {
         let mut ends = vec![[0i32; 2]; self.properties().edge_count];
         // SAFETY: the shape lives, and the array is as long as said.
@@ -322,8 +290,8 @@ impl Shape {
             .collect()
     }
 
-    /// The half-spaces, with outer unit normals, in the shape's own frame with the centroid at the
-    /// origin. One for each face; in the plane for the edge from vertex i to vertex i + 1.
+    /// Returns the half-spaces, with outer unit normals, relative to the centroid. One per face; in
+    /// 2D one per edge from vertex i to i + 1.
     pub fn halfspaces(&self) -> Vec<HalfSpace> {
         let mut halfspaces = vec![HalfSpace::default(); self.properties().face_count];
         let mut offsets = vec![0.0; halfspaces.len()];
@@ -343,7 +311,7 @@ impl Shape {
         halfspaces
     }
 
-    /// The context the shape was made from.
+    /// The context of the shape.
     pub fn context(&self) -> Context {
         Context::of(&self.owner)
     }
@@ -355,7 +323,8 @@ impl Shape {
         let mut handle = ptr::null_mut();
         let status = create(&mut handle);
         context.owner().check(status)?;
-        let handle = NonNull::new(handle).ok_or_else(|| Error::argument("no shape was made"))?;
+        let handle =
+            NonNull::new(handle).ok_or_else(|| Error::argument("the library returned no shape"))?;
         Ok(Self {
             handle,
             owner: Rc::clone(context.owner()),

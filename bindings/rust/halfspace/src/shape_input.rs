@@ -1,134 +1,20 @@
-//! What a shape is made from: what can be wrong with it, and cleaning it up.
+//! Validation of the input of shapes, and cleaning of polygons.
 
 use halfspace_sys as sys;
 
-use crate::constants::constants;
 use crate::context::Context;
 use crate::error::Error;
 use crate::mutable_view::ViewMut;
+use crate::records::{Cleaned, Fault};
 use crate::view::View;
 use crate::Result;
 
-constants! {
-    /// What can be wrong with what a shape is to be made from.
-    FaultKind {
-        /// Polygon: fewer than 3 vertices.
-        TooFewVertices = HS_FAULT_TOO_FEW_VERTICES,
-        /// Polygon: NaN, infinite, or too large or small to compute with.
-        NotFinite = HS_FAULT_NOT_FINITE,
-        /// Polygon: two neighbours at the same place.
-        RepeatedVertex = HS_FAULT_REPEATED_VERTEX,
-        /// Polygon: a vertex on the line of its neighbours, to rounding.
-        CollinearVertex = HS_FAULT_COLLINEAR_VERTEX,
-        /// Polygon: a corner that turns the other way.
-        NotConvex = HS_FAULT_NOT_CONVEX,
-        /// Polygon: the outline winds more than once or crosses itself.
-        SelfCrossing = HS_FAULT_SELF_CROSSING,
-        /// Polygon: all vertices on one line.
-        ZeroArea = HS_FAULT_ZERO_AREA,
-        /// Polyhedron: fewer than four vertices or faces.
-        FewerThanFour = HS_FAULT_FEWER_THAN_FOUR,
-        /// Polyhedron: a face of fewer than 3 vertices.
-        FaceTooShort = HS_FAULT_FACE_TOO_SHORT,
-        /// Polyhedron: a face refers to a vertex that is not there.
-        NoSuchVertex = HS_FAULT_NO_SUCH_VERTEX,
-        /// Polyhedron: a face goes through the same vertex twice.
-        VertexTwiceInFace = HS_FAULT_VERTEX_TWICE_IN_FACE,
-        /// Polyhedron: a vertex that belongs to no face.
-        UnusedVertex = HS_FAULT_UNUSED_VERTEX,
-        /// Polyhedron: an edge not shared by two faces in opposite directions.
-        UnmatchedEdge = HS_FAULT_UNMATCHED_EDGE,
-        /// Polyhedron: a vertex of two faces only: not a corner.
-        VertexInsideEdge = HS_FAULT_VERTEX_INSIDE_EDGE,
-        /// Polyhedron: several surfaces, or one with holes.
-        NotOneSurface = HS_FAULT_NOT_ONE_SURFACE,
-        /// Polyhedron: not finite, or beyond 1e50, or the whole smaller than 1e-50.
-        OutOfRange = HS_FAULT_OUT_OF_RANGE,
-        /// Polyhedron: two vertices at the same place.
-        CoincidingVertices = HS_FAULT_COINCIDING_VERTICES,
-        /// Polyhedron: all vertices in one plane, to rounding.
-        ZeroVolume = HS_FAULT_ZERO_VOLUME,
-        /// Polyhedron: a face with all vertices on one line, to rounding.
-        FaceWithoutArea = HS_FAULT_FACE_WITHOUT_AREA,
-        /// Polyhedron: a vertex off the plane of its face by more than rounding.
-        FaceNotPlane = HS_FAULT_FACE_NOT_PLANE,
-        /// Polyhedron: a vertex before a face's plane: not convex.
-        VertexOutsideFace = HS_FAULT_VERTEX_OUTSIDE_FACE,
-        /// Polyhedron: a face in one plane with a neighbour, to rounding.
-        CoplanarFaces = HS_FAULT_COPLANAR_FACES,
-        /// Points so close to degenerate that rounding hides their hull.
-        HullFailed = HS_FAULT_HULL_FAILED,
-        /// A half-space whose normal is 0.
-        NoDirection = HS_FAULT_NO_DIRECTION,
-        /// Half-spaces that do not bound a region.
-        Unbounded = HS_FAULT_UNBOUNDED,
-        /// Half-spaces without a region, or with one flat to rounding.
-        NoCommonPoint = HS_FAULT_NO_COMMON_POINT,
-        /// Facets to be fitted: a dent deeper than the tolerance.
-        BeyondTolerance = HS_FAULT_BEYOND_TOLERANCE,
-    }
-}
-
-/// The first fault of what a shape was to be made from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub struct Fault {
-    /// What is wrong.
-    pub kind: FaultKind,
-    /// Index of the offending vertex, `None` if it is the whole.
-    pub vertex: Option<usize>,
-    /// Index of the offending face, `None` if there is none.
-    pub face: Option<usize>,
-}
-
-impl Fault {
-    fn from_raw(raw: &sys::hs_fault) -> Option<Self> {
-        (raw.kind != sys::HS_FAULT_NONE).then(|| Self {
-            kind: FaultKind::from_raw(raw.kind),
-            vertex: usize::try_from(raw.vertex).ok(),
-            face: usize::try_from(raw.face).ok(),
-        })
-    }
-}
-
-/// What [`Context::clean_polygon`] left, and what it changed.
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct Cleaned {
-    /// The vertices that remain, counter-clockwise.
-    pub vertices: Vec<[f64; 2]>,
-    /// Vertices dropped because they lay within the tolerance of the one before.
-    pub welded: usize,
-    /// Vertices dropped because they lay within it of their neighbours' line.
-    pub straightened: usize,
-    /// Was the order turned?
-    pub reversed: bool,
-}
-
-/// The changes that [`Shape::polyhedron_fitted`](crate::Shape::polyhedron_fitted) made.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct FitReport {
-    /// Facets given beyond the faces made.
-    pub merged: usize,
-    /// Largest distance of a vertex from the fitted plane of its face.
-    pub deviation: f64,
-    /// Largest distance of a corner from where it was given.
-    pub moved: f64,
-}
-
-impl FitReport {
-    pub(crate) fn from_raw(raw: &sys::hs_fit_report) -> Self {
-        Self {
-            merged: raw.merged as usize,
-            deviation: raw.deviation,
-            moved: raw.moved,
-        }
-    }
+fn fault_of(raw: sys::hs_fault) -> Option<Fault> {
+    (raw.kind != sys::HS_FAULT_NONE).then(|| raw.into())
 }
 
 impl Context {
-    /// Says what is wrong with a polygon's vertices without making a shape.
+    /// Validates the vertices of a polygon without making a shape. `None` if there is no fault.
     ///
     /// ```
     /// use halfspace::{Context, FaultKind};
@@ -143,11 +29,11 @@ impl Context {
         let status =
             unsafe { sys::hs_polygon_check(self.handle(), vertices.into().raw(), &mut fault) };
         self.owner().check(status)?;
-        Ok(Fault::from_raw(&fault))
+        Ok(fault_of(fault))
     }
 
-    /// Says what is wrong with a polyhedron's vertices and faces without making a shape; they are
-    /// given as for [`Shape::polyhedron`](crate::Shape::polyhedron).
+    /// Validates the vertices and faces of a polyhedron without making a shape; arguments as for
+    /// [`Shape::polyhedron`](crate::Shape::polyhedron).
     pub fn check_polyhedron<'a, F: AsRef<[usize]>>(
         &self,
         vertices: impl Into<View<'a>>,
@@ -167,12 +53,11 @@ impl Context {
             )
         };
         self.owner().check(status)?;
-        Ok(Fault::from_raw(&fault))
+        Ok(fault_of(fault))
     }
 
-    /// Cleans up a polygon's vertices: drops repeated ones and those on the line of their
-    /// neighbours, within a tolerance, and turns the order counter-clockwise. It never moves a
-    /// vertex.
+    /// Cleans the vertices of a polygon: removes repeated and collinear vertices, within a
+    /// tolerance, and reverses a clockwise order. It moves no vertex.
     pub fn clean_polygon<'a>(
         &self,
         vertices: impl Into<View<'a>>,
@@ -195,16 +80,11 @@ impl Context {
         };
         self.owner().check(status)?;
         vertices.truncate(count as usize);
-        Ok(Cleaned {
-            vertices,
-            welded: report.welded as usize,
-            straightened: report.straightened as usize,
-            reversed: report.reversed != 0,
-        })
+        Ok(Cleaned::new(report, vertices))
     }
 }
 
-/// Faces one after the other, as the library takes them.
+/// Faces in the layout of the library, face after face.
 pub(crate) struct FaceLists {
     pub(crate) sizes: Vec<i32>,
     pub(crate) vertices: Vec<i32>,
@@ -220,8 +100,8 @@ impl FaceLists {
             vertices: Vec::new(),
         };
         for face in faces {
-            // Asked once: nothing binds as_ref() to the same answer twice, and the library trusts the
-            // sizes to add up to the number of vertices.
+            // Called once: as_ref() may return different slices, and the library relies on the sum
+            // of the sizes being the number of vertices.
             let face = face.as_ref();
             lists.sizes.push(narrow(face.len())?);
             for &vertex in face {
@@ -231,7 +111,7 @@ impl FaceLists {
         Ok(lists)
     }
 
-    /// The lists that `first` and `vertices` of hs_shape_get_faces() describe.
+    /// The lists from `first` and `vertices` of hs_shape_get_faces().
     pub(crate) fn split(first: &[i32], vertices: &[i32]) -> Vec<Vec<usize>> {
         let face = |ends: &[i32]| &vertices[ends[0] as usize..ends[1] as usize];
         first

@@ -6,7 +6,7 @@ use std::ptr;
 
 use halfspace_sys as sys;
 
-/// A point as it lies in memory: `[f64; 2]` in the plane, `[f64; 3]` there or in space.
+/// A point in memory: `[f64; 2]` in 2D, `[f64; 3]` in 2D or 3D.
 pub trait Point: sealed::Point {}
 
 impl Point for [f64; 2] {}
@@ -18,9 +18,9 @@ mod sealed {
     impl Point for [f64; 3] {}
 }
 
-/// Points that the library reads where they are, without a copy.
+/// Points that the library reads in place, without a copy.
 ///
-/// Slices, vectors and arrays of points become views by themselves. Other layouts:
+/// Slices, vectors and arrays of points convert to views. Other layouts:
 ///
 /// ```
 /// use halfspace::{Context, Shape, View};
@@ -42,7 +42,7 @@ mod sealed {
 /// # Ok::<(), halfspace::Error>(())
 /// ```
 ///
-/// A view borrows; its points stay as they are while it lives:
+/// A view borrows its points:
 ///
 /// ```compile_fail,E0506
 /// let mut points = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
@@ -65,7 +65,7 @@ impl<'a> View<'a> {
     /// The points that are a field of each item, or the items themselves.
     ///
     /// # Panics
-    /// If the field is not at the same place within every item, as when it is behind a pointer.
+    /// If the field does not have the same offset in all items, e.g. behind a pointer.
     pub fn of<T, const D: usize>(items: &'a [T], field: impl Fn(&T) -> &[f64; D]) -> Self
     where
         [f64; D]: Point,
@@ -86,7 +86,7 @@ impl<'a> View<'a> {
         )
     }
 
-    /// Points whose components lie in arrays of their own.
+    /// Points with a separate array per component.
     ///
     /// # Panics
     /// If the arrays differ in length.
@@ -102,11 +102,11 @@ impl<'a> View<'a> {
         )
     }
 
-    /// Points spread over an array: component k of point i is `values[first[k] + i * stride]`. The
+    /// Points in a strided array: component k of point i is `values[first[k] + i * stride]`. The
     /// stride may be negative.
     ///
     /// # Panics
-    /// If a point lies outside of the array, or the stride is 0 with more than one point.
+    /// If a point is outside the array, or the stride is 0 with more than one point.
     pub fn strided<const D: usize>(
         values: &'a [f64],
         first: [usize; D],
@@ -121,12 +121,12 @@ impl<'a> View<'a> {
         Self::new::<D>(|k| values.as_ptr().wrapping_add(first[k]), stride, count)
     }
 
-    /// How many points there are.
+    /// Number of points.
     pub fn count(&self) -> usize {
         self.raw.count as usize
     }
 
-    /// What is to be read is within what 'a borrows: every caller has made sure of that.
+    /// All callers ensure that the points are within memory that 'a borrows.
     fn new<const D: usize>(first: impl Fn(usize) -> *const f64, stride: i64, count: usize) -> Self {
         let z = if D == 3 { first(2) } else { ptr::null() };
         let raw = sys::hs_view {
@@ -174,9 +174,8 @@ where
     }
 }
 
-/// Finds by how many bytes a field of D numbers lies behind the start of its item. All items are
-/// looked at, as an enum has its field in some only. For a plain field the compiler knows the answer
-/// and leaves no loop.
+/// Computes the offset of a field of D numbers in its item, in bytes. It checks all items, as enums
+/// have the field in some only. For plain fields the compiler removes the loop.
 pub(crate) struct FieldPlace<T, const D: usize> {
     offset: Option<usize>,
     item: PhantomData<T>,
@@ -196,11 +195,11 @@ impl<T, const D: usize> FieldPlace<T, D> {
         let room = size_of::<T>().checked_sub(size_of::<[f64; D]>());
         assert!(
             room.map_or(false, |room| offset <= room),
-            "the field lies outside of its item"
+            "the field is outside its item"
         );
         assert!(
             *self.offset.get_or_insert(offset) == offset,
-            "the field is not at one place in all items"
+            "the field has different offsets in the items"
         );
     }
 

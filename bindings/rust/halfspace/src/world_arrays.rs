@@ -1,22 +1,23 @@
-//! Motion, forces and contacts of a world's blocks: one by one, and in arrays over all of them.
+//! Motion, forces and contacts of blocks: of one block, and arrays of all blocks.
 
 use std::mem::MaybeUninit;
 use std::ptr;
 
 use halfspace_sys as sys;
 
-use crate::block::{Block, BlockState};
+use crate::block::Block;
 use crate::contact::Contact;
 use crate::error::Error;
 use crate::mutable_view::ViewMut;
 use crate::pose::Pose;
+use crate::records::BlockState;
 use crate::view::View;
 use crate::world::World;
 use crate::Result;
 
 /// One block.
 impl World {
-    /// A block's motion.
+    /// Returns the motion of a block.
     pub fn block_state(&self, block: Block) -> Result<BlockState> {
         let mut raw = sys::hs_block_state::default();
         // SAFETY: the world lives.
@@ -24,7 +25,7 @@ impl World {
         Ok(raw.into())
     }
 
-    /// A block's vertices where they are now, counter-clockwise.
+    /// Returns the current positions of a block's vertices, in m, in 2D counter-clockwise.
     pub fn block_vertices(&self, block: Block) -> Result<Vec<[f64; 3]>> {
         let count = self.block_vertices_into(block, ViewMut::none())?;
         let mut vertices = vec![[0.0; 3]; count];
@@ -32,8 +33,7 @@ impl World {
         Ok(vertices)
     }
 
-    /// The same into memory that is there already: as many as there is room for. Returns how many
-    /// the block has.
+    /// Likewise, into existing memory: as many as fit. Returns the number of vertices.
     pub fn block_vertices_into<'a>(
         &self,
         block: Block,
@@ -48,14 +48,14 @@ impl World {
         Ok(count as usize)
     }
 
-    /// Puts a block elsewhere.
+    /// Sets the pose of a block.
     pub fn set_pose(&mut self, block: Block, pose: &Pose) -> Result<()> {
         // SAFETY: the world lives and is borrowed mutably.
         self.check(unsafe { sys::hs_world_set_pose(self.handle(), block.id(), pose.raw()) })
     }
 
-    /// Sets a block's velocity and angular velocity, in the plane of z alone. A fixed block takes
-    /// none.
+    /// Sets the velocity, in m/s, and angular velocity, in rad/s, of a block; 2D uses z. Fixed
+    /// blocks are refused.
     pub fn set_velocity(
         &mut self,
         block: Block,
@@ -68,8 +68,8 @@ impl World {
         })
     }
 
-    /// Sets the force at the centroid and the torque about it, in the plane z alone, that act on a
-    /// rigid or affine block from outside until set again.
+    /// Sets the external force at the centroid, in N, and torque about it, in N m, of a rigid or
+    /// affine block, until set again; 2D uses z of the torque.
     pub fn set_applied_force(
         &mut self,
         block: Block,
@@ -85,7 +85,7 @@ impl World {
 
 /// All blocks.
 impl World {
-    /// The names of all blocks, in the order of the arrays below.
+    /// Returns the ids of all blocks. All arrays of blocks have this order.
     pub fn blocks(&self) -> Vec<Block> {
         let mut ids = vec![0; self.block_count()];
         // SAFETY: the world lives, and the array is as long as said.
@@ -100,14 +100,14 @@ impl World {
         ids.into_iter().filter_map(Block::from_raw).collect()
     }
 
-    /// The poses of all blocks.
+    /// Returns the poses of all blocks.
     pub fn poses(&self) -> Vec<Pose> {
         let mut poses = vec![Pose::default(); self.block_count()];
         self.owner().expect(self.get_poses(&mut poses));
         poses
     }
 
-    /// The same into memory that is there already, one pose per block.
+    /// Likewise, into existing memory, one pose per block.
     pub fn poses_into(&self, poses: &mut [Pose]) -> Result<()> {
         self.require_one_per_block("World::poses_into: poses", poses.len())?;
         self.check(self.get_poses(poses))
@@ -126,7 +126,7 @@ impl World {
         }
     }
 
-    /// Sets the poses of all blocks. On an error none has moved.
+    /// Sets the poses of all blocks. After an error no block has moved.
     pub fn set_poses(&mut self, poses: &[Pose]) -> Result<()> {
         // SAFETY: the world lives, the array is as long as said, and a Pose is laid out as the
         // library's.
@@ -135,8 +135,8 @@ impl World {
         })
     }
 
-    /// The velocities and angular velocities of all blocks, one each per block or
-    /// [`ViewMut::none`]. Angular ones have three components; in the plane x and y are 0.
+    /// Writes the velocities, in m/s, and angular velocities, in rad/s, of all blocks; one per
+    /// block, or [`ViewMut::none`]. Angular velocities have three components; in 2D x and y are 0.
     pub fn velocities_into<'a, 'b>(
         &self,
         velocities: impl Into<ViewMut<'a>>,
@@ -157,9 +157,9 @@ impl World {
         })
     }
 
-    /// Sets the velocities and angular velocities of all blocks, the latter of three components; an
-    /// empty view of them leaves the angular ones as they are. Entries of fixed blocks are ignored.
-    /// On an error none has changed.
+    /// Sets the velocities and angular velocities of all blocks; the latter have three components,
+    /// and an empty view keeps the current ones. Entries of fixed blocks are ignored. After an
+    /// error none has changed.
     pub fn set_velocities<'a, 'b>(
         &mut self,
         velocities: impl Into<View<'a>>,
@@ -170,7 +170,7 @@ impl World {
         self.check(unsafe { sys::hs_world_set_velocities(self.handle(), velocities, angular) })
     }
 
-    /// Stage: neighbour search and detection at the present poses. Returns how many pairs are in
+    /// Stage: neighbour search and detection at the current poses. Returns the number of pairs in
     /// contact.
     pub fn detect(&mut self) -> Result<usize> {
         let mut touching = 0;
@@ -179,10 +179,10 @@ impl World {
         Ok(touching as usize)
     }
 
-    /// Stage: contact forces at the present poses and velocities, after [`World::detect`].
-    /// `elapsed` is the time since the last call: shear springs grow by velocity times this.
-    /// Forces, and torques about the centroids of three components, come one per block or, for
-    /// [`ViewMut::none`], not at all.
+    /// Stage: contact forces at the current poses and velocities, after [`World::detect`].
+    /// `elapsed` is the time since the last call, in s: shear springs extend by velocity times
+    /// this. Writes one force and one torque about the centroid (three components) per block;
+    /// [`ViewMut::none`] skips them.
     pub fn forces<'a, 'b>(
         &mut self,
         elapsed: f64,
@@ -198,15 +198,15 @@ impl World {
         })
     }
 
-    /// The contacts of the last detection, sorted by block, a before b; none after a change of
-    /// poses, blocks or laws. Forces are 0 until they are evaluated.
+    /// Returns the contacts of the last detection, sorted by block, a before b; none after a change
+    /// of poses, blocks or laws. Forces are 0 until they are evaluated.
     pub fn contacts(&self) -> Vec<Contact> {
         let mut contacts = Vec::new();
         self.contacts_into(&mut contacts);
         contacts
     }
 
-    /// The same into a buffer, whose memory serves again from call to call.
+    /// Likewise, into a buffer that is reused from call to call.
     ///
     /// ```
     /// # use halfspace::{Context, World, WorldDef};
@@ -232,11 +232,11 @@ impl World {
         buffer
     }
 
-    /// Writes as many contacts as there is room for and returns how many there are.
+    /// Writes as many contacts as fit and returns their total number.
     fn get_contacts(&self, room: &mut [MaybeUninit<Contact>]) -> usize {
         let mut count = 0;
-        // SAFETY: the world lives, there is room for as many as said, and a Contact is laid out as
-        // the library's.
+        // SAFETY: the world lives, the capacity is as given, and a Contact has the layout of the
+        // library.
         self.owner().expect(unsafe {
             sys::hs_world_get_contacts(
                 self.handle(),
@@ -248,9 +248,9 @@ impl World {
         count as usize
     }
 
-    /// Preloads the shear spring of a contact, as to start from equilibrium: the force on
-    /// `block_b`, of which counts what lies in the contact plane. After [`World::detect`] or a
-    /// step.
+    /// Preloads the shear spring of a contact, e.g. to start from equilibrium, with the force on
+    /// `block_b`, in N; only the component in the contact plane is used. Call it after
+    /// [`World::detect`] or a step.
     pub fn set_shear_force(
         &mut self,
         block_a: Block,
@@ -265,7 +265,7 @@ impl World {
 
     pub(crate) fn count_blocks(&self) -> usize {
         let mut count = 0;
-        // SAFETY: there is room for nothing, and nothing is written.
+        // SAFETY: the capacity is 0, so nothing is written.
         self.owner().expect(unsafe {
             sys::hs_world_get_blocks(self.handle(), ptr::null_mut(), 0, &mut count)
         });

@@ -1,4 +1,4 @@
-//! Affine blocks: what Rust adds to what the shared cases look at.
+//! Affine blocks: the Rust interface beyond the shared cases.
 
 use halfspace::{
     Block, BlockDef, BlockKind, Context, Deformation, Elasticity, ErrorKind, Pose, Result, Shape,
@@ -7,7 +7,7 @@ use halfspace::{
 
 const SQUARE: [[f64; 2]; 4] = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]];
 const ZERO: Tensor = [[0.0; 3]; 3];
-/// By 1.25 along x, then turned by a right angle: what was x goes along y.
+/// A stretch by 1.25 along x, then a rotation by 90 degrees, which maps x to y.
 const STRETCHED_AND_TURNED: Tensor = [[0.0, -1.0, 0.0], [1.25, 0.0, 0.0], [0.0, 0.0, 1.0]];
 
 /// An affine square whose material has 1e6 for both of Lame's constants, and a rigid one.

@@ -1,4 +1,5 @@
-//! Points in every layout are the same points; what is none is refused before the library sees it.
+//! Points in all layouts give the same results; invalid layouts are refused before any call of the
+//! library.
 
 use halfspace::{BlockDef, Context, Shape, View, ViewMut, World, WorldDef};
 
@@ -56,7 +57,7 @@ fn all_layouts_read_the_same_points() {
     assert!(nodes.iter().all(|node| node.id == 7 && node.mass == 1.0));
 }
 
-/// Two blocks whose velocities tell them and their components apart.
+/// Two blocks whose velocity components are all different.
 fn moving_world() -> World {
     let context = Context::new().unwrap();
     let corner = Shape::polyhedron_hull(&context, &CORNERS).unwrap();
@@ -190,20 +191,20 @@ fn points_do_not_lie_on_each_other() {
 }
 
 #[test]
-#[should_panic(expected = "outside of its item")]
+#[should_panic(expected = "outside its item")]
 fn a_field_behind_a_pointer_is_none() {
     View::of(&[Box::new([0.0; 3]), Box::new([0.0; 3])], |item| item);
 }
 
 #[test]
-#[should_panic(expected = "outside of its item")]
+#[should_panic(expected = "outside its item")]
 fn a_field_elsewhere_is_none() {
     static ELSEWHERE: [f64; 3] = [0.0; 3];
     View::of(&[[1.0; 3]; 2], |_| &ELSEWHERE);
 }
 
 #[test]
-#[should_panic(expected = "not at one place")]
+#[should_panic(expected = "different offsets")]
 fn a_field_that_moves_about_is_none() {
     struct Item {
         points: [[f64; 2]; 2],

@@ -27,7 +27,7 @@ fn two_squares() -> Result<(World, [Block; 2])> {
     Ok((world, [lower, upper]))
 }
 
-/// Pulls until it is at rest with bonds that are held, and lets them fail then.
+/// Applies a force, relaxes with suspended failure of bonds, then resumes it.
 fn pull(world: &mut World, block: Block, force: f64) -> Result<()> {
     world.set_applied_force(block, [0.0, force, 0.0], [0.0; 3])?;
     assert!(world.relax(&Relaxation::default().ratio(1e-8))?.is_at_rest);
@@ -122,7 +122,7 @@ fn materials_are_bonded_along_all_common_faces() -> Result<()> {
 
     let error = world.bond_blocks(lower, upper, &mortar()).unwrap_err();
     assert_eq!(error.kind(), ErrorKind::State);
-    assert!(error.to_string().contains("hold together already"));
+    assert!(error.to_string().contains("are bonded already"));
     world.remove_block(upper)?;
     assert_eq!(world.bonds()[0].blocks, None);
     let error = world.bond_blocks(lower, upper, &mortar()).unwrap_err();

@@ -1,4 +1,4 @@
-//! The safe layer reaches every function and every constant of the C interface.
+//! The safe interface uses every function and every constant of the C interface.
 
 use std::fs;
 use std::path::Path;
@@ -14,7 +14,7 @@ fn names_after<'a>(text: &'a str, before: &'a str) -> impl Iterator<Item = &'a s
     })
 }
 
-/// The code without its comments: what they mention is not used.
+/// The code without comments.
 fn safe_layer() -> String {
     let sources = fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("src")).unwrap();
     sources

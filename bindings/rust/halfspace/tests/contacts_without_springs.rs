@@ -36,7 +36,7 @@ fn a_square_falls_and_rests_with_its_weight() -> Result<()> {
         })
         .sum();
     assert!((force / WEIGHT - 1.0).abs() < 1e-9);
-    // A blow is booked with the mean velocity of its step: gravity adds g dt / 2 to 1 m/s in that.
+    // The impact loss uses the mean velocity of the step: gravity adds g dt / 2 to 1 m/s.
     assert!((report.impact_loss / (WEIGHT * GAP) - 1.0).abs() < 0.011);
     assert!(contacts
         .iter()

@@ -1,6 +1,6 @@
-//! A context may take its memory from the program's own allocator: all of it comes from there, all
-//! goes back there, and when there is none, an error says so. A program of its own without a test
-//! harness, whose threads would be in the books as well.
+//! A context can use the program's allocator: all memory comes from it and is released to it, and
+//! without memory calls return an error. It is a program without the test harness, whose threads
+//! would be counted as well.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::ptr;
@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 use halfspace::{BlockDef, Context, ErrorKind, Pose, Shape, World, WorldDef};
 
-/// Counts, and refuses what is larger than a limit.
+/// Counts allocations, and refuses those above a limit.
 struct Ledger;
 
 static IN_USE: AtomicUsize = AtomicUsize::new(0);

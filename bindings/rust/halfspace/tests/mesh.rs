@@ -5,7 +5,7 @@ use halfspace::{
     Mesh, Pose, Result, Shape, ViewMut, World, WorldDef,
 };
 
-/// Two squares side by side, of which the right one is cut along its diagonal.
+/// Two adjacent squares; the right one is divided along its diagonal.
 const NODES: [[f64; 2]; 6] = [
     [0.0, 0.0],
     [1.0, 0.0],
@@ -22,7 +22,7 @@ const CELLS: [Cell; 3] = [
 const DENSITY: f64 = 1000.0;
 const YOUNG_MODULUS: f64 = 1e6;
 const POISSON_RATIO: f64 = 0.25;
-/// Green's, of a stretch by 1.25; the second Piola stress is the modulus times that.
+/// Green strain of a stretch by 1.25; the second Piola-Kirchhoff stress is the modulus times this.
 const STRAIN: f64 = 9.0 / 32.0;
 const FORCE: f64 = 1.25 * STRAIN * YOUNG_MODULUS;
 
@@ -43,8 +43,8 @@ fn body_in(def: &WorldDef, pose: Pose) -> Result<(World, Body)> {
     Ok((world, body))
 }
 
-/// Held at its left side, where it can become thinner, and pulled to the right. The damping is about
-/// critical for bending, the slowest vibration, at some 8/s.
+/// Held at its left side along x, and pulled to the right. The damping is about critical for
+/// bending, the slowest mode, at about 8/s.
 fn pulled_body() -> Result<(World, Body)> {
     let (mut world, body) = body_in(&WorldDef::in_plane().mass_damping(16.0), Pose::default())?;
     world.hold_nodes(body, &[0], Axes::X | Axes::Y, [0.0; 3])?;
@@ -68,7 +68,7 @@ fn a_mesh_has_nodes_cells_and_a_surface() -> Result<()> {
         (3, 6)
     );
     assert!(is_close(properties.volume, 2.0, 1e-14));
-    // Nodes with a z serve in the plane, too.
+    // Nodes with z are allowed in 2D.
     let with_z = NODES.map(|[x, y]| [x, y, 7.0]);
     let same = Mesh::in_plane(&mesh.context(), &with_z, &CELLS)?;
     assert_eq!(same.properties(), properties);
@@ -128,7 +128,7 @@ fn a_restored_body_goes_on_bit_for_bit() -> Result<()> {
 
 #[test]
 fn nodes_are_set_and_read() -> Result<()> {
-    // Turned by a right angle about the origin of its frame, and put at (3, 4).
+    // Rotated by 90 degrees about the origin of its frame, and placed at (3, 4).
     let pose = Pose::in_plane(3.0, 4.0, std::f64::consts::FRAC_PI_2);
     let (mut world, body) = body_in(&WorldDef::in_plane().time_step(1e-3), pose)?;
     let last = world.node_positions(body)?[5];
@@ -185,11 +185,11 @@ fn each_cell_may_have_its_material() -> Result<()> {
         .unwrap_err();
     assert_eq!(
         error.to_string(),
-        "World::add_mesh: there are 2 materials; the mesh has 3 cells"
+        "World::add_mesh: cell_materials has 2 entries; the mesh has 3 cells"
     );
     let error = world.add_mesh(&mesh, &BodyDef::of(rigid)).unwrap_err();
     assert_eq!(error.kind(), ErrorKind::State);
-    assert!(error.to_string().contains("not elastic"));
+    assert!(error.to_string().contains("no elasticity"));
     Ok(())
 }
 
@@ -326,7 +326,7 @@ fn what_no_body_has_is_refused() -> Result<()> {
     let error = world
         .set_body_stress(body, &lopsided, &[[[0.0; 3]; 3]; 3])
         .unwrap_err();
-    assert!(error.to_string().contains("a stress is symmetric"));
+    assert!(error.to_string().contains("a stress must be symmetric"));
     let error = world
         .hold_nodes(body, &[5, 6], Axes::X, [0.0; 3])
         .unwrap_err();

@@ -1,4 +1,4 @@
-//! Rest, and the factor of safety.
+//! Relaxation, and the factor of safety.
 
 use halfspace::{
     Block, BlockDef, Context, ErrorKind, Family, Law, Pose, Relaxation, Result, Shape,

@@ -1,4 +1,4 @@
-//! Shapes: what Rust adds to what the shared cases look at.
+//! Shapes: the Rust interface beyond the shared cases.
 
 use std::cell::Cell;
 
@@ -96,7 +96,7 @@ fn faults_name_vertex_and_face() -> Result<()> {
     Ok(())
 }
 
-/// A face that answers by turns with none of its vertices and with all.
+/// A face that alternately returns no vertices and all vertices.
 struct Fickle {
     vertices: [usize; 4],
     asked: Cell<usize>,
@@ -109,7 +109,8 @@ impl AsRef<[usize]> for Fickle {
     }
 }
 
-/// Sizes from one answer and vertices from the next would send the library past the vertices' end.
+/// Sizes and vertices from different calls would make the library read past the end of the
+/// vertices.
 #[test]
 fn faces_are_asked_once() -> Result<()> {
     let context = Context::new()?;

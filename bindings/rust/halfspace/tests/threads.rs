@@ -1,5 +1,5 @@
-//! Contexts in several threads at once, and on their way from one to another. Built with the thread
-//! sanitizer, the library shows here whether contexts share anything.
+//! Contexts in several threads, and moved between threads. With the thread sanitizer this checks
+//! that contexts share nothing.
 
 use std::thread;
 
@@ -8,7 +8,7 @@ use halfspace::{
     Shape, View, ViewMut, World, WorldDef,
 };
 
-/// A square falls on another and slides off.
+/// A square falls onto another and slides off.
 fn scene(context: &Context) -> World {
     let square = Shape::polygon(
         context,

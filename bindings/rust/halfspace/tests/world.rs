@@ -1,4 +1,4 @@
-//! Worlds: what Rust adds to what the shared cases look at.
+//! Worlds: the Rust interface beyond the shared cases.
 
 use halfspace::{
     Block, BlockDef, BlockKind, Context, ErrorKind, Law, Pose, Result, Shape, View, ViewMut, World,
@@ -9,7 +9,7 @@ const SQUARE: [[f64; 2]; 4] = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5
 const STIFFNESS: f64 = 1e7;
 const TIME_STEP: f64 = 1e-3;
 
-/// A square on a fixed one, an eighth deep, and one that falls beside.
+/// A square on a fixed one, with an overlap of 1/8, and one that falls beside it.
 fn three_squares() -> Result<(World, [Block; 3])> {
     let context = Context::new()?;
     let square = Shape::polygon(&context, &SQUARE)?;
@@ -133,7 +133,7 @@ fn blocks_are_read_and_moved_one_by_one() -> Result<()> {
         ErrorKind::State
     );
 
-    // Weightless by a force from outside.
+    // An external force balances the weight.
     world.set_applied_force(falling, [0.0, 2000.0 * 9.81, 0.0], [0.0; 3])?;
     world.step(1000)?;
     let state = world.block_state(falling)?;

@@ -50,7 +50,7 @@ impl HostInC {
         host
     }
 
-    /// Poses that are set again, though the same, are detected anew.
+    /// Setting poses, also equal ones, requires a new detection.
     pub fn detect(&mut self, calls: i64) {
         let (poses, count) = (self.poses.as_ptr(), self.poses.len() as i64);
         // SAFETY: see above.

@@ -1,5 +1,5 @@
-//! What a call through the crate `halfspace` costs over the same call from C, both in this process,
-//! in turns. `--quick` only shows that it runs.
+//! Overhead of the crate `halfspace` relative to calls from C, alternately in one process.
+//! `--quick` only checks that it runs.
 
 mod calls_in_c;
 mod host_in_c;

@@ -157,7 +157,7 @@ fn print(name: &str, times: &[f64]) {
     println!();
 }
 
-/// A shape made and ended by hand.
+/// A shape created and destroyed explicitly.
 struct RawSquare {
     context: *mut sys::hs_context,
     shape: *mut sys::hs_shape,

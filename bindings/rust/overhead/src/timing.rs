@@ -1,4 +1,4 @@
-//! Passes in turns: what disturbs the machine for a while disturbs all alike.
+//! Alternating passes: disturbances of the machine affect all alike.
 
 use crate::calls_in_c::thread_seconds;
 

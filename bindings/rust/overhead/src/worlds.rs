@@ -1,16 +1,16 @@
-//! Calls for a whole world: in C, in C once more to show what chance makes, and in Rust.
+//! Calls for a whole world: in C, in C again to show the scatter, and in Rust.
 
 use halfspace::{BlockDef, Contact, Context, Law, Pose, Result, Shape, World, WorldDef};
 
 use crate::host_in_c::HostInC;
 use crate::timing::medians;
 
-/// A world of side x side blocks; each pass makes so many calls of each kind. In Rust no call does
-/// anything for every block but the library's own work: what a call costs over C in a small world
-/// is what it costs in a large one.
+/// A world of side x side blocks; each pass has the given number of calls of each kind. In Rust no
+/// call has work per block besides that of the library, so the overhead is the same in small and
+/// large worlds.
 pub fn run(side: usize, passes: usize, calls: i64) -> Result<()> {
     let bytes = grid(side)?.save();
-    // All are restored, so that what they hold lies alike in memory.
+    // All are restored, so that their memory layouts are alike.
     let mut in_c = HostInC::restore(&bytes);
     let mut again = HostInC::restore(&bytes);
     let mut host = Host::restore(&bytes)?;
@@ -67,7 +67,7 @@ impl Host {
         })
     }
 
-    /// Poses that are set again, though the same, are detected anew.
+    /// Setting poses, also equal ones, requires a new detection.
     fn detect(&mut self) -> Result<()> {
         self.world.set_poses(&self.poses)?;
         self.world.detect().map(drop)
@@ -91,7 +91,7 @@ impl Host {
     }
 }
 
-/// Squares side by side, each pressed a little on its four neighbours.
+/// Squares with small overlaps with their four neighbours.
 fn grid(side: usize) -> Result<World> {
     let context = Context::new()?;
     let square = Shape::polygon(

@@ -2,8 +2,8 @@
 //! Their folder is that of the environment variable HALFSPACE_CASES, by default where it is in the
 //! repository.
 
-mod constants;
 mod expect;
+mod fields;
 mod scene;
 mod words;
 

@@ -7,10 +7,10 @@ use halfspace::{
     Impact, Law, Material, Motion, Pose, Result, Shape, ViewMut, World, WorldDef,
 };
 
-use halfspace_sys::HS_FAST_DIVIDE;
+use halfspace_sys::{HS_FAST_DIVIDE, HS_PLANE_STRESS};
 
-use crate::constants;
 use crate::expect;
+use crate::fields;
 use crate::words::Words;
 
 /// All that a case has made.
@@ -92,7 +92,7 @@ impl Scene {
             "polyhedron" => Shape::polyhedron(context, &words.points_from::<3>(3), &self.faces)?,
             "polyhedron_hull" => Shape::polyhedron_hull(context, &words.points_from::<3>(3))?,
             "halfspaces" => Shape::polyhedron_from_halfspaces(context, &halfspaces(words))?,
-            kind => panic!("{kind} is no kind of shape"),
+            kind => panic!("{kind} is not a kind of shape"),
         };
         self.shapes.insert(words.word(1).to_owned(), shape);
         Ok(())
@@ -116,7 +116,7 @@ impl Scene {
             self.detector = match field {
                 "parallel_angle" => self.detector.parallel_angle(values[0]),
                 "vertex_zone" => self.detector.vertex_zone(values[0]),
-                _ => panic!("{field} is no option"),
+                _ => panic!("{field} is not an option"),
             };
         }
     }
@@ -196,7 +196,7 @@ impl Scene {
                 let bytes = world.save();
                 self.world = Some(World::restore(&self.context, &bytes)?);
             }
-            statement => panic!("{statement} is no statement"),
+            statement => panic!("{statement} is not a statement"),
         }
         if let ("detect" | "forces" | "step", Some(world)) = (words.first(), &self.world) {
             self.contact = world.contacts().first().copied().unwrap_or(self.contact);
@@ -206,46 +206,39 @@ impl Scene {
 
     fn expect(&mut self, words: &Words) -> Result<()> {
         let outcome = match words.word(1) {
-            "shape" => {
-                let properties = self.shape(words.word(2)).properties();
-                expect::values(&expect::of_shape(&properties, words.word(3)), words.from(4))
-            }
-            "contact" => expect::values(
-                &expect::of_contact(&self.contact, words.word(2)),
-                words.from(3),
-            ),
-            "impact" => expect::values(
-                &expect::of_impact(&self.impact, words.word(2)),
-                words.from(3),
-            ),
-            "block" => {
-                let block = self.block(words.word(2));
-                let state = self.world().block_state(block)?;
-                expect::values(&expect::of_block(&state, words.word(3)), words.from(4))
-            }
-            "deformation" => {
-                let block = self.block(words.word(2));
-                let deformation = self.world().deformation(block)?;
-                expect::values(
-                    &expect::of_deformation(&deformation, words.word(3)),
-                    words.from(4),
-                )
-            }
-            "report" => expect::values(
-                &expect::of_report(&self.world().report()?, words.word(2)),
-                words.from(3),
-            ),
-            "energy" => expect::values(
-                &expect::of_energy(&self.world().report()?.energy, words.word(2)),
-                words.from(3),
-            ),
             "hash" => expect::hash(&self.world().poses(), words.word(2)),
-            subject => panic!("{subject} is nothing to look at"),
+            _ => self.expect_field(words)?,
         };
         if let Err(why) = outcome {
             panic!("case {}: {words}: {why}", self.title);
         }
         Ok(())
+    }
+
+    fn expect_field(&mut self, words: &Words) -> Result<expect::Outcome> {
+        // A subject that has no name of its own is followed by the field at once.
+        let first = match words.word(1) {
+            "shape" | "block" | "deformation" => 3,
+            _ => 2,
+        };
+        let (subject, field) = (words.word(2), words.word(first));
+        let found = match words.word(1) {
+            "shape" => fields::of_shape(&self.shape(subject).properties(), field),
+            "contact" => fields::of_contact(&self.contact, field),
+            "impact" => fields::of_impact(&self.impact, field),
+            "block" => {
+                let block = self.block(subject);
+                fields::of_block(&self.world().block_state(block)?, field)
+            }
+            "deformation" => {
+                let block = self.block(subject);
+                fields::of_deformation(&self.world().deformation(block)?, field)
+            }
+            "report" => fields::of_report(&self.world().report()?, field),
+            "energy" => fields::of_energy(&self.world().report()?.energy, field),
+            subject => panic!("{subject} is not an object with fields"),
+        };
+        Ok(expect::field(found, field, words.from(first + 1)))
     }
 
     fn shape(&self, name: &str) -> &Shape {
@@ -297,83 +290,60 @@ fn bytes(words: &Words) -> Vec<u8> {
         .collect()
 }
 
+/// A definition with the fields that the words from `i` on set.
+fn with_fields<T>(
+    words: &Words,
+    i: usize,
+    default: T,
+    set: impl Fn(T, &str, &[f64]) -> Option<T>,
+) -> T {
+    let fields = words.fields_from(i);
+    fields.iter().fold(default, |def, (field, values)| {
+        set(def, field, values).unwrap_or_else(|| panic!("{field} is not a field of {words}"))
+    })
+}
+
 fn world_def(words: &Words) -> WorldDef {
     let fields = words.fields_from(1);
     let dimension = fields
         .iter()
         .find(|(field, _)| *field == "dimension")
         .map_or(2, |(_, values)| values[0] as i32);
-    fields.iter().fold(
-        WorldDef::of_dimension(dimension),
-        |def, (field, values)| match *field {
-            "dimension" => def,
-            "time_step" => def.time_step(values[0]),
-            "gravity" => def.gravity([values[0], values[1], values[2]]),
-            "safety" => def.safety(values[0]),
-            "potential_length" => def.potential_length(values[0]),
-            "sleep_tolerance" => def.sleep_tolerance(values[0]),
-            "fast_blocks" => def.divide_fast_blocks(values[0] as i32 == HS_FAST_DIVIDE),
-            field => panic!("{field} is not a field of worlds that cases use"),
-        },
-    )
+    let default = WorldDef::of_dimension(dimension);
+    with_fields(words, 1, default, |def, field, values| match field {
+        "dimension" => Some(def),
+        "fast_blocks" => Some(def.divide_fast_blocks(values[0] as i32 == HS_FAST_DIVIDE)),
+        _ => fields::set_world(def, field, values),
+    })
 }
 
 fn law(words: &Words, i: usize) -> Law {
-    words
-        .fields_from(i)
-        .iter()
-        .fold(Law::default(), |law, (field, values)| match *field {
-            "stiffness_kind" => match values[0] as i32 {
-                halfspace_sys::HS_STIFFNESS_PER_AREA => law.per_area(),
-                halfspace_sys::HS_STIFFNESS_POTENTIAL => law.potential(),
-                _ => law.per_contact(),
-            },
-            "normal_stiffness" => law.normal_stiffness(values[0]),
-            "shear_stiffness" => law.shear_stiffness(values[0]),
-            "friction_angle" => law.friction_angle(values[0]),
-            "normal_damping" => law.normal_damping(values[0]),
-            "shear_damping" => law.shear_damping(values[0]),
-            field => panic!("{field} is not a field of laws that cases use"),
-        })
+    with_fields(words, i, Law::default(), fields::set_law)
 }
 
 fn elasticity(words: &Words) -> Elasticity {
-    words
-        .fields_from(2)
-        .iter()
-        .fold(
-            Elasticity::default(),
-            |elasticity, (field, values)| match *field {
-                "plane" if values[0] as i32 == halfspace_sys::HS_PLANE_STRESS => {
-                    elasticity.plane_stress()
-                }
-                "plane" => elasticity.plane_strain(),
-                "young_modulus" => elasticity.young_modulus(values[0]),
-                "poisson_ratio" => elasticity.poisson_ratio(values[0]),
-                "damping_time" => elasticity.damping_time(values[0]),
-                field => panic!("{field} is not a field of elasticities that cases use"),
-            },
-        )
+    let default = Elasticity::default();
+    with_fields(words, 2, default, |elasticity, field, values| match field {
+        "plane" if values[0] as i32 == HS_PLANE_STRESS => Some(elasticity.plane_stress()),
+        "plane" => Some(elasticity.plane_strain()),
+        _ => fields::set_elasticity(elasticity, field, values),
+    })
 }
 
 fn motion(words: &Words) -> Motion {
-    let three = |values: &[f64]| -> [f64; 3] { values.try_into().expect("three numbers") };
-    let tensor = |values: &[f64]| [0, 3, 6].map(|i| three(&values[i..i + 3]));
-    words
-        .fields_from(2)
-        .iter()
-        .fold(Motion::default(), |motion, (field, values)| match *field {
-            "velocity" => motion.velocity(three(values)),
-            "angular_velocity" => motion.angular_velocity(three(values)),
-            "gradient" => motion.gradient(tensor(values)),
-            "gradient_rate" => motion.gradient_rate(tensor(values)),
-            field => panic!("{field} is not a field of motions that cases use"),
-        })
+    let row = |values: &[f64]| -> [f64; 3] { values.try_into().expect("three numbers") };
+    let tensor = |values: &[f64]| [0, 3, 6].map(|i| row(&values[i..i + 3]));
+    let default = Motion::default();
+    with_fields(words, 2, default, |motion, field, values| match field {
+        "gradient" => Some(motion.gradient(tensor(values))),
+        "gradient_rate" => Some(motion.gradient_rate(tensor(values))),
+        _ => fields::set_motion(motion, field, values),
+    })
 }
 
 fn block_def(words: &Words) -> BlockDef {
     let material = Material::from_index(words.whole(4));
-    let def = match constants::block_kind(words.word(3)) {
+    let def = match BlockKind::from_value(words.whole(3)) {
         BlockKind::Fixed => BlockDef::fixed(material),
         BlockKind::Prescribed => BlockDef::prescribed(material),
         BlockKind::Affine => BlockDef::affine(material),

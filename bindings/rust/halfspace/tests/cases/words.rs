@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::constants;
+use crate::fields;
 
 pub struct Words {
     words: Vec<String>,
@@ -75,7 +75,7 @@ impl Words {
     pub fn fields_from(&self, i: usize) -> Vec<(&str, Vec<f64>)> {
         let mut fields = Vec::<(&str, Vec<f64>)>::new();
         for word in self.from(i) {
-            match (constants::parse(word), fields.last_mut()) {
+            match (parse(word), fields.last_mut()) {
                 (Some(value), Some((_, values))) => values.push(value),
                 _ => fields.push((word, Vec::new())),
             }
@@ -91,5 +91,11 @@ impl fmt::Display for Words {
 }
 
 pub fn number(word: &str) -> f64 {
-    constants::parse(word).unwrap_or_else(|| panic!("{word} is neither a number nor a constant"))
+    parse(word).unwrap_or_else(|| panic!("{word} is neither a number nor a constant"))
+}
+
+/// A decimal number or a constant.
+fn parse(word: &str) -> Option<f64> {
+    let constant = fields::constant(word).map(f64::from);
+    constant.or_else(|| word.parse().ok())
 }

@@ -1,0 +1,74 @@
+"""Safe Rust: builders of the definitions that hosts fill, with the library's defaults and a function for each measure."""
+import meanings
+from rust import documented
+from rust_records import comment_of, plain_type
+
+HEAD = '''\
+// Generated {generated}.
+
+//! Defaults of definitions, and the functions that change a field of them.
+
+use std::mem::{{size_of, MaybeUninit}};
+
+use halfspace_sys as sys;
+
+use crate::affine::Elasticity;
+use crate::bond::Bond;
+use crate::impact::Motion;
+use crate::kinds::StiffnessKind;
+use crate::law::Law;
+use crate::relax::Relaxation;
+use crate::strength::StrengthSearch;
+use crate::world::WorldDef;
+'''
+DEFAULT = '''
+impl Default for {name} {{
+    fn default() -> Self {{
+        let mut raw = MaybeUninit::<sys::{struct}>::zeroed();
+        // SAFETY: the size is that of the struct, for which all zero is valid.
+        let raw = unsafe {{
+            sys::{struct}_init(raw.as_mut_ptr(), size_of::<sys::{struct}>());
+            raw.assume_init()
+        }};
+        Self {{ raw }}
+    }}
+}}
+'''
+BUILDERS = {
+    "hs_law_def": "Law",
+    "hs_world_def": "WorldDef",
+    "hs_elasticity_def": "Elasticity",
+    "hs_bond_def": "Bond",
+    "hs_motion_def": "Motion",
+    "hs_relaxation_def": "Relaxation",
+    "hs_strength_def": "StrengthSearch",
+}
+NO_DEFAULT = {"hs_world_def"}  # without a dimension
+
+
+def write(api):
+    lines = HEAD.format_map(api).splitlines()
+    for struct_name, name in BUILDERS.items():
+        lines += ["", f"impl {name} {{", *functions(meanings.find(api, struct_name))[1:], "}"]
+        if struct_name not in NO_DEFAULT:
+            lines += DEFAULT.format(name=name, struct=struct_name).rstrip().splitlines()
+    return "\n".join(lines) + "\n"
+
+
+def functions(struct):
+    lines = []
+    for field in meanings.read_fields(struct):
+        name, rust_type = field["name"], type_of(struct, field)
+        if rust_type:
+            value = name if rust_type == plain_type(field) else f"{name}.value()"
+            lines += ["", *documented(comment_of(field, rust_type), "    "),
+                      f"    pub fn {name}(mut self, {name}: {rust_type}) -> Self {{",
+                      f"        self.raw.{name} = {value};", "        self", "    }"]
+    return lines
+
+
+def type_of(struct, field):
+    """Of a measure, a vector or one of several constants; others are set by hand."""
+    if field["dimensions"] in ([], [3]) and plain_type(field):
+        return plain_type(field)
+    return meanings.ENUMERATIONS.get(meanings.of(struct, field), (None, None))[0]

@@ -1,0 +1,103 @@
+"""Records: structs of the library as NumPy scalars with fields as attributes."""
+import ctypes
+import operator
+import textwrap
+from enum import IntEnum, IntFlag
+from typing import Any, Dict, Tuple, Type, Union
+
+import numpy as np
+from numpy.typing import NDArray
+
+_LONGEST_LINE = 100
+_Kind = Type[Union[IntEnum, IntFlag]]
+
+
+class Record(np.record):
+    """One struct: ``record.gap`` is ``record["gap"]``. It prints the names and values of its fields."""
+
+    _kinds: Dict[str, _Kind] = {}  # of fields that are constants
+
+    def __getitem__(self, key: Any) -> Any:
+        return np.void.__getitem__(self, key)  # np.record would return nested records as objects of this class
+
+    def __repr__(self) -> str:
+        name = type(self).__name__
+        fields = [f"{field}={self._text_of(field)}" for field in self.dtype.names if not field.startswith("reserved")]
+        line = f"{name}({', '.join(fields)})"
+        if len(line) <= _LONGEST_LINE and "\n" not in line:
+            return line
+        return f"{name}(\n" + textwrap.indent("".join(f"{field},\n" for field in fields), "    ") + ")"
+
+    __str__ = __repr__
+
+    def _text_of(self, field: str) -> str:
+        value = self[field]
+        if field in self._kinds:
+            return _name_of(self._kinds[field], int(value))
+        if isinstance(value, np.ndarray):
+            return np.array2string(value, separator=", ", prefix=" " * len(f"{field}="))
+        return repr(value if isinstance(value, Record) else value.item())
+
+
+def _name_of(kind: _Kind, value: int) -> str:
+    """The name of a constant, or the names of all flags in a sum; the number if there is none."""
+    of_sum = issubclass(kind, IntFlag)
+    names = [member.name for member in kind if (member & value if of_sum else member == value)]
+    return f"{kind.__name__}.{'|'.join(names)}" if names else str(value)
+
+
+class Records(np.ndarray):  # type: ignore[type-arg]
+    """An array of records: ``records.gap`` is ``records["gap"]``, and ``records[0]`` is a record."""
+
+    def __getitem__(self, key: Any) -> Any:
+        found = super().__getitem__(key)
+        is_numbers = isinstance(found, np.ndarray) and found.dtype.names is None
+        return found.view(np.ndarray) if is_numbers else found
+
+    def __getattr__(self, name: str) -> Any:
+        if name not in (self.dtype.names or ()):
+            raise AttributeError(f"{type(self).__name__} has no field or attribute {name}")
+        return self[name]
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        if name in (self.dtype.names or ()):
+            self[name] = value
+        else:
+            super().__setattr__(name, value)
+
+
+_types: Dict[Any, Any] = {}  # of earlier structs, which may be fields of others
+
+
+def record_type(record: Type[Record], structure: Any) -> Any:
+    """The NumPy data type of a C struct, with elements of the given record class."""
+    names = [name for name, *_ in structure._fields_]
+    plain = np.dtype(
+        {
+            "names": names,
+            "formats": [_format_of(declared) for _, declared in structure._fields_],
+            "offsets": [getattr(structure, name).offset for name in names],
+            "itemsize": ctypes.sizeof(structure),
+        }
+    )
+    for name in names:  # also names of NumPy methods, e.g. `mean`
+        setattr(record, name, property(operator.itemgetter(name)))
+    _types[structure] = np.dtype((record, plain))
+    return _types[structure]
+
+
+def _format_of(declared: Any) -> Any:
+    """The data type of a field; nine numbers are a 3 x 3 array."""
+    found = _types.get(declared) or np.dtype(declared)
+    return np.dtype((found.base, (3, 3))) if found.shape == (9,) else found
+
+
+def empty_record(dtype: Any) -> Tuple[NDArray[Any], Any]:
+    """An array of one zeroed struct, and its address."""
+    array = np.zeros(1, dtype)
+    return array, array.ctypes.data
+
+
+def empty_records(count: int, dtype: Any) -> Any:
+    """An array of zeroed structs."""
+    return np.zeros(count, dtype).view(Records)
