@@ -8,19 +8,19 @@
 #include <string>
 #include <vector>
 
-#include "checkpoint.h"
-#include "faults.h"
-#include "files.h"
-#include "layout.h"
-#include "library.h"
-#include "model.h"
+#include "common/files.h"
+#include "common/suggestion.h"
+#include "model/layout.h"
+#include "model/library.h"
+#include "model/model.h"
 #include "notes/notes.h"
-#include "plan/plan.h"
-#include "read_scene.h"
-#include "run.h"
-#include "safety.h"
-#include "suggestion.h"
-#include "trade/trade.h"
+#include "run/checkpoint.h"
+#include "run/run.h"
+#include "scene/faults.h"
+#include "scene/read_scene.h"
+#include "studies/plan/plan.h"
+#include "studies/safety/safety.h"
+#include "studies/trade/trade.h"
 
 namespace halfspace::cli {
 namespace {
@@ -29,8 +29,7 @@ enum ExitCode { exit_ok = 0, exit_failed = 1, exit_usage = 2, exit_unstable = 3 
 
 void print(std::FILE* stream, const std::string& text) { std::fputs(text.c_str(), stream); }
 
-/// A scene, its blocks and the context that owns them. Scene and blocks are whole only if there are no
-/// faults.
+/// A scene, its blocks and the context that owns them; complete only without faults.
 struct CheckedScene {
   Context context;
   Scene scene;
@@ -38,7 +37,7 @@ struct CheckedScene {
   Faults faults;
 };
 
-/// The number of threads is the scene's own where none is given.
+/// With 0 threads the scene gives their number.
 CheckedScene load(const std::string& file, int threads) {
   CheckedScene checked;
   checked.scene = read_scene(file, checked.faults);
@@ -81,7 +80,7 @@ void print_files(const OutputDirectory& directory) {
                     std::to_string(frames) + " frames)\n");
 }
 
-/// Is the file in the directory?
+/// True if the file is in the directory.
 bool is_in(const std::string& file, const std::string& directory) {
   return std::filesystem::weakly_canonical(file).parent_path() ==
          std::filesystem::weakly_canonical(directory);
@@ -94,7 +93,7 @@ int run(const std::string& file, const std::string& output, Earlier earlier, int
   if (!from.empty()) {
     options.from = open_checkpoint(from);
     if (is_in(from, output)) earlier = Earlier::keep;
-    options.goes_on_in_place =
+    options.resumes_in_place =
         is_in(from, output) && std::filesystem::exists(std::filesystem::path(output) / frame_name(0));
   }
   OutputDirectory directory(output, earlier);
@@ -106,8 +105,7 @@ int run(const std::string& file, const std::string& output, Earlier earlier, int
   print(stdout, result.summary + result.timings);
   print_files(directory);
   if (result.outcome == Outcome::unstable) {
-    print(stderr,
-          "halfspace: unstable run: " + result.trouble + "; give a smaller time_step or safety in [world]\n");
+    print(stderr, "halfspace: unstable run: " + result.trouble + "; reduce time_step or safety in [world]\n");
     return exit_unstable;
   }
   if (result.outcome == Outcome::too_fast) {
@@ -117,12 +115,12 @@ int run(const std::string& file, const std::string& output, Earlier earlier, int
     return exit_unstable;
   }
   if (result.outcome == Outcome::interrupted)
-    print(stderr,
-          "halfspace: interrupted; --from " + (directory.path() / checkpoint_name).string() + " goes on\n");
+    print(stderr, "halfspace: interrupted; --from " + (directory.path() / checkpoint_name).string() +
+                      " resumes it\n");
   return result.outcome == Outcome::interrupted ? exit_failed : exit_ok;
 }
 
-/// The bytes that make a scene: its own file, and those that its blocks come from.
+/// The bytes of a scene: its own file, and the files of its blocks and meshes.
 std::string bytes_of(const std::string& file, const Scene& scene) {
   std::string bytes = content_of(file);
   for (const Block& block : scene.blocks)
@@ -136,8 +134,7 @@ void require_free_block(CheckedScene& checked, const std::string& by) {
   const auto is_free = [](const LayoutBlock& block) { return moves_freely(block.kind); };
   const std::vector<LayoutBlock>& blocks = checked.layout.blocks;
   if (checked.faults.none() && std::none_of(blocks.begin(), blocks.end(), is_free))
-    checked.faults.add({}, "",
-                       "no block is free to move; required for " + by + ": a rigid, an affine or a mesh one");
+    checked.faults.add({}, "", "no free block; required for " + by + ": a rigid, affine or mesh block");
 }
 
 int trade(const std::string& file, const std::string& output, Earlier earlier, const TradeOptions& options) {
@@ -147,10 +144,10 @@ int trade(const std::string& file, const std::string& output, Earlier earlier, c
   if (options.resumes && !std::filesystem::exists(std::filesystem::path(output) / "trade.csv"))
     throw std::runtime_error("cannot resume: there is no trade.csv in " + output);
   OutputDirectory directory(output, options.resumes ? Earlier::keep : earlier);
-  checked.scene.output.tracked.clear();  // a turned scene may have other cells
+  checked.scene.output.tracked.clear();  // another setting may have other cells
   const TradeResult result = trade(checked.scene, bytes_of(file, checked.scene), options, directory);
   print(stdout, result.report);
-  if (result.is_interrupted) print(stderr, "\nhalfspace: interrupted; --resume goes on\n");
+  if (result.is_interrupted) print(stderr, "\nhalfspace: interrupted; --resume continues\n");
   if (result.is_interrupted) return exit_failed;
   return result.has_results ? exit_ok : exit_unstable;
 }
@@ -159,9 +156,9 @@ int plan(const std::string& file, const PlanOptions& options) {
   CheckedScene checked = load(file, 0);
   require_free_block(checked, "a plan");
   if (options.time > 0 && !checked.scene.stages.empty())
-    checked.faults.add({}, "stage", "a plan goes through all stages; allowed: no --time");
+    checked.faults.add({}, "stage", "a plan runs all stages; allowed: no --time");
   if (!checked.faults.none()) return refuse(file, checked.faults);
-  checked.scene.output.tracked.clear();  // a part left out may be the cells
+  checked.scene.output.tracked.clear();  // the tracked blocks may be cells, which a run may be without
   const PlanResult result = plan(checked.scene, options);
   print(stdout, result.report);
   switch (result.end) {
@@ -171,10 +168,10 @@ int plan(const std::string& file, const PlanOptions& options) {
       print(stderr, "\nhalfspace: interrupted\n");
       return exit_failed;
     case RunEnd::too_few_steps:
-      print(stderr, "halfspace: --time is too short: it takes too few steps\n");
+      print(stderr, "halfspace: --time is too short: fewer than ten steps\n");
       return exit_failed;
     default:
-      print(stderr, "halfspace: the scene as it is does not run to its end\n");
+      print(stderr, "halfspace: the scene does not run to its end\n");
       return exit_unstable;
   }
 }
@@ -190,7 +187,7 @@ int safety(const std::string& file, const std::string& output, Earlier earlier, 
   for (const SceneStage& stage : checked.scene.stages) {
     if (stage.settles) continue;
     checked.faults.add({}, "stage",
-                       "a factor of safety is that of a scene at rest; allowed: stages that settle");
+                       "a factor of safety requires a scene at rest; allowed: stages that settle");
     break;
   }
   if (!checked.faults.none()) return refuse(file, checked.faults);
@@ -203,7 +200,7 @@ int safety(const std::string& file, const std::string& output, Earlier earlier, 
   const SafetyResult result =
       find_factor_of_safety(checked.scene, model, bytes_of(file, checked.scene), options, directory);
   print(stdout, result.report);
-  if (result.end == SafetyEnd::interrupted) print(stderr, "\nhalfspace: interrupted; --resume goes on\n");
+  if (result.end == SafetyEnd::interrupted) print(stderr, "\nhalfspace: interrupted; --resume continues\n");
   return result.end == SafetyEnd::found ? exit_ok : exit_failed;
 }
 
@@ -212,7 +209,7 @@ CLI::AsNumberWithUnit time_with_unit() {
   return CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1}, {"min", 60}, {"h", 3600}});
 }
 
-/// A check of its own, as NaN is within each of CLI11's ranges.
+/// A separate check, as NaN is within all ranges of CLI11.
 CLI::Validator finite_above_zero() {
   return CLI::Validator(
       [](const std::string& text) {
@@ -224,7 +221,7 @@ CLI::Validator finite_above_zero() {
       "ABOVE ZERO");
 }
 
-/// What is wrong with a command line where a command or an option has no such name; else nothing.
+/// The error text for an unknown command or option; else empty.
 std::string unknown_word(const CLI::App& app, const std::vector<std::string>& words) {
   if (app.get_subcommands().empty()) {
     const auto is_option = [](const std::string& word) { return word.starts_with('-'); };
@@ -257,8 +254,7 @@ int main_of(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 ok, 1 failed or faulty scene, 2 wrong usage, 3 unstable run, or blocks too fast for it "
-      "(its "
-      "output is kept).");
+      "(its output is kept).");
 
   std::string file;
   std::string output;
@@ -273,21 +269,20 @@ int main_of(int argc, char** argv) {
   add_output(run_command);
   const auto add_threads = [&](CLI::App* command) {
     command
-        ->add_option(
-            "-j,--threads", threads,
-            "Threads that step the world, in place of the scene's number; results have the same bits")
-        ->check(CLI::Range(1, most_threads));
+        ->add_option("-j,--threads", threads,
+                     "Number of threads; overrides the scene; the output has the same bytes for any number")
+        ->check(CLI::Range(1, max_threads));
   };
   add_threads(run_command);
   RunOptions run_options;
   std::string from;
   run_command->add_option(
       "--from", from,
-      "Go on from a checkpoint that a run of the scene has left; stages to come, duration "
-      "and output may have changed");
+      "Resume from a checkpoint of an earlier run of the scene; later stages, the duration "
+      "and the output may have changed");
   run_command
       ->add_option("--checkpoint-every", run_options.checkpoint_interval,
-                   "Work between two checkpoints, as 90s, 10min or 2h; 10min by default")
+                   "Wall time between two checkpoints, as 90s, 10min or 2h; 10min by default")
       ->transform(time_with_unit())
       ->check(finite_above_zero());
   CLI::App* check_command = app.add_subcommand("check", "List all faults of a scene, without running it");
@@ -296,13 +291,12 @@ int main_of(int argc, char** argv) {
   TradeOptions trade_options;
   CLI::App* trade_command =
       app.add_subcommand("trade", "Vary the parameters of a scene: the error and the cost of each setting");
-  trade_command->add_option("scene", file, "The scene file (TOML); [reference] says what is measured")
+  trade_command->add_option("scene", file, "The scene file (TOML); [reference] names the measured quantity")
       ->required();
   CLI::Option* force_option = add_output(trade_command);
-  trade_command->add_flag("--resume", trade_options.resumes, "Go on from the runs that the directory holds")
+  trade_command->add_flag("--resume", trade_options.resumes, "Continue from the runs in the directory")
       ->excludes(force_option);
-  trade_command
-      ->add_option("--tolerance", trade_options.tolerance, "The error that the cheapest setting may have")
+  trade_command->add_option("--tolerance", trade_options.tolerance, "Max error of the cheapest setting")
       ->capture_default_str()
       ->check(finite_above_zero());
   trade_command
@@ -316,11 +310,11 @@ int main_of(int argc, char** argv) {
       "plan", "Report the active parts of a scene, their cost, and the parts that could be left out");
   plan_command->add_option("scene", file, "The scene file (TOML)")->required();
   plan_command
-      ->add_option("--time", plan_options.time, "How far to run, in s; the scene's duration by default")
+      ->add_option("--time", plan_options.time, "Simulated time in s; the scene's duration by default")
       ->check(finite_above_zero());
   plan_command
       ->add_option("--tolerance", plan_options.tolerance,
-                   "How far a block may end off, as a share of its size, where a part is left out")
+                   "Max displacement error of a block, over its size, when a part is left out")
       ->capture_default_str()
       ->check(finite_above_zero());
 
@@ -328,24 +322,25 @@ int main_of(int argc, char** argv) {
   CLI::App* safety_command = app.add_subcommand(
       "safety", "Find the factor of safety: the largest factor by which all strengths can be divided");
   safety_command->add_option("scene", file, "The scene file (TOML)")->required();
-  safety_command
-      ->add_flag("--resume", safety_options.resumes, "Go on from the trials that the directory holds")
+  safety_command->add_flag("--resume", safety_options.resumes, "Continue from the trials in the directory")
       ->excludes(add_output(safety_command));
   add_threads(safety_command);
-  safety_command->add_option("--low", safety_options.low, "A factor at which the scene should stand")
-      ->capture_default_str()
-      ->check(finite_above_zero());
-  safety_command->add_option("--high", safety_options.high, "A factor at which it should fall")
-      ->capture_default_str()
-      ->check(finite_above_zero());
-  safety_command->add_option("--resolution", safety_options.resolution, "The bracket that is narrow enough")
+  safety_command
+      ->add_option("--low", safety_options.low,
+                   "Lower end of the bracket: a factor at which the scene is stable")
       ->capture_default_str()
       ->check(finite_above_zero());
   safety_command
-      ->add_option(
-          "--limit", safety_options.limit,
-          "How far a block may move and still stand, in m; by default ten times what all joints yield before "
-          "they slip, at most a tenth of its size")
+      ->add_option("--high", safety_options.high, "Upper end of the bracket: a factor at which it falls")
+      ->capture_default_str()
+      ->check(finite_above_zero());
+  safety_command->add_option("--resolution", safety_options.resolution, "Final width of the bracket")
+      ->capture_default_str()
+      ->check(finite_above_zero());
+  safety_command
+      ->add_option("--limit", safety_options.limit,
+                   "Displacement of a block, in m, that counts as failure; by default ten times the elastic "
+                   "slip of all joints, at most a tenth of the block's size")
       ->check(finite_above_zero());
 
   try {

@@ -1,12 +1,12 @@
-#include "picture/canvas.h"
+#include "output/picture/canvas.h"
 
 #include <cmath>
 #include <numbers>
 #include <vector>
 
 #include "catch.h"
-#include "picture/camera.h"
-#include "picture/png.h"
+#include "output/picture/camera.h"
+#include "output/picture/png.h"
 
 using namespace halfspace::cli;
 

@@ -1,11 +1,11 @@
-#include "mesh/common_planes.h"
+#include "blocks/mesh/common_planes.h"
 
 #include <cmath>
 
+#include "blocks/mesh/surface.h"
 #include "catch.h"
-#include "mesh/surface.h"
-#include "text.h"
-#include "vector.h"
+#include "common/text.h"
+#include "common/vector.h"
 
 using namespace halfspace::cli;
 

@@ -79,7 +79,7 @@ class ElasticFaults(unittest.TestCase):
 
     def test_only_affine_blocks_have_a_stress(self):
         answer = self.faults('kind = "affine"', 'kind = "rigid"')
-        self.assertIn("jointed_rock[0].normal_stress: no other block has a stress", answer)
+        self.assertIn("jointed_rock[0].normal_stress: only blocks that strain have a stress", answer)
 
 
 if __name__ == "__main__":

@@ -236,7 +236,7 @@ excavate = ["left", "right"]
             ('excavate = ["rock"]', r'stage\[1\]\.excavate: no such block: "rock"'),
             ("portions = 0", r"stage\[1\]\.portions"),
             ("ramp = 1", r"stage\[1\]\.ramp"),
-            ('reset_displacement = "yes"', r"stage\[1\]\.reset_displacement: neither"),
+            ('reset_displacement = "yes"', r"stage\[1\]\.reset_displacement: not a boolean"),
         ]:
             self.check_fault(GROUND + f'[[stage]]\ndo = "settle"\n{stage}\n', fault)
 

@@ -1,8 +1,8 @@
-#include "faults.h"
+#include "scene/faults.h"
 
 #include "catch.h"
-#include "keys.h"
-#include "suggestion.h"
+#include "common/suggestion.h"
+#include "scene/keys.h"
 
 using namespace halfspace::cli;
 

@@ -1,4 +1,4 @@
-#include "jointed_rock.h"
+#include "blocks/rock/jointed_rock.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "catch.h"
-#include "random.h"
+#include "common/random.h"
 
 using namespace halfspace::cli;
 

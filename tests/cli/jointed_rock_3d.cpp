@@ -5,8 +5,8 @@
 #include <numbers>
 #include <vector>
 
+#include "blocks/rock/jointed_rock.h"
 #include "catch.h"
-#include "jointed_rock.h"
 
 using namespace halfspace::cli;
 

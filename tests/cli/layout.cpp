@@ -1,7 +1,7 @@
-#include "layout.h"
+#include "model/layout.h"
 
 #include "catch.h"
-#include "read_scene.h"
+#include "scene/read_scene.h"
 
 using namespace halfspace::cli;
 

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "blocks/mesh/convex_solid.h"
+#include "blocks/mesh/gmsh.h"
+#include "blocks/mesh/solid.h"
+#include "blocks/mesh/surface.h"
 #include "catch.h"
-#include "mesh/convex_solid.h"
-#include "mesh/gmsh.h"
-#include "mesh/solid.h"
-#include "mesh/surface.h"
 #include "mesh_texts.h"
 
 using namespace halfspace::cli;

@@ -1,8 +1,8 @@
+#include "blocks/mesh/convex_solid.h"
+#include "blocks/mesh/digits.h"
+#include "blocks/mesh/file_summary.h"
+#include "blocks/mesh/surface.h"
 #include "catch.h"
-#include "mesh/convex_solid.h"
-#include "mesh/digits.h"
-#include "mesh/file_summary.h"
-#include "mesh/surface.h"
 
 using namespace halfspace::cli;
 

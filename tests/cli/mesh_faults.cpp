@@ -1,10 +1,10 @@
 #include <string>
 
+#include "blocks/mesh/convex_solid.h"
+#include "blocks/mesh/gmsh.h"
+#include "blocks/mesh/mesh_fault.h"
+#include "blocks/mesh/surface.h"
 #include "catch.h"
-#include "mesh/convex_solid.h"
-#include "mesh/gmsh.h"
-#include "mesh/mesh_fault.h"
-#include "mesh/surface.h"
 #include "mesh_texts.h"
 
 using namespace halfspace::cli;
@@ -55,7 +55,7 @@ TEST_CASE("faults of an OBJ file carry its name and line") {
 }
 
 TEST_CASE("a file of no known kind is not read, should it be without end") {
-  CHECK_THROWS_WITH(read_solids("/dev/zero"), StartsWith("zero: not a kind of file that is known"));
+  CHECK_THROWS_WITH(read_solids("/dev/zero"), StartsWith("zero: unknown file extension"));
 }
 
 TEST_CASE("coordinates beyond those of shapes are told with the solid") {
@@ -68,13 +68,13 @@ TEST_CASE("a surface that is not closed is told by the edge") {
   check_obj(replaced(box, "f 3 4 8 7\n", ""),
             "a.obj:17: the edge from [2, 1, 0] to [2, 1, 1] has no face on");
   check_obj(replaced(box, "f 3 4 8 7", "f 7 8 4 3"),
-            "a.obj:18: the edge from [2, 1, 0] to [2, 1, 1] is run along twice in the same direction");
+            "a.obj:18: the edge from [2, 1, 0] to [2, 1, 1] is used twice in the same direction");
 }
 
 TEST_CASE("faults of an OFF file carry its name and line") {
   check_off("COFF\n", "a.off:1: not an OFF file");
-  check_off("", "a.off:0: the file ends here; awaited: OFF");
-  check_off("OFF\n4 4 6\n0 0 0\n", "a.off:3: the file ends here; awaited: vertex 1 of 4");
+  check_off("", "a.off:0: the file ends here; expected: OFF");
+  check_off("OFF\n4 4 6\n0 0 0\n", "a.off:3: the file ends here; expected: vertex 1 of 4");
   check_off("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n",
             "a.off:6: no vertex 3; there are 3, counted from 0");
   check_off("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n", "a.off:6: a face of fewer than 3 vertices");
@@ -85,9 +85,10 @@ TEST_CASE("faults of an OFF file carry its name and line") {
 TEST_CASE("faults of an STL file carry its name and line, or triangle") {
   const std::string facet =
       "facet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
-  check_stl("facets\n", "a.stl:1: awaited: \"solid\"");
-  check_stl("solid\n" + facet, "a.stl:8: the file ends here; awaited: facet or endsolid");
-  check_stl("solid\n" + replaced(facet, "vertex 0 1 0\n", "") + "endsolid\n", "a.stl:6: awaited: \"vertex\"");
+  check_stl("facets\n", "a.stl:1: expected: \"solid\"");
+  check_stl("solid\n" + facet, "a.stl:8: the file ends here; expected: facet or endsolid");
+  check_stl("solid\n" + replaced(facet, "vertex 0 1 0\n", "") + "endsolid\n",
+            "a.stl:6: expected: \"vertex\"");
   check_stl("solid\n" + replaced(facet, "vertex 0 1 0", "vertex 1 0 0") + "endsolid\n",
             "a.stl:2: a triangle with two corners at the same place");
   check_stl("solid\n" + facet + "endsolid\n", "a.stl:2: the edge from [0, 0, 0] to [1, 0, 0] has no face");
@@ -106,8 +107,8 @@ TEST_CASE("faults of a Gmsh file carry its name and line") {
   check_gmsh(replaced(mesh, "2.2 0 8", "2.2 1 8"), "a.msh:2: a binary file");
   check_gmsh(replaced(mesh, "\n5 4 2", "\n5 11 2"), "a.msh:28: an element of type 11");
   check_gmsh(replaced(mesh, "6 10 7 20", "6 10 7 21"), "a.msh:28: no node 21");
-  check_gmsh(replaced(mesh, "\n20 0.5", "\n10 0.5"), "a.msh:20: node 10 was given before");
-  check_gmsh(replaced(mesh, "\n11\n", "\n10\n"), "a.msh:20: awaited: $EndNodes");
+  check_gmsh(replaced(mesh, "\n20 0.5", "\n10 0.5"), "a.msh:20: node 10 is defined twice");
+  check_gmsh(replaced(mesh, "\n11\n", "\n10\n"), "a.msh:20: expected: $EndNodes");
   check_gmsh(replaced(mesh, "\n11\n", "\n12\n"), "a.msh:21: not a whole number: \"$EndNodes\"");
   check_gmsh("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n", "a.msh: no element with a volume");
 }

@@ -63,7 +63,7 @@ class PicturesInPlane(unittest.TestCase):
                          {"first.svg", "at_0.45s.svg", "at_0.4500000001s.svg", "at_0.9s.svg", "last.svg"})
 
     def test_the_first_scene_of_the_documentation_is_seen_whole(self):
-        page = (EXAMPLES.parent / "scenes.md").read_text()
+        page = (EXAMPLES.parent / "scenes" / "index.md").read_text()
         self.check_windows(self.pictures_of(re.search(r"```toml\n(.*?)```", page, re.DOTALL).group(1)))
 
 

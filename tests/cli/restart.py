@@ -242,13 +242,13 @@ class Restart(SceneTest):
     def test_what_is_no_checkpoint_of_the_scene_is_refused(self):
         checkpoint = self.run_whole(STAGED) / "checkpoint"
         for old, new, why in [
-            ("density = 2400", "density = 2500", "its blocks, materials, laws, bonds, motions or tracked blocks are others"),
-            ('"rubble.7"', '"rubble.8"', "its blocks, materials, laws, bonds, motions or tracked blocks are others"),
-            ("stop = 0.15", "stop = 0.16", "its blocks, materials, laws, bonds, motions or tracked blocks are others"),
-            ("gravity = [4.0", "gravity = [5.0", "stage 1, which it had begun, was another one"),
-            ("duration = 0.4", "duration = 0.5", "stage 1, which it had begun, was another one"),
-            ("ratio = 1e-7", "ratio = 1e-2", "stage 0, which it had begun, was another one"),
-            ("times = [0.3]", "times = [0.2]", "output.picture.times before its moment were others"),
+            ("density = 2400", "density = 2500", "its blocks, materials, laws, bonds, motions or tracked blocks differ"),
+            ('"rubble.7"', '"rubble.8"', "its blocks, materials, laws, bonds, motions or tracked blocks differ"),
+            ("stop = 0.15", "stop = 0.16", "its blocks, materials, laws, bonds, motions or tracked blocks differ"),
+            ("gravity = [4.0", "gravity = [5.0", "stage 1, which it had begun, differs"),
+            ("duration = 0.4", "duration = 0.5", "stage 1, which it had begun, differs"),
+            ("ratio = 1e-7", "ratio = 1e-2", "stage 0, which it had begun, differs"),
+            ("times = [0.3]", "times = [0.2]", "output.picture.times before the checkpoint differ"),
             (STAGES, '[[stage]]\ndo = "settle"\n', "it had more stages"),
         ]:
             self.assertIn(why, self.refused(STAGED.replace(old, new, 1), checkpoint), new)

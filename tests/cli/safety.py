@@ -87,7 +87,7 @@ class Safety(SceneTest):
         # tan 30 over tan 20, within half of the resolution.
         wanted = math.tan(math.radians(30)) / math.tan(math.radians(20))
         self.assertAlmostEqual(self.factor(scene_of(RIGID, 20)), wanted, delta=0.003)
-        self.assertRegex((self.output / "safety.txt").read_text(), r"what moves +1 of 2: block by")
+        self.assertRegex((self.output / "safety.txt").read_text(), r"moving blocks +1 of 2: block by")
         self.assertTrue((self.output / "falls.svg").exists())
 
     def test_cohesion_and_friction_of_all_kinds_of_block(self):
@@ -98,8 +98,8 @@ class Safety(SceneTest):
                 self.assertAlmostEqual(self.factor(scene_of(body, 35, bond=BOND)), 1.1732, delta=0.006)
 
     def test_what_is_not_found_is_told(self):
-        self.assertIn("below 2: the scene falls even there", self.safety(scene_of(RIGID, 20), "--low", 2, code=1))
-        self.assertIn("above 1.5: the scene stands even there", self.safety(scene_of(RIGID, 20), "--high", 1.5, code=1))
+        self.assertIn("below 2: the scene falls there", self.safety(scene_of(RIGID, 20), "--low", 2, code=1))
+        self.assertIn("above 1.5: the scene is stable there", self.safety(scene_of(RIGID, 20), "--high", 1.5, code=1))
         sliding = scene_of(RIGID, 40).replace("duration = 1\n", "") + '[[stage]]\ndo = "settle"\nmax_steps = 2000\n'
         self.assertIn("not at rest", self.safety(sliding, code=1))
         self.assertIn("--low", self.safety(scene_of(RIGID, 20), "--low", 3, "--high", 2, code=2))
@@ -109,7 +109,7 @@ class Safety(SceneTest):
         # The joint yields by tan 30 W cos 20 / (1e10 Pa/m 5 m2), and is pressed in by W cos 20 / (1e10 Pa/m 5 m2): with
         # W = 250 kN ten times that is far below 1e-3 of the block's diagonal, 5.39 m.
         self.assertRegex(told, r"limit +0.00539 m")
-        self.assertRegex(told, r"crept +block by \S+ m at 1\.\d+, where it stands")
+        self.assertRegex(told, r"max displacement +block by \S+ m at 1\.\d+ \(stable\)")
         wanted = math.tan(math.radians(30)) / math.tan(math.radians(20))
         for limit in 1e-3, 0.5:
             told = self.safety(scene_of(RIGID, 20), "--limit", limit)
@@ -128,7 +128,7 @@ rotation = -{dip}
 """
         wanted = math.tan(math.radians(30)) / math.tan(math.radians(20))
         self.assertAlmostEqual(self.factor(scene_of(stop, 20)), wanted, delta=0.003)
-        self.assertIn("above 5: the scene stands even there", self.safety(scene_of(stop, 20), "--limit", 0.2, code=1))
+        self.assertIn("above 5: the scene is stable there", self.safety(scene_of(stop, 20), "--limit", 0.2, code=1))
 
     def test_an_interrupted_search_keeps_its_trials_and_goes_on(self):
         whole = self.safety(scene_of(RIGID, 20))
@@ -149,7 +149,7 @@ rotation = -{dip}
             told, error = process.communicate(timeout=120)
         self.assertEqual(process.returncode, 1)
         self.assertRegex(told, r"factor of safety +INTERRUPTED: ")
-        self.assertIn("--resume goes on", error)
+        self.assertIn("--resume continues", error)
         self.assertEqual((self.output / "safety.txt").read_text(), told)
         self.assertEqual(halfspace("safety", self.scene, "-o", self.output, "--resume").stdout, whole)
 

@@ -8,7 +8,7 @@ from command import EXAMPLES, SCENES, halfspace, main
 
 # line, column, key, what is said of it; one for each fault that was put into faulty.toml
 EXPECTED = [
-    (1, 9, "title", "not a text: 5"),
+    (1, 9, "title", "not a string: 5"),
     (2, 13, "dimension", "out of range: 4; allowed: a whole number, at least 2, at most 3"),
     (5, 12, "world.duration", "out of range: -1; allowed: a number above 0"),
     (6, 1, "world.safty", "unknown key (did you mean 'safety'?)"),
@@ -19,7 +19,7 @@ EXPECTED = [
     (20, 18, "default_law.friction_angle", "out of range: 95; allowed: a number, at least 0, below 90"),
     (23, 11, "law[0].between", "no such material: \"rok\" (did you mean 'rock'?)"),
     (26, 8, "block[0].name", 'not a name: "two words"'),
-    (28, 12, "block[0].vertices", "vertex 2 [0.2, 0.2]: a corner that turns inwards"),
+    (28, 12, "block[0].vertices", "vertex 2 [0.2, 0.2]: a reflex corner"),
     (34, 12, "block[1].velocity", "a fixed block does not move"),
     (35, 12, "block[1].vertices", "too few points"),
     (37, 1, "jointed_rock[0].joint_set", "missing; required"),
@@ -39,7 +39,7 @@ EXPECTED_IN_SPACE = [
     (33, 20, "block[2].angular_velocity", "not a point: 30; allowed: [x, y, z]"),
     (38, 8, "block[3].file", "dented.obj:8: not convex: a dent 0.1 m deep at [1, 1, 0.1]; allowed: dents up to the tolerance, 0.0234 m; tolerance ="),
     (43, 8, "block[4].file", "no such file: "),
-    (48, 8, "block[5].file", "faulty.toml: not a kind of file that is known; allowed: .obj, .off, .stl, .msh"),
+    (48, 8, "block[5].file", "faulty.toml: unknown file extension; allowed: .obj, .off, .stl, .msh"),
     (50, 1, "jointed_rock[0].region", "missing; required: [[x, y, z], [x, y, z], ...] with 4 points or more"),
     (54, 1, "jointed_rock[0].joint_set[0].dip_direction", "missing; required"),
     (56, 7, "jointed_rock[0].joint_set[0].dip", "out of range: -30; allowed: a number, at least 0, at most 90"),
@@ -210,7 +210,7 @@ class SceneFaults(unittest.TestCase):
                 *lines, last = answer.stderr.splitlines()
                 self.assertEqual(len(lines), 1, answer.stderr)
                 self.assertTrue(last.startswith("1 fault in "), last)
-                self.assertRegex(lines[0], "unknown|not a text")
+                self.assertRegex(lines[0], "unknown|not a string")
 
     def test_tracking_members_of_a_generator(self):
         text = (EXAMPLES / "rock_collapse" / "friction_15.toml").read_text()
@@ -228,7 +228,7 @@ class SceneFaults(unittest.TestCase):
                 self.assertEqual((answer.returncode, answer.stderr), (0, ""))
 
     def test_the_scene_of_the_documentation_has_no_faults(self):
-        page = (EXAMPLES.parent / "scenes.md").read_text()
+        page = (EXAMPLES.parent / "scenes" / "index.md").read_text()
         scene = re.search(r"```toml\n(.*?)```", page, re.DOTALL).group(1)
         answer = check_text(scene)
         self.assertEqual((answer.returncode, answer.stderr), (0, ""))

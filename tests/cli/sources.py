@@ -89,8 +89,8 @@ class Sources(unittest.TestCase):
         for change, fault in ((("depth = 1\n", ""), "block[0].depth: missing; required: a number above 0"),
                               (("depth = 1", "depth = 0"), "block[0].depth: out of range: 0"),
                               ((", [0, 4], [-9, 4]", ""), "block[0].boundary: too few points"),
-                              (("fixed", "rigid"), "block[0].boundary: no block that moves freely; allowed: with kind"),
-                              (("[0, 4]", "[9, 4]"), "block[0].boundary: segment 0: second is (9, 4); it must not be"),
+                              (("fixed", "rigid"), "block[0].boundary: a boundary does not move freely; allowed: with kind"),
+                              (("[0, 4]", "[9, 4]"), "block[0].boundary: segment 0: second is (9, 4); it must differ from"),
                               (("depth = 1", "depth = 1e-20"), "block[0].boundary: segment 0: depth is 1e-20")):
             answer = self.check(floor.replace(*change))
             self.assertIn(fault, answer.stderr)
@@ -131,7 +131,7 @@ class Sources(unittest.TestCase):
             self.assertEqual(answer.returncode, 1)
             self.assertIn("jointed_rock[0].joint_set[0].spacing: about ", answer.stderr)
             self.assertIn("1 fault in", answer.stderr)
-        self.assertIn("joint_set[0].spacing: lost in the rounding", self.check(rock + joints.format(0.1, 1e20)).stderr)
+        self.assertIn("joint_set[0].spacing: below the rounding", self.check(rock + joints.format(0.1, 1e20)).stderr)
         column = rock.replace("[1, 1]", "[5e-5, 1]")
         self.check_count(20_000, column + joints.format(5e-5, 0))  # each block is cut by its own joints only
 

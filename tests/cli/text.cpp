@@ -1,11 +1,11 @@
-#include "text.h"
+#include "common/text.h"
 
 #include <cstdlib>
 
 #include "catch.h"
-#include "picture/svg.h"
-#include "progress.h"
-#include "summary.h"
+#include "output/picture/svg.h"
+#include "output/progress.h"
+#include "output/summary.h"
 
 using namespace halfspace::cli;
 

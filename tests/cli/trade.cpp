@@ -1,11 +1,11 @@
 // The parts of a trade: laws of equal stiffness, orders of convergence, results that are read back.
 
 #include "catch.h"
-#include "read_scene.h"
-#include "trade/convergence.h"
-#include "trade/measure.h"
-#include "trade/results.h"
-#include "trade/runs.h"
+#include "scene/read_scene.h"
+#include "studies/trade/convergence.h"
+#include "studies/trade/measure.h"
+#include "studies/trade/results.h"
+#include "studies/trade/runs.h"
 
 using namespace halfspace::cli;
 
@@ -27,7 +27,7 @@ std::string scene_of(int dimension) {
 double force_under(int law, const Scene& scene) {
   Setting setting;
   setting.law = law;
-  const Scene of_law = turned(scene, setting, typical_face(scene));
+  const Scene of_law = with_setting(scene, setting, typical_face(scene));
   const Context context = make_context();
   Faults faults;
   Model model(context, of_law, lay_out_blocks(context, of_law, faults));
@@ -61,7 +61,7 @@ TEST_CASE("springs in place of none are as stiff as a layer of cells, times what
   REQUIRE(faults.describe("scene") == "");
   for (const double factor : {1.0, 100.0}) {
     const Setting setting{.stiffness = factor, .law = HS_STIFFNESS_PER_AREA};
-    const Scene of_law = turned(scene, setting, typical_face(scene));
+    const Scene of_law = with_setting(scene, setting, typical_face(scene));
     CHECK(of_law.default_law.normal_stiffness == Approx(factor * 1e6 / 2));  // E / h
     CHECK(of_law.default_law.shear_stiffness == Approx(factor * 1e6 / 2));
   }
@@ -75,7 +75,7 @@ TEST_CASE("without springs and elements a step is a share of the scene's own") {
   Faults faults;
   const Scene scene = read_scene_text(text, "scene.toml", faults);
   REQUIRE(faults.describe("scene") == "");
-  CHECK(turned(scene, {.step = 0.25}, {}).world.time_step == 0.0025);
+  CHECK(with_setting(scene, {.step = 0.25}, {}).world.time_step == 0.0025);
   CHECK(scene_lines({.step = 0.25}, scene, {}).find("time_step = 0.0025\n") != std::string::npos);
 }
 
@@ -116,5 +116,5 @@ TEST_CASE("results are read back as they were written, and only for their scene"
   CHECK_THROWS_WITH(results_from(csv, "another"), Catch::Contains("another scene"));
   CHECK_THROWS_WITH(results_from(csv + "1,2\n", "scene"), Catch::Contains("too few cells"));
   CHECK_THROWS_WITH(results_from(csv + "x" + csv.substr(csv.rfind('\n', csv.size() - 2) + 1), "scene"),
-                    Catch::Contains("no number of a trade"));
+                    Catch::Contains("not a number"));
 }

@@ -1,4 +1,4 @@
-#include "triangulation.h"
+#include "blocks/rock/triangulation.h"
 
 #include <iostream>
 #include <map>

@@ -1,4 +1,4 @@
-#include "voronoi.h"
+#include "blocks/rock/voronoi.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,12 +5,12 @@
 
 #include <cmath>
 
+#include "blocks/mesh/convex_solid.h"
+#include "blocks/mesh/gmsh.h"
+#include "blocks/mesh/mesh_fault.h"
+#include "blocks/mesh/surface.h"
 #include "fuzz/bytes.h"
 #include "fuzz/demand.h"
-#include "mesh/convex_solid.h"
-#include "mesh/gmsh.h"
-#include "mesh/mesh_fault.h"
-#include "mesh/surface.h"
 
 namespace halfspace_fuzz {
 

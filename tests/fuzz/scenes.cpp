@@ -2,10 +2,10 @@
 
 #include "fuzz/bytes.h"
 #include "fuzz/demand.h"
-#include "layout.h"
-#include "model.h"
+#include "model/layout.h"
+#include "model/model.h"
 #include "notes/notes.h"
-#include "read_scene.h"
+#include "scene/read_scene.h"
 
 namespace halfspace_fuzz {
 namespace {
@@ -23,7 +23,7 @@ double extent_of(const Region& region) {
 }
 
 /// No more blocks than joints could make of regions that they run through one and all.
-double most_blocks_of(const JointedRock& rock) {
+double max_blocks_of(const JointedRock& rock) {
   double sum = 0;
   for (const Region& region : rock.regions) {
     double blocks = 1;
@@ -37,8 +37,8 @@ double most_blocks_of(const JointedRock& rock) {
 bool takes_long(const Scene& scene) {
   double blocks = double(scene.blocks.size());
   for (const JointedRock& rock : scene.jointed_rocks) {
-    const double most = most_blocks_of(rock);
-    if (most > many && most < 1e5 * double(most_blocks)) return true;
+    const double most = max_blocks_of(rock);
+    if (most > many && most < 1e5 * double(max_blocks)) return true;
   }
   for (const Triangulated& region : scene.triangulated) blocks += double(region.count);
   for (const Voronoi& voronoi : scene.voronoi) blocks += double(voronoi.count * (1 + voronoi.relaxation));

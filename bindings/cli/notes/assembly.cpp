@@ -6,11 +6,10 @@
 namespace halfspace::cli {
 namespace {
 
-/// Blocks within this fraction of the thinner one's thickness touch: at once or after a fall that no one
-/// sees.
+/// Blocks touch if their gap is below this fraction of the thinner one's thickness.
 constexpr double touching_fraction = 1e-3;
 
-/// Disjoint sets, each named by its smallest member.
+/// Disjoint sets, each represented by its smallest member.
 class Sets {
  public:
   explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
@@ -33,7 +32,7 @@ Assembly::Assembly(const Start& start)
     : start_(start),
       bodies_(convex_bodies(start)),
       neighbours_(neighbours_within(start, bodies_, touching_fraction)) {
-  // Cells of one body hold together along faces only, and not because they touch.
+  // Cells of one body are connected by common faces, not by contact.
   std::erase_if(neighbours_, [&](const Neighbours& pair) {
     return start.layout.blocks[pair.a].body &&
            start.layout.blocks[pair.a].body == start.layout.blocks[pair.b].body;
@@ -45,7 +44,7 @@ void Assembly::connect_cells(const LayoutBody& body) {
   const std::size_t nodes_of_face = start_.layout.dimension == 3 ? 3 : 2;
   std::vector<std::vector<std::size_t>> cells_at(body.node_count);
   for (std::size_t cell = 0; cell < body.cell_nodes.size(); ++cell) {
-    std::map<std::size_t, std::size_t> common;  // nodes with cells before
+    std::map<std::size_t, std::size_t> common;  // nodes in common with earlier cells
     for (const int node : body.cell_nodes[cell]) {
       for (const std::size_t other : cells_at[static_cast<std::size_t>(node)]) ++common[other];
       cells_at[static_cast<std::size_t>(node)].push_back(cell);

@@ -9,13 +9,12 @@
 
 namespace halfspace::cli {
 
-/// The blocks of a scene and how they hang together: blocks that touch, and cells of one body that share a
-/// face.
+/// The connectivity of a scene: blocks that touch, and cells of one body that share a face.
 class Assembly {
  public:
   explicit Assembly(const Start& start);
 
-  /// For each block the first one of its cluster; for blocks that are gone themselves.
+  /// For each block the first block of its cluster; an excavated block is a cluster of its own.
   std::vector<std::size_t> clusters(const std::vector<char>& is_gone) const;
 
   /// Fixed and prescribed blocks, and cells with nodes that are held along some of these

@@ -5,18 +5,18 @@
 #include <string>
 #include <utility>
 
+#include "common/text.h"
 #include "notes/kinds.h"
 #include "notes/separation.h"
-#include "text.h"
 
 namespace halfspace::cli {
 namespace {
 
 using Pair = std::pair<std::size_t, std::size_t>;
 
-/// Faces that a joint once cut lie apart by rounding only; others that are to be bonded, by less than this
-/// fraction of the thinner block's thickness.
-constexpr double told_fraction = 0.01;
+/// Max gap of faces that are probably meant to be bonded, as a fraction of the thinner block's thickness.
+/// Faces cut by one joint have a gap of rounding only.
+constexpr double reported_fraction = 0.01;
 
 class BondNotes {
  public:
@@ -27,10 +27,10 @@ class BondNotes {
       bonded_.insert(std::minmax(pair.first, pair.second));
       ++count_of_[std::minmax(material(pair.first), material(pair.second))];
     }
-    near_ = neighbours_within(start, bodies_, told_fraction);
+    near_ = neighbours_within(start, bodies_, reported_fraction);
   }
 
-  void look_at(std::size_t index) {
+  void check(std::size_t index) {
     const PairBond& bond = start_.scene.bonds[index];
     const std::pair<int, int> materials = std::minmax(bond.a, bond.b);
     const std::string key = "bond[" + std::to_string(index) + "].between";
@@ -58,7 +58,7 @@ class BondNotes {
     return both == materials && !is_one_body && moves;
   }
 
-  /// Some of the pairs are bonded, others lie just apart.
+  /// Notes pairs with a small gap, where other pairs are bonded.
   template <class Note>
   void note_gaps(const std::pair<int, int>& materials, Note note) const {
     std::size_t count = 0;
@@ -95,18 +95,18 @@ class BondNotes {
 
   Neighbours nearest_of(const std::pair<int, int>& materials) const {
     Neighbours nearest{0, 0, std::numeric_limits<double>::infinity()};
-    const auto look = [&](std::size_t a, std::size_t b) {
+    const auto compare = [&](std::size_t a, std::size_t b) {
       if (!joins(materials, a, b)) return;
       const double apart = separation(bodies_[a], bodies_[b]);
       if (apart < nearest.separation) nearest = {a, b, apart};
     };
-    for (const Neighbours& pair : near_) look(pair.a, pair.b);
-    constexpr std::size_t most_pairs = 1'000'000;
+    for (const Neighbours& pair : near_) compare(pair.a, pair.b);
+    constexpr std::size_t max_pairs = 1'000'000;
     const std::size_t count = bodies_.size();
-    if (nearest.separation < std::numeric_limits<double>::infinity() || count * count > most_pairs)
+    if (nearest.separation < std::numeric_limits<double>::infinity() || count * count > max_pairs)
       return nearest;
     for (std::size_t b = 0; b < count; ++b)
-      for (std::size_t a = 0; a < b; ++a) look(a, b);
+      for (std::size_t a = 0; a < b; ++a) compare(a, b);
     return nearest;
   }
 
@@ -122,9 +122,9 @@ class BondNotes {
 }  // namespace
 
 void note_bonds(const Start& start, Faults& faults) {
-  if (start.scene.bonds.empty() || start.layout.blocks.size() > most_compared_blocks) return;
+  if (start.scene.bonds.empty() || start.layout.blocks.size() > max_compared_blocks) return;
   BondNotes notes(start, faults);
-  for (std::size_t i = 0; i < start.scene.bonds.size(); ++i) notes.look_at(i);
+  for (std::size_t i = 0; i < start.scene.bonds.size(); ++i) notes.check(i);
 }
 
 }  // namespace halfspace::cli

@@ -3,39 +3,39 @@
 #include <limits>
 #include <vector>
 
+#include "common/vector.h"
 #include "notes/kinds.h"
-#include "vector.h"
 
 namespace halfspace::cli {
 namespace {
 
-/// Is a point before a chain of segments (> 0) or behind it (< 0), as seen from what of the chain is nearest?
-/// Beyond its ends it is neither.
+/// The side of a point relative to the nearest segment of a chain: > 0 in front, < 0 behind, 0 beyond its
+/// ends.
 double side_of(const std::vector<Point>& chain, const Point& p) {
-  const auto right_of = [&](std::size_t i) {  // the direction to what is before segment i
+  const auto right_of = [&](std::size_t i) {  // the normal of segment i, to the front
     const Point along = minus(chain[i + 1], chain[i]);
     return times(1 / length(along), Point{along[1], -along[0], 0});
   };
   const std::size_t segments = chain.size() - 1;
   const bool is_closed = chain.front() == chain.back();
-  double least = std::numeric_limits<double>::infinity();
+  double min_distance = std::numeric_limits<double>::infinity();
   double side = 0;
   for (std::size_t i = 0; i < segments; ++i) {
     const Point along = minus(chain[i + 1], chain[i]);
-    const double share = std::clamp(dot(minus(p, chain[i]), along) / dot(along, along), 0.0, 1.0);
-    const Point way = minus(p, plus(chain[i], times(share, along)));
-    if (length(way) >= least) continue;
-    least = length(way);
+    const double position = std::clamp(dot(minus(p, chain[i]), along) / dot(along, along), 0.0, 1.0);
+    const Point offset = minus(p, plus(chain[i], times(position, along)));
+    if (length(offset) >= min_distance) continue;
+    min_distance = length(offset);
     Point before = right_of(i);
-    const bool at_end = (share == 0 && i == 0) || (share == 1 && i + 1 == segments);
-    if (share == 0) before = plus(before, right_of((i + segments - 1) % segments));
-    if (share == 1) before = plus(before, right_of((i + 1) % segments));
-    side = at_end && !is_closed ? 0 : dot(way, before);
+    const bool at_end = (position == 0 && i == 0) || (position == 1 && i + 1 == segments);
+    if (position == 0) before = plus(before, right_of((i + segments - 1) % segments));
+    if (position == 1) before = plus(before, right_of((i + 1) % segments));
+    side = at_end && !is_closed ? 0 : dot(offset, before);
   }
   return side;
 }
 
-/// Where a boundary's points are once it is placed.
+/// The points of a boundary after its placing.
 std::vector<Point> placed(const Block& block) {
   const double sine = std::sin(block.placing.rotation[2]), cosine = std::cos(block.placing.rotation[2]);
   std::vector<Point> points;
@@ -59,11 +59,10 @@ void note_boundaries(const Start& start, Faults& faults) {
       behind += side < 0;
     }
     if (behind <= before) continue;
-    const std::string most = before > 0 ? "most of what is free to move, " : "all that is free to move, ";
     faults.note(block.shape_place, block.making.key + ".boundary",
-                quoted(block.making.name) + " seems to run the wrong way round: " + most +
-                    std::to_string(behind) + (behind == 1 ? " block" : " blocks") +
-                    ", is behind it; before it is what is at the right on the way from point to point");
+                quoted(block.making.name) + " seems to be reversed: " + std::to_string(behind) + " of " +
+                    counted(static_cast<std::size_t>(before + behind), "free block") +
+                    " behind it; usual: free blocks on the right of the direction from point to point");
   }
 }
 

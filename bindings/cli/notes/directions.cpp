@@ -1,9 +1,9 @@
 #include <cmath>
 #include <string>
 
+#include "common/text.h"
+#include "common/vector.h"
 #include "notes/kinds.h"
-#include "text.h"
-#include "vector.h"
 
 namespace halfspace::cli {
 namespace {
@@ -14,11 +14,12 @@ void note_gravity(int dimension, const Point& gravity, Place place, const std::s
   const std::string axis = dimension == 3 ? "z" : "y";
   faults.note(place, key,
               described(gravity, dimension) +
-                  (gravity[up] > 0 ? " points upwards" : " has no part along " + axis) + "; usual: along -" +
-                  axis + ", as " + axis + " is up");
+                  (gravity[up] > 0 ? " points upwards" : " has no component along " + axis) +
+                  "; usual: along -" + axis + ", as " + axis + " is up");
 }
 
-/// Rock is pressed, so that a stress in situ above 0 has the sign of other conventions.
+/// In-situ stresses of rock are compressive, so that a positive one probably has the sign of another
+/// convention.
 void note_tension(const Making& making, Faults& faults) {
   if (!making.stress) return;
   bool is_pressed = false, is_pulled = false;
@@ -27,19 +28,18 @@ void note_tension(const Making& making, Faults& faults) {
     is_pulled |= (*making.stress)[component] > 0;
   }
   if (is_pulled && !is_pressed)
-    faults.note(
-        making.place, making.key,
-        quoted(making.name) + " has a normal_stress above 0, which pulls; usual: below 0, which presses");
+    faults.note(making.place, making.key,
+                quoted(making.name) + " has a normal_stress above 0, tension; usual: below 0, compression");
 }
 
-/// A stress that grows upwards by density times gravity holds the weight.
+/// A vertical gradient of density times gravity balances the weight.
 void note_stress_by_height(const Start& start, const Mesh& mesh, Faults& faults) {
-  constexpr double most_ratio = 10;
+  constexpr double max_ratio = 10;
   const std::size_t up = up_axis(start.layout.dimension);
   const double given = mesh.stress_by_height[4 * up];
   const double usual = start.scene.materials[static_cast<std::size_t>(mesh.making.material)].density *
                        -start.scene.world.gravity[up];
-  if (given == 0 || !(usual > 0) || (given * most_ratio > usual && given < most_ratio * usual)) return;
+  if (given == 0 || !(usual > 0) || (given * max_ratio > usual && given < max_ratio * usual)) return;
   faults.note(mesh.making.place, mesh.making.key,
               quoted(mesh.making.name) + " has a normal_stress_by_height of " + shortest(given) +
                   " Pa/m upwards; usual: density times gravity, " + rounded(usual, 4) + " Pa/m");

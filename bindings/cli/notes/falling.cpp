@@ -4,15 +4,15 @@
 #include <set>
 #include <string>
 
+#include "common/text.h"
+#include "common/vector.h"
 #include "notes/assembly.h"
 #include "notes/kinds.h"
-#include "text.h"
-#include "vector.h"
 
 namespace halfspace::cli {
 namespace {
 
-/// Blocks that hang together and that nothing holds.
+/// Connected blocks without a support.
 struct Cluster {
   std::vector<std::size_t> blocks;
   std::size_t objects = 0;  ///< blocks and whole bodies
@@ -38,20 +38,20 @@ class Falling {
       note_no_support(clusters);
       return;
     }
-    std::set<std::string> told;  // once for each table of the file
+    std::set<std::string> noted;  // once for each table of the file
     for (const Cluster& cluster : clusters) {
       const LayoutBlock& block = first_of(cluster);
-      if (told.contains(block.key) || cluster.is_thrown || !falls_far(cluster)) continue;
+      if (noted.contains(block.key) || cluster.is_thrown || !falls_far(cluster)) continue;
       const double gap = gap_below(cluster);
       std::string text;
       if (gap == std::numeric_limits<double>::infinity()) {
-        text = " out of the scene: below is nothing that is fixed, prescribed or held by a [[mesh.support]]";
+        text = " out of the scene; usual: a fixed, prescribed or supported block below";
       } else if (is_gap(cluster, gap)) {
         text = " " + rounded(gap, 3) + " m at the start, onto the nearest support; usual: no gap below";
       } else {
         continue;
       }
-      told.insert(block.key);
+      noted.insert(block.key);
       faults_.note(block.place, block.key, described(cluster) + text);
     }
   }
@@ -61,13 +61,13 @@ class Falling {
     if (taken.empty()) return;
     const bool was_gone =
         std::any_of(taken.begin(), taken.end(), [&](std::size_t i) { return is_gone_[i] != 0; });
-    if (was_gone) note_stage(stage, "takes what an earlier stage has taken");
+    if (was_gone) note_stage(stage, "excavates blocks that an earlier stage has excavated");
     std::set<std::size_t> loose_before;
     for (const Cluster& cluster : loose_clusters())
       loose_before.insert(cluster.blocks.begin(), cluster.blocks.end());
     for (const std::size_t i : taken) is_gone_[i] = 1;
     if (nothing_moves()) {
-      note_stage(stage, "takes all that is free to move");
+      note_stage(stage, "excavates all free blocks");
       return;
     }
     std::size_t count = 0;
@@ -81,8 +81,7 @@ class Falling {
       count += cluster.blocks.size();
     }
     if (count > 0)
-      note_stage(stage, "leaves " + counted(count, "block") + " loose, as " + quoted(first) +
-                            ": nothing holds them up");
+      note_stage(stage, "leaves " + counted(count, "block") + " without support, such as " + quoted(first));
   }
 
  private:
@@ -111,7 +110,7 @@ class Falling {
     return clusters;
   }
 
-  /// Scenes that end before anything has fallen by a hundredth of its thickness do not need a support.
+  /// True if the cluster would fall by a hundredth of its thickness within the scene.
   bool falls_far(const Cluster& cluster) const {
     const double time = start_.scene.duration;
     return settles_ || 0.5 * length(gravity_) * time * time >= 0.01 * cluster.thickness;
@@ -132,7 +131,7 @@ class Falling {
             "kind = \"fixed\", or a [[mesh.support]]");
   }
 
-  /// Of the lowest point.
+  /// The height of the lowest point of a cluster.
   double height(const Cluster& cluster) const {
     double lowest = std::numeric_limits<double>::infinity();
     for (const std::size_t i : cluster.blocks)
@@ -150,9 +149,9 @@ class Falling {
     return name + " and " + counted(cluster.blocks.size() - 1, "block") + " with it fall";
   }
 
-  /// A pile above a gap, or anything above one in a scene that should come to rest.
+  /// True for a gap below a pile, or below any cluster in a scene that settles.
   bool is_gap(const Cluster& cluster, double gap) const {
-    constexpr double told_fraction_of_height = 0.01;
+    constexpr double reported_fraction_of_height = 0.01;
     if (!settles_ && cluster.objects == 1) return false;
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const std::size_t i : cluster.blocks) {
@@ -161,23 +160,23 @@ class Falling {
         high = std::max(high, dot(p, gravity_) / length(gravity_));
       }
     }
-    return gap > told_fraction_of_height * (high - low);
+    return gap > reported_fraction_of_height * (high - low);
   }
 
-  /// Place of the highest and the lowest point of a body's box, downwards.
+  /// The highest and the lowest point of a body's box, as downward coordinates.
   std::pair<double, double> downwards(const ConvexBody& body) const {
     if (gravity_[axis_] > 0) return {body.low[axis_], body.high[axis_]};
     return {-body.high[axis_], -body.low[axis_]};
   }
 
-  /// Is one beside or below the other, as far as their boxes tell?
+  /// True if the boxes overlap across gravity, so that one body is below the other.
   bool overlap_across(const ConvexBody& a, const ConvexBody& b) const {
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(start_.layout.dimension); ++axis)
       if (axis != axis_ && !(a.low[axis] < b.high[axis] && b.low[axis] < a.high[axis])) return false;
     return true;
   }
 
-  /// The length of the fall onto the highest support below, by boxes; infinite without one.
+  /// The distance to the highest support below, by boxes; infinite without a support.
   double gap_below(const Cluster& cluster) const {
     double gap = std::numeric_limits<double>::infinity();
     for (std::size_t j = 0; j < is_held_.size(); ++j) {
@@ -220,7 +219,7 @@ class Falling {
   bool settles_ = false;
 };
 
-/// The scene's, or that of the first stage that has some.
+/// Gravity of the scene, or of the first stage that has some.
 Point gravity_of(const Scene& scene) {
   const Point gravity = point_of(scene.world.gravity);
   if (length(gravity) > 0) return gravity;
@@ -229,7 +228,7 @@ Point gravity_of(const Scene& scene) {
   return gravity;
 }
 
-/// Loads that do not balance carry off a mesh without supports.
+/// Notes unbalanced loads on meshes without supports.
 void note_loads(const Start& start, Faults& faults) {
   for (const LayoutBody& body : start.layout.bodies) {
     Point sum{};
@@ -241,7 +240,7 @@ void note_loads(const Start& start, Faults& faults) {
     if (!body.supports.empty() || !(length(sum) > 1e-6 * all)) continue;
     const LayoutBlock& block = start.layout.blocks[body.first_block];
     faults.note(block.place, block.key,
-                quoted(block.name) + " is carried off by its loads, " + rounded(length(sum), 3) +
+                quoted(block.name) + " has no support against its loads, " + rounded(length(sum), 3) +
                     " N in all; usual: a [[mesh.support]]");
   }
 }
@@ -251,7 +250,7 @@ void note_loads(const Start& start, Faults& faults) {
 void note_falling(const Start& start, Faults& faults) {
   const Point gravity = gravity_of(start.scene);
   if (length(gravity) == 0) note_loads(start, faults);
-  if (start.layout.blocks.size() > most_compared_blocks) return;
+  if (start.layout.blocks.size() > max_compared_blocks) return;
   Falling falling(start, gravity, faults);
   if (length(gravity) > 0) falling.note_at_start();
   for (std::size_t stage = 0; stage < start.scene.stages.size(); ++stage) falling.excavate(stage);

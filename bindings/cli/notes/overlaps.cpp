@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "common/text.h"
 #include "notes/kinds.h"
-#include "text.h"
 
 namespace halfspace::cli {
 
@@ -23,14 +23,14 @@ void note_overlaps(const Start& start, Faults& faults) {
     return first.depth / first.thinner > second.depth / second.thinner;
   });
   const auto& blocks = start.layout.blocks;
-  for (std::size_t i = 0; i < std::min(found.size(), most_lines); ++i) {
+  for (std::size_t i = 0; i < std::min(found.size(), max_notes); ++i) {
     const Found& pair = found[i];
     std::string text = quoted(blocks[pair.b].name) + " overlaps " + quoted(blocks[pair.a].name) +
                        " at the start by " + rounded(pair.depth, 3) + " m, " +
-                       share_of_it(pair.depth / pair.thinner) +
-                       " the thinner one's thickness: their springs drive them apart";
-    if (i + 1 == most_lines && found.size() > most_lines)
-      text += "; " + std::to_string(found.size() - most_lines) + " more pairs overlap less";
+                       ratio_text(pair.depth / pair.thinner) +
+                       " the thinner one's thickness; usual: no overlap";
+    if (i + 1 == max_notes && found.size() > max_notes)
+      text += "; " + std::to_string(found.size() - max_notes) + " more pairs overlap less";
     faults.note(blocks[pair.b].place, blocks[pair.b].key, text);
   }
 }

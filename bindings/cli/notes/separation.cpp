@@ -10,7 +10,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Lowest and highest place of a body along a direction.
+/// Min and max coordinate of a body along a direction.
 std::pair<double, double> reach_along(const ConvexBody& body, const Point& direction) {
   std::pair<double, double> reach{infinity, -infinity};
   for (const Point& p : body.vertices) {
@@ -38,18 +38,18 @@ std::vector<Point> normals_of(const std::vector<Point>& vertices, const std::vec
   return normals;
 }
 
-/// Along which the blocks begin farthest apart.
+/// The axis along which the lower bounds of the blocks differ most.
 std::size_t longest_axis(const std::vector<ConvexBody>& bodies) {
   std::size_t longest = 0;
-  double most = -infinity;
+  double largest = -infinity;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     double low = infinity, high = -infinity;
     for (const ConvexBody& body : bodies) {
       low = std::min(low, body.low[axis]);
       high = std::max(high, body.low[axis]);
     }
-    if (high - low <= most) continue;
-    most = high - low;
+    if (high - low <= largest) continue;
+    largest = high - low;
     longest = axis;
   }
   return longest;
@@ -76,16 +76,16 @@ std::vector<ConvexBody> convex_bodies(const Start& start) {
 }
 
 double separation(const ConvexBody& a, const ConvexBody& b) {
-  double most = -infinity;
+  double largest = -infinity;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (a.low[axis] == a.high[axis] && b.low[axis] == b.high[axis]) continue;  // 2D
-    most = std::max({most, a.low[axis] - b.high[axis], b.low[axis] - a.high[axis]});
+    largest = std::max({largest, a.low[axis] - b.high[axis], b.low[axis] - a.high[axis]});
   }
   for (const Point& normal : a.normals)
-    most = std::max(most, reach_along(b, normal).first - reach_along(a, normal).second);
+    largest = std::max(largest, reach_along(b, normal).first - reach_along(a, normal).second);
   for (const Point& normal : b.normals)
-    most = std::max(most, reach_along(a, normal).first - reach_along(b, normal).second);
-  return most;
+    largest = std::max(largest, reach_along(a, normal).first - reach_along(b, normal).second);
+  return largest;
 }
 
 std::vector<Neighbours> neighbours_within(const Start& start, const std::vector<ConvexBody>& bodies,
@@ -96,7 +96,7 @@ std::vector<Neighbours> neighbours_within(const Start& start, const std::vector<
   std::sort(order.begin(), order.end(),
             [&](std::size_t i, std::size_t j) { return bodies[i].low[along] < bodies[j].low[along]; });
   std::vector<Neighbours> found;
-  std::vector<std::size_t> open;  // blocks that the sweep has reached and not left
+  std::vector<std::size_t> open;  // blocks that the sweep has reached and not passed
   for (const std::size_t i : order) {
     const auto reach = [&](std::size_t j) {
       return fraction * std::min(start.bodies[i].thickness, start.bodies[j].thickness);

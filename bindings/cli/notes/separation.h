@@ -3,36 +3,35 @@
 #include <cstddef>
 #include <vector>
 
+#include "common/vector.h"
 #include "notes/start.h"
-#include "vector.h"
 
 namespace halfspace::cli {
 
-/// Scenes of more blocks get no notes that look at all pairs of neighbours: these would take longer than the
-/// rest.
-constexpr std::size_t most_compared_blocks = 200'000;
+/// Max number of blocks for notes that compare all pairs of neighbours, which cost more than all other notes.
+constexpr std::size_t max_compared_blocks = 200'000;
 
-/// A block as a convex body in space, where it is at the start.
+/// A block as a convex body, at its initial position.
 struct ConvexBody {
   std::vector<Point> vertices;
   std::vector<Point> normals;  ///< unit length, of its faces
   Point low{}, high{};         ///< corners of its box
 };
 
-/// Of each block of the layout.
+/// The convex body of each block of the layout.
 std::vector<ConvexBody> convex_bodies(const Start& start);
 
-/// The largest distance along the axes and the normals of both bodies' faces, below 0 where they overlap.
-/// Bodies apart are at least so far apart.
+/// The largest separation along the axes and the face normals of both bodies, negative for an overlap: a
+/// lower bound of their distance.
 double separation(const ConvexBody& a, const ConvexBody& b);
 
-/// Two blocks, the first with the lower index, and how far apart they are.
+/// Two blocks, the first with the lower index, and their separation, m.
 struct Neighbours {
   std::size_t a, b;
   double separation;
 };
 
-/// All pairs of blocks that are no farther apart than this fraction of the thinner one's thickness.
+/// All pairs of blocks whose separation is at most this fraction of the thinner one's thickness.
 std::vector<Neighbours> neighbours_within(const Start& start, const std::vector<ConvexBody>& bodies,
                                           double fraction);
 

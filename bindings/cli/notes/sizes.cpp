@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "common/text.h"
+#include "common/vector.h"
 #include "notes/kinds.h"
-#include "text.h"
-#include "vector.h"
 
 namespace halfspace::cli {
 namespace {
 
-/// What one table of the file has made.
+/// The blocks of one table of the file.
 struct Made {
   std::string name, key;
   Place place;
@@ -47,10 +47,10 @@ std::vector<Made> made_by_tables(const Start& start) {
   return all;
 }
 
-/// A file in millimetres is a thousand times as large as what it lies beside, or as small. Floors may be
-/// large, and single blocks small.
+/// Notes extents that differ by orders of magnitude, as of a file in mm. Floors may be large, and single
+/// blocks small.
 void note_extents(const Start& start, Faults& faults) {
-  constexpr double most_larger = 100, most_smaller = 300, most_at_all = 1e5;
+  constexpr double max_times_larger = 100, max_times_smaller = 300, max_times_at_all = 1e5;
   const std::vector<Made> all = made_by_tables(start);
   for (const Made& made : all) {
     double largest = 0, smallest = INFINITY;  // of all others
@@ -61,32 +61,37 @@ void note_extents(const Start& start, Faults& faults) {
     }
     if (largest == 0) continue;
     const double larger = made.extent() / largest, smaller = smallest / made.extent();
-    const bool is_large = larger > (made.is_free || made.is_from_file ? most_larger : most_at_all);
-    const bool is_small = smaller > (made.is_from_file ? most_smaller : most_at_all);
+    const bool is_large = larger > (made.is_free || made.is_from_file ? max_times_larger : max_times_at_all);
+    const bool is_small = smaller > (made.is_from_file ? max_times_smaller : max_times_at_all);
     if (!is_large && !is_small) continue;
     faults.note(made.place, made.key,
-                quoted(made.name) + " is " + rounded(made.extent(), 3) + " m large, " +
-                    rounded(is_large ? larger : smaller, 3) + " times as " + (is_large ? "large" : "small") +
-                    " as all else; usual: one unit, m" +
-                    (made.is_from_file ? ", by scale = 0.001 of a file in mm" : ""));
+                quoted(made.name) + " has an extent of " + rounded(made.extent(), 3) + " m, " +
+                    rounded(is_large ? larger : smaller, 3) + " times " + (is_large ? "larger" : "smaller") +
+                    " than all others; usual: lengths in m" +
+                    (made.is_from_file ? ", scale = 0.001 for a file in mm" : ""));
   }
 }
 
-/// Blocks whose sizes differ by more than springs and steps can serve.
+/// Notes ratios of thicknesses that are too large for one stiffness and one time step.
 void note_thicknesses(const Start& start, Faults& faults) {
-  constexpr double most_ratio = 1e5;
+  constexpr double max_ratio = 1e5;
   const auto thinner = [](const Body& a, const Body& b) { return a.thickness < b.thickness; };
-  const auto [least, most] = std::minmax_element(start.bodies.begin(), start.bodies.end(), thinner);
-  if (least == start.bodies.end() || !(most->thickness > most_ratio * least->thickness)) return;
-  const LayoutBlock& thin = start.layout.blocks[static_cast<std::size_t>(least - start.bodies.begin())];
-  const LayoutBlock& thick = start.layout.blocks[static_cast<std::size_t>(most - start.bodies.begin())];
+  const auto [thinnest_body, thickest_body] =
+      std::minmax_element(start.bodies.begin(), start.bodies.end(), thinner);
+  if (thinnest_body == start.bodies.end() ||
+      !(thickest_body->thickness > max_ratio * thinnest_body->thickness))
+    return;
+  const LayoutBlock& thin =
+      start.layout.blocks[static_cast<std::size_t>(thinnest_body - start.bodies.begin())];
+  const LayoutBlock& thick =
+      start.layout.blocks[static_cast<std::size_t>(thickest_body - start.bodies.begin())];
   faults.note(thin.place, thin.key,
-              quoted(thin.name) + " is " + rounded(least->thickness, 3) + " m thick, and " +
-                  quoted(thick.name) + ' ' + rounded(most->thickness, 3) +
-                  " m; usual: up to 1e5 times as much");
+              quoted(thin.name) + " is " + rounded(thinnest_body->thickness, 3) + " m thick, and " +
+                  quoted(thick.name) + ' ' + rounded(thickest_body->thickness, 3) +
+                  " m; usual: a ratio up to 1e5");
 }
 
-/// The thinnest block that moves freely, or none.
+/// The thinnest block that moves freely, or null.
 const Body* thinnest(const Start& start) {
   const Body* found = nullptr;
   for (const Body& body : start.bodies)
@@ -95,32 +100,32 @@ const Body* thinnest(const Start& start) {
 }
 
 void note_sleep(const Start& start, Faults& faults) {
-  constexpr double most_fraction = 0.01;
+  constexpr double max_fraction = 0.01;
   const double tolerance = start.scene.world.sleep_tolerance;
   const Body* thin = thinnest(start);
-  if (!thin || !(tolerance > most_fraction * thin->thickness)) return;
+  if (!thin || !(tolerance > max_fraction * thin->thickness)) return;
   faults.note(start.scene.places.sleep_tolerance, "world.sleep_tolerance",
-              shortest(tolerance) + " m is " + share_of_it(tolerance / thin->thickness) +
+              shortest(tolerance) + " m is " + ratio_text(tolerance / thin->thickness) +
                   " the thinnest block's thickness; usual: below 1 %");
 }
 
 void note_potential_length(const Start& start, Faults& faults) {
-  constexpr double most_ratio = 100;
+  constexpr double max_ratio = 100;
   const double given = start.scene.world.potential_length;
   double mean = 0;
   for (const Body& body : start.bodies) mean += body.thickness / static_cast<double>(start.bodies.size());
-  if (!(given > 0) || (given < most_ratio * mean && given * most_ratio > mean)) return;
+  if (!(given > 0) || (given < max_ratio * mean && given * max_ratio > mean)) return;
   faults.note(start.scene.places.potential_length, "world.potential_length",
-              shortest(given) + " m is " + share_of_it(given / mean) +
+              shortest(given) + " m is " + ratio_text(given / mean) +
                   " the blocks' mean thickness; usual: about as long as their edges");
 }
 
-/// Coordinates of a map leave few digits for what happens between blocks.
+/// Large coordinates, as of a map, leave few digits for gaps.
 void note_places(const Start& start, Faults& faults) {
-  constexpr double most_ratio = 1e8;
+  constexpr double max_ratio = 1e8;
   for (std::size_t i = 0; i < start.bodies.size(); ++i) {
     const double far = length(point_of(start.bodies[i].state.pose.position));
-    if (!(far > most_ratio * start.bodies[i].thickness)) continue;
+    if (!(far > max_ratio * start.bodies[i].thickness)) continue;
     const LayoutBlock& block = start.layout.blocks[i];
     faults.note(block.place, block.key,
                 quoted(block.name) + " is " + rounded(far, 3) + " m from the origin, " +

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "loads.h"
+#include "common/text.h"
+#include "common/vector.h"
 #include "notes/kinds.h"
-#include "text.h"
-#include "vector.h"
+#include "notes/loads.h"
 
 namespace halfspace::cli {
 namespace {
@@ -16,11 +16,11 @@ class Springs {
  public:
   Springs(const Scene& scene, const Model& model) : scene_(scene), length_(model.report().potential_length) {}
 
-  /// Force per depth of faces that meet squarely over the mean section of the smaller of two blocks.
+  /// The stiffness of two aligned faces over the mean cross section of the smaller block, N/m.
   double stiffness(const Body& a, const Body& b) const {
     const hs_law_def& law = between(a.state.material, b.state.material);
     const double section = std::min(a.volume / a.thickness, b.volume / b.thickness);
-    if (law.stiffness_kind == HS_STIFFNESS_NONE) return HUGE_VAL;  // nothing yields
+    if (law.stiffness_kind == HS_STIFFNESS_NONE) return HUGE_VAL;  // no penetration
     if (law.stiffness_kind == HS_STIFFNESS_PER_AREA) return law.normal_stiffness * section;
     if (law.stiffness_kind == HS_STIFFNESS_POTENTIAL) return 2 * law.normal_stiffness / length_ * section;
     return law.normal_stiffness;
@@ -40,24 +40,24 @@ class Springs {
 
 double inverse_mass(const Body& body) { return moves_freely(body.state.kind) ? 1 / body.state.mass : 0; }
 
-/// The worst pair of all that a note is about.
+/// The pair with the largest ratio of depth to size.
 struct Worst {
   void add(std::size_t one, std::size_t other, double depth, double size) {
-    if (!(depth / size > share)) return;
-    share = depth / size;
+    if (!(depth / size > ratio)) return;
+    ratio = depth / size;
     block = one;
     partner = other;
     this->depth = depth;
   }
-  double share = 0, depth = 0;
+  double ratio = 0, depth = 0;
   std::size_t block = 0, partner = 0;
 };
 
 }  // namespace
 
-/// A single block that sinks in by 1 % is told, and one under a pile by 10 %.
+/// Notes a static penetration of 1 % for a block alone, and of 10 % for one under a pile.
 void note_weights(const Start& start, Faults& faults) {
-  constexpr double told_share_alone = 0.01, told_share_in_a_pile = 0.1;
+  constexpr double reported_ratio_alone = 0.01, reported_ratio_in_a_pile = 0.1;
   const Point gravity = point_of(start.scene.world.gravity);
   const std::vector<double> loads = loads_of(start.frame, gravity);
   const Springs springs(start.scene, start.model);
@@ -67,7 +67,7 @@ void note_weights(const Start& start, Faults& faults) {
   for (std::size_t i = 0; i < start.bodies.size(); ++i) {
     const Body& body = start.bodies[i];
     if (!moves_freely(body.state.kind)) continue;
-    Body base = body;  // what it may lie on, as wide as the block itself
+    Body base = body;  // a possible base, as wide as the block itself
     for (std::size_t material = 0; material < count_of.size(); ++material) {
       base.state.material = static_cast<int32_t>(material);
       const bool is_alone = base.state.material == body.state.material && count_of[material] == 1;
@@ -77,19 +77,18 @@ void note_weights(const Start& start, Faults& faults) {
       in_a_pile.add(i, i, loads[i] / stiffness, body.thickness);
     }
   }
-  const bool is_pile = in_a_pile.share >= told_share_in_a_pile && in_a_pile.share > 1.01 * alone.share;
+  const bool is_pile = in_a_pile.ratio >= reported_ratio_in_a_pile && in_a_pile.ratio > 1.01 * alone.ratio;
   const Worst& worst = is_pile ? in_a_pile : alone;
-  if (worst.share < told_share_alone) return;
+  if (worst.ratio < reported_ratio_alone) return;
   const LayoutBlock& block = start.layout.blocks[worst.block];
-  const std::string cause = is_pile ? "its weight and that of what is above it" : "its weight alone";
+  const std::string cause = is_pile ? "its weight and the weight above it" : "its own weight";
   faults.note(block.place, block.key,
-              quoted(block.name) + " sinks " + rounded(worst.depth, 3) + " m, " + share_of_it(worst.share) +
-                  " its thickness, into what it lies on by " + cause +
-                  ": a stiffer normal_stiffness holds it up");
+              quoted(block.name) + " sinks into its support by " + rounded(worst.depth, 3) + " m, " +
+                  ratio_text(worst.ratio) + " its thickness, under " + cause + "; increase normal_stiffness");
 }
 
 void note_speeds(const Start& start, Faults& faults) {
-  constexpr double told_share = 0.1;
+  constexpr double reported_ratio = 0.1;
   const Springs springs(start.scene, start.model);
   Worst worst;
   for (std::size_t i = 0; i < start.bodies.size(); ++i) {
@@ -104,13 +103,13 @@ void note_speeds(const Start& start, Faults& faults) {
       worst.add(i, j, depth, std::min(start.bodies[i].thickness, start.bodies[j].thickness));
     }
   }
-  if (worst.share < told_share) return;
+  if (worst.ratio < reported_ratio) return;
   const LayoutBlock& block = start.layout.blocks[worst.block];
   faults.note(block.place, block.key,
               quoted(block.name) + " at " + rounded(start.bodies[worst.block].speed, 3) +
-                  " m/s would be stopped by " + quoted(start.layout.blocks[worst.partner].name) +
-                  " only at a depth of " + rounded(worst.depth, 3) + " m, " + share_of_it(worst.share) +
-                  " the thinner one's thickness, v (m/k)^1/2: a stiffer normal_stiffness stops it earlier");
+                  " m/s would penetrate " + quoted(start.layout.blocks[worst.partner].name) + " by " +
+                  rounded(worst.depth, 3) + " m, v (m/k)^1/2, " + ratio_text(worst.ratio) +
+                  " the thinner one's thickness; increase normal_stiffness");
 }
 
 }  // namespace halfspace::cli

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <limits>
 
-#include "text.h"
-#include "vector.h"
+#include "common/text.h"
+#include "common/vector.h"
 
 namespace halfspace::cli {
 namespace {
 
-/// Least width of a shape square to one of its faces. In the plane that is the least of all.
+/// Min width of a shape normal to one of its faces; in 2D its min width.
 double thickness_of(const Context& context, const Shape& shape) {
   const hs_shape_properties properties = properties_of(context, shape);
   const Point centroid = point_of(properties.centroid);
@@ -53,8 +53,8 @@ bool is_beyond_rounding(double depth, double thinner, const Body& a, const Body&
   return depth > std::ldexp(thinner, -20) + std::ldexp(places, -44);
 }
 
-std::string share_of_it(double share) {
-  return share < 1 ? rounded(100 * share, 3) + " % of" : rounded(share, 3) + " times";
+std::string ratio_text(double ratio) {
+  return ratio < 1 ? rounded(100 * ratio, 3) + " % of" : rounded(ratio, 3) + " times";
 }
 
 std::string counted(std::size_t count, const std::string& noun) {

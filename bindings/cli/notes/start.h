@@ -3,18 +3,18 @@
 #include <string>
 #include <vector>
 
-#include "faults.h"
-#include "model.h"
-#include "scene.h"
+#include "model/model.h"
+#include "scene/faults.h"
+#include "scene/scene.h"
 
 namespace halfspace::cli {
 
-/// A block at the start, as notes look at it.
+/// Properties of a block at the start.
 struct Body {
   hs_block_state state;
   double thickness;
   double volume;
-  double speed;  ///< of its fastest point at most; of a prescribed motion also when it starts later
+  double speed;  ///< m/s, upper bound over its points; also of a prescribed motion that starts later
 };
 
 /// A scene that is ready to run.
@@ -29,17 +29,17 @@ struct Start {
   std::vector<Body> bodies;  ///< of each block of the layout
 };
 
-/// Deeper than the rounding of where the two blocks are, and than what no one would see.
+/// True if a depth is above the rounding of the coordinates of both blocks, and above 2^-20 of the thickness.
 bool is_beyond_rounding(double depth, double thinner, const Body& a, const Body& b);
 
-/// A length as a share of a thickness.
-std::string share_of_it(double share);
+/// A ratio in words: "12 % of" or "3 times".
+std::string ratio_text(double ratio);
 
 inline std::string quoted(const std::string& name) { return '"' + name + '"'; }
 
 /// "1 block", "2 blocks".
 std::string counted(std::size_t count, const std::string& noun);
 
-constexpr std::size_t most_lines = 5;  ///< of one kind of note
+constexpr std::size_t max_notes = 5;  ///< of one kind
 
 }  // namespace halfspace::cli

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <string>
 
+#include "common/text.h"
 #include "notes/kinds.h"
-#include "text.h"
 
 namespace halfspace::cli {
 namespace {
@@ -14,16 +14,16 @@ void note_time_step(const Start& start, Faults& faults) {
   const std::string step = shortest(given) + " s is ";
   if (given > stable) {
     faults.note(start.scene.places.time_step, "world.time_step",
-                step + "above the stable one, " + rounded(stable, 4) + " s");
+                step + "above the stable time step, " + rounded(stable, 4) + " s");
   } else if (given < smallest_fraction * stable) {
     faults.note(
         start.scene.places.time_step, "world.time_step",
-        step + "far below the stable one, " + rounded(stable, 4) + " s; usual: a tenth of it to all of it");
+        step + "far below the stable time step, " + rounded(stable, 4) + " s; usual: 0.1 to 1 times that");
   }
 }
 
 void note_duration(const Start& start, Faults& faults) {
-  constexpr double fewest_steps = 2, max_steps = 1e9;
+  constexpr double min_steps = 2, max_steps = 1e9;
   const Scene& scene = start.scene;
   const hs_world_report& report = start.model.report();
   const double step =
@@ -34,33 +34,34 @@ void note_duration(const Start& start, Faults& faults) {
     faults.note(scene.places.duration, "world.duration",
                 shortest(scene.duration) + " s takes " + rounded(steps, 2) + " steps of " + rounded(step, 3) +
                     " s; usual: up to 1e8 steps");
-  } else if (steps < fewest_steps && step <= report.stable_time_step) {
+  } else if (steps < min_steps && step <= report.stable_time_step) {
     faults.note(scene.places.duration, "world.duration",
-                shortest(scene.duration) + " s is shorter than " + rounded(fewest_steps, 1) + " steps of " +
+                shortest(scene.duration) + " s is shorter than " + rounded(min_steps, 1) + " steps of " +
                     rounded(step, 3) + " s; usual: hundreds of steps");
   }
 }
 
 void note_output(const Start& start, Faults& faults) {
-  constexpr double most_frames = 1e5, most_rows = 1e7;
+  constexpr double max_frames = 1e5, max_rows = 1e7;
   const Scene& scene = start.scene;
-  const auto note = [&](Place place, const char* key, double interval, double most) {
+  const auto note = [&](Place place, const char* key, double interval, double max_count) {
     if (!(scene.duration > 0)) return;
     const std::string text = shortest(interval) + " s is ";
     if (interval > scene.duration) {
       faults.note(place, key, text + "longer than the run, " + shortest(scene.duration) + " s");
-    } else if (scene.duration / interval > most) {
+    } else if (scene.duration / interval > max_count) {
       faults.note(place, key,
-                  text + "short for " + shortest(scene.duration) + " s: " +
-                      rounded(scene.duration / interval, 2) + " of them; usual: up to " + shortest(most));
+                  text + "short for " + shortest(scene.duration) +
+                      " s: " + rounded(scene.duration / interval, 2) + " of them; usual: up to " +
+                      shortest(max_count));
     }
   };
-  note(scene.places.frame_interval, "output.frame_interval", scene.output.frame_interval, most_frames);
+  note(scene.places.frame_interval, "output.frame_interval", scene.output.frame_interval, max_frames);
   if (scene.output.history_interval != scene.output.frame_interval)
-    note(scene.places.history_interval, "output.history_interval", scene.output.history_interval, most_rows);
+    note(scene.places.history_interval, "output.history_interval", scene.output.history_interval, max_rows);
 }
 
-/// Without damping nothing comes to rest.
+/// Without damping no block comes to rest.
 void note_rest(const Start& start, Faults& faults) {
   const Scene& scene = start.scene;
   const bool damps =
@@ -69,7 +70,7 @@ void note_rest(const Start& start, Faults& faults) {
   if (scene.rest_speed > 0 && !damps)
     faults.note(scene.places.rest_speed, "world.rest_speed",
                 shortest(scene.rest_speed) +
-                    " m/s may never be reached, as nothing damps; usual: a normal_damping or local_damping");
+                    " m/s may never be reached without damping; usual: a normal_damping or local_damping");
 }
 
 void note_motions(const Start& start, Faults& faults) {

@@ -31,7 +31,7 @@ void note_laws(const Start& start, const std::set<int>& used, Faults& faults) {
       if (used.contains(material)) continue;
       faults.note(law.place, "law[" + std::to_string(i) + "].between",
                   "no block is of " + quoted(start.scene.materials[static_cast<std::size_t>(material)].name) +
-                      ", so that nothing follows this law");
+                      ", so that this law has no use");
       break;
     }
   }
@@ -61,7 +61,7 @@ void note_strengths(const Start& start, Faults& faults) {
   const bool is_default_used =
       std::any_of(touching.begin(), touching.end(), [&](const auto& pair) { return !own.contains(pair); });
   if (has_strength(start.scene.default_law) && !is_default_used)
-    faults.note(start.scene.places.default_law, "default_law", text + " that follows this law");
+    faults.note(start.scene.places.default_law, "default_law", text + " with this law");
 }
 
 }  // namespace

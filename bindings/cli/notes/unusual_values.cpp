@@ -7,12 +7,12 @@
 #include <string>
 #include <string_view>
 
-#include "text.h"
+#include "common/text.h"
 
 namespace halfspace::cli {
 namespace {
 
-/// The usual range of a key: of a number its absolute value, of a vector its length. 0 is usual, too.
+/// The usual range of the absolute value of a number, or of the length of a vector. 0 is always usual.
 struct Usual {
   std::string_view table;  ///< path without indices; empty: of any
   std::string_view key;
@@ -20,7 +20,7 @@ struct Usual {
   std::string_view text;  ///< range and unit, for the note
 };
 
-// The first line that fits holds.
+// The first matching line applies.
 constexpr Usual usual_values[] = {
     {"world", "gravity", 1, 25, "9.81 m/s2, 1.62 on the moon"},
     {"stage", "gravity", 1, 25, "9.81 m/s2, 1.62 on the moon"},
@@ -55,7 +55,7 @@ constexpr Usual usual_values[] = {
     {"", "velocity", 0, 1000, "up to 1000 m/s"},
 };
 
-/// Keys in degrees, in which a multiple of pi / 12 would be radians.
+/// Keys in degrees: a multiple of pi / 12 is probably in radians.
 constexpr std::string_view angles[] = {"rotation", "dip", "dip_direction", "angular_velocity"};
 
 const Usual* usual_of(std::string_view table, std::string_view key) {
@@ -98,7 +98,7 @@ bool is_like_radians(double angle) {
   return nearest >= 1 && nearest <= 24 && std::abs(multiple - nearest) <= 1e-3 * nearest;
 }
 
-/// Goes through all tables of a scene.
+/// Visits all tables of a scene.
 class Walk {
  public:
   explicit Walk(Faults& faults) : faults_(faults) {}
@@ -115,14 +115,13 @@ class Walk {
         for (std::size_t i = 0; i < list->size(); ++i)
           through(*(*list)[i].as_table(), place + '[' + std::to_string(i) + ']', name);
       } else {
-        look_at(node, place, kind, key.str());
+        check(node, place, kind, key.str());
       }
     }
   }
 
  private:
-  void look_at(const toml::node& node, const std::string& path, std::string_view table,
-               std::string_view key) {
+  void check(const toml::node& node, const std::string& path, std::string_view table, std::string_view key) {
     const std::optional<double> size = size_of(node);
     if (!size || *size == 0) return;
     const Usual* usual = usual_of(table, key);

@@ -2,12 +2,12 @@
 
 #include <toml++/toml.h>
 
-#include "faults.h"
+#include "scene/faults.h"
 
 namespace halfspace::cli {
 
-/// Notes each value of a scene file that its unit makes unlikely: a density in t/m3, a strength in MPa, an
-/// angle in radians.
+/// Notes each value of a scene file that is probably in another unit: a density in t/m3, a strength in MPa,
+/// an angle in radians.
 void note_unusual_values(const toml::table& scene, Faults& faults);
 
 }  // namespace halfspace::cli

@@ -1,0 +1,119 @@
+#include "common/files.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+namespace halfspace::cli {
+namespace fs = std::filesystem;
+namespace {
+
+/// True for numbered files of a run, such as at_2.5s.svg and frames/frame_0007.vtp.
+bool is_number_between(std::string_view name, std::string_view begin, std::string_view end) {
+  if (name.size() <= begin.size() + end.size() || !name.starts_with(begin) || !name.ends_with(end))
+    return false;
+  const std::string_view middle = name.substr(begin.size(), name.size() - begin.size() - end.size());
+  return middle.find_first_not_of("0123456789.e+-") == std::string_view::npos;
+}
+
+void remove_numbered(const fs::path& directory, std::string_view begin, std::string_view end) {
+  if (!fs::is_directory(directory)) return;
+  std::vector<fs::path> numbered;
+  for (const fs::directory_entry& entry : fs::directory_iterator(directory)) {
+    if (is_number_between(entry.path().filename().string(), begin, end)) numbered.push_back(entry.path());
+  }
+  for (const fs::path& file : numbered) fs::remove(file);
+}
+
+std::string numbered(const char* begin, int number) {
+  char digits[16];
+  std::snprintf(digits, sizeof digits, "%04d", number);
+  return begin + std::string(digits) + ".vtp";
+}
+
+/// Removes links, and keeps their targets.
+void remove_earlier_run(const fs::path& path) {
+  const fs::path frames = path / "frames";
+  if (fs::is_symlink(frames)) fs::remove(frames);
+  for (const char* name : {"run.pvd", "contacts.pvd", "contacts.csv", "cracks.csv", "history.csv",
+                           "first.svg", "last.svg", "summary.txt", "safety.txt", "stands.svg", "falls.svg",
+                           "trade.csv", "trade.txt", "trade.svg", "checkpoint"})
+    fs::remove(path / name);
+  remove_numbered(path, "at_", "s.svg");
+  remove_numbered(frames, "frame_", ".vtp");
+  remove_numbered(frames, "contacts_", ".vtp");
+}
+
+/// Writes a new file; a file or a link of that name is removed first.
+bool write_new(const fs::path& path, const std::string& content) {
+  std::error_code error;
+  fs::remove(path, error);
+  std::FILE* file = std::fopen(path.c_str(), "wbx");
+  if (!file) return false;
+  const bool whole = std::fwrite(content.data(), 1, content.size(), file) == content.size();
+  return std::fclose(file) == 0 && whole;
+}
+
+}  // namespace
+
+std::string content_of(const std::string& file) {
+  std::error_code unreadable;  // reported below
+  if (fs::is_directory(file, unreadable))
+    throw std::runtime_error("cannot read " + file + ": it is a directory");
+  std::ifstream stream(file, std::ios::binary);
+  std::string content{std::istreambuf_iterator<char>(stream), {}};
+  if (!stream.is_open() || stream.bad()) throw std::runtime_error("cannot read " + file);
+  return content;
+}
+
+std::string frame_name(int number) { return numbered("frames/frame_", number); }
+std::string contacts_name(int number) { return numbered("frames/contacts_", number); }
+
+OutputDirectory::OutputDirectory(fs::path path, Earlier earlier)
+    : path_(std::move(path)), replaces_(earlier == Earlier::replace) {
+  try {
+    fs::create_directories(path_);
+    if (!fs::is_directory(path_)) throw std::runtime_error(path_.string() + " is not a directory");
+    if (earlier == Earlier::refuse && !fs::is_empty(path_)) {
+      throw std::runtime_error("the directory " + path_.string() +
+                               " is not empty; --force replaces an earlier run in it");
+    }
+  } catch (const fs::filesystem_error& error) {
+    throw std::runtime_error("cannot use the directory " + path_.string() + ": " + error.code().message());
+  }
+}
+
+void OutputDirectory::remove_frames_from(int number) {
+  for (;; ++number) {
+    const fs::path frame = path_ / frame_name(number), contacts = path_ / contacts_name(number);
+    std::error_code error;
+    fs::remove(contacts, error);
+    fs::remove(contacts.string() + ".part", error);
+    const bool was_half_written = fs::remove(frame.string() + ".part", error);
+    if (!fs::remove(frame, error) && !was_half_written) return;
+  }
+}
+
+void OutputDirectory::write(const std::string& name, const std::string& content) {
+  if (replaces_) remove_earlier_run(path_);
+  replaces_ = false;
+  const fs::path target = path_ / name;
+  const fs::path temporary = target.string() + ".part";
+  std::error_code error;
+  fs::create_directories(target.parent_path(), error);
+  const bool whole = write_new(temporary, content);
+  if (whole) fs::rename(temporary, target, error);
+  if (!whole || error) {
+    std::error_code ignored;
+    fs::remove(temporary, ignored);
+    throw std::runtime_error("cannot write " + target.string() + (error ? ": " + error.message() : ""));
+  }
+  if (std::find(written_.begin(), written_.end(), name) == written_.end()) written_.push_back(name);
+}
+
+}  // namespace halfspace::cli

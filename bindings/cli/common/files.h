@@ -1,0 +1,43 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace halfspace::cli {
+
+/// All bytes of a file. @throws std::runtime_error if it cannot be read
+std::string content_of(const std::string& file);
+
+/// The paths of a frame and its contacts in the directory of their run.
+std::string frame_name(int number);
+std::string contacts_name(int number);
+
+/// Handling of the files of an earlier run.
+enum class Earlier { refuse, replace, keep };
+
+/// The output directory of a run. Files are complete or absent: each is written under another name, then
+/// renamed.
+class OutputDirectory {
+ public:
+  /// With Earlier::replace, files of an earlier run are removed before the first file is written; other files
+  /// stay.
+  /// @throws std::runtime_error if the directory cannot be created, or has files and `earlier` is
+  /// Earlier::refuse
+  OutputDirectory(std::filesystem::path path, Earlier earlier);
+
+  /// Removes the frames from this number on.
+  void remove_frames_from(int number);
+  /// Writes a file, given its path in the directory. @throws std::runtime_error
+  void write(const std::string& name, const std::string& content);
+
+  const std::filesystem::path& path() const { return path_; }
+  const std::vector<std::string>& written() const { return written_; }
+
+ private:
+  std::filesystem::path path_;
+  bool replaces_;                     ///< the files of an earlier run, which are not removed yet
+  std::vector<std::string> written_;  ///< in the order of first writing
+};
+
+}  // namespace halfspace::cli

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace halfspace::cli {
+
+/// A point or vector; in 2D its last component is 0.
+using Point = std::array<double, 3>;
+
+inline double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+inline Point cross(const Point& a, const Point& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+inline Point plus(const Point& a, const Point& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+
+inline Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+
+inline Point times(double factor, const Point& a) { return {factor * a[0], factor * a[1], factor * a[2]}; }
+
+inline double length(const Point& a) { return std::hypot(a[0], a[1], a[2]); }
+
+inline Point point_of(const double components[3]) { return {components[0], components[1], components[2]}; }
+
+/// Newell's normal of a plane loop, with twice its area as length; outwards if the loop runs
+/// counter-clockwise seen from outside.
+inline Point area_normal(const std::vector<Point>& loop) {
+  Point normal{};
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    normal = plus(normal, cross(minus(loop[i], loop[0]), minus(loop[(i + 1) % loop.size()], loop[0])));
+  return normal;
+}
+
+}  // namespace halfspace::cli

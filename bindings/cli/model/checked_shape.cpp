@@ -1,0 +1,146 @@
+#include "model/checked_shape.h"
+
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+#include "blocks/mesh/common_planes.h"
+#include "blocks/mesh/convex_solid.h"
+#include "blocks/mesh/file_summary.h"
+#include "blocks/mesh/mesh_fault.h"
+#include "blocks/mesh/solid.h"
+#include "common/text.h"
+
+namespace halfspace::cli {
+namespace {
+
+const char* describe(int fault) {
+  switch (fault) {
+    case HS_FAULT_TOO_FEW_VERTICES:
+      return "fewer than 3 vertices";
+    case HS_FAULT_NOT_FINITE:
+      return "a coordinate too large or too small to compute with";
+    case HS_FAULT_REPEATED_VERTEX:
+      return "coincides with its neighbour";
+    case HS_FAULT_COLLINEAR_VERTEX:
+      return "collinear with its neighbours";
+    case HS_FAULT_NOT_CONVEX:
+      return "a reflex corner";
+    case HS_FAULT_SELF_CROSSING:
+      return "the outline crosses itself or winds more than once";
+    case HS_FAULT_ZERO_AREA:
+      return "all vertices on one line";
+    default:
+      return "not a polygon";
+  }
+}
+
+}  // namespace
+
+Shape CheckedShapes::polygon(const std::vector<Point>& vertices, const std::string& key, Place place) {
+  hs_fault fault{};
+  require(context_, hs_polygon_check(context_.get(), view_of(vertices), &fault));
+  if (fault.kind == HS_FAULT_NONE) return make_polygon(context_, vertices);
+  std::string text;
+  if (fault.vertex >= 0) {
+    text = "vertex " + std::to_string(fault.vertex) + ' ' +
+           described(vertices[static_cast<std::size_t>(fault.vertex)], 2) + ": ";
+  }
+  faults_.add(place, key,
+              text + describe(fault.kind) + "; allowed: the corners of a convex polygon in order");
+  return nullptr;
+}
+
+Shape CheckedShapes::polyhedron(const std::vector<Point>& vertices,
+                                const std::vector<std::vector<int>>& faces, std::optional<double> tolerance,
+                                const std::string& key, Place place) {
+  try {
+    hs_fit_report report;
+    if (tolerance) return make_fitted(context_, vertices, FaceList(faces), *tolerance, report);
+    return faces.empty() ? make_hull(context_, vertices)
+                         : make_polyhedron(context_, vertices, FaceList(faces));
+  } catch (const LibraryError& error) {
+    if (error.status != HS_ERROR_ARGUMENT && error.status != HS_ERROR_GEOMETRY) throw;
+    faults_.add(place, key,
+                error.reason() + "; allowed: " +
+                    (faces.empty() ? "points that are not all in one plane"
+                                   : "the corners and whole faces of a convex polyhedron"));
+    return nullptr;
+  }
+}
+
+std::vector<Shape> CheckedShapes::from_file(const Block& block) {
+  const auto fault = [&](const std::string& text) {
+    faults_.add(block.shape_place, block.making.key + ".file", text);
+  };
+  if (!std::filesystem::is_regular_file(block.file)) {
+    fault("no such file: " + block.file + "; allowed: a file, named from the folder of the scene");
+    return {};
+  }
+  std::vector<Solid> solids;
+  try {
+    solids = read_solids(block.file);
+  } catch (const MeshFault& error) {
+    fault(error.what());
+    return {};
+  }
+  FileSummary summary;
+  std::vector<ConvexSolid> blocks;
+  for (const Solid& solid : solids) {
+    try {
+      ConvexSolid made = make_convex(context_, solid, block.scale, block.tolerance);
+      summary.add(solid, made.report);
+      blocks.push_back(std::move(made));
+    } catch (const NotConvex& error) {
+      summary.add(error);
+    } catch (const MeshFault& error) {
+      summary.add(error);
+    }
+  }
+  for (const std::string& text : summary.faults()) fault(text);
+  if (summary.faults().empty()) summary.add_flush_faces(share_planes(context_, blocks));
+  for (const std::string& text : summary.notes())
+    faults_.note(block.shape_place, block.making.key + ".file", text);
+  if (!summary.faults().empty()) return {};
+  std::vector<Shape> shapes;
+  for (ConvexSolid& made : blocks) shapes.push_back(std::move(made.shape));
+  return shapes;
+}
+
+std::vector<Shape> CheckedShapes::from_boundary(const Block& block) {
+  if (!std::isfinite(block.depth)) return {};  // a fault already
+  std::vector<Shape> shapes;
+  for (std::size_t i = 0; i + 1 < block.boundary.size(); ++i) {
+    try {
+      shapes.push_back(make_boundary(context_, block.boundary, i, block.depth));
+    } catch (const LibraryError& error) {
+      if (error.status != HS_ERROR_ARGUMENT && error.status != HS_ERROR_GEOMETRY) throw;
+      faults_.add(block.shape_place, block.making.key + ".boundary",
+                  "segment " + std::to_string(i) + ": " + error.reason() +
+                      "; allowed: segments whose ends differ, by more than rounding");
+      return {};
+    }
+  }
+  return shapes;
+}
+
+std::vector<Shape> CheckedShapes::of(const Block& block) {
+  if (!block.file.empty()) return from_file(block);
+  if (!block.boundary.empty()) return from_boundary(block);
+  if (block.vertices.empty()) return {};  // a fault already
+  const std::string key = block.making.key + ".vertices";
+  Shape shape = dimension_ == 2
+                    ? polygon(block.vertices, key, block.shape_place)
+                    : polyhedron(block.vertices, block.faces, block.tolerance, key, block.shape_place);
+  std::vector<Shape> shapes;
+  if (shape) shapes.push_back(std::move(shape));
+  return shapes;
+}
+
+Shape CheckedShapes::of(const Region& region) {
+  if (region.points.empty()) return nullptr;  // a fault already
+  return dimension_ == 2 ? polygon(region.points, region.key, region.place)
+                         : polyhedron(region.points, {}, {}, region.key, region.place);
+}
+
+}  // namespace halfspace::cli

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/library.h"
+#include "scene/faults.h"
+#include "scene/scene.h"
+
+namespace halfspace::cli {
+
+/// A body of finite elements. Its cells are consecutive blocks of the layout.
+struct LayoutBody {
+  struct Support {
+    std::vector<int32_t> nodes;
+    int axes = 0;
+    Point velocity{};
+  };
+  struct Force {
+    int32_t cell = 0;  ///< with the loaded face
+    int32_t node = 0;
+    Point force{};
+  };
+  MeshHandle mesh;
+  std::vector<int32_t> materials;            ///< of each cell
+  std::vector<std::vector<int>> cell_nodes;  ///< of each cell
+  std::vector<double> cell_sizes;            ///< area in 2D, volume in 3D
+  std::size_t node_count = 0;
+  std::size_t first_block = 0;
+  Placing placing;
+  Point velocity{};
+  std::vector<Support> supports;
+  std::vector<Force> forces;
+  std::optional<Tensor> stress;  ///< initial stress at the origin
+  Tensor stress_by_height{};     ///< vertical gradient of the initial stress, Pa/m
+};
+
+struct LayoutBlock {
+  std::string name;
+  std::string key;  ///< path of its table in the file, for notes
+  Place place;      ///< of the name of that table, for notes
+  int material = 0;
+  int kind = HS_BLOCK_RIGID;
+  std::optional<Tensor> stress;
+  Shape shape;
+  std::vector<std::vector<int>> faces;  ///< loops of vertices; 2D: one, the outline
+  Placing placing;
+  Motion motion;
+  std::optional<std::size_t> body;  ///< index of the body whose cell this is
+};
+
+/// All blocks of a scene, generators included, in the order of the file.
+struct Layout {
+  int dimension = 2;
+  std::vector<LayoutBlock> blocks;
+  std::vector<LayoutBody> bodies;
+  /// True if some block deforms, so that there are stresses to write.
+  bool has_deformable() const;
+
+  std::vector<std::size_t> tracked;                 ///< blocks whose motion is written to the history
+  std::vector<std::size_t> referenced;              ///< blocks whose common position or force is measured
+  std::vector<std::vector<std::size_t>> excavated;  ///< in each stage of the scene
+  bool names_cells = false;                         ///< a mesh cell is measured or excavated by its name
+  int left_out = 0;                                 ///< number of blocks below the smallest size
+  double size_left_out = 0;                         ///< their total area or volume
+};
+
+/// Makes the blocks of a scene. Invalid shapes and unknown names are faults.
+Layout lay_out_blocks(const Context& context, const Scene& scene, Faults& faults);
+
+}  // namespace halfspace::cli

@@ -1,0 +1,372 @@
+#include "model/model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "common/vector.h"
+#include "model/placing.h"
+
+namespace halfspace::cli {
+namespace {
+
+/// The frame of an excavated block: it has no vertices.
+BlockFrame removed() {
+  BlockFrame frame;
+  frame.state.kind = HS_BLOCK_FIXED;
+  constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+  for (double* values : {frame.state.pose.position, frame.state.velocity, frame.state.angular_velocity})
+    std::fill_n(values, 3, nowhere);
+  frame.state.angle = nowhere;
+  return frame;
+}
+
+void set_velocity(hs_block_def& def, const Motion& motion) {
+  std::copy(motion.velocity.begin(), motion.velocity.end(), def.velocity);
+  std::copy(motion.angular_velocity.begin(), motion.angular_velocity.end(), def.angular_velocity);
+}
+
+}  // namespace
+
+Model::Model(const Context& context, const Scene& scene, Layout layout)
+    : context_(context),
+      layout_(std::move(layout)),
+      state_{.gravity = {scene.world.gravity[0], scene.world.gravity[1], scene.world.gravity[2]},
+             .gravity_before = {},
+             .local_damping = scene.world.local_damping,
+             .mass_damping = scene.world.mass_damping},
+      given_time_step_(scene.world.time_step),
+      safety_(scene.world.safety),
+      frames_have_contacts_(scene.output.contacts || scene.output.forces) {
+  hs_world* world = nullptr;
+  require(context, hs_world_create(context.get(), &scene.world, &world));
+  world_.reset(world);
+  for (const Material& material : scene.materials) {
+    densities_.push_back(material.density);
+    int32_t index = 0;  // counted from 0 in order, as in the scene
+    require(context, hs_world_add_material(world, material.density, &index));
+    if (material.elasticity) require(context, hs_world_set_elasticity(world, index, &*material.elasticity));
+  }
+  require(context, hs_world_set_default_law(world, &scene.default_law));
+  for (const PairLaw& pair : scene.laws) require(context, hs_world_set_law(world, pair.a, pair.b, &pair.law));
+  for (const LayoutBlock& given : layout_.blocks) {
+    if (given.body) {
+      blocks_.push_back(0);
+      continue;
+    }
+    hs_block_def def;
+    require(context, hs_block_def_init(&def, sizeof def, given.shape.get()));
+    def.kind = given.kind;
+    def.material = given.material;
+    place(def.pose, given.placing);
+    if (given.motion.start == 0) set_velocity(def, given.motion);
+    hs_block block = 0;
+    require(context, hs_world_add_block(world, given.shape.get(), &def, &block));
+    if (given.stress) require(context, hs_world_set_stress(world, block, given.stress->data()));
+    index_of_block_.emplace(block, blocks_.size());
+    blocks_.push_back(block);
+  }
+  is_removed_.resize(blocks_.size());
+  released_.resize(layout_.bodies.size());
+  for (const LayoutBody& body : layout_.bodies) add(body);
+  for (std::size_t body = 0; body < bodies_.size(); ++body) load_nodes(body);
+  for (const PairBond& pair : scene.bonds)
+    require(context, hs_world_bond_materials(world, pair.a, pair.b, &pair.def, nullptr));
+  int64_t bonds = 0;
+  require(context, hs_world_get_bonds(world, nullptr, 0, &bonds));
+  std::vector<hs_bond> all(static_cast<std::size_t>(bonds));
+  require(context, hs_world_get_bonds(world, all.data(), bonds, nullptr));
+  for (const hs_bond& bond : all) bonded_.emplace_back(index_of(bond.block_a), index_of(bond.block_b));
+  update_report();
+}
+
+void Model::add(const LayoutBody& given) {
+  hs_body_def def;
+  require(context_, hs_body_def_init(&def, sizeof def));
+  place(def.pose, given.placing);
+  std::copy(given.velocity.begin(), given.velocity.end(), def.velocity);
+  hs_body body = 0;
+  require(context_, hs_world_add_mesh(world_.get(), given.mesh.get(), &def, given.materials.data(), &body));
+  for (const LayoutBody::Support& support : given.supports) {
+    require(context_, hs_world_hold_nodes(world_.get(), body, support.nodes.data(),
+                                          static_cast<int64_t>(support.nodes.size()), support.axes,
+                                          support.velocity.data()));
+  }
+  if (given.stress) {
+    std::array<double, 27> gradient{};
+    std::copy(given.stress_by_height.begin(), given.stress_by_height.end(),
+              gradient.begin() + static_cast<std::ptrdiff_t>(9 * up_axis(layout_.dimension)));
+    require(context_, hs_world_set_body_stress(world_.get(), body, given.stress->data(), gradient.data()));
+  }
+  index_of_body_.emplace(body, bodies_.size());
+  bodies_.push_back(body);
+}
+
+void Model::step_towards(double time, std::int64_t max_steps, double end) {
+  const double step = usual_time_step();
+  const double target = std::min({time, next_motion_change(), end});
+  // An unknown time step is determined by one step.
+  const double left = step > 0 ? (target - report_.time) / step : 1;
+  auto steps = std::clamp<std::int64_t>(std::llround(std::min(left, 1e15)), 1, max_steps);
+  const double to_end = step > 0 ? (end - report_.time) / step : never;
+  if (to_end < 1e15 && std::abs(to_end - std::round(to_end)) * step > time_tolerance(end)) {
+    if (to_end < 2) return step_shortened((end - report_.time) / std::ceil(to_end));
+    steps = std::min(steps, static_cast<std::int64_t>(to_end) - 1);
+  }
+  state_.usual_time_step = 0;
+  const hs_status status = hs_world_step(world_.get(), steps);
+  update_report();
+  require(context_, status);
+  set_due_motions();
+}
+
+void Model::step_shortened(double length) {
+  const double usual = usual_time_step();
+  require(context_, hs_world_set_time_step(world_.get(), length));
+  const hs_status status = hs_world_step(world_.get(), 1);
+  require(context_, hs_world_set_time_step(world_.get(), given_time_step_));
+  state_.usual_time_step = usual;
+  update_report();
+  require(context_, status);
+  set_due_motions();
+}
+
+double Model::usual_time_step() const {
+  if (report_.time_step > 0) return report_.time_step;
+  return given_time_step_ > 0 ? given_time_step_ : safety_ * report_.stable_time_step;
+}
+
+double Model::time_tolerance(double end) const {
+  return std::ldexp(usual_time_step(), -20) + std::ldexp(std::abs(end), -50);
+}
+
+bool Model::settle(const hs_relaxation_def& relaxation, hs_balance& balance) {
+  state_.usual_time_step = 0;
+  const hs_status status = hs_world_relax(world_.get(), &relaxation, &balance, sizeof balance);
+  update_report();
+  require(context_, status);
+  set_due_motions();
+  return status != HS_NOTE_NOT_AT_REST;
+}
+
+std::string Model::snapshot() const {
+  std::size_t count = 0;
+  require(context_, hs_world_save(world_.get(), nullptr, 0, &count));
+  std::string bytes(count, '\0');
+  require(context_, hs_world_save(world_.get(), bytes.data(), bytes.size(), &count));
+  return bytes;
+}
+
+void Model::add_to(Archive& archive) {
+  std::string world = archive.reads() ? std::string() : snapshot();
+  archive.add(world);
+  archive.add(state_);
+  archive.add(is_removed_);
+  archive.add_each(released_, [&](std::vector<Point>& forces) { archive.add(forces); });
+  if (archive.reads()) restore(world);
+}
+
+void Model::restore(const std::string& world) {
+  hs_world* restored = nullptr;
+  require(context_, hs_world_restore(context_.get(), world.data(), world.size(), &restored));
+  world_.reset(restored);
+  if (!has_parts_of_layout()) throw std::runtime_error("its blocks, meshes or bonds differ");
+  for (std::size_t body = 0; body < bodies_.size(); ++body)
+    if (is_excavated(body)) bodies_[body] = 0;
+  update_report();
+}
+
+/// Checks that a restored world has all parts of the layout.
+bool Model::has_parts_of_layout() const {
+  const auto is_mark = [](char mark) { return mark >= 0 && mark <= 2; };
+  if (is_removed_.size() != blocks_.size() || !std::all_of(is_removed_.begin(), is_removed_.end(), is_mark))
+    return false;
+  for (std::size_t i = 0; i < blocks_.size(); ++i)
+    if (!layout_.blocks[i].body && !is_removed_[i] && !has_block_of_layout(i)) return false;
+  if (released_.size() != bodies_.size()) return false;
+  for (std::size_t body = 0; body < bodies_.size(); ++body)
+    if (!is_excavated(body) && !has_body_of_layout(body)) return false;
+  int64_t count = 0, bonds = 0;
+  (void)hs_world_get_blocks(world_.get(), nullptr, 0, &count);
+  std::vector<hs_block> all(static_cast<std::size_t>(count));
+  require(context_, hs_world_get_blocks(world_.get(), all.data(), count, nullptr));
+  (void)hs_world_get_bonds(world_.get(), nullptr, 0, &bonds);
+  return static_cast<std::size_t>(bonds) == bonded_.size() &&
+         std::all_of(all.begin(), all.end(), [&](hs_block block) { return is_of_layout(block); });
+}
+
+bool Model::has_block_of_layout(std::size_t block) const {
+  const LayoutBlock& given = layout_.blocks[block];
+  hs_block_state state{};
+  int64_t vertices = 0;
+  return hs_world_get_block_state(world_.get(), blocks_[block], &state) == HS_OK &&
+         state.kind == given.kind &&
+         hs_world_get_block_vertices(world_.get(), blocks_[block], {}, &vertices) >= HS_OK &&
+         vertices == properties_of(context_, given.shape).vertex_count;
+}
+
+bool Model::has_body_of_layout(std::size_t body) const {
+  const LayoutBody& given = layout_.bodies[body];
+  hs_body_state state{};
+  return hs_world_get_body_state(world_.get(), bodies_[body], &state, sizeof state) == HS_OK &&
+         static_cast<std::size_t>(state.node_count) == given.node_count &&
+         static_cast<std::size_t>(state.cell_count) == given.cell_nodes.size() &&
+         (released_[body].empty() || released_[body].size() == given.node_count);
+}
+
+bool Model::is_of_layout(hs_block block) const {
+  const auto known = index_of_block_.find(block);
+  if (known != index_of_block_.end()) return !is_removed_[known->second];
+  hs_body body = 0;
+  int32_t cell = 0;
+  if (hs_world_get_body_of_block(world_.get(), block, &body, &cell) != HS_OK) return false;
+  const auto of_body = index_of_body_.find(body);
+  return of_body != index_of_body_.end() && !is_excavated(of_body->second);
+}
+
+void Model::weaken(double factor) { require(context_, hs_world_set_strength_factor(world_.get(), factor)); }
+
+std::vector<hs_bond_event> Model::bond_events() const {
+  int64_t count = 0;
+  require(context_, hs_world_get_bond_events(world_.get(), 0, nullptr, 0, &count));
+  std::vector<hs_bond_event> events(static_cast<std::size_t>(count));
+  require(context_, hs_world_get_bond_events(world_.get(), 0, events.data(), count, nullptr));
+  return events;
+}
+
+hs_bond_report Model::bond_report() const {
+  hs_bond_report report;
+  require(context_, hs_world_get_bond_report(world_.get(), &report, sizeof report));
+  return report;
+}
+
+double Model::next_motion_change() const {
+  double next = never;
+  for (const LayoutBlock& block : layout_.blocks) {
+    for (double change : {block.motion.start, block.motion.stop}) {
+      if (!reached(change)) next = std::min(next, change);
+    }
+  }
+  return next;
+}
+
+void Model::set_due_motions() {
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    const LayoutBlock& block = layout_.blocks[i];
+    if (block.kind != HS_BLOCK_PRESCRIBED || is_removed_[i]) continue;
+    const bool moves = reached(block.motion.start) && !reached(block.motion.stop);
+    const Point velocity = moves ? block.motion.velocity : Point{};
+    const Point spin = moves ? block.motion.angular_velocity : Point{};
+    const hs_block_state now = state_of(i);
+    if (std::equal(velocity.begin(), velocity.end(), now.velocity) &&
+        std::equal(spin.begin(), spin.end(), now.angular_velocity))
+      continue;
+    require(context_, hs_world_set_velocity(world_.get(), blocks_[i], velocity.data(), spin.data()));
+  }
+}
+
+void Model::update_report() {
+  require(context_, hs_world_get_report(world_.get(), &report_, sizeof report_));
+  if (state_.usual_time_step > 0) report_.time_step = state_.usual_time_step;
+}
+
+hs_world_plan Model::account(std::int64_t steps) const {
+  hs_world_plan account{};
+  require(context_, hs_world_get_plan(world_.get(), steps, &account, sizeof account));
+  return account;
+}
+
+std::size_t Model::index_of(hs_block block) const {
+  const auto known = index_of_block_.find(block);
+  if (known != index_of_block_.end()) return known->second;
+  hs_body body = 0;
+  int32_t cell = 0;
+  require(context_, hs_world_get_body_of_block(world_.get(), block, &body, &cell));
+  return index_of(body, cell);
+}
+
+BlockFrame Model::motion_of(std::size_t block) const {
+  if (is_removed_[block]) return removed();
+  if (const std::optional<std::size_t> body = layout_.blocks[block].body)
+    return frame_of(*body)[block - layout_.bodies[*body].first_block];
+  BlockFrame frame;
+  require(context_, hs_world_get_block_state(world_.get(), blocks_[block], &frame.state));
+  if (frame.state.kind == HS_BLOCK_AFFINE)
+    require(context_, hs_world_get_deformation(world_.get(), blocks_[block], &frame.deformation));
+  return frame;
+}
+
+hs_block_state Model::state_of(std::size_t block) const { return motion_of(block).state; }
+
+std::vector<hs_contact> Model::contacts() const {
+  int64_t count = 0;
+  const hs_status status = hs_world_get_contacts(world_.get(), nullptr, 0, &count);
+  require(context_, status);
+  std::vector<hs_contact> contacts(static_cast<std::size_t>(count));
+  require(context_, hs_world_get_contacts(world_.get(), contacts.data(), count, nullptr));
+  for (hs_contact& contact : contacts) {
+    contact.block_a = index_of(contact.block_a);
+    contact.block_b = index_of(contact.block_b);
+  }
+  return contacts;
+}
+
+std::vector<BlockFrame> Model::frame_of(std::size_t index) const {
+  const LayoutBody& given = layout_.bodies[index];
+  const hs_body body = bodies_[index];
+  if (body == 0) return std::vector<BlockFrame>(given.cell_nodes.size(), removed());
+  std::vector<Point> places(given.node_count), velocities(given.node_count);
+  require(context_, hs_world_get_node_positions(world_.get(), body, view_of(places), nullptr));
+  require(context_, hs_world_get_node_velocities(world_.get(), body, view_of(velocities), nullptr));
+  std::vector<hs_cell_state> cells(given.cell_nodes.size());
+  require(context_,
+          hs_world_get_cells(world_.get(), body, cells.data(), static_cast<int64_t>(cells.size()), nullptr));
+  std::vector<BlockFrame> frame(cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    BlockFrame& cell = frame[i];
+    if (is_removed_[given.first_block + i]) {
+      cell = removed();
+      continue;
+    }
+    Point middle{}, velocity{};
+    const double weight = 1 / static_cast<double>(given.cell_nodes[i].size());
+    for (const int node : given.cell_nodes[i]) {
+      cell.vertices.push_back(places[static_cast<std::size_t>(node)]);
+      middle = plus(middle, times(weight, cell.vertices.back()));
+      velocity = plus(velocity, times(weight, velocities[static_cast<std::size_t>(node)]));
+    }
+    cell.state.kind = HS_BLOCK_MESH;
+    cell.state.material = given.materials[i];
+    cell.state.mass = densities_[static_cast<std::size_t>(given.materials[i])] * given.cell_sizes[i];
+    cell.state.pose.rotation[3] = 1;
+    std::copy(middle.begin(), middle.end(), cell.state.pose.position);
+    std::copy(velocity.begin(), velocity.end(), cell.state.velocity);
+    std::copy(std::begin(cells[i].stress), std::end(cells[i].stress), cell.deformation.stress);
+    std::copy(std::begin(cells[i].strain), std::end(cells[i].strain), cell.deformation.strain);
+  }
+  return frame;
+}
+
+Frame Model::frame() const {
+  Frame frame{.time = report_.time, .blocks = std::vector<BlockFrame>(blocks_.size()), .contacts = {}};
+  if (frames_have_contacts_) frame.contacts = contacts();
+  for (std::size_t body = 0; body < layout_.bodies.size(); ++body) {
+    std::vector<BlockFrame> cells = frame_of(body);
+    std::move(cells.begin(), cells.end(),
+              frame.blocks.begin() + static_cast<std::ptrdiff_t>(layout_.bodies[body].first_block));
+  }
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    if (layout_.blocks[i].body) continue;
+    BlockFrame& block = frame.blocks[i];
+    block = motion_of(i);
+    if (is_removed_[i]) continue;
+    block.vertices.resize(
+        static_cast<std::size_t>(properties_of(context_, layout_.blocks[i].shape).vertex_count));
+    require(context_,
+            hs_world_get_block_vertices(world_.get(), blocks_[i], view_of(block.vertices), nullptr));
+  }
+  return frame;
+}
+
+}  // namespace halfspace::cli

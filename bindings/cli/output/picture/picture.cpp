@@ -1,0 +1,79 @@
+#include "output/picture/picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/text.h"
+#include "output/picture/plot.h"
+#include "output/picture/svg.h"
+
+namespace halfspace::cli {
+namespace {
+
+/// Above the plot, where no block is.
+void draw_scale_bar(Svg& svg, const Plot& plot) {
+  const double length = even_step(plot.stage.upper_right[0] - plot.stage.lower_left[0], 8);
+  const double left = plot.right() - plot.scale * length;
+  svg.rectangle({left, 38}, plot.scale * length, 5, "fill=\"#222\"");
+  svg.label({left - 8, 44}, decimals(length, decimals_for(length)) + " m", 13, "end");
+}
+
+void draw_colours(Svg& svg, const Plot& plot, const Scene& scene) {
+  const Stage& stage = plot.stage;
+  const double x = plot.right() + 22;
+  const double height = std::min(plot.height, 240.0);
+  if (stage.colour == Colour::material) {
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+      const double y = top_margin + 22 * static_cast<double>(i);
+      svg.rectangle({x, y}, 14, 14,
+                    "fill=\"" + hex(ramp_colour(colour_position(stage, static_cast<double>(i)))) + '"');
+      svg.label({x + 20, y + 12}, scene.materials[i].name, 12, "start");
+    }
+    return;
+  }
+  const int bands = stage.colour == Colour::layer ? stage.layers : 48;
+  for (int i = 0; i < bands; ++i) {
+    const double value = stage.lowest + (stage.highest - stage.lowest) * (i + 0.5) / bands;
+    const double y = top_margin + height * (bands - 1 - i) / bands;
+    svg.rectangle({x, y}, 14, height / bands + 0.3,
+                  "fill=\"" + hex(ramp_colour(colour_position(stage, value))) + '"');
+  }
+  svg.rectangle({x, top_margin}, 14, height, "fill=\"none\" stroke=\"#222\" stroke-width=\"0.8\"");
+  const double range = stage.highest - stage.lowest;
+  if (range > 0) {
+    const double step = even_step(range, 5);
+    for (const double value : multiples_of(step, stage.lowest, stage.highest)) {
+      const double y = top_margin + height * (stage.highest - value) / range;
+      svg.line({x + 14, y}, {x + 18, y}, "stroke=\"#222\"");
+      svg.label({x + 22, y + 4}, decimals(value + 0.0, decimals_for(step)), 12, "start");
+    }
+  }
+  const char* meaning = "displacement (m)";
+  if (stage.colour == Colour::speed) meaning = "speed (m/s)";
+  if (stage.colour == Colour::mean_stress) meaning = "mean stress (MPa)";
+  if (stage.colour == Colour::layer) meaning = "height at start (m)";
+  svg.label({x + 74, top_margin + height / 2}, meaning, 13, "middle", -90);
+}
+
+}  // namespace
+
+std::string picture(const Stage& stage, const Scene& scene, const Layout& layout, const Frame& start,
+                    const Frame& frame) {
+  const Plot plot(stage);
+  const double width = std::max(plot.right() + right_margin, 420.0);
+  const double height = std::max(plot.bottom(), top_margin + 240.0) + bottom_margin;
+  Svg svg(width, height);
+  svg.rectangle({0, 0}, width, height, "fill=\"#ffffff\"");
+  svg.label({left_margin, 24}, stage.title, 17, "start");
+  svg.label({left_margin, 44}, "t = " + decimals(frame.time, 3) + " s", 14, "start");
+  if (stage.dimension == 2) {
+    draw_in_plane(svg, plot, start, frame);
+  } else {
+    draw_in_space(svg, plot, layout, start, frame);
+  }
+  draw_scale_bar(svg, plot);
+  draw_colours(svg, plot, scene);
+  return svg.text();
+}
+
+}  // namespace halfspace::cli

@@ -1,0 +1,39 @@
+#include "output/picture/png.h"
+
+#include <png.h>
+
+#include <stdexcept>
+
+namespace halfspace::cli {
+
+std::string png(const Image& image) {
+  png_image description{};
+  description.version = PNG_IMAGE_VERSION;
+  description.width = static_cast<png_uint_32>(image.width);
+  description.height = static_cast<png_uint_32>(image.height);
+  description.format = PNG_FORMAT_RGB;
+  const auto write = [&](void* memory, png_alloc_size_t& size) {
+    if (!png_image_write_to_memory(&description, memory, &size, 0, image.bytes.data(), 0, nullptr))
+      throw std::runtime_error(std::string("cannot write a PNG image: ") + description.message);
+  };
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(description);
+  std::string bytes(size, '\0');
+  write(bytes.data(), size);
+  bytes.resize(size);
+  return bytes;
+}
+
+std::string base64(const std::string& bytes) {
+  static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+    std::uint32_t group = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      group = group << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k) text += k <= count ? digits[group >> (18 - 6 * k) & 63] : '=';
+  }
+  return text;
+}
+
+}  // namespace halfspace::cli

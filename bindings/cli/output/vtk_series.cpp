@@ -1,0 +1,112 @@
+#include "output/vtk_series.h"
+
+#include "output/vtk_file.h"
+
+namespace halfspace::cli {
+namespace {
+
+constexpr int max_frames = 1 << 30;
+
+/// Rotation and angular velocity, which have other components in 2D than in 3D.
+void add_rotation(const hs_block_state& state, VtkArray& rotation, VtkArray& spin) {
+  rotation.add(rotation.components == 1 ? &state.angle : state.pose.rotation);
+  spin.add(spin.components == 1 ? &state.angular_velocity[2] : state.angular_velocity);
+}
+
+void add_cell_data(const Layout& layout, const Frame& frame, const Frame& start, VtkCells& cells) {
+  const bool in_plane = layout.dimension == 2;
+  VtkIntegers block{"block"}, kind{"kind"}, material{"material"};
+  VtkArray velocity("velocity", 3), displacement("displacement", 3), force("contact_force", 3);
+  VtkArray rotation = in_plane ? VtkArray("angle", 1) : VtkArray("rotation", 4);
+  VtkArray spin("angular_velocity", in_plane ? 1 : 3);
+  VtkArray stress("stress", 9), strain("strain", 9);
+  for (std::size_t i = 0; i < frame.blocks.size(); ++i) {
+    if (frame.blocks[i].vertices.empty()) continue;  // it has been excavated
+    const hs_block_state& now = frame.blocks[i].state;
+    const hs_block_state& then = start.blocks[i].state;
+    double moved[3];
+    for (int axis = 0; axis < 3; ++axis) moved[axis] = now.pose.position[axis] - then.pose.position[axis];
+    for (std::size_t face = 0; face < layout.blocks[i].faces.size(); ++face) {
+      block.values.push_back(static_cast<std::int64_t>(i));
+      kind.values.push_back(now.kind);
+      material.values.push_back(now.material);
+      velocity.add(now.velocity);
+      displacement.add(moved);
+      add_rotation(now, rotation, spin);
+      force.add(now.force);
+      stress.add(frame.blocks[i].deformation.stress);
+      strain.add(frame.blocks[i].deformation.strain);
+    }
+  }
+  cells.integers = {block, kind, material};
+  cells.arrays = {velocity, displacement, rotation, spin, force};
+  if (layout.has_deformable()) cells.arrays.insert(cells.arrays.end(), {stress, strain});
+}
+
+}  // namespace
+
+std::string vtk_polygons(const Layout& layout, const Frame& frame, const Frame& start) {
+  VtkCells cells{.kind = "Polys", .time = frame.time};
+  for (std::size_t i = 0; i < frame.blocks.size(); ++i) {
+    if (frame.blocks[i].vertices.empty()) continue;
+    const std::size_t first = cells.points.size() / 3;
+    for (const Point& p : frame.blocks[i].vertices)
+      cells.points.insert(cells.points.end(), p.begin(), p.end());
+    for (const std::vector<int>& face : layout.blocks[i].faces) {
+      for (int vertex : face) cells.connectivity.push_back(static_cast<std::int64_t>(first) + vertex);
+      cells.offsets.push_back(static_cast<std::int64_t>(cells.connectivity.size()));
+    }
+  }
+  add_cell_data(layout, frame, start, cells);
+  return vtk_text(cells);
+}
+
+std::string vtk_contacts(const Frame& frame) {
+  VtkCells cells{.kind = "Verts", .time = frame.time};
+  VtkIntegers block_a{"block_a"}, block_b{"block_b"}, type{"type"};
+  VtkArray force("force", 3), normal("normal", 3), normal_force("normal_force", 1), shear("shear_force", 3),
+      gap("gap", 1), area("area", 1);
+  for (const hs_contact& contact : frame.contacts) {
+    cells.connectivity.push_back(static_cast<std::int64_t>(cells.offsets.size()));
+    cells.offsets.push_back(static_cast<std::int64_t>(cells.connectivity.size()));
+    cells.points.insert(cells.points.end(), contact.force_point, contact.force_point + 3);
+    block_a.values.push_back(static_cast<std::int64_t>(contact.block_a));
+    block_b.values.push_back(static_cast<std::int64_t>(contact.block_b));
+    type.values.push_back(contact.type);
+    force.add(contact.force);
+    normal.add(contact.normal);
+    normal_force.add(contact.normal_force);
+    shear.add(contact.shear_force);
+    gap.add(contact.gap);
+    area.add(contact.area);
+  }
+  cells.integers = {block_a, block_b, type};
+  cells.arrays = {force, normal, normal_force, shear, gap, area};
+  return vtk_text(cells);
+}
+
+void VtkSeries::add_to(Archive& archive, bool has_frames) {
+  archive.add(entries_);
+  archive.add(contact_entries_);
+  archive.add(count_);
+  archive.require(count_ >= 0 && count_ <= max_frames, "invalid number of frames");
+  if (has_frames) return;
+  entries_.clear();
+  contact_entries_.clear();
+}
+
+void VtkSeries::add(const Frame& frame, const Frame& start) {
+  const std::string name = frame_name(count_);
+  directory_.write(name, vtk_polygons(layout_, frame, start));
+  entries_ += vtk_entry(frame.time, name);
+  directory_.write("run.pvd", vtk_collection(entries_));
+  if (has_contacts_) {
+    const std::string of_contacts = contacts_name(count_);
+    directory_.write(of_contacts, vtk_contacts(frame));
+    contact_entries_ += vtk_entry(frame.time, of_contacts);
+    directory_.write("contacts.pvd", vtk_collection(contact_entries_));
+  }
+  ++count_;
+}
+
+}  // namespace halfspace::cli

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+
+#include "common/archive.h"
+#include "common/files.h"
+#include "model/model.h"
+
+namespace halfspace::cli {
+
+/// One frame as VTK XML PolyData: the faces of each block (in 2D the block itself), with its motion as cell
+/// data.
+std::string vtk_polygons(const Layout& layout, const Frame& frame, const Frame& start);
+
+/// The contacts of a frame as points of VTK XML PolyData, at the points of application, with force, normal
+/// and gap.
+std::string vtk_contacts(const Frame& frame);
+
+/// The frames of a run for ParaView: frames/frame_0000.vtp, ... and run.pvd, which gives their times; with
+/// contacts also frames/contacts_0000.vtp, ... and contacts.pvd.
+class VtkSeries {
+ public:
+  VtkSeries(const Layout& layout, bool has_contacts, OutputDirectory& directory)
+      : layout_(layout), has_contacts_(has_contacts), directory_(directory) {}
+  void add(const Frame& frame, const Frame& start);
+  /// After reading, earlier frames are listed only if they are in the directory.
+  void add_to(Archive& archive, bool has_frames);
+  int count() const { return count_; }
+
+ private:
+  const Layout& layout_;
+  bool has_contacts_;
+  OutputDirectory& directory_;
+  std::string entries_;
+  std::string contact_entries_;
+  int count_ = 0;
+};
+
+}  // namespace halfspace::cli

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace halfspace::cli {
+
+/// A place in the scene file, counted from 1.
+struct Place {
+  int line = 1;
+  int column = 1;
+};
+
+/// A fault of a scene, or a note.
+struct Fault {
+  Place place;
+  std::string key;   ///< dotted path, e.g. block[2].vertices
+  std::string text;  ///< the fault, the value, the allowed values
+};
+
+/// Collects all faults of a scene, so that they are reported together, and its notes: legal but unusual
+/// input.
+class Faults {
+ public:
+  void add(Place place, std::string key, std::string text);
+  void note(Place place, std::string key, std::string text);
+  /// Removes the fault of a missing key that is present under another name.
+  void withdraw_missing(const std::string& key);
+  bool none() const { return faults_.empty(); }
+  std::size_t count() const { return faults_.size(); }
+
+  /// One line each, `file:LINE:COLUMN: key: text`, in the order of the file.
+  std::string describe(const std::string& file) const;
+  /// The same for notes, with `note: ` before each key.
+  std::string describe_notes(const std::string& file) const;
+
+ private:
+  std::vector<Fault> faults_;
+  std::vector<Fault> notes_;
+};
+
+}  // namespace halfspace::cli

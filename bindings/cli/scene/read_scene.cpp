@@ -1,0 +1,233 @@
+#include "scene/read_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <utility>
+
+#include "common/files.h"
+#include "common/text.h"
+#include "notes/unusual_values.h"
+#include "scene/deep_key.h"
+#include "scene/keys.h"
+#include "scene/read_blocks.h"
+#include "scene/read_reference.h"
+#include "scene/read_stages.h"
+#include "scene/read_values.h"
+
+namespace halfspace::cli {
+namespace {
+
+/// The longest key of a scene has three names. Recursive functions process nested tables, so that very deep
+/// ones would overflow the stack.
+constexpr int max_names = 8;
+
+void read_world(Keys keys, bool has_stages, Scene& scene) {
+  hs_world_def& world = scene.world;
+  hs_world_def_init(&world, sizeof world, keys.dimension());
+  const Point gravity = keys.point("gravity", std::to_array(world.gravity));
+  std::copy(gravity.begin(), gravity.end(), world.gravity);
+  scene.duration = has_stages ? 0 : keys.number("duration", above(0), required);
+  world.time_step = keys.number("time_step", above(0), world.time_step);
+  world.safety = keys.number("safety", {.low = 0, .high = 1, .with_low = false}, world.safety);
+  world.local_damping =
+      keys.number("local_damping", {.low = 0, .high = 1, .with_high = false}, world.local_damping);
+  world.mass_damping = keys.number("mass_damping", at_least(0), world.mass_damping);
+  world.skin = keys.number("skin", {.low = 0, .high = 1, .with_low = false}, world.skin);
+  world.parallel_angle =
+      degrees(keys, "parallel_angle", {.low = 0, .high = 28}, world.parallel_angle / degree);
+  world.vertex_zone = keys.number("vertex_zone", {.low = 0, .high = 0.5}, world.vertex_zone);
+  world.potential_length = keys.number("potential_length", above(0), world.potential_length);
+  world.fast_blocks = keys.word("fast_blocks", {"divide", "refuse"}, world.fast_blocks);
+  world.sleep_tolerance = keys.number("sleep_tolerance", at_least(0), world.sleep_tolerance);
+  if (has_stages && keys.has("rest_speed"))
+    keys.fault("rest_speed", "not allowed with stages; allowed: rest_speed in a [[stage]] that runs");
+  scene.rest_speed = keys.number("rest_speed", above(0), scene.rest_speed);
+  scene.threads = static_cast<int>(keys.integer("threads", 1, max_threads, scene.threads));
+  Scene::Places& places = scene.places;
+  places.gravity = keys.place("gravity");
+  places.time_step = keys.place("time_step");
+  places.duration = keys.place("duration");
+  places.sleep_tolerance = keys.place("sleep_tolerance");
+  places.potential_length = keys.place("potential_length");
+  places.rest_speed = keys.place("rest_speed");
+  keys.finish();
+}
+
+/// Empty if there is no key of elasticity.
+std::optional<hs_elasticity_def> read_elasticity(Keys& keys) {
+  const bool has_plane = keys.dimension() == 2 && keys.has_any({"plane"});
+  if (!keys.has_any({"young_modulus", "poisson_ratio", "damping_time"}) && !has_plane) return std::nullopt;
+  hs_elasticity_def elasticity;
+  hs_elasticity_def_init(&elasticity, sizeof elasticity);
+  elasticity.young_modulus = keys.number("young_modulus", above(0), required);
+  elasticity.poisson_ratio =
+      keys.number("poisson_ratio", {.low = -1, .high = 0.5, .with_low = false, .with_high = false}, required);
+  if (keys.dimension() == 2) elasticity.plane = keys.word("plane", {"strain", "stress"}, 0);
+  elasticity.damping_time = keys.number("damping_time", at_least(0), elasticity.damping_time);
+  return elasticity;
+}
+
+void read_materials(std::vector<Keys> tables, Scene& scene) {
+  for (Keys& keys : tables) {
+    Material material{read_name(keys), keys.number("density", above(0), required), read_elasticity(keys),
+                      keys.place("name")};
+    const bool twice = std::any_of(scene.materials.begin(), scene.materials.end(),
+                                   [&](const Material& other) { return other.name == material.name; });
+    if (twice && !material.name.empty())
+      keys.fault("name", "used twice: \"" + material.name + "\"; allowed: a new name");
+    scene.materials.push_back(std::move(material));
+    keys.finish();
+  }
+}
+
+/// Reads the keys of a law; missing keys keep their value in `law`.
+void read_law_values(Keys& keys, hs_law_def& law, bool is_whole) {
+  const bool changes_kind = !is_whole && keys.has("stiffness");
+  const std::optional<int> kind = is_whole ? std::nullopt : std::optional(law.stiffness_kind);
+  law.stiffness_kind = keys.kind("stiffness", {law_names[0], law_names[1], law_names[2], law_names[3]}, kind);
+  const auto stiffness = [&](double inherited) {
+    // A stiffness in other units cannot be inherited from the default law.
+    return is_whole || changes_kind ? std::optional<double>() : inherited;
+  };
+  // Without a spring, stiffness and damping are unknown keys.
+  if (has_spring(law)) {
+    law.normal_stiffness = keys.number("normal_stiffness", above(0), stiffness(law.normal_stiffness));
+    law.shear_stiffness = keys.number("shear_stiffness", at_least(0), changes_kind ? 0 : law.shear_stiffness);
+  }
+  law.friction_angle = degrees(keys, "friction_angle", {.low = 0, .high = 90, .with_high = false},
+                               law.friction_angle / degree);
+  if (law.stiffness_kind == HS_STIFFNESS_POTENTIAL) {
+    law.cohesion = law.tensile_strength = 0;  // potentials have no cohesion
+  } else {
+    law.cohesion = keys.number("cohesion", at_least(0), law.cohesion);
+    law.tensile_strength = keys.number("tensile_strength", at_least(0), law.tensile_strength);
+  }
+  if (!has_spring(law)) return;
+  law.normal_damping = keys.number("normal_damping", at_least(0), law.normal_damping);
+  law.shear_damping = keys.number("shear_damping", at_least(0), law.shear_damping);
+}
+
+void read_default_law(Keys keys, Scene& scene) {
+  hs_law_def_init(&scene.default_law, sizeof scene.default_law);
+  read_law_values(keys, scene.default_law, true);
+  scene.places.default_law = keys.place();
+  keys.finish();
+}
+
+void read_laws(std::vector<Keys> tables, Scene& scene) {
+  for (Keys& keys : tables) {
+    const std::optional<std::pair<int, int>> between = read_between(keys, scene);
+    hs_law_def law = scene.default_law;
+    read_law_values(keys, law, false);
+    keys.finish();
+    if (!between) continue;
+    const int a = between->first, b = between->second;
+    const bool twice = std::any_of(scene.laws.begin(), scene.laws.end(), [&](const PairLaw& other) {
+      return std::minmax(other.a, other.b) == std::minmax(a, b);
+    });
+    if (twice) {
+      keys.fault("between", "a law between \"" + scene.materials[static_cast<std::size_t>(a)].name +
+                                "\" and \"" + scene.materials[static_cast<std::size_t>(b)].name +
+                                "\" was given before; allowed: one law for a pair of materials");
+    }
+    scene.laws.push_back({a, b, law, keys.place("between")});
+  }
+}
+
+void read_output(Keys keys, Scene& scene) {
+  Output& output = scene.output;
+  output.frame_interval =
+      keys.number("frame_interval", above(0),
+                  scene.duration > 0 ? scene.duration / 50 : std::numeric_limits<double>::infinity());
+  output.history_interval = keys.number("history_interval", above(0), output.frame_interval);
+  scene.places.frame_interval = keys.place("frame_interval");
+  scene.places.history_interval = keys.place("history_interval");
+  output.tracked = keys.texts("tracked", output.tracked_places, std::vector<std::string>{});
+  output.contacts = keys.boolean("contacts", output.contacts);
+  Keys picture = keys.table("picture", false);
+  output.forces = keys.dimension() == 2 && picture.boolean("forces", output.forces);
+  output.colour = static_cast<Colour>(
+      picture.word("colour", {"displacement", "speed", "layer", "material", "mean_stress"}, 0));
+  output.layers = static_cast<int>(picture.integer("layers", 1, 1000, output.layers));
+  output.picture_times = picture.rising_numbers("times", above(0));
+  output.has_stage_pictures = !scene.stages.empty() && picture.boolean("stages", output.has_stage_pictures);
+  // The duration of a stage that settles is unknown.
+  const bool is_length_known = std::none_of(scene.stages.begin(), scene.stages.end(),
+                                            [](const SceneStage& stage) { return stage.settles; });
+  if (is_length_known && !output.picture_times.empty() && output.picture_times.back() > scene.duration) {
+    picture.note("times", shortest(output.picture_times.back()) + " s is after the end of the run, " +
+                              shortest(scene.duration) + " s: this picture is not drawn");
+  }
+  const std::vector<Point> window = picture.points("window", 2, std::vector<Point>{});
+  if (window.size() == 2 && spans(window[0], window[1], keys.dimension())) {
+    output.window = {{window[0], window[1]}};
+  } else if (!window.empty()) {
+    picture.fault("window", "not a window; allowed: two points, [lowest corner, highest corner]");
+  }
+  if (keys.dimension() == 3) {
+    output.azimuth = degrees(picture, "azimuth", {.low = -360, .high = 360}, 150.0);
+    output.elevation = degrees(picture, "elevation", {.low = -90, .high = 90}, 25.0);
+  }
+  picture.finish();
+  keys.finish();
+}
+
+const std::initializer_list<std::string_view> top_keys = {
+    "title", "dimension",    "world",        "material", "default_law", "law",    "bond",     "stage",
+    "block", "jointed_rock", "triangulated", "voronoi",  "mesh",        "output", "reference"};
+
+Scene read_top(Keys keys, const std::string& folder, Faults& faults) {
+  Scene scene;
+  scene.folder = folder;
+  scene.title = keys.text("title", std::string());
+  keys.set_dimension(static_cast<int>(keys.integer("dimension", 2, 3, required)));
+  scene.has_all_names = keys.has_only(top_keys);
+  if (keys.is_misspelt("dimension")) {  // the number of components of points is unknown
+    keys.has_any(top_keys);
+    keys.finish();
+    return scene;
+  }
+  read_world(keys.table("world", true), keys.has("stage") || keys.is_misspelt("stage"), scene);
+  read_materials(keys.tables("material", true), scene);
+  read_default_law(keys.table("default_law", true), scene);
+  read_laws(keys.tables("law", false), scene);
+  read_bonds(keys.tables("bond", false), scene);
+  read_stages(keys.tables("stage", false), scene);
+  const bool has_blocks = read_blocks(keys, scene);
+  read_output(keys.table("output", false), scene);
+  read_reference(keys.table("reference", false), scene);
+  keys.finish();
+  if (!has_blocks && faults.none()) {
+    faults.add({}, "",
+               std::string("no blocks; required: a [[block]], [[jointed_rock]], [[mesh]] or ") +
+                   (keys.dimension() == 3 ? "[[voronoi]]" : "[[triangulated]]"));
+  }
+  return scene;
+}
+
+}  // namespace
+
+Scene read_scene(const std::string& file, Faults& faults) {
+  return read_scene_text(content_of(file), file, faults);
+}
+
+Scene read_scene_text(const std::string& content, const std::string& file, Faults& faults) {
+  if (const std::optional<Place> place = deep_key(content, max_names)) {
+    faults.add(*place, "",
+               "more than " + std::to_string(max_names) + " names in a key; allowed: the keys of a scene");
+    return {};
+  }
+  try {
+    const toml::table table = toml::parse(content, file);
+    note_unusual_values(table, faults);
+    return read_top(Keys(table, "", faults), std::filesystem::path(file).parent_path().string(), faults);
+  } catch (const toml::parse_error& error) {
+    const toml::source_position begin = error.source().begin;
+    faults.add({static_cast<int>(begin.line), static_cast<int>(begin.column)}, "",
+               "not TOML: " + std::string(error.description()));
+    return {};
+  }
+}
+
+}  // namespace halfspace::cli

@@ -1,0 +1,318 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/vector.h"
+#include "halfspace/halfspace.h"
+#include "scene/faults.h"
+
+namespace halfspace::cli {
+
+/// Of all generators with a `count`, and of each [[jointed_rock]].
+constexpr std::int64_t max_blocks = 10'000'000;
+
+/// The vertical axis by default: y in 2D, z in 3D.
+constexpr std::size_t up_axis(int dimension) { return dimension == 3 ? 2 : 1; }
+
+struct Material {
+  std::string name;
+  double density = 0;
+  std::optional<hs_elasticity_def> elasticity;  ///< affine blocks need one
+  Place place = {};                             ///< of the name, for notes
+};
+
+/// True for blocks that move by Newton's laws.
+constexpr bool moves_freely(int kind) {
+  return kind == HS_BLOCK_RIGID || kind == HS_BLOCK_AFFINE || kind == HS_BLOCK_MESH;
+}
+/// True for blocks that strain.
+constexpr bool deforms(int kind) { return kind == HS_BLOCK_AFFINE || kind == HS_BLOCK_MESH; }
+
+/// A tensor in row-major order, as in the C API.
+using Tensor = std::array<double, 9>;
+
+/// The law of a pair of materials, given by their indices.
+struct PairLaw {
+  int a = 0;
+  int b = 0;
+  hs_law_def law{};
+  Place place = {};  ///< of the materials' names, for notes
+};
+
+/// The bonds between the blocks of two materials, given by their indices.
+struct PairBond {
+  int a = 0;
+  int b = 0;
+  hs_bond_def def{};
+  Place place = {};  ///< of the materials' names, for notes
+};
+
+/// A stage of a run: the world is brought to rest, or runs for a duration. Changes apply when it begins, and
+/// persist.
+struct SceneStage {
+  std::string name = {};
+  bool settles = false;
+  hs_relaxation_def relaxation{};  ///< settle
+  double duration = 0;             ///< run: s
+  bool ends_exactly = false;       ///< run: the last steps are shortened to end exactly
+  double rest_speed = 0;           ///< run: m/s; 0: it never ends early
+  double ramp = 0;                 ///< run: s, of the changes of gravity, loads and excavation
+  std::int64_t portions = 1;       ///< settle: number of increments of these changes
+  std::optional<Point> gravity = {};
+  std::optional<double> local_damping = {};
+  std::optional<double> mass_damping = {};
+  std::optional<double> strength_factor = {};
+  std::optional<double> loads = {};         ///< factor of all mesh loads of the scene
+  std::vector<std::string> excavated = {};  ///< names of blocks, generators and meshes, or "mesh/group"
+  Place excavated_place = {};               ///< for faults
+  Place gravity_place = {};                 ///< for notes
+  bool resets_displacement = false;
+};
+
+/// The names of laws in scene files, in the order of the HS_STIFFNESS_ values.
+inline constexpr std::array<std::string_view, 4> law_names = {"per contact", "per area", "potential", "none"};
+
+/// The initial motion of a free block, or the motion of a prescribed block between start and stop.
+struct Motion {
+  Point velocity{};
+  Point angular_velocity{};  ///< rad/s; 2D: the last component
+  double start = 0;
+  double stop = std::numeric_limits<double>::infinity();
+};
+
+/// Properties common to blocks and generators.
+struct Making {
+  std::string name;
+  std::string key;  ///< path in the file, for faults
+  Place place;      ///< of the name, for faults
+  int material = 0;
+  int kind = HS_BLOCK_RIGID;
+  std::optional<Tensor> stress = {};  ///< initial, of affine blocks and meshes
+  double cell_size = 0;               ///< m, of mesh blocks
+  int cell_kind = HS_CELL_QUAD;       ///< 2D: of mesh blocks
+};
+
+/// The placing of a block: a rotation, then a translation of the given vertices.
+struct Placing {
+  Point rotation{};  ///< about the origin: axis times angle, rad
+  Point shift{};     ///< after the rotation, m
+};
+
+/// A block given by its vertices, the blocks of a file, or the blocks behind the segments of a boundary.
+struct Block {
+  Making making;
+  std::vector<Point> vertices;          ///< 2D: in order; 3D without faces: points of a convex hull
+  std::vector<std::vector<int>> faces;  ///< 3D: loops of vertices
+  Place shape_place;                    ///< of vertices, file or boundary
+  std::string file;                     ///< instead of vertices: path, from the working directory
+  std::vector<Point> boundary;          ///< 2D, instead of vertices: points of a chain of segments
+  double depth = 0;                     ///< m, thickness of the blocks behind a boundary
+  double scale = 1;                     ///< length in m of one unit of the file
+  std::optional<double> tolerance;      ///< 3D, m: of planarity and convexity
+  Placing placing;
+  Motion motion;
+};
+
+/// Nodes or outer faces of a mesh: those of a group, or those in a box.
+struct MeshPart {
+  std::string group;                        ///< empty: those in the box
+  std::optional<std::array<Point, 2>> box;  ///< lowest and highest corner, in the placed mesh
+  std::string key;                          ///< path in the file, for faults
+  Place place;                              ///< for faults
+};
+
+/// Nodes held along axes.
+struct MeshSupport {
+  MeshPart part;
+  int axes = 0;  ///< a sum of HS_AXIS_ values
+  Point velocity{};
+};
+
+/// A dead load on outer faces: it keeps its direction.
+struct MeshLoad {
+  MeshPart part;
+  double pressure = 0;  ///< Pa, against the outward normals at the start
+  Point traction{};     ///< Pa, added to the pressure
+};
+
+/// The material of one group of cells.
+struct MeshMaterial {
+  MeshPart part;
+  int material = 0;
+};
+
+/// The division of a mesh into bodies. Separate bodies can be bonded, and break apart.
+enum class MeshDivision { whole, groups, cells };
+
+/// Bodies of finite elements, from a file or a box.
+struct Mesh {
+  Making making;
+  std::string file;                         ///< path, from the working directory; empty: a box
+  std::optional<std::array<Point, 2>> box;  ///< lowest and highest corner
+  std::array<int, 3> counts{};              ///< number of cells of the box along each axis
+  int cell_kind = HS_CELL_TRIANGLE;         ///< of the cells of the box
+  Place shape_place;                        ///< of file or box
+  double scale = 1;                         ///< length in m of one unit of the file
+  MeshDivision division = MeshDivision::whole;
+  Placing placing;
+  Point velocity{};
+  Tensor stress_by_height{};  ///< vertical gradient of the initial stress, Pa/m; that stress is at the origin
+  std::vector<MeshMaterial> materials;
+  std::vector<MeshSupport> supports;
+  std::vector<MeshLoad> loads;
+};
+
+/// A convex region: in 2D a polygon with its vertices in order, in 3D the hull of points.
+struct Region {
+  std::vector<Point> points;
+  std::string key;  ///< path in the file, for faults
+  Place place;      ///< for faults
+};
+
+/// Parallel joints, each through the whole region.
+struct JointSet {
+  Point normal{0, 1, 0};  ///< unit length
+  double spacing = 1;
+  double offset = 0;  ///< of joint 0 from the origin, along the joints' normal
+  double jitter = 0;  ///< max random deviation of each spacing, fraction of the spacing
+  std::uint64_t seed = 0;
+  std::string key = {};  ///< path of the spacing in the file, for faults
+  Place place = {};      ///< for faults
+};
+
+/// Convex regions cut by joint sets.
+struct JointedRock {
+  Making making;
+  std::vector<Region> regions;
+  double smallest_size = 0;  ///< area in 2D, volume in 3D
+  std::vector<JointSet> joint_sets;
+};
+
+/// A rectangle cut into a given number of triangles.
+struct Triangulated {
+  Making making;
+  Point lower_left{};
+  Point upper_right{};
+  std::int64_t count = 2;
+  double jitter = 0;
+  std::uint64_t seed = 0;
+};
+
+/// A convex region divided into the Voronoi cells of random sites.
+struct Voronoi {
+  Making making;
+  Region region;
+  std::int64_t count = 2;
+  std::int64_t relaxation = 0;  ///< iterations, each of which moves every site to the centroid of its cell
+  std::uint64_t seed = 0;
+};
+
+enum class Colour { displacement, speed, layer, material, mean_stress };
+
+struct Output {
+  double frame_interval = 0;
+  double history_interval = 0;
+  bool contacts = false;  ///< points and forces of contacts are written to files
+  bool forces = false;    ///< contact forces are drawn
+  std::vector<std::string> tracked;
+  std::vector<Place> tracked_places;
+  Colour colour = Colour::displacement;
+  int layers = 6;
+  std::vector<double> picture_times;           ///< s, increasing; besides the first and the last picture
+  bool has_stage_pictures = false;             ///< one at the end of each stage
+  std::optional<std::array<Point, 2>> window;  ///< lowest and highest corner
+  double azimuth = 0;  ///< rad; 3D: direction from which the camera looks, clockwise from +y seen from above
+  double elevation = 0;  ///< rad above the horizontal
+};
+
+/// A quantity of a run, which `halfspace trade` compares with its reference.
+enum class Quantity { run_out, height, position, force, stands, friction_angle };
+
+/// The quantity that `halfspace trade` measures, and its reference value.
+struct Reference {
+  Quantity quantity = Quantity::run_out;
+  std::string block;            ///< of a position or a force
+  Place block_place;            ///< of its name, for faults
+  std::size_t axis = 0;         ///< of a position
+  double time = 0;              ///< s
+  std::optional<double> value;  ///< empty: that of the run with the smallest step
+  std::optional<double> scale;  ///< the difference that is an error of 1
+  double limit = 0;             ///< m, displacement of a fallen block; 0: a tenth of its size
+};
+
+constexpr int max_threads = 256;  // hs_context_def::threads
+
+/// A scene file, checked except for the shapes of its blocks.
+struct Scene {
+  std::string folder;  ///< of the scene file; the names of other files are relative to it
+  std::string title;
+  hs_world_def world{};
+  double duration = 0;
+  /// Places of keys of [world], [default_law] and [output], for notes.
+  struct Places {
+    Place gravity, time_step, duration, sleep_tolerance, potential_length, default_law, rest_speed;
+    Place frame_interval, history_interval;
+  };
+  Places places;
+  double rest_speed = 0;  ///< 0: the run never ends early
+  int threads = 1;
+  bool has_all_names = true;  ///< false: tables or names are misspelt, so that an unknown name may be valid
+  std::vector<Material> materials;
+  hs_law_def default_law{};
+  std::vector<PairLaw> laws;
+  std::vector<PairBond> bonds;
+  std::vector<SceneStage> stages;  ///< empty: the scene runs for its duration
+  std::vector<Block> blocks;
+  std::vector<JointedRock> jointed_rocks;
+  std::vector<Triangulated> triangulated;
+  std::vector<Voronoi> voronoi;
+  std::vector<Mesh> meshes;
+  Output output;
+  Reference reference;
+};
+
+/// Calls `visit` for the making of each block and generator, except [[mesh]].
+template <class AnyScene, class Visit>
+void for_each_block_making(AnyScene& scene, Visit visit) {
+  const auto visit_all = [&](auto& makers) {
+    for (auto& maker : makers) visit(maker.making);
+  };
+  visit_all(scene.blocks);
+  visit_all(scene.jointed_rocks);
+  visit_all(scene.triangulated);
+  visit_all(scene.voronoi);
+}
+
+/// True if the condition holds for any block or generator, except [[mesh]].
+template <class Condition>
+bool any_block_making(const Scene& scene, Condition condition) {
+  bool holds = false;
+  for_each_block_making(scene, [&](const Making& making) { holds = holds || condition(making); });
+  return holds;
+}
+
+/// Calls `visit` for the making of each block, generator and mesh.
+template <class AnyScene, class Visit>
+void for_each_making(AnyScene& scene, Visit visit) {
+  for_each_block_making(scene, visit);
+  for (auto& mesh : scene.meshes) visit(mesh.making);
+}
+
+inline bool has_spring(const hs_law_def& law) { return law.stiffness_kind != HS_STIFFNESS_NONE; }
+
+/// True if the condition holds for the default law or the law of any pair.
+template <class Condition>
+bool any_law(const Scene& scene, Condition condition) {
+  return condition(scene.default_law) ||
+         std::any_of(scene.laws.begin(), scene.laws.end(),
+                     [&](const PairLaw& pair) { return condition(pair.law); });
+}
+
+}  // namespace halfspace::cli

@@ -1,0 +1,216 @@
+#include "studies/trade/setting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "common/random.h"
+#include "common/text.h"
+#include "common/vector.h"
+#include "scene/read_values.h"
+
+namespace halfspace::cli {
+namespace {
+
+std::vector<Point> corners_of(const std::vector<Point>& vertices, const std::vector<int>& loop) {
+  std::vector<Point> corners;
+  for (int vertex : loop) corners.push_back(vertices[static_cast<std::size_t>(vertex)]);
+  return corners;
+}
+
+double perimeter(const std::vector<Point>& loop) {
+  double around = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i) around += length(minus(loop[(i + 1) % loop.size()], loop[i]));
+  return around;
+}
+
+/// The factor from a stiffness of one kind to that of two aligned faces, N/m. Potentials push them apart like
+/// a stiffness per area of 2 k / H.
+double per_face(int kind, double area, double potential_length) {
+  switch (kind) {
+    case HS_STIFFNESS_PER_AREA:
+      return area;
+    case HS_STIFFNESS_POTENTIAL:
+      return 2 * area / potential_length;
+    default:
+      return 1;
+  }
+}
+
+/// The shear spring of potentials is one per contact, as their friction is.
+double shear_per_face(int kind, double area) { return kind == HS_STIFFNESS_PER_AREA ? area : 1; }
+
+/// Laws without a spring get one as stiff as a layer of cells.
+void change_kind(hs_law_def& law, int kind, const FaceSize& face) {
+  if (kind == law.stiffness_kind) return;
+  const bool had_none = !has_spring(law);
+  const double shear = law.shear_stiffness > 0 ? law.shear_stiffness : law.normal_stiffness;
+  const double normal_of_face =
+      had_none ? face.stiffness
+               : law.normal_stiffness * per_face(law.stiffness_kind, face.area, face.potential_length);
+  const double shear_of_face =
+      had_none ? face.stiffness : shear * shear_per_face(law.stiffness_kind, face.area);
+  law.stiffness_kind = kind;
+  if (kind == HS_STIFFNESS_NONE) return;  // it reads neither stiffnesses nor dampings
+  law.normal_stiffness = normal_of_face / per_face(kind, face.area, face.potential_length);
+  law.shear_stiffness = shear_of_face / shear_per_face(kind, face.area);
+  if (kind == HS_STIFFNESS_POTENTIAL) law.cohesion = law.tensile_strength = 0;
+}
+
+void apply(hs_law_def& law, const Setting& setting, const FaceSize& face) {
+  if (setting.law) change_kind(law, *setting.law, face);
+  law.normal_stiffness *= setting.stiffness;
+  law.shear_stiffness *= setting.stiffness;
+  if (setting.damping) law.normal_damping = law.shear_damping = *setting.damping;
+}
+
+/// The bodies of [[mesh]] stay meshes.
+void set_kind(Scene& scene, int kind) {
+  for_each_block_making(scene, [&](Making& making) {
+    if (moves_freely(making.kind)) making.kind = kind;
+    if (kind != HS_BLOCK_AFFINE) making.stress.reset();
+  });
+}
+
+int times_as_many(double factor, int count) {
+  return std::max(1, static_cast<int>(std::lround(factor * count)));
+}
+
+void cut_meshes(Scene& scene, double factor) {
+  for (Mesh& mesh : scene.meshes)
+    for (int& count : mesh.counts) count = times_as_many(factor, count);
+  for_each_block_making(scene, [&](Making& making) { making.cell_size /= factor; });
+}
+
+std::string mesh_lines(const Scene& scene) {
+  std::string text;
+  for (const Mesh& mesh : scene.meshes) {
+    if (!mesh.box) continue;
+    text += "\n[[mesh]]\nname = \"" + mesh.making.name + "\"\ncells = [";
+    for (int axis = 0; axis < scene.world.dimension; ++axis)
+      text += (axis == 0 ? "" : ", ") + std::to_string(mesh.counts[static_cast<std::size_t>(axis)]);
+    text += "]\n";
+  }
+  for_each_block_making(scene, [&](const Making& making) {
+    if (making.kind == HS_BLOCK_MESH)
+      text += "\n# " + making.name + '\n' + "cell_size = " + shortest(making.cell_size) + '\n';
+  });
+  return text;
+}
+
+std::string law_lines(const hs_law_def& law) {
+  if (!has_spring(law)) return "stiffness = \"" + name_of_law(law.stiffness_kind) + "\"\n";
+  return "stiffness = \"" + name_of_law(law.stiffness_kind) +
+         "\"\nnormal_stiffness = " + rounded(law.normal_stiffness, 6) +
+         "\nshear_stiffness = " + rounded(law.shear_stiffness, 6) +
+         "\nnormal_damping = " + shortest(law.normal_damping) +
+         "\nshear_damping = " + shortest(law.shear_damping) + '\n';
+}
+
+bool has_potential(const Scene& scene) {
+  return any_law(scene, [](const hs_law_def& law) { return law.stiffness_kind == HS_STIFFNESS_POTENTIAL; });
+}
+
+class Mean {
+ public:
+  void add(double sum, double count) {
+    sum_ += sum;
+    count_ += count;
+  }
+  double sum() const { return sum_; }
+  double value() const { return count_ > 0 ? sum_ / count_ : 1; }
+
+ private:
+  double sum_ = 0, count_ = 0;
+};
+
+}  // namespace
+
+FaceSize typical_face(const Context& context, const Scene& scene, const Model& model) {
+  Mean faces, edges, moduli;
+  for (const LayoutBlock& block : model.layout().blocks) {
+    if (!moves_freely(block.kind)) continue;
+    const Material& material = scene.materials[static_cast<std::size_t>(block.material)];
+    if (material.elasticity) moduli.add(material.elasticity->young_modulus, 1);
+    const std::vector<Point> vertices = vertices_of(context, block.shape);
+    for (const std::vector<int>& loop : block.faces) {
+      const std::vector<Point> corners = corners_of(vertices, loop);
+      edges.add(perimeter(corners), static_cast<double>(loop.size()));
+      faces.add(length(area_normal(corners)) / 2, 1);
+    }
+  }
+  FaceSize face;
+  face.area = scene.world.dimension == 2 ? edges.value() : faces.value();
+  face.potential_length = scene.world.potential_length;
+  if (face.potential_length == 0) face.potential_length = model.report().potential_length;
+  if (face.potential_length == 0) face.potential_length = edges.value();  // the scene has no potentials
+  face.stiffness =
+      moduli.sum() > 0 ? moduli.value() * (scene.world.dimension == 2 ? 1 : std::sqrt(face.area)) : 0;
+  return face;
+}
+
+bool has_cut_meshes(const Scene& scene) {
+  return any_block_making(scene, [](const Making& making) { return making.kind == HS_BLOCK_MESH; }) ||
+         std::any_of(scene.meshes.begin(), scene.meshes.end(),
+                     [](const Mesh& mesh) { return mesh.box.has_value(); });
+}
+
+bool has_stable_step(const Scene& scene) {
+  return any_law(scene, has_spring) || !scene.meshes.empty() ||
+         any_block_making(scene, [](const Making& making) { return deforms(making.kind); });
+}
+
+Scene with_setting(Scene scene, const Setting& setting, const FaceSize& face) {
+  hs_world_def& world = scene.world;
+  world.time_step = has_stable_step(scene) ? 0 : setting.step * world.time_step;
+  world.safety = setting.step;
+  if (setting.skin) world.skin = *setting.skin;
+  world.potential_length = face.potential_length;
+  apply(scene.default_law, setting, face);
+  for (PairLaw& pair : scene.laws) apply(pair.law, setting, face);
+  if (setting.kind) set_kind(scene, *setting.kind);
+  if (setting.cells != 1) cut_meshes(scene, setting.cells);
+  return scene;
+}
+
+void disturb(const Context& context, int number, Layout& layout) {
+  if (number == 0) return;
+  Random random(static_cast<std::uint64_t>(number));
+  const auto shift = [&](Placing& placing, double size) {
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(layout.dimension); ++axis)
+      placing.shift[axis] += 1e-9 * size * (2 * random.uniform() - 1);
+  };
+  for (LayoutBlock& block : layout.blocks) {
+    if (moves_freely(block.kind) && !block.body)
+      shift(block.placing, properties_of(context, block.shape).bounding_radius);
+  }
+  for (LayoutBody& body : layout.bodies) {
+    const double volume = std::accumulate(body.cell_sizes.begin(), body.cell_sizes.end(), 0.0);
+    shift(body.placing, std::pow(volume, 1.0 / layout.dimension) / 2);
+  }
+}
+
+std::string name_of_law(int stiffness_kind) {
+  return std::string(law_names[static_cast<std::size_t>(stiffness_kind)]);
+}
+
+const char* name_of_kind(int kind) { return kind == HS_BLOCK_AFFINE ? "affine" : "rigid"; }
+
+std::string scene_lines(const Setting& setting, const Scene& scene, const FaceSize& face) {
+  const Scene changed_scene = with_setting(scene, setting, face);
+  std::string text = has_stable_step(scene)
+                         ? "[world]  # and no time_step\nsafety = " + shortest(setting.step) + '\n'
+                         : "[world]\ntime_step = " + shortest(changed_scene.world.time_step) + '\n';
+  if (setting.skin) text += "skin = " + shortest(*setting.skin) + '\n';
+  if (has_potential(changed_scene)) text += "potential_length = " + rounded(face.potential_length, 6) + '\n';
+  text += "\n[default_law]\n" + law_lines(changed_scene.default_law);
+  for (const PairLaw& pair : changed_scene.laws) {
+    const auto name = [&](int material) { return scene.materials[static_cast<std::size_t>(material)].name; };
+    text +=
+        "\n[[law]]\nbetween = [\"" + name(pair.a) + "\", \"" + name(pair.b) + "\"]\n" + law_lines(pair.law);
+  }
+  if (setting.cells != 1) text += mesh_lines(changed_scene);
+  return text;
+}
+
+}  // namespace halfspace::cli

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "model/model.h"
+#include "scene/scene.h"
+
+namespace halfspace::cli {
+
+/// The values of the parameters that trade accuracy for time. Without a value, a parameter is that of the
+/// scene.
+struct Setting {
+  double step = 0.5;             ///< fraction of the stable time step, or of the scene's own
+  double stiffness = 1;          ///< times the scene's
+  double cells = 1;              ///< factor of the cells along each length, of meshes that the scene makes
+  std::optional<int> law = {};   ///< stiffness kind, of equal stiffness for faces of the typical size
+  std::optional<int> kind = {};  ///< of all blocks that move freely
+  std::optional<double> damping = {};  ///< of all contacts, fraction of the critical one
+  std::optional<double> skin = {};     ///< of the neighbour list, fraction of a block's size
+  int disturbance = 0;                 ///< number of a start disturbed by 1e-9 of a block's size; 0: none
+
+  bool operator==(const Setting&) const = default;
+};
+
+/// The sizes for the conversion of stiffnesses between laws.
+struct FaceSize {
+  double area = 1;              ///< m2, mean of the faces of free blocks; 2D: m, of their edges
+  double potential_length = 1;  ///< m, of the scene's potentials, or their default
+  double stiffness = 0;         ///< N/m, of a layer of cells behind the face; 0 without elasticity
+};
+
+/// The typical face of the blocks of a scene.
+FaceSize typical_face(const Context& context, const Scene& scene, const Model& model);
+
+/// True if springs or elements determine a stable time step. Without it, steps are fractions of the scene's
+/// own.
+bool has_stable_step(const Scene& scene);
+
+/// The scene with a setting.
+Scene with_setting(Scene scene, const Setting& setting, const FaceSize& face);
+
+/// True if the scene makes meshes itself, so that their number of cells can change.
+bool has_cut_meshes(const Scene& scene);
+
+/// Displaces each free block or mesh at random by up to 1e-9 of its size.
+void disturb(const Context& context, int number, Layout& layout);
+
+/// The names of a law and of a kind of blocks, as in scene files.
+std::string name_of_law(int stiffness_kind);
+const char* name_of_kind(int kind);
+
+/// The lines of a scene file for a setting.
+std::string scene_lines(const Setting& setting, const Scene& scene, const FaceSize& face);
+
+}  // namespace halfspace::cli
