@@ -7,7 +7,7 @@
 namespace halfspace::box2d {
 namespace {
 
-/// The nearest float that is not less.
+/// The smallest float that is at least the value.
 float rounded_up(double value) {
   const float nearest = float(value);
   return nearest < value ? std::nextafter(nearest, INFINITY) : nearest;

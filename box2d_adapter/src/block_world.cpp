@@ -33,7 +33,7 @@ Material material_of(const b2Fixture& fixture, const Polygon& polygon) {
     throw std::invalid_argument("the friction of a fixture must be finite");
   const b2Body& body = *fixture.GetBody();
   if (kind_of(body) != HS_BLOCK_RIGID) return {1, fixture.GetFriction()};
-  float of_all = 0;  // summed up as b2Body::ResetMassData() does
+  float of_all = 0;  // the same sum as in b2Body::ResetMassData()
   int fixtures = 0;
   for (const b2Fixture* each = body.GetFixtureList(); each; each = each->GetNext()) {
     of_all += mass_of(*each);
@@ -81,7 +81,7 @@ std::int32_t BlockWorld::index_of(const Material& material) {
   };
   set_law(material, made);
   for (const auto& [other, index] : materials_) set_law(other, index);
-  materials_.emplace(material, made);  // now that all of its laws are there
+  materials_.emplace(material, made);  // after all of its laws are set
   return made;
 }
 

@@ -12,32 +12,32 @@
 
 namespace halfspace::box2d {
 
-/// What a block is made of: its own density and friction.
+/// Density and friction of a block.
 struct Material {
   double density;
   float friction;
   auto operator<=>(const Material&) const = default;
 };
 
-/// May the fixture be a block?
+/// Can the fixture be a block?
 bool takes_part(const b2Fixture& fixture);
 
-/// How the fixtures of a body move as blocks.
+/// The kind of the blocks of a body, an HS_BLOCK_ value.
 std::int32_t kind_of(const b2Body& body);
 
-/// Of the fixture's own density, so that bodies of one density share a material. Where the host has given the
-/// body another mass, of what makes the block as heavy as its share of it. What no force moves has any
-/// density.
+/// The material of a fixture, with its own density, so that bodies of one density have a common material. If
+/// the host has set another mass of the body, the density gives the block its fraction of that mass. The
+/// density of fixed and prescribed blocks is arbitrary.
 Material material_of(const b2Fixture& fixture, const Polygon& polygon);
 
 /// A world of the library whose blocks are polygon fixtures.
 class BlockWorld {
  public:
-  /// `law` is that of all pairs but for the friction angle. The context must outlive the world. All
-  /// functions throw std::bad_alloc, and std::invalid_argument with the library's reason when it refuses.
+  /// `law` is the law of all pairs, except for the friction angle. The context must outlive the world. All
+  /// functions throw std::bad_alloc, and std::invalid_argument with the library's error text.
   BlockWorld(hs_context& context, const hs_law_def& law, const b2Vec2& gravity);
 
-  /// `def` holds all but the material.
+  /// `def` has all members except the material.
   hs_block add(const Polygon& polygon, const Material& material, hs_block_def def);
 
   hs_world* get() const { return world_.get(); }

@@ -49,7 +49,7 @@ JudgedPair* judged_pair_of(b2Contact& contact) {
 
 bool fits_in_place_of_box2d() {
   b2BlockAllocator allocator;
-  // What is freed is the first to be given out again from its list.
+  // The allocator returns the last freed block of a size class first.
   void* const freed = allocator.Allocate(int32(sizeof(b2Contact)));
   allocator.Free(freed, int32(sizeof(b2Contact)));
   return allocator.Allocate(int32(sizeof(PolygonContact))) == freed;

@@ -6,27 +6,27 @@
 
 namespace halfspace::box2d {
 
-/// Box2D's contact of two polygon fixtures, judged by half-spaces as long as a narrow phase is installed in
-/// its world, and as Box2D does where that leaves the pair to it and once it has ended.
+/// Box2D's contact of two polygon fixtures. The half-space narrow phase evaluates it while that is installed
+/// in its world; Box2D does so for pairs left to it, and after the narrow phase has ended.
 ///
-/// It has the size class of Box2D's own polygon contact (see fits_in_place_of_box2d()). So it can be made
-/// where such a one lies, to which bodies and world point, and Box2D's table of contact types can go on to
-/// free both.
+/// It has the size class of Box2D's own polygon contact (see fits_in_place_of_box2d()). So it can replace
+/// such a contact in place, where bodies and world point to it, and Box2D's table of contact types can free
+/// both.
 class PolygonContact final : public b2Contact {
  public:
   PolygonContact(b2Fixture* a, b2Fixture* b, NarrowPhase::Installation& installation);
   ~PolygonContact() override { leave(); }
 
-  /// Takes over a contact of Box2D's, with all that it holds, in its place. One that is a PolygonContact
-  /// already asks anew what its fixtures are taken for.
+  /// Replaces a contact of Box2D in place, with its state. A PolygonContact updates the geometry of its
+  /// fixtures instead.
   static void install(b2Contact& contact, NarrowPhase::Installation& installation);
 
-  /// From here on it is judged by Box2D.
+  /// Box2D evaluates it from now on.
   void leave();
 
   void Evaluate(b2Manifold* manifold, const b2Transform& at_a, const b2Transform& at_b) override;
 
-  /// Null when Box2D judges it.
+  /// NULL if Box2D evaluates it.
   JudgedPair* pair() const { return pair_; }
 
  private:
@@ -40,11 +40,11 @@ class PolygonContact final : public b2Contact {
 /// Is this a contact of two polygon fixtures?
 bool is_of_polygons(b2Contact& contact);
 
-/// The pair that half-spaces judge; null when Box2D judges the contact.
+/// The pair of the half-space narrow phase; NULL if Box2D evaluates the contact.
 JudgedPair* judged_pair_of(b2Contact& contact);
 
-/// Does Box2D's allocator take the memory of both kinds of contact from one list? Then one can take the place
-/// of the other.
+/// Does Box2D's allocator use the same size class for both kinds of contact? Then one can replace the other
+/// in place.
 bool fits_in_place_of_box2d();
 
 }  // namespace halfspace::box2d

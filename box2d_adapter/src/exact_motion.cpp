@@ -9,18 +9,18 @@ void take_if_changed(Followed& number, float now) {
   if (number.seen() != now) number.take(now);
 }
 
-/// About the centre of mass; 0 when nothing turns the body.
+/// About the center of mass; 0 for fixed rotation.
 double inertia_of(const b2Body& body) {
   const Vector center(body.GetLocalCenter());
   return body.IsFixedRotation() ? 0 : body.GetInertia() - body.GetMass() * dot(center, center);
 }
 
-/// Of what damping leaves of a velocity: as b2Island::Solve() does.
+/// Factor of a velocity by damping, as in b2Island::Solve().
 double share_left(double damping, double time_step) { return 1 / (1 + time_step * damping); }
 
 }  // namespace
 
-/// Rounding of the sum, and of the change that was added, which took Box2D a few products.
+/// Allows for rounding of the sum, and of the added change, which is a few products in Box2D.
 void Followed::settle(float now, double predicted, double target) {
   const double rounding =
       b2_epsilon * (0.5 * std::abs(double(now)) + 4 * std::abs(predicted - double(seen_)));
@@ -46,7 +46,7 @@ void ExactMotion::follow(const b2Body& body) {
   take_if_changed(spin_, body.GetAngularVelocity());
 }
 
-/// With what rounding has kept back so far.
+/// Includes the rounding error accumulated so far.
 void ExactMotion::push(b2Body& body, const Vector& impulse, double angular_impulse) {
   const double mass = body.GetMass(), inertia = inertia_of(body);
   if (!body.IsAwake() || !(mass > 0)) return;
@@ -79,7 +79,7 @@ void ExactMotion::carry_on(b2Body& body, double h, const Vector& gravity) {
   if (is_off(body)) put(body);
 }
 
-/// By more than the places that a body can be put to are apart.
+/// Is the error larger than the spacing of floats at the body's position?
 bool ExactMotion::is_off(const b2Body& body) const {
   const Vector off = center() - Vector(body.GetWorldCenter());
   const double size = std::abs(x_.exact()) + std::abs(y_.exact()) + body.GetLocalCenter().Length();

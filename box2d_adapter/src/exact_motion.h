@@ -6,7 +6,7 @@
 
 namespace halfspace::box2d {
 
-/// A number that Box2D keeps in float, with the digits that rounding takes.
+/// A number that Box2D stores in float, in double precision.
 class Followed {
  public:
   double exact() const { return exact_; }
@@ -15,20 +15,20 @@ class Followed {
   void take(float now) { exact_ = seen_ = now; }
   void see(float now) { seen_ = now; }
 
-  /// After Box2D has changed it: where that is what was predicted, but for rounding, it is `target` in
-  /// double. Otherwise more was at work than is known here, and it is what Box2D says.
+  /// Updates it after a change by Box2D. If the new value is the predicted one, to rounding, it is set to
+  /// `target` in double. Otherwise there were other influences, and it is set to Box2D's value.
   void settle(float now, double predicted, double target);
 
  private:
   double exact_ = 0;
-  float seen_ = 0;  // in Box2D, when last looked at
+  float seen_ = 0;  // Box2D's value at the last update
 };
 
-/// Motion of a body's centre of mass and its turn, in double.
+/// Position of a body's center of mass, its angle and velocities, in double precision.
 ///
-/// Box2D adds small changes to floats, in each sub-step: 10 m from the origin a motion of less than 0.5e-6 m
-/// is lost, and at 1 m/s a change of velocity of less than 6e-8 m/s, each time with the same sign. Here what
-/// was lost is kept, as in compensated summation, and the body follows in floats.
+/// Box2D adds small changes to floats in each sub-step. At 10 m from the origin a displacement below 0.5e-6 m
+/// is lost, and at 1 m/s a change of velocity below 6e-8 m/s, every time with the same sign. This class keeps
+/// the lost part, as in compensated summation, and updates the floats of the body.
 class ExactMotion {
  public:
   explicit ExactMotion(const b2Body& body);
@@ -38,13 +38,13 @@ class ExactMotion {
   Vector velocity() const { return {velocity_x_.exact(), velocity_y_.exact()}; }
   double spin() const { return spin_.exact(); }
 
-  /// What a host has changed since is as Box2D has it.
+  /// Adopts values that the host has changed.
   void follow(const b2Body& body);
 
-  /// Lets an impulse act at the centre of mass, and an angular one. Who sleeps goes on to sleep.
+  /// Applies an impulse at the center of mass and an angular impulse. A sleeping body stays asleep.
   void push(b2Body& body, const Vector& impulse, double angular_impulse);
 
-  /// After a step of Box2D. A body that is off by more than rounding is put where it is.
+  /// Updates the motion after a step of Box2D, and corrects the body if its error exceeds rounding.
   void carry_on(b2Body& body, double time_step, const Vector& gravity);
 
  private:

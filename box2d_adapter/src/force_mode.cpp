@@ -12,7 +12,7 @@
 namespace halfspace::box2d {
 namespace {
 
-/// What the host applies to bodies stays in sub-steps, and goes after them if it goes after a step of Box2D.
+/// Keeps forces of the host over all sub-steps, and clears them afterwards if Box2D clears them after a step.
 class KeptForces {
  public:
   explicit KeptForces(b2World& world) : world_(world), are_cleared_(world.GetAutoClearForces()) {
@@ -30,7 +30,7 @@ class KeptForces {
   bool are_cleared_;
 };
 
-/// Contacts of sleeping bodies are not asked about when they wake, but a step later.
+/// Box2D updates contacts of sleeping bodies only one step after they wake.
 void set_enabled(b2World& world, bool are_enabled) {
   for (b2Contact* contact = world.GetContactList(); contact; contact = contact->GetNext()) {
     if (judged_pair_of(*contact)) contact->SetEnabled(are_enabled);
@@ -43,14 +43,14 @@ void require_unlocked(const b2World& world) {
 
 void require_time_step(float time_step) {
   if (!(time_step >= 0 && std::isfinite(time_step)))
-    throw std::invalid_argument("the time step must be finite and at least 0");
+    throw std::invalid_argument("time_step must be finite and >= 0");
 }
 
-/// 0 is for a world in which nothing can touch.
+/// 0 means that no contact is possible.
 void require_stable(float sub_step, double stable) {
   if (stable == 0 || sub_step <= stable) return;
   std::ostringstream reason;
-  reason << "sub-steps of " << sub_step << " s are too long: stable are " << stable << " s";
+  reason << "sub-steps of " << sub_step << " s are longer than the stable sub-step of " << stable << " s";
   throw std::invalid_argument(reason.str());
 }
 
@@ -73,7 +73,7 @@ ForceMode::~ForceMode() {
 
 void ForceMode::step(float time_step, int sub_steps, int velocity_iterations, int position_iterations) {
   require_time_step(time_step);
-  if (sub_steps < 1) throw std::invalid_argument("there must be a sub-step");
+  if (sub_steps < 1) throw std::invalid_argument("sub_steps must be at least 1");
   const float sub_step = time_step / float(sub_steps);
   require_stable(sub_step, stable_sub_step());
   const KeptForces kept(world_);

@@ -30,7 +30,7 @@ NarrowPhase::Installation::Installation(b2World& world, Options options)
     : world_(world), options_(std::move(options)), context_(make_context()), polygons_(*context_) {
   if (world.IsLocked()) throw std::logic_error("a narrow phase cannot begin while its world steps");
   if (!fits_in_place_of_box2d())
-    throw std::runtime_error("this Box2D keeps its contacts in another manner than 2.4");
+    throw std::runtime_error("the contacts of this Box2D have another layout than in version 2.4");
   if (!enter(world, *this)) throw std::logic_error("the world has a narrow phase already");
   for (b2Contact* contact = world.GetContactList(); contact; contact = contact->GetNext()) {
     if (is_of_polygons(*contact)) PolygonContact::install(*contact, *this);

@@ -12,47 +12,47 @@
 
 namespace halfspace::box2d {
 
-/// What a contact has while the narrow phase judges it.
+/// The data of a contact that the half-space narrow phase evaluates.
 struct JudgedPair {
   JudgedPair(PolygonPair pair, NarrowPhase::Installation& judge, std::int64_t place_in_order)
       : polygons(std::move(pair)), installation(judge), order(place_in_order) {}
 
   PolygonPair polygons;
   NarrowPhase::Installation& installation;
-  std::int64_t order;        // so many pairs had begun with it
-  bool let_through = false;  // in force mode, by the host's listener
+  std::int64_t order;        // number of this pair, in order of their begin
+  bool let_through = false;  // in force mode: the host's listener has disabled the contact
 };
 
-/// What the contacts of one world share.
+/// Common data of the contacts of one world.
 class NarrowPhase::Installation {
  public:
   Installation(b2World& world, Options options);
   ~Installation();
 
-  /// For a new contact. Null when the pair is Box2D's: left to it, of a shape that the library refuses, or
-  /// without memory.
+  /// Creates the pair of a new contact. NULL if Box2D handles it: it was left to Box2D, the library refuses a
+  /// shape, or there is no memory.
   JudgedPair* begin(b2Fixture& a, b2Fixture& b) noexcept;
   void end(JudgedPair* pair) noexcept;
 
-  /// The pair is that of the contact. False when the manifold has to come from Box2D.
+  /// Evaluates the pair of a contact. False if Box2D must compute the manifold.
   bool collide(JudgedPair& pair, b2Contact& contact, const b2Transform& at_a, const b2Transform& at_b,
                b2Manifold& manifold);
 
-  /// Asks anew about the contacts of a fixture.
+  /// Updates the geometry in the contacts of a fixture.
   void refresh(b2Fixture& fixture);
 
   b2World& world() const { return world_; }
-  /// What a polygon fixture is taken for: in its contacts, or if it has none, what the host would have it be
-  /// in one now. Null when it is Box2D's.
+  /// The polygon of a fixture: that of its contacts, or without contacts the one that the host returns now.
+  /// NULL if Box2D handles the fixture.
   std::shared_ptr<const Polygon> polygon_taken_for(b2Fixture& fixture) noexcept;
   std::int64_t pairs_begun() const { return pairs_begun_; }
-  /// Of force mode, of which there is one at a time.
+  /// Max one force mode at a time.
   bool has_force_mode = false;
 
   Statistics statistics;
 
  private:
-  /// Null when the fixture is left to Box2D.
+  /// NULL if the fixture is left to Box2D.
   std::shared_ptr<const Polygon> geometry_of(b2Fixture& fixture);
   bool collide_and_compare(JudgedPair& pair, b2Contact& contact, const b2Transform& at_a,
                            const b2Transform& at_b, b2Manifold& manifold);
@@ -62,7 +62,7 @@ class NarrowPhase::Installation {
   Context context_;
   Polygons polygons_;
   std::int64_t pairs_begun_ = 0;
-  std::pmr::unsynchronized_pool_resource pairs_;  // gone through in every step: side by side
+  std::pmr::unsynchronized_pool_resource pairs_;  // visited in every step: contiguous in memory
 };
 
 }  // namespace halfspace::box2d

@@ -5,10 +5,10 @@
 namespace halfspace::box2d {
 namespace {
 
-/// A point of the incident edge, `share` of the way from its start to its end.
+/// A point of the incident edge, at the fraction `share` from its start.
 struct EdgePoint {
   double share;
-  b2ContactFeature feature;  // of the reference face as A
+  b2ContactFeature feature;  // with the reference face as A
 };
 
 b2ContactFeature vertex_on_face(int face, int vertex) {
@@ -41,7 +41,7 @@ void write_manifold(const SeenFromFace& seen, const Face& face, int deepest, dou
   }
   if (std::max(along[0], along[1]) < low || std::min(along[0], along[1]) > high) return;
 
-  // An end beyond the strip is moved to its border, where the face's own end meets the edge.
+  // An end outside the strip is clipped to its boundary, where the end of the face meets the edge.
   EdgePoint points[2];
   for (int i = 0; i < 2; ++i) {
     const double within = std::clamp(along[i], low, high);

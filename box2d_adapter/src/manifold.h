@@ -6,10 +6,9 @@
 
 namespace halfspace::box2d {
 
-/// Box2D's manifold at a reference face: the incident edge, cut off where it leaves the strip of the face and
-/// of the skins at its ends; of the two ends left, those within reach of the skins, `radii` together.
-/// Computed in double; each number is rounded to float once. Points carry the feature ids that Box2D gives
-/// them.
+/// Writes Box2D's manifold at a reference face. The incident edge is clipped to the strip of the face,
+/// extended by the skins at its ends; its ends are points if their gap is at most `radii`, the sum of both
+/// skins. All numbers are computed in double and rounded to float once. Points have the feature ids of Box2D.
 void write_manifold(const SeenFromFace& seen, const Face& face, int deepest, double radii,
                     b2Manifold& manifold);
 

@@ -6,7 +6,7 @@
 namespace halfspace::box2d {
 namespace {
 
-/// One that is nowhere takes no forces, as its pairs take no manifold.
+/// A disabled body, or one with non-finite motion, takes no forces, as its pairs have no manifold.
 bool is_somewhere(const b2Body& body) {
   return body.IsEnabled() && body.GetPosition().IsValid() && body.GetLinearVelocity().IsValid() &&
          b2IsValid(body.GetAngle()) && b2IsValid(body.GetAngularVelocity());
@@ -25,8 +25,8 @@ ForceMode::Mirror::Known::Known(b2Fixture& of, const std::shared_ptr<const Polyg
 ForceMode::Mirror::Mirror(NarrowPhase::Installation& narrow_phase, const hs_law_def& law)
     : narrow_phase_(narrow_phase), context_(make_context()), world_(*context_, law, {0, 0}) {}
 
-/// What no force moves comes first: of two edges that are parallel the one of the first block is the contact
-/// plane, and a floor's does not tilt with its load.
+/// Bodies that no force moves are first: of two parallel edges the one of the first block is the contact
+/// plane, and that of a floor does not tilt under load.
 void ForceMode::Mirror::follow() {
   renewed_.clear();
   for (auto& [fixture, known] : known_) known.is_there = false;
@@ -46,7 +46,7 @@ bool ForceMode::Mirror::are_all_somewhere() const {
                      [](const Body& body) { return is_somewhere(*body.body); });
 }
 
-/// In the order of blocks, not of the hash: later blocks take their slots.
+/// In order of blocks, not of the hash table, as later blocks reuse the slots.
 void ForceMode::Mirror::remove_what_is_gone() {
   std::vector<std::pair<hs_block, const b2Fixture*>> gone;
   for (const auto& [fixture, known] : known_) {
@@ -92,7 +92,7 @@ void ForceMode::Mirror::add(const Polygon& polygon, Known known) {
   }
 }
 
-/// A block has its material and its kind for good: another one takes its place.
+/// Material and kind of a block are constant, so a new block replaces it.
 void ForceMode::Mirror::renew(Known& before, const Polygon& polygon, Known now) {
   const hs_block old = before.block;
   const bool keeps_its_surface = before.is_of_same_polygon(now);
@@ -103,9 +103,9 @@ void ForceMode::Mirror::renew(Known& before, const Polygon& polygon, Known now) 
   if (keeps_its_surface) renewed_.emplace(old, known_.at(fixture).block);
 }
 
-/// A block that gets another friction goes on with the shear of its contacts, of which no more is lost than
-/// the new friction cannot hold: else what has come to rest would set out anew. Taken from what was evaluated
-/// last, with what the dashpot had added.
+/// A block with changed friction keeps the shear forces of its contacts, up to the limit of the new friction;
+/// otherwise a body at rest would move again. The forces are those of the last evaluation, including the
+/// dashpots.
 void ForceMode::Mirror::keep_shear_of_renewed() {
   const auto now = [&](hs_block block) {
     const auto found = renewed_.find(block);

@@ -11,19 +11,19 @@
 
 namespace halfspace::box2d {
 
-/// The polygon fixtures of a Box2D world as blocks of a world of the library, which finds their contacts and
-/// forces. Box2D moves the bodies.
+/// Mirrors the polygon fixtures of a Box2D world as blocks of a world of the library, which computes their
+/// contacts and forces. Box2D moves the bodies.
 class ForceMode::Mirror {
  public:
   Mirror(NarrowPhase::Installation& narrow_phase, const hs_law_def& law);
 
-  /// Finds what the host has made, changed, moved or destroyed.
+  /// Detects what the host has created, changed, moved or destroyed.
   void follow();
-  /// Contacts and forces where the bodies are now.
+  /// Computes contacts and forces at the current poses of the bodies.
   void evaluate();
-  /// Lets the forces act on the bodies for a sub-step.
+  /// Applies the forces to the bodies for a sub-step.
   void push(float sub_step);
-  /// After Box2D has moved the bodies.
+  /// Updates the motion after Box2D has moved the bodies.
   void carry_on(float sub_step);
 
   bool is_awake() const;
@@ -33,8 +33,8 @@ class ForceMode::Mirror {
   hs_block block_of(const b2Fixture& fixture) const;
 
  private:
-  /// What a block was made of: when the fixture is another, so is the block. A polygon that the host has
-  /// attached is not held: it may end with its fixture, and another one be at the same address.
+  /// The source of a block: if it changes, a new block replaces the block. A polygon of the host is not
+  /// owned: it may be destroyed with its fixture, and another one may have the same address.
   struct Known {
     Known(b2Fixture& of, const std::shared_ptr<const Polygon>& taken_for);
 
@@ -58,13 +58,13 @@ class ForceMode::Mirror {
     ExactMotion motion;
     Turn turn;
     Vector force;
-    double torque = 0;  // about the centre of mass
+    double torque = 0;  // about the center of mass
   };
 
   struct Block {
     b2Fixture* fixture;
     std::size_t body;
-    Vector arm;  // from the body's centre of mass to the centroid, in the coordinates of the body
+    Vector arm;  // from the body's center of mass to the centroid, in body coordinates
   };
 
   /// The force of a shear spring on block b.
@@ -73,7 +73,7 @@ class ForceMode::Mirror {
     double force[3];
   };
 
-  /// As the library's views have it.
+  /// In the layout of the library's views.
   struct Motion {
     double velocity[3];
     double spin[3];
@@ -101,10 +101,10 @@ class ForceMode::Mirror {
   Context context_;
   BlockWorld world_;
   std::unordered_map<const b2Fixture*, Known> known_;
-  std::unordered_map<hs_block, hs_block> renewed_;  // since follow() began, from the block before
+  std::unordered_map<hs_block, hs_block> renewed_;  // in this follow(): old block to new block
   std::vector<KeptShear> kept_shear_;
-  std::int64_t pairs_begun_ = 0;  // when last looked at
-  double elapsed_ = 0;            // over which shear springs have to grow
+  std::int64_t pairs_begun_ = 0;  // at the last evaluation
+  double elapsed_ = 0;            // time over which shear springs extend, s
 
   std::vector<Body> bodies_;
   std::unordered_map<const b2Body*, std::size_t> index_of_body_;

@@ -11,23 +11,22 @@ double cross(const Vector& a, const Vector& b) { return a.x * b.y - a.y * b.x; }
 
 bool is_active(const b2Body& body) { return body.IsAwake() && body.GetType() != b2_staticBody; }
 
-/// Faster than what Box2D takes for rest.
+/// Faster than Box2D's sleep tolerances.
 bool is_moving(const b2Body& body) {
   constexpr float linear = b2_linearSleepTolerance, angular = b2_angularSleepTolerance;
   return is_active(body) && (body.GetLinearVelocity().LengthSquared() > linear * linear ||
                              std::abs(body.GetAngularVelocity()) > angular);
 }
 
-/// One that moves wakes what it touches, as in an island of Box2D.
+/// A moving body wakes the bodies that it touches, as in an island of Box2D.
 void wake_each_other(b2Body& a, b2Body& b) {
   const bool wakes_b = is_moving(a) && !b.IsAwake(), wakes_a = is_moving(b) && !a.IsAwake();
   if (wakes_b) b.SetAwake(true);
   if (wakes_a) a.SetAwake(true);
 }
 
-/// Box2D's word on whether two fixtures may touch, and the narrow phase's: filters, joints, parts of one
-/// body, and pairs that were left to Box2D have no such pair. Both bodies list the contact, so that the
-/// shorter list is enough.
+/// The pair of two fixtures, or NULL: Box2D or the narrow phase excludes it by filters, joints, a common
+/// body, or as left to Box2D. Both bodies list the contact, so the search ends with the shorter list.
 JudgedPair* judged_pair_between(b2Fixture& a, b2Fixture& b) {
   const auto is_of_both = [&](b2Contact& contact) {
     return (contact.GetFixtureA() == &a && contact.GetFixtureB() == &b) ||
@@ -64,7 +63,7 @@ void ForceMode::Mirror::place() {
 }
 
 void ForceMode::Mirror::evaluate() {
-  if (!are_all_somewhere()) follow();  // since the last sub-step
+  if (!are_all_somewhere()) follow();  // has changed since the last sub-step
   place();
   const std::int64_t count = std::int64_t(blocks_.size());
   const auto view_of = [&](double(Motion::*member)[3]) {
@@ -84,10 +83,10 @@ void ForceMode::Mirror::evaluate() {
   find_forces(elapsed_);
   elapsed_ = 0;
   if (begin_shear_of_new_pairs()) find_forces(0);
-  pairs_begun_ = narrow_phase_.pairs_begun();  // at last: what throws before leaves them new
+  pairs_begun_ = narrow_phase_.pairs_begun();  // last: after an exception they are still new
 }
 
-/// Where the blocks still touch, and their law has a shear spring.
+/// Only if the blocks still touch and their law has a shear spring.
 void ForceMode::Mirror::give_back_kept_shear() {
   for (const KeptShear& kept : kept_shear_) {
     const hs_status status = hs_world_set_shear_force(world_.get(), kept.a, kept.b, kept.force);
@@ -102,9 +101,9 @@ void ForceMode::Mirror::find_forces(double elapsed) {
       hs_world_get_contacts(world_.get(), contacts_.data(), std::int64_t(contacts_.size()), nullptr));
 }
 
-/// Of those that overlap in the sub-step that they begin in: they were put there, by a host that begins force
-/// mode, has made a body anew, perhaps with the block of one before, or has moved it. Pairs begin before they
-/// touch when it is their motion that brings them together. True when there are any.
+/// Sets the shear of new pairs that overlap in their first sub-step: the host has placed them, by the start
+/// of force mode, a new body (possibly with the block of an old one), or a new pose. Pairs that approach by
+/// motion begin before they touch. True if there are any.
 bool ForceMode::Mirror::begin_shear_of_new_pairs() {
   if (pairs_begun_ == narrow_phase_.pairs_begun()) return false;
   bool any = false;
@@ -118,8 +117,8 @@ bool ForceMode::Mirror::begin_shear_of_new_pairs() {
   return any;
 }
 
-/// What was put on something carries its weight straight down, as far as friction lets it. Else it would gain
-/// speed along the face until its shear spring has grown. Faces steeper than 60 degrees bear nothing.
+/// The force of a placed pair is vertical, within the limit of friction; otherwise the block would accelerate
+/// along the face until its shear spring has extended. On faces steeper than 60 degrees the shear is 0.
 void ForceMode::Mirror::begin_shear(const hs_contact& contact) {
   const Vector gravity(narrow_phase_.world().GetGravity());
   const Vector normal{contact.normal[0], contact.normal[1]}, force{contact.force[0], contact.force[1]};
@@ -129,10 +128,11 @@ void ForceMode::Mirror::begin_shear(const hs_contact& contact) {
   const double shear_on_b[3] = {shear.x, shear.y, 0};
   const hs_status status =
       hs_world_set_shear_force(world_.get(), contact.block_a, contact.block_b, shear_on_b);
-  if (status != HS_ERROR_STATE) world_.require_ok(status);  // which says that there is no shear spring
+  if (status != HS_ERROR_STATE) world_.require_ok(status);  // which means that there is no shear spring
 }
 
-/// Who moves wakes what it touches before any force is found, so that a sleeper that wakes has its support.
+/// Moving bodies wake the bodies that they touch before forces are applied, so that a woken body has its
+/// support.
 void ForceMode::Mirror::push(float sub_step) {
   for (Body& body : bodies_) {
     body.force = {};
@@ -147,7 +147,7 @@ void ForceMode::Mirror::push(float sub_step) {
   for (Body& body : bodies_) body.motion.push(*body.body, h * body.force, h * body.torque);
 }
 
-/// Null between two that rest, too.
+/// NULL also if neither body is active.
 JudgedPair* ForceMode::Mirror::pair_of(const hs_contact& contact) const {
   b2Fixture &a = *block(contact.block_a).fixture, &b = *block(contact.block_b).fixture;
   return is_active(*a.GetBody()) || is_active(*b.GetBody()) ? judged_pair_between(a, b) : nullptr;

@@ -9,21 +9,21 @@
 
 namespace halfspace::box2d {
 
-/// Box2D's turn in double. Its cosine and sine are rounded to float, so that their length is off 1 by 2^-23
-/// at most, and one step of Newton's method for 1 / sqrt(length^2) leaves less than rounding of it.
+/// Box2D's rotation in double. Its cosine and sine are rounded to float, so that their norm differs from 1 by
+/// at most 2^-23; one Newton iteration for 1 / sqrt(norm^2) reduces this error below rounding.
 inline Turn turn_of(const b2Rot& q) {
   const double c = q.c, s = q.s;
   const double factor = 1.5 - 0.5 * (c * c + s * s);
   return {factor * c, factor * s};
 }
 
-/// Where polygon b is in the frame of polygon a: its centroid from that of a, and how it is turned.
+/// Pose of polygon b in the frame of polygon a, relative to the centroids.
 struct Placement {
   Turn turn;
   Vector shift;
 };
 
-/// Seen from a from the start, positions lose no digits far from the origin of the world.
+/// The difference of positions is first, so that no digits are lost far from the origin of the world.
 inline Placement placement_of(const Vector& centroid_a, const b2Transform& at_a, const Vector& centroid_b,
                               const b2Transform& at_b) {
   const Turn into_a = turn_of(at_a.q).inverse();
@@ -32,14 +32,14 @@ inline Placement placement_of(const Vector& centroid_a, const b2Transform& at_a,
   return {turn, into_a * to_b + (turn * centroid_b - centroid_a)};
 }
 
-/// The same seen from b.
+/// The pose of a in the frame of b.
 inline Placement inverse(const Placement& at) {
   const Turn back = at.turn.inverse();
   return {back, -(back * at.shift)};
 }
 
-/// The same for the library: its quaternion is the turn by half the angle, the bisector of the turn and of no
-/// turn. Where these are nearly opposed, the bisector is taken a quarter turn on, where nothing cancels.
+/// The pose for the library. Its quaternion is the rotation by half the angle, the bisector of the rotation
+/// and of the identity. For angles near half a turn a bisector without cancellation is used.
 inline hs_pose pose_of(const Placement& at) {
   const auto& [c, s] = at.turn;
   const double w = c >= 0 ? 1 + c : s, z = c >= 0 ? s : 1 - c;

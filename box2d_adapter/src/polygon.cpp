@@ -12,8 +12,8 @@ void require_ok(hs_status status) {
   if (status != HS_OK) throw std::runtime_error(hs_status_string(status));
 }
 
-/// Box2D keeps vertices on the line of their neighbours, which the library refuses: then the hull, which does
-/// without. Null when that is refused as well.
+/// The polygon of a shape of Box2D, or its convex hull if the library refuses it, as for collinear vertices.
+/// NULL if the hull is refused, too.
 Shape shape_of(hs_context& context, const b2PolygonShape& shape) {
   double x[b2_maxPolygonVertices], y[b2_maxPolygonVertices];
   for (int i = 0; i < shape.m_count; ++i) {
@@ -29,7 +29,7 @@ Shape shape_of(hs_context& context, const b2PolygonShape& shape) {
   return Shape(made);
 }
 
-/// The entry under the key, made anew when there is none. It leaves the map when its last user does.
+/// The entry of the key, created if there is none. It is removed from the map with its last user.
 template <class Known, class Make>
 std::shared_ptr<const Polygon> shared(Known& known, const typename Known::key_type& key, Make&& make) {
   const auto found = known.find(key);
@@ -80,7 +80,7 @@ Polygon::Polygon(const hs_shape& borrowed) : shape_(&borrowed) {
 
 Polygon::Polygon(Shape owned) : Polygon(*owned) { owned_ = std::move(owned); }
 
-/// Of Fowler, Noll and Vo, on words.
+/// FNV-1a (Fowler, Noll, Vo), on 32-bit words.
 std::size_t Polygons::HashOfBits::operator()(const Bits& bits) const {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const std::uint32_t word : bits) hash = (hash ^ word) * 0x100000001b3;

@@ -24,11 +24,11 @@ using Shape = std::unique_ptr<hs_shape, DestroyShape>;
 
 Context make_context();
 
-/// Throws std::invalid_argument when the shape is no polygon.
+/// Throws std::invalid_argument if the shape is no polygon.
 hs_shape_properties properties_of_polygon(const hs_shape& shape);
 
-/// A shape of the library and what a manifold is made from. Vertices are counter-clockwise and relative to
-/// the centroid; edge i leads from vertex i to the next.
+/// A shape of the library with the geometry for manifolds. Vertices are counter-clockwise and relative to the
+/// centroid; edge i is from vertex i to the next.
 class Polygon {
  public:
   explicit Polygon(const hs_shape& borrowed);
@@ -36,8 +36,8 @@ class Polygon {
 
   const hs_shape* shape() const { return shape_; }
   bool is_borrowed() const { return !owned_; }
-  const Vector& centroid() const { return centroid_; }  // in the coordinates of the body
-  double radius() const { return radius_; }             // of the farthest vertex from the centroid
+  const Vector& centroid() const { return centroid_; }  // in body coordinates
+  double radius() const { return radius_; }             // max distance of a vertex from the centroid
   int count() const { return int(corners_.size()); }
   const Vector& vertex(int i) const { return corners_[std::size_t(i)].vertex; }
   const Vector& normal(int edge) const { return corners_[std::size_t(edge)].normal; }
@@ -46,7 +46,7 @@ class Polygon {
   int previous(int i) const { return i > 0 ? i - 1 : count() - 1; }
 
  private:
-  /// A vertex and the edge that begins there: what is read together lies together.
+  /// A vertex and the edge that starts there, adjacent in memory.
   struct Corner {
     Vector vertex;
     Vector normal;
@@ -60,13 +60,13 @@ class Polygon {
   Shape owned_;
 };
 
-/// The polygons of a world's contacts. Fixtures of one shape share one, and it ends with the last contact
-/// that uses it.
+/// The polygons of a world's contacts. Fixtures of equal shape have one in common, destroyed with the last
+/// contact that uses it.
 class Polygons {
  public:
   explicit Polygons(hs_context& context) : context_(context) {}
 
-  /// Null when the library does not take the shape for a polygon.
+  /// NULL if the library refuses the polygon.
   std::shared_ptr<const Polygon> polygon_of(const b2PolygonShape& shape);
   std::shared_ptr<const Polygon> polygon_of(const hs_shape& shape);
 

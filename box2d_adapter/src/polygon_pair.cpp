@@ -5,14 +5,14 @@
 namespace halfspace::box2d {
 namespace {
 
-/// Faces whose gaps differ by less are as good as each other: Box2D's tolerance for this choice.
+/// Faces whose gaps differ by less are equivalent: Box2D's tolerance of this choice.
 constexpr double same_gap = 0.1f * b2_linearSlop;
 
 Face face_of(const hs_contact& contact) {
   return contact.pair_kind == HS_PAIR_FACE_VERTEX ? Face{0, contact.feature_a} : Face{1, contact.feature_b};
 }
 
-/// The other polygon's vertex that is least high over it.
+/// The deepest vertex of the other polygon.
 int deepest_of(const hs_contact& contact) {
   return contact.pair_kind == HS_PAIR_FACE_VERTEX ? contact.feature_b : contact.feature_a;
 }
@@ -38,16 +38,16 @@ double PolygonPair::gap_at(const Face& face, const Placement& b_from_a) const {
   return seen.gap(deepest_vertex(seen));
 }
 
-/// Polygons that begin to touch do so at a face of a if one is as good, as Box2D has it; later they stay at
-/// the face where they are. So a point keeps its id, and the impulse that goes with it, as long as it can.
+/// At first touch a face of a is preferred, as in Box2D; later the current face. So a point keeps its id and
+/// its impulse as long as possible.
 Face PolygonPair::preferred_to(const Face& largest, int deepest, const Placement& b_from_a) const {
   if (in_contact_) return face_;
   if (largest.owner == 0) return largest;
   return {0, incident_edge(SeenFromFace(*a_, *b_, b_from_a, largest), deepest)};
 }
 
-/// A look at one face is cheaper than a search over all, and what separates polygons mostly does so a step
-/// later as well.
+/// Testing one face is cheaper than a search over all, and a separating face mostly separates in the next
+/// step, too.
 bool PolygonPair::is_known(const Placement& b_from_a) {
   const double change = proof_.most_change(b_from_a);
   if (in_contact_) return proof_.still_at_same_face(change, radii_);

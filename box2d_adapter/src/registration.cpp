@@ -11,10 +11,10 @@
 namespace halfspace::box2d {
 namespace {
 
-/// Box2D's table is protected: to reach it one has to be a contact. There is none of this kind.
+/// Box2D's table is protected, so access needs a class derived from b2Contact. It has no instances.
 class ContactTable : b2Contact {
  public:
-  /// Box2D fills its table when it makes its first contact, and would overwrite what is there by then.
+  /// Box2D fills its table at its first contact, and would overwrite earlier entries.
   static b2ContactCreateFcn* exchange_polygons(b2ContactCreateFcn* create) {
     if (!s_initialized) InitializeRegisters();
     s_initialized = true;
@@ -28,7 +28,7 @@ struct Register {
   std::map<const b2World*, NarrowPhase::Installation*> installations;
   b2ContactCreateFcn* create_of_box2d = nullptr;
 };
-/// Made by the first narrow phase, so that it outlives those that a host keeps in globals.
+/// Created by the first narrow phase, so that it outlives narrow phases in global variables of the host.
 Register& known() {
   static Register made;
   return made;

@@ -4,10 +4,10 @@
 
 namespace halfspace::box2d {
 
-// Box2D keeps one table of contact types for the whole process. While any world has a narrow phase, its entry
-// for two polygons leads here; contacts of other worlds are passed on to Box2D's own.
+// Box2D has one table of contact types per process. While any world has a narrow phase, its entry for two
+// polygons is replaced; for other worlds it calls Box2D's own function.
 
-/// From now on new contacts of the world are the installation's. False when it has one already.
+/// New contacts of the world use the installation from now on. False if the world already has one.
 bool enter(const b2World& world, NarrowPhase::Installation& installation);
 void withdraw(const b2World& world);
 

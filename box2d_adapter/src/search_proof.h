@@ -6,13 +6,13 @@
 
 namespace halfspace::box2d {
 
-/// What a search over all faces of two polygons has found, and how long it holds: no gap changes by more than
-/// the polygons have moved since. At rest they hardly move, and there is nothing to search.
+/// The result of a search over all faces of two polygons, valid while the bound on the motion since then,
+/// which also bounds the change of every gap, is small enough. Polygons at rest need no new search.
 class SearchProof {
  public:
   SearchProof() = default;
-  /// `largest` is the largest gap of all faces, or one above the radii of the skins; `surplus` by how much
-  /// the reference face of a contact could be worse and still be taken.
+  /// `largest` is the largest gap of all faces, or a gap above the sum of the skins; `surplus` is the margin
+  /// by which the gap of the reference face may decrease until another face is preferred.
   SearchProof(const Polygon& a, const Polygon& b, const Placement& b_from_a, double largest,
               double surplus = -1)
       : at_(b_from_a),
@@ -20,9 +20,9 @@ class SearchProof {
         largest_(largest),
         surplus_(surplus) {}
 
-  /// The most that a gap can have changed. A turn moves a point by its radius times the chord of the angle,
-  /// the length by which the unit vector of the turn has changed, here summed over components. Seen from b,
-  /// a moves with the turn of b as well, about the centroid of b.
+  /// Upper bound of the change of a gap. A rotation displaces a point by its radius times the chord of the
+  /// angle, the norm of the change of (cosine, sine), here the 1-norm. In the frame of b, a also moves with
+  /// the rotation of b, about the centroid of b.
   double most_change(const Placement& now) const {
     const double chord =
         std::abs(now.turn.cosine - at_.turn.cosine) + std::abs(now.turn.sine - at_.turn.sine);
@@ -32,7 +32,8 @@ class SearchProof {
 
   bool still_separated(double change, double radii) const { return largest_ - change > radii; }
 
-  /// In contact, and at the same reference face: the largest gap may have grown, and that of the face shrunk.
+  /// Still in contact with the same reference face? The largest gap may have increased, and that of the face
+  /// decreased.
   bool still_at_same_face(double change, double radii) const {
     return largest_ + change <= radii && 2 * change <= surplus_;
   }

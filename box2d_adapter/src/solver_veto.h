@@ -7,9 +7,9 @@
 
 namespace halfspace::box2d {
 
-/// Keeps Box2D's solver and its continuous collision from the pairs that half-spaces judge, as a host would:
-/// by a listener that disables their contacts, in front of the host's own. Touching, manifolds and all events
-/// but PostSolve are as ever.
+/// Excludes the pairs of the half-space narrow phase from Box2D's solver and continuous collision: a listener
+/// in front of the host's disables their contacts. Touching, manifolds and all events except PostSolve do not
+/// change.
 class SolverVeto : b2ContactListener {
  public:
   explicit SolverVeto(b2World& world) : world_(world), host_(listener()) { world.SetContactListener(this); }
@@ -29,7 +29,7 @@ class SolverVeto : b2ContactListener {
   void EndContact(b2Contact* contact) override {
     if (host_) host_->EndContact(contact);
   }
-  /// A host disables a contact to let a pair through: then it takes no force in the next sub-step.
+  /// If the host disables a contact, its pair takes no force in the next sub-step.
   void PreSolve(b2Contact* contact, const b2Manifold* before) override {
     if (host_) host_->PreSolve(contact, before);
     JudgedPair* pair = judged_pair_of(*contact);

@@ -21,7 +21,7 @@ inline double dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b
 
 inline b2Vec2 rounded(const Vector& a) { return {float(a.x), float(a.y)}; }
 
-/// A turn in the plane by its cosine and sine.
+/// A rotation in 2D, as cosine and sine.
 struct Turn {
   double cosine = 1;
   double sine = 0;

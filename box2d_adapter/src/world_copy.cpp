@@ -11,7 +11,7 @@
 namespace halfspace::box2d {
 namespace {
 
-/// Rigid blocks are of one shape.
+/// A rigid block has one shape.
 bool can_be_taken(const b2Body& body) {
   if (!body.IsEnabled()) return false;
   if (body.GetType() != b2_dynamicBody) return true;
@@ -54,7 +54,7 @@ class WorldCopy::Blocks {
   struct Rigid {
     b2Body* body;
     hs_block block;
-    Vector centroid;  // in the coordinates of the body
+    Vector centroid;  // in body coordinates
   };
 
   void add(b2Body& body) {
@@ -85,7 +85,7 @@ class WorldCopy::Blocks {
   static void move(b2Body& body, const Vector& centroid, const hs_block_state& state) {
     const double z = state.pose.rotation[2], w = state.pose.rotation[3];
     const Turn turn{w * w - z * z, 2 * z * w};
-    // From the angle that the body has, so that whole turns are kept.
+    // Relative to the angle of the body, to keep full turns.
     const Turn since = turn * turn_of(b2Rot(body.GetAngle())).inverse();
     const double angle = body.GetAngle() + std::atan2(since.sine, since.cosine);
     const Vector at{state.pose.position[0], state.pose.position[1]};

@@ -1,12 +1,12 @@
-"""Draws cells that pass, are degraded or fail: a panel for each way of running a scene, a row for each number stretched."""
+"""Draws cells that pass, are degraded or fail: a panel for each variant of a scene, a row for each varied parameter."""
 import matplotlib
 import numpy as np
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
-COLOURS = {"passes": "#3a7d44", "degraded": "#e0a021", "told": "#7c6a9c", "refused": "#8a95a1", "too slow": "#b58a5a",
-           "fails": "#d1495b"}
+COLOURS = {"passes": "#3a7d44", "degraded": "#e0a021", "reported": "#7c6a9c", "refused": "#8a95a1",
+           "too slow": "#b58a5a", "fails": "#d1495b"}
 
 
 def judged(error, small=1e-3, large=0.1):
@@ -16,13 +16,13 @@ def judged(error, small=1e-3, large=0.1):
 
 
 def short(value):
-    """As few letters as tell it: 3, 0.5, 1e-7."""
+    """In few letters: 3, 0.5, 1e-7."""
     text = f"{value:g}" if 1e-3 <= value < 1e4 or value == 0 else f"{value:.0e}"
     return text.replace("e-0", "e-").replace("e+0", "e").replace("e+", "e")
 
 
 def draw_panel(axis, name, rows, verdict_of):
-    """`rows` are names with their values; verdict_of(row, value) is None for a cell that was not tried."""
+    """`rows` are names with their values; verdict_of(row, value) is None for a cell without a run."""
     for y, (row, values) in enumerate(rows):
         for x, value in enumerate(values):
             verdict = verdict_of(row, value)
@@ -39,7 +39,7 @@ def draw_panel(axis, name, rows, verdict_of):
 
 
 def draw(path, names, across, rows, verdict_of, classes):
-    """A panel for each name, so many of them side by side; verdict_of(row, name, value)."""
+    """A panel for each name, `across` of them side by side; verdict_of(row, name, value)."""
     down = -(-len(names) // across)
     figure, axes = plt.subplots(down, across, figsize=(3 + 4.7 * across, 0.6 + 0.32 * down * (len(rows) + 1)),
                                 sharey=True, squeeze=False)

@@ -1,7 +1,7 @@
-"""Small scenes whose outcome is known, each with numbers that can be stretched: a bounce, a stack at rest, a release.
+"""Small scenes with a known solution, each with parameters that can be varied: a bounce, a stack at rest, a release.
 
-All figures are without a dimension: lengths in sizes of a block, speeds in those at which the spring gives by a
-thousandth of the size. A scene returns its error, a share of what it measures."""
+All parameters are dimensionless: lengths in sizes of a block, speeds in units of the impact speed at which the spring
+deflects by a thousandth of that size. A scene returns its relative error."""
 import dataclasses
 import math
 
@@ -13,8 +13,8 @@ DENSITY = 1000.0
 GRAVITY = 10.0
 
 
-class Told(Exception):
-    """The report of a run says that it is not to be trusted."""
+class Reported(Exception):
+    """The report of a run shows that its result is invalid."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -30,7 +30,7 @@ class Way:
         return f"{self.dimension}D, {law}"
 
     def make_law(self, per_face, size, damping, friction=0.0, area=None):
-        """A face of this area, by default that of a box, is to have so many N/m."""
+        """The law with a stiffness of `per_face` N/m for a face of this area, by default that of a box."""
         per_area = per_face / (area or size ** (self.dimension - 1))
         stiffness = {0: per_face, 1: per_area, 2: per_area * size / 2}[int(self.law)]
         return hs.Law(normal_stiffness=stiffness, shear_stiffness=per_face if self.law == 2 else stiffness,
@@ -43,13 +43,13 @@ class Way:
         return hs.Shape.box(width, width, height)
 
     def prism(self, corners):
-        """A polygon; in space the prism on it, one size long."""
+        """A polygon; in 3D the prism on it, of unit length."""
         if self.dimension == 2:
             return hs.Shape.polygon(corners)
         return hs.Shape.hull([(x, y, z) for x, z in corners for y in (-0.5, 0.5)])
 
     def at(self, height, sideways=0.0, origin=0.0):
-        """A place at this height; the whole scene is moved by `origin` along every axis."""
+        """A position at this height; `origin` displaces the whole scene along every axis."""
         place = np.zeros(self.dimension)
         place[0], place[-1] = sideways, height
         return place + origin
@@ -60,24 +60,24 @@ class Way:
         return hs.World(self.dimension, gravity=down, law=law, potential_length=size, **settings)
 
     def tilted(self, angle):
-        """A turn about an axis that lies level."""
+        """A rotation about a horizontal axis."""
         if self.dimension == 2:
             return {"angle": angle}
         return {"rotation": (0, math.sin(angle / 2), 0, math.cos(angle / 2))}
 
 
 def largest_move(way, world, steps):
-    """The farthest up or down that free blocks go in so many steps; the first block is the plate."""
+    """The max vertical displacement of free blocks over so many steps; the first block is the plate."""
     start = world.positions.copy()
     world.step(steps)
     return float(np.abs(world.positions - start)[1:, way.dimension - 1].max())
 
 
 def bounce(way, *, unit=1.0, origin=0.0, speed=1.0, step=0.02, plate=4.0):
-    """A block meets a fixed plate squarely and comes back as fast as it came: no damping, no gravity.
+    """A block bounces off a fixed plate, face to face, at its own speed: no damping, no gravity.
 
     `unit` is the size of the block in m. `origin` is in sizes. The plate is `plate` times as wide as the block. `step`
-    is a share of the stable one."""
+    is a fraction of the stable one."""
     mass = DENSITY * unit ** way.dimension
     per_face = 1e7 * unit ** (way.dimension - 1)
     pace = 1e-3 * unit * math.sqrt(per_face / mass) * speed
@@ -99,16 +99,16 @@ def bounce(way, *, unit=1.0, origin=0.0, speed=1.0, step=0.02, plate=4.0):
     time = 2 * away / pace + math.pi * math.sqrt(mass / per_face)
     world.step(max(1, int(1.2 * time / world.report.time_step)))
     if world.report.max_penetration_ratio > 0.5:
-        raise Told(f"springs so soft let the block come {world.report.max_penetration_ratio:.2g} of its thickness deep")
+        raise Reported(f"springs allow a penetration of {world.report.max_penetration_ratio:.2g} thicknesses")
     out = world.state(block).velocity[way.dimension - 1]
     return abs(out - pace) / pace
 
 
 def rest(way, *, count=1, light=1.0, steps=2000, corner=0.0, tilt=0.0, stiffness=1.0):
-    """Blocks one on the other, put where their springs carry them, stay there.
+    """A stack of blocks, placed in static equilibrium on its springs, stays at rest.
 
-    The first block's density is `light` times that of the others; `corner` cuts an edge of this length off at either
-    side; `tilt` turns blocks from lying squarely. Returns how far they move, as a share of how far the springs give."""
+    The first block's density is `light` times that of the others; `corner` is the length of the edges that are cut
+    off on both sides; `tilt` rotates the blocks. Returns the displacement over the static deflection of the springs."""
     sag = 1e-4 / stiffness
     shapes = [cut_box(way, corner)] + [cut_box(way, 0)] * (count - 1)
     densities = [DENSITY * light] + [DENSITY] * (count - 1)
@@ -127,7 +127,7 @@ def rest(way, *, count=1, light=1.0, steps=2000, corner=0.0, tilt=0.0, stiffness
 
 
 def cut_box(way, corner):
-    """A box on the level, its two lower edges cut off."""
+    """A box on a horizontal plane, with its two lower edges cut off."""
     top = [(0.5, 1), (-0.5, 1)]
     if corner == 0:
         return way.prism(top + [(-0.5, 0), (0.5, 0)])
@@ -135,7 +135,7 @@ def cut_box(way, corner):
 
 
 def needle(way, *, angle=0.1):
-    """A wedge with a corner of this angle lies on its long face, which the spring carries evenly."""
+    """A wedge with a corner of this angle lies on its long face, on springs of uniform stiffness."""
     height = math.tan(angle)
     shape = way.prism([(0, 0), (1, 0), (1, height)])
     sag = 1e-4 * height
@@ -146,13 +146,13 @@ def needle(way, *, angle=0.1):
     block = world.add_block(shape, material=stone)
     world.step(2000)
     high = world.state(block).pose.position[way.dimension - 1]
-    # It sinks in by the sag on average, deeper below its heavier end: never out of the plate, nor through it.
+    # The mean penetration is the static deflection, more below the heavier end. It neither lifts off nor tunnels.
     sunk = (shape.centroid[way.dimension - 1] - high) / sag
     return 0.0 if -1e-9 <= sunk <= 6 else abs(sunk)
 
 
 def release(way, *, overlap=1e-3):
-    """A block set into a plate to this depth is pushed out; what the spring held has to be there again."""
+    """A block is released from an overlap with a plate; the energy of the spring is conserved."""
     per_face, mass = 1e7, DENSITY
     world = way.world(0, way.make_law(per_face, 1.0, damping=0), 1.0, safety=0.05)
     stone = world.add_material(DENSITY)
@@ -166,7 +166,7 @@ def release(way, *, overlap=1e-3):
 
 
 def crowd(way, *, count=100):
-    """One plate carries this many small blocks, each put where its spring carries it."""
+    """A plate supports this many small blocks, each placed in static equilibrium on its spring."""
     small, gap, sag = 1e-2, 1.5e-2, 1e-6
     weight = GRAVITY * DENSITY * small ** way.dimension
     world = way.world(GRAVITY, way.make_law(weight / sag, small, damping=0.3), small)

@@ -1,4 +1,4 @@
-"""Pictures and tables of trade.csv: what each engine's error costs, task by task."""
+"""Pictures and tables of trade.csv: error against cost of each engine, task by task."""
 import collections
 import csv
 import dataclasses
@@ -21,7 +21,7 @@ LOOKS = {  # colour and marker
     "YADE": ("#666666", "*"),
 }
 LONGEST = 100  # s of one case
-LEAST = 1e-9  # an error of 0 has a place on the axis, too
+SMALLEST = 1e-9  # the lower limit of drawn errors
 TARGETS = (1e-1, 1e-2, 1e-3, 1e-4)
 
 
@@ -40,11 +40,11 @@ class Row:
     value: float
     exact: float
     error: float
-    cost: float  # s of processor time a second
+    cost: float  # processor seconds per simulated second
 
     @property
     def curve(self):
-        """A law or kind of this library is a curve of its own; a peer has one, of all its solvers."""
+        """A law or kind of this library has its own curve; a peer has one curve for all its solvers."""
         return f"{self.engine}, {self.way}" if self.engine == "halfspace" else self.engine
 
 
@@ -65,7 +65,7 @@ def grouped(rows, key):
 
 
 def front(rows):
-    """Those that no cheaper one is as right as, from cheap to dear."""
+    """The Pareto front of error and cost, cheapest first."""
     best = []
     for row in sorted(rows, key=lambda row: (row.cost, row.error)):
         if not best or row.error < best[-1].error:
@@ -82,10 +82,10 @@ def draw_dimension(rows, path):
         for curve, points in grouped(of_task, lambda row: row.curve).items():
             colour, marker = look(curve)
             best = front(points)
-            axis.plot([row.cost for row in points], [max(row.error, LEAST) for row in points], marker, color=colour,
+            axis.plot([row.cost for row in points], [max(row.error, SMALLEST) for row in points], marker, color=colour,
                       markersize=3, alpha=0.35)
-            axis.plot([row.cost for row in best], [max(row.error, LEAST) for row in best], marker + "-", color=colour,
-                      markersize=5, linewidth=1.2)
+            axis.plot([row.cost for row in best], [max(row.error, SMALLEST) for row in best], marker + "-",
+                      color=colour, markersize=5, linewidth=1.2)
         axis.set(xscale="log", yscale="log", title=task)
         axis.grid(color="#dddddd", linewidth=0.5)
     for axis in axes.flat[len(tasks):]:
@@ -93,14 +93,14 @@ def draw_dimension(rows, path):
     shown = list(dict.fromkeys(row.curve for row in rows))
     handles = [plt.Line2D([], [], color=look(curve)[0], marker=look(curve)[1], label=curve) for curve in shown]
     axes.flat[-1].legend(handles=handles, loc="center", frameon=False)
-    figure.supxlabel("processor seconds for a second of the scene")
-    figure.supylabel("error, as a share")
+    figure.supxlabel("processor seconds per simulated second")
+    figure.supylabel("relative error")
     figure.savefig(path, dpi=80)
     plt.close(figure)
 
 
 def cost_to_reach(rows, target):
-    """The cost of the cheapest setting within the error; rows without a value took too long."""
+    """The cost of the cheapest setting within the error; rows without a value have exceeded the time limit."""
     within = [row.cost for row in rows if row.error <= target]
     if within:
         return f"{min(within):.1e}"
@@ -108,7 +108,7 @@ def cost_to_reach(rows, target):
 
 
 def finest_first(rows):
-    """Points by indentation at the usual step, or else by step: those of the way with the most costly run."""
+    """Points by indentation at the default step, or else by step: those of the variant with the costliest run."""
     whole = [row for row in rows if math.isfinite(row.error)]
     way = max(whole, key=lambda row: row.cost).way
     with_springs = [row for row in whole if row.way == way and row.indentation > 0 and row.step == 0.5]

@@ -8,13 +8,13 @@ from yade.minieigenHP import Quaternion, Vector3
 
 requests = os.fdopen(int(os.environ["TRADE_REQUESTS"]))
 answers = os.fdopen(int(os.environ["TRADE_ANSWERS"]), "w")
-turns = []  # of each body: what YADE's own turn is multiplied by
+rotations = []  # of each body: from YADE's own orientation to that of the scene
 
 
 def world(stiffness, friction, density, damping, time_step, *gravity):
-    """Stiffness in N/m^3 of overlap: that of two PolyhedraMat in a row is half the young of each."""
+    """Stiffness in N/m^3 of overlap: two PolyhedraMat in series have half the young of each."""
     O.reset()
-    turns.clear()
+    rotations.clear()
     O.materials.append(PolyhedraMat(density=density, young=2 * stiffness, poisson=1, frictionAngle=friction))
     O.engines = [
         ForceResetter(),
@@ -33,12 +33,12 @@ def world(stiffness, friction, density, damping, time_step, *gravity):
 def body(is_fixed, *numbers):
     size, place, velocity, spin = (Vector3(*numbers[i:i + 3]) for i in (0, 3, 6, 9))
     x, y, z, w = numbers[12:]
-    turn = Quaternion(w, x, y, z)
-    corners = [place + turn * Vector3(*(0.5 * s * a for s, a in zip(signs, size)))
+    rotation = Quaternion(w, x, y, z)
+    corners = [place + rotation * Vector3(*(0.5 * s * a for s, a in zip(signs, size)))
                for signs in itertools.product((-1, 1), repeat=3)]
     made = polyhedra_utils.polyhedra(O.materials[-1], v=corners)
     made.state.blockedDOFs = "xyzXYZ" if is_fixed else ""
-    turns.append(made.state.ori.conjugate() * turn)
+    rotations.append(made.state.ori.conjugate() * rotation)
     made.state.vel, made.state.angVel = velocity, spin
     made.state.angMom = made.state.ori * Vector3(*(
         i * s for i, s in zip(made.state.inertia, made.state.ori.conjugate() * spin)))
@@ -54,8 +54,8 @@ def step(steps):
 
 def state(number):
     now = O.bodies[int(number)].state
-    turn = now.ori * turns[int(number)]
-    return [*now.pos, turn[0], turn[1], turn[2], turn[3], *now.vel, *now.angVel]
+    rotation = now.ori * rotations[int(number)]
+    return [*now.pos, rotation[0], rotation[1], rotation[2], rotation[3], *now.vel, *now.angVel]
 
 
 for line in requests:
