@@ -104,7 +104,7 @@ TEST_CASE("an affine block of a material that is not elastic is refused") {
   hs_block block = 77;
   check_unchanged(
       s, "hs_world_add_block",
-      {{"material", "not elastic",
+      {{"material", "no elasticity",
         [&] { return hs_world_add_block(s.world.get(), shape.get(), &def, &block); }, HS_ERROR_STATE}});
   CHECK(block == 77);
 }

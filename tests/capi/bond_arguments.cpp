@@ -106,8 +106,8 @@ TEST_CASE("bonds refuse what is missing, stale, the same, apart or at rest for e
                    {"moves", hexadecimal(s.plate), bond(s.first, s.plate), HS_ERROR_STATE}});
   REQUIRE(hs_world_bond_blocks(w, s.first, s.second, &def) == HS_OK);
   check_unchanged(s, "hs_world_bond_blocks",
-                  {{"together already", hexadecimal(s.first), bond(s.first, s.second), HS_ERROR_STATE},
-                   {"together already", hexadecimal(s.first), bond(s.second, s.first), HS_ERROR_STATE}});
+                  {{"bonded already", hexadecimal(s.first), bond(s.first, s.second), HS_ERROR_STATE},
+                   {"bonded already", hexadecimal(s.first), bond(s.second, s.first), HS_ERROR_STATE}});
   std::int64_t count = 77;
   const auto of_materials = [&](std::int32_t a, std::int32_t b) {
     return [&, a, b] { return hs_world_bond_materials(w, a, b, &def, &count); };

@@ -131,7 +131,7 @@ TEST_CASE("hs_pair_time_of_impact refuses what is wrong by name and value, and w
        {"motion_b.gradient[4]", "inf", with([](M& m) { m.gradient[4] = INFINITY; })},
        {"motion_b.gradient", "-1", with([](M& m) { m.gradient[0] = -1; })},
        {"motion_b.gradient at the end", "-1", with([](M& m) { m.gradient_rate[0] = -1; })},
-       {"motion_b.gradient_rate", "inside out",
+       {"motion_b.gradient_rate", "inverts the shape",
         with([](M& m) { m.gradient_rate[0] = m.gradient_rate[4] = -1.5; })}});
   CHECK(std::memcmp(&impact, &untouched, sizeof impact) == 0);
 }

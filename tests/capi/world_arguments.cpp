@@ -93,7 +93,7 @@ TEST_CASE("materials and laws refuse every bad number") {
   const std::vector<Spoiled<D>> spoiled = {
       {"struct_size", "0", [](D& d) { d.struct_size = 0; }},
       {"struct_size", "4294967295", [](D& d) { d.struct_size = 0xffffffffu; }},
-      {"stiffness_kind", "4", [](D& d) { d.stiffness_kind = 4; }},
+      {"stiffness_kind", "99", [](D& d) { d.stiffness_kind = 99; }},
       {"stiffness_kind", "-1", [](D& d) { d.stiffness_kind = -1; }},
       {"normal_stiffness", "0", [](D& d) { d.normal_stiffness = 0; }},
       {"normal_stiffness", "nan", [](D& d) { d.normal_stiffness = nan; }},
