@@ -99,7 +99,7 @@ void measure(World<D>& world, std::int64_t steps, hs_world_plan& plan) {
   plan.pair_seconds = a_step(Pass::pairs);
   plan.gather_seconds = a_step(Pass::gather);
   plan.bond_seconds = a_step(Pass::bonds);
-  plan.hard_contact_seconds = a_step(Pass::reactions);
+  plan.hard_contact_seconds = a_step(Pass::hard_contacts);
   plan.motion_seconds = a_step(Pass::motion);
   plan.ledger_seconds = a_step(Pass::book);
 }

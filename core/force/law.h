@@ -24,6 +24,7 @@ struct ContactLaw {
   double tensile_strength = 0;    // Pa, of intact contacts
   double normal_damping = 0.1;    // share of critical: without any, friction on springs feeds the vibration
   double shear_damping = 0.1;     // of what it should hold; likewise
+  double restitution = 0;         // without springs: velocity after an impact over that before
 
   bool has_no_spring() const { return stiffness_kind == StiffnessKind::none; }
   bool resists_shear() const {

@@ -1,16 +1,20 @@
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <new>
 
 #include "world/copies.h"
 #include "world/world.h"
 
-// A step of velocity Verlet, in one motion or in several where fast blocks divide it:
+// A step of velocity Verlet is one motion, or several where fast blocks divide it. The stages of a motion:
 //
-//   plan    half a kick and a drift are worked out; the neighbour list is renewed if they would use it up
-//   divide  the motion is shortened until no block turns too far and no fast pair enters deep
-//   move    kick and drift; find and describe contacts; load; gather; kick
-//   book    the ledger takes the stock of energies after the motion
+//   predict  predict_motion(): half a kick and a drift are computed, and the impulses of contacts without
+//            springs; the neighbour list is renewed if the motion would use it up
+//   divide   divide(): a motion in which a block turns too far or a fast pair overlaps deeply is shortened
+//   move     move(): kick and drift
+//   load     evaluate_forces(): contacts, their forces and the sums of each block
+//   kick     the second half of the kick, then the impulses that stop approach
+//   book     the ledger takes the energies after the motion
 
 namespace halfspace {
 namespace {
@@ -18,53 +22,42 @@ namespace {
 /// No motion is a smaller part of a step.
 constexpr double min_part = 0x1p-24;
 
-/// A blow that is passed on from block to block lengthens motions each time.
+/// An impact that passes from block to block lengthens motions each time.
 constexpr int max_renewals = 16;
 
 constexpr double largest_double = std::numeric_limits<double>::max();
 
 }  // namespace
 
-/// Plans the coming motion: false when it is out of hand. Brings the neighbour list up to date when the
-/// motion would use it up. All memory is taken here, so that a motion once begun is finished.
+/// Predicts the coming motion and takes all its memory, so that a motion once begun completes. False when it
+/// diverges.
 template <int D>
 bool World<D>::predict_motion(double duration) {
-  if (hard_contacts_.is_wanted()) integrator_.kicks().begin(duration);
-  if (!integrator_.predict(duration)) return false;
-  if (contacts_.neighbors().needs_rebuild()) {
-    lap(Pass::motion);
-    renew_neighbors();
-    lap(Pass::search);
-  }
-  if (!hard_contacts_.is_wanted()) return true;
-  lap(Pass::motion);
-  const bool is_planned = predict_hard_contacts(duration);
-  lap(Pass::reactions);
-  return is_planned;
-}
-
-/// A block that is struck may go farther than its neighbour list has been told: then it is made anew, and the
-/// blows with it.
-template <int D>
-bool World<D>::predict_hard_contacts(double duration) {
-  for (int i = 0; i < max_renewals; ++i) {
-    if (!hard_contacts_.predict(clock_.time(), duration)) return false;
-    if (!contacts_.neighbors().needs_rebuild()) return true;
-    renew_neighbors();
-    integrator_.kicks().begin(duration);
+  for (int renewals = 0; renewals < max_renewals; ++renewals) {
+    hard_contacts_.begin(duration);
     if (!integrator_.predict(duration)) return false;
+    lap(Pass::motion);
+    if (contacts_.neighbors().needs_rebuild()) renew_neighbors();
+    lap(Pass::search);
+    const bool is_predicted = hard_contacts_.predict(clock_.time(), duration);
+    lap(Pass::hard_contacts);
+    if (!is_predicted) return false;
+    if (!contacts_.neighbors().needs_rebuild()) return true;
+    // An impact moves a block farther than its skin. The motion without impulses and that with them may use
+    // up different skins, so that these grow until they cover both.
+    renew_neighbors(std::exp2(renewals));
   }
   return false;
 }
 
-/// The result of a step whose motion cannot be planned.
+/// The result of a step whose motion cannot be predicted.
 template <int D>
 StepResult World<D>::diverged() const {
   return inverted_cell().body >= 0 ? StepResult::inverted : StepResult::unstable;
 }
 
-/// Shortens the planned motion until it is one that can be made at once: no block turns by more than an angle
-/// whose arc is as long as its radius, and no fast pair enters deep.
+/// Shortens the predicted motion until it can be made at once: no block turns by more than an angle whose arc
+/// is as long as its radius, and no fast pair overlaps deeply.
 template <int D>
 StepResult World<D>::divide() {
   for (;;) {
@@ -84,9 +77,9 @@ StepResult World<D>::divide() {
 template <int D>
 bool World<D>::choose_time_step() {
   if (model_.settings.time_step != 0) return clock_.choose(model_.settings.time_step);
-  detect();  // the contacts that are there count
+  detect();  // the present contacts count
   const double stable = model_.settings.safety * stable_step_.bound();
-  // One that is divided where blocks are fast need not know of speeds.
+  // A step that is divided where blocks are fast does not depend on speeds.
   return clock_.choose(model_.settings.fast_blocks == FastBlocks::refuse
                            ? std::min(stable, continuous_collision_.safe_time_step())
                            : stable);
@@ -94,7 +87,7 @@ bool World<D>::choose_time_step() {
 
 template <int D>
 void World<D>::note_speeds(const EnergySample& sample) {
-  // One beyond all numbers is the largest.
+  // An infinite speed counts as the largest finite one.
   peak_speed_ = std::max(peak_speed_, std::min(std::sqrt(sample.squared_speed), largest_double));
   continuous_collision_.note_speeds(sample);
 }
@@ -102,8 +95,8 @@ void World<D>::note_speeds(const EnergySample& sample) {
 template <int D>
 StepResult World<D>::prepare() {
   if (!edited_) return StepResult::ok;
-  // Memory of blocks is taken first, that of pairs by detection: contacts are found only when there is all of
-  // it.
+  // Memory of blocks is taken first, that of pairs by detection: contacts are found only when all of it is
+  // there.
   const std::size_t slots = model_.blocks.slot_count();
   stable_step_.reserve(slots);
   integrator_.reserve(slots);
@@ -120,36 +113,35 @@ StepResult World<D>::prepare() {
   return StepResult::ok;
 }
 
-/// From where forces are known to where they are known again.
+/// The predicted motion, from where forces are known to where they are known again.
 template <int D>
 void World<D>::move() {
   const double duration = integrator_.duration();
   model_.fix_potential_length();
-  if (hard_contacts_.is_wanted()) hard_contacts_.apply_position_impulses(ledger_);
+  hard_contacts_.apply_position_impulses(ledger_);
   integrator_.kick_and_drift();
   forget_contacts();
-  made_ = duration;
   lap(Pass::motion);
+
+  made_ = duration;
   evaluate_forces(duration);
   made_ = 0;
-  if (hard_contacts_.is_wanted()) {
-    hard_contacts_.look();
-    penetration_bound_.note(hard_contacts_.deepest());
-    lap(Pass::reactions);
-  }
+  hard_contacts_.find_at_end(ledger_);
+  penetration_bound_.note(hard_contacts_.deepest());
+  lap(Pass::hard_contacts);
+
   EnergySample sample = integrator_.kick();
   lap(Pass::motion);
-  if (hard_contacts_.is_wanted()) {
-    hard_contacts_.stop(sample, ledger_);
-    lap(Pass::reactions);
-  }
+  hard_contacts_.stop_approach(sample, ledger_);
+  lap(Pass::hard_contacts);
+
   note_speeds(sample);
   ledger_.book(sample, duration);
   contacts_.neighbors().tidy_plans();
   lap(Pass::book);
 }
 
-/// Plans what is left of the step: in one go, or as much of it as fast blocks may do at once.
+/// Predicts the rest of the step: in one motion, or as much of it as fast blocks may make at once.
 template <int D>
 StepResult World<D>::predict_rest() {
   if (ledger_.is_unstable()) return StepResult::unstable;
@@ -163,8 +155,8 @@ StepResult World<D>::prepare_and_predict() {
   return result == StepResult::ok ? predict_rest() : result;
 }
 
-/// A changed world finds its contacts and makes its bonds before it shows how much memory the motion takes:
-/// when there is too little, what was known before is put back.
+/// A changed world finds its contacts and makes its bonds before the memory of the motion is taken: when
+/// there is too little, the state before is restored.
 template <int D>
 StepResult World<D>::predict_changed() {
   renew_neighbors_if_needed();
@@ -179,8 +171,8 @@ StepResult World<D>::predict_changed() {
   }
 }
 
-/// Motion by motion: one, unless fast blocks divide the step. What would take very many is refused where it
-/// has come to, and may be gone on with.
+/// One motion, or several where fast blocks divide the step. A step that would take more than max_motions
+/// ends in between, and can be continued.
 template <int D>
 StepResult World<D>::step() {
   int motions = 0;
@@ -203,7 +195,6 @@ StepResult World<D>::step() {
 
 #define HALFSPACE_MEMBERS(D)                                \
   template bool World<D>::predict_motion(double);           \
-  template bool World<D>::predict_hard_contacts(double);    \
   template StepResult World<D>::diverged() const;           \
   template StepResult World<D>::divide();                   \
   template bool World<D>::choose_time_step();               \

@@ -45,7 +45,7 @@ template <int D>
 void World<D>::fit_rooms() {
   continuous_collision_.fit_room();
   forces_.fit_rooms();
-  if (hard_contacts_.is_wanted()) hard_contacts_.rebuild_surface();
+  hard_contacts_.rebuild_surface();
   sums_.reserve(chunk_count(contacts_.neighbors().room(), pairs_per_chunk));
 }
 
@@ -53,13 +53,13 @@ void World<D>::fit_rooms() {
 /// room, nothing has changed: the contacts known are still those of the list in use, and there is still room
 /// for all of it.
 template <int D>
-void World<D>::renew_neighbors() {
+void World<D>::renew_neighbors(double skin_factor) {
   NeighborList<D>& neighbors = contacts_.neighbors();
   Bonds<D>& bonds = model_.blocks.bonds();
   if (!bonds.rings().is_current()) bonds.rings().find(model_.blocks);
   const bool with_shear =
       model_.materials.laws().any([](const ContactLaw& law) { return law.resists_shear(); });
-  neighbors.search_again(model_.blocks, model_.settings.skin, with_shear);
+  neighbors.search_again(model_.blocks, skin_factor * model_.settings.skin, with_shear);
   contacts_.fit_room();
   fit_rooms();
   neighbors.renew(model_.blocks, with_shear);
@@ -81,7 +81,7 @@ template <class OnContact>
 void World<D>::find_in(const Chunk& chunk, PairSums& sums, OnContact on_contact) {
   Array<Candidate<D>>& pairs = contacts_.neighbors().pairs();
   Contact<D> contact;
-  const bool some_have_no_spring = hard_contacts_.is_wanted();
+  const bool some_have_no_spring = hard_contacts_.is_used();
   for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
     if (some_have_no_spring && model_.law_of(pairs[k]).has_no_spring()) continue;
     if (sleep_.leaves_out(pairs[k])) {
@@ -218,7 +218,7 @@ void World<D>::load_left_out() {
 /// Contacts without a spring have an order of their own: a world with any does not sleep.
 template <int D>
 void World<D>::look_for_sleep() {
-  if (!(model_.settings.sleep_tolerance > 0) || hard_contacts_.is_wanted()) return;
+  if (!(model_.settings.sleep_tolerance > 0) || hard_contacts_.is_used()) return;
   if (clock_.steps() % steps_between_looks != 0) return;
   if (sleep_.look(model_, contacts_, clock_.time(), least_sleep_in_steps * clock_.time_step(),
                   [&](std::size_t i) { return integrator_.speed_bound_of(i); }))

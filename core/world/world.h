@@ -211,7 +211,7 @@ class World {
   template <class Make>
   std::int64_t make_bonds_of(const BondLaw& law, Make make);
   void forget_contacts();
-  void renew_neighbors();
+  void renew_neighbors(double skin_factor = 1);
   void renew_neighbors_if_needed();
   template <class OnContact>
   void find_in(const Chunk& pairs, PairSums& sums, OnContact on_contact);
@@ -240,7 +240,6 @@ class World {
                           std::tie(peak_speed_, bond_strain_energy_, edited_));
   }
   bool predict_motion(double duration);
-  bool predict_hard_contacts(double duration);
   StepResult prepare_and_predict();
   StepResult predict_changed();
   StepResult predict_rest();
@@ -248,7 +247,7 @@ class World {
   StepResult diverged() const;
   void move();
   void lap(Pass pass) {
-    if (stopwatch_) stopwatch_->lap(pass);
+    if (stopwatch_ && (pass != Pass::hard_contacts || hard_contacts_.is_used())) stopwatch_->lap(pass);
   }
 
   Threads* threads_;

@@ -120,7 +120,7 @@ void World<D>::remove_mesh(std::int32_t body) {
   for (const SurfaceCell<D>& cell : meshes.surface_of(body)) remove_block(cell.block);
   meshes.remove(body);
   integrator_.forget_reaction();
-  if (hard_contacts_.is_wanted()) contacts_.neighbors().invalidate();  // nodes have other numbers
+  if (hard_contacts_.is_used()) contacts_.neighbors().invalidate();  // nodes have other numbers
   edit();
 }
 

@@ -22,35 +22,35 @@ template <int D>
 Vector<D> projected_impulse(const ContactConstraint<D>& at, const Vector<D>& velocity) {
   const double before = at.impulse.dot(at.normal), opening = velocity.dot(at.normal);
   const double normal = std::max(before - opening / at.normal_inverse_mass, -at.tension_limit);
-  const double most = at.cohesion_limit + at.tan_friction * std::max(normal, 0.0);
-  if (most == 0) return normal * at.normal;
+  const double limit = at.cohesion_limit + at.tan_friction * std::max(normal, 0.0);
+  if (limit == 0) return normal * at.normal;
   const Vector<D> left = velocity + (normal - before) * at.normal_velocity_response;
   const Vector<D> across = left - left.dot(at.normal) * at.normal;
   Vector<D> shear = at.impulse - before * at.normal - across / at.shear_inverse_mass;
-  const double wanted = shear.norm();
-  if (wanted > most) shear *= most / wanted;
+  const double length = shear.norm();
+  if (length > limit) shear *= limit / length;
   return normal * at.normal + shear;
 }
 
 /// One sweep over all contacts. Returns the largest change, as a velocity.
 template <int D>
-double sweep_contacts(std::span<ContactConstraint<D>> reactions, bool is_backwards,
-                      VelocityChange<D>& kicks) {
+double sweep_contacts(std::span<ContactConstraint<D>> constraints, bool is_backwards,
+                      VelocityChange<D>& changes) {
   double changed = 0;
   const auto visit = [&](ContactConstraint<D>& at) {
-    const Vector<D> velocity = at.velocity + kicks.at(at.of_a) - kicks.at(at.of_b);
+    const Vector<D> velocity = at.velocity + changes.at(at.of_a) - changes.at(at.of_b);
     const Vector<D> impulse = projected_impulse(at, velocity);
     const Vector<D> change = impulse - at.impulse;
     if (change.isZero(0)) return;
     at.impulse = impulse;
-    kicks.add(at.of_a, change);
-    kicks.add(at.of_b, -change);
+    changes.add(at.of_a, change);
+    changes.add(at.of_b, -change);
     changed = std::max(changed, change.norm() * at.normal_inverse_mass);
   };
   if (is_backwards) {
-    for (auto at = reactions.rbegin(); at != reactions.rend(); ++at) visit(*at);
+    for (auto at = constraints.rbegin(); at != constraints.rend(); ++at) visit(*at);
   } else {
-    for (auto at = reactions.begin(); at != reactions.end(); ++at) visit(*at);
+    for (auto at = constraints.begin(); at != constraints.end(); ++at) visit(*at);
   }
   return changed;
 }
@@ -62,20 +62,20 @@ double sweep_contacts(std::span<ContactConstraint<D>> reactions, bool is_backwar
 template <int D>
 class NonsmoothConjugateGradient {
  public:
-  void accelerate(std::span<ContactConstraint<D>> reactions, VelocityChange<D>& kicks) {
+  void accelerate(std::span<ContactConstraint<D>> constraints, VelocityChange<D>& changes) {
     double length = 0;
-    for (const ContactConstraint<D>& at : reactions)
+    for (const ContactConstraint<D>& at : constraints)
       length += (at.impulse - at.previous_impulse).squaredNorm() * at.normal_inverse_mass;
     const bool is_shorter = length <= last_length_;
-    const double share = is_shorter && length > 0 ? length / last_length_ : 0;
-    for (ContactConstraint<D>& at : reactions) {
-      const Vector<D> more = share * at.course;
-      at.course =
+    const double ratio = is_shorter && length > 0 ? length / last_length_ : 0;
+    for (ContactConstraint<D>& at : constraints) {
+      const Vector<D> more = ratio * at.direction;
+      at.direction =
           is_shorter ? Vector<D>(more + at.impulse - at.previous_impulse) : Vector<D>(Vector<D>::Zero());
       at.impulse += more;
       at.previous_impulse = at.impulse;
-      kicks.add(at.of_a, more);
-      kicks.add(at.of_b, -more);
+      changes.add(at.of_a, more);
+      changes.add(at.of_b, -more);
     }
     last_length_ = length;
   }
@@ -88,39 +88,40 @@ class NonsmoothConjugateGradient {
 
 template <int D>
 bool ContactConstraint<D>::fails(const Vector<D>& left) const {
-  constexpr double little = 1e-6;
-  const double along = impulse.dot(normal), across = (impulse - along * normal).norm();
-  const double opening = left.dot(normal), slip = (left - opening * normal).norm();
-  const double most = cohesion_limit + tan_friction * std::max(along, 0.0);
-  const double noise = little * normal_inverse_mass * impulse.norm();
-  return (along <= -(1 - little) * tension_limit && opening > noise) ||
-         (across >= (1 - little) * most && slip > noise);
+  constexpr double tolerance = 1e-6;
+  const Vector<D>&n = this->normal, &p = this->impulse;
+  const double along = p.dot(n), across = (p - along * n).norm();
+  const double opening = left.dot(n), slip = (left - opening * n).norm();
+  const double limit = cohesion_limit + tan_friction * std::max(along, 0.0);
+  const double noise = tolerance * normal_inverse_mass * p.norm();
+  return (along <= -(1 - tolerance) * tension_limit && opening > noise) ||
+         (across >= (1 - tolerance) * limit && slip > noise);
 }
 
 template <int D>
-int solve_constraints(std::span<ContactConstraint<D>> reactions, VelocityChange<D>& kicks) {
+int solve_constraints(std::span<ContactConstraint<D>> constraints, VelocityChange<D>& changes) {
   double fastest = 0, least = HUGE_VAL;
   int least_in = 0;
-  for (ContactConstraint<D>& at : reactions) {
-    kicks.add(at.of_a, at.impulse);
-    kicks.add(at.of_b, -at.impulse);
+  for (ContactConstraint<D>& at : constraints) {
+    changes.add(at.of_a, at.impulse);
+    changes.add(at.of_b, -at.impulse);
     fastest = std::max(fastest, at.impulse.norm() * at.normal_inverse_mass);
     at.previous_impulse = at.impulse;
-    at.course = Vector<D>::Zero();
+    at.direction = Vector<D>::Zero();
   }
-  NonsmoothConjugateGradient<D> course;
-  for (int round = 1; round <= max_iterations; ++round) {
-    const bool is_backwards = round % 2 == 0;
-    const double changed = sweep_contacts(reactions, is_backwards, kicks);
+  NonsmoothConjugateGradient<D> conjugate;
+  for (int iteration = 1; iteration <= max_iterations; ++iteration) {
+    const bool is_backwards = iteration % 2 == 0;
+    const double changed = sweep_contacts(constraints, is_backwards, changes);
     fastest = std::max(fastest, changed);
-    if (changed <= smallest_change * fastest) return round;
+    if (changed <= smallest_change * fastest) return iteration;
     if (changed <= 0.999 * least) {
       least = changed;
-      least_in = round;
-    } else if (round - least_in >= max_stalled_iterations) {
-      return round;
+      least_in = iteration;
+    } else if (iteration - least_in >= max_stalled_iterations) {
+      return iteration;
     }
-    if (is_backwards) course.accelerate(reactions, kicks);
+    if (is_backwards) conjugate.accelerate(constraints, changes);
   }
   return max_iterations;
 }

@@ -96,7 +96,7 @@ std::int32_t block_at(const Blocks<D>& blocks, std::size_t i) {
 
 template <int D>
 Balance balance_of(const Model<D>& model, const ContactList<D>& contacts, const ForcePass<D>& forces,
-                   const HardContacts<D>& reactions, const Integrator<D>& integrator, BalanceRoom& room) {
+                   const HardContacts<D>& hard_contacts, const Integrator<D>& integrator, BalanceRoom& room) {
   const Blocks<D>& blocks = model.blocks;
   Acts<D> acts(model, integrator, room);
   const auto add_to_both = [&](std::int32_t a, std::int32_t b, double size) {
@@ -105,8 +105,10 @@ Balance balance_of(const Model<D>& model, const ContactList<D>& contacts, const 
   };
   for (std::size_t c = 0; c < contacts.count(); ++c)
     add_to_both(contacts.pair_of(c).a, contacts.pair_of(c).b, forces.of_contact(c).force.norm());
-  for (const ContactConstraint<D>& reaction : reactions.all())
-    add_to_both(reaction.a, reaction.b, reaction.force.norm());
+  for (const PointContact<D>& contact : hard_contacts.points())
+    add_to_both(contact.a, contact.b, contact.force.norm());
+  for (const RigidContact<D>& contact : hard_contacts.rigid().all())
+    add_to_both(contact.a, contact.b, hard_contacts.rigid().force_of(contact).norm());
   for (const Bond<D>& bond : blocks.bonds().all()) {
     if (!bond.is_joint) continue;
     for (const BondPoint<D>& point : blocks.bonds().points_of(bond))

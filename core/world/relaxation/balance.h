@@ -31,7 +31,7 @@ struct BalanceRoom {
 /// unbalanced.
 template <int D>
 Balance balance_of(const Model<D>& model, const ContactList<D>& contacts, const ForcePass<D>& forces,
-                   const HardContacts<D>& reactions, const Integrator<D>& integrator, BalanceRoom& room);
+                   const HardContacts<D>& hard_contacts, const Integrator<D>& integrator, BalanceRoom& room);
 
 extern template Balance balance_of(const Model<2>&, const ContactList<2>&, const ForcePass<2>&,
                                    const HardContacts<2>&, const Integrator<2>&, BalanceRoom&);
