@@ -51,6 +51,7 @@ MEANINGS = {
     "hs_world_plan.limiting_cell": INDEX,
     "hs_strength_report.stands_at_low": FLAG,
     "hs_strength_report.falls_at_high": FLAG,
+    "hs_world_def.locate_impacts": FLAG,
 }
 BLOCK_TYPES = {"hs_block": BLOCK}
 

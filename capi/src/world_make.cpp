@@ -20,6 +20,8 @@ hs_world_def default_definition() {
   def.skin = defaults.skin;
   def.parallel_angle = defaults.detect.parallel_angle;
   def.vertex_zone = defaults.detect.vertex_zone;
+  def.impulse_tolerance = defaults.impulse_tolerance;
+  def.max_impulse_iterations = defaults.max_impulse_iterations;
   return def;
 }
 
@@ -68,6 +70,16 @@ WorldSettings<D> read_settings(const hs_world_def& def) {
   }
   settings.fast_blocks = FastBlocks(def.fast_blocks);
   settings.sleep_tolerance = require_from_zero(def.sleep_tolerance, "def.sleep_tolerance");
+  settings.impulse_tolerance = require_above_zero(def.impulse_tolerance, "def.impulse_tolerance");
+  if (def.max_impulse_iterations < 1) {
+    refuse(HS_ERROR_ARGUMENT, "def.max_impulse_iterations is %d; it must be at least 1",
+           def.max_impulse_iterations);
+  }
+  settings.max_impulse_iterations = def.max_impulse_iterations;
+  if (def.locate_impacts != 0 && def.locate_impacts != 1) {
+    refuse(HS_ERROR_ARGUMENT, "def.locate_impacts is %d; it must be 0 or 1", def.locate_impacts);
+  }
+  settings.locate_impacts = def.locate_impacts;
   return settings;
 }
 
@@ -90,6 +102,14 @@ ContactLaw read_law(const hs_law_def* given) {
   law.tensile_strength = require_from_zero(def.tensile_strength, "law.tensile_strength");
   law.normal_damping = require_from_zero(def.normal_damping, "law.normal_damping");
   law.shear_damping = require_from_zero(def.shear_damping, "law.shear_damping");
+  law.restitution = require(def.restitution >= 0 && def.restitution <= 1, def.restitution, "law.restitution",
+                            "at least 0 and at most 1");
+  if (law.restitution > 0 && (!law.has_no_spring() || law.bonds())) {
+    refuse(HS_ERROR_ARGUMENT,
+           "law.restitution is %g; it must be 0 unless stiffness_kind is HS_STIFFNESS_NONE and cohesion and "
+           "tensile_strength are 0",
+           law.restitution);
+  }
   if (law.is_potential() && law.bonds()) {
     refuse(HS_ERROR_ARGUMENT,
            "law.cohesion is %g, law.tensile_strength is %g; both must be 0 with HS_STIFFNESS_POTENTIAL",

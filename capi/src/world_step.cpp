@@ -49,7 +49,7 @@ static_assert(int(Meeting::corner_and_face) == HS_PAIR_VERTEX_FACE &&
 
 template <int D>
 std::int64_t contact_count_of(const World<D>& world) {
-  return std::int64_t(world.contact_count() + world.hard_contacts().all().size());
+  return std::int64_t(world.contact_count() + world.hard_contacts().count());
 }
 
 template <int D>
@@ -69,7 +69,7 @@ void write_spring_contact(const World<D>& world, std::size_t c, hs_contact& out)
 /// Writes a contact constraint of a law without springs. In core the block of the vertex is first, and normal
 /// and force point towards it.
 template <int D>
-void write_constraint(const World<D>& world, const HardContact<D>& at, hs_contact& out) {
+void write_constraint(const World<D>& world, const PointContact<D>& at, hs_contact& out) {
   const Blocks<D>& blocks = world.blocks();
   const bool is_turned = at.a > at.b, is_corner = at.meeting == Meeting::corner_and_face;
   out.block_a = id_of(blocks, std::size_t(is_turned ? at.b : at.a));
@@ -91,6 +91,55 @@ void write_constraint(const World<D>& world, const HardContact<D>& at, hs_contac
   out.normal_force = normal.dot(force);
   write_vector(Vector<D>(force - out.normal_force * normal), out.shear_force);
   out.touched_at = at.touched_at;
+}
+
+/// Where the impulses of two blocks' manifold act.
+template <int D>
+void write_rigid_contact(const World<D>& world, const RigidContact<D>& at, hs_contact& out) {
+  const Blocks<D>& blocks = world.blocks();
+  const Manifold<D>& manifold = at.manifold;
+  const std::size_t carrier = std::size_t(is_carried_by_b(manifold) ? at.b : at.a);
+  out.block_a = id_of(blocks, std::size_t(at.a));
+  out.block_b = id_of(blocks, std::size_t(at.b));
+  const bool is_of_edges = manifold.plane == ManifoldPlane::edges;
+  out.pair_kind = is_of_edges                 ? HS_PAIR_EDGE_EDGE
+                  : is_carried_by_b(manifold) ? HS_PAIR_FACE_VERTEX
+                                              : HS_PAIR_VERTEX_FACE;
+  (manifold.plane == ManifoldPlane::face_of_b ? out.feature_b : out.feature_a) = manifold.feature;
+  if (is_of_edges) out.feature_b = manifold.other_feature;
+  out.point_count = manifold.count;
+  constexpr std::int32_t in_plane[] = {HS_CONTACT_VERTEX_EDGE, HS_CONTACT_EDGE_EDGE};
+  constexpr std::int32_t in_space[] = {HS_CONTACT_VERTEX_FACE, HS_CONTACT_EDGE_FACE, HS_CONTACT_FACE_FACE};
+  out.type = is_of_edges ? HS_CONTACT_EDGE_EDGE
+             : D == 2    ? in_plane[manifold.count - 1]
+                         : in_space[std::min(manifold.count, 3) - 1];
+  Vector<D> center = Vector<D>::Zero(), force_point = Vector<D>::Zero();
+  const double impulse = at.normal_impulse();
+  for (std::size_t i = 0; i < std::size_t(at.manifold.count); ++i) {
+    const Vector<D> place = blocks.position[carrier] + blocks.rotation[carrier] * at.manifold.point[i];
+    write_vector(place, out.points[i]);
+    out.gaps[i] = at.gap[i];
+    const double part = 1.0 / at.manifold.count;
+    center += part * place;
+    out.center_gap += part * at.gap[i];
+    force_point += (impulse > 0 ? at.impulse[i] / impulse : part) * place;
+  }
+  out.gap = *std::min_element(at.gap.begin(), at.gap.begin() + at.manifold.count);
+  write_vector(center, out.center);
+  write_vector(at.normal, out.normal);
+  const Vector<D> force = world.hard_contacts().rigid().force_of(at);
+  write_vector(force, out.force);
+  write_vector(force_point, out.force_point);
+  out.normal_force = at.normal.dot(force);
+  write_vector(Vector<D>(force - out.normal_force * at.normal), out.shear_force);
+  out.touched_at = at.touched_at;
+}
+
+template <int D>
+void write_hard_contact(const World<D>& world, std::size_t c, hs_contact& out) {
+  const Array<PointContact<D>>& points = world.hard_contacts().points();
+  if (c < points.size()) return write_constraint(world, points[c], out);
+  write_rigid_contact(world, world.hard_contacts().rigid().all()[c - points.size()], out);
 }
 
 }  // namespace
@@ -153,7 +202,8 @@ hs_status hs_world_get_report(hs_world* world, hs_world_report* report, size_t s
                                   w.max_sleep_error(),
                                   w.hard_contacts().touches(),
                                   w.hard_contacts().iterations(),
-                                  w.ledger().impact_loss};
+                                  w.ledger().impact_loss,
+                                  w.hard_contacts().unbalanced_velocity()};
     write_sized(ours, report, size);
     return HS_OK;
   });
@@ -172,7 +222,7 @@ hs_status hs_world_get_contacts(const hs_world* world, hs_contact contacts[], in
       if (c < w.contact_count()) {
         write_spring_contact(w, c, contacts[i]);
       } else {
-        write_constraint(w, w.hard_contacts().all()[c - w.contact_count()], contacts[i]);
+        write_hard_contact(w, c - w.contact_count(), contacts[i]);
       }
     });
   });

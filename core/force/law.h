@@ -24,6 +24,7 @@ struct ContactLaw {
   double tensile_strength = 0;    // Pa, until failure
   double normal_damping = 0.1;    // ratio to critical; at 0, friction on springs excites vibrations
   double shear_damping = 0.1;     // ratio to critical, likewise
+  double restitution = 0;         // without springs: velocity after an impact over that before
 
   bool has_no_spring() const { return stiffness_kind == StiffnessKind::none; }
   bool resists_shear() const {

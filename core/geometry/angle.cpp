@@ -120,9 +120,10 @@ constexpr Precise angle_of_eighths[] = {{0, 0},
                                         {0x1.700a7c5784634p-1, -0x1.8c34d25aadef6p-56},
                                         {0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55}};
 
-/// Requires a slope rise / run from 0 to 1.
+/// Requires a slope rise / run from 0 to 1. The angle of any other, such as NaN, means nothing.
 Precise angle_of_slope(double rise, double run) {
-  const int eighths = int(8 * rise / run + 0.5);
+  const double ratio = 8 * rise / run;
+  const int eighths = ratio >= 0 && ratio <= 8 ? int(ratio + 0.5) : 0;
   const Precise slope = {eighths / 8.0, 0}, negative_slope = {-eighths / 8.0, 0};
   const Precise further =
       (Precise{rise, 0} - slope * Precise{run, 0}) / (Precise{run, 0} - negative_slope * Precise{rise, 0});

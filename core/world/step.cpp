@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <new>
 
@@ -18,8 +19,11 @@
 namespace halfspace {
 namespace {
 
-/// No motion is a smaller part of a step.
-constexpr double min_part = 0x1p-24;
+/// A part this large is the whole motion: times of impact are accurate to rounding.
+constexpr double whole_part = 1 - 1e-12;
+
+/// No motion is a smaller part of a step, and none that ends at an impact is smaller than this.
+constexpr double min_part = 0x1p-24, min_located_part = 0x1p-16;
 
 /// An impact that passes from block to block lengthens motions each time.
 constexpr int max_renewals = 16;
@@ -41,9 +45,10 @@ bool World<D>::predict_motion(double duration) {
     const bool is_predicted = hard_contacts_.predict(clock_.time(), duration);
     lap(Pass::hard_contacts);
     if (!is_predicted) return false;
-    // An impact may move a block farther than the list was told.
     if (!contacts_.neighbors().needs_rebuild()) return true;
-    renew_neighbors();
+    // An impact moves a block farther than its skin. The motion without impulses and that with them may use
+    // up different skins, so that these grow until they cover both.
+    renew_neighbors(std::exp2(renewals));
   }
   return false;
 }
@@ -66,7 +71,11 @@ StepResult World<D>::divide() {
       part = continuous_collision_.safe_fraction();
       if (part < 1 && model_.settings.fast_blocks == FastBlocks::refuse) return StepResult::too_fast;
     }
-    if (part >= 1) return StepResult::ok;
+    // Impacts that follow each other without end are not told apart.
+    const double before_impact = hard_contacts_.fraction_before_impact();
+    if (before_impact * integrator_.duration() >= min_located_part * clock_.time_step())
+      part = std::min(part, before_impact);
+    if (part >= whole_part) return StepResult::ok;
     if (!(part * integrator_.duration() >= min_part * clock_.time_step())) return StepResult::unstable;
     if (!predict_motion(part * integrator_.duration())) return diverged();
   }
@@ -124,7 +133,7 @@ void World<D>::move() {
   made_ = duration;
   evaluate_forces(duration);
   made_ = 0;
-  hard_contacts_.find_at_end();
+  hard_contacts_.find_at_end(ledger_);
   penetration_bound_.note(hard_contacts_.deepest());
   lap(Pass::hard_contacts);
 

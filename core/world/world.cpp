@@ -52,13 +52,13 @@ void World<D>::fit_rooms() {
 /// Reserves memory for a contact of every pair, so that detection allocates nothing. If memory runs out,
 /// nothing has changed: contacts, list and memory in use remain valid.
 template <int D>
-void World<D>::renew_neighbors() {
+void World<D>::renew_neighbors(double skin_factor) {
   NeighborList<D>& neighbors = contacts_.neighbors();
   Bonds<D>& bonds = model_.blocks.bonds();
   if (!bonds.rings().is_current()) bonds.rings().find(model_.blocks);
   const bool with_shear =
       model_.materials.laws().any([](const ContactLaw& law) { return law.resists_shear(); });
-  neighbors.search_again(model_.blocks, model_.settings.skin, with_shear);
+  neighbors.search_again(model_.blocks, skin_factor * model_.settings.skin, with_shear);
   contacts_.fit_room();
   fit_rooms();
   neighbors.renew(model_.blocks, with_shear);

@@ -5,3 +5,11 @@
 
 #define FIELD(type, field, offset, size) \
   _Static_assert(offsetof(type, field) == offset && sizeof(((type *)0)->field) == size, #type "." #field)
+
+FIELD(hs_law_def, restitution, 64, 8);
+
+FIELD(hs_world_def, impulse_tolerance, 112, 8);
+FIELD(hs_world_def, max_impulse_iterations, 120, 4);
+FIELD(hs_world_def, locate_impacts, 124, 4);
+
+FIELD(hs_world_report, unbalanced_velocity, 256, 8);

@@ -194,6 +194,7 @@ const Field report_fields[] = {
     {"touch_count", FIELD_INT64, 1, offsetof(hs_world_report, touch_count)},
     {"iteration_count", FIELD_INT64, 1, offsetof(hs_world_report, iteration_count)},
     {"impact_loss", FIELD_DOUBLE, 1, offsetof(hs_world_report, impact_loss)},
+    {"unbalanced_velocity", FIELD_DOUBLE, 1, offsetof(hs_world_report, unbalanced_velocity)},
     {NULL, FIELD_INT32, 0, 0},
 };
 
@@ -223,6 +224,9 @@ const Field world_def_fields[] = {
     {"potential_length", FIELD_DOUBLE, 1, offsetof(hs_world_def, potential_length)},
     {"fast_blocks", FIELD_INT32, 1, offsetof(hs_world_def, fast_blocks)},
     {"sleep_tolerance", FIELD_DOUBLE, 1, offsetof(hs_world_def, sleep_tolerance)},
+    {"impulse_tolerance", FIELD_DOUBLE, 1, offsetof(hs_world_def, impulse_tolerance)},
+    {"max_impulse_iterations", FIELD_INT32, 1, offsetof(hs_world_def, max_impulse_iterations)},
+    {"locate_impacts", FIELD_INT32, 1, offsetof(hs_world_def, locate_impacts)},
     {NULL, FIELD_INT32, 0, 0},
 };
 
@@ -235,6 +239,7 @@ const Field law_def_fields[] = {
     {"tensile_strength", FIELD_DOUBLE, 1, offsetof(hs_law_def, tensile_strength)},
     {"normal_damping", FIELD_DOUBLE, 1, offsetof(hs_law_def, normal_damping)},
     {"shear_damping", FIELD_DOUBLE, 1, offsetof(hs_law_def, shear_damping)},
+    {"restitution", FIELD_DOUBLE, 1, offsetof(hs_law_def, restitution)},
     {NULL, FIELD_INT32, 0, 0},
 };
 

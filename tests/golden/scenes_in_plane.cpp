@@ -123,6 +123,21 @@ std::uint64_t towers(const LawOfStiffness& of) {
   return stage.run(12000);
 }
 
+/// Polygons fall on a wall of bricks beside a chute.
+std::uint64_t impulses() {
+  Stage stage = stage_of_impulses(world_def());
+  stage.add(stage.rectangle({-8, -1}, {8, 0}), HS_BLOCK_FIXED);
+  const Shape brick = stage.rectangle({-0.5, -0.25}, {0.5, 0.25});
+  for (int row = 0; row < 6; ++row)
+    for (int i = 0; i < 5; ++i)
+      stage.add(brick, HS_BLOCK_RIGID, turned_pose({i + 0.5 * (row % 2), 0.25 + 0.5 * row}, 0));
+  Random random(5);
+  for (int i = 0; i < 12; ++i)
+    stage.add(stage.polygon(random_round_polygon(random, 3 + i % 6, 0.3)), HS_BLOCK_RIGID,
+              turned_pose({0.7 * (i % 6), 4 + 0.8 * (i / 6)}, number_between(random, -2, 2)), {1, -6, 0});
+  return stage.run(40);
+}
+
 /// A heap whose forces a host has evaluated, and which it moves on by itself.
 std::uint64_t stages() {
   Stage stage(world_def());
@@ -164,6 +179,7 @@ std::vector<Scene> scenes_in_plane() {
     if (of.stiffness_kind != HS_STIFFNESS_POTENTIAL)
       scenes.push_back({"plane: bonded wall" + law, [&] { return wall(of); }});
   }
+  scenes.push_back({"plane: impulses", impulses});
   scenes.push_back({"plane: stages of a host", stages});
   return scenes;
 }

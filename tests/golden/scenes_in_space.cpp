@@ -35,6 +35,24 @@ std::uint64_t packing(const LawOfStiffness& of, std::int32_t kind) {
   return stage.run(kind == HS_BLOCK_AFFINE ? 1600 : 800);
 }
 
+/// Hulls and bricks fall into a box.
+std::uint64_t impulses() {
+  Stage stage = stage_of_impulses(world_def(3));
+  add_box(stage, 0.75, 3);
+  const Shape brick = stage.cuboid({-0.3, -0.2, -0.1}, {0.3, 0.2, 0.1});
+  Random random(17);
+  for (int i = 0; i < 16; ++i) {
+    const Shape grain = make_hull(stage.context(), random_round_points(random, 6 + i % 5, 0.25));
+    const Point3 axis = {number_between(random, -1, 1), number_between(random, -1, 1),
+                         number_between(random, -1, 1)};
+    stage.add(
+        i % 2 ? brick : grain, HS_BLOCK_RIGID,
+        turned_pose({-0.36 + 0.72 * (i % 2), -0.36 + 0.72 * (i / 2 % 2), 0.42 + 0.72 * (i / 4)}, axis, 0.7),
+        {0, 0, -4});
+  }
+  return stage.run(32);
+}
+
 /// Bonded bricks on a floor that goes off sideways, all turned by 36.87 degrees about x.
 std::uint64_t wall(const LawOfStiffness& of) {
   hs_world_def def = world_def(3);
@@ -153,6 +171,7 @@ std::vector<Scene> scenes_in_space() {
     if (of.stiffness_kind != HS_STIFFNESS_POTENTIAL)
       scenes.push_back({"space: bonded wall" + law, [&] { return wall(of); }});
   }
+  scenes.push_back({"space: impulses", impulses});
   scenes.push_back({"space: round hulls", round_hulls});
   return scenes;
 }

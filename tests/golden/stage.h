@@ -181,6 +181,19 @@ inline Stage stage_of_sleep(hs_world_def def, const LawOfStiffness& of) {
   return Stage(def, law);
 }
 
+/// A stage for rigid blocks without springs at a step of 1/64 s, which rebound a little.
+inline Stage stage_of_impulses(hs_world_def def) {
+  def.time_step = 0x1p-6;
+  def.locate_impacts = 1;
+  hs_law_def law = law_def(1, 0.4);
+  law.stiffness_kind = HS_STIFFNESS_NONE;
+  law.restitution = 0.25;
+  Stage stage(def);
+  stage.material(2500);
+  stage.law(law);
+  return stage;
+}
+
 std::vector<Scene> scenes_in_plane();
 std::vector<Scene> scenes_in_space();
 std::vector<Scene> scenes_of_meshes();

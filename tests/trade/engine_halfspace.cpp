@@ -25,7 +25,10 @@ const std::map<std::string, Way> ways = {
     {"per area", {HS_STIFFNESS_PER_AREA, HS_BLOCK_RIGID}},
     {"potential", {HS_STIFFNESS_POTENTIAL, HS_BLOCK_RIGID}},
     {"per contact, affine", {HS_STIFFNESS_PER_CONTACT, HS_BLOCK_AFFINE}},
+    {"no springs", {HS_STIFFNESS_NONE, HS_BLOCK_RIGID}},
 };
+
+bool has_springs(const Way& way) { return way.law != HS_STIFFNESS_NONE; }
 
 hs_law_def law_of(const Scene& scene, const Way& way, double stiffness) {
   hs_law_def law;
@@ -37,6 +40,7 @@ hs_law_def law_of(const Scene& scene, const Way& way, double stiffness) {
   if (way.law == HS_STIFFNESS_PER_AREA) law.normal_stiffness = law.shear_stiffness = per_area;
   if (way.law == HS_STIFFNESS_POTENTIAL) law.normal_stiffness = per_area * typical_size / 2;
   law.friction_angle = std::atan(scene.friction);
+  if (!has_springs(way)) law.restitution = scene.restitution;
   law.normal_damping = law.shear_damping = scene.damping;
   return law;
 }
@@ -46,12 +50,10 @@ class HalfspaceWorld : public World {
   HalfspaceWorld(const Scene& scene, const Setting& setting)
       : scene_(scene),
         way_(ways.at(setting.way)),
-        stiffness_(face_stiffness(scene, setting.indentation)),
-        context_(halfspace_test::make_context()) {
-    make(0);
-    hs_world_report report;
-    require_ok(hs_world_get_report(world_.get(), &report, sizeof report), context_.get());
-    time_step_ = whole_part(scene.duration, setting.step * report.stable_time_step);
+        stiffness_(has_springs(way_) ? face_stiffness(scene, setting.indentation) : 1),
+        context_(halfspace_test::make_context()),
+        time_step_(whole_part(scene.duration,
+                              has_springs(way_) ? setting.step * stable_time_step() : setting.step)) {
     make(time_step_);
   }
 
@@ -72,12 +74,20 @@ class HalfspaceWorld : public World {
   }
 
  private:
+  double stable_time_step() {
+    make(0);
+    hs_world_report report;
+    require_ok(hs_world_get_report(world_.get(), &report, sizeof report), context_.get());
+    return report.stable_time_step;
+  }
+
   void make(double time_step) {
     hs_world_def def;
     hs_world_def_init(&def, sizeof def, scene_.dimension);
     std::copy(scene_.gravity.begin(), scene_.gravity.end(), def.gravity);
     def.time_step = time_step;
     def.potential_length = typical_size;
+    def.locate_impacts = !has_springs(way_) && scene_.restitution > 0;
     hs_world* made = nullptr;
     require_ok(hs_world_create(context_.get(), &def, &made), context_.get());
     world_.reset(made);
@@ -90,7 +100,7 @@ class HalfspaceWorld : public World {
       if (is_new) known->second = add_material(known->first);
       blocks_.push_back(add(i, known->second));
     }
-    if (scene_.is_settled && shear_load() > 0) set_shear();
+    if (scene_.is_settled && has_springs(way_) && shear_load() > 0) set_shear();
   }
 
   std::int32_t add_material(double density) {
@@ -127,7 +137,7 @@ class HalfspaceWorld : public World {
     std::copy(body.rotation.begin(), body.rotation.end(), def.pose.rotation);
     std::copy(body.velocity.begin(), body.velocity.end(), def.velocity);
     std::copy(body.spin.begin(), body.spin.end(), def.angular_velocity);
-    if (scene_.is_settled && !body.is_fixed) settle(i, def.pose);
+    if (scene_.is_settled && has_springs(way_) && !body.is_fixed) settle(i, def.pose);
     hs_block block = 0;
     require_ok(hs_world_add_block(world_.get(), made, &def, &block), context_.get());
     return block;
@@ -163,10 +173,10 @@ class HalfspaceWorld : public World {
   Scene scene_;
   Way way_;
   double stiffness_;  // N/m of a face
-  double time_step_ = 0;
   halfspace_test::Context context_;
   halfspace_test::World world_;
   std::vector<hs_block> blocks_;
+  double time_step_;
 };
 
 }  // namespace
@@ -176,7 +186,7 @@ bool knows_dimension(int) { return true; }
 
 std::vector<Setting> settings() {
   constexpr double usual = 0.5;
-  std::vector<Setting> all;
+  std::vector<Setting> all = with_frame_steps({"no springs"});
   for (const char* law : {"per contact", "per area", "potential"}) {
     for (const double indentation : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) all.push_back({law, indentation, usual});
     for (const double step : {1.0, 0.125}) all.push_back({law, 1e-4, step});

@@ -158,7 +158,10 @@ TEST_CASE("boxes that stand turned on each other come to rest on all places wher
   const hs_world_report settled = scene.report();
   scene.step(1000);
   const hs_world_report report = scene.report();
-  CHECK(report.contact_count == 4 + 8 + 8);
+  std::int32_t points = 0;
+  for (const hs_contact& contact : scene.contacts()) points += contact.point_count;
+  CHECK(report.contact_count == 3);
+  CHECK(points == 4 + 8 + 8);
   CHECK(report.touch_count == settled.touch_count);
   CHECK(report.iteration_count - settled.iteration_count < 10 * 1000);
   CHECK(-scene.force_on_block(floor).z() == Approx(weight).epsilon(1e-6));
@@ -209,7 +212,6 @@ TEST_CASE("a block stands on a slope up to the angle of friction, or that of its
   }
 }
 
-/// A tower's first kick has to find out what each block bears: by rounds alone that took 1759 of them.
 TEST_CASE("a tower of blocks stands at once", "[reaction]") {
   for (const int dimension : {2, 3}) {
     hs_world_def def = heavy_world(dimension, 0);
@@ -231,15 +233,14 @@ TEST_CASE("a tower of blocks stands at once", "[reaction]") {
       const Triple place = scene.place_of(tower[i]);
       moved = std::max(moved, std::abs(place[std::size_t(dimension) - 1] - (double(i) + 0.5)));
     }
-    std::printf("a tower of ten, %dD: moved by %.1e, %.1f rounds a step\n", dimension, moved,
+    std::printf("a tower of ten, %dD: moved by %.1e, %.1f iterations per step\n", dimension, moved,
                 double(report.iteration_count) / 500);
     CHECK(moved < 1e-6);
     CHECK(report.iteration_count < 50 * 500);
   }
 }
 
-/// Ten billion times heavier is more than rounds can do.
-TEST_CASE("a block that is crushed for want of rounds is told", "[reaction]") {
+TEST_CASE("a block carries another that is ten billion times heavier", "[reaction]") {
   for (const double ratio : {1e2, 1e10}) {
     hs_world_def def = heavy_world(2, 0);
     def.time_step = 1e-3;
@@ -249,14 +250,8 @@ TEST_CASE("a block that is crushed for want of rounds is told", "[reaction]") {
     scene.add(box(-0.5, 0, 0.5, 1));
     const hs_block upper = scene.add(box(-0.5, 1, 0.5, 2), {}, heavy);
     scene.step(500);
-    const double sunk = 1.5 - scene.position(upper).y;
-    CAPTURE(ratio, sunk);
-    if (ratio == 1e2) {
-      CHECK(sunk < 1e-6);
-      CHECK(scene.report().max_penetration_ratio == 0);
-    } else {
-      CHECK(sunk > 0.1);
-      CHECK(scene.report().max_penetration_ratio > 0.25);
-    }
+    CAPTURE(ratio);
+    CHECK(std::abs(1.5 - scene.position(upper).y) < 1e-6);
+    CHECK(scene.report().max_penetration_ratio == 0);
   }
 }

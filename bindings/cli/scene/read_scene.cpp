@@ -40,6 +40,10 @@ void read_world(Keys keys, bool has_stages, Scene& scene) {
   world.potential_length = keys.number("potential_length", above(0), world.potential_length);
   world.fast_blocks = keys.word("fast_blocks", {"divide", "refuse"}, world.fast_blocks);
   world.sleep_tolerance = keys.number("sleep_tolerance", at_least(0), world.sleep_tolerance);
+  world.impulse_tolerance = keys.number("impulse_tolerance", above(0), world.impulse_tolerance);
+  world.max_impulse_iterations = static_cast<std::int32_t>(
+      keys.integer("max_impulse_iterations", 1, 1'000'000, world.max_impulse_iterations));
+  world.locate_impacts = keys.boolean("locate_impacts", world.locate_impacts != 0);
   if (has_stages && keys.has("rest_speed"))
     keys.fault("rest_speed", "not allowed with stages; allowed: rest_speed in a [[stage]] that runs");
   scene.rest_speed = keys.number("rest_speed", above(0), scene.rest_speed);
@@ -103,6 +107,8 @@ void read_law_values(Keys& keys, hs_law_def& law, bool is_whole) {
     law.cohesion = keys.number("cohesion", at_least(0), law.cohesion);
     law.tensile_strength = keys.number("tensile_strength", at_least(0), law.tensile_strength);
   }
+  const bool rebounds = !has_spring(law) && law.cohesion == 0 && law.tensile_strength == 0;
+  law.restitution = rebounds ? keys.number("restitution", {.low = 0, .high = 1}, law.restitution) : 0;
   if (!has_spring(law)) return;
   law.normal_damping = keys.number("normal_damping", at_least(0), law.normal_damping);
   law.shear_damping = keys.number("shear_damping", at_least(0), law.shear_damping);

@@ -59,7 +59,7 @@ module halfspace_block_worlds
     !> Creates an empty world; the previous reference is dropped. Missing arguments have the defaults of the library.
     module subroutine create(self, dimension, gravity, time_step, safety, local_damping, mass_damping, skin, &
                              parallel_angle, vertex_zone, potential_length, fast_blocks, sleep_tolerance, context, &
-                             stat, errmsg)
+                             stat, errmsg, impulse_tolerance, max_impulse_iterations, locate_impacts)
       class(block_world), intent(inout) :: self
       integer, intent(in), optional :: dimension  !< 2 (default) or 3
       real(c_double), intent(in), optional :: gravity(:)  !< m/s2, 3 values (2D: or 2); default 9.81 along -y, in 3D -z
@@ -79,6 +79,10 @@ module halfspace_block_worlds
       type(halfspace_context), intent(in), optional :: context
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
+      !> velocity that impulses of rigid blocks without springs may leave unbalanced, over gravity times step; 1e-6
+      real(c_double), intent(in), optional :: impulse_tolerance
+      integer, intent(in), optional :: max_impulse_iterations  !< of their solver per half step, >= 1; default 100
+      logical, intent(in), optional :: locate_impacts  !< divide steps at their impacts; default false
     end subroutine create
 
     !> Adds a material.

@@ -212,6 +212,9 @@ module halfspace_c
     real(c_double) :: tensile_strength = 0.0_c_double  !< Pa, >= 0; default 0; of the same contacts as cohesion
     real(c_double) :: normal_damping = 0.0_c_double  !< damping ratio (fraction of critical viscous damping), >= 0; default 0.1
     real(c_double) :: shear_damping = 0.0_c_double  !< damping ratio, >= 0; default 0.1
+    !> coefficient of restitution of rigid blocks, [0, 1]; default 0; with HS_STIFFNESS_NONE and without
+    !! cohesion and tensile strength only
+    real(c_double) :: restitution = 0.0_c_double
   end type hs_law_def
 
   !> Settings of a context. Fill it with hs_context_def_init().
@@ -325,6 +328,13 @@ module halfspace_c
     !> max displacement error of a block by sleep over a run, m, >= 0; default 0: no block sleeps. Worlds with
     !! HS_STIFFNESS_NONE or meshes do not sleep
     real(c_double) :: sleep_tolerance = 0.0_c_double
+    !> velocity that the impulses of rigid blocks without springs may leave unbalanced, over gravity times
+    !! time step, > 0; default 1e-6
+    real(c_double) :: impulse_tolerance = 0.0_c_double
+    integer(c_int32_t) :: max_impulse_iterations = 0  !< sweeps of their solver per half step, >= 1; default 100
+    !> 1: steps are divided at the impacts of rigid blocks without springs, which makes rebounds accurate;
+    !! default 0
+    integer(c_int32_t) :: locate_impacts = 0
   end type hs_world_def
 
   !> Settings of a block. Fill it with hs_block_def_init().
@@ -376,7 +386,8 @@ module halfspace_c
     real(c_double) :: stable_time_step = 0.0_c_double
     integer(c_int64_t) :: block_count = 0  !< living blocks
     integer(c_int64_t) :: candidate_count = 0  !< pairs in the neighbour list
-    integer(c_int64_t) :: contact_count = 0  !< contacts: pairs for laws with springs, points for laws without
+    !> contacts: pairs of blocks; without springs, where a block deforms or is bonded, points
+    integer(c_int64_t) :: contact_count = 0
     integer(c_int64_t) :: list_builds = 0  !< number of builds of the neighbour list
     real(c_double) :: largest_overlap = 0.0_c_double  !< max overlap of the last detection, m
     real(c_double) :: largest_speed = 0.0_c_double  !< current max speed of blocks that move freely, m/s
@@ -395,12 +406,14 @@ module halfspace_c
     real(c_double) :: peak_speed = 0.0_c_double  !< max speed so far of blocks that move freely, over all steps and substeps, m/s
     integer(c_int64_t) :: sleeping_count = 0  !< sleeping blocks
     real(c_double) :: max_sleep_error = 0.0_c_double  !< max displacement error of a block by sleep so far, m
-    !> touches so far of laws without springs; a corner that slides to another face touches again
+    !> contacts so far of laws without springs that began; a point that slides to another face counts again
     integer(c_int64_t) :: touch_count = 0
-    !> iterations so far of the constraint solver of laws without springs (sweeps over all contacts)
-    integer(c_int64_t) :: iteration_count = 0
+    integer(c_int64_t) :: iteration_count = 0  !< iterations so far of the solvers of laws without springs: sweeps over all contacts
     !> dissipated by impacts of laws without springs, J, in 2D per unit thickness; included in the residual
     real(c_double) :: impact_loss = 0.0_c_double
+    !> largest velocity that the impulses of rigid blocks without springs left unbalanced in the last motion,
+    !! m/s
+    real(c_double) :: unbalanced_velocity = 0.0_c_double
   end type hs_world_report
 
   !> Elasticity of a material. Fill it with hs_elasticity_def_init().

@@ -60,7 +60,7 @@ contains
   end function halfspace_angle
 
   function law(normal_stiffness, shear_stiffness, friction_angle, cohesion, tensile_strength, normal_damping, &
-               shear_damping, stiffness_kind)
+               shear_damping, stiffness_kind, restitution)
     real(c_double), intent(in), optional :: normal_stiffness  !< N/m, Pa/m or Pa by stiffness_kind, > 0; default 1e9
     !> N/m or Pa/m (potentials: N/m), >= 0; default 0: as normal_stiffness
     real(c_double), intent(in), optional :: shear_stiffness
@@ -71,6 +71,7 @@ contains
     real(c_double), intent(in), optional :: shear_damping  !< damping ratio, >= 0; default 0.1
     !> HS_STIFFNESS_PER_CONTACT (default), _PER_AREA, _POTENTIAL or _NONE
     integer(c_int32_t), intent(in), optional :: stiffness_kind
+    real(c_double), intent(in), optional :: restitution  !< of rigid blocks without springs, [0, 1]; default 0
     type(halfspace_law) :: law
     ! A law whose initialisation fails keeps size 0, and is refused on use.
     if (hs_law_def_init(law, c_sizeof(law)) /= HS_OK) return
@@ -82,6 +83,7 @@ contains
     if (present(normal_damping)) law%normal_damping = normal_damping
     if (present(shear_damping)) law%shear_damping = shear_damping
     if (present(stiffness_kind)) law%stiffness_kind = stiffness_kind
+    if (present(restitution)) law%restitution = restitution
   end function law
 
   function elasticity(young_modulus, poisson_ratio, damping_time, plane)

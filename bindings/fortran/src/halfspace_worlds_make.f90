@@ -33,6 +33,9 @@ contains
     if (present(potential_length)) def%potential_length = potential_length
     if (present(fast_blocks)) def%fast_blocks = fast_blocks
     if (present(sleep_tolerance)) def%sleep_tolerance = sleep_tolerance
+    if (present(impulse_tolerance)) def%impulse_tolerance = impulse_tolerance
+    if (present(max_impulse_iterations)) def%max_impulse_iterations = int(max_impulse_iterations, c_int32_t)
+    if (present(locate_impacts)) def%locate_impacts = merge(1_c_int32_t, 0_c_int32_t, locate_impacts)
     status = hs_world_create(owner%object(), def, object)
     if (status == HS_OK) then
       if (.not. self%handle%takes(object, hs_world_destroy, owner, stat=stat, errmsg=errmsg)) return

@@ -234,6 +234,7 @@ contains
     case ('touch_count'); values = [real(record%touch_count, real64)]
     case ('iteration_count'); values = [real(record%iteration_count, real64)]
     case ('impact_loss'); values = [record%impact_loss]
+    case ('unbalanced_velocity'); values = [record%unbalanced_velocity]
     case default; error stop 'a case names a field of report that is none'
     end select
   end function of_report

@@ -265,6 +265,9 @@ class hs_law_def(Structure):
         # damping ratio (fraction of critical viscous damping), >= 0; default 0.1
         ("normal_damping", c_double),
         ("shear_damping", c_double),  # damping ratio, >= 0; default 0.1
+        # coefficient of restitution of rigid blocks, [0, 1]; default 0; with HS_STIFFNESS_NONE and without
+        # cohesion and tensile strength only
+        ("restitution", c_double),
     ]
 
 
@@ -410,6 +413,13 @@ class hs_world_def(Structure):
         # max displacement error of a block by sleep over a run, m, >= 0; default 0: no block sleeps. Worlds
         # with HS_STIFFNESS_NONE or meshes do not sleep
         ("sleep_tolerance", c_double),
+        # velocity that the impulses of rigid blocks without springs may leave unbalanced, over gravity times
+        # time step, > 0; default 1e-6
+        ("impulse_tolerance", c_double),
+        ("max_impulse_iterations", c_int32),  # sweeps of their solver per half step, >= 1; default 100
+        # 1: steps are divided at the impacts of rigid blocks without springs, which makes rebounds accurate;
+        # default 0
+        ("locate_impacts", c_int32),
     ]
 
 
@@ -474,7 +484,8 @@ class hs_world_report(Structure):
         ("stable_time_step", c_double),
         ("block_count", c_int64),  # living blocks
         ("candidate_count", c_int64),  # pairs in the neighbour list
-        ("contact_count", c_int64),  # contacts: pairs for laws with springs, points for laws without
+        # contacts: pairs of blocks; without springs, where a block deforms or is bonded, points
+        ("contact_count", c_int64),
         ("list_builds", c_int64),  # number of builds of the neighbour list
         ("largest_overlap", c_double),  # max overlap of the last detection, m
         ("largest_speed", c_double),  # current max speed of blocks that move freely, m/s
@@ -494,12 +505,15 @@ class hs_world_report(Structure):
         ("peak_speed", c_double),
         ("sleeping_count", c_int64),  # sleeping blocks
         ("max_sleep_error", c_double),  # max displacement error of a block by sleep so far, m
-        # touches so far of laws without springs; a corner that slides to another face touches again
+        # contacts so far of laws without springs that began; a point that slides to another face counts again
         ("touch_count", c_int64),
-        # iterations so far of the constraint solver of laws without springs (sweeps over all contacts)
+        # iterations so far of the solvers of laws without springs: sweeps over all contacts
         ("iteration_count", c_int64),
         # dissipated by impacts of laws without springs, J, in 2D per unit thickness; included in the residual
         ("impact_loss", c_double),
+        # largest velocity that the impulses of rigid blocks without springs left unbalanced in the last
+        # motion, m/s
+        ("unbalanced_velocity", c_double),
     ]
 
 

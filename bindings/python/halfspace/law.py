@@ -26,6 +26,8 @@ class Law:
         potential.
     normal_damping, shear_damping : float
         Damping ratio (fraction of critical viscous damping), >= 0. Without damping friction feeds vibrations.
+    restitution : float
+        Coefficient of restitution of rigid blocks, [0, 1]; only without springs, cohesion and tensile strength.
     stiffness_kind : StiffnessKind or its name
         "per contact", "per area", "potential" or "none" (a unilateral constraint without springs).
 
@@ -43,6 +45,7 @@ class Law:
     tensile_strength: float = 0.0
     normal_damping: float = 0.1
     shear_damping: float = 0.1
+    restitution: float = 0.0
     stiffness_kind: Union[StiffnessKind, str] = StiffnessKind.PER_CONTACT
 
     def __post_init__(self) -> None:

@@ -251,7 +251,7 @@ class WorldReport(Record):
     candidate_count : int
         pairs in the neighbour list
     contact_count : int
-        contacts: pairs for laws with springs, points for laws without
+        contacts: pairs of blocks; without springs, where a block deforms or is bonded, points
     list_builds : int
         number of builds of the neighbour list
     largest_overlap : float
@@ -280,11 +280,14 @@ class WorldReport(Record):
     max_sleep_error : float
         max displacement error of a block by sleep so far, m
     touch_count : int
-        touches so far of laws without springs; a corner that slides to another face touches again
+        contacts so far of laws without springs that began; a point that slides to another face counts again
     iteration_count : int
-        iterations so far of the constraint solver of laws without springs (sweeps over all contacts)
+        iterations so far of the solvers of laws without springs: sweeps over all contacts
     impact_loss : float
         dissipated by impacts of laws without springs, J, in 2D per unit thickness; included in the residual
+    unbalanced_velocity : float
+        largest velocity that the impulses of rigid blocks without springs left unbalanced in the last motion,
+        m/s
     """
 
 

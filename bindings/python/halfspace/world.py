@@ -57,6 +57,13 @@ class World(Statics):
         TooFastError.
     sleep_tolerance : float
         Max displacement error of a block by sleep over a run, m, >= 0; 0 (default): no block sleeps.
+    impulse_tolerance : float
+        Velocity that the impulses of rigid blocks without springs may leave unbalanced, over gravity times time
+        step, > 0; default 1e-6.
+    max_impulse_iterations : int
+        Sweeps of their solver per half step, >= 1; default 100.
+    locate_impacts : bool
+        Divide steps at their impacts, which makes rebounds accurate; default False.
     law : Law, optional
         Law of all pairs of materials without a law of their own.
     context : Context, optional
@@ -88,6 +95,9 @@ class World(Statics):
         potential_length: Optional[float] = None,
         fast_blocks: Union[FastBlocks, str, None] = None,
         sleep_tolerance: Optional[float] = None,
+        impulse_tolerance: Optional[float] = None,
+        max_impulse_iterations: Optional[int] = None,
+        locate_impacts: Optional[bool] = None,
         law: Optional[Law] = None,
         context: Optional[Context] = None,
     ) -> None:
@@ -109,6 +119,9 @@ class World(Statics):
             potential_length=potential_length,
             fast_blocks=None if fast_blocks is None else choice(fast_blocks, FastBlocks, "fast_blocks"),
             sleep_tolerance=sleep_tolerance,
+            impulse_tolerance=impulse_tolerance,
+            max_impulse_iterations=max_impulse_iterations,
+            locate_impacts=locate_impacts,
         )
         for name, value in settings.items():
             if value is not None:

@@ -46,6 +46,8 @@ typedef struct hs_law_def {
   double tensile_strength;  /**< Pa, >= 0; default 0; of the same contacts as cohesion */
   double normal_damping;    /**< damping ratio (fraction of critical viscous damping), >= 0; default 0.1 */
   double shear_damping;     /**< damping ratio, >= 0; default 0.1 */
+  double restitution;       /**< coefficient of restitution of rigid blocks, [0, 1]; default 0; with
+                                 HS_STIFFNESS_NONE and without cohesion and tensile strength only */
 } hs_law_def;
 
 /** @brief Fills a law with its defaults.

@@ -63,6 +63,11 @@ typedef struct hs_world_def {
   int32_t reserved;        /**< 0 */
   double sleep_tolerance;  /**< max displacement error of a block by sleep over a run, m, >= 0; default 0: no
                                 block sleeps. Worlds with HS_STIFFNESS_NONE or meshes do not sleep */
+  double impulse_tolerance; /**< velocity that the impulses of rigid blocks without springs may leave
+                                 unbalanced, over gravity times time step, > 0; default 1e-6 */
+  int32_t max_impulse_iterations; /**< sweeps of their solver per half step, >= 1; default 100 */
+  int32_t locate_impacts;  /**< 1: steps are divided at the impacts of rigid blocks without springs, which makes
+                                rebounds accurate; default 0 */
 } hs_world_def;
 
 /** Settings of a block. Fill it with hs_block_def_init(). */
@@ -115,7 +120,8 @@ typedef struct hs_world_report {
                                   freely */
   int64_t block_count;       /**< living blocks */
   int64_t candidate_count;   /**< pairs in the neighbour list */
-  int64_t contact_count;     /**< contacts: pairs for laws with springs, points for laws without */
+  int64_t contact_count;     /**< contacts: pairs of blocks; without springs, where a block deforms or is
+                                  bonded, points */
   int64_t list_builds;       /**< number of builds of the neighbour list */
   double largest_overlap;    /**< max overlap of the last detection, m */
   double largest_speed;      /**< current max speed of blocks that move freely, m/s */
@@ -134,12 +140,14 @@ typedef struct hs_world_report {
                                   m/s */
   int64_t sleeping_count;    /**< sleeping blocks */
   double max_sleep_error;    /**< max displacement error of a block by sleep so far, m */
-  int64_t touch_count;       /**< touches so far of laws without springs; a corner that slides to another face
-                                  touches again */
-  int64_t iteration_count;   /**< iterations so far of the constraint solver of laws without springs (sweeps
-                                  over all contacts) */
+  int64_t touch_count;       /**< contacts so far of laws without springs that began; a point that slides to
+                                  another face counts again */
+  int64_t iteration_count;   /**< iterations so far of the solvers of laws without springs: sweeps over all
+                                  contacts */
   double impact_loss;        /**< dissipated by impacts of laws without springs, J, in 2D per unit thickness;
                                   included in the residual */
+  double unbalanced_velocity; /**< largest velocity that the impulses of rigid blocks without springs left
+                                   unbalanced in the last motion, m/s */
 } hs_world_report;
 
 /** @brief Fills a world definition with its defaults.

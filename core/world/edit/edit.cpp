@@ -54,7 +54,7 @@ void World<D>::remove_block(std::int32_t slot) {
   model_.blocks.remove(slot);
   // Another block may reuse the slot, so no pair may refer to it.
   contacts_.neighbors().forget(slot);
-  hard_contacts_.forget();
+  hard_contacts_.forget(slot);
   integrator_.forget_reaction();
   forget_contacts();
   edit();

@@ -15,7 +15,7 @@ enum class Meeting : std::int32_t { corner_and_face = 1, edges = 2 };
 /// A contact of a law without springs, as it is kept from step to step, listed and saved. There is no gap
 /// between members.
 template <int D>
-struct HardContact {
+struct PointContact {
   std::int32_t a = -1;  // slot of the block of the vertex, or of the first of two edges
   std::int32_t b = -1;  // slot of the block of the face, or of the second edge
   Meeting meeting = Meeting::corner_and_face;
@@ -30,19 +30,19 @@ struct HardContact {
   Vector<D> force = Vector<D>::Zero();    // on a, of the half step at the end of the last motion
   double gap = 0;                         // > 0 apart
   double area = 0;                        // of the face that it represents; 0 unless it is bonded
-  double stored_normal_work = 0;          // J: see HardContacts::stop_approach()
+  double stored_normal_work = 0;          // J: see PointContacts::stop_approach()
   double impact_loss = 0;                 // J, in the last motion
 
   auto key() const { return std::tie(a, b, meeting, feature_a, feature_b); }
 };
 
-static_assert(sizeof(HardContact<2>) == 208 && sizeof(HardContact<3>) == 264,
+static_assert(sizeof(PointContact<2>) == 208 && sizeof(PointContact<3>) == 264,
               "saved contacts hold stray bytes");
 
 /// A unilateral constraint between two points of two blocks; the contact force is its multiplier (Li et al.
 /// 2015, section 4). What it adds to the contact is of the present motion only.
 template <int D>
-struct ContactConstraint : HardContact<D> {
+struct ContactConstraint : PointContact<D> {
   bool is_persistent = false;                             // from the motion before
   bool is_new_impact = false;                             // in this motion
   Vector<D> velocity = Vector<D>::Zero();                 // of a against b, without the impulses

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "world/hard_contact/hard_contact_search.h"
+#include "world/hard_contact/point_contact_search.h"
 
 // Edges that meet in space. Two edges touch where they are nearest, along the normal of both, if it lies
 // between those of the faces on either side of each (Wang et al. 2021, section 2.4.3).
@@ -94,13 +94,13 @@ bool MovingEdge::Place::is_sharp() const {
 }
 
 template <>
-int HardContactSearch<3>::edge_count(std::size_t slot) const {
+int PointContactSearch<3>::edge_count(std::size_t slot) const {
   if (blocks_.is_of_mesh(slot)) return first_edge_[slot + 1] - first_edge_[slot];
   return blocks_.own_outline(std::int32_t(slot)).edge_count();
 }
 
 template <>
-EdgeBound HardContactSearch<3>::bound_of_edge(std::int32_t block, int which) const {
+EdgeBound PointContactSearch<3>::bound_of_edge(std::int32_t block, int which) const {
   const std::size_t slot = std::size_t(block);
   Vector<3> from, to;
   if (blocks_.is_of_mesh(slot)) {
@@ -116,7 +116,7 @@ EdgeBound HardContactSearch<3>::bound_of_edge(std::int32_t block, int which) con
 }
 
 template <>
-MovingEdge HardContactSearch<3>::edge(std::int32_t block, int which) const {
+MovingEdge PointContactSearch<3>::edge(std::int32_t block, int which) const {
   const std::size_t slot = std::size_t(block);
   MovingEdge edge;
   if (blocks_.is_of_mesh(slot)) {
@@ -162,7 +162,7 @@ MovingEdge HardContactSearch<3>::edge(std::int32_t block, int which) const {
 
 /// Each edge between two faces at the surface is that of the first of the cells that share it.
 template <>
-void HardContactSearch<3>::rebuild_surface_edges() {
+void PointContactSearch<3>::rebuild_surface_edges() {
   sides_.clear();
   for (const SurfaceCell<3>& cell : blocks_.meshes().surface()) {
     for (std::size_t opposite = 0; opposite < 4; ++opposite) {
@@ -199,8 +199,8 @@ void HardContactSearch<3>::rebuild_surface_edges() {
 /// Edges turn within a motion: they meet where the plane between them keeps both apart at its start or at its
 /// end.
 template <>
-void HardContactSearch<3>::find_edge_edge(std::int32_t a, std::int32_t b,
-                                          Array<ContactConstraint<3>>& found) const {
+void PointContactSearch<3>::find_edge_edge(std::int32_t a, std::int32_t b,
+                                           Array<ContactConstraint<3>>& found) const {
   const double most_behind = deepest_share * blocks_.radius[std::size_t(b)];
   // Two edges that are farther apart cannot meet in this motion.
   const double reach = margin_ + integrator_.longest_motion() + most_behind;
@@ -237,7 +237,7 @@ void HardContactSearch<3>::find_edge_edge(std::int32_t a, std::int32_t b,
 
 /// The points where both edges are nearest to each other.
 template <>
-void HardContactSearch<3>::place_edges(ContactConstraint<3>& at) const {
+void PointContactSearch<3>::place_edges(ContactConstraint<3>& at) const {
   const MovingEdge of_a = edge(at.a, at.feature_a), of_b = edge(at.b, at.feature_b);
   const NearestPlaces near = nearest(of_a.now, of_b.now);
   at.normal = normal_of(of_a.now, of_b.now);
@@ -254,7 +254,7 @@ void HardContactSearch<3>::place_edges(ContactConstraint<3>& at) const {
 }
 
 template <>
-double HardContactSearch<3>::predicted_gap_of_edges(const ContactConstraint<3>& at) const {
+double PointContactSearch<3>::predicted_gap_of_edges(const ContactConstraint<3>& at) const {
   const MovingEdge of_a = edge(at.a, at.feature_a), of_b = edge(at.b, at.feature_b);
   const Vector<3> normal = normal_of(of_a.planned, of_b.planned);
   const double gap = normal.dot(of_a.planned.end[0] - of_b.planned.end[0]);

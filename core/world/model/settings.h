@@ -23,7 +23,10 @@ struct WorldSettings {
   double potential_length = 0;  // H of potential laws, m; 0: mean edge length at the first force evaluation
   DetectOptions detect;
   FastBlocks fast_blocks = FastBlocks::divide;
-  double sleep_tolerance = 0;  // maximum displacement error of a block by sleep, m; 0: no sleep
+  double sleep_tolerance = 0;       // maximum displacement error of a block by sleep, m; 0: no sleep
+  double impulse_tolerance = 1e-6;  // unbalanced velocity over gravity times step, without springs
+  std::int32_t max_impulse_iterations = 100;  // likewise
+  std::int32_t locate_impacts = 0;            // divide steps at impacts without springs
 
   /// Validates the state read from a snapshot.
   bool is_consistent() const {
@@ -31,13 +34,15 @@ struct WorldSettings {
            is_fraction(local_damping, 1) && is_nonnegative(mass_damping) && is_fraction(skin, 1) &&
            is_nonnegative(potential_length) && is_fraction(detect.parallel_angle, 0.5) &&
            is_fraction(detect.vertex_zone, 0.5) && is_nonnegative(sleep_tolerance) &&
-           (fast_blocks == FastBlocks::divide || fast_blocks == FastBlocks::refuse);
+           (fast_blocks == FastBlocks::divide || fast_blocks == FastBlocks::refuse) &&
+           is_positive(impulse_tolerance) && max_impulse_iterations > 0 && locate_impacts >= 0 &&
+           locate_impacts <= 1;
   }
 
   template <class Archive>
   void visit(Archive& archive) {
     archive(gravity, time_step, safety, local_damping, mass_damping, skin, potential_length, detect,
-            sleep_tolerance, fast_blocks);
+            sleep_tolerance, fast_blocks, impulse_tolerance, max_impulse_iterations, locate_impacts);
   }
 };
 

@@ -62,6 +62,13 @@ class Integrator {
   Vector<D> predicted_displacement_of_node(std::size_t node) const {
     return meshes_.predicted_displacement_of_node(node);
   }
+  /// The motion of a rigid block half a step on, without the impulses of contacts.
+  BlockMotion<D> motion_at_half_step(std::size_t block) const {
+    const double half = 0.5 * duration_;
+    return {blocks_.velocity[block] + half * acceleration_[block],
+            blocks_.inertia[block].spin(blocks_.momentum[block] + half * momentum_rate_[block],
+                                        blocks_.rotation[block])};
+  }
   /// The mean velocity of a point in the predicted motion.
   Vector<D> predicted_velocity(const MaterialPoint<D>& point) const;
   /// The acceleration of a point by the last forces.
@@ -86,6 +93,13 @@ class Integrator {
 
   /// Advances velocities to the middle of the predicted motion, and positions to its end.
   void kick_and_drift();
+  /// Moves a rigid block by a displacement and a turn, given as a motion over one second.
+  void displace(std::size_t block, const BlockMotion<D>& by) {
+    const double angle = D == 2 ? blocks_.angle[block] + by.spin[0] : 0;
+    blocks_.place(std::int32_t(block), blocks_.position[block] + by.velocity,
+                  blocks_.rotation[block].turned_by(by.spin));
+    if constexpr (D == 2) blocks_.angle[block] = angle;
+  }
   /// Advances velocities to its end.
   EnergySample kick();
   /// Adds the velocity changes of contacts to the velocities at the end, and samples the energy again.

@@ -2,6 +2,7 @@
 
 #include "block/blocks.h"
 #include "geometry/numbers.h"
+#include "world/motion/block_motion.h"
 
 namespace halfspace {
 
@@ -67,6 +68,17 @@ class VelocityChange {
 
   /// The change of a point's velocity.
   Vector<D> at(const MaterialPoint<D>& point) const;
+  /// The change of a rigid block's motion; none for blocks that do not move freely.
+  BlockMotion<D> of_motion(std::size_t slot) const {
+    if (blocks_.kind[slot] != BlockKind::rigid) return {};
+    return {of_block_[slot], blocks_.inertia[slot].spin(momentum_[slot], blocks_.rotation[slot])};
+  }
+  /// An impulse and its moment on a block, which is ignored unless it is rigid.
+  void push(std::size_t slot, const Vector<D>& impulse, const Angular<D>& moment) {
+    if (blocks_.kind[slot] != BlockKind::rigid) return;
+    of_block_[slot] += impulse / blocks_.mass[slot];
+    momentum_[slot] += moment;
+  }
   /// Applies an impulse at a point.
   void add(const MaterialPoint<D>& point, const Vector<D>& impulse);
 

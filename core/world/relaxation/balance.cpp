@@ -105,8 +105,10 @@ Balance balance_of(const Model<D>& model, const ContactList<D>& contacts, const 
   };
   for (std::size_t c = 0; c < contacts.count(); ++c)
     add_to_both(contacts.pair_of(c).a, contacts.pair_of(c).b, forces.of_contact(c).force.norm());
-  for (const HardContact<D>& contact : hard_contacts.all())
+  for (const PointContact<D>& contact : hard_contacts.points())
     add_to_both(contact.a, contact.b, contact.force.norm());
+  for (const RigidContact<D>& contact : hard_contacts.rigid().all())
+    add_to_both(contact.a, contact.b, hard_contacts.rigid().force_of(contact).norm());
   for (const Bond<D>& bond : blocks.bonds().all()) {
     if (!bond.is_joint) continue;
     for (const BondPoint<D>& point : blocks.bonds().points_of(bond))

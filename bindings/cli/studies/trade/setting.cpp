@@ -99,7 +99,9 @@ std::string mesh_lines(const Scene& scene) {
 }
 
 std::string law_lines(const hs_law_def& law) {
-  if (!has_spring(law)) return "stiffness = \"" + name_of_law(law.stiffness_kind) + "\"\n";
+  if (!has_spring(law))
+    return "stiffness = \"" + name_of_law(law.stiffness_kind) +
+           "\"\nrestitution = " + shortest(law.restitution) + '\n';
   return "stiffness = \"" + name_of_law(law.stiffness_kind) +
          "\"\nnormal_stiffness = " + rounded(law.normal_stiffness, 6) +
          "\nshear_stiffness = " + rounded(law.shear_stiffness, 6) +

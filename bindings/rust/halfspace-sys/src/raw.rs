@@ -380,8 +380,11 @@ pub struct hs_law_def {
     pub normal_damping: f64,
     /// damping ratio, >= 0; default 0.1
     pub shear_damping: f64,
+    /// coefficient of restitution of rigid blocks, \[0, 1\]; default 0; with HS_STIFFNESS_NONE and without
+    /// cohesion and tensile strength only
+    pub restitution: f64,
 }
-const _: () = assert!(std::mem::size_of::<hs_law_def>() == 64);
+const _: () = assert!(std::mem::size_of::<hs_law_def>() == 72);
 
 /// Settings of a context. Fill it with hs_context_def_init().
 #[repr(C)]
@@ -570,8 +573,16 @@ pub struct hs_world_def {
     /// max displacement error of a block by sleep over a run, m, >= 0; default 0: no block sleeps. Worlds
     /// with HS_STIFFNESS_NONE or meshes do not sleep
     pub sleep_tolerance: f64,
+    /// velocity that the impulses of rigid blocks without springs may leave unbalanced, over gravity times
+    /// time step, > 0; default 1e-6
+    pub impulse_tolerance: f64,
+    /// sweeps of their solver per half step, >= 1; default 100
+    pub max_impulse_iterations: i32,
+    /// 1: steps are divided at the impacts of rigid blocks without springs, which makes rebounds accurate;
+    /// default 0
+    pub locate_impacts: i32,
 }
-const _: () = assert!(std::mem::size_of::<hs_world_def>() == 112);
+const _: () = assert!(std::mem::size_of::<hs_world_def>() == 128);
 
 /// Settings of a block. Fill it with hs_block_def_init().
 #[repr(C)]
@@ -665,7 +676,7 @@ pub struct hs_world_report {
     pub block_count: i64,
     /// pairs in the neighbour list
     pub candidate_count: i64,
-    /// contacts: pairs for laws with springs, points for laws without
+    /// contacts: pairs of blocks; without springs, where a block deforms or is bonded, points
     pub contact_count: i64,
     /// number of builds of the neighbour list
     pub list_builds: i64,
@@ -694,14 +705,17 @@ pub struct hs_world_report {
     pub sleeping_count: i64,
     /// max displacement error of a block by sleep so far, m
     pub max_sleep_error: f64,
-    /// touches so far of laws without springs; a corner that slides to another face touches again
+    /// contacts so far of laws without springs that began; a point that slides to another face counts again
     pub touch_count: i64,
-    /// iterations so far of the constraint solver of laws without springs (sweeps over all contacts)
+    /// iterations so far of the solvers of laws without springs: sweeps over all contacts
     pub iteration_count: i64,
     /// dissipated by impacts of laws without springs, J, in 2D per unit thickness; included in the residual
     pub impact_loss: f64,
+    /// largest velocity that the impulses of rigid blocks without springs left unbalanced in the last motion,
+    /// m/s
+    pub unbalanced_velocity: f64,
 }
-const _: () = assert!(std::mem::size_of::<hs_world_report>() == 256);
+const _: () = assert!(std::mem::size_of::<hs_world_report>() == 264);
 
 /// Elasticity of a material. Fill it with hs_elasticity_def_init().
 #[repr(C)]

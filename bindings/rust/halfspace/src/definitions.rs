@@ -63,6 +63,13 @@ impl Law {
         self.raw.shear_damping = shear_damping;
         self
     }
+
+    /// coefficient of restitution of rigid blocks, \[0, 1\]; default 0; with HS_STIFFNESS_NONE and without
+    /// cohesion and tensile strength only
+    pub fn restitution(mut self, restitution: f64) -> Self {
+        self.raw.restitution = restitution;
+        self
+    }
 }
 
 impl Default for Law {
@@ -138,6 +145,13 @@ impl WorldDef {
     /// with HS_STIFFNESS_NONE or meshes do not sleep
     pub fn sleep_tolerance(mut self, sleep_tolerance: f64) -> Self {
         self.raw.sleep_tolerance = sleep_tolerance;
+        self
+    }
+
+    /// velocity that the impulses of rigid blocks without springs may leave unbalanced, over gravity times
+    /// time step, > 0; default 1e-6
+    pub fn impulse_tolerance(mut self, impulse_tolerance: f64) -> Self {
+        self.raw.impulse_tolerance = impulse_tolerance;
         self
     }
 }

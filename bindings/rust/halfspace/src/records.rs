@@ -298,7 +298,7 @@ pub struct Report {
     pub block_count: usize,
     /// pairs in the neighbour list
     pub candidate_count: usize,
-    /// contacts: pairs for laws with springs, points for laws without
+    /// contacts: pairs of blocks; without springs, where a block deforms or is bonded, points
     pub contact_count: usize,
     /// number of builds of the neighbour list
     pub list_builds: u64,
@@ -327,12 +327,15 @@ pub struct Report {
     pub sleeping_count: usize,
     /// max displacement error of a block by sleep so far, m
     pub max_sleep_error: f64,
-    /// touches so far of laws without springs; a corner that slides to another face touches again
+    /// contacts so far of laws without springs that began; a point that slides to another face counts again
     pub touch_count: usize,
-    /// iterations so far of the constraint solver of laws without springs (sweeps over all contacts)
+    /// iterations so far of the solvers of laws without springs: sweeps over all contacts
     pub iteration_count: usize,
     /// dissipated by impacts of laws without springs, J, in 2D per unit thickness; included in the residual
     pub impact_loss: f64,
+    /// largest velocity that the impulses of rigid blocks without springs left unbalanced in the last motion,
+    /// m/s
+    pub unbalanced_velocity: f64,
 }
 
 impl From<sys::hs_world_report> for Report {
@@ -362,6 +365,7 @@ impl From<sys::hs_world_report> for Report {
             touch_count: raw.touch_count as usize,
             iteration_count: raw.iteration_count as usize,
             impact_loss: raw.impact_loss,
+            unbalanced_velocity: raw.unbalanced_velocity,
         }
     }
 }

@@ -211,6 +211,7 @@ pub fn of_report(of: &Report, field: &str) -> Option<Vec<f64>> {
         "touch_count" => vec![of.touch_count as f64],
         "iteration_count" => vec![of.iteration_count as f64],
         "impact_loss" => vec![of.impact_loss],
+        "unbalanced_velocity" => vec![of.unbalanced_velocity],
         _ => return None,
     })
 }
@@ -240,6 +241,7 @@ pub fn set_law(of: Law, field: &str, values: &[f64]) -> Option<Law> {
         "tensile_strength" => of.tensile_strength(values[0]),
         "normal_damping" => of.normal_damping(values[0]),
         "shear_damping" => of.shear_damping(values[0]),
+        "restitution" => of.restitution(values[0]),
         _ => return None,
     })
 }
@@ -273,6 +275,7 @@ pub fn set_world(of: WorldDef, field: &str, values: &[f64]) -> Option<WorldDef> 
         "vertex_zone" => of.vertex_zone(values[0]),
         "potential_length" => of.potential_length(values[0]),
         "sleep_tolerance" => of.sleep_tolerance(values[0]),
+        "impulse_tolerance" => of.impulse_tolerance(values[0]),
         _ => return None,
     })
 }

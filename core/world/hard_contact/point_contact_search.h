@@ -50,10 +50,10 @@ struct EdgeBound {
 /// Looks for the places where blocks would pass through each other in the planned motion: corners through
 /// faces, and in space edges through edges.
 template <int D>
-class HardContactSearch {
+class PointContactSearch {
  public:
-  HardContactSearch(const Model<D>& model, const ContactList<D>& contacts, const Integrator<D>& integrator,
-                    Memory* memory)
+  PointContactSearch(const Model<D>& model, const ContactList<D>& contacts, const Integrator<D>& integrator,
+                     Memory* memory)
       : model_(model),
         blocks_(model.blocks),
         contacts_(contacts),
@@ -142,22 +142,22 @@ class HardContactSearch {
 
 // Edges meet in space only.
 template <>
-int HardContactSearch<3>::edge_count(std::size_t slot) const;
+int PointContactSearch<3>::edge_count(std::size_t slot) const;
 template <>
-EdgeBound HardContactSearch<3>::bound_of_edge(std::int32_t block, int which) const;
+EdgeBound PointContactSearch<3>::bound_of_edge(std::int32_t block, int which) const;
 template <>
-MovingEdge HardContactSearch<3>::edge(std::int32_t block, int which) const;
+MovingEdge PointContactSearch<3>::edge(std::int32_t block, int which) const;
 template <>
-void HardContactSearch<3>::rebuild_surface_edges();
+void PointContactSearch<3>::rebuild_surface_edges();
 template <>
-void HardContactSearch<3>::find_edge_edge(std::int32_t a, std::int32_t b,
-                                          Array<ContactConstraint<3>>& found) const;
+void PointContactSearch<3>::find_edge_edge(std::int32_t a, std::int32_t b,
+                                           Array<ContactConstraint<3>>& found) const;
 template <>
-void HardContactSearch<3>::place_edges(ContactConstraint<3>& at) const;
+void PointContactSearch<3>::place_edges(ContactConstraint<3>& at) const;
 template <>
-double HardContactSearch<3>::predicted_gap_of_edges(const ContactConstraint<3>& at) const;
+double PointContactSearch<3>::predicted_gap_of_edges(const ContactConstraint<3>& at) const;
 
-extern template class HardContactSearch<2>;
-extern template class HardContactSearch<3>;
+extern template class PointContactSearch<2>;
+extern template class PointContactSearch<3>;
 
 }  // namespace halfspace

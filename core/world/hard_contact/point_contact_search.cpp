@@ -1,4 +1,4 @@
-#include "world/hard_contact/hard_contact_search.h"
+#include "world/hard_contact/point_contact_search.h"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -28,16 +28,16 @@ double share_of_corner(const Outline<3>& o, int face, int corner) {
 }  // namespace
 
 template <int D>
-HardContactSearch<D>::Pose::Pose(const Vector<D>& at, const Tensor<D>& turned_by)
+PointContactSearch<D>::Pose::Pose(const Vector<D>& at, const Tensor<D>& turned_by)
     : position(at), gradient(turned_by), inverse(turned_by.inverse()) {}
 
 template <int D>
-typename HardContactSearch<D>::Pose HardContactSearch<D>::pose_now(std::size_t slot) const {
+typename PointContactSearch<D>::Pose PointContactSearch<D>::pose_now(std::size_t slot) const {
   return {blocks_.position[slot], blocks_.gradient(slot)};
 }
 
 template <int D>
-typename HardContactSearch<D>::Pose HardContactSearch<D>::predicted_pose(std::size_t slot) const {
+typename PointContactSearch<D>::Pose PointContactSearch<D>::predicted_pose(std::size_t slot) const {
   if (!blocks_.moves(slot)) return pose_now(slot);
   const Vector<D> position = blocks_.position[slot] + integrator_.predicted_displacement(slot);
   if (blocks_.is_deformable(slot))
@@ -46,13 +46,13 @@ typename HardContactSearch<D>::Pose HardContactSearch<D>::predicted_pose(std::si
 }
 
 template <int D>
-Vector<D> HardContactSearch<D>::node_now(std::size_t slot, std::int32_t node) const {
+Vector<D> PointContactSearch<D>::node_now(std::size_t slot, std::int32_t node) const {
   const Meshes<D>& meshes = blocks_.meshes();
   return meshes.body(meshes.surface_of_block(slot).body).origin + meshes.place[std::size_t(node)];
 }
 
 template <int D>
-Vector<D> HardContactSearch<D>::corner_now(std::size_t slot, int corner) const {
+Vector<D> PointContactSearch<D>::corner_now(std::size_t slot, int corner) const {
   if (blocks_.is_of_mesh(slot))
     return node_now(slot, blocks_.meshes().surface_of_block(slot).node[std::size_t(corner)]);
   return blocks_.position[slot] +
@@ -60,7 +60,7 @@ Vector<D> HardContactSearch<D>::corner_now(std::size_t slot, int corner) const {
 }
 
 template <int D>
-Vector<D> HardContactSearch<D>::predicted_corner(std::size_t slot, int corner) const {
+Vector<D> PointContactSearch<D>::predicted_corner(std::size_t slot, int corner) const {
   if (blocks_.is_of_mesh(slot)) {
     const std::int32_t node = blocks_.meshes().surface_of_block(slot).node[std::size_t(corner)];
     return corner_now(slot, corner) + integrator_.predicted_displacement_of_node(std::size_t(node));
@@ -71,7 +71,7 @@ Vector<D> HardContactSearch<D>::predicted_corner(std::size_t slot, int corner) c
 
 /// A node of a mesh at its surface is the corner of one of the cells that share it.
 template <int D>
-void HardContactSearch<D>::rebuild_surface() {
+void PointContactSearch<D>::rebuild_surface() {
   const Meshes<D>& meshes = blocks_.meshes();
   owner_.assign(meshes.node_count(), -1);
   for (const SurfaceCell<D>& cell : meshes.surface()) {
@@ -87,7 +87,7 @@ void HardContactSearch<D>::rebuild_surface() {
 /// A weight falls from 1 to 0 over the height of its node: the area of the face opposite is D volume /
 /// height.
 template <int D>
-void HardContactSearch<D>::compute_node_normals() {
+void PointContactSearch<D>::compute_node_normals() {
   const Meshes<D>& meshes = blocks_.meshes();
   outwards_.assign(meshes.node_count(), Vector<D>::Zero());
   for (const SurfaceCell<D>& cell : meshes.surface()) {
@@ -105,13 +105,13 @@ void HardContactSearch<D>::compute_node_normals() {
 }
 
 template <int D>
-Vector<D> HardContactSearch<D>::outwards(std::size_t slot, int corner) const {
+Vector<D> PointContactSearch<D>::outwards(std::size_t slot, int corner) const {
   if (!blocks_.is_of_mesh(slot)) return corner_now(slot, corner) - blocks_.position[slot];
   return outwards_[std::size_t(blocks_.meshes().surface_of_block(slot).node[std::size_t(corner)])];
 }
 
 template <int D>
-bool HardContactSearch<D>::owns_vertex(std::size_t slot, int corner) const {
+bool PointContactSearch<D>::owns_vertex(std::size_t slot, int corner) const {
   if (!blocks_.is_of_mesh(slot)) return true;
   const std::int32_t node = blocks_.meshes().surface_of_block(slot).node[std::size_t(corner)];
   return owner_[std::size_t(node)] == std::int32_t(slot);
@@ -120,7 +120,7 @@ bool HardContactSearch<D>::owns_vertex(std::size_t slot, int corner) const {
 /// A face that does not look at a counts where its corner comes well inside of all others: else it passes an
 /// end of the face.
 template <int D>
-bool HardContactSearch<D>::is_well_inside(const Target& b, const Vector<D>& end, int but_for) const {
+bool PointContactSearch<D>::is_well_inside(const Target& b, const Vector<D>& end, int but_for) const {
   const Outline<D> own = blocks_.own_outline(std::int32_t(b.slot));
   for (int face = 0; face < own.face_count(); ++face) {
     const double depth = (own.offset[face] - own.normal(face).dot(end)) /
@@ -136,8 +136,8 @@ bool HardContactSearch<D>::is_well_inside(const Target& b, const Vector<D>& end,
 /// that it is at, it slides along the one that it leaves least deep behind: on a floor, from one block onto
 /// the next. Along a face it may slide into b from the side.
 template <int D>
-typename HardContactSearch<D>::Entrance HardContactSearch<D>::entrance(const Target& b, std::size_t a,
-                                                                       int corner) const {
+typename PointContactSearch<D>::Entrance PointContactSearch<D>::entrance(const Target& b, std::size_t a,
+                                                                         int corner) const {
   const Outline<D> own = blocks_.own_outline(std::int32_t(b.slot));
   const double radius = blocks_.radius[b.slot], reach = this->reach(b.slot);
   const Vector<D> start = b.now.inverse * (corner_now(a, corner) - b.now.position);
@@ -176,8 +176,8 @@ typename HardContactSearch<D>::Entrance HardContactSearch<D>::entrance(const Tar
 }
 
 template <int D>
-void HardContactSearch<D>::find_vertex_face(std::int32_t a, std::int32_t b,
-                                            Array<ContactConstraint<D>>& found) const {
+void PointContactSearch<D>::find_vertex_face(std::int32_t a, std::int32_t b,
+                                             Array<ContactConstraint<D>>& found) const {
   const std::size_t slot_a = std::size_t(a), slot_b = std::size_t(b);
   const bool is_of_mesh = blocks_.is_of_mesh(slot_b);
   const Target target{slot_b, pose_now(slot_b), predicted_pose(slot_b),
@@ -197,7 +197,7 @@ void HardContactSearch<D>::find_vertex_face(std::int32_t a, std::int32_t b,
 }
 
 template <int D>
-MaterialPoint<D> HardContactSearch<D>::corner_of(std::int32_t block, int corner) const {
+MaterialPoint<D> PointContactSearch<D>::corner_of(std::int32_t block, int corner) const {
   const std::size_t slot = std::size_t(block);
   MaterialPoint<D> point;
   point.block = block;
@@ -213,7 +213,7 @@ MaterialPoint<D> HardContactSearch<D>::corner_of(std::int32_t block, int corner)
 
 /// The corner, and the point of the face below it.
 template <int D>
-void HardContactSearch<D>::place_corner(ContactConstraint<D>& at) const {
+void PointContactSearch<D>::place_corner(ContactConstraint<D>& at) const {
   const std::size_t b = std::size_t(at.b);
   const Pose pose = pose_now(b);
   const Outline<D> own = blocks_.own_outline(at.b);
@@ -239,7 +239,7 @@ void HardContactSearch<D>::place_corner(ContactConstraint<D>& at) const {
 }
 
 template <int D>
-void HardContactSearch<D>::place(ContactConstraint<D>& at) const {
+void PointContactSearch<D>::place(ContactConstraint<D>& at) const {
   if (at.meeting == Meeting::edges) {
     place_edges(at);
   } else {
@@ -252,7 +252,7 @@ void HardContactSearch<D>::place(ContactConstraint<D>& at) const {
 }
 
 template <int D>
-Vector<D> HardContactSearch<D>::face_of(std::size_t slot, int corner) const {
+Vector<D> PointContactSearch<D>::face_of(std::size_t slot, int corner) const {
   if (blocks_.is_of_mesh(slot)) return outwards(slot, corner);
   const Outline<D> outline = blocks_.outline(std::int32_t(slot));
   Vector<D> sum = Vector<D>::Zero();
@@ -264,7 +264,7 @@ Vector<D> HardContactSearch<D>::face_of(std::size_t slot, int corner) const {
 }
 
 template <int D>
-double HardContactSearch<D>::area_of(const ContactConstraint<D>& at) const {
+double PointContactSearch<D>::area_of(const ContactConstraint<D>& at) const {
   if (at.meeting == Meeting::edges) return 0;
   const bool a_is_mesh = blocks_.is_of_mesh(std::size_t(at.a)),
              b_is_mesh = blocks_.is_of_mesh(std::size_t(at.b));
@@ -274,14 +274,14 @@ double HardContactSearch<D>::area_of(const ContactConstraint<D>& at) const {
 
 /// At least the rounding of a corner's place seen from a block.
 template <int D>
-double HardContactSearch<D>::reach(std::size_t b) const {
+double PointContactSearch<D>::reach(std::size_t b) const {
   constexpr double roundings = 16 * std::numeric_limits<double>::epsilon();
   return std::max(reach_share * blocks_.radius[b], roundings * blocks_.position[b].norm());
 }
 
 /// Pairs that have no spring, as far as they come near each other at all.
 template <int D>
-void HardContactSearch<D>::find(Array<ContactConstraint<D>>& found) {
+void PointContactSearch<D>::find(Array<ContactConstraint<D>>& found) {
   found.clear();
   compute_node_normals();
   margin_ = 2 * integrator_.longest_motion();
@@ -304,7 +304,7 @@ void HardContactSearch<D>::find(Array<ContactConstraint<D>>& found) {
 }
 
 template <int D>
-double HardContactSearch<D>::predicted_gap(const ContactConstraint<D>& at) const {
+double PointContactSearch<D>::predicted_gap(const ContactConstraint<D>& at) const {
   if (at.meeting == Meeting::edges) return predicted_gap_of_edges(at);
   const Pose pose = predicted_pose(std::size_t(at.b));
   const Outline<D> own = blocks_.own_outline(at.b);
@@ -313,7 +313,7 @@ double HardContactSearch<D>::predicted_gap(const ContactConstraint<D>& at) const
          (pose.inverse.transpose() * own.normal(at.feature_b)).norm();
 }
 
-template class HardContactSearch<2>;
-template class HardContactSearch<3>;
+template class PointContactSearch<2>;
+template class PointContactSearch<3>;
 
 }  // namespace halfspace

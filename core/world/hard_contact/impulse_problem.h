@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "geometry/vector.h"
+#include "world/motion/block_motion.h"
+
+namespace halfspace {
+
+template <int D>
+using MassMatrix = Eigen::Matrix<double, D == 2 ? 3 : 6, D == 2 ? 3 : 6>;
+
+/// One component of a contact: the velocity of b against a along it is direction . (v_b - v_a) + turn_b . w_b
+/// - turn_a . w_a, and an impulse acts on both blocks along the same.
+template <int D>
+struct ImpulseRow {
+  double velocity(const BlockMotion<D>& a, const BlockMotion<D>& b) const {
+    return direction.dot(b.velocity - a.velocity) + turn_b.dot(b.spin) - turn_a.dot(a.spin);
+  }
+
+  Vector<D> direction;
+  Angular<D> turn_a;      // torque on a over the impulse, reversed
+  Angular<D> turn_b;      // on b
+  Angular<D> response_a;  // spin over the impulse
+  Angular<D> response_b;
+  double inverse_mass;  // effective: velocity along the row over the impulse
+  double target;        // velocity along the row when the contact bears; at least this for normals
+  double impulse;
+};
+
+/// Normal rows, one per point, and friction rows: none, 1 in the plane, 2 and a couple in space.
+template <int D>
+struct ImpulseContact {
+  std::int32_t a;
+  std::int32_t b;
+  std::int32_t first_row;
+  std::int32_t normal_count;
+  std::int32_t friction_count;
+  double inverse_mass_a;
+  double inverse_mass_b;
+  double tan_friction;
+  double couple_arm;  // m: the couple is bounded by this times the bound of friction
+};
+
+/// A velocity problem with unilateral contacts and Coulomb friction: find impulses with u >= target, p >= 0
+/// and p (u - target) = 0 for each normal row; friction rows stop sliding while their sum is within
+/// tan(friction angle) times the sum of the contact's normal impulses, and else oppose it (Moreau 1988).
+template <int D>
+struct ImpulseProblem {
+  explicit ImpulseProblem(Memory* memory) : contacts(memory), rows(memory), motions(memory), masses(memory) {}
+
+  double velocity_along(const ImpulseContact<D>& contact, const ImpulseRow<D>& row) const {
+    return row.velocity(motions[std::size_t(contact.a)], motions[std::size_t(contact.b)]);
+  }
+  void apply(const ImpulseContact<D>& contact, const ImpulseRow<D>& row, double impulse) {
+    BlockMotion<D>&a = motions[std::size_t(contact.a)], &b = motions[std::size_t(contact.b)];
+    a.velocity -= (impulse * contact.inverse_mass_a) * row.direction;
+    a.spin -= impulse * row.response_a;
+    b.velocity += (impulse * contact.inverse_mass_b) * row.direction;
+    b.spin += impulse * row.response_b;
+  }
+  std::span<ImpulseRow<D>> normals_of(const ImpulseContact<D>& contact) {
+    return {rows.data() + contact.first_row, std::size_t(contact.normal_count)};
+  }
+  std::span<ImpulseRow<D>> frictions_of(const ImpulseContact<D>& contact) {
+    return {rows.data() + contact.first_row + contact.normal_count, std::size_t(contact.friction_count)};
+  }
+  /// The largest friction impulse at the present normal impulses.
+  double friction_bound(const ImpulseContact<D>& contact) {
+    double sum = 0;
+    for (const ImpulseRow<D>& row : normals_of(contact)) sum += row.impulse;
+    return contact.tan_friction * sum;
+  }
+
+  Array<ImpulseContact<D>> contacts;
+  Array<ImpulseRow<D>> rows;
+  Array<BlockMotion<D>> motions;  // of each block, with the impulses
+  Array<MassMatrix<D>> masses;    // of each block, for velocity and spin; zero unless it moves freely
+};
+
+}  // namespace halfspace

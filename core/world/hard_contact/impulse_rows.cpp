@@ -1,0 +1,119 @@
+#include "world/hard_contact/impulse_rows.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace halfspace {
+namespace {
+
+/// Unit vectors along a face.
+std::array<Vector<2>, 1> tangents(const Vector<2>& normal) { return {perpendicular(normal)}; }
+std::array<Vector<3>, 2> tangents(const Vector<3>& normal) {
+  int least = 0;
+  normal.cwiseAbs().minCoeff(&least);
+  const Vector<3> first = cross_product(normal, Vector<3>::Unit(least)).normalized();
+  return {first, cross_product(normal, first)};
+}
+
+}  // namespace
+
+/// Mass matrices of free blocks and the inverses of their inertia, both as they are turned now.
+template <int D>
+void ImpulseRows<D>::set_masses(ImpulseProblem<D>& problem) {
+  constexpr int turns = D == 2 ? 1 : 3;
+  problem.masses.resize(blocks_.slot_count());
+  inverse_inertia_.resize(blocks_.slot_count());
+  for (std::size_t i = 0; i < problem.masses.size(); ++i) {
+    MassMatrix<D>& mass = problem.masses[i];
+    mass.setZero();
+    inverse_inertia_[i].setZero();
+    if (blocks_.kind[i] != BlockKind::rigid) continue;
+    mass.diagonal().template head<D>().setConstant(blocks_.mass[i]);
+    for (int k = 0; k < turns; ++k) {
+      const Angular<D> axis = Angular<D>::Unit(k);
+      mass.template block<turns, 1>(D, D + k) = blocks_.inertia[i].momentum(axis, blocks_.rotation[i]);
+      inverse_inertia_[i].col(k) = blocks_.inertia[i].spin(axis, blocks_.rotation[i]);
+    }
+  }
+}
+
+/// The middle of the points that touch, on the plane of the manifold, and their mean distance from it.
+/// Friction acts there.
+template <int D>
+typename ImpulseRows<D>::Patch ImpulseRows<D>::patch_of(
+    const PlannedContact<D>& at, const std::array<Vector<D>, max_manifold_points<D>>& arm) const {
+  const std::size_t count = std::size_t(at.manifold.count);
+  const double nearest = *std::min_element(at.gap.begin(), at.gap.begin() + at.manifold.count);
+  const double touching = nearest + search_.settled_gap(at);
+  const double towards_plane = at.manifold.plane == ManifoldPlane::face_of_b ? 1 : -1;
+  Patch patch{Vector<D>::Zero(), 0};
+  double touching_count = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (at.gap[i] > touching) continue;
+    patch.center += arm[i] + towards_plane * at.gap[i] * at.normal;
+    ++touching_count;
+  }
+  patch.center /= touching_count;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (at.gap[i] <= touching) patch.radius += (arm[i] - patch.center).norm() / touching_count;
+  }
+  return patch;
+}
+
+template <int D>
+void ImpulseRows<D>::build(std::span<const PlannedContact<D>> contacts, ImpulseProblem<D>& problem) {
+  set_masses(problem);
+  problem.contacts.clear();
+  problem.rows.clear();
+  const auto add_row = [&](const ImpulseContact<D>& contact, const Vector<D>& direction,
+                           const Angular<D>& turn_a, const Angular<D>& turn_b, double impulse) {
+    const std::size_t a = std::size_t(contact.a), b = std::size_t(contact.b);
+    ImpulseRow<D> row;
+    row.direction = direction;
+    row.turn_a = turn_a;
+    row.turn_b = turn_b;
+    row.response_a = inverse_inertia_[a] * turn_a;
+    row.response_b = inverse_inertia_[b] * turn_b;
+    row.inverse_mass = (contact.inverse_mass_a + contact.inverse_mass_b) * direction.squaredNorm() +
+                       turn_a.dot(row.response_a) + turn_b.dot(row.response_b);
+    row.target = 0;
+    row.impulse = impulse;
+    problem.rows.push_back(row);
+  };
+  for (const PlannedContact<D>& at : contacts) {
+    const std::size_t a = std::size_t(at.a), b = std::size_t(at.b);
+    const PosedBlock<D> pose_a = search_.now(a), pose_b = search_.now(b);
+    const Vector<D> to_b = pose_b.position - pose_a.position;
+    ImpulseContact<D> contact;
+    contact.a = at.a;
+    contact.b = at.b;
+    contact.first_row = std::int32_t(problem.rows.size());
+    contact.normal_count = at.manifold.count;
+    contact.inverse_mass_a = blocks_.moves_freely(a) ? 1 / blocks_.mass[a] : 0;
+    contact.inverse_mass_b = blocks_.moves_freely(b) ? 1 / blocks_.mass[b] : 0;
+    contact.tan_friction = model_.law_between(a, b).tan_friction;
+    contact.friction_count = contact.tan_friction <= 0 ? 0 : D == 2 ? 1 : 3;
+    contact.couple_arm = 0;
+    std::array<Vector<D>, max_manifold_points<D>> arm;
+    for (std::size_t i = 0; i < std::size_t(at.manifold.count); ++i) {
+      arm[i] = arm_of(at.manifold, i, pose_a, pose_b);
+      add_row(contact, at.normal, moment(arm[i], at.normal), moment(Vector<D>(arm[i] - to_b), at.normal),
+              at.impulse[i]);
+    }
+    if (contact.friction_count > 0) {
+      const Patch patch = patch_of(at, arm);
+      const Vector<D> from_b = patch.center - to_b;
+      for (const Vector<D>& tangent : tangents(at.normal))
+        add_row(contact, tangent, moment(patch.center, tangent), moment(from_b, tangent),
+                tangent.dot(at.friction));
+      if constexpr (D == 3) add_row(contact, Vector<D>::Zero(), at.normal, at.normal, at.couple);
+      contact.couple_arm = patch.radius;
+    }
+    problem.contacts.push_back(contact);
+  }
+}
+
+template class ImpulseRows<2>;
+template class ImpulseRows<3>;
+
+}  // namespace halfspace

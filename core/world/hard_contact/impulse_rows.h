@@ -1,0 +1,40 @@
+#pragma once
+
+#include <span>
+
+#include "world/hard_contact/impulse_problem.h"
+#include "world/hard_contact/manifold_search.h"
+
+namespace halfspace {
+
+/// Makes the rows of an impulse problem from manifolds, with the blocks where they are now: one row per
+/// point, and friction in the middle of the points that touch.
+template <int D>
+class ImpulseRows {
+ public:
+  ImpulseRows(const Model<D>& model, const ManifoldSearch<D>& search, Memory* memory)
+      : model_(model), blocks_(model.blocks), search_(search), inverse_inertia_(memory) {}
+
+  /// Sets contacts, rows and masses. Impulses are those of the contacts; targets are 0.
+  void build(std::span<const PlannedContact<D>> contacts, ImpulseProblem<D>& problem);
+
+ private:
+  /// Where friction acts.
+  struct Patch {
+    Vector<D> center;  // from the centroid of a
+    double radius;
+  };
+
+  void set_masses(ImpulseProblem<D>& problem);
+  Patch patch_of(const PlannedContact<D>& at, const std::array<Vector<D>, max_manifold_points<D>>& arm) const;
+
+  const Model<D>& model_;
+  const Blocks<D>& blocks_;
+  const ManifoldSearch<D>& search_;
+  Array<Eigen::Matrix<double, D == 2 ? 1 : 3, D == 2 ? 1 : 3>> inverse_inertia_;  // of each free block
+};
+
+extern template class ImpulseRows<2>;
+extern template class ImpulseRows<3>;
+
+}  // namespace halfspace

@@ -1,0 +1,181 @@
+#include "world/hard_contact/impulse_solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace halfspace {
+namespace {
+
+/// Sweeps before active sets are tried, doubled each time that they fail.
+constexpr int first_sweeps = 4;
+
+/// Active sets help when they leave this fraction of the velocity unbalanced.
+constexpr double helpful_fraction = 0.1;
+
+/// Redundant contacts may contradict each other by rounding, and then changes never vanish.
+constexpr int max_stalled_sweeps = 48;
+
+/// Of the largest velocity by an impulse: rounding.
+constexpr double rounding_fraction = 1e-14;
+
+/// Changes impulses one after the other, and remembers the largest change as a velocity.
+template <int D>
+class Sweep {
+ public:
+  explicit Sweep(ImpulseProblem<D>& problem) : problem_(problem) {}
+
+  double largest_change() const { return largest_change_; }
+
+  void visit(const ImpulseContact<D>& contact) {
+    for (ImpulseRow<D>& row : problem_.normals_of(contact))
+      change(contact, row, std::max(0.0, stopping_impulse(contact, row)));
+    if (contact.friction_count > 0) stop_sliding(contact);
+  }
+
+ private:
+  /// The impulse that stops a row while all others stay.
+  double stopping_impulse(const ImpulseContact<D>& contact, const ImpulseRow<D>& row) const {
+    return row.impulse - (problem_.velocity_along(contact, row) - row.target) / row.inverse_mass;
+  }
+
+  void stop_sliding(const ImpulseContact<D>& contact) {
+    const std::span<ImpulseRow<D>> friction = problem_.frictions_of(contact);
+    const double bound = problem_.friction_bound(contact);
+    double stopping[D - 1], square = 0;
+    for (std::size_t k = 0; k < D - 1; ++k) {
+      stopping[k] = stopping_impulse(contact, friction[k]);
+      square += stopping[k] * stopping[k];
+    }
+    const double scale = square > bound * bound ? bound / std::sqrt(square) : 1;
+    for (std::size_t k = 0; k < D - 1; ++k) change(contact, friction[k], scale * stopping[k]);
+    if constexpr (D == 3) {
+      const double limit = contact.couple_arm * bound;
+      change(contact, friction[2], std::clamp(stopping_impulse(contact, friction[2]), -limit, limit));
+    }
+  }
+
+  void change(const ImpulseContact<D>& contact, ImpulseRow<D>& row, double impulse) {
+    const double change = impulse - row.impulse;
+    if (change == 0) return;
+    row.impulse = impulse;
+    problem_.apply(contact, row, change);
+    largest_change_ = std::max(largest_change_, std::abs(change) * row.inverse_mass);
+  }
+
+  ImpulseProblem<D>& problem_;
+  double largest_change_ = 0;
+};
+
+}  // namespace
+
+/// Returns the largest change as a velocity.
+template <int D>
+double ImpulseSolver<D>::sweep(ImpulseProblem<D>& problem, bool is_backwards) {
+  Sweep<D> sweep(problem);
+  if (is_backwards) {
+    std::for_each(problem.contacts.rbegin(), problem.contacts.rend(),
+                  [&](auto& contact) { sweep.visit(contact); });
+  } else {
+    std::for_each(problem.contacts.begin(), problem.contacts.end(),
+                  [&](auto& contact) { sweep.visit(contact); });
+  }
+  return sweep.largest_change();
+}
+
+template <int D>
+void ImpulseSolver<D>::restart_acceleration(const ImpulseProblem<D>& problem) {
+  last_length_ = HUGE_VAL;
+  previous_.resize(problem.rows.size());
+  for (std::size_t i = 0; i < problem.rows.size(); ++i) previous_[i] = problem.rows[i].impulse;
+  direction_.assign(problem.rows.size(), 0);
+}
+
+/// A sweep forwards and one backwards are a step of a symmetric iteration, to which conjugate gradients apply
+/// (Fletcher and Reeves). The next sweep projects impulses beyond their bounds.
+template <int D>
+void ImpulseSolver<D>::accelerate(ImpulseProblem<D>& problem) {
+  double length = 0;
+  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+    const double change = problem.rows[i].impulse - previous_[i];
+    length += change * change * problem.rows[i].inverse_mass;
+  }
+  const bool is_shorter = length <= last_length_;
+  const double ratio = is_shorter && length > 0 ? length / last_length_ : 0;
+  for (const ImpulseContact<D>& contact : problem.contacts) {
+    const std::int32_t end = contact.first_row + contact.normal_count + contact.friction_count;
+    for (std::size_t i = std::size_t(contact.first_row); i < std::size_t(end); ++i) {
+      ImpulseRow<D>& row = problem.rows[i];
+      const double more = ratio * direction_[i];
+      direction_[i] = is_shorter ? more + row.impulse - previous_[i] : 0;
+      row.impulse += more;
+      previous_[i] = row.impulse;
+      problem.apply(contact, row, more);
+    }
+  }
+  last_length_ = length;
+}
+
+template <int D>
+void ImpulseSolver<D>::reserve(std::size_t rows, std::size_t blocks) {
+  active_set_.reserve(rows, blocks);
+  previous_.reserve(rows);
+  direction_.reserve(rows);
+}
+
+template <int D>
+ImpulseResult ImpulseSolver<D>::solve(ImpulseProblem<D>& problem, const ImpulseSettings& settings) {
+  double fastest = 0;
+  for (const ImpulseContact<D>& contact : problem.contacts) {
+    for (const ImpulseRow<D>& row : problem.normals_of(contact)) {
+      problem.apply(contact, row, row.impulse);
+      fastest = std::max(fastest, row.impulse * row.inverse_mass);
+    }
+    for (const ImpulseRow<D>& row : problem.frictions_of(contact)) problem.apply(contact, row, row.impulse);
+  }
+  if (fastest == 0) active_set_.solve(problem, settings.tolerance * settings.speed, true);
+  restart_acceleration(problem);
+  ImpulseResult result;
+  double least = HUGE_VAL;
+  int least_in = 0, wait = first_sweeps, next_active_set = wait;
+  for (int i = 1; i <= settings.max_iterations; ++i) {
+    const bool is_backwards = i % 2 == 0;
+    result.iterations = i;
+    result.unbalanced = sweep(problem, is_backwards);
+    fastest = std::max(fastest, result.unbalanced);
+    const double speed = settings.speed > 0 ? settings.speed : fastest;
+    const double tolerance = std::max(settings.tolerance * speed, rounding_fraction * fastest);
+    if (result.unbalanced <= tolerance) return result;
+    if (i >= next_active_set) {
+      const double unbalanced = active_set_.solve(problem, tolerance, false);
+      if (unbalanced <= tolerance) return {i, unbalanced, true};
+      wait = unbalanced < helpful_fraction * result.unbalanced ? first_sweeps : 2 * wait;
+      result.unbalanced = std::min(result.unbalanced, unbalanced);
+      next_active_set = i + wait;
+      restart_acceleration(problem);
+    } else if (is_backwards) {
+      accelerate(problem);
+    }
+    if (result.unbalanced <= 0.999 * least) {
+      least = result.unbalanced;
+      least_in = i;
+    } else if (i - least_in >= max_stalled_sweeps) {
+      break;
+    }
+  }
+  result.has_converged = false;
+  return result;
+}
+
+template <int D>
+void ImpulseSolver<D>::sweep_only(ImpulseProblem<D>& problem, int count) {
+  restart_acceleration(problem);
+  for (int i = 1; i <= count; ++i) {
+    sweep(problem, i % 2 == 0);
+    if (i % 2 == 0 && i < count) accelerate(problem);
+  }
+}
+
+template class ImpulseSolver<2>;
+template class ImpulseSolver<3>;
+
+}  // namespace halfspace

@@ -1,0 +1,145 @@
+#include "world/hard_contact/manifold_search.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace halfspace {
+namespace {
+
+/// Fractions of a block's radius. A point nearer to a face than this is on it.
+constexpr double reach_fraction = 1e-9;
+/// A loaded point this close to its face, or this deep, is settled.
+constexpr double settled_fraction = 1e-6;
+/// How far blocks may deviate from their motion at constant velocity before the search is repeated.
+constexpr double allowance_fraction = 1e-3;
+
+}  // namespace
+
+template <int D>
+PosedBlock<D> ManifoldSearch<D>::now(std::size_t slot) const {
+  return {blocks_.own_outline(std::int32_t(slot)), blocks_.position[slot], blocks_.rotation[slot]};
+}
+
+template <int D>
+PosedBlock<D> ManifoldSearch<D>::predicted(std::size_t slot) const {
+  if (!blocks_.moves(slot)) return now(slot);
+  return {blocks_.own_outline(std::int32_t(slot)),
+          blocks_.position[slot] + integrator_.predicted_displacement(slot),
+          integrator_.predicted_rotation(slot)};
+}
+
+/// At least the rounding of a point's place seen from either block.
+template <int D>
+double ManifoldSearch<D>::reach(const RigidContact<D>& contact) const {
+  constexpr double roundings = 16 * std::numeric_limits<double>::epsilon();
+  const std::size_t a = std::size_t(contact.a), b = std::size_t(contact.b);
+  return std::max(reach_fraction * std::min(blocks_.radius[a], blocks_.radius[b]),
+                  roundings * std::max(blocks_.position[a].norm(), blocks_.position[b].norm()));
+}
+
+template <int D>
+double ManifoldSearch<D>::settled_gap(const RigidContact<D>& contact) const {
+  const std::size_t a = std::size_t(contact.a), b = std::size_t(contact.b);
+  return std::max(settled_fraction * std::min(blocks_.radius[a], blocks_.radius[b]), reach(contact));
+}
+
+/// By impulses: some law without springs, and some block that they move.
+template <int D>
+bool ManifoldSearch<D>::may_touch(const Candidate<D>& pair) const {
+  return model_.law_of(pair).has_no_spring() &&
+         (blocks_.moves_freely(std::size_t(pair.a)) || blocks_.moves_freely(std::size_t(pair.b)));
+}
+
+/// Faces are chosen where blocks would be by their present velocities: at the start of a motion the end of a
+/// flush face would stop a block that slides on to the next, and with gravity a block would sink into it.
+template <int D>
+void ManifoldSearch<D>::pose_ahead(double duration) {
+  const std::size_t slots = blocks_.slot_count();
+  ahead_.resize(slots);
+  allowance_.resize(slots);
+  for (std::size_t i = 0; i < slots; ++i) {
+    if (!blocks_.lives(i)) continue;
+    ahead_[i] = now(i);
+    allowance_[i] = allowance_fraction * blocks_.radius[i];
+    if (!blocks_.moves(i)) continue;
+    ahead_[i].position += duration * blocks_.velocity[i];
+    ahead_[i].rotation = ahead_[i].rotation.turned_by(Angular<D>(duration * blocks_.spin[i]));
+    if (blocks_.moves_freely(i))
+      allowance_[i] += duration * duration * integrator_.speed_bound_of(i).acceleration;
+  }
+}
+
+/// In order of their blocks, each with the plane that it had among the known ones, if that still serves.
+template <int D>
+void ManifoldSearch<D>::find(double duration, std::span<const RigidContact<D>> known,
+                             Array<PlannedContact<D>>& found) {
+  found.clear();
+  pose_ahead(duration);
+  auto before = known.begin();
+  for (const Candidate<D>& pair : contacts_.neighbors().pairs()) {
+    if (!may_touch(pair)) continue;
+    const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
+    const double margin = allowance_[a] + allowance_[b];
+    const double distance = blocks_.radius[a] + blocks_.radius[b] + margin;
+    if ((ahead_[a].position - ahead_[b].position).squaredNorm() > distance * distance) continue;
+    PlannedContact<D> contact;
+    contact.a = pair.a;
+    contact.b = pair.b;
+    while (before != known.end() && before->blocks() < contact.blocks()) ++before;
+    if (before != known.end() && before->blocks() == contact.blocks()) contact.manifold = before->manifold;
+    if (find_manifold(ahead_[a], ahead_[b], margin, contact.manifold)) found.push_back(contact);
+  }
+}
+
+/// Pairs of blocks that impulses have moved farther than allowed for, and that now overlap unseen. False when
+/// there are none.
+template <int D>
+bool ManifoldSearch<D>::find_more(Array<PlannedContact<D>>& found) const {
+  const auto deviates = [&](std::size_t i) {
+    if (!blocks_.moves_freely(i)) return false;
+    const PosedBlock<D> at = predicted(i);
+    const double deviation = (at.position - ahead_[i].position).norm() +
+                             blocks_.radius[i] * at.rotation.farthest_from(ahead_[i].rotation);
+    return deviation > allowance_[i];
+  };
+  const std::size_t before = found.size();
+  for (const Candidate<D>& pair : contacts_.neighbors().pairs()) {
+    if (!may_touch(pair)) continue;
+    const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
+    if (!deviates(a) && !deviates(b)) continue;
+    const PosedBlock<D> at_a = predicted(a), at_b = predicted(b);
+    const double distance = blocks_.radius[a] + blocks_.radius[b];
+    if ((at_a.position - at_b.position).squaredNorm() > distance * distance) continue;
+    PlannedContact<D> contact;
+    contact.a = pair.a;
+    contact.b = pair.b;
+    if (std::binary_search(found.begin(), found.begin() + std::ptrdiff_t(before), contact, is_before<D>))
+      continue;
+    if (!find_manifold(at_a, at_b, 0, contact.manifold)) continue;
+    set_gaps(contact);
+    contact.is_impact = true;
+    found.push_back(contact);
+  }
+  if (found.size() == before) return false;
+  std::sort(found.begin(), found.end(), is_before<D>);
+  return true;
+}
+
+template <int D>
+void ManifoldSearch<D>::set_gaps(PlannedContact<D>& contact) const {
+  const PosedBlock<D> a = now(std::size_t(contact.a)), b = now(std::size_t(contact.b));
+  contact.normal = normal_of(contact.manifold, a, b);
+  for (std::size_t i = 0; i < std::size_t(contact.manifold.count); ++i)
+    contact.gap[i] = gap_of(contact.manifold, i, contact.normal, a, b);
+}
+
+template <int D>
+double ManifoldSearch<D>::predicted_gap(const PlannedContact<D>& contact, std::size_t point) const {
+  const PosedBlock<D> a = predicted(std::size_t(contact.a)), b = predicted(std::size_t(contact.b));
+  return gap_of(contact.manifold, point, normal_of(contact.manifold, a, b), a, b);
+}
+
+template class ManifoldSearch<2>;
+template class ManifoldSearch<3>;
+
+}  // namespace halfspace

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <span>
+
+#include "world/contacts/contact_list.h"
+#include "world/hard_contact/rigid_contact.h"
+#include "world/model/model.h"
+#include "world/motion/integrator.h"
+
+namespace halfspace {
+
+/// Finds the manifolds of rigid blocks without springs that touch or may touch in the predicted motion.
+template <int D>
+class ManifoldSearch {
+ public:
+  ManifoldSearch(const Model<D>& model, const ContactList<D>& contacts, const Integrator<D>& integrator,
+                 Memory* memory)
+      : model_(model),
+        blocks_(model.blocks),
+        contacts_(contacts),
+        integrator_(integrator),
+        ahead_(memory),
+        allowance_(memory) {}
+
+  void find(double duration, std::span<const RigidContact<D>> known, Array<PlannedContact<D>>& found);
+  bool find_more(Array<PlannedContact<D>>& found) const;
+
+  PosedBlock<D> now(std::size_t slot) const;
+  /// At the end of the predicted motion.
+  PosedBlock<D> predicted(std::size_t slot) const;
+  /// Sets normal and gaps to those of now.
+  void set_gaps(PlannedContact<D>& contact) const;
+  double predicted_gap(const PlannedContact<D>& contact, std::size_t point) const;
+  /// A point nearer to a face than this is on it.
+  double reach(const RigidContact<D>& contact) const;
+  /// A loaded point this close to its face, or this deep, stays as it is.
+  double settled_gap(const RigidContact<D>& contact) const;
+
+ private:
+  bool may_touch(const Candidate<D>& pair) const;
+  void pose_ahead(double duration);
+
+  const Model<D>& model_;
+  const Blocks<D>& blocks_;
+  const ContactList<D>& contacts_;
+  const Integrator<D>& integrator_;
+  Array<PosedBlock<D>> ahead_;  // of each block, at the end of the motion by its velocity now
+  Array<double> allowance_;     // m, that a block may deviate from that
+};
+
+extern template class ManifoldSearch<2>;
+extern template class ManifoldSearch<3>;
+
+}  // namespace halfspace

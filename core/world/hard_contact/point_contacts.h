@@ -1,0 +1,97 @@
+#pragma once
+
+#include "world/hard_contact/point_contact_search.h"
+#include "world/ledger.h"
+#include "world/model/model.h"
+#include "world/motion/integrator.h"
+
+namespace halfspace {
+
+// Impulses enter velocity Verlet as constraints (RATTLE, Andersen 1983, with inequalities). The first half
+// step gets the impulses that keep every corner in front of the face it would pass in the motion, the second
+// those that stop its approach. For a corner in free flight both together are the merge of Li et al. 2015,
+// section 4, with the step ended there: it flies freely up to its touch, and moves on with the block that it
+// hit for the rest (section 3).
+
+/// Contacts without springs as constraints between single points: of meshes and affine blocks, and of blocks
+/// that a law bonds.
+template <int D>
+class PointContacts {
+ public:
+  PointContacts(const Model<D>& model, ContactList<D>& contacts, Integrator<D>& integrator, Memory* memory)
+      : model_(model),
+        blocks_(model.blocks),
+        contacts_(contacts),
+        integrator_(integrator),
+        search_(model, contacts, integrator, memory),
+        known_(memory),
+        next_known_(memory),
+        planned_(memory),
+        found_(memory) {}
+
+  /// Those at the end of the last motion.
+  const Array<PointContact<D>>& all() const { return known_; }
+  std::int64_t touches() const { return touches_; }
+  std::int64_t iterations() const { return iterations_; }
+  /// The largest penetration so far where the solver did not converge, over the thickness of the thinner
+  /// block.
+  double deepest() const { return deepest_; }
+
+  /// After the neighbour list has been renewed.
+  void rebuild_surface() { search_.rebuild_surface(); }
+
+  // The stages of a motion, as in HardContacts.
+  bool predict(double time, double duration);
+  void apply_position_impulses(EnergyLedger& ledger);
+  void find_at_end();
+  void stop_approach(EnergyLedger& ledger);
+
+  void forget() { known_.clear(); }
+
+  /// False for what cannot be, after reading a snapshot.
+  bool is_consistent() const;
+
+  template <class Archive>
+  void visit(Archive& archive) {
+    archive(known_, touches_);
+  }
+
+ private:
+  VelocityChange<D>& changes() { return integrator_.kicks(); }
+  const VelocityChange<D>& changes() const { return integrator_.kicks(); }
+  void solve(double duration);
+  Vector<D> kicked(const ContactConstraint<D>& at) const;
+  bool correct(double duration);
+  bool is_approached(const ContactConstraint<D>& at) const;
+  bool is_impact() const;
+  double normal_work(const ContactConstraint<D>& at, const Vector<D>& velocity) const;
+  void find_impact_losses();
+  void book_velocity_impulses(EnergyLedger& ledger, bool is_impact);
+  void exchange_known(EnergyLedger& ledger);
+  double gap_floor_of(const ContactConstraint<D>& at) const;
+  void begin(ContactConstraint<D>& at, double duration) const;
+  bool find_more(double time, double duration);
+  void remember(Array<ContactConstraint<D>>& found, double time, double duration) const;
+  void break_when_due(ContactConstraint<D>& at) const;
+  Vector<D> velocity_of(const ContactConstraint<D>& at) const;
+  double book(const ContactConstraint<D>& at, const Vector<D>& velocity, EnergyLedger& ledger) const;
+
+  const Model<D>& model_;
+  const Blocks<D>& blocks_;
+  ContactList<D>& contacts_;
+  Integrator<D>& integrator_;
+  PointContactSearch<D> search_;
+  Array<PointContact<D>> known_;  // of the last motion, in order of their keys
+  Array<PointContact<D>> next_known_;
+  Array<ContactConstraint<D>> planned_;
+  Array<ContactConstraint<D>> found_;
+  double motion_began_ = 0;   // time
+  std::int64_t touches_ = 0;  // so far
+  std::int64_t iterations_ = 0;
+  double deepest_ = 0;
+};
+
+extern template class PointContacts<2>;
+extern template class PointContacts<3>;
+
+}  // namespace halfspace

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <utility>
+
+#include "world/hard_contact/manifold.h"
+
+namespace halfspace {
+
+/// A contact of two rigid blocks by a law without springs, as it is kept from step to step, listed and saved.
+/// There is no gap between members.
+template <int D>
+struct RigidContact {
+  Manifold<D> manifold;
+  Vector<D> friction = Vector<D>::Zero();                // N s, on b along the plane
+  Vector<D> normal = Vector<D>::Zero();                  // unit, from a to b
+  std::array<double, max_manifold_points<D>> gap{};      // m, > 0 apart
+  std::array<double, max_manifold_points<D>> impulse{};  // N s, normal, of half a step
+  double couple = 0;                                     // N m s, of friction about the normal, in space
+  double touched_at = 0;                                 // time
+  double impact_loss = 0;                                // J, in the last motion
+  std::int32_t a = -1;
+  std::int32_t b = -1;  // a < b
+
+  std::pair<std::int32_t, std::int32_t> blocks() const { return {a, b}; }
+  double normal_impulse() const {
+    double sum = 0;
+    for (int i = 0; i < manifold.count; ++i) sum += impulse[std::size_t(i)];
+    return sum;
+  }
+};
+
+static_assert(sizeof(RigidContact<2>) == 144 && sizeof(RigidContact<3>) == 416,
+              "saved contacts hold stray bytes");
+
+/// A contact of the present motion.
+template <int D>
+struct PlannedContact : RigidContact<D> {
+  std::array<double, max_manifold_points<D>> rebound{};      // m/s, of opening after an impact
+  std::array<double, max_manifold_points<D>> rebound_gap{};  // m, at the motion's end
+  std::array<bool, max_manifold_points<D>> was_loaded{};     // in the last motion
+  bool is_new = true;
+  bool is_impact = false;
+};
+
+template <int D>
+bool is_before(const RigidContact<D>& one, const RigidContact<D>& other) {
+  return one.blocks() < other.blocks();
+}
+
+}  // namespace halfspace

@@ -1,0 +1,360 @@
+#include "world/hard_contact/rigid_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "world/hard_contact/limits.h"
+
+namespace halfspace {
+namespace {
+
+/// Penetration loses this fraction of itself per step.
+constexpr double recovery_fraction = 0.1;
+constexpr int max_recovery_sweeps = 10;
+
+/// Impacts this early in a motion, as a fraction of it, are at its start.
+constexpr double shortest_fraction = 1e-6;
+
+/// Points of a manifold are the same from step to step within this fraction of the radius.
+constexpr double same_place_fraction = 0.05;
+
+}  // namespace
+
+/// Impulses of the last motion at the same places, by either block: on a flush face the points may have
+/// changed their order and their owner.
+template <int D>
+void RigidContacts<D>::warm_start(double duration) {
+  const double scale = duration_ > 0 ? duration / duration_ : 1;
+  auto before = known_.begin();
+  for (PlannedContact<D>& contact : planned_) {
+    while (before != known_.end() && before->blocks() < contact.blocks()) ++before;
+    contact.is_new = before == known_.end() || before->blocks() != contact.blocks();
+    if (contact.is_new) continue;
+    contact.touched_at = before->touched_at;
+    const std::size_t a_slot = std::size_t(contact.a), b_slot = std::size_t(contact.b);
+    const PosedBlock<D> a = search_.now(a_slot), b = search_.now(b_slot);
+    const double near = same_place_fraction * std::min(blocks_.radius[a_slot], blocks_.radius[b_slot]);
+    for (std::size_t i = 0; i < std::size_t(contact.manifold.count); ++i) {
+      double nearest = near * near;
+      for (std::size_t k = 0; k < std::size_t(before->manifold.count); ++k) {
+        const double distance =
+            (arm_of(contact.manifold, i, a, b) - arm_of(before->manifold, k, a, b)).squaredNorm();
+        if (distance >= nearest) continue;
+        nearest = distance;
+        contact.impulse[i] = scale * before->impulse[k];
+        contact.was_loaded[i] = before->impulse[k] > 0;
+      }
+    }
+    contact.friction = scale * before->friction;
+    contact.couple = scale * before->couple;
+  }
+}
+
+/// An impact reverses the velocity of approach at its time within the step, and the rest of the step is free
+/// flight: for blocks under constant forces that is exact.
+template <int D>
+void RigidContacts<D>::find_impacts(double time, double duration) {
+  std::size_t c = 0;
+  for (PlannedContact<D>& contact : planned_) {
+    ImpulseContact<D>& of = problem_.contacts[c++];
+    const std::span<ImpulseRow<D>> rows = problem_.normals_of(of);
+    const double restitution = model_.law_between(std::size_t(contact.a), std::size_t(contact.b)).restitution;
+    const BlockMotion<D> a = motion(std::size_t(contact.a)), b = motion(std::size_t(contact.b));
+    double first = HUGE_VAL;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      if (rows[i].impulse > 0) continue;
+      const double opening = rows[i].velocity(a, b);
+      const double acceleration = 2 / duration * (problem_.velocity_along(of, rows[i]) - opening);
+      const double gap = std::max(0.0, contact.gap[i]);
+      const double end = gap + duration * (opening + 0.5 * acceleration * duration);
+      const double square = opening * opening - 2 * acceleration * gap;
+      constexpr double little = 1e-6;
+      const bool is_approached = gap > 0 || opening < -little * std::abs(acceleration) * duration;
+      if (!(end < search_.reach(contact)) || !is_approached || !(square > 0)) continue;
+      const double speed = std::sqrt(square);
+      const double at = std::clamp(2 * gap / (speed - opening), 0.0, duration);
+      const double rest = duration - at;
+      if (at > shortest_fraction * duration)
+        fraction_before_impact_ = std::min(fraction_before_impact_, at / duration);
+      contact.is_impact = true;
+      first = std::min(first, at);
+      if (restitution == 0) continue;
+      contact.rebound[i] = std::max(0.0, restitution * speed + acceleration * rest);
+      contact.rebound_gap[i] = std::max(0.0, rest * (restitution * speed + 0.5 * acceleration * rest));
+    }
+    if (contact.is_new) contact.touched_at = time + std::min(first, duration);
+  }
+}
+
+/// Penetration stays as it is: the points of a jammed heap could not all recover in one solve, so that their
+/// impulses would grow without end. A loaded point that is settled on its face keeps its gap, too.
+template <int D>
+double RigidContacts<D>::gap_floor(const PlannedContact<D>& contact, std::size_t point) const {
+  const double gap = contact.gap[point];
+  if (contact.rebound_gap[point] > 0) return contact.rebound_gap[point];
+  return contact.was_loaded[point] && gap <= search_.settled_gap(contact) ? gap : std::min(gap, 0.0);
+}
+
+template <int D>
+void RigidContacts<D>::set_position_targets(double duration) {
+  for (std::size_t c = 0; c < planned_.size(); ++c) {
+    const PlannedContact<D>& contact = planned_[c];
+    const std::span<ImpulseRow<D>> rows = problem_.normals_of(problem_.contacts[c]);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const double end = search_.predicted_gap(contact, i);
+      const double free = problem_.velocity_along(problem_.contacts[c], rows[i]);
+      rows[i].target = free - (end - gap_floor(contact, i)) / duration;
+    }
+  }
+}
+
+/// Gaps also change as their normals turn, which the linear rows leave out. True when the change since the
+/// last solution is below the tolerance.
+template <int D>
+bool RigidContacts<D>::correct_targets(double duration) {
+  bool is_accurate = true;
+  for (std::size_t c = 0; c < planned_.size(); ++c) {
+    const PlannedContact<D>& contact = planned_[c];
+    const std::span<ImpulseRow<D>> rows = problem_.normals_of(problem_.contacts[c]);
+    const double tolerance = gap_tolerance * search_.reach(contact);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const double excess = search_.predicted_gap(contact, i) - gap_floor(contact, i);
+      const double error =
+          excess / duration - (problem_.velocity_along(problem_.contacts[c], rows[i]) - rows[i].target);
+      rows[i].target -= error;
+      const bool is_active = rows[i].impulse > 0 || excess < 0;
+      if (is_active && !(duration * std::abs(error) <= tolerance)) is_accurate = false;
+    }
+  }
+  return is_accurate;
+}
+
+/// From velocities without impulses.
+template <int D>
+bool RigidContacts<D>::solve(double duration) {
+  const ImpulseSettings settings{.tolerance = model_.settings.impulse_tolerance,
+                                 .speed = duration * model_.settings.gravity.norm(),
+                                 .max_iterations = model_.settings.max_impulse_iterations};
+  const ImpulseResult result = solver_.solve(problem_, settings);
+  iterations_ += result.iterations;
+  unbalanced_velocity_ = std::max(unbalanced_velocity_, result.unbalanced);
+  changes().begin(duration);
+  std::size_t c = 0;
+  for (PlannedContact<D>& contact : planned_) {
+    const ImpulseContact<D>& of = problem_.contacts[c++];
+    Vector<D> impulse = Vector<D>::Zero();
+    Angular<D> turn_a = Angular<D>::Zero(), turn_b = Angular<D>::Zero();
+    const auto add = [&](const ImpulseRow<D>& row) {
+      impulse += row.impulse * row.direction;
+      turn_a += row.impulse * row.turn_a;
+      turn_b += row.impulse * row.turn_b;
+      return row.impulse;
+    };
+    std::size_t i = 0;
+    for (const ImpulseRow<D>& row : problem_.normals_of(of)) contact.impulse[i++] = add(row);
+    contact.friction.setZero();
+    for (const ImpulseRow<D>& row : problem_.frictions_of(of)) {
+      contact.friction += row.impulse * row.direction;
+      contact.couple = add(row);  // of the last row in space
+    }
+    changes().push(std::size_t(of.a), -impulse, -turn_a);
+    changes().push(std::size_t(of.b), impulse, turn_b);
+  }
+  return result.has_converged;
+}
+
+/// As it is now.
+template <int D>
+BlockMotion<D> RigidContacts<D>::motion(std::size_t i) const {
+  if (!blocks_.lives(i) || !blocks_.moves(i)) return {};
+  return {blocks_.velocity[i], blocks_.spin[i]};
+}
+
+template <int D>
+void RigidContacts<D>::set_motions() {
+  problem_.motions.resize(blocks_.slot_count());
+  for (std::size_t i = 0; i < problem_.motions.size(); ++i) problem_.motions[i] = motion(i);
+}
+
+template <int D>
+void RigidContacts<D>::set_motions_at_half_step() {
+  set_motions();
+  for (std::size_t i = 0; i < problem_.motions.size(); ++i) {
+    if (blocks_.kind[i] == BlockKind::rigid) problem_.motions[i] = integrator_.motion_at_half_step(i);
+  }
+}
+
+template <int D>
+bool RigidContacts<D>::predict(double time, double duration) {
+  unbalanced_velocity_ = 0;
+  fraction_before_impact_ = 1;
+  search_.find(duration, known_, planned_);
+  if (planned_.empty()) return true;
+  for (PlannedContact<D>& contact : planned_) search_.set_gaps(contact);
+  warm_start(duration);
+  for (int searches = 1;; ++searches) {
+    rows_.build(planned_, problem_);
+    solver_.reserve(problem_.rows.size(), blocks_.slot_count());
+    set_motions_at_half_step();
+    if (searches == 1) find_impacts(time, duration);
+    set_position_targets(duration);
+    for (int i = 0; i < max_corrections; ++i) {
+      const bool has_converged = solve(duration);
+      if (!integrator_.predict(duration)) return false;
+      if (correct_targets(duration) || !has_converged) break;
+      set_motions_at_half_step();
+    }
+    if (searches == max_searches || !search_.find_more(planned_)) break;
+    for (PlannedContact<D>& contact : planned_) {
+      if (contact.is_new && contact.touched_at == 0) contact.touched_at = time + duration;
+    }
+    changes().begin(duration);
+    if (!integrator_.predict(duration)) return false;
+  }
+  next_known_.reserve(planned_.size());
+  return true;
+}
+
+/// The work of a contact's impulses, by the velocities before and after them: of the normal ones a loss by
+/// impact, of friction a loss by friction, on prescribed blocks work from outside. A contact at rest gains in
+/// the first half of a step what it loses in the second. Returns the loss by impact.
+template <int D>
+double RigidContacts<D>::book(std::size_t c, EnergyLedger& ledger) {
+  const ImpulseContact<D>& contact = problem_.contacts[c];
+  const std::size_t a = std::size_t(contact.a), b = std::size_t(contact.b);
+  const BlockMotion<D> motion_a = motion(a), motion_b = motion(b);
+  const BlockMotion<D> change_a = changes().of_motion(a), change_b = changes().of_motion(b);
+  const auto prescribed = [&](std::size_t i, const BlockMotion<D>& motion) {
+    return blocks_.kind[i] == BlockKind::prescribed ? motion : BlockMotion<D>{};
+  };
+  const BlockMotion<D> given_a = prescribed(a, motion_a), given_b = prescribed(b, motion_b);
+  const auto work_of = [&](std::span<const ImpulseRow<D>> rows) {
+    double work = 0;
+    for (const ImpulseRow<D>& row : rows) {
+      work += row.impulse * (row.velocity(motion_a, motion_b) + 0.5 * row.velocity(change_a, change_b));
+      ledger.add_outer_work(-row.impulse * row.velocity(given_a, given_b));
+    }
+    return work;
+  };
+  const double normal_work = work_of(problem_.normals_of(contact));
+  ledger.add_impact_loss(-normal_work);
+  ledger.add_friction_loss(-work_of(problem_.frictions_of(contact)));
+  return -normal_work;
+}
+
+template <int D>
+void RigidContacts<D>::apply_position_impulses(EnergyLedger& ledger) {
+  for (std::size_t c = 0; c < planned_.size(); ++c) planned_[c].impact_loss = book(c, ledger);
+}
+
+/// Moves blocks apart that overlap, without a change of their velocities. Returns the change of their
+/// potential energy.
+template <int D>
+double RigidContacts<D>::recover() {
+  const auto overlaps = [&](const PlannedContact<D>& contact) {
+    const auto first = contact.gap.begin();
+    return *std::min_element(first, first + contact.manifold.count) < -search_.settled_gap(contact);
+  };
+  if (std::none_of(planned_.begin(), planned_.end(), overlaps)) return 0;
+  rows_.build(planned_, problem_);
+  problem_.motions.assign(blocks_.slot_count(), {});  // displacements
+  for (std::size_t c = 0; c < planned_.size(); ++c) {
+    const PlannedContact<D>& contact = planned_[c];
+    problem_.contacts[c].friction_count = 0;
+    const std::span<ImpulseRow<D>> rows = problem_.normals_of(problem_.contacts[c]);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      rows[i].impulse = 0;
+      rows[i].target = -std::max(0.0, contact.gap[i]) +
+                       recovery_fraction * std::max(0.0, -contact.gap[i] - search_.settled_gap(contact));
+    }
+  }
+  solver_.sweep_only(problem_, max_recovery_sweeps);
+  double energy = 0;
+  for (std::size_t i = 0; i < problem_.motions.size(); ++i) {
+    const BlockMotion<D>& displacement = problem_.motions[i];
+    if (displacement.velocity.isZero(0) && displacement.spin.isZero(0)) continue;
+    integrator_.displace(i, displacement);
+    energy -= blocks_.mass[i] * model_.settings.gravity.dot(displacement.velocity);
+  }
+  for (PlannedContact<D>& contact : planned_) search_.set_gaps(contact);
+  return energy;
+}
+
+template <int D>
+void RigidContacts<D>::find_at_end(EnergyLedger& ledger) {
+  for (PlannedContact<D>& contact : planned_) search_.set_gaps(contact);
+  ledger.add_impact_loss(-recover());
+  for (const PlannedContact<D>& contact : planned_) {
+    for (std::size_t i = 0; i < std::size_t(contact.manifold.count); ++i) {
+      const double depth = -contact.gap[i] / blocks_.thinner(contact.a, contact.b);
+      if (depth > reported_depth) deepest_ = std::max(deepest_, depth);
+    }
+  }
+  std::erase_if(planned_, [&](const PlannedContact<D>& contact) {
+    if (contact.normal_impulse() > 0) return false;
+    const auto first = contact.gap.begin();
+    return *std::min_element(first, first + contact.manifold.count) > search_.reach(contact);
+  });
+}
+
+/// Points that neither bear nor are on their face have no target.
+template <int D>
+void RigidContacts<D>::set_velocity_targets() {
+  for (std::size_t c = 0; c < planned_.size(); ++c) {
+    const PlannedContact<D>& contact = planned_[c];
+    const std::span<ImpulseRow<D>> rows = problem_.normals_of(problem_.contacts[c]);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const bool touches = rows[i].impulse > 0 || contact.gap[i] <= search_.reach(contact);
+      rows[i].target = touches ? contact.rebound[i] : -HUGE_VAL;
+    }
+  }
+}
+
+template <int D>
+void RigidContacts<D>::stop_approach(EnergyLedger& ledger) {
+  const double duration = integrator_.duration();
+  if (!planned_.empty()) {
+    rows_.build(planned_, problem_);
+    set_motions();
+    set_velocity_targets();
+    solve(duration);
+  }
+  next_known_.clear();
+  for (std::size_t c = 0; c < planned_.size(); ++c) {
+    planned_[c].impact_loss += book(c, ledger);
+    touches_ += planned_[c].is_new;
+    next_known_.push_back(planned_[c]);
+  }
+  known_.swap(next_known_);
+  planned_.clear();
+  duration_ = duration;
+}
+
+template <int D>
+Vector<D> RigidContacts<D>::force_of(const RigidContact<D>& contact) const {
+  const Vector<D> impulse = contact.normal_impulse() * contact.normal + contact.friction;
+  return duration_ > 0 ? Vector<D>(2 / duration_ * impulse) : Vector<D>(Vector<D>::Zero());
+}
+
+template <int D>
+bool RigidContacts<D>::is_consistent() const {
+  const auto is_valid = [&](const RigidContact<D>& at) {
+    const auto is_rigid = [&](std::int32_t block) {
+      return block >= 0 && std::size_t(block) < blocks_.slot_count() && blocks_.lives(std::size_t(block)) &&
+             !blocks_.is_deformable(std::size_t(block));
+    };
+    return is_rigid(at.a) && is_rigid(at.b) &&
+           names_features(at.manifold, blocks_.own_outline(at.a), blocks_.own_outline(at.b)) &&
+           halfspace::all(at.manifold.point, [](const Vector<D>& point) { return point.allFinite(); }) &&
+           halfspace::all(at.impulse, is_nonnegative) && at.friction.allFinite() && is_finite(at.couple) &&
+           halfspace::all(at.gap, is_finite) && at.normal.allFinite() && is_finite(at.touched_at) &&
+           is_finite(at.impact_loss);
+  };
+  return touches_ >= 0 && is_nonnegative(duration_) && halfspace::all(known_, is_valid) &&
+         std::is_sorted(known_.begin(), known_.end(), is_before<D>);
+}
+
+template class RigidContacts<2>;
+template class RigidContacts<3>;
+
+}  // namespace halfspace

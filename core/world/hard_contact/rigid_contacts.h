@@ -1,0 +1,98 @@
+#pragma once
+
+#include "world/hard_contact/impulse_rows.h"
+#include "world/hard_contact/impulse_solver.h"
+#include "world/ledger.h"
+#include "world/model/model.h"
+#include "world/motion/integrator.h"
+
+namespace halfspace {
+
+// Non-smooth contact dynamics of rigid blocks (Moreau 1988, Jean 1999) within velocity Verlet: the impulses
+// of the first half step keep every gap open at the motion's end, those of the second stop approach there, or
+// reverse it by the coefficient of restitution. Both are one impulse problem each, on the same manifolds.
+
+/// The contacts of rigid blocks by laws without springs, and their impulses.
+template <int D>
+class RigidContacts {
+ public:
+  RigidContacts(const Model<D>& model, ContactList<D>& contacts, Integrator<D>& integrator, Memory* memory)
+      : model_(model),
+        blocks_(model.blocks),
+        integrator_(integrator),
+        search_(model, contacts, integrator, memory),
+        rows_(model, search_, memory),
+        solver_(memory),
+        problem_(memory),
+        known_(memory),
+        next_known_(memory),
+        planned_(memory) {}
+
+  /// Those at the end of the last motion, in order of their blocks.
+  const Array<RigidContact<D>>& all() const { return known_; }
+  std::int64_t touches() const { return touches_; }
+  std::int64_t iterations() const { return iterations_; }
+  /// The largest penetration so far over the thickness of the thinner block.
+  double deepest() const { return deepest_; }
+  double unbalanced_velocity() const { return unbalanced_velocity_; }
+  double fraction_before_impact() const { return fraction_before_impact_; }
+  /// On b, of the half step at the end of the last motion.
+  Vector<D> force_of(const RigidContact<D>& contact) const;
+
+  // The stages of a motion, as in HardContacts.
+  bool predict(double time, double duration);
+  void apply_position_impulses(EnergyLedger& ledger);
+  void find_at_end(EnergyLedger& ledger);
+  void stop_approach(EnergyLedger& ledger);
+
+  void forget() { known_.clear(); }
+  void forget(std::int32_t slot) {
+    std::erase_if(known_,
+                  [&](const RigidContact<D>& contact) { return contact.a == slot || contact.b == slot; });
+  }
+  /// False for what cannot be, after reading a snapshot.
+  bool is_consistent() const;
+
+  template <class Archive>
+  void visit(Archive& archive) {
+    archive(known_, duration_, touches_);
+  }
+
+ private:
+  VelocityChange<D>& changes() { return integrator_.kicks(); }
+
+  void warm_start(double duration);
+  void find_impacts(double time, double duration);
+  void set_position_targets(double duration);
+  bool correct_targets(double duration);
+  void set_velocity_targets();
+  BlockMotion<D> motion(std::size_t slot) const;
+  void set_motions();
+  void set_motions_at_half_step();
+  bool solve(double duration);
+  double recover();
+  double book(std::size_t contact, EnergyLedger& ledger);
+  double gap_floor(const PlannedContact<D>& contact, std::size_t point) const;
+
+  const Model<D>& model_;
+  const Blocks<D>& blocks_;
+  Integrator<D>& integrator_;
+  ManifoldSearch<D> search_;
+  ImpulseRows<D> rows_;
+  ImpulseSolver<D> solver_;
+  ImpulseProblem<D> problem_;
+  Array<RigidContact<D>> known_;
+  Array<RigidContact<D>> next_known_;
+  Array<PlannedContact<D>> planned_;
+  double duration_ = 0;  // of the last motion
+  std::int64_t touches_ = 0;
+  std::int64_t iterations_ = 0;
+  double deepest_ = 0;
+  double unbalanced_velocity_ = 0;  // of the last motion
+  double fraction_before_impact_ = 1;
+};
+
+extern template class RigidContacts<2>;
+extern template class RigidContacts<3>;
+
+}  // namespace halfspace
