@@ -8,8 +8,8 @@ void HardContacts<D>::begin(double duration) {
   const bool all_are_rigid =
       !model_.blocks.has_deformable() &&
       !model_.materials.laws().any([](const ContactLaw& law) { return law.has_no_spring() && law.bonds(); });
-  if (all_are_rigid != all_are_rigid_) forget();
   all_are_rigid_ = all_are_rigid;
+  all_are_rigid ? points_.forget() : rigid_.forget();
   integrator_.kicks().begin(duration);
 }
 
