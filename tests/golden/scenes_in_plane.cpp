@@ -132,9 +132,11 @@ std::uint64_t impulses() {
     for (int i = 0; i < 5; ++i)
       stage.add(brick, HS_BLOCK_RIGID, turned_pose({i + 0.5 * (row % 2), 0.25 + 0.5 * row}, 0));
   Random random(5);
-  for (int i = 0; i < 12; ++i)
-    stage.add(stage.polygon(random_round_polygon(random, 3 + i % 6, 0.3)), HS_BLOCK_RIGID,
+  for (int i = 0; i < 12; ++i) {
+    const Shape block = stage.polygon(random_round_polygon(random, 3 + i % 6, 0.3));
+    stage.add(block, HS_BLOCK_RIGID,
               turned_pose({0.7 * (i % 6), 4 + 0.8 * (i / 6)}, number_between(random, -2, 2)), {1, -6, 0});
+  }
   return stage.run(40);
 }
 
