@@ -124,7 +124,7 @@ void write_rigid_contact(const World<D>& world, const RigidContact<D>& at, hs_co
     out.center_gap += part * at.gap[i];
     force_point += (impulse > 0 ? at.impulse[i] / impulse : part) * place;
   }
-  out.gap = *std::min_element(at.gap.begin(), at.gap.begin() + at.manifold.count);
+  out.gap = at.min_gap();
   write_vector(center, out.center);
   write_vector(at.normal, out.normal);
   const Vector<D> force = world.hard_contacts().rigid().force_of(at);

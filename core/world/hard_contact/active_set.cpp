@@ -57,8 +57,7 @@ double ActiveSet<D>::classify(ImpulseProblem<D>& problem, double noise) {
     std::int32_t row = contact.first_row;
     bool bears = false;
     for (const ImpulseRow<D>& normal : problem.normals_of(contact)) {
-      const double velocity = problem.velocity_along(contact, normal) - normal.target;
-      const double projected = normal.impulse - velocity / normal.inverse_mass;
+      const double projected = problem.stopping_impulse(contact, normal);
       const bool row_bears = projected * normal.inverse_mass > noise;
       unbalanced =
           std::max(unbalanced, std::abs(std::max(0.0, projected) - normal.impulse) * normal.inverse_mass);
@@ -72,9 +71,7 @@ double ActiveSet<D>::classify(ImpulseProblem<D>& problem, double noise) {
     const double bound = problem.friction_bound(contact);
     double projected[3], square = 0;
     for (std::size_t k = 0; k < friction.size(); ++k) {
-      projected[k] =
-          friction[k].impulse -
-          (problem.velocity_along(contact, friction[k]) - friction[k].target) / friction[k].inverse_mass;
+      projected[k] = problem.stopping_impulse(contact, friction[k]);
       if (k < D - 1) square += projected[k] * projected[k];
     }
     const double size = std::sqrt(square), scale = size > bound ? std::max(0.0, bound) / size : 1;
@@ -169,15 +166,10 @@ bool ActiveSet<D>::factorize(const ImpulseProblem<D>& problem) {
 /// Open rows have no impulse, and friction that slides is at its bound, against the sliding.
 template <int D>
 void ActiveSet<D>::project(ImpulseProblem<D>& problem) const {
-  const auto set = [&](const ImpulseContact<D>& contact, ImpulseRow<D>& row, double impulse) {
-    if (impulse == row.impulse) return;
-    problem.apply(contact, row, impulse - row.impulse);
-    row.impulse = impulse;
-  };
   for (const ImpulseContact<D>& contact : problem.contacts) {
     std::size_t row = std::size_t(contact.first_row);
     for (ImpulseRow<D>& normal : problem.normals_of(contact)) {
-      if (states_[row++] == State::open) set(contact, normal, 0);
+      if (states_[row++] == State::open) problem.set_impulse(contact, normal, 0);
     }
     if (contact.friction_count == 0) continue;
     const std::span<ImpulseRow<D>> friction = problem.frictions_of(contact);
@@ -185,17 +177,15 @@ void ActiveSet<D>::project(ImpulseProblem<D>& problem) const {
     if (states_[row] != State::sticks) {
       double opposing[D - 1], square = 0;
       for (std::size_t k = 0; k < D - 1; ++k) {
-        opposing[k] =
-            friction[k].impulse -
-            (problem.velocity_along(contact, friction[k]) - friction[k].target) / friction[k].inverse_mass;
+        opposing[k] = problem.stopping_impulse(contact, friction[k]);
         square += opposing[k] * opposing[k];
       }
       const double scale = square > 0 ? bound / std::sqrt(square) : 0;
-      for (std::size_t k = 0; k < D - 1; ++k) set(contact, friction[k], scale * opposing[k]);
+      for (std::size_t k = 0; k < D - 1; ++k) problem.set_impulse(contact, friction[k], scale * opposing[k]);
     }
     if (D == 3 && states_[row + D - 1] != State::sticks) {
       const double limit = contact.couple_arm * bound;
-      set(contact, friction[D - 1], std::clamp(friction[D - 1].impulse, -limit, limit));
+      problem.set_impulse(contact, friction[D - 1], std::clamp(friction[D - 1].impulse, -limit, limit));
     }
   }
 }
@@ -236,8 +226,8 @@ double ActiveSet<D>::refine(ImpulseProblem<D>& problem) {
   }
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     ImpulseRow<D>& row = problem.rows[std::size_t(rows_[i].row)];
-    row.impulse += changes_of_rows_[i];
     problem.apply(problem.contacts[std::size_t(rows_[i].contact)], row, changes_of_rows_[i]);
+    row.impulse += changes_of_rows_[i];
   }
   return remaining;
 }

@@ -5,11 +5,10 @@ namespace halfspace {
 template <int D>
 void HardContacts<D>::begin(double duration) {
   if (!is_used()) return;
-  const bool all_are_rigid =
-      !model_.blocks.has_deformable() &&
-      !model_.materials.laws().any([](const ContactLaw& law) { return law.has_no_spring() && law.bonds(); });
-  all_are_rigid_ = all_are_rigid;
-  all_are_rigid ? points_.forget() : rigid_.forget();
+  all_are_rigid_ = !model_.blocks.has_deformable() && !model_.materials.laws().any([](const ContactLaw& law) {
+    return law.has_no_spring() && law.bonds();
+  });
+  all_are_rigid_ ? points_.forget() : rigid_.forget();
   integrator_.kicks().begin(duration);
 }
 

@@ -53,10 +53,6 @@ class HardContacts {
   /// Stops approach at all contacts after the second half step, and adds the work to the ledger.
   void stop_approach(EnergySample& sample, EnergyLedger& ledger);
 
-  void forget() {
-    points_.forget();
-    rigid_.forget();
-  }
   /// Another block may reuse the slot.
   void forget(std::int32_t slot) {
     points_.forget();

@@ -60,6 +60,16 @@ struct ImpulseProblem {
     b.velocity += (impulse * contact.inverse_mass_b) * row.direction;
     b.spin += impulse * row.response_b;
   }
+  /// Gives a row an impulse instead of the one it has.
+  void set_impulse(const ImpulseContact<D>& contact, ImpulseRow<D>& row, double impulse) {
+    if (impulse == row.impulse) return;
+    apply(contact, row, impulse - row.impulse);
+    row.impulse = impulse;
+  }
+  /// The impulse that brings a row to its target while all others stay.
+  double stopping_impulse(const ImpulseContact<D>& contact, const ImpulseRow<D>& row) const {
+    return row.impulse - (velocity_along(contact, row) - row.target) / row.inverse_mass;
+  }
   std::span<ImpulseRow<D>> normals_of(const ImpulseContact<D>& contact) {
     return {rows.data() + contact.first_row, std::size_t(contact.normal_count)};
   }

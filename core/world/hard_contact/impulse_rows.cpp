@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "narrow_phase/space/contact_plane.h"
+
 namespace halfspace {
 namespace {
 
 /// Unit vectors along a face.
 std::array<Vector<2>, 1> tangents(const Vector<2>& normal) { return {perpendicular(normal)}; }
 std::array<Vector<3>, 2> tangents(const Vector<3>& normal) {
-  int least = 0;
-  normal.cwiseAbs().minCoeff(&least);
-  const Vector<3> first = cross_product(normal, Vector<3>::Unit(least)).normalized();
-  return {first, cross_product(normal, first)};
+  const PlaneFrame plane(normal, Vector<3>::Zero());
+  return {plane.along, plane.across};
 }
 
 }  // namespace
@@ -43,8 +43,7 @@ template <int D>
 typename ImpulseRows<D>::Patch ImpulseRows<D>::patch_of(
     const PlannedContact<D>& at, const std::array<Vector<D>, max_manifold_points<D>>& arm) const {
   const std::size_t count = std::size_t(at.manifold.count);
-  const double nearest = *std::min_element(at.gap.begin(), at.gap.begin() + at.manifold.count);
-  const double touching = nearest + search_.settled_gap(at);
+  const double touching = at.min_gap() + search_.settled_gap(at);
   const double towards_plane = at.manifold.plane == ManifoldPlane::face_of_b ? 1 : -1;
   Patch patch{Vector<D>::Zero(), 0};
   double touching_count = 0;

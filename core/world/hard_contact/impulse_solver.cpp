@@ -15,7 +15,7 @@ constexpr double helpful_fraction = 0.1;
 /// Redundant contacts may contradict each other by rounding, and then changes never vanish.
 constexpr int max_stalled_sweeps = 48;
 
-/// Of the largest velocity by an impulse: rounding.
+/// Rounding, as a fraction of the largest velocity by an impulse.
 constexpr double rounding_fraction = 1e-14;
 
 /// Changes impulses one after the other, and remembers the largest change as a velocity.
@@ -28,37 +28,31 @@ class Sweep {
 
   void visit(const ImpulseContact<D>& contact) {
     for (ImpulseRow<D>& row : problem_.normals_of(contact))
-      change(contact, row, std::max(0.0, stopping_impulse(contact, row)));
+      change(contact, row, std::max(0.0, problem_.stopping_impulse(contact, row)));
     if (contact.friction_count > 0) stop_sliding(contact);
   }
 
  private:
-  /// The impulse that stops a row while all others stay.
-  double stopping_impulse(const ImpulseContact<D>& contact, const ImpulseRow<D>& row) const {
-    return row.impulse - (problem_.velocity_along(contact, row) - row.target) / row.inverse_mass;
-  }
-
   void stop_sliding(const ImpulseContact<D>& contact) {
     const std::span<ImpulseRow<D>> friction = problem_.frictions_of(contact);
     const double bound = problem_.friction_bound(contact);
     double stopping[D - 1], square = 0;
     for (std::size_t k = 0; k < D - 1; ++k) {
-      stopping[k] = stopping_impulse(contact, friction[k]);
+      stopping[k] = problem_.stopping_impulse(contact, friction[k]);
       square += stopping[k] * stopping[k];
     }
     const double scale = square > bound * bound ? bound / std::sqrt(square) : 1;
     for (std::size_t k = 0; k < D - 1; ++k) change(contact, friction[k], scale * stopping[k]);
     if constexpr (D == 3) {
       const double limit = contact.couple_arm * bound;
-      change(contact, friction[2], std::clamp(stopping_impulse(contact, friction[2]), -limit, limit));
+      change(contact, friction[2],
+             std::clamp(problem_.stopping_impulse(contact, friction[2]), -limit, limit));
     }
   }
 
   void change(const ImpulseContact<D>& contact, ImpulseRow<D>& row, double impulse) {
     const double change = impulse - row.impulse;
-    if (change == 0) return;
-    row.impulse = impulse;
-    problem_.apply(contact, row, change);
+    problem_.set_impulse(contact, row, impulse);
     largest_change_ = std::max(largest_change_, std::abs(change) * row.inverse_mass);
   }
 

@@ -109,4 +109,16 @@ double gap_of(const Manifold<D>& manifold, std::size_t point, const Vector<D>& n
   return 0;
 }
 
+/// The gaps at the points of a manifold, m.
+template <int D>
+using Gaps = std::array<double, max_manifold_points<D>>;
+
+template <int D>
+Gaps<D> gaps_of(const Manifold<D>& manifold, const Vector<D>& normal, const PosedBlock<D>& a,
+                const PosedBlock<D>& b) {
+  Gaps<D> gaps{};
+  for (std::size_t i = 0; i < std::size_t(manifold.count); ++i) gaps[i] = gap_of(manifold, i, normal, a, b);
+  return gaps;
+}
+
 }  // namespace halfspace

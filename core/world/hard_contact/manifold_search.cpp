@@ -43,7 +43,7 @@ double ManifoldSearch<D>::settled_gap(const RigidContact<D>& contact) const {
   return std::max(settled_fraction * std::min(blocks_.radius[a], blocks_.radius[b]), reach(contact));
 }
 
-/// By impulses: some law without springs, and some block that they move.
+/// Two blocks have contacts of impulses by a law without springs, when one of them moves freely.
 template <int D>
 bool ManifoldSearch<D>::may_touch(const Candidate<D>& pair) const {
   return model_.law_of(pair).has_no_spring() &&
@@ -129,14 +129,13 @@ template <int D>
 void ManifoldSearch<D>::set_gaps(PlannedContact<D>& contact) const {
   const PosedBlock<D> a = now(std::size_t(contact.a)), b = now(std::size_t(contact.b));
   contact.normal = normal_of(contact.manifold, a, b);
-  for (std::size_t i = 0; i < std::size_t(contact.manifold.count); ++i)
-    contact.gap[i] = gap_of(contact.manifold, i, contact.normal, a, b);
+  contact.gap = gaps_of(contact.manifold, contact.normal, a, b);
 }
 
 template <int D>
-double ManifoldSearch<D>::predicted_gap(const PlannedContact<D>& contact, std::size_t point) const {
+Gaps<D> ManifoldSearch<D>::predicted_gaps(const PlannedContact<D>& contact) const {
   const PosedBlock<D> a = predicted(std::size_t(contact.a)), b = predicted(std::size_t(contact.b));
-  return gap_of(contact.manifold, point, normal_of(contact.manifold, a, b), a, b);
+  return gaps_of(contact.manifold, normal_of(contact.manifold, a, b), a, b);
 }
 
 template class ManifoldSearch<2>;

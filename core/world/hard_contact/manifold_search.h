@@ -30,7 +30,7 @@ class ManifoldSearch {
   PosedBlock<D> predicted(std::size_t slot) const;
   /// Sets normal and gaps to those of now.
   void set_gaps(PlannedContact<D>& contact) const;
-  double predicted_gap(const PlannedContact<D>& contact, std::size_t point) const;
+  Gaps<D> predicted_gaps(const PlannedContact<D>& contact) const;
   /// A point nearer to a face than this is on it.
   double reach(const RigidContact<D>& contact) const;
   /// A loaded point this close to its face, or this deep, stays as it is.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <utility>
@@ -24,6 +25,7 @@ struct RigidContact {
   std::int32_t b = -1;  // a < b
 
   std::pair<std::int32_t, std::int32_t> blocks() const { return {a, b}; }
+  double min_gap() const { return *std::min_element(gap.begin(), gap.begin() + manifold.count); }
   double normal_impulse() const {
     double sum = 0;
     for (int i = 0; i < manifold.count; ++i) sum += impulse[std::size_t(i)];

@@ -99,11 +99,11 @@ template <int D>
 void RigidContacts<D>::set_position_targets(double duration) {
   for (std::size_t c = 0; c < planned_.size(); ++c) {
     const PlannedContact<D>& contact = planned_[c];
+    const auto predicted = search_.predicted_gaps(contact);
     const std::span<ImpulseRow<D>> rows = problem_.normals_of(problem_.contacts[c]);
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      const double end = search_.predicted_gap(contact, i);
       const double free = problem_.velocity_along(problem_.contacts[c], rows[i]);
-      rows[i].target = free - (end - gap_floor(contact, i)) / duration;
+      rows[i].target = free - (predicted[i] - gap_floor(contact, i)) / duration;
     }
   }
 }
@@ -115,10 +115,11 @@ bool RigidContacts<D>::correct_targets(double duration) {
   bool is_accurate = true;
   for (std::size_t c = 0; c < planned_.size(); ++c) {
     const PlannedContact<D>& contact = planned_[c];
+    const auto predicted = search_.predicted_gaps(contact);
     const std::span<ImpulseRow<D>> rows = problem_.normals_of(problem_.contacts[c]);
     const double tolerance = gap_tolerance * search_.reach(contact);
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      const double excess = search_.predicted_gap(contact, i) - gap_floor(contact, i);
+      const double excess = predicted[i] - gap_floor(contact, i);
       const double error =
           excess / duration - (problem_.velocity_along(problem_.contacts[c], rows[i]) - rows[i].target);
       rows[i].target -= error;
@@ -252,8 +253,7 @@ void RigidContacts<D>::apply_position_impulses(EnergyLedger& ledger) {
 template <int D>
 double RigidContacts<D>::recover() {
   const auto overlaps = [&](const PlannedContact<D>& contact) {
-    const auto first = contact.gap.begin();
-    return *std::min_element(first, first + contact.manifold.count) < -search_.settled_gap(contact);
+    return contact.min_gap() < -search_.settled_gap(contact);
   };
   if (std::none_of(planned_.begin(), planned_.end(), overlaps)) return 0;
   rows_.build(planned_, problem_);
@@ -291,9 +291,7 @@ void RigidContacts<D>::find_at_end(EnergyLedger& ledger) {
     }
   }
   std::erase_if(planned_, [&](const PlannedContact<D>& contact) {
-    if (contact.normal_impulse() > 0) return false;
-    const auto first = contact.gap.begin();
-    return *std::min_element(first, first + contact.manifold.count) > search_.reach(contact);
+    return !(contact.normal_impulse() > 0) && contact.min_gap() > search_.reach(contact);
   });
 }
 
