@@ -15,7 +15,7 @@
 
 namespace halfspace::cli {
 
-/// Of all generators with a `count`, and of each [[jointed_rock]].
+/// Limits of all generators with a `count` and of each [[jointed_rock]].
 constexpr std::int64_t max_blocks = 10'000'000;
 
 /// The vertical axis by default: y in 2D, z in 3D.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "narrow_phase/space/manifold_faces.h"
+#include "narrow_phase/space/pair.h"
 #include "narrow_phase/space/potential_pairs.h"
 
 namespace halfspace {
@@ -71,5 +72,32 @@ struct NearestPoints {
   contact.gap = normal.dot(nearest.between);
   describe_point(ContactType::edge_edge, 0.5 * (on_a + on_b), contact);
 }
+
+/// The faces at two edges. Their vertices are only starts of a search.
+struct FacesAtEdges {
+  PotentialPair<3> pair[4];
+
+  FacesAtEdges(const SeenOutline& a, const SeenOutline& b, const PotentialPair<3>& edges) {
+    using Pair = PotentialPair<3>;
+    const Topology &of_a = *a.topology, &of_b = *b.topology;
+    pair[0] = {Pair::face_vertex, of_a.edge_left[edges.a], of_b.edge_start[edges.b]};
+    pair[1] = {Pair::face_vertex, of_a.edge_right[edges.a], of_b.edge_start[edges.b]};
+    pair[2] = {Pair::vertex_face, of_a.edge_start[edges.a], of_b.edge_left[edges.b]};
+    pair[3] = {Pair::vertex_face, of_a.edge_start[edges.a], of_b.edge_right[edges.b]};
+  }
+
+  /// The potential pair of smallest depth, with its vertex updated.
+  PotentialPair<3> least_deep(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b) {
+    int best = 0;
+    double best_gap = -HUGE_VAL;
+    for (int i = 0; i < 4; ++i) {
+      const double gap = refresh(a, b, to_b, pair[i]);
+      if (gap <= best_gap) continue;
+      best = i;
+      best_gap = gap;
+    }
+    return pair[best];
+  }
+};
 
 }  // namespace halfspace

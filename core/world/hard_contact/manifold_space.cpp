@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "narrow_phase/space/contact_plane.h"
 #include "narrow_phase/space/face_overlap.h"
@@ -166,26 +165,6 @@ PotentialPair<3> pair_of(const Manifold<3>& manifold) {
   }
 }
 
-/// The face of largest separation at two edges, if that is as large.
-std::optional<PotentialPair<3>> face_at_edges(const PosedBlock<3>& a, const PosedBlock<3>& b,
-                                              const PairInFrame& frame, const PotentialPair<3>& edges,
-                                              double gap) {
-  using Pair = PotentialPair<3>;
-  const Topology &of_a = *a.own.topology, &of_b = *b.own.topology;
-  Pair faces[] = {{Pair::face_vertex, of_a.edge_left[edges.a], of_b.edge_start[edges.b]},
-                  {Pair::face_vertex, of_a.edge_right[edges.a], of_b.edge_start[edges.b]},
-                  {Pair::vertex_face, of_a.edge_start[edges.a], of_b.edge_left[edges.b]},
-                  {Pair::vertex_face, of_a.edge_start[edges.a], of_b.edge_right[edges.b]}};
-  std::optional<Pair> best;
-  for (Pair& face : faces) {
-    const double other = gap_of_pair(a, b, frame, face);
-    if (other < gap) continue;
-    gap = other;
-    best = face;
-  }
-  return best;
-}
-
 }  // namespace
 
 bool find_manifold(const PosedBlock<3>& a, const PosedBlock<3>& b, double margin, Manifold<3>& manifold) {
@@ -202,11 +181,11 @@ bool find_manifold(const PosedBlock<3>& a, const PosedBlock<3>& b, double margin
   }
   if (best.gap > margin || best.pair.kind == PotentialPair<3>::vertex_vertex) return false;
   if (best.pair.kind == PotentialPair<3>::edge_edge) {
-    std::optional<PotentialPair<3>> face = face_at_edges(a, b, frame, best.pair, best.gap - equal);
-    if (!face && meet_at_edges(a, b, frame, best.pair, manifold)) return true;
-    if (!face) face = face_at_edges(a, b, frame, best.pair, -HUGE_VAL);
-    if (!face) return false;
-    best.pair = *face;
+    const SeenOutline seen_a(a.own), seen_b(b.own, frame.turn);
+    PotentialPair<3> face = FacesAtEdges(seen_a, seen_b, best.pair).least_deep(seen_a, seen_b, frame.to_b);
+    const bool is_as_far = gap_of_pair(a, b, frame, face) >= best.gap - equal;
+    if (!is_as_far && meet_at_edges(a, b, frame, best.pair, manifold)) return true;
+    best.pair = face;
   }
   const double flush = flush_fraction * size;
   const bool overlaps = best.gap < -flush;
