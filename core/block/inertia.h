@@ -16,6 +16,10 @@ inline double mass_of(const Shape<3>& shape, double density) { return density * 
 // overflow or underflow.
 constexpr double least_mass = 1e-300, least_inertia = 1e-300, largest_mass = 1e150, largest_inertia = 1e300;
 
+/// Of inertia, in the frame of the world.
+template <int D>
+using InertiaTensor = Eigen::Matrix<double, D == 2 ? 1 : 3, D == 2 ? 1 : 3>;
+
 /// The moment or tensor of inertia about the centroid.
 template <int D>
 struct Inertia;
@@ -28,6 +32,7 @@ struct Inertia<2> {
 
   Angular<2> momentum(const Angular<2>& spin, const Rotation<2>&) const { return moment * spin; }
   Angular<2> spin(const Angular<2>& momentum, const Rotation<2>&) const { return momentum / moment; }
+  InertiaTensor<2> inverse(const Rotation<2>&) const { return InertiaTensor<2>(1 / moment); }
   double least_moment() const { return moment; }
   /// The largest inverse effective mass at a point of the shape due to rotation.
   double yield_at(const Vector<2>& arm) const { return arm.squaredNorm() / moment; }
@@ -47,6 +52,10 @@ struct Inertia<3> {
   Angular<3> spin(const Angular<3>& momentum, const Rotation<3>& rotation) const {
     const Rotation<3> turned = rotation * axes;
     return turned * Vector<3>((turned.inverse() * momentum).cwiseQuotient(moments));
+  }
+  InertiaTensor<3> inverse(const Rotation<3>& rotation) const {
+    const Tensor<3> turned = (rotation * axes).tensor();
+    return turned * moments.cwiseInverse().asDiagonal() * turned.transpose();
   }
   double least_moment() const { return moments.minCoeff(); }
   /// The largest eigenvalue of X I^-1 X^T, with X the cross product matrix of the arm. X has rank 2, so its

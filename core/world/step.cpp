@@ -40,15 +40,13 @@ bool World<D>::predict_motion(double duration) {
     hard_contacts_.begin(duration);
     if (!integrator_.predict(duration)) return false;
     lap(Pass::motion);
-    if (contacts_.neighbors().needs_rebuild()) renew_neighbors();
+    if (contacts_.neighbors().needs_rebuild()) renew_neighbors(renewals);
     lap(Pass::search);
     const bool is_predicted = hard_contacts_.predict(clock_.time(), duration);
     lap(Pass::hard_contacts);
     if (!is_predicted) return false;
     if (!contacts_.neighbors().needs_rebuild()) return true;
-    // An impact moves a block farther than its skin. The motion without impulses and that with them may use
-    // up different skins, so that these grow until they cover both.
-    renew_neighbors(std::exp2(renewals));
+    renew_neighbors(renewals + 1);
   }
   return false;
 }

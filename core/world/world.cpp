@@ -50,15 +50,18 @@ void World<D>::fit_rooms() {
 }
 
 /// Reserves memory for a contact of every pair, so that detection allocates nothing. If memory runs out,
-/// nothing has changed: contacts, list and memory in use remain valid.
+/// nothing has changed: contacts, list and memory in use remain valid. `renewals`: how often the coming motion
+/// has had the list renewed. Impulses move blocks farther than the motion without them: skins have a reserve,
+/// and grow until they cover both.
 template <int D>
-void World<D>::renew_neighbors(double skin_factor) {
+void World<D>::renew_neighbors(int renewals) {
   NeighborList<D>& neighbors = contacts_.neighbors();
   Bonds<D>& bonds = model_.blocks.bonds();
   if (!bonds.rings().is_current()) bonds.rings().find(model_.blocks);
   const bool with_shear =
       model_.materials.laws().any([](const ContactLaw& law) { return law.resists_shear(); });
-  neighbors.search_again(model_.blocks, skin_factor * model_.settings.skin, with_shear);
+  const SkinRule skins{model_.settings.skin, hard_contacts_.is_used() ? 2.0 : 1.0, renewals == 0};
+  neighbors.search_again(model_.blocks, skins, with_shear);
   contacts_.fit_room();
   fit_rooms();
   neighbors.renew(model_.blocks, with_shear);

@@ -208,7 +208,7 @@ class World {
   template <class Make>
   std::int64_t make_bonds_of(const BondLaw& law, Make make);
   void forget_contacts();
-  void renew_neighbors(double skin_factor = 1);
+  void renew_neighbors(int renewals = 0);
   void renew_neighbors_if_needed();
   template <class OnContact>
   void find_in(const Chunk& pairs, PairSums& sums, OnContact on_contact);

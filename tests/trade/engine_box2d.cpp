@@ -17,8 +17,9 @@ b2Vec2 vector_of(const Vector& v) { return {float(v[0]), float(v[1])}; }
 /// A regular polygon on all sides; a box above and below, or where nothing weighs at its ends.
 std::vector<b2Vec2> drawn_in_corners(const Body& body, bool has_weight) {
   std::vector<b2Vec2> corners;
-  for (const Vector& p : corners_of(body, 2)) {
-    const double radius = std::hypot(p[0], p[1]), apothem = radius * std::cos(M_PI / 8);
+  const std::vector<Vector> own = corners_of(body, 2);
+  for (const Vector& p : own) {
+    const double radius = std::hypot(p[0], p[1]), apothem = radius * std::cos(M_PI / double(own.size()));
     const double share = body.polygon.empty() ? 0 : drawn_in / apothem;
     corners.push_back(vector_of({p[0] * (1 - share), p[1] * (1 - share), 0}));
     if (!body.polygon.empty()) continue;

@@ -18,6 +18,7 @@ constexpr double typical_size = 1;  // m; H of the potentials
 struct Way {
   std::int32_t law;
   std::int32_t kind;
+  std::int32_t max_iterations = 100;
 };
 
 const std::map<std::string, Way> ways = {
@@ -26,6 +27,7 @@ const std::map<std::string, Way> ways = {
     {"potential", {HS_STIFFNESS_POTENTIAL, HS_BLOCK_RIGID}},
     {"per contact, affine", {HS_STIFFNESS_PER_CONTACT, HS_BLOCK_AFFINE}},
     {"no springs", {HS_STIFFNESS_NONE, HS_BLOCK_RIGID}},
+    {"no springs, 4 iterations", {HS_STIFFNESS_NONE, HS_BLOCK_RIGID, 4}},
 };
 
 bool has_springs(const Way& way) { return way.law != HS_STIFFNESS_NONE; }
@@ -87,6 +89,7 @@ class HalfspaceWorld : public World {
     std::copy(scene_.gravity.begin(), scene_.gravity.end(), def.gravity);
     def.time_step = time_step;
     def.potential_length = typical_size;
+    def.max_impulse_iterations = way_.max_iterations;
     def.locate_impacts = !has_springs(way_) && scene_.restitution > 0;
     hs_world* made = nullptr;
     require_ok(hs_world_create(context_.get(), &def, &made), context_.get());
@@ -186,7 +189,7 @@ bool knows_dimension(int) { return true; }
 
 std::vector<Setting> settings() {
   constexpr double usual = 0.5;
-  std::vector<Setting> all = with_frame_steps({"no springs"});
+  std::vector<Setting> all = with_frame_steps({"no springs", "no springs, 4 iterations"});
   for (const char* law : {"per contact", "per area", "potential"}) {
     for (const double indentation : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) all.push_back({law, indentation, usual});
     for (const double step : {1.0, 0.125}) all.push_back({law, 1e-4, step});

@@ -47,7 +47,7 @@ NeighborList<D>::NeighborList(Memory* memory)
 /// plate would list many grains that it never meets. It is at least the announced motion, and 0 for a fixed
 /// block.
 template <int D>
-void NeighborList<D>::choose_skins(const Blocks<D>& blocks, double relative_skin) {
+void NeighborList<D>::choose_skins(const Blocks<D>& blocks, const SkinRule& rule) {
   sizes_.clear();
   for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
     if (blocks.moves_freely(i)) sizes_.push_back(blocks.radius[i]);
@@ -60,8 +60,9 @@ void NeighborList<D>::choose_skins(const Blocks<D>& blocks, double relative_skin
   }
   for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
     const double planned = displacements_.empty() ? planned_[i] : planned_[i] - displacements_[i].norm();
-    skin_[i] =
-        blocks.moves(i) ? std::max(relative_skin * 2 * std::min(blocks.radius[i], typical), planned) : 0;
+    const double usual = rule.relative * 2 * std::min(blocks.radius[i], typical);
+    const double least = rule.may_shrink ? 0 : skin_[i];
+    skin_[i] = blocks.moves(i) ? std::max({usual, rule.motions * planned, least}) : 0;
   }
 }
 
@@ -194,9 +195,9 @@ void NeighborList<D>::resize(std::size_t slots, bool with_gradients) {
 }
 
 template <int D>
-void NeighborList<D>::search_again(const Blocks<D>& blocks, double relative_skin, bool with_shear) {
+void NeighborList<D>::search_again(const Blocks<D>& blocks, const SkinRule& skins, bool with_shear) {
   resize(blocks.slot_count(), !blocks.deformations().empty());
-  choose_skins(blocks, relative_skin);
+  choose_skins(blocks, skins);
   search(blocks);
   sort_found(blocks.slot_count());
   const auto bonded =
@@ -221,6 +222,7 @@ void NeighborList<D>::renew(const Blocks<D>& blocks, bool with_shear) noexcept {
   displacements_.clear();
   is_indexed_ = false;
   needs_rebuild_ = false;
+  is_outrun_ = false;
   ++builds_;
 }
 

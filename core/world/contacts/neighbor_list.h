@@ -32,6 +32,13 @@ static_assert(std::has_unique_object_representations_v<DivisionCache>);
 /// cannot pass through each other undetected, or past each other's middle.
 constexpr double safe_thickness_fraction = 0.25;
 
+/// How far blocks may move before the list is renewed.
+struct SkinRule {
+  double relative;       // skin over block size
+  double motions = 1;    // announced motions that a skin covers at least
+  bool may_shrink = true;
+};
+
 /// The neighbour list: all pairs that can touch before some block has moved by more than its skin. Sorted by
 /// (a, b).
 template <int D>
@@ -40,12 +47,17 @@ class NeighborList {
   explicit NeighborList(Memory* memory);
 
   /// True when a block may touch another that is not in its list.
-  bool needs_rebuild() const { return needs_rebuild_; }
+  bool needs_rebuild() const { return needs_rebuild_ || is_outrun_; }
   void invalidate() { needs_rebuild_ = true; }
 
-  void begin_announcements() { displacements_.clear(); }
+  /// After all blocks have announced their motion: is some skin too small for it? The last motion announced
+  /// counts.
+  void end_announcements(bool is_outrun) {
+    displacements_.clear();
+    is_outrun_ = is_outrun;
+  }
   /// Announces the maximum displacement of a block's points. Call for each block before it moves. Returns
-  /// true when the list needs a rebuild.
+  /// true when its skin is too small for that.
   bool announce(const Blocks<D>& blocks, std::size_t slot, double motion) {
     planned_[slot] = motion;
     return !(moved(blocks, slot) + motion <= skin_[slot]);
@@ -69,8 +81,8 @@ class NeighborList {
   }
 
   /// Searches for pairs, and reserves all memory of the new list. The pairs in use and their cached data do
-  /// not change. `relative_skin`: skin over block size; `with_shear`: some law needs a shear spring.
-  void search_again(const Blocks<D>& blocks, double relative_skin, bool with_shear);
+  /// not change. `with_shear`: some law needs a shear spring.
+  void search_again(const Blocks<D>& blocks, const SkinRule& skins, bool with_shear);
   /// Replaces the list by the new one. Pairs in both keep their cached data.
   void renew(const Blocks<D>& blocks, bool with_shear) noexcept;
 
@@ -146,7 +158,7 @@ class NeighborList {
     return way + blocks.radius[slot] * (blocks.deformation(slot).gradient - reference_gradient_[slot]).norm();
   }
 
-  void choose_skins(const Blocks<D>& blocks, double relative_skin);
+  void choose_skins(const Blocks<D>& blocks, const SkinRule& rule);
   void choose_safe_displacements(const Blocks<D>& blocks) noexcept;
   Vector<D> way(std::size_t slot) const {
     return displacements_.empty() ? Vector<D>::Zero() : displacements_[slot];
@@ -169,6 +181,7 @@ class NeighborList {
   Array<Vector<D>> displacements_;    // of centroids, until the next search; empty: none is large
   double min_safe_displacement_ = 0;  // not saved: 0 until the next search
   std::int32_t needs_rebuild_ = 1;
+  bool is_outrun_ = false;  // by the announced motion
   std::int64_t builds_ = 0;
 
   // Index of pairs by second block, and its first entry per block; built on demand.

@@ -154,8 +154,13 @@ bool ActiveSet<D>::factorize(const ImpulseProblem<D>& problem) {
     if (b >= 0) add(b, b, bb);
     if (a >= 0 && b >= 0) a > b ? add(a, b, ab) : add(b, a, ab.transpose());
   }
-  for (std::size_t i = 0; i < blocks_.size(); ++i)
-    add(std::int32_t(i), std::int32_t(i), problem.masses[std::size_t(blocks_[i])]);
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    const InverseMass<D>& inverse = problem.inverse_masses[std::size_t(blocks_[i])];
+    Square mass = Square::Zero();
+    mass.diagonal().template head<D>().setConstant(1 / inverse.of_mass);
+    mass.template bottomRightCorner<n - D, n - D>() = inverse.of_inertia.inverse();
+    add(std::int32_t(i), std::int32_t(i), mass);
+  }
   const Eigen::Index count = n * Eigen::Index(blocks_.size());
   matrix_.resize(count, count);
   matrix_.setFromTriplets(entries_.begin(), entries_.end());

@@ -5,33 +5,31 @@ namespace halfspace {
 template <int D>
 void HardContacts<D>::begin(double duration) {
   if (!is_used()) return;
-  all_are_rigid_ = !model_.blocks.has_deformable() && !model_.materials.laws().any([](const ContactLaw& law) {
-    return law.has_no_spring() && law.bonds();
-  });
-  all_are_rigid_ ? points_.forget() : rigid_.forget();
+  has_manifolds_ = model_.has_manifolds();
+  has_manifolds_ ? points_.forget() : rigid_.forget();
   integrator_.kicks().begin(duration);
 }
 
 template <int D>
 bool HardContacts<D>::predict(double time, double duration) {
   if (!is_used()) return true;
-  return all_are_rigid_ ? rigid_.predict(time, duration) : points_.predict(time, duration);
+  return has_manifolds_ ? rigid_.predict(time, duration) : points_.predict(time, duration);
 }
 
 template <int D>
 void HardContacts<D>::apply_position_impulses(EnergyLedger& ledger) {
-  all_are_rigid_ ? rigid_.apply_position_impulses(ledger) : points_.apply_position_impulses(ledger);
+  has_manifolds_ ? rigid_.apply_position_impulses(ledger) : points_.apply_position_impulses(ledger);
 }
 
 template <int D>
 void HardContacts<D>::find_at_end(EnergyLedger& ledger) {
-  all_are_rigid_ ? rigid_.find_at_end(ledger) : points_.find_at_end();
+  has_manifolds_ ? rigid_.find_at_end(ledger) : points_.find_at_end();
 }
 
 template <int D>
 void HardContacts<D>::stop_approach(EnergySample& sample, EnergyLedger& ledger) {
   if (!is_used()) return;
-  all_are_rigid_ ? rigid_.stop_approach(ledger) : points_.stop_approach(ledger);
+  has_manifolds_ ? rigid_.stop_approach(ledger) : points_.stop_approach(ledger);
   integrator_.take_kicks(sample);
   contacts_.end_bonds_without_spring();
 }

@@ -32,7 +32,7 @@ class HardContacts {
   double unbalanced_velocity() const { return rigid_.unbalanced_velocity(); }
   /// The part of the predicted motion before the first impact that is to be located, or 1.
   double fraction_before_impact() const {
-    return all_are_rigid_ && model_.settings.locate_impacts ? rigid_.fraction_before_impact() : 1;
+    return has_manifolds_ && model_.settings.locate_impacts ? rigid_.fraction_before_impact() : 1;
   }
 
   /// After the neighbour list has been renewed.
@@ -73,7 +73,7 @@ class HardContacts {
   Integrator<D>& integrator_;
   PointContacts<D> points_;
   RigidContacts<D> rigid_;
-  bool all_are_rigid_ = false;  // no block deforms, and no such law bonds
+  bool has_manifolds_ = false;
 };
 
 extern template class HardContacts<2>;

@@ -3,13 +3,18 @@
 #include <cstdint>
 #include <span>
 
+#include "block/inertia.h"
 #include "geometry/vector.h"
 #include "world/motion/block_motion.h"
 
 namespace halfspace {
 
+/// Of a block that moves freely; an infinite mass has the inverses 0.
 template <int D>
-using MassMatrix = Eigen::Matrix<double, D == 2 ? 3 : 6, D == 2 ? 3 : 6>;
+struct InverseMass {
+  double of_mass = 0;
+  InertiaTensor<D> of_inertia = InertiaTensor<D>::Zero();
+};
 
 /// One component of a contact: the velocity of b against a along it is direction . (v_b - v_a) + turn_b . w_b
 /// - turn_a . w_a, and an impulse acts on both blocks along the same.
@@ -48,7 +53,7 @@ struct ImpulseContact {
 /// tan(friction angle) times the sum of the contact's normal impulses, and else oppose it (Moreau 1988).
 template <int D>
 struct ImpulseProblem {
-  explicit ImpulseProblem(Memory* memory) : contacts(memory), rows(memory), motions(memory), masses(memory) {}
+  explicit ImpulseProblem(Memory* memory) : contacts(memory), rows(memory), motions(memory), inverse_masses(memory) {}
 
   double velocity_along(const ImpulseContact<D>& contact, const ImpulseRow<D>& row) const {
     return row.velocity(motions[std::size_t(contact.a)], motions[std::size_t(contact.b)]);
@@ -86,7 +91,7 @@ struct ImpulseProblem {
   Array<ImpulseContact<D>> contacts;
   Array<ImpulseRow<D>> rows;
   Array<BlockMotion<D>> motions;  // of each block, with the impulses
-  Array<MassMatrix<D>> masses;    // of each block, for velocity and spin; zero unless it moves freely
+  Array<InverseMass<D>> inverse_masses;  // of each block
 };
 
 }  // namespace halfspace

@@ -17,23 +17,13 @@ std::array<Vector<3>, 2> tangents(const Vector<3>& normal) {
 
 }  // namespace
 
-/// Mass matrices of free blocks and the inverses of their inertia, both as they are turned now.
+/// As blocks are turned now.
 template <int D>
-void ImpulseRows<D>::set_masses(ImpulseProblem<D>& problem) {
-  constexpr int turns = D == 2 ? 1 : 3;
-  problem.masses.resize(blocks_.slot_count());
-  inverse_inertia_.resize(blocks_.slot_count());
-  for (std::size_t i = 0; i < problem.masses.size(); ++i) {
-    MassMatrix<D>& mass = problem.masses[i];
-    mass.setZero();
-    inverse_inertia_[i].setZero();
+void ImpulseRows<D>::set_inverse_masses(ImpulseProblem<D>& problem) {
+  problem.inverse_masses.assign(blocks_.slot_count(), {});
+  for (std::size_t i = 0; i < problem.inverse_masses.size(); ++i) {
     if (blocks_.kind[i] != BlockKind::rigid) continue;
-    mass.diagonal().template head<D>().setConstant(blocks_.mass[i]);
-    for (int k = 0; k < turns; ++k) {
-      const Angular<D> axis = Angular<D>::Unit(k);
-      mass.template block<turns, 1>(D, D + k) = blocks_.inertia[i].momentum(axis, blocks_.rotation[i]);
-      inverse_inertia_[i].col(k) = blocks_.inertia[i].spin(axis, blocks_.rotation[i]);
-    }
+    problem.inverse_masses[i] = {1 / blocks_.mass[i], blocks_.inertia[i].inverse(blocks_.rotation[i])};
   }
 }
 
@@ -61,18 +51,18 @@ typename ImpulseRows<D>::Patch ImpulseRows<D>::patch_of(
 
 template <int D>
 void ImpulseRows<D>::build(std::span<const PlannedContact<D>> contacts, ImpulseProblem<D>& problem) {
-  set_masses(problem);
+  set_inverse_masses(problem);
   problem.contacts.clear();
   problem.rows.clear();
   const auto add_row = [&](const ImpulseContact<D>& contact, const Vector<D>& direction,
                            const Angular<D>& turn_a, const Angular<D>& turn_b, double impulse) {
-    const std::size_t a = std::size_t(contact.a), b = std::size_t(contact.b);
+    const InverseMass<D>&a = problem.inverse_masses[std::size_t(contact.a)], &b = problem.inverse_masses[std::size_t(contact.b)];
     ImpulseRow<D> row;
     row.direction = direction;
     row.turn_a = turn_a;
     row.turn_b = turn_b;
-    row.response_a = inverse_inertia_[a] * turn_a;
-    row.response_b = inverse_inertia_[b] * turn_b;
+    row.response_a = a.of_inertia * turn_a;
+    row.response_b = b.of_inertia * turn_b;
     row.inverse_mass = (contact.inverse_mass_a + contact.inverse_mass_b) * direction.squaredNorm() +
                        turn_a.dot(row.response_a) + turn_b.dot(row.response_b);
     row.target = 0;
@@ -88,8 +78,8 @@ void ImpulseRows<D>::build(std::span<const PlannedContact<D>> contacts, ImpulseP
     contact.b = at.b;
     contact.first_row = std::int32_t(problem.rows.size());
     contact.normal_count = at.manifold.count;
-    contact.inverse_mass_a = blocks_.moves_freely(a) ? 1 / blocks_.mass[a] : 0;
-    contact.inverse_mass_b = blocks_.moves_freely(b) ? 1 / blocks_.mass[b] : 0;
+    contact.inverse_mass_a = problem.inverse_masses[a].of_mass;
+    contact.inverse_mass_b = problem.inverse_masses[b].of_mass;
     contact.tan_friction = model_.law_between(a, b).tan_friction;
     contact.friction_count = contact.tan_friction <= 0 ? 0 : D == 2 ? 1 : 3;
     contact.couple_arm = 0;

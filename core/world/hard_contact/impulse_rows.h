@@ -12,8 +12,8 @@ namespace halfspace {
 template <int D>
 class ImpulseRows {
  public:
-  ImpulseRows(const Model<D>& model, const ManifoldSearch<D>& search, Memory* memory)
-      : model_(model), blocks_(model.blocks), search_(search), inverse_inertia_(memory) {}
+  ImpulseRows(const Model<D>& model, const ManifoldSearch<D>& search)
+      : model_(model), blocks_(model.blocks), search_(search) {}
 
   /// Sets contacts, rows and masses. Impulses are those of the contacts; targets are 0.
   void build(std::span<const PlannedContact<D>> contacts, ImpulseProblem<D>& problem);
@@ -25,13 +25,12 @@ class ImpulseRows {
     double radius;
   };
 
-  void set_masses(ImpulseProblem<D>& problem);
+  void set_inverse_masses(ImpulseProblem<D>& problem);
   Patch patch_of(const PlannedContact<D>& at, const std::array<Vector<D>, max_manifold_points<D>>& arm) const;
 
   const Model<D>& model_;
   const Blocks<D>& blocks_;
   const ManifoldSearch<D>& search_;
-  Array<Eigen::Matrix<double, D == 2 ? 1 : 3, D == 2 ? 1 : 3>> inverse_inertia_;  // of each free block
 };
 
 extern template class ImpulseRows<2>;

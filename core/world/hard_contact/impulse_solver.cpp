@@ -116,6 +116,14 @@ void ImpulseSolver<D>::reserve(std::size_t rows, std::size_t blocks) {
   direction_.reserve(rows);
 }
 
+/// Where blocks move past each other in great number active sets do not settle, and are tried ever more seldom.
+template <int D>
+bool ImpulseSolver<D>::may_use_active_sets() {
+  if (paused_ == 0) return true;
+  --paused_;
+  return false;
+}
+
 template <int D>
 ImpulseResult ImpulseSolver<D>::solve(ImpulseProblem<D>& problem, const ImpulseSettings& settings) {
   double fastest = 0;
@@ -126,7 +134,8 @@ ImpulseResult ImpulseSolver<D>::solve(ImpulseProblem<D>& problem, const ImpulseS
     }
     for (const ImpulseRow<D>& row : problem.frictions_of(contact)) problem.apply(contact, row, row.impulse);
   }
-  if (fastest == 0) active_set_.solve(problem, settings.tolerance * settings.speed, true);
+  const bool uses_active_sets = may_use_active_sets();
+  if (fastest == 0 && uses_active_sets) active_set_.solve(problem, settings.tolerance * settings.speed, true);
   restart_acceleration(problem);
   ImpulseResult result;
   double least = HUGE_VAL;
@@ -139,9 +148,12 @@ ImpulseResult ImpulseSolver<D>::solve(ImpulseProblem<D>& problem, const ImpulseS
     const double speed = settings.speed > 0 ? settings.speed : fastest;
     const double tolerance = std::max(settings.tolerance * speed, rounding_fraction * fastest);
     if (result.unbalanced <= tolerance) return result;
-    if (i >= next_active_set) {
+    if (i >= next_active_set && uses_active_sets) {
       const double unbalanced = active_set_.solve(problem, tolerance, false);
-      if (unbalanced <= tolerance) return {i, unbalanced, true};
+      if (unbalanced <= tolerance) {
+        pause_ = 0;
+        return {i, unbalanced, true};
+      }
       wait = unbalanced < helpful_fraction * result.unbalanced ? first_sweeps : 2 * wait;
       result.unbalanced = std::min(result.unbalanced, unbalanced);
       next_active_set = i + wait;
@@ -156,6 +168,7 @@ ImpulseResult ImpulseSolver<D>::solve(ImpulseProblem<D>& problem, const ImpulseS
       break;
     }
   }
+  if (uses_active_sets && next_active_set > first_sweeps) paused_ = pause_ = std::min(2 * pause_ + 1, max_pause);
   result.has_converged = false;
   return result;
 }

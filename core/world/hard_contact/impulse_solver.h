@@ -29,10 +29,19 @@ class ImpulseSolver {
   void reserve(std::size_t rows, std::size_t blocks);
   /// The problem's motions contain the velocities without impulses.
   ImpulseResult solve(ImpulseProblem<D>& problem, const ImpulseSettings& settings);
+  bool is_consistent() const { return pause_ >= 0 && pause_ <= max_pause && paused_ >= 0 && paused_ <= pause_; }
+  template <class Archive>
+  void visit(Archive& archive) {
+    archive(pause_, paused_);
+  }
   /// So many sweeps only, from no impulses.
   void sweep_only(ImpulseProblem<D>& problem, int count);
 
  private:
+  /// Solves without active sets after they have failed in as many and one more.
+  static constexpr std::int32_t max_pause = 63;
+
+  bool may_use_active_sets();
   double sweep(ImpulseProblem<D>& problem, bool is_backwards);
   void accelerate(ImpulseProblem<D>& problem);
   void restart_acceleration(const ImpulseProblem<D>& problem);
@@ -41,6 +50,8 @@ class ImpulseSolver {
   Array<double> previous_;   // impulses two sweeps ago
   Array<double> direction_;  // of search
   double last_length_ = 0;
+  std::int32_t pause_ = 0;   // solves without active sets after the last that they did not end
+  std::int32_t paused_ = 0;  // of these still to come
 };
 
 extern template class ImpulseSolver<2>;

@@ -8,8 +8,10 @@ namespace {
 
 /// Fractions of a block's radius. A point nearer to a face than this is on it.
 constexpr double reach_fraction = 1e-9;
-/// A loaded point this close to its face, or this deep, is settled.
+/// A point less deep than this is settled.
 constexpr double settled_fraction = 1e-6;
+/// A loaded point this close to its face rests on it. Points of solutions that have converged are closer.
+constexpr double resting_fraction = 1e-3;
 /// How far blocks may deviate from their motion at constant velocity before the search is repeated.
 constexpr double allowance_fraction = 1e-3;
 
@@ -41,6 +43,11 @@ template <int D>
 double ManifoldSearch<D>::settled_gap(const RigidContact<D>& contact) const {
   const std::size_t a = std::size_t(contact.a), b = std::size_t(contact.b);
   return std::max(settled_fraction * std::min(blocks_.radius[a], blocks_.radius[b]), reach(contact));
+}
+
+template <int D>
+double ManifoldSearch<D>::resting_gap(const RigidContact<D>& contact) const {
+  return resting_fraction * std::min(blocks_.radius[std::size_t(contact.a)], blocks_.radius[std::size_t(contact.b)]);
 }
 
 /// Two blocks have contacts of impulses by a law without springs, when one of them moves freely.

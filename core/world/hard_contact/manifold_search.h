@@ -33,8 +33,10 @@ class ManifoldSearch {
   Gaps<D> predicted_gaps(const PlannedContact<D>& contact) const;
   /// A point nearer to a face than this is on it.
   double reach(const RigidContact<D>& contact) const;
-  /// A loaded point this close to its face, or this deep, stays as it is.
+  /// A point less deep than this does not recover, and in the middle of those that close to a face friction acts.
   double settled_gap(const RigidContact<D>& contact) const;
+  /// A loaded point this close to its face stays as it is.
+  double resting_gap(const RigidContact<D>& contact) const;
 
  private:
   bool may_touch(const Candidate<D>& pair) const;

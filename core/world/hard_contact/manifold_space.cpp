@@ -16,6 +16,10 @@ namespace {
 /// points: so all that may touch in a step do so together. Beyond it the nearest vertex does.
 constexpr double facing_sine = 0.3;
 
+/// A face whose separation is smaller than that of two edges by less than this fraction of a block's size gives
+/// the plane: an edge that nearly lies on it has two points there, and only one between the edges.
+constexpr double nearly_flat_fraction = 1e-3;
+
 /// Two blocks in the frame of the first.
 struct PairInFrame {
   PairInFrame(const PosedBlock<3>& a, const PosedBlock<3>& b)
@@ -175,7 +179,8 @@ bool find_manifold(const PosedBlock<3>& a, const PosedBlock<3>& b, double margin
       known.kind == PotentialPair<3>::edge_edge ? -HUGE_VAL : gap_of_pair(a, b, frame, known);
   if (known_gap > margin) return false;
   Separation<3> best = largest_separation(a, b, frame, margin);
-  if (known_gap >= best.gap - equal) {
+  const bool is_between_edges = best.pair.kind == PotentialPair<3>::edge_edge;
+  if (known_gap >= best.gap - (is_between_edges ? nearly_flat_fraction * size : equal)) {
     best.gap = known_gap;
     best.pair = known;
   }
@@ -183,7 +188,7 @@ bool find_manifold(const PosedBlock<3>& a, const PosedBlock<3>& b, double margin
   if (best.pair.kind == PotentialPair<3>::edge_edge) {
     const SeenOutline seen_a(a.own), seen_b(b.own, frame.turn);
     PotentialPair<3> face = FacesAtEdges(seen_a, seen_b, best.pair).least_deep(seen_a, seen_b, frame.to_b);
-    const bool is_as_far = gap_of_pair(a, b, frame, face) >= best.gap - equal;
+    const bool is_as_far = gap_of_pair(a, b, frame, face) >= best.gap - nearly_flat_fraction * size;
     if (!is_as_far && meet_at_edges(a, b, frame, best.pair, manifold)) return true;
     best.pair = face;
   }

@@ -87,12 +87,13 @@ void RigidContacts<D>::find_impacts(double time, double duration) {
 }
 
 /// Penetration stays as it is: the points of a jammed heap could not all recover in one solve, so that their
-/// impulses would grow without end. A loaded point that is settled on its face keeps its gap, too.
+/// impulses would grow without end. A loaded point near its face keeps its gap, too: where blocks have more
+/// such points than they can move, those of an iteration that did not converge could not all close.
 template <int D>
 double RigidContacts<D>::gap_floor(const PlannedContact<D>& contact, std::size_t point) const {
   const double gap = contact.gap[point];
   if (contact.rebound_gap[point] > 0) return contact.rebound_gap[point];
-  return contact.was_loaded[point] && gap <= search_.settled_gap(contact) ? gap : std::min(gap, 0.0);
+  return contact.was_loaded[point] && gap <= search_.resting_gap(contact) ? gap : std::min(gap, 0.0);
 }
 
 template <int D>
@@ -199,13 +200,14 @@ bool RigidContacts<D>::predict(double time, double duration) {
     set_motions_at_half_step();
     if (searches == 1) find_impacts(time, duration);
     set_position_targets(duration);
+    bool has_converged = true;
     for (int i = 0; i < max_corrections; ++i) {
-      const bool has_converged = solve(duration);
+      has_converged = solve(duration);
       if (!integrator_.predict(duration)) return false;
       if (correct_targets(duration) || !has_converged) break;
       set_motions_at_half_step();
     }
-    if (searches == max_searches || !search_.find_more(planned_)) break;
+    if (searches == max_searches || !has_converged || !search_.find_more(planned_)) break;
     for (PlannedContact<D>& contact : planned_) {
       if (contact.is_new && contact.touched_at == 0) contact.touched_at = time + duration;
     }
@@ -268,7 +270,7 @@ double RigidContacts<D>::recover() {
                        recovery_fraction * std::max(0.0, -contact.gap[i] - search_.settled_gap(contact));
     }
   }
-  solver_.sweep_only(problem_, max_recovery_sweeps);
+  solver_.sweep_only(problem_, std::min(max_recovery_sweeps, model_.settings.max_impulse_iterations));
   double energy = 0;
   for (std::size_t i = 0; i < problem_.motions.size(); ++i) {
     const BlockMotion<D>& displacement = problem_.motions[i];
@@ -348,7 +350,7 @@ bool RigidContacts<D>::is_consistent() const {
            halfspace::all(at.gap, is_finite) && at.normal.allFinite() && is_finite(at.touched_at) &&
            is_finite(at.impact_loss);
   };
-  return touches_ >= 0 && is_nonnegative(duration_) && halfspace::all(known_, is_valid) &&
+  return touches_ >= 0 && solver_.is_consistent() && is_nonnegative(duration_) && halfspace::all(known_, is_valid) &&
          std::is_sorted(known_.begin(), known_.end(), is_before<D>);
 }
 

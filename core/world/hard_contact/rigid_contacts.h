@@ -21,7 +21,7 @@ class RigidContacts {
         blocks_(model.blocks),
         integrator_(integrator),
         search_(model, contacts, integrator, memory),
-        rows_(model, search_, memory),
+        rows_(model, search_),
         solver_(memory),
         problem_(memory),
         known_(memory),
@@ -55,7 +55,7 @@ class RigidContacts {
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(known_, duration_, touches_);
+    archive(known_, duration_, touches_, solver_);
   }
 
  private:

@@ -12,6 +12,10 @@ namespace {
 /// matter.
 constexpr double short_share = 0x1p-8;
 
+/// Manifolds are found where blocks would be at the end of the motion. Overlaps there up to this fraction of
+/// the thinner block's thickness show the faces that meet.
+constexpr double manifold_thickness_fraction = 0.5;
+
 PairCache<2> witness_of(const Impact<2>& impact) { return {PairCache<2>::separated, impact.pair}; }
 PairCache<3> witness_of(const Impact<3>& impact) {
   return {PairCache<3>::separated, impact.pair, impact.normal};
@@ -122,6 +126,9 @@ double ContinuousCollision<D>::safe_fraction_of(Candidate<D>& pair, double& stab
   if (motion <= integrator_.duration() / clock_.time_step() * safe_thickness_fraction * thickness) return 1;
   pair_ = {pair.a, pair.b, motion / integrator_.duration(), thickness,
            safe_thickness_fraction * thickness * integrator_.duration() / motion};
+  const bool has_manifold = model_.law_of(pair).has_no_spring() && model_.has_manifolds();
+  const double largest_overlap = has_manifold ? manifold_thickness_fraction * thickness : 0;
+  if (motion <= largest_overlap) return 1;
   double time_of_touch = 0;
   if (touching(pair.witness) && !model_.law_of(pair).has_no_spring()) {
     stop_.note(pair);
@@ -133,6 +140,7 @@ double ContinuousCollision<D>::safe_fraction_of(Candidate<D>& pair, double& stab
       time_of_touch = impact.time;
       pair.witness = witness_of(impact);
     }
+    if ((1 - time_of_touch) * motion <= largest_overlap) return 1;
   }
   if (stable_duration == 0) stable_duration = model_.settings.safety * stable_step_.bound();
   const double calm = safe_thickness_fraction * thickness / motion,

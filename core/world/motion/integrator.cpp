@@ -140,9 +140,8 @@ bool Integrator<D>::predict(double duration) {
   }
   longest_motion_ = all.longest_motion;
   max_rotation_ = all.max_rotation;
-  neighbors_.begin_announcements();
-  if (all.goes_far) announce_displacements();
-  if (all.needs_rebuild) neighbors_.invalidate();
+  neighbors_.end_announcements(all.needs_rebuild);
+  if (all.goes_far && kicks_.empty()) announce_displacements();  // impulses may still change the direction
   return true;
 }
 
