@@ -50,9 +50,9 @@ void World<D>::fit_rooms() {
 }
 
 /// Reserves memory for a contact of every pair, so that detection allocates nothing. If memory runs out,
-/// nothing has changed: contacts, list and memory in use remain valid. `renewals`: how often the coming motion
-/// has had the list renewed. Impulses move blocks farther than the motion without them: skins have a reserve,
-/// and grow until they cover both.
+/// nothing has changed: contacts, list and memory in use remain valid. `renewals`: how often the coming
+/// motion has had the list renewed. Impulses move blocks farther than the motion without them: skins have a
+/// reserve, and grow until they cover both.
 template <int D>
 void World<D>::renew_neighbors(int renewals) {
   NeighborList<D>& neighbors = contacts_.neighbors();

@@ -1,6 +1,6 @@
 // The program of one engine on walls and heaps of many blocks at steps of 1/60 s: `list` names its cases,
-// `run N` prints the cost of one, how far the farthest block has moved, and how deep blocks overlap at the end.
-// `assemblies` runs all and writes the table.
+// `run N` prints the cost of one, how far the farthest block has moved, and how deep blocks overlap at the
+// end. `assemblies` runs all and writes the table.
 
 #include <algorithm>
 #include <cmath>

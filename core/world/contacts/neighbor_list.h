@@ -34,8 +34,8 @@ constexpr double safe_thickness_fraction = 0.25;
 
 /// How far blocks may move before the list is renewed.
 struct SkinRule {
-  double relative;       // skin over block size
-  double motions = 1;    // announced motions that a skin covers at least
+  double relative;     // skin over block size
+  double motions = 1;  // announced motions that a skin covers at least
   bool may_shrink = true;
 };
 

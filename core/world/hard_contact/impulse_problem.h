@@ -53,7 +53,8 @@ struct ImpulseContact {
 /// tan(friction angle) times the sum of the contact's normal impulses, and else oppose it (Moreau 1988).
 template <int D>
 struct ImpulseProblem {
-  explicit ImpulseProblem(Memory* memory) : contacts(memory), rows(memory), motions(memory), inverse_masses(memory) {}
+  explicit ImpulseProblem(Memory* memory)
+      : contacts(memory), rows(memory), motions(memory), inverse_masses(memory) {}
 
   double velocity_along(const ImpulseContact<D>& contact, const ImpulseRow<D>& row) const {
     return row.velocity(motions[std::size_t(contact.a)], motions[std::size_t(contact.b)]);
@@ -90,7 +91,7 @@ struct ImpulseProblem {
 
   Array<ImpulseContact<D>> contacts;
   Array<ImpulseRow<D>> rows;
-  Array<BlockMotion<D>> motions;  // of each block, with the impulses
+  Array<BlockMotion<D>> motions;         // of each block, with the impulses
   Array<InverseMass<D>> inverse_masses;  // of each block
 };
 

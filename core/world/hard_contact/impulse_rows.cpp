@@ -56,7 +56,8 @@ void ImpulseRows<D>::build(std::span<const PlannedContact<D>> contacts, ImpulseP
   problem.rows.clear();
   const auto add_row = [&](const ImpulseContact<D>& contact, const Vector<D>& direction,
                            const Angular<D>& turn_a, const Angular<D>& turn_b, double impulse) {
-    const InverseMass<D>&a = problem.inverse_masses[std::size_t(contact.a)], &b = problem.inverse_masses[std::size_t(contact.b)];
+    const InverseMass<D>&a = problem.inverse_masses[std::size_t(contact.a)],
+          &b = problem.inverse_masses[std::size_t(contact.b)];
     ImpulseRow<D> row;
     row.direction = direction;
     row.turn_a = turn_a;

@@ -116,7 +116,8 @@ void ImpulseSolver<D>::reserve(std::size_t rows, std::size_t blocks) {
   direction_.reserve(rows);
 }
 
-/// Where blocks move past each other in great number active sets do not settle, and are tried ever more seldom.
+/// Where blocks move past each other in great number active sets do not settle, and are tried ever more
+/// seldom.
 template <int D>
 bool ImpulseSolver<D>::may_use_active_sets() {
   if (paused_ == 0) return true;
@@ -168,7 +169,8 @@ ImpulseResult ImpulseSolver<D>::solve(ImpulseProblem<D>& problem, const ImpulseS
       break;
     }
   }
-  if (uses_active_sets && next_active_set > first_sweeps) paused_ = pause_ = std::min(2 * pause_ + 1, max_pause);
+  if (uses_active_sets && next_active_set > first_sweeps)
+    paused_ = pause_ = std::min(2 * pause_ + 1, max_pause);
   result.has_converged = false;
   return result;
 }

@@ -29,7 +29,9 @@ class ImpulseSolver {
   void reserve(std::size_t rows, std::size_t blocks);
   /// The problem's motions contain the velocities without impulses.
   ImpulseResult solve(ImpulseProblem<D>& problem, const ImpulseSettings& settings);
-  bool is_consistent() const { return pause_ >= 0 && pause_ <= max_pause && paused_ >= 0 && paused_ <= pause_; }
+  bool is_consistent() const {
+    return pause_ >= 0 && pause_ <= max_pause && paused_ >= 0 && paused_ <= pause_;
+  }
   template <class Archive>
   void visit(Archive& archive) {
     archive(pause_, paused_);

@@ -47,7 +47,8 @@ double ManifoldSearch<D>::settled_gap(const RigidContact<D>& contact) const {
 
 template <int D>
 double ManifoldSearch<D>::resting_gap(const RigidContact<D>& contact) const {
-  return resting_fraction * std::min(blocks_.radius[std::size_t(contact.a)], blocks_.radius[std::size_t(contact.b)]);
+  return resting_fraction *
+         std::min(blocks_.radius[std::size_t(contact.a)], blocks_.radius[std::size_t(contact.b)]);
 }
 
 /// Two blocks have contacts of impulses by a law without springs, when one of them moves freely.

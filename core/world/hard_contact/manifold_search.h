@@ -33,7 +33,8 @@ class ManifoldSearch {
   Gaps<D> predicted_gaps(const PlannedContact<D>& contact) const;
   /// A point nearer to a face than this is on it.
   double reach(const RigidContact<D>& contact) const;
-  /// A point less deep than this does not recover, and in the middle of those that close to a face friction acts.
+  /// A point less deep than this does not recover, and in the middle of those that close to a face friction
+  /// acts.
   double settled_gap(const RigidContact<D>& contact) const;
   /// A loaded point this close to its face stays as it is.
   double resting_gap(const RigidContact<D>& contact) const;

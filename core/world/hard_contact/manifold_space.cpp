@@ -16,8 +16,8 @@ namespace {
 /// points: so all that may touch in a step do so together. Beyond it the nearest vertex does.
 constexpr double facing_sine = 0.3;
 
-/// A face whose separation is smaller than that of two edges by less than this fraction of a block's size gives
-/// the plane: an edge that nearly lies on it has two points there, and only one between the edges.
+/// A face whose separation is smaller than that of two edges by less than this fraction of a block's size
+/// gives the plane: an edge that nearly lies on it has two points there, and only one between the edges.
 constexpr double nearly_flat_fraction = 1e-3;
 
 /// Two blocks in the frame of the first.

@@ -350,8 +350,8 @@ bool RigidContacts<D>::is_consistent() const {
            halfspace::all(at.gap, is_finite) && at.normal.allFinite() && is_finite(at.touched_at) &&
            is_finite(at.impact_loss);
   };
-  return touches_ >= 0 && solver_.is_consistent() && is_nonnegative(duration_) && halfspace::all(known_, is_valid) &&
-         std::is_sorted(known_.begin(), known_.end(), is_before<D>);
+  return touches_ >= 0 && solver_.is_consistent() && is_nonnegative(duration_) &&
+         halfspace::all(known_, is_valid) && std::is_sorted(known_.begin(), known_.end(), is_before<D>);
 }
 
 template class RigidContacts<2>;

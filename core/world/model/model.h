@@ -19,11 +19,11 @@ struct Model {
   const ContactLaw& law_of(const Pair& pair) const {
     return law_between(std::size_t(pair.a), std::size_t(pair.b));
   }
-  /// Do contacts by laws without springs have manifolds? They do when no block deforms, and no such law bonds.
+  /// Do contacts by laws without springs have manifolds? They do when no block deforms, and no such law
+  /// bonds.
   bool has_manifolds() const {
-    return !blocks.has_deformable() && !materials.laws().any([](const ContactLaw& law) {
-      return law.has_no_spring() && law.bonds();
-    });
+    return !blocks.has_deformable() &&
+           !materials.laws().any([](const ContactLaw& law) { return law.has_no_spring() && law.bonds(); });
   }
   const Elasticity& elasticity_of(std::size_t block) const {
     return materials.elasticity(blocks.material[block]);
