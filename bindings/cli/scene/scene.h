@@ -306,6 +306,7 @@ void for_each_making(AnyScene& scene, Visit visit) {
 }
 
 inline bool has_spring(const hs_law_def& law) { return law.stiffness_kind != HS_STIFFNESS_NONE; }
+inline bool has_no_spring(const hs_law_def& law) { return !has_spring(law); }
 
 /// True if the condition holds for the default law or the law of any pair.
 template <class Condition>

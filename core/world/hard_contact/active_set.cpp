@@ -244,10 +244,15 @@ void ActiveSet<D>::keep(const ImpulseProblem<D>& problem) {
   best_motions_.assign(problem.motions.begin(), problem.motions.end());
 }
 
+/// Impulses that pull are within the tolerance, and end as none.
 template <int D>
 void ActiveSet<D>::restore(ImpulseProblem<D>& problem) const {
   for (std::size_t i = 0; i < problem.rows.size(); ++i) problem.rows[i].impulse = best_[i];
   problem.motions.assign(best_motions_.begin(), best_motions_.end());
+  for (const ImpulseContact<D>& contact : problem.contacts) {
+    for (ImpulseRow<D>& row : problem.normals_of(contact))
+      problem.set_impulse(contact, row, std::max(0.0, row.impulse));
+  }
 }
 
 /// Solves for the present active set. False when it cannot be factorized.

@@ -141,8 +141,11 @@ ImpulseResult ImpulseSolver<D>::solve(ImpulseProblem<D>& problem, const ImpulseS
   ImpulseResult result;
   double least = HUGE_VAL;
   int least_in = 0, wait = first_sweeps, next_active_set = wait;
+  bool is_symmetric = false;  // since the last acceleration: as many sweeps forwards as backwards
   for (int i = 1; i <= settings.max_iterations; ++i) {
     const bool is_backwards = i % 2 == 0;
+    if (is_symmetric) accelerate(problem);
+    is_symmetric = is_backwards;
     result.iterations = i;
     result.unbalanced = sweep(problem, is_backwards);
     fastest = std::max(fastest, result.unbalanced);
@@ -159,8 +162,7 @@ ImpulseResult ImpulseSolver<D>::solve(ImpulseProblem<D>& problem, const ImpulseS
       result.unbalanced = std::min(result.unbalanced, unbalanced);
       next_active_set = i + wait;
       restart_acceleration(problem);
-    } else if (is_backwards) {
-      accelerate(problem);
+      is_symmetric = false;
     }
     if (result.unbalanced <= 0.999 * least) {
       least = result.unbalanced;

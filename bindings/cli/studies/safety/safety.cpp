@@ -189,8 +189,9 @@ SafetyResult find_factor_of_safety(const Scene& scene, Model& model, const std::
   if (options.limit > 0) limits.assign(limits.size(), options.limit);
   const double farthest = *std::max_element(limits.begin(), limits.end());
   const std::size_t bonds_before = model.bond_events().size();
-  SafetyTrials trials(model, std::move(limits), [&](std::int64_t steps, double unbalanced) {
-    const double of_trial = static_cast<double>(steps) / static_cast<double>(SafetyTrials::max_steps);
+  // A step without springs is some hundred times as long.
+  const std::int64_t steps_of_piece = any_law(scene, has_spring) ? 500 : 20;
+  SafetyTrials trials(model, std::move(limits), steps_of_piece, [&](double of_trial, double unbalanced) {
     progress.show((static_cast<double>(search.count()) + of_trial) / search.count_of_all(),
                   "trial " + std::to_string(search.count() + 1) + ", " + search.factor_text(false) +
                       ", unbalanced " + rounded(unbalanced, 2));

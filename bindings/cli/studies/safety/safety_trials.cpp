@@ -81,11 +81,12 @@ std::vector<Trial> trials_from(const std::string& csv, const std::string& search
 
 /// A stable block moves by the elastic slip of the joints between it and the fixed ground, more if it tilts.
 /// Ten times the sum over all joints is beyond that. Bodies that strain, and bonds, yield more than their
-/// joints, so that their limit is the largest one.
+/// joints, and joints without springs close their gaps: their limit is the largest one.
 std::vector<double> limits_of(const Scene& scene, const Model& standing) {
   constexpr double farthest = 0.1, smallest = 1e-3, times_yield = 10;  // of the size of a block, but the last
   const Frame frame = standing.frame();
-  const bool is_rigid = scene.bonds.empty() && !standing.layout().has_deformable();
+  const bool is_known =
+      scene.bonds.empty() && !standing.layout().has_deformable() && !any_law(scene, has_no_spring);
   double yield = 0;
   for (const hs_contact& contact : standing.contacts()) {
     yield += yield_of(contact, law_between(scene, frame.blocks[contact.block_a].state.material,
@@ -94,27 +95,29 @@ std::vector<double> limits_of(const Scene& scene, const Model& standing) {
   std::vector<double> limits;
   for (const BlockFrame& block : frame.blocks) {
     const double size = moves_freely(block.state.kind) ? size_of(block) : 0;
-    limits.push_back(is_rigid ? std::clamp(times_yield * yield, smallest * size, farthest * size)
+    limits.push_back(is_known ? std::clamp(times_yield * yield, smallest * size, farthest * size)
                               : farthest * size);
   }
   return limits;
 }
 
-SafetyTrials::SafetyTrials(Model& model, std::vector<double> limits,
-                           std::function<void(std::int64_t, double)> show)
+SafetyTrials::SafetyTrials(Model& model, std::vector<double> limits, std::int64_t steps_of_piece,
+                           std::function<void(double, double)> show)
     : model_(model),
       limits_(std::move(limits)),
+      steps_of_piece_(steps_of_piece),
       show_(std::move(show)),
       standing_(model.frame()),
       at_rest_(model.snapshot()) {}
 
 std::optional<Trial> SafetyTrials::at(double factor) {
-  constexpr std::int64_t steps_of_piece = 500;
+  constexpr std::int64_t max_pieces = 200;  // a trial that is not at rest by then falls
+  const std::int64_t max_steps = max_pieces * steps_of_piece_;
   Trial trial{.factor = factor};
   hs_relaxation_def piece;
   hs_relaxation_def_init(&piece, sizeof piece);
   piece.hold_bonds = 0;
-  piece.max_steps = steps_of_piece;
+  piece.max_steps = steps_of_piece_;
   model_.restore(at_rest_);
   model_.weaken(factor);
   bool has_fallen = false;
@@ -133,7 +136,7 @@ std::optional<Trial> SafetyTrials::at(double factor) {
     bool is_too_far = false;
     find_farthest(trial, is_too_far);
     has_fallen = has_fallen || is_too_far;
-    show_(trial.steps, balance.mean);
+    show_(static_cast<double>(trial.steps) / static_cast<double>(max_steps), balance.mean);
   }
   trial.stands = trial.stands && !has_fallen;
   if (!trial.stands) fallen_ = model_.snapshot();

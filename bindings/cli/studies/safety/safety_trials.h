@@ -32,9 +32,10 @@ std::vector<double> limits_of(const Scene& scene, const Model& standing);
 /// Tries factors on a model that is at rest.
 class SafetyTrials {
  public:
-  /// A block falls when it moves farther than its limit. `show` is called with the number of steps and the
-  /// unbalanced ratio.
-  SafetyTrials(Model& model, std::vector<double> limits, std::function<void(std::int64_t, double)> show);
+  /// A block falls when it moves farther than its limit, which is looked at after each piece of a trial.
+  /// `show` is called with the fraction of the trial's largest number of steps, and the unbalanced ratio.
+  SafetyTrials(Model& model, std::vector<double> limits, std::int64_t steps_of_piece,
+               std::function<void(double, double)> show);
 
   /// None when it was interrupted. @throws LibraryError
   std::optional<Trial> at(double factor);
@@ -44,14 +45,13 @@ class SafetyTrials {
   bool has_fallen() const { return !fallen_.empty(); }
   const Frame& standing() const { return standing_; }
 
-  static constexpr std::int64_t max_steps = 100'000;  ///< a trial that is not at rest by then falls
-
  private:
   void find_farthest(Trial& trial, bool& is_too_far) const;
 
   Model& model_;
   std::vector<double> limits_;
-  std::function<void(std::int64_t, double)> show_;
+  std::int64_t steps_of_piece_;
+  std::function<void(double, double)> show_;
   const Frame standing_;
   const std::string at_rest_;  ///< snapshots
   std::string fallen_;

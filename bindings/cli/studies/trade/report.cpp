@@ -138,8 +138,11 @@ std::string parameters_text(const Front& front) {
     dampings.add(shortest(damping) + ':', {.step = held_step, .damping = damping});
   ParameterEffect skins(front, "skin", held);
   for (const double skin : skin_values) skins.add(shortest(skin) + ':', {.step = held_step, .skin = skin});
+  ParameterEffect tolerances(front, "tolerance", held);
+  for (const double tolerance : tolerance_values)
+    tolerances.add(shortest(tolerance) + ':', {.step = held_step, .tolerance = tolerance});
   const std::string text = steps.text() + stiffness.text() + laws.text() + cells.text() + kinds.text() +
-                           dampings.text() + skins.text();
+                           dampings.text() + skins.text() + tolerances.text();
   if (text.empty()) return text;
   return "\nerror by parameter, all others held\n" + text +
          "(the step against the finest, the others against the scene's own at the same step)\n";
@@ -179,6 +182,12 @@ std::string left_out_text(int left_out) {
          "; --resume with a larger one adds them\n";
 }
 
+bool has_runs_without_stable_step(const Scene& scene, const Front& front, const FaceSize& face) {
+  return std::any_of(front.results().begin(), front.results().end(), [&](const Result& run) {
+    return !has_stable_step(with_setting(scene, run.setting, face));
+  });
+}
+
 std::string cheapest_text(const Scene& scene, const Front& front, const FaceSize& face, double tolerance) {
   const std::string limit =
       front.has_scale() ? rounded(100 * tolerance, 3) + " %" : with_unit(tolerance, scene);
@@ -199,22 +208,27 @@ std::string describe(const Setting& setting) {
   if (setting.kind) text += std::string(", ") + name_of_kind(*setting.kind) + " blocks";
   if (setting.damping) text += ", damping " + shortest(*setting.damping);
   if (setting.skin) text += ", skin " + shortest(*setting.skin);
+  if (setting.tolerance) text += ", tolerance " + shortest(*setting.tolerance);
   if (setting.disturbance > 0) text += ", disturbed start " + std::to_string(setting.disturbance);
   return text;
 }
 
 std::string report(const Scene& scene, const Front& front, const FaceSize& face, double tolerance,
                    int left_out) {
-  const std::string own_step =
-      scene.world.time_step == 0 ? std::string()
-      : has_stable_step(scene)
-          ? trade_line("time step", "the scene's own is not used: steps are fractions of the stable one")
-          : trade_line("time step",
-                       "fractions of the scene's own: without springs and elements there is no stable one");
+  const bool has_own_step = scene.world.time_step != 0;
+  std::string step;
+  if (!has_stable_step(scene)) {
+    step = trade_line("time step",
+                      "fractions of the scene's own: without springs and elements there is no stable one");
+  } else if (has_own_step) {
+    step = trade_line("time step", "the scene's own is not used: steps are fractions of the stable one");
+  }
+  if (has_stable_step(scene) && has_runs_without_stable_step(scene, front, face))
+    step += trade_line("without springs", "steps are fractions of 1/60 s");
   return trade_line("scene", scene.title.empty() ? "untitled" : scene.title) +
          trade_line("quantity", describe_quantity(scene)) +
          trade_line("reference", reference_text(scene, front)) +
-         trade_line("error", scale_text(scene, front)) + own_step +
+         trade_line("error", scale_text(scene, front)) + step +
          trade_line("runs converge", convergence_text(front)) +
          trade_line("by chance", chance_text(front, tolerance)) + cells_line(front, tolerance) +
          front_text(scene, front) + costs_text(scene, front) + parameters_text(front) + failures_text(front) +

@@ -14,7 +14,7 @@ namespace halfspace::cli {
 namespace {
 
 constexpr const char* columns =
-    "step,stiffness,cells,law,kind,damping,skin,disturbance,end,value,start,cpu_seconds,simulated";
+    "step,stiffness,cells,law,kind,damping,skin,tolerance,disturbance,end,value,start,cpu_seconds,simulated";
 constexpr std::array<const char*, 8> ends = {"whole",       "interrupted", "unstable",      "too fast",
                                              "not at rest", "inverted",    "too few steps", "no angle"};
 
@@ -33,7 +33,7 @@ std::string row_of(const Result& result) {
   std::string row;
   for (const std::string& cell :
        {shortest(s.step), shortest(s.stiffness), shortest(s.cells), or_nothing(s.law), or_nothing(s.kind),
-        or_nothing(s.damping), or_nothing(s.skin), std::to_string(s.disturbance),
+        or_nothing(s.damping), or_nothing(s.skin), or_nothing(s.tolerance), std::to_string(s.disturbance),
         std::string(ends[static_cast<std::size_t>(o.end)]), shortest(o.value), shortest(o.start),
         shortest(o.cpu_seconds), shortest(o.simulated)})
     row += (row.empty() ? "" : ",") + cell;
@@ -99,6 +99,7 @@ Result result_from(const std::string& row) {
   s.kind = cells.maybe_one_of({HS_BLOCK_RIGID, HS_BLOCK_AFFINE});
   s.damping = cells.maybe_number(0, limit);
   s.skin = cells.maybe_number(0, 1);
+  s.tolerance = cells.maybe_number(0, 1);
   s.disturbance = static_cast<int>(cells.number(0, 1000));
   o.end = end_named(cells.text());
   o.value = cells.number(-limit, limit);

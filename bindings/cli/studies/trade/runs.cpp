@@ -8,8 +8,6 @@ namespace {
 
 bool holds_together(const hs_law_def& law) { return law.cohesion > 0 || law.tensile_strength > 0; }
 
-bool has_no_spring(const hs_law_def& law) { return !has_spring(law); }
-
 /// The kinds of the free blocks.
 struct Kinds {
   explicit Kinds(const Scene& scene) {
@@ -35,16 +33,16 @@ struct Kinds {
   bool deforms = false;
 };
 
-/// The laws of the runs; empty: the scene's own. Potentials have no cohesion. A law without springs requires
-/// elements that determine the time step; springs in its place require elements that determine their
-/// stiffness.
+/// The laws of the runs; empty: the scene's own. Potentials have no cohesion, and rigid blocks without
+/// springs none that holds them together. Springs in place of a law without require elements that determine
+/// their stiffness.
 std::vector<std::optional<int>> laws_of(const Scene& scene) {
   const bool is_bonded = any_law(scene, holds_together), deforms = Kinds(scene).deforms;
   const bool is_given = !any_law(scene, has_no_spring) || deforms;
   std::vector<std::optional<int>> laws = {std::nullopt};
   for (const int kind : law_kinds) {
     const bool is_another = any_law(scene, [&](const hs_law_def& law) { return law.stiffness_kind != kind; });
-    const bool fits = kind == HS_STIFFNESS_NONE        ? deforms
+    const bool fits = kind == HS_STIFFNESS_NONE        ? deforms || !is_bonded
                       : kind == HS_STIFFNESS_POTENTIAL ? is_given && !is_bonded
                                                        : is_given;
     if (is_another && fits) laws.push_back(kind);
@@ -61,14 +59,19 @@ std::vector<Setting> runs_of(const Scene& scene, bool names_cells) {
     change(setting);
     if (std::find(runs.begin(), runs.end(), setting) == runs.end()) runs.push_back(setting);
   };
+  const Kinds kinds(scene);
   for (const std::optional<int> law : laws_of(scene)) {
     for (const double step : step_ladder) add([&](Setting& s) { s.step = step, s.law = law; });
-    if (law == HS_STIFFNESS_NONE || (!law && !any_law(scene, has_spring))) continue;
+    if (law == HS_STIFFNESS_NONE || (!law && !any_law(scene, has_spring))) {
+      if (kinds.deforms) continue;
+      for (const double tolerance : tolerance_values)
+        add([&](Setting& s) { s.law = law, s.tolerance = tolerance; });
+      continue;
+    }
     for (const double stiffness : stiffness_ladder)
       for (const double step : {1.0, held_step})
         add([&](Setting& s) { s.step = step, s.law = law, s.stiffness = stiffness; });
   }
-  const Kinds kinds(scene);
   for (const int kind : kinds.others()) {
     if (names_cells && kinds.has_mesh) break;
     if (has_stable_step(scene) && !has_stable_step(with_setting(scene, {.kind = kind}, {}))) continue;

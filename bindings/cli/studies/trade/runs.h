@@ -18,11 +18,12 @@ inline constexpr int law_kinds[] = {HS_STIFFNESS_PER_CONTACT, HS_STIFFNESS_PER_A
 inline constexpr int block_kinds[] = {HS_BLOCK_RIGID, HS_BLOCK_AFFINE};
 inline constexpr double damping_values[] = {0, 0.1, 0.3, 1};
 inline constexpr double skin_values[] = {0.02, 0.05, 0.3};
+inline constexpr double tolerance_values[] = {1e-4, 1e-2};
 inline constexpr int disturbed_starts = 16;
 
 /// The runs of a trade: the ladder of steps for each law, stiffnesses over four decades for each law that has
-/// one, kinds of blocks, cells of meshes, dampings and skins one by one, and disturbed starts. Meshes with
-/// cells named in the scene stay unchanged.
+/// one, kinds of blocks, cells of meshes, dampings, tolerances of impulses and skins one by one, and
+/// disturbed starts. Meshes with cells named in the scene stay unchanged.
 std::vector<Setting> runs_of(const Scene& scene, bool names_cells);
 
 /// The relative cost of a run, from experience; only the order of runs and the budget depend on it.

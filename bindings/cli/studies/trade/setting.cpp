@@ -162,16 +162,23 @@ bool has_stable_step(const Scene& scene) {
          any_block_making(scene, [](const Making& making) { return deforms(making.kind); });
 }
 
+double largest_step(const Scene& scene) {
+  constexpr double frame = 1.0 / 60;
+  return has_stable_step(scene) ? frame : scene.world.time_step;
+}
+
 Scene with_setting(Scene scene, const Setting& setting, const FaceSize& face) {
+  const double step = setting.step * largest_step(scene);
   hs_world_def& world = scene.world;
-  world.time_step = has_stable_step(scene) ? 0 : setting.step * world.time_step;
   world.safety = setting.step;
   if (setting.skin) world.skin = *setting.skin;
+  if (setting.tolerance) world.impulse_tolerance = *setting.tolerance;
   world.potential_length = face.potential_length;
   apply(scene.default_law, setting, face);
   for (PairLaw& pair : scene.laws) apply(pair.law, setting, face);
   if (setting.kind) set_kind(scene, *setting.kind);
   if (setting.cells != 1) cut_meshes(scene, setting.cells);
+  world.time_step = has_stable_step(scene) ? 0 : step;
   return scene;
 }
 
@@ -200,10 +207,11 @@ const char* name_of_kind(int kind) { return kind == HS_BLOCK_AFFINE ? "affine" :
 
 std::string scene_lines(const Setting& setting, const Scene& scene, const FaceSize& face) {
   const Scene changed_scene = with_setting(scene, setting, face);
-  std::string text = has_stable_step(scene)
+  std::string text = has_stable_step(changed_scene)
                          ? "[world]  # and no time_step\nsafety = " + shortest(setting.step) + '\n'
                          : "[world]\ntime_step = " + shortest(changed_scene.world.time_step) + '\n';
   if (setting.skin) text += "skin = " + shortest(*setting.skin) + '\n';
+  if (setting.tolerance) text += "impulse_tolerance = " + shortest(*setting.tolerance) + '\n';
   if (has_potential(changed_scene)) text += "potential_length = " + rounded(face.potential_length, 6) + '\n';
   text += "\n[default_law]\n" + law_lines(changed_scene.default_law);
   for (const PairLaw& pair : changed_scene.laws) {

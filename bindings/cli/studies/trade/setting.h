@@ -11,14 +11,15 @@ namespace halfspace::cli {
 /// The values of the parameters that trade accuracy for time. Without a value, a parameter is that of the
 /// scene.
 struct Setting {
-  double step = 0.5;             ///< fraction of the stable time step, or of the scene's own
+  double step = 0.5;             ///< fraction of the largest one, see largest_step()
   double stiffness = 1;          ///< times the scene's
   double cells = 1;              ///< factor of the cells along each length, of meshes that the scene makes
   std::optional<int> law = {};   ///< stiffness kind, of equal stiffness for faces of the typical size
   std::optional<int> kind = {};  ///< of all blocks that move freely
-  std::optional<double> damping = {};  ///< of all contacts, fraction of the critical one
-  std::optional<double> skin = {};     ///< of the neighbour list, fraction of a block's size
-  int disturbance = 0;                 ///< number of a start disturbed by 1e-9 of a block's size; 0: none
+  std::optional<double> damping = {};    ///< of all contacts, fraction of the critical one
+  std::optional<double> skin = {};       ///< of the neighbour list, fraction of a block's size
+  std::optional<double> tolerance = {};  ///< of impulses
+  int disturbance = 0;                   ///< number of a start disturbed by 1e-9 of a block's size; 0: none
 
   bool operator==(const Setting&) const = default;
 };
@@ -33,9 +34,12 @@ struct FaceSize {
 /// The typical face of the blocks of a scene.
 FaceSize typical_face(const Context& context, const Scene& scene, const Model& model);
 
-/// True if springs or elements determine a stable time step. Without it, steps are fractions of the scene's
-/// own.
+/// True if springs or elements determine a stable time step.
 bool has_stable_step(const Scene& scene);
+
+/// The step of which settings have fractions, s, where none is stable: the scene's own, or 1/60 s where the
+/// scene's law has springs and the setting's has none.
+double largest_step(const Scene& scene);
 
 /// The scene with a setting.
 Scene with_setting(Scene scene, const Setting& setting, const FaceSize& face);
