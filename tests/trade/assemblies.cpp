@@ -1,6 +1,6 @@
 // The program of one engine on walls and heaps of many blocks at steps of 1/60 s: `list` names its cases,
 // `run N` prints the cost of one, how far the farthest block has moved, and how deep blocks overlap at the
-// end. `assemblies` runs all and writes the table.
+// end. `walls_and_heaps` runs all and writes the table.
 
 #include <algorithm>
 #include <cmath>
@@ -145,6 +145,7 @@ void run(const Case& c) {
     if (pass > 0) continue;
     std::vector<Body> bodies = scene.bodies;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
+      if (bodies[i].is_fixed) continue;
       const State state = run.state(i);
       farthest = std::max(farthest, distance(state.position, bodies[i].position));
       bodies[i].position = state.position;

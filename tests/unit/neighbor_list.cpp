@@ -99,7 +99,7 @@ TEMPLATE_TEST_CASE_SIG("the list is used up when a block is to move, or turn, by
   parts.list_neighbors();
   NeighborList<D>& list = parts.neighbors;
   const double skin = std::get<0>(list.skins())[0];
-  list.begin_announcements();
+  list.end_announcements(false);
   CHECK_FALSE(list.announce(parts.blocks, 0, 0.99 * skin));
   CHECK(list.announced_motion(0) == 0.99 * skin);
   CHECK(list.announce(parts.blocks, 0, 1.01 * skin));

@@ -82,7 +82,7 @@ struct WorldParts {
   void list_neighbors() {
     const bool with_shear =
         model.materials.laws().any([](const ContactLaw& law) { return law.resists_shear(); });
-    neighbors.search_again(blocks, model.settings.skin, with_shear);
+    neighbors.search_again(blocks, {model.settings.skin}, with_shear);
     contacts.fit_room();
     forces.fit_rooms();
     fast_motion.fit_room();
