@@ -249,7 +249,7 @@ void World<D>::evaluate_forces_for_host(double elapsed) {
 
 template <int D>
 double World<D>::largest_overlap() const {
-  double overlap = 0;
+  double overlap = hard_contacts_.rigid().largest_overlap();
   for (std::size_t c = 0; c < contact_count(); ++c) overlap = std::max(overlap, -contact(c).gap);
   return overlap;
 }

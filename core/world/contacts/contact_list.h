@@ -142,6 +142,7 @@ class ContactList {
 
   /// Maximum overlap so far, m. Excludes potential laws in 3D, which compute no contacts.
   double peak_overlap() const { return peak_overlap_; }
+  void note_overlap(double depth) { peak_overlap_ = std::max(peak_overlap_, depth); }
 
   /// State that a step after an edit writes before it moves the blocks, except the pairs.
   auto state() {

@@ -30,6 +30,7 @@ template <int D>
 void HardContacts<D>::stop_approach(EnergySample& sample, EnergyLedger& ledger) {
   if (!is_used()) return;
   has_manifolds_ ? rigid_.stop_approach(ledger) : points_.stop_approach(ledger);
+  contacts_.note_overlap(rigid_.largest_overlap());
   integrator_.take_kicks(sample);
   contacts_.end_bonds_without_spring();
 }

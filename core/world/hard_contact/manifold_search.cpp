@@ -30,13 +30,17 @@ PosedBlock<D> ManifoldSearch<D>::predicted(std::size_t slot) const {
           integrator_.predicted_rotation(slot)};
 }
 
-/// At least the rounding of a point's place seen from either block.
+/// At least the rounding of a point's place seen from either block, and the way of the velocities that may
+/// remain unbalanced: points within it would else bear in one step and not in the next.
 template <int D>
 double ManifoldSearch<D>::reach(const RigidContact<D>& contact) const {
+  const double duration = integrator_.duration();
+  const double unbalanced = 2 * model_.settings.impulse_tolerance * model_.settings.gravity.norm() * duration;
   constexpr double roundings = 16 * std::numeric_limits<double>::epsilon();
   const std::size_t a = std::size_t(contact.a), b = std::size_t(contact.b);
-  return std::max(reach_fraction * std::min(blocks_.radius[a], blocks_.radius[b]),
-                  roundings * std::max(blocks_.position[a].norm(), blocks_.position[b].norm()));
+  return std::max({reach_fraction * std::min(blocks_.radius[a], blocks_.radius[b]),
+                   roundings * std::max(blocks_.position[a].norm(), blocks_.position[b].norm()),
+                   unbalanced * duration});
 }
 
 template <int D>

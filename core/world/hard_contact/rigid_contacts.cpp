@@ -12,6 +12,10 @@ namespace {
 constexpr double recovery_fraction = 0.1;
 constexpr int max_recovery_sweeps = 10;
 
+/// What the impulses of the first half step leave unbalanced those of the second find twice. With half of the
+/// tolerance, these find it within theirs.
+constexpr double position_tolerance_fraction = 0.5;
+
 /// Impacts this early in a motion, as a fraction of it, are at its start.
 constexpr double shortest_fraction = 1e-6;
 
@@ -133,8 +137,8 @@ bool RigidContacts<D>::correct_targets(double duration) {
 
 /// From velocities without impulses.
 template <int D>
-bool RigidContacts<D>::solve(double duration) {
-  const ImpulseSettings settings{.tolerance = model_.settings.impulse_tolerance,
+bool RigidContacts<D>::solve(double duration, double tolerance_fraction) {
+  const ImpulseSettings settings{.tolerance = tolerance_fraction * model_.settings.impulse_tolerance,
                                  .speed = duration * model_.settings.gravity.norm(),
                                  .max_iterations = model_.settings.max_impulse_iterations};
   const ImpulseResult result = solver_.solve(problem_, settings);
@@ -202,7 +206,7 @@ bool RigidContacts<D>::predict(double time, double duration) {
     set_position_targets(duration);
     bool has_converged = true;
     for (int i = 0; i < max_corrections; ++i) {
-      has_converged = solve(duration);
+      has_converged = solve(duration, position_tolerance_fraction);
       if (!integrator_.predict(duration)) return false;
       if (correct_targets(duration) || !has_converged) break;
       set_motions_at_half_step();
@@ -317,7 +321,7 @@ void RigidContacts<D>::stop_approach(EnergyLedger& ledger) {
     rows_.build(planned_, problem_);
     set_motions();
     set_velocity_targets();
-    solve(duration);
+    solve(duration, 1);
   }
   next_known_.clear();
   for (std::size_t c = 0; c < planned_.size(); ++c) {
@@ -328,6 +332,13 @@ void RigidContacts<D>::stop_approach(EnergyLedger& ledger) {
   known_.swap(next_known_);
   planned_.clear();
   duration_ = duration;
+}
+
+template <int D>
+double RigidContacts<D>::largest_overlap() const {
+  double overlap = 0;
+  for (const RigidContact<D>& contact : known_) overlap = std::max(overlap, -contact.min_gap());
+  return overlap;
 }
 
 template <int D>

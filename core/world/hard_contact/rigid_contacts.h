@@ -32,6 +32,8 @@ class RigidContacts {
   const Array<RigidContact<D>>& all() const { return known_; }
   std::int64_t touches() const { return touches_; }
   std::int64_t iterations() const { return iterations_; }
+  /// Of the last motion, m; 0 when no contact overlaps.
+  double largest_overlap() const;
   /// The largest penetration so far over the thickness of the thinner block.
   double deepest() const { return deepest_; }
   double unbalanced_velocity() const { return unbalanced_velocity_; }
@@ -69,7 +71,7 @@ class RigidContacts {
   BlockMotion<D> motion(std::size_t slot) const;
   void set_motions();
   void set_motions_at_half_step();
-  bool solve(double duration);
+  bool solve(double duration, double tolerance_fraction);
   double recover();
   double book(std::size_t contact, EnergyLedger& ledger);
   double gap_floor(const PlannedContact<D>& contact, std::size_t point) const;
