@@ -14,6 +14,9 @@ constexpr double first_compliance = 1e-6, last_compliance = 1e-11, compliance_ra
 /// Velocities below this fraction of the tolerance are rounding, and solutions are refined to it.
 constexpr double noise_fraction = 1e-3, refined_fraction = 1e-3;
 
+/// Sets go on to this fraction of the tolerance, so that the next step begins within it.
+constexpr double sure_fraction = 0.1;
+
 constexpr int max_sets = 20;
 /// Sets do not settle when one leaves this much more unbalanced than the best before.
 constexpr double diverged_ratio = 2;
@@ -289,7 +292,7 @@ double ActiveSet<D>::solve(ImpulseProblem<D>& problem, double tolerance, bool is
   keep(problem);
   try {
     order_blocks(problem);
-    for (int i = 0; i < max_sets && least > tolerance && improve(problem, tolerance); ++i) {
+    for (int i = 0; i < max_sets && least > sure_fraction * tolerance && improve(problem, tolerance); ++i) {
       const double unbalanced = classify(problem, noise);
       if (unbalanced < least) {
         least = unbalanced;

@@ -32,7 +32,7 @@ class ActiveSet {
   /// Takes the memory of problems of so many rows and blocks, but for that of the factors.
   void reserve(std::size_t rows, std::size_t blocks);
   /// Changes impulses and motions to those of the active set that leaves the least velocity unbalanced, which
-  /// is returned. Ends at the tolerance, m/s, or when the sets do not settle.
+  /// is returned. Ends well within the tolerance, m/s, or when the sets do not settle.
   double solve(ImpulseProblem<D>& problem, double tolerance, bool is_cold);
 
  private:
