@@ -7,13 +7,18 @@ using namespace halfspace::capi;
 
 namespace {
 
+/// By a shear spring, or without springs by impulses.
+bool has_friction(const ContactLaw& law) {
+  return law.resists_shear() || (law.has_no_spring() && (law.tan_friction > 0 || law.bonds()));
+}
+
 template <int D>
 std::int32_t active_parts(const World<D>& world) {
   const Model<D>& model = world.model();
   const auto some_law = [&](auto condition) { return model.materials.laws().any(condition); };
   std::int32_t parts = 0;
   const auto add = [&](std::int32_t part, bool is_active) { parts |= is_active ? part : 0; };
-  add(HS_PART_FRICTION, some_law([](const ContactLaw& law) { return law.resists_shear(); }));
+  add(HS_PART_FRICTION, some_law(has_friction));
   add(HS_PART_BONDS, !world.bonds().empty() || some_law([](const ContactLaw& law) { return law.bonds(); }));
   add(HS_PART_CONTACT_DAMPING, some_law([](const ContactLaw& law) { return law.is_damped(); }));
   add(HS_PART_AREA,

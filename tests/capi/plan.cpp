@@ -44,6 +44,14 @@ TEST_CASE("a plan names the parts that laws and settings ask for, and no others"
   CHECK(parts_of(law) == HS_PART_AREA);
   law.stiffness_kind = HS_STIFFNESS_POTENTIAL;
   CHECK(parts_of(law) == HS_PART_POTENTIAL);
+  law = bare_law();
+  law.stiffness_kind = HS_STIFFNESS_NONE;
+  CHECK(parts_of(law) == HS_PART_HARD_CONTACTS);
+  law.friction_angle = 0.5;
+  CHECK(parts_of(law) == (HS_PART_FRICTION | HS_PART_HARD_CONTACTS));
+  law.friction_angle = 0;
+  law.cohesion = 1;
+  CHECK(parts_of(law) == (HS_PART_FRICTION | HS_PART_BONDS | HS_PART_HARD_CONTACTS));
   hs_world_def def = world_def();
   def.local_damping = 0.1;
   CHECK(parts_of(bare_law(), def) == HS_PART_LOCAL_DAMPING);

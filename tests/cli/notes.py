@@ -47,9 +47,12 @@ class Notes(unittest.TestCase):
         for key, value in changes.items():
             head = re.sub(rf"(?m)^{key} = .*$", f"{key} = {value}", head) if re.search(rf"(?m)^{key} = ", head) \
                 else head.replace("[world]\n", f"[world]\n{key} = {value}\n")
+        return self.check_text(head + blocks)
+
+    def check_text(self, text):
         with tempfile.TemporaryDirectory() as directory:
             scene = Path(directory, "scene.toml")
-            scene.write_text(head + blocks)
+            scene.write_text(text)
             answer = halfspace("check", scene)
             self.assertEqual((answer.returncode, answer.stderr), (0, ""))
             first, *notes = answer.stdout.splitlines()
@@ -212,6 +215,32 @@ class Notes(unittest.TestCase):
             self.assertRegex(summary, r"in the whole run +largest overlap 0\.4 m, fastest block \d\d")
             self.assertNotIn("above the stable one", summary)
 
+    def test_keys_of_impulses_between_rigid_blocks_where_there_are_none(self):
+        of_world = {"locate_impacts": "true", "impulse_tolerance": "1e-8", "max_impulse_iterations": "9"}
+        world = "".join(f"{key} = {value}\n" for key, value in of_world.items())
+        none = (HEAD.format(2).replace('"per contact"\nnormal_stiffness = 1e8\nshear_stiffness = 1e8', '"none"\nrestitution = 0.5')
+                .replace("[world]\n", "[world]\n" + world + "time_step = 1e-3\n"))
+        springs = HEAD.format(2).replace("[world]\n", "[world]\n" + world)
+        stone = block("ground", [-1, -1], [2, 0], 'kind = "fixed"') + block("box", [0, 0], [1, 1])
+        rubber = block("soft", [2, 0], [3, 1], 'kind = "affine"', "rubber")
+        glued = '[[law]]\nbetween = ["stone", "rubber"]\ncohesion = 1e5\n'
+        own = '[[law]]\nbetween = ["stone", "stone"]\nstiffness = "none"\nrestitution = 0.5\n'
+        every = sorted(f"world.{key}" for key in of_world)
+        for head, blocks, keys, reason in (
+                (none, stone, [], ""),
+                (springs.replace("locate_impacts = true", "locate_impacts = false"), stone, every[:1] + every[2:], "have springs"),
+                (springs, stone, every, "the laws of all blocks have springs; usual: a law with stiffness = \"none\""),
+                (springs, own + stone, [], ""),
+                (springs, own + stone + rubber, ["law[0].restitution"] + every, '"soft" deforms, so that all contacts'),
+                (none, stone + rubber.replace("affine", "rigid"), [], ""),
+                (none, stone + rubber, ["default_law.restitution"] + every, '"soft" deforms, so that all contacts'),
+                (none, glued + stone, ["default_law.restitution"] + every, "a law without springs has cohesion or")):
+            with self.subTest(blocks=blocks, keys=keys):
+                notes = [note for note in self.check_text(head + blocks) if "no effect" in note]
+                self.assertEqual(sorted(note.split("note: ")[1].split(":")[0] for note in notes), keys)
+                self.assertTrue(all(reason in note for note in notes), notes)
+        self.assertTrue(self.check_text(springs + stone)[0].startswith("3:18: note: world.locate_impacts: no effect: "))
+
     def run_scene(self, text):
         """The answer of a run and its summary."""
         with tempfile.TemporaryDirectory() as directory:
@@ -227,7 +256,7 @@ class Notes(unittest.TestCase):
         answer, summary = self.run_scene(world + plate + bar)
         self.assertEqual(answer.returncode, 0)
         self.assertRegex(summary, r"outcome +complete")
-        self.assertRegex(summary, r"divided steps +1, at impacts of fast blocks")
+        self.assertRegex(summary, r"divided steps +1, at impacts or fast rotations")
         self.assertRegex(summary, r"in the whole run +largest overlap 0\.0009\d+ m, fastest block 300 m/s")
         self.assertRegex(summary, r"time step +above the stable one, min 7\.29e-07 s")
         self.assertRegex(summary, r"softest springs +allow a penetration of 21\.2 % of the thinner one's thickness")

@@ -99,6 +99,15 @@ class Plan(SceneTest):
         self.assertIn("can be left out, within 1 %", self.line(run, "damping of contacts"))
         self.assertRegex(self.line(run, "moved by 1e-9"), r"^\d(e-\d\d|\.?\d*) % of its size, by chance$")
 
+    def test_friction_without_springs_is_a_part_and_springs_do_not_rebound_by_a_restitution(self):
+        rigid = (SLIDE.replace("[world]", "[world]\ntime_step = 0.01").replace("density", "young_modulus = 1e9\npoisson_ratio = 0.2\ndensity")
+                 .replace('"per contact"\nnormal_stiffness = 1e8\nshear_stiffness = 1e8', '"none"\nrestitution = 0.5'))
+        run = self.plan(rigid, "--time", "0.1")
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        self.assertEqual(self.line(run, "active"), "friction, springless contacts")
+        self.assertNotIn("can be left out", self.line(run, "friction"))
+        self.assertRegex(run.stdout, r"(?m)^springless contacts ")
+
     def test_sleep_is_a_part_that_a_scene_may_do_without(self):
         run = self.plan(SLIDE.replace("[world]", "[world]\nsleep_tolerance = 1e-6"))
         self.assertEqual((run.returncode, run.stderr), (0, ""))

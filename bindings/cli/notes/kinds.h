@@ -25,5 +25,7 @@ void note_bonds(const Start& start, Faults& faults);
 void note_sizes(const Start& start, Faults& faults);
 /// Materials, laws and strengths without a use.
 void note_unused(const Start& start, Faults& faults);
+/// Keys of the impulses between rigid blocks where these have no such impulses.
+void note_impulses(const Start& start, Faults& faults);
 
 }  // namespace halfspace::cli

@@ -18,7 +18,7 @@ class Springs {
 
   /// The stiffness of two aligned faces over the mean cross section of the smaller block, N/m.
   double stiffness(const Body& a, const Body& b) const {
-    const hs_law_def& law = between(a.state.material, b.state.material);
+    const hs_law_def& law = law_between(scene_, a.state.material, b.state.material);
     const double section = std::min(a.volume / a.thickness, b.volume / b.thickness);
     if (law.stiffness_kind == HS_STIFFNESS_NONE) return HUGE_VAL;  // no penetration
     if (law.stiffness_kind == HS_STIFFNESS_PER_AREA) return law.normal_stiffness * section;
@@ -27,13 +27,6 @@ class Springs {
   }
 
  private:
-  const hs_law_def& between(int a, int b) const {
-    for (const PairLaw& pair : scene_.laws) {
-      if (std::minmax(pair.a, pair.b) == std::minmax(a, b)) return pair.law;
-    }
-    return scene_.default_law;
-  }
-
   const Scene& scene_;
   double length_;
 };

@@ -53,6 +53,12 @@ bool is_beyond_rounding(double depth, double thinner, const Body& a, const Body&
   return depth > std::ldexp(thinner, -20) + std::ldexp(places, -44);
 }
 
+std::set<int> used_materials(const Start& start) {
+  std::set<int> used;
+  for (const LayoutBlock& block : start.layout.blocks) used.insert(block.material);
+  return used;
+}
+
 std::string ratio_text(double ratio) {
   return ratio < 1 ? rounded(100 * ratio, 3) + " % of" : rounded(ratio, 3) + " times";
 }

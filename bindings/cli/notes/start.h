@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,9 @@ struct Start {
 
 /// True if a depth is above the rounding of the coordinates of both blocks, and above 2^-20 of the thickness.
 bool is_beyond_rounding(double depth, double thinner, const Body& a, const Body& b);
+
+/// The materials of the blocks.
+std::set<int> used_materials(const Start& start);
 
 /// A ratio in words: "12 % of" or "3 times".
 std::string ratio_text(double ratio);

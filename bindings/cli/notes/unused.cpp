@@ -9,12 +9,6 @@
 namespace halfspace::cli {
 namespace {
 
-std::set<int> used_materials(const Start& start) {
-  std::set<int> used;
-  for (const LayoutBlock& block : start.layout.blocks) used.insert(block.material);
-  return used;
-}
-
 void note_materials(const Start& start, const std::set<int>& used, Faults& faults) {
   for (std::size_t i = 0; i < start.scene.materials.size(); ++i) {
     const Material& material = start.scene.materials[i];

@@ -119,7 +119,7 @@ std::string fast_blocks_text(const hs_world_report& report, const Peaks& peaks) 
   std::string text;
   if (report.divided_steps > 0) {
     text +=
-        report_line("divided steps", std::to_string(report.divided_steps) + ", at impacts of fast blocks");
+        report_line("divided steps", std::to_string(report.divided_steps) + ", at impacts or fast rotations");
   }
   if (peaks.penetration_ratio > reported_ratio) {
     text +=

@@ -75,6 +75,10 @@ Place Keys::place(std::string_view key) const {
   return place_of(node ? *node : *table_);
 }
 
+std::optional<Place> Keys::place_if_given(std::string_view key) const {
+  return has(key) ? std::optional(place(key)) : std::nullopt;
+}
+
 std::string Keys::path(std::string_view key) const {
   return path_.empty() ? std::string(key) : path_ + '.' + std::string(key);
 }

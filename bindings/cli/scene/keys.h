@@ -86,6 +86,7 @@ class Keys {
   bool has_any(std::initializer_list<std::string_view> keys);
   Place place() const { return place_of(*table_); }
   Place place(std::string_view key) const;
+  std::optional<Place> place_if_given(std::string_view key) const;
   std::string path(std::string_view key) const;
   void fault(std::string_view key, std::string text) { faults_->add(place(key), path(key), std::move(text)); }
 

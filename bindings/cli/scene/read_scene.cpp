@@ -55,6 +55,9 @@ void read_world(Keys keys, bool has_stages, Scene& scene) {
   places.sleep_tolerance = keys.place("sleep_tolerance");
   places.potential_length = keys.place("potential_length");
   places.rest_speed = keys.place("rest_speed");
+  places.impulse_tolerance = keys.place_if_given("impulse_tolerance");
+  places.max_impulse_iterations = keys.place_if_given("max_impulse_iterations");
+  if (world.locate_impacts) places.locate_impacts = keys.place_if_given("locate_impacts");
   keys.finish();
 }
 
@@ -118,6 +121,7 @@ void read_default_law(Keys keys, Scene& scene) {
   hs_law_def_init(&scene.default_law, sizeof scene.default_law);
   read_law_values(keys, scene.default_law, true);
   scene.places.default_law = keys.place();
+  scene.places.restitution = keys.place_if_given("restitution");
   keys.finish();
 }
 
@@ -137,7 +141,7 @@ void read_laws(std::vector<Keys> tables, Scene& scene) {
                                 "\" and \"" + scene.materials[static_cast<std::size_t>(b)].name +
                                 "\" was given before; allowed: one law for a pair of materials");
     }
-    scene.laws.push_back({a, b, law, keys.place("between")});
+    scene.laws.push_back({a, b, law, keys.place("between"), keys.place_if_given("restitution")});
   }
 }
 

@@ -43,7 +43,8 @@ struct PairLaw {
   int a = 0;
   int b = 0;
   hs_law_def law{};
-  Place place = {};  ///< of the materials' names, for notes
+  Place place = {};                             ///< of the materials' names, for notes
+  std::optional<Place> restitution_place = {};  ///< if it is given
 };
 
 /// The bonds between the blocks of two materials, given by their indices.
@@ -259,6 +260,8 @@ struct Scene {
   struct Places {
     Place gravity, time_step, duration, sleep_tolerance, potential_length, default_law, rest_speed;
     Place frame_interval, history_interval;
+    /// Of keys that may be missing.
+    std::optional<Place> restitution, impulse_tolerance, max_impulse_iterations, locate_impacts;
   };
   Places places;
   double rest_speed = 0;  ///< 0: the run never ends early
@@ -307,6 +310,14 @@ void for_each_making(AnyScene& scene, Visit visit) {
 
 inline bool has_spring(const hs_law_def& law) { return law.stiffness_kind != HS_STIFFNESS_NONE; }
 inline bool has_no_spring(const hs_law_def& law) { return !has_spring(law); }
+
+/// The law that the blocks of two materials follow.
+inline const hs_law_def& law_between(const Scene& scene, int a, int b) {
+  for (const PairLaw& pair : scene.laws) {
+    if (std::minmax(pair.a, pair.b) == std::minmax(a, b)) return pair.law;
+  }
+  return scene.default_law;
+}
 
 /// True if the condition holds for the default law or the law of any pair.
 template <class Condition>

@@ -135,7 +135,7 @@ module halfspace_c
 
   !> Optional parts of a step, in addition to detection and normal forces of rigid blocks. Inactive parts are
   !! neither stored nor computed.
-  integer(c_int32_t), parameter :: HS_PART_FRICTION = 1  !< a law has friction or cohesion: each pair stores a shear spring
+  integer(c_int32_t), parameter :: HS_PART_FRICTION = 1  !< a law has friction or cohesion; pairs with springs store a shear spring
   integer(c_int32_t), parameter :: HS_PART_BONDS = 2  !< there are bonds, or a law has cohesion or tensile strength
   integer(c_int32_t), parameter :: HS_PART_CONTACT_DAMPING = 4  !< a law has damping
   integer(c_int32_t), parameter :: HS_PART_AREA = 8  !< a law is per area: overlap areas (3D: volumes) are computed
@@ -397,7 +397,7 @@ module halfspace_c
     real(c_double) :: block_strain_energy = 0.0_c_double
     !> dissipated by damping in affine blocks and meshes, J; included in the residual
     real(c_double) :: block_damping_loss = 0.0_c_double
-    integer(c_int64_t) :: divided_steps = 0  !< steps divided by continuous collision
+    integer(c_int64_t) :: divided_steps = 0  !< steps divided at impacts or fast rotations
     !> max penetration that springs allow, over the thinner block's thickness; above 0.25 increase
     !! normal_stiffness, see docs/concepts/impact.md
     real(c_double) :: max_penetration_ratio = 0.0_c_double

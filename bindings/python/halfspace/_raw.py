@@ -148,7 +148,7 @@ HS_AXIS_Z = 4  # z, 3D only
 
 # Optional parts of a step, in addition to detection and normal forces of rigid blocks. Inactive parts are
 # neither stored nor computed.
-HS_PART_FRICTION = 1  # a law has friction or cohesion: each pair stores a shear spring
+HS_PART_FRICTION = 1  # a law has friction or cohesion; pairs with springs store a shear spring
 HS_PART_BONDS = 2  # there are bonds, or a law has cohesion or tensile strength
 HS_PART_CONTACT_DAMPING = 4  # a law has damping
 HS_PART_AREA = 8  # a law is per area: overlap areas (3D: volumes) are computed
@@ -495,7 +495,7 @@ class hs_world_report(Structure):
         ("block_strain_energy", c_double),
         # dissipated by damping in affine blocks and meshes, J; included in the residual
         ("block_damping_loss", c_double),
-        ("divided_steps", c_int64),  # steps divided by continuous collision
+        ("divided_steps", c_int64),  # steps divided at impacts or fast rotations
         # max penetration that springs allow, over the thinner block's thickness; above 0.25 increase
         # normal_stiffness, see docs/concepts/impact.md
         ("max_penetration_ratio", c_double),

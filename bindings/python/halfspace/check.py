@@ -6,6 +6,9 @@ from typing import Any, Dict, Iterator, List, Optional, Tuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from .constants import StiffnessKind
+from .law import Law
+
 #: The usual range of a setting (absolute value or norm), and its text in a note. 0 is usual, too.
 _USUAL: Dict[str, Tuple[float, float, str]] = {
     "gravity": (1, 25, "9.81 m/s2, 1.62 on the moon"),
@@ -38,15 +41,20 @@ class Given:
         self.values: Dict[str, Any] = {}
         self.held: Dict[int, str] = {}  # axes along which nodes of a body are held
         self.empty_bonds: List[str] = []
+        self.laws: Dict[str, Law] = {}
+        self.of_impulses: List[str] = []  # settings of the impulses between rigid blocks
 
     def copy(self) -> "Given":
         other = Given()
         other.values, other.held = dict(self.values), dict(self.held)
         other.empty_bonds = list(self.empty_bonds)
+        other.laws, other.of_impulses = dict(self.laws), list(self.of_impulses)
         return other
 
     def see(self, name: str, value: Any) -> None:
         """Stores a number, a vector, or the fields of a dataclass."""
+        if isinstance(value, Law):
+            self.laws[name] = value
         if dataclasses.is_dataclass(value):
             for field in dataclasses.fields(value):
                 if field.name in _USUAL:
@@ -78,6 +86,7 @@ class Boxes:
     high: NDArray[np.float64]
     moves: NDArray[np.bool_]
     holds: NDArray[np.bool_]
+    deforms: NDArray[np.bool_]
 
     @property
     def sizes(self) -> NDArray[np.float64]:
@@ -139,6 +148,29 @@ def notes_on_sizes(boxes: Boxes, sleep_tolerance: float) -> Iterator[str]:
                 f"sleep_tolerance: {sleep_tolerance:g} m beside a block {thinnest:g} m thick; "
                 f"usual: below {_TOLD_FRACTION:.0%} of it"
             )
+
+
+def notes_on_impulses(given: Given, boxes: Boxes) -> Iterator[str]:
+    """Notes on settings of the impulses between rigid blocks where these have no such impulses."""
+    count = sum(name.endswith("].density") for name in given.values)
+    if "default_law" not in given.laws or not count:
+        return
+    pairs = [f"law[{a}, {b}]" for b in range(count) for a in range(b + 1)]
+    without = [law for law in (given.laws.get(pair, given.laws["default_law"]) for pair in pairs)
+               if StiffnessKind.NONE == law.stiffness_kind]
+    points = "all contacts without springs are point constraints"
+    if not without:
+        reason = "all laws have springs; usual: a law of StiffnessKind.NONE"
+    elif boxes.deforms.any():
+        reason = f"block {boxes.ids[boxes.deforms.argmax()]} deforms, so that {points}; usual: rigid blocks only"
+    elif any(law.cohesion > 0 or law.tensile_strength > 0 for law in without):
+        reason = (f"a law without springs has cohesion or tensile_strength, so that {points}; "
+                  "usual: these in laws with springs only")
+    else:
+        return
+    rebounds = [f"{name}.restitution" for name, law in given.laws.items() if law.restitution > 0]
+    for name in given.of_impulses + rebounds:
+        yield f"{name}: no effect: {reason}"
 
 
 def notes_on_time_step(time_step: Optional[float], stable: float) -> Iterator[str]:

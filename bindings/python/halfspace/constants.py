@@ -142,7 +142,8 @@ class WorldPart(IntFlag):
     """Optional parts of a step, in addition to detection and normal forces of rigid blocks. Inactive parts
     are neither stored nor computed."""
 
-    FRICTION = _raw.HS_PART_FRICTION  # a law has friction or cohesion: each pair stores a shear spring
+    # a law has friction or cohesion; pairs with springs store a shear spring
+    FRICTION = _raw.HS_PART_FRICTION
     BONDS = _raw.HS_PART_BONDS  # there are bonds, or a law has cohesion or tensile strength
     CONTACT_DAMPING = _raw.HS_PART_CONTACT_DAMPING  # a law has damping
     AREA = _raw.HS_PART_AREA  # a law is per area: overlap areas (3D: volumes) are computed

@@ -267,7 +267,7 @@ class WorldReport(Record):
     block_damping_loss : float
         dissipated by damping in affine blocks and meshes, J; included in the residual
     divided_steps : int
-        steps divided by continuous collision
+        steps divided at impacts or fast rotations
     max_penetration_ratio : float
         max penetration that springs allow, over the thinner block's thickness; above 0.25 increase
         normal_stiffness, see docs/concepts/impact.md

@@ -13,7 +13,7 @@ from ._choice import choice
 from ._library import library
 from ._record import Records, empty_record, empty_records
 from .block_arrays import Floats
-from .check import Boxes, notes_on_gravity, notes_on_sizes, notes_on_support, notes_on_time_step
+from .check import Boxes, notes_on_gravity, notes_on_impulses, notes_on_sizes, notes_on_support, notes_on_time_step
 from .constants import BlockKind, FastBlocks
 from .context import Context, default_context, held
 from .law import Law
@@ -130,6 +130,10 @@ class World(Statics):
         self._given.see("gravity", np.array(definition.gravity[:]))
         for name in ("mass_damping", "time_step", "sleep_tolerance"):
             self._given.see(name, getattr(definition, name))
+        self._given.see("default_law", Law())
+        for name in ("impulse_tolerance", "max_impulse_iterations", "locate_impacts"):
+            if settings[name]:
+                self._given.of_impulses.append(name)
         if law is not None:
             self.set_default_law(law)
 
@@ -411,8 +415,8 @@ class World(Statics):
 
     def check(self) -> List[str]:
         """Returns notes on unusual settings: values in a wrong unit (a density in t/m3, a cohesion in MPa), gravity
-        that does not point down, blocks without support, bonds that were not made, a time step above the stable one.
-        Empty if there is nothing unusual; nothing is changed.
+        that does not point down, blocks without support, bonds that were not made, a time step above the stable one,
+        settings of impulses that have no effect. Empty if there is nothing unusual; nothing is changed.
 
         For a world from `restore`, gravity, materials and laws are not checked.
 
@@ -433,6 +437,7 @@ class World(Statics):
             *notes_on_gravity(gravity, self.dimension),
             *notes_on_support(boxes, gravity, velocities),
             *notes_on_sizes(boxes, given.values.get("sleep_tolerance", 0.0)),
+            *notes_on_impulses(given, boxes),
             *notes_on_time_step(given.values.get("time_step"), float(report.stable_time_step)),
             *(f"{name} made no bond; usual: blocks with a common face" for name in given.empty_bonds),
         ]
@@ -442,15 +447,16 @@ class World(Statics):
         gravity = np.asarray(self._given.values.get("gravity", np.zeros(3)))
         along = "xyz"[int(np.argmax(np.abs(gravity)))]
         low, high = np.empty((2, len(ids), self.dimension))
-        moves, holds = np.zeros((2, len(ids)), bool)
+        moves, holds, deforms = np.zeros((3, len(ids)), bool)
         for i, block in enumerate(ids):
             corners = self.block_vertices(int(block))
             low[i], high[i] = corners.min(axis=0), corners.max(axis=0)
             kind = BlockKind(self.state(int(block)).kind)
             moves[i] = kind not in (BlockKind.FIXED, BlockKind.PRESCRIBED)
+            deforms[i] = kind in (BlockKind.AFFINE, BlockKind.MESH)
             body = self.body_of_block(int(block))[0] if kind is BlockKind.MESH else 0
             holds[i] = not moves[i] or along in self._given.held.get(body, "")
-        return Boxes(ids, low, high, moves, holds)
+        return Boxes(ids, low, high, moves, holds, deforms)
 
     # ---- pictures ----
 

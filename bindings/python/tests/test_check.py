@@ -108,3 +108,39 @@ def test_bonds_that_are_not_made():
 def test_a_restored_world_knows_its_blocks():
     world = hs.World.restore(pile(density=2.7).save())
     assert world.check() == []
+
+
+def bricks(**changes):
+    """Two rigid squares on a floor, by a law without springs that rebounds."""
+    world = pile(values={"stiffness_kind": "none", "restitution": 0.5, **changes.pop("values", {})}, **changes)
+    world.set_elasticity(0, hs.Elasticity(young_modulus=1e8))
+    return world
+
+
+def test_settings_of_impulses_between_rigid_blocks_without_effect():
+    settings = {"locate_impacts": True, "impulse_tolerance": 1e-8, "max_impulse_iterations": 1000}
+    names = sorted([*settings, "default_law.restitution"])
+    assert bricks(time_step=1 / 60, **settings).check() == []
+    world = pile(**settings)
+    assert sorted(note.split(":")[0] for note in world.check()) == sorted(settings)
+    assert all("no effect: all laws have springs" in note for note in world.check())
+    assert copy.copy(world).check() == world.check()
+    world.set_law(0, 0, hs.Law(stiffness_kind="none"))
+    assert world.check() == []
+
+    world = bricks(time_step=1e-4, **settings)
+    soft = world.add_block(hs.Shape.rectangle(1, 1), (2, 0.5), kind=hs.BlockKind.AFFINE)
+    notes = world.check()
+    assert sorted(note.split(":")[0] for note in notes) == names
+    assert all(f"block {soft} deforms, so that all contacts without springs are point" in note for note in notes)
+    world.remove_block(soft)
+    assert world.check() == []
+
+    world.add_material(2500)
+    world.set_law(1, 1, hs.Law(stiffness_kind="none", cohesion=1e5))
+    assert sorted(note.split(":")[0] for note in world.check()) == names
+    assert all("a law without springs has cohesion" in note for note in world.check())
+
+
+def test_locate_impacts_that_is_off_gets_no_note():
+    assert pile(locate_impacts=False).check() == []

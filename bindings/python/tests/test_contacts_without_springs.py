@@ -39,3 +39,13 @@ def test_a_square_rests_with_its_weight():
     assert (sign * contacts["force"][:, 1]).sum() == pytest.approx(20000)
     # The impact loss uses the mean velocity of the step: gravity adds g dt / 2 to 1 m/s.
     assert world.report.impact_loss == pytest.approx(20000 * 0.05, rel=0.011)
+
+
+def test_friction_opposes_the_sliding_of_a_slab_along_its_diagonal():
+    world = hs.World(3, law=hs.Law(stiffness_kind="none", friction_angle=0.2), time_step=1 / 60)
+    world.add_material(2500)
+    world.add_block(hs.Shape.box(60, 60, 1), (0, 0, -0.5), kind="fixed")
+    slab = world.add_block(hs.Shape.box(4, 1, 1), (0, 0, 0.5), velocity=(2, 2, 0))
+    world.step(18)
+    speed = 2 - np.tan(0.2) * 9.81 * 0.3 / np.sqrt(2)
+    assert np.allclose(world.state(slab).velocity, (speed, speed, 0), atol=1e-10)

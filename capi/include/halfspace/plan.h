@@ -18,7 +18,7 @@ extern "C" {
 /** Optional parts of a step, in addition to detection and normal forces of rigid blocks. Inactive parts are
  *  neither stored nor computed. */
 enum {
-  HS_PART_FRICTION = 1,        /**< a law has friction or cohesion: each pair stores a shear spring */
+  HS_PART_FRICTION = 1,        /**< a law has friction or cohesion; pairs with springs store a shear spring */
   HS_PART_BONDS = 2,           /**< there are bonds, or a law has cohesion or tensile strength */
   HS_PART_CONTACT_DAMPING = 4, /**< a law has damping */
   HS_PART_AREA = 8,            /**< a law is per area: overlap areas (3D: volumes) are computed */

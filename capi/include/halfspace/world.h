@@ -131,7 +131,7 @@ typedef struct hs_world_report {
                                    residual */
   double block_damping_loss; /**< dissipated by damping in affine blocks and meshes, J; included in the
                                   residual */
-  int64_t divided_steps;     /**< steps divided by continuous collision */
+  int64_t divided_steps;     /**< steps divided at impacts or fast rotations */
   double max_penetration_ratio; /**< max penetration that springs allow, over the thinner block's thickness;
                                      above 0.25 increase normal_stiffness, see docs/concepts/impact.md */
   double peak_overlap;       /**< max overlap of all detections so far, m; with potentials in 3D the current

@@ -72,20 +72,16 @@ double ActiveSet<D>::classify(ImpulseProblem<D>& problem, double noise) {
     if (contact.friction_count == 0) continue;
     const std::span<ImpulseRow<D>> friction = problem.frictions_of(contact);
     const double bound = problem.friction_bound(contact);
-    double projected[3], square = 0;
-    for (std::size_t k = 0; k < friction.size(); ++k) {
-      projected[k] = problem.stopping_impulse(contact, friction[k]);
-      if (k < D - 1) square += projected[k] * projected[k];
-    }
-    const double size = std::sqrt(square), scale = size > bound ? std::max(0.0, bound) / size : 1;
+    std::array<double, D - 1> projected;
+    const double size = problem.project_friction(contact, bound, projected);
     for (std::size_t k = 0; k < friction.size(); ++k) {
       const bool is_couple = k >= D - 1;
       const double limit = std::max(0.0, contact.couple_arm * bound);
-      const double next = is_couple ? std::clamp(projected[k], -limit, limit) : scale * projected[k];
+      const double couple = is_couple ? problem.stopping_impulse(contact, friction[k]) : 0;
+      const double next = is_couple ? std::clamp(couple, -limit, limit) : projected[k];
       unbalanced = std::max(unbalanced, std::abs(next - friction[k].impulse) * friction[k].inverse_mass);
       // A contact that has just begun to bear has no bound yet: it sticks at first.
-      const bool sticks =
-          bears && (bound <= 0 || (is_couple ? std::abs(projected[k]) < limit : size < bound));
+      const bool sticks = bears && (bound <= 0 || (is_couple ? std::abs(couple) < limit : size < bound));
       set_state(std::size_t(row), sticks ? State::sticks : bears ? State::slides : State::open);
       if (sticks) rows_.push_back({row, std::int32_t(c)});
       ++row;
@@ -183,11 +179,10 @@ void ActiveSet<D>::project(ImpulseProblem<D>& problem) const {
     const std::span<ImpulseRow<D>> friction = problem.frictions_of(contact);
     const double bound = std::max(0.0, problem.friction_bound(contact));
     if (states_[row] != State::sticks) {
-      double opposing[D - 1], square = 0;
-      for (std::size_t k = 0; k < D - 1; ++k) {
-        opposing[k] = problem.stopping_impulse(contact, friction[k]);
-        square += opposing[k] * opposing[k];
-      }
+      std::array<double, D - 1> opposing;
+      problem.project_friction(contact, bound, opposing);
+      double square = 0;
+      for (const double part : opposing) square += part * part;
       const double scale = square > 0 ? bound / std::sqrt(square) : 0;
       for (std::size_t k = 0; k < D - 1; ++k) problem.set_impulse(contact, friction[k], scale * opposing[k]);
     }

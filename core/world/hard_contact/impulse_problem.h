@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 
@@ -76,6 +79,26 @@ struct ImpulseProblem {
   double stopping_impulse(const ImpulseContact<D>& contact, const ImpulseRow<D>& row) const {
     return row.impulse - (velocity_along(contact, row) - row.target) / row.inverse_mass;
   }
+  /// The friction of a contact after one projection: where it would exceed its bound, both tangents have the
+  /// larger inverse effective mass, so that a solution opposes the velocity of sliding. Returns its size
+  /// before it is limited to the bound.
+  double project_friction(const ImpulseContact<D>& contact, double bound,
+                          std::array<double, D - 1>& impulse) {
+    const std::span<ImpulseRow<D>> rows = frictions_of(contact);
+    const auto project = [&](auto inverse_mass) {
+      double square = 0;
+      for (std::size_t k = 0; k < D - 1; ++k) {
+        impulse[k] = rows[k].impulse - (velocity_along(contact, rows[k]) - rows[k].target) / inverse_mass(k);
+        square += impulse[k] * impulse[k];
+      }
+      return std::sqrt(square);
+    };
+    const double stopping = project([&](std::size_t k) { return rows[k].inverse_mass; });
+    if (D == 2 || stopping <= bound) return limit(impulse, stopping, bound);
+    const double common = std::max(rows[0].inverse_mass, rows[D - 2].inverse_mass);
+    limit(impulse, project([&](std::size_t) { return common; }), bound);
+    return stopping;
+  }
   std::span<ImpulseRow<D>> normals_of(const ImpulseContact<D>& contact) {
     return {rows.data() + contact.first_row, std::size_t(contact.normal_count)};
   }
@@ -87,6 +110,14 @@ struct ImpulseProblem {
     double sum = 0;
     for (const ImpulseRow<D>& row : normals_of(contact)) sum += row.impulse;
     return contact.tan_friction * sum;
+  }
+
+  /// Limits friction of this size, which is returned, to the bound.
+  static double limit(std::array<double, D - 1>& impulse, double size, double bound) {
+    if (size > bound) {
+      for (double& part : impulse) part *= std::max(0.0, bound) / size;
+    }
+    return size;
   }
 
   Array<ImpulseContact<D>> contacts;

@@ -36,13 +36,9 @@ class Sweep {
   void stop_sliding(const ImpulseContact<D>& contact) {
     const std::span<ImpulseRow<D>> friction = problem_.frictions_of(contact);
     const double bound = problem_.friction_bound(contact);
-    double stopping[D - 1], square = 0;
-    for (std::size_t k = 0; k < D - 1; ++k) {
-      stopping[k] = problem_.stopping_impulse(contact, friction[k]);
-      square += stopping[k] * stopping[k];
-    }
-    const double scale = square > bound * bound ? bound / std::sqrt(square) : 1;
-    for (std::size_t k = 0; k < D - 1; ++k) change(contact, friction[k], scale * stopping[k]);
+    std::array<double, D - 1> next;
+    problem_.project_friction(contact, bound, next);
+    for (std::size_t k = 0; k < D - 1; ++k) change(contact, friction[k], next[k]);
     if constexpr (D == 3) {
       const double limit = contact.couple_arm * bound;
       change(contact, friction[2],

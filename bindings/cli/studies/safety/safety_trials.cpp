@@ -33,12 +33,6 @@ Trial trial_from(const std::string& row) {
           static_cast<std::int64_t>(number_of(cells[4]))};
 }
 
-const hs_law_def& law_between(const Scene& scene, int a, int b) {
-  for (const PairLaw& pair : scene.laws)
-    if (std::minmax(pair.a, pair.b) == std::minmax(a, b)) return pair.law;
-  return scene.default_law;
-}
-
 /// The elastic shear displacement of a contact before it slips, and the compression of its normal spring, m.
 double yield_of(const hs_contact& contact, const hs_law_def& law) {
   if (!has_spring(law)) return 0;

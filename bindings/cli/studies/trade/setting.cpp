@@ -52,6 +52,7 @@ void change_kind(hs_law_def& law, int kind, const FaceSize& face) {
       had_none ? face.stiffness : shear * shear_per_face(law.stiffness_kind, face.area);
   law.stiffness_kind = kind;
   if (kind == HS_STIFFNESS_NONE) return;  // it reads neither stiffnesses nor dampings
+  law.restitution = 0;                    // not allowed with springs
   law.normal_stiffness = normal_of_face / per_face(kind, face.area, face.potential_length);
   law.shear_stiffness = shear_of_face / shear_per_face(kind, face.area);
   if (kind == HS_STIFFNESS_POTENTIAL) law.cohesion = law.tensile_strength = 0;

@@ -209,7 +209,7 @@ pub const HS_AXIS_Z: i32 = 4;
 
 // Optional parts of a step, in addition to detection and normal forces of rigid blocks. Inactive parts are
 // neither stored nor computed.
-/// a law has friction or cohesion: each pair stores a shear spring
+/// a law has friction or cohesion; pairs with springs store a shear spring
 pub const HS_PART_FRICTION: i32 = 1;
 /// there are bonds, or a law has cohesion or tensile strength
 pub const HS_PART_BONDS: i32 = 2;
@@ -692,7 +692,7 @@ pub struct hs_world_report {
     pub block_strain_energy: f64,
     /// dissipated by damping in affine blocks and meshes, J; included in the residual
     pub block_damping_loss: f64,
-    /// steps divided by continuous collision
+    /// steps divided at impacts or fast rotations
     pub divided_steps: i64,
     /// max penetration that springs allow, over the thinner block's thickness; above 0.25 increase
     /// normal_stiffness, see docs/concepts/impact.md

@@ -314,7 +314,7 @@ pub struct Report {
     pub block_strain_energy: f64,
     /// dissipated by damping in affine blocks and meshes, J; included in the residual
     pub block_damping_loss: f64,
-    /// steps divided by continuous collision
+    /// steps divided at impacts or fast rotations
     pub divided_steps: u64,
     /// max penetration that springs allow, over the thinner block's thickness; above 0.25 increase
     /// normal_stiffness, see docs/concepts/impact.md
@@ -623,7 +623,7 @@ const _: () = assert!(align_of::<CellState>() == align_of::<sys::hs_cell_state>(
 pub struct Plan {
     /// 2 or 3
     pub dimension: usize,
-    /// a law has friction or cohesion: each pair stores a shear spring
+    /// a law has friction or cohesion; pairs with springs store a shear spring
     pub friction: bool,
     /// there are bonds, or a law has cohesion or tensile strength
     pub bonds: bool,
