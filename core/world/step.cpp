@@ -138,6 +138,7 @@ void World<D>::move() {
   EnergySample sample = integrator_.kick();
   lap(Pass::motion);
   hard_contacts_.stop_approach(sample, ledger_);
+  if (hard_contacts_.is_used()) wake_touched(clock_.time() + duration);
   lap(Pass::hard_contacts);
 
   note_speeds(sample);

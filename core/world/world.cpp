@@ -194,7 +194,7 @@ void World<D>::evaluate_forces(double elapsed) {
   ledger_.set_contact_strain(energy.strain);
   ledger_.add_friction_loss(energy.friction_loss);
   // A touched island has slept in this motion: the forces at its end move it.
-  wake(sleep_.wake_touched(contacts_, clock_.time() + elapsed));
+  wake_touched(clock_.time() + elapsed);
   lap(Pass::gather);
   if (model_.blocks.bonds().empty()) return;
   load_by_bonds(elapsed);
@@ -216,13 +216,14 @@ void World<D>::load_left_out() {
   are_left_out_loaded_ = true;
 }
 
-/// Worlds with hard contacts, which have their own search, do not sleep.
+/// Worlds without springs whose contacts are points do not sleep.
 template <int D>
 void World<D>::look_for_sleep() {
-  if (!(model_.settings.sleep_tolerance > 0) || hard_contacts_.is_used()) return;
+  if (!(model_.settings.sleep_tolerance > 0) || (hard_contacts_.is_used() && !model_.has_manifolds())) return;
   if (clock_.steps() % steps_between_looks != 0) return;
-  if (sleep_.look(model_, contacts_, clock_.time(), least_sleep_in_steps * clock_.time_step(),
-                  [&](std::size_t i) { return integrator_.speed_bound_of(i); }))
+  const auto touches = [&](auto visit) { for_each_touch(visit); };
+  const auto bound_of = [&](std::size_t i) { return integrator_.speed_bound_with_impulses_of(i); };
+  if (sleep_.look(model_, touches, clock_.time(), least_sleep_in_steps * clock_.time_step(), bound_of))
     are_left_out_loaded_ = false;
 }
 

@@ -220,6 +220,15 @@ class World {
   bool bond_pair(std::int32_t a, std::int32_t b, std::int32_t law);
   void load_by_bonds(double elapsed);
   void load_left_out();
+  /// Calls `visit(a, b)` for all blocks in touch.
+  template <class Visit>
+  void for_each_touch(Visit visit) const {
+    for (std::size_t c = 0; c < contacts_.count(); ++c) visit(contacts_.pair_of(c).a, contacts_.pair_of(c).b);
+    for (const RigidContact<D>& contact : hard_contacts_.rigid().all()) visit(contact.a, contact.b);
+  }
+  void wake_touched(double time) {
+    wake(sleep_.wake_touched([&](auto visit) { for_each_touch(visit); }, time));
+  }
   void wake(bool has_woken) { are_left_out_loaded_ = are_left_out_loaded_ && !has_woken; }
   void look_for_sleep();
   void stop_all();

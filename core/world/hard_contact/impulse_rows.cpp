@@ -22,7 +22,7 @@ template <int D>
 void ImpulseRows<D>::set_inverse_masses(ImpulseProblem<D>& problem) {
   problem.inverse_masses.assign(blocks_.slot_count(), {});
   for (std::size_t i = 0; i < problem.inverse_masses.size(); ++i) {
-    if (blocks_.kind[i] != BlockKind::rigid) continue;
+    if (!search_.is_free(i)) continue;
     problem.inverse_masses[i] = {1 / blocks_.mass[i], blocks_.inertia[i].inverse(blocks_.rotation[i])};
   }
 }

@@ -55,10 +55,10 @@ double ManifoldSearch<D>::resting_gap(const RigidContact<D>& contact) const {
          std::min(blocks_.radius[std::size_t(contact.a)], blocks_.radius[std::size_t(contact.b)]);
 }
 
-/// Two blocks have contacts of impulses by a law without springs, when one of them moves freely.
+/// Two blocks have contacts of impulses by a law without springs, when one of them moves freely and is awake.
 template <int D>
 bool ManifoldSearch<D>::may_touch(const Candidate<D>& pair) const {
-  return model_.law_of(pair).has_no_spring() &&
+  return model_.law_of(pair).has_no_spring() && !integrator_.sleep().leaves_out(pair) &&
          (blocks_.moves_freely(std::size_t(pair.a)) || blocks_.moves_freely(std::size_t(pair.b)));
 }
 
@@ -73,7 +73,7 @@ void ManifoldSearch<D>::pose_ahead(double duration) {
     if (!blocks_.lives(i)) continue;
     ahead_[i] = now(i);
     allowance_[i] = allowance_fraction * blocks_.radius[i];
-    if (!blocks_.moves(i)) continue;
+    if (!blocks_.moves(i) || integrator_.is_asleep(i)) continue;
     ahead_[i].position += duration * blocks_.velocity[i];
     ahead_[i].rotation = ahead_[i].rotation.turned_by(Angular<D>(duration * blocks_.spin[i]));
     if (blocks_.moves_freely(i))
@@ -108,7 +108,7 @@ void ManifoldSearch<D>::find(double duration, std::span<const RigidContact<D>> k
 template <int D>
 bool ManifoldSearch<D>::find_more(Array<PlannedContact<D>>& found) const {
   const auto deviates = [&](std::size_t i) {
-    if (!blocks_.moves_freely(i)) return false;
+    if (!is_free(i)) return false;
     const PosedBlock<D> at = predicted(i);
     const double deviation = (at.position - ahead_[i].position).norm() +
                              blocks_.radius[i] * at.rotation.farthest_from(ahead_[i].rotation);

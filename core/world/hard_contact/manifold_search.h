@@ -25,6 +25,8 @@ class ManifoldSearch {
   void find(double duration, std::span<const RigidContact<D>> known, Array<PlannedContact<D>>& found);
   bool find_more(Array<PlannedContact<D>>& found) const;
 
+  /// Do impulses move a block? They do not while it sleeps.
+  bool is_free(std::size_t slot) const { return blocks_.moves_freely(slot) && !integrator_.is_asleep(slot); }
   PosedBlock<D> now(std::size_t slot) const;
   /// At the end of the predicted motion.
   PosedBlock<D> predicted(std::size_t slot) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "world/hard_contact/limits.h"
 
@@ -163,8 +164,8 @@ bool RigidContacts<D>::solve(double duration, double tolerance_fraction) {
       contact.friction += row.impulse * row.direction;
       contact.couple = add(row);  // of the last row in space
     }
-    changes().push(std::size_t(of.a), -impulse, -turn_a);
-    changes().push(std::size_t(of.b), impulse, turn_b);
+    if (search_.is_free(std::size_t(of.a))) changes().push(std::size_t(of.a), -impulse, -turn_a);
+    if (search_.is_free(std::size_t(of.b))) changes().push(std::size_t(of.b), impulse, turn_b);
   }
   return result.has_converged;
 }
@@ -172,7 +173,7 @@ bool RigidContacts<D>::solve(double duration, double tolerance_fraction) {
 /// As it is now.
 template <int D>
 BlockMotion<D> RigidContacts<D>::motion(std::size_t i) const {
-  if (!blocks_.lives(i) || !blocks_.moves(i)) return {};
+  if (!blocks_.lives(i) || !blocks_.moves(i) || integrator_.is_asleep(i)) return {};
   return {blocks_.velocity[i], blocks_.spin[i]};
 }
 
@@ -186,7 +187,7 @@ template <int D>
 void RigidContacts<D>::set_motions_at_half_step() {
   set_motions();
   for (std::size_t i = 0; i < problem_.motions.size(); ++i) {
-    if (blocks_.kind[i] == BlockKind::rigid) problem_.motions[i] = integrator_.motion_at_half_step(i);
+    if (search_.is_free(i)) problem_.motions[i] = integrator_.motion_at_half_step(i);
   }
 }
 
@@ -218,7 +219,7 @@ bool RigidContacts<D>::predict(double time, double duration) {
     changes().begin(duration);
     if (!integrator_.predict(duration)) return false;
   }
-  next_known_.reserve(planned_.size());
+  next_known_.reserve(planned_.size() + known_.size());
   return true;
 }
 
@@ -323,15 +324,24 @@ void RigidContacts<D>::stop_approach(EnergyLedger& ledger) {
     set_velocity_targets();
     solve(duration, 1);
   }
-  next_known_.clear();
   for (std::size_t c = 0; c < planned_.size(); ++c) {
     planned_[c].impact_loss += book(c, ledger);
     touches_ += planned_[c].is_new;
-    next_known_.push_back(planned_[c]);
   }
-  known_.swap(next_known_);
+  replace_known();
   planned_.clear();
   duration_ = duration;
+}
+
+/// By those of the last motion. Contacts of sleeping blocks stay.
+template <int D>
+void RigidContacts<D>::replace_known() {
+  std::erase_if(known_,
+                [&](const RigidContact<D>& contact) { return !integrator_.sleep().leaves_out(contact); });
+  next_known_.clear();
+  std::merge(known_.begin(), known_.end(), planned_.begin(), planned_.end(), std::back_inserter(next_known_),
+             is_before<D>);
+  known_.swap(next_known_);
 }
 
 template <int D>

@@ -73,6 +73,7 @@ class RigidContacts {
   void set_motions_at_half_step();
   bool solve(double duration, double tolerance_fraction);
   double recover();
+  void replace_known();
   double book(std::size_t contact, EnergyLedger& ledger);
   double gap_floor(const PlannedContact<D>& contact, std::size_t point) const;
 

@@ -338,6 +338,16 @@ SpeedBound Integrator<D>::speed_bound_of(std::size_t i) const {
 }
 
 template <int D>
+SpeedBound Integrator<D>::speed_bound_with_impulses_of(std::size_t i) const {
+  if (reaction_.empty() || blocks_.is_deformable(i)) return speed_bound_of(i);
+  const BlockLoad by = reaction(i);
+  const Angular<D> rate = momentum_rate_[i] + by.torque;
+  return {blocks_.velocity[i].norm() + blocks_.swing(i),
+          (acceleration_[i] + by.force / blocks_.mass[i]).norm() +
+              blocks_.radius[i] * blocks_.inertia[i].spin(rate, blocks_.rotation[i]).norm()};
+}
+
+template <int D>
 void Integrator<D>::kick(std::size_t i, EnergySample& sample) {
   if (sleep_.is_asleep(i)) return kick_asleep(i, sample);
   if (blocks_.is_affine(i)) return kick_affine(i, sample);
@@ -386,6 +396,7 @@ void Integrator<D>::kick(std::size_t i, EnergySample& sample) {
   template void Integrator<D>::take_kick(std::size_t, EnergySample&);                          \
   template void Integrator<D>::kick_asleep(std::size_t, EnergySample&) const;                  \
   template SpeedBound Integrator<D>::speed_bound_of(std::size_t) const;                        \
+  template SpeedBound Integrator<D>::speed_bound_with_impulses_of(std::size_t) const;          \
   template void Integrator<D>::kick(std::size_t, EnergySample&);
 
 HALFSPACE_MEMBERS(2)

@@ -75,8 +75,7 @@ void Sleep<D>::join(std::int32_t a, std::int32_t b) {
 }
 
 template <int D>
-void Sleep<D>::find_islands(const Blocks<D>& blocks, const ContactList<D>& contacts) {
-  for (std::size_t c = 0; c < contacts.count(); ++c) join(contacts.pair_of(c).a, contacts.pair_of(c).b);
+void Sleep<D>::join_by_bonds(const Blocks<D>& blocks) {
   for (const Bond<D>& bond : blocks.bonds().all()) {
     if (bond.is_joint) join(bond.a, bond.b);
   }
@@ -126,20 +125,15 @@ bool Sleep<D>::wake_in_time(double time, double duration) {
 
 /// Marks the head of a touched island by its until_, which is no longer needed.
 template <int D>
-bool Sleep<D>::wake_touched(const ContactList<D>& contacts, double time) {
-  if (!any()) return false;
-  bool is_touched = false;
-  for (std::size_t c = 0; c < contacts.count(); ++c) {
-    const std::size_t a = std::size_t(contacts.pair_of(c).a), b = std::size_t(contacts.pair_of(c).b);
-    const auto look = [&](std::size_t mover, std::size_t sleeper) {
-      if (rest_[mover] != Rest::none || rest_[sleeper] != Rest::asleep) return;
-      until_[std::size_t(island_[sleeper])] = -for_ever;
-      is_touched = true;
-    };
-    look(a, b);
-    look(b, a);
-  }
-  return is_touched && wake_islands([&](std::size_t head) { return until_[head] == -for_ever; }, time);
+bool Sleep<D>::mark_touched(std::int32_t mover, std::int32_t sleeper) {
+  if (rest_[std::size_t(mover)] != Rest::none || rest_[std::size_t(sleeper)] != Rest::asleep) return false;
+  until_[std::size_t(island_[std::size_t(sleeper)])] = -for_ever;
+  return true;
+}
+
+template <int D>
+bool Sleep<D>::wake_marked(double time) {
+  return wake_islands([&](std::size_t head) { return until_[head] == -for_ever; }, time);
 }
 
 template <int D>

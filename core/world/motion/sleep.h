@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "geometry/vector.h"
-#include "world/contacts/contact_list.h"
+#include "world/contacts/neighbor_list.h"
 #include "world/model/model.h"
 
 namespace halfspace {
@@ -50,30 +50,42 @@ class Sleep {
   std::int64_t count() const { return sleeping_; }
   bool is_asleep(std::size_t slot) const { return any() && rest_[slot] == Rest::asleep; }
   /// True when steps skip a pair, because each of its blocks sleeps or does not move.
-  bool leaves_out(const Candidate<D>& pair) const {
+  template <class Pair>
+  bool leaves_out(const Pair& pair) const {
     return any() && rest_[std::size_t(pair.a)] != Rest::none && rest_[std::size_t(pair.b)] != Rest::none;
   }
   /// Maximum displacement error by sleep so far, over all blocks, m.
   double max_error(double time) const;
 
-  /// Puts islands to sleep that may sleep long enough. `speed_bound_of(slot)` returns the bound of a free
-  /// block. Returns true when more blocks sleep than before. Precondition: contacts are found.
-  template <class PaceOf>
-  bool look(const Model<D>& model, const ContactList<D>& contacts, double time, double least_sleep,
-            PaceOf speed_bound_of) {
+  /// Puts islands to sleep that may sleep long enough. `for_each_touch(visit)` calls `visit(a, b)` for all
+  /// blocks in touch, and `speed_bound_of(slot)` returns the bound of a free block. Returns true when more
+  /// blocks sleep than before.
+  template <class ForEachTouch, class BoundOf>
+  bool look(const Model<D>& model, ForEachTouch for_each_touch, double time, double least_sleep,
+            BoundOf speed_bound_of) {
     for (std::size_t i = 0; i < rest_.size(); ++i) {
       if (rest_[i] == Rest::asleep) continue;
       begin_look(model.blocks, i);
       if (model.blocks.moves_freely(i)) speed_bound_[i] = speed_bound_of(i);
       longest_[i] = longest_sleep(model, i, least_sleep);
     }
-    find_islands(model.blocks, contacts);
+    for_each_touch([&](std::int32_t a, std::int32_t b) { join(a, b); });
+    join_by_bonds(model.blocks);
     return put_to_sleep(time, least_sleep);
   }
   /// Wakes islands whose sleep ends within `duration`. Returns true if there are any.
   bool wake_in_time(double time, double duration);
   /// Wakes islands that a moving block touches. Returns true if there are any.
-  bool wake_touched(const ContactList<D>& contacts, double time);
+  template <class ForEachTouch>
+  bool wake_touched(ForEachTouch for_each_touch, double time) {
+    if (!any()) return false;
+    bool is_touched = false;
+    for_each_touch([&](std::int32_t a, std::int32_t b) {
+      is_touched |= mark_touched(a, b);
+      is_touched |= mark_touched(b, a);
+    });
+    return is_touched && wake_marked(time);
+  }
   /// Wakes the island of a block. Returns true if it slept.
   bool wake_island_of(std::size_t slot, double time);
   void wake_all(double time);
@@ -96,7 +108,9 @@ class Sleep {
   double longest_sleep(const Model<D>& model, std::size_t slot, double least_sleep) const;
   std::int32_t head_of(std::int32_t slot);
   void join(std::int32_t a, std::int32_t b);
-  void find_islands(const Blocks<D>& blocks, const ContactList<D>& contacts);
+  void join_by_bonds(const Blocks<D>& blocks);
+  bool mark_touched(std::int32_t mover, std::int32_t sleeper);
+  bool wake_marked(double time);
   bool put_to_sleep(double time, double least_sleep);
   template <class Wakes>
   bool wake_islands(Wakes wakes, double time);
