@@ -1,5 +1,8 @@
 // Rigid blocks without springs at a step of 1/60 s, against exact answers.
 
+#include <memory>
+#include <random>
+
 #include "validation/solid_scene.h"
 
 namespace {
@@ -283,4 +286,74 @@ TEST_CASE("solids without springs rest, slide and keep their energy", "[impulses
   tilted.step(60);
   const double exact = 0.5 * gravity * (std::sin(slope) - friction * std::cos(slope));
   CHECK(tilted.place_of(block)[0] == Approx(exact).epsilon(1e-12));
+}
+
+/// Iterations do not converge while so many blocks fall upon each other.
+TEST_CASE("a heap falls and comes to rest, and goes on from any snapshot", "[impulses]") {
+  Level heap(0.5);
+  for (const double side : {-1.0, 1.0}) heap.add(box(7 * side - 1, 0, 7 * side + 1, 60), fixed);
+  std::mt19937 random(1);
+  const auto next = [&] { return double(random()) / double(std::mt19937::max()); };
+  for (int i = 0; i < 200; ++i) {
+    const int corners = 4 + int(random() % 5);
+    const double radius = 0.35 + 0.2 * next();
+    std::vector<Point> polygon;
+    for (int k = 0; k < corners; ++k)
+      polygon.push_back({radius * std::cos(2 * pi * k / corners), radius * std::sin(2 * pi * k / corners)});
+    const double angle = 2 * pi * next();
+    heap.add_at(polygon, {1.2 * (i % 9 - 4), 0.7 + 1.2 * (i / 9)}, angle);
+  }
+  const auto energy = [&] { return heap.energy().kinetic + heap.energy().gravity; };
+  const double first = energy();
+  double before = first, rises = 0;
+  std::vector<unsigned char> bytes(1 << 22);
+  for (int i = 0; i < 400; ++i) {
+    heap.step(1);
+    rises += std::max(0.0, energy() - before);
+    before = energy();
+    if (i % 40 != 0) continue;
+    std::size_t size = 0;
+    heap.check(hs_world_save(heap.world(), bytes.data(), bytes.size(), &size));
+    hs_world* made = nullptr;
+    heap.check(hs_world_restore(heap.context(), bytes.data(), size, &made));
+    hs_world_destroy(made);
+  }
+  double depth = 0;
+  for (const hs_contact& contact : heap.contacts()) depth = std::max(depth, -contact.gap);
+  std::printf(
+      "a heap of 200: rises of %.1e of the energy that it lost, overlaps of %.1e m, kinetic energy %.1e J\n",
+      rises / (first - before), depth, heap.energy().kinetic);
+  CHECK(rises < 1e-4 * (first - before));
+  CHECK(depth < 1e-3);
+  CHECK(heap.energy().kinetic < 1e-6 * (first - before));
+  CHECK(std::abs(heap.energy().residual) < 1e-9 * (first - before));
+}
+
+TEST_CASE("a wall without springs sleeps where it stands, and wakes when it is hit", "[impulses]") {
+  const auto built = [](double sleep_tolerance) {
+    hs_world_def def = Level::def_of(0, frame);
+    def.sleep_tolerance = sleep_tolerance;
+    auto scene = std::make_unique<Scene>(def, hard_law(0.5), 1000);
+    scene->add(box(-200, -2, 200, 0), fixed);
+    for (int row = 0; row < 8; ++row)
+      for (int brick = 0; brick < 8; ++brick) {
+        const double x = 2 * brick + row % 2;
+        scene->add(box(x, row, x + 2, row + 1));
+      }
+    return scene;
+  };
+  const auto awake = built(0), asleep = built(1e-6);
+  for (const auto& scene : {awake.get(), asleep.get()}) scene->step(200);
+  CHECK(asleep->report().sleeping_count == 64);
+  CHECK(asleep->contacts().size() == awake->contacts().size());
+  for (const auto& scene : {awake.get(), asleep.get()}) {
+    scene->add(box(7, 8.2, 9, 9.2));
+    scene->step(300);
+  }
+  for (const hs_block block : awake->blocks()) {
+    CHECK(asleep->position(block).x == Approx(awake->position(block).x).margin(1e-5));
+    CHECK(asleep->position(block).y == Approx(awake->position(block).y).margin(1e-5));
+  }
+  CHECK(asleep->report().sleeping_count == 65);
+  CHECK(asleep->report().max_sleep_error <= 1e-6);
 }
