@@ -8,7 +8,7 @@ import signal
 import subprocess
 import time
 
-from command import COMMAND, SceneTest, halfspace, main
+from command import COMMAND, EXAMPLES, SceneTest, halfspace, main
 
 SLOPE = """title = "A block on a plane"
 dimension = 2
@@ -82,6 +82,14 @@ class Safety(SceneTest):
 
     def factor(self, text):
         return float(re.search(r"factor of safety +([\d.]+), between", self.safety(text)).group(1))
+
+    def test_rigid_rock_slides_on_joints_that_dip_out_of_the_slope(self):
+        scene = EXAMPLES / "jointed_slope" / "plane_failure.toml"
+        answer = halfspace("safety", scene, "-o", self.output)
+        self.assertEqual(answer.returncode, 0, answer.stderr)
+        stands, falls = (float(factor) for factor in re.search(r"between (\S+) \(stable\) and (\S+)", answer.stdout).groups())
+        exact = math.tan(math.radians(42)) / math.tan(math.radians(35))
+        self.assertLess(abs(0.5 * (stands + falls) / exact - 1), 0.005)
 
     def test_friction_alone(self):
         # tan 30 over tan 20, within half of the resolution.

@@ -3,6 +3,7 @@ import collections
 import csv
 import dataclasses
 import math
+import re
 
 import matplotlib
 
@@ -10,6 +11,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
 LOOKS = {  # colour and marker
+    "halfspace, no springs": ("#f08000", "h"),
     "halfspace, per contact": ("#d1495b", "o"),
     "halfspace, per area": ("#e58c8a", "s"),
     "halfspace, potential": ("#7c2e41", "^"),
@@ -45,7 +47,8 @@ class Row:
     @property
     def curve(self):
         """A law or kind of this library has its own curve; a peer has one curve for all its solvers."""
-        return f"{self.engine}, {self.way}" if self.engine == "halfspace" else self.engine
+        law = re.sub(r", \d+ iterations", "", self.way)
+        return f"{self.engine}, {law}" if self.engine == "halfspace" else self.engine
 
 
 def rows_of(path):

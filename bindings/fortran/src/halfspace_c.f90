@@ -325,8 +325,8 @@ module halfspace_c
     real(c_double) :: potential_length = 0.0_c_double
     integer(c_int32_t) :: fast_blocks = 0  !< an HS_FAST_ value; default HS_FAST_DIVIDE
     integer(c_int32_t) :: reserved = 0  !< 0
-    !> max displacement error of a block by sleep over a run, m, >= 0; default 0: no block sleeps. Worlds with
-    !! HS_STIFFNESS_NONE or meshes do not sleep
+    !> max displacement error of a block by sleep over a run, m, >= 0; default 0: no block sleeps. Meshes, and
+    !! deformable worlds of HS_STIFFNESS_NONE, do not
     real(c_double) :: sleep_tolerance = 0.0_c_double
     !> velocity that the impulses of rigid blocks without springs may leave unbalanced, over gravity times
     !! time step, > 0; default 1e-6

@@ -410,8 +410,8 @@ class hs_world_def(Structure):
         ("potential_length", c_double),
         ("fast_blocks", c_int32),  # an HS_FAST_ value; default HS_FAST_DIVIDE
         ("reserved", c_int32),  # 0
-        # max displacement error of a block by sleep over a run, m, >= 0; default 0: no block sleeps. Worlds
-        # with HS_STIFFNESS_NONE or meshes do not sleep
+        # max displacement error of a block by sleep over a run, m, >= 0; default 0: no block sleeps. Meshes,
+        # and deformable worlds of HS_STIFFNESS_NONE, do not
         ("sleep_tolerance", c_double),
         # velocity that the impulses of rigid blocks without springs may leave unbalanced, over gravity times
         # time step, > 0; default 1e-6

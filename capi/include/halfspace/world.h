@@ -62,7 +62,7 @@ typedef struct hs_world_def {
   int32_t fast_blocks;     /**< an HS_FAST_ value; default HS_FAST_DIVIDE */
   int32_t reserved;        /**< 0 */
   double sleep_tolerance;  /**< max displacement error of a block by sleep over a run, m, >= 0; default 0: no
-                                block sleeps. Worlds with HS_STIFFNESS_NONE or meshes do not sleep */
+                                block sleeps. Meshes, and deformable worlds of HS_STIFFNESS_NONE, do not */
   double impulse_tolerance; /**< velocity that the impulses of rigid blocks without springs may leave
                                  unbalanced, over gravity times time step, > 0; default 1e-6 */
   int32_t max_impulse_iterations; /**< sweeps of their solver per half step, >= 1; default 100 */

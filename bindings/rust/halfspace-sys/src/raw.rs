@@ -570,8 +570,8 @@ pub struct hs_world_def {
     pub fast_blocks: i32,
     /// 0
     pub reserved: i32,
-    /// max displacement error of a block by sleep over a run, m, >= 0; default 0: no block sleeps. Worlds
-    /// with HS_STIFFNESS_NONE or meshes do not sleep
+    /// max displacement error of a block by sleep over a run, m, >= 0; default 0: no block sleeps. Meshes,
+    /// and deformable worlds of HS_STIFFNESS_NONE, do not
     pub sleep_tolerance: f64,
     /// velocity that the impulses of rigid blocks without springs may leave unbalanced, over gravity times
     /// time step, > 0; default 1e-6

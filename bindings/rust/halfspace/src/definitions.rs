@@ -141,8 +141,8 @@ impl WorldDef {
         self
     }
 
-    /// max displacement error of a block by sleep over a run, m, >= 0; default 0: no block sleeps. Worlds
-    /// with HS_STIFFNESS_NONE or meshes do not sleep
+    /// max displacement error of a block by sleep over a run, m, >= 0; default 0: no block sleeps. Meshes,
+    /// and deformable worlds of HS_STIFFNESS_NONE, do not
     pub fn sleep_tolerance(mut self, sleep_tolerance: f64) -> Self {
         self.raw.sleep_tolerance = sleep_tolerance;
         self
