@@ -52,6 +52,9 @@ ForceMode::ForceMode(NarrowPhase& narrow_phase, const hs_law_def& law)
     : world_(narrow_phase.installation_->world()) {
   NarrowPhase::Installation& installation = *narrow_phase.installation_;
   require_can_begin(installation);
+  if (law.stiffness_kind == HS_STIFFNESS_NONE)
+    throw std::invalid_argument(
+        "law.stiffness_kind is HS_STIFFNESS_NONE; force mode needs springs, use ImpulseMode");
   forces_ = std::make_unique<Forces>(installation, law);
   set_enabled(world_, false);
   installation.has_mode = true;

@@ -300,6 +300,14 @@ TEST_CASE("a fixture that is left to Box2D rests on its skin, and a listener may
   CHECK(arena.world.GetContactManager().m_contactListener == &listener);
 }
 
+TEST_CASE("force mode refuses a law without springs") {
+  b2World world({0, -10});
+  NarrowPhase narrow_phase(world);
+  hs_law_def law = law_of(1e5, 1);
+  law.stiffness_kind = HS_STIFFNESS_NONE;
+  CHECK_THROWS_AS(halfspace::box2d::ForceMode(narrow_phase, law), std::invalid_argument);
+}
+
 TEST_CASE("impulse mode refuses what it cannot do") {
   b2World world({0, -10});
   NarrowPhase narrow_phase(world);

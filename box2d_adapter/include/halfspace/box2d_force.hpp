@@ -31,7 +31,7 @@ class ForceMode {
   /// sqrt(f_a f_b). Stiffnesses are in N/m or Pa/m, for a thickness of 1 m. Cohesion and tensile strength are
   /// ignored. Throws std::logic_error if the world is locked or the narrow phase already has a force or
   /// impulse mode, std::bad_alloc, and std::invalid_argument with the library's error text if it refuses the
-  /// law.
+  /// law, or if the law has no springs.
   ForceMode(NarrowPhase& narrow_phase, const hs_law_def& law);
   ~ForceMode();
   ForceMode(const ForceMode&) = delete;
