@@ -45,12 +45,17 @@ Material material_of(const b2Fixture& fixture, const Polygon& polygon) {
   return {share * body.GetMass() / properties_of_polygon(*polygon.shape()).volume, fixture.GetFriction()};
 }
 
-BlockWorld::BlockWorld(hs_context& context, const hs_law_def& law, const b2Vec2& gravity)
-    : context_(context), law_(law) {
+hs_world_def make_world_def(const b2Vec2& gravity) {
   hs_world_def def;
-  require_ok(hs_world_def_init(&def, sizeof def, 2));
+  if (hs_world_def_init(&def, sizeof def, 2) != HS_OK)
+    throw std::runtime_error("the library is older than the adapter");
   def.gravity[0] = gravity.x;
   def.gravity[1] = gravity.y;
+  return def;
+}
+
+BlockWorld::BlockWorld(hs_context& context, const hs_law_def& law, const hs_world_def& def)
+    : context_(context), law_(law) {
   hs_world* world = nullptr;
   require_ok(hs_world_create(&context_, &def, &world));
   world_.reset(world);
@@ -77,6 +82,8 @@ std::int32_t BlockWorld::index_of(const Material& material) {
   const auto set_law = [&](const Material& other, std::int32_t index) {
     hs_law_def law = law_;
     law.friction_angle = std::atan(b2MixFriction(material.friction, other.friction));
+    const float restitution = b2MixRestitution(material.restitution, other.restitution);
+    if (restitution != 0) law.restitution = restitution;
     require_ok(hs_world_set_law(world_.get(), made, index, &law));
   };
   set_law(material, made);

@@ -12,10 +12,11 @@
 
 namespace halfspace::box2d {
 
-/// Density and friction of a block.
+/// Properties of a block.
 struct Material {
   double density;
   float friction;
+  float restitution = 0;
   auto operator<=>(const Material&) const = default;
 };
 
@@ -27,15 +28,19 @@ std::int32_t kind_of(const b2Body& body);
 
 /// The material of a fixture, with its own density, so that bodies of one density have a common material. If
 /// the host has set another mass of the body, the density gives the block its fraction of that mass. The
-/// density of fixed and prescribed blocks is arbitrary.
+/// density of fixed and prescribed blocks is arbitrary. Restitution is left at 0.
 Material material_of(const b2Fixture& fixture, const Polygon& polygon);
+
+/// The default settings of a world in 2D.
+hs_world_def make_world_def(const b2Vec2& gravity);
 
 /// A world of the library whose blocks are polygon fixtures.
 class BlockWorld {
  public:
-  /// `law` is the law of all pairs, except for the friction angle. The context must outlive the world. All
-  /// functions throw std::bad_alloc, and std::invalid_argument with the library's error text.
-  BlockWorld(hs_context& context, const hs_law_def& law, const b2Vec2& gravity);
+  /// `law` is the law of all pairs, except for the friction angle, and for the restitution of materials that
+  /// have one. The context must outlive the world. All functions throw std::bad_alloc, and
+  /// std::invalid_argument with the library's error text.
+  BlockWorld(hs_context& context, const hs_law_def& law, const hs_world_def& def);
 
   /// `def` has all members except the material.
   hs_block add(const Polygon& polygon, const Material& material, hs_block_def def);

@@ -9,16 +9,23 @@ void take_if_changed(Followed& number, float now) {
   if (number.seen() != now) number.take(now);
 }
 
-/// About the center of mass; 0 for fixed rotation.
+}  // namespace
+
 double inertia_of(const b2Body& body) {
   const Vector center(body.GetLocalCenter());
   return body.IsFixedRotation() ? 0 : body.GetInertia() - body.GetMass() * dot(center, center);
 }
 
-/// Factor of a velocity by damping, as in b2Island::Solve().
-double share_left(double damping, double time_step) { return 1 / (1 + time_step * damping); }
+Rates pull_of(const b2Body& body, const Vector& gravity) {
+  const bool is_pulled = body.GetType() == b2_dynamicBody && body.GetMass() > 0;
+  return {(is_pulled ? body.GetGravityScale() : 0) * gravity};
+}
 
-}  // namespace
+Damping::Damping(const b2Body& body, double time_step) {
+  if (body.GetType() != b2_dynamicBody) return;
+  linear = 1 / (1 + time_step * body.GetLinearDamping());
+  angular = 1 / (1 + time_step * body.GetAngularDamping());
+}
 
 /// Allows for rounding of the sum, and of the added change, which is a few products in Box2D.
 void Followed::settle(float now, double predicted, double target) {
@@ -47,31 +54,44 @@ void ExactMotion::follow(const b2Body& body) {
 }
 
 /// Includes the rounding error accumulated so far.
-void ExactMotion::push(b2Body& body, const Vector& impulse, double angular_impulse) {
+void ExactMotion::push(b2Body& body, const Rates& impulse) {
   const double mass = body.GetMass(), inertia = inertia_of(body);
   if (!body.IsAwake() || !(mass > 0)) return;
-  const Vector target = velocity() + (1 / mass) * impulse;
+  const Vector target = velocity() + (1 / mass) * impulse.linear;
   const Vector seen{velocity_x_.seen(), velocity_y_.seen()};
   body.ApplyLinearImpulseToCenter(rounded(mass * (target - seen)), false);
   velocity_x_.settle(body.GetLinearVelocity().x, target.x, target.x);
   velocity_y_.settle(body.GetLinearVelocity().y, target.y, target.y);
   if (!(inertia > 0)) return;
-  const double target_spin = spin() + angular_impulse / inertia;
+  const double target_spin = spin() + impulse.angular / inertia;
   body.ApplyAngularImpulse(float(inertia * (target_spin - spin_.seen())), false);
   spin_.settle(body.GetAngularVelocity(), target_spin, target_spin);
 }
 
-void ExactMotion::carry_on(b2Body& body, double h, const Vector& gravity) {
-  const bool is_pulled = body.GetType() == b2_dynamicBody && body.GetMass() > 0;
-  const Vector pull = (is_pulled ? h * body.GetGravityScale() : 0) * gravity;
-  const bool is_damped = body.GetType() == b2_dynamicBody;
-  const double left = is_damped ? share_left(body.GetLinearDamping(), h) : 1;
-  const double spin_left = is_damped ? share_left(body.GetAngularDamping(), h) : 1;
+void ExactMotion::set_rates(b2Body& body, const Rates& rates) {
+  velocity_x_.set(rates.linear.x);
+  velocity_y_.set(rates.linear.y);
+  spin_.set(rates.angular);
+  body.SetLinearVelocity({velocity_x_.seen(), velocity_y_.seen()});
+  body.SetAngularVelocity(spin_.seen());
+}
+
+void ExactMotion::shift(b2Body& body, const Rates& displacement) {
+  x_.add(displacement.linear.x);
+  y_.add(displacement.linear.y);
+  angle_.add(displacement.angular);
+  if (is_off(body)) put(body);
+}
+
+void ExactMotion::carry_on(b2Body& body, double h, const Rates& acceleration) {
+  const Damping damping(body, h);
+  const Rates seen{{velocity_x_.seen(), velocity_y_.seen()}, spin_.seen()};
+  const Rates predicted = damping(seen + h * acceleration), target = damping(rates() + h * acceleration);
   const b2Vec2 velocity = body.GetLinearVelocity(), at = body.GetWorldCenter();
   const float spin = body.GetAngularVelocity();
-  velocity_x_.settle(velocity.x, left * (velocity_x_.seen() + pull.x), left * (velocity_x_.exact() + pull.x));
-  velocity_y_.settle(velocity.y, left * (velocity_y_.seen() + pull.y), left * (velocity_y_.exact() + pull.y));
-  spin_.settle(spin, spin_left * spin_.seen(), spin_left * spin_.exact());
+  velocity_x_.settle(velocity.x, predicted.linear.x, target.linear.x);
+  velocity_y_.settle(velocity.y, predicted.linear.y, target.linear.y);
+  spin_.settle(spin, predicted.angular, target.angular);
 
   x_.settle(at.x, x_.seen() + h * velocity.x, x_.exact() + h * velocity_x_.exact());
   y_.settle(at.y, y_.seen() + h * velocity.y, y_.exact() + h * velocity_y_.exact());

@@ -6,7 +6,8 @@
 #include <stdexcept>
 
 #include "contact.h"
-#include "mirror.h"
+#include "forces.h"
+#include "mode.h"
 #include "solver_veto.h"
 
 namespace halfspace::box2d {
@@ -37,15 +38,6 @@ void set_enabled(b2World& world, bool are_enabled) {
   }
 }
 
-void require_unlocked(const b2World& world) {
-  if (world.IsLocked()) throw std::logic_error("the world is locked");
-}
-
-void require_time_step(float time_step) {
-  if (!(time_step >= 0 && std::isfinite(time_step)))
-    throw std::invalid_argument("time_step must be finite and >= 0");
-}
-
 /// 0 means that no contact is possible.
 void require_stable(float sub_step, double stable) {
   if (stable == 0 || sub_step <= stable) return;
@@ -58,16 +50,18 @@ void require_stable(float sub_step, double stable) {
 
 ForceMode::ForceMode(NarrowPhase& narrow_phase, const hs_law_def& law)
     : world_(narrow_phase.installation_->world()) {
-  require_unlocked(world_);
-  if (narrow_phase.installation_->has_force_mode)
-    throw std::logic_error("the narrow phase has a force mode already");
-  mirror_ = std::make_unique<Mirror>(*narrow_phase.installation_, law);
+  NarrowPhase::Installation& installation = *narrow_phase.installation_;
+  require_can_begin(installation);
+  if (law.stiffness_kind == HS_STIFFNESS_NONE)
+    throw std::invalid_argument(
+        "law.stiffness_kind is HS_STIFFNESS_NONE; force mode needs springs, use ImpulseMode");
+  forces_ = std::make_unique<Forces>(installation, law);
   set_enabled(world_, false);
-  mirror_->narrow_phase().has_force_mode = true;
+  installation.has_mode = true;
 }
 
 ForceMode::~ForceMode() {
-  mirror_->narrow_phase().has_force_mode = false;
+  forces_->narrow_phase().has_mode = false;
   set_enabled(world_, true);
 }
 
@@ -78,21 +72,21 @@ void ForceMode::step(float time_step, int sub_steps, int velocity_iterations, in
   require_stable(sub_step, stable_sub_step());
   const KeptForces kept(world_);
   for (int i = 0; i < sub_steps; ++i) {
-    if (mirror_->is_awake()) {
-      mirror_->evaluate();
-      mirror_->push(sub_step);
+    if (forces_->is_awake()) {
+      forces_->evaluate();
+      forces_->push(sub_step);
     }
     const SolverVeto veto(world_);
     world_.Step(sub_step, velocity_iterations, position_iterations);
-    mirror_->carry_on(sub_step);
+    forces_->carry_on(sub_step);
   }
 }
 
 double ForceMode::stable_sub_step() {
   require_unlocked(world_);
-  mirror_->follow();
-  mirror_->evaluate();
-  return mirror_->stable_sub_step();
+  forces_->follow();
+  forces_->evaluate();
+  return forces_->stable_sub_step();
 }
 
 int ForceMode::sub_steps_for(float time_step) {
@@ -103,8 +97,8 @@ int ForceMode::sub_steps_for(float time_step) {
   return int(std::clamp(wanted, 1.0, double(std::numeric_limits<int>::max())));
 }
 
-const hs_world* ForceMode::world() const { return mirror_->world(); }
+const hs_world* ForceMode::world() const { return forces_->world(); }
 
-hs_block ForceMode::block_of(const b2Fixture& fixture) const { return mirror_->block_of(fixture); }
+hs_block ForceMode::block_of(const b2Fixture& fixture) const { return forces_->block_of(fixture); }
 
 }  // namespace halfspace::box2d

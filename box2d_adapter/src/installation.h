@@ -20,7 +20,7 @@ struct JudgedPair {
   PolygonPair polygons;
   NarrowPhase::Installation& installation;
   std::int64_t order;        // number of this pair, in order of their begin
-  bool let_through = false;  // in force mode: the host's listener has disabled the contact
+  bool let_through = false;  // with forces or impulses: the host's listener has disabled the contact
 };
 
 /// Common data of the contacts of one world.
@@ -46,8 +46,8 @@ class NarrowPhase::Installation {
   /// NULL if Box2D handles the fixture.
   std::shared_ptr<const Polygon> polygon_taken_for(b2Fixture& fixture) noexcept;
   std::int64_t pairs_begun() const { return pairs_begun_; }
-  /// Max one force mode at a time.
-  bool has_force_mode = false;
+  /// Do forces or impulses of the library replace Box2D's solver? Max one mode at a time.
+  bool has_mode = false;
 
   Statistics statistics;
 

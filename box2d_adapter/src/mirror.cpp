@@ -1,33 +1,29 @@
 #include "mirror.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
-namespace halfspace::box2d {
-namespace {
+#include "placement.h"
 
-/// A disabled body, or one with non-finite motion, takes no forces, as its pairs have no manifold.
+namespace halfspace::box2d {
+
 bool is_somewhere(const b2Body& body) {
   return body.IsEnabled() && body.GetPosition().IsValid() && body.GetLinearVelocity().IsValid() &&
          b2IsValid(body.GetAngle()) && b2IsValid(body.GetAngularVelocity());
 }
 
-}  // namespace
-
-ForceMode::Mirror::Known::Known(b2Fixture& of, const std::shared_ptr<const Polygon>& taken_for)
+Mirror::Known::Known(b2Fixture& of, const std::shared_ptr<const Polygon>& taken_for, const Material& material)
     : fixture(&of),
       polygon(taken_for),
       held(taken_for->is_borrowed() ? nullptr : taken_for),
       centroid(taken_for->centroid()),
-      material(material_of(of, *taken_for)),
+      material(material),
       kind(kind_of(*of.GetBody())) {}
-
-ForceMode::Mirror::Mirror(NarrowPhase::Installation& narrow_phase, const hs_law_def& law)
-    : narrow_phase_(narrow_phase), context_(make_context()), world_(*context_, law, {0, 0}) {}
 
 /// Bodies that no force moves are first: of two parallel edges the one of the first block is the contact
 /// plane, and that of a floor does not tilt under load.
-void ForceMode::Mirror::follow() {
+void Mirror::follow() {
   renewed_.clear();
   for (auto& [fixture, known] : known_) known.is_there = false;
   for (const bool are_moved : {false, true}) {
@@ -37,17 +33,16 @@ void ForceMode::Mirror::follow() {
     }
   }
   remove_what_is_gone();
-  keep_shear_of_renewed();
   list_blocks();
 }
 
-bool ForceMode::Mirror::are_all_somewhere() const {
+bool Mirror::are_all_somewhere() const {
   return std::all_of(bodies_.begin(), bodies_.end(),
                      [](const Body& body) { return is_somewhere(*body.body); });
 }
 
 /// In order of blocks, not of the hash table, as later blocks reuse the slots.
-void ForceMode::Mirror::remove_what_is_gone() {
+void Mirror::remove_what_is_gone() {
   std::vector<std::pair<hs_block, const b2Fixture*>> gone;
   for (const auto& [fixture, known] : known_) {
     if (!known.is_there) gone.emplace_back(known.block, fixture);
@@ -59,16 +54,18 @@ void ForceMode::Mirror::remove_what_is_gone() {
   }
 }
 
-void ForceMode::Mirror::find(b2Body& body) {
+void Mirror::find(b2Body& body) {
   for (b2Fixture* fixture = body.GetFixtureList(); fixture; fixture = fixture->GetNext()) {
     if (takes_part(*fixture)) find(*fixture);
   }
 }
 
-void ForceMode::Mirror::find(b2Fixture& fixture) {
+void Mirror::find(b2Fixture& fixture) {
   const auto polygon = narrow_phase_.polygon_taken_for(fixture);
   if (!polygon) return;
-  Known now(fixture, polygon);
+  const std::optional<Material> material = material_for(fixture, *polygon);
+  if (!material) return;
+  Known now(fixture, polygon, *material);
   const auto found = known_.find(&fixture);
   if (found == known_.end()) {
     add(*polygon, std::move(now));
@@ -79,7 +76,7 @@ void ForceMode::Mirror::find(b2Fixture& fixture) {
   }
 }
 
-void ForceMode::Mirror::add(const Polygon& polygon, Known known) {
+void Mirror::add(const Polygon& polygon, Known known) {
   hs_block_def def;
   world_.require_ok(hs_block_def_init(&def, sizeof def, polygon.shape()));
   def.kind = known.kind;
@@ -93,7 +90,7 @@ void ForceMode::Mirror::add(const Polygon& polygon, Known known) {
 }
 
 /// Material and kind of a block are constant, so a new block replaces it.
-void ForceMode::Mirror::renew(Known& before, const Polygon& polygon, Known now) {
+void Mirror::renew(Known& before, const Polygon& polygon, Known now) {
   const hs_block old = before.block;
   const bool keeps_its_surface = before.is_of_same_polygon(now);
   const b2Fixture* fixture = now.fixture;
@@ -103,23 +100,7 @@ void ForceMode::Mirror::renew(Known& before, const Polygon& polygon, Known now) 
   if (keeps_its_surface) renewed_.emplace(old, known_.at(fixture).block);
 }
 
-/// A block with changed friction keeps the shear forces of its contacts, up to the limit of the new friction;
-/// otherwise a body at rest would move again. The forces are those of the last evaluation, including the
-/// dashpots.
-void ForceMode::Mirror::keep_shear_of_renewed() {
-  const auto now = [&](hs_block block) {
-    const auto found = renewed_.find(block);
-    return found == renewed_.end() ? block : found->second;
-  };
-  for (const hs_contact& contact : contacts_) {
-    const hs_block a = now(contact.block_a), b = now(contact.block_b);
-    if (a == contact.block_a && b == contact.block_b) continue;
-    const double* shear = contact.shear_force;
-    kept_shear_.push_back({a, b, {shear[0], shear[1], shear[2]}});
-  }
-}
-
-void ForceMode::Mirror::list_blocks() {
+void Mirror::list_blocks() {
   ids_.resize(known_.size());
   world_.require_ok(hs_world_get_blocks(world_.get(), ids_.data(), std::int64_t(ids_.size()), nullptr));
   index_of_block_.clear();
@@ -134,8 +115,7 @@ void ForceMode::Mirror::list_blocks() {
     const auto [listed, is_new] = index_of_body_.emplace(&body, bodies_.size());
     if (is_new) {
       const auto old = index_before.find(&body);
-      bodies_.push_back(
-          {&body, old == index_before.end() ? ExactMotion(body) : before[old->second].motion, {}, {}});
+      bodies_.push_back(old == index_before.end() ? Body(body) : before[old->second]);
       bodies_.back().motion.follow(body);
     }
     const Vector arm = known.centroid - Vector(body.GetLocalCenter());
@@ -145,7 +125,23 @@ void ForceMode::Mirror::list_blocks() {
   motions_.resize(ids_.size());
 }
 
-hs_block ForceMode::Mirror::block_of(const b2Fixture& fixture) const {
+void Mirror::place() {
+  for (Body& body : bodies_) body.turn = {std::cos(body.motion.angle()), std::sin(body.motion.angle())};
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    const Body& body = bodies_[blocks_[i].body];
+    const Vector arm = body.turn * blocks_[i].arm;
+    const double spin = body.motion.spin();
+    const Vector velocity = body.motion.velocity() + spin * Vector{-arm.y, arm.x};
+    poses_[i] = pose_of({body.turn, body.motion.center() + arm});
+    motions_[i] = {{velocity.x, velocity.y, 0}, {0, 0, spin}};
+  }
+  if (blocks_.empty()) return;
+  world_.require_ok(hs_world_set_poses(world_.get(), poses_.data(), block_count()));
+  world_.require_ok(hs_world_set_velocities(world_.get(), view_of<hs_view>(&Motion::velocity),
+                                            view_of<hs_view>(&Motion::spin)));
+}
+
+hs_block Mirror::block_of(const b2Fixture& fixture) const {
   const auto found = known_.find(&fixture);
   return found == known_.end() ? 0 : found->second.block;
 }

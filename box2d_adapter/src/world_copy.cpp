@@ -24,7 +24,9 @@ bool can_be_taken(const b2Body& body) {
 class WorldCopy::Blocks {
  public:
   Blocks(b2World& source, const hs_law_def& law)
-      : context_(make_context()), polygons_(*context_), world_(*context_, law, source.GetGravity()) {
+      : context_(make_context()),
+        polygons_(*context_),
+        world_(*context_, law, make_world_def(source.GetGravity())) {
     for (b2Body* body = source.GetBodyList(); body; body = body->GetNext()) {
       if (can_be_taken(*body)) {
         add(*body);

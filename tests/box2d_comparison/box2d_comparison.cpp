@@ -1,6 +1,6 @@
 // Every scene in twin worlds, stepped side by side, and once more with both narrow phases asked about each
 // pair: `box2d_comparison [--quick] [--scene NAME] -o FOLDER` leaves the figures there as CSVs, of which
-// page.py makes a page.
+// page.py makes a page. `--without-forces` leaves out force mode, which takes almost all of the time.
 
 #include <algorithm>
 #include <cmath>
@@ -104,11 +104,13 @@ void compare(const Scene& scene, bool quick, Tables& tables) {
 }
 
 /// All scenes, or the only one that is wanted.
-void run(const std::filesystem::path& folder, std::string_view wanted, bool quick) {
+void run(const std::filesystem::path& folder, std::string_view wanted, bool quick, bool with_forces) {
   std::filesystem::create_directories(folder);
   Tables tables(folder);
-  for (const Scene& scene : all_scenes()) {
+  std::vector<Scene> scenes = all_scenes();
+  for (Scene& scene : scenes) {
     if (!wanted.empty() && scene.name != wanted) continue;
+    if (!with_forces) scene.forces = without_forces("Force mode was left out of this comparison.");
     std::printf("%s\n", scene.title.c_str());
     std::fflush(stdout);
     compare(scene, quick, tables);
@@ -121,13 +123,14 @@ void run(const std::filesystem::path& folder, std::string_view wanted, bool quic
 int main(int argc, char** argv) {
   const std::string folder(halfspace_benchmark::option_value(argc, argv, "-o", ""));
   if (folder.empty()) {
-    std::fprintf(stderr, "usage: box2d_comparison [--quick] [--scene NAME] -o FOLDER\n");
+    std::fprintf(stderr, "usage: box2d_comparison [--quick] [--without-forces] [--scene NAME] -o FOLDER\n");
     return 2;
   }
   halfspace_benchmark::pin_to_this_core();
   try {
     box2d_comparison::run(folder, halfspace_benchmark::option_value(argc, argv, "--scene", ""),
-                          halfspace_benchmark::has_option(argc, argv, "--quick"));
+                          halfspace_benchmark::has_option(argc, argv, "--quick"),
+                          !halfspace_benchmark::has_option(argc, argv, "--without-forces"));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "box2d_comparison: %s\n", error.what());
     return 1;

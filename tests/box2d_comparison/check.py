@@ -14,7 +14,7 @@ SCENES = {
     "slope_below_friction", "slope_at_friction", "slopes_settled", "slopes_of_two", "tiny_edges", "balanced", "slivers",
     "heap", "heap_10km", "stack_10km", "stack_1000km",
 }  # fmt: skip
-WORLDS = {world + run for world in ("box2d", "halfspace") for run in ("", "_nudged", "_nudged_back")}
+WORLDS = {world + run for world in ("box2d", "halfspace", "impulses") for run in ("", "_nudged", "_nudged_back")}
 FORCES = "forces"  # in the scenes that it is meant for
 WITHOUT_FORCES = {"bullet", "tiny_edges", "slivers", "heap", "heap_10km", "stack_1000km"}
 FORCES_ONCE = {"pyramid", "stack_50", "slopes_of_two"}
@@ -69,10 +69,11 @@ def main() -> None:
         for row in scenes:
             require(f'<section id="{row["scene"]}">' in page, f"{row['scene']} is not on the page")
         pictures = len(re.findall(r'src="data:image/png;base64,', page))
-        require(pictures == len(SCENES) + 2, f"the page has {pictures} pictures")
+        require(pictures == len(SCENES) + 3, f"the page has {pictures} pictures")
         not_run = page.count("<b>Force mode.</b> Not run. ")
         require(not_run == len(WITHOUT_FORCES), f"the page says of {not_run} scenes why they are not run in force mode")
-        require('<section id="force_mode">' in page, "force mode has no section")
+        for mode in ("impulse", "force"):
+            require(f'<section id="{mode}_mode">' in page, f"{mode} mode has no section")
         require(not re.search(r'(src|href)="(?!data:|#)', page), "the page leans on another file")
 
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <halfspace/box2d_force.hpp>
+#include <halfspace/box2d_impulse.hpp>
 
 #include "forces.h"
 
@@ -10,6 +11,7 @@ namespace {
 
 using halfspace::box2d::FixtureGeometry;
 using halfspace::box2d::ForceMode;
+using halfspace::box2d::ImpulseMode;
 using halfspace::box2d::NarrowPhase;
 using halfspace::box2d::Options;
 
@@ -57,6 +59,21 @@ class Forces : public Engine {
   ForceMode forces_;
 };
 
+/// The library's impulses at Box2D's step, between the same true polygons.
+class Impulses : public Engine {
+ public:
+  explicit Impulses(Stage& stage)
+      : narrow_phase_(stage.world(), with_true_polygons()), impulses_(narrow_phase_) {}
+
+  void step() override { impulses_.step(float(frame_seconds), 8, 3); }
+
+ private:
+  NarrowPhase narrow_phase_;
+  ImpulseMode impulses_;
+};
+
+std::unique_ptr<Engine> begin_impulses(Stage& stage) { return std::make_unique<Impulses>(stage); }
+
 std::unique_ptr<Engine> begin_stock(Stage& stage) { return std::make_unique<EnergySample>(stage); }
 
 std::unique_ptr<Engine> begin_halfspace(Stage& stage) {
@@ -87,14 +104,16 @@ EngineKind nudged(const EngineKind& kind, const char* suffix, float side) {
 }  // namespace
 
 std::vector<EngineKind> engine_kinds(const ForceUse& forces) {
-  std::vector<EngineKind> kinds = {{"box2d", skins, begin_stock}, {"halfspace", skins, begin_halfspace}};
+  std::vector<EngineKind> kinds = {{"box2d", skins, begin_stock},
+                                   {"halfspace", skins, begin_halfspace},
+                                   {"impulses", 0, begin_impulses, true}};
   if (forces.bearers > 0) {
     const auto begin = [bearers = forces.bearers](Stage& stage) {
       return std::make_unique<Forces>(stage, bearers);
     };
     kinds.push_back({"forces", 0, begin, true});
   }
-  const std::size_t nudged_kinds = forces.is_nudged ? 3 : 2;
+  const std::size_t nudged_kinds = forces.bearers > 0 && !forces.is_nudged ? kinds.size() - 1 : kinds.size();
   for (std::size_t i = 0; i < nudged_kinds; ++i) {
     kinds.push_back(nudged(kinds[i], "_nudged", 1));
     kinds.push_back(nudged(kinds[i], "_nudged_back", -1));

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Callable, Optional
 
-STOCK, HALFSPACE, FORCES = "box2d", "halfspace", "forces"
-NAMES = {STOCK: "Box2D", HALFSPACE: "half-space", FORCES: "force mode"}
+STOCK, HALFSPACE, IMPULSES, FORCES = "box2d", "halfspace", "impulses", "forces"
+NAMES = {STOCK: "Box2D", HALFSPACE: "half-space", IMPULSES: "impulse mode", FORCES: "force mode"}
 SUFFIXES = ("", "_nudged", "_nudged_back")  # of the three runs of a world; of force mode, where it is run so
 
 

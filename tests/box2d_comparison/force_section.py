@@ -2,7 +2,7 @@
 from html import escape
 from statistics import median
 
-from figures import COST, FORCES, MOTION, STOCK, extremes, judge
+from figures import COST, FORCES, MOTION, NAMES, STOCK, extremes, judge
 from words import count, figure_of, number, range_of, ratio
 
 LAW = """
@@ -29,7 +29,7 @@ FRAMES = COST[0]
 MOTION_OF = {figure.column: figure for figure in MOTION}
 
 
-def _table(titles: list, rows: list) -> str:
+def table(titles: list, rows: list) -> str:
     """Cells are pairs of a text and a class."""
     head = "".join(f"<th>{title}</th>" for title in titles)
     body = "".join(
@@ -38,14 +38,14 @@ def _table(titles: list, rows: list) -> str:
     return f'<table class="wide"><tr>{head}</tr>{body}</table>'
 
 
-def _name(scene) -> tuple:
+def name_of(scene) -> tuple:
     return f'<a href="#{scene.name}">{escape(scene.title)}</a>', ""
 
 
-def _against(scene, figure) -> tuple:
-    """Box2D | force mode."""
-    both = (figure_of(scene, world, figure) for world in (STOCK, FORCES))
-    return " | ".join(both), judge(scene, figure, FORCES)
+def against(scene, figure, mode: str = FORCES) -> tuple:
+    """Box2D | mode."""
+    both = (figure_of(scene, world, figure) for world in (STOCK, mode))
+    return " | ".join(both), judge(scene, figure, mode)
 
 
 def _all_table(scenes: list) -> str:
@@ -53,12 +53,12 @@ def _all_table(scenes: list) -> str:
     titles += ["at rest after", "drift of<br>the farthest", "energy<br>gained", "jitter"]
     rows = []
     for scene in scenes:
-        row = [_name(scene), (number(scene.stiffness / 1e6) + " MN/m", "")]
+        row = [name_of(scene), (number(scene.stiffness / 1e6) + " MN/m", "")]
         row += [(count(scene.summary[FORCES]["sub_steps"]), "")]
-        row += [_against(scene, FRAMES), (ratio(scene, FRAMES, FORCES), "")]
-        row += [_against(scene, MOTION_OF[column]) for column in ("rest_time", "drift", "energy_gained", "jitter")]
+        row += [against(scene, FRAMES), (ratio(scene, FRAMES, FORCES), "")]
+        row += [against(scene, MOTION_OF[column]) for column in ("rest_time", "drift", "energy_gained", "jitter")]
         rows.append(row)
-    return _table(titles, rows)
+    return table(titles, rows)
 
 
 def _creep_table(scenes: list) -> str:
@@ -68,10 +68,10 @@ def _creep_table(scenes: list) -> str:
     rows = []
     for scene in scenes:
         kind = judge(scene, creep, FORCES)
-        row = [_name(scene), (range_of(scene, STOCK, creep), "")]
+        row = [name_of(scene), (range_of(scene, STOCK, creep), "")]
         row += [(range_of(scene, FORCES, creep), kind), (ratio(scene, creep, FORCES), kind)]
-        rows.append(row + [_against(scene, MOTION_OF[column]) for column in ("drift", "median_drift")])
-    return _table(titles, rows)
+        rows.append(row + [against(scene, MOTION_OF[column]) for column in ("drift", "median_drift")])
+    return table(titles, rows)
 
 
 def _cost(scenes: list) -> str:
@@ -85,32 +85,34 @@ def _cost(scenes: list) -> str:
     )
 
 
-def _worse(scene, figure) -> str:
+def _worse(scene, figure, mode: str) -> str:
     """The figure's name if it is worse than Box2D's, in all runs or in the worst of either."""
-    if judge(scene, figure, FORCES) == "worse":
+    if judge(scene, figure, mode) == "worse":
         return figure.words
-    worst_stock, worst = (extremes(scene, world, figure)[1] for world in (STOCK, FORCES))
-    is_worse = not scene.falls_in_all(FORCES) and worst > worst_stock * (1 + figure.noise) + figure.floor
+    worst_stock, worst = (extremes(scene, world, figure)[1] for world in (STOCK, mode))
+    is_worse = not scene.falls_in_all(mode) and worst > worst_stock * (1 + figure.noise) + figure.floor
     return f"{figure.words}, in some run" if is_worse else ""
 
 
-def _gains(scenes: list) -> str:
+def gains(scenes: list, mode: str = FORCES) -> str:
     def fallen(world: str) -> str:
         titles = [escape(s.title) for s in scenes if any(s.has_fallen(run) for run in s.runs(world))]
         return "; ".join(titles) or "none"
 
     worse = []
     for scene in scenes:
-        figures = [words for figure in MOTION if (words := _worse(scene, figure))]
+        figures = [words for figure in MOTION if (words := _worse(scene, figure, mode))]
         if figures:
             worse.append(f"{escape(scene.title)} ({'; '.join(figures)})")
     return (
-        f"<p><b>What falls that is to stay.</b> In Box2D: {fallen(STOCK)}. In force mode: {fallen(FORCES)}.</p>"
+        f"<p><b>What falls that is to stay.</b> In Box2D: {fallen(STOCK)}. In {NAMES[mode]}: {fallen(mode)}.</p>"
         f'<p><span class="worse-words">Worse than Box2D</span>, but for the cost: {"; ".join(worse) or "nowhere"}.</p>'
     )
 
 
 def force_section(scenes: list) -> str:
     run = [scene for scene in scenes if scene.stiffness]
+    if not run:
+        return "<p>Not run.</p>"
     slopes = [scene for scene in run if scene.on_slopes]
-    return LAW + _cost(run) + _gains(run) + _all_table(run) + CREEP_WORDS + _creep_table(slopes)
+    return LAW + _cost(run) + gains(run) + _all_table(run) + CREEP_WORDS + _creep_table(slopes)

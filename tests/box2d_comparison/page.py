@@ -7,16 +7,17 @@ from pathlib import Path
 from statistics import median
 
 import plots
-from figures import COST, FORCES, HALFSPACE, MOTION, NAMES, PAIRS, STOCK, has_range, judge, read
+from figures import COST, FORCES, HALFSPACE, IMPULSES, MOTION, NAMES, PAIRS, STOCK, has_range, judge, read
 from force_section import force_section
+from impulse_section import impulse_section
 from words import count, figure_of, get, pay, range_of, ratio
 
 INTRODUCTION = """
 <p>The same scenes stepped with Box2D's own narrow phase and with the half-space narrow phase of the adapter. Solver,
 broad phase and continuous collision are Box2D's in both: the adapter changes which contacts the solver is given, not
-what it makes of them. 60 steps per second, 8 velocity and 3 position iterations, nothing sleeps. Where it is meant for
-the scene, a third world is in <a href="#force_mode">force mode</a>: forces of the library in place of Box2D's
-solver.</p>
+what it makes of them. 60 steps per second, 8 velocity and 3 position iterations, nothing sleeps. A third world is in
+<a href="#impulse_mode">impulse mode</a>: impulses of the library in place of Box2D's solver, at the same step. Where it
+is meant for the scene, a fourth is in <a href="#force_mode">force mode</a>: forces in sub-steps.</p>
 """
 
 HOW_TO_READ = """
@@ -91,6 +92,7 @@ def section_of(scene) -> str:
             "leaves undone.</p>"
         )
     text += f"<p><b>Half-space narrow phase.</b> {gains_of(scene, HALFSPACE)}</p>"
+    text += f"<p><b>Impulse mode.</b> {gains_of(scene, IMPULSES)}</p>"
     forces = gains_of(scene, FORCES) if scene.stiffness else f"Not run. {escape(scene.why_no_forces)}"
     text += f"<p><b>Force mode.</b> {forces}</p>"
     return text + table_of(scene) + image(plots.scene_plots(scene), f"{scene.title} over time") + "</section>"
@@ -143,6 +145,7 @@ def in_short(scenes) -> str:
 
 
 def page_of(scenes) -> str:
+    forced = [scene for scene in scenes if scene.stiffness]
     style = (Path(__file__).parent / "style.css").read_text()
     return (
         '<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><title>Half-spaces inside Box2D</title>'
@@ -150,8 +153,10 @@ def page_of(scenes) -> str:
         f"{INTRODUCTION}"
         f"{in_short(scenes)}"
         f'<section><h2>All scenes</h2>{overall(scenes)}{image(plots.overview(scenes), "All scenes")}</section>'
+        f'<section id="impulse_mode"><h2>Impulse mode</h2>{impulse_section(scenes)}'
+        f'{image(plots.mode_overview(scenes, IMPULSES), "Impulse mode")}</section>'
         f'<section id="force_mode"><h2>Force mode</h2>{force_section(scenes)}'
-        f'{image(plots.force_overview(scenes), "Force mode")}</section>'
+        f'{image(plots.mode_overview(forced, FORCES), "Force mode") if forced else ""}</section>'
         f"<section><h2>How to read this</h2>{HOW_TO_READ}</section>"
         + "".join(section_of(scene) for scene in scenes)
         + "</main></body></html>\n"

@@ -6,9 +6,9 @@ import matplotlib
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
 
-from figures import FORCES, HALFSPACE, NAMES, STOCK, Scene  # noqa: E402
+from figures import FORCES, HALFSPACE, IMPULSES, NAMES, STOCK, Scene  # noqa: E402
 
-COLOURS = {STOCK: "#b5442e", HALFSPACE: "#1f5f8b", FORCES: "#5b8c3a"}
+COLOURS = {STOCK: "#b5442e", HALFSPACE: "#1f5f8b", IMPULSES: "#c08a1e", FORCES: "#5b8c3a"}
 OTHER = "#8a5fa8"
 INK, GRID = "#2f3b45", "#e3e0da"
 
@@ -111,9 +111,8 @@ def overview(scenes: list) -> bytes:
     return _png(figure)
 
 
-def force_overview(scenes: list) -> bytes:
-    """Force mode against Box2D, over the scenes that are run in it: what is paid, and how far blocks go."""
-    run = [scene for scene in scenes if scene.stiffness]
+def mode_overview(run: list, world: str) -> bytes:
+    """A mode against Box2D, over the scenes that are run in it: what is paid, and how far blocks go."""
     figure, axes = pyplot.subplots(1, 3, figsize=(13, 1.1 + 0.26 * len(run)), sharey=True, layout="constrained")
     columns = (
         ("frames_per_second", "frames per second", 1),
@@ -125,11 +124,11 @@ def force_overview(scenes: list) -> bytes:
         ax.set_title(title + (f"\n(less than {least:g} at the edge)" if column != "frames_per_second" else ""))
         ax.set_xscale("log")
         for i, scene in enumerate(run):
-            stock, ours = (max(scene.summary[world][column], least) for world in (STOCK, FORCES))
+            stock, ours = (max(scene.summary[either][column], least) for either in (STOCK, world))
             ax.plot([stock, ours], [-i, -i], color="#c9c6bf", linewidth=1.2, zorder=1)
             ax.scatter(stock, -i, color=COLOURS[STOCK], s=22, zorder=2)
-            ax.scatter(ours, -i, color=COLOURS[FORCES], s=22, zorder=3)
-    for world in (STOCK, FORCES):
-        axes[0].scatter([], [], color=COLOURS[world], s=22, label=NAMES[world])
+            ax.scatter(ours, -i, color=COLOURS[world], s=22, zorder=3)
+    for either in (STOCK, world):
+        axes[0].scatter([], [], color=COLOURS[either], s=22, label=NAMES[either])
     axes[0].legend(fontsize=8, loc="upper center", bbox_to_anchor=(0.5, -0.08), ncols=2)
     return _png(figure)

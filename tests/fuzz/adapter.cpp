@@ -1,7 +1,8 @@
-// Box2D worlds with the half-space narrow phase, with forces of the library, and copied: whatever bodies are
-// in them, they step.
+// Box2D worlds with the half-space narrow phase, with forces or impulses of the library, and copied: whatever
+// bodies are in them, they step.
 
 #include <halfspace/box2d_force.hpp>
+#include <halfspace/box2d_impulse.hpp>
 #include <halfspace/box2d_world.hpp>
 #include <memory>
 #include <stdexcept>
@@ -64,7 +65,7 @@ class Arena {
           move_body();
           break;
         case 3:
-          begin_or_end_forces();
+          begin_or_end_mode();
           break;
         case 4:
           copy();
@@ -143,10 +144,16 @@ class Arena {
     body->SetEnabled(bytes_.below(8) != 0);
   }
 
-  void begin_or_end_forces() {
+  void begin_or_end_mode() {
     if (forces_) return forces_.reset();
+    if (impulses_) return impulses_.reset();
     const hs_law_def law = read_law();
     try {
+      if (law.stiffness_kind == HS_STIFFNESS_NONE) {
+        impulses_ =
+            std::make_unique<ImpulseMode>(*narrow_phase_, ImpulseOptions{.locate_impacts = bytes_.flag()});
+        return;
+      }
       forces_ = std::make_unique<ForceMode>(*narrow_phase_, law);
     } catch (const std::invalid_argument& refusal) {
       demand(*refusal.what() != 0, "a refusal has a text");
@@ -156,7 +163,7 @@ class Arena {
   hs_law_def read_law() {
     hs_law_def law;
     hs_law_def_init(&law, sizeof law);
-    law.stiffness_kind = bytes_.below(3);
+    law.stiffness_kind = bytes_.below(4);
     law.normal_stiffness = 1024 * bytes_.positive();
     return law;
   }
@@ -181,8 +188,9 @@ class Arena {
 
   void step() {
     if (++steps_ > max_steps) return;
-    if (!forces_) return world_.Step(1 / 60.f, 8, 3);
+    if (!forces_ && !impulses_) return world_.Step(1 / 60.f, 8, 3);
     try {
+      if (impulses_) return impulses_->step(1 / 60.f, 4, 2);
       constexpr int most_sub_steps = 50;
       forces_->step(1 / 60.f, std::min(forces_->sub_steps_for(1 / 60.f), most_sub_steps), 4, 2);
     } catch (const std::invalid_argument& refusal) {
@@ -206,6 +214,7 @@ class Arena {
   b2World world_;
   std::unique_ptr<NarrowPhase> narrow_phase_;
   std::unique_ptr<ForceMode> forces_;
+  std::unique_ptr<ImpulseMode> impulses_;
   int steps_ = 0;
 };
 

@@ -64,7 +64,8 @@ struct Statistics {
   double box2d_seconds = 0;        ///< s, of Box2D's narrow phase, over compared pairs
 };
 
-class ForceMode;  // box2d_force.hpp
+class ForceMode;    // box2d_force.hpp
+class ImpulseMode;  // box2d_impulse.hpp
 
 /// The half-space narrow phase of one world, from the constructor to the destructor. Existing contacts keep
 /// their impulses when it begins, so that a stack at rest stays at rest, and when it ends. Other worlds of
@@ -94,6 +95,7 @@ class NarrowPhase {
 
  private:
   friend class ForceMode;
+  friend class ImpulseMode;
   std::unique_ptr<Installation> installation_;
 };
 

@@ -29,8 +29,9 @@ class ForceMode {
  public:
   /// `law` is the law of all pairs, except for the friction angle, which follows from Box2D's mixed friction
   /// sqrt(f_a f_b). Stiffnesses are in N/m or Pa/m, for a thickness of 1 m. Cohesion and tensile strength are
-  /// ignored. Throws std::logic_error if the world is locked or the narrow phase already has a force mode,
-  /// std::bad_alloc, and std::invalid_argument with the library's error text if it refuses the law.
+  /// ignored. Throws std::logic_error if the world is locked or the narrow phase already has a force or
+  /// impulse mode, std::bad_alloc, and std::invalid_argument with the library's error text if it refuses the
+  /// law, or if the law has no springs.
   ForceMode(NarrowPhase& narrow_phase, const hs_law_def& law);
   ~ForceMode();
   ForceMode(const ForceMode&) = delete;
@@ -61,9 +62,9 @@ class ForceMode {
   hs_block block_of(const b2Fixture& fixture) const;
 
  private:
-  class Mirror;
+  class Forces;
   b2World& world_;
-  std::unique_ptr<Mirror> mirror_;
+  std::unique_ptr<Forces> forces_;
 };
 
 }  // namespace halfspace::box2d

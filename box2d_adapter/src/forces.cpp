@@ -1,8 +1,8 @@
+#include "forces.h"
+
 #include <cmath>
 
 #include "contact.h"
-#include "mirror.h"
-#include "placement.h"
 
 namespace halfspace::box2d {
 namespace {
@@ -43,41 +43,41 @@ JudgedPair* judged_pair_between(b2Fixture& a, b2Fixture& b) {
 
 }  // namespace
 
-bool ForceMode::Mirror::is_awake() const {
+bool ForceMode::Forces::is_awake() const {
   for (const Body& body : bodies_) {
     if (is_active(*body.body)) return true;
   }
   return false;
 }
 
-void ForceMode::Mirror::place() {
-  for (Body& body : bodies_) body.turn = {std::cos(body.motion.angle()), std::sin(body.motion.angle())};
-  for (std::size_t i = 0; i < blocks_.size(); ++i) {
-    const Body& body = bodies_[blocks_[i].body];
-    const Vector arm = body.turn * blocks_[i].arm;
-    const double spin = body.motion.spin();
-    const Vector velocity = body.motion.velocity() + spin * Vector{-arm.y, arm.x};
-    poses_[i] = pose_of({body.turn, body.motion.center() + arm});
-    motions_[i] = {{velocity.x, velocity.y, 0}, {0, 0, spin}};
+void ForceMode::Forces::follow() {
+  Mirror::follow();
+  keep_shear_of_renewed();
+}
+
+/// A block with changed friction keeps the shear forces of its contacts, up to the limit of the new friction;
+/// otherwise a body at rest would move again. The forces are those of the last evaluation, including the
+/// dashpots.
+void ForceMode::Forces::keep_shear_of_renewed() {
+  const auto now = [&](hs_block block) {
+    const auto found = renewed_.find(block);
+    return found == renewed_.end() ? block : found->second;
+  };
+  for (const hs_contact& contact : contacts_) {
+    const hs_block a = now(contact.block_a), b = now(contact.block_b);
+    if (a == contact.block_a && b == contact.block_b) continue;
+    const double* shear = contact.shear_force;
+    kept_shear_.push_back({a, b, {shear[0], shear[1], shear[2]}});
   }
 }
 
-void ForceMode::Mirror::evaluate() {
+void ForceMode::Forces::evaluate() {
   if (!are_all_somewhere()) follow();  // has changed since the last sub-step
-  place();
-  const std::int64_t count = std::int64_t(blocks_.size());
-  const auto view_of = [&](double(Motion::*member)[3]) {
-    Motion& first = motions_[0];
-    double* of_first = first.*member;
-    return hs_view{of_first, of_first + 1, of_first + 2, sizeof(Motion), count};
-  };
-  hs_world* world = world_.get();
-  std::int64_t touching = 0;
   contacts_.clear();
-  if (count == 0) return;
-  world_.require_ok(hs_world_set_poses(world, poses_.data(), count));
-  world_.require_ok(hs_world_set_velocities(world, view_of(&Motion::velocity), view_of(&Motion::spin)));
-  world_.require_ok(hs_world_detect(world, &touching));
+  place();
+  if (blocks_.empty()) return;
+  std::int64_t touching = 0;
+  world_.require_ok(hs_world_detect(world_.get(), &touching));
   contacts_.resize(std::size_t(touching));
   give_back_kept_shear();
   find_forces(elapsed_);
@@ -87,7 +87,7 @@ void ForceMode::Mirror::evaluate() {
 }
 
 /// Only if the blocks still touch and their law has a shear spring.
-void ForceMode::Mirror::give_back_kept_shear() {
+void ForceMode::Forces::give_back_kept_shear() {
   for (const KeptShear& kept : kept_shear_) {
     const hs_status status = hs_world_set_shear_force(world_.get(), kept.a, kept.b, kept.force);
     if (status != HS_ERROR_STALE_ID && status != HS_ERROR_STATE) world_.require_ok(status);
@@ -95,7 +95,7 @@ void ForceMode::Mirror::give_back_kept_shear() {
   kept_shear_.clear();
 }
 
-void ForceMode::Mirror::find_forces(double elapsed) {
+void ForceMode::Forces::find_forces(double elapsed) {
   world_.require_ok(hs_world_forces(world_.get(), elapsed, {}, {}));
   world_.require_ok(
       hs_world_get_contacts(world_.get(), contacts_.data(), std::int64_t(contacts_.size()), nullptr));
@@ -104,7 +104,7 @@ void ForceMode::Mirror::find_forces(double elapsed) {
 /// Sets the shear of new pairs that overlap in their first sub-step: the host has placed them, by the start
 /// of force mode, a new body (possibly with the block of an old one), or a new pose. Pairs that approach by
 /// motion begin before they touch. True if there are any.
-bool ForceMode::Mirror::begin_shear_of_new_pairs() {
+bool ForceMode::Forces::begin_shear_of_new_pairs() {
   if (pairs_begun_ == narrow_phase_.pairs_begun()) return false;
   bool any = false;
   for (const hs_contact& contact : contacts_) {
@@ -119,7 +119,7 @@ bool ForceMode::Mirror::begin_shear_of_new_pairs() {
 
 /// The force of a placed pair is vertical, within the limit of friction; otherwise the block would accelerate
 /// along the face until its shear spring has extended. On faces steeper than 60 degrees the shear is 0.
-void ForceMode::Mirror::begin_shear(const hs_contact& contact) {
+void ForceMode::Forces::begin_shear(const hs_contact& contact) {
   const Vector gravity(narrow_phase_.world().GetGravity());
   const Vector normal{contact.normal[0], contact.normal[1]}, force{contact.force[0], contact.force[1]};
   const double push = dot(force, normal), share = dot(gravity, normal);
@@ -133,50 +133,46 @@ void ForceMode::Mirror::begin_shear(const hs_contact& contact) {
 
 /// Moving bodies wake the bodies that they touch before forces are applied, so that a woken body has its
 /// support.
-void ForceMode::Mirror::push(float sub_step) {
-  for (Body& body : bodies_) {
-    body.force = {};
-    body.torque = 0;
-  }
+void ForceMode::Forces::push(float sub_step) {
+  for (Body& body : bodies_) body.change = {};
   for (const hs_contact& contact : contacts_) {
     if (const JudgedPair* pair = pair_of(contact); pair && !pair->let_through)
       wake_each_other(*block(contact.block_a).fixture->GetBody(), *block(contact.block_b).fixture->GetBody());
   }
   for (const hs_contact& contact : contacts_) load(contact);
-  const double h = sub_step;
-  for (Body& body : bodies_) body.motion.push(*body.body, h * body.force, h * body.torque);
+  for (Body& body : bodies_) body.motion.push(*body.body, double(sub_step) * body.change);
 }
 
 /// NULL also if neither body is active.
-JudgedPair* ForceMode::Mirror::pair_of(const hs_contact& contact) const {
+JudgedPair* ForceMode::Forces::pair_of(const hs_contact& contact) const {
   b2Fixture &a = *block(contact.block_a).fixture, &b = *block(contact.block_b).fixture;
   return is_active(*a.GetBody()) || is_active(*b.GetBody()) ? judged_pair_between(a, b) : nullptr;
 }
 
-void ForceMode::Mirror::load(const hs_contact& contact) {
+void ForceMode::Forces::load(const hs_contact& contact) {
   const JudgedPair* pair = pair_of(contact);
   if (!pair || pair->let_through) return;
   load(block(contact.block_a), contact, -1);
   load(block(contact.block_b), contact, 1);
 }
 
-void ForceMode::Mirror::load(const Block& block, const hs_contact& contact, double sign) {
+void ForceMode::Forces::load(const Block& block, const hs_contact& contact, double sign) {
   Body& body = bodies_[block.body];
   const Vector force{contact.force[0], contact.force[1]};
   const Vector arm = Vector{contact.force_point[0], contact.force_point[1]} - body.motion.center();
-  body.force = body.force + sign * force;
-  body.torque += sign * (cross(arm, force) + contact.torque[2]);
+  body.change = body.change + sign * Rates{force, cross(arm, force) + contact.torque[2]};
 }
 
-void ForceMode::Mirror::carry_on(float sub_step) {
+void ForceMode::Forces::carry_on(float sub_step) {
   const Vector gravity(narrow_phase_.world().GetGravity());
   for (Body& body : bodies_) {
-    if (body.body->GetType() != b2_staticBody) body.motion.carry_on(*body.body, sub_step, gravity);
+    if (body.body->GetType() == b2_staticBody) continue;
+    body.motion.carry_on(*body.body, sub_step, pull_of(*body.body, gravity));
   }
   elapsed_ = sub_step;
 }
 
-double ForceMode::Mirror::stable_sub_step() const {
+double ForceMode::Forces::stable_sub_step() const {
   hs_world_report report;
   world_.require_ok(hs_world_get_report(world_.get(), &report, sizeof report));
   return report.stable_time_step;
