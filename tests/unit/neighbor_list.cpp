@@ -60,8 +60,8 @@ TEMPLATE_TEST_CASE_SIG(
     Heap<D> heap(random, 60, D == 2 ? 8 : 3);
     heap.list_neighbors();
     const PairSet pairs = listed(heap.neighbors);
-    const auto [skin, needs_rebuild] = heap.neighbors.skins();
-    CHECK_FALSE(needs_rebuild);
+    const auto& skin = std::get<0>(heap.neighbors.skins());
+    CHECK_FALSE(heap.neighbors.needs_rebuild());
     for (std::int32_t a = 0; a < 60; ++a) {
       for (std::int32_t b = a + 1; b < 60; ++b) {
         const std::size_t i = std::size_t(a), j = std::size_t(b);
@@ -87,7 +87,7 @@ TEMPLATE_TEST_CASE_SIG("a skin is a share of a block's size, and a fixed block h
   parts.add(cube<D>(), BlockKind::fixed, at<D>(0, 0));
   parts.add(cube<D>(), BlockKind::rigid, at<D>(5, 0));
   parts.list_neighbors();
-  const auto [skin, needs_rebuild] = parts.neighbors.skins();
+  const auto& skin = std::get<0>(parts.neighbors.skins());
   CHECK(skin[0] == 0);
   CHECK(skin[1] == Approx(0.25 * std::sqrt(D)));
 }

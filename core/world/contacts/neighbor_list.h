@@ -90,7 +90,7 @@ class NeighborList {
   void remember_pairs();
   void recall_pairs() noexcept;
   /// State that a search writes before it may run out of memory.
-  auto skins() { return std::tie(skin_, needs_rebuild_); }
+  auto skins() { return std::tie(skin_, needs_rebuild_, is_outrun_); }
 
   /// Removes the pairs of a removed block.
   void forget(std::int32_t slot);
