@@ -42,6 +42,7 @@ bool World<D>::predict_motion(double duration) {
     lap(Pass::motion);
     if (contacts_.neighbors().needs_rebuild()) renew_neighbors(renewals);
     lap(Pass::search);
+    if (wake_met(duration) && !integrator_.predict(duration)) return false;
     const bool is_predicted = hard_contacts_.predict(clock_.time(), duration);
     lap(Pass::hard_contacts);
     if (!is_predicted) return false;
@@ -49,6 +50,17 @@ bool World<D>::predict_motion(double duration) {
     renew_neighbors(renewals + 1);
   }
   return false;
+}
+
+/// Wakes islands that blocks without springs meet in the coming motion: impulses act on both. True if there
+/// are any.
+template <int D>
+bool World<D>::wake_met(double duration) {
+  if (!sleep_.any()) return false;
+  const auto meetings = [&](auto visit) { hard_contacts_.for_each_meeting(duration, visit); };
+  const bool has_woken = sleep_.wake_touched(meetings, clock_.time());
+  wake(has_woken);
+  return has_woken;
 }
 
 /// The result of a step whose motion cannot be predicted.
@@ -185,7 +197,10 @@ StepResult World<D>::step() {
   wake(sleep_.wake_in_time(clock_.time(), clock_.time_step()));
   StepResult result = edited_ || contacts_.has_new_blocks() ? predict_changed() : predict_rest();
   for (;; result = predict_rest()) {
-    if (result != StepResult::ok) return result;
+    if (result != StepResult::ok) {
+      contacts_.neighbors().forget_announcements();
+      return result;
+    }
     const double duration = integrator_.duration();
     const bool is_last = duration >= clock_.rest();
     move();
@@ -201,6 +216,7 @@ StepResult World<D>::step() {
 
 #define HALFSPACE_MEMBERS(D)                                \
   template bool World<D>::predict_motion(double);           \
+  template bool World<D>::wake_met(double);                 \
   template StepResult World<D>::diverged() const;           \
   template StepResult World<D>::divide();                   \
   template bool World<D>::choose_time_step();               \

@@ -193,8 +193,8 @@ void World<D>::evaluate_forces(double elapsed) {
   for (const PairSums& sums : sums_) energy.add(sums.energy);
   ledger_.set_contact_strain(energy.strain);
   ledger_.add_friction_loss(energy.friction_loss);
-  // A touched island has slept in this motion: the forces at its end move it.
-  wake_touched(clock_.time() + elapsed);
+  // A touched island has slept in this motion: the forces at its end move it. Impulses do so in move().
+  if (!hard_contacts_.is_used()) wake_touched(clock_.time() + elapsed);
   lap(Pass::gather);
   if (model_.blocks.bonds().empty()) return;
   load_by_bonds(elapsed);

@@ -245,6 +245,7 @@ class World {
                           std::tie(peak_speed_, bond_strain_energy_, edited_));
   }
   bool predict_motion(double duration);
+  bool wake_met(double duration);
   StepResult prepare_and_predict();
   StepResult predict_changed();
   StepResult predict_rest();

@@ -44,7 +44,8 @@ NeighborList<D>::NeighborList(Memory* memory)
       next_shear_(memory) {}
 
 /// The skin is a fraction of the block's size, or of the median size if that is smaller: otherwise a large
-/// plate would list many grains that it never meets. It is at least the announced motion, and 0 for a fixed
+/// plate would list many grains that it never meets. It covers at least as many announced motions as the rule
+/// says, is no smaller than before where the rule says so, and is 0 for a fixed
 /// block.
 template <int D>
 void NeighborList<D>::choose_skins(const Blocks<D>& blocks, const SkinRule& rule) {
@@ -61,8 +62,8 @@ void NeighborList<D>::choose_skins(const Blocks<D>& blocks, const SkinRule& rule
   for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
     const double planned = displacements_.empty() ? planned_[i] : planned_[i] - displacements_[i].norm();
     const double usual = rule.relative * 2 * std::min(blocks.radius[i], typical);
-    const double least = rule.may_shrink ? 0 : skin_[i];
-    skin_[i] = blocks.moves(i) ? std::max({usual, rule.motions * planned, least}) : 0;
+    const double min_skin = rule.may_shrink ? 0 : skin_[i];
+    skin_[i] = blocks.moves(i) ? std::max({usual, rule.motions * planned, min_skin}) : 0;
   }
 }
 
@@ -196,6 +197,7 @@ void NeighborList<D>::resize(std::size_t slots, bool with_gradients) {
 
 template <int D>
 void NeighborList<D>::search_again(const Blocks<D>& blocks, const SkinRule& skins, bool with_shear) {
+  needs_rebuild_ = true;  // until renew(): new skins are for the new list
   resize(blocks.slot_count(), !blocks.deformations().empty());
   choose_skins(blocks, skins);
   search(blocks);

@@ -62,6 +62,8 @@ class NeighborList {
     planned_[slot] = motion;
     return !(moved(blocks, slot) + motion <= skin_[slot]);
   }
+  /// The announced motion will not be made.
+  void forget_announcements() { is_outrun_ = false; }
   /// Announces a large displacement of the centroid. The search then extends along it instead of in all
   /// directions.
   void announce_displacement(std::size_t slot, const Vector<D>& way) {

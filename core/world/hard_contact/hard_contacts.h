@@ -40,6 +40,12 @@ class HardContacts {
     if (is_used()) points_.rebuild_surface();
   }
 
+  /// Calls `visit(a, b)` for a moving and a sleeping block that will touch.
+  template <class Visit>
+  void for_each_meeting(double duration, Visit visit) {
+    if (has_manifolds_) rigid_.for_each_meeting(duration, visit);
+  }
+
   // The stages of a motion, in their order.
   /// Sets all impulses of the coming motion to none.
   void begin(double duration);

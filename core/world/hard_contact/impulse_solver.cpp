@@ -112,15 +112,6 @@ void ImpulseSolver<D>::reserve(std::size_t rows, std::size_t blocks) {
   direction_.reserve(rows);
 }
 
-/// Where blocks move past each other in great number active sets do not settle, and are tried ever more
-/// seldom.
-template <int D>
-bool ImpulseSolver<D>::may_use_active_sets() {
-  if (paused_ == 0) return true;
-  --paused_;
-  return false;
-}
-
 template <int D>
 ImpulseResult ImpulseSolver<D>::solve(ImpulseProblem<D>& problem, const ImpulseSettings& settings) {
   double fastest = 0;
@@ -131,7 +122,7 @@ ImpulseResult ImpulseSolver<D>::solve(ImpulseProblem<D>& problem, const ImpulseS
     }
     for (const ImpulseRow<D>& row : problem.frictions_of(contact)) problem.apply(contact, row, row.impulse);
   }
-  const bool uses_active_sets = may_use_active_sets();
+  const bool uses_active_sets = pause_.ends_now();
   if (fastest == 0 && uses_active_sets) active_set_.solve(problem, settings.tolerance * settings.speed, true);
   restart_acceleration(problem);
   ImpulseResult result;
@@ -151,7 +142,7 @@ ImpulseResult ImpulseSolver<D>::solve(ImpulseProblem<D>& problem, const ImpulseS
     if (i >= next_active_set && uses_active_sets) {
       const double unbalanced = active_set_.solve(problem, tolerance, false);
       if (unbalanced <= tolerance) {
-        pause_ = 0;
+        pause_ = {};
         return {i, unbalanced, true};
       }
       wait = unbalanced < helpful_fraction * result.unbalanced ? first_sweeps : 2 * wait;
@@ -167,8 +158,7 @@ ImpulseResult ImpulseSolver<D>::solve(ImpulseProblem<D>& problem, const ImpulseS
       break;
     }
   }
-  if (uses_active_sets && next_active_set > first_sweeps)
-    paused_ = pause_ = std::min(2 * pause_ + 1, max_pause);
+  if (uses_active_sets && next_active_set > first_sweeps) pause_.begin_longer();
   result.has_converged = false;
   return result;
 }

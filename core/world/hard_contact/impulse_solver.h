@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
+
 #include "world/hard_contact/active_set.h"
 #include "world/hard_contact/impulse_problem.h"
 
@@ -17,6 +20,28 @@ struct ImpulseResult {
   bool has_converged = true;
 };
 
+/// Active sets do not settle where many blocks move past each other. They are then tried in one solve out of
+/// 2, 4, up to 64.
+struct SolverPause {
+  static constexpr std::int32_t max_length = 63;
+
+  bool is_consistent() const { return length >= 0 && length <= max_length && left >= 0 && left <= length; }
+  template <class Archive>
+  void visit(Archive& archive) {
+    archive(length, left);
+  }
+  /// Counts a solve. True if it may use active sets.
+  bool ends_now() {
+    if (left == 0) return true;
+    --left;
+    return false;
+  }
+  void begin_longer() { left = length = std::min(2 * length + 1, max_length); }
+
+  std::int32_t length = 0;  // solves without active sets after the last in which they failed
+  std::int32_t left = 0;    // of these still to come
+};
+
 /// Solves impulse problems from a warm start by sweeps of projected Gauss-Seidel (NLGS, Jean 1999),
 /// accelerated by nonsmooth conjugate gradients (Silcowitz-Hansen, Niebe and Erleben 2010), and by active
 /// sets, which solve stacks and walls exactly in a few factorizations.
@@ -29,21 +54,12 @@ class ImpulseSolver {
   void reserve(std::size_t rows, std::size_t blocks);
   /// The problem's motions contain the velocities without impulses.
   ImpulseResult solve(ImpulseProblem<D>& problem, const ImpulseSettings& settings);
-  bool is_consistent() const {
-    return pause_ >= 0 && pause_ <= max_pause && paused_ >= 0 && paused_ <= pause_;
-  }
-  template <class Archive>
-  void visit(Archive& archive) {
-    archive(pause_, paused_);
-  }
+  const SolverPause& pause() const { return pause_; }
+  void set_pause(const SolverPause& pause) { pause_ = pause; }
   /// So many sweeps only, from no impulses.
   void sweep_only(ImpulseProblem<D>& problem, int count);
 
  private:
-  /// Solves without active sets after they have failed in as many and one more.
-  static constexpr std::int32_t max_pause = 63;
-
-  bool may_use_active_sets();
   double sweep(ImpulseProblem<D>& problem, bool is_backwards);
   void accelerate(ImpulseProblem<D>& problem);
   void restart_acceleration(const ImpulseProblem<D>& problem);
@@ -52,8 +68,7 @@ class ImpulseSolver {
   Array<double> previous_;   // impulses two sweeps ago
   Array<double> direction_;  // of search
   double last_length_ = 0;
-  std::int32_t pause_ = 0;   // solves without active sets after the last that they did not end
-  std::int32_t paused_ = 0;  // of these still to come
+  SolverPause pause_;
 };
 
 extern template class ImpulseSolver<2>;

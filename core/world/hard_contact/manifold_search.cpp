@@ -30,8 +30,8 @@ PosedBlock<D> ManifoldSearch<D>::predicted(std::size_t slot) const {
           integrator_.predicted_rotation(slot)};
 }
 
-/// At least the rounding of a point's place seen from either block, and the way of the velocities that may
-/// remain unbalanced: points within it would else bear in one step and not in the next.
+/// At least the rounding of a point's place seen from either block, and the displacement by the velocity that
+/// may remain unbalanced: a point within it would otherwise bear in one step and not in the next.
 template <int D>
 double ManifoldSearch<D>::reach(const RigidContact<D>& contact) const {
   const double duration = integrator_.duration();
@@ -58,8 +58,8 @@ double ManifoldSearch<D>::resting_gap(const RigidContact<D>& contact) const {
 /// Two blocks have contacts of impulses by a law without springs, when one of them moves freely and is awake.
 template <int D>
 bool ManifoldSearch<D>::may_touch(const Candidate<D>& pair) const {
-  return model_.law_of(pair).has_no_spring() && !integrator_.sleep().leaves_out(pair) &&
-         (blocks_.moves_freely(std::size_t(pair.a)) || blocks_.moves_freely(std::size_t(pair.b)));
+  return model_.law_of(pair).has_no_spring() &&
+         (is_free(std::size_t(pair.a)) || is_free(std::size_t(pair.b)));
 }
 
 /// Faces are chosen where blocks would be by their present velocities: at the start of a motion the end of a

@@ -25,6 +25,20 @@ class ManifoldSearch {
   void find(double duration, std::span<const RigidContact<D>> known, Array<PlannedContact<D>>& found);
   bool find_more(Array<PlannedContact<D>>& found) const;
 
+  /// Calls `visit(a, b)` for a moving and a sleeping block that touch at the end of their motion by present
+  /// velocities.
+  template <class Visit>
+  void for_each_meeting(double duration, Visit visit) {
+    pose_ahead(duration);
+    for (const Candidate<D>& pair : contacts_.neighbors().pairs()) {
+      if (!model_.law_of(pair).has_no_spring() || !integrator_.sleep().may_wake(pair)) continue;
+      RigidContact<D> contact;
+      contact.a = pair.a;
+      contact.b = pair.b;
+      const PosedBlock<D>&a = ahead_[std::size_t(pair.a)], &b = ahead_[std::size_t(pair.b)];
+      if (find_manifold(a, b, reach(contact), contact.manifold)) visit(pair.a, pair.b);
+    }
+  }
   /// Do impulses move a block? They do not while it sleeps.
   bool is_free(std::size_t slot) const { return blocks_.moves_freely(slot) && !integrator_.is_asleep(slot); }
   PosedBlock<D> now(std::size_t slot) const;
@@ -35,8 +49,8 @@ class ManifoldSearch {
   Gaps<D> predicted_gaps(const PlannedContact<D>& contact) const;
   /// A point nearer to a face than this is on it.
   double reach(const RigidContact<D>& contact) const;
-  /// A point less deep than this does not recover, and in the middle of those that close to a face friction
-  /// acts.
+  /// A point less deep than this does not recover. Friction acts in the middle of the points within this
+  /// distance of the lowest one.
   double settled_gap(const RigidContact<D>& contact) const;
   /// A loaded point this close to its face stays as it is.
   double resting_gap(const RigidContact<D>& contact) const;

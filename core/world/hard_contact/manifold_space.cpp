@@ -180,6 +180,7 @@ bool find_manifold(const PosedBlock<3>& a, const PosedBlock<3>& b, double margin
   if (known_gap > margin) return false;
   Separation<3> best = largest_separation(a, b, frame, margin);
   const bool is_between_edges = best.pair.kind == PotentialPair<3>::edge_edge;
+  const PotentialPair<3> edges = best.pair;
   if (known_gap >= best.gap - (is_between_edges ? nearly_flat_fraction * size : equal)) {
     best.gap = known_gap;
     best.pair = known;
@@ -188,8 +189,10 @@ bool find_manifold(const PosedBlock<3>& a, const PosedBlock<3>& b, double margin
   if (best.pair.kind == PotentialPair<3>::edge_edge) {
     const SeenOutline seen_a(a.own), seen_b(b.own, frame.turn);
     PotentialPair<3> face = FacesAtEdges(seen_a, seen_b, best.pair).least_deep(seen_a, seen_b, frame.to_b);
-    const bool is_as_far = gap_of_pair(a, b, frame, face) >= best.gap - nearly_flat_fraction * size;
-    if (!is_as_far && meet_at_edges(a, b, frame, best.pair, manifold)) return true;
+    const double face_gap = gap_of_pair(a, b, frame, face);
+    const bool is_as_far = face_gap >= best.gap - nearly_flat_fraction * size;
+    if (!is_as_far && meet_at_edges(a, b, frame, edges, manifold)) return true;
+    best.gap = face_gap;
     best.pair = face;
   }
   const double flush = flush_fraction * size;
@@ -208,7 +211,7 @@ bool find_manifold(const PosedBlock<3>& a, const PosedBlock<3>& b, double margin
           best.pair.b, best.pair.a},
          flush, overlaps, manifold);
   }
-  return manifold.count > 0;
+  return manifold.count > 0 || (is_between_edges && meet_at_edges(a, b, frame, edges, manifold));
 }
 
 Vector<3> normal_of(const Manifold<3>& manifold, const PosedBlock<3>& a, const PosedBlock<3>& b) {

@@ -13,8 +13,8 @@ namespace {
 constexpr double recovery_fraction = 0.1;
 constexpr int max_recovery_sweeps = 10;
 
-/// What the impulses of the first half step leave unbalanced those of the second find twice. With half of the
-/// tolerance, these find it within theirs.
+/// The second half step finds the unbalanced velocity of the first one twice. At half of the tolerance, both
+/// stay within it.
 constexpr double position_tolerance_fraction = 0.5;
 
 /// Impacts this early in a motion, as a fraction of it, are at its start.
@@ -195,7 +195,9 @@ template <int D>
 bool RigidContacts<D>::predict(double time, double duration) {
   unbalanced_velocity_ = 0;
   fraction_before_impact_ = 1;
+  solver_.set_pause(pause_);
   search_.find(duration, known_, planned_);
+  next_known_.reserve(planned_.size() + known_.size());
   if (planned_.empty()) return true;
   for (PlannedContact<D>& contact : planned_) search_.set_gaps(contact);
   warm_start(duration);
@@ -328,16 +330,24 @@ void RigidContacts<D>::stop_approach(EnergyLedger& ledger) {
     planned_[c].impact_loss += book(c, ledger);
     touches_ += planned_[c].is_new;
   }
-  replace_known();
+  replace_known(duration);
+  pause_ = solver_.pause();
   planned_.clear();
   duration_ = duration;
 }
 
-/// By those of the last motion. Contacts of sleeping blocks stay.
+/// By those of the last motion. Contacts of sleeping blocks stay, with their forces.
 template <int D>
-void RigidContacts<D>::replace_known() {
+void RigidContacts<D>::replace_known(double duration) {
   std::erase_if(known_,
                 [&](const RigidContact<D>& contact) { return !integrator_.sleep().leaves_out(contact); });
+  const double scale = duration_ > 0 ? duration / duration_ : 1;
+  for (RigidContact<D>& contact : known_) {
+    for (double& impulse : contact.impulse) impulse *= scale;
+    contact.friction *= scale;
+    contact.couple *= scale;
+    contact.impact_loss = 0;
+  }
   next_known_.clear();
   std::merge(known_.begin(), known_.end(), planned_.begin(), planned_.end(), std::back_inserter(next_known_),
              is_before<D>);
@@ -371,7 +381,7 @@ bool RigidContacts<D>::is_consistent() const {
            halfspace::all(at.gap, is_finite) && at.normal.allFinite() && is_finite(at.touched_at) &&
            is_finite(at.impact_loss);
   };
-  return touches_ >= 0 && solver_.is_consistent() && is_nonnegative(duration_) &&
+  return touches_ >= 0 && pause_.is_consistent() && is_nonnegative(duration_) &&
          halfspace::all(known_, is_valid) && std::is_sorted(known_.begin(), known_.end(), is_before<D>);
 }
 

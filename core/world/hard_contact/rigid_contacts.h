@@ -41,6 +41,11 @@ class RigidContacts {
   /// On b, of the half step at the end of the last motion.
   Vector<D> force_of(const RigidContact<D>& contact) const;
 
+  template <class Visit>
+  void for_each_meeting(double duration, Visit visit) {
+    search_.for_each_meeting(duration, visit);
+  }
+
   // The stages of a motion, as in HardContacts.
   bool predict(double time, double duration);
   void apply_position_impulses(EnergyLedger& ledger);
@@ -57,7 +62,7 @@ class RigidContacts {
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(known_, duration_, touches_, solver_);
+    archive(known_, duration_, touches_, pause_);
   }
 
  private:
@@ -73,7 +78,7 @@ class RigidContacts {
   void set_motions_at_half_step();
   bool solve(double duration, double tolerance_fraction);
   double recover();
-  void replace_known();
+  void replace_known(double duration);
   double book(std::size_t contact, EnergyLedger& ledger);
   double gap_floor(const PlannedContact<D>& contact, std::size_t point) const;
 
@@ -84,6 +89,7 @@ class RigidContacts {
   ImpulseRows<D> rows_;
   ImpulseSolver<D> solver_;
   ImpulseProblem<D> problem_;
+  SolverPause pause_;  // after the last motion
   Array<RigidContact<D>> known_;
   Array<RigidContact<D>> next_known_;
   Array<PlannedContact<D>> planned_;

@@ -302,6 +302,10 @@ void Integrator<D>::take_kicks(EnergySample& sample) {
 template <int D>
 void Integrator<D>::take_kick(std::size_t i, EnergySample& sample) {
   if (blocks_.is_of_mesh(i)) return;
+  if (sleep_.is_asleep(i)) {
+    if (!reaction_.empty()) kicks_.take_over(i, reaction_);  // it holds the block as before
+    return kick_asleep(i, sample);
+  }
   if (blocks_.is_affine(i)) return take_affine_kick(i, sample);
   Vector<D> middle_velocity = blocks_.velocity[i];
   const Angular<D> middle_spin = blocks_.spin[i];

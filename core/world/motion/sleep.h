@@ -54,6 +54,13 @@ class Sleep {
   bool leaves_out(const Pair& pair) const {
     return any() && rest_[std::size_t(pair.a)] != Rest::none && rest_[std::size_t(pair.b)] != Rest::none;
   }
+  /// True when one block of a pair would wake the other.
+  template <class Pair>
+  bool may_wake(const Pair& pair) const {
+    if (!any()) return false;
+    const Rest a = rest_[std::size_t(pair.a)], b = rest_[std::size_t(pair.b)];
+    return (a == Rest::none && b == Rest::asleep) || (a == Rest::asleep && b == Rest::none);
+  }
   /// Maximum displacement error by sleep so far, over all blocks, m.
   double max_error(double time) const;
 

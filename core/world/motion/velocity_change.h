@@ -66,6 +66,12 @@ class VelocityChange {
   /// Mean force per impulse over its half of the motion, 1/s.
   double rate() const { return rate_; }
 
+  /// Gives a block the same mean force as another change did.
+  void take_over(std::size_t slot, const VelocityChange& other) {
+    const double scale = other.rate() / rate_;
+    of_block_[slot] = scale * other.of_block(slot);
+    momentum_[slot] = scale * other.momentum(slot);
+  }
   /// The change of a point's velocity.
   Vector<D> at(const MaterialPoint<D>& point) const;
   /// The change of a rigid block's motion; none for blocks that do not move freely.

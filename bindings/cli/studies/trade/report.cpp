@@ -182,10 +182,11 @@ std::string left_out_text(int left_out) {
          "; --resume with a larger one adds them\n";
 }
 
-bool has_runs_without_stable_step(const Scene& scene, const Front& front, const FaceSize& face) {
-  return std::any_of(front.results().begin(), front.results().end(), [&](const Result& run) {
-    return !has_stable_step(with_setting(scene, run.setting, face));
-  });
+/// Rigid blocks with springs that some run has without.
+bool leaves_out_springs(const Scene& scene, const Front& front) {
+  return !has_stable_step(with_setting(scene, {.law = HS_STIFFNESS_NONE}, {})) &&
+         std::any_of(front.results().begin(), front.results().end(),
+                     [](const Result& run) { return run.setting.law == HS_STIFFNESS_NONE; });
 }
 
 std::string cheapest_text(const Scene& scene, const Front& front, const FaceSize& face, double tolerance) {
@@ -223,7 +224,7 @@ std::string report(const Scene& scene, const Front& front, const FaceSize& face,
   } else if (has_own_step) {
     step = trade_line("time step", "the scene's own is not used: steps are fractions of the stable one");
   }
-  if (has_stable_step(scene) && has_runs_without_stable_step(scene, front, face))
+  if (has_stable_step(scene) && leaves_out_springs(scene, front))
     step += trade_line("without springs", "steps are fractions of 1/60 s");
   return trade_line("scene", scene.title.empty() ? "untitled" : scene.title) +
          trade_line("quantity", describe_quantity(scene)) +
