@@ -25,6 +25,10 @@ constexpr double whole_part = 1 - 1e-12;
 /// No motion is a smaller part of a step, and none that ends at an impact is smaller than this.
 constexpr double min_part = 0x1p-24, min_located_part = 0x1p-16;
 
+/// Rebounds that follow each other ever faster would divide a step without end: after so many motions impacts
+/// are no longer located in it.
+constexpr int max_located_motions = 64;
+
 /// An impact that passes from block to block lengthens motions each time.
 constexpr int max_renewals = 16;
 
@@ -83,7 +87,8 @@ StepResult World<D>::divide() {
     }
     // Impacts that follow each other without end are not told apart.
     const double before_impact = hard_contacts_.fraction_before_impact();
-    if (before_impact * integrator_.duration() >= min_located_part * clock_.time_step())
+    if (motions_ < max_located_motions &&
+        before_impact * integrator_.duration() >= min_located_part * clock_.time_step())
       part = std::min(part, before_impact);
     if (part >= whole_part) return StepResult::ok;
     if (!(part * integrator_.duration() >= min_part * clock_.time_step())) return StepResult::unstable;
@@ -193,7 +198,7 @@ StepResult World<D>::predict_changed() {
 /// ends in between, and can be continued.
 template <int D>
 StepResult World<D>::step() {
-  int motions = 0;
+  motions_ = 0;
   wake(sleep_.wake_in_time(clock_.time(), clock_.time_step()));
   StepResult result = edited_ || contacts_.has_new_blocks() ? predict_changed() : predict_rest();
   for (;; result = predict_rest()) {
@@ -206,7 +211,7 @@ StepResult World<D>::step() {
     move();
     if (is_last) break;
     clock_.pass_part(duration);
-    if (++motions == max_motions)
+    if (++motions_ == max_motions)
       return continuous_collision_.any() ? StepResult::too_fast : StepResult::unstable;
   }
   clock_.complete_step();

@@ -278,6 +278,7 @@ class World {
   bool are_left_out_loaded_ = false;  // their forces are computed
   double strength_factor_ = 1;
   double made_ = 0;          // duration of the last motion, during detection at its end; else 0
+  int motions_ = 0;          // that the present step has made
   std::int32_t edited_ = 1;  // 1: forces, accelerations and ledger are out of date
 };
 

@@ -379,3 +379,22 @@ TEST_CASE("a sleeping block takes its part of an impact, and a plate that moves 
   CHECK(scene.velocity(other).x == Approx(-1.5).epsilon(1e-9));
   CHECK(std::abs(scene.energy().residual) < 1e-9 * scene.energy().kinetic);
 }
+
+/// Rebounds follow each other ever faster until the blocks lie still.
+TEST_CASE("impacts of tumbling solids are located without end of the step", "[impulses]") {
+  hs_world_def def = solid_world_def(frame);
+  def.locate_impacts = 1;
+  SolidScene scene(def, hard_law(0.46, 0.2), 1000);
+  scene.add_hull(cuboid({20, 20, 2}), {.position = {0, 0, -1}, .kind = HS_BLOCK_FIXED});
+  std::mt19937 random(3);
+  const auto next = [&] { return double(random()) / double(std::mt19937::max()); };
+  for (int i = 0; i < 30; ++i) {
+    const Triple size = {0.4 + 0.6 * next(), 0.4 + 0.6 * next(), 0.4 + 0.6 * next()};
+    const double angle = 2 * pi * next();
+    scene.add_hull(cuboid(size), {.position = {(i % 3 - 1) * 1.5, (i / 3 % 3 - 1) * 1.5, 1.0 + 1.5 * (i / 9)},
+                                  .rotation = turn_about({0.6, 0.8, 0}, angle)});
+  }
+  scene.step(180);
+  CHECK(scene.report().divided_steps > 20);
+  CHECK(scene.report().max_penetration_ratio < 0.2);
+}

@@ -40,7 +40,7 @@ static_assert(sizeof(RigidContact<2>) == 144 && sizeof(RigidContact<3>) == 416,
 template <int D>
 struct PlannedContact : RigidContact<D> {
   std::array<double, max_manifold_points<D>> rebound{};      // m/s, of opening after an impact
-  std::array<double, max_manifold_points<D>> rebound_gap{};  // m, at the motion's end
+  std::array<double, max_manifold_points<D>> rebound_gap{};  // m, at the motion's end, above where it touched
   std::array<bool, max_manifold_points<D>> was_loaded{};     // in the last motion
   bool is_new = true;
   bool is_impact = false;

@@ -97,7 +97,7 @@ void RigidContacts<D>::find_impacts(double time, double duration) {
 template <int D>
 double RigidContacts<D>::gap_floor(const PlannedContact<D>& contact, std::size_t point) const {
   const double gap = contact.gap[point];
-  if (contact.rebound_gap[point] > 0) return contact.rebound_gap[point];
+  if (contact.rebound_gap[point] > 0) return std::min(gap, 0.0) + contact.rebound_gap[point];
   return contact.was_loaded[point] && gap <= search_.resting_gap(contact) ? gap : std::min(gap, 0.0);
 }
 
