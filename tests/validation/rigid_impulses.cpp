@@ -394,7 +394,7 @@ TEST_CASE("impacts of tumbling solids are located without end of the step", "[im
     scene.add_hull(cuboid(size), {.position = {(i % 3 - 1) * 1.5, (i / 3 % 3 - 1) * 1.5, 1.0 + 1.5 * (i / 9)},
                                   .rotation = turn_about({0.6, 0.8, 0}, angle)});
   }
-  scene.step(180);
+  scene.step(70);
   CHECK(scene.report().divided_steps > 20);
   CHECK(scene.report().max_penetration_ratio < 0.2);
 }
