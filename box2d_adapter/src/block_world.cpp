@@ -45,10 +45,13 @@ Material material_of(const b2Fixture& fixture, const Polygon& polygon) {
   return {share * body.GetMass() / properties_of_polygon(*polygon.shape()).volume, fixture.GetFriction()};
 }
 
+void require_current(hs_status status) {
+  if (status != HS_OK) throw std::runtime_error("the library is older than the adapter");
+}
+
 hs_world_def make_world_def(const b2Vec2& gravity) {
   hs_world_def def;
-  if (hs_world_def_init(&def, sizeof def, 2) != HS_OK)
-    throw std::runtime_error("the library is older than the adapter");
+  require_current(hs_world_def_init(&def, sizeof def, 2));
   def.gravity[0] = gravity.x;
   def.gravity[1] = gravity.y;
   return def;

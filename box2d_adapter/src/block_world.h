@@ -31,6 +31,9 @@ std::int32_t kind_of(const b2Body& body);
 /// density of fixed and prescribed blocks is arbitrary. Restitution is left at 0.
 Material material_of(const b2Fixture& fixture, const Polygon& polygon);
 
+/// Throws std::runtime_error if the library has refused to initialize a definition of this size.
+void require_current(hs_status status);
+
 /// The default settings of a world in 2D.
 hs_world_def make_world_def(const b2Vec2& gravity);
 

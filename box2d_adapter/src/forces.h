@@ -13,7 +13,7 @@ class ForceMode::Forces : public Mirror {
   Forces(NarrowPhase::Installation& narrow_phase, const hs_law_def& law)
       : Mirror(narrow_phase, law, make_world_def({0, 0})) {}
 
-  /// As in Mirror; contacts of changed blocks keep their shear forces.
+  /// Follows the bodies as Mirror does. Contacts of changed blocks keep their shear forces.
   void follow();
   /// Computes contacts and forces at the current poses of the bodies.
   void evaluate();

@@ -10,8 +10,7 @@ namespace {
 
 hs_law_def law_without_springs() {
   hs_law_def law;
-  if (hs_law_def_init(&law, sizeof law) != HS_OK)
-    throw std::runtime_error("the library is older than the adapter");
+  require_current(hs_law_def_init(&law, sizeof law));
   law.stiffness_kind = HS_STIFFNESS_NONE;
   return law;
 }

@@ -9,7 +9,7 @@
 
 namespace halfspace::box2d {
 
-// What force mode and impulse mode require of their host.
+// Requirements of force mode and impulse mode on their host.
 
 inline void require_unlocked(const b2World& world) {
   if (world.IsLocked()) throw std::logic_error("the world is locked");

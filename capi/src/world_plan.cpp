@@ -7,7 +7,7 @@ using namespace halfspace::capi;
 
 namespace {
 
-/// By a shear spring, or without springs by impulses.
+/// Friction acts by a shear spring, or without springs by impulses.
 bool has_friction(const ContactLaw& law) {
   return law.resists_shear() || (law.has_no_spring() && (law.tan_friction > 0 || law.bonds()));
 }

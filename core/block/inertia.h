@@ -16,7 +16,7 @@ inline double mass_of(const Shape<3>& shape, double density) { return density * 
 // overflow or underflow.
 constexpr double least_mass = 1e-300, least_inertia = 1e-300, largest_mass = 1e150, largest_inertia = 1e300;
 
-/// Of inertia, in the frame of the world.
+/// A moment or tensor of inertia in the frame of the world.
 template <int D>
 using InertiaTensor = Eigen::Matrix<double, D == 2 ? 1 : 3, D == 2 ? 1 : 3>;
 

@@ -20,9 +20,8 @@ bool any_law_between(const Scene& scene, const std::set<int>& materials, Propert
 
 /// The reason why there are no impulses between rigid blocks. Empty if there may be some.
 std::string reason_without_impulses(const Start& start) {
-  const auto has_no_spring = [](const hs_law_def& law) { return !has_spring(law); };
   const auto bonds_without_spring = [](const hs_law_def& law) {
-    return !has_spring(law) && (law.cohesion > 0 || law.tensile_strength > 0);
+    return has_no_spring(law) && holds_together(law);
   };
   if (!any_law_between(start.scene, used_materials(start), has_no_spring))
     return "the laws of all blocks have springs; usual: a law with stiffness = \"none\"";

@@ -31,11 +31,9 @@ void note_laws(const Start& start, const std::set<int>& used, Faults& faults) {
   }
 }
 
-bool has_strength(const hs_law_def& law) { return law.cohesion > 0 || law.tensile_strength > 0; }
-
 /// Cohesion and tensile strength belong to contacts that exist at the start.
 void note_strengths(const Start& start, Faults& faults) {
-  if (!any_law(start.scene, has_strength)) return;
+  if (!any_law(start.scene, holds_together)) return;
   std::set<std::pair<int, int>> touching;
   for (const hs_contact& contact : start.model.contacts())
     touching.insert(std::minmax(start.layout.blocks[contact.block_a].material,
@@ -49,12 +47,12 @@ void note_strengths(const Start& start, Faults& faults) {
     const hs_law_def& from = start.scene.default_law;
     const bool differs =
         law.law.cohesion != from.cohesion || law.law.tensile_strength != from.tensile_strength;
-    if (differs && has_strength(law.law) && !touching.contains(std::minmax(law.a, law.b)))
+    if (differs && holds_together(law.law) && !touching.contains(std::minmax(law.a, law.b)))
       faults.note(law.place, "law[" + std::to_string(i) + "]", text + " between these materials");
   }
   const bool is_default_used =
       std::any_of(touching.begin(), touching.end(), [&](const auto& pair) { return !own.contains(pair); });
-  if (has_strength(start.scene.default_law) && !is_default_used)
+  if (holds_together(start.scene.default_law) && !is_default_used)
     faults.note(start.scene.places.default_law, "default_law", text + " with this law");
 }
 

@@ -15,7 +15,7 @@
 
 namespace halfspace::cli {
 
-/// Limits of all generators with a `count` and of each [[jointed_rock]].
+/// The limit of all generators with a `count` together, and of each [[jointed_rock]].
 constexpr std::int64_t max_blocks = 10'000'000;
 
 /// The vertical axis by default: y in 2D, z in 3D.
@@ -260,7 +260,7 @@ struct Scene {
   struct Places {
     Place gravity, time_step, duration, sleep_tolerance, potential_length, default_law, rest_speed;
     Place frame_interval, history_interval;
-    /// Of keys that may be missing.
+    /// Places of keys that may be missing.
     std::optional<Place> restitution, impulse_tolerance, max_impulse_iterations, locate_impacts;
   };
   Places places;
@@ -310,6 +310,7 @@ void for_each_making(AnyScene& scene, Visit visit) {
 
 inline bool has_spring(const hs_law_def& law) { return law.stiffness_kind != HS_STIFFNESS_NONE; }
 inline bool has_no_spring(const hs_law_def& law) { return !has_spring(law); }
+inline bool holds_together(const hs_law_def& law) { return law.cohesion > 0 || law.tensile_strength > 0; }
 
 /// The law that the blocks of two materials follow.
 inline const hs_law_def& law_between(const Scene& scene, int a, int b) {

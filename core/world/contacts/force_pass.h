@@ -40,7 +40,7 @@ class ForcePass {
     int worker = 0;
     ContactEnergy energy{};
     std::int32_t last_block = -1;
-    // The remainder of the current contact, if one of its blocks is deformable.
+    // The current contact's strains, if one of its blocks is deformable.
     Stretch<D> stretch{};
     StrainRates<D> strain_rates{};
   };

@@ -45,8 +45,7 @@ NeighborList<D>::NeighborList(Memory* memory)
 
 /// The skin is a fraction of the block's size, or of the median size if that is smaller: otherwise a large
 /// plate would list many grains that it never meets. It covers at least as many announced motions as the rule
-/// says, is no smaller than before where the rule says so, and is 0 for a fixed
-/// block.
+/// says, is no smaller than before where the rule says so, and is 0 for a fixed block.
 template <int D>
 void NeighborList<D>::choose_skins(const Blocks<D>& blocks, const SkinRule& rule) {
   sizes_.clear();

@@ -12,7 +12,7 @@
 
 namespace halfspace {
 
-/// Of a block that moves freely; an infinite mass has the inverses 0.
+/// The inverses of a block's mass and inertia; 0 unless it moves freely.
 template <int D>
 struct InverseMass {
   double of_mass = 0;
@@ -77,7 +77,12 @@ struct ImpulseProblem {
   }
   /// The impulse that brings a row to its target while all others stay.
   double stopping_impulse(const ImpulseContact<D>& contact, const ImpulseRow<D>& row) const {
-    return row.impulse - (velocity_along(contact, row) - row.target) / row.inverse_mass;
+    return stopping_impulse(contact, row, row.inverse_mass);
+  }
+  /// The same with another inverse effective mass.
+  double stopping_impulse(const ImpulseContact<D>& contact, const ImpulseRow<D>& row,
+                          double inverse_mass) const {
+    return row.impulse - (velocity_along(contact, row) - row.target) / inverse_mass;
   }
   /// The friction of a contact after one projection: where it would exceed its bound, both tangents have the
   /// larger inverse effective mass, so that a solution opposes the velocity of sliding. Returns its size
@@ -88,7 +93,7 @@ struct ImpulseProblem {
     const auto project = [&](auto inverse_mass) {
       double square = 0;
       for (std::size_t k = 0; k < D - 1; ++k) {
-        impulse[k] = rows[k].impulse - (velocity_along(contact, rows[k]) - rows[k].target) / inverse_mass(k);
+        impulse[k] = stopping_impulse(contact, rows[k], inverse_mass(k));
         square += impulse[k] * impulse[k];
       }
       return std::sqrt(square);

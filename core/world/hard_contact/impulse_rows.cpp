@@ -17,7 +17,7 @@ std::array<Vector<3>, 2> tangents(const Vector<3>& normal) {
 
 }  // namespace
 
-/// As blocks are turned now.
+/// Inertias are those of the present rotations.
 template <int D>
 void ImpulseRows<D>::set_inverse_masses(ImpulseProblem<D>& problem) {
   problem.inverse_masses.assign(blocks_.slot_count(), {});

@@ -38,21 +38,19 @@ double ManifoldSearch<D>::reach(const RigidContact<D>& contact) const {
   const double unbalanced = 2 * model_.settings.impulse_tolerance * model_.settings.gravity.norm() * duration;
   constexpr double roundings = 16 * std::numeric_limits<double>::epsilon();
   const std::size_t a = std::size_t(contact.a), b = std::size_t(contact.b);
-  return std::max({reach_fraction * std::min(blocks_.radius[a], blocks_.radius[b]),
+  return std::max({reach_fraction * smaller_radius(contact),
                    roundings * std::max(blocks_.position[a].norm(), blocks_.position[b].norm()),
                    unbalanced * duration});
 }
 
 template <int D>
 double ManifoldSearch<D>::settled_gap(const RigidContact<D>& contact) const {
-  const std::size_t a = std::size_t(contact.a), b = std::size_t(contact.b);
-  return std::max(settled_fraction * std::min(blocks_.radius[a], blocks_.radius[b]), reach(contact));
+  return std::max(settled_fraction * smaller_radius(contact), reach(contact));
 }
 
 template <int D>
 double ManifoldSearch<D>::resting_gap(const RigidContact<D>& contact) const {
-  return resting_fraction *
-         std::min(blocks_.radius[std::size_t(contact.a)], blocks_.radius[std::size_t(contact.b)]);
+  return resting_fraction * smaller_radius(contact);
 }
 
 /// Two blocks have contacts of impulses by a law without springs, when one of them moves freely and is awake.

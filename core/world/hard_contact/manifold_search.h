@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <span>
 
 #include "world/contacts/contact_list.h"
@@ -47,6 +48,9 @@ class ManifoldSearch {
   /// Sets normal and gaps to those of now.
   void set_gaps(PlannedContact<D>& contact) const;
   Gaps<D> predicted_gaps(const PlannedContact<D>& contact) const;
+  double smaller_radius(const RigidContact<D>& contact) const {
+    return std::min(blocks_.radius[std::size_t(contact.a)], blocks_.radius[std::size_t(contact.b)]);
+  }
   /// A point nearer to a face than this is on it.
   double reach(const RigidContact<D>& contact) const;
   /// A point less deep than this does not recover. Friction acts in the middle of the points within this

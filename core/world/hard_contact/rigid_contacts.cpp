@@ -29,16 +29,15 @@ constexpr double same_place_fraction = 0.05;
 /// changed their order and their owner.
 template <int D>
 void RigidContacts<D>::warm_start(double duration) {
-  const double scale = duration_ > 0 ? duration / duration_ : 1;
+  const double scale = impulse_scale(duration);
   auto before = known_.begin();
   for (PlannedContact<D>& contact : planned_) {
     while (before != known_.end() && before->blocks() < contact.blocks()) ++before;
     contact.is_new = before == known_.end() || before->blocks() != contact.blocks();
     if (contact.is_new) continue;
     contact.touched_at = before->touched_at;
-    const std::size_t a_slot = std::size_t(contact.a), b_slot = std::size_t(contact.b);
-    const PosedBlock<D> a = search_.now(a_slot), b = search_.now(b_slot);
-    const double near = same_place_fraction * std::min(blocks_.radius[a_slot], blocks_.radius[b_slot]);
+    const PosedBlock<D> a = search_.now(std::size_t(contact.a)), b = search_.now(std::size_t(contact.b));
+    const double near = same_place_fraction * search_.smaller_radius(contact);
     for (std::size_t i = 0; i < std::size_t(contact.manifold.count); ++i) {
       double nearest = near * near;
       for (std::size_t k = 0; k < std::size_t(before->manifold.count); ++k) {
@@ -336,12 +335,12 @@ void RigidContacts<D>::stop_approach(EnergyLedger& ledger) {
   duration_ = duration;
 }
 
-/// By those of the last motion. Contacts of sleeping blocks stay, with their forces.
+/// Contacts of the last motion replace the known ones. Those of sleeping blocks stay, with their forces.
 template <int D>
 void RigidContacts<D>::replace_known(double duration) {
   std::erase_if(known_,
                 [&](const RigidContact<D>& contact) { return !integrator_.sleep().leaves_out(contact); });
-  const double scale = duration_ > 0 ? duration / duration_ : 1;
+  const double scale = impulse_scale(duration);
   for (RigidContact<D>& contact : known_) {
     for (double& impulse : contact.impulse) impulse *= scale;
     contact.friction *= scale;

@@ -32,7 +32,7 @@ class RigidContacts {
   const Array<RigidContact<D>>& all() const { return known_; }
   std::int64_t touches() const { return touches_; }
   std::int64_t iterations() const { return iterations_; }
-  /// Of the last motion, m; 0 when no contact overlaps.
+  /// The largest overlap of the last motion, m; 0 when no contact overlaps.
   double largest_overlap() const;
   /// The largest penetration so far over the thickness of the thinner block.
   double deepest() const { return deepest_; }
@@ -68,6 +68,8 @@ class RigidContacts {
  private:
   VelocityChange<D>& changes() { return integrator_.kicks(); }
 
+  /// The impulses of equal forces in a motion of this duration over those of the last motion.
+  double impulse_scale(double duration) const { return duration_ > 0 ? duration / duration_ : 1; }
   void warm_start(double duration);
   void find_impacts(double time, double duration);
   void set_position_targets(double duration);

@@ -76,7 +76,7 @@ class Integrator {
 
   /// Bounds of a rigid or affine block's points, from its velocity and the last forces.
   SpeedBound speed_bound_of(std::size_t block) const;
-  /// With the impulses of the last motion as forces.
+  /// The same, with the impulses of the last motion as forces.
   SpeedBound speed_bound_with_impulses_of(std::size_t block) const;
   bool is_asleep(std::size_t block) const { return sleep_.is_asleep(block); }
   const Sleep<D>& sleep() const { return sleep_; }

@@ -216,16 +216,16 @@ std::string describe(const Setting& setting) {
 
 std::string report(const Scene& scene, const Front& front, const FaceSize& face, double tolerance,
                    int left_out) {
-  const bool has_own_step = scene.world.time_step != 0;
   std::string step;
   if (!has_stable_step(scene)) {
     step = trade_line("time step",
                       "fractions of the scene's own: without springs and elements there is no stable one");
-  } else if (has_own_step) {
-    step = trade_line("time step", "the scene's own is not used: steps are fractions of the stable one");
+  } else {
+    if (scene.world.time_step != 0)
+      step = trade_line("time step", "the scene's own is not used: steps are fractions of the stable one");
+    if (leaves_out_springs(scene, front))
+      step += trade_line("without springs", "steps are fractions of 1/60 s");
   }
-  if (has_stable_step(scene) && leaves_out_springs(scene, front))
-    step += trade_line("without springs", "steps are fractions of 1/60 s");
   return trade_line("scene", scene.title.empty() ? "untitled" : scene.title) +
          trade_line("quantity", describe_quantity(scene)) +
          trade_line("reference", reference_text(scene, front)) +

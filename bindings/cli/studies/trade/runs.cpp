@@ -6,8 +6,6 @@
 namespace halfspace::cli {
 namespace {
 
-bool holds_together(const hs_law_def& law) { return law.cohesion > 0 || law.tensile_strength > 0; }
-
 /// The kinds of the free blocks.
 struct Kinds {
   explicit Kinds(const Scene& scene) {
@@ -36,8 +34,8 @@ struct Kinds {
 /// The laws of the runs; empty: the scene's own. Potentials have no cohesion, and rigid blocks without
 /// springs none that holds them together. Springs in place of a law without require elements that determine
 /// their stiffness.
-std::vector<std::optional<int>> laws_of(const Scene& scene) {
-  const bool is_bonded = any_law(scene, holds_together), deforms = Kinds(scene).deforms;
+std::vector<std::optional<int>> laws_of(const Scene& scene, bool deforms) {
+  const bool is_bonded = any_law(scene, holds_together);
   const bool is_given = !any_law(scene, has_no_spring) || deforms;
   std::vector<std::optional<int>> laws = {std::nullopt};
   for (const int kind : law_kinds) {
@@ -60,7 +58,7 @@ std::vector<Setting> runs_of(const Scene& scene, bool names_cells) {
     if (std::find(runs.begin(), runs.end(), setting) == runs.end()) runs.push_back(setting);
   };
   const Kinds kinds(scene);
-  for (const std::optional<int> law : laws_of(scene)) {
+  for (const std::optional<int> law : laws_of(scene, kinds.deforms)) {
     for (const double step : step_ladder) add([&](Setting& s) { s.step = step, s.law = law; });
     if (law == HS_STIFFNESS_NONE || (!law && !any_law(scene, has_spring))) {
       if (kinds.deforms) continue;
