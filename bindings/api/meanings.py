@@ -15,6 +15,8 @@ ENUMERATIONS = {
     "HS_CELL_": (None, "CellKind"),
     "HS_PART_": (None, "WorldPart"),
     "HS_UNBALANCED_": (None, "Unbalanced"),
+    "HS_ACTION_": ("ActionKind", "ActionKind"),
+    "HS_PLACE_": ("ForcePlace", "ForcePlace"),
 }
 SUMS = {"HS_PART_"}  # of several constants at once
 
@@ -52,6 +54,9 @@ MEANINGS = {
     "hs_strength_report.stands_at_low": FLAG,
     "hs_strength_report.falls_at_high": FLAG,
     "hs_world_def.locate_impacts": FLAG,
+    "hs_action_def.kind": "HS_ACTION_",
+    "hs_action_def.place": "HS_PLACE_",
+    "hs_action_def.table": INDEX,
 }
 BLOCK_TYPES = {"hs_block": BLOCK}
 

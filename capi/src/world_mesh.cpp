@@ -145,7 +145,7 @@ hs_status write_nodes(const hs_world* world, hs_body body, const hs_mutable_view
     const Body<D>& known = w.meshes().body(body_of(w.meshes(), body, "body"));
     if (count) *count = known.node_count;
     return write_all(known.node_count, out.count, [&](int i) {
-      write_point(out, i, vector_of(w.meshes(), known, std::size_t(known.first_node + i)));
+      write_point(out, i, vector_of(w, known, std::size_t(known.first_node + i)));
     });
   });
 }
@@ -250,21 +250,21 @@ hs_status hs_world_get_body_state(const hs_world* world, hs_body body, hs_body_s
 hs_status hs_world_get_node_positions(const hs_world* world, hs_body body, hs_mutable_view positions,
                                       int64_t* count) {
   return write_nodes(world, body, positions, count, "positions", __func__,
-                     [](const auto& meshes, const auto& known, std::size_t node) {
-                       return (known.origin + meshes.place[node]).eval();
+                     [](const auto& w, const auto& known, std::size_t node) {
+                       return (known.origin + w.meshes().place[node]).eval();
                      });
 }
 
 hs_status hs_world_get_node_velocities(const hs_world* world, hs_body body, hs_mutable_view velocities,
                                        int64_t* count) {
   return write_nodes(world, body, velocities, count, "velocities", __func__,
-                     [](const auto& meshes, const auto&, std::size_t node) { return meshes.velocity[node]; });
+                     [](const auto& w, const auto&, std::size_t node) { return w.meshes().velocity[node]; });
 }
 
 hs_status hs_world_get_node_forces(const hs_world* world, hs_body body, hs_mutable_view forces,
                                    int64_t* count) {
   return write_nodes(world, body, forces, count, "forces", __func__,
-                     [](const auto& meshes, const auto&, std::size_t node) { return meshes.force[node]; });
+                     [](const auto& w, const auto&, std::size_t node) { return w.force_on_node(node); });
 }
 
 hs_status hs_world_set_node_velocities(hs_world* world, hs_body body, hs_view velocities) {

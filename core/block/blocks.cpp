@@ -100,6 +100,7 @@ Blocks<D>::Blocks(Memory* memory)
       radius(memory),
       largest_face(memory),
       thickness(memory),
+      held(memory),
       free_slots_(memory),
       outlines_(memory),
       deformations_(memory),
@@ -127,6 +128,7 @@ void Blocks<D>::resize(std::size_t slots) {
   radius.resize(slots);
   largest_face.resize(slots);
   thickness.resize(slots);
+  held.resize(slots);
   outlines_.resize(slots);
 }
 
@@ -171,6 +173,7 @@ std::int32_t Blocks<D>::add(const Shape<D>& shape, BlockKind block_kind, std::in
   radius[s] = shape.bounding_radius();
   largest_face[s] = largest_face_of(shape);
   thickness[s] = shape.thickness();
+  held[s] = 0;
   rotation[s] = Rotation<D>();
   spin[s] = Angular<D>::Zero();
   if (block_kind >= BlockKind::affine) deformations_.add(undeformed(shape, density, slot));
@@ -181,12 +184,21 @@ std::int32_t Blocks<D>::add(const Shape<D>& shape, BlockKind block_kind, std::in
 
 template <int D>
 void Blocks<D>::remove(std::int32_t slot) {
+  hold(std::size_t(slot), 0);
   free_slots_.push_back(slot);
   outlines_.drop(slot);
   if (is_deformable(std::size_t(slot))) deformations_.remove(slot);
   bonds_.forget(slot);
   kind[std::size_t(slot)] = BlockKind::none;
   --living_;
+}
+
+/// A block whose rotation is held does not rotate.
+template <int D>
+void Blocks<D>::hold(std::size_t slot, std::uint8_t components) {
+  held_count_ += (components != 0) - (held[slot] != 0);
+  held[slot] = components;
+  if (is_held(slot, D)) set_motion(std::int32_t(slot), velocity[slot], Angular<D>::Zero());
 }
 
 /// A slot of generation 1 was appended with its block and is removed; any other becomes free again.
@@ -343,10 +355,10 @@ template <int D>
 bool Blocks<D>::is_consistent(std::int32_t material_count) const {
   const std::size_t slots = slot_count();
   const std::size_t sizes[] = {
-      material.size(),  generation.size(),     position.size(), velocity.size(), force.size(),
-      rotation.size(),  applied_force.size(),  spin.size(),     momentum.size(), torque.size(),
-      mass.size(),      applied_torque.size(), inertia.size(),  radius.size(),   largest_face.size(),
-      thickness.size(), outlines_.slot_count()};
+      material.size(),  generation.size(),     position.size(),       velocity.size(), force.size(),
+      rotation.size(),  applied_force.size(),  spin.size(),           momentum.size(), torque.size(),
+      mass.size(),      applied_torque.size(), inertia.size(),        radius.size(),   largest_face.size(),
+      thickness.size(), held.size(),           outlines_.slot_count()};
   if (std::any_of(std::begin(sizes), std::end(sizes), [&](std::size_t size) { return size != slots; }))
     return false;
   if (angle.size() != (D == 2 ? slots : 0)) return false;
@@ -363,6 +375,7 @@ bool Blocks<D>::is_consistent(std::int32_t material_count) const {
     const bool is_driven = all_finite(applied_force[i]) && all_finite(applied_torque[i]);
     const bool resists = is_positive(mass[i]) && is_positive(inertia[i].least_moment());
     if (!(is_placed && moves && is_driven && resists)) return false;
+    if (held[i] >= 2 << D || (held[i] != 0 && kind[i] != BlockKind::rigid)) return false;
     if (!is_positive(radius[i]) || !is_finite(thickness[i])) return false;
   }
   Array<std::uint8_t> is_taken(slots, 0, kind.get_allocator());
@@ -377,8 +390,10 @@ bool Blocks<D>::is_consistent(std::int32_t material_count) const {
   const auto joins_living = [&](const Bond<D>& bond) {
     return bond.a < 0 || (lives(std::size_t(bond.a)) && lives(std::size_t(bond.b)));
   };
-  return std::int64_t(living.size()) == living_ && free_slots_.size() == slots - living.size() &&
-         all(free_slots_, is_free) && outlines_.is_consistent(living) &&
+  return std::int64_t(living.size()) == living_ &&
+         std::count(held.begin(), held.end(), 0) == std::ptrdiff_t(slots) - held_count_ &&
+         free_slots_.size() == slots - living.size() && all(free_slots_, is_free) &&
+         outlines_.is_consistent(living) &&
          all(deformations_.all(), [](const Deformation<D>& d) { return d.is_consistent(); }) &&
          deformations_.is_consistent(slots, [&](std::size_t slot) { return is_deformable(slot); }) &&
          bonds_.is_consistent(slots) && all(bonds_.all(), joins_living) &&

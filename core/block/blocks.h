@@ -45,6 +45,20 @@ class Blocks {
   bool is_affine(std::size_t slot) const { return kind[slot] == BlockKind::affine; }
   /// A cell at the surface of a mesh, moved by its nodes.
   bool is_of_mesh(std::size_t slot) const { return kind[slot] == BlockKind::mesh; }
+  /// Components of a rigid block's motion that no force changes: bit k for axis k, bit D for its rotation.
+  void hold(std::size_t slot, std::uint8_t components);
+  bool any_held() const { return held_count_ > 0; }
+  bool is_held(std::size_t slot, int component) const { return (held[slot] >> component & 1) != 0; }
+  /// The part of a velocity change of a block that no support prevents.
+  Vector<D> freed(std::size_t slot, Vector<D> change) const {
+    for (int k = 0; k < D; ++k) {
+      if (is_held(slot, k)) change[k] = 0;
+    }
+    return change;
+  }
+  Angular<D> freed_turn(std::size_t slot, const Angular<D>& change) const {
+    return is_held(slot, D) ? Angular<D>(Angular<D>::Zero()) : change;
+  }
   /// Has a uniform strain: an unknown of its own, or given by the nodes of its mesh.
   bool is_deformable(std::size_t slot) const { return kind[slot] >= BlockKind::affine; }
   /// Blocks joined by a bond or by a ring of bonds around a corner, or cells of one mesh with a common node,
@@ -159,8 +173,8 @@ class Blocks {
   template <class Archive>
   void visit(Archive& archive) {
     archive(kind, material, generation, position, velocity, force, applied_force, rotation, angle, spin,
-            momentum, torque, applied_torque, mass, inertia, radius, largest_face, thickness, free_slots_,
-            outlines_, deformations_, meshes_, bonds_, living_);
+            momentum, torque, applied_torque, mass, inertia, radius, largest_face, thickness, held,
+            held_count_, free_slots_, outlines_, deformations_, meshes_, bonds_, living_);
     if constexpr (Archive::reads) free_slots_.reserve(slot_count());
   }
 
@@ -182,6 +196,7 @@ class Blocks {
   Array<double> radius;        // of the bounding circle or sphere
   Array<double> largest_face;  // area; in 2D the length of the longest edge
   Array<double> thickness;     // of the shape
+  Array<std::uint8_t> held;    // bits, see hold(); 0 unless rigid
 
  private:
   void resize(std::size_t slots);
@@ -194,6 +209,7 @@ class Blocks {
   Meshes<D> meshes_;
   Bonds<D> bonds_;
   std::int64_t living_ = 0;
+  std::int64_t held_count_ = 0;  // blocks with held components
 };
 
 extern template class Blocks<2>;

@@ -16,7 +16,7 @@ bool read_state(std::span<const std::byte> state, World<D>& world) {
   Reader reader(state);
   world.visit(reader);
   if (reader.failed() || !reader.at_end() || !world.is_consistent()) return false;
-  world.fit_rooms();
+  world.end_reading();
   return true;
 }
 

@@ -40,6 +40,7 @@ constexpr double largest_double = std::numeric_limits<double>::max();
 /// diverges.
 template <int D>
 bool World<D>::predict_motion(double duration) {
+  if (!model_.actions.empty()) predict_actions(duration);
   for (int renewals = 0; renewals < max_renewals; ++renewals) {
     hard_contacts_.begin(duration);
     if (!integrator_.predict(duration)) return false;
@@ -54,6 +55,17 @@ bool World<D>::predict_motion(double duration) {
     renew_neighbors(renewals + 1);
   }
   return false;
+}
+
+/// Sets the loads and velocities that tables give for the coming motion.
+template <int D>
+void World<D>::predict_actions(double duration) {
+  Actions<D>& actions = model_.actions;
+  for (auto& target : actions.targets()) {
+    if (target.is_servo) target.resistance = stable_step_.contact_resistance_of(target.slot, duration);
+  }
+  actions.predict(clock_.time(), duration, model_.blocks);
+  integrator_.take_actions(duration);
 }
 
 /// Wakes islands that blocks without springs meet in the coming motion: impulses act on both. True if there
@@ -125,6 +137,7 @@ StepResult World<D>::prepare() {
   if (model_.settings.sleep_tolerance > 0) sleep_.reserve(slots);
   if (!choose_time_step()) return StepResult::no_time_step;
   integrator_.resize(slots);
+  if (!model_.actions.empty()) model_.actions.renew(model_.blocks);
   if (model_.settings.sleep_tolerance > 0) sleep_.resize(slots);
   evaluate_forces(0);
   double noise = 0;
@@ -148,6 +161,7 @@ void World<D>::move() {
   made_ = duration;
   evaluate_forces(duration);
   made_ = 0;
+  if (!model_.actions.empty()) model_.actions.place_loads(model_.blocks);
   hard_contacts_.find_at_end(ledger_);
   penetration_bound_.note(hard_contacts_.deepest());
   lap(Pass::hard_contacts);
@@ -221,6 +235,7 @@ StepResult World<D>::step() {
 
 #define HALFSPACE_MEMBERS(D)                                \
   template bool World<D>::predict_motion(double);           \
+  template void World<D>::predict_actions(double);          \
   template bool World<D>::wake_met(double);                 \
   template StepResult World<D>::diverged() const;           \
   template StepResult World<D>::divide();                   \

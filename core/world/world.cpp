@@ -42,6 +42,12 @@ void World<D>::forget_contacts() {
 }
 
 template <int D>
+void World<D>::end_reading() {
+  if (!model_.actions.empty()) model_.actions.renew(model_.blocks);
+  fit_rooms();
+}
+
+template <int D>
 void World<D>::fit_rooms() {
   continuous_collision_.fit_room();
   forces_.fit_rooms();
@@ -216,10 +222,11 @@ void World<D>::load_left_out() {
   are_left_out_loaded_ = true;
 }
 
-/// Worlds without springs whose contacts are points do not sleep.
+/// Worlds without springs whose contacts are points do not sleep, nor do those with motions or loads in time.
 template <int D>
 void World<D>::look_for_sleep() {
   if (!(model_.settings.sleep_tolerance > 0) || (hard_contacts_.is_used() && !model_.has_manifolds())) return;
+  if (!model_.actions.empty()) return;
   if (clock_.steps() % steps_between_looks != 0) return;
   const auto touches = [&](auto visit) { for_each_touch(visit); };
   const auto bound_of = [&](std::size_t i) { return integrator_.speed_bound_with_impulses_of(i); };

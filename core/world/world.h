@@ -109,6 +109,18 @@ class World {
   /// `traction`: force per area of a face, in 2D an edge, of the undeformed shape, Pa.
   void add_surface_load(std::int32_t slot, int face, const Vector<D>& traction);
   void clear_surface_loads(std::int32_t slot);
+  std::int32_t table_count() const { return model_.actions.tables().count(); }
+  std::int32_t add_table(std::span<const double> times, std::span<const Vector<3>> values);
+  void add_action(const Action<D>& action);
+  void add_node_action(const NodeAction& action, std::span<const std::int32_t> nodes,
+                       std::span<const Vector<D>> scales);
+  /// Ends the actions on a block; those on all blocks if the slot is -1.
+  void end_actions(std::int32_t slot);
+  void end_node_actions(std::int32_t body);
+  /// Only for rigid blocks. Bit k: the velocity along axis k stays; bit D: the block does not rotate.
+  void hold_block(std::int32_t slot, std::uint8_t components);
+  /// Only for prescribed blocks, between steps: contacts and forces stay.
+  void prescribe_velocity(std::int32_t slot, const Vector<D>& velocity, const Angular<D>& spin);
   void set_applied_force(std::int32_t slot, const Vector<D>& force, const Angular<D>& torque);
   /// Sets the force of a contact's shear spring on b; only its part in the contact plane counts. False if
   /// there is no shear spring.
@@ -165,6 +177,8 @@ class World {
   /// Maximum displacement error by sleep so far, over all blocks, m.
   double max_sleep_error() const { return sleep_.max_error(clock_.time()); }
   double max_penetration_ratio() const { return penetration_bound_.deepest(); }
+  /// The sum of the forces on a node of a mesh at the end of the last motion.
+  Vector<D> force_on_node(std::size_t node) const { return integrator_.force_on_node(node); }
   double peak_overlap() const { return contacts_.peak_overlap(); }
   /// Maximum speed so far of the free blocks, at the ends of all motions, m/s.
   double peak_speed() const { return peak_speed_; }
@@ -186,8 +200,8 @@ class World {
   /// Steps report their passes to the stopwatch; a null pointer removes it.
   void set_stopwatch(Stopwatch* stopwatch) { stopwatch_ = stopwatch; }
 
-  /// Reserves the working memory of laws and times of impact, which snapshots do not contain.
-  void fit_rooms();
+  /// Finds what snapshots do not contain. Precondition: the state that was read is consistent.
+  void end_reading();
   /// Validates the state read from a snapshot, so that a damaged one is refused.
   bool is_consistent() const;
 
@@ -208,6 +222,8 @@ class World {
   template <class Make>
   std::int64_t make_bonds_of(const BondLaw& law, Make make);
   void forget_contacts();
+  /// Reserves the working memory of laws and times of impact.
+  void fit_rooms();
   void renew_neighbors(int renewals = 0);
   void renew_neighbors_if_needed();
   template <class OnContact>
@@ -245,6 +261,7 @@ class World {
                           std::tie(peak_speed_, bond_strain_energy_, edited_));
   }
   bool predict_motion(double duration);
+  void predict_actions(double duration);
   bool wake_met(double duration);
   StepResult prepare_and_predict();
   StepResult predict_changed();

@@ -13,3 +13,27 @@ FIELD(hs_world_def, max_impulse_iterations, 120, 4);
 FIELD(hs_world_def, locate_impacts, 124, 4);
 
 FIELD(hs_world_report, unbalanced_velocity, 256, 8);
+
+_Static_assert(sizeof(hs_action_def) >= 80, "hs_action_def");
+FIELD(hs_action_def, struct_size, 0, 4);
+FIELD(hs_action_def, kind, 4, 4);
+FIELD(hs_action_def, table, 8, 4);
+FIELD(hs_action_def, place, 12, 4);
+FIELD(hs_action_def, start, 16, 8);
+FIELD(hs_action_def, scale, 24, 24);
+FIELD(hs_action_def, point, 48, 24);
+FIELD(hs_action_def, max_speed, 72, 8);
+
+_Static_assert(HS_AXIS_ROTATION == 8, "HS_AXIS_ROTATION");
+
+_Static_assert(HS_ACTION_VELOCITY == 0, "HS_ACTION_VELOCITY");
+_Static_assert(HS_ACTION_ANGULAR_VELOCITY == 1, "HS_ACTION_ANGULAR_VELOCITY");
+_Static_assert(HS_ACTION_ACCELERATION == 2, "HS_ACTION_ACCELERATION");
+_Static_assert(HS_ACTION_ANGULAR_ACCELERATION == 3, "HS_ACTION_ANGULAR_ACCELERATION");
+_Static_assert(HS_ACTION_FORCE == 4, "HS_ACTION_FORCE");
+_Static_assert(HS_ACTION_TORQUE == 5, "HS_ACTION_TORQUE");
+_Static_assert(HS_ACTION_SERVO == 6, "HS_ACTION_SERVO");
+
+_Static_assert(HS_PLACE_CENTROID == 0, "HS_PLACE_CENTROID");
+_Static_assert(HS_PLACE_CARRIED == 1, "HS_PLACE_CARRIED");
+_Static_assert(HS_PLACE_FIXED == 2, "HS_PLACE_FIXED");

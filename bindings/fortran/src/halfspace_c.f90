@@ -105,6 +105,39 @@ module halfspace_c
   integer(c_int32_t), parameter :: HS_FAST_DIVIDE = 0
   integer(c_int32_t), parameter :: HS_FAST_REFUSE = 1  !< refuse the step with HS_ERROR_TOO_FAST
 
+  !> Kinds of cells. Nodes are numbered as in Gmsh and VTK: triangles and quads counter-clockwise; the first
+  !! three nodes of a tetrahedron counter-clockwise seen from the fourth; prisms and hexahedra with the bottom
+  !! face first, counter-clockwise seen from above, then the top face in the same order.
+  integer(c_int32_t), parameter :: HS_CELL_TRIANGLE = 0  !< 3 nodes, 2D
+  integer(c_int32_t), parameter :: HS_CELL_QUAD = 1  !< 4 nodes, 2D, convex
+  integer(c_int32_t), parameter :: HS_CELL_TETRAHEDRON = 2  !< 4 nodes, 3D
+  integer(c_int32_t), parameter :: HS_CELL_PRISM = 3  !< 6 nodes, 3D
+  integer(c_int32_t), parameter :: HS_CELL_HEXAHEDRON = 4  !< 8 nodes, 3D
+
+  !> Axes along which nodes or blocks are held. Values may be added.
+  integer(c_int32_t), parameter :: HS_AXIS_X = 1  !< x
+  integer(c_int32_t), parameter :: HS_AXIS_Y = 2  !< y
+  integer(c_int32_t), parameter :: HS_AXIS_Z = 4  !< z, 3D only
+  integer(c_int32_t), parameter :: HS_AXIS_ROTATION = 8  !< rotation about any axis, of blocks only
+
+  !> What an action gives. Loads of one block add up; a motion replaces the one before.
+  !> m/s, of a prescribed block, or along held axes of a rigid block or of nodes
+  integer(c_int32_t), parameter :: HS_ACTION_VELOCITY = 0
+  integer(c_int32_t), parameter :: HS_ACTION_ANGULAR_VELOCITY = 1  !< rad/s, of a prescribed block; 2D uses z
+  !> m/s2, likewise as HS_ACTION_VELOCITY; of all blocks: a body force, besides gravity
+  integer(c_int32_t), parameter :: HS_ACTION_ACCELERATION = 2
+  integer(c_int32_t), parameter :: HS_ACTION_ANGULAR_ACCELERATION = 3  !< rad/s2, of a prescribed block; 2D uses z
+  integer(c_int32_t), parameter :: HS_ACTION_FORCE = 4  !< N, on a rigid or affine block or on nodes
+  integer(c_int32_t), parameter :: HS_ACTION_TORQUE = 5  !< N m, on a rigid or affine block; 2D uses z
+  !> N: a prescribed block, or a rigid one along held axes, moves so that it presses on its contacts with this
+  !! force; they need springs
+  integer(c_int32_t), parameter :: HS_ACTION_SERVO = 6
+
+  !> Where a force acts.
+  integer(c_int32_t), parameter :: HS_PLACE_CENTROID = 0  !< at the centroid
+  integer(c_int32_t), parameter :: HS_PLACE_CARRIED = 1  !< at a point of the block, which moves with it
+  integer(c_int32_t), parameter :: HS_PLACE_FIXED = 2  !< at a point in space
+
   !> Assumption about the third direction in 2D.
   integer(c_int32_t), parameter :: HS_PLANE_STRAIN = 0  !< no strain perpendicular to the plane
   integer(c_int32_t), parameter :: HS_PLANE_STRESS = 1  !< no stress perpendicular to the plane
@@ -118,20 +151,6 @@ module halfspace_c
   integer(c_int32_t), parameter :: HS_IMPACT_NEVER = 0  !< the shapes do not touch within the duration
   integer(c_int32_t), parameter :: HS_IMPACT_AT_START = 1  !< the shapes touch at time 0
   integer(c_int32_t), parameter :: HS_IMPACT_TOUCH = 2  !< the shapes are separated at time 0 and touch later
-
-  !> Kinds of cells. Nodes are numbered as in Gmsh and VTK: triangles and quads counter-clockwise; the first
-  !! three nodes of a tetrahedron counter-clockwise seen from the fourth; prisms and hexahedra with the bottom
-  !! face first, counter-clockwise seen from above, then the top face in the same order.
-  integer(c_int32_t), parameter :: HS_CELL_TRIANGLE = 0  !< 3 nodes, 2D
-  integer(c_int32_t), parameter :: HS_CELL_QUAD = 1  !< 4 nodes, 2D, convex
-  integer(c_int32_t), parameter :: HS_CELL_TETRAHEDRON = 2  !< 4 nodes, 3D
-  integer(c_int32_t), parameter :: HS_CELL_PRISM = 3  !< 6 nodes, 3D
-  integer(c_int32_t), parameter :: HS_CELL_HEXAHEDRON = 4  !< 8 nodes, 3D
-
-  !> Axes along which nodes are held. Values may be added.
-  integer(c_int32_t), parameter :: HS_AXIS_X = 1  !< x
-  integer(c_int32_t), parameter :: HS_AXIS_Y = 2  !< y
-  integer(c_int32_t), parameter :: HS_AXIS_Z = 4  !< z, 3D only
 
   !> Optional parts of a step, in addition to detection and normal forces of rigid blocks. Inactive parts are
   !! neither stored nor computed.
@@ -153,6 +172,30 @@ module halfspace_c
   integer(c_int32_t), parameter :: HS_UNBALANCED_MEAN = 0
   !> largest ratio of a single block or node; for negligible forces relative to the mean force
   integer(c_int32_t), parameter :: HS_UNBALANCED_LARGEST = 1
+
+  !> Points to read. Point i is (x[i], y[i], z[i]), each pointer advanced by i * stride bytes.
+  type, bind(c) :: hs_view
+    type(c_ptr) :: x = c_null_ptr  !< first x component; not NULL unless count is 0
+    type(c_ptr) :: y = c_null_ptr  !< first y component; not NULL unless count is 0
+    type(c_ptr) :: z = c_null_ptr  !< first z component; may be NULL in 2D only
+    integer(c_int64_t) :: stride = 0  !< bytes from one point to the next, a multiple of sizeof(double); may be negative
+    integer(c_int64_t) :: count = 0  !< number of points, >= 0
+  end type hs_view
+
+  !> Points to write, with the layout of hs_view.
+  type, bind(c) :: hs_mutable_view
+    type(c_ptr) :: x = c_null_ptr  !< first x component; not NULL unless count is 0
+    type(c_ptr) :: y = c_null_ptr  !< first y component; not NULL unless count is 0
+    type(c_ptr) :: z = c_null_ptr  !< first z component; may be NULL in 2D only; in 2D 0 is written
+    integer(c_int64_t) :: stride = 0  !< bytes from one point to the next, a multiple of sizeof(double); may be negative
+    integer(c_int64_t) :: count = 0  !< capacity in points, >= 0
+  end type hs_mutable_view
+
+  !> Pose of a shape: position of its centroid and rotation about the centroid.
+  type, bind(c) :: hs_pose
+    real(c_double) :: position(3) = 0.0_c_double  !< of the centroid, m; finite, max 1e75
+    real(c_double) :: rotation(4) = 0.0_c_double  !< unit quaternion x, y, z, w; a length within 1e-6 of 1 is normalised
+  end type hs_pose
 
   !> One contact, or the proof of separation. Points and directions are in the frame of the given poses.
   !! Detection of single pairs does not write fields that have no meaning there: ids, forces, torque and
@@ -237,30 +280,6 @@ module halfspace_c
     type(c_funptr) :: run_tasks = c_null_funptr
     type(c_ptr) :: scheduler = c_null_ptr  !< passed to run_tasks
   end type hs_context_def
-
-  !> Points to read. Point i is (x[i], y[i], z[i]), each pointer advanced by i * stride bytes.
-  type, bind(c) :: hs_view
-    type(c_ptr) :: x = c_null_ptr  !< first x component; not NULL unless count is 0
-    type(c_ptr) :: y = c_null_ptr  !< first y component; not NULL unless count is 0
-    type(c_ptr) :: z = c_null_ptr  !< first z component; may be NULL in 2D only
-    integer(c_int64_t) :: stride = 0  !< bytes from one point to the next, a multiple of sizeof(double); may be negative
-    integer(c_int64_t) :: count = 0  !< number of points, >= 0
-  end type hs_view
-
-  !> Points to write, with the layout of hs_view.
-  type, bind(c) :: hs_mutable_view
-    type(c_ptr) :: x = c_null_ptr  !< first x component; not NULL unless count is 0
-    type(c_ptr) :: y = c_null_ptr  !< first y component; not NULL unless count is 0
-    type(c_ptr) :: z = c_null_ptr  !< first z component; may be NULL in 2D only; in 2D 0 is written
-    integer(c_int64_t) :: stride = 0  !< bytes from one point to the next, a multiple of sizeof(double); may be negative
-    integer(c_int64_t) :: count = 0  !< capacity in points, >= 0
-  end type hs_mutable_view
-
-  !> Pose of a shape: position of its centroid and rotation about the centroid.
-  type, bind(c) :: hs_pose
-    real(c_double) :: position(3) = 0.0_c_double  !< of the centroid, m; finite, max 1e75
-    real(c_double) :: rotation(4) = 0.0_c_double  !< unit quaternion x, y, z, w; a length within 1e-6 of 1 is normalised
-  end type hs_pose
 
   !> First fault of an input.
   type, bind(c) :: hs_fault
@@ -416,6 +435,56 @@ module halfspace_c
     real(c_double) :: unbalanced_velocity = 0.0_c_double
   end type hs_world_report
 
+  !> Summary of a mesh. Later versions may append to it.
+  type, bind(c) :: hs_mesh_properties
+    integer(c_int32_t) :: dimension = 0  !< 2 or 3
+    integer(c_int32_t) :: reserved = 0  !< 0
+    integer(c_int64_t) :: node_count = 0  !< nodes
+    integer(c_int64_t) :: cell_count = 0  !< cells
+    integer(c_int64_t) :: surface_face_count = 0  !< faces (2D: edges) that belong to one cell only
+    real(c_double) :: volume = 0.0_c_double  !< of all cells, m3; in 2D area, m2
+  end type hs_mesh_properties
+
+  !> Settings of a body. Fill it with hs_body_def_init().
+  type, bind(c) :: hs_body_def
+    integer(c_int32_t) :: struct_size = 0  !< set by hs_body_def_init()
+    integer(c_int32_t) :: material = 0  !< index of a material with elasticity, see hs_world_set_elasticity(); default 0
+    type(hs_pose) :: pose  !< pose of the frame of the mesh; default: identity
+    real(c_double) :: velocity(3) = 0.0_c_double  !< of all nodes, m/s; default 0
+  end type hs_body_def
+
+  !> Motion and energy of a body. Later versions may append to it.
+  type, bind(c) :: hs_body_state
+    integer(c_int64_t) :: node_count = 0  !< nodes
+    integer(c_int64_t) :: cell_count = 0  !< cells, including removed ones
+    real(c_double) :: mass = 0.0_c_double  !< kg, in 2D per unit thickness
+    real(c_double) :: centroid(3) = 0.0_c_double  !< center of mass, m
+    real(c_double) :: momentum(3) = 0.0_c_double  !< of all nodes, kg m/s
+    real(c_double) :: kinetic_energy = 0.0_c_double  !< of all nodes, J
+    real(c_double) :: strain_energy = 0.0_c_double  !< of all cells, J
+  end type hs_body_state
+
+  !> Mean strain and stress of a cell.
+  type, bind(c) :: hs_cell_state
+    real(c_double) :: strain(9) = 0.0_c_double  !< Green strain relative to the cell as it was added to the world
+    real(c_double) :: stress(9) = 0.0_c_double  !< elastic Cauchy stress, in space, Pa, tension > 0
+    real(c_double) :: strain_energy = 0.0_c_double  !< J, in 2D per unit thickness; including the bending modes
+  end type hs_cell_state
+
+  !> Settings of an action. Fill it with hs_action_def_init().
+  type, bind(c) :: hs_action_def
+    integer(c_int32_t) :: struct_size = 0  !< set by hs_action_def_init()
+    integer(c_int32_t) :: kind = 0  !< an HS_ACTION_ value; default HS_ACTION_FORCE
+    integer(c_int32_t) :: table = 0  !< index from hs_world_add_table(); default 0
+    integer(c_int32_t) :: place = 0  !< HS_ACTION_FORCE: an HS_PLACE_ value; default HS_PLACE_CENTROID
+    real(c_double) :: start = 0.0_c_double  !< time of the world at time 0 of the table, s; default 0
+    !> factor of each component; a motion does not change components of scale 0; a servo presses along the
+    !! scale as a vector; default 1, 1, 1. Nodes have their own
+    real(c_double) :: scale(3) = 0.0_c_double
+    real(c_double) :: point(3) = 0.0_c_double  !< of HS_PLACE_CARRIED (where it is now) and HS_PLACE_FIXED, m; default 0
+    real(c_double) :: max_speed = 0.0_c_double  !< of a servo, m/s, > 0
+  end type hs_action_def
+
   !> Elasticity of a material. Fill it with hs_elasticity_def_init().
   type, bind(c) :: hs_elasticity_def
     integer(c_int32_t) :: struct_size = 0  !< set by hs_elasticity_def_init()
@@ -525,42 +594,6 @@ module halfspace_c
     real(c_double) :: normal(3) = 0.0_c_double  !< unit vector from a to b at that time
     real(c_double) :: point(3) = 0.0_c_double  !< centroid of the contact region
   end type hs_impact
-
-  !> Summary of a mesh. Later versions may append to it.
-  type, bind(c) :: hs_mesh_properties
-    integer(c_int32_t) :: dimension = 0  !< 2 or 3
-    integer(c_int32_t) :: reserved = 0  !< 0
-    integer(c_int64_t) :: node_count = 0  !< nodes
-    integer(c_int64_t) :: cell_count = 0  !< cells
-    integer(c_int64_t) :: surface_face_count = 0  !< faces (2D: edges) that belong to one cell only
-    real(c_double) :: volume = 0.0_c_double  !< of all cells, m3; in 2D area, m2
-  end type hs_mesh_properties
-
-  !> Settings of a body. Fill it with hs_body_def_init().
-  type, bind(c) :: hs_body_def
-    integer(c_int32_t) :: struct_size = 0  !< set by hs_body_def_init()
-    integer(c_int32_t) :: material = 0  !< index of a material with elasticity, see hs_world_set_elasticity(); default 0
-    type(hs_pose) :: pose  !< pose of the frame of the mesh; default: identity
-    real(c_double) :: velocity(3) = 0.0_c_double  !< of all nodes, m/s; default 0
-  end type hs_body_def
-
-  !> Motion and energy of a body. Later versions may append to it.
-  type, bind(c) :: hs_body_state
-    integer(c_int64_t) :: node_count = 0  !< nodes
-    integer(c_int64_t) :: cell_count = 0  !< cells, including removed ones
-    real(c_double) :: mass = 0.0_c_double  !< kg, in 2D per unit thickness
-    real(c_double) :: centroid(3) = 0.0_c_double  !< center of mass, m
-    real(c_double) :: momentum(3) = 0.0_c_double  !< of all nodes, kg m/s
-    real(c_double) :: kinetic_energy = 0.0_c_double  !< of all nodes, J
-    real(c_double) :: strain_energy = 0.0_c_double  !< of all cells, J
-  end type hs_body_state
-
-  !> Mean strain and stress of a cell.
-  type, bind(c) :: hs_cell_state
-    real(c_double) :: strain(9) = 0.0_c_double  !< Green strain relative to the cell as it was added to the world
-    real(c_double) :: stress(9) = 0.0_c_double  !< elastic Cauchy stress, in space, Pa, tension > 0
-    real(c_double) :: strain_energy = 0.0_c_double  !< J, in 2D per unit thickness; including the bending modes
-  end type hs_cell_state
 
   !> Cached state of a pair between calls: the last violated potential contact pair if separated, the initial
   !! contact pair (Wang et al. 2021, section 2.5) if in contact. All zero is an empty cache. It may be copied,
@@ -1310,195 +1343,6 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_restore
     end function hs_world_restore
 
-    !> Fills an elasticity with its defaults.
-    !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
-    function hs_elasticity_def_init(def, size) bind(c)
-      import
-      type(hs_elasticity_def), intent(out) :: def  !< to fill
-      integer(c_size_t), value :: size  !< sizeof(hs_elasticity_def) as the caller was compiled
-      integer(c_int32_t) :: hs_elasticity_def_init
-    end function hs_elasticity_def_init
-
-    !> Sets the elasticity of a material. Affine blocks and meshes use it. Existing blocks keep their strain.
-    !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
-    function hs_world_set_elasticity(world, material, elasticity) bind(c)
-      import
-      type(c_ptr), value :: world  !< not NULL
-      integer(c_int32_t), value :: material  !< index
-      type(hs_elasticity_def), intent(in) :: elasticity  !< not NULL
-      integer(c_int32_t) :: hs_world_set_elasticity
-    end function hs_world_set_elasticity
-
-    !> Returns deformation and stress of a block of any kind.
-    !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
-    function hs_world_get_deformation(world, block, deformation) bind(c)
-      import
-      type(c_ptr), value :: world  !< not NULL
-      integer(c_int64_t), value :: block  !< id
-      type(hs_deformation), intent(out) :: deformation  !< receives it
-      integer(c_int32_t) :: hs_world_get_deformation
-    end function hs_world_get_deformation
-
-    !> Bulk: deformation and stress of all blocks, in the order of hs_world_get_blocks().
-    !! Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
-    function hs_world_get_deformations(world, deformations, capacity, count) bind(c)
-      import
-      type(c_ptr), value :: world  !< not NULL
-      type(c_ptr), value :: deformations  !< receives them; may be NULL if capacity is 0
-      integer(c_int64_t), value :: capacity  !< in deformations
-      type(c_ptr), value :: count  !< receives the number of blocks; may be NULL
-      integer(c_int32_t) :: hs_world_get_deformations
-    end function hs_world_get_deformations
-
-    !> Sets the deformation gradient of an affine block and its rate. Centroid and velocity do not change.
-    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine
-    function hs_world_set_deformation(world, block, gradient, rate) bind(c)
-      import
-      type(c_ptr), value :: world  !< not NULL
-      integer(c_int64_t), value :: block  !< id
-      !> 9 values, max 1e75, with a determinant > 0; the entries of its inverse at most 1e75, and its norm
-      !! times that of the inverse at most 2^40: a flatter block would be flat to rounding
-      real(c_double), intent(in) :: gradient(9)
-      real(c_double), intent(in) :: rate(9)  !< time derivative of the gradient, 9 values, max 1e75, 1/s
-      integer(c_int32_t) :: hs_world_set_deformation
-    end function hs_world_set_deformation
-
-    !> Sets the current stress of an affine block, e.g. the in situ stress. Later strain adds to it.
-    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine
-    function hs_world_set_stress(world, block, stress) bind(c)
-      import
-      type(c_ptr), value :: world  !< not NULL
-      integer(c_int64_t), value :: block  !< id
-      real(c_double), intent(in) :: stress(9)  !< Cauchy stress, 9 values, symmetric, max 1e75, Pa, tension > 0
-      integer(c_int32_t) :: hs_world_set_stress
-    end function hs_world_set_stress
-
-    !> Adds a permanent load on one face of an affine block. Its direction does not change as the block moves,
-    !! nor its magnitude as the face is strained.
-    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine
-    function hs_world_add_surface_load(world, block, face, traction) bind(c)
-      import
-      type(c_ptr), value :: world  !< not NULL
-      integer(c_int64_t), value :: block  !< id
-      integer(c_int32_t), value :: face  !< index; in 2D of the edge that starts at the vertex of that index
-      real(c_double), intent(in) :: traction(3)  !< force per area of the face as it was given, 3 values, Pa
-      integer(c_int32_t) :: hs_world_add_surface_load
-    end function hs_world_add_surface_load
-
-    !> Removes all surface loads of an affine block.
-    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine
-    function hs_world_clear_surface_loads(world, block) bind(c)
-      import
-      type(c_ptr), value :: world  !< not NULL
-      integer(c_int64_t), value :: block  !< id
-      integer(c_int32_t) :: hs_world_clear_surface_loads
-    end function hs_world_clear_surface_loads
-
-    !> Fills a bond definition with its defaults.
-    !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
-    function hs_bond_def_init(def, size) bind(c)
-      import
-      type(hs_bond_def), intent(out) :: def  !< to fill
-      integer(c_size_t), value :: size  !< sizeof(hs_bond_def) as the caller was compiled
-      integer(c_int32_t) :: hs_bond_def_init
-    end function hs_bond_def_init
-
-    !> Bonds two blocks along their common faces in their current positions: every pair of faces that is
-    !! coplanar to rounding.
-    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, HS_ERROR_OUT_OF_MEMORY, or HS_ERROR_STATE if they
-    !! have no common face, are bonded already, or neither moves
-    function hs_world_bond_blocks(world, block_a, block_b, def) bind(c)
-      import
-      type(c_ptr), value :: world  !< not NULL
-      integer(c_int64_t), value :: block_a  !< two different blocks of any kind
-      integer(c_int64_t), value :: block_b  !< two different blocks of any kind
-      type(hs_bond_def), intent(in) :: def  !< not NULL
-      integer(c_int32_t) :: hs_world_bond_blocks
-    end function hs_world_bond_blocks
-
-    !> Bonds all pairs of blocks of two materials along their common faces. Existing bonds do not change.
-    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID or HS_ERROR_OUT_OF_MEMORY
-    function hs_world_bond_materials(world, material_a, material_b, def, count) bind(c)
-      import
-      type(c_ptr), value :: world  !< not NULL
-      integer(c_int32_t), value :: material_a  !< indices, may be the same
-      integer(c_int32_t), value :: material_b  !< indices, may be the same
-      type(hs_bond_def), intent(in) :: def  !< not NULL
-      type(c_ptr), value :: count  !< receives the number of bonds made; may be NULL
-      integer(c_int32_t) :: hs_world_bond_materials
-    end function hs_world_bond_materials
-
-    !> Suspends or resumes the failure of all bonds, e.g. while a world settles.
-    !! Returns HS_OK or HS_ERROR_ARGUMENT
-    function hs_world_hold_bonds(world, are_held) bind(c)
-      import
-      type(c_ptr), value :: world  !< not NULL
-      integer(c_int32_t), value :: are_held  !< 1: no bond can fail; 0: bonds can fail
-      integer(c_int32_t) :: hs_world_hold_bonds
-    end function hs_world_hold_bonds
-
-    !> Bulk: all bonds made so far, in their order of creation.
-    !! Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
-    function hs_world_get_bonds(world, bonds, capacity, count) bind(c)
-      import
-      type(c_ptr), value :: world  !< not NULL
-      type(c_ptr), value :: bonds  !< receives them; may be NULL if capacity is 0
-      integer(c_int64_t), value :: capacity  !< in bonds
-      type(c_ptr), value :: count  !< receives the number of bonds; may be NULL
-      integer(c_int32_t) :: hs_world_get_bonds
-    end function hs_world_get_bonds
-
-    !> Bulk: all failures of bond points so far, in order of time.
-    !! Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
-    function hs_world_get_bond_events(world, first, events, capacity, count) bind(c)
-      import
-      type(c_ptr), value :: world  !< not NULL
-      integer(c_int64_t), value :: first  !< index of the first event to return, >= 0
-      type(c_ptr), value :: events  !< receives them; may be NULL if capacity is 0
-      integer(c_int64_t), value :: capacity  !< in events
-      type(c_ptr), value :: count  !< receives the number of events from the first one on; may be NULL
-      integer(c_int32_t) :: hs_world_get_bond_events
-    end function hs_world_get_bond_events
-
-    !> Returns a summary of all bonds, as of the last step.
-    !! Returns HS_OK or HS_ERROR_ARGUMENT
-    function hs_world_get_bond_report(world, report, size) bind(c)
-      import
-      type(c_ptr), value :: world  !< not NULL
-      type(hs_bond_report), intent(out) :: report  !< receives it
-      integer(c_size_t), value :: size  !< sizeof(hs_bond_report) as the caller was compiled
-      integer(c_int32_t) :: hs_world_get_bond_report
-    end function hs_world_get_bond_report
-
-    !> Fills a motion with its defaults: at rest at the origin, without rotation.
-    !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
-    function hs_motion_def_init(def, size) bind(c)
-      import
-      type(hs_motion_def), intent(out) :: def  !< to fill
-      integer(c_size_t), value :: size  !< sizeof(hs_motion_def) as the caller was compiled
-      integer(c_int32_t) :: hs_motion_def_init
-    end function hs_motion_def_init
-
-    !> Computes the time of impact of two moving shapes by conservative advancement (Mirtich 1996).
-    !!
-    !! The shapes are separated at all times before the reported one, whatever their speed, thickness or
-    !! number of revolutions. The reported time may be early by rounding only: the gap is then at most about
-    !! 1e-12 of (size + distance + relative displacement) times (1 + angle of rotation). Shapes that come that
-    !! close without touching may be reported as touching. After hundreds of revolutions of grazing shapes the
-    !! search may stop early, with a larger `gap`; it is never late.
-    !! Returns HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY (shapes of many vertices). Thread rule: as
-    !! for hs_pair_detect().
-    function hs_pair_time_of_impact(shape_a, motion_a, shape_b, motion_b, duration, impact) bind(c)
-      import
-      type(c_ptr), value :: shape_a  !< the shapes, of the same dimension; may be the same shape
-      type(hs_motion_def), intent(in) :: motion_a  !< their motions
-      type(c_ptr), value :: shape_b  !< the shapes, of the same dimension; may be the same shape
-      type(hs_motion_def), intent(in) :: motion_b  !< their motions
-      real(c_double), value :: duration  !< s, finite, >= 0
-      type(hs_impact), intent(out) :: impact  !< receives time, place and normal of the first touch
-      integer(c_int32_t) :: hs_pair_time_of_impact
-    end function hs_pair_time_of_impact
-
     !> Creates a mesh. The arguments are copied.
     !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_OUT_OF_MEMORY, or HS_ERROR_GEOMETRY if a cell uses a node
     !! twice, a node belongs to no cell, a cell is inverted or degenerate anywhere, or a face belongs to more
@@ -1699,6 +1543,282 @@ module halfspace_c
       type(c_ptr), value :: cell  !< receives the index of the cell, or -1; may be NULL
       integer(c_int32_t) :: hs_world_get_body_of_block
     end function hs_world_get_body_of_block
+
+    !> Fills an action definition with its defaults.
+    !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
+    function hs_action_def_init(def, size) bind(c)
+      import
+      type(hs_action_def), intent(out) :: def  !< to fill
+      integer(c_size_t), value :: size  !< sizeof(hs_action_def) as the caller was compiled
+      integer(c_int32_t) :: hs_action_def_init
+    end function hs_action_def_init
+
+    !> Adds a table. Before its first and after its last time it is constant.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
+    function hs_world_add_table(world, times, values, table) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      type(c_ptr), value :: times  !< one per row, s, in ascending order; two equal ones are a jump
+      type(hs_view), value :: values  !< one per row; without z, z is 0
+      integer(c_int32_t), intent(out) :: table  !< receives its index
+      integer(c_int32_t) :: hs_world_add_table
+    end function hs_world_add_table
+
+    !> Adds an action on a block.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID (block or table), HS_ERROR_OUT_OF_MEMORY, or
+    !! HS_ERROR_STATE for a kind of block that cannot follow it
+    function hs_world_add_action(world, block, def) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int64_t), value :: block  !< id, or 0: all blocks that move freely, only HS_ACTION_ACCELERATION
+      type(hs_action_def), intent(in) :: def  !< not NULL
+      integer(c_int32_t) :: hs_world_add_action
+    end function hs_world_add_action
+
+    !> Ends all actions on a block. A prescribed block keeps its last velocity.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    function hs_world_end_actions(world, block) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int64_t), value :: block  !< id, or 0: ends those on all blocks
+      integer(c_int32_t) :: hs_world_end_actions
+    end function hs_world_end_actions
+
+    !> Adds an action on nodes of a body, e.g. a traction: each node with a share of the area as scale.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID or HS_ERROR_OUT_OF_MEMORY
+    function hs_world_add_node_action(world, body, nodes, scales, def) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int64_t), value :: body  !< id
+      type(c_ptr), value :: nodes  !< indices of nodes
+      type(hs_view), value :: scales  !< factor of each component, one per node: its count is the number of nodes
+      !> HS_ACTION_FORCE, HS_ACTION_VELOCITY or HS_ACTION_ACCELERATION; its scale is ignored. Motions need
+      !! axes held by hs_world_hold_nodes()
+      type(hs_action_def), intent(in) :: def
+      integer(c_int32_t) :: hs_world_add_node_action
+    end function hs_world_add_node_action
+
+    !> Ends all actions on the nodes of a body. Held nodes keep their last velocity.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    function hs_world_end_node_actions(world, body) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int64_t), value :: body  !< id
+      integer(c_int32_t) :: hs_world_end_node_actions
+    end function hs_world_end_node_actions
+
+    !> Holds axes of a rigid block: the velocity along them stays, whatever the forces; a block whose rotation
+    !! is held does not rotate. Contacts of laws without springs are points then, without restitution.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE for other kinds
+    function hs_world_hold_block(world, block, axes) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int64_t), value :: block  !< id of a rigid block
+      integer(c_int32_t), value :: axes  !< sum of HS_AXIS_ values, or 0: frees it
+      integer(c_int32_t) :: hs_world_hold_block
+    end function hs_world_hold_block
+
+    !> Bulk: sets the velocities of prescribed blocks between steps. Contacts and forces are kept, so it may
+    !! be called at each step.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE for other kinds (no velocity has
+    !! changed)
+    function hs_world_prescribe_velocities(world, blocks, velocities, angular_velocities) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      type(c_ptr), value :: blocks  !< ids of prescribed blocks
+      type(hs_view), value :: velocities  !< of the centroids, m/s: its count is the number of blocks
+      type(hs_view), value :: angular_velocities  !< rad/s; 2D uses z; a view with count 0 keeps the current ones
+      integer(c_int32_t) :: hs_world_prescribe_velocities
+    end function hs_world_prescribe_velocities
+
+    !> Fills an elasticity with its defaults.
+    !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
+    function hs_elasticity_def_init(def, size) bind(c)
+      import
+      type(hs_elasticity_def), intent(out) :: def  !< to fill
+      integer(c_size_t), value :: size  !< sizeof(hs_elasticity_def) as the caller was compiled
+      integer(c_int32_t) :: hs_elasticity_def_init
+    end function hs_elasticity_def_init
+
+    !> Sets the elasticity of a material. Affine blocks and meshes use it. Existing blocks keep their strain.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    function hs_world_set_elasticity(world, material, elasticity) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int32_t), value :: material  !< index
+      type(hs_elasticity_def), intent(in) :: elasticity  !< not NULL
+      integer(c_int32_t) :: hs_world_set_elasticity
+    end function hs_world_set_elasticity
+
+    !> Returns deformation and stress of a block of any kind.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    function hs_world_get_deformation(world, block, deformation) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int64_t), value :: block  !< id
+      type(hs_deformation), intent(out) :: deformation  !< receives it
+      integer(c_int32_t) :: hs_world_get_deformation
+    end function hs_world_get_deformation
+
+    !> Bulk: deformation and stress of all blocks, in the order of hs_world_get_blocks().
+    !! Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
+    function hs_world_get_deformations(world, deformations, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      type(c_ptr), value :: deformations  !< receives them; may be NULL if capacity is 0
+      integer(c_int64_t), value :: capacity  !< in deformations
+      type(c_ptr), value :: count  !< receives the number of blocks; may be NULL
+      integer(c_int32_t) :: hs_world_get_deformations
+    end function hs_world_get_deformations
+
+    !> Sets the deformation gradient of an affine block and its rate. Centroid and velocity do not change.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine
+    function hs_world_set_deformation(world, block, gradient, rate) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int64_t), value :: block  !< id
+      !> 9 values, max 1e75, with a determinant > 0; the entries of its inverse at most 1e75, and its norm
+      !! times that of the inverse at most 2^40: a flatter block would be flat to rounding
+      real(c_double), intent(in) :: gradient(9)
+      real(c_double), intent(in) :: rate(9)  !< time derivative of the gradient, 9 values, max 1e75, 1/s
+      integer(c_int32_t) :: hs_world_set_deformation
+    end function hs_world_set_deformation
+
+    !> Sets the current stress of an affine block, e.g. the in situ stress. Later strain adds to it.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine
+    function hs_world_set_stress(world, block, stress) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int64_t), value :: block  !< id
+      real(c_double), intent(in) :: stress(9)  !< Cauchy stress, 9 values, symmetric, max 1e75, Pa, tension > 0
+      integer(c_int32_t) :: hs_world_set_stress
+    end function hs_world_set_stress
+
+    !> Adds a permanent load on one face of an affine block. Its direction does not change as the block moves,
+    !! nor its magnitude as the face is strained.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine
+    function hs_world_add_surface_load(world, block, face, traction) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int64_t), value :: block  !< id
+      integer(c_int32_t), value :: face  !< index; in 2D of the edge that starts at the vertex of that index
+      real(c_double), intent(in) :: traction(3)  !< force per area of the face as it was given, 3 values, Pa
+      integer(c_int32_t) :: hs_world_add_surface_load
+    end function hs_world_add_surface_load
+
+    !> Removes all surface loads of an affine block.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine
+    function hs_world_clear_surface_loads(world, block) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int64_t), value :: block  !< id
+      integer(c_int32_t) :: hs_world_clear_surface_loads
+    end function hs_world_clear_surface_loads
+
+    !> Fills a bond definition with its defaults.
+    !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
+    function hs_bond_def_init(def, size) bind(c)
+      import
+      type(hs_bond_def), intent(out) :: def  !< to fill
+      integer(c_size_t), value :: size  !< sizeof(hs_bond_def) as the caller was compiled
+      integer(c_int32_t) :: hs_bond_def_init
+    end function hs_bond_def_init
+
+    !> Bonds two blocks along their common faces in their current positions: every pair of faces that is
+    !! coplanar to rounding.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, HS_ERROR_OUT_OF_MEMORY, or HS_ERROR_STATE if they
+    !! have no common face, are bonded already, or neither moves
+    function hs_world_bond_blocks(world, block_a, block_b, def) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int64_t), value :: block_a  !< two different blocks of any kind
+      integer(c_int64_t), value :: block_b  !< two different blocks of any kind
+      type(hs_bond_def), intent(in) :: def  !< not NULL
+      integer(c_int32_t) :: hs_world_bond_blocks
+    end function hs_world_bond_blocks
+
+    !> Bonds all pairs of blocks of two materials along their common faces. Existing bonds do not change.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID or HS_ERROR_OUT_OF_MEMORY
+    function hs_world_bond_materials(world, material_a, material_b, def, count) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int32_t), value :: material_a  !< indices, may be the same
+      integer(c_int32_t), value :: material_b  !< indices, may be the same
+      type(hs_bond_def), intent(in) :: def  !< not NULL
+      type(c_ptr), value :: count  !< receives the number of bonds made; may be NULL
+      integer(c_int32_t) :: hs_world_bond_materials
+    end function hs_world_bond_materials
+
+    !> Suspends or resumes the failure of all bonds, e.g. while a world settles.
+    !! Returns HS_OK or HS_ERROR_ARGUMENT
+    function hs_world_hold_bonds(world, are_held) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int32_t), value :: are_held  !< 1: no bond can fail; 0: bonds can fail
+      integer(c_int32_t) :: hs_world_hold_bonds
+    end function hs_world_hold_bonds
+
+    !> Bulk: all bonds made so far, in their order of creation.
+    !! Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
+    function hs_world_get_bonds(world, bonds, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      type(c_ptr), value :: bonds  !< receives them; may be NULL if capacity is 0
+      integer(c_int64_t), value :: capacity  !< in bonds
+      type(c_ptr), value :: count  !< receives the number of bonds; may be NULL
+      integer(c_int32_t) :: hs_world_get_bonds
+    end function hs_world_get_bonds
+
+    !> Bulk: all failures of bond points so far, in order of time.
+    !! Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
+    function hs_world_get_bond_events(world, first, events, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int64_t), value :: first  !< index of the first event to return, >= 0
+      type(c_ptr), value :: events  !< receives them; may be NULL if capacity is 0
+      integer(c_int64_t), value :: capacity  !< in events
+      type(c_ptr), value :: count  !< receives the number of events from the first one on; may be NULL
+      integer(c_int32_t) :: hs_world_get_bond_events
+    end function hs_world_get_bond_events
+
+    !> Returns a summary of all bonds, as of the last step.
+    !! Returns HS_OK or HS_ERROR_ARGUMENT
+    function hs_world_get_bond_report(world, report, size) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      type(hs_bond_report), intent(out) :: report  !< receives it
+      integer(c_size_t), value :: size  !< sizeof(hs_bond_report) as the caller was compiled
+      integer(c_int32_t) :: hs_world_get_bond_report
+    end function hs_world_get_bond_report
+
+    !> Fills a motion with its defaults: at rest at the origin, without rotation.
+    !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
+    function hs_motion_def_init(def, size) bind(c)
+      import
+      type(hs_motion_def), intent(out) :: def  !< to fill
+      integer(c_size_t), value :: size  !< sizeof(hs_motion_def) as the caller was compiled
+      integer(c_int32_t) :: hs_motion_def_init
+    end function hs_motion_def_init
+
+    !> Computes the time of impact of two moving shapes by conservative advancement (Mirtich 1996).
+    !!
+    !! The shapes are separated at all times before the reported one, whatever their speed, thickness or
+    !! number of revolutions. The reported time may be early by rounding only: the gap is then at most about
+    !! 1e-12 of (size + distance + relative displacement) times (1 + angle of rotation). Shapes that come that
+    !! close without touching may be reported as touching. After hundreds of revolutions of grazing shapes the
+    !! search may stop early, with a larger `gap`; it is never late.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY (shapes of many vertices). Thread rule: as
+    !! for hs_pair_detect().
+    function hs_pair_time_of_impact(shape_a, motion_a, shape_b, motion_b, duration, impact) bind(c)
+      import
+      type(c_ptr), value :: shape_a  !< the shapes, of the same dimension; may be the same shape
+      type(hs_motion_def), intent(in) :: motion_a  !< their motions
+      type(c_ptr), value :: shape_b  !< the shapes, of the same dimension; may be the same shape
+      type(hs_motion_def), intent(in) :: motion_b  !< their motions
+      real(c_double), value :: duration  !< s, finite, >= 0
+      type(hs_impact), intent(out) :: impact  !< receives time, place and normal of the first touch
+      integer(c_int32_t) :: hs_pair_time_of_impact
+    end function hs_pair_time_of_impact
 
     !> Fills detection options with their defaults.
     !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.

@@ -118,6 +118,38 @@ HS_BLOCK_MESH = 4  # surface cell of a mesh, moved by its nodes: made by hs_worl
 HS_FAST_DIVIDE = 0
 HS_FAST_REFUSE = 1  # refuse the step with HS_ERROR_TOO_FAST
 
+# Kinds of cells. Nodes are numbered as in Gmsh and VTK: triangles and quads counter-clockwise; the first
+# three nodes of a tetrahedron counter-clockwise seen from the fourth; prisms and hexahedra with the bottom
+# face first, counter-clockwise seen from above, then the top face in the same order.
+HS_CELL_TRIANGLE = 0  # 3 nodes, 2D
+HS_CELL_QUAD = 1  # 4 nodes, 2D, convex
+HS_CELL_TETRAHEDRON = 2  # 4 nodes, 3D
+HS_CELL_PRISM = 3  # 6 nodes, 3D
+HS_CELL_HEXAHEDRON = 4  # 8 nodes, 3D
+
+# Axes along which nodes or blocks are held. Values may be added.
+HS_AXIS_X = 1  # x
+HS_AXIS_Y = 2  # y
+HS_AXIS_Z = 4  # z, 3D only
+HS_AXIS_ROTATION = 8  # rotation about any axis, of blocks only
+
+# What an action gives. Loads of one block add up; a motion replaces the one before.
+HS_ACTION_VELOCITY = 0  # m/s, of a prescribed block, or along held axes of a rigid block or of nodes
+HS_ACTION_ANGULAR_VELOCITY = 1  # rad/s, of a prescribed block; 2D uses z
+# m/s2, likewise as HS_ACTION_VELOCITY; of all blocks: a body force, besides gravity
+HS_ACTION_ACCELERATION = 2
+HS_ACTION_ANGULAR_ACCELERATION = 3  # rad/s2, of a prescribed block; 2D uses z
+HS_ACTION_FORCE = 4  # N, on a rigid or affine block or on nodes
+HS_ACTION_TORQUE = 5  # N m, on a rigid or affine block; 2D uses z
+# N: a prescribed block, or a rigid one along held axes, moves so that it presses on its contacts with this
+# force; they need springs
+HS_ACTION_SERVO = 6
+
+# Where a force acts.
+HS_PLACE_CENTROID = 0  # at the centroid
+HS_PLACE_CARRIED = 1  # at a point of the block, which moves with it
+HS_PLACE_FIXED = 2  # at a point in space
+
 # Assumption about the third direction in 2D.
 HS_PLANE_STRAIN = 0  # no strain perpendicular to the plane
 HS_PLANE_STRESS = 1  # no stress perpendicular to the plane
@@ -131,20 +163,6 @@ HS_BOND_SHEAR = 2  # failed by sliding
 HS_IMPACT_NEVER = 0  # the shapes do not touch within the duration
 HS_IMPACT_AT_START = 1  # the shapes touch at time 0
 HS_IMPACT_TOUCH = 2  # the shapes are separated at time 0 and touch later
-
-# Kinds of cells. Nodes are numbered as in Gmsh and VTK: triangles and quads counter-clockwise; the first
-# three nodes of a tetrahedron counter-clockwise seen from the fourth; prisms and hexahedra with the bottom
-# face first, counter-clockwise seen from above, then the top face in the same order.
-HS_CELL_TRIANGLE = 0  # 3 nodes, 2D
-HS_CELL_QUAD = 1  # 4 nodes, 2D, convex
-HS_CELL_TETRAHEDRON = 2  # 4 nodes, 3D
-HS_CELL_PRISM = 3  # 6 nodes, 3D
-HS_CELL_HEXAHEDRON = 4  # 8 nodes, 3D
-
-# Axes along which nodes are held. Values may be added.
-HS_AXIS_X = 1  # x
-HS_AXIS_Y = 2  # y
-HS_AXIS_Z = 4  # z, 3D only
 
 # Optional parts of a step, in addition to detection and normal forces of rigid blocks. Inactive parts are
 # neither stored nor computed.
@@ -198,6 +216,41 @@ hs_context_def_release = CFUNCTYPE(None, c_void_p, c_size_t, c_size_t, c_void_p)
 # equals `threads`. Thread rule: called on the thread of an hs_world_ function; it must call no other function
 # of the library.
 hs_context_def_run_tasks = CFUNCTYPE(None, POINTER(hs_task), c_int32, c_void_p)
+
+
+class hs_view(Structure):
+    """Points to read. Point i is (x[i], y[i], z[i]), each pointer advanced by i * stride bytes."""
+
+    _fields_ = [
+        ("x", POINTER(c_double)),  # first x component; not NULL unless count is 0
+        ("y", POINTER(c_double)),  # first y component; not NULL unless count is 0
+        ("z", POINTER(c_double)),  # first z component; may be NULL in 2D only
+        # bytes from one point to the next, a multiple of sizeof(double); may be negative
+        ("stride", c_int64),
+        ("count", c_int64),  # number of points, >= 0
+    ]
+
+
+class hs_mutable_view(Structure):
+    """Points to write, with the layout of hs_view."""
+
+    _fields_ = [
+        ("x", POINTER(c_double)),  # first x component; not NULL unless count is 0
+        ("y", POINTER(c_double)),  # first y component; not NULL unless count is 0
+        ("z", POINTER(c_double)),  # first z component; may be NULL in 2D only; in 2D 0 is written
+        # bytes from one point to the next, a multiple of sizeof(double); may be negative
+        ("stride", c_int64),
+        ("count", c_int64),  # capacity in points, >= 0
+    ]
+
+
+class hs_pose(Structure):
+    """Pose of a shape: position of its centroid and rotation about the centroid."""
+
+    _fields_ = [
+        ("position", c_double * 3),  # of the centroid, m; finite, max 1e75
+        ("rotation", c_double * 4),  # unit quaternion x, y, z, w; a length within 1e-6 of 1 is normalised
+    ]
 
 
 class hs_contact(Structure):
@@ -294,41 +347,6 @@ class hs_context_def(Structure):
         # must call no other function of the library.
         ("run_tasks", hs_context_def_run_tasks),
         ("scheduler", c_void_p),  # passed to run_tasks
-    ]
-
-
-class hs_view(Structure):
-    """Points to read. Point i is (x[i], y[i], z[i]), each pointer advanced by i * stride bytes."""
-
-    _fields_ = [
-        ("x", POINTER(c_double)),  # first x component; not NULL unless count is 0
-        ("y", POINTER(c_double)),  # first y component; not NULL unless count is 0
-        ("z", POINTER(c_double)),  # first z component; may be NULL in 2D only
-        # bytes from one point to the next, a multiple of sizeof(double); may be negative
-        ("stride", c_int64),
-        ("count", c_int64),  # number of points, >= 0
-    ]
-
-
-class hs_mutable_view(Structure):
-    """Points to write, with the layout of hs_view."""
-
-    _fields_ = [
-        ("x", POINTER(c_double)),  # first x component; not NULL unless count is 0
-        ("y", POINTER(c_double)),  # first y component; not NULL unless count is 0
-        ("z", POINTER(c_double)),  # first z component; may be NULL in 2D only; in 2D 0 is written
-        # bytes from one point to the next, a multiple of sizeof(double); may be negative
-        ("stride", c_int64),
-        ("count", c_int64),  # capacity in points, >= 0
-    ]
-
-
-class hs_pose(Structure):
-    """Pose of a shape: position of its centroid and rotation about the centroid."""
-
-    _fields_ = [
-        ("position", c_double * 3),  # of the centroid, m; finite, max 1e75
-        ("rotation", c_double * 4),  # unit quaternion x, y, z, w; a length within 1e-6 of 1 is normalised
     ]
 
 
@@ -517,6 +535,72 @@ class hs_world_report(Structure):
     ]
 
 
+class hs_mesh_properties(Structure):
+    """Summary of a mesh. Later versions may append to it."""
+
+    _fields_ = [
+        ("dimension", c_int32),  # 2 or 3
+        ("reserved", c_int32),  # 0
+        ("node_count", c_int64),  # nodes
+        ("cell_count", c_int64),  # cells
+        ("surface_face_count", c_int64),  # faces (2D: edges) that belong to one cell only
+        ("volume", c_double),  # of all cells, m3; in 2D area, m2
+    ]
+
+
+class hs_body_def(Structure):
+    """Settings of a body. Fill it with hs_body_def_init()."""
+
+    _fields_ = [
+        ("struct_size", c_uint32),  # set by hs_body_def_init()
+        # index of a material with elasticity, see hs_world_set_elasticity(); default 0
+        ("material", c_int32),
+        ("pose", hs_pose),  # pose of the frame of the mesh; default: identity
+        ("velocity", c_double * 3),  # of all nodes, m/s; default 0
+    ]
+
+
+class hs_body_state(Structure):
+    """Motion and energy of a body. Later versions may append to it."""
+
+    _fields_ = [
+        ("node_count", c_int64),  # nodes
+        ("cell_count", c_int64),  # cells, including removed ones
+        ("mass", c_double),  # kg, in 2D per unit thickness
+        ("centroid", c_double * 3),  # center of mass, m
+        ("momentum", c_double * 3),  # of all nodes, kg m/s
+        ("kinetic_energy", c_double),  # of all nodes, J
+        ("strain_energy", c_double),  # of all cells, J
+    ]
+
+
+class hs_cell_state(Structure):
+    """Mean strain and stress of a cell."""
+
+    _fields_ = [
+        ("strain", c_double * 9),  # Green strain relative to the cell as it was added to the world
+        ("stress", c_double * 9),  # elastic Cauchy stress, in space, Pa, tension > 0
+        ("strain_energy", c_double),  # J, in 2D per unit thickness; including the bending modes
+    ]
+
+
+class hs_action_def(Structure):
+    """Settings of an action. Fill it with hs_action_def_init()."""
+
+    _fields_ = [
+        ("struct_size", c_uint32),  # set by hs_action_def_init()
+        ("kind", c_int32),  # an HS_ACTION_ value; default HS_ACTION_FORCE
+        ("table", c_int32),  # index from hs_world_add_table(); default 0
+        ("place", c_int32),  # HS_ACTION_FORCE: an HS_PLACE_ value; default HS_PLACE_CENTROID
+        ("start", c_double),  # time of the world at time 0 of the table, s; default 0
+        # factor of each component; a motion does not change components of scale 0; a servo presses along the
+        # scale as a vector; default 1, 1, 1. Nodes have their own
+        ("scale", c_double * 3),
+        ("point", c_double * 3),  # of HS_PLACE_CARRIED (where it is now) and HS_PLACE_FIXED, m; default 0
+        ("max_speed", c_double),  # of a servo, m/s, > 0
+    ]
+
+
 class hs_elasticity_def(Structure):
     """Elasticity of a material. Fill it with hs_elasticity_def_init()."""
 
@@ -652,55 +736,6 @@ class hs_impact(Structure):
         ("gap", c_double),
         ("normal", c_double * 3),  # unit vector from a to b at that time
         ("point", c_double * 3),  # centroid of the contact region
-    ]
-
-
-class hs_mesh_properties(Structure):
-    """Summary of a mesh. Later versions may append to it."""
-
-    _fields_ = [
-        ("dimension", c_int32),  # 2 or 3
-        ("reserved", c_int32),  # 0
-        ("node_count", c_int64),  # nodes
-        ("cell_count", c_int64),  # cells
-        ("surface_face_count", c_int64),  # faces (2D: edges) that belong to one cell only
-        ("volume", c_double),  # of all cells, m3; in 2D area, m2
-    ]
-
-
-class hs_body_def(Structure):
-    """Settings of a body. Fill it with hs_body_def_init()."""
-
-    _fields_ = [
-        ("struct_size", c_uint32),  # set by hs_body_def_init()
-        # index of a material with elasticity, see hs_world_set_elasticity(); default 0
-        ("material", c_int32),
-        ("pose", hs_pose),  # pose of the frame of the mesh; default: identity
-        ("velocity", c_double * 3),  # of all nodes, m/s; default 0
-    ]
-
-
-class hs_body_state(Structure):
-    """Motion and energy of a body. Later versions may append to it."""
-
-    _fields_ = [
-        ("node_count", c_int64),  # nodes
-        ("cell_count", c_int64),  # cells, including removed ones
-        ("mass", c_double),  # kg, in 2D per unit thickness
-        ("centroid", c_double * 3),  # center of mass, m
-        ("momentum", c_double * 3),  # of all nodes, kg m/s
-        ("kinetic_energy", c_double),  # of all nodes, J
-        ("strain_energy", c_double),  # of all cells, J
-    ]
-
-
-class hs_cell_state(Structure):
-    """Mean strain and stress of a cell."""
-
-    _fields_ = [
-        ("strain", c_double * 9),  # Green strain relative to the cell as it was added to the world
-        ("stress", c_double * 9),  # elastic Cauchy stress, in space, Pa, tension > 0
-        ("strain_energy", c_double),  # J, in 2D per unit thickness; including the bending modes
     ]
 
 
@@ -1322,157 +1357,6 @@ def declare(library):
     ]
     library.hs_world_restore.restype = hs_status
 
-    # Fills an elasticity with its defaults.
-    library.hs_elasticity_def_init.argtypes = [
-        POINTER(hs_elasticity_def),  # def
-        c_size_t,  # size
-    ]
-    library.hs_elasticity_def_init.restype = hs_status
-
-    # Sets the elasticity of a material. Affine blocks and meshes use it. Existing blocks keep their strain.
-    library.hs_world_set_elasticity.argtypes = [
-        POINTER(hs_world),  # world
-        c_int32,  # material
-        POINTER(hs_elasticity_def),  # elasticity
-    ]
-    library.hs_world_set_elasticity.restype = hs_status
-
-    # Returns deformation and stress of a block of any kind.
-    library.hs_world_get_deformation.argtypes = [
-        POINTER(hs_world),  # world
-        hs_block,  # block
-        POINTER(hs_deformation),  # deformation
-    ]
-    library.hs_world_get_deformation.restype = hs_status
-
-    # Bulk: deformation and stress of all blocks, in the order of hs_world_get_blocks().
-    library.hs_world_get_deformations.argtypes = [
-        POINTER(hs_world),  # world
-        c_void_p,  # deformations
-        c_int64,  # capacity
-        POINTER(c_int64),  # count
-    ]
-    library.hs_world_get_deformations.restype = hs_status
-
-    # Sets the deformation gradient of an affine block and its rate. Centroid and velocity do not change.
-    library.hs_world_set_deformation.argtypes = [
-        POINTER(hs_world),  # world
-        hs_block,  # block
-        c_void_p,  # gradient
-        c_void_p,  # rate
-    ]
-    library.hs_world_set_deformation.restype = hs_status
-
-    # Sets the current stress of an affine block, e.g. the in situ stress. Later strain adds to it.
-    library.hs_world_set_stress.argtypes = [
-        POINTER(hs_world),  # world
-        hs_block,  # block
-        c_void_p,  # stress
-    ]
-    library.hs_world_set_stress.restype = hs_status
-
-    # Adds a permanent load on one face of an affine block. Its direction does not change as the block moves,
-    # nor its magnitude as the face is strained.
-    library.hs_world_add_surface_load.argtypes = [
-        POINTER(hs_world),  # world
-        hs_block,  # block
-        c_int32,  # face
-        c_void_p,  # traction
-    ]
-    library.hs_world_add_surface_load.restype = hs_status
-
-    # Removes all surface loads of an affine block.
-    library.hs_world_clear_surface_loads.argtypes = [
-        POINTER(hs_world),  # world
-        hs_block,  # block
-    ]
-    library.hs_world_clear_surface_loads.restype = hs_status
-
-    # Fills a bond definition with its defaults.
-    library.hs_bond_def_init.argtypes = [
-        POINTER(hs_bond_def),  # def
-        c_size_t,  # size
-    ]
-    library.hs_bond_def_init.restype = hs_status
-
-    # Bonds two blocks along their common faces in their current positions: every pair of faces that is
-    # coplanar to rounding.
-    library.hs_world_bond_blocks.argtypes = [
-        POINTER(hs_world),  # world
-        hs_block,  # block_a
-        hs_block,  # block_b
-        POINTER(hs_bond_def),  # def
-    ]
-    library.hs_world_bond_blocks.restype = hs_status
-
-    # Bonds all pairs of blocks of two materials along their common faces. Existing bonds do not change.
-    library.hs_world_bond_materials.argtypes = [
-        POINTER(hs_world),  # world
-        c_int32,  # material_a
-        c_int32,  # material_b
-        POINTER(hs_bond_def),  # def
-        POINTER(c_int64),  # count
-    ]
-    library.hs_world_bond_materials.restype = hs_status
-
-    # Suspends or resumes the failure of all bonds, e.g. while a world settles.
-    library.hs_world_hold_bonds.argtypes = [
-        POINTER(hs_world),  # world
-        c_int32,  # are_held
-    ]
-    library.hs_world_hold_bonds.restype = hs_status
-
-    # Bulk: all bonds made so far, in their order of creation.
-    library.hs_world_get_bonds.argtypes = [
-        POINTER(hs_world),  # world
-        c_void_p,  # bonds
-        c_int64,  # capacity
-        POINTER(c_int64),  # count
-    ]
-    library.hs_world_get_bonds.restype = hs_status
-
-    # Bulk: all failures of bond points so far, in order of time.
-    library.hs_world_get_bond_events.argtypes = [
-        POINTER(hs_world),  # world
-        c_int64,  # first
-        c_void_p,  # events
-        c_int64,  # capacity
-        POINTER(c_int64),  # count
-    ]
-    library.hs_world_get_bond_events.restype = hs_status
-
-    # Returns a summary of all bonds, as of the last step.
-    library.hs_world_get_bond_report.argtypes = [
-        POINTER(hs_world),  # world
-        POINTER(hs_bond_report),  # report
-        c_size_t,  # size
-    ]
-    library.hs_world_get_bond_report.restype = hs_status
-
-    # Fills a motion with its defaults: at rest at the origin, without rotation.
-    library.hs_motion_def_init.argtypes = [
-        POINTER(hs_motion_def),  # def
-        c_size_t,  # size
-    ]
-    library.hs_motion_def_init.restype = hs_status
-
-    # Computes the time of impact of two moving shapes by conservative advancement (Mirtich 1996).
-    #
-    # The shapes are separated at all times before the reported one, whatever their speed, thickness or number
-    # of revolutions. The reported time may be early by rounding only: the gap is then at most about 1e-12 of
-    # (size + distance + relative displacement) times (1 + angle of rotation). Shapes that come that close
-    # without touching may be reported as touching. After hundreds of revolutions of grazing shapes the search
-    # may stop early, with a larger `gap`; it is never late.
-    library.hs_pair_time_of_impact.argtypes = [
-        POINTER(hs_shape),  # shape_a
-        POINTER(hs_motion_def),  # motion_a
-        POINTER(hs_shape),  # shape_b
-        POINTER(hs_motion_def),  # motion_b
-        c_double,  # duration
-        POINTER(hs_impact),  # impact
-    ]
-    library.hs_pair_time_of_impact.restype = hs_status
-
     # Creates a mesh. The arguments are copied.
     library.hs_mesh_create.argtypes = [
         POINTER(hs_context),  # context
@@ -1631,6 +1515,224 @@ def declare(library):
         POINTER(c_int32),  # cell
     ]
     library.hs_world_get_body_of_block.restype = hs_status
+
+    # Fills an action definition with its defaults.
+    library.hs_action_def_init.argtypes = [
+        POINTER(hs_action_def),  # def
+        c_size_t,  # size
+    ]
+    library.hs_action_def_init.restype = hs_status
+
+    # Adds a table. Before its first and after its last time it is constant.
+    library.hs_world_add_table.argtypes = [
+        POINTER(hs_world),  # world
+        c_void_p,  # times
+        hs_view,  # values
+        POINTER(c_int32),  # table
+    ]
+    library.hs_world_add_table.restype = hs_status
+
+    # Adds an action on a block.
+    library.hs_world_add_action.argtypes = [
+        POINTER(hs_world),  # world
+        hs_block,  # block
+        POINTER(hs_action_def),  # def
+    ]
+    library.hs_world_add_action.restype = hs_status
+
+    # Ends all actions on a block. A prescribed block keeps its last velocity.
+    library.hs_world_end_actions.argtypes = [
+        POINTER(hs_world),  # world
+        hs_block,  # block
+    ]
+    library.hs_world_end_actions.restype = hs_status
+
+    # Adds an action on nodes of a body, e.g. a traction: each node with a share of the area as scale.
+    library.hs_world_add_node_action.argtypes = [
+        POINTER(hs_world),  # world
+        hs_body,  # body
+        c_void_p,  # nodes
+        hs_view,  # scales
+        POINTER(hs_action_def),  # def
+    ]
+    library.hs_world_add_node_action.restype = hs_status
+
+    # Ends all actions on the nodes of a body. Held nodes keep their last velocity.
+    library.hs_world_end_node_actions.argtypes = [
+        POINTER(hs_world),  # world
+        hs_body,  # body
+    ]
+    library.hs_world_end_node_actions.restype = hs_status
+
+    # Holds axes of a rigid block: the velocity along them stays, whatever the forces; a block whose rotation
+    # is held does not rotate. Contacts of laws without springs are points then, without restitution.
+    library.hs_world_hold_block.argtypes = [
+        POINTER(hs_world),  # world
+        hs_block,  # block
+        c_int32,  # axes
+    ]
+    library.hs_world_hold_block.restype = hs_status
+
+    # Bulk: sets the velocities of prescribed blocks between steps. Contacts and forces are kept, so it may be
+    # called at each step.
+    library.hs_world_prescribe_velocities.argtypes = [
+        POINTER(hs_world),  # world
+        c_void_p,  # blocks
+        hs_view,  # velocities
+        hs_view,  # angular_velocities
+    ]
+    library.hs_world_prescribe_velocities.restype = hs_status
+
+    # Fills an elasticity with its defaults.
+    library.hs_elasticity_def_init.argtypes = [
+        POINTER(hs_elasticity_def),  # def
+        c_size_t,  # size
+    ]
+    library.hs_elasticity_def_init.restype = hs_status
+
+    # Sets the elasticity of a material. Affine blocks and meshes use it. Existing blocks keep their strain.
+    library.hs_world_set_elasticity.argtypes = [
+        POINTER(hs_world),  # world
+        c_int32,  # material
+        POINTER(hs_elasticity_def),  # elasticity
+    ]
+    library.hs_world_set_elasticity.restype = hs_status
+
+    # Returns deformation and stress of a block of any kind.
+    library.hs_world_get_deformation.argtypes = [
+        POINTER(hs_world),  # world
+        hs_block,  # block
+        POINTER(hs_deformation),  # deformation
+    ]
+    library.hs_world_get_deformation.restype = hs_status
+
+    # Bulk: deformation and stress of all blocks, in the order of hs_world_get_blocks().
+    library.hs_world_get_deformations.argtypes = [
+        POINTER(hs_world),  # world
+        c_void_p,  # deformations
+        c_int64,  # capacity
+        POINTER(c_int64),  # count
+    ]
+    library.hs_world_get_deformations.restype = hs_status
+
+    # Sets the deformation gradient of an affine block and its rate. Centroid and velocity do not change.
+    library.hs_world_set_deformation.argtypes = [
+        POINTER(hs_world),  # world
+        hs_block,  # block
+        c_void_p,  # gradient
+        c_void_p,  # rate
+    ]
+    library.hs_world_set_deformation.restype = hs_status
+
+    # Sets the current stress of an affine block, e.g. the in situ stress. Later strain adds to it.
+    library.hs_world_set_stress.argtypes = [
+        POINTER(hs_world),  # world
+        hs_block,  # block
+        c_void_p,  # stress
+    ]
+    library.hs_world_set_stress.restype = hs_status
+
+    # Adds a permanent load on one face of an affine block. Its direction does not change as the block moves,
+    # nor its magnitude as the face is strained.
+    library.hs_world_add_surface_load.argtypes = [
+        POINTER(hs_world),  # world
+        hs_block,  # block
+        c_int32,  # face
+        c_void_p,  # traction
+    ]
+    library.hs_world_add_surface_load.restype = hs_status
+
+    # Removes all surface loads of an affine block.
+    library.hs_world_clear_surface_loads.argtypes = [
+        POINTER(hs_world),  # world
+        hs_block,  # block
+    ]
+    library.hs_world_clear_surface_loads.restype = hs_status
+
+    # Fills a bond definition with its defaults.
+    library.hs_bond_def_init.argtypes = [
+        POINTER(hs_bond_def),  # def
+        c_size_t,  # size
+    ]
+    library.hs_bond_def_init.restype = hs_status
+
+    # Bonds two blocks along their common faces in their current positions: every pair of faces that is
+    # coplanar to rounding.
+    library.hs_world_bond_blocks.argtypes = [
+        POINTER(hs_world),  # world
+        hs_block,  # block_a
+        hs_block,  # block_b
+        POINTER(hs_bond_def),  # def
+    ]
+    library.hs_world_bond_blocks.restype = hs_status
+
+    # Bonds all pairs of blocks of two materials along their common faces. Existing bonds do not change.
+    library.hs_world_bond_materials.argtypes = [
+        POINTER(hs_world),  # world
+        c_int32,  # material_a
+        c_int32,  # material_b
+        POINTER(hs_bond_def),  # def
+        POINTER(c_int64),  # count
+    ]
+    library.hs_world_bond_materials.restype = hs_status
+
+    # Suspends or resumes the failure of all bonds, e.g. while a world settles.
+    library.hs_world_hold_bonds.argtypes = [
+        POINTER(hs_world),  # world
+        c_int32,  # are_held
+    ]
+    library.hs_world_hold_bonds.restype = hs_status
+
+    # Bulk: all bonds made so far, in their order of creation.
+    library.hs_world_get_bonds.argtypes = [
+        POINTER(hs_world),  # world
+        c_void_p,  # bonds
+        c_int64,  # capacity
+        POINTER(c_int64),  # count
+    ]
+    library.hs_world_get_bonds.restype = hs_status
+
+    # Bulk: all failures of bond points so far, in order of time.
+    library.hs_world_get_bond_events.argtypes = [
+        POINTER(hs_world),  # world
+        c_int64,  # first
+        c_void_p,  # events
+        c_int64,  # capacity
+        POINTER(c_int64),  # count
+    ]
+    library.hs_world_get_bond_events.restype = hs_status
+
+    # Returns a summary of all bonds, as of the last step.
+    library.hs_world_get_bond_report.argtypes = [
+        POINTER(hs_world),  # world
+        POINTER(hs_bond_report),  # report
+        c_size_t,  # size
+    ]
+    library.hs_world_get_bond_report.restype = hs_status
+
+    # Fills a motion with its defaults: at rest at the origin, without rotation.
+    library.hs_motion_def_init.argtypes = [
+        POINTER(hs_motion_def),  # def
+        c_size_t,  # size
+    ]
+    library.hs_motion_def_init.restype = hs_status
+
+    # Computes the time of impact of two moving shapes by conservative advancement (Mirtich 1996).
+    #
+    # The shapes are separated at all times before the reported one, whatever their speed, thickness or number
+    # of revolutions. The reported time may be early by rounding only: the gap is then at most about 1e-12 of
+    # (size + distance + relative displacement) times (1 + angle of rotation). Shapes that come that close
+    # without touching may be reported as touching. After hundreds of revolutions of grazing shapes the search
+    # may stop early, with a larger `gap`; it is never late.
+    library.hs_pair_time_of_impact.argtypes = [
+        POINTER(hs_shape),  # shape_a
+        POINTER(hs_motion_def),  # motion_a
+        POINTER(hs_shape),  # shape_b
+        POINTER(hs_motion_def),  # motion_b
+        c_double,  # duration
+        POINTER(hs_impact),  # impact
+    ]
+    library.hs_pair_time_of_impact.restype = hs_status
 
     # Fills detection options with their defaults.
     library.hs_pair_options_init.argtypes = [

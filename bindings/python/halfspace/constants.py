@@ -103,6 +103,42 @@ class FastBlocks(IntEnum):
     REFUSE = _raw.HS_FAST_REFUSE  # refuse the step with HS_ERROR_TOO_FAST
 
 
+class CellKind(IntEnum):
+    """Kinds of cells. Nodes are numbered as in Gmsh and VTK: triangles and quads counter-clockwise; the first
+    three nodes of a tetrahedron counter-clockwise seen from the fourth; prisms and hexahedra with the bottom
+    face first, counter-clockwise seen from above, then the top face in the same order."""
+
+    TRIANGLE = _raw.HS_CELL_TRIANGLE  # 3 nodes, 2D
+    QUAD = _raw.HS_CELL_QUAD  # 4 nodes, 2D, convex
+    TETRAHEDRON = _raw.HS_CELL_TETRAHEDRON  # 4 nodes, 3D
+    PRISM = _raw.HS_CELL_PRISM  # 6 nodes, 3D
+    HEXAHEDRON = _raw.HS_CELL_HEXAHEDRON  # 8 nodes, 3D
+
+
+class ActionKind(IntEnum):
+    """What an action gives. Loads of one block add up; a motion replaces the one before."""
+
+    # m/s, of a prescribed block, or along held axes of a rigid block or of nodes
+    VELOCITY = _raw.HS_ACTION_VELOCITY
+    ANGULAR_VELOCITY = _raw.HS_ACTION_ANGULAR_VELOCITY  # rad/s, of a prescribed block; 2D uses z
+    # m/s2, likewise as HS_ACTION_VELOCITY; of all blocks: a body force, besides gravity
+    ACCELERATION = _raw.HS_ACTION_ACCELERATION
+    ANGULAR_ACCELERATION = _raw.HS_ACTION_ANGULAR_ACCELERATION  # rad/s2, of a prescribed block; 2D uses z
+    FORCE = _raw.HS_ACTION_FORCE  # N, on a rigid or affine block or on nodes
+    TORQUE = _raw.HS_ACTION_TORQUE  # N m, on a rigid or affine block; 2D uses z
+    # N: a prescribed block, or a rigid one along held axes, moves so that it presses on its contacts with
+    # this force; they need springs
+    SERVO = _raw.HS_ACTION_SERVO
+
+
+class ForcePlace(IntEnum):
+    """Where a force acts."""
+
+    CENTROID = _raw.HS_PLACE_CENTROID  # at the centroid
+    CARRIED = _raw.HS_PLACE_CARRIED  # at a point of the block, which moves with it
+    FIXED = _raw.HS_PLACE_FIXED  # at a point in space
+
+
 class Plane(IntEnum):
     """Assumption about the third direction in 2D."""
 
@@ -124,18 +160,6 @@ class ImpactState(IntEnum):
     NEVER = _raw.HS_IMPACT_NEVER  # the shapes do not touch within the duration
     AT_START = _raw.HS_IMPACT_AT_START  # the shapes touch at time 0
     TOUCH = _raw.HS_IMPACT_TOUCH  # the shapes are separated at time 0 and touch later
-
-
-class CellKind(IntEnum):
-    """Kinds of cells. Nodes are numbered as in Gmsh and VTK: triangles and quads counter-clockwise; the first
-    three nodes of a tetrahedron counter-clockwise seen from the fourth; prisms and hexahedra with the bottom
-    face first, counter-clockwise seen from above, then the top face in the same order."""
-
-    TRIANGLE = _raw.HS_CELL_TRIANGLE  # 3 nodes, 2D
-    QUAD = _raw.HS_CELL_QUAD  # 4 nodes, 2D, convex
-    TETRAHEDRON = _raw.HS_CELL_TETRAHEDRON  # 4 nodes, 3D
-    PRISM = _raw.HS_CELL_PRISM  # 6 nodes, 3D
-    HEXAHEDRON = _raw.HS_CELL_HEXAHEDRON  # 8 nodes, 3D
 
 
 class WorldPart(IntFlag):

@@ -5,6 +5,21 @@ from . import _raw, constants
 from ._record import Record, record_type
 
 
+class Pose(Record):
+    """Pose of a shape: position of its centroid and rotation about the centroid.
+
+    Attributes
+    ----------
+    position : array, shape (3,)
+        of the centroid, m; finite, max 1e75
+    rotation : array, shape (4,)
+        unit quaternion x, y, z, w; a length within 1e-6 of 1 is normalised
+    """
+
+
+POSE = record_type(Pose, _raw.hs_pose)
+
+
 class Contact(Record):
     """One contact, or the proof of separation. Points and directions are in the frame of the given poses.
     Detection of single pairs does not write fields that have no meaning there: ids, forces, torque and twist;
@@ -65,21 +80,6 @@ class Contact(Record):
 
 
 CONTACT = record_type(Contact, _raw.hs_contact)
-
-
-class Pose(Record):
-    """Pose of a shape: position of its centroid and rotation about the centroid.
-
-    Attributes
-    ----------
-    position : array, shape (3,)
-        of the centroid, m; finite, max 1e75
-    rotation : array, shape (4,)
-        unit quaternion x, y, z, w; a length within 1e-6 of 1 is normalised
-    """
-
-
-POSE = record_type(Pose, _raw.hs_pose)
 
 
 class Fault(Record):
@@ -294,6 +294,69 @@ class WorldReport(Record):
 WORLD_REPORT = record_type(WorldReport, _raw.hs_world_report)
 
 
+class MeshProperties(Record):
+    """Summary of a mesh. Later versions may append to it.
+
+    Attributes
+    ----------
+    dimension : int
+        2 or 3
+    node_count : int
+        nodes
+    cell_count : int
+        cells
+    surface_face_count : int
+        faces (2D: edges) that belong to one cell only
+    volume : float
+        of all cells, m3; in 2D area, m2
+    """
+
+
+MESH_PROPERTIES = record_type(MeshProperties, _raw.hs_mesh_properties)
+
+
+class BodyState(Record):
+    """Motion and energy of a body. Later versions may append to it.
+
+    Attributes
+    ----------
+    node_count : int
+        nodes
+    cell_count : int
+        cells, including removed ones
+    mass : float
+        kg, in 2D per unit thickness
+    centroid : array, shape (3,)
+        center of mass, m
+    momentum : array, shape (3,)
+        of all nodes, kg m/s
+    kinetic_energy : float
+        of all nodes, J
+    strain_energy : float
+        of all cells, J
+    """
+
+
+BODY_STATE = record_type(BodyState, _raw.hs_body_state)
+
+
+class CellState(Record):
+    """Mean strain and stress of a cell.
+
+    Attributes
+    ----------
+    strain : array, shape (3, 3)
+        Green strain relative to the cell as it was added to the world
+    stress : array, shape (3, 3)
+        elastic Cauchy stress, in space, Pa, tension > 0
+    strain_energy : float
+        J, in 2D per unit thickness; including the bending modes
+    """
+
+
+CELL_STATE = record_type(CellState, _raw.hs_cell_state)
+
+
 class Deformation(Record):
     """Deformation and stress of a block.
 
@@ -430,69 +493,6 @@ class Impact(Record):
 
 
 IMPACT = record_type(Impact, _raw.hs_impact)
-
-
-class MeshProperties(Record):
-    """Summary of a mesh. Later versions may append to it.
-
-    Attributes
-    ----------
-    dimension : int
-        2 or 3
-    node_count : int
-        nodes
-    cell_count : int
-        cells
-    surface_face_count : int
-        faces (2D: edges) that belong to one cell only
-    volume : float
-        of all cells, m3; in 2D area, m2
-    """
-
-
-MESH_PROPERTIES = record_type(MeshProperties, _raw.hs_mesh_properties)
-
-
-class BodyState(Record):
-    """Motion and energy of a body. Later versions may append to it.
-
-    Attributes
-    ----------
-    node_count : int
-        nodes
-    cell_count : int
-        cells, including removed ones
-    mass : float
-        kg, in 2D per unit thickness
-    centroid : array, shape (3,)
-        center of mass, m
-    momentum : array, shape (3,)
-        of all nodes, kg m/s
-    kinetic_energy : float
-        of all nodes, J
-    strain_energy : float
-        of all cells, J
-    """
-
-
-BODY_STATE = record_type(BodyState, _raw.hs_body_state)
-
-
-class CellState(Record):
-    """Mean strain and stress of a cell.
-
-    Attributes
-    ----------
-    strain : array, shape (3, 3)
-        Green strain relative to the cell as it was added to the world
-    stress : array, shape (3, 3)
-        elastic Cauchy stress, in space, Pa, tension > 0
-    strain_energy : float
-        J, in 2D per unit thickness; including the bending modes
-    """
-
-
-CELL_STATE = record_type(CellState, _raw.hs_cell_state)
 
 
 class PairCache(Record):

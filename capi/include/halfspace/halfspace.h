@@ -25,6 +25,7 @@
 #ifndef HALFSPACE_H
 #define HALFSPACE_H
 
+#include "halfspace/action.h"
 #include "halfspace/affine.h"
 #include "halfspace/bond.h"
 #include "halfspace/context.h"

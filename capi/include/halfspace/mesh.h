@@ -42,11 +42,12 @@ enum {
   HS_CELL_HEXAHEDRON = 4   /**< 8 nodes, 3D */
 };
 
-/** Axes along which nodes are held. Values may be added. */
+/** Axes along which nodes or blocks are held. Values may be added. */
 enum {
-  HS_AXIS_X = 1, /**< x */
-  HS_AXIS_Y = 2, /**< y */
-  HS_AXIS_Z = 4  /**< z, 3D only */
+  HS_AXIS_X = 1,       /**< x */
+  HS_AXIS_Y = 2,       /**< y */
+  HS_AXIS_Z = 4,       /**< z, 3D only */
+  HS_AXIS_ROTATION = 8 /**< rotation about any axis, of blocks only */
 };
 
 /** Summary of a mesh. Later versions may append to it. */

@@ -12,6 +12,10 @@ namespace {
 /// so far beyond their ends, so that corners that meet squarely are not lost to rounding.
 constexpr double reach_share = 1e-9;
 
+/// Where supports of both blocks hold a contact along its face, friction only opposes the slip: the inverse
+/// effective mass along the face is at least this fraction of that along the normal.
+constexpr double least_shear_fraction = 1e-6;
+
 /// A corner looks at a face that lies at an angle across its way out, by so much at least: meshes bend.
 constexpr double least_cosine = 0.02;
 
@@ -248,7 +252,8 @@ void PointContactSearch<D>::place(ContactConstraint<D>& at) const {
   const Tensor<D> mobility = inverse_mass_at(at.of_a, blocks_) + inverse_mass_at(at.of_b, blocks_);
   at.normal_velocity_response = mobility * at.normal;
   at.normal_inverse_mass = at.normal.dot(at.normal_velocity_response);
-  at.shear_inverse_mass = D == 2 ? mobility.trace() - at.normal_inverse_mass : mobility.norm();
+  const double across = D == 2 ? mobility.trace() - at.normal_inverse_mass : mobility.norm();
+  at.shear_inverse_mass = std::max(across, least_shear_fraction * at.normal_inverse_mass);
 }
 
 template <int D>
@@ -301,6 +306,8 @@ void PointContactSearch<D>::find(Array<ContactConstraint<D>>& found) {
               return one.key() < other.key();
             });
   for (ContactConstraint<D>& at : found) place(at);
+  // Supports of both blocks hold them along the normal.
+  std::erase_if(found, [](const ContactConstraint<D>& at) { return !(at.normal_inverse_mass > 0); });
 }
 
 template <int D>

@@ -186,7 +186,8 @@ template <int D>
 void RigidContacts<D>::set_motions_at_half_step() {
   set_motions();
   for (std::size_t i = 0; i < problem_.motions.size(); ++i) {
-    if (search_.is_free(i)) problem_.motions[i] = integrator_.motion_at_half_step(i);
+    if (search_.is_free(i) || blocks_.kind[i] == BlockKind::prescribed)
+      problem_.motions[i] = integrator_.motion_at_half_step(i);
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "block/blocks.h"
+#include "world/loads/actions.h"
 #include "world/model/materials.h"
 #include "world/model/settings.h"
 
@@ -9,7 +10,8 @@ namespace halfspace {
 /// Settings, materials and blocks of a world. The world's parts read them and move the blocks.
 template <int D>
 struct Model {
-  Model(const WorldSettings<D>& given, Memory* memory) : settings(given), materials(memory), blocks(memory) {}
+  Model(const WorldSettings<D>& given, Memory* memory)
+      : settings(given), materials(memory), blocks(memory), actions(memory) {}
   Model(const Model&) = delete;  // the parts of a world refer to it
 
   const ContactLaw& law_between(std::size_t a, std::size_t b) const {
@@ -19,10 +21,10 @@ struct Model {
   const ContactLaw& law_of(const Pair& pair) const {
     return law_between(std::size_t(pair.a), std::size_t(pair.b));
   }
-  /// Do contacts by laws without springs have manifolds? They do when no block deforms, and no such law
-  /// bonds.
+  /// Do contacts by laws without springs have manifolds? They do when no block deforms or is held, and no
+  /// such law bonds.
   bool has_manifolds() const {
-    return !blocks.has_deformable() &&
+    return !blocks.has_deformable() && !blocks.any_held() &&
            !materials.laws().any([](const ContactLaw& law) { return law.has_no_spring() && law.bonds(); });
   }
   const Elasticity& elasticity_of(std::size_t block) const {
@@ -38,17 +40,18 @@ struct Model {
 
   bool is_consistent() const {
     return settings.is_consistent() && materials.is_consistent() && blocks.is_consistent(materials.count()) &&
-           is_nonnegative(fixed_length);
+           actions.is_consistent(blocks) && is_nonnegative(fixed_length);
   }
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(settings, materials, blocks, fixed_length);
+    archive(settings, materials, blocks, actions, fixed_length);
   }
 
   WorldSettings<D> settings;
   Materials materials;
   Blocks<D> blocks;
+  Actions<D> actions;       // loads and motions in time
   double fixed_length = 0;  // H, from the first force evaluation on; 0 before
 };
 

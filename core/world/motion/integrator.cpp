@@ -11,8 +11,16 @@ namespace halfspace {
 
 template <int D>
 typename Integrator<D>::BlockLoad Integrator<D>::load_on(std::size_t i) const {
-  return {blocks_.force[i] + blocks_.applied_force[i] + blocks_.mass[i] * settings_.gravity,
-          blocks_.torque[i] + blocks_.applied_torque[i]};
+  BlockLoad load{blocks_.force[i] + blocks_.applied_force[i] + blocks_.mass[i] * settings_.gravity,
+                 blocks_.torque[i] + blocks_.applied_torque[i]};
+  if (!model_.actions.empty()) {
+    load.force += blocks_.mass[i] * model_.actions.acceleration();
+    if (const auto* target = model_.actions.target_of(i)) {
+      load.force += target->force;
+      load.torque += target->torque;
+    }
+  }
+  return load;
 }
 
 template <int D>
@@ -38,6 +46,10 @@ void Integrator<D>::accelerate_rigid(std::size_t i) {
   }
   acceleration_[i] = force / blocks_.mass[i] - settings_.mass_damping * blocks_.velocity[i];
   momentum_rate_[i] = torque - settings_.mass_damping * blocks_.momentum[i];
+  if (blocks_.any_held()) {
+    acceleration_[i] = blocks_.freed(i, acceleration_[i]);
+    momentum_rate_[i] = blocks_.freed_turn(i, momentum_rate_[i]);
+  }
 }
 
 template <int D>
@@ -60,6 +72,7 @@ template <int D>
   }
   if (blocks_.kind[i] != BlockKind::rigid) return;
   const double mass = blocks_.mass[i];
+  if (blocks_.any_held()) sample.power.outer += support_power(i, opposed);
   sample.squared_speed = std::max(sample.squared_speed, velocity.squaredNorm());
   const double radius = blocks_.radius[i];
   sample.squared_swing = std::max(sample.squared_swing, radius * radius * spin.squaredNorm());
@@ -93,6 +106,10 @@ EnergySample Integrator<D>::begin(double time_step, double& noise) {
   double weight_times_size = 0, rounding_energy = 0;
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
     if (blocks_.is_of_mesh(i)) continue;
+    if (blocks_.kind[i] == BlockKind::prescribed) {
+      acceleration_[i].setZero();
+      momentum_rate_[i].setZero();
+    }
     if (blocks_.moves_freely(i)) {
       accelerate(i);
       weight_times_size += blocks_.mass[i] * settings_.gravity.norm() * blocks_.radius[i];
@@ -173,6 +190,8 @@ bool Integrator<D>::predict_motion_of(std::size_t i, Plan& plan) {
       break;
     }
     case BlockKind::prescribed:
+      velocity += half * acceleration_[i];
+      spin += half * momentum_rate_[i];
       next_rotation_[i] = blocks_.rotation[i].turned_by(duration_ * spin);
       break;
     default:
@@ -209,10 +228,8 @@ Vector<D> Integrator<D>::predicted_displacement(std::size_t i) const {
   if (blocks_.is_of_mesh(i)) return meshes_.predicted_displacement(i);
   if (sleep_.is_asleep(i)) return Vector<D>::Zero();
   Vector<D> velocity = blocks_.velocity[i];
-  if (blocks_.moves_freely(i)) {
-    velocity += 0.5 * duration_ * acceleration_[i];
-    if (!kicks_.empty()) velocity += kicks_.of_block(i);
-  }
+  if (blocks_.moves(i)) velocity += 0.5 * duration_ * acceleration_[i];
+  if (blocks_.moves_freely(i) && !kicks_.empty()) velocity += kicks_.of_block(i);
   return duration_ * velocity;
 }
 template <int D>
@@ -251,6 +268,8 @@ Vector<D> Integrator<D>::acceleration_of(const MaterialPoint<D>& point) const {
     return weighed(point, [&](std::size_t node) { return meshes_.acceleration_of(node); });
   if (blocks_.is_affine(slot))
     return acceleration_[slot] + blocks_.deformation(slot).acceleration * point.arm;
+  if (blocks_.kind[slot] == BlockKind::prescribed)
+    return acceleration_[slot] + swept(momentum_rate_[slot], point.arm);
   if (!blocks_.moves_freely(slot)) return Vector<D>::Zero();
   const Inertia<D>& inertia = blocks_.inertia[slot];
   return acceleration_[slot] + swept(inertia.spin(momentum_rate_[slot], blocks_.rotation[slot]), point.arm);
@@ -268,6 +287,9 @@ void Integrator<D>::kick_and_drift() {
       return kick_and_drift_affine(i);
     } else if (blocks_.kind[i] != BlockKind::prescribed) {
       return;
+    } else if (!model_.actions.empty()) {
+      blocks_.velocity[i] += half * acceleration_[i];
+      blocks_.spin[i] += half * momentum_rate_[i];
     }
     blocks_.drift(std::int32_t(i), duration_ * blocks_.velocity[i], next_rotation_[i]);
     if constexpr (D == 2) blocks_.angle[i] += duration_ * blocks_.spin[i][0];
@@ -335,6 +357,8 @@ SpeedBound Integrator<D>::speed_bound_of(std::size_t i) const {
   SpeedBound pace{blocks_.velocity[i].norm() + blocks_.swing(i), acceleration_[i].norm()};
   if (blocks_.is_affine(i)) {
     pace.acceleration += radius * blocks_.deformation(i).acceleration.norm();
+  } else if (blocks_.kind[i] == BlockKind::prescribed) {
+    pace.acceleration += radius * momentum_rate_[i].norm();
   } else {
     pace.acceleration += radius * blocks_.inertia[i].spin(momentum_rate_[i], blocks_.rotation[i]).norm();
   }
@@ -363,6 +387,7 @@ void Integrator<D>::kick(std::size_t i, EnergySample& sample) {
     accelerate_rigid(i);
     sample.applied_power +=
         blocks_.applied_force[i].dot(middle_velocity) + blocks_.applied_torque[i].dot(middle_spin);
+    if (!model_.actions.empty()) sample.applied_power += power_of_actions(i, middle_velocity, middle_spin);
     // A kick that is not finite is skipped: the next motion, predicted with it, is refused as unstable.
     const Angular<D> middle_momentum = blocks_.momentum[i];
     blocks_.kick(i, half * acceleration_[i], half * momentum_rate_[i]);
@@ -373,6 +398,7 @@ void Integrator<D>::kick(std::size_t i, EnergySample& sample) {
       blocks_.momentum[i] = middle_momentum;
     }
   }
+  if (!model_.actions.empty()) give_velocity(i, sample);
   sample_energy(i, middle_velocity, middle_spin, sample);
 }
 

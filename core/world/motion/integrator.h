@@ -48,6 +48,8 @@ class Integrator {
   /// Predicts a motion, announces it to the neighbour list, and allocates its memory. False when it is not
   /// finite, flattens a block or inverts a mesh cell.
   bool predict(double duration);
+  /// Takes over the loads and velocities that actions give for the coming motion.
+  void take_actions(double duration);
   /// The cell that the last predicted motion would invert, if any.
   const InvertedCell& inverted() const { return meshes_.inverted(); }
   double duration() const { return duration_; }
@@ -62,9 +64,13 @@ class Integrator {
   Vector<D> predicted_displacement_of_node(std::size_t node) const {
     return meshes_.predicted_displacement_of_node(node);
   }
-  /// The motion of a rigid block half a step on, without the impulses of contacts.
+  /// The motion of a rigid or prescribed block half a step on, without the impulses of contacts.
   BlockMotion<D> motion_at_half_step(std::size_t block) const {
     const double half = 0.5 * duration_;
+    if (blocks_.kind[block] == BlockKind::prescribed) {
+      return {blocks_.velocity[block] + half * acceleration_[block],
+              blocks_.spin[block] + half * momentum_rate_[block]};
+    }
     return {blocks_.velocity[block] + half * acceleration_[block],
             blocks_.inertia[block].spin(blocks_.momentum[block] + half * momentum_rate_[block],
                                         blocks_.rotation[block])};
@@ -94,6 +100,9 @@ class Integrator {
   BlockLoad reaction(std::size_t block) const;
   Tensor<D> strain_reaction(std::size_t block) const;
   Vector<D> reaction_on_node(std::size_t node) const { return meshes_.reaction(node); }
+  Vector<D> load_of_actions_on_node(std::size_t node) const { return meshes_.load_of_actions(node); }
+  /// The sum of the forces on a node of a mesh, before damping.
+  Vector<D> force_on_node(std::size_t node) const { return meshes_.force_on(node); }
 
   /// Advances velocities to the middle of the predicted motion, and positions to its end.
   void kick_and_drift();
@@ -182,6 +191,12 @@ class Integrator {
   void kick_affine(std::size_t block, EnergySample& sample);
   void take_affine_kick(std::size_t block, EnergySample& sample);
 
+  // In integrator_actions.cpp.
+  double power_of_actions(std::size_t block, const Vector<D>& velocity, const Angular<D>& spin) const;
+  /// Gives a block the velocity of its actions at the end of the motion.
+  void give_velocity(std::size_t block, EnergySample& sample);
+  double support_power(std::size_t block, const Vector<D>& opposed) const;
+
   VelocityChange<D> kicks_;
   VelocityChange<D> reaction_;  // by impulses at the end of the last motion
   MeshMotion<D> meshes_;
@@ -192,8 +207,9 @@ class Integrator {
   const ForcePass<D>& forces_;
   const Sleep<D>& sleep_;
   Threads* threads_;
-  Array<Vector<D>> acceleration_;     // of each block, from the last forces
-  Array<Angular<D>> momentum_rate_;   // of the angular momentum, likewise
+  // From the last forces; of prescribed blocks those of their actions, also instead of the momentum's rate.
+  Array<Vector<D>> acceleration_;
+  Array<Angular<D>> momentum_rate_;   // of the angular momentum
   Array<Rotation<D>> next_rotation_;  // predicted
   Array<std::uint8_t> any_moves_;     // per chunk of blocks; updated after an edit
   Array<Plan> planned_;               // per chunk of blocks

@@ -13,7 +13,11 @@ Vector<D> Integrator<D>::affine_load(std::size_t i) const {
 
 template <int D>
 Tensor<D> Integrator<D>::generalized_force(std::size_t i) const {
-  return blocks_.deformation(i).drive(blocks_.applied_torque[i], model_.elasticity_of(i));
+  const Deformation<D>& deformation = blocks_.deformation(i);
+  const auto* target = model_.actions.target_of(i);
+  if (!target) return deformation.drive(blocks_.applied_torque[i], model_.elasticity_of(i));
+  return deformation.drive(blocks_.applied_torque[i] + target->torque, model_.elasticity_of(i)) +
+         target->virial;
 }
 
 template <int D>
@@ -117,6 +121,11 @@ void Integrator<D>::kick_affine(std::size_t i, EnergySample& sample) {
   sample.applied_power += blocks_.applied_force[i].dot(middle_velocity) +
                           deformation.load_force.dot(middle_velocity) +
                           deformation.load.cwiseProduct(middle_rate).sum();
+  if (!model_.actions.empty()) {
+    sample.applied_power += power_of_actions(i, middle_velocity, blocks_.spin[i]);
+    if (const auto* target = model_.actions.target_of(i))
+      sample.applied_power += target->virial.cwiseProduct(middle_rate).sum();
+  }
   // A kick that is not finite is skipped, as for rigid blocks.
   if (acceleration_[i].allFinite() && deformation.acceleration.allFinite()) {
     blocks_.push(i, half * acceleration_[i], Angular<D>::Zero());

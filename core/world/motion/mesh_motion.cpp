@@ -68,10 +68,9 @@ void MeshMotion<D>::load_nodes_of(const SurfaceCell<D>& cell) {
 template <int D>
 void MeshMotion<D>::accelerate(std::size_t i) {
   const Vector<D>& velocity = meshes_.velocity[i];
-  const Vector<D> reaction = this->reaction(i);
+  const Vector<D> reaction = this->reaction(i), acting = force_on(i);
   for (int k = 0; k < D; ++k) {
-    const double force =
-        damped(meshes_.force[i][k] + reaction[k], velocity[k], settings_.local_damping) - reaction[k];
+    const double force = damped(acting[k] + reaction[k], velocity[k], settings_.local_damping) - reaction[k];
     acceleration_[i][k] = is_held(i, k) ? 0 : force / meshes_.mass[i] - settings_.mass_damping * velocity[k];
   }
 }
@@ -82,12 +81,12 @@ template <int D>
 void MeshMotion<D>::sample_energy(std::size_t i, const Vector<D>& opposed, EnergySample& sample) const {
   const Vector<D>& velocity = meshes_.velocity[i];
   const double mass = meshes_.mass[i];
-  const Vector<D> force = meshes_.force[i] + reaction(i);
+  const Vector<D> acting = force_on(i), force = acting + reaction(i);
   sample.squared_speed = std::max(sample.squared_speed, velocity.squaredNorm());
   sample.kinetic += 0.5 * mass * velocity.squaredNorm();
   for (int k = 0; k < D; ++k) {
     if (is_held(i, k)) {
-      sample.power.outer -= meshes_.force[i][k] * velocity[k];
+      sample.power.outer -= acting[k] * velocity[k];
     } else {
       sample.power.local_damping += settings_.local_damping * damped_power(force[k], opposed[k], velocity[k]);
       sample.power.mass_damping += settings_.mass_damping * mass * opposed[k] * velocity[k];
@@ -206,6 +205,31 @@ bool MeshMotion<D>::predict(double duration) {
 }
 
 template <int D>
+void MeshMotion<D>::take_actions(double duration) {
+  if (meshes_.empty()) return;
+  for (std::size_t i = 0; i < meshes_.node_count(); ++i) accelerate(i);
+  model_.actions.for_each_given_node(meshes_, [&](std::size_t i, const GivenVelocity<Vector<D>>& given) {
+    for (int k = 0; k < D; ++k) {
+      if (given.is_given(k)) acceleration_[i][k] = 2 / duration * (given.mean[k] - given.start[k]);
+    }
+  });
+}
+
+/// At the end of the motion. The supports also do the work of the change of velocity.
+template <int D>
+void MeshMotion<D>::give_velocities(EnergySample& sample) {
+  model_.actions.for_each_given_node(meshes_, [&](std::size_t i, const GivenVelocity<Vector<D>>& given) {
+    double work = 0;
+    for (int k = 0; k < D; ++k) {
+      if (!given.is_given(k)) continue;
+      meshes_.velocity[i][k] = given.end[k];
+      work += 0.5 * meshes_.mass[i] * (given.end[k] * given.end[k] - given.start[k] * given.start[k]);
+    }
+    sample.applied_power += work / duration_;
+  });
+}
+
+template <int D>
 Vector<D> MeshMotion<D>::predicted_displacement(std::size_t block) const {
   Vector<D> sum = Vector<D>::Zero();
   for (const std::int32_t i : meshes_.surface_of_block(block).node)
@@ -238,6 +262,7 @@ void MeshMotion<D>::kick(double duration, EnergySample& sample) {
   if (meshes_.empty()) return;
   strain_energy_ = evaluate_forces();
   sample.block_strain += strain_energy_;
+  if (!model_.actions.empty()) give_velocities(sample);
   bool is_damped = false;
   for (const Body<D>& body : meshes_.bodies()) {
     is_damped = is_damped || body.damping_time > 0;
@@ -246,6 +271,7 @@ void MeshMotion<D>::kick(double duration, EnergySample& sample) {
       const Vector<D> middle_velocity = meshes_.velocity[i];
       accelerate(i);
       sample.applied_power += meshes_.applied_force[i].dot(middle_velocity);
+      if (!model_.actions.empty()) sample.applied_power += load_of_actions(i).dot(middle_velocity);
       // A kick that is not finite is skipped, as for rigid blocks.
       const Vector<D> velocity = middle_velocity + 0.5 * duration * acceleration_[i];
       if (velocity.allFinite()) meshes_.velocity[i] = velocity;

@@ -45,6 +45,15 @@ class MeshMotion {
     return duration_ * velocity;
   }
   const Vector<D>& acceleration_of(std::size_t node) const { return acceleration_[node]; }
+  /// Takes over the loads and velocities that actions give for the coming motion.
+  void take_actions(double duration);
+  Vector<D> load_of_actions(std::size_t node) const {
+    return model_.actions.load_on_node(node) + meshes_.mass[node] * model_.actions.acceleration();
+  }
+  /// The sum of the forces on a node, before damping.
+  Vector<D> force_on(std::size_t node) const {
+    return model_.actions.empty() ? meshes_.force[node] : meshes_.force[node] + load_of_actions(node);
+  }
   /// Advances velocities to the middle of the motion, and positions to its end.
   void kick_and_drift(double duration);
   /// Advances velocities to its end.
@@ -76,6 +85,7 @@ class MeshMotion {
   double load_nodes_of(const Element<D, N>& element);
   void load_nodes_of(const SurfaceCell<D>& cell);
   void accelerate(std::size_t node);
+  void give_velocities(EnergySample& sample);
   /// Bounds of the change of any element's gradient in the predicted motion, by displacements and by rounding
   /// of positions.
   struct Bending {

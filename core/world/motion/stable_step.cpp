@@ -132,6 +132,19 @@ typename StableStep<D>::Limit StableStep<D>::limit() {
 }
 
 template <int D>
+double StableStep<D>::contact_resistance_of(std::int32_t block, double duration) const {
+  const double length = model_.materials.laws().knows_potential() ? model_.potential_length() : 0;
+  double sum = 0;
+  for (std::size_t c = 0; c < contacts_.count(); ++c) {
+    const Candidate<D>& pair = contacts_.pair_of(c);
+    if (pair.a != block && pair.b != block) continue;
+    const StiffnessSum of_contact = contact_stiffness_of(c, length);
+    sum += duration * of_contact.stiffness + of_contact.viscosity;
+  }
+  return sum;
+}
+
+template <int D>
 std::optional<typename StableStep<D>::Neighbor> StableStep<D>::stiffest_neighbor_of(
     std::int32_t block) const {
   const double length = model_.materials.laws().knows_potential() ? model_.potential_length() : 0;

@@ -32,6 +32,8 @@ class StableStep {
     std::int64_t bond;  // -1: a contact
   };
   std::optional<Neighbor> stiffest_neighbor_of(std::int32_t block) const;
+  /// The force of a block's contacts over its velocity, if it moves for `duration`, N s/m.
+  double contact_resistance_of(std::int32_t block, double duration) const;
   void reserve(std::size_t slots) { stiffness_of_block_.reserve(slots); }
 
  private:

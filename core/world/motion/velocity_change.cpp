@@ -42,8 +42,8 @@ void VelocityChange<D>::add(const MaterialPoint<D>& point, const Vector<D>& impu
       }
       break;
     case BlockKind::rigid:
-      of_block_[slot] += impulse / blocks_.mass[slot];
-      momentum_[slot] += moment(point.arm, impulse);
+      of_block_[slot] += blocks_.freed(slot, impulse / blocks_.mass[slot]);
+      momentum_[slot] += blocks_.freed_turn(slot, moment(point.arm, impulse));
       break;
     case BlockKind::affine:
       of_block_[slot] += impulse / blocks_.mass[slot];
@@ -95,6 +95,10 @@ Vector<D> prescribed_velocity_of(const MaterialPoint<D>& point, const Blocks<D>&
         }
         return held;
       });
+    case BlockKind::rigid: {
+      const std::size_t slot = std::size_t(point.block);
+      return blocks.velocity[slot] - blocks.freed(slot, blocks.velocity[slot]);
+    }
     default:
       return Vector<D>::Zero();
   }
@@ -117,8 +121,8 @@ Tensor<D> inverse_mass_at(const MaterialPoint<D>& point, const Blocks<D>& blocks
       return all;
     case BlockKind::rigid:
       for (int k = 0; k < D; ++k) {
-        const Angular<D> turned = moment(point.arm, Vector<D>::Unit(k));
-        all.col(k) = Vector<D>::Unit(k) / blocks.mass[slot] +
+        const Angular<D> turned = blocks.freed_turn(slot, moment(point.arm, Vector<D>::Unit(k)));
+        all.col(k) = blocks.freed(slot, Vector<D>::Unit(k) / blocks.mass[slot]) +
                      swept(blocks.inertia[slot].spin(turned, blocks.rotation[slot]), point.arm);
       }
       return all;

@@ -47,26 +47,36 @@ class Acts {
   Acting on_block(std::size_t i) const {
     const Vector<D> weight = blocks_.mass[i] * model_.settings.gravity;
     const auto reaction = integrator_.reaction(i);
-    Vector<D> force = blocks_.force[i] + blocks_.applied_force[i] + weight + reaction.force;
-    double turning = (blocks_.torque[i] + blocks_.applied_torque[i] + reaction.torque).norm();
-    double loads = blocks_.applied_force[i].norm() + blocks_.applied_torque[i].norm() / blocks_.radius[i];
+    Vector<D> applied = blocks_.applied_force[i];
+    Angular<D> torque = blocks_.applied_torque[i];
+    Tensor<D> virial = Tensor<D>::Zero();
+    applied += blocks_.mass[i] * model_.actions.acceleration();
+    if (const auto* target = model_.actions.target_of(i)) {
+      applied += target->force;
+      torque += target->torque;
+      virial = target->virial;
+    }
+    Vector<D> force = blocks_.force[i] + applied + weight + reaction.force;
+    double turning = (blocks_.freed_turn(i, blocks_.torque[i] + torque + reaction.torque)).norm();
+    double loads = applied.norm() + torque.norm() / blocks_.radius[i];
     if (blocks_.is_affine(i)) {
       const Deformation<D>& deformation = blocks_.deformation(i);
       force += deformation.load_force;
-      loads += deformation.load.norm() / blocks_.radius[i];
-      turning = (deformation.drive(blocks_.applied_torque[i], model_.elasticity_of(i)) +
-                 integrator_.strain_reaction(i))
+      loads += (deformation.load.norm() + virial.norm()) / blocks_.radius[i];
+      turning = (deformation.drive(torque, model_.elasticity_of(i)) + virial + integrator_.strain_reaction(i))
                     .norm();
     }
+    force = blocks_.freed(i, force);
     return {force.norm() + turning / blocks_.radius[i], of_block_[i] + weight.norm() + loads};
   }
   Acting on_node(std::size_t i) const {
-    Vector<D> force = meshes_.force[i] + integrator_.reaction_on_node(i);
+    const Vector<D> load = integrator_.load_of_actions_on_node(i);
+    Vector<D> force = meshes_.force[i] + load + integrator_.reaction_on_node(i);
     for (int k = 0; k < D; ++k) {
       if (meshes_.held[i] >> k & 1) force[k] = 0;
     }
-    return {force.norm(),
-            of_node_[i] + meshes_.mass[i] * model_.settings.gravity.norm() + meshes_.applied_force[i].norm()};
+    return {force.norm(), of_node_[i] + meshes_.mass[i] * model_.settings.gravity.norm() +
+                              meshes_.applied_force[i].norm() + load.norm()};
   }
 
  private:

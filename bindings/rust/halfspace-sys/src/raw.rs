@@ -163,6 +163,55 @@ pub const HS_FAST_DIVIDE: i32 = 0;
 /// refuse the step with HS_ERROR_TOO_FAST
 pub const HS_FAST_REFUSE: i32 = 1;
 
+// Kinds of cells. Nodes are numbered as in Gmsh and VTK: triangles and quads counter-clockwise; the first
+// three nodes of a tetrahedron counter-clockwise seen from the fourth; prisms and hexahedra with the bottom
+// face first, counter-clockwise seen from above, then the top face in the same order.
+/// 3 nodes, 2D
+pub const HS_CELL_TRIANGLE: i32 = 0;
+/// 4 nodes, 2D, convex
+pub const HS_CELL_QUAD: i32 = 1;
+/// 4 nodes, 3D
+pub const HS_CELL_TETRAHEDRON: i32 = 2;
+/// 6 nodes, 3D
+pub const HS_CELL_PRISM: i32 = 3;
+/// 8 nodes, 3D
+pub const HS_CELL_HEXAHEDRON: i32 = 4;
+
+// Axes along which nodes or blocks are held. Values may be added.
+/// x
+pub const HS_AXIS_X: i32 = 1;
+/// y
+pub const HS_AXIS_Y: i32 = 2;
+/// z, 3D only
+pub const HS_AXIS_Z: i32 = 4;
+/// rotation about any axis, of blocks only
+pub const HS_AXIS_ROTATION: i32 = 8;
+
+// What an action gives. Loads of one block add up; a motion replaces the one before.
+/// m/s, of a prescribed block, or along held axes of a rigid block or of nodes
+pub const HS_ACTION_VELOCITY: i32 = 0;
+/// rad/s, of a prescribed block; 2D uses z
+pub const HS_ACTION_ANGULAR_VELOCITY: i32 = 1;
+/// m/s2, likewise as HS_ACTION_VELOCITY; of all blocks: a body force, besides gravity
+pub const HS_ACTION_ACCELERATION: i32 = 2;
+/// rad/s2, of a prescribed block; 2D uses z
+pub const HS_ACTION_ANGULAR_ACCELERATION: i32 = 3;
+/// N, on a rigid or affine block or on nodes
+pub const HS_ACTION_FORCE: i32 = 4;
+/// N m, on a rigid or affine block; 2D uses z
+pub const HS_ACTION_TORQUE: i32 = 5;
+/// N: a prescribed block, or a rigid one along held axes, moves so that it presses on its contacts with this
+/// force; they need springs
+pub const HS_ACTION_SERVO: i32 = 6;
+
+// Where a force acts.
+/// at the centroid
+pub const HS_PLACE_CENTROID: i32 = 0;
+/// at a point of the block, which moves with it
+pub const HS_PLACE_CARRIED: i32 = 1;
+/// at a point in space
+pub const HS_PLACE_FIXED: i32 = 2;
+
 // Assumption about the third direction in 2D.
 /// no strain perpendicular to the plane
 pub const HS_PLANE_STRAIN: i32 = 0;
@@ -184,28 +233,6 @@ pub const HS_IMPACT_NEVER: i32 = 0;
 pub const HS_IMPACT_AT_START: i32 = 1;
 /// the shapes are separated at time 0 and touch later
 pub const HS_IMPACT_TOUCH: i32 = 2;
-
-// Kinds of cells. Nodes are numbered as in Gmsh and VTK: triangles and quads counter-clockwise; the first
-// three nodes of a tetrahedron counter-clockwise seen from the fourth; prisms and hexahedra with the bottom
-// face first, counter-clockwise seen from above, then the top face in the same order.
-/// 3 nodes, 2D
-pub const HS_CELL_TRIANGLE: i32 = 0;
-/// 4 nodes, 2D, convex
-pub const HS_CELL_QUAD: i32 = 1;
-/// 4 nodes, 3D
-pub const HS_CELL_TETRAHEDRON: i32 = 2;
-/// 6 nodes, 3D
-pub const HS_CELL_PRISM: i32 = 3;
-/// 8 nodes, 3D
-pub const HS_CELL_HEXAHEDRON: i32 = 4;
-
-// Axes along which nodes are held. Values may be added.
-/// x
-pub const HS_AXIS_X: i32 = 1;
-/// y
-pub const HS_AXIS_Y: i32 = 2;
-/// z, 3D only
-pub const HS_AXIS_Z: i32 = 4;
 
 // Optional parts of a step, in addition to detection and normal forces of rigid blocks. Inactive parts are
 // neither stored nor computed.
@@ -290,6 +317,51 @@ pub type hs_context_def_release =
 /// function of the library.
 pub type hs_context_def_run_tasks =
     unsafe extern "C" fn(task: *mut hs_task, count: i32, scheduler: *mut c_void);
+
+/// Points to read. Point i is (x\[i\], y\[i\], z\[i\]), each pointer advanced by i * stride bytes.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct hs_view {
+    /// first x component; not NULL unless count is 0
+    pub x: *const f64,
+    /// first y component; not NULL unless count is 0
+    pub y: *const f64,
+    /// first z component; may be NULL in 2D only
+    pub z: *const f64,
+    /// bytes from one point to the next, a multiple of sizeof(double); may be negative
+    pub stride: i64,
+    /// number of points, >= 0
+    pub count: i64,
+}
+const _: () = assert!(std::mem::size_of::<hs_view>() == 40);
+
+/// Points to write, with the layout of hs_view.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct hs_mutable_view {
+    /// first x component; not NULL unless count is 0
+    pub x: *mut f64,
+    /// first y component; not NULL unless count is 0
+    pub y: *mut f64,
+    /// first z component; may be NULL in 2D only; in 2D 0 is written
+    pub z: *mut f64,
+    /// bytes from one point to the next, a multiple of sizeof(double); may be negative
+    pub stride: i64,
+    /// capacity in points, >= 0
+    pub count: i64,
+}
+const _: () = assert!(std::mem::size_of::<hs_mutable_view>() == 40);
+
+/// Pose of a shape: position of its centroid and rotation about the centroid.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct hs_pose {
+    /// of the centroid, m; finite, max 1e75
+    pub position: [f64; 3],
+    /// unit quaternion x, y, z, w; a length within 1e-6 of 1 is normalised
+    pub rotation: [f64; 4],
+}
+const _: () = assert!(std::mem::size_of::<hs_pose>() == 56);
 
 /// One contact, or the proof of separation. Points and directions are in the frame of the given poses.
 /// Detection of single pairs does not write fields that have no meaning there: ids, forces, torque and twist;
@@ -416,51 +488,6 @@ pub struct hs_context_def {
     pub scheduler: *mut c_void,
 }
 const _: () = assert!(std::mem::size_of::<hs_context_def>() == 56);
-
-/// Points to read. Point i is (x\[i\], y\[i\], z\[i\]), each pointer advanced by i * stride bytes.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct hs_view {
-    /// first x component; not NULL unless count is 0
-    pub x: *const f64,
-    /// first y component; not NULL unless count is 0
-    pub y: *const f64,
-    /// first z component; may be NULL in 2D only
-    pub z: *const f64,
-    /// bytes from one point to the next, a multiple of sizeof(double); may be negative
-    pub stride: i64,
-    /// number of points, >= 0
-    pub count: i64,
-}
-const _: () = assert!(std::mem::size_of::<hs_view>() == 40);
-
-/// Points to write, with the layout of hs_view.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct hs_mutable_view {
-    /// first x component; not NULL unless count is 0
-    pub x: *mut f64,
-    /// first y component; not NULL unless count is 0
-    pub y: *mut f64,
-    /// first z component; may be NULL in 2D only; in 2D 0 is written
-    pub z: *mut f64,
-    /// bytes from one point to the next, a multiple of sizeof(double); may be negative
-    pub stride: i64,
-    /// capacity in points, >= 0
-    pub count: i64,
-}
-const _: () = assert!(std::mem::size_of::<hs_mutable_view>() == 40);
-
-/// Pose of a shape: position of its centroid and rotation about the centroid.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default)]
-pub struct hs_pose {
-    /// of the centroid, m; finite, max 1e75
-    pub position: [f64; 3],
-    /// unit quaternion x, y, z, w; a length within 1e-6 of 1 is normalised
-    pub rotation: [f64; 4],
-}
-const _: () = assert!(std::mem::size_of::<hs_pose>() == 56);
 
 /// First fault of an input.
 #[repr(C)]
@@ -717,6 +744,98 @@ pub struct hs_world_report {
 }
 const _: () = assert!(std::mem::size_of::<hs_world_report>() == 264);
 
+/// Summary of a mesh. Later versions may append to it.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct hs_mesh_properties {
+    /// 2 or 3
+    pub dimension: i32,
+    /// 0
+    pub reserved: i32,
+    /// nodes
+    pub node_count: i64,
+    /// cells
+    pub cell_count: i64,
+    /// faces (2D: edges) that belong to one cell only
+    pub surface_face_count: i64,
+    /// of all cells, m3; in 2D area, m2
+    pub volume: f64,
+}
+const _: () = assert!(std::mem::size_of::<hs_mesh_properties>() == 40);
+
+/// Settings of a body. Fill it with hs_body_def_init().
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct hs_body_def {
+    /// set by hs_body_def_init()
+    pub struct_size: u32,
+    /// index of a material with elasticity, see hs_world_set_elasticity(); default 0
+    pub material: i32,
+    /// pose of the frame of the mesh; default: identity
+    pub pose: hs_pose,
+    /// of all nodes, m/s; default 0
+    pub velocity: [f64; 3],
+}
+const _: () = assert!(std::mem::size_of::<hs_body_def>() == 88);
+
+/// Motion and energy of a body. Later versions may append to it.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct hs_body_state {
+    /// nodes
+    pub node_count: i64,
+    /// cells, including removed ones
+    pub cell_count: i64,
+    /// kg, in 2D per unit thickness
+    pub mass: f64,
+    /// center of mass, m
+    pub centroid: [f64; 3],
+    /// of all nodes, kg m/s
+    pub momentum: [f64; 3],
+    /// of all nodes, J
+    pub kinetic_energy: f64,
+    /// of all cells, J
+    pub strain_energy: f64,
+}
+const _: () = assert!(std::mem::size_of::<hs_body_state>() == 88);
+
+/// Mean strain and stress of a cell.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct hs_cell_state {
+    /// Green strain relative to the cell as it was added to the world
+    pub strain: [f64; 9],
+    /// elastic Cauchy stress, in space, Pa, tension > 0
+    pub stress: [f64; 9],
+    /// J, in 2D per unit thickness; including the bending modes
+    pub strain_energy: f64,
+}
+const _: () = assert!(std::mem::size_of::<hs_cell_state>() == 152);
+
+/// Settings of an action. Fill it with hs_action_def_init().
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct hs_action_def {
+    /// set by hs_action_def_init()
+    pub struct_size: u32,
+    /// an HS_ACTION_ value; default HS_ACTION_FORCE
+    pub kind: i32,
+    /// index from hs_world_add_table(); default 0
+    pub table: i32,
+    /// HS_ACTION_FORCE: an HS_PLACE_ value; default HS_PLACE_CENTROID
+    pub place: i32,
+    /// time of the world at time 0 of the table, s; default 0
+    pub start: f64,
+    /// factor of each component; a motion does not change components of scale 0; a servo presses along the
+    /// scale as a vector; default 1, 1, 1. Nodes have their own
+    pub scale: [f64; 3],
+    /// of HS_PLACE_CARRIED (where it is now) and HS_PLACE_FIXED, m; default 0
+    pub point: [f64; 3],
+    /// of a servo, m/s, > 0
+    pub max_speed: f64,
+}
+const _: () = assert!(std::mem::size_of::<hs_action_def>() == 80);
+
 /// Elasticity of a material. Fill it with hs_elasticity_def_init().
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
@@ -906,74 +1025,6 @@ pub struct hs_impact {
     pub point: [f64; 3],
 }
 const _: () = assert!(std::mem::size_of::<hs_impact>() == 80);
-
-/// Summary of a mesh. Later versions may append to it.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default)]
-pub struct hs_mesh_properties {
-    /// 2 or 3
-    pub dimension: i32,
-    /// 0
-    pub reserved: i32,
-    /// nodes
-    pub node_count: i64,
-    /// cells
-    pub cell_count: i64,
-    /// faces (2D: edges) that belong to one cell only
-    pub surface_face_count: i64,
-    /// of all cells, m3; in 2D area, m2
-    pub volume: f64,
-}
-const _: () = assert!(std::mem::size_of::<hs_mesh_properties>() == 40);
-
-/// Settings of a body. Fill it with hs_body_def_init().
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default)]
-pub struct hs_body_def {
-    /// set by hs_body_def_init()
-    pub struct_size: u32,
-    /// index of a material with elasticity, see hs_world_set_elasticity(); default 0
-    pub material: i32,
-    /// pose of the frame of the mesh; default: identity
-    pub pose: hs_pose,
-    /// of all nodes, m/s; default 0
-    pub velocity: [f64; 3],
-}
-const _: () = assert!(std::mem::size_of::<hs_body_def>() == 88);
-
-/// Motion and energy of a body. Later versions may append to it.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default)]
-pub struct hs_body_state {
-    /// nodes
-    pub node_count: i64,
-    /// cells, including removed ones
-    pub cell_count: i64,
-    /// kg, in 2D per unit thickness
-    pub mass: f64,
-    /// center of mass, m
-    pub centroid: [f64; 3],
-    /// of all nodes, kg m/s
-    pub momentum: [f64; 3],
-    /// of all nodes, J
-    pub kinetic_energy: f64,
-    /// of all cells, J
-    pub strain_energy: f64,
-}
-const _: () = assert!(std::mem::size_of::<hs_body_state>() == 88);
-
-/// Mean strain and stress of a cell.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default)]
-pub struct hs_cell_state {
-    /// Green strain relative to the cell as it was added to the world
-    pub strain: [f64; 9],
-    /// elastic Cauchy stress, in space, Pa, tension > 0
-    pub stress: [f64; 9],
-    /// J, in 2D per unit thickness; including the bending modes
-    pub strain_energy: f64,
-}
-const _: () = assert!(std::mem::size_of::<hs_cell_state>() == 152);
 
 /// Cached state of a pair between calls: the last violated potential contact pair if separated, the initial
 /// contact pair (Wang et al. 2021, section 2.5) if in contact. All zero is an empty cache. It may be copied,
@@ -1890,230 +1941,6 @@ extern "C" {
         world: *mut *mut hs_world,
     ) -> hs_status;
 
-    /// Fills an elasticity with its defaults.
-    ///
-    /// - `def`: to fill
-    /// - `size`: sizeof(hs_elasticity_def) as the caller was compiled
-    ///
-    /// Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
-    pub fn hs_elasticity_def_init(def: *mut hs_elasticity_def, size: usize) -> hs_status;
-
-    /// Sets the elasticity of a material. Affine blocks and meshes use it. Existing blocks keep their strain.
-    ///
-    /// - `world`, `elasticity`: not NULL
-    /// - `material`: index
-    ///
-    /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
-    pub fn hs_world_set_elasticity(
-        world: *mut hs_world,
-        material: i32,
-        elasticity: *const hs_elasticity_def,
-    ) -> hs_status;
-
-    /// Returns deformation and stress of a block of any kind.
-    ///
-    /// - `world`: not NULL
-    /// - `block`: id
-    /// - `deformation`: receives it
-    ///
-    /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
-    pub fn hs_world_get_deformation(
-        world: *const hs_world,
-        block: hs_block,
-        deformation: *mut hs_deformation,
-    ) -> hs_status;
-
-    /// Bulk: deformation and stress of all blocks, in the order of hs_world_get_blocks().
-    ///
-    /// - `world`: not NULL
-    /// - `deformations`: receives them; may be NULL if capacity is 0
-    /// - `capacity`: in deformations
-    /// - `count`: receives the number of blocks; may be NULL
-    ///
-    /// Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
-    pub fn hs_world_get_deformations(
-        world: *const hs_world,
-        deformations: *mut hs_deformation,
-        capacity: i64,
-        count: *mut i64,
-    ) -> hs_status;
-
-    /// Sets the deformation gradient of an affine block and its rate. Centroid and velocity do not change.
-    ///
-    /// - `world`: not NULL
-    /// - `block`: id
-    /// - `gradient`: 9 values, max 1e75, with a determinant > 0; the entries of its inverse at most 1e75, and
-    ///   its norm times that of the inverse at most 2^40: a flatter block would be flat to rounding
-    /// - `rate`: time derivative of the gradient, 9 values, max 1e75, 1/s
-    ///
-    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine
-    pub fn hs_world_set_deformation(
-        world: *mut hs_world,
-        block: hs_block,
-        gradient: *const [f64; 9],
-        rate: *const [f64; 9],
-    ) -> hs_status;
-
-    /// Sets the current stress of an affine block, e.g. the in situ stress. Later strain adds to it.
-    ///
-    /// - `world`: not NULL
-    /// - `block`: id
-    /// - `stress`: Cauchy stress, 9 values, symmetric, max 1e75, Pa, tension > 0
-    ///
-    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine
-    pub fn hs_world_set_stress(
-        world: *mut hs_world,
-        block: hs_block,
-        stress: *const [f64; 9],
-    ) -> hs_status;
-
-    /// Adds a permanent load on one face of an affine block. Its direction does not change as the block
-    /// moves, nor its magnitude as the face is strained.
-    ///
-    /// - `world`: not NULL
-    /// - `block`: id
-    /// - `face`: index; in 2D of the edge that starts at the vertex of that index
-    /// - `traction`: force per area of the face as it was given, 3 values, Pa
-    ///
-    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine
-    pub fn hs_world_add_surface_load(
-        world: *mut hs_world,
-        block: hs_block,
-        face: i32,
-        traction: *const [f64; 3],
-    ) -> hs_status;
-
-    /// Removes all surface loads of an affine block.
-    ///
-    /// - `world`: not NULL
-    /// - `block`: id
-    ///
-    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine
-    pub fn hs_world_clear_surface_loads(world: *mut hs_world, block: hs_block) -> hs_status;
-
-    /// Fills a bond definition with its defaults.
-    ///
-    /// - `def`: to fill
-    /// - `size`: sizeof(hs_bond_def) as the caller was compiled
-    ///
-    /// Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
-    pub fn hs_bond_def_init(def: *mut hs_bond_def, size: usize) -> hs_status;
-
-    /// Bonds two blocks along their common faces in their current positions: every pair of faces that is
-    /// coplanar to rounding.
-    ///
-    /// - `world`, `def`: not NULL
-    /// - `block_a`, `block_b`: two different blocks of any kind
-    ///
-    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, HS_ERROR_OUT_OF_MEMORY, or HS_ERROR_STATE if they
-    /// have no common face, are bonded already, or neither moves
-    pub fn hs_world_bond_blocks(
-        world: *mut hs_world,
-        block_a: hs_block,
-        block_b: hs_block,
-        def: *const hs_bond_def,
-    ) -> hs_status;
-
-    /// Bonds all pairs of blocks of two materials along their common faces. Existing bonds do not change.
-    ///
-    /// - `world`, `def`: not NULL
-    /// - `material_a`, `material_b`: indices, may be the same
-    /// - `count`: receives the number of bonds made; may be NULL
-    ///
-    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID or HS_ERROR_OUT_OF_MEMORY
-    pub fn hs_world_bond_materials(
-        world: *mut hs_world,
-        material_a: i32,
-        material_b: i32,
-        def: *const hs_bond_def,
-        count: *mut i64,
-    ) -> hs_status;
-
-    /// Suspends or resumes the failure of all bonds, e.g. while a world settles.
-    ///
-    /// - `world`: not NULL
-    /// - `are_held`: 1: no bond can fail; 0: bonds can fail
-    ///
-    /// Returns HS_OK or HS_ERROR_ARGUMENT
-    pub fn hs_world_hold_bonds(world: *mut hs_world, are_held: i32) -> hs_status;
-
-    /// Bulk: all bonds made so far, in their order of creation.
-    ///
-    /// - `world`: not NULL
-    /// - `bonds`: receives them; may be NULL if capacity is 0
-    /// - `capacity`: in bonds
-    /// - `count`: receives the number of bonds; may be NULL
-    ///
-    /// Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
-    pub fn hs_world_get_bonds(
-        world: *const hs_world,
-        bonds: *mut hs_bond,
-        capacity: i64,
-        count: *mut i64,
-    ) -> hs_status;
-
-    /// Bulk: all failures of bond points so far, in order of time.
-    ///
-    /// - `world`: not NULL
-    /// - `first`: index of the first event to return, >= 0
-    /// - `events`: receives them; may be NULL if capacity is 0
-    /// - `capacity`: in events
-    /// - `count`: receives the number of events from the first one on; may be NULL
-    ///
-    /// Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
-    pub fn hs_world_get_bond_events(
-        world: *const hs_world,
-        first: i64,
-        events: *mut hs_bond_event,
-        capacity: i64,
-        count: *mut i64,
-    ) -> hs_status;
-
-    /// Returns a summary of all bonds, as of the last step.
-    ///
-    /// - `world`: not NULL
-    /// - `report`: receives it
-    /// - `size`: sizeof(hs_bond_report) as the caller was compiled
-    ///
-    /// Returns HS_OK or HS_ERROR_ARGUMENT
-    pub fn hs_world_get_bond_report(
-        world: *const hs_world,
-        report: *mut hs_bond_report,
-        size: usize,
-    ) -> hs_status;
-
-    /// Fills a motion with its defaults: at rest at the origin, without rotation.
-    ///
-    /// - `def`: to fill
-    /// - `size`: sizeof(hs_motion_def) as the caller was compiled
-    ///
-    /// Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
-    pub fn hs_motion_def_init(def: *mut hs_motion_def, size: usize) -> hs_status;
-
-    /// Computes the time of impact of two moving shapes by conservative advancement (Mirtich 1996).
-    ///
-    /// The shapes are separated at all times before the reported one, whatever their speed, thickness or
-    /// number of revolutions. The reported time may be early by rounding only: the gap is then at most about
-    /// 1e-12 of (size + distance + relative displacement) times (1 + angle of rotation). Shapes that come
-    /// that close without touching may be reported as touching. After hundreds of revolutions of grazing
-    /// shapes the search may stop early, with a larger `gap`; it is never late.
-    ///
-    /// - `shape_a`, `shape_b`: the shapes, of the same dimension; may be the same shape
-    /// - `motion_a`, `motion_b`: their motions
-    /// - `duration`: s, finite, >= 0
-    /// - `impact`: receives time, place and normal of the first touch
-    ///
-    /// Returns HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY (shapes of many vertices). Thread rule: as
-    /// for hs_pair_detect().
-    pub fn hs_pair_time_of_impact(
-        shape_a: *const hs_shape,
-        motion_a: *const hs_motion_def,
-        shape_b: *const hs_shape,
-        motion_b: *const hs_motion_def,
-        duration: f64,
-        impact: *mut hs_impact,
-    ) -> hs_status;
-
     /// Creates a mesh. The arguments are copied.
     ///
     /// - `context`: allocates the mesh and keeps error texts
@@ -2371,6 +2198,328 @@ extern "C" {
         block: hs_block,
         body: *mut hs_body,
         cell: *mut i32,
+    ) -> hs_status;
+
+    /// Fills an action definition with its defaults.
+    ///
+    /// - `def`: to fill
+    /// - `size`: sizeof(hs_action_def) as the caller was compiled
+    ///
+    /// Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
+    pub fn hs_action_def_init(def: *mut hs_action_def, size: usize) -> hs_status;
+
+    /// Adds a table. Before its first and after its last time it is constant.
+    ///
+    /// - `world`: not NULL
+    /// - `times`: one per row, s, in ascending order; two equal ones are a jump
+    /// - `values`: one per row; without z, z is 0
+    /// - `table`: receives its index
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
+    pub fn hs_world_add_table(
+        world: *mut hs_world,
+        times: *const f64,
+        values: hs_view,
+        table: *mut i32,
+    ) -> hs_status;
+
+    /// Adds an action on a block.
+    ///
+    /// - `world`, `def`: not NULL
+    /// - `block`: id, or 0: all blocks that move freely, only HS_ACTION_ACCELERATION
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID (block or table), HS_ERROR_OUT_OF_MEMORY, or
+    /// HS_ERROR_STATE for a kind of block that cannot follow it
+    pub fn hs_world_add_action(
+        world: *mut hs_world,
+        block: hs_block,
+        def: *const hs_action_def,
+    ) -> hs_status;
+
+    /// Ends all actions on a block. A prescribed block keeps its last velocity.
+    ///
+    /// - `world`: not NULL
+    /// - `block`: id, or 0: ends those on all blocks
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    pub fn hs_world_end_actions(world: *mut hs_world, block: hs_block) -> hs_status;
+
+    /// Adds an action on nodes of a body, e.g. a traction: each node with a share of the area as scale.
+    ///
+    /// - `world`: not NULL
+    /// - `body`: id
+    /// - `nodes`: indices of nodes
+    /// - `scales`: factor of each component, one per node: its count is the number of nodes
+    /// - `def`: HS_ACTION_FORCE, HS_ACTION_VELOCITY or HS_ACTION_ACCELERATION; its scale is ignored. Motions
+    ///   need axes held by hs_world_hold_nodes()
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID or HS_ERROR_OUT_OF_MEMORY
+    pub fn hs_world_add_node_action(
+        world: *mut hs_world,
+        body: hs_body,
+        nodes: *const i32,
+        scales: hs_view,
+        def: *const hs_action_def,
+    ) -> hs_status;
+
+    /// Ends all actions on the nodes of a body. Held nodes keep their last velocity.
+    ///
+    /// - `world`: not NULL
+    /// - `body`: id
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    pub fn hs_world_end_node_actions(world: *mut hs_world, body: hs_body) -> hs_status;
+
+    /// Holds axes of a rigid block: the velocity along them stays, whatever the forces; a block whose
+    /// rotation is held does not rotate. Contacts of laws without springs are points then, without
+    /// restitution.
+    ///
+    /// - `world`: not NULL
+    /// - `block`: id of a rigid block
+    /// - `axes`: sum of HS_AXIS_ values, or 0: frees it
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE for other kinds
+    pub fn hs_world_hold_block(world: *mut hs_world, block: hs_block, axes: i32) -> hs_status;
+
+    /// Bulk: sets the velocities of prescribed blocks between steps. Contacts and forces are kept, so it may
+    /// be called at each step.
+    ///
+    /// - `world`: not NULL
+    /// - `blocks`: ids of prescribed blocks
+    /// - `velocities`: of the centroids, m/s: its count is the number of blocks
+    /// - `angular_velocities`: rad/s; 2D uses z; a view with count 0 keeps the current ones
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE for other kinds (no velocity
+    /// has changed)
+    pub fn hs_world_prescribe_velocities(
+        world: *mut hs_world,
+        blocks: *const hs_block,
+        velocities: hs_view,
+        angular_velocities: hs_view,
+    ) -> hs_status;
+
+    /// Fills an elasticity with its defaults.
+    ///
+    /// - `def`: to fill
+    /// - `size`: sizeof(hs_elasticity_def) as the caller was compiled
+    ///
+    /// Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
+    pub fn hs_elasticity_def_init(def: *mut hs_elasticity_def, size: usize) -> hs_status;
+
+    /// Sets the elasticity of a material. Affine blocks and meshes use it. Existing blocks keep their strain.
+    ///
+    /// - `world`, `elasticity`: not NULL
+    /// - `material`: index
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    pub fn hs_world_set_elasticity(
+        world: *mut hs_world,
+        material: i32,
+        elasticity: *const hs_elasticity_def,
+    ) -> hs_status;
+
+    /// Returns deformation and stress of a block of any kind.
+    ///
+    /// - `world`: not NULL
+    /// - `block`: id
+    /// - `deformation`: receives it
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    pub fn hs_world_get_deformation(
+        world: *const hs_world,
+        block: hs_block,
+        deformation: *mut hs_deformation,
+    ) -> hs_status;
+
+    /// Bulk: deformation and stress of all blocks, in the order of hs_world_get_blocks().
+    ///
+    /// - `world`: not NULL
+    /// - `deformations`: receives them; may be NULL if capacity is 0
+    /// - `capacity`: in deformations
+    /// - `count`: receives the number of blocks; may be NULL
+    ///
+    /// Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
+    pub fn hs_world_get_deformations(
+        world: *const hs_world,
+        deformations: *mut hs_deformation,
+        capacity: i64,
+        count: *mut i64,
+    ) -> hs_status;
+
+    /// Sets the deformation gradient of an affine block and its rate. Centroid and velocity do not change.
+    ///
+    /// - `world`: not NULL
+    /// - `block`: id
+    /// - `gradient`: 9 values, max 1e75, with a determinant > 0; the entries of its inverse at most 1e75, and
+    ///   its norm times that of the inverse at most 2^40: a flatter block would be flat to rounding
+    /// - `rate`: time derivative of the gradient, 9 values, max 1e75, 1/s
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine
+    pub fn hs_world_set_deformation(
+        world: *mut hs_world,
+        block: hs_block,
+        gradient: *const [f64; 9],
+        rate: *const [f64; 9],
+    ) -> hs_status;
+
+    /// Sets the current stress of an affine block, e.g. the in situ stress. Later strain adds to it.
+    ///
+    /// - `world`: not NULL
+    /// - `block`: id
+    /// - `stress`: Cauchy stress, 9 values, symmetric, max 1e75, Pa, tension > 0
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine
+    pub fn hs_world_set_stress(
+        world: *mut hs_world,
+        block: hs_block,
+        stress: *const [f64; 9],
+    ) -> hs_status;
+
+    /// Adds a permanent load on one face of an affine block. Its direction does not change as the block
+    /// moves, nor its magnitude as the face is strained.
+    ///
+    /// - `world`: not NULL
+    /// - `block`: id
+    /// - `face`: index; in 2D of the edge that starts at the vertex of that index
+    /// - `traction`: force per area of the face as it was given, 3 values, Pa
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine
+    pub fn hs_world_add_surface_load(
+        world: *mut hs_world,
+        block: hs_block,
+        face: i32,
+        traction: *const [f64; 3],
+    ) -> hs_status;
+
+    /// Removes all surface loads of an affine block.
+    ///
+    /// - `world`: not NULL
+    /// - `block`: id
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine
+    pub fn hs_world_clear_surface_loads(world: *mut hs_world, block: hs_block) -> hs_status;
+
+    /// Fills a bond definition with its defaults.
+    ///
+    /// - `def`: to fill
+    /// - `size`: sizeof(hs_bond_def) as the caller was compiled
+    ///
+    /// Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
+    pub fn hs_bond_def_init(def: *mut hs_bond_def, size: usize) -> hs_status;
+
+    /// Bonds two blocks along their common faces in their current positions: every pair of faces that is
+    /// coplanar to rounding.
+    ///
+    /// - `world`, `def`: not NULL
+    /// - `block_a`, `block_b`: two different blocks of any kind
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, HS_ERROR_OUT_OF_MEMORY, or HS_ERROR_STATE if they
+    /// have no common face, are bonded already, or neither moves
+    pub fn hs_world_bond_blocks(
+        world: *mut hs_world,
+        block_a: hs_block,
+        block_b: hs_block,
+        def: *const hs_bond_def,
+    ) -> hs_status;
+
+    /// Bonds all pairs of blocks of two materials along their common faces. Existing bonds do not change.
+    ///
+    /// - `world`, `def`: not NULL
+    /// - `material_a`, `material_b`: indices, may be the same
+    /// - `count`: receives the number of bonds made; may be NULL
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID or HS_ERROR_OUT_OF_MEMORY
+    pub fn hs_world_bond_materials(
+        world: *mut hs_world,
+        material_a: i32,
+        material_b: i32,
+        def: *const hs_bond_def,
+        count: *mut i64,
+    ) -> hs_status;
+
+    /// Suspends or resumes the failure of all bonds, e.g. while a world settles.
+    ///
+    /// - `world`: not NULL
+    /// - `are_held`: 1: no bond can fail; 0: bonds can fail
+    ///
+    /// Returns HS_OK or HS_ERROR_ARGUMENT
+    pub fn hs_world_hold_bonds(world: *mut hs_world, are_held: i32) -> hs_status;
+
+    /// Bulk: all bonds made so far, in their order of creation.
+    ///
+    /// - `world`: not NULL
+    /// - `bonds`: receives them; may be NULL if capacity is 0
+    /// - `capacity`: in bonds
+    /// - `count`: receives the number of bonds; may be NULL
+    ///
+    /// Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
+    pub fn hs_world_get_bonds(
+        world: *const hs_world,
+        bonds: *mut hs_bond,
+        capacity: i64,
+        count: *mut i64,
+    ) -> hs_status;
+
+    /// Bulk: all failures of bond points so far, in order of time.
+    ///
+    /// - `world`: not NULL
+    /// - `first`: index of the first event to return, >= 0
+    /// - `events`: receives them; may be NULL if capacity is 0
+    /// - `capacity`: in events
+    /// - `count`: receives the number of events from the first one on; may be NULL
+    ///
+    /// Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
+    pub fn hs_world_get_bond_events(
+        world: *const hs_world,
+        first: i64,
+        events: *mut hs_bond_event,
+        capacity: i64,
+        count: *mut i64,
+    ) -> hs_status;
+
+    /// Returns a summary of all bonds, as of the last step.
+    ///
+    /// - `world`: not NULL
+    /// - `report`: receives it
+    /// - `size`: sizeof(hs_bond_report) as the caller was compiled
+    ///
+    /// Returns HS_OK or HS_ERROR_ARGUMENT
+    pub fn hs_world_get_bond_report(
+        world: *const hs_world,
+        report: *mut hs_bond_report,
+        size: usize,
+    ) -> hs_status;
+
+    /// Fills a motion with its defaults: at rest at the origin, without rotation.
+    ///
+    /// - `def`: to fill
+    /// - `size`: sizeof(hs_motion_def) as the caller was compiled
+    ///
+    /// Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
+    pub fn hs_motion_def_init(def: *mut hs_motion_def, size: usize) -> hs_status;
+
+    /// Computes the time of impact of two moving shapes by conservative advancement (Mirtich 1996).
+    ///
+    /// The shapes are separated at all times before the reported one, whatever their speed, thickness or
+    /// number of revolutions. The reported time may be early by rounding only: the gap is then at most about
+    /// 1e-12 of (size + distance + relative displacement) times (1 + angle of rotation). Shapes that come
+    /// that close without touching may be reported as touching. After hundreds of revolutions of grazing
+    /// shapes the search may stop early, with a larger `gap`; it is never late.
+    ///
+    /// - `shape_a`, `shape_b`: the shapes, of the same dimension; may be the same shape
+    /// - `motion_a`, `motion_b`: their motions
+    /// - `duration`: s, finite, >= 0
+    /// - `impact`: receives time, place and normal of the first touch
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY (shapes of many vertices). Thread rule: as
+    /// for hs_pair_detect().
+    pub fn hs_pair_time_of_impact(
+        shape_a: *const hs_shape,
+        motion_a: *const hs_motion_def,
+        shape_b: *const hs_shape,
+        motion_b: *const hs_motion_def,
+        duration: f64,
+        impact: *mut hs_impact,
     ) -> hs_status;
 
     /// Fills detection options with their defaults.

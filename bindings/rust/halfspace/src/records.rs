@@ -370,6 +370,85 @@ impl From<sys::hs_world_report> for Report {
     }
 }
 
+/// Summary of a mesh. Later versions may append to it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct MeshProperties {
+    /// 2 or 3
+    pub dimension: usize,
+    /// nodes
+    pub node_count: usize,
+    /// cells
+    pub cell_count: usize,
+    /// faces (2D: edges) that belong to one cell only
+    pub surface_face_count: usize,
+    /// of all cells, m3; in 2D area, m2
+    pub volume: f64,
+}
+
+impl From<sys::hs_mesh_properties> for MeshProperties {
+    fn from(raw: sys::hs_mesh_properties) -> Self {
+        Self {
+            dimension: raw.dimension as usize,
+            node_count: raw.node_count as usize,
+            cell_count: raw.cell_count as usize,
+            surface_face_count: raw.surface_face_count as usize,
+            volume: raw.volume,
+        }
+    }
+}
+
+/// Motion and energy of a body. Later versions may append to it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct BodyState {
+    /// nodes
+    pub node_count: usize,
+    /// cells, including removed ones
+    pub cell_count: usize,
+    /// kg, in 2D per unit thickness
+    pub mass: f64,
+    /// center of mass, m
+    pub centroid: [f64; 3],
+    /// of all nodes, kg m/s
+    pub momentum: [f64; 3],
+    /// of all nodes, J
+    pub kinetic_energy: f64,
+    /// of all cells, J
+    pub strain_energy: f64,
+}
+
+impl From<sys::hs_body_state> for BodyState {
+    fn from(raw: sys::hs_body_state) -> Self {
+        Self {
+            node_count: raw.node_count as usize,
+            cell_count: raw.cell_count as usize,
+            mass: raw.mass,
+            centroid: raw.centroid,
+            momentum: raw.momentum,
+            kinetic_energy: raw.kinetic_energy,
+            strain_energy: raw.strain_energy,
+        }
+    }
+}
+
+/// Mean strain and stress of a cell.
+///
+/// The memory is that of the C interface, so slices of it are written without a copy.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
+pub struct CellState {
+    /// Green strain relative to the cell as it was added to the world
+    pub strain: Tensor,
+    /// elastic Cauchy stress, in space, Pa, tension > 0
+    pub stress: Tensor,
+    /// J, in 2D per unit thickness; including the bending modes
+    pub strain_energy: f64,
+}
+
+const _: () = assert!(size_of::<CellState>() == size_of::<sys::hs_cell_state>());
+const _: () = assert!(align_of::<CellState>() == align_of::<sys::hs_cell_state>());
+
 /// Deformation and stress of a block.
 ///
 /// The memory is that of the C interface, so slices of it are written without a copy.
@@ -537,85 +616,6 @@ impl Impact {
         self.raw.point
     }
 }
-
-/// Summary of a mesh. Later versions may append to it.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[non_exhaustive]
-pub struct MeshProperties {
-    /// 2 or 3
-    pub dimension: usize,
-    /// nodes
-    pub node_count: usize,
-    /// cells
-    pub cell_count: usize,
-    /// faces (2D: edges) that belong to one cell only
-    pub surface_face_count: usize,
-    /// of all cells, m3; in 2D area, m2
-    pub volume: f64,
-}
-
-impl From<sys::hs_mesh_properties> for MeshProperties {
-    fn from(raw: sys::hs_mesh_properties) -> Self {
-        Self {
-            dimension: raw.dimension as usize,
-            node_count: raw.node_count as usize,
-            cell_count: raw.cell_count as usize,
-            surface_face_count: raw.surface_face_count as usize,
-            volume: raw.volume,
-        }
-    }
-}
-
-/// Motion and energy of a body. Later versions may append to it.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[non_exhaustive]
-pub struct BodyState {
-    /// nodes
-    pub node_count: usize,
-    /// cells, including removed ones
-    pub cell_count: usize,
-    /// kg, in 2D per unit thickness
-    pub mass: f64,
-    /// center of mass, m
-    pub centroid: [f64; 3],
-    /// of all nodes, kg m/s
-    pub momentum: [f64; 3],
-    /// of all nodes, J
-    pub kinetic_energy: f64,
-    /// of all cells, J
-    pub strain_energy: f64,
-}
-
-impl From<sys::hs_body_state> for BodyState {
-    fn from(raw: sys::hs_body_state) -> Self {
-        Self {
-            node_count: raw.node_count as usize,
-            cell_count: raw.cell_count as usize,
-            mass: raw.mass,
-            centroid: raw.centroid,
-            momentum: raw.momentum,
-            kinetic_energy: raw.kinetic_energy,
-            strain_energy: raw.strain_energy,
-        }
-    }
-}
-
-/// Mean strain and stress of a cell.
-///
-/// The memory is that of the C interface, so slices of it are written without a copy.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[repr(C)]
-pub struct CellState {
-    /// Green strain relative to the cell as it was added to the world
-    pub strain: Tensor,
-    /// elastic Cauchy stress, in space, Pa, tension > 0
-    pub stress: Tensor,
-    /// J, in 2D per unit thickness; including the bending modes
-    pub strain_energy: f64,
-}
-
-const _: () = assert!(size_of::<CellState>() == size_of::<sys::hs_cell_state>());
-const _: () = assert!(align_of::<CellState>() == align_of::<sys::hs_cell_state>());
 
 /// Plan of a world. Later versions may append to it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -1,0 +1,292 @@
+#include "world/loads/actions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace halfspace {
+namespace {
+
+/// A servo closes this fraction of the difference of its force per step, as seen from the stiffness of its
+/// contacts (Cundall 1988).
+constexpr double servo_fraction = 0.5;
+
+template <int D>
+Vector<D> in(const Vector<3>& components) {
+  return components.template head<D>();
+}
+
+template <int D>
+Angular<D> angular_in(const Vector<3>& components) {
+  return components.template tail < D == 2 ? 1 : 3 > ();
+}
+
+/// Gives the components whose scale is not 0.
+template <class Velocity>
+void give(GivenVelocity<Velocity>& given, const Velocity& scale, const Velocity& start, const Velocity& mean,
+          const Velocity& end) {
+  given = {0, start, mean, end};
+  for (Eigen::Index k = 0; k < scale.size(); ++k) {
+    if (scale[k] != 0) given.components |= std::uint8_t(1 << k);
+  }
+}
+
+/// Mean and end of a velocity: those of its table, or those that follow from an acceleration.
+template <class Velocity>
+void give_by_table(GivenVelocity<Velocity>& given, bool is_acceleration, const Velocity& scale,
+                   const Velocity& start, const Velocity& once, const Velocity& twice, const Velocity& last,
+                   double duration) {
+  if (is_acceleration) {
+    give(given, scale, start, Velocity(start + scale.cwiseProduct(twice) / duration),
+         Velocity(start + scale.cwiseProduct(once)));
+  } else {
+    give(given, scale, start, Velocity(scale.cwiseProduct(once) / duration),
+         Velocity(scale.cwiseProduct(last)));
+  }
+}
+
+bool is_same_motion(ActionKind a, ActionKind b) {
+  return !is_load(a) && !is_load(b) && is_angular(a) == is_angular(b);
+}
+
+}  // namespace
+
+template <int D>
+void Actions<D>::add(const Action<D>& action, const Blocks<D>& blocks) {
+  make_room_for_one(actions_);
+  reserve(0, blocks);
+  const auto replaced = std::find_if(actions_.begin(), actions_.end(), [&](const Action<D>& known) {
+    return known.slot == action.slot && is_same_motion(known.kind, action.kind);
+  });
+  if (replaced != actions_.end()) {
+    *replaced = action;
+  } else {
+    actions_.push_back(action);
+  }
+  renew(blocks);
+}
+
+template <int D>
+void Actions<D>::add(NodeAction action, std::span<const std::int32_t> nodes,
+                     std::span<const Vector<D>> scales, const Blocks<D>& blocks) {
+  make_room_for_one(node_actions_);
+  nodes_.reserve(nodes_.size() + nodes.size());
+  scales_.reserve(nodes_.size() + nodes.size());
+  reserve(nodes.size(), blocks);
+  nodes_.insert(nodes_.end(), nodes.begin(), nodes.end());
+  scales_.insert(scales_.end(), scales.begin(), scales.end());
+  action.end = std::int64_t(nodes_.size());
+  node_actions_.push_back(action);
+  renew(blocks);
+}
+
+template <int D>
+void Actions<D>::end_on_block(std::int32_t slot, const Blocks<D>& blocks) {
+  std::erase_if(actions_, [&](const Action<D>& action) { return action.slot == slot; });
+  renew(blocks);
+}
+
+template <int D>
+void Actions<D>::end_on_nodes(std::int32_t body, const Blocks<D>& blocks) {
+  std::int64_t first = 0, kept = 0;
+  for (NodeAction& action : node_actions_) {
+    const std::int64_t begin = std::exchange(first, action.end);
+    if (action.body == body) continue;
+    std::copy(nodes_.begin() + begin, nodes_.begin() + action.end, nodes_.begin() + kept);
+    std::copy(scales_.begin() + begin, scales_.begin() + action.end, scales_.begin() + kept);
+    kept += action.end - begin;
+    action.end = kept;
+  }
+  std::erase_if(node_actions_, [&](const NodeAction& action) { return action.body == body; });
+  nodes_.resize(std::size_t(kept));
+  scales_.resize(std::size_t(kept));
+  renew(blocks);
+}
+
+template <int D>
+void Actions<D>::reserve(std::size_t more_nodes, const Blocks<D>& blocks) {
+  means_.reserve(actions_.size() + node_actions_.size() + 1);
+  targets_.reserve(actions_.size() + 1);
+  target_of_.reserve(blocks.slot_count());
+  node_velocities_.reserve(nodes_.size() + more_nodes);
+  node_loads_.reserve(blocks.meshes().node_count());
+}
+
+/// Finds the loads of the last motion again.
+template <int D>
+void Actions<D>::renew(const Blocks<D>& blocks) {
+  reserve(0, blocks);
+  accelerates_all_ = false;
+  targets_.clear();
+  for (const Action<D>& action : actions_) {
+    accelerates_all_ |= action.slot < 0;
+    if (action.slot >= 0) targets_.push_back({.slot = action.slot});
+  }
+  const auto is_before = [](const Target& a, const Target& b) { return a.slot < b.slot; };
+  const auto is_same = [](const Target& a, const Target& b) { return a.slot == b.slot; };
+  std::sort(targets_.begin(), targets_.end(), is_before);
+  targets_.erase(std::unique(targets_.begin(), targets_.end(), is_same), targets_.end());
+  target_of_.assign(targets_.empty() ? 0 : blocks.slot_count(), -1);
+  for (std::size_t t = 0; t < targets_.size(); ++t)
+    target_of_[std::size_t(targets_[t].slot)] = std::int32_t(t);
+  for (const Action<D>& action : actions_) {
+    if (action.slot < 0) continue;
+    Target& target = targets_[std::size_t(target_of_[std::size_t(action.slot)])];
+    target.is_loaded |= is_load(action.kind);
+    target.is_servo |= action.kind == ActionKind::servo;
+  }
+  const auto loads = [](const NodeAction& action) { return is_load(action.kind); };
+  node_velocities_.assign(nodes_.size(), {});
+  const bool loads_nodes = std::any_of(node_actions_.begin(), node_actions_.end(), loads);
+  node_loads_.assign(loads_nodes ? blocks.meshes().node_count() : 0, Vector<D>::Zero());
+  if (duration_ > 0) predict(time_, duration_, blocks);
+}
+
+template <int D>
+void Actions<D>::predict(double time, double duration, const Blocks<D>& blocks) {
+  time_ = time;
+  duration_ = duration;
+  means_.clear();
+  acceleration_.setZero();
+  for (const Action<D>& action : actions_) {
+    const double begin = time - action.start;
+    const TableIntegrals integrals = tables_[action.table].integrals(begin, begin + duration);
+    means_.push_back(action.scale.cwiseProduct(integrals.once) / duration);
+    if (action.slot < 0) {
+      acceleration_ += in<D>(means_.back());
+    } else if (!is_load(action.kind)) {
+      Target& target = targets_[std::size_t(target_of_[std::size_t(action.slot)])];
+      action.kind == ActionKind::servo ? control_force(action, means_.back(), blocks, target)
+                                       : give_velocity(action, integrals, blocks, target);
+    }
+  }
+  std::fill(node_loads_.begin(), node_loads_.end(), Vector<D>::Zero());
+  std::size_t first = 0;
+  for (const NodeAction& action : node_actions_) {
+    const double begin = time - action.start;
+    const TableIntegrals integrals = tables_[action.table].integrals(begin, begin + duration);
+    act_on_nodes(action, first, integrals, blocks.meshes());
+    first = std::size_t(action.end);
+  }
+  place_loads(blocks);
+}
+
+template <int D>
+void Actions<D>::give_velocity(const Action<D>& action, const TableIntegrals& integrals,
+                               const Blocks<D>& blocks, Target& target) const {
+  const std::size_t slot = std::size_t(action.slot);
+  const Vector<3> last = tables_[action.table].at(time_ + duration_ - action.start);
+  if (is_angular(action.kind)) {
+    give_by_table(target.spin, action.kind == ActionKind::angular_acceleration, angular_in<D>(action.scale),
+                  blocks.spin[slot], angular_in<D>(integrals.once), angular_in<D>(integrals.twice),
+                  angular_in<D>(last), duration_);
+  } else {
+    give_by_table(target.velocity, action.kind == ActionKind::acceleration, in<D>(action.scale),
+                  blocks.velocity[slot], in<D>(integrals.once), in<D>(integrals.twice), in<D>(last),
+                  duration_);
+  }
+  if (blocks.kind[slot] == BlockKind::rigid) target.velocity.components &= blocks.held[slot];
+}
+
+/// The block moves towards its contacts while their force on it is too small, with a velocity that their
+/// springs and dashpots answer with a part of the difference.
+template <int D>
+void Actions<D>::control_force(const Action<D>& action, const Vector<3>& mean, const Blocks<D>& blocks,
+                               Target& target) const {
+  const std::size_t slot = std::size_t(action.slot);
+  const Vector<D> direction = in<D>(action.scale).normalized();
+  const double missing = in<D>(mean).dot(direction) + blocks.force[slot].dot(direction);
+  const double closing = servo_fraction * missing / target.resistance;
+  const double speed = std::clamp(closing, -action.max_speed, action.max_speed);
+  const Vector<D> other = blocks.velocity[slot] - blocks.velocity[slot].dot(direction) * direction;
+  const Vector<D> velocity = other + (std::isfinite(speed) ? speed : 0.0) * direction;
+  give(target.velocity, direction, blocks.velocity[slot], velocity, velocity);
+}
+
+template <int D>
+void Actions<D>::act_on_nodes(const NodeAction& action, std::size_t first, const TableIntegrals& integrals,
+                              const Meshes<D>& meshes) {
+  const Vector<D> once = in<D>(integrals.once), twice = in<D>(integrals.twice);
+  const Vector<D> last = in<D>(tables_[action.table].at(time_ + duration_ - action.start));
+  for (std::size_t entry = first; entry < std::size_t(action.end); ++entry) {
+    const std::size_t node = node_of(action, entry, meshes);
+    if (is_load(action.kind)) {
+      if (meshes.mass[node] > 0) node_loads_[node] += scales_[entry].cwiseProduct(once) / duration_;
+      continue;
+    }
+    GivenVelocity<Vector<D>>& given = node_velocities_[entry];
+    give_by_table(given, action.kind == ActionKind::acceleration, scales_[entry], meshes.velocity[node], once,
+                  twice, last, duration_);
+    given.components &= meshes.held[node];
+  }
+}
+
+template <int D>
+void Actions<D>::place_loads(const Blocks<D>& blocks) {
+  for (Target& target : targets_) {
+    target.force.setZero();
+    target.torque.setZero();
+    target.virial.setZero();
+  }
+  for (std::size_t i = 0; i < actions_.size(); ++i) {
+    const Action<D>& action = actions_[i];
+    if (action.slot < 0 || !is_load(action.kind)) continue;
+    const std::size_t slot = std::size_t(action.slot);
+    Target& target = targets_[std::size_t(target_of_[slot])];
+    if (action.kind == ActionKind::torque) {
+      target.torque += angular_in<D>(means_[i]);
+      continue;
+    }
+    const Vector<D> force = in<D>(means_[i]), point = in<D>(action.point);
+    target.force += force;
+    if (action.place == ForcePlace::centroid) continue;
+    const bool is_carried = action.place == ForcePlace::carried;
+    const Tensor<D> gradient = blocks.gradient(slot);
+    if (blocks.is_affine(slot)) {
+      const Vector<D> own =
+          is_carried ? point : Vector<D>(gradient.inverse() * (point - blocks.position[slot]));
+      target.virial += force * own.transpose();
+    } else {
+      target.torque +=
+          moment(is_carried ? Vector<D>(gradient * point) : Vector<D>(point - blocks.position[slot]), force);
+    }
+  }
+}
+
+template <int D>
+bool Actions<D>::is_consistent(const Blocks<D>& blocks) const {
+  const auto is_kind = [](ActionKind kind) {
+    return kind >= ActionKind::velocity && kind <= ActionKind::servo;
+  };
+  const auto is_valid = [&](const Action<D>& action) {
+    const bool names_block =
+        action.slot == -1 ||
+        (action.slot >= 0 && std::size_t(action.slot) < blocks.slot_count() &&
+         blocks.moves(std::size_t(action.slot)) && !blocks.is_of_mesh(std::size_t(action.slot)));
+    return names_block && is_kind(action.kind) && action.table >= 0 && action.table < tables_.count() &&
+           action.place >= ForcePlace::centroid && action.place <= ForcePlace::fixed &&
+           is_finite(action.start) && is_nonnegative(action.max_speed) && action.scale.allFinite() &&
+           action.point.allFinite();
+  };
+  std::int64_t first = 0;
+  const auto is_valid_on_nodes = [&](const NodeAction& action) {
+    const Array<Body<D>>& bodies = blocks.meshes().bodies();
+    if (action.body < 0 || std::size_t(action.body) >= bodies.size() || action.end < first ||
+        std::size_t(action.end) > nodes_.size() || !is_kind(action.kind) || is_angular(action.kind) ||
+        action.kind >= ActionKind::torque || action.table < 0 || action.table >= tables_.count() ||
+        !is_finite(action.start))
+      return false;
+    const Body<D>& body = bodies[std::size_t(action.body)];
+    return std::all_of(nodes_.begin() + std::exchange(first, action.end), nodes_.begin() + action.end,
+                       [&](std::int32_t node) { return node >= 0 && node < body.node_count; });
+  };
+  return tables_.is_consistent() && all(actions_, is_valid) && all(node_actions_, is_valid_on_nodes) &&
+         std::size_t(first) == nodes_.size() && scales_.size() == nodes_.size() &&
+         all(scales_, [](const Vector<D>& scale) { return scale.allFinite(); }) && is_finite(time_) &&
+         is_nonnegative(duration_);
+}
+
+template class Actions<2>;
+template class Actions<3>;
+
+}  // namespace halfspace

@@ -1,0 +1,182 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "block/blocks.h"
+#include "world/loads/table.h"
+
+namespace halfspace {
+
+/// What a table gives to a block or to nodes. The values are those of the C API.
+enum class ActionKind : std::int32_t {
+  velocity = 0,
+  angular_velocity = 1,
+  acceleration = 2,
+  angular_acceleration = 3,
+  force = 4,
+  torque = 5,
+  servo = 6  // the force on contacts, controlled by the velocity of the block
+};
+
+inline bool is_load(ActionKind kind) { return kind == ActionKind::force || kind == ActionKind::torque; }
+inline bool is_angular(ActionKind kind) {
+  return kind == ActionKind::angular_velocity || kind == ActionKind::angular_acceleration;
+}
+
+/// The place of a force.
+enum class ForcePlace : std::int32_t { centroid = 0, carried = 1, fixed = 2 };
+
+/// A motion or load of one block, or an acceleration of all blocks by a body force.
+template <int D>
+struct Action {
+  std::int32_t slot = -1;  // -1: all blocks
+  ActionKind kind = ActionKind::force;
+  std::int32_t table = 0;
+  ForcePlace place = ForcePlace::centroid;
+  double start = 0;                     // time of the world at time 0 of the table, s
+  double max_speed = 0;                 // of a servo, m/s
+  Vector<3> scale = Vector<3>::Ones();  // a motion leaves components with scale 0 as they are
+  Vector<3> point = Vector<3>::Zero();  // carried: in the frame of the shape; fixed: in space
+};
+
+/// The same for nodes of a body, each with a scale of its own.
+struct NodeAction {
+  std::int32_t body = -1;
+  ActionKind kind = ActionKind::force;
+  std::int32_t table = 0;
+  std::int32_t reserved = 0;
+  double start = 0;
+  std::int64_t end = 0;  // of its entries in the arrays of nodes and scales
+};
+
+/// Components of a velocity that are given for the coming motion of the world.
+template <class Velocity>
+struct GivenVelocity {
+  std::uint8_t components = 0;  // bit k: component k is given
+  Velocity start = Velocity::Zero();
+  Velocity mean = Velocity::Zero();
+  Velocity end = Velocity::Zero();
+
+  bool is_given(Eigen::Index k) const { return (components >> k & 1) != 0; }
+};
+
+/// Motions and loads that follow tables. Over each motion of the world a load is constant, the mean of its
+/// table. So impulses and the displacements of prescribed blocks are exact at any time step.
+template <int D>
+class Actions {
+ public:
+  explicit Actions(Memory* memory)
+      : tables_(memory),
+        actions_(memory),
+        node_actions_(memory),
+        nodes_(memory),
+        scales_(memory),
+        means_(memory),
+        targets_(memory),
+        target_of_(memory),
+        node_velocities_(memory),
+        node_loads_(memory) {}
+
+  bool empty() const { return actions_.empty() && node_actions_.empty(); }
+  const Tables& tables() const { return tables_; }
+  std::int32_t add_table(std::span<const double> times, std::span<const Vector<3>> values) {
+    return tables_.add(times, values);
+  }
+
+  /// Adds a load, or replaces the given motion of a block. If memory runs out, nothing has changed.
+  void add(const Action<D>& action, const Blocks<D>& blocks);
+  void add(NodeAction action, std::span<const std::int32_t> nodes, std::span<const Vector<D>> scales,
+           const Blocks<D>& blocks);
+  /// Ends the actions on a block, or the acceleration of all blocks if the slot is -1.
+  void end_on_block(std::int32_t slot, const Blocks<D>& blocks);
+  void end_on_nodes(std::int32_t body, const Blocks<D>& blocks);
+
+  /// A block with actions of its own.
+  struct Target {
+    std::int32_t slot = -1;
+    bool is_loaded = false;
+    bool is_servo = false;
+    double resistance = 0;  // force of the contacts of a servo over its velocity for a motion, N s/m
+    GivenVelocity<Vector<D>> velocity = {};
+    GivenVelocity<Angular<D>> spin = {};
+    Vector<D> force = Vector<D>::Zero();
+    Angular<D> torque = Angular<D>::Zero();  // of a rigid block: with that of the forces about the centroid
+    Tensor<D> virial = Tensor<D>::Zero();    // of an affine block: force times arm^T, arms as in the shape
+  };
+  /// Sorted by slot.
+  Array<Target>& targets() { return targets_; }
+  const Array<Target>& targets() const { return targets_; }
+  /// The target of a block, if it is one.
+  const Target* target_of(std::size_t slot) const {
+    return slot < target_of_.size() && target_of_[slot] >= 0 ? &targets_[std::size_t(target_of_[slot])]
+                                                             : nullptr;
+  }
+  /// Of all blocks and nodes that move freely, besides gravity.
+  const Vector<D>& acceleration() const { return acceleration_; }
+  bool accelerates_all() const { return accelerates_all_; }
+  Vector<D> load_on_node(std::size_t node) const {
+    return node < node_loads_.size() ? node_loads_[node] : Vector<D>(Vector<D>::Zero());
+  }
+  /// Calls `visit(node, velocity)` for each node of a body with a given velocity.
+  template <class Visit>
+  void for_each_given_node(const Meshes<D>& meshes, Visit visit) const {
+    std::size_t first = 0;
+    for (const NodeAction& action : node_actions_) {
+      for (; first < std::size_t(action.end); ++first) {
+        const std::size_t node = node_of(action, first, meshes);
+        if (node_velocities_[first].components != 0 && meshes.mass[node] > 0)
+          visit(node, node_velocities_[first]);
+      }
+    }
+  }
+
+  /// Sets loads and given velocities for the coming motion.
+  void predict(double time, double duration, const Blocks<D>& blocks);
+  /// Sets the loads for the poses that blocks have now.
+  void place_loads(const Blocks<D>& blocks);
+  /// Call when slots or nodes are added, and after reading: takes memory.
+  void renew(const Blocks<D>& blocks);
+
+  /// Validates the state read from a snapshot.
+  bool is_consistent(const Blocks<D>& blocks) const;
+
+  template <class Archive>
+  void visit(Archive& archive) {
+    archive(tables_, actions_, node_actions_, nodes_, scales_, time_, duration_);
+  }
+
+ private:
+  /// The index of a node in the meshes.
+  std::size_t node_of(const NodeAction& action, std::size_t entry, const Meshes<D>& meshes) const {
+    return std::size_t(meshes.body(action.body).first_node + nodes_[entry]);
+  }
+  void give_velocity(const Action<D>& action, const TableIntegrals& integrals, const Blocks<D>& blocks,
+                     Target& target) const;
+  void control_force(const Action<D>& action, const Vector<3>& mean, const Blocks<D>& blocks,
+                     Target& target) const;
+  void act_on_nodes(const NodeAction& action, std::size_t first, const TableIntegrals& integrals,
+                    const Meshes<D>& meshes);
+  void reserve(std::size_t more_nodes, const Blocks<D>& blocks);
+
+  Tables tables_;
+  Array<Action<D>> actions_;
+  Array<NodeAction> node_actions_;
+  Array<std::int32_t> nodes_;  // of node actions, by their number in the body
+  Array<Vector<D>> scales_;    // likewise
+  double time_ = 0;            // of the last predicted motion: its begin
+  double duration_ = 0;
+  // Derived from the above and from the last predicted motion.
+  Array<Vector<3>> means_;  // of each action on blocks, then of each action on nodes
+  Array<Target> targets_;
+  Array<std::int32_t> target_of_;  // per slot, or -1
+  Array<GivenVelocity<Vector<D>>> node_velocities_;
+  Array<Vector<D>> node_loads_;  // per node, if any is loaded
+  Vector<D> acceleration_ = Vector<D>::Zero();
+  bool accelerates_all_ = false;
+};
+
+extern template class Actions<2>;
+extern template class Actions<3>;
+
+}  // namespace halfspace
