@@ -101,6 +101,24 @@ class LayoutBuilder {
     blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
   }
 
+  /// Adds the blocks of an action, which must be able to follow it.
+  void act(const Action& action) {
+    std::vector<std::size_t>& blocks = layout_.acted_on.emplace_back();
+    if (action.on.empty()) return;
+    const auto made = members_.find(action.on);
+    if (made != members_.end()) {
+      blocks = made->second;
+    } else if (const auto block = find(action.on, action.place, action.key.c_str())) {
+      blocks = {*block};
+    }
+    for (const std::size_t block : blocks) {
+      if (can_follow(layout_.blocks[block], action)) continue;
+      faults_.add(action.place, action.key,
+                  "\"" + layout_.blocks[block].name + "\" cannot follow it; allowed: " + followers(action));
+      return;
+    }
+  }
+
   void track(const std::string& name, Place place) {
     if (const auto block = find(name, place, "output.tracked")) layout_.tracked.push_back(*block);
   }
@@ -128,6 +146,23 @@ class LayoutBuilder {
   Layout take() { return std::move(layout_); }
 
  private:
+  static bool is_load(const Action& action) {
+    return action.kind == HS_ACTION_FORCE || action.kind == HS_ACTION_TORQUE;
+  }
+  bool can_follow(const LayoutBlock& block, const Action& action) const {
+    if (is_load(action)) return block.kind == HS_BLOCK_RIGID || block.kind == HS_BLOCK_AFFINE;
+    if (block.kind == HS_BLOCK_PRESCRIBED) return true;
+    const bool is_angular =
+        action.kind == HS_ACTION_ANGULAR_VELOCITY || action.kind == HS_ACTION_ANGULAR_ACCELERATION;
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(layout_.dimension); ++axis)
+      if (action.scale[axis] != 0 && (block.motion.held_axes >> axis & 1) == 0) return false;
+    return block.kind == HS_BLOCK_RIGID && !is_angular;
+  }
+  static const char* followers(const Action& action) {
+    return is_load(action) ? "a rigid or affine block; a mesh takes loads by [[mesh.load]]"
+                           : "a prescribed block, or a rigid one with these axes in its key hold";
+  }
+
   void name_block(std::size_t block) { layout_.names_cells |= layout_.blocks[block].body.has_value(); }
 
   /// True if a reported fault may be the reason why there is no such block.
@@ -320,6 +355,7 @@ Layout lay_out_blocks(const Context& context, const Scene& scene, Faults& faults
   for (const Voronoi& voronoi : scene.voronoi) builder.add(voronoi);
   for (const Mesh& mesh : scene.meshes) builder.add(mesh);
   for (std::size_t i = 0; i < scene.stages.size(); ++i) builder.excavate(scene.stages[i], i);
+  for (const Action& action : scene.actions) builder.act(action);
   for (std::size_t i = 0; i < scene.output.tracked.size(); ++i) {
     builder.track(scene.output.tracked[i], scene.output.tracked_places[i]);
   }

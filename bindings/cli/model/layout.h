@@ -22,6 +22,14 @@ struct LayoutBody {
     int32_t node = 0;
     Point force{};
   };
+  /// A motion or load in time.
+  struct NodeAction {
+    int kind = HS_ACTION_FORCE;
+    TimeTable table;
+    std::size_t stage = 0;
+    std::vector<int32_t> nodes;
+    std::vector<Point> scales;  ///< of each node
+  };
   MeshHandle mesh;
   std::vector<int32_t> materials;            ///< of each cell
   std::vector<std::vector<int>> cell_nodes;  ///< of each cell
@@ -32,6 +40,7 @@ struct LayoutBody {
   Point velocity{};
   std::vector<Support> supports;
   std::vector<Force> forces;
+  std::vector<NodeAction> actions;
   std::optional<Tensor> stress;  ///< initial stress at the origin
   Tensor stress_by_height{};     ///< vertical gradient of the initial stress, Pa/m
 };
@@ -61,6 +70,7 @@ struct Layout {
   std::vector<std::size_t> tracked;                 ///< blocks whose motion is written to the history
   std::vector<std::size_t> referenced;              ///< blocks whose common position or force is measured
   std::vector<std::vector<std::size_t>> excavated;  ///< in each stage of the scene
+  std::vector<std::vector<std::size_t>> acted_on;   ///< by each action of the scene
   bool names_cells = false;                         ///< a mesh cell is measured or excavated by its name
   int left_out = 0;                                 ///< number of blocks below the smallest size
   double size_left_out = 0;                         ///< their total area or volume

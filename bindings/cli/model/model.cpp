@@ -32,6 +32,7 @@ void set_velocity(hs_block_def& def, const Motion& motion) {
 Model::Model(const Context& context, const Scene& scene, Layout layout)
     : context_(context),
       layout_(std::move(layout)),
+      actions_(scene.actions),
       state_{.gravity = {scene.world.gravity[0], scene.world.gravity[1], scene.world.gravity[2]},
              .gravity_before = {},
              .local_damping = scene.world.local_damping,
@@ -64,6 +65,8 @@ Model::Model(const Context& context, const Scene& scene, Layout layout)
     hs_block block = 0;
     require(context, hs_world_add_block(world, given.shape.get(), &def, &block));
     if (given.stress) require(context, hs_world_set_stress(world, block, given.stress->data()));
+    if (given.motion.held_axes != 0)
+      require(context, hs_world_hold_block(world, block, static_cast<int32_t>(given.motion.held_axes)));
     index_of_block_.emplace(block, blocks_.size());
     blocks_.push_back(block);
   }
@@ -79,6 +82,7 @@ Model::Model(const Context& context, const Scene& scene, Layout layout)
   require(context, hs_world_get_bonds(world, all.data(), bonds, nullptr));
   for (const hs_bond& bond : all) bonded_.emplace_back(index_of(bond.block_a), index_of(bond.block_b));
   update_report();
+  if (scene.stages.empty()) begin_actions(0);
 }
 
 void Model::add(const LayoutBody& given) {

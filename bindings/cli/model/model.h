@@ -48,6 +48,8 @@ class Model {
   /// Sets the progress of the gradual changes, from 0 to 1: gravity, mesh loads, and the support of excavated
   /// cells.
   void change_to(double progress);
+  /// The actions that begin with a stage, as text to compare.
+  std::string actions_of(std::size_t stage) const;
   bool is_changed() const { return state_.progress == 1; }
   /// Brings the world to rest; false if the max number of steps does not suffice. @throws LibraryError
   bool settle(const hs_relaxation_def& relaxation, hs_balance& balance);
@@ -65,7 +67,7 @@ class Model {
   /// True after the step nearest to this time.
   bool reached(double time) const { return time - report_.time < report_.time_step / 2; }
 
-  bool motions_over() const { return next_motion_change() == never; }
+  bool motions_over() const { return next_motion_change() == never && reached(state_.actions_end); }
   const hs_world_report& report() const { return report_; }
   Frame frame() const;
   /// The current contacts; their blocks are indices in the layout.
@@ -101,6 +103,9 @@ class Model {
   void load_nodes(std::size_t body);
   /// The cells of a body, as blocks.
   std::vector<BlockFrame> frame_of(std::size_t body) const;
+  /// Begins the actions of a stage.
+  void begin_actions(std::size_t stage);
+  int32_t add_table(const TimeTable& table);
   void set_due_motions();
   double next_motion_change() const;
   void update_report();
@@ -112,6 +117,7 @@ class Model {
 
   const Context& context_;
   Layout layout_;
+  std::vector<Action> actions_;  ///< of the scene
   World world_;
   std::vector<hs_block> blocks_;  ///< 0: a cell of a body
   std::vector<hs_body> bodies_;
@@ -129,6 +135,7 @@ class Model {
     double local_damping = 0;
     double mass_damping = 0;
     double usual_time_step = 0;  ///< after a shortened step
+    double actions_end = 0;      ///< s, when the last table is over
   };
   State state_;
   double given_time_step_;  ///< by the scene, or 0

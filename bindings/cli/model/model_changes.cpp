@@ -23,6 +23,7 @@ void Model::begin(const SceneStage& stage, const std::vector<std::size_t>& excav
   const bool changes = stage.gravity || stage.loads || !excavated.empty();
   state_.progress = changes ? 0 : 1;
   excavate(excavated);
+  begin_actions(stage.index);
   update_report();
 }
 

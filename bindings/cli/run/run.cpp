@@ -277,12 +277,12 @@ class Run {
     if (at_.stage >= stages_.size()) throw std::runtime_error("it had more stages");
     for (std::size_t i = 0; i <= at_.stage; ++i) {
       const SceneStage& stage = stages_[i];
-      std::string nature = nature_of(stage);
+      std::string nature = nature_of(stage) + model_.actions_of(i);
       std::string end = end_of(stage);
       archive.add(nature);
       archive.add(end);
       archive.add(stage_lines_[i]);
-      if (nature != nature_of(stage) || (i < at_.stage && end != end_of(stage)))
+      if (nature != nature_of(stage) + model_.actions_of(i) || (i < at_.stage && end != end_of(stage)))
         throw std::runtime_error("stage " + std::to_string(i) + ", which it had begun, differs");
     }
   }

@@ -231,6 +231,31 @@ std::vector<double> Keys::rising_numbers(std::string_view key, Range range) {
   return numbers;
 }
 
+std::vector<std::vector<double>> Keys::rows(std::string_view key, const std::string& allowed) {
+  const toml::node* node = find(key, allowed, true);
+  if (!node) return {};
+  const toml::array* list = node->as_array();
+  std::vector<std::vector<double>> rows;
+  for (std::size_t i = 0; list && i < list->size(); ++i) {
+    const toml::array* row = (*list)[i].as_array();
+    std::vector<double> numbers;
+    for (std::size_t k = 0; row && k < row->size(); ++k) {
+      const std::optional<double> number = finite_number((*row)[k], path(key));
+      if (number) numbers.push_back(*number);
+    }
+    const bool is_row = row && numbers.size() == row->size() && !numbers.empty() &&
+                        (rows.empty() || numbers.size() == rows.front().size());
+    if (!is_row) {
+      faults_->add(place_of((*list)[i]), path(key) + '[' + std::to_string(i) + ']',
+                   "not a row: " + shown((*list)[i]) + "; allowed: " + allowed);
+      return {};
+    }
+    rows.push_back(std::move(numbers));
+  }
+  if (rows.empty()) fault(key, "no rows: " + shown(*node) + "; allowed: " + allowed);
+  return rows;
+}
+
 std::vector<std::int64_t> Keys::integers(std::string_view key, std::size_t count, std::int64_t low,
                                          std::int64_t high) {
   const std::string allowed = std::to_string(count) + " whole numbers, at least " + std::to_string(low) +

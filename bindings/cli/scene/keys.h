@@ -64,6 +64,8 @@ class Keys {
                             std::optional<std::vector<Point>> fallback);
   /// Increasing numbers within the range; empty by default.
   std::vector<double> rising_numbers(std::string_view key, Range range);
+  /// Rows of numbers, at least one, all of the same length; empty after a fault.
+  std::vector<std::vector<double>> rows(std::string_view key, const std::string& allowed);
   /// Exactly `count` whole numbers within a range. @return empty after a fault
   std::vector<std::int64_t> integers(std::string_view key, std::size_t count, std::int64_t low,
                                      std::int64_t high);

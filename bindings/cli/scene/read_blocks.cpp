@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "blocks/rock/jointed_rock.h"
+#include "scene/read_actions.h"
 #include "scene/read_meshes.h"
 #include "scene/read_values.h"
 
@@ -113,6 +114,9 @@ void read_blocks(std::vector<Keys> tables, Scene& scene) {
     }
     block.placing = {.rotation = rotation(keys, "rotation"), .shift = keys.point("shift", Point{})};
     block.motion = read_motion(keys, block.making.kind);
+    block.motion.held_axes = read_axes(keys, "hold", "", true);
+    if (block.motion.held_axes != 0 && block.making.kind != HS_BLOCK_RIGID && keys.is_kind_known())
+      keys.fault("hold", "only rigid blocks can be held; allowed: with kind = \"rigid\"");
     scene.blocks.push_back(std::move(block));
     keys.finish();
   }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "common/text.h"
+#include "scene/read_actions.h"
 #include "scene/read_values.h"
 
 namespace halfspace::cli {
@@ -35,27 +36,6 @@ MeshPart read_part(Keys& keys) {
             .place = keys.place("group")};
   }
   return part;
-}
-
-/// Axes by their letters: "x", "xy", ...
-int read_axes(Keys& keys) {
-  const bool in_space = keys.dimension() == 3;
-  const std::string axes = keys.text("axes", std::string(in_space ? "xyz" : "xy"));
-  int sum = 0;
-  bool is_known = !axes.empty();
-  for (const char axis : axes) {
-    const int value = axis == 'x'               ? HS_AXIS_X
-                      : axis == 'y'             ? HS_AXIS_Y
-                      : axis == 'z' && in_space ? HS_AXIS_Z
-                                                : 0;
-    is_known = is_known && value != 0 && (sum & value) == 0;
-    sum |= value;
-  }
-  if (!is_known) {
-    keys.fault("axes", '"' + axes + "\"; allowed: some of the letters " +
-                           (in_space ? "x, y and z, as \"xz\"" : "x and y, as \"xy\""));
-  }
-  return sum;
 }
 
 int elastic_material(Keys& keys, const Scene& scene) {
@@ -121,8 +101,11 @@ Mesh read_mesh(Keys& keys, const Scene& scene) {
     table.finish();
   }
   for (Keys& table : keys.tables("support", false)) {
-    MeshSupport support{
-        .part = read_part(table), .axes = read_axes(table), .velocity = table.point("velocity", Point{})};
+    MeshSupport support{.part = read_part(table),
+                        .axes = read_axes(table, "axes", table.dimension() == 3 ? "xyz" : "xy", false),
+                        .velocity = table.point("velocity", Point{}),
+                        .table = read_factors(table),
+                        .stage = read_stage_name(table, scene)};
     mesh.supports.push_back(std::move(support));
     table.finish();
   }
@@ -130,6 +113,8 @@ Mesh read_mesh(Keys& keys, const Scene& scene) {
     MeshLoad load{.part = read_part(table)};
     load.pressure = table.number("pressure", any_number(), 0);
     load.traction = table.point("traction", Point{});
+    load.table = read_factors(table);
+    load.stage = read_stage_name(table, scene);
     mesh.loads.push_back(std::move(load));
     table.finish();
   }

@@ -10,6 +10,7 @@
 #include "notes/unusual_values.h"
 #include "scene/deep_key.h"
 #include "scene/keys.h"
+#include "scene/read_actions.h"
 #include "scene/read_blocks.h"
 #include "scene/read_reference.h"
 #include "scene/read_stages.h"
@@ -184,8 +185,8 @@ void read_output(Keys keys, Scene& scene) {
 }
 
 const std::initializer_list<std::string_view> top_keys = {
-    "title", "dimension",    "world",        "material", "default_law", "law",    "bond",     "stage",
-    "block", "jointed_rock", "triangulated", "voronoi",  "mesh",        "output", "reference"};
+    "title", "dimension",    "world",        "material", "default_law", "law",    "bond",   "stage",
+    "block", "jointed_rock", "triangulated", "voronoi",  "mesh",        "action", "output", "reference"};
 
 Scene read_top(Keys keys, const std::string& folder, Faults& faults) {
   Scene scene;
@@ -204,6 +205,7 @@ Scene read_top(Keys keys, const std::string& folder, Faults& faults) {
   read_laws(keys.tables("law", false), scene);
   read_bonds(keys.tables("bond", false), scene);
   read_stages(keys.tables("stage", false), scene);
+  read_actions(keys.tables("action", false), scene);
   const bool has_blocks = read_blocks(keys, scene);
   read_output(keys.table("output", false), scene);
   read_reference(keys.table("reference", false), scene);

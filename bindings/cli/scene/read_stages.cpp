@@ -75,7 +75,10 @@ void read_bonds(std::vector<Keys> tables, Scene& scene) {
 }
 
 void read_stages(std::vector<Keys> tables, Scene& scene) {
-  for (Keys& keys : tables) scene.stages.push_back(read_stage(keys));
+  for (Keys& keys : tables) {
+    scene.stages.push_back(read_stage(keys));
+    scene.stages.back().index = scene.stages.size() - 1;
+  }
   for (const SceneStage& stage : scene.stages) scene.duration += stage.duration;
 }
 

@@ -55,6 +55,26 @@ struct PairBond {
   Place place = {};  ///< of the materials' names, for notes
 };
 
+/// Values at times, in the order of the times. Between them values are linear.
+struct TimeTable {
+  std::vector<double> times;  ///< s, from the begin of a stage
+  std::vector<Point> values;
+};
+
+/// A motion or load in time of some blocks, or an acceleration of all blocks.
+struct Action {
+  std::string on;  ///< name of a block or generator; empty: all blocks
+  std::string key;
+  Place place;  ///< of that name
+  int kind = HS_ACTION_FORCE;
+  TimeTable table;
+  Point scale{1, 1, 1};
+  std::optional<Point> at;  ///< of a force
+  bool is_carried = true;   ///< the place moves with the block
+  double max_speed = 0;     ///< of a servo, m/s
+  std::size_t stage = 0;    ///< that it begins with
+};
+
 /// A stage of a run: the world is brought to rest, or runs for a duration. Changes apply when it begins, and
 /// persist.
 struct SceneStage {
@@ -70,10 +90,11 @@ struct SceneStage {
   std::optional<double> local_damping = {};
   std::optional<double> mass_damping = {};
   std::optional<double> strength_factor = {};
-  std::optional<double> loads = {};         ///< factor of all mesh loads of the scene
+  std::optional<double> loads = {};         ///< factor of all mesh loads of the scene without a table
   std::vector<std::string> excavated = {};  ///< names of blocks, generators and meshes, or "mesh/group"
   Place excavated_place = {};               ///< for faults
-  Place gravity_place = {};                 ///< for notes
+  std::size_t index = 0;
+  Place gravity_place = {};  ///< for notes
   bool resets_displacement = false;
 };
 
@@ -86,6 +107,7 @@ struct Motion {
   Point angular_velocity{};  ///< rad/s; 2D: the last component
   double start = 0;
   double stop = std::numeric_limits<double>::infinity();
+  std::int64_t held_axes = 0;  ///< of a rigid block: a sum of HS_AXIS_ values
 };
 
 /// Properties common to blocks and generators.
@@ -134,13 +156,17 @@ struct MeshSupport {
   MeshPart part;
   int axes = 0;  ///< a sum of HS_AXIS_ values
   Point velocity{};
+  TimeTable table = {};   ///< factors of the velocity; empty: it is constant
+  std::size_t stage = 0;  ///< that the table begins with
 };
 
 /// A dead load on outer faces: it keeps its direction.
 struct MeshLoad {
   MeshPart part;
-  double pressure = 0;  ///< Pa, against the outward normals at the start
-  Point traction{};     ///< Pa, added to the pressure
+  double pressure = 0;    ///< Pa, against the outward normals at the start
+  Point traction{};       ///< Pa, added to the pressure
+  TimeTable table = {};   ///< factors of the load; empty: it is constant
+  std::size_t stage = 0;  ///< that the table begins with
 };
 
 /// The material of one group of cells.
@@ -272,6 +298,7 @@ struct Scene {
   std::vector<PairLaw> laws;
   std::vector<PairBond> bonds;
   std::vector<SceneStage> stages;  ///< empty: the scene runs for its duration
+  std::vector<Action> actions;
   std::vector<Block> blocks;
   std::vector<JointedRock> jointed_rocks;
   std::vector<Triangulated> triangulated;

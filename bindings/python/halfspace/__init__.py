@@ -16,12 +16,14 @@ from ._library import status_text, version
 from .affine import Elasticity
 from .bond import Bond
 from .constants import (
+    ActionKind,
     BlockKind,
     BondFailure,
     CellKind,
     ContactType,
     FastBlocks,
     Fault,
+    ForcePlace,
     ImpactState,
     PairKind,
     Plane,
@@ -84,6 +86,7 @@ __all__ = [
     "SHAPE_PROPERTIES",
     "STRENGTH_REPORT",
     "WORLD_REPORT",
+    "ActionKind",
     "ArgumentError",
     "BlockKind",
     "Bond",
@@ -95,6 +98,7 @@ __all__ = [
     "Elasticity",
     "FastBlocks",
     "Fault",
+    "ForcePlace",
     "FormatError",
     "GeometryError",
     "HalfspaceError",

@@ -19,14 +19,14 @@ from .context import Context, default_context, held
 from .law import Law
 from .plot import picture_by, plot_blocks
 from .records import BLOCK_STATE, CONTACT, WORLD_PLAN, WORLD_REPORT
-from .relax import Statics
+from .action import ActedOn
 from .shape import Shape
 
 _FIRST_PORTION = 16  # steps
 _PICTURE_LIMIT = 20000  # blocks: larger worlds have no automatic picture in notebooks
 
 
-class World(Statics):
+class World(ActedOn):
     """Blocks, materials, laws and time.
 
     Arrays of blocks have the order of `blocks`. In 2D vectors have 2 components, angular velocities and torques 1; in

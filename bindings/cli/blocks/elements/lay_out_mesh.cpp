@@ -212,9 +212,20 @@ class MeshLayout {
         for (const NodeOfBody& place : where_[static_cast<std::size_t>(node)])
           of_bodies[place.body].push_back(place.node);
       }
-      for (auto& [body, own] : of_bodies)
-        bodies_[body].body.supports.push_back({std::move(own), support.axes, support.velocity});
+      for (auto& [body, own] : of_bodies) support_nodes(support, bodies_[body].body, std::move(own));
     }
+  }
+
+  /// A support with a table rests before its stage.
+  static void support_nodes(const MeshSupport& support, LayoutBody& body, std::vector<int32_t> nodes) {
+    if (support.table.times.empty()) {
+      body.supports.push_back({std::move(nodes), support.axes, support.velocity});
+      return;
+    }
+    body.supports.push_back({nodes, support.axes, {}});
+    std::vector<Point> scales(nodes.size(), support.velocity);
+    body.actions.push_back(
+        {HS_ACTION_VELOCITY, support.table, support.stage, std::move(nodes), std::move(scales)});
   }
 
   /// The outer faces of a part of the mesh.
@@ -249,12 +260,30 @@ class MeshLayout {
     for (std::size_t i = 0; i < mesh_.cells.size(); ++i) local[i] = count[body_of_[i]]++;
     std::map<int, std::map<int32_t, Point>> forces;  // of cells
     for (const MeshLoad& load : given_.loads) {
-      for (const OuterFace* face : faces_in(load.part)) add_forces(load, *face, forces[face->cell]);
+      if (load.table.times.empty()) {
+        for (const OuterFace* face : faces_in(load.part)) add_forces(load, *face, forces[face->cell]);
+      } else {
+        load_in_time(load);
+      }
     }
     for (const auto& [cell, of_nodes] : forces) {
       const auto index = static_cast<std::size_t>(cell);
       for (const auto& [node, force] : of_nodes)
         bodies_[body_of_[index]].body.forces.push_back({local[index], node, force});
+    }
+  }
+
+  void load_in_time(const MeshLoad& load) {
+    std::map<std::size_t, std::map<int32_t, Point>> forces;  // of bodies
+    for (const OuterFace* face : faces_in(load.part))
+      add_forces(load, *face, forces[body_of_[static_cast<std::size_t>(face->cell)]]);
+    for (const auto& [body, of_nodes] : forces) {
+      LayoutBody::NodeAction action{HS_ACTION_FORCE, load.table, load.stage, {}, {}};
+      for (const auto& [node, force] : of_nodes) {
+        action.nodes.push_back(node);
+        action.scales.push_back(force);
+      }
+      bodies_[body].body.actions.push_back(std::move(action));
     }
   }
 

@@ -1,0 +1,202 @@
+#include "scene/read_actions.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+#include <stdexcept>
+
+#include "common/files.h"
+#include "common/text.h"
+#include "scene/read_values.h"
+
+namespace halfspace::cli {
+namespace {
+
+using Rows = std::vector<std::vector<double>>;
+
+/// The rows of a CSV file. Lines that begin with a letter or # are skipped.
+Rows rows_of_file(const std::string& file) {
+  std::istringstream lines(content_of(file));
+  Rows rows;
+  std::string line;
+  for (int number = 1; std::getline(lines, line); ++number) {
+    std::replace_if(
+        line.begin(), line.end(), [](char c) { return c == ',' || c == ';' || c == '\r'; }, ' ');
+    const std::size_t first = line.find_first_not_of(" \t");
+    if (first == std::string::npos || line[first] == '#' ||
+        std::isalpha(static_cast<unsigned char>(line[first])))
+      continue;
+    std::istringstream numbers(line);
+    std::vector<double> row;
+    for (double value = 0; numbers >> value;) row.push_back(value);
+    if (!numbers.eof() || (!rows.empty() && row.size() != rows.front().size()))
+      throw std::runtime_error("line " + std::to_string(number) +
+                               " is not a row of numbers as the first one");
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+Rows read_rows(Keys& keys, const std::string& folder, const std::string& allowed) {
+  if (!keys.either("file", "table")) return keys.rows("table", allowed);
+  const std::string file = (std::filesystem::path(folder) / keys.text("file", required)).string();
+  if (!std::filesystem::is_regular_file(file)) {
+    keys.fault("file", "no such file: " + file + "; allowed: a CSV file, named from the folder of the scene");
+    return {};
+  }
+  try {
+    Rows rows = rows_of_file(file);
+    if (rows.empty()) keys.fault("file", "no rows; allowed: " + allowed);
+    return rows;
+  } catch (const std::runtime_error& error) {
+    keys.fault("file", std::string(error.what()) + "; allowed: " + allowed);
+    return {};
+  }
+}
+
+/// Reports times that do not ascend.
+bool check_times(Keys& keys, const Rows& rows) {
+  const char* key = keys.has("file") ? "file" : "table";
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const double time = rows[i][0];
+    const bool is_third = i > 1 && time == rows[i - 2][0];
+    if (time >= rows[i - 1][0] && !is_third) continue;
+    keys.fault(key, "row " + std::to_string(i) + " is at " + shortest(time) +
+                        " s; allowed: times that ascend, and no more than two of them equal");
+    return false;
+  }
+  return true;
+}
+
+/// A table whose rows have a time and `count` values, or one value for all components.
+TimeTable table_of(const Rows& rows, std::size_t count) {
+  TimeTable table;
+  for (const std::vector<double>& row : rows) {
+    Point value{row[1], row[1], row[1]};
+    for (std::size_t k = 0; count > 1 && k < 3; ++k) value[k] = k < count ? row[k + 1] : 0;
+    table.times.push_back(row[0]);
+    table.values.push_back(value);
+  }
+  return table;
+}
+
+/// Motions and torques about the normal of the plane have one component.
+bool is_about_axis(int kind) {
+  return kind == HS_ACTION_ANGULAR_VELOCITY || kind == HS_ACTION_ANGULAR_ACCELERATION ||
+         kind == HS_ACTION_TORQUE;
+}
+
+void read_direction(Keys& keys, Action& action) {
+  const double factor = keys.number("factor", any_number(), 1);
+  const bool in_plane = keys.dimension() == 2;
+  if (in_plane && is_about_axis(action.kind)) {
+    action.scale = {0, 0, factor};
+    return;
+  }
+  const Point direction = keys.point("direction", required);
+  if (keys.has("direction") && direction == Point{})
+    keys.fault("direction", "no direction: all components are 0; allowed: one that is not 0");
+  for (std::size_t k = 0; k < 3; ++k) action.scale[k] = factor * direction[k];
+}
+
+/// Values with components of their own, or one value along a direction.
+void read_table(Keys& keys, const std::string& folder, Action& action) {
+  const auto dimension = static_cast<std::size_t>(keys.dimension());
+  const std::string allowed =
+      dimension == 2 ? "rows [time, value] or [time, x, y]" : "rows [time, value] or [time, x, y, z]";
+  const Rows rows = read_rows(keys, folder, allowed);
+  if (rows.empty()) return;
+  const std::size_t count = rows.front().size() - 1;
+  const bool has_components =
+      count == dimension && action.kind != HS_ACTION_SERVO && !(dimension == 2 && is_about_axis(action.kind));
+  if (count != 1 && !has_components) {
+    keys.fault(keys.has("file") ? "file" : "table",
+               "rows of " + std::to_string(count + 1) + " numbers; allowed: " +
+                   (count == dimension ? "rows [time, value] for this kind" : allowed));
+    return;
+  }
+  if (!check_times(keys, rows)) return;
+  action.table = table_of(rows, count);
+  if (count == 1) {
+    read_direction(keys, action);
+  } else {
+    const double factor = keys.number("factor", any_number(), 1);
+    action.scale = {factor, factor, factor};
+  }
+}
+
+Action read_action(Keys& keys, const Scene& scene) {
+  Action action;
+  action.on = keys.text("on", std::string());
+  action.key = keys.path("on");
+  action.place = keys.place("on");
+  action.kind = keys.kind(
+      "kind",
+      {"velocity", "angular_velocity", "acceleration", "angular_acceleration", "force", "torque", "servo"},
+      required);
+  if (!keys.has("on") && !keys.is_misspelt("on") && keys.is_kind_known() &&
+      action.kind != HS_ACTION_ACCELERATION)
+    keys.fault("on", "missing; required: the name of a block, except for an acceleration of all blocks");
+  read_table(keys, scene.folder, action);
+  if (action.kind == HS_ACTION_FORCE && keys.has_any({"at"})) {
+    action.at = keys.point("at", required);
+    action.is_carried = keys.boolean("carried", action.is_carried);
+  }
+  if (action.kind == HS_ACTION_SERVO) action.max_speed = keys.number("max_speed", above(0), required);
+  return action;
+}
+
+}  // namespace
+
+TimeTable read_factors(Keys& keys) {
+  if (!keys.has_any({"table"})) return {};
+  const Rows rows = keys.rows("table", "rows [time, factor]");
+  if (rows.empty() || !check_times(keys, rows)) return {};
+  if (rows.front().size() == 2) return table_of(rows, 1);
+  keys.fault("table",
+             "rows of " + std::to_string(rows.front().size()) + " numbers; allowed: rows [time, factor]");
+  return {};
+}
+
+std::size_t read_stage_name(Keys& keys, const Scene& scene) {
+  if (!keys.has_any({"stage"})) return 0;
+  const std::string name = keys.text("stage", required);
+  for (std::size_t i = 0; i < scene.stages.size(); ++i) {
+    if (scene.stages[i].name == name) return i;
+  }
+  keys.fault("stage", "no stage is called \"" + name + "\"; allowed: the name of a [[stage]]");
+  return 0;
+}
+
+int read_axes(Keys& keys, std::string_view key, const std::string& fallback, bool with_rotation) {
+  const bool in_space = keys.dimension() == 3;
+  const std::string axes = keys.text(key, fallback);
+  int sum = 0;
+  bool is_known = !axes.empty() || axes == fallback;
+  for (const char axis : axes) {
+    const int value = axis == 'x'                    ? HS_AXIS_X
+                      : axis == 'y'                  ? HS_AXIS_Y
+                      : axis == 'z' && in_space      ? HS_AXIS_Z
+                      : axis == 'r' && with_rotation ? HS_AXIS_ROTATION
+                                                     : 0;
+    is_known = is_known && value != 0 && (sum & value) == 0;
+    sum |= value;
+  }
+  if (!is_known) {
+    keys.fault(key, '"' + axes + "\"; allowed: some of the letters " + (in_space ? "x, y and z" : "x and y") +
+                        (with_rotation ? ", and r for the rotation" : "") +
+                        (in_space ? ", as \"xz\"" : ", as \"xy\""));
+  }
+  return sum;
+}
+
+void read_actions(std::vector<Keys> tables, Scene& scene) {
+  for (Keys& keys : tables) {
+    Action action = read_action(keys, scene);
+    action.stage = read_stage_name(keys, scene);
+    keys.finish();
+    scene.actions.push_back(std::move(action));
+  }
+}
+
+}  // namespace halfspace::cli
