@@ -7,8 +7,10 @@
 namespace halfspace {
 namespace {
 
-/// A servo closes this fraction of the difference of its force per step, as seen from the stiffness of its
-/// contacts (Cundall 1988).
+/// A servo corrects this fraction of the difference of its force per step, as seen from the resistance of its
+/// contacts (Cundall 1988). So it acts like a dashpot between the force and the contacts: it feeds no
+/// vibration, but where contacts yield at a velocity v, the force differs by v times the resistance over the
+/// fraction.
 constexpr double servo_fraction = 0.5;
 
 template <int D>
@@ -169,6 +171,25 @@ void Actions<D>::predict(double time, double duration, const Blocks<D>& blocks) 
     first = std::size_t(action.end);
   }
   place_loads(blocks);
+}
+
+/// A prescribed block whose velocity jumps at the begin of the motion does work against its contacts with the
+/// new velocity.
+template <int D>
+double Actions<D>::power_of_jumps(const Blocks<D>& blocks) const {
+  double power = 0;
+  const auto add = [&](const auto& given, const auto& force) {
+    for (Eigen::Index k = 0; k < force.size(); ++k) {
+      if (given.is_given(k)) power -= force[k] * (2 * given.mean[k] - given.end[k] - given.start[k]);
+    }
+  };
+  for (const Target& target : targets_) {
+    const std::size_t slot = std::size_t(target.slot);
+    if (blocks.kind[slot] != BlockKind::prescribed) continue;
+    add(target.velocity, blocks.force[slot]);
+    add(target.spin, blocks.torque[slot]);
+  }
+  return power;
 }
 
 template <int D>

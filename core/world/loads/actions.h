@@ -135,6 +135,8 @@ class Actions {
   void predict(double time, double duration, const Blocks<D>& blocks);
   /// Sets the loads for the poses that blocks have now.
   void place_loads(const Blocks<D>& blocks);
+  /// The change of the power of prescribed blocks by jumps of velocities at the begin of the motion.
+  double power_of_jumps(const Blocks<D>& blocks) const;
   /// Call when slots or nodes are added, and after reading: takes memory.
   void renew(const Blocks<D>& blocks);
 

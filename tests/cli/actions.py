@@ -1,0 +1,126 @@
+"""Motions and loads in time: tables in scenes, their stages, checkpoints and faults, and the examples."""
+from command import EXAMPLES, SceneTest, halfspace, main
+
+SCENE = """title = "A block on ground that moves"
+dimension = 2
+world = { time_step = 0.01, gravity = [0, 0] }
+default_law = { stiffness = "none" }
+material = [{ name = "stone", density = 2000 }]
+stage = [{ name = "rest", do = "run", duration = 0.5 }, { name = "shake", do = "run", duration = 1 }]
+block = [
+  { name = "ground", kind = "prescribed", material = "stone", vertices = [[0, 0], [1, 0], [1, 1], [0, 1]] },
+  { name = "loose", material = "stone", vertices = [[0, 5], [1, 5], [1, 6], [0, 6]] },
+  { name = "sled", hold = "xr", material = "stone", vertices = [[0, 9], [1, 9], [1, 10], [0, 10]] },
+]
+output = { tracked = ["ground", "loose", "sled"], history_interval = 0.5 }
+"""
+ACTION = """
+[[action]]
+on = "ground"
+kind = "velocity"
+stage = "shake"
+direction = [1, 0]
+table = [[0, 0], [0.125, 2], [0.5, 0]]
+[[action]]
+on = "loose"
+kind = "force"
+table = [[0, 100, 50], [0.303, 100, 50], [0.303, 0, 0]]
+[[action]]
+on = "sled"
+kind = "velocity"
+direction = [1, 0]
+factor = 2
+file = "table.csv"
+"""
+MESH = """dimension = 2
+world = { duration = 0.02, gravity = [0, 0] }
+default_law = { stiffness = "per area", normal_stiffness = 1e8 }
+material = [{ name = "rock", density = 2000, young_modulus = 1e7, poisson_ratio = 0 }]
+[[mesh]]
+name = "bar"
+material = "rock"
+box = [[0, 0], [4, 1]]
+cells = [8, 2]
+cell = "quad"
+[[mesh.support]]
+group = "left"
+axes = "x"
+velocity = [1, 0]
+table = [[0, 0], [0.01, 0.5], [0.02, 0]]
+[[mesh.load]]
+group = "right"
+traction = [1e4, 0]
+table = [[0, 0], [0.02, 1]]
+[output]
+tracked = ["bar.0"]
+"""
+
+
+class Actions(SceneTest):
+    def run_with_table(self, *arguments, **options):
+        (self.directory / "table.csv").write_text("time; value\n# a comment\n0; 0\n1.5; 3\n")
+        return self.run_scene(SCENE + ACTION, *arguments, **options)
+
+    def test_blocks_follow_their_tables(self):
+        self.run_with_table()
+        rest, last = self.rows()[1], self.rows()[-1]
+        self.assertEqual(float(rest["ground.x"]), 0.5)
+        self.assertAlmostEqual(float(last["ground.x"]), 1.0, delta=1e-12)
+        self.assertAlmostEqual(float(last["loose.vx"]), 0.303 * 100 / 2000, delta=1e-14)
+        self.assertAlmostEqual(float(last["loose.vy"]), 0.303 * 50 / 2000, delta=1e-14)
+        self.assertAlmostEqual(float(last["sled.vx"]), 6, delta=1e-12)
+        self.assertAlmostEqual(float(last["sled.x"]), 0.5 + 4.5, delta=1e-11)
+
+    def test_a_resumed_run_is_the_same(self):
+        self.run_with_table()
+        whole = self.rows()[-1]
+        (self.directory / "table.csv").write_text("0 0\n1.5 3\n")
+        self.run_scene((SCENE + ACTION).replace("duration = 1 ", "duration = 0.3 "))
+        self.scene.write_text(SCENE + ACTION)
+        answer = halfspace("run", self.scene, "-o", self.output, "--from", self.output / "checkpoint")
+        self.assertEqual(answer.returncode, 0, answer.stderr)
+        self.assertEqual(self.rows()[-1], whole)
+        self.scene.write_text((SCENE + ACTION).replace("[0.125, 2]", "[0.125, 3]"))
+        answer = halfspace("run", self.scene, "-o", self.output, "--from", self.output / "checkpoint")
+        self.assertEqual(answer.returncode, 1)
+        self.assertIn("stage 1, which it had begun, differs", answer.stderr)
+
+    def test_meshes_follow_their_tables(self):
+        self.run_scene(MESH)
+        outer_work = float(self.rows()[-1]["outer_work"])
+        self.assertGreater(outer_work, 0)
+        self.assertLess(abs(float(self.rows()[-1]["residual"])), 1e-3 * outer_work)
+
+    def test_faults_name_the_key_and_what_is_allowed(self):
+        for old, new, fault in [
+            ('on = "ground"', 'on = "grund"', r"action\[0\]\.on: no such block: .grund. .did you mean .ground"),
+            ('on = "loose"', "", r"action\[1\]\.on: missing"),
+            ('kind = "force"', 'kind = "push"', r'action\[1\]\.kind: unknown word: "push"'),
+            ('on = "ground"', 'on = "loose"', r'action\[0\]\.on: "loose" cannot follow it; allowed: a prescribed'),
+            ("[0.303, 100, 50], [0.303, 0, 0]", "[-1, 0, 0]", r"row 1 is at -1 s; allowed: times that ascend"),
+            ("[0.303, 100, 50], [0.303, 0, 0]", "[1, 2]", r"action\[1\]\.table\[1\]: not a row"),
+            ("[[0, 0], [0.125, 2], [0.5, 0]]", "[[0, 1, 2, 3]]", r"rows of 4 numbers; allowed: rows \[time, value\] or"),
+            ('stage = "shake"', 'stage = "shak"', r'no stage is called "shak"'),
+            ('file = "table.csv"', 'file = "other.csv"', r"no such file"),
+            ("direction = [1, 0]\nfactor", "direction = [0, 0]\nfactor", r"no direction"),
+            ('hold = "xr"', 'hold = "xz"', r'hold: "xz"; allowed: some of the letters x and y, and r'),
+        ]:
+            (self.directory / "table.csv").write_text("0 0\n1.5 3\n")
+            with self.subTest(new):
+                self.assertIn(old, SCENE + ACTION)
+                self.check_fault((SCENE + ACTION).replace(old, new), fault)
+
+    def test_the_examples_run(self):
+        for example, result in [
+            ("spreading_supports/arch.toml", r"outcome +complete"),
+            ("biaxial_test/biaxial.toml", r"stage shear +ran until 0\.3 s"),
+        ]:
+            with self.subTest(example):
+                answer = halfspace("run", EXAMPLES / example, "-o", self.output, "--force")
+                self.assertEqual(answer.returncode, 0, answer.stderr)
+                self.assertRegex(answer.stdout, result)
+        self.assertEqual(halfspace("check", EXAMPLES / "earthquake/slope.toml").returncode, 0)
+
+
+if __name__ == "__main__":
+    main()
