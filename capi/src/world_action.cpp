@@ -1,6 +1,8 @@
 #include "halfspace/action.h"
+#include "mesh_nodes.h"
 #include "sized_struct.h"
 #include "strided_view.h"
+#include "tensor.h"
 #include "world_handle.h"
 
 using namespace halfspace;
@@ -165,14 +167,7 @@ hs_status hs_world_add_node_action(hs_world* world, hs_body body, const int32_t 
     action.table = known.table;
     action.start = known.start;
     const Array<Vector<D>> factors = read_finite_points<D>(world->context, scales, "scales");
-    if (scales.count > 0) require_pointer(nodes, "nodes");
-    const std::int64_t node_count = w.meshes().body(action.body).node_count;
-    for (std::int64_t i = 0; i < scales.count; ++i) {
-      if (nodes[i] < 0 || nodes[i] >= node_count) {
-        refuse(HS_ERROR_ARGUMENT, "nodes[%lld] is %d; the body has %lld nodes", static_cast<long long>(i),
-               nodes[i], static_cast<long long>(node_count));
-      }
-    }
+    require_nodes(w.meshes().body(action.body), nodes, scales.count);
     w.add_node_action(action, {nodes, std::size_t(scales.count)}, factors);
     return HS_OK;
   });
@@ -181,6 +176,17 @@ hs_status hs_world_add_node_action(hs_world* world, hs_body body, const int32_t 
 hs_status hs_world_end_node_actions(hs_world* world, hs_body body) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     w.end_node_actions(body_of(w.meshes(), body, "body"));
+    return HS_OK;
+  });
+}
+
+hs_status hs_world_set_node_viscosity(hs_world* world, hs_body body, const int32_t nodes[], int64_t count,
+                                      const double viscosity[9]) {
+  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    const std::int32_t which = body_of(w.meshes(), body, "body");
+    const Tensor<D> wanted = read_symmetric_tensor<D>(viscosity, "viscosity");
+    require_nodes(w.meshes().body(which), nodes, count);
+    for (std::int64_t i = 0; i < count; ++i) w.set_node_viscosity(which, nodes[i], wanted);
     return HS_OK;
   });
 }

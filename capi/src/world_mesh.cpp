@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "mesh_handle.h"
+#include "mesh_nodes.h"
 #include "sized_struct.h"
 #include "strided_view.h"
 #include "tensor.h"
@@ -100,14 +101,7 @@ Vector<D> read_held_velocity(const double* velocity, std::int32_t axes) {
 /// Validates all nodes, then calls use(node) with the index of each in the world's arrays.
 template <int D, class Use>
 void for_each_node(const Body<D>& body, const std::int32_t* nodes, std::int64_t count, Use&& use) {
-  require_count(count, "count");
-  if (count > 0) require_pointer(nodes, "nodes");
-  for (std::int64_t i = 0; i < count; ++i) {
-    if (nodes[i] < 0 || nodes[i] >= body.node_count) {
-      refuse(HS_ERROR_ARGUMENT, "nodes[%lld] is %d; the body has %lld nodes", static_cast<long long>(i),
-             nodes[i], static_cast<long long>(body.node_count));
-    }
-  }
+  require_nodes(body, nodes, count);
   for (std::int64_t i = 0; i < count; ++i) use(std::size_t(body.first_node + nodes[i]));
 }
 

@@ -138,6 +138,7 @@ StepResult World<D>::prepare() {
   if (!choose_time_step()) return StepResult::no_time_step;
   integrator_.resize(slots);
   if (!model_.actions.empty()) model_.actions.renew(model_.blocks);
+  if (!model_.viscous_nodes.empty()) model_.viscous_nodes.renew(model_.blocks.meshes());
   if (model_.settings.sleep_tolerance > 0) sleep_.resize(slots);
   evaluate_forces(0);
   double noise = 0;

@@ -56,6 +56,28 @@ tracked = ["bar.0"]
 """
 
 
+BAR = """dimension = 2
+world = { gravity = [0, 0], duration = 0.014 }
+default_law = { stiffness = "per area", normal_stiffness = 1e8 }
+material = [{ name = "rock", density = 2500, young_modulus = 1e10, poisson_ratio = 0 }]
+[[mesh]]
+name = "bar"
+material = "rock"
+box = [[0, 0], [20, 1]]
+cells = [200, 1]
+cell = "quad"
+[[mesh.load]]
+group = "left"
+traction = [1e6, 0]
+table = [[0, 0], [0.001, 1], [0.002, 0]]
+[[mesh.viscous]]
+group = "right"
+[output]
+tracked = ["bar.100"]
+history_interval = 1e-4
+"""
+
+
 class Actions(SceneTest):
     def run_with_table(self, *arguments, **options):
         (self.directory / "table.csv").write_text("time; value\n# a comment\n0; 0\n1.5; 3\n")
@@ -90,6 +112,15 @@ class Actions(SceneTest):
         outer_work = float(self.rows()[-1]["outer_work"])
         self.assertGreater(outer_work, 0)
         self.assertLess(abs(float(self.rows()[-1]["residual"])), 1e-3 * outer_work)
+
+    def test_a_wave_leaves_a_viscous_end(self):
+        """It passes the middle of the bar at 5 to 7 ms, and would come back at 15 ms."""
+        self.run_scene(BAR.replace("duration = 0.014", "duration = 0.018"))
+        speed = [(float(row["time"]), abs(float(row["bar.100.vx"]))) for row in self.rows()]
+        incoming = max(v for _, v in speed)
+        self.assertAlmostEqual(incoming, 1e6 / (2500 * 2000), delta=0.01)
+        self.assertLess(max(v for time, v in speed if time > 0.013), 0.02 * incoming)
+        self.assertLess(float(self.rows()[-1]["kinetic"]), 1e-3 * 66.7)
 
     def test_faults_name_the_key_and_what_is_allowed(self):
         for old, new, fault in [

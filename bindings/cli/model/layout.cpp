@@ -14,6 +14,7 @@
 #include "common/suggestion.h"
 #include "common/text.h"
 #include "model/checked_shape.h"
+#include "model/joint_stress.h"
 
 namespace halfspace::cli {
 namespace {
@@ -360,7 +361,9 @@ Layout lay_out_blocks(const Context& context, const Scene& scene, Faults& faults
     builder.track(scene.output.tracked[i], scene.output.tracked_places[i]);
   }
   if (!scene.reference.block.empty()) builder.refer_to(scene.reference.block, scene.reference.block_place);
-  return builder.take();
+  Layout layout = builder.take();
+  if (scene.in_situ && faults.none() && !layout.blocks.empty()) stress_joints(context, scene, layout, faults);
+  return layout;
 }
 
 }  // namespace halfspace::cli

@@ -30,6 +30,12 @@ struct LayoutBody {
     std::vector<int32_t> nodes;
     std::vector<Point> scales;  ///< of each node
   };
+  /// A part of a face that waves leave, at a node.
+  struct ViscousPart {
+    int32_t node = 0;
+    int32_t material = 0;
+    Point area{};  ///< along the outward normal
+  };
   MeshHandle mesh;
   std::vector<int32_t> materials;            ///< of each cell
   std::vector<std::vector<int>> cell_nodes;  ///< of each cell
@@ -41,6 +47,7 @@ struct LayoutBody {
   std::vector<Support> supports;
   std::vector<Force> forces;
   std::vector<NodeAction> actions;
+  std::vector<ViscousPart> viscous;
   std::optional<Tensor> stress;  ///< initial stress at the origin
   Tensor stress_by_height{};     ///< vertical gradient of the initial stress, Pa/m
 };

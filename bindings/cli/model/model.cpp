@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "common/vector.h"
+#include "model/joint_stress.h"
 #include "model/placing.h"
 
 namespace halfspace::cli {
@@ -72,7 +73,7 @@ Model::Model(const Context& context, const Scene& scene, Layout layout)
   }
   is_removed_.resize(blocks_.size());
   released_.resize(layout_.bodies.size());
-  for (const LayoutBody& body : layout_.bodies) add(body);
+  for (const LayoutBody& body : layout_.bodies) add(body, scene.materials);
   for (std::size_t body = 0; body < bodies_.size(); ++body) load_nodes(body);
   for (const PairBond& pair : scene.bonds)
     require(context, hs_world_bond_materials(world, pair.a, pair.b, &pair.def, nullptr));
@@ -81,11 +82,30 @@ Model::Model(const Context& context, const Scene& scene, Layout layout)
   std::vector<hs_bond> all(static_cast<std::size_t>(bonds));
   require(context, hs_world_get_bonds(world, all.data(), bonds, nullptr));
   for (const hs_bond& bond : all) bonded_.emplace_back(index_of(bond.block_a), index_of(bond.block_b));
+  if (scene.in_situ) preload_joints(scene);
   update_report();
   if (scene.stages.empty()) begin_actions(0);
 }
 
-void Model::add(const LayoutBody& given) {
+/// Gives the shear stress of the start to the joints that resist it.
+void Model::preload_joints(const Scene& scene) {
+  require(context_, hs_world_detect(world_.get(), nullptr));
+  int64_t count = 0;
+  require(context_, hs_world_get_contacts(world_.get(), nullptr, 0, &count));
+  std::vector<hs_contact> contacts(static_cast<std::size_t>(count));
+  require(context_, hs_world_get_contacts(world_.get(), contacts.data(), count, nullptr));
+  for (const hs_contact& contact : contacts) {
+    const LayoutBlock& a = layout_.blocks[index_of(contact.block_a)];
+    const LayoutBlock& b = layout_.blocks[index_of(contact.block_b)];
+    const hs_law_def& law = law_between(scene, a.material, b.material);
+    const bool is_loaded = a.kind == HS_BLOCK_RIGID || b.kind == HS_BLOCK_RIGID;
+    if (!is_loaded || contact.area == 0 || (law.friction_angle == 0 && law.cohesion == 0)) continue;
+    const Point shear = shear_force_at(scene, *scene.in_situ, contact);
+    require(context_, hs_world_set_shear_force(world_.get(), contact.block_a, contact.block_b, shear.data()));
+  }
+}
+
+void Model::add(const LayoutBody& given, const std::vector<Material>& materials) {
   hs_body_def def;
   require(context_, hs_body_def_init(&def, sizeof def));
   place(def.pose, given.placing);
@@ -97,6 +117,7 @@ void Model::add(const LayoutBody& given) {
                                           static_cast<int64_t>(support.nodes.size()), support.axes,
                                           support.velocity.data()));
   }
+  make_viscous(given, body, materials);
   if (given.stress) {
     std::array<double, 27> gradient{};
     std::copy(given.stress_by_height.begin(), given.stress_by_height.end(),

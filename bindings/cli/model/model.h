@@ -91,7 +91,9 @@ class Model {
   const Layout& layout() const { return layout_; }
 
  private:
-  void add(const LayoutBody& body);
+  void preload_joints(const Scene& scene);
+  void add(const LayoutBody& body, const std::vector<Material>& materials);
+  void make_viscous(const LayoutBody& given, hs_body body, const std::vector<Material>& materials);
   void excavate(const std::vector<std::size_t>& blocks);
   bool has_parts_of_layout() const;
   bool has_block_of_layout(std::size_t block) const;

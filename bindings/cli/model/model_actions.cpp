@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 #include "model/model.h"
 
@@ -15,7 +17,39 @@ hs_action_def definition_of(const Context& context, int kind, double start) {
   return def;
 }
 
+/// Force over velocity of a part of a face: density times the speed of compression waves along its normal,
+/// and of shear waves across it [Lysmer 1969].
+Tensor impedance_of(const Material& material, const Point& area, int dimension) {
+  const hs_elasticity_def& elasticity = *material.elasticity;
+  const double modulus = elasticity.young_modulus, ratio = elasticity.poisson_ratio;
+  const double shear = modulus / (2 * (1 + ratio));
+  const double compression = dimension == 2 && elasticity.plane == HS_PLANE_STRESS
+                                 ? modulus / (1 - ratio * ratio)
+                                 : modulus * (1 - ratio) / ((1 + ratio) * (1 - 2 * ratio));
+  const double size = length(area);
+  const double along = size * std::sqrt(material.density * compression);
+  const double across = size * std::sqrt(material.density * shear);
+  Tensor impedance{};
+  for (std::size_t i = 0; i < static_cast<std::size_t>(dimension); ++i) {
+    for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k)
+      impedance[3 * i + k] = (along - across) * area[i] * area[k] / (size * size) + (i == k ? across : 0);
+  }
+  return impedance;
+}
+
 }  // namespace
+
+void Model::make_viscous(const LayoutBody& given, hs_body body, const std::vector<Material>& materials) {
+  std::map<int32_t, Tensor> viscosities;
+  for (const LayoutBody::ViscousPart& part : given.viscous) {
+    const Tensor more =
+        impedance_of(materials[static_cast<std::size_t>(part.material)], part.area, layout_.dimension);
+    Tensor& sum = viscosities[part.node];
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += more[i];
+  }
+  for (const auto& [node, viscosity] : viscosities)
+    require(context_, hs_world_set_node_viscosity(world_.get(), body, &node, 1, viscosity.data()));
+}
 
 void Model::begin_actions(std::size_t stage) {
   const double now = report_.time;

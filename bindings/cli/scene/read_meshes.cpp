@@ -118,6 +118,10 @@ Mesh read_mesh(Keys& keys, const Scene& scene) {
     mesh.loads.push_back(std::move(load));
     table.finish();
   }
+  for (Keys& table : keys.tables("viscous", false)) {
+    mesh.viscous.push_back(read_part(table));
+    table.finish();
+  }
   keys.finish();
   return mesh;
 }

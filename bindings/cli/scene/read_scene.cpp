@@ -146,6 +146,17 @@ void read_laws(std::vector<Keys> tables, Scene& scene) {
   }
 }
 
+void read_in_situ(Keys keys, Scene& scene) {
+  InSitu in_situ;
+  in_situ.surface = keys.number("surface", any_number(), required);
+  in_situ.ratio = keys.number("K0", at_least(0), required);
+  const std::string material = keys.text("material", required);
+  if (keys.has("material")) in_situ.material = material_index(keys, "material", material, scene).value_or(0);
+  in_situ.place = keys.place();
+  keys.finish();
+  scene.in_situ = in_situ;
+}
+
 void read_output(Keys keys, Scene& scene) {
   Output& output = scene.output;
   output.frame_interval =
@@ -185,8 +196,9 @@ void read_output(Keys keys, Scene& scene) {
 }
 
 const std::initializer_list<std::string_view> top_keys = {
-    "title", "dimension",    "world",        "material", "default_law", "law",    "bond",   "stage",
-    "block", "jointed_rock", "triangulated", "voronoi",  "mesh",        "action", "output", "reference"};
+    "title", "dimension", "world",   "material",     "default_law",  "law",
+    "bond",  "stage",     "block",   "jointed_rock", "triangulated", "voronoi",
+    "mesh",  "action",    "in_situ", "output",       "reference"};
 
 Scene read_top(Keys keys, const std::string& folder, Faults& faults) {
   Scene scene;
@@ -206,6 +218,7 @@ Scene read_top(Keys keys, const std::string& folder, Faults& faults) {
   read_bonds(keys.tables("bond", false), scene);
   read_stages(keys.tables("stage", false), scene);
   read_actions(keys.tables("action", false), scene);
+  if (keys.has_any({"in_situ"})) read_in_situ(keys.table("in_situ", true), scene);
   const bool has_blocks = read_blocks(keys, scene);
   read_output(keys.table("output", false), scene);
   read_reference(keys.table("reference", false), scene);

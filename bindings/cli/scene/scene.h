@@ -61,6 +61,14 @@ struct TimeTable {
   std::vector<Point> values;
 };
 
+/// The stress of rigid blocks at the start, by the weight of the rock above.
+struct InSitu {
+  double surface = 0;  ///< m, height at which the stress is 0
+  double ratio = 0;    ///< K0: horizontal over vertical stress
+  int material = 0;    ///< whose density it is
+  Place place = {};
+};
+
 /// A motion or load in time of some blocks, or an acceleration of all blocks.
 struct Action {
   std::string on;  ///< name of a block or generator; empty: all blocks
@@ -194,6 +202,7 @@ struct Mesh {
   std::vector<MeshMaterial> materials;
   std::vector<MeshSupport> supports;
   std::vector<MeshLoad> loads;
+  std::vector<MeshPart> viscous;  ///< outer faces that waves leave
 };
 
 /// A convex region: in 2D a polygon with its vertices in order, in 3D the hull of points.
@@ -299,6 +308,7 @@ struct Scene {
   std::vector<PairBond> bonds;
   std::vector<SceneStage> stages;  ///< empty: the scene runs for its duration
   std::vector<Action> actions;
+  std::optional<InSitu> in_situ;
   std::vector<Block> blocks;
   std::vector<JointedRock> jointed_rocks;
   std::vector<Triangulated> triangulated;

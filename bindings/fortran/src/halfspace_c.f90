@@ -1607,6 +1607,21 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_end_node_actions
     end function hs_world_end_node_actions
 
+    !> Sets the viscosity of nodes of a body: a dashpot connects each with the ground, whose force is minus
+    !! the viscosity times the velocity. On the nodes of a face, with density times the speeds of compression
+    !! and shear waves times each node's share of the area, waves leave the body (Lysmer and Kuhlemeyer 1969).
+    !! The work of the dashpots counts as outer_work. They do not limit the time step.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID or HS_ERROR_OUT_OF_MEMORY
+    function hs_world_set_node_viscosity(world, body, nodes, count, viscosity) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int64_t), value :: body  !< id
+      type(c_ptr), value :: nodes  !< indices of nodes
+      integer(c_int64_t), value :: count  !< in nodes
+      real(c_double), intent(in) :: viscosity(9)  !< of each node, 9 values row by row, symmetric, N s/m; all 0 removes the dashpot
+      integer(c_int32_t) :: hs_world_set_node_viscosity
+    end function hs_world_set_node_viscosity
+
     !> Holds axes of a rigid block: the velocity along them stays, whatever the forces; a block whose rotation
     !! is held does not rotate. Contacts of laws without springs are points then, without restitution.
     !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE for other kinds

@@ -1564,6 +1564,19 @@ def declare(library):
     ]
     library.hs_world_end_node_actions.restype = hs_status
 
+    # Sets the viscosity of nodes of a body: a dashpot connects each with the ground, whose force is minus the
+    # viscosity times the velocity. On the nodes of a face, with density times the speeds of compression and
+    # shear waves times each node's share of the area, waves leave the body (Lysmer and Kuhlemeyer 1969). The
+    # work of the dashpots counts as outer_work. They do not limit the time step.
+    library.hs_world_set_node_viscosity.argtypes = [
+        POINTER(hs_world),  # world
+        hs_body,  # body
+        c_void_p,  # nodes
+        c_int64,  # count
+        c_void_p,  # viscosity
+    ]
+    library.hs_world_set_node_viscosity.restype = hs_status
+
     # Holds axes of a rigid block: the velocity along them stays, whatever the forces; a block whose rotation
     # is held does not rotate. Contacts of laws without springs are points then, without restitution.
     library.hs_world_hold_block.argtypes = [

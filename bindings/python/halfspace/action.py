@@ -117,6 +117,28 @@ class ActedOn(Statics):
         """Ends all actions on the nodes of a body."""
         self._call(library.hs_world_end_node_actions, block_id(body, "body"))
 
+    def set_node_viscosity(self, body: int, nodes: ArrayLike, viscosity: ArrayLike) -> None:
+        """Connects nodes with the ground by dashpots; on a face with its impedance, waves leave the body.
+
+        Parameters
+        ----------
+        viscosity : array_like
+            Of each node, of shape (dimension, dimension), symmetric, N s/m; 0 removes the dashpots.
+        """
+        names = indices(nodes, "nodes").ravel()
+        components = np.zeros((3, 3))
+        given = np.asarray(viscosity, np.float64)
+        if given.shape not in ((2, 2), (3, 3)):
+            raise ValueError(f"viscosity has the shape {given.shape}; it must be (2, 2) or (3, 3)")
+        components[: len(given), : len(given)] = given
+        self._call(
+            library.hs_world_set_node_viscosity,
+            block_id(body, "body"),
+            names.ctypes.data,
+            len(names),
+            (ctypes.c_double * 9)(*components.ravel()),
+        )
+
     def hold(self, block: int, axes: str) -> None:
         """Holds axes of a rigid block: its velocity along them stays, whatever the forces.
 

@@ -91,6 +91,16 @@ HS_CHECKED hs_status hs_world_add_node_action(hs_world *world, hs_body body, con
  *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID */
 HS_CHECKED hs_status hs_world_end_node_actions(hs_world *world, hs_body body);
 
+/** @brief Sets the viscosity of nodes of a body: a dashpot connects each with the ground, whose force is minus
+ *  the viscosity times the velocity. On the nodes of a face, with density times the speeds of compression and
+ *  shear waves times each node's share of the area, waves leave the body (Lysmer and Kuhlemeyer 1969). The work
+ *  of the dashpots counts as outer_work. They do not limit the time step.
+ *  @param world not NULL @param body id @param nodes indices of nodes @param count in nodes
+ *  @param viscosity of each node, 9 values row by row, symmetric, N s/m; all 0 removes the dashpot
+ *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID or HS_ERROR_OUT_OF_MEMORY */
+HS_CHECKED hs_status hs_world_set_node_viscosity(hs_world *world, hs_body body, const int32_t nodes[],
+                                                 int64_t count, const double viscosity[9]);
+
 /** @brief Holds axes of a rigid block: the velocity along them stays, whatever the forces; a block whose
  *  rotation is held does not rotate. Contacts of laws without springs are points then, without restitution.
  *  @param world not NULL @param block id of a rigid block @param axes sum of HS_AXIS_ values, or 0: frees it

@@ -118,8 +118,10 @@ template <int D>
 void World<D>::remove_mesh(std::int32_t body) {
   Meshes<D>& meshes = model_.blocks.meshes();
   if (!model_.actions.empty()) model_.actions.end_on_nodes(body, model_.blocks);
+  model_.viscous_nodes.remove_body(body);
   for (const SurfaceCell<D>& cell : meshes.surface_of(body)) remove_block(cell.block);
   meshes.remove(body);
+  model_.viscous_nodes.renew(meshes);
   integrator_.forget_reaction();
   if (hard_contacts_.is_used()) contacts_.neighbors().invalidate();  // nodes are renumbered
   edit();
@@ -171,6 +173,12 @@ void World<D>::set_node_force(std::size_t node, const Vector<D>& force) {
 }
 
 template <int D>
+void World<D>::set_node_viscosity(std::int32_t body, std::int32_t node, const Tensor<D>& viscosity) {
+  model_.viscous_nodes.set(body, node, viscosity, model_.blocks.meshes());
+  edit();
+}
+
+template <int D>
 void World<D>::end_node_edits(std::int32_t body) {
   for (const SurfaceCell<D>& cell : model_.blocks.meshes().surface_of(body))
     model_.blocks.follow_node_velocities(cell);
@@ -186,6 +194,7 @@ void World<D>::end_node_edits(std::int32_t body) {
   template void World<D>::hold_node(std::size_t, std::uint8_t);                                          \
   template void World<D>::set_node_velocity(std::size_t, const Vector<D>&);                              \
   template void World<D>::set_node_force(std::size_t, const Vector<D>&);                                 \
+  template void World<D>::set_node_viscosity(std::int32_t, std::int32_t, const Tensor<D>&);              \
   template void World<D>::end_node_edits(std::int32_t);
 
 HALFSPACE_MEMBERS(2)

@@ -2,6 +2,7 @@
 
 #include "block/blocks.h"
 #include "world/loads/actions.h"
+#include "world/loads/viscous_nodes.h"
 #include "world/model/materials.h"
 #include "world/model/settings.h"
 
@@ -11,7 +12,7 @@ namespace halfspace {
 template <int D>
 struct Model {
   Model(const WorldSettings<D>& given, Memory* memory)
-      : settings(given), materials(memory), blocks(memory), actions(memory) {}
+      : settings(given), materials(memory), blocks(memory), actions(memory), viscous_nodes(memory) {}
   Model(const Model&) = delete;  // the parts of a world refer to it
 
   const ContactLaw& law_between(std::size_t a, std::size_t b) const {
@@ -40,18 +41,20 @@ struct Model {
 
   bool is_consistent() const {
     return settings.is_consistent() && materials.is_consistent() && blocks.is_consistent(materials.count()) &&
-           actions.is_consistent(blocks) && is_nonnegative(fixed_length);
+           actions.is_consistent(blocks) && viscous_nodes.is_consistent(blocks.meshes()) &&
+           is_nonnegative(fixed_length);
   }
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(settings, materials, blocks, actions, fixed_length);
+    archive(settings, materials, blocks, actions, viscous_nodes, fixed_length);
   }
 
   WorldSettings<D> settings;
   Materials materials;
   Blocks<D> blocks;
-  Actions<D> actions;       // loads and motions in time
+  Actions<D> actions;  // loads and motions in time
+  ViscousNodes<D> viscous_nodes;
   double fixed_length = 0;  // H, from the first force evaluation on; 0 before
 };
 

@@ -66,12 +66,26 @@ void MeshMotion<D>::load_nodes_of(const SurfaceCell<D>& cell) {
 
 /// Newton's law with local and mass-proportional damping, for the components that are not held.
 template <int D>
-void MeshMotion<D>::accelerate(std::size_t i) {
+void MeshMotion<D>::accelerate(std::size_t i, double to_end) {
   const Vector<D>& velocity = meshes_.velocity[i];
   const Vector<D> reaction = this->reaction(i), acting = force_on(i);
   for (int k = 0; k < D; ++k) {
     const double force = damped(acting[k] + reaction[k], velocity[k], settings_.local_damping) - reaction[k];
     acceleration_[i][k] = is_held(i, k) ? 0 : force / meshes_.mass[i] - settings_.mass_damping * velocity[k];
+  }
+  if (!model_.viscous_nodes.empty()) damp_by_ground(i, to_end);
+}
+
+/// A dashpot acts by the velocity at the end of the motion: so it limits no time step.
+template <int D>
+void MeshMotion<D>::damp_by_ground(std::size_t i, double to_end) {
+  const Tensor<D>* viscosity = model_.viscous_nodes.viscosity_of(i);
+  if (!viscosity) return;
+  const Tensor<D> resistance = meshes_.mass[i] * Tensor<D>::Identity() + to_end * *viscosity;
+  const Vector<D> force = meshes_.mass[i] * acceleration_[i] - *viscosity * meshes_.velocity[i];
+  const Vector<D> acceleration = resistance.inverse() * force;
+  for (int k = 0; k < D; ++k) {
+    if (!is_held(i, k)) acceleration_[i][k] = acceleration[k];
   }
 }
 
@@ -84,6 +98,10 @@ void MeshMotion<D>::sample_energy(std::size_t i, const Vector<D>& opposed, Energ
   const Vector<D> acting = force_on(i), force = acting + reaction(i);
   sample.squared_speed = std::max(sample.squared_speed, velocity.squaredNorm());
   sample.kinetic += 0.5 * mass * velocity.squaredNorm();
+  if (!model_.viscous_nodes.empty()) {
+    if (const Tensor<D>* viscosity = model_.viscous_nodes.viscosity_of(i))
+      sample.power.outer -= velocity.dot(*viscosity * velocity);
+  }
   for (int k = 0; k < D; ++k) {
     if (is_held(i, k)) {
       sample.power.outer -= acting[k] * velocity[k];
@@ -139,7 +157,7 @@ void MeshMotion<D>::begin(double time_step, EnergySample& sample, double& noise)
   for (const Body<D>& body : meshes_.bodies()) {
     for (std::size_t i = std::size_t(body.first_node); i < std::size_t(body.first_node + body.node_count);
          ++i) {
-      accelerate(i);
+      accelerate(i, 0);
       const Vector<D> position = body.origin + meshes_.place[i];
       const double speed = std::numeric_limits<double>::epsilon() * position.norm() / time_step;
       noise += meshes_.mass[i] * (speed * speed + settings_.gravity.norm() * meshes_.place[i].norm());
@@ -207,7 +225,7 @@ bool MeshMotion<D>::predict(double duration) {
 template <int D>
 void MeshMotion<D>::take_actions(double duration) {
   if (meshes_.empty()) return;
-  for (std::size_t i = 0; i < meshes_.node_count(); ++i) accelerate(i);
+  for (std::size_t i = 0; i < meshes_.node_count(); ++i) accelerate(i, 0);
   model_.actions.for_each_given_node(meshes_, [&](std::size_t i, const GivenVelocity<Vector<D>>& given) {
     for (int k = 0; k < D; ++k) {
       if (given.is_given(k)) acceleration_[i][k] = 2 / duration * (given.mean[k] - given.start[k]);
@@ -269,7 +287,7 @@ void MeshMotion<D>::kick(double duration, EnergySample& sample) {
     for (std::size_t i = std::size_t(body.first_node); i < std::size_t(body.first_node + body.node_count);
          ++i) {
       const Vector<D> middle_velocity = meshes_.velocity[i];
-      accelerate(i);
+      accelerate(i, 0.5 * duration);
       sample.applied_power += meshes_.applied_force[i].dot(middle_velocity);
       if (!model_.actions.empty()) sample.applied_power += load_of_actions(i).dot(middle_velocity);
       // A kick that is not finite is skipped, as for rigid blocks.

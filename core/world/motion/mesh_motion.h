@@ -84,7 +84,9 @@ class MeshMotion {
   template <int N>
   double load_nodes_of(const Element<D, N>& element);
   void load_nodes_of(const SurfaceCell<D>& cell);
-  void accelerate(std::size_t node);
+  /// `to_end`: time from the node's present velocity to the end of the motion.
+  void accelerate(std::size_t node, double to_end);
+  void damp_by_ground(std::size_t node, double to_end);
   void give_velocities(EnergySample& sample);
   /// Bounds of the change of any element's gradient in the predicted motion, by displacements and by rounding
   /// of positions.

@@ -42,6 +42,7 @@ class MeshLayout {
     make_bodies();
     hold();
     load();
+    add_viscous();
     if (!faults_.none()) return {};
     LaidOutMesh whole{.bodies = std::move(bodies_), .groups = {}};
     for (const ElementMesh::Group& group : mesh_.groups)
@@ -287,19 +288,25 @@ class MeshLayout {
     }
   }
 
-  /// The consistent nodal forces of a uniform load on a face: a half at each end of an edge, a third at each
-  /// corner of a triangle; for a quad the mean over its two triangulations.
+  /// The consistent nodal forces of a uniform load on a face.
   void add_forces(const MeshLoad& load, const OuterFace& face, std::map<int32_t, Point>& forces) const {
+    for_each_share(face, [&](int32_t node, double weight, const Point& area) {
+      Point& force = forces[node];
+      force =
+          plus(force, times(weight, plus(times(-load.pressure, area), times(length(area), load.traction))));
+    });
+  }
+
+  /// Calls `visit(node, weight, area)` for each part of a face that belongs to a node: a half at each end of
+  /// an edge, a third at each corner of a triangle; for a quad the mean over its two triangulations.
+  template <class Visit>
+  void for_each_share(const OuterFace& face, Visit visit) const {
     const std::size_t body = body_of_[static_cast<std::size_t>(face.cell)];
     const std::size_t n = face.nodes.size();
     const auto at = [&](std::size_t k) { return placed_[static_cast<std::size_t>(face.nodes[k % n])]; };
     const auto add = [&](std::size_t k, double weight, const Point& area) {
-      for (const NodeOfBody& place : where_[static_cast<std::size_t>(face.nodes[k % n])]) {
-        if (place.body != body) continue;
-        Point& force = forces[place.node];
-        force =
-            plus(force, times(weight, plus(times(-load.pressure, area), times(length(area), load.traction))));
-      }
+      for (const NodeOfBody& place : where_[static_cast<std::size_t>(face.nodes[k % n])])
+        if (place.body == body) visit(place.node, weight, area);
     };
     if (n == 2) {
       const Point along = minus(at(1), at(0));
@@ -312,6 +319,18 @@ class MeshLayout {
       const double weight =
           n == 3 ? 1.0 / 9 : 1.0 / 6;  // the triangles sum to three times, or twice, the face
       for (std::size_t k : {first, first + 1, first + n - 1}) add(k, weight, area);
+    }
+  }
+
+  /// The parts of viscous faces at each node.
+  void add_viscous() {
+    for (const MeshPart& part : given_.viscous) {
+      for (const OuterFace* face : faces_in(part)) {
+        const auto cell = static_cast<std::size_t>(face->cell);
+        for_each_share(*face, [&](int32_t node, double weight, const Point& area) {
+          bodies_[body_of_[cell]].body.viscous.push_back({node, materials_[cell], times(weight, area)});
+        });
+      }
     }
   }
 

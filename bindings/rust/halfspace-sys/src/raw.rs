@@ -2270,6 +2270,26 @@ extern "C" {
     /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
     pub fn hs_world_end_node_actions(world: *mut hs_world, body: hs_body) -> hs_status;
 
+    /// Sets the viscosity of nodes of a body: a dashpot connects each with the ground, whose force is minus
+    /// the viscosity times the velocity. On the nodes of a face, with density times the speeds of compression
+    /// and shear waves times each node's share of the area, waves leave the body (Lysmer and Kuhlemeyer
+    /// 1969). The work of the dashpots counts as outer_work. They do not limit the time step.
+    ///
+    /// - `world`: not NULL
+    /// - `body`: id
+    /// - `nodes`: indices of nodes
+    /// - `count`: in nodes
+    /// - `viscosity`: of each node, 9 values row by row, symmetric, N s/m; all 0 removes the dashpot
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID or HS_ERROR_OUT_OF_MEMORY
+    pub fn hs_world_set_node_viscosity(
+        world: *mut hs_world,
+        body: hs_body,
+        nodes: *const i32,
+        count: i64,
+        viscosity: *const [f64; 9],
+    ) -> hs_status;
+
     /// Holds axes of a rigid block: the velocity along them stays, whatever the forces; a block whose
     /// rotation is held does not rotate. Contacts of laws without springs are points then, without
     /// restitution.
