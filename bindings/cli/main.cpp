@@ -127,6 +127,7 @@ std::string bytes_of(const std::string& file, const Scene& scene) {
     if (!block.file.empty()) bytes += content_of(block.file);
   for (const Mesh& mesh : scene.meshes)
     if (!mesh.file.empty()) bytes += content_of(mesh.file);
+  for (const Terrain& terrain : scene.terrains) bytes += content_of(terrain.file);
   return bytes;
 }
 

@@ -182,6 +182,15 @@ class Joints(SceneTest):
         joints = '[output]\njoints = [{name = "pair", blocks = ["box", "slope"]}, {name = "place", at = [0.5, 1, 0]}]\n'
         self.check_sliding(head + blocks + joints, 2000, 2, 15, 1)
 
+    def test_forces_of_a_bond(self):
+        # The box hangs from the slope, which gravity is turned for.
+        head = HEAD.format(dimension=2, world="gravity = [0.5, 2]\nmass_damping = 50", friction=0)
+        bond = '[[bond]]\nbetween = ["rock", "rock"]\nnormal_stiffness = 1e9\ntensile_strength = 1e9\ncohesion = 1e9\n'
+        self.run_scene(head + bond + PLANE + '[output]\njoints = [{name = "j", blocks = ["box", "slope"]}]\n')
+        last = self.rows()[-1]
+        for name, value in (("normal_force", -2000), ("shear_force", -500), ("opening", 2e-6), ("slip", -0.5e-6)):
+            self.assertAlmostEqual(float(last["j." + name]) / value, 1, delta=1e-3)
+
     def test_a_joint_that_opens(self):
         head = HEAD.format(dimension=2, world="gravity = [0, 0]", friction=0)
         joints = '[output]\njoints = [{name = "j", blocks = ["slope", "box"]}]\n'

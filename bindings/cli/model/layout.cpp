@@ -11,6 +11,7 @@
 #include "blocks/rock/jointed_rock.h"
 #include "blocks/rock/triangulation.h"
 #include "blocks/rock/voronoi.h"
+#include "blocks/terrain/terrain_blocks.h"
 #include "common/suggestion.h"
 #include "common/text.h"
 #include "model/checked_shape.h"
@@ -77,6 +78,26 @@ class LayoutBuilder {
     LaidOutMesh laid_out = lay_out_mesh(context_, mesh, layout_.dimension, is_excavated_, faults_);
     if (laid_out.bodies.empty()) without_blocks_.push_back(mesh.making.name);
     add(std::move(laid_out), mesh.making.name, mesh.making, mesh.placing, mesh.velocity);
+  }
+
+  void add(const Terrain& terrain) {
+    claim(terrain.making);
+    if (!may_generate(terrain.making)) return;
+    generate(terrain.making, [&] {
+      try {
+        std::size_t count = 0;
+        make_terrain_blocks(context_, read_surface(terrain), terrain.depth, [&](TerrainBlock block) {
+          add_block(member(terrain.making, count++), terrain.making, std::move(block.shape),
+                    {.rotation = {}, .shift = block.place}, {});
+          layout_.blocks.back().faces = {std::move(block.top)};
+        });
+      } catch (const LibraryError&) {
+        throw;
+      } catch (const std::runtime_error& error) {
+        faults_.add(terrain.shape_place, terrain.making.key + ".file", error.what());
+        without_blocks_.push_back(terrain.making.name);
+      }
+    });
   }
 
   /// Adds the blocks that a stage excavates.
@@ -383,6 +404,7 @@ Layout lay_out_blocks(const Context& context, const Scene& scene, Faults& faults
   for (const Triangulated& region : scene.triangulated) builder.add(region);
   for (const Voronoi& voronoi : scene.voronoi) builder.add(voronoi);
   for (const Mesh& mesh : scene.meshes) builder.add(mesh);
+  for (const Terrain& terrain : scene.terrains) builder.add(terrain);
   for (std::size_t i = 0; i < scene.stages.size(); ++i) builder.excavate(scene.stages[i], i);
   for (std::size_t i = 0; i < scene.output.tracked.size(); ++i) {
     builder.track(scene.output.tracked[i], scene.output.tracked_places[i]);

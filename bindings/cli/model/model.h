@@ -71,6 +71,8 @@ class Model {
   Frame frame() const;
   /// The current contacts; their blocks are indices in the layout.
   std::vector<hs_contact> contacts() const;
+  /// All bonds; their blocks are indices in the layout.
+  std::vector<hs_bond> bonds() const;
   /// The numbers of bonds and of their failures.
   hs_bond_report bond_report() const;
   /// The two blocks of a bond, as indices in the layout; bonds in the order of their creation.

@@ -113,8 +113,9 @@ void History::add_points(const Model& model, const Frame& origin) {
 void History::add_joints(const Model& model) {
   if (joints_.empty()) return;
   const std::vector<hs_contact> contacts = model.contacts();
+  const std::vector<hs_bond> bonds = model.bonds();
   for (const JointMotion& joint : joints_) {
-    const JointState state = joint.state(model, contacts);
+    const JointState state = joint.state(model, contacts, bonds);
     for (const double value : {state.opening, state.slip, state.normal_force, state.shear_force})
       text_ += ',' + shortest(value);
   }

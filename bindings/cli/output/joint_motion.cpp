@@ -32,7 +32,14 @@ JointMotion::JointMotion(const Model& start, const LayoutJoint& joint)
     along_.push_back(start.carry(joint.block_a, plus(joint.center, directions[i])));
 }
 
-JointState JointMotion::state(const Model& model, const std::vector<hs_contact>& contacts) const {
+template <class Connection>
+int JointMotion::direction_of(const Connection& connection) const {
+  if (connection.block_a == joint_.block_a && connection.block_b == joint_.block_b) return 1;
+  return connection.block_a == joint_.block_b && connection.block_b == joint_.block_a ? -1 : 0;
+}
+
+JointState JointMotion::state(const Model& model, const std::vector<hs_contact>& contacts,
+                              const std::vector<hs_bond>& bonds) const {
   const Point center = model.position_of(center_);
   const Point apart = minus(model.position_of(of_b_), center);
   const Point first = unit(minus(model.position_of(along_[0]), center));
@@ -43,12 +50,16 @@ JointState JointMotion::state(const Model& model, const std::vector<hs_contact>&
   state.slip = dimension_ == 2 ? dot(apart, first) : length(minus(apart, times(state.opening, normal)));
   Point shear{};
   for (const hs_contact& contact : contacts) {
-    const bool is_same = contact.block_a == joint_.block_a && contact.block_b == joint_.block_b;
-    const bool is_reversed = contact.block_a == joint_.block_b && contact.block_b == joint_.block_a;
-    if (!is_same && !is_reversed) continue;
+    const int direction = direction_of(contact);
+    if (direction == 0) continue;
     state.normal_force += contact.normal_force;
-    const Point on_b = times(is_same ? 1 : -1, point_of(contact.shear_force));
-    shear = plus(shear, on_b);
+    shear = plus(shear, times(direction, point_of(contact.shear_force)));
+  }
+  for (const hs_bond& bond : bonds) {
+    const int direction = direction_of(bond);
+    if (direction == 0) continue;
+    state.normal_force -= bond.normal_force;
+    shear = plus(shear, times(direction, point_of(bond.shear_force)));
   }
   state.shear_force = dimension_ == 2 ? -dot(shear, first) : length(shear);
   return state;

@@ -19,9 +19,14 @@ class JointMotion {
  public:
   /// The model is at its start.
   JointMotion(const Model& start, const LayoutJoint& joint);
-  JointState state(const Model& model, const std::vector<hs_contact>& contacts) const;
+  JointState state(const Model& model, const std::vector<hs_contact>& contacts,
+                   const std::vector<hs_bond>& bonds) const;
 
  private:
+  /// 1 if a contact or bond is from block a to block b, -1 if it is from b to a, 0 if it is between others.
+  template <class Connection>
+  int direction_of(const Connection& connection) const;
+
   LayoutJoint joint_;
   int dimension_;
   CarriedPoint center_;              ///< of block a

@@ -132,8 +132,8 @@ void read_output(Keys keys, Scene& scene) {
 }
 
 const std::initializer_list<std::string_view> top_keys = {
-    "title", "dimension",    "world",        "material", "default_law", "law",    "bond",     "stage",
-    "block", "jointed_rock", "triangulated", "voronoi",  "mesh",        "output", "reference"};
+    "title", "dimension",    "world",        "material", "default_law", "law",     "bond",   "stage",
+    "block", "jointed_rock", "triangulated", "voronoi",  "mesh",        "terrain", "output", "reference"};
 
 Scene read_top(Keys keys, const std::string& folder, Faults& faults) {
   Scene scene;

@@ -217,6 +217,20 @@ struct Voronoi {
   std::uint64_t seed = 0;
 };
 
+/// An open surface of triangles as a fixed boundary, 3D.
+struct Terrain {
+  Making making;
+  std::string file;  ///< path, from the working directory
+  Place shape_place;
+  double depth = 0;    ///< m, extent of the blocks behind the surface
+  double scale = 1;    ///< STL, OBJ: length in m of one unit of the file
+  Point shift{};       ///< STL, OBJ: m, after the scaling
+  Point origin{};      ///< height map: the south-western node, in the plane
+  double spacing = 1;  ///< height map: m, between nodes
+  double lowest = 0;   ///< PNG: height of black, m
+  double highest = 1;  ///< PNG: height of white, m
+};
+
 /// A point whose motion is written to the history. A block carries it along.
 struct TrackedPoint {
   std::string name;
@@ -306,11 +320,12 @@ struct Scene {
   std::vector<Triangulated> triangulated;
   std::vector<Voronoi> voronoi;
   std::vector<Mesh> meshes;
+  std::vector<Terrain> terrains;
   Output output;
   Reference reference;
 };
 
-/// Calls `visit` for the making of each block and generator, except [[mesh]].
+/// Calls `visit` for the making of each block and generator, except [[mesh]] and [[terrain]].
 template <class AnyScene, class Visit>
 void for_each_block_making(AnyScene& scene, Visit visit) {
   const auto visit_all = [&](auto& makers) {
@@ -330,11 +345,12 @@ bool any_block_making(const Scene& scene, Condition condition) {
   return holds;
 }
 
-/// Calls `visit` for the making of each block, generator and mesh.
+/// Calls `visit` for the making of each block, generator, mesh and terrain.
 template <class AnyScene, class Visit>
 void for_each_making(AnyScene& scene, Visit visit) {
   for_each_block_making(scene, visit);
   for (auto& mesh : scene.meshes) visit(mesh.making);
+  for (auto& terrain : scene.terrains) visit(terrain.making);
 }
 
 inline bool has_spring(const hs_law_def& law) { return law.stiffness_kind != HS_STIFFNESS_NONE; }
