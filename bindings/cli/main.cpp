@@ -127,6 +127,7 @@ std::string bytes_of(const std::string& file, const Scene& scene) {
     if (!block.file.empty()) bytes += content_of(block.file);
   for (const Mesh& mesh : scene.meshes)
     if (!mesh.file.empty()) bytes += content_of(mesh.file);
+  for (const Terrain& terrain : scene.terrains) bytes += content_of(terrain.file);
   return bytes;
 }
 
@@ -144,7 +145,7 @@ int trade(const std::string& file, const std::string& output, Earlier earlier, c
   if (options.resumes && !std::filesystem::exists(std::filesystem::path(output) / "trade.csv"))
     throw std::runtime_error("cannot resume: there is no trade.csv in " + output);
   OutputDirectory directory(output, options.resumes ? Earlier::keep : earlier);
-  checked.scene.output.tracked.clear();  // another setting may have other cells
+  checked.scene.output.track_nothing();  // another setting may have other cells
   const TradeResult result = trade(checked.scene, bytes_of(file, checked.scene), options, directory);
   print(stdout, result.report);
   if (result.is_interrupted) print(stderr, "\nhalfspace: interrupted; --resume continues\n");
@@ -158,7 +159,7 @@ int plan(const std::string& file, const PlanOptions& options) {
   if (options.time > 0 && !checked.scene.stages.empty())
     checked.faults.add({}, "stage", "a plan runs all stages; allowed: no --time");
   if (!checked.faults.none()) return refuse(file, checked.faults);
-  checked.scene.output.tracked.clear();  // the tracked blocks may be cells, which a run may be without
+  checked.scene.output.track_nothing();  // the tracked blocks may be cells, which a run may be without
   const PlanResult result = plan(checked.scene, options);
   print(stdout, result.report);
   switch (result.end) {

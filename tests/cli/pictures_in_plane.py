@@ -5,7 +5,7 @@ import unittest
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
-from command import EXAMPLES, SCENES, halfspace, main
+from command import EXAMPLES, SCENES, SceneTest, halfspace, main
 
 SPACE = "{http://www.w3.org/2000/svg}"
 FREE = "#1b1b1b"  # outline of what moves freely
@@ -65,6 +65,15 @@ class PicturesInPlane(unittest.TestCase):
     def test_the_first_scene_of_the_documentation_is_seen_whole(self):
         page = (EXAMPLES.parent / "scenes" / "index.md").read_text()
         self.check_windows(self.pictures_of(re.search(r"```toml\n(.*?)```", page, re.DOTALL).group(1)))
+
+
+class Numbers(SceneTest):
+    def test_blocks_have_their_numbers_on_request(self):
+        text = (SCENES / "falling_block.toml").read_text()
+        for picture, numbers in (("", set()), ("numbers = true\n", {"0", "1", "2"})):
+            self.run_scene(text + "[output.picture]\n" + picture)
+            clipped = ElementTree.parse(self.output / "last.svg").getroot().iter(SPACE + "g")
+            self.assertEqual({label.text for group in clipped for label in group.iter(SPACE + "text")}, numbers)
 
 
 if __name__ == "__main__":

@@ -104,5 +104,25 @@ elevation = 0
             self.assertEqual((pixels_of(image, self.directory)[row, column] == 255).all(), is_white, name)
 
 
+class Numbers(SceneTest):
+    def test_blocks_that_are_seen_have_their_numbers_on_request(self):
+        # A small block stands behind a large one, and one stands beside it.
+        text = (SCENES / "falling_block_in_space.toml").read_text()
+        text = text[:text.index("[[block]]")]
+        for name, x, y, size in (("large", 0, 0, 2), ("hidden", 0.5, 3, 1), ("beside", 4, 0, 1)):
+            corners = [[x + dx * size, y + dy * size, dz * size]
+                       for dz in (0, 1) for dx, dy in ((0, 0), (1, 0), (1, 1), (0, 1))]
+            text += f'[[block]]\nname = "{name}"\nmaterial = "stone"\nvertices = {corners}\n'
+        view = "[output.picture]\nnumbers = true\nazimuth = 180\nelevation = 0\nwindow = [[-1, -1, -1], [6, 5, 3]]\n"
+        self.run_scene(text + view)
+        labels = {label.text: label for label in ElementTree.parse(self.output / "first.svg").iter(SPACE + "text")}
+        self.assertNotIn("1", labels)
+        scale = 840 / 7
+        # The baseline is 0.35 of the font's size, 12, below the middle.
+        for number, (x, z) in (("0", (1, 1)), ("2", (4.5, 0.5))):
+            self.assertAlmostEqual(float(labels[number].get("x")), 72 + scale * (x + 1), delta=1)
+            self.assertAlmostEqual(float(labels[number].get("y")), 56 + scale * (3 - z) + 0.35 * 12, delta=1)
+
+
 if __name__ == "__main__":
     main()

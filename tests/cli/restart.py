@@ -242,9 +242,11 @@ class Restart(SceneTest):
     def test_what_is_no_checkpoint_of_the_scene_is_refused(self):
         checkpoint = self.run_whole(STAGED) / "checkpoint"
         for old, new, why in [
-            ("density = 2400", "density = 2500", "its blocks, materials, laws, bonds, motions or tracked blocks differ"),
-            ('"rubble.7"', '"rubble.8"', "its blocks, materials, laws, bonds, motions or tracked blocks differ"),
-            ("stop = 0.15", "stop = 0.16", "its blocks, materials, laws, bonds, motions or tracked blocks differ"),
+            ("density = 2400", "density = 2500", "its materials, laws, bonds or keys of [world] differ"),
+            ("count = 60", "count = 62", "its blocks differ"),
+            ("[0, 0.001]", "[0, 0.002]", "its blocks differ"),
+            ('"rubble.7"', '"rubble.8"', "its tracked blocks, points or joints differ"),
+            ("stop = 0.15", "stop = 0.16", "its prescribed motions differ"),
             ("gravity = [4.0", "gravity = [5.0", "stage 1, which it had begun, differs"),
             ("duration = 0.4", "duration = 0.5", "stage 1, which it had begun, differs"),
             ("ratio = 1e-7", "ratio = 1e-2", "stage 0, which it had begun, differs"),

@@ -1,7 +1,7 @@
 """Scenes in stages: a wall of bonded blocks settles, is shaken, and breaks."""
 import re
 
-from command import SceneTest, main
+from command import SceneTest, halfspace, main
 
 WALL = """title = "A wall that is shaken"
 dimension = 2
@@ -106,6 +106,38 @@ class Stages(SceneTest):
         self.assertEqual(sorted(path.name for path in self.output.glob("stage_*.svg")), ["stage_0.svg", "stage_1.svg"])
         self.assertEqual((self.output / "stage_1.svg").read_text(), (self.output / "last.svg").read_text())
         self.assertNotEqual((self.output / "stage_0.svg").read_text(), (self.output / "last.svg").read_text())
+
+    def test_rows_tell_their_stage_and_the_time_in_it(self):
+        text = WALL.format(strength=1e7).replace('name = "shaking"', 'name = "shaking, \\"hard\\""')
+        self.run_scene(text + '[output]\nhistory_interval = 0.1\n' + '[[stage]]\ndo = "run"\nduration = 0.1\n')
+        rows = self.rows()
+        names = [row["stage"] for row in rows]
+        self.assertEqual(list(dict.fromkeys(names)), ["settling", 'shaking, "hard"', "2"])
+        settled = float(rows[names.count("settling") - 1]["time"])
+        starts = {"settling": 0, 'shaking, "hard"': settled, "2": settled + 0.3}
+        for row in rows:
+            self.assertAlmostEqual(float(row["stage_time"]), float(row["time"]) - starts[row["stage"]], delta=1e-9)
+
+    def test_variants_start_from_the_checkpoint_of_a_stage(self):
+        text = WALL.format(strength=1e7)
+        self.run_scene(text)
+        self.assertEqual(sorted(path.name for path in self.output.glob("*checkpoint")),
+                         ["checkpoint", "stage_0.checkpoint", "stage_1.checkpoint"])
+        settled = self.directory / "settled"
+        self.output.rename(settled)
+        variant = text.replace("gravity = [12.0, -9.81]", "gravity = [-5.0, -9.81]")
+        self.run_scene(variant)
+        whole = (self.output / "history.csv").read_bytes()
+        self.run_scene(variant, "--from", settled / "stage_0.checkpoint")
+        self.assertEqual((self.output / "history.csv").read_bytes(), whole)
+        self.assertIn("stage 1, which it had begun, differs",
+                      self.run_scene(variant, "--from", settled / "stage_1.checkpoint", code=1).stderr)
+        self.assertIn("its blocks differ", self.run_scene(
+            variant.replace("[0.5, 4]", "[0.5, 5]"), "--from", settled / "stage_0.checkpoint", code=1).stderr)
+        shorter = text[:text.index('[[stage]]\nname = "shaking"')]
+        self.scene.write_text(shorter)
+        self.assertEqual(halfspace("run", self.scene, "-o", settled, "--from", settled / "stage_0.checkpoint").returncode, 0)
+        self.assertFalse((settled / "stage_1.checkpoint").exists())
 
     def test_what_stands_on_a_support_that_moves_is_told_early(self):
         text = WALL.format(strength=1e7).replace('kind = "fixed"', 'kind = "prescribed"\nangular_velocity = 9')

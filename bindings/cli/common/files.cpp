@@ -45,6 +45,8 @@ void remove_earlier_run(const fs::path& path) {
                            "trade.csv", "trade.txt", "trade.svg", "checkpoint"})
     fs::remove(path / name);
   remove_numbered(path, "at_", "s.svg");
+  remove_numbered(path, "stage_", ".svg");
+  remove_numbered(path, "stage_", ".checkpoint");
   remove_numbered(frames, "frame_", ".vtp");
   remove_numbered(frames, "contacts_", ".vtp");
 }
@@ -74,6 +76,10 @@ std::string content_of(const std::string& file) {
 std::string frame_name(int number) { return numbered("frames/frame_", number); }
 std::string contacts_name(int number) { return numbered("frames/contacts_", number); }
 
+std::string stage_checkpoint_name(std::size_t stage) {
+  return "stage_" + std::to_string(stage) + ".checkpoint";
+}
+
 OutputDirectory::OutputDirectory(fs::path path, Earlier earlier)
     : path_(std::move(path)), replaces_(earlier == Earlier::replace) {
   try {
@@ -97,6 +103,11 @@ void OutputDirectory::remove_frames_from(int number) {
     const bool was_half_written = fs::remove(frame.string() + ".part", error);
     if (!fs::remove(frame, error) && !was_half_written) return;
   }
+}
+
+void OutputDirectory::remove_stages_from(std::size_t number) {
+  std::error_code error;
+  while (fs::remove(path_ / stage_checkpoint_name(number), error)) ++number;
 }
 
 void OutputDirectory::write(const std::string& name, const std::string& content) {

@@ -13,6 +13,9 @@ std::string content_of(const std::string& file);
 std::string frame_name(int number);
 std::string contacts_name(int number);
 
+/// The name of the checkpoint at the end of a stage.
+std::string stage_checkpoint_name(std::size_t stage);
+
 /// Handling of the files of an earlier run.
 enum class Earlier { refuse, replace, keep };
 
@@ -28,6 +31,8 @@ class OutputDirectory {
 
   /// Removes the frames from this number on.
   void remove_frames_from(int number);
+  /// Removes the checkpoints at the ends of the stages from this number on.
+  void remove_stages_from(std::size_t number);
   /// Writes a file, given its path in the directory. @throws std::runtime_error
   void write(const std::string& name, const std::string& content);
 

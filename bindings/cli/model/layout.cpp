@@ -11,10 +11,12 @@
 #include "blocks/rock/jointed_rock.h"
 #include "blocks/rock/triangulation.h"
 #include "blocks/rock/voronoi.h"
+#include "blocks/terrain/terrain_blocks.h"
 #include "common/suggestion.h"
 #include "common/text.h"
 #include "model/checked_shape.h"
 #include "model/joint_stress.h"
+#include "model/near_blocks.h"
 
 namespace halfspace::cli {
 namespace {
@@ -79,6 +81,26 @@ class LayoutBuilder {
     add(std::move(laid_out), mesh.making.name, mesh.making, mesh.placing, mesh.velocity);
   }
 
+  void add(const Terrain& terrain) {
+    claim(terrain.making);
+    if (!may_generate(terrain.making)) return;
+    generate(terrain.making, [&] {
+      try {
+        std::size_t count = 0;
+        make_terrain_blocks(context_, read_surface(terrain), terrain.depth, [&](TerrainBlock block) {
+          add_block(member(terrain.making, count++), terrain.making, std::move(block.shape),
+                    {.rotation = {}, .shift = block.place}, {});
+          layout_.blocks.back().faces = {std::move(block.top)};
+        });
+      } catch (const LibraryError&) {
+        throw;
+      } catch (const std::runtime_error& error) {
+        faults_.add(terrain.shape_place, terrain.making.key + ".file", error.what());
+        without_blocks_.push_back(terrain.making.name);
+      }
+    });
+  }
+
   /// Adds the blocks that a stage excavates.
   void excavate(const SceneStage& stage, std::size_t number) {
     std::vector<std::size_t>& blocks = layout_.excavated.emplace_back();
@@ -122,6 +144,37 @@ class LayoutBuilder {
 
   void track(const std::string& name, Place place) {
     if (const auto block = find(name, place, "output.tracked")) layout_.tracked.push_back(*block);
+  }
+
+  /// Tracks a point in the first block that contains it.
+  void track(const TrackedPoint& point) {
+    if (!faults_.none()) return;  // the blocks may be incomplete
+    const auto nearest = nearest_block(context_, layout_, point.at, [](std::size_t) { return false; });
+    if (!nearest) return;
+    if (nearest->distance > 0) {
+      faults_.add(point.place, point.key,
+                  described(point.at, layout_.dimension) + " is outside of all blocks; the nearest is \"" +
+                      layout_.blocks[nearest->block].name + "\", " + rounded(nearest->distance, 3) +
+                      " m away; allowed: a point of a block");
+      return;
+    }
+    layout_.points.push_back({point.name, nearest->block, point.at});
+  }
+
+  void track(const TrackedJoint& joint) {
+    if (!faults_.none()) return;
+    const auto pair = joint.blocks.empty() ? blocks_at(joint) : blocks_named(joint);
+    if (!pair) return;
+    // The joint's plane is that of a block at rest, if there is one: sliding does not tilt it.
+    const bool is_b_at_rest = !moves_freely(layout_.blocks[pair->second].kind);
+    const auto [a, b] = is_b_at_rest ? std::pair(pair->second, pair->first) : *pair;
+    const std::optional<PairPlane> plane = plane_between(context_, layout_.blocks[a], layout_.blocks[b]);
+    if (plane) {
+      layout_.joints.push_back({joint.name, a, b, plane->center, plane->normal, plane->gap});
+    } else {
+      faults_.add(joint.place, joint.key,
+                  "no plane between these blocks; allowed: blocks that face each other");
+    }
   }
 
   /// Sets the referenced blocks: a block, or all blocks of a generator or a mesh.
@@ -184,6 +237,38 @@ class LayoutBuilder {
     faults_.add(place, key,
                 "no such block: \"" + name + '"' + suggestion(name, names) +
                     "; allowed: the name of a [[block]], or NAME.0, NAME.1, ... of a generator");
+    return std::nullopt;
+  }
+
+  /// True if two blocks can ever be in contact.
+  bool can_touch(std::size_t a, std::size_t b) const {
+    const LayoutBlock& one = layout_.blocks[a];
+    const LayoutBlock& other = layout_.blocks[b];
+    return a != b && (moves_freely(one.kind) || moves_freely(other.kind)) &&
+           !(one.body && one.body == other.body);
+  }
+
+  std::optional<std::pair<std::size_t, std::size_t>> blocks_named(const TrackedJoint& joint) {
+    const std::optional<std::size_t> a = find(joint.blocks[0], joint.place, joint.key.c_str());
+    const std::optional<std::size_t> b = find(joint.blocks[1], joint.place, joint.key.c_str());
+    if (!a || !b) return std::nullopt;
+    if (can_touch(*a, *b)) return std::pair(*a, *b);
+    faults_.add(joint.place, joint.key,
+                '"' + joint.blocks[0] + "\" and \"" + joint.blocks[1] +
+                    "\" never touch; allowed: two blocks of which one moves freely, not of one mesh");
+    return std::nullopt;
+  }
+
+  /// The block at a point, and the nearest block that can touch it, in their order.
+  std::optional<std::pair<std::size_t, std::size_t>> blocks_at(const TrackedJoint& joint) {
+    const auto first = nearest_block(context_, layout_, joint.at, [](std::size_t) { return false; });
+    if (!first) return std::nullopt;
+    const auto second = nearest_block(context_, layout_, joint.at,
+                                      [&](std::size_t block) { return !can_touch(first->block, block); });
+    if (second) return std::minmax({first->block, second->block});
+    faults_.add(joint.place, joint.key,
+                "no block can touch \"" + layout_.blocks[first->block].name +
+                    "\", the one at this point; allowed: a point between two blocks");
     return std::nullopt;
   }
 
@@ -355,11 +440,14 @@ Layout lay_out_blocks(const Context& context, const Scene& scene, Faults& faults
   for (const Triangulated& region : scene.triangulated) builder.add(region);
   for (const Voronoi& voronoi : scene.voronoi) builder.add(voronoi);
   for (const Mesh& mesh : scene.meshes) builder.add(mesh);
+  for (const Terrain& terrain : scene.terrains) builder.add(terrain);
   for (std::size_t i = 0; i < scene.stages.size(); ++i) builder.excavate(scene.stages[i], i);
   for (const Action& action : scene.actions) builder.act(action);
   for (std::size_t i = 0; i < scene.output.tracked.size(); ++i) {
     builder.track(scene.output.tracked[i], scene.output.tracked_places[i]);
   }
+  for (const TrackedPoint& point : scene.output.tracked_points) builder.track(point);
+  for (const TrackedJoint& joint : scene.output.tracked_joints) builder.track(joint);
   if (!scene.reference.block.empty()) builder.refer_to(scene.reference.block, scene.reference.block_place);
   Layout layout = builder.take();
   if (scene.in_situ && faults.none() && !layout.blocks.empty()) stress_joints(context, scene, layout, faults);

@@ -66,6 +66,23 @@ struct LayoutBlock {
   std::optional<std::size_t> body;  ///< index of the body whose cell this is
 };
 
+/// A point that a block carries along.
+struct LayoutPoint {
+  std::string name;
+  std::size_t block = 0;
+  Point at{};  ///< at the start
+};
+
+/// A joint between two blocks, at the start.
+struct LayoutJoint {
+  std::string name;
+  std::size_t block_a = 0;
+  std::size_t block_b = 0;
+  Point center{};  ///< at the surface of block a
+  Point normal{};  ///< unit length, from a to b
+  double gap = 0;  ///< m, along the normal
+};
+
 /// All blocks of a scene, generators included, in the order of the file.
 struct Layout {
   int dimension = 2;
@@ -78,6 +95,8 @@ struct Layout {
   std::vector<std::size_t> referenced;              ///< blocks whose common position or force is measured
   std::vector<std::vector<std::size_t>> excavated;  ///< in each stage of the scene
   std::vector<std::vector<std::size_t>> acted_on;   ///< by each action of the scene
+  std::vector<LayoutPoint> points;                  ///< whose motion is written to the history
+  std::vector<LayoutJoint> joints;                  ///< that are written to the history
   bool names_cells = false;                         ///< a mesh cell is measured or excavated by its name
   int left_out = 0;                                 ///< number of blocks below the smallest size
   double size_left_out = 0;                         ///< their total area or volume

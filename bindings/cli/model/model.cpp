@@ -28,6 +28,14 @@ void set_velocity(hs_block_def& def, const Motion& motion) {
   std::copy(motion.angular_velocity.begin(), motion.angular_velocity.end(), def.angular_velocity);
 }
 
+std::vector<hs_bond> all_bonds(const Context& context, const hs_world* world) {
+  int64_t count = 0;
+  require(context, hs_world_get_bonds(world, nullptr, 0, &count));
+  std::vector<hs_bond> bonds(static_cast<std::size_t>(count));
+  require(context, hs_world_get_bonds(world, bonds.data(), count, nullptr));
+  return bonds;
+}
+
 }  // namespace
 
 Model::Model(const Context& context, const Scene& scene, Layout layout)
@@ -77,11 +85,8 @@ Model::Model(const Context& context, const Scene& scene, Layout layout)
   for (std::size_t body = 0; body < bodies_.size(); ++body) load_nodes(body);
   for (const PairBond& pair : scene.bonds)
     require(context, hs_world_bond_materials(world, pair.a, pair.b, &pair.def, nullptr));
-  int64_t bonds = 0;
-  require(context, hs_world_get_bonds(world, nullptr, 0, &bonds));
-  std::vector<hs_bond> all(static_cast<std::size_t>(bonds));
-  require(context, hs_world_get_bonds(world, all.data(), bonds, nullptr));
-  for (const hs_bond& bond : all) bonded_.emplace_back(index_of(bond.block_a), index_of(bond.block_b));
+  for (const hs_bond& bond : all_bonds(context, world))
+    bonded_.emplace_back(index_of(bond.block_a), index_of(bond.block_b));
   if (scene.in_situ) preload_joints(scene);
   update_report();
   if (scene.stages.empty()) begin_actions(0);
@@ -258,6 +263,15 @@ std::vector<hs_bond_event> Model::bond_events() const {
   std::vector<hs_bond_event> events(static_cast<std::size_t>(count));
   require(context_, hs_world_get_bond_events(world_.get(), 0, events.data(), count, nullptr));
   return events;
+}
+
+std::vector<hs_bond> Model::bonds() const {
+  std::vector<hs_bond> bonds = all_bonds(context_, world_.get());
+  for (std::size_t i = 0; i < bonds.size(); ++i) {
+    bonds[i].block_a = bonded_[i].first;
+    bonds[i].block_b = bonded_[i].second;
+  }
+  return bonds;
 }
 
 hs_bond_report Model::bond_report() const {

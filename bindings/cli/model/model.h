@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/archive.h"
+#include "model/carried_point.h"
 #include "model/layout.h"
 #include "model/library.h"
 #include "scene/scene.h"
@@ -72,6 +73,8 @@ class Model {
   Frame frame() const;
   /// The current contacts; their blocks are indices in the layout.
   std::vector<hs_contact> contacts() const;
+  /// All bonds; their blocks are indices in the layout.
+  std::vector<hs_bond> bonds() const;
   /// The numbers of bonds and of their failures.
   hs_bond_report bond_report() const;
   /// The two blocks of a bond, as indices in the layout; bonds in the order of their creation.
@@ -81,6 +84,12 @@ class Model {
   hs_block_state state_of(std::size_t block) const;
   /// The same with its deformation.
   BlockFrame motion_of(std::size_t block) const;
+  /// A point of a block, from its position now; the block has not strained yet.
+  CarriedPoint carry(std::size_t block, const Point& at) const;
+  /// Its position at the time of a frame, and its velocity now; NaN if its block is excavated.
+  Point position_of(const CarriedPoint& point, const BlockFrame& block) const;
+  Point position_of(const CarriedPoint& point) const { return position_of(point, motion_of(point.block)); }
+  Point velocity_of(const CarriedPoint& point) const;
   /// The active parts of the world, and the cost of so many steps, measured on a copy.
   hs_world_plan account(std::int64_t steps) const;
   /// The index in the layout of a block of the world, or of a cell of a body.

@@ -19,6 +19,9 @@ void Model::begin(const SceneStage& stage, const std::vector<std::size_t>& excav
   state_.local_damping = stage.local_damping.value_or(state_.local_damping);
   state_.mass_damping = stage.mass_damping.value_or(state_.mass_damping);
   require(context_, hs_world_set_damping(world, state_.local_damping, state_.mass_damping));
+  if (stage.default_law) require(context_, hs_world_set_default_law(world, &*stage.default_law));
+  for (const PairLaw& pair : stage.laws)
+    require(context_, hs_world_set_law(world, pair.a, pair.b, &pair.law));
   if (stage.strength_factor) require(context_, hs_world_set_strength_factor(world, *stage.strength_factor));
   const bool changes = stage.gravity || stage.loads || !excavated.empty();
   state_.progress = changes ? 0 : 1;

@@ -28,6 +28,10 @@ Point placed(const Point& p, const Placing& placing) {
   return plus(rotated(quaternion_of(placing.rotation), p), placing.shift);
 }
 
+Point unplaced(const Point& p, const Placing& placing) {
+  return rotated(quaternion_of(times(-1, placing.rotation)), minus(p, placing.shift));
+}
+
 void place(hs_pose& pose, const Placing& placing) {
   const std::array<double, 4> rotation = quaternion_of(placing.rotation);
   const Point centroid = placed(point_of(pose.position), placing);

@@ -12,6 +12,9 @@ std::array<double, 4> quaternion_of(const Point& rotation);
 /// A point after its placing.
 Point placed(const Point& p, const Placing& placing);
 
+/// The point that is here after its placing.
+Point unplaced(const Point& p, const Placing& placing);
+
 /// Applies a placing to the pose of a shape.
 void place(hs_pose& pose, const Placing& placing);
 

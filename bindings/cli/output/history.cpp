@@ -1,6 +1,7 @@
 #include "output/history.h"
 
 #include "common/text.h"
+#include "common/vector.h"
 
 namespace halfspace::cli {
 namespace {
@@ -21,6 +22,19 @@ std::vector<StressColumn> stress_columns(int dimension) {
   return {{".sxx", 0}, {".syy", 4}, {".szz", 8}, {".syz", 5}, {".szx", 2}, {".sxy", 1}};
 }
 
+std::vector<const char*> columns_of_point(int dimension) {
+  if (dimension == 2) return {".x", ".y", ".ux", ".uy", ".vx", ".vy"};
+  return {".x", ".y", ".z", ".ux", ".uy", ".uz", ".vx", ".vy", ".vz"};
+}
+
+/// A text as a value of a CSV file, in quotes where it needs them (RFC 4180).
+std::string csv_value(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
 std::vector<double> motion_of_block(const hs_block_state& state, int dimension) {
   const auto& [x, y, z] = state.pose.position;
   const auto& [vx, vy, vz] = state.velocity;
@@ -32,12 +46,14 @@ std::vector<double> motion_of_block(const hs_block_state& state, int dimension) 
 
 }  // namespace
 
-History::History(const Layout& layout) {
+History::History(const Model& start, bool has_stages) : has_stages_(has_stages) {
+  const Layout& layout = start.layout();
   text_ =
       "time,steps,contacts,largest_overlap,largest_speed,kinetic,gravity,strain,friction_loss,contact_"
       "damping_loss,"
       "local_damping_loss,mass_damping_loss,outer_work,residual";
   if (layout.has_deformable()) text_ += ",block_strain,block_damping_loss";
+  if (has_stages) text_ += ",stage,stage_time";
   for (std::size_t block : layout.tracked) {
     for (const char* column : columns_of_block(layout.dimension))
       text_ += ',' + layout.blocks[block].name + column;
@@ -45,10 +61,19 @@ History::History(const Layout& layout) {
     for (const auto& [column, component] : stress_columns(layout.dimension))
       text_ += ',' + layout.blocks[block].name + column;
   }
+  for (const LayoutPoint& point : layout.points) {
+    points_.push_back(start.carry(point.block, point.at));
+    for (const char* column : columns_of_point(layout.dimension)) text_ += ',' + point.name + column;
+  }
+  for (const LayoutJoint& joint : layout.joints) {
+    joints_.emplace_back(start, joint);
+    for (const char* column : {".opening", ".slip", ".normal_force", ".shear_force"})
+      text_ += ',' + joint.name + column;
+  }
   text_ += '\n';
 }
 
-void History::add(const Model& model) {
+void History::add(const Model& model, const HistoryStage& stage, const Frame& origin) {
   const hs_world_report& report = model.report();
   const hs_energy& energy = report.energy;
   text_ +=
@@ -62,6 +87,7 @@ void History::add(const Model& model) {
   const Layout& layout = model.layout();
   if (layout.has_deformable())
     text_ += ',' + shortest(report.block_strain_energy) + ',' + shortest(report.block_damping_loss);
+  if (has_stages_) text_ += ',' + csv_value(stage.name) + ',' + shortest(report.time - stage.start);
   for (std::size_t block : layout.tracked) {
     const BlockFrame now = model.motion_of(block);
     for (double value : motion_of_block(now.state, layout.dimension)) text_ += ',' + shortest(value);
@@ -69,7 +95,30 @@ void History::add(const Model& model) {
     for (const auto& [column, component] : stress_columns(layout.dimension))
       text_ += ',' + shortest(now.deformation.stress[component]);
   }
+  add_points(model, origin);
+  add_joints(model);
   text_ += '\n';
+}
+
+void History::add_points(const Model& model, const Frame& origin) {
+  const auto dimension = static_cast<std::size_t>(model.layout().dimension);
+  for (const CarriedPoint& point : points_) {
+    const Point position = model.position_of(point);
+    const Point displacement = minus(position, model.position_of(point, origin.blocks[point.block]));
+    for (const Point& vector : {position, displacement, model.velocity_of(point)})
+      for (std::size_t axis = 0; axis < dimension; ++axis) text_ += ',' + shortest(vector[axis]);
+  }
+}
+
+void History::add_joints(const Model& model) {
+  if (joints_.empty()) return;
+  const std::vector<hs_contact> contacts = model.contacts();
+  const std::vector<hs_bond> bonds = model.bonds();
+  for (const JointMotion& joint : joints_) {
+    const JointState state = joint.state(model, contacts, bonds);
+    for (const double value : {state.opening, state.slip, state.normal_force, state.shear_force})
+      text_ += ',' + shortest(value);
+  }
 }
 
 }  // namespace halfspace::cli

@@ -58,7 +58,7 @@ Record::Record(const Scene& scene, const Model& model, OutputDirectory& director
       model_(model),
       directory_(directory),
       series_(model.layout(), scene.output.contacts, directory),
-      history_(model.layout()),
+      history_(model, !scene.stages.empty()),
       origins_{model.frame()},
       stage_(scene, origins_.front()),
       frames_(scene.output.frame_interval),
@@ -183,7 +183,7 @@ double Record::next_picture() const {
 }
 
 void Record::add_row() {
-  history_.add(model_);
+  history_.add(model_, history_stage_, origins_.back());
   last_row_step_ = model_.report().steps;
 }
 

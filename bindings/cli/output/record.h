@@ -4,6 +4,7 @@
 #include <deque>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/archive.h"
@@ -37,6 +38,8 @@ class Record {
   /// The model is at its start.
   Record(const Scene& scene, const Model& model, OutputDirectory& directory);
 
+  /// The stage of the following rows of the history.
+  void set_stage(HistoryStage stage) { history_stage_ = std::move(stage); }
   /// Records the start.
   void begin();
 
@@ -76,6 +79,7 @@ class Record {
   OutputDirectory& directory_;
   VtkSeries series_;
   History history_;
+  HistoryStage history_stage_;
   std::deque<Frame> origins_;  ///< of displacements: the start, and later ones
   RunStage stage_;
   Peaks peaks_;

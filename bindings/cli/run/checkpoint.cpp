@@ -13,20 +13,44 @@ namespace {
 
 std::string first_line() { return std::string("halfspace checkpoint ") + hs_version() + '\n'; }
 
+/// Blocks are alike if they have the same kinds, materials and vertices.
+std::uint64_t hash_of_blocks(const Model& start) {
+  Archive archive;
+  for (const LayoutBlock& block : start.layout().blocks) {
+    int kind = block.kind, material = block.material;
+    archive.add(kind);
+    archive.add(material);
+  }
+  Frame frame = start.frame();
+  for (BlockFrame& block : frame.blocks) archive.add(block.vertices);
+  return hash_of(archive.bytes());
+}
+
 }  // namespace
 
-std::string fingerprint(const Model& start) {
-  Archive archive;
-  for (std::uint64_t hash : {hash_of(start.snapshot()), hash_of(History(start.layout()).text())})
-    archive.add(hash);
+Fingerprint fingerprint(const Model& start, const Scene& scene) {
+  Archive motions, history;
   for (const LayoutBlock& block : start.layout().blocks) {
     Motion motion = block.motion;
-    if (block.kind == HS_BLOCK_PRESCRIBED) archive.add(motion);
+    if (block.kind == HS_BLOCK_PRESCRIBED) motions.add(motion);
   }
-  std::uint64_t hash = hash_of(archive.bytes());
-  Archive whole;
-  whole.add(hash);
-  return whole.bytes();
+  std::string columns = History(start, !scene.stages.empty()).text();
+  history.add(columns);
+  for (LayoutPoint point : start.layout().points) history.add(point.at);
+  for (LayoutJoint joint : start.layout().joints) {
+    history.add(joint.block_a);
+    history.add(joint.block_b);
+  }
+  return {hash_of_blocks(start), hash_of(start.snapshot()), hash_of(motions.bytes()),
+          hash_of(history.bytes())};
+}
+
+std::string difference_of(const Fingerprint& one, const Fingerprint& other) {
+  if (one.blocks != other.blocks) return "its blocks differ";
+  if (one.world != other.world) return "its materials, laws, bonds or keys of [world] differ";
+  if (one.motions != other.motions) return "its prescribed motions differ";
+  if (one.history != other.history) return "its tracked blocks, points or joints differ";
+  return {};
 }
 
 std::string sealed(const std::string& state) {

@@ -77,6 +77,13 @@ std::string nature_of(const SceneStage& stage) {
   add_change(stage.mass_damping);
   add_change(stage.strength_factor);
   add_change(stage.loads);
+  add(stage.default_law.has_value());
+  add(stage.default_law.value_or(hs_law_def{}));
+  for (const PairLaw& pair : stage.laws) {
+    add(pair.a);
+    add(pair.b);
+    add(pair.law);
+  }
   add(stage.ramp);
   add(stage.portions);
   add(stage.resets_displacement);
@@ -115,14 +122,18 @@ class Run {
         model_(model),
         options_(options),
         directory_(directory),
-        fingerprint_(fingerprint(model)),
+        fingerprint_(fingerprint(model, scene)),
         record_(scene, model, directory) {
     stage_lines_.resize(stages_.size());
     if (options.from.empty()) {
+      record_.set_stage(history_stage());
       record_.begin();
     } else {
       resume_from(options.from);
-      if (options.resumes_in_place) directory.remove_frames_from(record_.frame_count());
+      if (options.resumes_in_place) {
+        directory.remove_frames_from(record_.frame_count());
+        directory.remove_stages_from(at_.stage + 1);
+      }
     }
   }
 
@@ -154,6 +165,7 @@ class Run {
       const SceneStage& stage = stages_[at_.stage];
       if (!at_.has_begun) begin(stage);
       if (!at_.is_over && !(stage.settles ? settle(stage) : run_to_end(stage))) return Outcome::interrupted;
+      if (!scene_.stages.empty()) write_checkpoint(stage_checkpoint_name(at_.stage));
       if (at_.stage + 1 == stages_.size()) return at_.is_at_rest ? Outcome::at_rest : Outcome::complete;
       at_ = {.stage = at_.stage + 1};
     }
@@ -164,6 +176,12 @@ class Run {
     if (stage.resets_displacement) record_.reset_displacement();
     at_.has_begun = true;
     at_.start = model_.report().time;
+    record_.set_stage(history_stage());
+  }
+
+  HistoryStage history_stage() const {
+    const std::string& name = stages_[at_.stage].name;
+    return {name.empty() ? std::to_string(at_.stage) : name, at_.start};
   }
 
   /// False when it was interrupted.
@@ -252,17 +270,21 @@ class Run {
   }
 
   void save_checkpoint() {
-    Archive archive;
-    add_to(archive);
-    directory_.write(checkpoint_name, sealed(archive.bytes()));
+    write_checkpoint(checkpoint_name);
     last_checkpoint_ = Clock::now();
   }
 
+  void write_checkpoint(const std::string& name) {
+    Archive archive;
+    add_to(archive);
+    directory_.write(name, sealed(archive.bytes()));
+  }
+
   void add_to(Archive& archive) {
-    std::string fingerprint = fingerprint_;
+    Fingerprint fingerprint = fingerprint_;
     archive.add(fingerprint);
-    if (fingerprint != fingerprint_)
-      throw std::runtime_error("its blocks, materials, laws, bonds, motions or tracked blocks differ");
+    const std::string difference = difference_of(fingerprint, fingerprint_);
+    if (!difference.empty()) throw std::runtime_error(difference);
     at_.add_to(archive);
     add_stages_to(archive);
     model_.add_to(archive);
@@ -295,6 +317,7 @@ class Run {
     } catch (const std::runtime_error& error) {
       throw std::runtime_error(std::string("the checkpoint is not of this scene: ") + error.what());
     }
+    record_.set_stage(history_stage());
     const SceneStage& stage = stages_[at_.stage];
     if (stage.settles) {
       at_.is_over = at_.settling.is_over(stage, model_);
@@ -308,7 +331,7 @@ class Run {
   Model& model_;
   const RunOptions& options_;
   OutputDirectory& directory_;
-  const std::string fingerprint_;  ///< of the start
+  const Fingerprint fingerprint_;  ///< of the start
   Record record_;
   Position at_;
   std::vector<std::string> stage_lines_;  ///< of each stage

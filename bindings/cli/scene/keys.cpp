@@ -321,6 +321,23 @@ std::vector<std::string> Keys::texts(std::string_view key, std::vector<Place>& p
   return texts;
 }
 
+std::vector<std::string> Keys::texts_among(std::string_view key, std::vector<Place>& places) {
+  const std::string allowed = "[\"string\", {...}, ...]";
+  const toml::array* list = list_at(key, allowed);
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; list && i < list->size(); ++i) {
+    const toml::node& item = (*list)[i];
+    if (const toml::value<std::string>* text = item.as_string()) {
+      texts.push_back(text->get());
+      places.push_back(place_of(item));
+    } else if (!item.is_table()) {
+      faults_->add(place_of(item), path(key),
+                   "not a string or a table: " + shown(item) + "; allowed: " + allowed);
+    }
+  }
+  return texts;
+}
+
 std::string Keys::header(std::string_view key) const {
   std::string text = path(key);
   for (auto open = text.find('['); open != std::string::npos; open = text.find('[')) {
@@ -348,11 +365,22 @@ std::vector<Keys> Keys::tables(std::string_view key, bool is_required) {
     return {};
   }
   std::vector<Keys> members;
-  for (std::size_t i = 0; i < list->size(); ++i) {
-    members.emplace_back(*(*list)[i].as_table(), path(key) + '[' + std::to_string(i) + ']', *faults_);
-    members.back().set_dimension(dimension_);
-  }
+  for (std::size_t i = 0; i < list->size(); ++i) members.push_back(member(*(*list)[i].as_table(), key, i));
   return members;
+}
+
+std::vector<Keys> Keys::tables_among(std::string_view key) {
+  std::vector<Keys> members;
+  const toml::array* list = (*table_)[key].as_array();
+  for (std::size_t i = 0; list && i < list->size(); ++i)
+    if (const toml::table* table = (*list)[i].as_table()) members.push_back(member(*table, key, i));
+  return members;
+}
+
+Keys Keys::member(const toml::table& table, std::string_view key, std::size_t index) const {
+  Keys keys(table, path(key) + '[' + std::to_string(index) + ']', *faults_);
+  keys.set_dimension(dimension_);
+  return keys;
 }
 
 int Keys::kind(std::string_view key, std::initializer_list<std::string_view> allowed,

@@ -73,11 +73,15 @@ class Keys {
   std::vector<std::vector<int>> loops(std::string_view key, std::size_t count);
   std::vector<std::string> texts(std::string_view key, std::vector<Place>& places,
                                  std::optional<std::vector<std::string>> fallback);
+  /// The strings of an optional list that may also have tables, which tables_among() reads.
+  std::vector<std::string> texts_among(std::string_view key, std::vector<Place>& places);
 
   /// A [table]; empty if it is optional and missing.
   Keys table(std::string_view key, bool is_required);
   /// The members of a [[table]].
   std::vector<Keys> tables(std::string_view key, bool is_required);
+  /// The tables of an optional list that may also have strings; texts_among() reports other members.
+  std::vector<Keys> tables_among(std::string_view key);
 
   bool has(std::string_view key) const { return table_->contains(key); }
   bool has_text(std::string_view key) const { return (*table_)[key].is_string(); }
@@ -103,6 +107,7 @@ class Keys {
   std::string header(std::string_view key) const;
   void allow(std::string_view key);
   const toml::node* find(std::string_view key, std::string_view what, bool is_required);
+  Keys member(const toml::table& table, std::string_view key, std::size_t index) const;
   /// The list of an optional key; nullptr if it is missing, or no list, which is a fault.
   const toml::array* list_at(std::string_view key, const std::string& allowed);
   std::optional<double> finite_number(const toml::node& node, const std::string& path);

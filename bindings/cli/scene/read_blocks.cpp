@@ -9,6 +9,7 @@
 #include "blocks/rock/jointed_rock.h"
 #include "scene/read_actions.h"
 #include "scene/read_meshes.h"
+#include "scene/read_terrains.h"
 #include "scene/read_values.h"
 
 namespace halfspace::cli {
@@ -235,6 +236,7 @@ bool read_blocks(Keys& top, Scene& scene) {
     read_voronoi(top.tables("voronoi", false), scene);
   }
   read_meshes(top.tables("mesh", false), scene);
+  if (top.dimension() == 3) read_terrains(top.tables("terrain", false), scene);
   bool has_some = false;
   for_each_making(scene, [&](const Making&) { has_some = true; });
   return has_some;

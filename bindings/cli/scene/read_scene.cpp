@@ -12,8 +12,10 @@
 #include "scene/keys.h"
 #include "scene/read_actions.h"
 #include "scene/read_blocks.h"
+#include "scene/read_laws.h"
 #include "scene/read_reference.h"
 #include "scene/read_stages.h"
+#include "scene/read_tracked.h"
 #include "scene/read_values.h"
 
 namespace halfspace::cli {
@@ -89,63 +91,6 @@ void read_materials(std::vector<Keys> tables, Scene& scene) {
   }
 }
 
-/// Reads the keys of a law; missing keys keep their value in `law`.
-void read_law_values(Keys& keys, hs_law_def& law, bool is_whole) {
-  const bool changes_kind = !is_whole && keys.has("stiffness");
-  const std::optional<int> kind = is_whole ? std::nullopt : std::optional(law.stiffness_kind);
-  law.stiffness_kind = keys.kind("stiffness", {law_names[0], law_names[1], law_names[2], law_names[3]}, kind);
-  const auto stiffness = [&](double inherited) {
-    // A stiffness in other units cannot be inherited from the default law.
-    return is_whole || changes_kind ? std::optional<double>() : inherited;
-  };
-  // Without a spring, stiffness and damping are unknown keys.
-  if (has_spring(law)) {
-    law.normal_stiffness = keys.number("normal_stiffness", above(0), stiffness(law.normal_stiffness));
-    law.shear_stiffness = keys.number("shear_stiffness", at_least(0), changes_kind ? 0 : law.shear_stiffness);
-  }
-  law.friction_angle = degrees(keys, "friction_angle", {.low = 0, .high = 90, .with_high = false},
-                               law.friction_angle / degree);
-  if (law.stiffness_kind == HS_STIFFNESS_POTENTIAL) {
-    law.cohesion = law.tensile_strength = 0;  // potentials have no cohesion
-  } else {
-    law.cohesion = keys.number("cohesion", at_least(0), law.cohesion);
-    law.tensile_strength = keys.number("tensile_strength", at_least(0), law.tensile_strength);
-  }
-  const bool rebounds = !has_spring(law) && law.cohesion == 0 && law.tensile_strength == 0;
-  law.restitution = rebounds ? keys.number("restitution", {.low = 0, .high = 1}, law.restitution) : 0;
-  if (!has_spring(law)) return;
-  law.normal_damping = keys.number("normal_damping", at_least(0), law.normal_damping);
-  law.shear_damping = keys.number("shear_damping", at_least(0), law.shear_damping);
-}
-
-void read_default_law(Keys keys, Scene& scene) {
-  hs_law_def_init(&scene.default_law, sizeof scene.default_law);
-  read_law_values(keys, scene.default_law, true);
-  scene.places.default_law = keys.place();
-  scene.places.restitution = keys.place_if_given("restitution");
-  keys.finish();
-}
-
-void read_laws(std::vector<Keys> tables, Scene& scene) {
-  for (Keys& keys : tables) {
-    const std::optional<std::pair<int, int>> between = read_between(keys, scene);
-    hs_law_def law = scene.default_law;
-    read_law_values(keys, law, false);
-    keys.finish();
-    if (!between) continue;
-    const int a = between->first, b = between->second;
-    const bool twice = std::any_of(scene.laws.begin(), scene.laws.end(), [&](const PairLaw& other) {
-      return std::minmax(other.a, other.b) == std::minmax(a, b);
-    });
-    if (twice) {
-      keys.fault("between", "a law between \"" + scene.materials[static_cast<std::size_t>(a)].name +
-                                "\" and \"" + scene.materials[static_cast<std::size_t>(b)].name +
-                                "\" was given before; allowed: one law for a pair of materials");
-    }
-    scene.laws.push_back({a, b, law, keys.place("between"), keys.place_if_given("restitution")});
-  }
-}
-
 void read_in_situ(Keys keys, Scene& scene) {
   InSitu in_situ;
   in_situ.surface = keys.number("surface", any_number(), required);
@@ -165,7 +110,9 @@ void read_output(Keys keys, Scene& scene) {
   output.history_interval = keys.number("history_interval", above(0), output.frame_interval);
   scene.places.frame_interval = keys.place("frame_interval");
   scene.places.history_interval = keys.place("history_interval");
-  output.tracked = keys.texts("tracked", output.tracked_places, std::vector<std::string>{});
+  output.tracked = keys.texts_among("tracked", output.tracked_places);
+  read_tracked_points(keys.tables_among("tracked"), scene);
+  read_tracked_joints(keys.tables("joints", false), scene);
   output.contacts = keys.boolean("contacts", output.contacts);
   Keys picture = keys.table("picture", false);
   output.forces = keys.dimension() == 2 && picture.boolean("forces", output.forces);
@@ -181,6 +128,7 @@ void read_output(Keys keys, Scene& scene) {
     picture.note("times", shortest(output.picture_times.back()) + " s is after the end of the run, " +
                               shortest(scene.duration) + " s: this picture is not drawn");
   }
+  output.numbers = picture.boolean("numbers", output.numbers);
   const std::vector<Point> window = picture.points("window", 2, std::vector<Point>{});
   if (window.size() == 2 && spans(window[0], window[1], keys.dimension())) {
     output.window = {{window[0], window[1]}};
@@ -196,9 +144,9 @@ void read_output(Keys keys, Scene& scene) {
 }
 
 const std::initializer_list<std::string_view> top_keys = {
-    "title", "dimension", "world",   "material",     "default_law",  "law",
-    "bond",  "stage",     "block",   "jointed_rock", "triangulated", "voronoi",
-    "mesh",  "action",    "in_situ", "output",       "reference"};
+    "title", "dimension", "world",  "material",     "default_law",  "law",
+    "bond",  "stage",     "block",  "jointed_rock", "triangulated", "voronoi",
+    "mesh",  "terrain",   "action", "in_situ",      "output",       "reference"};
 
 Scene read_top(Keys keys, const std::string& folder, Faults& faults) {
   Scene scene;

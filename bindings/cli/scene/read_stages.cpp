@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scene/read_laws.h"
 #include "scene/read_values.h"
 
 namespace halfspace::cli {
@@ -31,7 +32,7 @@ std::optional<double> change(Keys& keys, std::string_view key, Range range) {
   return keys.number(key, range, required);
 }
 
-SceneStage read_stage(Keys& keys) {
+SceneStage read_stage(Keys& keys, const Scene& scene, Laws& present) {
   SceneStage stage;
   stage.name = keys.text("name", std::string());
   stage.settles = keys.kind("do", {"run", "settle"}, required) == 1;
@@ -58,6 +59,7 @@ SceneStage read_stage(Keys& keys) {
   std::vector<Place> places;
   stage.excavated = keys.texts("excavate", places, std::vector<std::string>{});
   stage.excavated_place = keys.place("excavate");
+  read_stage_laws(keys, scene, present, stage);
   stage.resets_displacement = keys.boolean("reset_displacement", false);
   keys.finish();
   return stage;
@@ -75,8 +77,9 @@ void read_bonds(std::vector<Keys> tables, Scene& scene) {
 }
 
 void read_stages(std::vector<Keys> tables, Scene& scene) {
+  Laws present{scene.default_law, scene.laws};
   for (Keys& keys : tables) {
-    scene.stages.push_back(read_stage(keys));
+    scene.stages.push_back(read_stage(keys, scene, present));
     scene.stages.back().index = scene.stages.size() - 1;
   }
   for (const SceneStage& stage : scene.stages) scene.duration += stage.duration;

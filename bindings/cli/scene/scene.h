@@ -104,6 +104,8 @@ struct SceneStage {
   std::size_t index = 0;
   Place gravity_place = {};  ///< for notes
   bool resets_displacement = false;
+  std::optional<hs_law_def> default_law = {};  ///< whole, as for all laws of a stage
+  std::vector<PairLaw> laws = {};
 };
 
 /// The names of laws in scene files, in the order of the HS_STIFFNESS_ values.
@@ -250,6 +252,37 @@ struct Voronoi {
   std::uint64_t seed = 0;
 };
 
+/// An open surface of triangles as a fixed boundary, 3D.
+struct Terrain {
+  Making making;
+  std::string file;  ///< path, from the working directory
+  Place shape_place;
+  double depth = 0;    ///< m, extent of the blocks behind the surface
+  double scale = 1;    ///< STL, OBJ: length in m of one unit of the file
+  Point shift{};       ///< STL, OBJ: m, after the scaling
+  Point origin{};      ///< height map: the south-western node, in the plane
+  double spacing = 1;  ///< height map: m, between nodes
+  double lowest = 0;   ///< PNG: height of black, m
+  double highest = 1;  ///< PNG: height of white, m
+};
+
+/// A point whose motion is written to the history. A block carries it along.
+struct TrackedPoint {
+  std::string name;
+  Point at{};
+  std::string key;  ///< path of its position in the file, for faults
+  Place place;      ///< of the position, for faults
+};
+
+/// A joint that is written to the history: two blocks, given by their names or by a point near to both.
+struct TrackedJoint {
+  std::string name;
+  std::vector<std::string> blocks;  ///< two names; empty: the blocks at the point
+  Point at{};
+  std::string key;  ///< path of the blocks or of the point in the file, for faults
+  Place place;      ///< of the blocks or of the point, for faults
+};
+
 enum class Colour { displacement, speed, layer, material, mean_stress };
 
 struct Output {
@@ -259,13 +292,23 @@ struct Output {
   bool forces = false;    ///< contact forces are drawn
   std::vector<std::string> tracked;
   std::vector<Place> tracked_places;
+  std::vector<TrackedPoint> tracked_points;
+  std::vector<TrackedJoint> tracked_joints;
   Colour colour = Colour::displacement;
   int layers = 6;
   std::vector<double> picture_times;           ///< s, increasing; besides the first and the last picture
   bool has_stage_pictures = false;             ///< one at the end of each stage
+  bool numbers = false;                        ///< of blocks are drawn
   std::optional<std::array<Point, 2>> window;  ///< lowest and highest corner
   double azimuth = 0;  ///< rad; 3D: direction from which the camera looks, clockwise from +y seen from above
   double elevation = 0;  ///< rad above the horizontal
+
+  /// For runs whose blocks may be others than those of the scene.
+  void track_nothing() {
+    tracked.clear();
+    tracked_points.clear();
+    tracked_joints.clear();
+  }
 };
 
 /// A quantity of a run, which `halfspace trade` compares with its reference.
@@ -314,11 +357,12 @@ struct Scene {
   std::vector<Triangulated> triangulated;
   std::vector<Voronoi> voronoi;
   std::vector<Mesh> meshes;
+  std::vector<Terrain> terrains;
   Output output;
   Reference reference;
 };
 
-/// Calls `visit` for the making of each block and generator, except [[mesh]].
+/// Calls `visit` for the making of each block and generator, except [[mesh]] and [[terrain]].
 template <class AnyScene, class Visit>
 void for_each_block_making(AnyScene& scene, Visit visit) {
   const auto visit_all = [&](auto& makers) {
@@ -338,11 +382,12 @@ bool any_block_making(const Scene& scene, Condition condition) {
   return holds;
 }
 
-/// Calls `visit` for the making of each block, generator and mesh.
+/// Calls `visit` for the making of each block, generator, mesh and terrain.
 template <class AnyScene, class Visit>
 void for_each_making(AnyScene& scene, Visit visit) {
   for_each_block_making(scene, visit);
   for (auto& mesh : scene.meshes) visit(mesh.making);
+  for (auto& terrain : scene.terrains) visit(terrain.making);
 }
 
 inline bool has_spring(const hs_law_def& law) { return law.stiffness_kind != HS_STIFFNESS_NONE; }
@@ -357,12 +402,23 @@ inline const hs_law_def& law_between(const Scene& scene, int a, int b) {
   return scene.default_law;
 }
 
-/// True if the condition holds for the default law or the law of any pair.
+/// Calls `visit` for the default law, and for the laws of pairs and of stages.
+template <class AnyScene, class Visit>
+void for_each_law(AnyScene& scene, Visit visit) {
+  visit(scene.default_law);
+  for (auto& pair : scene.laws) visit(pair.law);
+  for (auto& stage : scene.stages) {
+    if (stage.default_law) visit(*stage.default_law);
+    for (auto& pair : stage.laws) visit(pair.law);
+  }
+}
+
+/// True if the condition holds for any of these laws.
 template <class Condition>
 bool any_law(const Scene& scene, Condition condition) {
-  return condition(scene.default_law) ||
-         std::any_of(scene.laws.begin(), scene.laws.end(),
-                     [&](const PairLaw& pair) { return condition(pair.law); });
+  bool holds = false;
+  for_each_law(scene, [&](const hs_law_def& law) { holds = holds || condition(law); });
+  return holds;
 }
 
 }  // namespace halfspace::cli

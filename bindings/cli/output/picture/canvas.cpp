@@ -52,14 +52,14 @@ Canvas::Canvas(int width, int height)
       depths_(index(0, rows_), -std::numeric_limits<float>::infinity()),
       faces_(depths_.size(), -1) {}
 
-void Canvas::draw(const std::vector<Point>& face, Rgb colour) {
+bool Canvas::draw(const std::vector<Point>& face, Rgb colour) {
   std::vector<Point> corners = face;
   for (Point& corner : corners) {
     corner[0] *= samples;
     corner[1] *= samples;
   }
   const Point normal = area_normal(corners);
-  if (!(normal[2] < 0)) return;
+  if (!(normal[2] < 0)) return false;
   const DepthPlane plane = plane_of(corners[0], normal);
   const auto nearer = [](std::size_t axis) {
     return [axis](const Point& a, const Point& b) { return a[axis] < b[axis]; };
@@ -83,6 +83,21 @@ void Canvas::draw(const std::vector<Point>& face, Rgb colour) {
       faces_[sample] = number;
     }
   }
+  return true;
+}
+
+std::vector<Canvas::Visible> Canvas::visible_parts() const {
+  std::vector<Visible> parts(colours_.size());
+  for (int row = 0; row < rows_; ++row) {
+    for (int column = 0; column < columns_; ++column) {
+      const std::int32_t face = faces_[index(column, row)];
+      if (face < 0) continue;
+      Visible& part = parts[static_cast<std::size_t>(face)];
+      ++part.samples;
+      part.sum = plus(part.sum, {(column + 0.5) / samples, (row + 0.5) / samples, 0});
+    }
+  }
+  return parts;
 }
 
 bool Canvas::on_line(int column, int row, int line_width) const {

@@ -26,7 +26,15 @@ class Canvas {
 
   /// Draws a convex face: pixels to the right and downwards; the third coordinate increases towards the
   /// viewer. Back faces, which run counter-clockwise on the canvas as seen, are not drawn.
-  void draw(const std::vector<Point>& corners, Rgb colour);
+  /// @return true if it is drawn
+  bool draw(const std::vector<Point>& corners, Rgb colour);
+
+  /// The visible part of each face, in the order of drawing.
+  struct Visible {
+    std::int64_t samples = 0;
+    Point sum{};  ///< of their positions, in pixels
+  };
+  std::vector<Visible> visible_parts() const;
 
   /// The image, on white, with lines so many samples wide.
   Image image(int line_width) const;

@@ -57,6 +57,15 @@ void draw_colours(Svg& svg, const Plot& plot, const Scene& scene) {
 
 }  // namespace
 
+void draw_number(Svg& svg, std::size_t block, const Point& middle, double area) {
+  constexpr double largest = 12;
+  const std::string number = std::to_string(block);
+  // A digit is about half as wide as high. Numbers too small to read are left to the zoom of the viewer.
+  const double size =
+      std::min(largest, 1.2 * std::sqrt(area) / static_cast<double>(std::max<std::size_t>(number.size(), 2)));
+  svg.label({middle[0], middle[1] + 0.35 * size}, number, size, "middle");
+}
+
 std::string picture(const Stage& stage, const Scene& scene, const Layout& layout, const Frame& start,
                     const Frame& frame) {
   const Plot plot(stage);

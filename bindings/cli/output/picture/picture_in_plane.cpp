@@ -33,6 +33,17 @@ void draw_blocks(Svg& svg, const Plot& plot, const Frame& start, const Frame& fr
   svg.end_clip();
 }
 
+void draw_numbers(Svg& svg, const Plot& plot, const Frame& frame) {
+  svg.begin_clip(plot.corner(), plot.width, plot.height);
+  for (std::size_t i = 0; i < frame.blocks.size(); ++i) {
+    const BlockFrame& block = frame.blocks[i];
+    if (block.vertices.empty()) continue;  // it has been excavated
+    draw_number(svg, i, plot.at(point_of(block.state.pose.position)),
+                plot.scale * plot.scale * length(area_normal(block.vertices)) / 2);
+  }
+  svg.end_clip();
+}
+
 /// Draws force chains: lines from centroid to centroid through the contact point, as wide as the force is
 /// large.
 void draw_forces(Svg& svg, const Plot& plot, const Frame& frame) {
@@ -87,6 +98,7 @@ void draw_axis(Svg& svg, const Plot& plot, int axis) {
 void draw_in_plane(Svg& svg, const Plot& plot, const Frame& start, const Frame& frame) {
   draw_blocks(svg, plot, start, frame);
   if (plot.stage.forces) draw_forces(svg, plot, frame);
+  if (plot.stage.numbers) draw_numbers(svg, plot, frame);
   svg.rectangle(plot.corner(), plot.width, plot.height, "fill=\"none\" stroke=\"#222\"");
   draw_axis(svg, plot, 0);
   draw_axis(svg, plot, 1);

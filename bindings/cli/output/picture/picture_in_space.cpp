@@ -18,8 +18,10 @@ double light_on(const Point& normal) {
   return 0.6 + 0.4 * std::max(facing, 0.0);
 }
 
-void draw_block(Canvas& canvas, const Plot& plot, const std::vector<std::vector<int>>& faces,
-                const std::vector<Point>& vertices, Rgb colour) {
+/// Draws a block. @return the number of its faces that are drawn
+std::size_t draw_block(Canvas& canvas, const Plot& plot, const std::vector<std::vector<int>>& faces,
+                       const std::vector<Point>& vertices, Rgb colour) {
+  std::size_t drawn = 0;
   std::vector<Point> seen;
   for (const Point& p : vertices) seen.push_back(shown(plot.stage, p));
   for (const std::vector<int>& face : faces) {
@@ -30,7 +32,28 @@ void draw_block(Canvas& canvas, const Plot& plot, const std::vector<std::vector<
       const Point at = plot.at(p);
       pixels.push_back({density * (at[0] - left_margin), density * (at[1] - top_margin), p[2]});
     }
-    canvas.draw(pixels, lit(colour, light_on(area_normal(corners))));
+    drawn += canvas.draw(pixels, lit(colour, light_on(area_normal(corners))));
+  }
+  return drawn;
+}
+
+/// Draws the number of each block in the middle of its visible part. The canvas has all faces of a block one
+/// after another; `faces_of` has their numbers.
+void draw_numbers(Svg& svg, const Canvas& canvas, const std::vector<std::size_t>& faces_of) {
+  const std::vector<Canvas::Visible> parts = canvas.visible_parts();
+  std::size_t face = 0;
+  for (std::size_t block = 0; block < faces_of.size(); ++block) {
+    Canvas::Visible all;
+    for (const std::size_t end = face + faces_of[block]; face < end; ++face) {
+      all.samples += parts[face].samples;
+      all.sum = plus(all.sum, parts[face].sum);
+    }
+    if (all.samples == 0) continue;
+    const auto count = static_cast<double>(all.samples);
+    const Point middle = times(1 / (count * density), all.sum);
+    constexpr int samples_per_length = density * Canvas::samples;  // of a drawing pixel
+    draw_number(svg, block, {left_margin + middle[0], top_margin + middle[1]},
+                count / (samples_per_length * samples_per_length));
   }
 }
 
@@ -55,15 +78,17 @@ void draw_directions(Svg& svg, const Plot& plot) {
 void draw_in_space(Svg& svg, const Plot& plot, const Layout& layout, const Frame& start, const Frame& frame) {
   Canvas canvas(static_cast<int>(std::lround(density * plot.width)),
                 static_cast<int>(std::lround(density * plot.height)));
+  std::vector<std::size_t> faces_of(frame.blocks.size());
   for (std::size_t i = 0; i < frame.blocks.size(); ++i) {
     const BlockFrame& block = frame.blocks[i];
     if (block.vertices.empty()) continue;  // it has been excavated
-    draw_block(canvas, plot, layout.blocks[i].faces, block.vertices,
-               colour_of(plot.stage, start.blocks[i], block));
+    faces_of[i] = draw_block(canvas, plot, layout.blocks[i].faces, block.vertices,
+                             colour_of(plot.stage, start.blocks[i], block));
   }
   const double line = outline_width(plot, frame) * density * Canvas::samples;
   const Image image = canvas.image(std::max(1, static_cast<int>(std::lround(line))));
   svg.image(plot.corner(), plot.width, plot.height, base64(png(image)));
+  if (plot.stage.numbers) draw_numbers(svg, canvas, faces_of);
   svg.rectangle(plot.corner(), plot.width, plot.height, "fill=\"none\" stroke=\"#222\"");
   draw_directions(svg, plot);
 }

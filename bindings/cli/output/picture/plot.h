@@ -37,6 +37,9 @@ inline double outline_width(const Plot& plot, const Frame& frame) {
   return std::clamp(0.04 * (size > 0 ? plot.scale * size : 10), 0.1, 0.8);
 }
 
+/// Draws the number of a block in the middle of its picture, which covers an area in square pixels.
+void draw_number(Svg& svg, std::size_t block, const Point& middle, double area);
+
 /// The blocks of a frame in the plane, with the axes around them.
 void draw_in_plane(Svg& svg, const Plot& plot, const Frame& start, const Frame& frame);
 

@@ -6,8 +6,7 @@ namespace {
 /// Sets the same member of all laws to 0.
 template <class... Member>
 void clear(Scene& scene, Member... member) {
-  ((scene.default_law.*member = 0), ...);
-  for (PairLaw& pair : scene.laws) ((pair.law.*member = 0), ...);
+  for_each_law(scene, [&](hs_law_def& law) { ((law.*member = 0), ...); });
 }
 
 /// The scene with another law or kind; steps and skin stay.

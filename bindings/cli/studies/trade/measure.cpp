@@ -22,9 +22,9 @@ Outcomes run_once(const Scene& scene, int disturbance) {
 }
 
 void set_friction(Scene& scene, double angle) {
-  scene.default_law.friction_angle = angle;
-  for (PairLaw& pair : scene.laws)
-    if (pair.law.friction_angle > 0) pair.law.friction_angle = angle;
+  for_each_law(scene, [&](hs_law_def& law) {
+    if (&law == &scene.default_law || law.friction_angle > 0) law.friction_angle = angle;
+  });
 }
 
 /// Pairs of materials without friction stay without.

@@ -175,8 +175,7 @@ Scene with_setting(Scene scene, const Setting& setting, const FaceSize& face) {
   if (setting.skin) world.skin = *setting.skin;
   if (setting.tolerance) world.impulse_tolerance = *setting.tolerance;
   world.potential_length = face.potential_length;
-  apply(scene.default_law, setting, face);
-  for (PairLaw& pair : scene.laws) apply(pair.law, setting, face);
+  for_each_law(scene, [&](hs_law_def& law) { apply(law, setting, face); });
   if (setting.kind) set_kind(scene, *setting.kind);
   if (setting.cells != 1) cut_meshes(scene, setting.cells);
   world.time_step = has_stable_step(scene) ? 0 : step;

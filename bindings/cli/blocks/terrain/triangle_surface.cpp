@@ -1,0 +1,152 @@
+#include "blocks/terrain/triangle_surface.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <unordered_map>
+
+#include "blocks/mesh/mesh_fault.h"
+#include "blocks/mesh/surface.h"
+#include "blocks/terrain/height_map.h"
+#include "common/files.h"
+
+namespace halfspace::cli {
+namespace {
+
+/// The faces of a file, in m and at their place, each divided into triangles around its first vertex.
+Surface in_triangles(Surface surface, const Terrain& terrain) {
+  for (Point& vertex : surface.vertices) vertex = plus(times(terrain.scale, vertex), terrain.shift);
+  std::vector<Surface::Face> triangles;
+  for (const Surface::Face& face : surface.faces) {
+    for (std::size_t i = 2; i < face.vertices.size(); ++i)
+      triangles.push_back(
+          {{face.vertices[0], face.vertices[i - 1], face.vertices[i]}, face.object, face.number});
+  }
+  surface.faces = std::move(triangles);
+  return surface;
+}
+
+/// Two triangles for each square of a height map. The diagonals alternate, so that no direction is preferred.
+Surface surface_of(const HeightMap& map, const std::string& name, const Terrain& terrain) {
+  if (map.columns < 2 || map.rows < 2)
+    throw MeshFault(name, "fewer than two rows or columns of heights; allowed: two or more of each");
+  Surface surface{.file = name, .separator = ": square ", .vertices = {}, .faces = {}};
+  for (std::size_t row = 0; row < map.rows; ++row) {
+    for (std::size_t column = 0; column < map.columns; ++column) {
+      const double height = map.heights[row * map.columns + column];
+      surface.vertices.push_back(
+          {terrain.origin[0] + terrain.spacing * static_cast<double>(column),
+           terrain.origin[1] + terrain.spacing * static_cast<double>(map.rows - 1 - row),
+           terrain.lowest + (terrain.highest - terrain.lowest) * height});
+    }
+  }
+  for (std::size_t row = 1; row < map.rows; ++row) {
+    for (std::size_t column = 1; column < map.columns; ++column) {
+      const auto south_east = static_cast<int>(row * map.columns + column);
+      const int south_west = south_east - 1;
+      const int north_east = south_east - static_cast<int>(map.columns), north_west = north_east - 1;
+      const int number = static_cast<int>((row - 1) * (map.columns - 1) + column);
+      if ((row + column) % 2 == 0) {
+        surface.faces.push_back({{south_west, south_east, north_east}, 0, number});
+        surface.faces.push_back({{south_west, north_east, north_west}, 0, number});
+      } else {
+        surface.faces.push_back({{south_west, south_east, north_west}, 0, number});
+        surface.faces.push_back({{south_east, north_east, north_west}, 0, number});
+      }
+    }
+  }
+  return surface;
+}
+
+Surface read_file(const Terrain& terrain) {
+  const std::filesystem::path path(terrain.file);
+  const std::string name = path.filename().string();
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (extension == ".stl") return in_triangles(read_stl(name, content_of(terrain.file)), terrain);
+  if (extension == ".obj") return in_triangles(read_obj(name, content_of(terrain.file)), terrain);
+  if (extension == ".csv") return surface_of(read_csv_heights(name, content_of(terrain.file)), name, terrain);
+  if (extension == ".png") return surface_of(read_png_heights(name, content_of(terrain.file)), name, terrain);
+  throw MeshFault(name, "unknown file extension; allowed: .stl, .obj, .csv, .png");
+}
+
+/// Makes one vertex of coincident ones.
+void weld(Surface& surface) {
+  std::map<Point, int> index_of;
+  std::vector<Point> vertices;
+  std::vector<int> welded;
+  for (const Point& vertex : surface.vertices) {
+    const auto [entry, is_new] = index_of.emplace(vertex, static_cast<int>(vertices.size()));
+    if (is_new) vertices.push_back(vertex);
+    welded.push_back(entry->second);
+  }
+  surface.vertices = std::move(vertices);
+  for (Surface::Face& face : surface.faces)
+    for (int& vertex : face.vertices) vertex = welded[static_cast<std::size_t>(vertex)];
+}
+
+Point normal_of(const Surface& surface, const Surface::Face& face) {
+  std::vector<Point> corners;
+  for (const int vertex : face.vertices)
+    corners.push_back(surface.vertices[static_cast<std::size_t>(vertex)]);
+  return area_normal(corners);
+}
+
+/// Triangles steeper than this count as vertical: the blocks behind them would have no extent.
+constexpr double min_up = 1e-3;  // cosine of the slope
+
+void require_upward(const Surface& surface) {
+  std::size_t count = 0;
+  const Surface::Face* first = nullptr;
+  for (const Surface::Face& face : surface.faces) {
+    const Point normal = normal_of(surface, face);
+    if (!(length(normal) > 0)) throw MeshFault(surface.place(face), "a triangle without area");
+    if (normal[2] > min_up * length(normal)) continue;
+    ++count;
+    if (!first) first = &face;
+  }
+  if (count == 0) return;
+  throw MeshFault(surface.place(*first),
+                  "a triangle that faces down or sideways, the first of " + std::to_string(count) +
+                      " among " + std::to_string(surface.faces.size()) +
+                      "; allowed: triangles that face up, counter-clockwise seen from above");
+}
+
+/// As all triangles face up, two that use an edge in the same direction lie on the same side of it.
+void require_manifold(const Surface& surface) {
+  std::unordered_map<std::uint64_t, const Surface::Face*> face_at;
+  for (const Surface::Face& face : surface.faces) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto from = static_cast<std::uint32_t>(face.vertices[i]);
+      const auto to = static_cast<std::uint32_t>(face.vertices[(i + 1) % 3]);
+      const auto [entry, is_new] = face_at.emplace(std::uint64_t{from} << 32 | to, &face);
+      if (is_new) continue;
+      std::vector<int> one = face.vertices, other = entry->second->vertices;
+      std::sort(one.begin(), one.end());
+      std::sort(other.begin(), other.end());
+      const std::string place_of_other = surface.place(*entry->second);
+      if (one == other) throw MeshFault(surface.place(face), "the same triangle as " + place_of_other);
+      throw MeshFault(surface.place(face),
+                      "a triangle on the same side of an edge as " + place_of_other +
+                          "; allowed: a surface with at most two triangles at an edge, one on each side");
+    }
+  }
+}
+
+}  // namespace
+
+TriangleSurface read_surface(const Terrain& terrain) {
+  Surface surface = read_file(terrain);
+  if (surface.faces.empty()) throw MeshFault(surface.file, "no triangles; required: one or more");
+  weld(surface);
+  require_upward(surface);
+  require_manifold(surface);
+  TriangleSurface result{std::move(surface.vertices), {}};
+  for (const Surface::Face& face : surface.faces)
+    result.triangles.push_back({face.vertices[0], face.vertices[1], face.vertices[2]});
+  return result;
+}
+
+}  // namespace halfspace::cli
