@@ -14,13 +14,10 @@
 #include "scene/read_reference.h"
 #include "scene/read_stages.h"
 #include "scene/read_values.h"
+#include "scene/settings.h"
 
 namespace halfspace::cli {
 namespace {
-
-/// The longest key of a scene has three names. Recursive functions process nested tables, so that very deep
-/// ones would overflow the stack.
-constexpr int max_names = 8;
 
 void read_world(Keys keys, bool has_stages, Scene& scene) {
   hs_world_def& world = scene.world;
@@ -218,18 +215,20 @@ Scene read_top(Keys keys, const std::string& folder, Faults& faults) {
 
 }  // namespace
 
-Scene read_scene(const std::string& file, Faults& faults) {
-  return read_scene_text(content_of(file), file, faults);
+Scene read_scene(const std::string& file, Faults& faults, const std::vector<std::string>& settings) {
+  return read_scene_text(content_of(file), file, faults, settings);
 }
 
-Scene read_scene_text(const std::string& content, const std::string& file, Faults& faults) {
+Scene read_scene_text(const std::string& content, const std::string& file, Faults& faults,
+                      const std::vector<std::string>& settings) {
   if (const std::optional<Place> place = deep_key(content, max_names)) {
     faults.add(*place, "",
                "more than " + std::to_string(max_names) + " names in a key; allowed: the keys of a scene");
     return {};
   }
   try {
-    const toml::table table = toml::parse(content, file);
+    toml::table table = toml::parse(content, file);
+    apply_settings(settings, table, faults);
     note_unusual_values(table, faults);
     return read_top(Keys(table, "", faults), std::filesystem::path(file).parent_path().string(), faults);
   } catch (const toml::parse_error& error) {
