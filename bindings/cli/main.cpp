@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "commands/commands.h"
+#include "commands/limit.h"
 #include "common/suggestion.h"
 
 namespace halfspace::cli {
@@ -136,7 +137,7 @@ int main_of(int argc, char** argv) {
       ->capture_default_str()
       ->check(finite_above_zero());
 
-  SafetyOptions safety_options;
+  SearchOptions safety_options;
   CLI::App* safety_command = app.add_subcommand(
       "safety", "Find the factor of safety: the largest factor by which all strengths can be divided");
   add_scene(safety_command, "The scene file (TOML)");
@@ -161,6 +162,37 @@ int main_of(int argc, char** argv) {
                    "slip of all joints, at most a tenth of the block's size")
       ->check(finite_above_zero());
 
+  LimitOptions limit_options;
+  CLI::App* limit_command = app.add_subcommand(
+      "limit",
+      "Find the largest tilt, load or value of a key at which a scene is stable: --tilt, --load, or "
+      "--set KEY=LOW:HIGH");
+  add_scene(limit_command, "The scene file (TOML)");
+  limit_command->add_flag("--resume", limit_options.resumes, "Continue from the trials in the directory")
+      ->excludes(add_output(limit_command));
+  add_threads(limit_command);
+  limit_command->add_flag("--tilt", limit_options.tilts, "Turn gravity, by an angle in degrees");
+  limit_command->add_option("--axis", limit_options.axis,
+                            "Axis of the tilt: x, y, z, -x, -y or -z; by default z in 2D, x in 3D");
+  limit_command
+      ->add_option("--load", limit_options.load,
+                   "Scale the mesh loads of this group, mesh or mesh/group; without a name all loads")
+      ->expected(0, 1);
+  limit_command->add_option("--low", limit_options.low, "Lower end of the bracket; 0 by default");
+  limit_command->add_option("--high", limit_options.high,
+                            "Upper end of the bracket; 90 degrees or a factor of 10 by default");
+  limit_command
+      ->add_option("--resolution", limit_options.resolution,
+                   "Final width of the bracket; a thousandth of the bracket by default")
+      ->check(finite_above_zero());
+  limit_command
+      ->add_option("--limit", limit_options.limit,
+                   "Displacement of a block, in m, that counts as failure; by default that of `safety` for a "
+                   "tilt, else a tenth of the block's size")
+      ->check(finite_above_zero());
+  limit_command->add_flag("--smallest", limit_options.smallest,
+                          "Find the smallest value instead: the scene falls below it");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -174,6 +206,7 @@ int main_of(int argc, char** argv) {
   }
   if (force) target.earlier = Earlier::replace;
   if (plan_command->parsed()) return plan(file, plan_options);
+  if (limit_command->parsed()) return limit(file, target, limit_options);
   if (safety_command->parsed()) return safety(file, target, safety_options);
   if (trade_command->parsed()) return trade(file, target, trade_options);
   return run_command->parsed() ? run(file, target, run_options, from) : check(file);

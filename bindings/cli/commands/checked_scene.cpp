@@ -10,12 +10,21 @@ namespace halfspace::cli {
 
 void print(std::FILE* stream, const std::string& text) { std::fputs(text.c_str(), stream); }
 
-CheckedScene load(const SceneFile& file, int threads) {
+CheckedScene read(const SceneFile& file, int threads) {
   CheckedScene checked;
   checked.scene = read_scene(file.path, checked.faults, file.settings);
   if (threads > 0) checked.scene.threads = threads;
   checked.context = make_context(checked.scene.threads);
+  return checked;
+}
+
+void lay_out(CheckedScene& checked) {
   checked.layout = lay_out_blocks(checked.context, checked.scene, checked.faults);
+}
+
+CheckedScene load(const SceneFile& file, int threads) {
+  CheckedScene checked = read(file, threads);
+  lay_out(checked);
   return checked;
 }
 
@@ -40,6 +49,12 @@ void require_free_block(CheckedScene& checked, const std::string& by) {
   const std::vector<LayoutBlock>& blocks = checked.layout.blocks;
   if (checked.faults.none() && std::none_of(blocks.begin(), blocks.end(), is_free))
     checked.faults.add({}, "", "no free block; required for " + by + ": a rigid, affine or mesh block");
+}
+
+void require_rest(CheckedScene& checked, const std::string& by) {
+  const auto runs = [](const SceneStage& stage) { return !stage.settles; };
+  if (std::any_of(checked.scene.stages.begin(), checked.scene.stages.end(), runs))
+    checked.faults.add({}, "stage", by + " requires a scene at rest; allowed: stages that settle");
 }
 
 }  // namespace halfspace::cli

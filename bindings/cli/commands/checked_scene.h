@@ -27,7 +27,11 @@ struct CheckedScene {
   Faults faults;
 };
 
-/// With 0 threads the scene gives their number.
+/// Reads a scene. With 0 threads the scene gives their number.
+CheckedScene read(const SceneFile& file, int threads);
+/// Makes the blocks of a scene that was read.
+void lay_out(CheckedScene& checked);
+/// Both.
 CheckedScene load(const SceneFile& file, int threads);
 
 /// Prints the faults of a scene. @return the exit code
@@ -38,6 +42,9 @@ std::string bytes_of(const SceneFile& file, const Scene& scene);
 
 /// Adds a fault to a scene in which nothing moves freely; `by` names what requires a block that does.
 void require_free_block(CheckedScene& checked, const std::string& by);
+
+/// Adds a fault to a scene with stages that run; `by` names what requires a scene at rest.
+void require_rest(CheckedScene& checked, const std::string& by);
 
 void print(std::FILE* stream, const std::string& text);
 

@@ -37,14 +37,13 @@ bool is_in(const std::string& file, const std::string& directory) {
          std::filesystem::weakly_canonical(directory);
 }
 
-/// The directory of a study, which continues from a file in it or begins.
+}  // namespace
+
 OutputDirectory directory_of(const Target& target, bool resumes, const std::string& file) {
   if (resumes && !std::filesystem::exists(std::filesystem::path(target.directory) / file))
     throw std::runtime_error("cannot resume: there is no " + file + " in " + target.directory);
   return OutputDirectory(target.directory, resumes ? Earlier::keep : target.earlier);
 }
-
-}  // namespace
 
 int check(const SceneFile& file) {
   CheckedScene checked = load(file, 1);
@@ -130,29 +129,24 @@ int plan(const SceneFile& file, const PlanOptions& options) {
   }
 }
 
-int safety(const SceneFile& file, const Target& target, const SafetyOptions& options) {
+int safety(const SceneFile& file, const Target& target, const SearchOptions& options) {
   if (!(options.low < options.high)) {
     print(stderr, "--low: must be below --high\n");
     return exit_usage;
   }
   CheckedScene checked = load(file, target.threads);
   require_free_block(checked, "a factor of safety");
-  for (const SceneStage& stage : checked.scene.stages) {
-    if (stage.settles) continue;
-    checked.faults.add({}, "stage",
-                       "a factor of safety requires a scene at rest; allowed: stages that settle");
-    break;
-  }
+  require_rest(checked, "a factor of safety");
   if (!checked.faults.none()) return refuse(file, checked.faults);
   OutputDirectory directory = directory_of(target, options.resumes, "trials.csv");
-  Model model(checked.context, checked.scene, std::move(checked.layout));
-  note_start(checked.context, checked.scene, model, checked.faults);
+  const auto model = std::make_shared<Model>(checked.context, checked.scene, std::move(checked.layout));
+  note_start(checked.context, checked.scene, *model, checked.faults);
   print(stderr, checked.faults.describe_notes(file.path));
-  const SafetyResult result =
+  const SearchResult result =
       find_factor_of_safety(checked.scene, model, bytes_of(file, checked.scene), options, directory);
   print(stdout, result.report);
-  if (result.end == SafetyEnd::interrupted) print(stderr, "\nhalfspace: interrupted; --resume continues\n");
-  return result.end == SafetyEnd::found ? exit_ok : exit_failed;
+  if (result.end == SearchEnd::interrupted) print(stderr, "\nhalfspace: interrupted; --resume continues\n");
+  return result.end == SearchEnd::found ? exit_ok : exit_failed;
 }
 
 }  // namespace halfspace::cli

@@ -21,6 +21,9 @@ struct Target {
   int threads = 0;
 };
 
+/// The directory of a study, which continues from a file in it or begins.
+OutputDirectory directory_of(const Target& target, bool resumes, const std::string& file);
+
 int check(const SceneFile& file);
 
 /// From a checkpoint, unless `from` is empty.
@@ -30,6 +33,6 @@ int trade(const SceneFile& file, const Target& target, const TradeOptions& optio
 
 int plan(const SceneFile& file, const PlanOptions& options);
 
-int safety(const SceneFile& file, const Target& target, const SafetyOptions& options);
+int safety(const SceneFile& file, const Target& target, const SearchOptions& options);
 
 }  // namespace halfspace::cli

@@ -151,6 +151,11 @@ std::string run_out_text(const RunOut& reach, int dimension) {
 
 }  // namespace
 
+std::string scene_lines(const Scene& scene) {
+  return report_line("scene", scene.title) +
+         (scene.settings.empty() ? std::string() : report_line("set", scene.settings));
+}
+
 std::string negative_losses_text(const hs_world_report& report, double fracture_and_impact_loss) {
   constexpr double rounding = 1e-9;  // of the released energy, over many steps
   const double threshold = -rounding * released_energy(report, fracture_and_impact_loss);
@@ -196,7 +201,7 @@ std::string summary(const Scene& scene, const Model& model, const Peaks& peaks, 
   const hs_world_report& report = model.report();
   const hs_bond_report bonds = model.bond_report();
   const RunOut reach = run_out(start, end, scene.world.dimension);
-  return report_line("scene", scene.title) + report_line("outcome", describe(outcome)) +
+  return scene_lines(scene) + report_line("outcome", describe(outcome)) +
          report_line("blocks", blocks_text(model.layout(), end)) +
          report_line("simulated", rounded(report.time, 6) + " s in " + std::to_string(report.steps) +
                                       " steps of " + rounded(report.time_step, 4) +

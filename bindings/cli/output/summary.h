@@ -34,6 +34,9 @@ struct Peaks {
   double penetration_ratio = 0;  ///< max depth that springs allow, fraction of the thinner thickness
 };
 
+/// The first lines of a report: the title of a scene, and its settings.
+std::string scene_lines(const Scene& scene);
+
 /// Lists losses below zero by more than rounding: energy that the method has created, and that the residual
 /// does not show. Empty without any.
 std::string negative_losses_text(const hs_world_report& report, double fracture_and_impact_loss);

@@ -25,12 +25,6 @@ std::string shown(const toml::node& node) {
   return text.size() <= 60 ? text : text.substr(0, 57) + "...";
 }
 
-std::string joined(const std::vector<std::string_view>& words) {
-  std::string text;
-  for (std::string_view word : words) text += (text.empty() ? "" : ", ") + std::string(word);
-  return text;
-}
-
 /// Renamed keys: the old and the new name. Old names are still read, with a note.
 constexpr std::pair<std::string_view, std::string_view> renamed_keys[] = {{"most_steps", "max_steps"},
                                                                           {"spread", "jitter"}};

@@ -230,7 +230,10 @@ Scene read_scene_text(const std::string& content, const std::string& file, Fault
     toml::table table = toml::parse(content, file);
     apply_settings(settings, table, faults);
     note_unusual_values(table, faults);
-    return read_top(Keys(table, "", faults), std::filesystem::path(file).parent_path().string(), faults);
+    Scene scene =
+        read_top(Keys(table, "", faults), std::filesystem::path(file).parent_path().string(), faults);
+    scene.settings = joined(settings);
+    return scene;
   } catch (const toml::parse_error& error) {
     const toml::source_position begin = error.source().begin;
     faults.add({static_cast<int>(begin.line), static_cast<int>(begin.column)}, "",

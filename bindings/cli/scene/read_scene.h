@@ -8,7 +8,8 @@
 
 namespace halfspace::cli {
 
-/// Reads a scene file, with settings `key=value` that replace values of it. Its errors are added to the faults; the scene is complete only without faults.
+/// Reads a scene file, with settings `key=value` that replace values of it. Its errors are added to the
+/// faults; the scene is complete only without faults.
 /// @throws std::runtime_error if the file cannot be read
 Scene read_scene(const std::string& file, Faults& faults, const std::vector<std::string>& settings = {});
 

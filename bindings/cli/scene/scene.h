@@ -254,6 +254,7 @@ constexpr int max_threads = 256;  // hs_context_def::threads
 struct Scene {
   std::string folder;  ///< of the scene file; the names of other files are relative to it
   std::string title;
+  std::string settings;  ///< of the command line, for reports
   hs_world_def world{};
   double duration = 0;
   /// Places of keys of [world], [default_law] and [output], for notes.
