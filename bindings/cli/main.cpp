@@ -10,6 +10,7 @@
 
 #include "commands/commands.h"
 #include "commands/limit.h"
+#include "commands/sweep.h"
 #include "common/suggestion.h"
 
 namespace halfspace::cli {
@@ -162,6 +163,21 @@ int main_of(int argc, char** argv) {
                    "slip of all joints, at most a tenth of the block's size")
       ->check(finite_above_zero());
 
+  SweepOptions sweep_options;
+  CLI::App* sweep_command = app.add_subcommand(
+      "sweep", "Run a scene for all combinations of values: --set KEY=FIRST:LAST:STEP, --set KEY=A,B,C");
+  add_scene(sweep_command, "The scene file (TOML)");
+  sweep_command->add_flag("--resume", sweep_options.resumes, "Continue from the runs in the directory")
+      ->excludes(add_output(sweep_command));
+  sweep_command->add_flag("--safety", sweep_options.finds_safety,
+                          "Find the factor of safety of each, instead of a run");
+  sweep_command
+      ->add_option("-j,--jobs", sweep_options.runs_at_once,
+                   "Number of runs at once, each with one thread; by default one per core")
+      ->check(CLI::Range(1, max_threads));
+  sweep_command->add_option("--plot", sweep_options.plotted,
+                            "Result that table.svg shows: a column of table.csv");
+
   LimitOptions limit_options;
   CLI::App* limit_command = app.add_subcommand(
       "limit",
@@ -204,12 +220,15 @@ int main_of(int argc, char** argv) {
     }
     return app.exit(error) == 0 ? exit_ok : exit_usage;
   }
+  RunResult run_result;
+  SearchResult safety_result;
   if (force) target.earlier = Earlier::replace;
   if (plan_command->parsed()) return plan(file, plan_options);
+  if (sweep_command->parsed()) return sweep(file, target, sweep_options);
   if (limit_command->parsed()) return limit(file, target, limit_options);
-  if (safety_command->parsed()) return safety(file, target, safety_options);
+  if (safety_command->parsed()) return safety(file, target, safety_options, safety_result);
   if (trade_command->parsed()) return trade(file, target, trade_options);
-  return run_command->parsed() ? run(file, target, run_options, from) : check(file);
+  return run_command->parsed() ? run(file, target, run_options, from, run_result) : check(file);
 }
 
 }  // namespace

@@ -57,7 +57,8 @@ int check(const SceneFile& file) {
   return exit_ok;
 }
 
-int run(const SceneFile& file, const Target& target, RunOptions options, const std::string& from) {
+int run(const SceneFile& file, const Target& target, RunOptions options, const std::string& from,
+        RunResult& result) {
   CheckedScene checked = load(file, target.threads);
   if (!checked.faults.none()) return refuse(file, checked.faults);
   const std::string& output = target.directory;
@@ -72,8 +73,7 @@ int run(const SceneFile& file, const Target& target, RunOptions options, const s
   Model model(checked.context, checked.scene, std::move(checked.layout));
   note_start(checked.context, checked.scene, model, checked.faults);
   print(stderr, checked.faults.describe_notes(file.path));
-  const RunResult result =
-      run_scene(checked.scene, model, checked.faults.describe_notes("scene"), options, directory);
+  result = run_scene(checked.scene, model, checked.faults.describe_notes("scene"), options, directory);
   print(stdout, result.summary + result.timings);
   print_files(directory);
   if (result.outcome == Outcome::unstable) {
@@ -129,7 +129,7 @@ int plan(const SceneFile& file, const PlanOptions& options) {
   }
 }
 
-int safety(const SceneFile& file, const Target& target, const SearchOptions& options) {
+int safety(const SceneFile& file, const Target& target, const SearchOptions& options, SearchResult& result) {
   if (!(options.low < options.high)) {
     print(stderr, "--low: must be below --high\n");
     return exit_usage;
@@ -142,8 +142,7 @@ int safety(const SceneFile& file, const Target& target, const SearchOptions& opt
   const auto model = std::make_shared<Model>(checked.context, checked.scene, std::move(checked.layout));
   note_start(checked.context, checked.scene, *model, checked.faults);
   print(stderr, checked.faults.describe_notes(file.path));
-  const SearchResult result =
-      find_factor_of_safety(checked.scene, model, bytes_of(file, checked.scene), options, directory);
+  result = find_factor_of_safety(checked.scene, model, bytes_of(file, checked.scene), options, directory);
   print(stdout, result.report);
   if (result.end == SearchEnd::interrupted) print(stderr, "\nhalfspace: interrupted; --resume continues\n");
   return result.end == SearchEnd::found ? exit_ok : exit_failed;

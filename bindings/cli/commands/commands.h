@@ -27,12 +27,13 @@ OutputDirectory directory_of(const Target& target, bool resumes, const std::stri
 int check(const SceneFile& file);
 
 /// From a checkpoint, unless `from` is empty.
-int run(const SceneFile& file, const Target& target, RunOptions options, const std::string& from);
+int run(const SceneFile& file, const Target& target, RunOptions options, const std::string& from,
+        RunResult& result);
 
 int trade(const SceneFile& file, const Target& target, const TradeOptions& options);
 
 int plan(const SceneFile& file, const PlanOptions& options);
 
-int safety(const SceneFile& file, const Target& target, const SearchOptions& options);
+int safety(const SceneFile& file, const Target& target, const SearchOptions& options, SearchResult& result);
 
 }  // namespace halfspace::cli

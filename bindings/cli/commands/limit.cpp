@@ -180,13 +180,9 @@ int limit(const SceneFile& given, const Target& target, const LimitOptions& opti
   search_options.high = varied.high;
   search_options.resolution = options.resolution > 0 ? options.resolution : (varied.high - varied.low) / 1000;
   const Maker maker(file, varied, options, target.threads);
-  CheckedScene checked;
-  for (const double end : {varied.high, varied.low}) {
-    SceneFile at_end = file;
-    checked = maker.at(end);
-    if (!varied.key.empty()) at_end.settings.push_back(varied.key + '=' + shortest(end));
-    if (!checked.faults.none()) return refuse(at_end, checked.faults);
-  }
+  CheckedScene at_high = maker.at(varied.high), checked = maker.at(varied.low);
+  for (const CheckedScene* end : {&at_high, &checked})
+    if (!end->faults.none()) return refuse(file, end->faults);
   Point axis{};
   try {
     if (options.tilts) axis = axis_of(options.axis, checked.scene);

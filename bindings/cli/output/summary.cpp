@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/text.h"
+#include "common/vector.h"
 
 namespace halfspace::cli {
 namespace {
@@ -194,6 +195,19 @@ RunOut run_out(const Frame& start, const Frame& end, int dimension) {
   }
   result.moved_out /= mass;
   return result;
+}
+
+RunFigures figures_of(const Model& model, const Peaks& peaks, const Frame& start, const Frame& end) {
+  RunFigures figures{.run_out = run_out(start, end, model.layout().dimension).farthest(),
+                     .largest_overlap = peaks.overlap,
+                     .energy_residual = model.report().energy.residual};
+  for (std::size_t i = 0; i < end.blocks.size(); ++i) {
+    if (!moves_freely(end.blocks[i].state.kind)) continue;
+    const double moved = length(
+        minus(point_of(end.blocks[i].state.pose.position), point_of(start.blocks[i].state.pose.position)));
+    figures.max_displacement = std::max(figures.max_displacement, moved);
+  }
+  return figures;
 }
 
 std::string summary(const Scene& scene, const Model& model, const Peaks& peaks, const Frame& start,

@@ -152,8 +152,11 @@ void read_output(Keys keys, Scene& scene) {
   scene.places.history_interval = keys.place("history_interval");
   output.tracked = keys.texts("tracked", output.tracked_places, std::vector<std::string>{});
   output.contacts = keys.boolean("contacts", output.contacts);
+  output.joints = keys.boolean("joints", output.joints);
   Keys picture = keys.table("picture", false);
   output.forces = keys.dimension() == 2 && picture.boolean("forces", output.forces);
+  output.open_joints = keys.dimension() == 2 && picture.boolean("open_joints", output.open_joints);
+  output.thrust = keys.dimension() == 2 && picture.boolean("thrust", output.thrust);
   output.colour = static_cast<Colour>(
       picture.word("colour", {"displacement", "speed", "layer", "material", "mean_stress"}, 0));
   output.layers = static_cast<int>(picture.integer("layers", 1, 1000, output.layers));

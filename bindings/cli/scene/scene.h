@@ -220,8 +220,11 @@ enum class Colour { displacement, speed, layer, material, mean_stress };
 struct Output {
   double frame_interval = 0;
   double history_interval = 0;
-  bool contacts = false;  ///< points and forces of contacts are written to files
-  bool forces = false;    ///< contact forces are drawn
+  bool contacts = false;     ///< points and forces of contacts are written to files
+  bool forces = false;       ///< contact forces are drawn
+  bool joints = false;       ///< joints between rigid blocks are written at the end
+  bool open_joints = false;  ///< 2D: they are drawn
+  bool thrust = false;       ///< 2D: the thrust line is drawn
   std::vector<std::string> tracked;
   std::vector<Place> tracked_places;
   Colour colour = Colour::displacement;
@@ -238,6 +241,7 @@ enum class Quantity { run_out, height, position, force, stands, friction_angle }
 
 /// The quantity that `halfspace trade` measures, and its reference value.
 struct Reference {
+  bool is_given = false;  ///< by the scene
   Quantity quantity = Quantity::run_out;
   std::string block;            ///< of a position or a force
   Place block_place;            ///< of its name, for faults

@@ -21,8 +21,10 @@ struct Stage {
   Colour colour = Colour::displacement;
   int layers = 1;
   bool forces = false;  ///< contact forces are drawn
-  double lowest = 0;    ///< value at the dark end of the colours
-  double highest = 1;   ///< value at the bright end
+  bool open_joints = false;
+  bool thrust = false;
+  double lowest = 0;   ///< value at the dark end of the colours
+  double highest = 1;  ///< value at the bright end
 };
 
 /// A rectangle around points.

@@ -160,6 +160,8 @@ SearchResult search(const Scene& scene, Trials::Begin begin, const SearchWords& 
   // A failure known from an earlier search is run again for its picture.
   if (is_over && bisection.falls() && !trials.fall())
     is_over = trials.at(bisection.falls()->value).has_value();
+  if (bisection.stands()) result.stands = bisection.stands()->value;
+  if (bisection.falls()) result.falls = bisection.falls()->value;
   if (!is_over) result.end = SearchEnd::interrupted;
   if (is_over && bisection.is_found()) result.end = SearchEnd::found;
   result.report += report_line(words.sought, (is_over ? "" : "INTERRUPTED: ") + bisection.text(is_over)) +

@@ -29,6 +29,7 @@ enum class SearchEnd {
 struct SearchResult {
   std::string report;
   SearchEnd end = SearchEnd::not_found;
+  std::optional<double> stands = {}, falls = {};  ///< the bracket
 };
 
 /// The words of a search in its report and its files.
