@@ -8,202 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "common/files.h"
+#include "commands/commands.h"
+#include "commands/limit.h"
+#include "commands/sweep.h"
 #include "common/suggestion.h"
-#include "model/layout.h"
-#include "model/library.h"
-#include "model/model.h"
-#include "notes/notes.h"
-#include "run/checkpoint.h"
-#include "run/run.h"
-#include "scene/faults.h"
-#include "scene/read_scene.h"
-#include "studies/plan/plan.h"
-#include "studies/safety/safety.h"
-#include "studies/trade/trade.h"
 
 namespace halfspace::cli {
 namespace {
-
-enum ExitCode { exit_ok = 0, exit_failed = 1, exit_usage = 2, exit_unstable = 3 };
-
-void print(std::FILE* stream, const std::string& text) { std::fputs(text.c_str(), stream); }
-
-/// A scene, its blocks and the context that owns them; complete only without faults.
-struct CheckedScene {
-  Context context;
-  Scene scene;
-  Layout layout;
-  Faults faults;
-};
-
-/// With 0 threads the scene gives their number.
-CheckedScene load(const std::string& file, int threads) {
-  CheckedScene checked;
-  checked.scene = read_scene(file, checked.faults);
-  if (threads > 0) checked.scene.threads = threads;
-  checked.context = make_context(checked.scene.threads);
-  checked.layout = lay_out_blocks(checked.context, checked.scene, checked.faults);
-  return checked;
-}
-
-int refuse(const std::string& file, const Faults& faults) {
-  print(stderr, faults.describe(file));
-  print(stderr,
-        std::to_string(faults.count()) + (faults.count() == 1 ? " fault in " : " faults in ") + file + '\n');
-  return exit_failed;
-}
-
-int check(const std::string& file) {
-  CheckedScene checked = load(file, 1);
-  if (!checked.faults.none()) return refuse(file, checked.faults);
-  const Model model(checked.context, checked.scene, std::move(checked.layout));
-  note_start(checked.context, checked.scene, model, checked.faults);
-  std::string text = file + ": no faults, " + std::to_string(model.layout().blocks.size()) + " blocks";
-  if (model.layout().left_out > 0)
-    text += ", " + std::to_string(model.layout().left_out) + " left out as too small";
-  print(stdout, text + '\n' + checked.faults.describe_notes(file));
-  return exit_ok;
-}
-
-void print_files(const OutputDirectory& directory) {
-  std::size_t frames = 0;
-  std::string others;
-  for (const std::string& name : directory.written()) {
-    if (name.starts_with("frames/frame_")) {
-      ++frames;
-    } else if (!name.starts_with("frames/")) {
-      others += "  " + (directory.path() / name).string() + '\n';
-    }
-  }
-  print(stdout, "files written\n" + others + "  " + (directory.path() / "frames").string() + "/ (" +
-                    std::to_string(frames) + " frames)\n");
-}
-
-/// True if the file is in the directory.
-bool is_in(const std::string& file, const std::string& directory) {
-  return std::filesystem::weakly_canonical(file).parent_path() ==
-         std::filesystem::weakly_canonical(directory);
-}
-
-int run(const std::string& file, const std::string& output, Earlier earlier, int threads, RunOptions options,
-        const std::string& from) {
-  CheckedScene checked = load(file, threads);
-  if (!checked.faults.none()) return refuse(file, checked.faults);
-  if (!from.empty()) {
-    options.from = open_checkpoint(from);
-    if (is_in(from, output)) earlier = Earlier::keep;
-    options.resumes_in_place =
-        is_in(from, output) && std::filesystem::exists(std::filesystem::path(output) / frame_name(0));
-  }
-  OutputDirectory directory(output, earlier);
-  Model model(checked.context, checked.scene, std::move(checked.layout));
-  note_start(checked.context, checked.scene, model, checked.faults);
-  print(stderr, checked.faults.describe_notes(file));
-  const RunResult result =
-      run_scene(checked.scene, model, checked.faults.describe_notes("scene"), options, directory);
-  print(stdout, result.summary + result.timings);
-  print_files(directory);
-  if (result.outcome == Outcome::unstable) {
-    print(stderr, "halfspace: unstable run: " + result.trouble + "; reduce time_step or safety in [world]\n");
-    return exit_unstable;
-  }
-  if (result.outcome == Outcome::too_fast) {
-    print(stderr, "halfspace: " + result.trouble +
-                      R"(; give that time_step in [world], or fast_blocks = "divide")"
-                      "\n");
-    return exit_unstable;
-  }
-  if (result.outcome == Outcome::interrupted)
-    print(stderr, "halfspace: interrupted; --from " + (directory.path() / checkpoint_name).string() +
-                      " resumes it\n");
-  return result.outcome == Outcome::interrupted ? exit_failed : exit_ok;
-}
-
-/// The bytes of a scene: its own file, and the files of its blocks and meshes.
-std::string bytes_of(const std::string& file, const Scene& scene) {
-  std::string bytes = content_of(file);
-  for (const Block& block : scene.blocks)
-    if (!block.file.empty()) bytes += content_of(block.file);
-  for (const Mesh& mesh : scene.meshes)
-    if (!mesh.file.empty()) bytes += content_of(mesh.file);
-  for (const Terrain& terrain : scene.terrains) bytes += content_of(terrain.file);
-  return bytes;
-}
-
-void require_free_block(CheckedScene& checked, const std::string& by) {
-  const auto is_free = [](const LayoutBlock& block) { return moves_freely(block.kind); };
-  const std::vector<LayoutBlock>& blocks = checked.layout.blocks;
-  if (checked.faults.none() && std::none_of(blocks.begin(), blocks.end(), is_free))
-    checked.faults.add({}, "", "no free block; required for " + by + ": a rigid, affine or mesh block");
-}
-
-int trade(const std::string& file, const std::string& output, Earlier earlier, const TradeOptions& options) {
-  CheckedScene checked = load(file, 0);
-  require_free_block(checked, "a trade");
-  if (!checked.faults.none()) return refuse(file, checked.faults);
-  if (options.resumes && !std::filesystem::exists(std::filesystem::path(output) / "trade.csv"))
-    throw std::runtime_error("cannot resume: there is no trade.csv in " + output);
-  OutputDirectory directory(output, options.resumes ? Earlier::keep : earlier);
-  checked.scene.output.track_nothing();  // another setting may have other cells
-  const TradeResult result = trade(checked.scene, bytes_of(file, checked.scene), options, directory);
-  print(stdout, result.report);
-  if (result.is_interrupted) print(stderr, "\nhalfspace: interrupted; --resume continues\n");
-  if (result.is_interrupted) return exit_failed;
-  return result.has_results ? exit_ok : exit_unstable;
-}
-
-int plan(const std::string& file, const PlanOptions& options) {
-  CheckedScene checked = load(file, 0);
-  require_free_block(checked, "a plan");
-  if (options.time > 0 && !checked.scene.stages.empty())
-    checked.faults.add({}, "stage", "a plan runs all stages; allowed: no --time");
-  if (!checked.faults.none()) return refuse(file, checked.faults);
-  checked.scene.output.track_nothing();  // the tracked blocks may be cells, which a run may be without
-  const PlanResult result = plan(checked.scene, options);
-  print(stdout, result.report);
-  switch (result.end) {
-    case RunEnd::whole:
-      return exit_ok;
-    case RunEnd::interrupted:
-      print(stderr, "\nhalfspace: interrupted\n");
-      return exit_failed;
-    case RunEnd::too_few_steps:
-      print(stderr, "halfspace: --time is too short: fewer than ten steps\n");
-      return exit_failed;
-    default:
-      print(stderr, "halfspace: the scene does not run to its end\n");
-      return exit_unstable;
-  }
-}
-
-int safety(const std::string& file, const std::string& output, Earlier earlier, int threads,
-           const SafetyOptions& options) {
-  if (!(options.low < options.high)) {
-    print(stderr, "--low: must be below --high\n");
-    return exit_usage;
-  }
-  CheckedScene checked = load(file, threads);
-  require_free_block(checked, "a factor of safety");
-  for (const SceneStage& stage : checked.scene.stages) {
-    if (stage.settles) continue;
-    checked.faults.add({}, "stage",
-                       "a factor of safety requires a scene at rest; allowed: stages that settle");
-    break;
-  }
-  if (!checked.faults.none()) return refuse(file, checked.faults);
-  if (options.resumes && !std::filesystem::exists(std::filesystem::path(output) / "trials.csv"))
-    throw std::runtime_error("cannot resume: there is no trials.csv in " + output);
-  OutputDirectory directory(output, options.resumes ? Earlier::keep : earlier);
-  Model model(checked.context, checked.scene, std::move(checked.layout));
-  note_start(checked.context, checked.scene, model, checked.faults);
-  print(stderr, checked.faults.describe_notes(file));
-  const SafetyResult result =
-      find_factor_of_safety(checked.scene, model, bytes_of(file, checked.scene), options, directory);
-  print(stdout, result.report);
-  if (result.end == SafetyEnd::interrupted) print(stderr, "\nhalfspace: interrupted; --resume continues\n");
-  return result.end == SafetyEnd::found ? exit_ok : exit_failed;
-}
 
 /// A time in s, as 90s, 10min or 2h.
 CLI::AsNumberWithUnit time_with_unit() {
@@ -257,20 +68,29 @@ int main_of(int argc, char** argv) {
       "Exit codes: 0 ok, 1 failed or faulty scene, 2 wrong usage, 3 unstable run, or blocks too fast for it "
       "(its output is kept).");
 
-  std::string file;
-  std::string output;
+  SceneFile file;
+  Target target;
   bool force = false;
-  int threads = 0;
+  const auto add_scene = [&](CLI::App* command, const std::string& text) {
+    command->add_option("scene", file.path, text)->required();
+    return command
+        ->add_option("--set", file.settings,
+                     "A value that replaces that of the scene, as default_law.friction_angle=30, "
+                     "material.rock.density=2600 or block[2].velocity=[1,0]; repeatable")
+        ->allow_extra_args(false)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  };
   CLI::App* run_command = app.add_subcommand("run", "Run a scene");
-  run_command->add_option("scene", file, "The scene file (TOML)")->required();
+  add_scene(run_command, "The scene file (TOML)");
   const auto add_output = [&](CLI::App* command) {
-    command->add_option("-o,--output", output, "Directory for the output; made if missing")->required();
+    command->add_option("-o,--output", target.directory, "Directory for the output; made if missing")
+        ->required();
     return command->add_flag("--force", force, "Replace an earlier run in the directory");
   };
   add_output(run_command);
   const auto add_threads = [&](CLI::App* command) {
     command
-        ->add_option("-j,--threads", threads,
+        ->add_option("-j,--threads", target.threads,
                      "Number of threads; overrides the scene; the output has the same bytes for any number")
         ->check(CLI::Range(1, max_threads));
   };
@@ -287,13 +107,12 @@ int main_of(int argc, char** argv) {
       ->transform(time_with_unit())
       ->check(finite_above_zero());
   CLI::App* check_command = app.add_subcommand("check", "List all faults of a scene, without running it");
-  check_command->add_option("scene", file, "The scene file (TOML)")->required();
+  add_scene(check_command, "The scene file (TOML)");
 
   TradeOptions trade_options;
   CLI::App* trade_command =
       app.add_subcommand("trade", "Vary the parameters of a scene: the error and the cost of each setting");
-  trade_command->add_option("scene", file, "The scene file (TOML); [reference] names the measured quantity")
-      ->required();
+  add_scene(trade_command, "The scene file (TOML); [reference] names the measured quantity");
   CLI::Option* force_option = add_output(trade_command);
   trade_command->add_flag("--resume", trade_options.resumes, "Continue from the runs in the directory")
       ->excludes(force_option);
@@ -309,7 +128,7 @@ int main_of(int argc, char** argv) {
   PlanOptions plan_options;
   CLI::App* plan_command = app.add_subcommand(
       "plan", "Report the active parts of a scene, their cost, and the parts that could be left out");
-  plan_command->add_option("scene", file, "The scene file (TOML)")->required();
+  add_scene(plan_command, "The scene file (TOML)");
   plan_command
       ->add_option("--time", plan_options.time, "Simulated time in s; the scene's duration by default")
       ->check(finite_above_zero());
@@ -319,10 +138,10 @@ int main_of(int argc, char** argv) {
       ->capture_default_str()
       ->check(finite_above_zero());
 
-  SafetyOptions safety_options;
+  SearchOptions safety_options;
   CLI::App* safety_command = app.add_subcommand(
       "safety", "Find the factor of safety: the largest factor by which all strengths can be divided");
-  safety_command->add_option("scene", file, "The scene file (TOML)")->required();
+  add_scene(safety_command, "The scene file (TOML)");
   safety_command->add_flag("--resume", safety_options.resumes, "Continue from the trials in the directory")
       ->excludes(add_output(safety_command));
   add_threads(safety_command);
@@ -344,6 +163,52 @@ int main_of(int argc, char** argv) {
                    "slip of all joints, at most a tenth of the block's size")
       ->check(finite_above_zero());
 
+  SweepOptions sweep_options;
+  CLI::App* sweep_command = app.add_subcommand(
+      "sweep", "Run a scene for all combinations of values: --set KEY=FIRST:LAST:STEP, --set KEY=A,B,C");
+  add_scene(sweep_command, "The scene file (TOML)");
+  sweep_command->add_flag("--resume", sweep_options.resumes, "Continue from the runs in the directory")
+      ->excludes(add_output(sweep_command));
+  sweep_command->add_flag("--safety", sweep_options.finds_safety,
+                          "Find the factor of safety of each, instead of a run");
+  sweep_command
+      ->add_option("-j,--jobs", sweep_options.runs_at_once,
+                   "Number of runs at once, each with one thread; by default one per core")
+      ->check(CLI::Range(1, max_threads));
+  sweep_command->add_option("--plot", sweep_options.plotted,
+                            "Result that table.svg shows: a column of table.csv");
+
+  LimitOptions limit_options;
+  CLI::App* limit_command = app.add_subcommand(
+      "limit",
+      "Find the largest tilt, load or value of a key at which a scene is stable: --tilt, --load, or "
+      "--set KEY=LOW:HIGH");
+  add_scene(limit_command, "The scene file (TOML)");
+  limit_command->add_flag("--resume", limit_options.resumes, "Continue from the trials in the directory")
+      ->excludes(add_output(limit_command));
+  add_threads(limit_command);
+  limit_command->add_flag("--tilt", limit_options.tilts, "Turn gravity, by an angle in degrees");
+  limit_command->add_option("--axis", limit_options.axis,
+                            "Axis of the tilt: x, y, z, -x, -y or -z; by default z in 2D, x in 3D");
+  limit_command
+      ->add_option("--load", limit_options.load,
+                   "Scale the mesh loads of this group, mesh or mesh/group; without a name all loads")
+      ->expected(0, 1);
+  limit_command->add_option("--low", limit_options.low, "Lower end of the bracket; 0 by default");
+  limit_command->add_option("--high", limit_options.high,
+                            "Upper end of the bracket; 90 degrees or a factor of 10 by default");
+  limit_command
+      ->add_option("--resolution", limit_options.resolution,
+                   "Final width of the bracket; a thousandth of the bracket by default")
+      ->check(finite_above_zero());
+  limit_command
+      ->add_option("--limit", limit_options.limit,
+                   "Displacement of a block, in m, that counts as failure; by default that of `safety` for a "
+                   "tilt, else a tenth of the block's size")
+      ->check(finite_above_zero());
+  limit_command->add_flag("--smallest", limit_options.smallest,
+                          "Find the smallest value instead: the scene falls below it");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -355,11 +220,15 @@ int main_of(int argc, char** argv) {
     }
     return app.exit(error) == 0 ? exit_ok : exit_usage;
   }
-  const Earlier earlier = force ? Earlier::replace : Earlier::refuse;
+  RunResult run_result;
+  SearchResult safety_result;
+  if (force) target.earlier = Earlier::replace;
   if (plan_command->parsed()) return plan(file, plan_options);
-  if (safety_command->parsed()) return safety(file, output, earlier, threads, safety_options);
-  if (trade_command->parsed()) return trade(file, output, earlier, trade_options);
-  return run_command->parsed() ? run(file, output, earlier, threads, run_options, from) : check(file);
+  if (sweep_command->parsed()) return sweep(file, target, sweep_options);
+  if (limit_command->parsed()) return limit(file, target, limit_options);
+  if (safety_command->parsed()) return safety(file, target, safety_options, safety_result);
+  if (trade_command->parsed()) return trade(file, target, trade_options);
+  return run_command->parsed() ? run(file, target, run_options, from, run_result) : check(file);
 }
 
 }  // namespace

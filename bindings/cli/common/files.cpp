@@ -40,15 +40,20 @@ std::string numbered(const char* begin, int number) {
 void remove_earlier_run(const fs::path& path) {
   const fs::path frames = path / "frames";
   if (fs::is_symlink(frames)) fs::remove(frames);
-  for (const char* name : {"run.pvd", "contacts.pvd", "contacts.csv", "cracks.csv", "history.csv",
-                           "first.svg", "last.svg", "summary.txt", "safety.txt", "stands.svg", "falls.svg",
-                           "trade.csv", "trade.txt", "trade.svg", "checkpoint"})
+  for (const char* name :
+       {"run.pvd",     "contacts.pvd", "contacts.csv", "cracks.csv", "history.csv", "first.svg",
+        "last.svg",    "summary.txt",  "safety.txt",   "stands.svg", "falls.svg",   "trade.csv",
+        "trade.txt",   "trade.svg",    "limit.txt",    "trials.csv", "table.csv",   "table.svg",
+        "results.csv", "joints.csv",   "checkpoint"})
     fs::remove(path / name);
   remove_numbered(path, "at_", "s.svg");
   remove_numbered(path, "stage_", ".svg");
   remove_numbered(path, "stage_", ".checkpoint");
   remove_numbered(frames, "frame_", ".vtp");
   remove_numbered(frames, "contacts_", ".vtp");
+  if (!fs::is_directory(path / "runs")) return;
+  for (const fs::directory_entry& run : fs::directory_iterator(path / "runs"))
+    if (run.is_directory() && !run.is_symlink()) remove_earlier_run(run.path());
 }
 
 /// Writes a new file; a file or a link of that name is removed first.

@@ -32,6 +32,14 @@ inline std::string padded(std::string text, std::size_t width) {
   return text;
 }
 
+/// Texts with commas between them.
+template <class Texts>
+std::string joined(const Texts& texts) {
+  std::string text;
+  for (const auto& part : texts) text += (text.empty() ? "" : ", ") + std::string(part);
+  return text;
+}
+
 /// A line of a report: a name, and a text that begins at a column.
 inline std::string report_line(const std::string& name, const std::string& text, std::size_t column = 20) {
   return padded(name, column) + text + '\n';

@@ -48,7 +48,7 @@ Model::Model(const Context& context, const Scene& scene, Layout layout)
              .mass_damping = scene.world.mass_damping},
       given_time_step_(scene.world.time_step),
       safety_(scene.world.safety),
-      frames_have_contacts_(scene.output.contacts || scene.output.forces) {
+      frames_have_contacts_(scene.output.contacts || scene.output.forces || scene.output.thrust) {
   hs_world* world = nullptr;
   require(context, hs_world_create(context.get(), &scene.world, &world));
   world_.reset(world);

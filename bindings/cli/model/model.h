@@ -64,6 +64,8 @@ class Model {
   void restore(const std::string& world);
   /// Divides all strengths of the scene by a factor.
   void weaken(double factor);
+  /// Turns the gravity of the scene, or of its last stage, about an axis of unit length, by an angle in rad.
+  void tilt(const Point& axis, double angle);
 
   /// True after the step nearest to this time.
   bool reached(double time) const { return time - report_.time < report_.time_step / 2; }

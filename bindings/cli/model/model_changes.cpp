@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "common/vector.h"
@@ -41,6 +42,14 @@ void Model::change_to(double progress) {
     if (bodies_[body] != 0) load_nodes(body);
   }
   update_report();
+}
+
+void Model::tilt(const Point& axis, double angle) {
+  const Point& down = state_.gravity;
+  const Point along = times(dot(axis, down) * (1 - std::cos(angle)), axis);
+  const Point turned =
+      plus(plus(times(std::cos(angle), down), times(std::sin(angle), cross(axis, down))), along);
+  require(context_, hs_world_set_gravity(world_.get(), turned.data()));
 }
 
 /// Applies the current mesh loads, and the remaining forces of excavated cells.

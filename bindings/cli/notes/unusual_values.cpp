@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "common/text.h"
+#include "scene/settings.h"
 
 namespace halfspace::cli {
 namespace {
@@ -138,8 +139,7 @@ class Walk {
   }
 
   void note(const toml::node& node, const std::string& path, const std::string& text) {
-    const toml::source_position begin = node.source().begin;
-    faults_.note({static_cast<int>(begin.line), static_cast<int>(begin.column)}, path, text);
+    faults_.note(place_of(node.source()), path, text);
   }
 
   Faults& faults_;

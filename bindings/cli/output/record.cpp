@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "common/text.h"
+#include "output/joints.h"
 #include "output/picture/picture.h"
 #include "output/tables.h"
 
@@ -104,6 +105,8 @@ Frame Record::finish() {
   save_tables();
   const Frame end = model_.frame();
   if (scene_.output.contacts) directory_.write("contacts.csv", contacts_table(model_.layout(), end));
+  if (scene_.output.joints)
+    directory_.write("joints.csv", joints_table(model_.layout(), start(), end, model_.contacts()));
   stage_.add(end);
   const Stage stage = stage_.stage();
   directory_.write("first.svg", picture(stage, scene_, model_.layout(), start(), start()));

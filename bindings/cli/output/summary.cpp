@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/text.h"
+#include "common/vector.h"
 
 namespace halfspace::cli {
 namespace {
@@ -151,6 +152,11 @@ std::string run_out_text(const RunOut& reach, int dimension) {
 
 }  // namespace
 
+std::string scene_lines(const Scene& scene) {
+  return report_line("scene", scene.title) +
+         (scene.settings.empty() ? std::string() : report_line("set", scene.settings));
+}
+
 std::string negative_losses_text(const hs_world_report& report, double fracture_and_impact_loss) {
   constexpr double rounding = 1e-9;  // of the released energy, over many steps
   const double threshold = -rounding * released_energy(report, fracture_and_impact_loss);
@@ -191,12 +197,25 @@ RunOut run_out(const Frame& start, const Frame& end, int dimension) {
   return result;
 }
 
+RunFigures figures_of(const Model& model, const Peaks& peaks, const Frame& start, const Frame& end) {
+  RunFigures figures{.run_out = run_out(start, end, model.layout().dimension).farthest(),
+                     .largest_overlap = peaks.overlap,
+                     .energy_residual = model.report().energy.residual};
+  for (std::size_t i = 0; i < end.blocks.size(); ++i) {
+    if (!moves_freely(end.blocks[i].state.kind)) continue;
+    const double moved = length(
+        minus(point_of(end.blocks[i].state.pose.position), point_of(start.blocks[i].state.pose.position)));
+    figures.max_displacement = std::max(figures.max_displacement, moved);
+  }
+  return figures;
+}
+
 std::string summary(const Scene& scene, const Model& model, const Peaks& peaks, const Frame& start,
                     const Frame& end, Outcome outcome) {
   const hs_world_report& report = model.report();
   const hs_bond_report bonds = model.bond_report();
   const RunOut reach = run_out(start, end, scene.world.dimension);
-  return report_line("scene", scene.title) + report_line("outcome", describe(outcome)) +
+  return scene_lines(scene) + report_line("outcome", describe(outcome)) +
          report_line("blocks", blocks_text(model.layout(), end)) +
          report_line("simulated", rounded(report.time, 6) + " s in " + std::to_string(report.steps) +
                                       " steps of " + rounded(report.time_step, 4) +

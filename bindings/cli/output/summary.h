@@ -17,6 +17,8 @@ struct RunOut {
   double forwards[2] = {};  ///< farthest vertex at the end beyond the farthest at the start
   double backwards[2] = {};
   double moved_out = 0;  ///< fraction of the mass with centroids beyond the extent at the start
+
+  double farthest() const { return std::max({forwards[0], backwards[0], forwards[1], backwards[1]}); }
 };
 
 RunOut run_out(const Frame& start, const Frame& end, int dimension);
@@ -34,9 +36,22 @@ struct Peaks {
   double penetration_ratio = 0;  ///< max depth that springs allow, fraction of the thinner thickness
 };
 
+/// The first lines of a report: the title of a scene, and its settings.
+std::string scene_lines(const Scene& scene);
+
 /// Lists losses below zero by more than rounding: energy that the method has created, and that the residual
 /// does not show. Empty without any.
 std::string negative_losses_text(const hs_world_report& report, double fracture_and_impact_loss);
+
+/// The results of a run as numbers.
+struct RunFigures {
+  double run_out = 0;           ///< m, the farthest
+  double max_displacement = 0;  ///< m, of the centroid of a free block
+  double largest_overlap = 0;   ///< m, in the whole run
+  double energy_residual = 0;   ///< J
+};
+
+RunFigures figures_of(const Model& model, const Peaks& peaks, const Frame& start, const Frame& end);
 
 /// The results of a run, a line for each quantity. The same scene gives the same text.
 std::string summary(const Scene& scene, const Model& model, const Peaks& peaks, const Frame& start,

@@ -361,6 +361,7 @@ RunResult run_scene(const Scene& scene, Model& model, const std::string& notes, 
   const Frame end = run.record().finish();
   result.summary = summary(scene, model, run.record().peaks(), run.record().start(), end, result.outcome) +
                    run.stage_lines() + pictures_left(run.record(), result.outcome) + notes;
+  result.figures = figures_of(model, run.record().peaks(), run.record().start(), end);
   result.timings = timings(model.report(), model.report().steps - steps_before, took.count());
   directory.write("summary.txt", result.summary);
   return result;

@@ -14,6 +14,7 @@ struct RunResult {
   std::string trouble;  ///< the library's error text of an unstable or refused run
   std::string summary;  ///< the same for the same scene
   std::string timings;  ///< of this run
+  RunFigures figures;
 };
 
 /// Options of a run: its start and its checkpoints.

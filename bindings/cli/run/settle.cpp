@@ -41,8 +41,7 @@ std::string largest_force_block(const Model& model, const hs_balance& balance) {
   return text;
 }
 
-hs_balance settle_on(const SceneStage& stage, Model& model, Settling& settling) {
-  constexpr std::int64_t steps_of_piece = 20000;
+hs_balance settle_on(const SceneStage& stage, Model& model, Settling& settling, std::int64_t steps_of_piece) {
   if ((settling.is_balanced || settling.portions == 0) && !model.is_changed())
     model.change_to(static_cast<double>(++settling.portions) / static_cast<double>(stage.portions));
   hs_relaxation_def piece = stage.relaxation;

@@ -30,7 +30,8 @@ std::string endless_motion(const Model& model);
 std::string largest_force_block(const Model& model, const hs_balance& balance);
 
 /// Continues a stage that is not over, by few steps, so that interrupts are prompt. @throws LibraryError
-hs_balance settle_on(const SceneStage& stage, Model& model, Settling& settling);
+hs_balance settle_on(const SceneStage& stage, Model& model, Settling& settling,
+                     std::int64_t steps_of_piece = 20000);
 
 /// Settles a stage that has begun, portion by portion. False if it is not at rest after its max_steps, or was
 /// interrupted. @throws LibraryError

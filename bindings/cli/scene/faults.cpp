@@ -21,14 +21,20 @@ void Faults::withdraw_missing(const std::string& key) {
 
 namespace {
 
-std::string lines_of(std::vector<Fault> faults, const std::string& file, const std::string& mark) {
+std::string described(const Place& place, const std::string& file, const std::vector<std::string>& settings) {
+  if (place.is_setting) return file + ": --set " + settings.at(static_cast<std::size_t>(place.line) - 1);
+  return file + ':' + std::to_string(place.line) + ':' + std::to_string(place.column);
+}
+
+std::string lines_of(std::vector<Fault> faults, const std::string& file,
+                     const std::vector<std::string>& settings, const std::string& mark) {
   std::stable_sort(faults.begin(), faults.end(), [](const Fault& a, const Fault& b) {
-    return std::tie(a.place.line, a.place.column) < std::tie(b.place.line, b.place.column);
+    return std::tie(a.place.is_setting, a.place.line, a.place.column) <
+           std::tie(b.place.is_setting, b.place.line, b.place.column);
   });
   std::string text;
   for (const Fault& fault : faults) {
-    text += file + ':' + std::to_string(fault.place.line) + ':' + std::to_string(fault.place.column) + ": " +
-            mark;
+    text += described(fault.place, file, settings) + ": " + mark;
     if (!fault.key.empty()) text += fault.key + ": ";
     text += fault.text + '\n';
   }
@@ -37,8 +43,10 @@ std::string lines_of(std::vector<Fault> faults, const std::string& file, const s
 
 }  // namespace
 
-std::string Faults::describe(const std::string& file) const { return lines_of(faults_, file, ""); }
+std::string Faults::describe(const std::string& file) const { return lines_of(faults_, file, settings_, ""); }
 
-std::string Faults::describe_notes(const std::string& file) const { return lines_of(notes_, file, "note: "); }
+std::string Faults::describe_notes(const std::string& file) const {
+  return lines_of(notes_, file, settings_, "note: ");
+}
 
 }  // namespace halfspace::cli

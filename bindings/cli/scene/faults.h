@@ -1,14 +1,16 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace halfspace::cli {
 
-/// A place in the scene file, counted from 1.
+/// A place in the scene file, counted from 1, or a setting of the command line.
 struct Place {
-  int line = 1;
+  int line = 1;  ///< of the file; the number of the setting
   int column = 1;
+  bool is_setting = false;
 };
 
 /// A fault of a scene, or a note.
@@ -26,10 +28,13 @@ class Faults {
   void note(Place place, std::string key, std::string text);
   /// Removes the fault of a missing key that is present under another name.
   void withdraw_missing(const std::string& key);
+  /// The settings of the command line, `key=value`, that places name.
+  void name_settings(std::vector<std::string> settings) { settings_ = std::move(settings); }
   bool none() const { return faults_.empty(); }
   std::size_t count() const { return faults_.size(); }
 
-  /// One line each, `file:LINE:COLUMN: key: text`, in the order of the file.
+  /// One line each, `file:LINE:COLUMN: key: text`, in the order of the file; then those of settings,
+  /// `file: --set SETTING: key: text`.
   std::string describe(const std::string& file) const;
   /// The same for notes, with `note: ` before each key.
   std::string describe_notes(const std::string& file) const;
@@ -37,6 +42,7 @@ class Faults {
  private:
   std::vector<Fault> faults_;
   std::vector<Fault> notes_;
+  std::vector<std::string> settings_;
 };
 
 }  // namespace halfspace::cli

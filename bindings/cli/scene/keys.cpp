@@ -7,6 +7,7 @@
 
 #include "common/suggestion.h"
 #include "common/text.h"
+#include "scene/settings.h"
 
 namespace halfspace::cli {
 namespace {
@@ -22,12 +23,6 @@ std::string shown(const toml::node& node) {
   node.visit([&stream](const auto& value) { stream << value; });
   const std::string text = stream.str();
   return text.size() <= 60 ? text : text.substr(0, 57) + "...";
-}
-
-std::string joined(const std::vector<std::string_view>& words) {
-  std::string text;
-  for (std::string_view word : words) text += (text.empty() ? "" : ", ") + std::string(word);
-  return text;
 }
 
 /// Renamed keys: the old and the new name. Old names are still read, with a note.
@@ -65,14 +60,11 @@ std::string Range::describe() const {
 Keys::Keys(const toml::table& table, std::string path, Faults& faults)
     : table_(&table), path_(std::move(path)), faults_(&faults) {}
 
-Place Keys::place_of(const toml::node& node) {
-  const toml::source_position begin = node.source().begin;
-  return begin ? Place{static_cast<int>(begin.line), static_cast<int>(begin.column)} : Place{};
-}
+Place Keys::place() const { return place_of(table_->source()); }
 
 Place Keys::place(std::string_view key) const {
   const toml::node* node = value_of(*table_, key);
-  return place_of(node ? *node : *table_);
+  return place_of((node ? *node : *table_).source());
 }
 
 std::optional<Place> Keys::place_if_given(std::string_view key) const {
@@ -104,7 +96,7 @@ std::optional<double> Keys::finite_number(const toml::node& node, const std::str
   const std::optional<double> value = node.value<double>();
   if (node.is_number() && value && std::isfinite(*value)) return value;
   const char* wrong = node.is_number() ? "not finite: " : "not a number: ";
-  faults_->add(place_of(node), path, wrong + shown(node) + "; allowed: a finite number");
+  faults_->add(place_of(node.source()), path, wrong + shown(node) + "; allowed: a finite number");
   return {};
 }
 
@@ -168,7 +160,7 @@ std::optional<Point> Keys::point_of(const toml::node& node, const std::string& p
   const toml::array* components = node.as_array();
   const auto count = static_cast<std::size_t>(dimension_);
   if (!components || components->size() != count) {
-    faults_->add(place_of(node), path, "not a point: " + shown(node) + "; allowed: " + point_form());
+    faults_->add(place_of(node.source()), path, "not a point: " + shown(node) + "; allowed: " + point_form());
     return {};
   }
   Point point{};
@@ -224,7 +216,8 @@ std::vector<double> Keys::rising_numbers(std::string_view key, Range range) {
     const std::optional<double> value = finite_number(item, path(key));
     if (!value) continue;
     if (!range.holds(*value) || (!numbers.empty() && *value <= numbers.back())) {
-      faults_->add(place_of(item), path(key), "out of range: " + shown(item) + "; allowed: " + allowed);
+      faults_->add(place_of(item.source()), path(key),
+                   "out of range: " + shown(item) + "; allowed: " + allowed);
     }
     numbers.push_back(*value);
   }
@@ -296,7 +289,7 @@ std::vector<std::vector<int>> Keys::loops(std::string_view key, std::size_t coun
     if (loop) {
       loops.push_back(std::move(*loop));
     } else {
-      faults_->add(place_of((*list)[i]), path(key) + '[' + std::to_string(i) + ']',
+      faults_->add(place_of((*list)[i].source()), path(key) + '[' + std::to_string(i) + ']',
                    "not a face: " + shown((*list)[i]) + "; allowed: " + allowed);
     }
   }
@@ -316,7 +309,7 @@ std::vector<std::string> Keys::texts(std::string_view key, std::vector<Place>& p
   std::vector<std::string> texts;
   for (const toml::node& item : *list) {
     texts.push_back(item.as_string()->get());
-    places.push_back(place_of(item));
+    places.push_back(place_of(item.source()));
   }
   return texts;
 }
@@ -424,8 +417,7 @@ void Keys::withdraw_missing(std::string_view key) {
 void Keys::finish() {
   for (const auto& [key, node] : *table_) {
     if (std::find(allowed_.begin(), allowed_.end(), key.str()) != allowed_.end()) continue;
-    const toml::source_position begin = key.source().begin;
-    const Place place{static_cast<int>(begin.line), static_cast<int>(begin.column)};
+    const Place place = place_of(key.source());
     const std::string_view now = new_name(key.str());
     if (std::find(allowed_.begin(), allowed_.end(), now) != allowed_.end()) {
       faults_->note(place, path(key.str()), "renamed; use " + std::string(now));

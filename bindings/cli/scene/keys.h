@@ -90,7 +90,7 @@ class Keys {
   bool has_only(std::initializer_list<std::string_view> keys) const;
   /// True if any of these keys is present. All of them are allowed, even if they are not read afterwards.
   bool has_any(std::initializer_list<std::string_view> keys);
-  Place place() const { return place_of(*table_); }
+  Place place() const;
   Place place(std::string_view key) const;
   std::optional<Place> place_if_given(std::string_view key) const;
   std::string path(std::string_view key) const;
@@ -115,7 +115,6 @@ class Keys {
   std::optional<std::vector<int>> loop_of(const toml::node& node, std::size_t count);
   std::optional<Point> point_of(const toml::node& node, const std::string& path);
   void withdraw_missing(std::string_view key);
-  static Place place_of(const toml::node& node);
 
   const toml::table* table_;
   std::string path_;

@@ -37,9 +37,10 @@ Rows rows_of_file(const std::string& file) {
   return rows;
 }
 
-Rows read_rows(Keys& keys, const std::string& folder, const std::string& allowed) {
+/// Rows in the scene, or in a file whose path is set.
+Rows read_rows(Keys& keys, const std::string& folder, std::string& file, const std::string& allowed) {
   if (!keys.either("file", "table")) return keys.rows("table", allowed);
-  const std::string file = (std::filesystem::path(folder) / keys.text("file", required)).string();
+  file = (std::filesystem::path(folder) / keys.text("file", required)).string();
   if (!std::filesystem::is_regular_file(file)) {
     keys.fault("file", "no such file: " + file + "; allowed: a CSV file, named from the folder of the scene");
     return {};
@@ -104,7 +105,7 @@ void read_table(Keys& keys, const std::string& folder, Action& action) {
   const auto dimension = static_cast<std::size_t>(keys.dimension());
   const std::string allowed =
       dimension == 2 ? "rows [time, value] or [time, x, y]" : "rows [time, value] or [time, x, y, z]";
-  const Rows rows = read_rows(keys, folder, allowed);
+  const Rows rows = read_rows(keys, folder, action.file, allowed);
   if (rows.empty()) return;
   const std::size_t count = rows.front().size() - 1;
   const bool has_components =

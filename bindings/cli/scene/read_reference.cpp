@@ -45,6 +45,7 @@ std::optional<double> read_value(Keys& keys, double time) {
 
 void read_reference(Keys keys, Scene& scene) {
   Reference& reference = scene.reference;
+  reference.is_given = keys.has("quantity");
   reference.time = scene.duration;
   reference.quantity = static_cast<Quantity>(keys.kind(
       "quantity", {"run-out", "height", "position", "force", "stands", "friction angle"}, required));

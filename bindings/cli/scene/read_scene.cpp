@@ -17,13 +17,10 @@
 #include "scene/read_stages.h"
 #include "scene/read_tracked.h"
 #include "scene/read_values.h"
+#include "scene/settings.h"
 
 namespace halfspace::cli {
 namespace {
-
-/// The longest key of a scene has three names. Recursive functions process nested tables, so that very deep
-/// ones would overflow the stack.
-constexpr int max_names = 8;
 
 void read_world(Keys keys, bool has_stages, Scene& scene) {
   hs_world_def& world = scene.world;
@@ -114,8 +111,11 @@ void read_output(Keys keys, Scene& scene) {
   read_tracked_points(keys.tables_among("tracked"), scene);
   read_tracked_joints(keys.tables("joints", false), scene);
   output.contacts = keys.boolean("contacts", output.contacts);
+  output.joints = keys.boolean("joint_forces", output.joints);
   Keys picture = keys.table("picture", false);
   output.forces = keys.dimension() == 2 && picture.boolean("forces", output.forces);
+  output.open_joints = keys.dimension() == 2 && picture.boolean("open_joints", output.open_joints);
+  output.thrust = keys.dimension() == 2 && picture.boolean("thrust", output.thrust);
   output.colour = static_cast<Colour>(
       picture.word("colour", {"displacement", "speed", "layer", "material", "mean_stress"}, 0));
   output.layers = static_cast<int>(picture.integer("layers", 1, 1000, output.layers));
@@ -181,20 +181,25 @@ Scene read_top(Keys keys, const std::string& folder, Faults& faults) {
 
 }  // namespace
 
-Scene read_scene(const std::string& file, Faults& faults) {
-  return read_scene_text(content_of(file), file, faults);
+Scene read_scene(const std::string& file, Faults& faults, const std::vector<std::string>& settings) {
+  return read_scene_text(content_of(file), file, faults, settings);
 }
 
-Scene read_scene_text(const std::string& content, const std::string& file, Faults& faults) {
+Scene read_scene_text(const std::string& content, const std::string& file, Faults& faults,
+                      const std::vector<std::string>& settings) {
   if (const std::optional<Place> place = deep_key(content, max_names)) {
     faults.add(*place, "",
                "more than " + std::to_string(max_names) + " names in a key; allowed: the keys of a scene");
     return {};
   }
   try {
-    const toml::table table = toml::parse(content, file);
+    toml::table table = toml::parse(content, file);
+    apply_settings(settings, table, faults);
     note_unusual_values(table, faults);
-    return read_top(Keys(table, "", faults), std::filesystem::path(file).parent_path().string(), faults);
+    Scene scene =
+        read_top(Keys(table, "", faults), std::filesystem::path(file).parent_path().string(), faults);
+    scene.settings = joined(settings);
+    return scene;
   } catch (const toml::parse_error& error) {
     const toml::source_position begin = error.source().begin;
     faults.add({static_cast<int>(begin.line), static_cast<int>(begin.column)}, "",

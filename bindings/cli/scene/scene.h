@@ -75,6 +75,7 @@ struct Action {
   std::string key;
   Place place;  ///< of that name
   int kind = HS_ACTION_FORCE;
+  std::string file;  ///< of the table, or empty: path, from the working directory
   TimeTable table;
   Point scale{1, 1, 1};
   std::optional<Point> at;  ///< of a force
@@ -288,8 +289,11 @@ enum class Colour { displacement, speed, layer, material, mean_stress };
 struct Output {
   double frame_interval = 0;
   double history_interval = 0;
-  bool contacts = false;  ///< points and forces of contacts are written to files
-  bool forces = false;    ///< contact forces are drawn
+  bool contacts = false;     ///< points and forces of contacts are written to files
+  bool forces = false;       ///< contact forces are drawn
+  bool joints = false;       ///< joints between rigid blocks are written at the end
+  bool open_joints = false;  ///< 2D: they are drawn
+  bool thrust = false;       ///< 2D: the thrust line is drawn
   std::vector<std::string> tracked;
   std::vector<Place> tracked_places;
   std::vector<TrackedPoint> tracked_points;
@@ -316,6 +320,7 @@ enum class Quantity { run_out, height, position, force, stands, friction_angle }
 
 /// The quantity that `halfspace trade` measures, and its reference value.
 struct Reference {
+  bool is_given = false;  ///< by the scene
   Quantity quantity = Quantity::run_out;
   std::string block;            ///< of a position or a force
   Place block_place;            ///< of its name, for faults
@@ -332,6 +337,7 @@ constexpr int max_threads = 256;  // hs_context_def::threads
 struct Scene {
   std::string folder;  ///< of the scene file; the names of other files are relative to it
   std::string title;
+  std::string settings;  ///< of the command line, for reports
   hs_world_def world{};
   double duration = 0;
   /// Places of keys of [world], [default_law] and [output], for notes.

@@ -76,7 +76,7 @@ std::string picture(const Stage& stage, const Scene& scene, const Layout& layout
   svg.label({left_margin, 24}, stage.title, 17, "start");
   svg.label({left_margin, 44}, "t = " + decimals(frame.time, 3) + " s", 14, "start");
   if (stage.dimension == 2) {
-    draw_in_plane(svg, plot, start, frame);
+    draw_in_plane(svg, plot, layout, start, frame);
   } else {
     draw_in_space(svg, plot, layout, start, frame);
   }

@@ -95,8 +95,10 @@ void draw_axis(Svg& svg, const Plot& plot, int axis) {
 
 }  // namespace
 
-void draw_in_plane(Svg& svg, const Plot& plot, const Frame& start, const Frame& frame) {
+void draw_in_plane(Svg& svg, const Plot& plot, const Layout& layout, const Frame& start, const Frame& frame) {
   draw_blocks(svg, plot, start, frame);
+  if (plot.stage.open_joints) draw_open_joints(svg, plot, layout, start, frame);
+  if (plot.stage.thrust) draw_thrust(svg, plot, frame);
   if (plot.stage.forces) draw_forces(svg, plot, frame);
   if (plot.stage.numbers) draw_numbers(svg, plot, frame);
   svg.rectangle(plot.corner(), plot.width, plot.height, "fill=\"none\" stroke=\"#222\"");

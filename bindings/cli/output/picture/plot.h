@@ -41,7 +41,15 @@ inline double outline_width(const Plot& plot, const Frame& frame) {
 void draw_number(Svg& svg, std::size_t block, const Point& middle, double area);
 
 /// The blocks of a frame in the plane, with the axes around them.
-void draw_in_plane(Svg& svg, const Plot& plot, const Frame& start, const Frame& frame);
+void draw_in_plane(Svg& svg, const Plot& plot, const Layout& layout, const Frame& start, const Frame& frame);
+
+/// The open parts of the joints between rigid blocks in the plane.
+void draw_open_joints(Svg& svg, const Plot& plot, const Layout& layout, const Frame& start,
+                      const Frame& frame);
+
+/// The thrust line in the plane: lines within each block between the points of application of its contact
+/// forces, through their mean if there are more than two.
+void draw_thrust(Svg& svg, const Plot& plot, const Frame& frame);
 
 /// The blocks of a frame in space, shaded, with the directions of the axes.
 void draw_in_space(Svg& svg, const Plot& plot, const Layout& layout, const Frame& start, const Frame& frame);

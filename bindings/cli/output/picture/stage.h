@@ -22,8 +22,10 @@ struct Stage {
   int layers = 1;
   bool forces = false;   ///< contact forces are drawn
   bool numbers = false;  ///< of blocks are drawn
-  double lowest = 0;     ///< value at the dark end of the colours
-  double highest = 1;    ///< value at the bright end
+  bool open_joints = false;
+  bool thrust = false;
+  double lowest = 0;   ///< value at the dark end of the colours
+  double highest = 1;  ///< value at the bright end
 };
 
 /// A rectangle around points.

@@ -148,8 +148,9 @@ std::string parts(int active, bool are_active) {
 
 std::string account(const Scene& scene, const End& whole) {
   const hs_world_plan& world = whole.world;
-  std::string text =
-      plan_line("scene", scene.title.empty() ? "untitled" : scene.title) + plan_line("blocks", kinds(world));
+  std::string text = plan_line("scene", scene.title.empty() ? "untitled" : scene.title) +
+                     (scene.settings.empty() ? std::string() : plan_line("set", scene.settings)) +
+                     plan_line("blocks", kinds(world));
   if (world.body_count > 0) text += plan_line("meshes", meshes(world));
   text += plan_line("pairs", std::to_string(world.candidate_count) + " near each other, " +
                                  std::to_string(world.contact_count) + " in contact");

@@ -30,11 +30,6 @@ double height_of(const Frame& frame, int dimension) {
   return height;
 }
 
-double reach_of(const Frame& start, const Frame& end, int dimension) {
-  const RunOut reach = run_out(start, end, dimension);
-  return std::max({reach.forwards[0], reach.backwards[0], reach.forwards[1], reach.backwards[1]});
-}
-
 /// True if no free piece has moved farther than the limit; excavated pieces are ignored.
 bool stands(const std::vector<Piece>& pieces, const Frame& start, const Frame& end, double limit) {
   for (const Piece& piece : pieces) {
@@ -64,7 +59,7 @@ class Measurement {
     const Frame now = frame_at(model_, time);
     switch (reference.quantity) {
       case Quantity::run_out:
-        return reach_of(start_, now, scene_.world.dimension);
+        return run_out(start_, now, scene_.world.dimension).farthest();
       case Quantity::height:
         return height_of(now, scene_.world.dimension);
       case Quantity::position:

@@ -227,6 +227,7 @@ std::string report(const Scene& scene, const Front& front, const FaceSize& face,
       step += trade_line("without springs", "steps are fractions of 1/60 s");
   }
   return trade_line("scene", scene.title.empty() ? "untitled" : scene.title) +
+         (scene.settings.empty() ? std::string() : trade_line("set", scene.settings)) +
          trade_line("quantity", describe_quantity(scene)) +
          trade_line("reference", reference_text(scene, front)) +
          trade_line("error", scale_text(scene, front)) + step +

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/model.h"
+#include "scene/scene.h"
+
+namespace halfspace::cli {
+
+/// A trial: a scene with a value is brought to rest. It stands if it comes to rest and no block has moved too
+/// far.
+struct Trial {
+  double value = 1;
+  bool stands = false;
+  double moved = 0;        ///< m, max displacement of a block
+  std::string block = {};  ///< with that displacement
+  std::int64_t steps = 0;
+};
+
+/// The trials of a search as CSV, after a line that identifies the search. `column` names their value.
+std::string csv_of(const std::vector<Trial>& trials, const std::string& search, const std::string& column);
+/// @throws std::runtime_error for trials of another search, or an invalid table
+std::vector<Trial> trials_from(const std::string& csv, const std::string& search, const std::string& column);
+
+/// The displacement of each block, m, beyond which it has fallen: ten times the elastic slip of all joints,
+/// from a thousandth to a tenth of its size.
+std::vector<double> limits_at_rest(const Scene& scene, const Model& standing);
+/// The same for blocks that are not at rest yet: a tenth of their size.
+std::vector<double> limits_at_start(const Frame& start);
+
+/// Where a trial begins.
+struct TrialStart {
+  std::shared_ptr<Model> model;    ///< with the value
+  std::vector<SceneStage> stages;  ///< which settle it
+  bool are_of_scene = false;       ///< stages of the scene, with their changes
+  std::vector<double> limits;      ///< of the displacement of each block from here, m
+};
+
+/// The stages that bring a scene to rest: its own, or one under its loads.
+std::vector<SceneStage> stages_to_rest(const Scene& scene);
+
+/// The number of steps between two looks at the limits of a trial.
+std::int64_t steps_of_trial_piece(const Scene& scene);
+
+/// Tries values.
+class Trials {
+ public:
+  using Begin = std::function<TrialStart(double value)>;
+  /// Called with the number of steps of a trial as a fraction of its largest number, and the unbalanced
+  /// ratio.
+  using Show = std::function<void(double fraction, double unbalanced)>;
+
+  Trials(Begin begin, std::int64_t steps_of_piece, Show show);
+
+  /// None when it was interrupted. @throws LibraryError
+  std::optional<Trial> at(double value);
+
+  /// A failure.
+  struct Fall {
+    Frame start, end;
+    std::string cracks;  ///< cracks.csv, with bonds
+    std::size_t failed_points = 0;
+  };
+  /// The model of the last trial, and the frame at which it began.
+  const std::shared_ptr<Model>& model() const { return model_; }
+  const std::optional<Frame>& start() const { return start_; }
+  /// The last trial that fell, and its model, which later trials may have changed.
+  const std::optional<Fall>& fall() const { return fall_; }
+  const std::shared_ptr<Model>& fallen_model() const { return fallen_model_; }
+  /// The largest limit of the last trial, m.
+  double largest_limit() const { return largest_limit_; }
+
+ private:
+  /// True if a block has moved beyond its limit.
+  bool find_farthest(const std::vector<double>& limits, Trial& trial) const;
+  void remember_fall(std::size_t events_before);
+
+  Begin begin_;
+  std::int64_t steps_of_piece_;
+  Show show_;
+  std::shared_ptr<Model> model_, fallen_model_;
+  std::optional<Frame> start_;
+  std::optional<Fall> fall_;
+  double largest_limit_ = 0;
+};
+
+}  // namespace halfspace::cli
