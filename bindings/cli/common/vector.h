@@ -23,6 +23,8 @@ inline Point times(double factor, const Point& a) { return {factor * a[0], facto
 
 inline double length(const Point& a) { return std::hypot(a[0], a[1], a[2]); }
 
+inline Point unit(const Point& a) { return times(1 / length(a), a); }
+
 inline Point point_of(const double components[3]) { return {components[0], components[1], components[2]}; }
 
 /// Newell's normal of a plane loop, with twice its area as length; outwards if the loop runs

@@ -44,8 +44,7 @@ std::vector<Side> sides_of(const std::vector<Point>& vertices, const LayoutBlock
   for (const std::vector<int>& loop : block.faces) {
     Side side;
     for (const int vertex : loop) side.corners.push_back(vertices[static_cast<std::size_t>(vertex)]);
-    const Point area = area_normal(side.corners);
-    side.normal = times(1 / length(area), area);
+    side.normal = unit(area_normal(side.corners));
     sides.push_back(std::move(side));
   }
   return sides;
@@ -142,8 +141,7 @@ Shape shape_of(const Context& context, const std::vector<Side>& sides, int dimen
   }
   std::vector<HalfSpace> halfspaces;
   for (const Side& side : sides) {
-    const Point area = area_normal(side.corners);
-    const Point normal = times(1 / length(area), area);
+    const Point normal = unit(area_normal(side.corners));
     halfspaces.push_back({normal, dot(normal, middle_of(side.corners))});
   }
   return make_from_halfspaces(context, halfspaces);

@@ -7,8 +7,6 @@
 namespace halfspace::cli {
 namespace {
 
-Point unit(const Point& vector) { return times(1 / length(vector), vector); }
-
 /// The normal in the plane, turned counter-clockwise.
 Point left_of(const Point& normal) { return {-normal[1], normal[0], 0}; }
 

@@ -43,8 +43,6 @@ Box box_around(std::size_t block, const BlockFrame& frame) {
   return box;
 }
 
-Point unit(const Point& vector) { return times(1 / length(vector), vector); }
-
 std::vector<Side> sides_of_block(const Layout& layout, std::size_t block, const Frame& frame) {
   std::vector<Side> sides;
   const std::vector<Point>& vertices = frame.blocks[block].vertices;

@@ -239,7 +239,7 @@ std::vector<std::vector<double>> Keys::rows(std::string_view key, const std::str
     const bool is_row = row && numbers.size() == row->size() && !numbers.empty() &&
                         (rows.empty() || numbers.size() == rows.front().size());
     if (!is_row) {
-      faults_->add(place_of((*list)[i]), path(key) + '[' + std::to_string(i) + ']',
+      faults_->add(place_of((*list)[i].source()), path(key) + '[' + std::to_string(i) + ']',
                    "not a row: " + shown((*list)[i]) + "; allowed: " + allowed);
       return {};
     }
@@ -322,9 +322,9 @@ std::vector<std::string> Keys::texts_among(std::string_view key, std::vector<Pla
     const toml::node& item = (*list)[i];
     if (const toml::value<std::string>* text = item.as_string()) {
       texts.push_back(text->get());
-      places.push_back(place_of(item));
+      places.push_back(place_of(item.source()));
     } else if (!item.is_table()) {
-      faults_->add(place_of(item), path(key),
+      faults_->add(place_of(item.source()), path(key),
                    "not a string or a table: " + shown(item) + "; allowed: " + allowed);
     }
   }

@@ -11,7 +11,6 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-Point unit(const Point& vector) { return times(1 / length(vector), vector); }
 Point horizontal(const Point& vector) { return {vector[0], vector[1], 0}; }
 
 double distance_to_segment(const Point& p, const Point& a, const Point& b) {
