@@ -47,7 +47,8 @@ def scene_of(dimension, gravity, do="settle", picture="", velocity=0):
     text = SCENE.format(dimension=dimension, gravity=gravity, do=do, picture=picture)
     for name, kind, low, high in ("plate", "fixed", -1, 0), ("lower", "rigid", 0, 1), ("upper", "rigid", 1, 3):
         wide = 5 if name == "plate" else 0
-        text += BLOCK.format(name=name, kind=kind, vertices=box([-wide] * (dimension - 1) + [low], [2 + wide] * (dimension - 1) + [high]),
+        corners = [-wide] * (dimension - 1) + [low], [2 + wide] * (dimension - 1) + [high]
+        text += BLOCK.format(name=name, kind=kind, vertices=box(*corners),
                              velocity=[*flat, velocity if name == "upper" else 0])
     return text.replace(f"velocity = {[*flat, 0]}\n", "")
 

@@ -84,7 +84,7 @@ class Settings(SceneTest):
         self.run_scene(SCENE)
         checkpoint = self.output / "checkpoint"
         self.run_scene(SCENE, "--from", checkpoint, "--set", "world.duration=0.2")
-        self.assertRegex((self.output / "summary.txt").read_text(), r"simulated +0\.2 s")
+        self.assertRegex((self.output / "summary.txt").read_text(), r"simulated +0\.2000")
         answer = self.run_scene(SCENE, "--from", checkpoint, "--set", "default_law.friction_angle=5", code=1)
         self.assertIn("the checkpoint is not of this scene", answer.stderr)
 

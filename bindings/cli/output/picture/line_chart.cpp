@@ -10,7 +10,7 @@
 namespace halfspace::cli {
 namespace {
 
-constexpr double chart_left = 92, chart_top = 56, chart_width = 560, chart_height = 380, legend_width = 190;
+constexpr double chart_left = 92, chart_top = 56, chart_width = 560, chart_height = 380;
 
 /// The range of an axis.
 struct Span {
@@ -35,7 +35,9 @@ struct Span {
 class LineDrawing {
  public:
   explicit LineDrawing(const LineChart& chart)
-      : chart_(chart), svg_(chart_left + chart_width + legend_width, chart_top + chart_height + 64) {
+      : chart_(chart),
+        width_(chart_left + chart_width + (chart.lines.size() > 1 ? 190 : 24)),
+        svg_(width_, chart_top + chart_height + 64) {
     for (const LineChart::Line& line : chart.lines) {
       for (const Point& p : line.points) {
         x_.hold(p[0]);
@@ -47,8 +49,7 @@ class LineDrawing {
   }
 
   std::string text() {
-    svg_.rectangle({0, 0}, chart_left + chart_width + legend_width, chart_top + chart_height + 64,
-                   R"(fill="#ffffff")");
+    svg_.rectangle({0, 0}, width_, chart_top + chart_height + 64, R"(fill="#ffffff")");
     svg_.label({chart_left, 28}, chart_.title, 15, "start");
     draw_axes();
     for (std::size_t i = 0; i < chart_.lines.size(); ++i) draw(chart_.lines[i], colour_of_line(i));
@@ -122,6 +123,7 @@ class LineDrawing {
   }
 
   const LineChart& chart_;
+  const double width_;
   Svg svg_;
   Span x_, y_;
 };
