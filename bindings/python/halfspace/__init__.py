@@ -14,6 +14,7 @@ Examples
 from ._arrays import pose
 from ._library import status_text, version
 from .affine import Elasticity
+from .bolt import Bolt
 from .bond import Bond
 from .constants import (
     BlockKind,
@@ -52,6 +53,7 @@ from .records import (
     BALANCE,
     BLOCK_STATE,
     BODY_STATE,
+    BOLT,
     BOND,
     BOND_EVENT,
     BOND_REPORT,
@@ -73,6 +75,7 @@ __all__ = [
     "BALANCE",
     "BLOCK_STATE",
     "BODY_STATE",
+    "BOLT",
     "BOND",
     "BOND_EVENT",
     "BOND_REPORT",
@@ -86,6 +89,7 @@ __all__ = [
     "WORLD_REPORT",
     "ArgumentError",
     "BlockKind",
+    "Bolt",
     "Bond",
     "BondFailure",
     "CellKind",

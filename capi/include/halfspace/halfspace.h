@@ -26,6 +26,7 @@
 #define HALFSPACE_H
 
 #include "halfspace/affine.h"
+#include "halfspace/bolt.h"
 #include "halfspace/bond.h"
 #include "halfspace/context.h"
 #include "halfspace/contact.h"
@@ -39,6 +40,7 @@
 #include "halfspace/status.h"
 #include "halfspace/strength.h"
 #include "halfspace/view.h"
+#include "halfspace/water.h"
 #include "halfspace/world.h"
 
 #endif

@@ -52,6 +52,7 @@ std::int32_t World<D>::add_block(const Shape<D>& shape, BlockKind kind, std::int
 template <int D>
 void World<D>::remove_block(std::int32_t slot) {
   model_.blocks.remove(slot);
+  model_.bolts.forget(slot);
   // Another block may reuse the slot, so no pair may refer to it.
   contacts_.neighbors().forget(slot);
   hard_contacts_.forget(slot);
