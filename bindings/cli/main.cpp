@@ -355,10 +355,16 @@ int main_of(int argc, char** argv) {
     return app.exit(error) == 0 ? exit_ok : exit_usage;
   }
   const Earlier earlier = force ? Earlier::replace : Earlier::refuse;
-  if (plan_command->parsed()) return plan(file, plan_options);
-  if (safety_command->parsed()) return safety(file, output, earlier, threads, safety_options);
-  if (trade_command->parsed()) return trade(file, output, earlier, trade_options);
-  return run_command->parsed() ? run(file, output, earlier, threads, run_options, from) : check(file);
+  try {
+    if (plan_command->parsed()) return plan(file, plan_options);
+    if (safety_command->parsed()) return safety(file, output, earlier, threads, safety_options);
+    if (trade_command->parsed()) return trade(file, output, earlier, trade_options);
+    return run_command->parsed() ? run(file, output, earlier, threads, run_options, from) : check(file);
+  } catch (const SceneFault& fault) {
+    Faults faults;
+    faults.add(fault.place, fault.key, fault.what());
+    return refuse(file, faults);
+  }
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ std::int32_t read_end(const Blocks<D>& blocks, hs_block block, const char* name)
 
 template <int D>
 bool moves(const Blocks<D>& blocks, std::int32_t slot) {
-  return slot >= 0 && blocks.moves_freely(std::size_t(slot));
+  return slot >= 0 && blocks.moves(std::size_t(slot));
 }
 
 template <int D>
@@ -35,7 +35,7 @@ void require_ends(const Blocks<D>& blocks, const Bolt<D>& bolt, const hs_bolt_de
   if (bolt.a >= 0 && bolt.a == bolt.b)
     refuse(HS_ERROR_ARGUMENT, "def.block_a and def.block_b are both %#llx", name(def.block_a));
   if (!moves(blocks, bolt.a) && !moves(blocks, bolt.b)) {
-    refuse(HS_ERROR_STATE, "neither def.block_a %#llx nor def.block_b %#llx moves freely", name(def.block_a),
+    refuse(HS_ERROR_STATE, "neither def.block_a %#llx nor def.block_b %#llx moves", name(def.block_a),
            name(def.block_b));
   }
 }
@@ -66,7 +66,7 @@ void read_forces(const hs_bolt_def& def, Bolt<D>& bolt) {
 template <int D>
 void require_borne(const Blocks<D>& blocks, std::int32_t slot, const Vector<D>& place, double stiffness) {
   constexpr double largest = 1e300;
-  if (!moves(blocks, slot)) return;
+  if (slot < 0 || !blocks.moves_freely(std::size_t(slot))) return;
   const std::size_t i = std::size_t(slot);
   const double ratio = std::max((place - blocks.position[i]).norm() / blocks.radius[i], 1.0);
   const double mobility = (1 / blocks.mass[i] + blocks.strain_mobility(i)) * ratio;

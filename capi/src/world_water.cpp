@@ -66,7 +66,7 @@ hs_status hs_world_get_water_loads(const hs_world* world, hs_mutable_view forces
     Array<Angular<D>> torque(blocks.slot_count(), Angular<D>::Zero(), memory);
     for_each_block(blocks, [&](std::int64_t, std::int32_t slot) {
       const std::size_t i = std::size_t(slot);
-      if (!blocks.moves(i)) return;
+      if (w.model().water.empty() || !blocks.moves(i)) return;
       const WaterLoad<D> load = w.model().water_load_on(i);
       force[i] = load.force;
       torque[i] = moment(load.virial);

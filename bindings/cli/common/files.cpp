@@ -40,13 +40,14 @@ std::string numbered(const char* begin, int number) {
 void remove_earlier_run(const fs::path& path) {
   const fs::path frames = path / "frames";
   if (fs::is_symlink(frames)) fs::remove(frames);
-  for (const char* name : {"run.pvd", "contacts.pvd", "contacts.csv", "cracks.csv", "history.csv",
-                           "first.svg", "last.svg", "summary.txt", "safety.txt", "stands.svg", "falls.svg",
-                           "trade.csv", "trade.txt", "trade.svg", "checkpoint"})
+  for (const char* name : {"run.pvd", "contacts.pvd", "contacts.csv", "cracks.csv", "bolts.csv", "bolts.pvd",
+                           "history.csv", "first.svg", "last.svg", "summary.txt", "safety.txt", "stands.svg",
+                           "falls.svg", "trade.csv", "trade.txt", "trade.svg", "checkpoint"})
     fs::remove(path / name);
   remove_numbered(path, "at_", "s.svg");
   remove_numbered(frames, "frame_", ".vtp");
   remove_numbered(frames, "contacts_", ".vtp");
+  remove_numbered(frames, "bolts_", ".vtp");
 }
 
 /// Writes a new file; a file or a link of that name is removed first.
@@ -73,6 +74,7 @@ std::string content_of(const std::string& file) {
 
 std::string frame_name(int number) { return numbered("frames/frame_", number); }
 std::string contacts_name(int number) { return numbered("frames/contacts_", number); }
+std::string bolts_name(int number) { return numbered("frames/bolts_", number); }
 
 OutputDirectory::OutputDirectory(fs::path path, Earlier earlier)
     : path_(std::move(path)), replaces_(earlier == Earlier::replace) {
@@ -90,10 +92,12 @@ OutputDirectory::OutputDirectory(fs::path path, Earlier earlier)
 
 void OutputDirectory::remove_frames_from(int number) {
   for (;; ++number) {
-    const fs::path frame = path_ / frame_name(number), contacts = path_ / contacts_name(number);
+    const fs::path frame = path_ / frame_name(number);
     std::error_code error;
-    fs::remove(contacts, error);
-    fs::remove(contacts.string() + ".part", error);
+    for (const std::string& name : {contacts_name(number), bolts_name(number)}) {
+      fs::remove(path_ / name, error);
+      fs::remove(path_ / (name + ".part"), error);
+    }
     const bool was_half_written = fs::remove(frame.string() + ".part", error);
     if (!fs::remove(frame, error) && !was_half_written) return;
   }

@@ -12,6 +12,7 @@ std::string content_of(const std::string& file);
 /// The paths of a frame and its contacts in the directory of their run.
 std::string frame_name(int number);
 std::string contacts_name(int number);
+std::string bolts_name(int number);
 
 /// Handling of the files of an earlier run.
 enum class Earlier { refuse, replace, keep };

@@ -20,9 +20,12 @@ void Model::begin(const SceneStage& stage, const std::vector<std::size_t>& excav
   state_.mass_damping = stage.mass_damping.value_or(state_.mass_damping);
   require(context_, hs_world_set_damping(world, state_.local_damping, state_.mass_damping));
   if (stage.strength_factor) require(context_, hs_world_set_strength_factor(world, *stage.strength_factor));
-  const bool changes = stage.gravity || stage.loads || !excavated.empty();
+  water_before_ = water_;
+  if (stage.water) water_ = stage.water;
+  const bool changes = stage.gravity || stage.loads || stage.water || !excavated.empty();
   state_.progress = changes ? 0 : 1;
   excavate(excavated);
+  for (const std::size_t bolt : stage.installed) install(bolt);
   update_report();
 }
 
@@ -33,6 +36,7 @@ void Model::change_to(double progress) {
       progress == 1 ? state_.gravity
                     : plus(times(1 - progress, state_.gravity_before), times(progress, state_.gravity));
   require(context_, hs_world_set_gravity(world_.get(), gravity.data()));
+  set_water();
   for (std::size_t body = 0; body < bodies_.size(); ++body) {
     if (bodies_[body] != 0) load_nodes(body);
   }

@@ -11,12 +11,13 @@ namespace halfspace::cli {
 /// blocks.
 class History {
  public:
-  explicit History(const Layout& layout);
+  History(const Scene& scene, const Layout& layout);
   void add(const Model& model);
   void add_to(Archive& archive) { archive.add(text_); }
   const std::string& text() const { return text_; }
 
  private:
+  bool has_water_, has_bolts_;
   std::string text_;
 };
 

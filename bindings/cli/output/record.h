@@ -9,6 +9,7 @@
 #include "common/archive.h"
 #include "common/files.h"
 #include "model/model.h"
+#include "output/bolt_history.h"
 #include "output/history.h"
 #include "output/picture/stage.h"
 #include "output/summary.h"
@@ -76,6 +77,7 @@ class Record {
   OutputDirectory& directory_;
   VtkSeries series_;
   History history_;
+  BoltHistory bolts_;
   std::deque<Frame> origins_;  ///< of displacements: the start, and later ones
   RunStage stage_;
   Peaks peaks_;

@@ -36,7 +36,7 @@ struct Peaks {
 
 /// Lists losses below zero by more than rounding: energy that the method has created, and that the residual
 /// does not show. Empty without any.
-std::string negative_losses_text(const hs_world_report& report, double fracture_and_impact_loss);
+std::string negative_losses_text(const hs_world_report& report, double other_losses);
 
 /// The results of a run, a line for each quantity. The same scene gives the same text.
 std::string summary(const Scene& scene, const Model& model, const Peaks& peaks, const Frame& start,

@@ -15,13 +15,19 @@ std::string first_line() { return std::string("halfspace checkpoint ") + hs_vers
 
 }  // namespace
 
-std::string fingerprint(const Model& start) {
+std::string fingerprint(const Scene& scene, const Model& start) {
   Archive archive;
-  for (std::uint64_t hash : {hash_of(start.snapshot()), hash_of(History(start.layout()).text())})
+  for (std::uint64_t hash : {hash_of(start.snapshot()), hash_of(History(scene, start.layout()).text())})
     archive.add(hash);
   for (const LayoutBlock& block : start.layout().blocks) {
     Motion motion = block.motion;
     if (block.kind == HS_BLOCK_PRESCRIBED) archive.add(motion);
+  }
+  for (Bolt bolt : scene.bolts) {
+    archive.add(bolt.name);
+    archive.add(bolt.def);
+    archive.add(bolt.ends);
+    for (std::string& block : bolt.blocks) archive.add(block);
   }
   std::uint64_t hash = hash_of(archive.bytes());
   Archive whole;

@@ -11,7 +11,7 @@ inline constexpr const char* checkpoint_name = "checkpoint";
 
 /// The hash of everything that a checkpoint and a run that resumes from it have in common: the initial world,
 /// prescribed motions, and the columns of the history. Later stages, durations and output may differ.
-std::string fingerprint(const Model& start);
+std::string fingerprint(const Scene& scene, const Model& start);
 
 /// The state of a run with a version line and a checksum.
 std::string sealed(const std::string& state);

@@ -77,6 +77,14 @@ std::string nature_of(const SceneStage& stage) {
   add_change(stage.mass_damping);
   add_change(stage.strength_factor);
   add_change(stage.loads);
+  add(stage.water.has_value());
+  if (stage.water) {
+    std::vector<Point> table = stage.water->table;
+    add(stage.water->def);
+    archive.add(table);
+  }
+  std::vector<std::size_t> installed = stage.installed;
+  archive.add(installed);
   add(stage.ramp);
   add(stage.portions);
   add(stage.resets_displacement);
@@ -115,7 +123,7 @@ class Run {
         model_(model),
         options_(options),
         directory_(directory),
-        fingerprint_(fingerprint(model)),
+        fingerprint_(fingerprint(scene, model)),
         record_(scene, model, directory) {
     stage_lines_.resize(stages_.size());
     if (options.from.empty()) {

@@ -11,9 +11,11 @@
 #include "scene/deep_key.h"
 #include "scene/keys.h"
 #include "scene/read_blocks.h"
+#include "scene/read_bolts.h"
 #include "scene/read_reference.h"
 #include "scene/read_stages.h"
 #include "scene/read_values.h"
+#include "scene/read_water.h"
 
 namespace halfspace::cli {
 namespace {
@@ -184,8 +186,9 @@ void read_output(Keys keys, Scene& scene) {
 }
 
 const std::initializer_list<std::string_view> top_keys = {
-    "title", "dimension",    "world",        "material", "default_law", "law",    "bond",     "stage",
-    "block", "jointed_rock", "triangulated", "voronoi",  "mesh",        "output", "reference"};
+    "title", "dimension", "world",     "material",     "default_law",  "law",
+    "bond",  "stage",     "block",     "jointed_rock", "triangulated", "voronoi",
+    "mesh",  "output",    "reference", "water",        "bolt"};
 
 Scene read_top(Keys keys, const std::string& folder, Faults& faults) {
   Scene scene;
@@ -203,6 +206,8 @@ Scene read_top(Keys keys, const std::string& folder, Faults& faults) {
   read_default_law(keys.table("default_law", true), scene);
   read_laws(keys.tables("law", false), scene);
   read_bonds(keys.tables("bond", false), scene);
+  scene.water = read_water(keys, {});
+  read_bolts(keys.tables("bolt", false), scene);
   read_stages(keys.tables("stage", false), scene);
   const bool has_blocks = read_blocks(keys, scene);
   read_output(keys.table("output", false), scene);

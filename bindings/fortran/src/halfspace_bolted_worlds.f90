@@ -17,7 +17,7 @@ module halfspace_bolted_worlds
   !! forces are per unit thickness.
   interface halfspace_bolt
     module procedure bolt
-  end interface halfspace_bolt
+  end interface
 
   !> A world with bolts and water; halfspace_world extends it.
   type, extends(bonded_world) :: bolted_world

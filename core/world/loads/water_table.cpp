@@ -8,6 +8,7 @@ void WaterTable<2>::prepare() {}
 template <>
 double WaterTable<2>::steepest() const {
   double steepest = 1;
+  if (empty()) return steepest;
   for_each_part(-HUGE_VAL, HUGE_VAL, [&](const WaterDepth<2>& depth, double, double) {
     steepest = std::max(steepest, depth.gradient.norm());
   });

@@ -21,7 +21,12 @@ pub struct Bolt {
 
 impl Bolt {
     /// A bolt between the current positions of two places. `None` is the ground: the place stays.
-    pub fn between(a: Option<Block>, place_a: [f64; 3], b: Option<Block>, place_b: [f64; 3]) -> Self {
+    pub fn between(
+        a: Option<Block>,
+        place_a: [f64; 3],
+        b: Option<Block>,
+        place_b: [f64; 3],
+    ) -> Self {
         let mut bolt = Self::default().place_a(place_a).place_b(place_b);
         bolt.raw.block_a = a.map_or(0, Block::id);
         bolt.raw.block_b = b.map_or(0, Block::id);
