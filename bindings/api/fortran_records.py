@@ -24,8 +24,9 @@ CONSTANTS_HEAD = """\
 !> The constants of the C interface.
 module halfspace_constants
 """
-RECORDS = ["hs_contact", "hs_deformation", "hs_bond", "hs_cell_state", "hs_balance"]
-NAMES = {"hs_bond": "halfspace_bond_state"}  # halfspace_bond says how one is made
+RECORDS = ["hs_contact", "hs_deformation", "hs_bond", "hs_bolt", "hs_cell_state", "hs_balance"]
+# halfspace_bond and halfspace_bolt say how one is made.
+NAMES = {"hs_bond": "halfspace_bond_state", "hs_bolt": "halfspace_bolt_state"}
 
 
 def name_of(struct_name):
@@ -33,7 +34,7 @@ def name_of(struct_name):
 
 
 def write(api):
-    names = ", ".join(map(name_of, RECORDS))
+    names = " &\n    ".join(textwrap.wrap(", ".join(map(name_of, RECORDS)), 104))
     lines = [*HEAD.format(generated=api["generated"], names=names).splitlines()]
     for name in RECORDS:
         struct = meanings.find(api, name)

@@ -38,6 +38,8 @@ MEANINGS = {
     "hs_block_state.material": INDEX,
     "hs_impact.state": "HS_IMPACT_",
     "hs_bond.is_joint": FLAG,
+    "hs_bolt.is_ruptured": FLAG,
+    "hs_bolt_def.is_tension_only": FLAG,
     "hs_bond_event.bond": INDEX,
     "hs_bond_event.point": INDEX,
     "hs_bond_event.failure": "HS_BOND_",

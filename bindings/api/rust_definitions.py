@@ -13,12 +13,14 @@ use std::mem::{{size_of, MaybeUninit}};
 use halfspace_sys as sys;
 
 use crate::affine::Elasticity;
+use crate::bolt::Bolt;
 use crate::bond::Bond;
 use crate::impact::Motion;
 use crate::kinds::StiffnessKind;
 use crate::law::Law;
 use crate::relax::Relaxation;
 use crate::strength::StrengthSearch;
+use crate::water::Water;
 use crate::world::WorldDef;
 '''
 DEFAULT = '''
@@ -39,6 +41,8 @@ BUILDERS = {
     "hs_world_def": "WorldDef",
     "hs_elasticity_def": "Elasticity",
     "hs_bond_def": "Bond",
+    "hs_bolt_def": "Bolt",
+    "hs_water_def": "Water",
     "hs_motion_def": "Motion",
     "hs_relaxation_def": "Relaxation",
     "hs_strength_def": "StrengthSearch",

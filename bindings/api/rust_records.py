@@ -48,6 +48,7 @@ RECORDS = {
     "hs_bond": Record("BondState", None, (BLOCKS,)),
     "hs_bond_event": Record("BondEvent"),
     "hs_bond_report": Record("BondReport"),
+    "hs_bolt": Record("BoltState"),
     "hs_body_state": Record("BodyState"),
     "hs_mesh_properties": Record("MeshProperties"),
     "hs_shape_properties": Record("ShapeProperties"),

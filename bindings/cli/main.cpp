@@ -223,12 +223,18 @@ int main_of(int argc, char** argv) {
   RunResult run_result;
   SearchResult safety_result;
   if (force) target.earlier = Earlier::replace;
-  if (plan_command->parsed()) return plan(file, plan_options);
-  if (sweep_command->parsed()) return sweep(file, target, sweep_options);
-  if (limit_command->parsed()) return limit(file, target, limit_options);
-  if (safety_command->parsed()) return safety(file, target, safety_options, safety_result);
-  if (trade_command->parsed()) return trade(file, target, trade_options);
-  return run_command->parsed() ? run(file, target, run_options, from, run_result) : check(file);
+  try {
+    if (plan_command->parsed()) return plan(file, plan_options);
+    if (sweep_command->parsed()) return sweep(file, target, sweep_options);
+    if (limit_command->parsed()) return limit(file, target, limit_options);
+    if (safety_command->parsed()) return safety(file, target, safety_options, safety_result);
+    if (trade_command->parsed()) return trade(file, target, trade_options);
+    return run_command->parsed() ? run(file, target, run_options, from, run_result) : check(file);
+  } catch (const SceneFault& fault) {
+    Faults faults;
+    faults.add(fault.place, fault.key, fault.what());
+    return refuse(file, faults);
+  }
 }
 
 }  // namespace

@@ -29,6 +29,8 @@ std::int32_t active_parts(const World<D>& world) {
   add(HS_PART_LOCAL_DAMPING, model.settings.local_damping > 0);
   add(HS_PART_MASS_DAMPING, model.settings.mass_damping > 0);
   add(HS_PART_SLEEP, model.settings.sleep_tolerance > 0);
+  add(HS_PART_WATER, !model.water.empty());
+  add(HS_PART_BOLTS, !model.bolts.empty());
   return parts;
 }
 
@@ -107,6 +109,8 @@ void measure(World<D>& world, std::int64_t steps, hs_world_plan& plan) {
   plan.hard_contact_seconds = a_step(Pass::hard_contacts);
   plan.motion_seconds = a_step(Pass::motion);
   plan.ledger_seconds = a_step(Pass::book);
+  plan.water_seconds = a_step(Pass::water);
+  plan.bolt_seconds = a_step(Pass::bolts);
 }
 
 }  // namespace
@@ -124,6 +128,7 @@ hs_status hs_world_get_plan(const hs_world* world, int64_t steps, hs_world_plan*
     count_kinds(w.blocks(), ours);
     count_meshes_and_bonds(w.blocks(), ours);
     ours.parts = active_parts(w);
+    ours.bolt_count = std::int64_t(w.model().bolts.all().size());
     ours.candidate_count = std::int64_t(w.candidates().pairs().size());
     ours.contact_count = std::int64_t(w.contact_count());
     ours.block_bytes = std::int64_t(snapshot::state_size(w.blocks()));

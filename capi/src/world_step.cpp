@@ -203,7 +203,10 @@ hs_status hs_world_get_report(hs_world* world, hs_world_report* report, size_t s
                                   w.hard_contacts().touches(),
                                   w.hard_contacts().iterations(),
                                   w.ledger().impact_loss,
-                                  w.hard_contacts().unbalanced_velocity()};
+                                  w.hard_contacts().unbalanced_velocity(),
+                                  w.ledger().water,
+                                  w.bolt_strain_energy(),
+                                  w.ledger().bolt_loss};
     write_sized(ours, report, size);
     return HS_OK;
   });

@@ -334,6 +334,24 @@ Box<D> Blocks<D>::box(std::int32_t slot) const {
 }
 
 template <int D>
+std::int32_t Blocks<D>::containing(const Vector<D>& place) const {
+  std::int32_t deepest = -1;
+  double least = 0;
+  for (std::size_t slot = 0; slot < slot_count(); ++slot) {
+    if (!lives(slot)) continue;
+    const Outline<D> outline = this->outline(std::int32_t(slot));
+    const Vector<D> arm = place - position[slot];
+    double height = -HUGE_VAL;
+    for (int f = 0; f < outline.face_count(); ++f)
+      height = std::max(height, outline.normal(f).dot(arm) - outline.offset[f]);
+    if (height > least || (height == least && deepest >= 0)) continue;
+    deepest = std::int32_t(slot);
+    least = height;
+  }
+  return deepest;
+}
+
+template <int D>
 std::size_t Blocks<D>::most_edges() const {
   int most = 0;
   for (std::size_t slot = 0; slot < slot_count(); ++slot) {

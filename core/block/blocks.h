@@ -152,6 +152,8 @@ class Blocks {
     return {outline(a), outline(b), position[std::size_t(b)] - position[std::size_t(a)]};
   }
   Box<D> box(std::int32_t slot) const;
+  /// The block in which a place is deepest; -1 if it is outside of all.
+  std::int32_t containing(const Vector<D>& place) const;
   /// The maximum number of edges of a block.
   std::size_t most_edges() const;
   /// The maximum number of doubles in the outline of a block.

@@ -9,7 +9,7 @@ namespace halfspace {
 struct Ledger {
   double kinetic = 0;
   double gravity = 0;
-  double strain = 0;        // of contacts
+  double strain = 0;        // of contacts, bonds and bolts
   double block_strain = 0;  // of deformable blocks
   double friction_loss = 0;
   double fracture_loss = 0;  // of bonds
@@ -19,12 +19,14 @@ struct Ledger {
   double mass_damping_loss = 0;
   double block_damping_loss = 0;  // in deformable blocks
   double outer_work = 0;
+  double water = 0;      // potential energy of blocks in water
+  double bolt_loss = 0;  // by yield and rupture
 
   double losses() const {
     return friction_loss + fracture_loss + impact_loss + contact_damping_loss + local_damping_loss +
-           mass_damping_loss + block_damping_loss;
+           mass_damping_loss + block_damping_loss + bolt_loss;
   }
-  double total() const { return kinetic + gravity + strain + block_strain + losses(); }
+  double total() const { return kinetic + gravity + water + strain + block_strain + losses(); }
   /// The energy that the numerical method has created (> 0) or lost (< 0).
   double residual() const { return total() - outer_work; }
 };
@@ -73,6 +75,8 @@ class EnergyLedger {
   const Ledger& entries() const { return entries_; }
 
   void set_contact_strain(double strain) { entries_.strain = strain; }
+  void set_water(double energy) { entries_.water = energy; }
+  void add_bolt_loss(double loss) { entries_.bolt_loss += loss; }
   void add_friction_loss(double loss) { entries_.friction_loss += loss; }
   void add_fracture_loss(double loss) { entries_.fracture_loss += loss; }
   void add_impact_loss(double loss) { entries_.impact_loss += loss; }

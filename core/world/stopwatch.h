@@ -7,8 +7,8 @@
 namespace halfspace {
 
 /// The passes of a step, as its time is told.
-enum class Pass { search, pairs, gather, bonds, motion, hard_contacts, book };
-constexpr std::size_t pass_count = 7;
+enum class Pass { search, pairs, gather, bonds, motion, hard_contacts, book, water, bolts };
+constexpr std::size_t pass_count = 9;
 
 /// Adds up how long each pass takes, from when it is made on. A world has none unless it is measured.
 class Stopwatch {

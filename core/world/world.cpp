@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "world/loads/bolt_pass.h"
 #include "world/relaxation/strength.h"
 
 namespace halfspace {
@@ -14,6 +15,7 @@ World<D>::World(const WorldSettings<D>& settings, Memory* memory, Threads* threa
       contacts_(model_, memory),
       forces_(model_, contacts_, threads, memory),
       bond_pass_(model_),
+      water_pass_(model_, forces_, threads, memory),
       sleep_(memory),
       integrator_(model_, contacts_.neighbors(), forces_, sleep_, threads, memory),
       hard_contacts_(model_, contacts_, integrator_, memory),
@@ -53,6 +55,7 @@ void World<D>::fit_rooms() {
   continuous_collision_.fit_room();
   forces_.fit_rooms();
   hard_contacts_.rebuild_surface();
+  if (!model_.water.empty()) water_pass_.fit_room();
   sums_.reserve(chunk_count(contacts_.neighbors().room(), pairs_per_chunk));
 }
 
@@ -203,6 +206,7 @@ void World<D>::evaluate_forces(double elapsed) {
   // A touched island has slept in this motion: the forces at its end move it. Impulses do so in move().
   if (!hard_contacts_.is_used()) wake_touched(clock_.time() + elapsed);
   lap(Pass::gather);
+  load_by_water_and_bolts();
   if (model_.blocks.bonds().empty()) return;
   load_by_bonds(elapsed);
   lap(Pass::bonds);
@@ -244,6 +248,20 @@ void World<D>::load_by_bonds(double elapsed) {
   ledger_.set_contact_strain(ledger_.entries().strain + energy.strain);
   ledger_.add_fracture_loss(energy.fracture_loss);
   ledger_.add_friction_loss(energy.friction_loss);
+}
+
+/// Call after the contact forces.
+template <int D>
+void World<D>::load_by_water_and_bolts() {
+  ledger_.set_water(model_.water.empty() ? 0 : water_pass_.load());
+  if (!model_.water.empty()) lap(Pass::water);
+  bolt_strain_energy_ = 0;
+  if (model_.bolts.empty()) return;
+  const BoltEnergy energy = load_by_bolts(model_, forces_);
+  bolt_strain_energy_ = energy.strain;
+  ledger_.set_contact_strain(ledger_.entries().strain + energy.strain);
+  ledger_.add_bolt_loss(energy.loss);
+  lap(Pass::bolts);
 }
 
 template <int D>

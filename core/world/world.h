@@ -13,6 +13,7 @@
 #include "world/contacts/force_pass.h"
 #include "world/hard_contact/hard_contacts.h"
 #include "world/ledger.h"
+#include "world/loads/water_pass.h"
 #include "world/model/model.h"
 #include "world/motion/clock.h"
 #include "world/motion/continuous_collision.h"
@@ -97,6 +98,12 @@ class World {
   std::int64_t bond_materials(std::int32_t material_a, std::int32_t material_b, const BondLaw& law);
   /// Held bonds do not fail.
   void hold_bonds(bool are_held);
+  /// Sets the water table and the density of water, times the factor of its pressure. An empty table is no
+  /// water.
+  void set_water(WaterTable<D>&& table, double density);
+  /// Adds a bolt between two places, one of which a block carries that moves. Returns its number.
+  std::int64_t add_bolt(Bolt<D> bolt, const Vector<D>& at_a, const Vector<D>& at_b, double pretension);
+  void remove_bolt(std::size_t index);
   /// Held components of a node's velocity are constant; bit k of `held` is for component k.
   void hold_node(std::size_t node, std::uint8_t held);
   void set_node_velocity(std::size_t node, const Vector<D>& velocity);
@@ -170,6 +177,7 @@ class World {
   std::int64_t divided_steps() const { return clock_.divided_steps(); }
   const Bonds<D>& bonds() const { return model_.blocks.bonds(); }
   double bond_strain_energy() const { return bond_strain_energy_; }
+  double bolt_strain_energy() const { return bolt_strain_energy_; }
   const Meshes<D>& meshes() const { return model_.blocks.meshes(); }
   /// After StepResult::inverted.
   const InvertedCell& inverted_cell() const { return integrator_.inverted(); }
@@ -210,7 +218,7 @@ class World {
   template <class Archive>
   void visit(Archive& archive) {
     archive(model_, contacts_, forces_, integrator_, ledger_, clock_, penetration_bound_, peak_speed_,
-            bond_strain_energy_, strength_factor_, hard_contacts_, sleep_, edited_);
+            bond_strain_energy_, bolt_strain_energy_, strength_factor_, hard_contacts_, sleep_, edited_);
   }
 
  private:
@@ -237,12 +245,16 @@ class World {
   void end_finding();
   bool bond_pair(std::int32_t a, std::int32_t b, std::int32_t law);
   void load_by_bonds(double elapsed);
+  void load_by_water_and_bolts();
   void load_left_out();
-  /// Calls `visit(a, b)` for all blocks in touch.
+  /// Calls `visit(a, b)` for all blocks in touch or connected by a bolt.
   template <class Visit>
   void for_each_touch(Visit visit) const {
     for (std::size_t c = 0; c < contacts_.count(); ++c) visit(contacts_.pair_of(c).a, contacts_.pair_of(c).b);
     for (const RigidContact<D>& contact : hard_contacts_.rigid().all()) visit(contact.a, contact.b);
+    for (const Bolt<D>& bolt : model_.bolts.all()) {
+      if (bolt.a >= 0 && bolt.b >= 0 && !bolt.is_ruptured) visit(bolt.a, bolt.b);
+    }
   }
   void wake_touched(double time) {
     wake(sleep_.wake_touched([&](auto visit) { for_each_touch(visit); }, time));
@@ -259,8 +271,8 @@ class World {
   /// State that a step after an edit writes before it moves the blocks, except the pairs and derived data.
   auto state() {
     return std::tuple_cat(contacts_.state(), forces_.state(), ledger_.state(), clock_.epoch(),
-                          model_.blocks.bonds().state(), model_.blocks.meshes().state(),
-                          std::tie(peak_speed_, bond_strain_energy_, edited_));
+                          model_.blocks.bonds().state(), model_.blocks.meshes().state(), model_.bolts.state(),
+                          std::tie(peak_speed_, bond_strain_energy_, bolt_strain_energy_, edited_));
   }
   bool predict_motion(double duration);
   void predict_actions(double duration);
@@ -283,6 +295,7 @@ class World {
   ContactList<D> contacts_;
   ForcePass<D> forces_;
   BondPass<D> bond_pass_;
+  WaterPass<D> water_pass_;
   Sleep<D> sleep_;
   Integrator<D> integrator_;
   HardContacts<D> hard_contacts_;
@@ -293,6 +306,7 @@ class World {
   Array<PairSums> sums_;  // per chunk of pairs
   double peak_speed_ = 0;
   double bond_strain_energy_ = 0;
+  double bolt_strain_energy_ = 0;
   double left_out_strain_ = 0;        // of the contacts that sleep leaves out
   bool are_left_out_loaded_ = false;  // their forces are computed
   double strength_factor_ = 1;

@@ -13,6 +13,9 @@ FIELD(hs_world_def, max_impulse_iterations, 120, 4);
 FIELD(hs_world_def, locate_impacts, 124, 4);
 
 FIELD(hs_world_report, unbalanced_velocity, 256, 8);
+FIELD(hs_world_report, water_energy, 264, 8);
+FIELD(hs_world_report, bolt_strain_energy, 272, 8);
+FIELD(hs_world_report, bolt_loss, 280, 8);
 
 _Static_assert(sizeof(hs_action_def) >= 80, "hs_action_def");
 FIELD(hs_action_def, struct_size, 0, 4);
@@ -23,6 +26,42 @@ FIELD(hs_action_def, start, 16, 8);
 FIELD(hs_action_def, scale, 24, 24);
 FIELD(hs_action_def, point, 48, 24);
 FIELD(hs_action_def, max_speed, 72, 8);
+
+_Static_assert(sizeof(hs_bolt_def) >= 104, "hs_bolt_def");
+FIELD(hs_bolt_def, struct_size, 0, 4);
+FIELD(hs_bolt_def, is_tension_only, 4, 4);
+FIELD(hs_bolt_def, block_a, 8, 8);
+FIELD(hs_bolt_def, block_b, 16, 8);
+FIELD(hs_bolt_def, place_a, 24, 24);
+FIELD(hs_bolt_def, place_b, 48, 24);
+FIELD(hs_bolt_def, stiffness, 72, 8);
+FIELD(hs_bolt_def, pretension, 80, 8);
+FIELD(hs_bolt_def, yield_force, 88, 8);
+FIELD(hs_bolt_def, rupture_elongation, 96, 8);
+
+_Static_assert(sizeof(hs_bolt) == 120, "hs_bolt");
+FIELD(hs_bolt, number, 0, 8);
+FIELD(hs_bolt, block_a, 8, 8);
+FIELD(hs_bolt, block_b, 16, 8);
+FIELD(hs_bolt, place_a, 24, 24);
+FIELD(hs_bolt, place_b, 48, 24);
+FIELD(hs_bolt, tension, 72, 8);
+FIELD(hs_bolt, elongation, 80, 8);
+FIELD(hs_bolt, plastic_elongation, 88, 8);
+FIELD(hs_bolt, strain_energy, 96, 8);
+FIELD(hs_bolt, loss, 104, 8);
+FIELD(hs_bolt, is_ruptured, 112, 4);
+FIELD(hs_bolt, reserved, 116, 4);
+
+FIELD(hs_world_plan, bolt_count, 232, 8);
+FIELD(hs_world_plan, water_seconds, 240, 8);
+FIELD(hs_world_plan, bolt_seconds, 248, 8);
+
+_Static_assert(sizeof(hs_water_def) >= 24, "hs_water_def");
+FIELD(hs_water_def, struct_size, 0, 4);
+FIELD(hs_water_def, reserved, 4, 4);
+FIELD(hs_water_def, density, 8, 8);
+FIELD(hs_water_def, factor, 16, 8);
 
 _Static_assert(HS_AXIS_ROTATION == 8, "HS_AXIS_ROTATION");
 
@@ -37,3 +76,6 @@ _Static_assert(HS_ACTION_SERVO == 6, "HS_ACTION_SERVO");
 _Static_assert(HS_PLACE_CENTROID == 0, "HS_PLACE_CENTROID");
 _Static_assert(HS_PLACE_CARRIED == 1, "HS_PLACE_CARRIED");
 _Static_assert(HS_PLACE_FIXED == 2, "HS_PLACE_FIXED");
+
+_Static_assert(HS_PART_WATER == 1024, "HS_PART_WATER");
+_Static_assert(HS_PART_BOLTS == 2048, "HS_PART_BOLTS");

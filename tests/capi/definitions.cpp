@@ -67,6 +67,8 @@ void check_report(hs_context* context, const char* function, std::size_t first_v
 }  // namespace
 
 TEST_CASE("hs_context_def_init") { check_init<hs_context_def>(hs_context_def_init); }
+TEST_CASE("hs_bolt_def_init") { check_init<hs_bolt_def>(hs_bolt_def_init); }
+TEST_CASE("hs_water_def_init") { check_init<hs_water_def>(hs_water_def_init); }
 TEST_CASE("hs_motion_def_init") { check_init<hs_motion_def>(hs_motion_def_init); }
 TEST_CASE("hs_pair_options_init") { check_init<hs_pair_options>(hs_pair_options_init); }
 TEST_CASE("hs_world_def_init") {

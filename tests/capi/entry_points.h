@@ -27,6 +27,7 @@ struct Written {
   hs_body_state body_state;
   hs_cell_state cells[4];
   hs_bond bonds[2];
+  hs_bolt bolts[2];
   hs_bond_event events[2];
   hs_bond_report bond_report;
   hs_balance balance;
@@ -86,6 +87,7 @@ std::vector<EntryPoint> entry_points_of_shapes_and_blocks();
 std::vector<EntryPoint> entry_points_of_meshes();
 std::vector<EntryPoint> entry_points_of_bonds();
 std::vector<EntryPoint> entry_points_of_rest();
+std::vector<EntryPoint> entry_points_of_loads();
 
 /// A step after changes that leave different things known: contacts, forces, bonds.
 std::vector<EntryPoint> steps_of_changed_worlds();

@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-#include "capi/meshes.h"
+#include "capi/loads.h"
 
 namespace halfspace_test {
 
@@ -56,6 +56,18 @@ inline void add_bonded_ring(hs_context* context, hs_world* world, int dimension)
     require_ok(hs_world_bond_blocks(world, ring[a], ring[b], &bond), context);
 }
 
+/// A yielding bolt between two boxes in water, far off.
+inline void add_water_and_bolt(hs_context* context, hs_world* world, int dimension) {
+  const Shape shape = shape_of_box(context, dimension);
+  hs_block pair[2];
+  for (int i = 0; i < 2; ++i) pair[i] = add_block(context, world, shape, HS_BLOCK_RIGID, pose_at(40 + i, 0));
+  hs_bolt_def bolt = bolt_def(pair[0], {40, 0, 0}, pair[1], {41, 0, 0}, 1e6);
+  bolt.pretension = bolt.yield_force = 1e3;
+  bolt.rupture_elongation = 1;
+  add_bolt(context, world, bolt);
+  set_water(context, world, dimension == 2 ? Points3{{-1, 0, 0}, {45, 0.1, 0}} : Points3{{0, 0, 0.1}});
+}
+
 /// Five blocks that lie on a plate and on each other, after some steps; one has been removed. By springs per
 /// area they have fallen asleep. Where the kind is that of meshes, the blocks are rigid, and there are a body
 /// that touches the plate and has lost a cell, the gap of another one, and bonds.
@@ -104,6 +116,7 @@ inline std::vector<unsigned char> snapshot_of(hs_context* context, const WorldKi
     require_ok(hs_world_set_node_force(world.get(), body, held, 1, force), context);
     add_bonded_row(context, world.get(), kind.dimension);
     add_bonded_ring(context, world.get(), kind.dimension);
+    add_water_and_bolt(context, world.get(), kind.dimension);
   }
   require_ok(hs_world_step(world.get(), 3), context);
   if (gone != 0) require_ok(hs_world_remove_body(world.get(), gone), context);

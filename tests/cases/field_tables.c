@@ -104,6 +104,8 @@ const Constant case_constants[] = {
     {"HS_PART_MASS_DAMPING", HS_PART_MASS_DAMPING},
     {"HS_PART_HARD_CONTACTS", HS_PART_HARD_CONTACTS},
     {"HS_PART_SLEEP", HS_PART_SLEEP},
+    {"HS_PART_WATER", HS_PART_WATER},
+    {"HS_PART_BOLTS", HS_PART_BOLTS},
     {"HS_UNBALANCED_MEAN", HS_UNBALANCED_MEAN},
     {"HS_UNBALANCED_LARGEST", HS_UNBALANCED_LARGEST},
     {NULL, 0},
@@ -206,6 +208,9 @@ const Field report_fields[] = {
     {"iteration_count", FIELD_INT64, 1, offsetof(hs_world_report, iteration_count)},
     {"impact_loss", FIELD_DOUBLE, 1, offsetof(hs_world_report, impact_loss)},
     {"unbalanced_velocity", FIELD_DOUBLE, 1, offsetof(hs_world_report, unbalanced_velocity)},
+    {"water_energy", FIELD_DOUBLE, 1, offsetof(hs_world_report, water_energy)},
+    {"bolt_strain_energy", FIELD_DOUBLE, 1, offsetof(hs_world_report, bolt_strain_energy)},
+    {"bolt_loss", FIELD_DOUBLE, 1, offsetof(hs_world_report, bolt_loss)},
     {NULL, FIELD_INT32, 0, 0},
 };
 

@@ -12,6 +12,7 @@ std::string content_of(const std::string& file);
 /// The paths of a frame and its contacts in the directory of their run.
 std::string frame_name(int number);
 std::string contacts_name(int number);
+std::string bolts_name(int number);
 
 /// The name of the checkpoint at the end of a stage.
 std::string stage_checkpoint_name(std::size_t stage);

@@ -36,6 +36,23 @@ std::vector<hs_bond> all_bonds(const Context& context, const hs_world* world) {
   return bonds;
 }
 
+void add_water_to(Archive& archive, std::optional<Water>& water) {
+  bool is_there = water.has_value();
+  archive.add(is_there);
+  if (archive.reads()) water = is_there ? std::optional(Water()) : std::nullopt;
+  if (!water) return;
+  archive.add(water->def);
+  archive.add(water->table);
+  archive.require(!water->table.empty(), "its water table has no points");
+}
+
+/// Can a table be interpolated between two others?
+bool has_waters_between(const std::optional<Water>& before, const std::optional<Water>& after) {
+  if (!before || !after) return true;
+  const std::size_t a = before->table.size(), b = after->table.size();
+  return a == b || a == 1 || b == 1;
+}
+
 }  // namespace
 
 Model::Model(const Context& context, const Scene& scene, Layout layout)
@@ -46,6 +63,10 @@ Model::Model(const Context& context, const Scene& scene, Layout layout)
              .gravity_before = {},
              .local_damping = scene.world.local_damping,
              .mass_damping = scene.world.mass_damping},
+      water_(scene.water),
+      water_before_(scene.water),
+      given_bolts_(scene.bolts),
+      bolt_numbers_(scene.bolts.size(), -1),
       given_time_step_(scene.world.time_step),
       safety_(scene.world.safety),
       frames_have_contacts_(scene.output.contacts || scene.output.forces || scene.output.thrust) {
@@ -87,6 +108,9 @@ Model::Model(const Context& context, const Scene& scene, Layout layout)
     require(context, hs_world_bond_materials(world, pair.a, pair.b, &pair.def, nullptr));
   for (const hs_bond& bond : all_bonds(context, world))
     bonded_.emplace_back(index_of(bond.block_a), index_of(bond.block_b));
+  set_water();
+  for (std::size_t bolt = 0; bolt < given_bolts_.size(); ++bolt)
+    if (!given_bolts_[bolt].is_installed_later) install(bolt);
   if (scene.in_situ) preload_joints(scene);
   update_report();
   if (scene.stages.empty()) begin_actions(0);
@@ -194,6 +218,10 @@ void Model::add_to(Archive& archive) {
   archive.add(state_);
   archive.add(is_removed_);
   archive.add_each(released_, [&](std::vector<Point>& forces) { archive.add(forces); });
+  add_water_to(archive, water_);
+  add_water_to(archive, water_before_);
+  archive.require(has_waters_between(water_before_, water_), "its water tables differ in their points");
+  archive.add(bolt_numbers_);
   if (archive.reads()) restore(world);
 }
 
@@ -222,7 +250,7 @@ bool Model::has_parts_of_layout() const {
   std::vector<hs_block> all(static_cast<std::size_t>(count));
   require(context_, hs_world_get_blocks(world_.get(), all.data(), count, nullptr));
   (void)hs_world_get_bonds(world_.get(), nullptr, 0, &bonds);
-  return static_cast<std::size_t>(bonds) == bonded_.size() &&
+  return static_cast<std::size_t>(bonds) == bonded_.size() && has_bolts_of_scene() &&
          std::all_of(all.begin(), all.end(), [&](hs_block block) { return is_of_layout(block); });
 }
 
@@ -388,8 +416,14 @@ std::vector<BlockFrame> Model::frame_of(std::size_t index) const {
 }
 
 Frame Model::frame() const {
-  Frame frame{.time = report_.time, .blocks = std::vector<BlockFrame>(blocks_.size()), .contacts = {}};
+  Frame frame{.time = report_.time,
+              .blocks = std::vector<BlockFrame>(blocks_.size()),
+              .contacts = {},
+              .bolts = {},
+              .water = {}};
   if (frames_have_contacts_) frame.contacts = contacts();
+  frame.bolts = bolts();
+  if (const std::optional<Water> now = water()) frame.water = now->table;
   for (std::size_t body = 0; body < layout_.bodies.size(); ++body) {
     std::vector<BlockFrame> cells = frame_of(body);
     std::move(cells.begin(), cells.end(),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,6 +29,8 @@ struct Frame {
   double time = 0;
   std::vector<BlockFrame> blocks;
   std::vector<hs_contact> contacts;  ///< with indices of blocks; only if the output has contacts
+  std::vector<hs_bolt> bolts;        ///< their numbers are indices of the scene's bolts
+  std::vector<Point> water;          ///< corners of the water table; empty without water
 };
 
 /// The world of a scene, and the motions that start and stop in it.
@@ -77,6 +80,9 @@ class Model {
   std::vector<hs_contact> contacts() const;
   /// All bonds; their blocks are indices in the layout.
   std::vector<hs_bond> bonds() const;
+  /// The installed bolts; their numbers are indices of the scene's bolts.
+  std::vector<hs_bolt> bolts() const;
+  const Bolt& bolt(std::int64_t index) const { return given_bolts_[static_cast<std::size_t>(index)]; }
   /// The numbers of bonds and of their failures.
   hs_bond_report bond_report() const;
   /// The two blocks of a bond, as indices in the layout; bonds in the order of their creation.
@@ -114,6 +120,11 @@ class Model {
   bool is_excavated(std::size_t body) const;
   void excavate_cells(std::size_t body, const std::vector<int32_t>& cells);
   void load_nodes(std::size_t body);
+  std::optional<Water> water() const;
+  void set_water();
+  void install(std::size_t bolt);
+  hs_block block_at_end(const Bolt& bolt, std::size_t end) const;
+  bool has_bolts_of_scene() const;
   /// The cells of a body, as blocks.
   std::vector<BlockFrame> frame_of(std::size_t body) const;
   /// Begins the actions of a stage.
@@ -151,7 +162,10 @@ class Model {
     double actions_end = 0;      ///< s, when the last table is over
   };
   State state_;
-  double given_time_step_;  ///< by the scene, or 0
+  std::optional<Water> water_, water_before_;  ///< at the end and at the start of the gradual changes
+  std::vector<Bolt> given_bolts_;
+  std::vector<std::int64_t> bolt_numbers_;  ///< of each given bolt in the world; -1: not installed yet
+  double given_time_step_;                  ///< by the scene, or 0
   double safety_;
   std::vector<std::pair<std::size_t, std::size_t>> bonded_;  ///< the two blocks of each bond
   std::vector<char> is_removed_;              ///< of each block: 0, 1 excavated, 2 by the current stage

@@ -24,10 +24,13 @@ void Model::begin(const SceneStage& stage, const std::vector<std::size_t>& excav
   for (const PairLaw& pair : stage.laws)
     require(context_, hs_world_set_law(world, pair.a, pair.b, &pair.law));
   if (stage.strength_factor) require(context_, hs_world_set_strength_factor(world, *stage.strength_factor));
-  const bool changes = stage.gravity || stage.loads || !excavated.empty();
+  water_before_ = water_;
+  if (stage.water) water_ = stage.water;
+  const bool changes = stage.gravity || stage.loads || stage.water || !excavated.empty();
   state_.progress = changes ? 0 : 1;
   excavate(excavated);
   begin_actions(stage.index);
+  for (const std::size_t bolt : stage.installed) install(bolt);
   update_report();
 }
 
@@ -38,6 +41,7 @@ void Model::change_to(double progress) {
       progress == 1 ? state_.gravity
                     : plus(times(1 - progress, state_.gravity_before), times(progress, state_.gravity));
   require(context_, hs_world_set_gravity(world_.get(), gravity.data()));
+  set_water();
   for (std::size_t body = 0; body < bodies_.size(); ++body) {
     if (bodies_[body] != 0) load_nodes(body);
   }

@@ -46,7 +46,8 @@ std::vector<double> motion_of_block(const hs_block_state& state, int dimension) 
 
 }  // namespace
 
-History::History(const Model& start, bool has_stages) : has_stages_(has_stages) {
+History::History(const Scene& scene, const Model& start)
+    : has_stages_(!scene.stages.empty()), has_water_(has_water(scene)), has_bolts_(!scene.bolts.empty()) {
   const Layout& layout = start.layout();
   text_ =
       "time,steps,contacts,largest_overlap,largest_speed,kinetic,gravity,strain,friction_loss,contact_"
@@ -54,6 +55,8 @@ History::History(const Model& start, bool has_stages) : has_stages_(has_stages) 
       "local_damping_loss,mass_damping_loss,outer_work,residual";
   if (layout.has_deformable()) text_ += ",block_strain,block_damping_loss";
   if (has_stages) text_ += ",stage,stage_time";
+  if (has_water_) text_ += ",water";
+  if (has_bolts_) text_ += ",bolt_strain,bolt_loss";
   for (std::size_t block : layout.tracked) {
     for (const char* column : columns_of_block(layout.dimension))
       text_ += ',' + layout.blocks[block].name + column;
@@ -88,6 +91,8 @@ void History::add(const Model& model, const HistoryStage& stage, const Frame& or
   if (layout.has_deformable())
     text_ += ',' + shortest(report.block_strain_energy) + ',' + shortest(report.block_damping_loss);
   if (has_stages_) text_ += ',' + csv_value(stage.name) + ',' + shortest(report.time - stage.start);
+  if (has_water_) text_ += ',' + shortest(report.water_energy);
+  if (has_bolts_) text_ += ',' + shortest(report.bolt_strain_energy) + ',' + shortest(report.bolt_loss);
   for (std::size_t block : layout.tracked) {
     const BlockFrame now = model.motion_of(block);
     for (double value : motion_of_block(now.state, layout.dimension)) text_ += ',' + shortest(value);

@@ -20,7 +20,7 @@ struct HistoryStage {
 class History {
  public:
   /// The model is at its start.
-  History(const Model& start, bool has_stages);
+  History(const Scene& scene, const Model& start);
   /// Displacements of points are measured from the frame `origin`.
   void add(const Model& model, const HistoryStage& stage, const Frame& origin);
   void add_to(Archive& archive) { archive.add(text_); }
@@ -30,7 +30,7 @@ class History {
   void add_points(const Model& model, const Frame& origin);
   void add_joints(const Model& model);
 
-  bool has_stages_;
+  bool has_stages_, has_water_, has_bolts_;
   std::vector<CarriedPoint> points_;
   std::vector<JointMotion> joints_;
   std::string text_;

@@ -15,6 +15,8 @@ namespace {
 void add_frame_to(Archive& archive, Frame& frame) {
   archive.add(frame.time);
   archive.add(frame.contacts);
+  archive.add(frame.bolts);
+  archive.add(frame.water);
   archive.add_each(frame.blocks, [&](BlockFrame& block) {
     archive.add(block.state);
     archive.add(block.deformation);
@@ -58,8 +60,9 @@ Record::Record(const Scene& scene, const Model& model, OutputDirectory& director
     : scene_(scene),
       model_(model),
       directory_(directory),
-      series_(model.layout(), scene.output.contacts, directory),
-      history_(model, !scene.stages.empty()),
+      series_(model.layout(), scene.output.contacts, !scene.bolts.empty(), directory),
+      history_(scene, model),
+      bolts_(scene.world.dimension),
       origins_{model.frame()},
       stage_(scene, origins_.front()),
       frames_(scene.output.frame_interval),
@@ -129,6 +132,7 @@ void Record::add_to(Archive& archive, bool has_frames) {
                             requested.begin() + static_cast<std::ptrdiff_t>(pictured_.size()));
   series_.add_to(archive, has_frames);
   history_.add_to(archive);
+  bolts_.add_to(archive);
   const auto add_frame = [&](Frame& frame) {
     add_frame_to(archive, frame);
     archive.require(is_whole(frame, start()), "its frames have other blocks");
@@ -187,6 +191,7 @@ double Record::next_picture() const {
 
 void Record::add_row() {
   history_.add(model_, history_stage_, origins_.back());
+  bolts_.add(model_);
   last_row_step_ = model_.report().steps;
 }
 
@@ -198,6 +203,7 @@ void Record::add_picture() {
 
 void Record::save_tables() {
   directory_.write("history.csv", history_.text());
+  if (!scene_.bolts.empty()) directory_.write("bolts.csv", bolts_.text());
   if (!scene_.bonds.empty()) directory_.write("cracks.csv", cracks_table(model_));
 }
 

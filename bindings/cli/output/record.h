@@ -10,6 +10,7 @@
 #include "common/archive.h"
 #include "common/files.h"
 #include "model/model.h"
+#include "output/bolt_history.h"
 #include "output/history.h"
 #include "output/picture/stage.h"
 #include "output/summary.h"
@@ -80,6 +81,7 @@ class Record {
   VtkSeries series_;
   History history_;
   HistoryStage history_stage_;
+  BoltHistory bolts_;
   std::deque<Frame> origins_;  ///< of displacements: the start, and later ones
   RunStage stage_;
   Peaks peaks_;

@@ -74,16 +74,16 @@ const char* describe(Outcome outcome) {
   return "";
 }
 
-double released_energy(const hs_world_report& report, double fracture_and_impact_loss) {
+double released_energy(const hs_world_report& report, double other_losses) {
   const hs_energy& energy = report.energy;
-  return fracture_and_impact_loss + report.block_strain_energy + report.block_damping_loss + energy.kinetic +
+  return other_losses + report.block_strain_energy + report.block_damping_loss + energy.kinetic +
          energy.strain + energy.friction_loss + energy.contact_damping_loss + energy.local_damping_loss +
          energy.mass_damping_loss;
 }
 
-std::string energy_text(const hs_world_report& report, double fracture_and_impact_loss) {
+std::string energy_text(const hs_world_report& report, double other_losses) {
   const hs_energy& energy = report.energy;
-  const double released = released_energy(report, fracture_and_impact_loss);
+  const double released = released_energy(report, other_losses);
   std::string text = rounded(energy.residual, 3) + " J";
   if (released > 0) {
     text += ", " + rounded(energy.residual / released, 2) + " of the " + rounded(released, 4) + " J released";
@@ -99,6 +99,21 @@ std::string bonds_text(const Scene& scene, const hs_bond_report& bonds) {
                      rounded(bonds.crack_area, 4) + (scene.world.dimension == 3 ? " m2" : " m");
   if (bonds.event_count > 0) text += ", fracture energy " + rounded(bonds.fracture_loss, 4) + " J";
   return report_line("bonds", text);
+}
+
+/// Empty without bolts.
+std::string bolts_text(const Scene& scene, const hs_world_report& report, const Frame& end) {
+  if (scene.bolts.empty()) return {};
+  double largest = 0;
+  std::int64_t ruptured = 0, yielded = 0;
+  for (const hs_bolt& bolt : end.bolts) {
+    largest = std::max(largest, bolt.tension);
+    ruptured += bolt.is_ruptured;
+    yielded += bolt.is_ruptured == 0 && bolt.plastic_elongation != 0;
+  }
+  return report_line("bolts", std::to_string(end.bolts.size()) + " installed, " + std::to_string(yielded) +
+                                  " yielded, " + std::to_string(ruptured) + " ruptured; largest tension " +
+                                  rounded(largest, 4) + " N, loss " + rounded(report.bolt_loss, 4) + " J");
 }
 
 /// Empty without contacts of blocks without springs.
@@ -157,9 +172,9 @@ std::string scene_lines(const Scene& scene) {
          (scene.settings.empty() ? std::string() : report_line("set", scene.settings));
 }
 
-std::string negative_losses_text(const hs_world_report& report, double fracture_and_impact_loss) {
+std::string negative_losses_text(const hs_world_report& report, double other_losses) {
   constexpr double rounding = 1e-9;  // of the released energy, over many steps
-  const double threshold = -rounding * released_energy(report, fracture_and_impact_loss);
+  const double threshold = -rounding * released_energy(report, other_losses);
   const struct {
     const char* name;
     double loss;
@@ -214,6 +229,7 @@ std::string summary(const Scene& scene, const Model& model, const Peaks& peaks, 
                     const Frame& end, Outcome outcome) {
   const hs_world_report& report = model.report();
   const hs_bond_report bonds = model.bond_report();
+  const double other_losses = bonds.fracture_loss + report.impact_loss + report.bolt_loss;
   const RunOut reach = run_out(start, end, scene.world.dimension);
   return scene_lines(scene) + report_line("outcome", describe(outcome)) +
          report_line("blocks", blocks_text(model.layout(), end)) +
@@ -229,9 +245,9 @@ std::string summary(const Scene& scene, const Model& model, const Peaks& peaks, 
          (report.potential_length > 0
               ? report_line("potential length", rounded(report.potential_length, 6) + " m")
               : std::string()) +
-         bonds_text(scene, bonds) + impacts_text(report) +
-         report_line("energy residual", energy_text(report, bonds.fracture_loss + report.impact_loss)) +
-         negative_losses_text(report, bonds.fracture_loss + report.impact_loss) +
+         bonds_text(scene, bonds) + bolts_text(scene, report, end) + impacts_text(report) +
+         report_line("energy residual", energy_text(report, other_losses)) +
+         negative_losses_text(report, other_losses) +
          report_line("run-out", run_out_text(reach, scene.world.dimension));
 }
 

@@ -41,7 +41,7 @@ std::string scene_lines(const Scene& scene);
 
 /// Lists losses below zero by more than rounding: energy that the method has created, and that the residual
 /// does not show. Empty without any.
-std::string negative_losses_text(const hs_world_report& report, double fracture_and_impact_loss);
+std::string negative_losses_text(const hs_world_report& report, double other_losses);
 
 /// The results of a run as numbers.
 struct RunFigures {

@@ -24,7 +24,7 @@ struct VtkIntegers {
 
 /// Cells at points, at one time.
 struct VtkCells {
-  const char* kind;                 ///< "Polys" or "Verts"
+  const char* kind;                 ///< "Polys", "Lines" or "Verts"
   double time = 0;                  ///< s
   std::vector<double> points = {};  ///< three coordinates each
   std::vector<std::int64_t> connectivity = {}, offsets = {};

@@ -85,14 +85,37 @@ std::string vtk_contacts(const Frame& frame) {
   return vtk_text(cells);
 }
 
+std::string vtk_bolts(const Frame& frame) {
+  VtkCells cells{.kind = "Lines", .time = frame.time};
+  VtkIntegers bolt{"bolt"}, is_ruptured{"is_ruptured"};
+  VtkArray tension("tension", 1), elongation("elongation", 1), plastic("plastic_elongation", 1);
+  for (const hs_bolt& at : frame.bolts) {
+    for (const double* place : {at.place_a, at.place_b}) {
+      cells.connectivity.push_back(static_cast<std::int64_t>(cells.points.size() / 3));
+      cells.points.insert(cells.points.end(), place, place + 3);
+    }
+    cells.offsets.push_back(static_cast<std::int64_t>(cells.connectivity.size()));
+    bolt.values.push_back(at.number);
+    is_ruptured.values.push_back(at.is_ruptured);
+    tension.add(at.tension);
+    elongation.add(at.elongation);
+    plastic.add(at.plastic_elongation);
+  }
+  cells.integers = {bolt, is_ruptured};
+  cells.arrays = {tension, elongation, plastic};
+  return vtk_text(cells);
+}
+
 void VtkSeries::add_to(Archive& archive, bool has_frames) {
   archive.add(entries_);
   archive.add(contact_entries_);
+  archive.add(bolt_entries_);
   archive.add(count_);
   archive.require(count_ >= 0 && count_ <= max_frames, "invalid number of frames");
   if (has_frames) return;
   entries_.clear();
   contact_entries_.clear();
+  bolt_entries_.clear();
 }
 
 void VtkSeries::add(const Frame& frame, const Frame& start) {
@@ -105,6 +128,12 @@ void VtkSeries::add(const Frame& frame, const Frame& start) {
     directory_.write(of_contacts, vtk_contacts(frame));
     contact_entries_ += vtk_entry(frame.time, of_contacts);
     directory_.write("contacts.pvd", vtk_collection(contact_entries_));
+  }
+  if (has_bolts_) {
+    const std::string of_bolts = bolts_name(count_);
+    directory_.write(of_bolts, vtk_bolts(frame));
+    bolt_entries_ += vtk_entry(frame.time, of_bolts);
+    directory_.write("bolts.pvd", vtk_collection(bolt_entries_));
   }
   ++count_;
 }

@@ -16,12 +16,15 @@ std::string vtk_polygons(const Layout& layout, const Frame& frame, const Frame& 
 /// and gap.
 std::string vtk_contacts(const Frame& frame);
 
+/// The bolts of a frame as lines of VTK XML PolyData, with tension and elongation.
+std::string vtk_bolts(const Frame& frame);
+
 /// The frames of a run for ParaView: frames/frame_0000.vtp, ... and run.pvd, which gives their times; with
-/// contacts also frames/contacts_0000.vtp, ... and contacts.pvd.
+/// contacts also frames/contacts_0000.vtp, ... and contacts.pvd, and likewise with bolts.
 class VtkSeries {
  public:
-  VtkSeries(const Layout& layout, bool has_contacts, OutputDirectory& directory)
-      : layout_(layout), has_contacts_(has_contacts), directory_(directory) {}
+  VtkSeries(const Layout& layout, bool has_contacts, bool has_bolts, OutputDirectory& directory)
+      : layout_(layout), has_contacts_(has_contacts), has_bolts_(has_bolts), directory_(directory) {}
   void add(const Frame& frame, const Frame& start);
   /// After reading, earlier frames are listed only if they are in the directory.
   void add_to(Archive& archive, bool has_frames);
@@ -30,9 +33,11 @@ class VtkSeries {
  private:
   const Layout& layout_;
   bool has_contacts_;
+  bool has_bolts_;
   OutputDirectory& directory_;
   std::string entries_;
   std::string contact_entries_;
+  std::string bolt_entries_;
   int count_ = 0;
 };
 

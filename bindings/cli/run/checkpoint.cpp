@@ -34,7 +34,13 @@ Fingerprint fingerprint(const Model& start, const Scene& scene) {
     Motion motion = block.motion;
     if (block.kind == HS_BLOCK_PRESCRIBED) motions.add(motion);
   }
-  std::string columns = History(start, !scene.stages.empty()).text();
+  for (Bolt bolt : scene.bolts) {
+    motions.add(bolt.name);
+    motions.add(bolt.def);
+    motions.add(bolt.ends);
+    for (std::string& block : bolt.blocks) motions.add(block);
+  }
+  std::string columns = History(scene, start).text();
   history.add(columns);
   for (LayoutPoint point : start.layout().points) history.add(point.at);
   for (LayoutJoint joint : start.layout().joints) {
@@ -48,7 +54,7 @@ Fingerprint fingerprint(const Model& start, const Scene& scene) {
 std::string difference_of(const Fingerprint& one, const Fingerprint& other) {
   if (one.blocks != other.blocks) return "its blocks differ";
   if (one.world != other.world) return "its materials, laws, bonds or keys of [world] differ";
-  if (one.motions != other.motions) return "its prescribed motions differ";
+  if (one.motions != other.motions) return "its prescribed motions or bolts differ";
   if (one.history != other.history) return "its tracked blocks, points or joints differ";
   return {};
 }

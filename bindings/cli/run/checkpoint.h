@@ -16,7 +16,7 @@ inline constexpr const char* checkpoint_name = "checkpoint";
 struct Fingerprint {
   std::uint64_t blocks = 0;   ///< kinds, materials, shapes and places
   std::uint64_t world = 0;    ///< the whole initial world
-  std::uint64_t motions = 0;  ///< of prescribed blocks
+  std::uint64_t motions = 0;  ///< of prescribed blocks, and bolts
   std::uint64_t history = 0;  ///< its columns, with the tracked points and joints
 };
 

@@ -84,6 +84,14 @@ std::string nature_of(const SceneStage& stage) {
     add(pair.b);
     add(pair.law);
   }
+  add(stage.water.has_value());
+  if (stage.water) {
+    std::vector<Point> table = stage.water->table;
+    add(stage.water->def);
+    archive.add(table);
+  }
+  std::vector<std::size_t> installed = stage.installed;
+  archive.add(installed);
   add(stage.ramp);
   add(stage.portions);
   add(stage.resets_displacement);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +19,15 @@ struct Fault {
   Place place;
   std::string key;   ///< dotted path, e.g. block[2].vertices
   std::string text;  ///< the fault, the value, the allowed values
+};
+
+/// A fault of a scene that is found only in its world.
+struct SceneFault : std::runtime_error {
+  SceneFault(Place place, std::string key, const std::string& text)
+      : std::runtime_error(text), place(place), key(std::move(key)) {}
+
+  Place place;
+  std::string key;
 };
 
 /// Collects all faults of a scene, so that they are reported together, and its notes: legal but unusual

@@ -13,11 +13,13 @@
 #include "scene/read_actions.h"
 #include "scene/read_blocks.h"
 #include "scene/read_laws.h"
+#include "scene/read_bolts.h"
 #include "scene/read_reference.h"
 #include "scene/read_stages.h"
 #include "scene/read_tracked.h"
 #include "scene/read_values.h"
 #include "scene/settings.h"
+#include "scene/read_water.h"
 
 namespace halfspace::cli {
 namespace {
@@ -144,9 +146,10 @@ void read_output(Keys keys, Scene& scene) {
 }
 
 const std::initializer_list<std::string_view> top_keys = {
-    "title", "dimension", "world",  "material",     "default_law",  "law",
-    "bond",  "stage",     "block",  "jointed_rock", "triangulated", "voronoi",
-    "mesh",  "terrain",   "action", "in_situ",      "output",       "reference"};
+    "title", "dimension", "world",   "material",     "default_law",  "law",
+    "bond",  "stage",     "block",   "jointed_rock", "triangulated", "voronoi",
+    "mesh",  "terrain",   "water",   "bolt",         "action",       "in_situ",
+    "output", "reference"};
 
 Scene read_top(Keys keys, const std::string& folder, Faults& faults) {
   Scene scene;
@@ -164,6 +167,8 @@ Scene read_top(Keys keys, const std::string& folder, Faults& faults) {
   read_default_law(keys.table("default_law", true), scene);
   read_laws(keys.tables("law", false), scene);
   read_bonds(keys.tables("bond", false), scene);
+  scene.water = read_water(keys, {});
+  read_bolts(keys.tables("bolt", false), scene);
   read_stages(keys.tables("stage", false), scene);
   read_actions(keys.tables("action", false), scene);
   if (keys.has_any({"in_situ"})) read_in_situ(keys.table("in_situ", true), scene);

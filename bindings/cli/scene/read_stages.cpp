@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
+#include "scene/read_bolts.h"
 #include "scene/read_laws.h"
 #include "scene/read_values.h"
+#include "scene/read_water.h"
 
 namespace halfspace::cli {
 namespace {
@@ -32,7 +34,19 @@ std::optional<double> change(Keys& keys, std::string_view key, Range range) {
   return keys.number(key, range, required);
 }
 
-SceneStage read_stage(Keys& keys, const Scene& scene, Laws& present) {
+/// The water before a stage.
+const std::optional<Water>& water_before(const Scene& scene) {
+  for (auto stage = scene.stages.rbegin(); stage != scene.stages.rend(); ++stage)
+    if (stage->water) return stage->water;
+  return scene.water;
+}
+
+/// Corners are moved one by one, and a level becomes any other table.
+bool can_change_gradually(const Water& from, const Water& to) {
+  return from.table.size() == to.table.size() || from.table.size() == 1 || to.table.size() == 1;
+}
+
+SceneStage read_stage(Keys& keys, Scene& scene, Laws& present) {
   SceneStage stage;
   stage.name = keys.text("name", std::string());
   stage.settles = keys.kind("do", {"run", "settle"}, required) == 1;
@@ -56,6 +70,13 @@ SceneStage read_stage(Keys& keys, const Scene& scene, Laws& present) {
   stage.mass_damping = change(keys, "mass_damping", at_least(0));
   stage.strength_factor = change(keys, "strength_factor", above(0));
   stage.loads = change(keys, "loads", any_number());
+  const std::optional<Water>& before = water_before(scene);
+  stage.water = read_water(keys, before);
+  if (before && stage.water && !can_change_gradually(*before, *stage.water)) {
+    keys.fault("water", "a table of " + std::to_string(stage.water->table.size()) + " points after one of " +
+                            std::to_string(before->table.size()) + "; allowed: as many points, or a level");
+  }
+  stage.installed = read_installed(keys, scene);
   std::vector<Place> places;
   stage.excavated = keys.texts("excavate", places, std::vector<std::string>{});
   stage.excavated_place = keys.place("excavate");
@@ -79,8 +100,9 @@ void read_bonds(std::vector<Keys> tables, Scene& scene) {
 void read_stages(std::vector<Keys> tables, Scene& scene) {
   Laws present{scene.default_law, scene.laws};
   for (Keys& keys : tables) {
-    scene.stages.push_back(read_stage(keys, scene, present));
-    scene.stages.back().index = scene.stages.size() - 1;
+    SceneStage stage = read_stage(keys, scene, present);
+    stage.index = scene.stages.size();
+    scene.stages.push_back(std::move(stage));
   }
   for (const SceneStage& stage : scene.stages) scene.duration += stage.duration;
 }

@@ -84,6 +84,26 @@ struct Action {
   std::size_t stage = 0;    ///< that it begins with
 };
 
+/// Water below a table, as hs_world_set_water() takes it.
+struct Water {
+  hs_water_def def{};
+  std::vector<Point> table;
+};
+
+/// The name of what carries an end of a bolt that stays.
+inline constexpr std::string_view ground_name = "ground";
+
+/// A bolt between two places.
+struct Bolt {
+  std::string name;
+  std::array<Point, 2> ends{};
+  std::array<std::string, 2> blocks{};  ///< empty: the blocks that contain the ends
+  hs_bolt_def def{};                    ///< without blocks and places
+  std::array<std::string, 2> keys{};    ///< paths of the ends in the file, for faults
+  std::array<Place, 2> places{};        ///< of the ends, for faults
+  bool is_installed_later = false;      ///< by a stage
+};
+
 /// A stage of a run: the world is brought to rest, or runs for a duration. Changes apply when it begins, and
 /// persist.
 struct SceneStage {
@@ -100,6 +120,8 @@ struct SceneStage {
   std::optional<double> mass_damping = {};
   std::optional<double> strength_factor = {};
   std::optional<double> loads = {};         ///< factor of all mesh loads of the scene without a table
+  std::optional<Water> water = {};
+  std::vector<std::size_t> installed = {};  ///< indices of bolts
   std::vector<std::string> excavated = {};  ///< names of blocks, generators and meshes, or "mesh/group"
   Place excavated_place = {};               ///< for faults
   std::size_t index = 0;
@@ -355,6 +377,8 @@ struct Scene {
   hs_law_def default_law{};
   std::vector<PairLaw> laws;
   std::vector<PairBond> bonds;
+  std::optional<Water> water;
+  std::vector<Bolt> bolts;
   std::vector<SceneStage> stages;  ///< empty: the scene runs for its duration
   std::vector<Action> actions;
   std::optional<InSitu> in_situ;
@@ -367,6 +391,12 @@ struct Scene {
   Output output;
   Reference reference;
 };
+
+/// True if there is water, at some time.
+inline bool has_water(const Scene& scene) {
+  return scene.water || std::any_of(scene.stages.begin(), scene.stages.end(),
+                                    [](const SceneStage& stage) { return stage.water.has_value(); });
+}
 
 /// Calls `visit` for the making of each block and generator, except [[mesh]] and [[terrain]].
 template <class AnyScene, class Visit>

@@ -13,6 +13,7 @@
 module halfspace
   use halfspace_constants
   use halfspace_bodies, only: halfspace_body, halfspace_body_state, halfspace_cell_state, operator(==), operator(/=)
+  use halfspace_bolted_worlds, only: halfspace_bolt, halfspace_bolt_state
   use halfspace_bonded_worlds, only: halfspace_balance, halfspace_strength_report
   use halfspace_bonds, only: halfspace_bond, halfspace_bond_event, halfspace_bond_report, halfspace_bond_state
   use halfspace_checks, only: halfspace_check_polygon, halfspace_check_polyhedron, halfspace_clean_polygon, &

@@ -10,7 +10,7 @@ module halfspace_bonded_worlds
   private
   public :: bonded_world, halfspace_balance, halfspace_strength_report
 
-  !> A world with bonds and dynamic relaxation; halfspace_world extends it.
+  !> A world with bonds and dynamic relaxation; bolted_world extends it, and halfspace_world extends that.
   type, extends(block_world) :: bonded_world
   contains
     procedure :: bond_blocks

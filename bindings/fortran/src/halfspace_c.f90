@@ -166,6 +166,8 @@ module halfspace_c
   !> a law has no spring: a solver computes the impulses of all its contact constraints
   integer(c_int32_t), parameter :: HS_PART_HARD_CONTACTS = 256
   integer(c_int32_t), parameter :: HS_PART_SLEEP = 512  !< sleep is enabled
+  integer(c_int32_t), parameter :: HS_PART_WATER = 1024  !< there is water
+  integer(c_int32_t), parameter :: HS_PART_BOLTS = 2048  !< there are bolts
 
   !> Measures of the unbalanced ratio.
   !> sum of all unbalanced forces over sum of all forces (cells, contacts, bonds, weight, loads)
@@ -375,8 +377,8 @@ module halfspace_c
     real(c_double) :: angle = 0.0_c_double  !< 2D: rotation, rad, including full turns
     real(c_double) :: velocity(3) = 0.0_c_double  !< of the centroid, m/s
     real(c_double) :: angular_velocity(3) = 0.0_c_double  !< rad/s; 2D: z
-    real(c_double) :: force(3) = 0.0_c_double  !< contact force of the last force evaluation, N
-    real(c_double) :: torque(3) = 0.0_c_double  !< contact torque about the centroid of the last force evaluation, N m
+    real(c_double) :: force(3) = 0.0_c_double  !< force of contacts, bonds, bolts and water at the last force evaluation, N
+    real(c_double) :: torque(3) = 0.0_c_double  !< their torque about the centroid at the last force evaluation, N m
     real(c_double) :: mass = 0.0_c_double  !< kg, in 2D per unit thickness
   end type hs_block_state
 
@@ -385,7 +387,7 @@ module halfspace_c
   type, bind(c) :: hs_energy
     real(c_double) :: kinetic = 0.0_c_double  !< current kinetic energy
     real(c_double) :: gravity = 0.0_c_double  !< current potential energy of gravity, 0 at the origin
-    real(c_double) :: strain = 0.0_c_double  !< current energy of contact springs and bonds
+    real(c_double) :: strain = 0.0_c_double  !< current energy of contact springs, bonds and bolts
     real(c_double) :: friction_loss = 0.0_c_double  !< dissipated by sliding and by failure of cohesive contacts
     real(c_double) :: contact_damping_loss = 0.0_c_double  !< dissipated by viscous contact damping
     real(c_double) :: local_damping_loss = 0.0_c_double  !< dissipated by local damping
@@ -433,6 +435,9 @@ module halfspace_c
     !> largest velocity that the impulses of rigid blocks without springs left unbalanced in the last motion,
     !! m/s
     real(c_double) :: unbalanced_velocity = 0.0_c_double
+    real(c_double) :: water_energy = 0.0_c_double  !< current potential energy of blocks in water, J; included in the residual
+    real(c_double) :: bolt_strain_energy = 0.0_c_double  !< current strain energy of bolts, J; part of energy.strain
+    real(c_double) :: bolt_loss = 0.0_c_double  !< dissipated by yield and rupture of bolts, J; included in the residual
   end type hs_world_report
 
   !> Summary of a mesh. Later versions may append to it.
@@ -507,6 +512,39 @@ module halfspace_c
     real(c_double) :: stress(9) = 0.0_c_double  !< elastic Cauchy stress, in space, Pa, tension > 0; 0 unless affine or of a mesh
     real(c_double) :: strain_energy = 0.0_c_double  !< J, in 2D per unit thickness; 0 without stress
   end type hs_deformation
+
+  !> Properties of a bolt. Fill it with hs_bolt_def_init(). In 2D forces are per unit thickness.
+  type, bind(c) :: hs_bolt_def
+    integer(c_int32_t) :: struct_size = 0  !< set by hs_bolt_def_init()
+    !> 1 (default): slack instead of compressed, as a cable; 0: bears compression, too, as a strut
+    integer(c_int32_t) :: is_tension_only = 0
+    integer(c_int64_t) :: block_a = 0  !< carries place_a; 0 (default): the ground, place_a stays
+    integer(c_int64_t) :: block_b = 0  !< carries place_b; 0 (default): the ground, place_b stays
+    real(c_double) :: place_a(3) = 0.0_c_double  !< current position of the end, m; it may be outside of the block
+    real(c_double) :: place_b(3) = 0.0_c_double  !< current position of the other end, m; not at place_a
+    real(c_double) :: stiffness = 0.0_c_double  !< N/m, > 0: force per elongation; default 1e8
+    real(c_double) :: pretension = 0.0_c_double  !< N: current tension; default 0; below 0 only where it bears compression
+    real(c_double) :: yield_force = 0.0_c_double  !< N, >= 0: max magnitude of the force; default 0: does not yield
+    !> m, elongation from the unstressed length, above pretension / stiffness, beyond which it ruptures;
+    !! default 0: does not rupture
+    real(c_double) :: rupture_elongation = 0.0_c_double
+  end type hs_bolt_def
+
+  !> Current state of a bolt.
+  type, bind(c) :: hs_bolt
+    integer(c_int64_t) :: number = 0  !< number that hs_world_add_bolt() has returned
+    integer(c_int64_t) :: block_a = 0  !< 0: the ground
+    integer(c_int64_t) :: block_b = 0  !< 0: the ground
+    real(c_double) :: place_a(3) = 0.0_c_double  !< current position of the end, m
+    real(c_double) :: place_b(3) = 0.0_c_double  !< current position of the other end, m
+    real(c_double) :: tension = 0.0_c_double  !< N, at the last evaluation of forces
+    real(c_double) :: elongation = 0.0_c_double  !< m, from the unstressed length, at the last evaluation of forces
+    real(c_double) :: plastic_elongation = 0.0_c_double  !< m, part of elongation
+    real(c_double) :: strain_energy = 0.0_c_double  !< J, current
+    real(c_double) :: loss = 0.0_c_double  !< J, dissipated by yield and rupture
+    integer(c_int32_t) :: is_ruptured = 0  !< 1: transmits nothing more
+    integer(c_int32_t) :: reserved = 0  !< 0
+  end type hs_bolt
 
   !> Properties of a bond. Fill it with hs_bond_def_init().
   type, bind(c) :: hs_bond_def
@@ -671,6 +709,9 @@ module halfspace_c
     integer(c_int64_t) :: limiting_cell = 0  !< cell of limiting_body with the largest stiffness per mass
     real(c_double) :: bond_seconds = 0.0_c_double  !< s per step: forces of bonds
     real(c_double) :: hard_contact_seconds = 0.0_c_double  !< s per step: solver of contacts without springs
+    integer(c_int64_t) :: bolt_count = 0  !< bolts
+    real(c_double) :: water_seconds = 0.0_c_double  !< s per step: loads of water
+    real(c_double) :: bolt_seconds = 0.0_c_double  !< s per step: forces of bolts
   end type hs_world_plan
 
   !> Settings of a dynamic relaxation. Fill it with hs_relaxation_def_init().
@@ -719,6 +760,14 @@ module halfspace_c
     integer(c_int32_t) :: trials = 0  !< number of relaxations
     integer(c_int32_t) :: reserved = 0  !< 0
   end type hs_strength_report
+
+  !> Properties of water. Fill it with hs_water_def_init().
+  type, bind(c) :: hs_water_def
+    integer(c_int32_t) :: struct_size = 0  !< set by hs_water_def_init()
+    integer(c_int32_t) :: reserved = 0  !< 0
+    real(c_double) :: density = 0.0_c_double  !< kg/m3, >= 0; default 1000
+    real(c_double) :: factor = 0.0_c_double  !< >= 0: multiplies the pressure; default 1
+  end type hs_water_def
 
   abstract interface
 
@@ -1259,7 +1308,8 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_detect
     end function hs_world_detect
 
-    !> Stage: contact forces at the current poses and velocities, after hs_world_detect().
+    !> Stage: forces of contacts, bonds, bolts and water at the current poses and velocities, after
+    !! hs_world_detect().
     !! Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT, or HS_ERROR_STATE before detection at these poses
     function hs_world_forces(world, elapsed, forces, torques) bind(c)
       import
@@ -1730,6 +1780,58 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_clear_surface_loads
     end function hs_world_clear_surface_loads
 
+    !> Fills a bolt definition with its defaults.
+    !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
+    function hs_bolt_def_init(def, size) bind(c)
+      import
+      type(hs_bolt_def), intent(out) :: def  !< to fill
+      integer(c_size_t), value :: size  !< sizeof(hs_bolt_def) as the caller was compiled
+      integer(c_int32_t) :: hs_bolt_def_init
+    end function hs_bolt_def_init
+
+    !> Adds a bolt. Its energy of pretension is external work. The removal of a block removes its bolts.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, HS_ERROR_OUT_OF_MEMORY, or HS_ERROR_STATE if
+    !! neither block moves
+    function hs_world_add_bolt(world, def, number) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      type(hs_bolt_def), intent(in) :: def  !< not NULL
+      type(c_ptr), value :: number  !< receives the number of the bolt, >= 0, which no later bolt gets; may be NULL
+      integer(c_int32_t) :: hs_world_add_bolt
+    end function hs_world_add_bolt
+
+    !> Removes a bolt.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_STALE_ID if there is no such bolt
+    function hs_world_remove_bolt(world, number) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int64_t), value :: number  !< of the bolt
+      integer(c_int32_t) :: hs_world_remove_bolt
+    end function hs_world_remove_bolt
+
+    !> Bulk: all bolts, in ascending order of their numbers.
+    !! Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
+    function hs_world_get_bolts(world, bolts, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      type(c_ptr), value :: bolts  !< receives them; may be NULL if capacity is 0
+      integer(c_int64_t), value :: capacity  !< in bolts
+      type(c_ptr), value :: count  !< receives the number of bolts; may be NULL
+      integer(c_int32_t) :: hs_world_get_bolts
+    end function hs_world_get_bolts
+
+    !> Finds the block that contains a place, such as the end of a bolt.
+    !! Returns HS_OK or HS_ERROR_ARGUMENT
+    function hs_world_get_block_at(world, place, block) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      real(c_double), intent(in) :: place(3)  !< 3 values, m
+      !> receives the block in which the place is deepest, or 0 if it is outside of all blocks; of meshes,
+      !! only cells at the surface are blocks
+      integer(c_int64_t), intent(out) :: block
+      integer(c_int32_t) :: hs_world_get_block_at
+    end function hs_world_get_block_at
+
     !> Fills a bond definition with its defaults.
     !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
     function hs_bond_def_init(def, size) bind(c)
@@ -1986,6 +2088,38 @@ module halfspace_c
       type(c_ptr), intent(out) :: fallen
       integer(c_int32_t) :: hs_world_find_strength_factor
     end function hs_world_find_strength_factor
+
+    !> Fills a water definition with its defaults.
+    !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
+    function hs_water_def_init(def, size) bind(c)
+      import
+      type(hs_water_def), intent(out) :: def  !< to fill
+      integer(c_size_t), value :: size  !< sizeof(hs_water_def) as the caller was compiled
+      integer(c_int32_t) :: hs_water_def_init
+    end function hs_water_def_init
+
+    !> Sets the water of a world, in place of the water before. The change of energy is external work.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
+    function hs_world_set_water(world, def, table) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      type(hs_water_def), intent(in) :: def  !< not NULL
+      !> in 2D the corners of a polyline, in ascending order of x; it continues level beyond its ends, and two
+      !! corners at the same x are a step. In 3D one point of a level plane, or three points of a plane that
+      !! is not vertical. Without points there is no water
+      type(hs_view), value :: table
+      integer(c_int32_t) :: hs_world_set_water
+    end function hs_world_set_water
+
+    !> Bulk: the current loads of water on all blocks.
+    !! Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
+    function hs_world_get_water_loads(world, forces, torques) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      type(hs_mutable_view), value :: forces  !< receives the force on each block, N, in the order of hs_world_get_blocks()
+      type(hs_mutable_view), value :: torques  !< receives the torques about the centroids, N m; may be empty
+      integer(c_int32_t) :: hs_world_get_water_loads
+    end function hs_world_get_water_loads
 
   end interface
 

@@ -7,7 +7,8 @@ module halfspace_records
   use halfspace_blocks, only: halfspace_block
   implicit none
   private
-  public :: halfspace_contact, halfspace_deformation, halfspace_bond_state, halfspace_cell_state, halfspace_balance
+  public :: halfspace_contact, halfspace_deformation, halfspace_bond_state, halfspace_bolt_state, &
+    halfspace_cell_state, halfspace_balance
 
   !> One contact, or the proof of separation. Points and directions are in the frame of the given poses.
   !! Detection of single pairs does not write fields that have no meaning there: ids, forces, torque and
@@ -75,6 +76,22 @@ module halfspace_records
     real(c_double) :: normal_force = 0.0_c_double  !< N, > 0 in tension
     real(c_double) :: shear_force(3) = 0.0_c_double  !< on block_b, N
   end type halfspace_bond_state
+
+  !> Current state of a bolt.
+  type, bind(c) :: halfspace_bolt_state
+    integer(c_int64_t) :: number = 0  !< number that hs_world_add_bolt() has returned
+    type(halfspace_block) :: block_a  !< 0: the ground
+    type(halfspace_block) :: block_b  !< 0: the ground
+    real(c_double) :: place_a(3) = 0.0_c_double  !< current position of the end, m
+    real(c_double) :: place_b(3) = 0.0_c_double  !< current position of the other end, m
+    real(c_double) :: tension = 0.0_c_double  !< N, at the last evaluation of forces
+    real(c_double) :: elongation = 0.0_c_double  !< m, from the unstressed length, at the last evaluation of forces
+    real(c_double) :: plastic_elongation = 0.0_c_double  !< m, part of elongation
+    real(c_double) :: strain_energy = 0.0_c_double  !< J, current
+    real(c_double) :: loss = 0.0_c_double  !< J, dissipated by yield and rupture
+    integer(c_int32_t) :: is_ruptured = 0  !< 1: transmits nothing more
+    integer(c_int32_t), private :: reserved = 0  !< 0
+  end type halfspace_bolt_state
 
   !> Mean strain and stress of a cell.
   type, bind(c) :: halfspace_cell_state

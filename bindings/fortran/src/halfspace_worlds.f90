@@ -9,7 +9,7 @@ module halfspace_worlds
     halfspace_world_report => hs_world_report
   use halfspace_block_worlds, only: halfspace_block_state
   use halfspace_bodies, only: halfspace_body, halfspace_body_state, halfspace_cell_state
-  use halfspace_bonded_worlds, only: bonded_world
+  use halfspace_bolted_worlds, only: bolted_world
   use halfspace_contacts, only: halfspace_block, halfspace_contact
   use halfspace_definitions, only: halfspace_pose
   use halfspace_meshes, only: halfspace_mesh
@@ -19,8 +19,8 @@ module halfspace_worlds
 
   !> Assignment adds a reference: all copies are the same world, which the last one destroys. save() and restore() make
   !! a copy. Procedures for blocks are declared in halfspace_block_worlds, for bonds and relaxation in
-  !! halfspace_bonded_worlds.
-  type, extends(bonded_world) :: halfspace_world
+  !! halfspace_bonded_worlds, for bolts and water in halfspace_bolted_worlds.
+  type, extends(bolted_world) :: halfspace_world
   contains
     procedure :: add_mesh
     procedure :: remove_body

@@ -114,6 +114,8 @@ contains
     case ('HS_PART_MASS_DAMPING'); constant = HS_PART_MASS_DAMPING
     case ('HS_PART_HARD_CONTACTS'); constant = HS_PART_HARD_CONTACTS
     case ('HS_PART_SLEEP'); constant = HS_PART_SLEEP
+    case ('HS_PART_WATER'); constant = HS_PART_WATER
+    case ('HS_PART_BOLTS'); constant = HS_PART_BOLTS
     case ('HS_UNBALANCED_MEAN'); constant = HS_UNBALANCED_MEAN
     case ('HS_UNBALANCED_LARGEST'); constant = HS_UNBALANCED_LARGEST
     case default; error stop 'a case names a constant that is none'
@@ -246,6 +248,9 @@ contains
     case ('iteration_count'); values = [real(record%iteration_count, real64)]
     case ('impact_loss'); values = [record%impact_loss]
     case ('unbalanced_velocity'); values = [record%unbalanced_velocity]
+    case ('water_energy'); values = [record%water_energy]
+    case ('bolt_strain_energy'); values = [record%bolt_strain_energy]
+    case ('bolt_loss'); values = [record%bolt_loss]
     case default; error stop 'a case names a field of report that is none'
     end select
   end function of_report

@@ -14,6 +14,7 @@ Examples
 from ._arrays import pose
 from ._library import status_text, version
 from .affine import Elasticity
+from .bolt import Bolt
 from .bond import Bond
 from .constants import (
     ActionKind,
@@ -54,6 +55,7 @@ from .records import (
     BALANCE,
     BLOCK_STATE,
     BODY_STATE,
+    BOLT,
     BOND,
     BOND_EVENT,
     BOND_REPORT,
@@ -75,6 +77,7 @@ __all__ = [
     "BALANCE",
     "BLOCK_STATE",
     "BODY_STATE",
+    "BOLT",
     "BOND",
     "BOND_EVENT",
     "BOND_REPORT",
@@ -89,6 +92,7 @@ __all__ = [
     "ActionKind",
     "ArgumentError",
     "BlockKind",
+    "Bolt",
     "Bond",
     "BondFailure",
     "CellKind",

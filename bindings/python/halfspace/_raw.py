@@ -178,6 +178,8 @@ HS_PART_MASS_DAMPING = 128  # the world has mass damping
 # a law has no spring: a solver computes the impulses of all its contact constraints
 HS_PART_HARD_CONTACTS = 256
 HS_PART_SLEEP = 512  # sleep is enabled
+HS_PART_WATER = 1024  # there is water
+HS_PART_BOLTS = 2048  # there are bolts
 
 # Measures of the unbalanced ratio.
 # sum of all unbalanced forces over sum of all forces (cells, contacts, bonds, weight, loads)
@@ -465,8 +467,8 @@ class hs_block_state(Structure):
         ("angle", c_double),  # 2D: rotation, rad, including full turns
         ("velocity", c_double * 3),  # of the centroid, m/s
         ("angular_velocity", c_double * 3),  # rad/s; 2D: z
-        ("force", c_double * 3),  # contact force of the last force evaluation, N
-        ("torque", c_double * 3),  # contact torque about the centroid of the last force evaluation, N m
+        ("force", c_double * 3),  # force of contacts, bonds, bolts and water at the last force evaluation, N
+        ("torque", c_double * 3),  # their torque about the centroid at the last force evaluation, N m
         ("mass", c_double),  # kg, in 2D per unit thickness
     ]
 
@@ -478,7 +480,7 @@ class hs_energy(Structure):
     _fields_ = [
         ("kinetic", c_double),  # current kinetic energy
         ("gravity", c_double),  # current potential energy of gravity, 0 at the origin
-        ("strain", c_double),  # current energy of contact springs and bonds
+        ("strain", c_double),  # current energy of contact springs, bonds and bolts
         ("friction_loss", c_double),  # dissipated by sliding and by failure of cohesive contacts
         ("contact_damping_loss", c_double),  # dissipated by viscous contact damping
         ("local_damping_loss", c_double),  # dissipated by local damping
@@ -532,6 +534,10 @@ class hs_world_report(Structure):
         # largest velocity that the impulses of rigid blocks without springs left unbalanced in the last
         # motion, m/s
         ("unbalanced_velocity", c_double),
+        # current potential energy of blocks in water, J; included in the residual
+        ("water_energy", c_double),
+        ("bolt_strain_energy", c_double),  # current strain energy of bolts, J; part of energy.strain
+        ("bolt_loss", c_double),  # dissipated by yield and rupture of bolts, J; included in the residual
     ]
 
 
@@ -629,6 +635,45 @@ class hs_deformation(Structure):
         # elastic Cauchy stress, in space, Pa, tension > 0; 0 unless affine or of a mesh
         ("stress", c_double * 9),
         ("strain_energy", c_double),  # J, in 2D per unit thickness; 0 without stress
+    ]
+
+
+class hs_bolt_def(Structure):
+    """Properties of a bolt. Fill it with hs_bolt_def_init(). In 2D forces are per unit thickness."""
+
+    _fields_ = [
+        ("struct_size", c_uint32),  # set by hs_bolt_def_init()
+        # 1 (default): slack instead of compressed, as a cable; 0: bears compression, too, as a strut
+        ("is_tension_only", c_int32),
+        ("block_a", hs_block),  # carries place_a; 0 (default): the ground, place_a stays
+        ("block_b", hs_block),  # carries place_b; 0 (default): the ground, place_b stays
+        ("place_a", c_double * 3),  # current position of the end, m; it may be outside of the block
+        ("place_b", c_double * 3),  # current position of the other end, m; not at place_a
+        ("stiffness", c_double),  # N/m, > 0: force per elongation; default 1e8
+        ("pretension", c_double),  # N: current tension; default 0; below 0 only where it bears compression
+        ("yield_force", c_double),  # N, >= 0: max magnitude of the force; default 0: does not yield
+        # m, elongation from the unstressed length, above pretension / stiffness, beyond which it ruptures;
+        # default 0: does not rupture
+        ("rupture_elongation", c_double),
+    ]
+
+
+class hs_bolt(Structure):
+    """Current state of a bolt."""
+
+    _fields_ = [
+        ("number", c_int64),  # number that hs_world_add_bolt() has returned
+        ("block_a", hs_block),  # 0: the ground
+        ("block_b", hs_block),  # 0: the ground
+        ("place_a", c_double * 3),  # current position of the end, m
+        ("place_b", c_double * 3),  # current position of the other end, m
+        ("tension", c_double),  # N, at the last evaluation of forces
+        ("elongation", c_double),  # m, from the unstressed length, at the last evaluation of forces
+        ("plastic_elongation", c_double),  # m, part of elongation
+        ("strain_energy", c_double),  # J, current
+        ("loss", c_double),  # J, dissipated by yield and rupture
+        ("is_ruptured", c_int32),  # 1: transmits nothing more
+        ("reserved", c_int32),  # 0
     ]
 
 
@@ -826,6 +871,9 @@ class hs_world_plan(Structure):
         ("limiting_cell", c_int64),  # cell of limiting_body with the largest stiffness per mass
         ("bond_seconds", c_double),  # s per step: forces of bonds
         ("hard_contact_seconds", c_double),  # s per step: solver of contacts without springs
+        ("bolt_count", c_int64),  # bolts
+        ("water_seconds", c_double),  # s per step: loads of water
+        ("bolt_seconds", c_double),  # s per step: forces of bolts
     ]
 
 
@@ -887,6 +935,17 @@ class hs_strength_report(Structure):
         ("falls_at_high", c_int32),  # 1; 0: the world is stable at def.high
         ("trials", c_int32),  # number of relaxations
         ("reserved", c_int32),  # 0
+    ]
+
+
+class hs_water_def(Structure):
+    """Properties of water. Fill it with hs_water_def_init()."""
+
+    _fields_ = [
+        ("struct_size", c_uint32),  # set by hs_water_def_init()
+        ("reserved", c_int32),  # 0
+        ("density", c_double),  # kg/m3, >= 0; default 1000
+        ("factor", c_double),  # >= 0: multiplies the pressure; default 1
     ]
 
 
@@ -1289,7 +1348,8 @@ def declare(library):
     ]
     library.hs_world_detect.restype = hs_status
 
-    # Stage: contact forces at the current poses and velocities, after hs_world_detect().
+    # Stage: forces of contacts, bonds, bolts and water at the current poses and velocities, after
+    # hs_world_detect().
     library.hs_world_forces.argtypes = [
         POINTER(hs_world),  # world
         c_double,  # elapsed
@@ -1662,6 +1722,45 @@ def declare(library):
     ]
     library.hs_world_clear_surface_loads.restype = hs_status
 
+    # Fills a bolt definition with its defaults.
+    library.hs_bolt_def_init.argtypes = [
+        POINTER(hs_bolt_def),  # def
+        c_size_t,  # size
+    ]
+    library.hs_bolt_def_init.restype = hs_status
+
+    # Adds a bolt. Its energy of pretension is external work. The removal of a block removes its bolts.
+    library.hs_world_add_bolt.argtypes = [
+        POINTER(hs_world),  # world
+        POINTER(hs_bolt_def),  # def
+        POINTER(c_int64),  # number
+    ]
+    library.hs_world_add_bolt.restype = hs_status
+
+    # Removes a bolt.
+    library.hs_world_remove_bolt.argtypes = [
+        POINTER(hs_world),  # world
+        c_int64,  # number
+    ]
+    library.hs_world_remove_bolt.restype = hs_status
+
+    # Bulk: all bolts, in ascending order of their numbers.
+    library.hs_world_get_bolts.argtypes = [
+        POINTER(hs_world),  # world
+        c_void_p,  # bolts
+        c_int64,  # capacity
+        POINTER(c_int64),  # count
+    ]
+    library.hs_world_get_bolts.restype = hs_status
+
+    # Finds the block that contains a place, such as the end of a bolt.
+    library.hs_world_get_block_at.argtypes = [
+        POINTER(hs_world),  # world
+        c_void_p,  # place
+        POINTER(hs_block),  # block
+    ]
+    library.hs_world_get_block_at.restype = hs_status
+
     # Fills a bond definition with its defaults.
     library.hs_bond_def_init.argtypes = [
         POINTER(hs_bond_def),  # def
@@ -1862,3 +1961,26 @@ def declare(library):
         POINTER(POINTER(hs_world)),  # fallen
     ]
     library.hs_world_find_strength_factor.restype = hs_status
+
+    # Fills a water definition with its defaults.
+    library.hs_water_def_init.argtypes = [
+        POINTER(hs_water_def),  # def
+        c_size_t,  # size
+    ]
+    library.hs_water_def_init.restype = hs_status
+
+    # Sets the water of a world, in place of the water before. The change of energy is external work.
+    library.hs_world_set_water.argtypes = [
+        POINTER(hs_world),  # world
+        POINTER(hs_water_def),  # def
+        hs_view,  # table
+    ]
+    library.hs_world_set_water.restype = hs_status
+
+    # Bulk: the current loads of water on all blocks.
+    library.hs_world_get_water_loads.argtypes = [
+        POINTER(hs_world),  # world
+        hs_mutable_view,  # forces
+        hs_mutable_view,  # torques
+    ]
+    library.hs_world_get_water_loads.restype = hs_status

@@ -179,6 +179,8 @@ class WorldPart(IntFlag):
     # a law has no spring: a solver computes the impulses of all its contact constraints
     HARD_CONTACTS = _raw.HS_PART_HARD_CONTACTS
     SLEEP = _raw.HS_PART_SLEEP  # sleep is enabled
+    WATER = _raw.HS_PART_WATER  # there is water
+    BOLTS = _raw.HS_PART_BOLTS  # there are bolts
 
 
 class Unbalanced(IntEnum):

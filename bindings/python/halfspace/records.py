@@ -188,9 +188,9 @@ class BlockState(Record):
     angular_velocity : array, shape (3,)
         rad/s; 2D: z
     force : array, shape (3,)
-        contact force of the last force evaluation, N
+        force of contacts, bonds, bolts and water at the last force evaluation, N
     torque : array, shape (3,)
-        contact torque about the centroid of the last force evaluation, N m
+        their torque about the centroid at the last force evaluation, N m
     mass : float
         kg, in 2D per unit thickness
     """
@@ -212,7 +212,7 @@ class Energy(Record):
     gravity : float
         current potential energy of gravity, 0 at the origin
     strain : float
-        current energy of contact springs and bonds
+        current energy of contact springs, bonds and bolts
     friction_loss : float
         dissipated by sliding and by failure of cohesive contacts
     contact_damping_loss : float
@@ -288,6 +288,12 @@ class WorldReport(Record):
     unbalanced_velocity : float
         largest velocity that the impulses of rigid blocks without springs left unbalanced in the last motion,
         m/s
+    water_energy : float
+        current potential energy of blocks in water, J; included in the residual
+    bolt_strain_energy : float
+        current strain energy of bolts, J; part of energy.strain
+    bolt_loss : float
+        dissipated by yield and rupture of bolts, J; included in the residual
     """
 
 
@@ -377,6 +383,39 @@ class Deformation(Record):
 
 
 DEFORMATION = record_type(Deformation, _raw.hs_deformation)
+
+
+class Bolt(Record):
+    """Current state of a bolt.
+
+    Attributes
+    ----------
+    number : int
+        number that hs_world_add_bolt() has returned
+    block_a : int
+        0: the ground
+    block_b : int
+        0: the ground
+    place_a : array, shape (3,)
+        current position of the end, m
+    place_b : array, shape (3,)
+        current position of the other end, m
+    tension : float
+        N, at the last evaluation of forces
+    elongation : float
+        m, from the unstressed length, at the last evaluation of forces
+    plastic_elongation : float
+        m, part of elongation
+    strain_energy : float
+        J, current
+    loss : float
+        J, dissipated by yield and rupture
+    is_ruptured : int
+        1: transmits nothing more
+    """
+
+
+BOLT = record_type(Bolt, _raw.hs_bolt)
 
 
 class Bond(Record):
@@ -599,6 +638,12 @@ class WorldPlan(Record):
         s per step: forces of bonds
     hard_contact_seconds : float
         s per step: solver of contacts without springs
+    bolt_count : int
+        bolts
+    water_seconds : float
+        s per step: loads of water
+    bolt_seconds : float
+        s per step: forces of bolts
     """
 
     _kinds = {"parts": constants.WorldPart}

@@ -10,12 +10,12 @@ from ._arrays import vector
 from ._choice import choice
 from ._library import library
 from ._record import empty_record
-from .bond import BondedBlocks
 from .constants import Unbalanced
 from .records import BALANCE, STRENGTH_REPORT
+from .water import WetBlocks
 
 
-class Statics(BondedBlocks):
+class Statics(WetBlocks):
     """Relaxation, changes of settings, and strength reduction."""
 
     def relax(

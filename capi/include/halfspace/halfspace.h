@@ -27,6 +27,7 @@
 
 #include "halfspace/action.h"
 #include "halfspace/affine.h"
+#include "halfspace/bolt.h"
 #include "halfspace/bond.h"
 #include "halfspace/context.h"
 #include "halfspace/contact.h"
@@ -40,6 +41,7 @@
 #include "halfspace/status.h"
 #include "halfspace/strength.h"
 #include "halfspace/view.h"
+#include "halfspace/water.h"
 #include "halfspace/world.h"
 
 #endif

@@ -29,7 +29,9 @@ enum {
   HS_PART_MASS_DAMPING = 128,  /**< the world has mass damping */
   HS_PART_HARD_CONTACTS = 256, /**< a law has no spring: a solver computes the impulses of all its contact
                                     constraints */
-  HS_PART_SLEEP = 512          /**< sleep is enabled */
+  HS_PART_SLEEP = 512,         /**< sleep is enabled */
+  HS_PART_WATER = 1024,        /**< there is water */
+  HS_PART_BOLTS = 2048         /**< there are bolts */
 };
 
 /** Plan of a world. Later versions may append to it. */
@@ -69,6 +71,9 @@ typedef struct hs_world_plan {
   int64_t limiting_cell;      /**< cell of limiting_body with the largest stiffness per mass */
   double bond_seconds;        /**< s per step: forces of bonds */
   double hard_contact_seconds; /**< s per step: solver of contacts without springs */
+  int64_t bolt_count;         /**< bolts */
+  double water_seconds;       /**< s per step: loads of water */
+  double bolt_seconds;        /**< s per step: forces of bolts */
 } hs_world_plan;
 
 /** @brief Returns the plan of a world. It works on a temporary copy of the world, which needs the memory of a

@@ -89,8 +89,8 @@ typedef struct hs_block_state {
   double angle;               /**< 2D: rotation, rad, including full turns */
   double velocity[3];         /**< of the centroid, m/s */
   double angular_velocity[3]; /**< rad/s; 2D: z */
-  double force[3];            /**< contact force of the last force evaluation, N */
-  double torque[3];           /**< contact torque about the centroid of the last force evaluation, N m */
+  double force[3];            /**< force of contacts, bonds, bolts and water at the last force evaluation, N */
+  double torque[3];           /**< their torque about the centroid at the last force evaluation, N m */
   double mass;                /**< kg, in 2D per unit thickness */
 } hs_block_state;
 
@@ -99,7 +99,7 @@ typedef struct hs_block_state {
 typedef struct hs_energy {
   double kinetic;         /**< current kinetic energy */
   double gravity;         /**< current potential energy of gravity, 0 at the origin */
-  double strain;          /**< current energy of contact springs and bonds */
+  double strain;          /**< current energy of contact springs, bonds and bolts */
   double friction_loss;   /**< dissipated by sliding and by failure of cohesive contacts */
   double contact_damping_loss; /**< dissipated by viscous contact damping */
   double local_damping_loss;   /**< dissipated by local damping */
@@ -148,6 +148,9 @@ typedef struct hs_world_report {
                                   included in the residual */
   double unbalanced_velocity; /**< largest velocity that the impulses of rigid blocks without springs left
                                    unbalanced in the last motion, m/s */
+  double water_energy;       /**< current potential energy of blocks in water, J; included in the residual */
+  double bolt_strain_energy; /**< current strain energy of bolts, J; part of energy.strain */
+  double bolt_loss;          /**< dissipated by yield and rupture of bolts, J; included in the residual */
 } hs_world_report;
 
 /** @brief Fills a world definition with its defaults.
@@ -274,7 +277,8 @@ HS_CHECKED hs_status hs_world_set_velocities(hs_world *world, hs_view velocities
  *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY */
 HS_CHECKED hs_status hs_world_detect(hs_world *world, int64_t *touching);
 
-/** @brief Stage: contact forces at the current poses and velocities, after hs_world_detect().
+/** @brief Stage: forces of contacts, bonds, bolts and water at the current poses and velocities, after
+ *  hs_world_detect().
  *  @param world not NULL
  *  @param elapsed time since the last call, s, >= 0: shear springs extend by velocity times this
  *  @param forces receives the force on each block, N, in the order of hs_world_get_blocks()

@@ -16,6 +16,9 @@ namespace halfspace {
 template <int D>
 class ForcePass {
  public:
+  /// A strip is unloaded as a whole.
+  static constexpr std::size_t blocks_per_strip = 256;
+
   ForcePass(Model<D>& model, ContactList<D>& contacts, Threads* threads, Memory* memory)
       : model_(model),
         blocks_(model.blocks),
@@ -51,6 +54,13 @@ class ForcePass {
   void load(std::size_t k, const Contact<D>& contact, Evaluation& evaluation);
   /// Sums the loads of all contacts per block. `chunks`: those whose pairs have been loaded.
   void gather(std::span<const PairSums> chunks);
+  /// Adds another load to those of a block's contacts, after gather(). `virial`: force times arm^T.
+  void add_load(std::size_t block, const Vector<D>& force, const Tensor<D>& virial) {
+    is_loaded_[block / blocks_per_strip] = true;
+    blocks_.force[block] += force;
+    blocks_.torque[block] += moment(virial);
+    if (blocks_.is_deformable(block)) blocks_.deformation(block).virial += virial;
+  }
   void forget() { known_ = false; }
 
   bool are_known() const { return known_; }
@@ -74,8 +84,6 @@ class ForcePass {
   }
 
  private:
-  static constexpr std::size_t blocks_per_strip = 256;
-
   /// The load of a block by the dashpots of its contacts. Their loss follows from the velocity at the end of
   /// the step.
   struct DashpotLoad {

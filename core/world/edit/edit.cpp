@@ -53,6 +53,7 @@ template <int D>
 void World<D>::remove_block(std::int32_t slot) {
   if (!model_.actions.empty()) model_.actions.end_on_block(slot, model_.blocks);
   model_.blocks.remove(slot);
+  model_.bolts.forget(slot);
   // Another block may reuse the slot, so no pair may refer to it.
   contacts_.neighbors().forget(slot);
   hard_contacts_.forget(slot);

@@ -2,17 +2,25 @@
 
 #include "block/blocks.h"
 #include "world/loads/actions.h"
+#include "world/loads/bolts.h"
 #include "world/loads/viscous_nodes.h"
+#include "world/loads/water.h"
 #include "world/model/materials.h"
 #include "world/model/settings.h"
 
 namespace halfspace {
 
-/// Settings, materials and blocks of a world. The world's parts read them and move the blocks.
+/// Settings, materials, blocks and loads of a world. The parts of the world read them and move the blocks.
 template <int D>
 struct Model {
   Model(const WorldSettings<D>& given, Memory* memory)
-      : settings(given), materials(memory), blocks(memory), actions(memory), viscous_nodes(memory) {}
+      : settings(given),
+        materials(memory),
+        blocks(memory),
+        actions(memory),
+        viscous_nodes(memory),
+        water(memory),
+        bolts(memory) {}
   Model(const Model&) = delete;  // the parts of a world refer to it
 
   const ContactLaw& law_between(std::size_t a, std::size_t b) const {
@@ -32,6 +40,11 @@ struct Model {
     return materials.elasticity(blocks.material[block]);
   }
 
+  /// The load of a block by water at its present position.
+  WaterLoad<D> water_load_on(std::size_t block) const {
+    return water.load_on(blocks, block, water.unit_weight(settings.gravity));
+  }
+
   /// H of potential laws: one length for all blocks (Zheng et al. 2020, section 3.2).
   double potential_length() const;
   /// Keeps the length constant from the first force evaluation on, whatever happens to the blocks.
@@ -42,12 +55,12 @@ struct Model {
   bool is_consistent() const {
     return settings.is_consistent() && materials.is_consistent() && blocks.is_consistent(materials.count()) &&
            actions.is_consistent(blocks) && viscous_nodes.is_consistent(blocks.meshes()) &&
-           is_nonnegative(fixed_length);
+           water.is_consistent() && bolts.is_consistent(blocks) && is_nonnegative(fixed_length);
   }
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(settings, materials, blocks, actions, viscous_nodes, fixed_length);
+    archive(settings, materials, blocks, actions, viscous_nodes, fixed_length, water, bolts);
   }
 
   WorldSettings<D> settings;
@@ -55,6 +68,8 @@ struct Model {
   Blocks<D> blocks;
   Actions<D> actions;  // loads and motions in time
   ViscousNodes<D> viscous_nodes;
+  Water<D> water;
+  Bolts<D> bolts;
   double fixed_length = 0;  // H, from the first force evaluation on; 0 before
 };
 

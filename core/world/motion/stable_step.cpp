@@ -72,6 +72,22 @@ typename StableStep<D>::StiffnessSum StableStep<D>::contact_stiffness_of(const B
   return hardness;
 }
 
+/// Adds the stiffness of a bolt to both of its blocks. An arm beyond the block's radius has a larger
+/// mobility.
+template <int D>
+void StableStep<D>::add_bolt(const Bolt<D>& bolt) {
+  const auto moves = [&](std::int32_t slot) { return slot >= 0 && blocks_.moves_freely(std::size_t(slot)); };
+  const double stiffness = stiffness_of(blocks_, bolt) * (moves(bolt.a) && moves(bolt.b) ? 2 : 1);
+  const auto add = [&](std::int32_t slot, const Vector<D>& arm) {
+    if (!moves(slot)) return;
+    const std::size_t i = std::size_t(slot);
+    const double ratio = arm.norm() / blocks_.radius[i];
+    stiffness_of_block_[i].stiffness += stiffness * std::max(ratio * ratio, 1.0);
+  };
+  add(bolt.a, bolt.on_a);
+  add(bolt.b, bolt.on_b);
+}
+
 /// The vibration of an affine block by itself, or of the mesh of a mesh block.
 template <int D>
 typename StableStep<D>::Wave StableStep<D>::wave_of(std::size_t slot) const {
@@ -107,10 +123,13 @@ typename StableStep<D>::Limit StableStep<D>::limit() {
   for (const Bond<D>& bond : blocks_.bonds().all()) {
     if (bond.is_joint) add_to_both(bond.a, bond.b, contact_stiffness_of(bond));
   }
+  for (const Bolt<D>& bolt : model_.bolts.all()) add_bolt(bolt);
+  const double water = model_.water.unit_weight(model_.settings.gravity);
   Limit limit;
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
     if (!blocks_.moves_freely(i)) continue;
     StiffnessSum& all = stiffness_of_block_[i];
+    if (!model_.water.empty()) all.stiffness += model_.water.stiffness_on(blocks_, i, water);
     const int least = blocks_.is_of_mesh(i) ? least_contacts_of_mesh : least_contacts;
     all.add(stiffest_contact(i, length), 2 * std::max(least - all.contacts, 0));
     const bool is_deformable = blocks_.is_deformable(i);

@@ -54,6 +54,7 @@ class StableStep {
   StiffnessSum stiffest_contact(std::size_t block, double potential_length) const;
   StiffnessSum contact_stiffness_of(std::size_t contact, double potential_length) const;
   StiffnessSum contact_stiffness_of(const Bond<D>& bond) const;
+  void add_bolt(const Bolt<D>& bolt);
   /// The maximum frequency of a deformable block, squared, and its damping time.
   struct Wave {
     double squared_frequency;

@@ -124,6 +124,15 @@ Balance balance_of(const Model<D>& model, const ContactList<D>& contacts, const 
     for (const BondPoint<D>& point : blocks.bonds().points_of(bond))
       add_to_both(bond.a, bond.b, point.area * std::hypot(point.normal_traction, point.shear.norm()));
   }
+  for (const Bolt<D>& bolt : model.bolts.all()) {
+    if (bolt.a >= 0) acts.add(bolt.a, std::abs(bolt.tension));
+    if (bolt.b >= 0) acts.add(bolt.b, std::abs(bolt.tension));
+  }
+  if (!model.water.empty()) {
+    for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
+      if (blocks.moves_freely(i)) acts.add(std::int32_t(i), model.water_load_on(i).force.norm());
+    }
+  }
   acts.add_elements();
 
   Balance balance;

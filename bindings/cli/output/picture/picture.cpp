@@ -18,6 +18,19 @@ void draw_scale_bar(Svg& svg, const Plot& plot) {
   svg.label({left - 8, 44}, decimals(length, decimals_for(length)) + " m", 13, "end");
 }
 
+/// Draws bolts over the blocks, as most of each is inside of them; dashed once they are ruptured.
+void draw_bolts(Svg& svg, const Plot& plot, const Frame& frame) {
+  if (frame.bolts.empty()) return;
+  svg.begin_clip(plot.corner(), plot.width, plot.height);
+  for (const hs_bolt& bolt : frame.bolts) {
+    std::string style = "stroke=\"#7d3c98\" stroke-width=\"2.5\"";
+    if (bolt.is_ruptured != 0) style += " stroke-dasharray=\"4 3\"";
+    const auto at = [&](const double* place) { return plot.at(shown(plot.stage, point_of(place))); };
+    svg.line(at(bolt.place_a), at(bolt.place_b), style);
+  }
+  svg.end_clip();
+}
+
 void draw_colours(Svg& svg, const Plot& plot, const Scene& scene) {
   const Stage& stage = plot.stage;
   const double x = plot.right() + 22;
@@ -80,6 +93,7 @@ std::string picture(const Stage& stage, const Scene& scene, const Layout& layout
   } else {
     draw_in_space(svg, plot, layout, start, frame);
   }
+  draw_bolts(svg, plot, frame);
   draw_scale_bar(svg, plot);
   draw_colours(svg, plot, scene);
   return svg.text();

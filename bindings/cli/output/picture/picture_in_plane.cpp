@@ -68,6 +68,18 @@ void draw_forces(Svg& svg, const Plot& plot, const Frame& frame) {
             "widest line: " + rounded(largest, 3) + " N per metre of thickness", 12, "end");
 }
 
+/// Draws the water table over the blocks, level beyond its ends.
+void draw_water(Svg& svg, const Plot& plot, const Frame& frame) {
+  if (frame.water.empty()) return;
+  std::vector<Point> table = frame.water;
+  table.insert(table.begin(), {std::min(plot.stage.lower_left[0], table.front()[0]), table.front()[1]});
+  table.push_back({std::max(plot.stage.upper_right[0], table.back()[0]), table.back()[1]});
+  svg.begin_clip(plot.corner(), plot.width, plot.height);
+  for (std::size_t i = 1; i < table.size(); ++i)
+    svg.line(plot.at(table[i - 1]), plot.at(table[i]), "stroke=\"#1f78d1\" stroke-width=\"1.8\"");
+  svg.end_clip();
+}
+
 void draw_axis(Svg& svg, const Plot& plot, int axis) {
   const double low = plot.stage.lower_left[axis];
   const double high = plot.stage.upper_right[axis];
@@ -97,6 +109,7 @@ void draw_axis(Svg& svg, const Plot& plot, int axis) {
 
 void draw_in_plane(Svg& svg, const Plot& plot, const Layout& layout, const Frame& start, const Frame& frame) {
   draw_blocks(svg, plot, start, frame);
+  draw_water(svg, plot, frame);
   if (plot.stage.open_joints) draw_open_joints(svg, plot, layout, start, frame);
   if (plot.stage.thrust) draw_thrust(svg, plot, frame);
   if (plot.stage.forces) draw_forces(svg, plot, frame);

@@ -121,6 +121,8 @@ std::string pass_times(const hs_world_plan& world) {
   const std::pair<double, const char*> passes[] = {{world.pair_seconds, "pairs"},
                                                    {world.gather_seconds, "forces gathered"},
                                                    {world.bond_seconds, "bonds"},
+                                                   {world.water_seconds, "water"},
+                                                   {world.bolt_seconds, "bolts"},
                                                    {world.motion_seconds, "motion"},
                                                    {world.hard_contact_seconds, "springless contacts"},
                                                    {world.ledger_seconds, "ledger"},
@@ -155,6 +157,7 @@ std::string account(const Scene& scene, const End& whole) {
   text += plan_line("pairs", std::to_string(world.candidate_count) + " near each other, " +
                                  std::to_string(world.contact_count) + " in contact");
   if (world.bond_count > 0) text += plan_line("bonds", std::to_string(world.bond_count));
+  if (world.bolt_count > 0) text += plan_line("bolts", std::to_string(world.bolt_count));
   text += plan_line("memory", memory(world));
   text += plan_line("per step", pass_times(world));
   if (world.stable_time_step > 0)

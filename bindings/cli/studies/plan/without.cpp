@@ -52,6 +52,14 @@ Scene without(Scene scene, int part, const FaceSize& face) {
     case HS_PART_SLEEP:
       scene.world.sleep_tolerance = 0;
       break;
+    case HS_PART_WATER:
+      scene.water.reset();
+      for (SceneStage& stage : scene.stages) stage.water.reset();
+      break;
+    case HS_PART_BOLTS:
+      scene.bolts.clear();
+      for (SceneStage& stage : scene.stages) stage.installed.clear();
+      break;
     default:
       scene.world.mass_damping = 0;
   }
@@ -70,7 +78,9 @@ const std::vector<PartName>& part_names() {
                                               {HS_PART_LOCAL_DAMPING, "local damping"},
                                               {HS_PART_MASS_DAMPING, "mass damping"},
                                               {HS_PART_HARD_CONTACTS, "springless contacts"},
-                                              {HS_PART_SLEEP, "sleep"}};
+                                              {HS_PART_SLEEP, "sleep"},
+                                              {HS_PART_WATER, "water"},
+                                              {HS_PART_BOLTS, "bolts"}};
   return names;
 }
 

@@ -256,6 +256,10 @@ pub const HS_PART_MASS_DAMPING: i32 = 128;
 pub const HS_PART_HARD_CONTACTS: i32 = 256;
 /// sleep is enabled
 pub const HS_PART_SLEEP: i32 = 512;
+/// there is water
+pub const HS_PART_WATER: i32 = 1024;
+/// there are bolts
+pub const HS_PART_BOLTS: i32 = 2048;
 
 // Measures of the unbalanced ratio.
 /// sum of all unbalanced forces over sum of all forces (cells, contacts, bonds, weight, loads)
@@ -648,9 +652,9 @@ pub struct hs_block_state {
     pub velocity: [f64; 3],
     /// rad/s; 2D: z
     pub angular_velocity: [f64; 3],
-    /// contact force of the last force evaluation, N
+    /// force of contacts, bonds, bolts and water at the last force evaluation, N
     pub force: [f64; 3],
-    /// contact torque about the centroid of the last force evaluation, N m
+    /// their torque about the centroid at the last force evaluation, N m
     pub torque: [f64; 3],
     /// kg, in 2D per unit thickness
     pub mass: f64,
@@ -666,7 +670,7 @@ pub struct hs_energy {
     pub kinetic: f64,
     /// current potential energy of gravity, 0 at the origin
     pub gravity: f64,
-    /// current energy of contact springs and bonds
+    /// current energy of contact springs, bonds and bolts
     pub strain: f64,
     /// dissipated by sliding and by failure of cohesive contacts
     pub friction_loss: f64,
@@ -741,8 +745,14 @@ pub struct hs_world_report {
     /// largest velocity that the impulses of rigid blocks without springs left unbalanced in the last motion,
     /// m/s
     pub unbalanced_velocity: f64,
+    /// current potential energy of blocks in water, J; included in the residual
+    pub water_energy: f64,
+    /// current strain energy of bolts, J; part of energy.strain
+    pub bolt_strain_energy: f64,
+    /// dissipated by yield and rupture of bolts, J; included in the residual
+    pub bolt_loss: f64,
 }
-const _: () = assert!(std::mem::size_of::<hs_world_report>() == 264);
+const _: () = assert!(std::mem::size_of::<hs_world_report>() == 288);
 
 /// Summary of a mesh. Later versions may append to it.
 #[repr(C)]
@@ -871,6 +881,65 @@ pub struct hs_deformation {
     pub strain_energy: f64,
 }
 const _: () = assert!(std::mem::size_of::<hs_deformation>() == 296);
+
+/// Properties of a bolt. Fill it with hs_bolt_def_init(). In 2D forces are per unit thickness.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct hs_bolt_def {
+    /// set by hs_bolt_def_init()
+    pub struct_size: u32,
+    /// 1 (default): slack instead of compressed, as a cable; 0: bears compression, too, as a strut
+    pub is_tension_only: i32,
+    /// carries place_a; 0 (default): the ground, place_a stays
+    pub block_a: hs_block,
+    /// carries place_b; 0 (default): the ground, place_b stays
+    pub block_b: hs_block,
+    /// current position of the end, m; it may be outside of the block
+    pub place_a: [f64; 3],
+    /// current position of the other end, m; not at place_a
+    pub place_b: [f64; 3],
+    /// N/m, > 0: force per elongation; default 1e8
+    pub stiffness: f64,
+    /// N: current tension; default 0; below 0 only where it bears compression
+    pub pretension: f64,
+    /// N, >= 0: max magnitude of the force; default 0: does not yield
+    pub yield_force: f64,
+    /// m, elongation from the unstressed length, above pretension / stiffness, beyond which it ruptures;
+    /// default 0: does not rupture
+    pub rupture_elongation: f64,
+}
+const _: () = assert!(std::mem::size_of::<hs_bolt_def>() == 104);
+
+/// Current state of a bolt.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct hs_bolt {
+    /// number that hs_world_add_bolt() has returned
+    pub number: i64,
+    /// 0: the ground
+    pub block_a: hs_block,
+    /// 0: the ground
+    pub block_b: hs_block,
+    /// current position of the end, m
+    pub place_a: [f64; 3],
+    /// current position of the other end, m
+    pub place_b: [f64; 3],
+    /// N, at the last evaluation of forces
+    pub tension: f64,
+    /// m, from the unstressed length, at the last evaluation of forces
+    pub elongation: f64,
+    /// m, part of elongation
+    pub plastic_elongation: f64,
+    /// J, current
+    pub strain_energy: f64,
+    /// J, dissipated by yield and rupture
+    pub loss: f64,
+    /// 1: transmits nothing more
+    pub is_ruptured: i32,
+    /// 0
+    pub reserved: i32,
+}
+const _: () = assert!(std::mem::size_of::<hs_bolt>() == 120);
 
 /// Properties of a bond. Fill it with hs_bond_def_init().
 #[repr(C)]
@@ -1148,8 +1217,14 @@ pub struct hs_world_plan {
     pub bond_seconds: f64,
     /// s per step: solver of contacts without springs
     pub hard_contact_seconds: f64,
+    /// bolts
+    pub bolt_count: i64,
+    /// s per step: loads of water
+    pub water_seconds: f64,
+    /// s per step: forces of bolts
+    pub bolt_seconds: f64,
 }
-const _: () = assert!(std::mem::size_of::<hs_world_plan>() == 232);
+const _: () = assert!(std::mem::size_of::<hs_world_plan>() == 256);
 
 /// Settings of a dynamic relaxation. Fill it with hs_relaxation_def_init().
 #[repr(C)]
@@ -1233,6 +1308,21 @@ pub struct hs_strength_report {
     pub reserved: i32,
 }
 const _: () = assert!(std::mem::size_of::<hs_strength_report>() == 40);
+
+/// Properties of water. Fill it with hs_water_def_init().
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct hs_water_def {
+    /// set by hs_water_def_init()
+    pub struct_size: u32,
+    /// 0
+    pub reserved: i32,
+    /// kg/m3, >= 0; default 1000
+    pub density: f64,
+    /// \>= 0: multiplies the pressure; default 1
+    pub factor: f64,
+}
+const _: () = assert!(std::mem::size_of::<hs_water_def>() == 24);
 
 extern "C" {
     /// Returns the text of a status code.
@@ -1836,7 +1926,8 @@ extern "C" {
     /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
     pub fn hs_world_detect(world: *mut hs_world, touching: *mut i64) -> hs_status;
 
-    /// Stage: contact forces at the current poses and velocities, after hs_world_detect().
+    /// Stage: forces of contacts, bonds, bolts and water at the current poses and velocities, after
+    /// hs_world_detect().
     ///
     /// - `world`: not NULL
     /// - `elapsed`: time since the last call, s, >= 0: shear springs extend by velocity times this
@@ -2419,6 +2510,64 @@ extern "C" {
     /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE unless affine
     pub fn hs_world_clear_surface_loads(world: *mut hs_world, block: hs_block) -> hs_status;
 
+    /// Fills a bolt definition with its defaults.
+    ///
+    /// - `def`: to fill
+    /// - `size`: sizeof(hs_bolt_def) as the caller was compiled
+    ///
+    /// Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
+    pub fn hs_bolt_def_init(def: *mut hs_bolt_def, size: usize) -> hs_status;
+
+    /// Adds a bolt. Its energy of pretension is external work. The removal of a block removes its bolts.
+    ///
+    /// - `world`, `def`: not NULL
+    /// - `number`: receives the number of the bolt, >= 0, which no later bolt gets; may be NULL
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, HS_ERROR_OUT_OF_MEMORY, or HS_ERROR_STATE if
+    /// neither block moves
+    pub fn hs_world_add_bolt(
+        world: *mut hs_world,
+        def: *const hs_bolt_def,
+        number: *mut i64,
+    ) -> hs_status;
+
+    /// Removes a bolt.
+    ///
+    /// - `world`: not NULL
+    /// - `number`: of the bolt
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_STALE_ID if there is no such bolt
+    pub fn hs_world_remove_bolt(world: *mut hs_world, number: i64) -> hs_status;
+
+    /// Bulk: all bolts, in ascending order of their numbers.
+    ///
+    /// - `world`: not NULL
+    /// - `bolts`: receives them; may be NULL if capacity is 0
+    /// - `capacity`: in bolts
+    /// - `count`: receives the number of bolts; may be NULL
+    ///
+    /// Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
+    pub fn hs_world_get_bolts(
+        world: *const hs_world,
+        bolts: *mut hs_bolt,
+        capacity: i64,
+        count: *mut i64,
+    ) -> hs_status;
+
+    /// Finds the block that contains a place, such as the end of a bolt.
+    ///
+    /// - `world`: not NULL
+    /// - `place`: 3 values, m
+    /// - `block`: receives the block in which the place is deepest, or 0 if it is outside of all blocks; of
+    ///   meshes, only cells at the surface are blocks
+    ///
+    /// Returns HS_OK or HS_ERROR_ARGUMENT
+    pub fn hs_world_get_block_at(
+        world: *const hs_world,
+        place: *const [f64; 3],
+        block: *mut hs_block,
+    ) -> hs_status;
+
     /// Fills a bond definition with its defaults.
     ///
     /// - `def`: to fill
@@ -2715,5 +2864,40 @@ extern "C" {
         report: *mut hs_strength_report,
         size: usize,
         fallen: *mut *mut hs_world,
+    ) -> hs_status;
+
+    /// Fills a water definition with its defaults.
+    ///
+    /// - `def`: to fill
+    /// - `size`: sizeof(hs_water_def) as the caller was compiled
+    ///
+    /// Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
+    pub fn hs_water_def_init(def: *mut hs_water_def, size: usize) -> hs_status;
+
+    /// Sets the water of a world, in place of the water before. The change of energy is external work.
+    ///
+    /// - `world`, `def`: not NULL
+    /// - `table`: in 2D the corners of a polyline, in ascending order of x; it continues level beyond its
+    ///   ends, and two corners at the same x are a step. In 3D one point of a level plane, or three points of
+    ///   a plane that is not vertical. Without points there is no water
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
+    pub fn hs_world_set_water(
+        world: *mut hs_world,
+        def: *const hs_water_def,
+        table: hs_view,
+    ) -> hs_status;
+
+    /// Bulk: the current loads of water on all blocks.
+    ///
+    /// - `world`: not NULL
+    /// - `forces`: receives the force on each block, N, in the order of hs_world_get_blocks()
+    /// - `torques`: receives the torques about the centroids, N m; may be empty
+    ///
+    /// Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
+    pub fn hs_world_get_water_loads(
+        world: *const hs_world,
+        forces: hs_mutable_view,
+        torques: hs_mutable_view,
     ) -> hs_status;
 }

@@ -7,12 +7,14 @@ use std::mem::{size_of, MaybeUninit};
 use halfspace_sys as sys;
 
 use crate::affine::Elasticity;
+use crate::bolt::Bolt;
 use crate::bond::Bond;
 use crate::impact::Motion;
 use crate::kinds::StiffnessKind;
 use crate::law::Law;
 use crate::relax::Relaxation;
 use crate::strength::StrengthSearch;
+use crate::water::Water;
 use crate::world::WorldDef;
 
 impl Law {
@@ -253,6 +255,83 @@ impl Default for Bond {
         // SAFETY: the size is that of the struct, for which all zero is valid.
         let raw = unsafe {
             sys::hs_bond_def_init(raw.as_mut_ptr(), size_of::<sys::hs_bond_def>());
+            raw.assume_init()
+        };
+        Self { raw }
+    }
+}
+
+impl Bolt {
+    /// current position of the end, m; it may be outside of the block
+    pub fn place_a(mut self, place_a: [f64; 3]) -> Self {
+        self.raw.place_a = place_a;
+        self
+    }
+
+    /// current position of the other end, m; not at place_a
+    pub fn place_b(mut self, place_b: [f64; 3]) -> Self {
+        self.raw.place_b = place_b;
+        self
+    }
+
+    /// N/m, > 0: force per elongation; default 1e8
+    pub fn stiffness(mut self, stiffness: f64) -> Self {
+        self.raw.stiffness = stiffness;
+        self
+    }
+
+    /// N: current tension; default 0; below 0 only where it bears compression
+    pub fn pretension(mut self, pretension: f64) -> Self {
+        self.raw.pretension = pretension;
+        self
+    }
+
+    /// N, >= 0: max magnitude of the force; default 0: does not yield
+    pub fn yield_force(mut self, yield_force: f64) -> Self {
+        self.raw.yield_force = yield_force;
+        self
+    }
+
+    /// m, elongation from the unstressed length, above pretension / stiffness, beyond which it ruptures;
+    /// default 0: does not rupture
+    pub fn rupture_elongation(mut self, rupture_elongation: f64) -> Self {
+        self.raw.rupture_elongation = rupture_elongation;
+        self
+    }
+}
+
+impl Default for Bolt {
+    fn default() -> Self {
+        let mut raw = MaybeUninit::<sys::hs_bolt_def>::zeroed();
+        // SAFETY: the size is that of the struct, for which all zero is valid.
+        let raw = unsafe {
+            sys::hs_bolt_def_init(raw.as_mut_ptr(), size_of::<sys::hs_bolt_def>());
+            raw.assume_init()
+        };
+        Self { raw }
+    }
+}
+
+impl Water {
+    /// kg/m3, >= 0; default 1000
+    pub fn density(mut self, density: f64) -> Self {
+        self.raw.density = density;
+        self
+    }
+
+    /// \>= 0: multiplies the pressure; default 1
+    pub fn factor(mut self, factor: f64) -> Self {
+        self.raw.factor = factor;
+        self
+    }
+}
+
+impl Default for Water {
+    fn default() -> Self {
+        let mut raw = MaybeUninit::<sys::hs_water_def>::zeroed();
+        // SAFETY: the size is that of the struct, for which all zero is valid.
+        let raw = unsafe {
+            sys::hs_water_def_init(raw.as_mut_ptr(), size_of::<sys::hs_water_def>());
             raw.assume_init()
         };
         Self { raw }

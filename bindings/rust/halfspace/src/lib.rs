@@ -118,6 +118,7 @@
 mod affine;
 mod block;
 mod body;
+mod bolt;
 mod bond;
 mod constants;
 mod contact;
@@ -139,12 +140,14 @@ mod shape;
 mod shape_input;
 mod strength;
 mod view;
+mod water;
 mod world;
 mod world_arrays;
 
 pub use affine::{Elasticity, Tensor};
 pub use block::{Block, BlockDef, Material};
 pub use body::{Axes, Body, BodyDef};
+pub use bolt::Bolt;
 pub use bond::Bond;
 pub use contact::Contact;
 pub use context::{version, Context};
@@ -163,6 +166,7 @@ pub use relax::{Relaxation, Relaxed};
 pub use shape::{Cut, HalfSpace, Shape};
 pub use strength::StrengthSearch;
 pub use view::{Point, View};
+pub use water::Water;
 pub use world::{World, WorldDef};
 
 /// The result of functions of this crate that can fail.

@@ -215,9 +215,9 @@ pub struct BlockState {
     pub velocity: [f64; 3],
     /// rad/s; 2D: z
     pub angular_velocity: [f64; 3],
-    /// contact force of the last force evaluation, N
+    /// force of contacts, bonds, bolts and water at the last force evaluation, N
     pub force: [f64; 3],
-    /// contact torque about the centroid of the last force evaluation, N m
+    /// their torque about the centroid at the last force evaluation, N m
     pub torque: [f64; 3],
     /// kg, in 2D per unit thickness
     pub mass: f64,
@@ -248,7 +248,7 @@ pub struct Energy {
     pub kinetic: f64,
     /// current potential energy of gravity, 0 at the origin
     pub gravity: f64,
-    /// current energy of contact springs and bonds
+    /// current energy of contact springs, bonds and bolts
     pub strain: f64,
     /// dissipated by sliding and by failure of cohesive contacts
     pub friction_loss: f64,
@@ -336,6 +336,12 @@ pub struct Report {
     /// largest velocity that the impulses of rigid blocks without springs left unbalanced in the last motion,
     /// m/s
     pub unbalanced_velocity: f64,
+    /// current potential energy of blocks in water, J; included in the residual
+    pub water_energy: f64,
+    /// current strain energy of bolts, J; part of energy.strain
+    pub bolt_strain_energy: f64,
+    /// dissipated by yield and rupture of bolts, J; included in the residual
+    pub bolt_loss: f64,
 }
 
 impl From<sys::hs_world_report> for Report {
@@ -366,6 +372,9 @@ impl From<sys::hs_world_report> for Report {
             iteration_count: raw.iteration_count as usize,
             impact_loss: raw.impact_loss,
             unbalanced_velocity: raw.unbalanced_velocity,
+            water_energy: raw.water_energy,
+            bolt_strain_energy: raw.bolt_strain_energy,
+            bolt_loss: raw.bolt_loss,
         }
     }
 }
@@ -470,6 +479,52 @@ pub struct Deformation {
 
 const _: () = assert!(size_of::<Deformation>() == size_of::<sys::hs_deformation>());
 const _: () = assert!(align_of::<Deformation>() == align_of::<sys::hs_deformation>());
+
+/// Current state of a bolt.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct BoltState {
+    /// number that hs_world_add_bolt() has returned
+    pub number: u64,
+    /// 0: the ground
+    pub block_a: Option<Block>,
+    /// 0: the ground
+    pub block_b: Option<Block>,
+    /// current position of the end, m
+    pub place_a: [f64; 3],
+    /// current position of the other end, m
+    pub place_b: [f64; 3],
+    /// N, at the last evaluation of forces
+    pub tension: f64,
+    /// m, from the unstressed length, at the last evaluation of forces
+    pub elongation: f64,
+    /// m, part of elongation
+    pub plastic_elongation: f64,
+    /// J, current
+    pub strain_energy: f64,
+    /// J, dissipated by yield and rupture
+    pub loss: f64,
+    /// 1: transmits nothing more
+    pub is_ruptured: bool,
+}
+
+impl From<sys::hs_bolt> for BoltState {
+    fn from(raw: sys::hs_bolt) -> Self {
+        Self {
+            number: raw.number as u64,
+            block_a: Block::from_raw(raw.block_a),
+            block_b: Block::from_raw(raw.block_b),
+            place_a: raw.place_a,
+            place_b: raw.place_b,
+            tension: raw.tension,
+            elongation: raw.elongation,
+            plastic_elongation: raw.plastic_elongation,
+            strain_energy: raw.strain_energy,
+            loss: raw.loss,
+            is_ruptured: raw.is_ruptured != 0,
+        }
+    }
+}
 
 /// Current state of a bond.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -643,6 +698,10 @@ pub struct Plan {
     pub hard_contacts: bool,
     /// sleep is enabled
     pub sleep: bool,
+    /// there is water
+    pub water: bool,
+    /// there are bolts
+    pub bolts: bool,
     /// fixed blocks
     pub fixed_count: usize,
     /// prescribed blocks
@@ -695,6 +754,12 @@ pub struct Plan {
     pub bond_seconds: f64,
     /// s per step: solver of contacts without springs
     pub hard_contact_seconds: f64,
+    /// bolts
+    pub bolt_count: usize,
+    /// s per step: loads of water
+    pub water_seconds: f64,
+    /// s per step: forces of bolts
+    pub bolt_seconds: f64,
     /// Body of the limiting block and its cell that is the stiffest for its mass, if its elements limit the
     /// step more than contacts and bonds.
     pub limiting_cell: Option<(Body, usize)>,
@@ -714,6 +779,8 @@ impl From<sys::hs_world_plan> for Plan {
             mass_damping: raw.parts & sys::HS_PART_MASS_DAMPING != 0,
             hard_contacts: raw.parts & sys::HS_PART_HARD_CONTACTS != 0,
             sleep: raw.parts & sys::HS_PART_SLEEP != 0,
+            water: raw.parts & sys::HS_PART_WATER != 0,
+            bolts: raw.parts & sys::HS_PART_BOLTS != 0,
             fixed_count: raw.fixed_count as usize,
             prescribed_count: raw.prescribed_count as usize,
             rigid_count: raw.rigid_count as usize,
@@ -740,6 +807,9 @@ impl From<sys::hs_world_plan> for Plan {
             limiting_bond: usize::try_from(raw.limiting_bond).ok(),
             bond_seconds: raw.bond_seconds,
             hard_contact_seconds: raw.hard_contact_seconds,
+            bolt_count: raw.bolt_count as usize,
+            water_seconds: raw.water_seconds,
+            bolt_seconds: raw.bolt_seconds,
             limiting_cell: Body::from_id(raw.limiting_body)
                 .map(|body| (body, raw.limiting_cell as usize)),
         }

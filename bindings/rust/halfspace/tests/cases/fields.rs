@@ -109,6 +109,8 @@ pub fn constant(name: &str) -> Option<i32> {
         "HS_PART_MASS_DAMPING" => sys::HS_PART_MASS_DAMPING,
         "HS_PART_HARD_CONTACTS" => sys::HS_PART_HARD_CONTACTS,
         "HS_PART_SLEEP" => sys::HS_PART_SLEEP,
+        "HS_PART_WATER" => sys::HS_PART_WATER,
+        "HS_PART_BOLTS" => sys::HS_PART_BOLTS,
         "HS_UNBALANCED_MEAN" => sys::HS_UNBALANCED_MEAN,
         "HS_UNBALANCED_LARGEST" => sys::HS_UNBALANCED_LARGEST,
         _ => return None,
@@ -223,6 +225,9 @@ pub fn of_report(of: &Report, field: &str) -> Option<Vec<f64>> {
         "iteration_count" => vec![of.iteration_count as f64],
         "impact_loss" => vec![of.impact_loss],
         "unbalanced_velocity" => vec![of.unbalanced_velocity],
+        "water_energy" => vec![of.water_energy],
+        "bolt_strain_energy" => vec![of.bolt_strain_energy],
+        "bolt_loss" => vec![of.bolt_loss],
         _ => return None,
     })
 }

@@ -1,0 +1,93 @@
+"""Bolts and cables: lines between two places that blocks carry, or between a block and the ground."""
+import ctypes
+import dataclasses
+import operator
+from typing import Any, Optional
+
+from numpy.typing import ArrayLike
+
+from . import _raw
+from ._arrays import block_id, vector
+from ._library import library
+from ._record import Records, empty_records
+from .bond import BondedBlocks
+from .context import held
+from .records import BOLT
+
+
+@dataclasses.dataclass(frozen=True)
+class Bolt:
+    """Properties of a bolt: an axial force, linear in its elongation. In 2D forces are per unit thickness.
+
+    Attributes
+    ----------
+    stiffness : float
+        N/m, > 0: force per elongation.
+    pretension : float
+        N: tension at the start; below 0 only where it bears compression.
+    yield_force : float
+        N, >= 0: max magnitude of the force; 0: it does not yield.
+    rupture_elongation : float
+        m, from the unstressed length, beyond which it ruptures; 0: it does not rupture.
+    is_tension_only : bool
+        Slack instead of compressed, as a cable; False: it bears compression, too, as a strut.
+
+    Examples
+    --------
+    >>> Bolt(stiffness=2e7, pretension=1e5).is_tension_only
+    True
+    """
+
+    stiffness: float = 1e8
+    pretension: float = 0.0
+    yield_force: float = 0.0
+    rupture_elongation: float = 0.0
+    is_tension_only: bool = True
+
+    def _as_struct(self) -> _raw.hs_bolt_def:
+        struct = _raw.hs_bolt_def()
+        library.hs_bolt_def_init(ctypes.byref(struct), ctypes.sizeof(struct))
+        for field in dataclasses.fields(self):
+            setattr(struct, field.name, getattr(self, field.name))
+        return struct
+
+
+class BoltedBlocks(BondedBlocks):
+    """Bolts of a world."""
+
+    def add_bolt(
+        self, bolt: Bolt, place_a: ArrayLike, place_b: ArrayLike, block_a: Optional[int], block_b: Optional[int]
+    ) -> int:
+        """Adds a bolt between the current positions of two places, each carried by a block, or by the ground where the
+        block is None. Returns its number, which no later bolt gets. The removal of a block removes its bolts."""
+        struct = bolt._as_struct()
+        struct.block_a = 0 if block_a is None else block_id(block_a, "block_a")
+        struct.block_b = 0 if block_b is None else block_id(block_b, "block_b")
+        struct.place_a[:] = vector(place_a, "place_a")[:]
+        struct.place_b[:] = vector(place_b, "place_b")[:]
+        number = ctypes.c_int64()
+        self._call(library.hs_world_add_bolt, struct, ctypes.byref(number))
+        return number.value
+
+    def add_bolt_at(self, bolt: Bolt, place_a: ArrayLike, place_b: ArrayLike) -> int:
+        """The same between the blocks that contain the places; a place outside of all blocks is on the ground."""
+        return self.add_bolt(bolt, place_a, place_b, self.block_at(place_a), self.block_at(place_b))
+
+    def remove_bolt(self, number: int) -> None:
+        """Removes a bolt."""
+        self._call(library.hs_world_remove_bolt, operator.index(number))
+
+    def bolts(self) -> Records:
+        """Returns all bolts, in ascending order of their numbers: an array of `BOLT`."""
+        count = ctypes.c_int64()
+        with held(self):
+            self._call(library.hs_world_get_bolts, None, 0, ctypes.byref(count))
+            bolts = empty_records(count.value, BOLT)
+            self._call(library.hs_world_get_bolts, bolts.ctypes.data, len(bolts), None)
+        return bolts
+
+    def block_at(self, place: ArrayLike) -> Optional[int]:
+        """Returns the block in which a place is deepest; None if it is outside of all blocks."""
+        block: Any = _raw.hs_block()
+        self._call(library.hs_world_get_block_at, vector(place, "place"), ctypes.byref(block))
+        return block.value or None

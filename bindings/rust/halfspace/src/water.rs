@@ -1,0 +1,50 @@
+//! Water below a table.
+
+use halfspace_sys as sys;
+
+use crate::mutable_view::ViewMut;
+use crate::view::View;
+use crate::world::World;
+use crate::Result;
+
+/// Properties of water: its density, and a factor of its pressure.
+#[derive(Clone, Copy, Debug)]
+#[must_use]
+pub struct Water {
+    pub(crate) raw: sys::hs_water_def,
+}
+
+/// Water.
+impl World {
+    /// Sets the water of a world, in place of the water before. The table has in 2D the corners of
+    /// a polyline, in ascending order of x, level beyond its ends; in 3D one point of a level plane,
+    /// or three points of a plane. Without points there is no water.
+    ///
+    /// ```
+    /// # use halfspace::{BlockDef, Context, Pose, Relaxation, Shape, World, WorldDef};
+    /// use halfspace::{View, Water};
+    ///
+    /// # let context = Context::new()?;
+    /// # let plank = Shape::polygon(&context, &[[0.0, 0.0], [4.0, 0.0], [4.0, 1.0], [0.0, 1.0]])?;
+    /// # let mut world = World::new(&context, &WorldDef::in_plane())?;
+    /// # let wood = world.add_material(600.0)?;
+    /// let raft = world.add_block(&plank, &BlockDef::rigid(wood).at(Pose::in_plane(2.0, 0.5, 0.0)))?;
+    /// world.set_water(&Water::default(), View::from(&[[0.0, 0.0]]))?;
+    /// world.relax(&Relaxation::default().ratio(1e-8))?;
+    /// assert!((world.block_state(raft)?.pose.position[1] + 0.1).abs() < 1e-5);
+    /// # Ok::<(), halfspace::Error>(())
+    /// ```
+    pub fn set_water(&mut self, water: &Water, table: View) -> Result<()> {
+        // SAFETY: the world lives and is borrowed mutably, and the view borrows its points.
+        self.check(unsafe { sys::hs_world_set_water(self.handle(), &water.raw, table.raw()) })
+    }
+
+    /// Writes the current loads of water: the force on each block, in the order of
+    /// [`World::blocks`], and its torque about the centroid.
+    pub fn water_loads(&self, mut forces: ViewMut, mut torques: ViewMut) -> Result<()> {
+        // SAFETY: the world lives, and the views borrow their arrays.
+        self.check(unsafe {
+            sys::hs_world_get_water_loads(self.handle(), forces.raw(), torques.raw())
+        })
+    }
+}

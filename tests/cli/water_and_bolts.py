@@ -1,0 +1,141 @@
+"""Water that stages change, and bolts that stages install: draught, tensions, files, faults, and resumed runs."""
+import vtk
+
+from command import EXAMPLES, SceneTest, halfspace, main
+
+POND = """dimension = 2
+[[material]]
+name = "wood"
+density = 600
+[default_law]
+stiffness = "per contact"
+normal_stiffness = 1e7
+friction_angle = 30
+[[block]]
+name = "raft"
+material = "wood"
+vertices = [[0, 0], [4, 0], [4, 1], [0, 1]]
+[output]
+tracked = ["raft"]
+[water]
+level = 0.5
+[[stage]]
+do = "settle"
+ratio = 1e-8
+"""
+LAMP = """dimension = 2
+[[material]]
+name = "iron"
+density = 8000
+[default_law]
+stiffness = "per contact"
+normal_stiffness = 1e9
+friction_angle = 30
+[[block]]
+name = "ceiling"
+kind = "fixed"
+material = "iron"
+vertices = [[-2, 4], [2, 4], [2, 5], [-2, 5]]
+[[block]]
+name = "lamp"
+material = "iron"
+vertices = [[-0.5, 0], [0.5, 0], [0.5, 1], [-0.5, 1]]
+[[bolt]]
+name = "cable"
+from = [0, 4.5]
+to = [0, 0.5]
+stiffness = 1e7
+pretension = 78480
+"""
+STAGES = """[[stage]]
+do = "run"
+duration = 0.2
+[[stage]]
+do = "run"
+duration = 0.2
+install = ["rod"]
+[[bolt]]
+name = "rod"
+from = [1, 4.5]
+to = [0.3, 0.5]
+blocks = ["ground", "lamp"]
+stiffness = 1e6
+bears = "both"
+yield_force = 2e4
+pretension = 1e4
+"""
+
+
+class WaterAndBolts(SceneTest):
+    def test_a_raft_rises_with_the_level(self):
+        text = POND + '[[stage]]\ndo = "settle"\nratio = 1e-8\nportions = 4\n[stage.water]\nlevel = 2.5\n'
+        self.run_scene(text)
+        heights = [float(row["raft.y"]) for row in self.rows()]
+        self.assertAlmostEqual(heights[-1], 2.5 - 0.1, delta=1e-5)
+        self.assertTrue(any(abs(height - 0.4) < 1e-5 for height in heights), heights)
+        self.assertGreater(float(self.rows()[-1]["water"]), 0)
+
+    def test_a_sloping_table_replaces_a_level_gradually(self):
+        text = POND + '[[stage]]\ndo = "run"\nduration = 1\nramp = 0.5\n[stage.water]\ntable = [[0, 0.5], [4, 0.7]]\n'
+        self.run_scene(text)
+        self.assertLess(abs(float(self.rows()[-1]["residual"])), 1)
+        self.assertIn("<line", (self.output / "last.svg").read_text())
+
+    def test_a_cable_carries_the_weight(self):
+        self.run_scene(LAMP + '[[stage]]\ndo = "settle"\n')
+        last = self.rows("bolts.csv")[-1]
+        self.assertEqual(last["bolt"], "cable")
+        self.assertAlmostEqual(float(last["tension"]), 8000 * 9.81, delta=1)
+        self.assertRegex((self.output / "summary.txt").read_text(), r"bolts +1 installed, 0 yielded, 0 ruptured")
+        reader = vtk.vtkXMLPolyDataReader()
+        reader.SetFileName(str(self.output / "frames" / "bolts_0000.vtp"))
+        reader.Update()
+        self.assertEqual(reader.GetOutput().GetNumberOfLines(), 1)
+        self.assertEqual(reader.GetOutput().GetCellData().GetArray("tension").GetValue(0), 78480)
+
+    def test_a_resumed_run_installs_the_same_bolts(self):
+        self.run_scene(LAMP + STAGES)
+        expected = self.rows("bolts.csv")
+        self.assertEqual({row["bolt"] for row in expected}, {"cable", "rod"})
+        self.assertEqual(expected[0]["bolt"], "cable")
+        # The second stage has begun, and its end may change.
+        self.run_scene((LAMP + STAGES).replace("duration = 0.2\ninstall", "duration = 0.1\ninstall"))
+        checkpoint = self.directory / "checkpoint"
+        checkpoint.write_bytes((self.output / "checkpoint").read_bytes())
+        self.run_scene(LAMP + STAGES, "--from", checkpoint)
+        resumed = self.rows("bolts.csv")
+        for of_resumed, of_whole in zip(resumed[-2:], expected[-2:]):
+            self.assertEqual(of_resumed["bolt"], of_whole["bolt"])
+            self.assertAlmostEqual(float(of_resumed["tension"]) / float(of_whole["tension"]), 1, delta=1e-3)
+
+    def test_faults_name_the_key(self):
+        for old, new, fault in [
+            ("from = [0, 4.5]", "from = [0, 3]", r":\d+:8: bolt\[0\]\.from: \[0, 3\] is outside of all blocks"),
+            ("to = [0, 0.5]", "to = [0.5, 4.5]", r"bolt\[0\]\.to: both ends are in one block"),
+            ("to = [0, 0.5]", "to = [0, 4.5]", r"bolt\[0\]\.to: the same place"),
+            ("to = [0, 0.5]", 'to = [0, 0.5]\nblocks = ["lamp", "lmp"]', r'bolt\[0\]\.blocks: no such block: "lmp"'),
+            ("to = [0, 0.5]", 'to = [0, 0.5]\nblocks = ["lamp"]', r"bolt\[0\]\.blocks: 1 blocks; allowed: two"),
+            ("pretension = 78480", "pretension = -1", r"bolt\[0\]\.pretension: out of range: -1"),
+            ("pretension = 78480", 'bears = "push"', r"bolt\[0\]\.bears: unknown word"),
+        ]:
+            self.check_fault(LAMP.replace(old, new) + "[world]\nduration = 1\n", fault)
+        self.check_fault(LAMP + '[[stage]]\ndo = "settle"\ninstall = ["cabel"]\n', r"did you mean 'cable'")
+        self.check_fault(POND.replace("level = 0.5", ""), r"water\.level: missing")
+        self.check_fault(POND.replace("level = 0.5", "table = [[1, 0], [0, 0]]"), r"water\.table: point 1 is to the left")
+        three = POND.replace("level = 0.5", "table = [[0, 0], [1, 0], [2, 0]]")
+        self.check_fault(three + '[[stage]]\ndo = "settle"\n[stage.water]\ntable = [[0, 0], [1, 0]]\n',
+                         r"stage\[1\]\.water: a table of 2 points after one of 3")
+
+    def test_a_wet_slope_stands_with_bolts_only(self):
+        text = (EXAMPLES / "wet_slope" / "wet_slope.toml").read_text()
+        speeds = []
+        for scene in (text, text.replace('to = [21, 2]', 'to = [21, 2]\nyield_force = 2e5')
+                                .replace('to = [21, 5]', 'to = [21, 5]\nyield_force = 2e5')
+                                .replace("pretension = 2e5", "pretension = 0").replace("stiffness = 2e7", "stiffness = 1")):
+            self.run_scene(scene)
+            speeds.append(float(self.rows()[-1]["largest_speed"]))
+        self.assertLess(speeds[0], 0.01)
+        self.assertGreater(speeds[1], 0.5)
+
+
+main()
