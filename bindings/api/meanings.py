@@ -15,8 +15,8 @@ ENUMERATIONS = {
     "HS_CELL_": (None, "CellKind"),
     "HS_PART_": (None, "WorldPart"),
     "HS_UNBALANCED_": (None, "Unbalanced"),
-    "HS_ACTION_": ("ActionKind", "ActionKind"),
-    "HS_PLACE_": ("ForcePlace", "ForcePlace"),
+    "HS_ACTION_": (None, "ActionKind"),
+    "HS_PLACE_": (None, "ForcePlace"),
 }
 SUMS = {"HS_PART_"}  # of several constants at once
 

@@ -12,6 +12,7 @@ use std::mem::{{size_of, MaybeUninit}};
 
 use halfspace_sys as sys;
 
+use crate::action::Action;
 use crate::affine::Elasticity;
 use crate::bolt::Bolt;
 use crate::bond::Bond;
@@ -37,6 +38,7 @@ impl Default for {name} {{
 }}
 '''
 BUILDERS = {
+    "hs_action_def": "Action",
     "hs_law_def": "Law",
     "hs_world_def": "WorldDef",
     "hs_elasticity_def": "Elasticity",
@@ -47,7 +49,8 @@ BUILDERS = {
     "hs_relaxation_def": "Relaxation",
     "hs_strength_def": "StrengthSearch",
 }
-NO_DEFAULT = {"hs_world_def"}  # without a dimension
+NO_DEFAULT = {"hs_world_def", "hs_action_def"}  # without a dimension, without a table
+BY_HAND = {"hs_action_def.point"}  # together with the place
 
 
 def write(api):
@@ -73,6 +76,8 @@ def functions(struct):
 
 def type_of(struct, field):
     """Of a measure, a vector or one of several constants; others are set by hand."""
+    if f"{struct['name']}.{field['name']}" in BY_HAND:
+        return None
     if field["dimensions"] in ([], [3]) and plain_type(field):
         return plain_type(field)
     return meanings.ENUMERATIONS.get(meanings.of(struct, field), (None, None))[0]

@@ -35,6 +35,13 @@ module halfspace_worlds
     procedure :: remove_cells
     procedure :: set_body_stress
     procedure :: cells
+    procedure :: add_table
+    procedure :: add_action
+    procedure :: end_actions
+    procedure :: add_node_action
+    procedure :: end_node_actions
+    procedure :: hold_block
+    procedure :: prescribe_velocities
     procedure :: detect
     procedure :: forces
     procedure :: step
@@ -187,6 +194,98 @@ module halfspace_worlds
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine cells
+
+  end interface
+
+  ! Motions and loads in time, and held axes: halfspace_worlds_actions.f90. Within a step a load is constant, the mean
+  ! of its table, and a prescribed block moves by the integral of its velocity, so both are exact for any time step.
+  interface
+
+    !> Adds a table: values at times, linear between them, before the first and after the last time constant.
+    module subroutine add_table(self, times, values, table, rows, stat, errmsg)
+      class(halfspace_world), intent(inout) :: self
+      real(c_double), intent(in), target, contiguous :: times(:)  !< s, in ascending order; two equal ones are a jump
+      real(c_double), intent(in), target :: values(:,:)  !< one vector per time; without z, z is 0
+      integer(c_int32_t), intent(out) :: table  !< its index, from 1
+      logical, intent(in), optional :: rows  !< layout of `values`
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine add_table
+
+    !> Adds an action on a block, or without `block` on all blocks that move freely. Loads of one block add up; a motion
+    !! replaces the one before.
+    module subroutine add_action(self, kind, table, block, scale, at, place, start, max_speed, stat, errmsg)
+      class(halfspace_world), intent(inout) :: self
+      !> an HS_ACTION_ value: a motion of a prescribed block or along held axes, a load on a rigid or affine block, or
+      !! HS_ACTION_SERVO; without `block` only HS_ACTION_ACCELERATION
+      integer(c_int32_t), intent(in) :: kind
+      integer(c_int32_t), intent(in) :: table  !< index from add_table()
+      type(halfspace_block), intent(in), optional :: block
+      !> factor of each component, 3 values (2D: or 2, z is 0 then); default 1. A motion does not change components of
+      !! scale 0; a servo presses along the scale as a vector
+      real(c_double), intent(in), optional :: scale(:)
+      real(c_double), intent(in), optional :: at(:)  !< place of a force, m, 3 values (2D: or 2); default: the centroid
+      !> HS_PLACE_CARRIED (default): the place moves with the block; or HS_PLACE_FIXED
+      integer(c_int32_t), intent(in), optional :: place
+      real(c_double), intent(in), optional :: start  !< time of the world at time 0 of the table, s; default 0
+      real(c_double), intent(in), optional :: max_speed  !< of a servo, m/s, > 0
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine add_action
+
+    !> Ends all actions on a block, or without `block` those on all blocks. A prescribed block keeps its last velocity.
+    module subroutine end_actions(self, block, stat, errmsg)
+      class(halfspace_world), intent(inout) :: self
+      type(halfspace_block), intent(in), optional :: block
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine end_actions
+
+    !> Adds an action on nodes of a body, e.g. a traction: each node with a share of the area as scale.
+    module subroutine add_node_action(self, body, nodes, kind, table, scales, rows, start, stat, errmsg)
+      class(halfspace_world), intent(inout) :: self
+      type(halfspace_body), intent(in) :: body
+      integer(c_int32_t), intent(in) :: nodes(:)  !< of the mesh
+      !> HS_ACTION_FORCE, or along axes held by hold_nodes() HS_ACTION_VELOCITY or HS_ACTION_ACCELERATION
+      integer(c_int32_t), intent(in) :: kind
+      integer(c_int32_t), intent(in) :: table  !< index from add_table()
+      real(c_double), intent(in), target :: scales(:,:)  !< factor of each component, one vector per node
+      logical, intent(in), optional :: rows  !< layout of `scales`
+      real(c_double), intent(in), optional :: start  !< as above
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine add_node_action
+
+    !> Ends all actions on the nodes of a body. Held nodes keep their last velocity.
+    module subroutine end_node_actions(self, body, stat, errmsg)
+      class(halfspace_world), intent(inout) :: self
+      type(halfspace_body), intent(in) :: body
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine end_node_actions
+
+    !> Holds axes of a rigid block: the velocity along them stays, whatever the forces. Contacts of laws without springs
+    !! are points then, without restitution.
+    module subroutine hold_block(self, block, axes, stat, errmsg)
+      class(halfspace_world), intent(inout) :: self
+      type(halfspace_block), intent(in) :: block
+      !> sum of HS_AXIS_ values, with HS_AXIS_ROTATION it does not rotate; or 0: frees the block
+      integer(c_int32_t), intent(in) :: axes
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine hold_block
+
+    !> Sets the velocities of prescribed blocks between steps. Contacts and forces are kept, so it may be called at each
+    !! step. Without `angular`, angular velocities stay.
+    module subroutine prescribe_velocities(self, blocks, linear, angular, rows, stat, errmsg)
+      class(halfspace_world), intent(inout) :: self
+      type(halfspace_block), intent(in), target, contiguous :: blocks(:)
+      real(c_double), intent(in), target :: linear(:,:)  !< of the centroids, m/s, one vector per block
+      real(c_double), intent(in), target, optional :: angular(:,:)  !< rad/s
+      logical, intent(in), optional :: rows  !< layout of both
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine prescribe_velocities
 
   end interface
 

@@ -96,17 +96,17 @@ impl<'a> BodyDef<'a> {
     }
 }
 
-/// Axes along which nodes are held.
+/// Axes along which nodes or rigid blocks are held.
 ///
 /// ```
 /// use halfspace::Axes;
 /// let both = Axes::X | Axes::Y;
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct Axes(i32);
+pub struct Axes(pub(crate) i32);
 
 impl Axes {
-    /// No axis: frees the nodes.
+    /// No axis: frees nodes or a block.
     pub const NONE: Self = Self(0);
     /// Along x.
     pub const X: Self = Self(sys::HS_AXIS_X);
@@ -114,6 +114,8 @@ impl Axes {
     pub const Y: Self = Self(sys::HS_AXIS_Y);
     /// Along z, 3D only.
     pub const Z: Self = Self(sys::HS_AXIS_Z);
+    /// The rotation of a rigid block, about all axes.
+    pub const ROTATION: Self = Self(sys::HS_AXIS_ROTATION);
 }
 
 impl BitOr for Axes {

@@ -6,6 +6,7 @@ use std::mem::{size_of, MaybeUninit};
 
 use halfspace_sys as sys;
 
+use crate::action::Action;
 use crate::affine::Elasticity;
 use crate::bolt::Bolt;
 use crate::bond::Bond;
@@ -16,6 +17,27 @@ use crate::relax::Relaxation;
 use crate::strength::StrengthSearch;
 use crate::water::Water;
 use crate::world::WorldDef;
+
+impl Action {
+    /// time of the world at time 0 of the table, s; default 0
+    pub fn start(mut self, start: f64) -> Self {
+        self.raw.start = start;
+        self
+    }
+
+    /// factor of each component; a motion does not change components of scale 0; a servo presses along the
+    /// scale as a vector; default 1, 1, 1. Nodes have their own
+    pub fn scale(mut self, scale: [f64; 3]) -> Self {
+        self.raw.scale = scale;
+        self
+    }
+
+    /// of a servo, m/s, > 0
+    pub fn max_speed(mut self, max_speed: f64) -> Self {
+        self.raw.max_speed = max_speed;
+        self
+    }
+}
 
 impl Law {
     /// a `StiffnessKind`; default HS_STIFFNESS_PER_CONTACT

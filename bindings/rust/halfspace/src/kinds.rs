@@ -159,39 +159,6 @@ constants! {
 }
 
 constants! {
-    /// What an action gives. Loads of one block add up; a motion replaces the one before.
-    ActionKind {
-        /// m/s, of a prescribed block, or along held axes of a rigid block or of nodes
-        Velocity = HS_ACTION_VELOCITY,
-        /// rad/s, of a prescribed block; 2D uses z
-        AngularVelocity = HS_ACTION_ANGULAR_VELOCITY,
-        /// m/s2, likewise as HS_ACTION_VELOCITY; of all blocks: a body force, besides gravity
-        Acceleration = HS_ACTION_ACCELERATION,
-        /// rad/s2, of a prescribed block; 2D uses z
-        AngularAcceleration = HS_ACTION_ANGULAR_ACCELERATION,
-        /// N, on a rigid or affine block or on nodes
-        Force = HS_ACTION_FORCE,
-        /// N m, on a rigid or affine block; 2D uses z
-        Torque = HS_ACTION_TORQUE,
-        /// N: a prescribed block, or a rigid one along held axes, moves so that it presses on its contacts
-        /// with this force; they need springs
-        Servo = HS_ACTION_SERVO,
-    }
-}
-
-constants! {
-    /// Where a force acts.
-    ForcePlace {
-        /// at the centroid
-        Centroid = HS_PLACE_CENTROID,
-        /// at a point of the block, which moves with it
-        Carried = HS_PLACE_CARRIED,
-        /// at a point in space
-        Fixed = HS_PLACE_FIXED,
-    }
-}
-
-constants! {
     /// Failure modes of a point of a bond.
     BondFailure {
         /// intact

@@ -115,6 +115,7 @@
 //! ```
 #![warn(missing_docs, unsafe_op_in_unsafe_fn)]
 
+mod action;
 mod affine;
 mod block;
 mod body;
@@ -144,6 +145,7 @@ mod water;
 mod world;
 mod world_arrays;
 
+pub use action::{Action, Table};
 pub use affine::{Elasticity, Tensor};
 pub use block::{Block, BlockDef, Material};
 pub use body::{Axes, Body, BodyDef};

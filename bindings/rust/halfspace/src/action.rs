@@ -1,0 +1,260 @@
+//! Motions and loads in time: tables that blocks and nodes follow, force control, and held axes.
+
+use std::mem::{size_of, MaybeUninit};
+
+use halfspace_sys as sys;
+
+use crate::block::Block;
+use crate::body::{Axes, Body};
+use crate::error::Error;
+use crate::mesh::indices;
+use crate::view::View;
+use crate::world::World;
+use crate::Result;
+
+/// A table of a world: values at times, linear between them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(transparent)]
+pub struct Table(i32);
+
+impl Table {
+    /// The table of an index, e.g. in a restored world. Indices start at 0, in the order of
+    /// creation.
+    pub fn from_index(index: i32) -> Self {
+        Self(index)
+    }
+
+    /// The index, from 0, in the order of creation.
+    pub fn index(self) -> i32 {
+        self.0
+    }
+}
+
+/// A motion or load that follows a table. Loads of one block add up; a motion replaces the one
+/// before.
+///
+/// Within a step a load is constant, the mean of its table, and a prescribed block moves by the
+/// integral of its velocity. So impulses and displacements are exact for any time step.
+///
+/// ```
+/// # use halfspace::{BlockDef, Context, Shape, World, WorldDef};
+/// use halfspace::Action;
+///
+/// # let context = Context::new()?;
+/// # let square = Shape::polygon(&context, &[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])?;
+/// # let mut world = World::new(&context, &WorldDef::in_plane().gravity([0.0; 3]).time_step(0.01))?;
+/// # let stone = world.add_material(2000.0)?;
+/// let block = world.add_block(&square, &BlockDef::rigid(stone))?;
+/// let pulse = world.add_table(&[0.0, 0.02, 0.02], &[[0.0, 0.0], [500.0, 0.0], [0.0, 0.0]])?;
+/// world.add_action(block, &Action::force(pulse))?;
+/// world.step(10)?;
+/// let momentum = 2000.0 * world.block_state(block)?.velocity[0];
+/// assert!((momentum - 5.0).abs() < 1e-12);
+/// # Ok::<(), halfspace::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+#[must_use]
+pub struct Action {
+    pub(crate) raw: sys::hs_action_def,
+}
+
+impl Action {
+    /// Velocity, in m/s, of a prescribed block, or along held axes of a rigid block or of nodes.
+    pub fn velocity(table: Table) -> Self {
+        Self::of_kind(sys::HS_ACTION_VELOCITY, table)
+    }
+
+    /// Angular velocity, in rad/s, of a prescribed block; 2D uses z.
+    pub fn angular_velocity(table: Table) -> Self {
+        Self::of_kind(sys::HS_ACTION_ANGULAR_VELOCITY, table)
+    }
+
+    /// Acceleration, in m/s2, likewise as [`Action::velocity`]; of all blocks: a body force,
+    /// besides gravity.
+    pub fn acceleration(table: Table) -> Self {
+        Self::of_kind(sys::HS_ACTION_ACCELERATION, table)
+    }
+
+    /// Angular acceleration, in rad/s2, of a prescribed block; 2D uses z.
+    pub fn angular_acceleration(table: Table) -> Self {
+        Self::of_kind(sys::HS_ACTION_ANGULAR_ACCELERATION, table)
+    }
+
+    /// Force, in N, on a rigid or affine block, by default at its centroid, or on nodes.
+    pub fn force(table: Table) -> Self {
+        Self::of_kind(sys::HS_ACTION_FORCE, table)
+    }
+
+    /// Torque, in N m, on a rigid or affine block; 2D uses z.
+    pub fn torque(table: Table) -> Self {
+        Self::of_kind(sys::HS_ACTION_TORQUE, table)
+    }
+
+    /// Force control: a prescribed block, or a rigid one along held axes, moves so that it presses
+    /// on its contacts with the force of the table, in N, along the scale as a vector. It moves at
+    /// most with `max_speed`, in m/s. The contacts need springs.
+    pub fn servo(table: Table, max_speed: f64) -> Self {
+        Self::of_kind(sys::HS_ACTION_SERVO, table).max_speed(max_speed)
+    }
+
+    /// The force acts at a point of the block, which moves with it: `point` is where it is now, in
+    /// m.
+    pub fn at_carried(self, point: [f64; 3]) -> Self {
+        self.at(sys::HS_PLACE_CARRIED, point)
+    }
+
+    /// The force acts at a point in space, in m.
+    pub fn at_fixed(self, point: [f64; 3]) -> Self {
+        self.at(sys::HS_PLACE_FIXED, point)
+    }
+
+    /// The force acts at the centroid: the default.
+    pub fn at_centroid(self) -> Self {
+        self.at(sys::HS_PLACE_CENTROID, [0.0; 3])
+    }
+
+    fn at(mut self, place: i32, point: [f64; 3]) -> Self {
+        self.raw.place = place;
+        self.raw.point = point;
+        self
+    }
+
+    fn of_kind(kind: i32, table: Table) -> Self {
+        let mut raw = MaybeUninit::<sys::hs_action_def>::zeroed();
+        // SAFETY: the size is that of the struct, for which all zero is valid.
+        let mut raw = unsafe {
+            sys::hs_action_def_init(raw.as_mut_ptr(), size_of::<sys::hs_action_def>());
+            raw.assume_init()
+        };
+        raw.kind = kind;
+        raw.table = table.0;
+        Self { raw }
+    }
+}
+
+/// Motions and loads in time, and held axes.
+impl World {
+    /// Adds a table. Before its first and after its last time it is constant.
+    ///
+    /// `times` has one entry per row, in s, in ascending order; two equal ones are a jump. Values
+    /// without z have z = 0. [`View::components`] of the same array for all components makes a
+    /// table of numbers.
+    pub fn add_table<'a>(&mut self, times: &[f64], values: impl Into<View<'a>>) -> Result<Table> {
+        let values = values.into();
+        require_same("World::add_table: times", times.len(), &values, "rows")?;
+        let mut table = 0;
+        // SAFETY: the world lives and is borrowed mutably, there is one time per row, and the view
+        // borrows what it says.
+        self.check(unsafe {
+            sys::hs_world_add_table(self.handle(), times.as_ptr(), values.raw(), &mut table)
+        })?;
+        Ok(Table(table))
+    }
+
+    /// Adds an action on a block, or with `None` on all blocks that move freely, which only take
+    /// [`Action::acceleration`].
+    ///
+    /// # Errors
+    /// [`ErrorKind::State`](crate::ErrorKind::State) for a kind of block that cannot follow it,
+    /// [`ErrorKind::StaleId`](crate::ErrorKind::StaleId) for a block or table that the world does
+    /// not have.
+    pub fn add_action(&mut self, block: impl Into<Option<Block>>, action: &Action) -> Result<()> {
+        let id = id_or_all(block);
+        // SAFETY: the world lives and is borrowed mutably, the action is valid.
+        self.check(unsafe { sys::hs_world_add_action(self.handle(), id, &action.raw) })
+    }
+
+    /// Ends all actions on a block, or with `None` those on all blocks. A prescribed block keeps
+    /// its last velocity.
+    pub fn end_actions(&mut self, block: impl Into<Option<Block>>) -> Result<()> {
+        let id = id_or_all(block);
+        // SAFETY: the world lives and is borrowed mutably.
+        self.check(unsafe { sys::hs_world_end_actions(self.handle(), id) })
+    }
+
+    /// Adds an action on nodes of a body: a force, or a velocity or acceleration along axes held by
+    /// [`World::hold_nodes`]. `scales` has the factors of each node instead of [`Action::scale`],
+    /// e.g. its share of the area of a traction.
+    pub fn add_node_action<'a>(
+        &mut self,
+        body: Body,
+        nodes: &[usize],
+        scales: impl Into<View<'a>>,
+        action: &Action,
+    ) -> Result<()> {
+        let scales = scales.into();
+        require_same(
+            "World::add_node_action: nodes",
+            nodes.len(),
+            &scales,
+            "scales",
+        )?;
+        let nodes = indices(nodes, "World::add_node_action: nodes")?;
+        // SAFETY: the world lives and is borrowed mutably, there is one node per scale, the view
+        // borrows what it says, and the action is valid.
+        self.check(unsafe {
+            sys::hs_world_add_node_action(
+                self.handle(),
+                body.id(),
+                nodes.as_ptr(),
+                scales.raw(),
+                &action.raw,
+            )
+        })
+    }
+
+    /// Ends all actions on the nodes of a body. Held nodes keep their last velocity.
+    pub fn end_node_actions(&mut self, body: Body) -> Result<()> {
+        // SAFETY: the world lives and is borrowed mutably.
+        self.check(unsafe { sys::hs_world_end_node_actions(self.handle(), body.id()) })
+    }
+
+    /// Holds axes of a rigid block: the velocity along them stays, whatever the forces, and with
+    /// [`Axes::ROTATION`] it does not rotate. [`Axes::NONE`] frees the block. Contacts of laws
+    /// without springs are points then, without restitution.
+    pub fn hold_block(&mut self, block: Block, axes: Axes) -> Result<()> {
+        // SAFETY: the world lives and is borrowed mutably.
+        self.check(unsafe { sys::hs_world_hold_block(self.handle(), block.id(), axes.0) })
+    }
+
+    /// Sets the velocities of prescribed blocks between steps, one per block, in m/s, and their
+    /// angular velocities, in rad/s, which have three components; an empty view keeps the current
+    /// ones. Contacts and forces are kept, so it may be called at each step. After an error none
+    /// has changed.
+    pub fn prescribe_velocities<'a, 'b>(
+        &mut self,
+        blocks: &[Block],
+        velocities: impl Into<View<'a>>,
+        angular_velocities: impl Into<View<'b>>,
+    ) -> Result<()> {
+        let (velocities, angular) = (velocities.into(), angular_velocities.into().raw());
+        let name = "World::prescribe_velocities: blocks";
+        require_same(name, blocks.len(), &velocities, "velocities")?;
+        // SAFETY: the world lives and is borrowed mutably, a Block is a u64, there is one per
+        // velocity, and the views borrow what they say.
+        self.check(unsafe {
+            sys::hs_world_prescribe_velocities(
+                self.handle(),
+                blocks.as_ptr().cast(),
+                velocities.raw(),
+                angular,
+            )
+        })
+    }
+}
+
+/// The id of a block, or 0, which stands for all blocks.
+fn id_or_all(block: impl Into<Option<Block>>) -> u64 {
+    block.into().map_or(0, Block::id)
+}
+
+/// The library reads as many entries as the view has points.
+fn require_same(name: &str, count: usize, view: &View<'_>, of_view: &str) -> Result<()> {
+    if count == view.count() {
+        return Ok(());
+    }
+    Err(Error::argument(&format!(
+        "{name} has {count} entries; there are {} {of_view}",
+        view.count()
+    )))
+}
