@@ -27,6 +27,7 @@
 
 #include "halfspace/affine.h"
 #include "halfspace/bond.h"
+#include "halfspace/compound.h"
 #include "halfspace/context.h"
 #include "halfspace/contact.h"
 #include "halfspace/impact.h"

@@ -51,6 +51,8 @@ class ForcePass {
   void load(std::size_t k, const Contact<D>& contact, Evaluation& evaluation);
   /// Sums the loads of all contacts per block. `chunks`: those whose pairs have been loaded.
   void gather(std::span<const PairSums> chunks);
+  /// Adds the loads of parts, of contacts and bonds, to those of their compounds.
+  void load_compounds();
   void forget() { known_ = false; }
 
   bool are_known() const { return known_; }
