@@ -89,6 +89,7 @@ class Model {
   const Layout& layout() const { return layout_; }
 
  private:
+  void add(const LayoutCompound& compound);
   void add(const LayoutBody& body);
   void excavate(const std::vector<std::size_t>& blocks);
   bool has_parts_of_layout() const;
@@ -102,6 +103,7 @@ class Model {
   /// The cells of a body, as blocks.
   std::vector<BlockFrame> frame_of(std::size_t body) const;
   void set_due_motions();
+  void set_due_motion(hs_block block, const Motion& motion);
   double next_motion_change() const;
   void update_report();
   /// The time step without shortening; 0 while it is unknown.
@@ -114,8 +116,10 @@ class Model {
   Layout layout_;
   World world_;
   std::vector<hs_block> blocks_;  ///< 0: a cell of a body
+  std::vector<hs_block> compounds_;
   std::vector<hs_body> bodies_;
   std::map<hs_block, std::size_t> index_of_block_;
+  std::map<hs_block, std::size_t> index_of_compound_;
   std::map<hs_body, std::size_t> index_of_body_;
   std::vector<double> densities_;  ///< of the materials
   hs_world_report report_{};
