@@ -94,13 +94,14 @@ void require_borne(const Blocks<D>& blocks, std::size_t slot, const BondLaw& law
   constexpr double largest = 1e300;  // so that sums over bonds stay finite
   if (!blocks.moves_freely(slot)) return;
   const double stiffness = std::max(law.normal_stiffness, law.shear_stiffness) * blocks.largest_face[slot];
-  if (stiffness * (1 / blocks.mass[slot] + blocks.strain_mobility(slot)) <= largest) return;
+  const std::size_t mover = blocks.mover_of(slot);
+  if (stiffness * (1 / blocks.mass[mover] + blocks.strain_mobility(mover)) <= largest) return;
   refuse(
       HS_ERROR_ARGUMENT,
       "def.normal_stiffness is %g, def.shear_stiffness is %g: too large for block %#llx of mass %g; decrease "
       "them",
       law.normal_stiffness, law.shear_stiffness, static_cast<unsigned long long>(id_of(blocks, slot)),
-      blocks.mass[slot]);
+      blocks.mass[mover]);
 }
 
 }  // namespace

@@ -117,12 +117,17 @@ hs_status write_blocks(const Blocks<D>& blocks, const Array<Vector<D>>& vectors,
   return all_angulars ? fits(blocks.count(), out.count) : HS_NOTE_TRUNCATED;
 }
 
-/// Refuses a block of a mesh, which only its nodes can move.
+/// Refuses a block that only the nodes of its mesh, or only its compound, can move.
 template <int D>
-void require_no_mesh(const Blocks<D>& blocks, std::int32_t slot, const char* name) {
-  if (blocks.is_of_mesh(std::size_t(slot))) {
-    refuse(HS_ERROR_STATE, "%s is %#llx, a block of a mesh; only its nodes can be changed", name,
-           static_cast<unsigned long long>(id_of(blocks, std::size_t(slot))));
+void require_moved_by_itself(const Blocks<D>& blocks, std::int32_t slot, const char* name) {
+  const auto id = [&](std::size_t s) { return static_cast<unsigned long long>(id_of(blocks, s)); };
+  const std::size_t s = std::size_t(slot);
+  if (blocks.is_of_mesh(s)) {
+    refuse(HS_ERROR_STATE, "%s is %#llx, a block of a mesh; only its nodes can be changed", name, id(s));
+  }
+  if (blocks.is_part(s)) {
+    refuse(HS_ERROR_STATE, "%s is %#llx, a part of compound %#llx; only the compound can be changed", name,
+           id(s), id(blocks.mover_of(s)));
   }
 }
 

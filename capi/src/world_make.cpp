@@ -1,11 +1,9 @@
 #include <cstddef>
 #include <numbers>
 
+#include "block_definition.h"
 #include "geometry/angle.h"
 #include "pair_arguments.h"
-#include "shape_handle.h"
-#include "sized_struct.h"
-#include "world_handle.h"
 
 using namespace halfspace;
 using namespace halfspace::capi;
@@ -118,27 +116,6 @@ ContactLaw read_law(const hs_law_def* given) {
   return law;
 }
 
-/// Returns the shape for a block in a world of D dimensions; refuses the other dimension.
-template <int D>
-const Shape<D>& require_shape(const hs_shape* shape, const char* name) {
-  require_pointer(shape, name);
-  if (shape->dimension() != D)
-    refuse(HS_ERROR_ARGUMENT, "%s has dimension %d; the world has %d", name, shape->dimension(), D);
-  return as<D>(*shape);
-}
-
-template <int D>
-void require_mass(const Shape<D>& shape, double density) {
-  const double mass = mass_of(shape, density);
-  const Inertia<D> inertia = Inertia<D>::of(shape, density);
-  if (is_within_bounds(mass, inertia)) return;
-  refuse(
-      HS_ERROR_ARGUMENT,
-      "shape and def.material give a mass of %g and a moment of inertia of %g; the mass must be from %g to "
-      "%g, the moment of inertia at most %g",
-      mass, inertia.least_moment(), least_mass, largest_mass, largest_inertia);
-}
-
 }  // namespace
 }  // namespace halfspace::capi
 
@@ -220,33 +197,20 @@ hs_status hs_world_add_block(hs_world* world, const hs_shape* shape, const hs_bl
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     const Shape<D>& form = require_shape<D>(shape, "shape");
     require_pointer(block, "block");
-    const hs_block_def known = read_definition(def, "def");
-    if (known.kind < HS_BLOCK_FIXED || known.kind > HS_BLOCK_AFFINE) {
-      refuse(HS_ERROR_ARGUMENT, "def.kind is %d; it must be an HS_BLOCK_ value other than HS_BLOCK_MESH",
-             known.kind);
-    }
-    require_material(w, known.material, "def.material");
-    const Pose<D> pose = read_place<D>(&known.pose, form.bounding_radius(), "def.pose");
-    const Vector<D> velocity = read_finite_vector<D>(known.velocity, "def.velocity");
-    const Angular<D> spin = read_finite_angular<D>(known.angular_velocity, "def.angular_velocity");
-    if (known.kind == HS_BLOCK_FIXED && (velocity != Vector<D>::Zero() || spin != Angular<D>::Zero())) {
-      refuse(HS_ERROR_ARGUMENT,
-             "def.velocity is %s, def.angular_velocity is (%g, %g, %g); both must be 0 for a fixed block",
-             PointText(velocity).characters, known.angular_velocity[0], known.angular_velocity[1],
-             known.angular_velocity[2]);
-    }
-    if (known.reserved != 0) refuse(HS_ERROR_ARGUMENT, "def.reserved is %d; it must be 0", known.reserved);
-    require_mass(form, w.density(known.material));
-    if (known.kind == HS_BLOCK_AFFINE && !w.elasticity(known.material).is_given()) {
+    const BlockStart<D> start = read_block(w, def, form.bounding_radius(), HS_BLOCK_AFFINE,
+                                           "an HS_BLOCK_ value other than HS_BLOCK_MESH");
+    const double density = w.density(start.material), mass = mass_of(form, density);
+    const Inertia<D> inertia = Inertia<D>::of(form, density);
+    require_mass(mass, inertia, "shape");
+    if (start.kind == BlockKind::affine && !w.elasticity(start.material).is_given()) {
       refuse(HS_ERROR_STATE,
              "def.material is %d, which has no elasticity; call hs_world_set_elasticity() first",
-             known.material);
+             start.material);
     }
-    require_energy(mass_of(form, w.density(known.material)), Inertia<D>::of(form, w.density(known.material)),
-                   pose.rotation, velocity, spin, "def.");
+    require_energy(mass, inertia, start.pose.rotation, start.velocity, start.spin, "def.");
     const std::int32_t slot =
-        w.add_block(form, BlockKind(known.kind), known.material, pose.position, pose.rotation);
-    w.set_velocity(slot, velocity, spin);
+        w.add_block(form, start.kind, start.material, start.pose.position, start.pose.rotation);
+    w.set_velocity(slot, start.velocity, start.spin);
     *block = id_of(w.blocks(), std::size_t(slot));
     return HS_OK;
   });
@@ -255,8 +219,8 @@ hs_status hs_world_add_block(hs_world* world, const hs_shape* shape, const hs_bl
 hs_status hs_world_remove_block(hs_world* world, hs_block block) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     const std::int32_t slot = slot_of(w.blocks(), block, "block");
-    require_no_mesh(w.blocks(), slot, "block");
-    w.remove_block(slot);
+    require_moved_by_itself(w.blocks(), slot, "block");
+    w.blocks().is_compound(std::size_t(slot)) ? w.remove_compound(slot) : w.remove_block(slot);
     return HS_OK;
   });
 }

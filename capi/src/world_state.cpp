@@ -28,7 +28,7 @@ hs_status hs_world_get_block_state(const hs_world* world, hs_block block, hs_blo
     write_angular(all.spin[s], out.angular_velocity);
     write_vector(all.force[s], out.force);
     write_angular(all.torque[s], out.torque);
-    out.mass = all.mass[s];
+    out.mass = all.is_part(s) ? 0 : all.mass[s];
     *state = out;
     return HS_OK;
   });
@@ -51,7 +51,7 @@ hs_status hs_world_get_block_vertices(const hs_world* world, hs_block block, hs_
 hs_status hs_world_set_pose(hs_world* world, hs_block block, const hs_pose* pose) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     const std::int32_t slot = slot_of(w.blocks(), block, "block");
-    require_no_mesh(w.blocks(), slot, "block");
+    require_moved_by_itself(w.blocks(), slot, "block");
     const Pose<D> to = read_place<D>(pose, w.blocks().radius[std::size_t(slot)], "pose");
     w.set_pose(slot, to.position, to.rotation);
     return HS_OK;
@@ -62,7 +62,7 @@ hs_status hs_world_set_velocity(hs_world* world, hs_block block, const double ve
                                 const double angular_velocity[3]) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     const std::int32_t slot = slot_of(w.blocks(), block, "block");
-    require_no_mesh(w.blocks(), slot, "block");
+    require_moved_by_itself(w.blocks(), slot, "block");
     const Vector<D> v = read_finite_vector<D>(velocity, "velocity");
     const Angular<D> spin = read_finite_angular<D>(angular_velocity, "angular_velocity");
     if (w.blocks().kind[std::size_t(slot)] == BlockKind::fixed) {
@@ -81,7 +81,7 @@ hs_status hs_world_set_applied_force(hs_world* world, hs_block block, const doub
     const std::int32_t slot = slot_of(w.blocks(), block, "block");
     const Vector<D> f = read_finite_vector<D>(force, "force");
     const Angular<D> t = read_finite_angular<D>(torque, "torque");
-    require_no_mesh(w.blocks(), slot, "block");
+    require_moved_by_itself(w.blocks(), slot, "block");
     if (!w.blocks().moves_freely(std::size_t(slot))) {
       refuse(HS_ERROR_STATE, "block %#llx is neither rigid nor affine; forces act on these kinds only",
              static_cast<unsigned long long>(block));
@@ -115,7 +115,8 @@ hs_status hs_world_set_poses(hs_world* world, const hs_pose poses[], int64_t cou
     for_each_block(w.blocks(), read);  // validates all before any block moves
     for_each_block(w.blocks(), [&](std::int64_t i, std::int32_t slot) {
       const Pose<D> to = read(i, slot);
-      if (!w.blocks().is_of_mesh(std::size_t(slot))) w.set_pose(slot, to.position, to.rotation);
+      const std::size_t s = std::size_t(slot);
+      if (!w.blocks().is_of_mesh(s) && !w.blocks().is_part(s)) w.set_pose(slot, to.position, to.rotation);
     });
     return HS_OK;
   });
@@ -151,7 +152,8 @@ hs_status hs_world_set_velocities(hs_world* world, hs_view velocities, hs_view a
                                     ? read_finite_angular<D>(angular_velocities, i, "angular_velocities")
                                     : w.blocks().spin[std::size_t(slot)];
         const BlockKind kind = w.blocks().kind[std::size_t(slot)];
-        if (kind != BlockKind::fixed && kind != BlockKind::mesh) use(slot, velocity, spin);
+        const bool is_moved_by_others = kind == BlockKind::mesh || w.blocks().is_part(std::size_t(slot));
+        if (kind != BlockKind::fixed && !is_moved_by_others) use(slot, velocity, spin);
       });
     };
     // All velocities are validated before any changes.

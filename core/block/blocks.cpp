@@ -104,6 +104,7 @@ Blocks<D>::Blocks(Memory* memory)
       free_slots_(memory),
       outlines_(memory),
       deformations_(memory),
+      compounds_(memory),
       meshes_(memory),
       bonds_(memory) {}
 
@@ -135,20 +136,26 @@ void Blocks<D>::resize(std::size_t slots) {
 template <int D>
 double Blocks<D>::strain_mobility(std::size_t slot) const {
   if (is_deformable(slot)) return deformation(slot).strain_mobility;
-  const Outline<D> own = outlines_.own(std::int32_t(slot));
   double most = 0;
-  for (int i = 0; i < own.vertex_count(); ++i) most = std::max(most, inertia[slot].yield_at(own.vertex(i)));
+  const auto note = [&](const Vector<D>& arm) { most = std::max(most, inertia[slot].yield_at(arm)); };
+  const Outline<D> own = outlines_.own(std::int32_t(slot));
+  for (int i = 0; i < own.vertex_count(); ++i) note(own.vertex(i));
+  if (!is_compound(slot)) return most;
+  for (const Part<D>& part : compounds_.parts_of(slot)) {
+    const Outline<D> of_part = outlines_.own(part.block);
+    for (int i = 0; i < of_part.vertex_count(); ++i)
+      note(part.pose.position + part.pose.rotation * of_part.vertex(i));
+  }
   return most;
 }
 
+/// Allocates first: when memory runs out, nothing has changed, and the outline is given back.
 template <int D>
-std::int32_t Blocks<D>::add(const Shape<D>& shape, BlockKind block_kind, std::int32_t block_material,
-                            double density) {
-  // Allocates first: when memory runs out, nothing has changed.
+std::int32_t Blocks<D>::occupy(const typename Outlines<D>::Taken& outline, BlockKind block_kind,
+                               std::int32_t block_material) {
   const bool appended = free_slots_.empty();
   const std::size_t slots = slot_count();
   const std::int32_t slot = appended ? std::int32_t(slots) : free_slots_.back();
-  const typename Outlines<D>::Taken outline = outlines_.take_in(shape);
   try {
     if (appended) resize(slots + 1);
     if (block_kind >= BlockKind::affine) deformations_.make_room(slots + 1);
@@ -168,14 +175,22 @@ std::int32_t Blocks<D>::add(const Shape<D>& shape, BlockKind block_kind, std::in
   force[s] = applied_force[s] = Vector<D>::Zero();
   torque[s] = applied_torque[s] = Angular<D>::Zero();
   if constexpr (D == 2) angle[s] = 0;
+  rotation[s] = Rotation<D>();
+  spin[s] = Angular<D>::Zero();
+  return slot;
+}
+
+template <int D>
+std::int32_t Blocks<D>::add(const Shape<D>& shape, BlockKind block_kind, std::int32_t block_material,
+                            double density) {
+  const std::int32_t slot = occupy(outlines_.take_in(shape), block_kind, block_material);
+  const std::size_t s = std::size_t(slot);
   mass[s] = mass_of(shape, density);
   inertia[s] = Inertia<D>::of(shape, density);
   radius[s] = shape.bounding_radius();
   largest_face[s] = largest_face_of(shape);
   thickness[s] = shape.thickness();
   held[s] = 0;
-  rotation[s] = Rotation<D>();
-  spin[s] = Angular<D>::Zero();
   if (block_kind >= BlockKind::affine) deformations_.add(undeformed(shape, density, slot));
   place(slot, shape.centroid(), Rotation<D>());
   set_motion(slot, Vector<D>::Zero(), Angular<D>::Zero());
@@ -231,6 +246,7 @@ void Blocks<D>::place(std::int32_t slot, const Vector<D>& to, const Rotation<D>&
   set_rotation(s, turned);
   momentum[s] = inertia[s].momentum(spin[s], turned);
   outlines_.turn(slot, turned);
+  if (is_compound(s)) follow(slot);
 }
 
 /// The angle stays continuous: whole turns are counted.
@@ -256,6 +272,7 @@ void Blocks<D>::set_motion(std::int32_t slot, const Vector<D>& new_velocity, con
   }
   spin[s] = new_spin;
   momentum[s] = inertia[s].momentum(new_spin, rotation[s]);
+  if (is_compound(s)) follow_velocity(slot);
 }
 
 template <int D>
@@ -324,6 +341,78 @@ void Blocks<D>::follow_node_velocities(const SurfaceCell<D>& cell) {
   velocity[s] = cell.mean_of(meshes_.velocity);
   deformation(s).rate = cell.gradient_of(meshes_.velocity);
   renew_spin(s);
+}
+
+template <int D>
+std::int32_t Blocks<D>::add_compound(std::span<const Shape<D>* const> shapes, std::span<const Pose<D>> poses,
+                                     BlockKind block_kind, std::int32_t block_material, double density) {
+  const CompoundBody<D> body = compound_body(shapes, poses, density);
+  compounds_.make_room(shapes.size(), slot_count() + shapes.size() + 1);
+  const std::int32_t compound = occupy(outlines_.take_in_none(), block_kind, block_material);
+  const std::size_t c = std::size_t(compound);
+  mass[c] = body.mass;
+  inertia[c] = body.inertia;
+  radius[c] = body.radius;
+  largest_face[c] = 0;
+  thickness[c] = body.radius;
+  compounds_.add(compound);
+  try {
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+      Part<D> part;
+      part.pose = {poses[i].position - body.centroid, poses[i].rotation};
+      part.block = add(*shapes[i], block_kind, block_material, density);
+      part.compound = compound;
+      compounds_.add(part);
+      largest_face[c] = std::max(largest_face[c], largest_face[std::size_t(part.block)]);
+      thickness[c] = std::min(thickness[c], thickness[std::size_t(part.block)]);
+    }
+  } catch (...) {
+    take_back_compound(compound);
+    throw;
+  }
+  place(compound, Vector<D>::Zero(), Rotation<D>());
+  set_motion(compound, Vector<D>::Zero(), Angular<D>::Zero());
+  return compound;
+}
+
+template <int D>
+void Blocks<D>::take_back_compound(std::int32_t compound) {
+  const std::span<const Part<D>> parts = compounds_.parts_of(std::size_t(compound));
+  for (auto part = parts.rbegin(); part != parts.rend(); ++part) take_back(part->block);
+  compounds_.remove(compound);
+  take_back(compound);
+}
+
+template <int D>
+void Blocks<D>::remove_compound(std::int32_t compound) {
+  compounds_.remove(compound);
+  remove(compound);
+}
+
+template <int D>
+void Blocks<D>::follow(std::int32_t compound) {
+  for (const Part<D>& part : compounds_.parts_of(std::size_t(compound))) follow(part);
+}
+
+template <int D>
+void Blocks<D>::follow_velocity(std::int32_t compound) {
+  for (const Part<D>& part : compounds_.parts_of(std::size_t(compound))) follow_velocity(part);
+}
+
+template <int D>
+void Blocks<D>::follow(const Part<D>& part) {
+  const std::size_t p = std::size_t(part.block), c = std::size_t(part.compound);
+  position[p] = position[c] + rotation[c] * part.pose.position;
+  set_rotation(p, rotation[c] * part.pose.rotation);
+  outlines_.turn(part.block, rotation[p]);
+  follow_velocity(part);
+}
+
+template <int D>
+void Blocks<D>::follow_velocity(const Part<D>& part) {
+  const std::size_t p = std::size_t(part.block), c = std::size_t(part.compound);
+  velocity[p] = velocity_at(c, position[p] - position[c]);
+  spin[p] = spin[c];
 }
 
 template <int D>
@@ -401,6 +490,14 @@ bool Blocks<D>::is_consistent(std::int32_t material_count) const {
     return slot >= 0 && std::size_t(slot) < slots && !lives(std::size_t(slot)) &&
            !is_taken[std::size_t(slot)]++;
   };
+  const auto has_its_outline = [&](std::int32_t slot) {
+    return (own_outline(slot).vertex_count() == 0) == is_compound(std::size_t(slot));
+  };
+  const auto is_like_its_compound = [&](const Part<D>& part) {
+    const BlockKind of_compound = kind[std::size_t(part.compound)];
+    return of_compound != BlockKind::none && of_compound <= BlockKind::rigid &&
+           kind[std::size_t(part.block)] == of_compound && is_turn<D>(part.pose.rotation);
+  };
   const auto is_on_surface = [&](const SurfaceCell<D>& cell) {
     return std::size_t(cell.block) < slots && is_of_mesh(std::size_t(cell.block)) &&
            own_outline(cell.block).vertex_count() == D + 1;
@@ -411,7 +508,8 @@ bool Blocks<D>::is_consistent(std::int32_t material_count) const {
   return std::int64_t(living.size()) == living_ &&
          std::count(held.begin(), held.end(), 0) == std::ptrdiff_t(slots) - held_count_ &&
          free_slots_.size() == slots - living.size() && all(free_slots_, is_free) &&
-         outlines_.is_consistent(living) &&
+         outlines_.is_consistent(living) && compounds_.is_consistent(slots) && all(living, has_its_outline) &&
+         all(compounds_.parts(), is_like_its_compound) &&
          all(deformations_.all(), [](const Deformation<D>& d) { return d.is_consistent(); }) &&
          deformations_.is_consistent(slots, [&](std::size_t slot) { return is_deformable(slot); }) &&
          bonds_.is_consistent(slots) && all(bonds_.all(), joins_living) &&

@@ -4,6 +4,8 @@
 #include <cstdint>
 
 #include "block/bond/bonds.h"
+#include "block/compound_body.h"
+#include "block/compounds.h"
 #include "block/deformations.h"
 #include "block/face.h"
 #include "block/inertia.h"
@@ -39,6 +41,10 @@ class Blocks {
   bool lives(std::size_t slot) const { return kind[slot] != BlockKind::none; }
   /// By Newton's law.
   bool moves_freely(std::size_t slot) const { return kind[slot] >= BlockKind::rigid; }
+  /// Moves by Newton's law, and neither with the nodes of a mesh nor with a compound.
+  bool moves_by_itself(std::size_t slot) const {
+    return moves_freely(slot) && !is_of_mesh(slot) && !is_part(slot);
+  }
   /// With a prescribed velocity, or by Newton's law.
   bool moves(std::size_t slot) const { return kind[slot] >= BlockKind::prescribed; }
   bool has_deformable() const { return !deformations_.empty(); }
@@ -59,23 +65,45 @@ class Blocks {
   Angular<D> freed_turn(std::size_t slot, const Angular<D>& change) const {
     return is_held(slot, D) ? Angular<D>(Angular<D>::Zero()) : change;
   }
+  /// A convex part of a compound, moved by it, or a compound, which makes contacts by its parts only.
+  bool is_part(std::size_t slot) const { return compounds_.is_part(slot); }
+  bool is_compound(std::size_t slot) const { return compounds_.is_compound(slot); }
+  /// The block whose mass resists a force on a slot: the compound of a part, else the slot itself.
+  std::size_t mover_of(std::size_t slot) const {
+    const std::int32_t compound = compounds_.compound_of(slot);
+    return compound >= 0 ? std::size_t(compound) : slot;
+  }
+  /// From the centroid of the mover of a slot to that of the slot.
+  Vector<D> arm_of(std::size_t slot) const { return position[slot] - position[mover_of(slot)]; }
   /// Has a uniform strain: an unknown of its own, or given by the nodes of its mesh.
   bool is_deformable(std::size_t slot) const { return kind[slot] >= BlockKind::affine; }
-  /// Blocks joined by a bond or by a ring of bonds around a corner, or cells of one mesh with a common node,
-  /// are never in contact.
+  /// Blocks joined by a bond or by a ring of bonds around a corner, parts of one compound, or cells of one
+  /// mesh with a common node, are never in contact.
   bool are_joined(std::size_t a, std::size_t b) const {
-    return (is_of_mesh(a) && is_of_mesh(b) && meshes_.are_joined(a, b)) ||
+    return (is_of_mesh(a) && is_of_mesh(b) && meshes_.are_joined(a, b)) || compounds_.are_joined(a, b) ||
            (!bonds_.empty() && (bonds_.keeps(std::int32_t(a), std::int32_t(b)) ||
                                 bonds_.rings().hold(std::int32_t(a), std::int32_t(b))));
   }
   std::int64_t count() const { return living_; }
 
   std::int32_t add(const Shape<D>& shape, BlockKind block_kind, std::int32_t block_material, double density);
+  /// Adds a compound with its centroid at the origin, and its convex parts, which share its kind and
+  /// material. `poses`: of the shapes, in one frame. If memory runs out, nothing has changed.
+  std::int32_t add_compound(std::span<const Shape<D>* const> shapes, std::span<const Pose<D>> poses,
+                            BlockKind block_kind, std::int32_t block_material, double density);
+  /// Undoes the last add_compound().
+  void take_back_compound(std::int32_t compound);
+  /// Removes a compound whose parts have been removed.
+  void remove_compound(std::int32_t compound);
+  /// Sets pose and velocities of a compound's part from those of the compound.
+  void follow(const Part<D>& part);
+  /// The same where only velocities have changed.
+  void follow_velocity(const Part<D>& part);
   void remove(std::int32_t slot);
   /// Undoes the last add().
   void take_back(std::int32_t slot);
 
-  /// Sets the pose of a block and its outline. The spin stays.
+  /// Sets the pose of a block and its outline; the parts of a compound follow. The spin stays.
   void place(std::int32_t slot, const Vector<D>& to, const Rotation<D>& turned);
   void set_motion(std::int32_t slot, const Vector<D>& new_velocity, const Angular<D>& new_spin);
   /// Changes velocity and angular momentum. The spin is updated in the next drift.
@@ -133,6 +161,7 @@ class Blocks {
   const Deformation<D>& deformation(std::size_t slot) const { return deformations_[slot]; }
   Deformations<D>& deformations() { return deformations_; }
   const Deformations<D>& deformations() const { return deformations_; }
+  const Compounds<D>& compounds() const { return compounds_; }
   Bonds<D>& bonds() { return bonds_; }
   const Bonds<D>& bonds() const { return bonds_; }
   Meshes<D>& meshes() { return meshes_; }
@@ -160,7 +189,7 @@ class Blocks {
   std::size_t most_components() const;
   /// The reduced mass of two blocks, at least one of which moves freely.
   double reduced_mass(std::size_t a, std::size_t b) const {
-    const auto inverse = [&](std::size_t i) { return moves_freely(i) ? 1 / mass[i] : 0; };
+    const auto inverse = [&](std::size_t i) { return moves_freely(i) ? 1 / mass[mover_of(i)] : 0; };
     return 1 / (inverse(a) + inverse(b));
   }
   /// For a rigid block.
@@ -176,7 +205,7 @@ class Blocks {
   void visit(Archive& archive) {
     archive(kind, material, generation, position, velocity, force, applied_force, rotation, angle, spin,
             momentum, torque, applied_torque, mass, inertia, radius, largest_face, thickness, held,
-            held_count_, free_slots_, outlines_, deformations_, meshes_, bonds_, living_);
+            held_count_, free_slots_, outlines_, deformations_, compounds_, meshes_, bonds_, living_);
     if constexpr (Archive::reads) free_slots_.reserve(slot_count());
   }
 
@@ -202,12 +231,17 @@ class Blocks {
 
  private:
   void resize(std::size_t slots);
+  std::int32_t occupy(const typename Outlines<D>::Taken& outline, BlockKind block_kind,
+                      std::int32_t block_material);
+  void follow(std::int32_t compound);
+  void follow_velocity(std::int32_t compound);
   void set_rotation(std::size_t slot, const Rotation<D>& turned);
   void renew_spin(std::size_t slot);
 
   Array<std::int32_t> free_slots_;  // capacity for all slots
   Outlines<D> outlines_;
   Deformations<D> deformations_;
+  Compounds<D> compounds_;
   Meshes<D> meshes_;
   Bonds<D> bonds_;
   std::int64_t living_ = 0;

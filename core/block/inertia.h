@@ -29,6 +29,9 @@ struct Inertia<2> {
   double moment = 0;
 
   static Inertia of(const Shape<2>& shape, double density) { return {density * shape.polar_moment()}; }
+  static Inertia of(const InertiaTensor<2>& tensor) { return {tensor(0, 0)}; }
+
+  InertiaTensor<2> tensor(const Rotation<2>&) const { return InertiaTensor<2>(moment); }
 
   Angular<2> momentum(const Angular<2>& spin, const Rotation<2>&) const { return moment * spin; }
   Angular<2> spin(const Angular<2>& momentum, const Rotation<2>&) const { return momentum / moment; }
@@ -44,7 +47,12 @@ struct Inertia<3> {
   Rotation<3> axes;                       // of the principal moments, in the frame of the shape
 
   static Inertia of(const Shape<3>& shape, double density);
+  static Inertia of(const InertiaTensor<3>& tensor);
 
+  InertiaTensor<3> tensor(const Rotation<3>& rotation) const {
+    const Tensor<3> turned = (rotation * axes).tensor();
+    return turned * moments.asDiagonal() * turned.transpose();
+  }
   Angular<3> momentum(const Angular<3>& spin, const Rotation<3>& rotation) const {
     const Rotation<3> turned = rotation * axes;
     return turned * Vector<3>(moments.cwiseProduct(turned.inverse() * spin));
@@ -68,6 +76,14 @@ struct Inertia<3> {
     return 0.5 * (sum + std::sqrt(std::max(0.0, sum * sum - 4 * product)));
   }
 };
+
+/// The moment or tensor of inertia of a mass at the end of an arm.
+inline InertiaTensor<2> inertia_of_point(double mass, const Vector<2>& arm) {
+  return InertiaTensor<2>(mass * arm.squaredNorm());
+}
+inline InertiaTensor<3> inertia_of_point(double mass, const Vector<3>& arm) {
+  return mass * (arm.squaredNorm() * Tensor<3>::Identity() - arm * arm.transpose());
+}
 
 /// For the smallest principal moment.
 template <int D>

@@ -83,6 +83,13 @@ typename Outlines<D>::Taken Outlines<D>::take_in(const Shape<D>& shape) {
 }
 
 template <int D>
+typename Outlines<D>::Taken Outlines<D>::take_in_none() {
+  Taken taken{std::int64_t(own_.size()), 0};
+  if constexpr (D == 3) taken.form = topologies_.add(no_topology());
+  return taken;
+}
+
+template <int D>
 void Outlines<D>::assign(std::int32_t slot, const Taken& taken) {
   first_[std::size_t(slot)] = taken.first;
   form_[std::size_t(slot)] = taken.form;
@@ -131,7 +138,7 @@ void Outlines<D>::deform(std::int32_t slot, const Tensor<D>& gradient) {
 
 template <>
 bool Outlines<2>::is_form(std::int32_t form) const {
-  return form >= 3 && std::size_t(form) <= own_.size();
+  return form == 0 || (form >= 3 && std::size_t(form) <= own_.size());
 }
 
 template <>

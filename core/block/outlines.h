@@ -32,6 +32,8 @@ class Outlines {
     std::int32_t form;
   };
   Taken take_in(const Shape<D>& shape);
+  /// An outline without vertices, for a block that makes no contacts of its own.
+  Taken take_in_none();
   void assign(std::int32_t slot, const Taken& taken);
   void undo(const Taken& taken);
   /// The same for the block added last.

@@ -13,9 +13,11 @@ struct Range {
 };
 
 /// Do the ranges fill an array of that length without gaps or overlaps? Then one can be removed and the
-/// others moved up. Sorts them.
+/// others moved up. A range may be empty. Sorts them.
 inline bool fill_without_gap(Array<Range>& ranges, std::size_t length) {
-  std::sort(ranges.begin(), ranges.end(), [](const Range& p, const Range& q) { return p.first < q.first; });
+  std::sort(ranges.begin(), ranges.end(), [](const Range& p, const Range& q) {
+    return p.first < q.first || (p.first == q.first && p.length < q.length);
+  });
   std::int64_t past = 0;
   for (const Range& range : ranges) {
     if (range.first != past) return false;

@@ -18,6 +18,11 @@ std::uint64_t hash_of(const std::int32_t* indices, std::int64_t length) {
 
 }  // namespace
 
+Topology no_topology() {
+  static constexpr std::int32_t indices[2] = {};
+  return topology_at(indices, 0, 0, 0);
+}
+
 std::int64_t Topologies::Kept::length() const { return topology_length(vertices, edges, faces); }
 
 std::int32_t Topologies::find(std::uint64_t hash, const Topology& topology, std::int64_t length) const {
@@ -112,7 +117,8 @@ bool Topologies::lies_within(const Kept& kept) const {
   const auto is_count = [&](std::int32_t count, std::int32_t least) {
     return count >= least && count <= all;
   };
-  return is_count(kept.vertices, 4) && is_count(kept.edges, 6) && is_count(kept.faces, 4) &&
+  const bool is_none = kept.vertices == 0 && kept.edges == 0 && kept.faces == 0;
+  return (is_none || (is_count(kept.vertices, 4) && is_count(kept.edges, 6) && is_count(kept.faces, 4))) &&
          kept.first >= 0 && kept.first <= all - kept.length();
 }
 
@@ -121,6 +127,7 @@ bool Topologies::is_of_one_surface(const Topology& t) const {
   const bool has_loops = t.first_of_face[0] == 0 && t.first_of_face[t.face_count] == halves &&
                          std::is_sorted(t.first_of_face, t.first_of_face + t.face_count + 1);
   if (!has_loops) return false;
+  if (t.vertex_count == 0) return t.first_of_vertex[0] == 0;
   Memory* const memory = indices_.get_allocator().resource();
   Polyhedron loops(memory);
   loops.vertices.resize(std::size_t(t.vertex_count));

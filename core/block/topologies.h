@@ -7,6 +7,9 @@
 
 namespace halfspace {
 
+/// That of an outline without vertices.
+Topology no_topology();
+
 /// The topologies of a world's blocks; equal ones are stored once.
 class Topologies {
  public:

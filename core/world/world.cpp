@@ -207,9 +207,11 @@ void World<D>::evaluate_forces(double elapsed) {
   if (!hard_contacts_.is_used()) wake_touched(clock_.time() + elapsed);
   lap(Pass::gather);
   load_by_water_and_bolts();
-  if (model_.blocks.bonds().empty()) return;
-  load_by_bonds(elapsed);
-  lap(Pass::bonds);
+  if (!model_.blocks.bonds().empty()) {
+    load_by_bonds(elapsed);
+    lap(Pass::bonds);
+  }
+  forces_.load_compounds();
 }
 
 /// Computes the forces of the contacts that sleep leaves out, once for all steps that skip them.
@@ -285,7 +287,8 @@ template <int D>
 double World<D>::largest_speed() const {
   double squared = 0;
   for (std::size_t i = 0; i < blocks().slot_count(); ++i) {
-    if (blocks().moves_freely(i)) squared = std::max(squared, blocks().velocity[i].squaredNorm());
+    if (blocks().moves_freely(i) && !blocks().is_part(i))
+      squared = std::max(squared, blocks().velocity[i].squaredNorm());
   }
   return std::sqrt(squared);
 }

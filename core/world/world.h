@@ -33,6 +33,19 @@ struct PlacedMesh {
   std::int32_t body = -1;
 };
 
+/// Two parts of a compound that overlap; depth 0: none do.
+struct PartOverlap {
+  std::int32_t a = -1;
+  std::int32_t b = -1;
+  double depth = 0;  // m
+};
+
+/// An added compound, unless its parts overlap.
+struct PlacedCompound {
+  PartOverlap overlap;
+  std::int32_t block = -1;
+};
+
 /// A stress that is linear in position.
 template <int D>
 struct StressField {
@@ -77,7 +90,12 @@ class World {
   void set_law(std::int32_t a, std::int32_t b, const ContactLaw& law);
   std::int32_t add_block(const Shape<D>& shape, BlockKind kind, std::int32_t material,
                          const Vector<D>& position, const Rotation<D>& rotation);
+  /// Adds a compound of convex parts, with its centroid at `pose`. `poses`: of the parts, in one frame. If
+  /// parts overlap, or memory runs out, nothing has changed.
+  PlacedCompound add_compound(std::span<const Shape<D>* const> shapes, std::span<const Pose<D>> poses,
+                              BlockKind kind, std::int32_t material, const Pose<D>& pose);
   void remove_block(std::int32_t slot);
+  void remove_compound(std::int32_t slot);
   void set_pose(std::int32_t slot, const Vector<D>& position, const Rotation<D>& rotation);
   void set_velocity(std::int32_t slot, const Vector<D>& velocity, const Angular<D>& spin);
   /// Adds a mesh at a pose, with a material per cell, and the cells of its surface as blocks. If memory runs
@@ -223,6 +241,7 @@ class World {
 
  private:
   void edit();
+  PartOverlap overlap_of_parts(std::int32_t compound) const;
   void change_laws();
   MeshFaultReport add_surface(std::int32_t body, std::span<const SurfaceSimplex<D>> simplices,
                               std::span<const std::int32_t> cell_materials);

@@ -86,6 +86,7 @@ std::vector<EntryPoint> entry_points();
 std::vector<EntryPoint> entry_points_of_shapes_and_blocks();
 std::vector<EntryPoint> entry_points_of_meshes();
 std::vector<EntryPoint> entry_points_of_bonds();
+std::vector<EntryPoint> entry_points_of_compounds();
 std::vector<EntryPoint> entry_points_of_rest();
 std::vector<EntryPoint> entry_points_of_loads();
 

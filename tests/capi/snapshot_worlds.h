@@ -68,9 +68,26 @@ inline void add_water_and_bolt(hs_context* context, hs_world* world, int dimensi
   set_water(context, world, dimension == 2 ? Points3{{-1, 0, 0}, {45, 0.1, 0}} : Points3{{0, 0, 0.1}});
 }
 
+/// Two compounds of two boxes each, far off and in touch; one that was between their slots is gone.
+inline void add_compounds(hs_context* context, hs_world* world, int dimension) {
+  const Shape shape = shape_of_box(context, dimension);
+  const hs_shape* const shapes[2] = {shape.get(), shape.get()};
+  hs_block compounds[3];
+  for (int i = 0; i < 3; ++i) {
+    const double height = i == 1 ? 9 : 0.249 * i;
+    const hs_pose poses[2] = {pose_at(40, height), pose_at(40.5, height)};
+    hs_block_def def;
+    require_ok(hs_compound_def_init(&def, sizeof def, shapes, poses, 2), context);
+    def.kind = i == 0 ? HS_BLOCK_PRESCRIBED : HS_BLOCK_RIGID;
+    require_ok(hs_world_add_compound(world, shapes, poses, 2, &def, &compounds[i]), context);
+  }
+  require_ok(hs_world_remove_block(world, compounds[1]), context);
+}
+
 /// Five blocks that lie on a plate and on each other, after some steps; one has been removed. By springs per
-/// area they have fallen asleep. Where the kind is that of meshes, the blocks are rigid, and there are a body
-/// that touches the plate and has lost a cell, the gap of another one, and bonds.
+/// area they have fallen asleep. Rigid ones have compounds beside them. Where the kind is that of meshes, the
+/// blocks are rigid, and there are a body that touches the plate and has lost a cell, the gap of another one,
+/// and bonds.
 inline std::vector<unsigned char> snapshot_of(hs_context* context, const WorldKind& kind) {
   Random random(7);
   hs_world_def def = world_def();
@@ -104,6 +121,7 @@ inline std::vector<unsigned char> snapshot_of(hs_context* context, const WorldKi
     require_ok(hs_world_add_block(world.get(), shape.get(), &block, &id), context);
     if (i == 2) removed = id;
   }
+  if (kind.block == HS_BLOCK_RIGID) add_compounds(context, world.get(), kind.dimension);
   hs_body gone = 0, dug = 0;
   if (kind.block == HS_BLOCK_MESH) {
     gone = add_body(context, world.get(), bar(kind.dimension, 0.5), body_def(pose_at(-9, 0)));

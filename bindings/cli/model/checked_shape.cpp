@@ -9,6 +9,7 @@
 #include "blocks/mesh/file_summary.h"
 #include "blocks/mesh/mesh_fault.h"
 #include "blocks/mesh/solid.h"
+#include "blocks/rock/convex_parts.h"
 #include "common/text.h"
 
 namespace halfspace::cli {
@@ -69,6 +70,28 @@ Shape CheckedShapes::polyhedron(const std::vector<Point>& vertices,
   }
 }
 
+/// The convex parts of a concave polygon, which is one block, unless it strains.
+std::vector<Shape> CheckedShapes::from_polygon(const Block& block) {
+  std::vector<Shape> shapes;
+  hs_fault fault{};
+  require(context_, hs_polygon_check(context_.get(), view_of(block.vertices), &fault));
+  if (fault.kind == HS_FAULT_NOT_CONVEX && !deforms(block.making.kind)) {
+    try {
+      for (const std::vector<Point>& part : convex_parts(block.vertices))
+        shapes.push_back(make_polygon(context_, part));
+    } catch (const LibraryError& error) {
+      if (error.status != HS_ERROR_ARGUMENT && error.status != HS_ERROR_GEOMETRY) throw;
+      faults_.add(block.shape_place, block.making.key + ".vertices",
+                  "concave, and a convex part of it is too thin: " + error.reason() +
+                      "; allowed: corners that differ by more than rounding");
+      return {};
+    }
+  } else if (Shape shape = polygon(block.vertices, block.making.key + ".vertices", block.shape_place)) {
+    shapes.push_back(std::move(shape));
+  }
+  return shapes;
+}
+
 std::vector<Shape> CheckedShapes::from_file(const Block& block) {
   const auto fault = [&](const std::string& text) {
     faults_.add(block.shape_place, block.making.key + ".file", text);
@@ -104,7 +127,33 @@ std::vector<Shape> CheckedShapes::from_file(const Block& block) {
   if (!summary.faults().empty()) return {};
   std::vector<Shape> shapes;
   for (ConvexSolid& made : blocks) shapes.push_back(std::move(made.shape));
+  if (block.is_joined) check_overlaps(block, shapes);
   return shapes;
+}
+
+/// Joined solids that overlap are a fault, as the library finds them in a world of their own.
+void CheckedShapes::check_overlaps(const Block& block, const std::vector<Shape>& shapes) {
+  hs_world_def world_def;
+  require(context_, hs_world_def_init(&world_def, sizeof world_def, dimension_));
+  hs_world* made = nullptr;
+  require(context_, hs_world_create(context_.get(), &world_def, &made));
+  const World world(made);
+  int32_t material = 0;
+  require(context_, hs_world_add_material(made, 1, &material));
+  std::vector<const hs_shape*> solids;
+  for (const Shape& shape : shapes) solids.push_back(shape.get());
+  const auto count = static_cast<int64_t>(solids.size());
+  hs_block_def def;
+  require(context_, hs_compound_def_init(&def, sizeof def, solids.data(), nullptr, count));
+  hs_block compound = 0;
+  const hs_status status = hs_world_add_compound(made, solids.data(), nullptr, count, &def, &compound);
+  try {
+    require(context_, status);
+  } catch (const LibraryError& error) {
+    if (error.status != HS_ERROR_GEOMETRY) throw;
+    faults_.add(block.shape_place, block.making.key + ".joined",
+                error.reason() + "; allowed: solids that touch or are apart");
+  }
 }
 
 std::vector<Shape> CheckedShapes::from_boundary(const Block& block) {
@@ -128,12 +177,11 @@ std::vector<Shape> CheckedShapes::of(const Block& block) {
   if (!block.file.empty()) return from_file(block);
   if (!block.boundary.empty()) return from_boundary(block);
   if (block.vertices.empty()) return {};  // a fault already
-  const std::string key = block.making.key + ".vertices";
-  Shape shape = dimension_ == 2
-                    ? polygon(block.vertices, key, block.shape_place)
-                    : polyhedron(block.vertices, block.faces, block.tolerance, key, block.shape_place);
+  if (dimension_ == 2) return from_polygon(block);
   std::vector<Shape> shapes;
-  if (shape) shapes.push_back(std::move(shape));
+  if (Shape shape = polyhedron(block.vertices, block.faces, block.tolerance, block.making.key + ".vertices",
+                               block.shape_place))
+    shapes.push_back(std::move(shape));
   return shapes;
 }
 

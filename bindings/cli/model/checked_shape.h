@@ -17,7 +17,7 @@ class CheckedShapes {
   CheckedShapes(const Context& context, int dimension, Faults& faults)
       : context_(context), dimension_(dimension), faults_(faults) {}
 
-  /// The shape of a block; none after a fault, several for a file or a boundary.
+  /// The shape of a block; none after a fault, several for a file, a boundary or a concave polygon.
   std::vector<Shape> of(const Block& block);
   Shape of(const Region& region);
 
@@ -25,7 +25,9 @@ class CheckedShapes {
   Shape polygon(const std::vector<Point>& vertices, const std::string& key, Place place);
   Shape polyhedron(const std::vector<Point>& vertices, const std::vector<std::vector<int>>& faces,
                    std::optional<double> tolerance, const std::string& key, Place place);
+  std::vector<Shape> from_polygon(const Block& block);
   std::vector<Shape> from_file(const Block& block);
+  void check_overlaps(const Block& block, const std::vector<Shape>& shapes);
   std::vector<Shape> from_boundary(const Block& block);
 
   const Context& context_;

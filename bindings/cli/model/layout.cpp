@@ -43,8 +43,12 @@ class LayoutBuilder {
       add(making.name, making, std::move(shapes[0]), block.placing, block.motion);
       return;
     }
-    for (std::size_t i = 0; i < shapes.size(); ++i)
+    const bool is_compound = block.is_joined || !block.vertices.empty();
+    if (is_compound && !shapes.empty()) layout_.compounds.push_back({layout_.blocks.size(), shapes.size()});
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
       add(member(making, i), making, std::move(shapes[i]), block.placing, block.motion);
+      if (is_compound) layout_.blocks.back().compound = layout_.compounds.size() - 1;
+    }
   }
 
   void add(const JointedRock& rock) {
@@ -120,6 +124,7 @@ class LayoutBuilder {
                         "\"; allowed: the name of a block, of a generator or a mesh, or MESH/GROUP");
       }
     }
+    take_whole_compounds(blocks);
     std::sort(blocks.begin(), blocks.end());
     blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
   }
@@ -217,6 +222,16 @@ class LayoutBuilder {
                            : "a prescribed block, or a rigid one with these axes in its key hold";
   }
 
+  /// A part goes with all parts of its compound.
+  void take_whole_compounds(std::vector<std::size_t>& blocks) const {
+    for (std::size_t i = 0, count = blocks.size(); i < count; ++i) {
+      const std::optional<std::size_t> compound = layout_.blocks[blocks[i]].compound;
+      if (!compound) continue;
+      const auto [first, parts] = layout_.compounds[*compound];
+      for (std::size_t part = first; part < first + parts; ++part) blocks.push_back(part);
+    }
+  }
+
   void name_block(std::size_t block) { layout_.names_cells |= layout_.blocks[block].body.has_value(); }
 
   /// True if a reported fault may be the reason why there is no such block.
@@ -234,9 +249,10 @@ class LayoutBuilder {
     if (may_have_been(name)) return std::nullopt;  // reported already
     std::vector<std::string_view> names;
     for (const auto& [known, index] : index_of_) names.push_back(known);
-    faults_.add(place, key,
-                "no such block: \"" + name + '"' + suggestion(name, names) +
-                    "; allowed: the name of a [[block]], or NAME.0, NAME.1, ... of a generator");
+    faults_.add(
+        place, key,
+        "no such block: \"" + name + '"' + suggestion(name, names) +
+            "; allowed: the name of a [[block]], or NAME.0, NAME.1, ... of a generator or a concave block");
     return std::nullopt;
   }
 
@@ -370,6 +386,7 @@ class LayoutBuilder {
                               std::move(faces),
                               placing,
                               motion,
+                              {},
                               {}});
   }
 

@@ -52,6 +52,12 @@ struct LayoutBody {
   Tensor stress_by_height{};     ///< vertical gradient of the initial stress, Pa/m
 };
 
+/// A concave block. Its convex parts are consecutive blocks of the layout.
+struct LayoutCompound {
+  std::size_t first_block = 0;
+  std::size_t part_count = 0;
+};
+
 struct LayoutBlock {
   std::string name;
   std::string key;  ///< path of its table in the file, for notes
@@ -63,7 +69,8 @@ struct LayoutBlock {
   std::vector<std::vector<int>> faces;  ///< loops of vertices; 2D: one, the outline
   Placing placing;
   Motion motion;
-  std::optional<std::size_t> body;  ///< index of the body whose cell this is
+  std::optional<std::size_t> body;      ///< index of the body whose cell this is
+  std::optional<std::size_t> compound;  ///< index of the compound whose part this is
 };
 
 /// A point that a block carries along.
@@ -88,6 +95,7 @@ struct Layout {
   int dimension = 2;
   std::vector<LayoutBlock> blocks;
   std::vector<LayoutBody> bodies;
+  std::vector<LayoutCompound> compounds;
   /// True if some block deforms, so that there are stresses to write.
   bool has_deformable() const;
 

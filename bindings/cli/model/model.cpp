@@ -82,7 +82,7 @@ Model::Model(const Context& context, const Scene& scene, Layout layout)
   require(context, hs_world_set_default_law(world, &scene.default_law));
   for (const PairLaw& pair : scene.laws) require(context, hs_world_set_law(world, pair.a, pair.b, &pair.law));
   for (const LayoutBlock& given : layout_.blocks) {
-    if (given.body) {
+    if (given.body || given.compound) {
       blocks_.push_back(0);
       continue;
     }
@@ -100,6 +100,7 @@ Model::Model(const Context& context, const Scene& scene, Layout layout)
     index_of_block_.emplace(block, blocks_.size());
     blocks_.push_back(block);
   }
+  for (const LayoutCompound& compound : layout_.compounds) add(compound);
   is_removed_.resize(blocks_.size());
   released_.resize(layout_.bodies.size());
   for (const LayoutBody& body : layout_.bodies) add(body, scene.materials);
@@ -114,6 +115,34 @@ Model::Model(const Context& context, const Scene& scene, Layout layout)
   if (scene.in_situ) preload_joints(scene);
   update_report();
   if (scene.stages.empty()) begin_actions(0);
+}
+
+void Model::add(const LayoutCompound& given) {
+  std::vector<const hs_shape*> shapes;
+  std::vector<hs_pose> poses;
+  for (std::size_t i = given.first_block; i < given.first_block + given.part_count; ++i) {
+    const LayoutBlock& part = layout_.blocks[i];
+    hs_block_def at;
+    require(context_, hs_block_def_init(&at, sizeof at, part.shape.get()));
+    place(at.pose, part.placing);
+    shapes.push_back(part.shape.get());
+    poses.push_back(at.pose);
+  }
+  const LayoutBlock& first = layout_.blocks[given.first_block];
+  const auto count = static_cast<int64_t>(shapes.size());
+  hs_block_def def;
+  require(context_, hs_compound_def_init(&def, sizeof def, shapes.data(), poses.data(), count));
+  def.kind = first.kind;
+  def.material = first.material;
+  if (first.motion.start == 0) set_velocity(def, first.motion);
+  hs_block block = 0;
+  require(context_, hs_world_add_compound(world_.get(), shapes.data(), poses.data(), count, &def, &block));
+  index_of_compound_.emplace(block, compounds_.size());
+  compounds_.push_back(block);
+  require(context_,
+          hs_world_get_compound_parts(world_.get(), block, &blocks_[given.first_block], count, nullptr));
+  for (std::size_t i = given.first_block; i < given.first_block + given.part_count; ++i)
+    index_of_block_.emplace(blocks_[i], i);
 }
 
 /// Gives the shear stress of the start to the joints that resist it.
@@ -276,6 +305,9 @@ bool Model::has_body_of_layout(std::size_t body) const {
 bool Model::is_of_layout(hs_block block) const {
   const auto known = index_of_block_.find(block);
   if (known != index_of_block_.end()) return !is_removed_[known->second];
+  const auto compound = index_of_compound_.find(block);
+  if (compound != index_of_compound_.end())
+    return !is_removed_[layout_.compounds[compound->second].first_block];
   hs_body body = 0;
   int32_t cell = 0;
   if (hs_world_get_body_of_block(world_.get(), block, &body, &cell) != HS_OK) return false;
@@ -319,18 +351,29 @@ double Model::next_motion_change() const {
 }
 
 void Model::set_due_motions() {
+  const auto is_due = [&](std::size_t block) {
+    return layout_.blocks[block].kind == HS_BLOCK_PRESCRIBED && !is_removed_[block];
+  };
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
     const LayoutBlock& block = layout_.blocks[i];
-    if (block.kind != HS_BLOCK_PRESCRIBED || is_removed_[i]) continue;
-    const bool moves = reached(block.motion.start) && !reached(block.motion.stop);
-    const Point velocity = moves ? block.motion.velocity : Point{};
-    const Point spin = moves ? block.motion.angular_velocity : Point{};
-    const hs_block_state now = state_of(i);
-    if (std::equal(velocity.begin(), velocity.end(), now.velocity) &&
-        std::equal(spin.begin(), spin.end(), now.angular_velocity))
-      continue;
-    require(context_, hs_world_set_velocity(world_.get(), blocks_[i], velocity.data(), spin.data()));
+    if (is_due(i) && !block.compound) set_due_motion(blocks_[i], block.motion);
   }
+  for (std::size_t i = 0; i < compounds_.size(); ++i) {
+    const std::size_t first = layout_.compounds[i].first_block;
+    if (is_due(first)) set_due_motion(compounds_[i], layout_.blocks[first].motion);
+  }
+}
+
+void Model::set_due_motion(hs_block block, const Motion& motion) {
+  const bool moves = reached(motion.start) && !reached(motion.stop);
+  const Point velocity = moves ? motion.velocity : Point{};
+  const Point spin = moves ? motion.angular_velocity : Point{};
+  hs_block_state now{};
+  require(context_, hs_world_get_block_state(world_.get(), block, &now));
+  if (std::equal(velocity.begin(), velocity.end(), now.velocity) &&
+      std::equal(spin.begin(), spin.end(), now.angular_velocity))
+    return;
+  require(context_, hs_world_set_velocity(world_.get(), block, velocity.data(), spin.data()));
 }
 
 void Model::update_report() {
@@ -359,6 +402,10 @@ BlockFrame Model::motion_of(std::size_t block) const {
     return frame_of(*body)[block - layout_.bodies[*body].first_block];
   BlockFrame frame;
   require(context_, hs_world_get_block_state(world_.get(), blocks_[block], &frame.state));
+  if (layout_.blocks[block].compound) {
+    frame.state.mass = densities_[static_cast<std::size_t>(frame.state.material)] *
+                       properties_of(context_, layout_.blocks[block].shape).volume;
+  }
   if (frame.state.kind == HS_BLOCK_AFFINE)
     require(context_, hs_world_get_deformation(world_.get(), blocks_[block], &frame.deformation));
   return frame;

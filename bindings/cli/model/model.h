@@ -111,6 +111,7 @@ class Model {
   void preload_joints(const Scene& scene);
   void add(const LayoutBody& body, const std::vector<Material>& materials);
   void make_viscous(const LayoutBody& given, hs_body body, const std::vector<Material>& materials);
+  void add(const LayoutCompound& compound);
   void excavate(const std::vector<std::size_t>& blocks);
   bool has_parts_of_layout() const;
   bool has_block_of_layout(std::size_t block) const;
@@ -131,6 +132,7 @@ class Model {
   void begin_actions(std::size_t stage);
   int32_t add_table(const TimeTable& table);
   void set_due_motions();
+  void set_due_motion(hs_block block, const Motion& motion);
   double next_motion_change() const;
   void update_report();
   /// The time step without shortening; 0 while it is unknown.
@@ -144,8 +146,10 @@ class Model {
   std::vector<Action> actions_;  ///< of the scene
   World world_;
   std::vector<hs_block> blocks_;  ///< 0: a cell of a body
+  std::vector<hs_block> compounds_;
   std::vector<hs_body> bodies_;
   std::map<hs_block, std::size_t> index_of_block_;
+  std::map<hs_block, std::size_t> index_of_compound_;
   std::map<hs_body, std::size_t> index_of_body_;
   std::vector<double> densities_;  ///< of the materials
   hs_world_report report_{};

@@ -87,6 +87,9 @@ void Model::excavate(const std::vector<std::size_t>& blocks) {
     is_removed_[block] = 2;
     if (const std::optional<std::size_t> body = layout_.blocks[block].body) {
       cells_of[*body].push_back(static_cast<int32_t>(block - layout_.bodies[*body].first_block));
+    } else if (const std::optional<std::size_t> compound = layout_.blocks[block].compound) {
+      if (block == layout_.compounds[*compound].first_block)
+        require(context_, hs_world_remove_block(world_.get(), compounds_[*compound]));
     } else {
       require(context_, hs_world_remove_block(world_.get(), blocks_[block]));
     }

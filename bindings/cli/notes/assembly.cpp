@@ -38,6 +38,10 @@ Assembly::Assembly(const Start& start)
            start.layout.blocks[pair.a].body == start.layout.blocks[pair.b].body;
   });
   for (const LayoutBody& body : start.layout.bodies) connect_cells(body);
+  for (const LayoutCompound& compound : start.layout.compounds) {
+    for (std::size_t i = 1; i < compound.part_count; ++i)
+      connected_.emplace_back(compound.first_block, compound.first_block + i);
+  }
 }
 
 void Assembly::connect_cells(const LayoutBody& body) {

@@ -9,7 +9,8 @@
 
 namespace halfspace::cli {
 
-/// The connectivity of a scene: blocks that touch, and cells of one body that share a face.
+/// The connectivity of a scene: blocks that touch, parts of one compound, and cells of one body that share a
+/// face.
 class Assembly {
  public:
   explicit Assembly(const Start& start);
@@ -29,7 +30,7 @@ class Assembly {
   const Start& start_;
   std::vector<ConvexBody> bodies_;
   std::vector<Neighbours> neighbours_;
-  std::vector<std::pair<std::size_t, std::size_t>> connected_;  ///< cells
+  std::vector<std::pair<std::size_t, std::size_t>> connected_;  ///< cells and parts
 };
 
 }  // namespace halfspace::cli

@@ -52,7 +52,8 @@ class BondNotes {
 
   bool joins(const std::pair<int, int>& materials, std::size_t a, std::size_t b) const {
     const auto &one = start_.layout.blocks[a], &other = start_.layout.blocks[b];
-    const bool is_one_body = one.body && one.body == other.body;
+    const bool is_one_body =
+        (one.body && one.body == other.body) || (one.compound && one.compound == other.compound);
     const bool moves = moves_freely(one.kind) || moves_freely(other.kind);
     const std::pair<int, int> both = std::minmax(one.material, other.material);
     return both == materials && !is_one_body && moves;

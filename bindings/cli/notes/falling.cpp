@@ -100,8 +100,10 @@ class Falling {
       }
       Cluster& cluster = clusters[cluster_of[first[i]]];
       const LayoutBlock& block = start_.layout.blocks[i];
-      const bool is_new = !block.body || cluster.blocks.empty() ||
-                          start_.layout.blocks[cluster.blocks.back()].body != block.body;
+      const auto is_one_with = [&](const LayoutBlock& other) {
+        return (block.body || block.compound) && block.body == other.body && block.compound == other.compound;
+      };
+      const bool is_new = cluster.blocks.empty() || !is_one_with(start_.layout.blocks[cluster.blocks.back()]);
       cluster.objects += is_new;
       cluster.is_thrown = cluster.is_thrown || length(point_of(start_.bodies[i].state.velocity)) > 0;
       cluster.thickness = std::max(cluster.thickness, start_.bodies[i].thickness);

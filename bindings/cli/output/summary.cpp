@@ -49,6 +49,12 @@ std::string blocks_text(const Layout& layout, const Frame& end) {
             std::to_string(layout.bodies.size()) + (layout.bodies.size() == 1 ? " mesh" : " meshes");
   }
   text += ')';
+  if (!layout.compounds.empty()) {
+    std::size_t parts = 0;
+    for (const LayoutCompound& compound : layout.compounds) parts += compound.part_count;
+    text += "; " + std::to_string(parts) + " of them parts of " + std::to_string(layout.compounds.size()) +
+            (layout.compounds.size() == 1 ? " concave block" : " concave blocks");
+  }
   const auto excavated = std::count_if(end.blocks.begin(), end.blocks.end(), is_removed);
   if (excavated > 0) text += "; " + std::to_string(excavated) + " of them excavated";
   if (layout.left_out > 0) {

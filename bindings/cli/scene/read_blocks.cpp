@@ -78,6 +78,11 @@ void read_file(Keys& keys, const Scene& scene, Block& block) {
   block.file = (std::filesystem::path(scene.folder) / keys.text("file", required)).string();
   block.scale = keys.number("scale", above(0), block.scale);
   block.shape_place = keys.place("file");
+  block.is_joined = keys.boolean("joined", false);
+  if (block.is_joined && deforms(block.making.kind) && keys.is_kind_known()) {
+    keys.fault("joined",
+               "joined solids do not strain; allowed: with kind = \"rigid\", \"fixed\" or \"prescribed\"");
+  }
   read_tolerance(keys, block);
 }
 

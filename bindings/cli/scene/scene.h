@@ -161,7 +161,8 @@ struct Placing {
   Point shift{};     ///< after the rotation, m
 };
 
-/// A block given by its vertices, the blocks of a file, or the blocks behind the segments of a boundary.
+/// A block given by its vertices, in 2D concave ones as well, the blocks of a file, or the blocks behind the
+/// segments of a boundary.
 struct Block {
   Making making;
   std::vector<Point> vertices;          ///< 2D: in order; 3D without faces: points of a convex hull
@@ -172,6 +173,7 @@ struct Block {
   double depth = 0;                     ///< m, thickness of the blocks behind a boundary
   double scale = 1;                     ///< length in m of one unit of the file
   std::optional<double> tolerance;      ///< 3D, m: of planarity and convexity
+  bool is_joined = false;               ///< 3D: all solids of the file are one compound
   Placing placing;
   Motion motion;
 };

@@ -379,7 +379,7 @@ module halfspace_c
     real(c_double) :: angular_velocity(3) = 0.0_c_double  !< rad/s; 2D: z
     real(c_double) :: force(3) = 0.0_c_double  !< force of contacts, bonds, bolts and water at the last force evaluation, N
     real(c_double) :: torque(3) = 0.0_c_double  !< their torque about the centroid at the last force evaluation, N m
-    real(c_double) :: mass = 0.0_c_double  !< kg, in 2D per unit thickness
+    real(c_double) :: mass = 0.0_c_double  !< kg, in 2D per unit thickness; 0 for a part of a compound
   end type hs_block_state
 
   !> Energy ledger since the world was made, J, in 2D per unit thickness. Changes by the host (added or
@@ -1907,6 +1907,61 @@ module halfspace_c
       integer(c_size_t), value :: size  !< sizeof(hs_bond_report) as the caller was compiled
       integer(c_int32_t) :: hs_world_get_bond_report
     end function hs_world_get_bond_report
+
+    !> Fills a block definition with its defaults for a compound.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
+    function hs_compound_def_init(def, size, shapes, poses, part_count) bind(c)
+      import
+      type(hs_block_def), intent(out) :: def  !< to fill
+      integer(c_size_t), value :: size  !< sizeof(hs_block_def) as the caller was compiled
+      type(c_ptr), value :: shapes  !< of the parts, part_count pointers to shapes of one dimension
+      !> of the parts in one frame, part_count poses; NULL: at the coordinates of their vertices. The centroid
+      !! of all parts in this frame is the default position
+      type(c_ptr), value :: poses
+      integer(c_int64_t), value :: part_count  !< >= 1
+      integer(c_int32_t) :: hs_compound_def_init
+    end function hs_compound_def_init
+
+    !> Adds a compound of convex parts of one material.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID (material), HS_ERROR_GEOMETRY (parts that overlap)
+    !! or HS_ERROR_OUT_OF_MEMORY
+    function hs_world_add_compound(world, shapes, poses, part_count, def, block) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      type(c_ptr), value :: shapes  !< of the parts, part_count pointers to shapes of the world's dimension
+      !> of the parts in one frame, part_count poses; NULL: at the coordinates of their vertices. Parts may
+      !! touch and may be apart; an overlap deeper than 1e-6 of the smaller part's radius is refused
+      type(c_ptr), value :: poses
+      integer(c_int64_t), value :: part_count  !< from 1 to 2^20
+      !> from hs_compound_def_init(): kind HS_BLOCK_FIXED, HS_BLOCK_PRESCRIBED or HS_BLOCK_RIGID; its pose is
+      !! that of the centroid of all parts, with the axes of their frame
+      type(hs_block_def), intent(in) :: def
+      integer(c_int64_t), intent(out) :: block  !< receives the id of the compound
+      integer(c_int32_t) :: hs_world_add_compound
+    end function hs_world_add_compound
+
+    !> Returns the parts of a compound, in the order in which they were given.
+    !! Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    function hs_world_get_compound_parts(world, block, parts, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int64_t), value :: block  !< id
+      type(c_ptr), value :: parts  !< receives their ids; may be NULL if capacity is 0
+      integer(c_int64_t), value :: capacity  !< in ids
+      type(c_ptr), value :: count  !< receives the number of parts, 0 for other blocks; may be NULL
+      integer(c_int32_t) :: hs_world_get_compound_parts
+    end function hs_world_get_compound_parts
+
+    !> Returns the compound of a part.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    function hs_world_get_compound_of_block(world, block, compound, part) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int64_t), value :: block  !< id
+      integer(c_int64_t), intent(out) :: compound  !< receives the id of the compound, or 0 for a block that is not a part
+      type(c_ptr), value :: part  !< receives the index of the part, or -1; may be NULL
+      integer(c_int32_t) :: hs_world_get_compound_of_block
+    end function hs_world_get_compound_of_block
 
     !> Fills a motion with its defaults: at rest at the origin, without rotation.
     !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.

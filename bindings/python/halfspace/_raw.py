@@ -469,7 +469,7 @@ class hs_block_state(Structure):
         ("angular_velocity", c_double * 3),  # rad/s; 2D: z
         ("force", c_double * 3),  # force of contacts, bonds, bolts and water at the last force evaluation, N
         ("torque", c_double * 3),  # their torque about the centroid at the last force evaluation, N m
-        ("mass", c_double),  # kg, in 2D per unit thickness
+        ("mass", c_double),  # kg, in 2D per unit thickness; 0 for a part of a compound
     ]
 
 
@@ -1821,6 +1821,46 @@ def declare(library):
         c_size_t,  # size
     ]
     library.hs_world_get_bond_report.restype = hs_status
+
+    # Fills a block definition with its defaults for a compound.
+    library.hs_compound_def_init.argtypes = [
+        POINTER(hs_block_def),  # def
+        c_size_t,  # size
+        c_void_p,  # shapes
+        c_void_p,  # poses
+        c_int64,  # part_count
+    ]
+    library.hs_compound_def_init.restype = hs_status
+
+    # Adds a compound of convex parts of one material.
+    library.hs_world_add_compound.argtypes = [
+        POINTER(hs_world),  # world
+        c_void_p,  # shapes
+        c_void_p,  # poses
+        c_int64,  # part_count
+        POINTER(hs_block_def),  # def
+        POINTER(hs_block),  # block
+    ]
+    library.hs_world_add_compound.restype = hs_status
+
+    # Returns the parts of a compound, in the order in which they were given.
+    library.hs_world_get_compound_parts.argtypes = [
+        POINTER(hs_world),  # world
+        hs_block,  # block
+        c_void_p,  # parts
+        c_int64,  # capacity
+        POINTER(c_int64),  # count
+    ]
+    library.hs_world_get_compound_parts.restype = hs_status
+
+    # Returns the compound of a part.
+    library.hs_world_get_compound_of_block.argtypes = [
+        POINTER(hs_world),  # world
+        hs_block,  # block
+        POINTER(hs_block),  # compound
+        POINTER(c_int32),  # part
+    ]
+    library.hs_world_get_compound_of_block.restype = hs_status
 
     # Fills a motion with its defaults: at rest at the origin, without rotation.
     library.hs_motion_def_init.argtypes = [

@@ -192,7 +192,7 @@ class BlockState(Record):
     torque : array, shape (3,)
         their torque about the centroid at the last force evaluation, N m
     mass : float
-        kg, in 2D per unit thickness
+        kg, in 2D per unit thickness; 0 for a part of a compound
     """
 
     _kinds = {"kind": constants.BlockKind}

@@ -5,28 +5,29 @@ import time
 from typing import Any, Callable, Dict, List, Optional, Tuple, Union
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from . import _raw
 from ._arrays import as_pose, block_id, index, mutable_view_of, pose, turn_vector, vector
 from ._choice import choice
 from ._library import library
 from ._record import Records, empty_record, empty_records
+from .action import ActedOn
 from .block_arrays import Floats
 from .check import Boxes, notes_on_gravity, notes_on_impulses, notes_on_sizes, notes_on_support, notes_on_time_step
+from .compound import CompoundBlocks, set_start
 from .constants import BlockKind, FastBlocks
 from .context import Context, default_context, held
 from .law import Law
 from .plot import picture_by, plot_blocks
 from .records import BLOCK_STATE, CONTACT, WORLD_PLAN, WORLD_REPORT
-from .action import ActedOn
 from .shape import Shape
 
 _FIRST_PORTION = 16  # steps
 _PICTURE_LIMIT = 20000  # blocks: larger worlds have no automatic picture in notebooks
 
 
-class World(ActedOn):
+class World(ActedOn, CompoundBlocks):
     """Blocks, materials, laws and time.
 
     Arrays of blocks have the order of `blocks`. In 2D vectors have 2 components, angular velocities and torques 1; in
@@ -257,14 +258,7 @@ class World(ActedOn):
         definition = _raw.hs_block_def()
         with held(shape):
             library.hs_block_def_init(ctypes.byref(definition), ctypes.sizeof(definition), shape._alive)
-        definition.kind, definition.material = choice(kind, BlockKind, "kind"), index(material, "material")
-        if position is not None or angle is not None or rotation is not None:
-            centroid = definition.pose.position[:] if position is None else position
-            definition.pose = as_pose(pose(centroid, angle, rotation=rotation), "pose")
-        if velocity is not None:
-            definition.velocity = vector(velocity, "velocity")
-        if angular_velocity is not None:
-            definition.angular_velocity = turn_vector(angular_velocity, "angular_velocity")
+        set_start(definition, position, angle, rotation, kind, material, velocity, angular_velocity)
         block = ctypes.c_uint64()
         with held(self, shape):
             self._call(library.hs_world_add_block, shape._alive, definition, ctypes.byref(block))
@@ -443,20 +437,25 @@ class World(ActedOn):
         ]
 
     def _boxes(self) -> Boxes:
-        ids = self.blocks
+        ids, outlines = self._outlined()
         gravity = np.asarray(self._given.values.get("gravity", np.zeros(3)))
         along = "xyz"[int(np.argmax(np.abs(gravity)))]
         low, high = np.empty((2, len(ids), self.dimension))
         moves, holds, deforms = np.zeros((3, len(ids)), bool)
         for i, block in enumerate(ids):
-            corners = self.block_vertices(int(block))
-            low[i], high[i] = corners.min(axis=0), corners.max(axis=0)
+            low[i], high[i] = outlines[i].min(axis=0), outlines[i].max(axis=0)
             kind = BlockKind(self.state(int(block)).kind)
             moves[i] = kind not in (BlockKind.FIXED, BlockKind.PRESCRIBED)
             deforms[i] = kind in (BlockKind.AFFINE, BlockKind.MESH)
             body = self.body_of_block(int(block))[0] if kind is BlockKind.MESH else 0
             holds[i] = not moves[i] or along in self._given.held.get(body, "")
         return Boxes(ids, low, high, moves, holds, deforms)
+
+    def _outlined(self) -> Tuple[NDArray[np.uint64], List[Floats]]:
+        """All blocks but compounds, which have no vertices of their own, and their vertices."""
+        with_vertices = [(block, vertices) for block in self.blocks if len(vertices := self.block_vertices(block)) > 0]
+        ids = np.array([block for block, _ in with_vertices], np.uint64)
+        return ids, [vertices for _, vertices in with_vertices]
 
     # ---- pictures ----
 
@@ -468,8 +467,7 @@ class World(ActedOn):
                 "dimension is 3; only 2D worlds are drawn; ParaView reads the output of the halfspace command"
             )
         with held(self):
-            blocks = self.blocks
-            outlines = [self.block_vertices(block) for block in blocks]
+            blocks, outlines = self._outlined()
             free = (BlockKind.RIGID, BlockKind.AFFINE)
             are_free = [self.state(block).kind in free for block in blocks]
             touching = self.contacts()

@@ -29,6 +29,7 @@
 #include "halfspace/affine.h"
 #include "halfspace/bolt.h"
 #include "halfspace/bond.h"
+#include "halfspace/compound.h"
 #include "halfspace/context.h"
 #include "halfspace/contact.h"
 #include "halfspace/impact.h"

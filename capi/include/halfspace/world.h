@@ -91,7 +91,7 @@ typedef struct hs_block_state {
   double angular_velocity[3]; /**< rad/s; 2D: z */
   double force[3];            /**< force of contacts, bonds, bolts and water at the last force evaluation, N */
   double torque[3];           /**< their torque about the centroid at the last force evaluation, N m */
-  double mass;                /**< kg, in 2D per unit thickness */
+  double mass;                /**< kg, in 2D per unit thickness; 0 for a part of a compound */
 } hs_block_state;
 
 /** Energy ledger since the world was made, J, in 2D per unit thickness. Changes by the host (added or removed

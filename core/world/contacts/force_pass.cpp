@@ -197,6 +197,21 @@ void ForcePass<D>::gather_contacts(std::size_t first, std::size_t last,
   }
 }
 
+/// The loss by dashpots is that of the compound, whose parts then have none.
+template <int D>
+void ForcePass<D>::load_compounds() {
+  for (const Part<D>& part : blocks_.compounds().parts()) {
+    const std::size_t p = std::size_t(part.block), c = std::size_t(part.compound);
+    const Vector<D> arm = blocks_.position[p] - blocks_.position[c];
+    blocks_.force[c] += blocks_.force[p];
+    blocks_.torque[c] += blocks_.torque[p] + moment(arm, blocks_.force[p]);
+    is_loaded_[c / blocks_per_strip] = true;
+    if (dashpot_load_.empty()) continue;
+    const DashpotLoad load = std::exchange(dashpot_load_[p], {});
+    dashpot_load_[c].add(load.force, load.torque + moment(arm, load.force));
+  }
+}
+
 /// Skips strips without loads, as on most of a large terrain. Bonds load blocks, too, but set no mark.
 template <int D>
 void ForcePass<D>::unload(std::size_t first, std::size_t last) {

@@ -61,6 +61,8 @@ class ForcePass {
     blocks_.torque[block] += moment(virial);
     if (blocks_.is_deformable(block)) blocks_.deformation(block).virial += virial;
   }
+  /// Adds the loads of parts, of contacts and bonds, to those of their compounds.
+  void load_compounds();
   void forget() { known_ = false; }
 
   bool are_known() const { return known_; }

@@ -50,7 +50,7 @@ template <int D>
 void NeighborList<D>::choose_skins(const Blocks<D>& blocks, const SkinRule& rule) {
   sizes_.clear();
   for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
-    if (blocks.moves_freely(i)) sizes_.push_back(blocks.radius[i]);
+    if (blocks.moves_freely(i) && !blocks.is_compound(i)) sizes_.push_back(blocks.radius[i]);
   }
   double typical = 0;
   if (!sizes_.empty()) {
@@ -103,17 +103,17 @@ void NeighborList<D>::search(const Blocks<D>& blocks) {
     boxes_[i].lower = boxes_[i].lower.cwiseMin(boxes_[i].lower + way).array() - skin_[i];
     boxes_[i].upper = boxes_[i].upper.cwiseMax(boxes_[i].upper + way).array() + skin_[i];
   };
-  // Blocks that do not move freely count only where a free block may reach them.
+  // Blocks that do not move freely count only where a free block may reach them, compounds by their parts.
   Box<D> reached;
   for (std::size_t i = 0; i < slots; ++i) {
-    if (!blocks.moves_freely(i)) continue;
+    boxes_[i] = Box<D>();
+    if (!blocks.moves_freely(i) || blocks.is_compound(i)) continue;
     measure(i);
     reached.include(boxes_[i].lower);
     reached.include(boxes_[i].upper);
   }
   for (std::size_t i = 0; i < slots; ++i) {
-    if (blocks.moves_freely(i)) continue;
-    boxes_[i] = Box<D>();
+    if (blocks.moves_freely(i) || blocks.is_compound(i)) continue;
     const double reach = blocks.radius[i] + skin_[i] + way(i).norm();
     const Box<D> about{blocks.position[i].array() - reach, blocks.position[i].array() + reach};
     if (blocks.lives(i) && about.overlaps(reached)) measure(i);

@@ -65,8 +65,14 @@ void World<D>::remove_block(std::int32_t slot) {
 
 template <int D>
 void World<D>::set_pose(std::int32_t slot, const Vector<D>& position, const Rotation<D>& rotation) {
+  const Blocks<D>& blocks = model_.blocks;
   model_.blocks.place(slot, position, rotation);
-  contacts_.neighbors().note_placement(model_.blocks, std::size_t(slot));
+  if (blocks.is_compound(std::size_t(slot))) {
+    for (const Part<D>& part : blocks.compounds().parts_of(std::size_t(slot)))
+      contacts_.neighbors().note_placement(blocks, std::size_t(part.block));
+  } else {
+    contacts_.neighbors().note_placement(blocks, std::size_t(slot));
+  }
   forget_contacts();
   edit();
 }

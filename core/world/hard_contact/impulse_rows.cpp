@@ -22,7 +22,7 @@ template <int D>
 void ImpulseRows<D>::set_inverse_masses(ImpulseProblem<D>& problem) {
   problem.inverse_masses.assign(blocks_.slot_count(), {});
   for (std::size_t i = 0; i < problem.inverse_masses.size(); ++i) {
-    if (!search_.is_free(i)) continue;
+    if (!search_.is_free(i) || blocks_.is_part(i)) continue;
     problem.inverse_masses[i] = {1 / blocks_.mass[i], blocks_.inertia[i].inverse(blocks_.rotation[i])};
   }
 }
@@ -72,30 +72,31 @@ void ImpulseRows<D>::build(std::span<const PlannedContact<D>> contacts, ImpulseP
   };
   for (const PlannedContact<D>& at : contacts) {
     const std::size_t a = std::size_t(at.a), b = std::size_t(at.b);
+    const std::size_t mover_a = blocks_.mover_of(a), mover_b = blocks_.mover_of(b);
+    const Vector<D> arm_of_a = blocks_.arm_of(a), arm_of_b = blocks_.arm_of(b);
     const PosedBlock<D> pose_a = search_.now(a), pose_b = search_.now(b);
     const Vector<D> to_b = pose_b.position - pose_a.position;
     ImpulseContact<D> contact;
-    contact.a = at.a;
-    contact.b = at.b;
+    contact.a = std::int32_t(mover_a);
+    contact.b = std::int32_t(mover_b);
     contact.first_row = std::int32_t(problem.rows.size());
     contact.normal_count = at.manifold.count;
-    contact.inverse_mass_a = problem.inverse_masses[a].of_mass;
-    contact.inverse_mass_b = problem.inverse_masses[b].of_mass;
+    contact.inverse_mass_a = problem.inverse_masses[mover_a].of_mass;
+    contact.inverse_mass_b = problem.inverse_masses[mover_b].of_mass;
     contact.tan_friction = model_.law_between(a, b).tan_friction;
     contact.friction_count = contact.tan_friction <= 0 ? 0 : D == 2 ? 1 : 3;
     contact.couple_arm = 0;
     std::array<Vector<D>, max_manifold_points<D>> arm;
     for (std::size_t i = 0; i < std::size_t(at.manifold.count); ++i) {
       arm[i] = arm_of(at.manifold, i, pose_a, pose_b);
-      add_row(contact, at.normal, moment(arm[i], at.normal), moment(Vector<D>(arm[i] - to_b), at.normal),
-              at.impulse[i]);
+      add_row(contact, at.normal, moment(Vector<D>(arm[i] + arm_of_a), at.normal),
+              moment(Vector<D>(arm[i] - to_b + arm_of_b), at.normal), at.impulse[i]);
     }
     if (contact.friction_count > 0) {
       const Patch patch = patch_of(at, arm);
-      const Vector<D> from_b = patch.center - to_b;
+      const Vector<D> from_a = patch.center + arm_of_a, from_b = patch.center - to_b + arm_of_b;
       for (const Vector<D>& tangent : tangents(at.normal))
-        add_row(contact, tangent, moment(patch.center, tangent), moment(from_b, tangent),
-                tangent.dot(at.friction));
+        add_row(contact, tangent, moment(from_a, tangent), moment(from_b, tangent), tangent.dot(at.friction));
       if constexpr (D == 3) add_row(contact, Vector<D>::Zero(), at.normal, at.normal, at.couple);
       contact.couple_arm = patch.radius;
     }

@@ -8,7 +8,7 @@
 namespace halfspace {
 
 /// Makes the rows of an impulse problem from manifolds, with the blocks where they are now: one row per
-/// point, and friction in the middle of the points that touch.
+/// point, and friction in the middle of the points that touch. Rows act on the compound of a part.
 template <int D>
 class ImpulseRows {
  public:

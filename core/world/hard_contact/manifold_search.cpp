@@ -72,8 +72,12 @@ void ManifoldSearch<D>::pose_ahead(double duration) {
     ahead_[i] = now(i);
     allowance_[i] = allowance_fraction * blocks_.radius[i];
     if (!blocks_.moves(i) || integrator_.is_asleep(i)) continue;
-    ahead_[i].position += duration * blocks_.velocity[i];
-    ahead_[i].rotation = ahead_[i].rotation.turned_by(Angular<D>(duration * blocks_.spin[i]));
+    const std::size_t mover = blocks_.mover_of(i);
+    const Angular<D> turn = duration * blocks_.spin[mover];
+    const Vector<D> arm = blocks_.arm_of(i);
+    ahead_[i].position += duration * blocks_.velocity[mover];
+    if (mover != i) ahead_[i].position += Rotation<D>().turned_by(turn) * arm - arm;
+    ahead_[i].rotation = ahead_[i].rotation.turned_by(turn);
     if (blocks_.moves_freely(i))
       allowance_[i] += duration * duration * integrator_.speed_bound_of(i).acceleration;
   }

@@ -63,7 +63,7 @@ void RigidContacts<D>::find_impacts(double time, double duration) {
     ImpulseContact<D>& of = problem_.contacts[c++];
     const std::span<ImpulseRow<D>> rows = problem_.normals_of(of);
     const double restitution = model_.law_between(std::size_t(contact.a), std::size_t(contact.b)).restitution;
-    const BlockMotion<D> a = motion(std::size_t(contact.a)), b = motion(std::size_t(contact.b));
+    const BlockMotion<D> a = motion(std::size_t(of.a)), b = motion(std::size_t(of.b));
     double first = HUGE_VAL;
     for (std::size_t i = 0; i < rows.size(); ++i) {
       if (rows[i].impulse > 0) continue;

@@ -105,7 +105,7 @@ EnergySample Integrator<D>::begin(double time_step, double& noise) {
   EnergySample sample;
   double weight_times_size = 0, rounding_energy = 0;
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
-    if (blocks_.is_of_mesh(i)) continue;
+    if (blocks_.is_of_mesh(i) || blocks_.is_part(i)) continue;
     if (blocks_.kind[i] == BlockKind::prescribed) {
       acceleration_[i].setZero();
       momentum_rate_[i].setZero();
@@ -155,6 +155,7 @@ bool Integrator<D>::predict(double duration) {
     all.longest_motion = std::max(all.longest_motion, plan.longest_motion);
     all.max_rotation = std::max(all.max_rotation, plan.max_rotation);
   }
+  if (!predict_parts(all)) return false;
   longest_motion_ = all.longest_motion;
   max_rotation_ = all.max_rotation;
   neighbors_.end_announcements(all.needs_rebuild);
@@ -164,6 +165,7 @@ bool Integrator<D>::predict(double duration) {
 
 template <int D>
 bool Integrator<D>::predict_motion_of(std::size_t i, Plan& plan) {
+  if (blocks_.is_part(i)) return true;  // follows its compound
   if (sleep_.is_asleep(i)) {
     next_rotation_[i] = blocks_.rotation[i];
     return predict_block(i, Vector<D>::Zero(), 0, plan);
@@ -201,13 +203,27 @@ bool Integrator<D>::predict_motion_of(std::size_t i, Plan& plan) {
   return predict_block(i, velocity, turn, plan);
 }
 
+/// Parts move with their compounds, whose motion has been predicted.
+template <int D>
+bool Integrator<D>::predict_parts(Plan& plan) {
+  for (const Part<D>& part : blocks_.compounds().parts()) {
+    const std::size_t p = std::size_t(part.block), c = std::size_t(part.compound);
+    if (!blocks_.moves(c)) continue;
+    next_rotation_[p] = next_rotation_[c] * part.pose.rotation;
+    const double turn =
+        std::max(predicted_turn(c).norm(), next_rotation_[c].farthest_from(blocks_.rotation[c]));
+    if (!predict_block(p, predicted_displacement(p) / duration_, turn, plan)) return false;
+  }
+  return true;
+}
+
 /// Announces the maximum displacement of a block. `turn`: its rotation or change of gradient. False when not
 /// finite.
 template <int D>
 bool Integrator<D>::predict_block(std::size_t i, const Vector<D>& velocity, double turn, Plan& plan) {
   const double motion = duration_ * velocity.norm() + blocks_.radius[i] * turn;
   if (!std::isfinite(motion)) return false;
-  plan.needs_rebuild |= neighbors_.announce(blocks_, i, motion);
+  if (!blocks_.is_compound(i)) plan.needs_rebuild |= neighbors_.announce(blocks_, i, motion);
   plan.goes_far |= motion > blocks_.radius[i];
   plan.max_rotation = std::max(plan.max_rotation, turn);
   plan.longest_motion = std::max(plan.longest_motion, motion);
@@ -218,7 +234,7 @@ bool Integrator<D>::predict_block(std::size_t i, const Vector<D>& velocity, doub
 template <int D>
 void Integrator<D>::announce_displacements() {
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
-    if (blocks_.moves(i) && neighbors_.announced_motion(i) > blocks_.radius[i])
+    if (blocks_.moves(i) && !blocks_.is_compound(i) && neighbors_.announced_motion(i) > blocks_.radius[i])
       neighbors_.announce_displacement(i, predicted_displacement(i));
   }
 }
@@ -227,10 +243,17 @@ template <int D>
 Vector<D> Integrator<D>::predicted_displacement(std::size_t i) const {
   if (blocks_.is_of_mesh(i)) return meshes_.predicted_displacement(i);
   if (sleep_.is_asleep(i)) return Vector<D>::Zero();
+  if (blocks_.is_part(i)) return predicted_displacement_of_part(i);
   Vector<D> velocity = blocks_.velocity[i];
   if (blocks_.moves(i)) velocity += 0.5 * duration_ * acceleration_[i];
   if (blocks_.moves_freely(i) && !kicks_.empty()) velocity += kicks_.of_block(i);
   return duration_ * velocity;
+}
+template <int D>
+Vector<D> Integrator<D>::predicted_displacement_of_part(std::size_t i) const {
+  const Part<D>& part = blocks_.compounds().part_of_block(i);
+  const std::size_t compound = std::size_t(part.compound);
+  return predicted_displacement(compound) + next_rotation_[compound] * part.pose.position - blocks_.arm_of(i);
 }
 template <int D>
 Tensor<D> Integrator<D>::predicted_stretch(std::size_t i) const {
@@ -271,15 +294,16 @@ Vector<D> Integrator<D>::acceleration_of(const MaterialPoint<D>& point) const {
   if (blocks_.kind[slot] == BlockKind::prescribed)
     return acceleration_[slot] + swept(momentum_rate_[slot], point.arm);
   if (!blocks_.moves_freely(slot)) return Vector<D>::Zero();
-  const Inertia<D>& inertia = blocks_.inertia[slot];
-  return acceleration_[slot] + swept(inertia.spin(momentum_rate_[slot], blocks_.rotation[slot]), point.arm);
+  const std::size_t mover = blocks_.mover_of(slot);
+  const Angular<D> rate = blocks_.inertia[mover].spin(momentum_rate_[mover], blocks_.rotation[mover]);
+  return acceleration_[mover] + swept(rate, Vector<D>(point.arm + blocks_.arm_of(slot)));
 }
 
 template <int D>
 void Integrator<D>::kick_and_drift() {
   const double half = 0.5 * duration_;
   const auto move = [&](std::size_t i) {
-    if (sleep_.is_asleep(i)) return;
+    if (sleep_.is_asleep(i) || blocks_.is_part(i)) return;
     if (blocks_.kind[i] == BlockKind::rigid) {
       blocks_.push(i, half * acceleration_[i], half * momentum_rate_[i]);
       if (!kicks_.empty()) blocks_.push(i, kicks_.of_block(i), kicks_.momentum(i));
@@ -298,6 +322,10 @@ void Integrator<D>::kick_and_drift() {
     if (!any_moves_[chunk.index]) return;
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) move(i);
   });
+  for (const Part<D>& part : blocks_.compounds().parts()) {
+    if (blocks_.moves(std::size_t(part.compound)) && !sleep_.is_asleep(std::size_t(part.compound)))
+      blocks_.follow(part);
+  }
   meshes_.kick_and_drift(duration_);
 }
 
@@ -306,8 +334,14 @@ EnergySample Integrator<D>::kick() {
   sum_each_block(samples_, [&](std::size_t i, EnergySample& sample) { kick(i, sample); });
   EnergySample all;
   for (const EnergySample& sample : samples_) all.add(sample);
+  follow_velocities();
   meshes_.kick(duration_, all);
   return all;
+}
+
+template <int D>
+void Integrator<D>::follow_velocities() {
+  for (const Part<D>& part : blocks_.compounds().parts()) blocks_.follow_velocity(part);
 }
 
 /// Adds the velocity changes of contacts to the velocities, and samples the blocks' energy again.
@@ -316,6 +350,7 @@ void Integrator<D>::take_kicks(EnergySample& sample) {
   EnergySample all;
   all.applied_power = sample.applied_power;
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) take_kick(i, all);
+  follow_velocities();
   meshes_.take_kicks(duration_, all);
   reaction_.swap(kicks_);
   sample = all;
@@ -323,7 +358,7 @@ void Integrator<D>::take_kicks(EnergySample& sample) {
 
 template <int D>
 void Integrator<D>::take_kick(std::size_t i, EnergySample& sample) {
-  if (blocks_.is_of_mesh(i)) return;
+  if (blocks_.is_of_mesh(i) || blocks_.is_part(i)) return;
   if (sleep_.is_asleep(i)) {
     if (!reaction_.empty()) kicks_.take_over(i, reaction_);  // it holds the block as before
     return kick_asleep(i, sample);
@@ -352,7 +387,8 @@ void Integrator<D>::kick_asleep(std::size_t i, EnergySample& sample) const {
 }
 
 template <int D>
-SpeedBound Integrator<D>::speed_bound_of(std::size_t i) const {
+SpeedBound Integrator<D>::speed_bound_of(std::size_t slot) const {
+  const std::size_t i = blocks_.mover_of(slot);
   const double radius = blocks_.radius[i];
   SpeedBound pace{blocks_.velocity[i].norm() + blocks_.swing(i), acceleration_[i].norm()};
   if (blocks_.is_affine(i)) {
@@ -366,7 +402,8 @@ SpeedBound Integrator<D>::speed_bound_of(std::size_t i) const {
 }
 
 template <int D>
-SpeedBound Integrator<D>::speed_bound_with_impulses_of(std::size_t i) const {
+SpeedBound Integrator<D>::speed_bound_with_impulses_of(std::size_t slot) const {
+  const std::size_t i = blocks_.mover_of(slot);
   if (reaction_.empty() || blocks_.is_deformable(i)) return speed_bound_of(i);
   const BlockLoad by = reaction(i);
   const Angular<D> rate = momentum_rate_[i] + by.torque;
@@ -377,6 +414,7 @@ SpeedBound Integrator<D>::speed_bound_with_impulses_of(std::size_t i) const {
 
 template <int D>
 void Integrator<D>::kick(std::size_t i, EnergySample& sample) {
+  if (blocks_.is_part(i)) return;
   if (sleep_.is_asleep(i)) return kick_asleep(i, sample);
   if (blocks_.is_affine(i)) return kick_affine(i, sample);
   if (blocks_.is_of_mesh(i)) return;
@@ -415,6 +453,9 @@ void Integrator<D>::kick(std::size_t i, EnergySample& sample) {
   template bool Integrator<D>::predict_motion_of(std::size_t, Plan&);                          \
   template bool Integrator<D>::predict_block(std::size_t, const Vector<D>&, double, Plan&);    \
   template void Integrator<D>::announce_displacements();                                       \
+  template bool Integrator<D>::predict_parts(Plan&);                                           \
+  template Vector<D> Integrator<D>::predicted_displacement_of_part(std::size_t) const;         \
+  template void Integrator<D>::follow_velocities();                                            \
   template Vector<D> Integrator<D>::predicted_displacement(std::size_t) const;                 \
   template Tensor<D> Integrator<D>::predicted_stretch(std::size_t) const;                      \
   template Angular<D> Integrator<D>::predicted_turn(std::size_t) const;                        \

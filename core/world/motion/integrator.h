@@ -80,7 +80,8 @@ class Integrator {
   /// The acceleration of a point by the last forces.
   Vector<D> acceleration_of(const MaterialPoint<D>& point) const;
 
-  /// Bounds of a rigid or affine block's points, from its velocity and the last forces.
+  /// Bounds of the points of a rigid or affine block, or of all parts of a compound, from its velocity and
+  /// the last forces.
   SpeedBound speed_bound_of(std::size_t block) const;
   /// The same, with the impulses of the last motion as forces.
   SpeedBound speed_bound_with_impulses_of(std::size_t block) const;
@@ -174,7 +175,10 @@ class Integrator {
   void accelerate_rigid(std::size_t block);
   bool predict_block(std::size_t block, const Vector<D>& velocity, double turn, Plan& plan);
   bool predict_motion_of(std::size_t block, Plan& plan);
+  bool predict_parts(Plan& plan);
+  Vector<D> predicted_displacement_of_part(std::size_t block) const;
   void announce_displacements();
+  void follow_velocities();
   void kick(std::size_t block, EnergySample& sample);
   void kick_asleep(std::size_t block, EnergySample& sample) const;
   void sample_energy(std::size_t block, const Vector<D>& opposed, const Angular<D>& opposed_spin,

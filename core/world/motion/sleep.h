@@ -26,9 +26,9 @@ struct SpeedBound {
 };
 
 /// Sleep of blocks at rest: steps skip sleeping blocks and the contacts between them. An island, the blocks
-/// that contacts and bonds connect, falls asleep and wakes as a whole. It wakes when touched, after an edit,
-/// and when its time is over. The displacement error of a block, summed over all of its sleeps, never exceeds
-/// the tolerance.
+/// that contacts and bonds connect, falls asleep and wakes as a whole; a compound and its parts are in one.
+/// It wakes when touched, after an edit, and when its time is over. The displacement error of a block, summed
+/// over all of its sleeps, never exceeds the tolerance.
 template <int D>
 class Sleep {
  public:
@@ -78,6 +78,7 @@ class Sleep {
     }
     for_each_touch([&](std::int32_t a, std::int32_t b) { join(a, b); });
     join_by_bonds(model.blocks);
+    for (const Part<D>& part : model.blocks.compounds().parts()) join(part.compound, part.block);
     return put_to_sleep(time, least_sleep);
   }
   /// Wakes islands whose sleep ends within `duration`. Returns true if there are any.

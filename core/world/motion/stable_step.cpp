@@ -115,8 +115,8 @@ typename StableStep<D>::Limit StableStep<D>::limit() {
   stiffness_of_block_.assign(blocks_.slot_count(), {});
   const auto add_to_both = [&](std::int32_t a, std::int32_t b, const StiffnessSum& hardness) {
     const int times = blocks_.moves_freely(std::size_t(a)) && blocks_.moves_freely(std::size_t(b)) ? 2 : 1;
-    stiffness_of_block_[std::size_t(a)].add(hardness, times);
-    stiffness_of_block_[std::size_t(b)].add(hardness, times);
+    stiffness_of_block_[blocks_.mover_of(std::size_t(a))].add(hardness, times);
+    stiffness_of_block_[blocks_.mover_of(std::size_t(b))].add(hardness, times);
   };
   for (std::size_t c = 0; c < contacts_.count(); ++c)
     add_to_both(contacts_.pair_of(c).a, contacts_.pair_of(c).b, contact_stiffness_of(c, length));
@@ -127,7 +127,7 @@ typename StableStep<D>::Limit StableStep<D>::limit() {
   const double water = model_.water.unit_weight(model_.settings.gravity);
   Limit limit;
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
-    if (!blocks_.moves_freely(i)) continue;
+    if (!blocks_.moves_freely(i) || blocks_.is_part(i)) continue;
     StiffnessSum& all = stiffness_of_block_[i];
     if (!model_.water.empty()) all.stiffness += model_.water.stiffness_on(blocks_, i, water);
     const int least = blocks_.is_of_mesh(i) ? least_contacts_of_mesh : least_contacts;
@@ -169,19 +169,22 @@ std::optional<typename StableStep<D>::Neighbor> StableStep<D>::stiffest_neighbor
   const double length = model_.materials.laws().knows_potential() ? model_.potential_length() : 0;
   std::optional<Neighbor> stiffest;
   double most = 0;
+  const auto is_of_block = [&](std::int32_t slot) {
+    return blocks_.mover_of(std::size_t(slot)) == std::size_t(block);
+  };
   const auto look = [&](std::int32_t a, std::int32_t b, std::int64_t bond, const StiffnessSum& hardness) {
     if (stiffest && hardness.stiffness <= most) return;
-    stiffest = {a == block ? b : a, bond};
+    stiffest = {is_of_block(a) ? b : a, bond};
     most = hardness.stiffness;
   };
   for (std::size_t c = 0; c < contacts_.count(); ++c) {
     const Candidate<D>& pair = contacts_.pair_of(c);
-    if (pair.a == block || pair.b == block) look(pair.a, pair.b, -1, contact_stiffness_of(c, length));
+    if (is_of_block(pair.a) || is_of_block(pair.b)) look(pair.a, pair.b, -1, contact_stiffness_of(c, length));
   }
   const Array<Bond<D>>& bonds = blocks_.bonds().all();
   for (std::size_t i = 0; i < bonds.size(); ++i) {
     const Bond<D>& bond = bonds[i];
-    if (bond.is_joint && (bond.a == block || bond.b == block))
+    if (bond.is_joint && (is_of_block(bond.a) || is_of_block(bond.b)))
       look(bond.a, bond.b, std::int64_t(i), contact_stiffness_of(bond));
   }
   return stiffest;

@@ -8,17 +8,24 @@ bool is_held(const Meshes<D>& meshes, std::size_t node, int component) {
   return (meshes.held[node] >> component & 1) != 0;
 }
 
+/// From the centroid of the block that moves the point.
+template <int D>
+Vector<D> arm_of(const MaterialPoint<D>& point, const Blocks<D>& blocks) {
+  const std::size_t slot = std::size_t(point.block);
+  return blocks.is_part(slot) ? Vector<D>(point.arm + blocks.arm_of(slot)) : point.arm;
+}
+
 }  // namespace
 
 template <int D>
 Vector<D> VelocityChange<D>::at(const MaterialPoint<D>& point) const {
-  const std::size_t slot = std::size_t(point.block);
+  const std::size_t slot = blocks_.mover_of(std::size_t(point.block));
   switch (blocks_.kind[slot]) {
     case BlockKind::mesh:
       return weighed(point, [&](std::size_t node) { return of_node_[node]; });
     case BlockKind::rigid:
-      return of_block_[slot] +
-             swept(blocks_.inertia[slot].spin(momentum_[slot], blocks_.rotation[slot]), point.arm);
+      return of_block_[slot] + swept(blocks_.inertia[slot].spin(momentum_[slot], blocks_.rotation[slot]),
+                                     arm_of(point, blocks_));
     case BlockKind::affine:
       return of_block_[slot] + of_gradient_[slot] * point.arm;
     default:
@@ -28,7 +35,7 @@ Vector<D> VelocityChange<D>::at(const MaterialPoint<D>& point) const {
 
 template <int D>
 void VelocityChange<D>::add(const MaterialPoint<D>& point, const Vector<D>& impulse) {
-  const std::size_t slot = std::size_t(point.block);
+  const std::size_t slot = blocks_.mover_of(std::size_t(point.block));
   const Meshes<D>& meshes = blocks_.meshes();
   switch (blocks_.kind[slot]) {
     case BlockKind::mesh:
@@ -43,7 +50,7 @@ void VelocityChange<D>::add(const MaterialPoint<D>& point, const Vector<D>& impu
       break;
     case BlockKind::rigid:
       of_block_[slot] += blocks_.freed(slot, impulse / blocks_.mass[slot]);
-      momentum_[slot] += blocks_.freed_turn(slot, moment(point.arm, impulse));
+      momentum_[slot] += blocks_.freed_turn(slot, moment(arm_of(point, blocks_), impulse));
       break;
     case BlockKind::affine:
       of_block_[slot] += impulse / blocks_.mass[slot];
@@ -96,7 +103,7 @@ Vector<D> prescribed_velocity_of(const MaterialPoint<D>& point, const Blocks<D>&
         return held;
       });
     case BlockKind::rigid: {
-      const std::size_t slot = std::size_t(point.block);
+      const std::size_t slot = blocks.mover_of(std::size_t(point.block));
       return blocks.velocity[slot] - blocks.freed(slot, blocks.velocity[slot]);
     }
     default:
@@ -106,7 +113,7 @@ Vector<D> prescribed_velocity_of(const MaterialPoint<D>& point, const Blocks<D>&
 
 template <int D>
 Tensor<D> inverse_mass_at(const MaterialPoint<D>& point, const Blocks<D>& blocks) {
-  const std::size_t slot = std::size_t(point.block);
+  const std::size_t slot = blocks.mover_of(std::size_t(point.block));
   const Meshes<D>& meshes = blocks.meshes();
   Tensor<D> all = Tensor<D>::Zero();
   switch (blocks.kind[slot]) {
@@ -119,13 +126,15 @@ Tensor<D> inverse_mass_at(const MaterialPoint<D>& point, const Blocks<D>& blocks
         }
       }
       return all;
-    case BlockKind::rigid:
+    case BlockKind::rigid: {
+      const Vector<D> arm = arm_of(point, blocks);
       for (int k = 0; k < D; ++k) {
-        const Angular<D> turned = blocks.freed_turn(slot, moment(point.arm, Vector<D>::Unit(k)));
+        const Angular<D> turned = blocks.freed_turn(slot, moment(arm, Vector<D>::Unit(k)));
         all.col(k) = blocks.freed(slot, Vector<D>::Unit(k) / blocks.mass[slot]) +
-                     swept(blocks.inertia[slot].spin(turned, blocks.rotation[slot]), point.arm);
+                     swept(blocks.inertia[slot].spin(turned, blocks.rotation[slot]), arm);
       }
       return all;
+    }
     case BlockKind::affine: {
       const double yield = point.arm.dot(blocks.deformation(slot).inverse_mass_matrix * point.arm);
       return (1 / blocks.mass[slot] + yield) * Tensor<D>::Identity();

@@ -29,7 +29,7 @@ class Acts {
 
   void add(std::int32_t block, double size) {
     if (!blocks_.is_of_mesh(std::size_t(block))) {
-      of_block_[std::size_t(block)] += size;
+      of_block_[blocks_.mover_of(std::size_t(block))] += size;
       return;
     }
     for (const std::int32_t node : meshes_.surface_of_block(std::size_t(block)).node)
@@ -139,7 +139,7 @@ Balance balance_of(const Model<D>& model, const ContactList<D>& contacts, const 
   double unbalanced = 0, whole = 0, count = 0;
   const auto for_each = [&](auto visit) {
     for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
-      if (blocks.moves_freely(i) && !blocks.is_of_mesh(i)) visit(acts.on_block(i), i);
+      if (blocks.moves_by_itself(i)) visit(acts.on_block(i), i);
     }
     for (std::size_t i = 0; i < blocks.meshes().node_count(); ++i)
       visit(acts.on_node(i), blocks.slot_count() + i);
@@ -181,7 +181,7 @@ double SlowestMotion<D>::look() {
     forces_[i] = force;
   };
   for (std::size_t i = 0; i < slots; ++i) {
-    if (blocks.moves_freely(i) && !blocks.is_of_mesh(i))
+    if (blocks.moves_by_itself(i))
       note(i, blocks.mass[i], blocks.position[i], blocks.force[i] + blocks.applied_force[i]);
   }
   for (std::size_t i = 0; i < meshes.node_count(); ++i) {

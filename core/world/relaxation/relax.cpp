@@ -67,7 +67,7 @@ template <int D>
 void World<D>::stop_all() {
   Blocks<D>& blocks = model_.blocks;
   for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
-    if (!blocks.moves_freely(i) || blocks.is_of_mesh(i)) continue;
+    if (!blocks.moves_by_itself(i)) continue;
     if (blocks.is_affine(i)) {
       const Tensor<D> gradient = blocks.deformation(i).gradient;
       blocks.velocity[i] = Vector<D>::Zero();

@@ -656,7 +656,7 @@ pub struct hs_block_state {
     pub force: [f64; 3],
     /// their torque about the centroid at the last force evaluation, N m
     pub torque: [f64; 3],
-    /// kg, in 2D per unit thickness
+    /// kg, in 2D per unit thickness; 0 for a part of a compound
     pub mass: f64,
 }
 const _: () = assert!(std::mem::size_of::<hs_block_state>() == 176);
@@ -2657,6 +2657,79 @@ extern "C" {
         world: *const hs_world,
         report: *mut hs_bond_report,
         size: usize,
+    ) -> hs_status;
+
+    /// Fills a block definition with its defaults for a compound.
+    ///
+    /// - `def`: to fill
+    /// - `size`: sizeof(hs_block_def) as the caller was compiled
+    /// - `shapes`: of the parts, part_count pointers to shapes of one dimension
+    /// - `poses`: of the parts in one frame, part_count poses; NULL: at the coordinates of their vertices.
+    ///   The centroid of all parts in this frame is the default position
+    /// - `part_count`: >= 1
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
+    pub fn hs_compound_def_init(
+        def: *mut hs_block_def,
+        size: usize,
+        shapes: *const *const hs_shape,
+        poses: *const hs_pose,
+        part_count: i64,
+    ) -> hs_status;
+
+    /// Adds a compound of convex parts of one material.
+    ///
+    /// - `world`: not NULL
+    /// - `shapes`: of the parts, part_count pointers to shapes of the world's dimension
+    /// - `poses`: of the parts in one frame, part_count poses; NULL: at the coordinates of their vertices.
+    ///   Parts may touch and may be apart; an overlap deeper than 1e-6 of the smaller part's radius is
+    ///   refused
+    /// - `part_count`: from 1 to 2^20
+    /// - `def`: from hs_compound_def_init(): kind HS_BLOCK_FIXED, HS_BLOCK_PRESCRIBED or HS_BLOCK_RIGID; its
+    ///   pose is that of the centroid of all parts, with the axes of their frame
+    /// - `block`: receives the id of the compound
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID (material), HS_ERROR_GEOMETRY (parts that overlap)
+    /// or HS_ERROR_OUT_OF_MEMORY
+    pub fn hs_world_add_compound(
+        world: *mut hs_world,
+        shapes: *const *const hs_shape,
+        poses: *const hs_pose,
+        part_count: i64,
+        def: *const hs_block_def,
+        block: *mut hs_block,
+    ) -> hs_status;
+
+    /// Returns the parts of a compound, in the order in which they were given.
+    ///
+    /// - `world`: not NULL
+    /// - `block`: id
+    /// - `parts`: receives their ids; may be NULL if capacity is 0
+    /// - `capacity`: in ids
+    /// - `count`: receives the number of parts, 0 for other blocks; may be NULL
+    ///
+    /// Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    pub fn hs_world_get_compound_parts(
+        world: *const hs_world,
+        block: hs_block,
+        parts: *mut hs_block,
+        capacity: i64,
+        count: *mut i64,
+    ) -> hs_status;
+
+    /// Returns the compound of a part.
+    ///
+    /// - `world`: not NULL
+    /// - `block`: id
+    /// - `compound`: receives the id of the compound, or 0 for a block that is not a part
+    /// - `part`: receives the index of the part, or -1; may be NULL
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    pub fn hs_world_get_compound_of_block(
+        world: *const hs_world,
+        block: hs_block,
+        compound: *mut hs_block,
+        part: *mut i32,
     ) -> hs_status;
 
     /// Fills a motion with its defaults: at rest at the origin, without rotation.

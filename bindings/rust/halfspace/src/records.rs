@@ -219,7 +219,7 @@ pub struct BlockState {
     pub force: [f64; 3],
     /// their torque about the centroid at the last force evaluation, N m
     pub torque: [f64; 3],
-    /// kg, in 2D per unit thickness
+    /// kg, in 2D per unit thickness; 0 for a part of a compound
     pub mass: f64,
 }
 
