@@ -52,7 +52,7 @@ bool can_follow(const Blocks<D>& blocks, std::size_t slot, const Action<D>& acti
 
 template <int D>
 void require_target(const Blocks<D>& blocks, hs_block block, std::size_t slot, const Action<D>& action) {
-  require_no_mesh(blocks, std::int32_t(slot), "block");
+  require_moved_by_itself(blocks, std::int32_t(slot), "block");
   const auto id = static_cast<unsigned long long>(block);
   if (is_load(action.kind)) {
     if (!blocks.moves_freely(slot))
@@ -197,6 +197,7 @@ hs_status hs_world_hold_block(hs_world* world, hs_block block, int32_t axes) {
     constexpr std::int32_t all_axes = (1 << D) - 1;
     if ((axes & ~(all_axes | HS_AXIS_ROTATION)) != 0)
       refuse(HS_ERROR_ARGUMENT, "axes is %d; it must be a sum of HS_AXIS_ values of the dimension", axes);
+    require_moved_by_itself(w.blocks(), slot, "block");
     if (w.blocks().kind[std::size_t(slot)] != BlockKind::rigid) {
       refuse(HS_ERROR_STATE, "block %#llx is not rigid; only rigid blocks can be held",
              static_cast<unsigned long long>(block));
@@ -220,6 +221,7 @@ hs_status hs_world_prescribe_velocities(hs_world* world, const hs_block blocks[]
     const auto for_each = [&](auto use) {
       for (std::int64_t i = 0; i < velocities.count; ++i) {
         const std::int32_t slot = slot_of(w.blocks(), blocks[i], "blocks");
+        require_moved_by_itself(w.blocks(), slot, "blocks");
         if (w.blocks().kind[std::size_t(slot)] != BlockKind::prescribed) {
           refuse(HS_ERROR_STATE, "blocks[%lld] is %#llx, which is not prescribed", static_cast<long long>(i),
                  static_cast<unsigned long long>(blocks[i]));

@@ -12,14 +12,14 @@
 #include "scene/keys.h"
 #include "scene/read_actions.h"
 #include "scene/read_blocks.h"
-#include "scene/read_laws.h"
 #include "scene/read_bolts.h"
+#include "scene/read_laws.h"
 #include "scene/read_reference.h"
 #include "scene/read_stages.h"
 #include "scene/read_tracked.h"
 #include "scene/read_values.h"
-#include "scene/settings.h"
 #include "scene/read_water.h"
+#include "scene/settings.h"
 
 namespace halfspace::cli {
 namespace {
@@ -146,10 +146,9 @@ void read_output(Keys keys, Scene& scene) {
 }
 
 const std::initializer_list<std::string_view> top_keys = {
-    "title", "dimension", "world",   "material",     "default_law",  "law",
-    "bond",  "stage",     "block",   "jointed_rock", "triangulated", "voronoi",
-    "mesh",  "terrain",   "water",   "bolt",         "action",       "in_situ",
-    "output", "reference"};
+    "title", "dimension", "world",        "material",     "default_law", "law",      "bond",
+    "stage", "block",     "jointed_rock", "triangulated", "voronoi",     "mesh",     "terrain",
+    "water", "bolt",      "action",       "in_situ",      "output",      "reference"};
 
 Scene read_top(Keys keys, const std::string& folder, Faults& faults) {
   Scene scene;

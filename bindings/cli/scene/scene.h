@@ -119,7 +119,7 @@ struct SceneStage {
   std::optional<double> local_damping = {};
   std::optional<double> mass_damping = {};
   std::optional<double> strength_factor = {};
-  std::optional<double> loads = {};         ///< factor of all mesh loads of the scene without a table
+  std::optional<double> loads = {};  ///< factor of all mesh loads of the scene without a table
   std::optional<Water> water = {};
   std::vector<std::size_t> installed = {};  ///< indices of bolts
   std::vector<std::string> excavated = {};  ///< names of blocks, generators and meshes, or "mesh/group"

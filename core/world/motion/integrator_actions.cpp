@@ -11,7 +11,7 @@ void Integrator<D>::take_actions(double duration) {
   const Actions<D>& actions = model_.actions;
   if (actions.accelerates_all()) {
     for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
-      if (blocks_.moves_freely(i) && !blocks_.is_of_mesh(i)) accelerate(i);
+      if (blocks_.moves_freely(i) && !blocks_.is_of_mesh(i) && !blocks_.is_part(i)) accelerate(i);
     }
   }
   const auto lead_to_mean = [&](const auto& given, auto& acceleration) {

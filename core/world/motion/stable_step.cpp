@@ -80,8 +80,8 @@ void StableStep<D>::add_bolt(const Bolt<D>& bolt) {
   const double stiffness = stiffness_of(blocks_, bolt) * (moves(bolt.a) && moves(bolt.b) ? 2 : 1);
   const auto add = [&](std::int32_t slot, const Vector<D>& arm) {
     if (!moves(slot)) return;
-    const std::size_t i = std::size_t(slot);
-    const double ratio = arm.norm() / blocks_.radius[i];
+    const std::size_t i = blocks_.mover_of(std::size_t(slot));
+    const double ratio = (arm.norm() + blocks_.arm_of(std::size_t(slot)).norm()) / blocks_.radius[i];
     stiffness_of_block_[i].stiffness += stiffness * std::max(ratio * ratio, 1.0);
   };
   add(bolt.a, bolt.on_a);
@@ -156,7 +156,10 @@ double StableStep<D>::contact_resistance_of(std::int32_t block, double duration)
   double sum = 0;
   for (std::size_t c = 0; c < contacts_.count(); ++c) {
     const Candidate<D>& pair = contacts_.pair_of(c);
-    if (pair.a != block && pair.b != block) continue;
+    const auto is_of_block = [&](std::int32_t slot) {
+      return blocks_.mover_of(std::size_t(slot)) == std::size_t(block);
+    };
+    if (!is_of_block(pair.a) && !is_of_block(pair.b)) continue;
     const StiffnessSum of_contact = contact_stiffness_of(c, length);
     sum += duration * of_contact.stiffness + of_contact.viscosity;
   }
