@@ -418,7 +418,7 @@ std::vector<EntryPoint> entry_points_of_shapes_and_blocks() {
 std::vector<EntryPoint> entry_points() {
   std::vector<EntryPoint> all;
   for (const auto& part : {entry_points_of_shapes_and_blocks(), entry_points_of_meshes(),
-                           entry_points_of_bonds(), entry_points_of_rest()})
+                           entry_points_of_actions(), entry_points_of_bonds(), entry_points_of_rest()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

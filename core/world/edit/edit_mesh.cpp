@@ -117,9 +117,9 @@ PlacedMesh World<D>::add_mesh(const Mesh<D>& mesh, const Pose<D>& pose,
 template <int D>
 void World<D>::remove_mesh(std::int32_t body) {
   Meshes<D>& meshes = model_.blocks.meshes();
-  if (!model_.actions.empty()) model_.actions.end_on_nodes(body, model_.blocks);
   for (const SurfaceCell<D>& cell : meshes.surface_of(body)) remove_block(cell.block);
   meshes.remove(body);
+  if (!model_.actions.empty()) model_.actions.end_on_nodes(body, model_.blocks);  // nodes are renumbered
   integrator_.forget_reaction();
   if (hard_contacts_.is_used()) contacts_.neighbors().invalidate();  // nodes are renumbered
   edit();
