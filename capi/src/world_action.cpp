@@ -212,7 +212,7 @@ hs_status hs_world_prescribe_velocities(hs_world* world, const hs_block blocks[]
                                         hs_view angular_velocities) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     require_view<D>(velocities, "velocities");
-    require_view(angular_velocities, "angular_velocities");
+    require_angular_view<D>(angular_velocities, "angular_velocities");
     if (angular_velocities.count != 0 && angular_velocities.count != velocities.count) {
       refuse(HS_ERROR_ARGUMENT, "angular_velocities.count is %lld; velocities.count is %lld",
              static_cast<long long>(angular_velocities.count), static_cast<long long>(velocities.count));
@@ -228,11 +228,14 @@ hs_status hs_world_prescribe_velocities(hs_world* world, const hs_block blocks[]
         }
         Angular<D> spin = w.blocks().spin[std::size_t(slot)];
         if (angular_velocities.count > 0)
-          spin = read_row(angular_velocities, i, "angular_velocities").template tail < D == 2 ? 1 : 3 > ();
+          spin = read_finite_angular<D>(angular_velocities, i, "angular_velocities");
         use(slot, read_finite_point<D>(velocities, i, "velocities"), spin);
       }
     };
-    for_each([](std::int32_t, const Vector<D>&, const Angular<D>&) {});  // validates all before any is set
+    // All velocities are validated before any changes.
+    for_each([&](std::int32_t slot, const Vector<D>& velocity, const Angular<D>& spin) {
+      require_energy_of(w.blocks(), slot, velocity, spin);
+    });
     for_each([&](std::int32_t slot, const Vector<D>& velocity, const Angular<D>& spin) {
       w.prescribe_velocity(slot, velocity, spin);
     });

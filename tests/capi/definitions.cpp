@@ -82,6 +82,7 @@ TEST_CASE("hs_world_def_init") {
   CHECK(def.struct_size == 0);
 }
 TEST_CASE("hs_law_def_init") { check_init<hs_law_def>(hs_law_def_init); }
+TEST_CASE("hs_action_def_init") { check_init<hs_action_def>(hs_action_def_init); }
 TEST_CASE("hs_elasticity_def_init") { check_init<hs_elasticity_def>(hs_elasticity_def_init); }
 TEST_CASE("hs_body_def_init") { check_init<hs_body_def>(hs_body_def_init); }
 TEST_CASE("hs_bond_def_init") { check_init<hs_bond_def>(hs_bond_def_init); }

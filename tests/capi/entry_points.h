@@ -64,6 +64,7 @@ struct Scene {
   World world;
   hs_block lower = 0, upper = 0;
   hs_block beside = 0;  // of the lower one, where there are bonds
+  hs_block moved = 0;   // prescribed, where there are actions
   hs_body body = 0;     // where there are bodies
   hs_pose poses[2];
   std::vector<unsigned char> snapshot;
@@ -85,6 +86,7 @@ struct EntryPoint {
 std::vector<EntryPoint> entry_points();
 std::vector<EntryPoint> entry_points_of_shapes_and_blocks();
 std::vector<EntryPoint> entry_points_of_meshes();
+std::vector<EntryPoint> entry_points_of_actions();
 std::vector<EntryPoint> entry_points_of_bonds();
 std::vector<EntryPoint> entry_points_of_compounds();
 std::vector<EntryPoint> entry_points_of_rest();
@@ -92,6 +94,8 @@ std::vector<EntryPoint> entry_points_of_loads();
 
 /// A step after changes that leave different things known: contacts, forces, bonds.
 std::vector<EntryPoint> steps_of_changed_worlds();
+/// Calls for worlds with actions whose blocks and nodes come and go.
+std::vector<EntryPoint> calls_on_worlds_with_actions();
 /// Calls for worlds with bodies and bonds of which some have been removed or have failed.
 std::vector<EntryPoint> calls_on_bodies_and_bonds();
 

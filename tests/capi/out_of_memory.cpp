@@ -100,6 +100,11 @@ TEST_CASE("any allocation of a call on a world with bodies and bonds may fail") 
   for (const EntryPoint& entry : calls_on_bodies_and_bonds()) survive_every_failure(entry, dimension);
 }
 
+TEST_CASE("any allocation of a call on a world with actions may fail") {
+  const int dimension = GENERATE(2, 3);
+  for (const EntryPoint& entry : calls_on_worlds_with_actions()) survive_every_failure(entry, dimension);
+}
+
 TEST_CASE("any allocation of a step from a changed world may fail") {
   const int dimension = GENERATE(2, 3);
   for (const EntryPoint& entry : steps_of_changed_worlds()) survive_every_failure(entry, dimension);

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <memory>
 
-#include "capi/meshes.h"
+#include "capi/action_world.h"
 #include "catch.h"
 
 namespace halfspace_test {
@@ -205,6 +205,26 @@ TEST_CASE("sizes of hs_body_def") {
                 require_ok(hs_world_add_mesh(scene.world.get(), mesh.get(), def, nullptr, &body), c);
                 return saved(scene.world.get());
               });
+}
+
+TEST_CASE("sizes of hs_action_def") {
+  const hs_action_def defaults = action_def(HS_ACTION_FORCE);
+  hs_action_def chosen = defaults;
+  chosen.table = 1;
+  chosen.place = HS_PLACE_FIXED;
+  chosen.start = 2;
+  chosen.scale[1] = 3;
+  chosen.point[0] = 4;
+  check_sizes(
+      defaults, chosen,
+      {offsetof(hs_action_def, table), offsetof(hs_action_def, place), offsetof(hs_action_def, start),
+       offsetof(hs_action_def, scale), offsetof(hs_action_def, point), offsetof(hs_action_def, max_speed)},
+      [](const hs_action_def* def) {
+        ActionWorld scene(2);
+        scene.add_table({0}, {{5, 6, 7}});
+        scene.act(scene.rigid, *def);
+        return saved(scene.world.get());
+      });
 }
 
 TEST_CASE("sizes of hs_bond_def") {

@@ -117,10 +117,11 @@ PlacedMesh World<D>::add_mesh(const Mesh<D>& mesh, const Pose<D>& pose,
 template <int D>
 void World<D>::remove_mesh(std::int32_t body) {
   Meshes<D>& meshes = model_.blocks.meshes();
-  if (!model_.actions.empty()) model_.actions.end_on_nodes(body, model_.blocks);
-  model_.viscous_nodes.remove_body(body);
   for (const SurfaceCell<D>& cell : meshes.surface_of(body)) remove_block(cell.block);
   meshes.remove(body);
+  // Nodes are renumbered.
+  if (!model_.actions.empty()) model_.actions.end_on_nodes(body, model_.blocks);
+  model_.viscous_nodes.remove_body(body);
   model_.viscous_nodes.renew(meshes);
   integrator_.forget_reaction();
   if (hard_contacts_.is_used()) contacts_.neighbors().invalidate();  // nodes are renumbered

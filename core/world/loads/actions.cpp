@@ -56,7 +56,7 @@ bool is_same_motion(ActionKind a, ActionKind b) {
 template <int D>
 void Actions<D>::add(const Action<D>& action, const Blocks<D>& blocks) {
   make_room_for_one(actions_);
-  reserve(0, blocks);
+  reserve(count() + 1, nodes_.size(), std::size_t(action.slot + 1), 0);
   const auto replaced = std::find_if(actions_.begin(), actions_.end(), [&](const Action<D>& known) {
     return known.slot == action.slot && is_same_motion(known.kind, action.kind);
   });
@@ -74,7 +74,7 @@ void Actions<D>::add(NodeAction action, std::span<const std::int32_t> nodes,
   make_room_for_one(node_actions_);
   nodes_.reserve(nodes_.size() + nodes.size());
   scales_.reserve(nodes_.size() + nodes.size());
-  reserve(nodes.size(), blocks);
+  reserve(count() + 1, nodes_.size() + nodes.size(), 0, nodes_up_to(action.body, blocks.meshes()));
   nodes_.insert(nodes_.end(), nodes.begin(), nodes.end());
   scales_.insert(scales_.end(), scales.begin(), scales.end());
   action.end = std::int64_t(nodes_.size());
@@ -105,19 +105,33 @@ void Actions<D>::end_on_nodes(std::int32_t body, const Blocks<D>& blocks) {
   renew(blocks);
 }
 
+/// Room for all that renew() derives.
 template <int D>
-void Actions<D>::reserve(std::size_t more_nodes, const Blocks<D>& blocks) {
-  means_.reserve(actions_.size() + node_actions_.size() + 1);
-  targets_.reserve(actions_.size() + 1);
-  target_of_.reserve(blocks.slot_count());
-  node_velocities_.reserve(nodes_.size() + more_nodes);
-  node_loads_.reserve(blocks.meshes().node_count());
+void Actions<D>::reserve(std::size_t actions, std::size_t nodes, std::size_t slots,
+                         std::size_t loaded_nodes) {
+  means_.reserve(actions);
+  targets_.reserve(actions);
+  target_of_.reserve(slots);
+  node_velocities_.reserve(nodes);
+  node_loads_.reserve(loaded_nodes);
 }
 
-/// Finds the loads of the last motion again.
+template <int D>
+std::size_t Actions<D>::nodes_up_to(std::int32_t body, const Meshes<D>& meshes) const {
+  return std::size_t(meshes.body(body).first_node + meshes.body(body).node_count);
+}
+
+/// Finds the loads of the last motion again. Its arrays end with the last block or body that is acted on, so
+/// the end of an action takes no memory.
 template <int D>
 void Actions<D>::renew(const Blocks<D>& blocks) {
-  reserve(0, blocks);
+  std::size_t slots = 0, loaded_nodes = 0;
+  for (const Action<D>& action : actions_) slots = std::max(slots, std::size_t(action.slot + 1));
+  for (const NodeAction& action : node_actions_) {
+    if (is_load(action.kind))
+      loaded_nodes = std::max(loaded_nodes, nodes_up_to(action.body, blocks.meshes()));
+  }
+  reserve(count(), nodes_.size(), slots, loaded_nodes);
   accelerates_all_ = false;
   targets_.clear();
   for (const Action<D>& action : actions_) {
@@ -128,7 +142,7 @@ void Actions<D>::renew(const Blocks<D>& blocks) {
   const auto is_same = [](const Target& a, const Target& b) { return a.slot == b.slot; };
   std::sort(targets_.begin(), targets_.end(), is_before);
   targets_.erase(std::unique(targets_.begin(), targets_.end(), is_same), targets_.end());
-  target_of_.assign(targets_.empty() ? 0 : blocks.slot_count(), -1);
+  target_of_.assign(slots, -1);
   for (std::size_t t = 0; t < targets_.size(); ++t)
     target_of_[std::size_t(targets_[t].slot)] = std::int32_t(t);
   for (const Action<D>& action : actions_) {
@@ -137,10 +151,8 @@ void Actions<D>::renew(const Blocks<D>& blocks) {
     target.is_loaded |= is_load(action.kind);
     target.is_servo |= action.kind == ActionKind::servo;
   }
-  const auto loads = [](const NodeAction& action) { return is_load(action.kind); };
   node_velocities_.assign(nodes_.size(), {});
-  const bool loads_nodes = std::any_of(node_actions_.begin(), node_actions_.end(), loads);
-  node_loads_.assign(loads_nodes ? blocks.meshes().node_count() : 0, Vector<D>::Zero());
+  node_loads_.assign(loaded_nodes, Vector<D>::Zero());
   if (duration_ > 0) predict(time_, duration_, blocks);
 }
 
@@ -160,6 +172,8 @@ void Actions<D>::predict(double time, double duration, const Blocks<D>& blocks) 
       Target& target = targets_[std::size_t(target_of_[std::size_t(action.slot)])];
       action.kind == ActionKind::servo ? control_force(action, means_.back(), blocks, target)
                                        : give_velocity(action, integrals, blocks, target);
+      const std::size_t slot = std::size_t(action.slot);
+      if (blocks.kind[slot] == BlockKind::rigid) target.velocity.components &= blocks.held[slot];
     }
   }
   std::fill(node_loads_.begin(), node_loads_.end(), Vector<D>::Zero());
@@ -206,7 +220,6 @@ void Actions<D>::give_velocity(const Action<D>& action, const TableIntegrals& in
                   blocks.velocity[slot], in<D>(integrals.once), in<D>(integrals.twice), in<D>(last),
                   duration_);
   }
-  if (blocks.kind[slot] == BlockKind::rigid) target.velocity.components &= blocks.held[slot];
 }
 
 /// The block moves towards its contacts while their force on it is too small, with a velocity that their

@@ -159,7 +159,10 @@ class Actions {
                      Target& target) const;
   void act_on_nodes(const NodeAction& action, std::size_t first, const TableIntegrals& integrals,
                     const Meshes<D>& meshes);
-  void reserve(std::size_t more_nodes, const Blocks<D>& blocks);
+  std::size_t count() const { return actions_.size() + node_actions_.size(); }
+  void reserve(std::size_t actions, std::size_t nodes, std::size_t slots, std::size_t loaded_nodes);
+  /// The number of nodes of the meshes up to the last one of a body.
+  std::size_t nodes_up_to(std::int32_t body, const Meshes<D>& meshes) const;
 
   Tables tables_;
   Array<Action<D>> actions_;
@@ -171,9 +174,9 @@ class Actions {
   // Derived from the above and from the last predicted motion.
   Array<Vector<3>> means_;  // of each action on blocks, then of each action on nodes
   Array<Target> targets_;
-  Array<std::int32_t> target_of_;  // per slot, or -1
+  Array<std::int32_t> target_of_;  // per slot up to the last target's, or -1
   Array<GivenVelocity<Vector<D>>> node_velocities_;
-  Array<Vector<D>> node_loads_;  // per node, if any is loaded
+  Array<Vector<D>> node_loads_;  // per node up to the last body's with loads
   Vector<D> acceleration_ = Vector<D>::Zero();
   bool accelerates_all_ = false;
 };
