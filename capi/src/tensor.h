@@ -33,7 +33,7 @@ Tensor<D> read_symmetric_tensor(const double* values, const char* name, int firs
   for (int i = 0; i < D; ++i) {
     for (int k = 0; k < i; ++k) {
       if (values[3 * i + k] != values[3 * k + i]) {
-        refuse(HS_ERROR_ARGUMENT, "%s[%d] is %g, %s[%d] is %g; a stress must be symmetric", name,
+        refuse(HS_ERROR_ARGUMENT, "%s[%d] is %g, %s[%d] is %g; the tensor must be symmetric", name,
                first + 3 * k + i, values[3 * k + i], name, first + 3 * i + k, values[3 * i + k]);
       }
     }

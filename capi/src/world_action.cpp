@@ -39,7 +39,7 @@ hs_action_def read_action(const World<D>& world, const hs_action_def* given) {
   return def;
 }
 
-/// The components of a motion that are neither prescribed nor held: they cannot follow it.
+/// True if a block can follow the motion: it is prescribed, or held along its axes.
 template <int D>
 bool can_follow(const Blocks<D>& blocks, std::size_t slot, const Action<D>& action) {
   if (blocks.kind[slot] == BlockKind::prescribed) return true;
@@ -80,13 +80,15 @@ Vector<3> place_of_force(const hs_action_def& def, const Blocks<D>& blocks, std:
 }
 
 template <int D>
-Action<D> read_block_action(const hs_action_def& def) {
+Action<D> read_block_action(const World<D>& world, const hs_action_def& def) {
   Action<D> action;
   action.kind = ActionKind(def.kind);
   action.table = def.table;
   action.start = def.start;
   action.scale = read_finite_vector<3>(def.scale, "def.scale");
   if (action.kind == ActionKind::servo) {
+    if (!world.model().materials.laws().any([](const ContactLaw& law) { return !law.has_no_spring(); }))
+      refuse(HS_ERROR_STATE, "def.kind is HS_ACTION_SERVO; no law of the world has springs");
     action.max_speed = require_above_zero(def.max_speed, "def.max_speed");
     const double length = action.scale.template head<D>().norm();
     require(length > 0, length, "the length of def.scale", "above 0 for a servo");
@@ -127,7 +129,7 @@ hs_status hs_world_add_table(hs_world* world, const double times[], hs_view valu
 hs_status hs_world_add_action(hs_world* world, hs_block block, const hs_action_def* def) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     const hs_action_def known = read_action(w, def);
-    Action<D> action = read_block_action<D>(known);
+    Action<D> action = read_block_action(w, known);
     if (block == 0) {
       if (action.kind != ActionKind::acceleration) {
         refuse(HS_ERROR_ARGUMENT, "def.kind is %d; only HS_ACTION_ACCELERATION acts on all blocks",
@@ -186,7 +188,15 @@ hs_status hs_world_set_node_viscosity(hs_world* world, hs_body body, const int32
     const std::int32_t which = body_of(w.meshes(), body, "body");
     const Tensor<D> wanted = read_symmetric_tensor<D>(viscosity, "viscosity");
     require_nodes(w.meshes().body(which), nodes, count);
-    for (std::int64_t i = 0; i < count; ++i) w.set_node_viscosity(which, nodes[i], wanted);
+    for (int i = 0; i < D; ++i) {
+      for (int k = 0; k < D; ++k) {
+        const bool is_dissipative =
+            wanted(i, i) >= 0 && wanted(i, k) * wanted(i, k) <= wanted(i, i) * wanted(k, k);
+        require(is_dissipative, wanted(i, k), "a component of viscosity",
+                "such that the dashpots lose energy");
+      }
+    }
+    w.set_node_viscosity(which, {nodes, std::size_t(count)}, wanted);
     return HS_OK;
   });
 }

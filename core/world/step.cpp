@@ -154,7 +154,7 @@ template <int D>
 void World<D>::move() {
   const double duration = integrator_.duration();
   model_.fix_potential_length();
-  if (!model_.actions.empty()) ledger_.add_outer_power(model_.actions.power_of_jumps(model_.blocks));
+  if (!model_.actions.empty()) ledger_.add_outer_power(integrator_.power_of_jumps());
   hard_contacts_.apply_position_impulses(ledger_);
   integrator_.kick_and_drift();
   forget_contacts();

@@ -126,8 +126,8 @@ class World {
   void hold_node(std::size_t node, std::uint8_t held);
   void set_node_velocity(std::size_t node, const Vector<D>& velocity);
   void set_node_force(std::size_t node, const Vector<D>& force);
-  /// The dashpot of a node of a body: force over velocity, N s/m.
-  void set_node_viscosity(std::int32_t body, std::int32_t node, const Tensor<D>& viscosity);
+  /// The dashpots of nodes of a body: force over velocity of each, N s/m.
+  void set_node_viscosity(std::int32_t body, std::span<const std::int32_t> nodes, const Tensor<D>& viscosity);
   /// Updates the surface blocks of a body after edits of its nodes.
   void end_node_edits(std::int32_t body);
   /// Only for affine blocks.

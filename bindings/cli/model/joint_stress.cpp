@@ -69,8 +69,13 @@ class PlacedBlocks {
       sizes_.push_back(length(minus(boxes_.back().second, boxes_.back().first)));
       extent += sizes_.back();
     }
-    cell_ = extent / static_cast<double>(sizes_.size());
+    cell_size_ = extent / static_cast<double>(sizes_.size());
+    constexpr double many_cells = 8;
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
+      if (sizes_[i] > many_cells * cell_size_) {
+        large_.push_back(i);
+        continue;
+      }
       const auto last = cell_of(boxes_[i].second);
       for_each_cell(cell_of(boxes_[i].first), last, [&](const Cell& cell) { in_cell_[cell].push_back(i); });
     }
@@ -80,23 +85,27 @@ class PlacedBlocks {
   double size_of(std::size_t block) const { return sizes_[block]; }
   /// The first block but one that contains a point.
   std::optional<std::size_t> block_at(const Point& point, std::size_t other_than) const {
-    const auto found = in_cell_.find(cell_of(point));
-    if (found == in_cell_.end()) return std::nullopt;
-    for (const std::size_t block : found->second) {
-      const auto is_behind = [&](const Side& side) {
-        return dot(side.normal, minus(point, side.corners[0])) <= 0;
-      };
-      if (block != other_than && std::all_of(sides_[block].begin(), sides_[block].end(), is_behind))
-        return block;
-    }
-    return std::nullopt;
+    const auto first_in = [&](const std::vector<std::size_t>& blocks) -> std::optional<std::size_t> {
+      for (const std::size_t block : blocks) {
+        const auto is_behind = [&](const Side& side) {
+          return dot(side.normal, minus(point, side.corners[0])) <= 0;
+        };
+        if (block != other_than && std::all_of(sides_[block].begin(), sides_[block].end(), is_behind))
+          return block;
+      }
+      return std::nullopt;
+    };
+    const auto cell = in_cell_.find(cell_of(point));
+    const std::optional<std::size_t> small = cell == in_cell_.end() ? std::nullopt : first_in(cell->second);
+    return small ? small : first_in(large_);
   }
 
  private:
   using Cell = std::array<std::int64_t, 3>;
   Cell cell_of(const Point& point) const {
     Cell cell{};
-    for (std::size_t k = 0; k < 3; ++k) cell[k] = static_cast<std::int64_t>(std::floor(point[k] / cell_));
+    for (std::size_t k = 0; k < 3; ++k)
+      cell[k] = static_cast<std::int64_t>(std::floor(point[k] / cell_size_));
     return cell;
   }
   template <class Visit>
@@ -111,7 +120,8 @@ class PlacedBlocks {
   std::vector<std::vector<Side>> sides_;
   std::vector<std::pair<Point, Point>> boxes_;
   std::vector<double> sizes_;
-  double cell_ = 1;
+  double cell_size_ = 1;
+  std::vector<std::size_t> large_;  ///< blocks of many cells
   std::map<Cell, std::vector<std::size_t>> in_cell_;
 };
 
@@ -163,26 +173,28 @@ Tensor stress_at(const Scene& scene, const InSitu& in_situ, const Point& place) 
 void stress_joints(const Context& context, const Scene& scene, Layout& layout, Faults& faults) {
   const InSitu& in_situ = *scene.in_situ;
   const PlacedBlocks blocks(context, layout);
-  const auto is_stressed = [&](std::size_t i) { return layout.blocks[i].kind == HS_BLOCK_RIGID; };
+  const auto grows = [&](std::size_t i) { return !deforms(layout.blocks[i].kind); };
   constexpr double just_outside = 1e-6;
   for (std::size_t i = 0; i < layout.blocks.size(); ++i) {
-    if (!is_stressed(i)) continue;
+    if (!grows(i)) continue;
     LayoutBlock& block = layout.blocks[i];
     std::vector<Side> sides = blocks.sides_of_block(i);
     for (Side& side : sides) {
       const Point outside =
           plus(middle_of(side.corners), times(just_outside * blocks.size_of(i), side.normal));
       const std::optional<std::size_t> neighbor = blocks.block_at(outside, i);
-      if (!neighbor) continue;
-      const hs_law_def& law = law_between(scene, block.material, layout.blocks[*neighbor].material);
+      const int other = neighbor ? layout.blocks[*neighbor].material : block.material;
+      const hs_law_def& law = law_between(scene, block.material, other);
       if (law.stiffness_kind != HS_STIFFNESS_PER_AREA) {
+        if (!neighbor) continue;
         faults.add(in_situ.place, "in_situ",
                    "the joints of \"" + block.name +
                        "\" have no stiffness per area; allowed: with stiffness = "
                        "\"per area\" in the law of its materials");
         return;
       }
-      move_out(side, scene, in_situ, (is_stressed(*neighbor) ? 2 : 1) * law.normal_stiffness);
+      // Both blocks of a joint grow by half of the overlap, also where a side has several neighbours.
+      move_out(side, scene, in_situ, (neighbor && !grows(*neighbor) ? 1 : 2) * law.normal_stiffness);
     }
     block.shape = shape_of(context, sides, layout.dimension);
     block.placing = {};

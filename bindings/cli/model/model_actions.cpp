@@ -88,13 +88,23 @@ std::string Model::actions_of(std::size_t stage) const {
     archive.add(table.values);
     archive.add(scales);
   };
-  for (const Action& action : actions_) {
-    if (action.stage == stage)
-      add(action.kind, action.table, {action.scale, action.at.value_or(Point{}), Point{action.max_speed}});
+  for (std::size_t i = 0; i < actions_.size(); ++i) {
+    const Action& action = actions_[i];
+    if (action.stage != stage) continue;
+    add(action.kind, action.table, {action.scale, action.at.value_or(Point{}), Point{action.max_speed}});
+    std::vector<std::size_t> blocks = layout_.acted_on[i];
+    bool has_place = action.at.has_value(), is_carried = action.is_carried;
+    archive.add(blocks);
+    archive.add(has_place);
+    archive.add(is_carried);
   }
   for (const LayoutBody& body : layout_.bodies) {
-    for (const LayoutBody::NodeAction& action : body.actions)
-      if (action.stage == stage) add(action.kind, action.table, action.scales);
+    for (const LayoutBody::NodeAction& action : body.actions) {
+      if (action.stage != stage) continue;
+      add(action.kind, action.table, action.scales);
+      std::vector<int32_t> nodes = action.nodes;
+      archive.add(nodes);
+    }
   }
   return archive.bytes();
 }

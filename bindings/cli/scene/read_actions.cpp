@@ -1,6 +1,9 @@
 #include "scene/read_actions.h"
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <sstream>
 #include <stdexcept>
@@ -26,10 +29,15 @@ Rows rows_of_file(const std::string& file) {
     if (first == std::string::npos || line[first] == '#' ||
         std::isalpha(static_cast<unsigned char>(line[first])))
       continue;
-    std::istringstream numbers(line);
+    std::istringstream words(line);
     std::vector<double> row;
-    for (double value = 0; numbers >> value;) row.push_back(value);
-    if (!numbers.eof() || (!rows.empty() && row.size() != rows.front().size()))
+    bool are_numbers = true;
+    for (std::string word; words >> word;) {
+      char* end = nullptr;
+      row.push_back(std::strtod(word.c_str(), &end));
+      are_numbers = are_numbers && *end == '\0' && std::isfinite(row.back());
+    }
+    if (!are_numbers || row.size() < 2 || (!rows.empty() && row.size() != rows.front().size()))
       throw std::runtime_error("line " + std::to_string(number) +
                                " is not a row of numbers as the first one");
     rows.push_back(std::move(row));

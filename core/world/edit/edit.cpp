@@ -79,7 +79,7 @@ void World<D>::set_pose(std::int32_t slot, const Vector<D>& position, const Rota
 
 template <int D>
 void World<D>::set_velocity(std::int32_t slot, const Vector<D>& velocity, const Angular<D>& spin) {
-  model_.blocks.set_motion(slot, velocity, spin);
+  model_.blocks.set_motion(slot, velocity, model_.blocks.freed_turn(std::size_t(slot), spin));
   edit();
 }
 

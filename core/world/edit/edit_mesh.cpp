@@ -174,8 +174,9 @@ void World<D>::set_node_force(std::size_t node, const Vector<D>& force) {
 }
 
 template <int D>
-void World<D>::set_node_viscosity(std::int32_t body, std::int32_t node, const Tensor<D>& viscosity) {
-  model_.viscous_nodes.set(body, node, viscosity, model_.blocks.meshes());
+void World<D>::set_node_viscosity(std::int32_t body, std::span<const std::int32_t> nodes,
+                                  const Tensor<D>& viscosity) {
+  model_.viscous_nodes.set(body, nodes, viscosity, model_.blocks.meshes());
   edit();
 }
 
@@ -185,17 +186,17 @@ void World<D>::end_node_edits(std::int32_t body) {
     model_.blocks.follow_node_velocities(cell);
 }
 
-#define HALFSPACE_MEMBERS(D)                                                                             \
-  template void World<D>::weigh_surface(std::int32_t, Array<int>&);                                      \
-  template MeshFaultReport World<D>::add_surface(std::int32_t, std::span<const SurfaceSimplex<D>>,       \
-                                                 std::span<const std::int32_t>);                         \
-  template PlacedMesh World<D>::add_mesh(const Mesh<D>&, const Pose<D>&, std::span<const std::int32_t>); \
-  template void World<D>::remove_mesh(std::int32_t);                                                     \
-  template bool World<D>::set_body_stress(std::int32_t, const StressField<D>&);                          \
-  template void World<D>::hold_node(std::size_t, std::uint8_t);                                          \
-  template void World<D>::set_node_velocity(std::size_t, const Vector<D>&);                              \
-  template void World<D>::set_node_force(std::size_t, const Vector<D>&);                                 \
-  template void World<D>::set_node_viscosity(std::int32_t, std::int32_t, const Tensor<D>&);              \
+#define HALFSPACE_MEMBERS(D)                                                                                 \
+  template void World<D>::weigh_surface(std::int32_t, Array<int>&);                                          \
+  template MeshFaultReport World<D>::add_surface(std::int32_t, std::span<const SurfaceSimplex<D>>,           \
+                                                 std::span<const std::int32_t>);                             \
+  template PlacedMesh World<D>::add_mesh(const Mesh<D>&, const Pose<D>&, std::span<const std::int32_t>);     \
+  template void World<D>::remove_mesh(std::int32_t);                                                         \
+  template bool World<D>::set_body_stress(std::int32_t, const StressField<D>&);                              \
+  template void World<D>::hold_node(std::size_t, std::uint8_t);                                              \
+  template void World<D>::set_node_velocity(std::size_t, const Vector<D>&);                                  \
+  template void World<D>::set_node_force(std::size_t, const Vector<D>&);                                     \
+  template void World<D>::set_node_viscosity(std::int32_t, std::span<const std::int32_t>, const Tensor<D>&); \
   template void World<D>::end_node_edits(std::int32_t);
 
 HALFSPACE_MEMBERS(2)

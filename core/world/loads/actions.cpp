@@ -164,7 +164,7 @@ void Actions<D>::predict(double time, double duration, const Blocks<D>& blocks) 
   acceleration_.setZero();
   for (const Action<D>& action : actions_) {
     const double begin = time - action.start;
-    const TableIntegrals integrals = tables_[action.table].integrals(begin, begin + duration);
+    const TableIntegrals integrals = tables_[action.table].integrals(begin, duration);
     means_.push_back(action.scale.cwiseProduct(integrals.once) / duration);
     if (action.slot < 0) {
       acceleration_ += in<D>(means_.back());
@@ -180,30 +180,15 @@ void Actions<D>::predict(double time, double duration, const Blocks<D>& blocks) 
   std::size_t first = 0;
   for (const NodeAction& action : node_actions_) {
     const double begin = time - action.start;
-    const TableIntegrals integrals = tables_[action.table].integrals(begin, begin + duration);
+    const TableIntegrals integrals = tables_[action.table].integrals(begin, duration);
     act_on_nodes(action, first, integrals, blocks.meshes());
     first = std::size_t(action.end);
   }
   place_loads(blocks);
-}
-
-/// A prescribed block whose velocity jumps at the begin of the motion does work against its contacts with the
-/// new velocity.
-template <int D>
-double Actions<D>::power_of_jumps(const Blocks<D>& blocks) const {
-  double power = 0;
-  const auto add = [&](const auto& given, const auto& force) {
-    for (Eigen::Index k = 0; k < force.size(); ++k) {
-      if (given.is_given(k)) power -= force[k] * (2 * given.mean[k] - given.end[k] - given.start[k]);
-    }
-  };
-  for (const Target& target : targets_) {
-    const std::size_t slot = std::size_t(target.slot);
-    if (blocks.kind[slot] != BlockKind::prescribed) continue;
-    add(target.velocity, blocks.force[slot]);
-    add(target.spin, blocks.torque[slot]);
+  for (Target& target : targets_) {
+    target.torque_at_start = target.torque;
+    target.virial_at_start = target.virial;
   }
-  return power;
 }
 
 template <int D>

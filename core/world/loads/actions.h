@@ -59,6 +59,14 @@ struct GivenVelocity {
   Velocity end = Velocity::Zero();
 
   bool is_given(Eigen::Index k) const { return (components >> k & 1) != 0; }
+  /// The change of the power of a force by the jump of the velocity at the begin of the motion.
+  double power_of_jump(const Velocity& force) const {
+    double power = 0;
+    for (Eigen::Index k = 0; k < force.size(); ++k) {
+      if (is_given(k)) power += force[k] * (2 * mean[k] - end[k] - start[k]);
+    }
+    return power;
+  }
 };
 
 /// Motions and loads that follow tables. Over each motion of the world a load is constant, the mean of its
@@ -103,6 +111,8 @@ class Actions {
     Vector<D> force = Vector<D>::Zero();
     Angular<D> torque = Angular<D>::Zero();  // of a rigid block: with that of the forces about the centroid
     Tensor<D> virial = Tensor<D>::Zero();    // of an affine block: force times arm^T, arms as in the shape
+    Angular<D> torque_at_start = Angular<D>::Zero();  // of the motion
+    Tensor<D> virial_at_start = Tensor<D>::Zero();
   };
   /// Sorted by slot.
   Array<Target>& targets() { return targets_; }
@@ -135,8 +145,6 @@ class Actions {
   void predict(double time, double duration, const Blocks<D>& blocks);
   /// Sets the loads for the poses that blocks have now.
   void place_loads(const Blocks<D>& blocks);
-  /// The change of the power of prescribed blocks by jumps of velocities at the begin of the motion.
-  double power_of_jumps(const Blocks<D>& blocks) const;
   /// Call when slots or nodes are added, and after reading: takes memory.
   void renew(const Blocks<D>& blocks);
 

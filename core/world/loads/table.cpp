@@ -20,23 +20,24 @@ Vector<3> Table::before_row(std::size_t row, double time) const {
 
 Vector<3> Table::at(double time) const { return before_row(row_after(time), time); }
 
-TableIntegrals Table::integrals(double begin, double end) const {
+/// Times of pieces are counted from the begin, so that they are exact far from time 0.
+TableIntegrals Table::integrals(double begin, double duration) const {
   TableIntegrals sum;
-  double from = begin;
+  double from = 0;
   Vector<3> first = at(begin);
   const auto add_piece = [&](double to, const Vector<3>& last) {
-    const double length = to - from, rest_before = end - from, rest_after = end - to;
+    const double length = to - from, rest_before = duration - from, rest_after = duration - to;
     sum.once += 0.5 * length * (first + last);
     sum.twice +=
         length / 6 * ((2 * rest_before + rest_after) * first + (rest_before + 2 * rest_after) * last);
   };
   std::size_t row = row_after(begin);
-  for (; row < times_.size() && times_[row] < end; ++row) {
-    add_piece(times_[row], values_[row]);
-    from = times_[row];
+  for (; row < times_.size() && times_[row] - begin < duration; ++row) {
+    add_piece(times_[row] - begin, values_[row]);
+    from = times_[row] - begin;
     first = values_[row];
   }
-  add_piece(end, before_row(row, end));
+  add_piece(duration, before_row(row, begin + duration));
   return sum;
 }
 

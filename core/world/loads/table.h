@@ -22,7 +22,7 @@ class Table {
   /// At a jump the later value.
   Vector<3> at(double time) const;
   /// Exact to rounding, also over bends and jumps.
-  TableIntegrals integrals(double begin, double end) const;
+  TableIntegrals integrals(double begin, double duration) const;
 
  private:
   /// The first row after a time.

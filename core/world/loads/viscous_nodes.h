@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <tuple>
+#include <span>
 
 #include "block/mesh/meshes.h"
 
@@ -21,12 +21,21 @@ class ViscousNodes {
     return node < of_node_.size() && of_node_[node] >= 0 ? &nodes_[std::size_t(of_node_[node])].viscosity
                                                          : nullptr;
   }
-  /// Sets the viscosity of a node of a body; 0 removes the dashpot. If memory runs out, nothing has changed.
-  void set(std::int32_t body, std::int32_t node, const Tensor<D>& viscosity, const Meshes<D>& meshes) {
-    make_room_for_one(nodes_);
+  /// Sets the viscosity of nodes of a body; 0 removes their dashpots. If memory runs out, nothing has
+  /// changed.
+  void set(std::int32_t body, std::span<const std::int32_t> nodes, const Tensor<D>& viscosity,
+           const Meshes<D>& meshes) {
+    nodes_.reserve(nodes_.size() + nodes.size());
     of_node_.reserve(meshes.node_count());
-    remove_if([&](const Node& known) { return known.body == body && known.node == node; });
-    if (!viscosity.isZero(0)) nodes_.push_back({body, node, viscosity});
+    Array<std::int32_t> sorted(nodes.begin(), nodes.end(), nodes_.get_allocator());
+    std::sort(sorted.begin(), sorted.end());
+    sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+    remove_if([&](const Node& known) {
+      return known.body == body && std::binary_search(sorted.begin(), sorted.end(), std::int32_t(known.node));
+    });
+    if (!viscosity.isZero(0)) {
+      for (const std::int32_t node : sorted) nodes_.push_back({body, node, viscosity});
+    }
     renew(meshes);
   }
   void remove_body(std::int32_t body) {

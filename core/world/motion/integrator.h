@@ -50,6 +50,8 @@ class Integrator {
   bool predict(double duration);
   /// Takes over the loads and velocities that actions give for the coming motion.
   void take_actions(double duration);
+  /// The change of the outer power by velocities that jump at the begin of the predicted motion.
+  double power_of_jumps() const;
   /// The cell that the last predicted motion would invert, if any.
   const InvertedCell& inverted() const { return meshes_.inverted(); }
   double duration() const { return duration_; }

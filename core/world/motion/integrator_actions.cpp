@@ -33,7 +33,22 @@ double Integrator<D>::power_of_actions(std::size_t i, const Vector<D>& velocity,
                                        const Angular<D>& spin) const {
   double power = blocks_.mass[i] * model_.actions.acceleration().dot(velocity);
   if (const auto* target = model_.actions.target_of(i))
-    power += target->force.dot(velocity) + target->torque.dot(spin);
+    power += target->force.dot(velocity) + 0.5 * (target->torque_at_start + target->torque).dot(spin);
+  return power;
+}
+
+/// Blocks whose given velocities jump at the begin of the motion do work with the new ones.
+template <int D>
+double Integrator<D>::power_of_jumps() const {
+  double power = meshes_.power_of_jumps();
+  for (const auto& target : model_.actions.targets()) {
+    const std::size_t i = std::size_t(target.slot);
+    if (blocks_.kind[i] == BlockKind::prescribed) {
+      power -= target.velocity.power_of_jump(blocks_.force[i]) + target.spin.power_of_jump(blocks_.torque[i]);
+    } else {
+      power -= target.velocity.power_of_jump(load_on(i).force + reaction(i).force);
+    }
+  }
   return power;
 }
 
@@ -74,6 +89,7 @@ double Integrator<D>::support_power(std::size_t i, const Vector<D>& opposed) con
 #define HALFSPACE_MEMBERS(D)                                                                               \
   template void Integrator<D>::take_actions(double);                                                       \
   template double Integrator<D>::power_of_actions(std::size_t, const Vector<D>&, const Angular<D>&) const; \
+  template double Integrator<D>::power_of_jumps() const;                                                   \
   template void Integrator<D>::give_velocity(std::size_t, EnergySample&);                                  \
   template double Integrator<D>::support_power(std::size_t, const Vector<D>&) const;
 

@@ -124,7 +124,8 @@ void Integrator<D>::kick_affine(std::size_t i, EnergySample& sample) {
   if (!model_.actions.empty()) {
     sample.applied_power += power_of_actions(i, middle_velocity, blocks_.spin[i]);
     if (const auto* target = model_.actions.target_of(i))
-      sample.applied_power += target->virial.cwiseProduct(middle_rate).sum();
+      sample.applied_power +=
+          0.5 * (target->virial_at_start + target->virial).cwiseProduct(middle_rate).sum();
   }
   // A kick that is not finite is skipped, as for rigid blocks.
   if (acceleration_[i].allFinite() && deformation.acceleration.allFinite()) {

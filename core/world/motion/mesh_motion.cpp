@@ -81,12 +81,30 @@ template <int D>
 void MeshMotion<D>::damp_by_ground(std::size_t i, double to_end) {
   const Tensor<D>* viscosity = model_.viscous_nodes.viscosity_of(i);
   if (!viscosity) return;
-  const Tensor<D> resistance = meshes_.mass[i] * Tensor<D>::Identity() + to_end * *viscosity;
-  const Vector<D> force = meshes_.mass[i] * acceleration_[i] - *viscosity * meshes_.velocity[i];
+  Tensor<D> resistance = meshes_.mass[i] * Tensor<D>::Identity() + to_end * *viscosity;
+  Vector<D> force = meshes_.mass[i] * acceleration_[i] - *viscosity * meshes_.velocity[i];
+  for (int k = 0; k < D; ++k) {
+    if (!is_held(i, k)) continue;
+    resistance.row(k).setZero();
+    resistance.col(k).setZero();
+    resistance(k, k) = 1;
+    force[k] = 0;
+  }
   const Vector<D> acceleration = resistance.inverse() * force;
   for (int k = 0; k < D; ++k) {
     if (!is_held(i, k)) acceleration_[i][k] = acceleration[k];
   }
+}
+
+/// What the dashpot of a node takes up. Along held axes the supports balance it.
+template <int D>
+double MeshMotion<D>::power_of_ground(std::size_t i, const Tensor<D>& viscosity) const {
+  const Vector<D> force = viscosity * meshes_.velocity[i];
+  double power = 0;
+  for (int k = 0; k < D; ++k) {
+    if (!is_held(i, k)) power += force[k] * meshes_.velocity[i][k];
+  }
+  return power;
 }
 
 /// Adds a node's kinetic energy, and the powers of its supports and of damping. `opposed`: the velocity for
@@ -100,7 +118,7 @@ void MeshMotion<D>::sample_energy(std::size_t i, const Vector<D>& opposed, Energ
   sample.kinetic += 0.5 * mass * velocity.squaredNorm();
   if (!model_.viscous_nodes.empty()) {
     if (const Tensor<D>* viscosity = model_.viscous_nodes.viscosity_of(i))
-      sample.power.outer -= velocity.dot(*viscosity * velocity);
+      sample.power.outer -= power_of_ground(i, *viscosity);
   }
   for (int k = 0; k < D; ++k) {
     if (is_held(i, k)) {
@@ -231,6 +249,16 @@ void MeshMotion<D>::take_actions(double duration) {
       if (given.is_given(k)) acceleration_[i][k] = 2 / duration * (given.mean[k] - given.start[k]);
     }
   });
+}
+
+/// Supports whose velocities jump at the begin of the motion act with the new ones.
+template <int D>
+double MeshMotion<D>::power_of_jumps() const {
+  double power = 0;
+  model_.actions.for_each_given_node(meshes_, [&](std::size_t i, const GivenVelocity<Vector<D>>& given) {
+    power -= given.power_of_jump(force_on(i) + reaction(i));
+  });
+  return power;
 }
 
 /// At the end of the motion. The supports also do the work of the change of velocity.

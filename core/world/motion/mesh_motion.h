@@ -50,6 +50,8 @@ class MeshMotion {
   Vector<D> load_of_actions(std::size_t node) const {
     return model_.actions.load_on_node(node) + meshes_.mass[node] * model_.actions.acceleration();
   }
+  /// The change of the power of supports by jumps of their velocities at the begin of the motion.
+  double power_of_jumps() const;
   /// The sum of the forces on a node, before damping.
   Vector<D> force_on(std::size_t node) const {
     return model_.actions.empty() ? meshes_.force[node] : meshes_.force[node] + load_of_actions(node);
@@ -84,9 +86,10 @@ class MeshMotion {
   template <int N>
   double load_nodes_of(const Element<D, N>& element);
   void load_nodes_of(const SurfaceCell<D>& cell);
-  /// `to_end`: time from the node's present velocity to the end of the motion.
+  /// `to_end`: time from the node's present velocity to the end of the motion; 0 for its first half.
   void accelerate(std::size_t node, double to_end);
   void damp_by_ground(std::size_t node, double to_end);
+  double power_of_ground(std::size_t node, const Tensor<D>& viscosity) const;
   void give_velocities(EnergySample& sample);
   /// Bounds of the change of any element's gradient in the predicted motion, by displacements and by rounding
   /// of positions.

@@ -73,7 +73,8 @@ void World<D>::stop_all() {
       blocks.velocity[i] = Vector<D>::Zero();
       blocks.deform(std::int32_t(i), gradient, Tensor<D>::Zero());
     } else {
-      blocks.set_motion(std::int32_t(i), Vector<D>::Zero(), Angular<D>::Zero());
+      blocks.set_motion(std::int32_t(i), blocks.velocity[i] - blocks.freed(i, blocks.velocity[i]),
+                        Angular<D>::Zero());
     }
   }
   Meshes<D>& meshes = blocks.meshes();

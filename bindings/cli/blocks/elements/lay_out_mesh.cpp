@@ -224,7 +224,10 @@ class MeshLayout {
       return;
     }
     body.supports.push_back({nodes, support.axes, {}});
-    std::vector<Point> scales(nodes.size(), support.velocity);
+    Point scale = support.velocity;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if ((support.axes >> axis & 1) == 0) scale[axis] = 0;
+    std::vector<Point> scales(nodes.size(), scale);
     body.actions.push_back(
         {HS_ACTION_VELOCITY, support.table, support.stage, std::move(nodes), std::move(scales)});
   }
