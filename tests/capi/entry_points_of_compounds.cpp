@@ -51,9 +51,6 @@ std::vector<EntryPoint> entry_points_of_compounds() {
                                                s.written.indices[0]);
        },
        add_beside},
-      {"hs_world_remove_block", Allocates::never,
-       [](S s) { return hs_world_remove_block(s.world.get(), s.beside); }, add_beside},
-      {"hs_world_step", Allocates::always, [](S s) { return hs_world_step(s.world.get(), 3); }, add_beside},
   };
 }
 
