@@ -319,7 +319,7 @@ contains
     call world%remove_cells(body, [1, 2, 3], stat=stat, errmsg=text)
     call expect(stat == HS_ERROR_STATE, 'all cells of a body')
     call world%set_body_stress(body, reshape([0, 1, 0, 2, 0, 0, 0, 0, 0] * 1.0_real64, [3, 3]), stat=stat, errmsg=text)
-    call expect_text(text, 'a stress must be symmetric')
+    call expect_text(text, 'the tensor must be symmetric')
     call world%hold_nodes(body, [6, 7], HS_AXIS_X, stat=stat, errmsg=text)
     call expect(stat == HS_ERROR_ARGUMENT, 'a node that is not there')
     call expect_text(text, 'nodes[1] is 6; the body has 6')

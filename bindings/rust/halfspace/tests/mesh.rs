@@ -326,7 +326,7 @@ fn what_no_body_has_is_refused() -> Result<()> {
     let error = world
         .set_body_stress(body, &lopsided, &[[[0.0; 3]; 3]; 3])
         .unwrap_err();
-    assert!(error.to_string().contains("a stress must be symmetric"));
+    assert!(error.to_string().contains("the tensor must be symmetric"));
     let error = world
         .hold_nodes(body, &[5, 6], Axes::X, [0.0; 3])
         .unwrap_err();
