@@ -1,18 +1,14 @@
 #include "commands/commands.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
-#include "model/layout.h"
-#include "model/library.h"
 #include "model/model.h"
 #include "notes/notes.h"
 #include "run/checkpoint.h"
-#include "scene/faults.h"
-#include "scene/read_scene.h"
 
 namespace halfspace::cli {
 namespace {

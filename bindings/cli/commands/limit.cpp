@@ -1,7 +1,7 @@
 #include "commands/limit.h"
 
 #include <charconv>
-#include <functional>
+#include <cmath>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -10,7 +10,6 @@
 #include "common/interrupt.h"
 #include "common/suggestion.h"
 #include "common/text.h"
-#include "notes/notes.h"
 #include "output/summary.h"
 #include "studies/safety/safety.h"
 
@@ -61,9 +60,9 @@ Varied varied_of(std::vector<std::string>& settings, const LimitOptions& options
   const Varied varied = setting ? *setting
                                 : Varied{options.tilts ? "tilt" : "factor of loads", options.low.value_or(0),
                                          options.high.value_or(options.tilts ? 90 : 10)};
-  if (!(varied.low < varied.high)) {
+  if (!(varied.low < varied.high && std::isfinite(varied.high - varied.low))) {
     throw std::invalid_argument("the bracket " + shortest(varied.low) + " to " + shortest(varied.high) +
-                                ": the low end must be below the high end");
+                                ": the low end must be below the high end, and both finite");
   }
   return varied;
 }
@@ -163,56 +162,61 @@ class Maker {
   int threads_;
 };
 
-}  // namespace
+/// Each trial is a new scene with a value of the setting, or a factor of the loads.
+SearchResult find_value(const Scene& scene, const Maker& maker, const std::string& varied,
+                        const std::string& first_lines, const std::string& bytes,
+                        const SearchOptions& options, OutputDirectory& directory) {
+  remember_interrupts();
+  Progress progress;
+  const std::string sought = options.smallest ? "smallest value" : "largest value";
+  return search(
+      scene, [&](double value) { return maker.begin(value); },
+      {.sought = sought, .column = "value", .report = "limit.txt"}, options,
+      bytes + '\n' + sought + " of " + varied, first_lines + report_line("varied", varied), progress,
+      directory);
+}
 
-int limit(const SceneFile& given, const Target& target, const LimitOptions& options) {
-  SceneFile file = given;
-  Varied varied;
-  SearchOptions search_options{
-      .limit = options.limit, .smallest = options.smallest, .resumes = options.resumes};
-  try {
-    varied = varied_of(file.settings, options);
-  } catch (const std::invalid_argument& error) {
-    print(stderr, std::string(error.what()) + '\n');
-    return exit_usage;
-  }
-  search_options.low = varied.low;
-  search_options.high = varied.high;
-  search_options.resolution = options.resolution > 0 ? options.resolution : (varied.high - varied.low) / 1000;
+/// @throws std::invalid_argument for wrong usage
+int find_limit(SceneFile file, const Target& target, const LimitOptions& options) {
+  Varied varied = varied_of(file.settings, options);
+  if (options.load && !options.load->empty()) varied.name += " of " + *options.load;
   const Maker maker(file, varied, options, target.threads);
   CheckedScene at_high = maker.at(varied.high), checked = maker.at(varied.low);
   for (const CheckedScene* end : {&at_high, &checked})
     if (!end->faults.none()) return refuse(file, end->faults);
-  Point axis{};
-  try {
-    if (options.tilts) axis = axis_of(options.axis, checked.scene);
-  } catch (const std::invalid_argument& error) {
-    print(stderr, std::string(error.what()) + '\n');
-    return exit_usage;
-  }
+  const Point axis = options.tilts ? axis_of(options.axis, checked.scene) : Point{};
   OutputDirectory directory = directory_of(target, options.resumes, "trials.csv");
   const std::string bytes = bytes_of(file, checked.scene);
-  const std::string which = options.smallest ? "smallest " : "largest ";
+  const SearchOptions search_options{
+      .low = varied.low,
+      .high = varied.high,
+      .resolution = options.resolution > 0 ? options.resolution : (varied.high - varied.low) / 1000,
+      .limit = options.limit,
+      .smallest = options.smallest,
+      .resumes = options.resumes};
+  checked.scene.settings = joined(file.settings);  // without the value that is varied
   SearchResult result;
   if (options.tilts) {
     const auto model = std::make_shared<Model>(checked.context, checked.scene, std::move(checked.layout));
     result = find_tilt(checked.scene, model, axis, bytes, search_options, directory);
   } else {
-    remember_interrupts();
-    Progress progress;
-    const std::string of = options.load && !options.load->empty() ? " of " + *options.load : "";
-    result = search(
-        checked.scene, [&](double value) { return maker.begin(value); },
-        {.sought = which + "value", .column = "value", .report = "limit.txt"}, search_options,
-        bytes + "\nlimit of " + varied.name + of + ' ' + which,
-        report_line("scene", checked.scene.title) +
-            (file.settings.empty() ? std::string() : report_line("set", joined(file.settings))) +
-            report_line("varied", varied.name + of),
-        progress, directory);
+    result = find_value(checked.scene, maker, varied.name, scene_lines(checked.scene), bytes, search_options,
+                        directory);
   }
   print(stdout, result.report);
   if (result.end == SearchEnd::interrupted) print(stderr, "\nhalfspace: interrupted; --resume continues\n");
   return result.end == SearchEnd::found ? exit_ok : exit_failed;
+}
+
+}  // namespace
+
+int limit(const SceneFile& file, const Target& target, const LimitOptions& options) {
+  try {
+    return find_limit(file, target, options);
+  } catch (const std::invalid_argument& error) {
+    print(stderr, std::string(error.what()) + '\n');
+    return exit_usage;
+  }
 }
 
 }  // namespace halfspace::cli

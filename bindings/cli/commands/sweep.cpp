@@ -64,8 +64,9 @@ int run_scene_once(const SceneFile& file, const Target& target, bool resumes, st
   const std::string checkpoint = (fs::path(target.directory) / checkpoint_name).string();
   RunResult result;
   const int code = run(file, target, {}, resumes && fs::exists(checkpoint) ? checkpoint : "", result);
-  for (const double figure : {result.figures.run_out, result.figures.max_displacement,
-                              result.figures.largest_overlap, result.figures.energy_residual})
+  if (!result.figures) return code;
+  for (const double figure : {result.figures->run_out, result.figures->max_displacement,
+                              result.figures->largest_overlap, result.figures->energy_residual})
     results += (results.empty() ? "" : ",") + shortest(figure);
   if (code == exit_ok && load(file, 1).scene.reference.is_given) results += ',' + reference_value(file);
   return code;

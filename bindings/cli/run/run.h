@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "common/files.h"
@@ -11,10 +12,10 @@ namespace halfspace::cli {
 
 struct RunResult {
   Outcome outcome = Outcome::complete;
-  std::string trouble;  ///< the library's error text of an unstable or refused run
-  std::string summary;  ///< the same for the same scene
-  std::string timings;  ///< of this run
-  RunFigures figures;
+  std::string trouble;                     ///< the library's error text of an unstable or refused run
+  std::string summary;                     ///< the same for the same scene
+  std::string timings;                     ///< of this run
+  std::optional<RunFigures> figures = {};  ///< of a run that has begun
 };
 
 /// Options of a run: its start and its checkpoints.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <memory>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -24,7 +23,7 @@ toml::table parsed(std::size_t number, const std::string& value) {
   return toml::parse(std::string(number - 1, '\n') + "value = " + value, source_name);
 }
 
-/// A value that no TOML reads, but that no sign of TOML divides either.
+/// True for text without the characters that TOML gives a meaning: such a value is a string.
 bool is_bare_word(const std::string& value) {
   return !value.empty() && std::all_of(value.begin(), value.end(), [](unsigned char c) {
     return c >= ' ' && c != 0x7f &&
