@@ -1,7 +1,7 @@
 """Water that stages change, and bolts that stages install: draught, tensions, files, faults, and resumed runs."""
 import vtk
 
-from command import EXAMPLES, SceneTest, halfspace, main
+from command import EXAMPLES, SceneTest, main
 
 POND = """dimension = 2
 [world]
