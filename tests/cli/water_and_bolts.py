@@ -1,9 +1,10 @@
 """Water that stages change, and bolts that stages install: draught, tensions, files, faults, and resumed runs."""
 import vtk
 
-from command import EXAMPLES, SceneTest, halfspace, main
+from command import EXAMPLES, SceneTest, main
 
 POND = """dimension = 2
+[world]
 [[material]]
 name = "wood"
 density = 600
@@ -24,6 +25,7 @@ do = "settle"
 ratio = 1e-8
 """
 LAMP = """dimension = 2
+[world]
 [[material]]
 name = "iron"
 density = 8000
@@ -91,7 +93,7 @@ class WaterAndBolts(SceneTest):
         reader.SetFileName(str(self.output / "frames" / "bolts_0000.vtp"))
         reader.Update()
         self.assertEqual(reader.GetOutput().GetNumberOfLines(), 1)
-        self.assertEqual(reader.GetOutput().GetCellData().GetArray("tension").GetValue(0), 78480)
+        self.assertAlmostEqual(reader.GetOutput().GetCellData().GetArray("tension").GetValue(0), 78480, delta=1e-6)
 
     def test_a_resumed_run_installs_the_same_bolts(self):
         self.run_scene(LAMP + STAGES)
@@ -118,9 +120,9 @@ class WaterAndBolts(SceneTest):
             ("pretension = 78480", "pretension = -1", r"bolt\[0\]\.pretension: out of range: -1"),
             ("pretension = 78480", 'bears = "push"', r"bolt\[0\]\.bears: unknown word"),
         ]:
-            self.check_fault(LAMP.replace(old, new) + "[world]\nduration = 1\n", fault)
+            self.check_fault(LAMP.replace(old, new).replace("[world]", "[world]\nduration = 1"), fault)
         self.check_fault(LAMP + '[[stage]]\ndo = "settle"\ninstall = ["cabel"]\n', r"did you mean 'cable'")
-        self.check_fault(POND.replace("level = 0.5", ""), r"water\.level: missing")
+        self.check_fault(POND.replace("level = 0.5", ""), r"water\.table: missing")
         self.check_fault(POND.replace("level = 0.5", "table = [[1, 0], [0, 0]]"), r"water\.table: point 1 is to the left")
         three = POND.replace("level = 0.5", "table = [[0, 0], [1, 0], [2, 0]]")
         self.check_fault(three + '[[stage]]\ndo = "settle"\n[stage.water]\ntable = [[0, 0], [1, 0]]\n',
@@ -128,14 +130,10 @@ class WaterAndBolts(SceneTest):
 
     def test_a_wet_slope_stands_with_bolts_only(self):
         text = (EXAMPLES / "wet_slope" / "wet_slope.toml").read_text()
-        speeds = []
-        for scene in (text, text.replace('to = [21, 2]', 'to = [21, 2]\nyield_force = 2e5')
-                                .replace('to = [21, 5]', 'to = [21, 5]\nyield_force = 2e5')
-                                .replace("pretension = 2e5", "pretension = 0").replace("stiffness = 2e7", "stiffness = 1")):
-            self.run_scene(scene)
-            speeds.append(float(self.rows()[-1]["largest_speed"]))
-        self.assertLess(speeds[0], 0.01)
-        self.assertGreater(speeds[1], 0.5)
+        self.run_scene(text)
+        self.assertLess(float(self.rows()[-1]["largest_speed"]), 0.01)
+        self.run_scene(text.replace("stiffness = 2e7", "stiffness = 1").replace("pretension = 2e5", "pretension = 0"))
+        self.assertGreater(float(self.rows()[-1]["largest_speed"]), 0.5)
 
 
 main()

@@ -28,9 +28,12 @@ struct Bolt {
   double elongation = 0;  // from the unstressed length, at the last evaluation
   double tension = 0;     // likewise
   double dissipated = 0;  // by yield and rupture, J
+  double reserved = 0;
 
   double strain_energy() const { return 0.5 * tension / stiffness * tension; }
 };
+
+static_assert(sizeof(Bolt<2>) == 128 && sizeof(Bolt<3>) == 144, "snapshots have no implicit padding");
 
 /// The bolts of a world, in the order in which they were added.
 template <int D>
