@@ -173,7 +173,9 @@ Tensor stress_at(const Scene& scene, const InSitu& in_situ, const Point& place) 
 void stress_joints(const Context& context, const Scene& scene, Layout& layout, Faults& faults) {
   const InSitu& in_situ = *scene.in_situ;
   const PlacedBlocks blocks(context, layout);
-  const auto grows = [&](std::size_t i) { return !deforms(layout.blocks[i].kind); };
+  const auto grows = [&](std::size_t i) {
+    return !deforms(layout.blocks[i].kind) && !layout.blocks[i].compound;
+  };
   constexpr double just_outside = 1e-6;
   for (std::size_t i = 0; i < layout.blocks.size(); ++i) {
     if (!grows(i)) continue;

@@ -137,6 +137,8 @@ void Model::add(const LayoutCompound& given) {
   if (first.motion.start == 0) set_velocity(def, first.motion);
   hs_block block = 0;
   require(context_, hs_world_add_compound(world_.get(), shapes.data(), poses.data(), count, &def, &block));
+  if (first.motion.held_axes != 0)
+    require(context_, hs_world_hold_block(world_.get(), block, static_cast<int32_t>(first.motion.held_axes)));
   index_of_compound_.emplace(block, compounds_.size());
   compounds_.push_back(block);
   require(context_,

@@ -66,7 +66,11 @@ void Model::begin_actions(std::size_t stage) {
     }
     if (action.on.empty()) require(context_, hs_world_add_action(world_.get(), 0, &def));
     for (const std::size_t block : layout_.acted_on[i]) {
-      if (!is_removed_[block]) require(context_, hs_world_add_action(world_.get(), blocks_[block], &def));
+      const std::optional<std::size_t> compound = layout_.blocks[block].compound;
+      const bool is_later_part = compound && block != layout_.compounds[*compound].first_block;
+      if (is_removed_[block] || is_later_part) continue;
+      require(context_,
+              hs_world_add_action(world_.get(), compound ? compounds_[*compound] : blocks_[block], &def));
     }
   }
   for (std::size_t body = 0; body < layout_.bodies.size(); ++body) {
