@@ -54,7 +54,7 @@ History::History(const Scene& scene, const Model& start)
       "damping_loss,"
       "local_damping_loss,mass_damping_loss,outer_work,residual";
   if (layout.has_deformable()) text_ += ",block_strain,block_damping_loss";
-  if (has_stages) text_ += ",stage,stage_time";
+  if (has_stages_) text_ += ",stage,stage_time";
   if (has_water_) text_ += ",water";
   if (has_bolts_) text_ += ",bolt_strain,bolt_loss";
   for (std::size_t block : layout.tracked) {
