@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -26,6 +27,12 @@ inline double length(const Point& a) { return std::hypot(a[0], a[1], a[2]); }
 inline Point unit(const Point& a) { return times(1 / length(a), a); }
 
 inline Point point_of(const double components[3]) { return {components[0], components[1], components[2]}; }
+
+inline double distance_to_segment(const Point& p, const Point& a, const Point& b) {
+  const Point along = minus(b, a);
+  const double part = std::clamp(dot(minus(p, a), along) / dot(along, along), 0.0, 1.0);
+  return length(minus(p, plus(a, times(part, along))));
+}
 
 /// Newell's normal of a plane loop, with twice its area as length; outwards if the loop runs
 /// counter-clockwise seen from outside.

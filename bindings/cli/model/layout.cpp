@@ -154,7 +154,7 @@ class LayoutBuilder {
   /// Tracks a point in the first block that contains it.
   void track(const TrackedPoint& point) {
     if (!faults_.none()) return;  // the blocks may be incomplete
-    const auto nearest = nearest_block(context_, layout_, point.at, [](std::size_t) { return false; });
+    const auto nearest = nearest_block(context_, layout_, point.at);
     if (!nearest) return;
     if (nearest->distance > 0) {
       faults_.add(point.place, point.key,
@@ -256,36 +256,24 @@ class LayoutBuilder {
     return std::nullopt;
   }
 
-  /// True if two blocks can ever be in contact.
-  bool can_touch(std::size_t a, std::size_t b) const {
-    const LayoutBlock& one = layout_.blocks[a];
-    const LayoutBlock& other = layout_.blocks[b];
-    return a != b && (moves_freely(one.kind) || moves_freely(other.kind)) &&
-           !(one.body && one.body == other.body);
-  }
-
   std::optional<std::pair<std::size_t, std::size_t>> blocks_named(const TrackedJoint& joint) {
     const std::optional<std::size_t> a = find(joint.blocks[0], joint.place, joint.key.c_str());
     const std::optional<std::size_t> b = find(joint.blocks[1], joint.place, joint.key.c_str());
     if (!a || !b) return std::nullopt;
-    if (can_touch(*a, *b)) return std::pair(*a, *b);
+    if (can_touch(layout_, *a, *b)) return std::pair(*a, *b);
     faults_.add(joint.place, joint.key,
                 '"' + joint.blocks[0] + "\" and \"" + joint.blocks[1] +
                     "\" never touch; allowed: two blocks of which one moves freely, not of one mesh");
     return std::nullopt;
   }
 
-  /// The block at a point, and the nearest block that can touch it, in their order.
   std::optional<std::pair<std::size_t, std::size_t>> blocks_at(const TrackedJoint& joint) {
-    const auto first = nearest_block(context_, layout_, joint.at, [](std::size_t) { return false; });
-    if (!first) return std::nullopt;
-    const auto second = nearest_block(context_, layout_, joint.at,
-                                      [&](std::size_t block) { return !can_touch(first->block, block); });
-    if (second) return std::minmax({first->block, second->block});
-    faults_.add(joint.place, joint.key,
-                "no block can touch \"" + layout_.blocks[first->block].name +
-                    "\", the one at this point; allowed: a point between two blocks");
-    return std::nullopt;
+    const auto pair = blocks_that_touch_at(context_, layout_, joint.at);
+    if (!pair) {
+      faults_.add(joint.place, joint.key,
+                  "no two blocks that can touch each other; allowed: a point between two blocks");
+    }
+    return pair;
   }
 
   /// Generators run only without faults.

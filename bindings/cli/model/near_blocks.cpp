@@ -10,16 +10,10 @@
 namespace halfspace::cli {
 namespace {
 
-double distance_to_segment(const Point& a, const Point& b, const Point& p) {
-  const Point along = minus(b, a);
-  const double part = std::clamp(dot(minus(p, a), along) / dot(along, along), 0.0, 1.0);
-  return length(minus(p, plus(a, times(part, along))));
-}
-
 double distance_to_outline(const std::vector<Point>& loop, const Point& p) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < loop.size(); ++i)
-    least = std::min(least, distance_to_segment(loop[i], loop[(i + 1) % loop.size()], p));
+    least = std::min(least, distance_to_segment(p, loop[i], loop[(i + 1) % loop.size()]));
   return least;
 }
 
@@ -53,8 +47,7 @@ hs_pose pose_of(const Context& context, const LayoutBlock& block) {
   return pose;
 }
 
-}  // namespace
-
+/// At most `farthest` is of interest: beyond it the result may be any larger number.
 double distance_to(const Context& context, const LayoutBlock& block, const Point& at, double farthest) {
   constexpr double rounding = 1e-9;  // of a block's radius: coordinates of the file, placed
   const hs_shape_properties properties = properties_of(context, block.shape);
@@ -66,6 +59,44 @@ double distance_to(const Context& context, const LayoutBlock& block, const Point
     outside = std::max(outside, dot(side.normal, offset) - side.offset);
   if (outside <= rounding * properties.bounding_radius) return 0;
   return distance_to_surface(context, block.shape, local);
+}
+
+template <class Condition>
+std::optional<NearBlock> nearest_where(const Context& context, const Layout& layout, const Point& at,
+                                       Condition counts) {
+  std::optional<NearBlock> nearest;
+  for (std::size_t i = 0; i < layout.blocks.size(); ++i) {
+    if (!counts(i)) continue;
+    const double best = nearest ? nearest->distance : std::numeric_limits<double>::infinity();
+    const double distance = distance_to(context, layout.blocks[i], at, best);
+    if (distance < best) nearest = {i, distance};
+    if (distance == 0) break;
+  }
+  return nearest;
+}
+
+}  // namespace
+
+std::optional<NearBlock> nearest_block(const Context& context, const Layout& layout, const Point& at) {
+  return nearest_where(context, layout, at, [](std::size_t) { return true; });
+}
+
+bool can_touch(const Layout& layout, std::size_t a, std::size_t b) {
+  const LayoutBlock& one = layout.blocks[a];
+  const LayoutBlock& other = layout.blocks[b];
+  return a != b && (moves_freely(one.kind) || moves_freely(other.kind)) &&
+         !(one.body && one.body == other.body);
+}
+
+std::optional<std::pair<std::size_t, std::size_t>> blocks_that_touch_at(const Context& context,
+                                                                        const Layout& layout,
+                                                                        const Point& at) {
+  const std::optional<NearBlock> first = nearest_block(context, layout, at);
+  if (!first) return std::nullopt;
+  const auto second = nearest_where(
+      context, layout, at, [&](std::size_t block) { return can_touch(layout, first->block, block); });
+  if (!second) return std::nullopt;
+  return std::minmax({first->block, second->block});
 }
 
 std::optional<PairPlane> plane_between(const Context& context, const LayoutBlock& a, const LayoutBlock& b) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <utility>
 
 #include "model/layout.h"
 
@@ -13,29 +14,16 @@ struct NearBlock {
   double distance = 0;  ///< m; 0 inside of the block and on its border
 };
 
-/// The first block that contains the point, or the nearest one; empty for a layout without blocks. Blocks for
-/// which `is_left_out` is true do not count.
-template <class Condition>
-std::optional<NearBlock> nearest_block(const Context& context, const Layout& layout, const Point& at,
-                                       Condition is_left_out);
+/// The first block that contains the point, or the nearest one; empty for a layout without blocks.
+std::optional<NearBlock> nearest_block(const Context& context, const Layout& layout, const Point& at);
 
-/// The distance of a point from a block at the start. At most `farthest` is of interest: beyond it the result
-/// may be any larger number.
-double distance_to(const Context& context, const LayoutBlock& block, const Point& at, double farthest);
+/// True if two blocks can ever be in contact.
+bool can_touch(const Layout& layout, std::size_t a, std::size_t b);
 
-template <class Condition>
-std::optional<NearBlock> nearest_block(const Context& context, const Layout& layout, const Point& at,
-                                       Condition is_left_out) {
-  std::optional<NearBlock> nearest;
-  for (std::size_t i = 0; i < layout.blocks.size(); ++i) {
-    if (is_left_out(i)) continue;
-    const double best = nearest ? nearest->distance : std::numeric_limits<double>::infinity();
-    const double distance = distance_to(context, layout.blocks[i], at, best);
-    if (distance < best) nearest = {i, distance};
-    if (distance == 0) break;
-  }
-  return nearest;
-}
+/// The block nearest to a point and the next one that can touch it, in their order; empty if there is none.
+std::optional<std::pair<std::size_t, std::size_t>> blocks_that_touch_at(const Context& context,
+                                                                        const Layout& layout,
+                                                                        const Point& at);
 
 /// The plane between two blocks at the start.
 struct PairPlane {

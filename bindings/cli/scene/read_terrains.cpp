@@ -14,7 +14,6 @@ bool has_extension(const std::string& file, std::string_view lower, std::string_
 }
 
 void read_grid(Keys& keys, bool is_image, Terrain& terrain) {
-  terrain.origin = keys.point("origin", Point{});
   terrain.spacing = keys.number("spacing", above(0), required);
   if (!is_image) return;
   terrain.lowest = keys.number("lowest", any_number(), required);
@@ -35,13 +34,13 @@ void read_terrains(std::vector<Keys> tables, Scene& scene) {
     const std::string file = keys.text("file", required);
     terrain.file = (std::filesystem::path(scene.folder) / file).string();
     terrain.shape_place = keys.place("file");
+    terrain.shift = keys.point("shift", Point{});
     terrain.depth = keys.number("depth", above(0), required);
     const bool is_image = has_extension(file, ".png", ".PNG");
     if (is_image || has_extension(file, ".csv", ".CSV")) {
       read_grid(keys, is_image, terrain);
     } else {
       terrain.scale = keys.number("scale", above(0), terrain.scale);
-      terrain.shift = keys.point("shift", Point{});
     }
     keys.finish();
     scene.terrains.push_back(std::move(terrain));

@@ -283,9 +283,8 @@ struct Terrain {
   std::string file;  ///< path, from the working directory
   Place shape_place;
   double depth = 0;    ///< m, extent of the blocks behind the surface
+  Point shift{};       ///< m
   double scale = 1;    ///< STL, OBJ: length in m of one unit of the file
-  Point shift{};       ///< STL, OBJ: m, after the scaling
-  Point origin{};      ///< height map: the south-western node, in the plane
   double spacing = 1;  ///< height map: m, between nodes
   double lowest = 0;   ///< PNG: height of black, m
   double highest = 1;  ///< PNG: height of white, m

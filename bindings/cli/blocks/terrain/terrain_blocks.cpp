@@ -13,12 +13,6 @@ constexpr double degree = std::numbers::pi / 180;
 
 Point horizontal(const Point& vector) { return {vector[0], vector[1], 0}; }
 
-double distance_to_segment(const Point& p, const Point& a, const Point& b) {
-  const Point along = minus(b, a);
-  const double part = std::clamp(dot(minus(p, a), along) / dot(along, along), 0.0, 1.0);
-  return length(minus(p, plus(a, times(part, along))));
-}
-
 /// Of two segments in the plane that do not cross.
 double distance_of_segments(const Point& a, const Point& b, const Point& c, const Point& d) {
   return std::min({distance_to_segment(a, c, d), distance_to_segment(b, c, d), distance_to_segment(c, a, b),

@@ -15,9 +15,9 @@
 namespace halfspace::cli {
 namespace {
 
-/// The faces of a file, in m and at their place, each divided into triangles around its first vertex.
+/// The faces of a file, in m, each divided into triangles around its first vertex.
 Surface in_triangles(Surface surface, const Terrain& terrain) {
-  for (Point& vertex : surface.vertices) vertex = plus(times(terrain.scale, vertex), terrain.shift);
+  for (Point& vertex : surface.vertices) vertex = times(terrain.scale, vertex);
   std::vector<Surface::Face> triangles;
   for (const Surface::Face& face : surface.faces) {
     for (std::size_t i = 2; i < face.vertices.size(); ++i)
@@ -28,7 +28,8 @@ Surface in_triangles(Surface surface, const Terrain& terrain) {
   return surface;
 }
 
-/// Two triangles for each square of a height map. The diagonals alternate, so that no direction is preferred.
+/// Two triangles for each square of a height map, whose south-western node is at x = y = 0. The diagonals
+/// alternate, so that no direction is preferred.
 Surface surface_of(const HeightMap& map, const std::string& name, const Terrain& terrain) {
   if (map.columns < 2 || map.rows < 2)
     throw MeshFault(name, "fewer than two rows or columns of heights; allowed: two or more of each");
@@ -36,10 +37,9 @@ Surface surface_of(const HeightMap& map, const std::string& name, const Terrain&
   for (std::size_t row = 0; row < map.rows; ++row) {
     for (std::size_t column = 0; column < map.columns; ++column) {
       const double height = map.heights[row * map.columns + column];
-      surface.vertices.push_back(
-          {terrain.origin[0] + terrain.spacing * static_cast<double>(column),
-           terrain.origin[1] + terrain.spacing * static_cast<double>(map.rows - 1 - row),
-           terrain.lowest + (terrain.highest - terrain.lowest) * height});
+      surface.vertices.push_back({terrain.spacing * static_cast<double>(column),
+                                  terrain.spacing * static_cast<double>(map.rows - 1 - row),
+                                  terrain.lowest + (terrain.highest - terrain.lowest) * height});
     }
   }
   for (std::size_t row = 1; row < map.rows; ++row) {
@@ -140,6 +140,7 @@ void require_manifold(const Surface& surface) {
 TriangleSurface read_surface(const Terrain& terrain) {
   Surface surface = read_file(terrain);
   if (surface.faces.empty()) throw MeshFault(surface.file, "no triangles; required: one or more");
+  for (Point& vertex : surface.vertices) vertex = plus(vertex, terrain.shift);
   weld(surface);
   require_upward(surface);
   require_manifold(surface);
