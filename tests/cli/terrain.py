@@ -90,8 +90,9 @@ class Terrain(SceneTest):
                 self.assertAlmostEqual(found["box." + axis], expected["box." + axis], delta=overlap)
 
     def test_blocks_stand_on_peaks_in_hollows_and_on_saddles_of_a_terrain(self):
+        # All but the peak are plane between the axes, so that either diagonal of a square is the same surface.
         # A box just above the highest point below it touches nothing, and does so just below.
-        shapes = {"peak": lambda x, y: -0.9 * max(abs(x), abs(y)), "hollow": lambda x, y: max(abs(x), abs(y)),
+        shapes = {"peak": lambda x, y: -0.9 * max(abs(x), abs(y)), "hollow": lambda x, y: abs(x) + abs(y),
                   "ridge": lambda x, y: -2 * abs(x), "saddle": lambda x, y: abs(x) - abs(y)}
         for name, height in shapes.items():
             rows = [",".join(repr(float(height(x, y))) for x in range(-3, 4)) for y in range(3, -4, -1)]
