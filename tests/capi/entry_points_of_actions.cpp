@@ -74,6 +74,12 @@ hs_status prescribe_velocities(Scene& s) {
   return hs_world_prescribe_velocities(s.world.get(), &s.moved, view_of(velocities), view_of(spins));
 }
 
+hs_status set_viscosity(Scene& s) {
+  const int32_t nodes[] = {1, 0, 1};
+  const double viscosity[9] = {1e3, 0, 0, 0, 1e3, 0, 0, 0, 1e3};
+  return hs_world_set_node_viscosity(s.world.get(), s.body, nodes, 3, viscosity);
+}
+
 }  // namespace
 
 std::vector<EntryPoint> entry_points_of_actions() {
@@ -90,6 +96,7 @@ std::vector<EntryPoint> entry_points_of_actions() {
        [](S s) { return hs_world_end_node_actions(s.world.get(), s.body); }, add_actions_and_more},
       {"hs_world_hold_block", Allocates::never,
        [](S s) { return hs_world_hold_block(s.world.get(), s.upper, HS_AXIS_X | HS_AXIS_ROTATION); }},
+      {"hs_world_set_node_viscosity", Allocates::always, set_viscosity},
       {"hs_world_prescribe_velocities", Allocates::never, prescribe_velocities, add_table_and_targets},
   };
 }

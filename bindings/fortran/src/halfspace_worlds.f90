@@ -13,6 +13,7 @@ module halfspace_worlds
   use halfspace_contacts, only: halfspace_block, halfspace_contact
   use halfspace_definitions, only: halfspace_pose
   use halfspace_meshes, only: halfspace_mesh
+  use halfspace_shapes, only: halfspace_shape
   implicit none
   private
   public :: halfspace_block_state, halfspace_energy, halfspace_world, halfspace_world_plan, halfspace_world_report
@@ -36,6 +37,10 @@ module halfspace_worlds
     procedure :: set_body_stress
     procedure :: cells
     procedure :: add_table
+    procedure :: add_compound
+    procedure :: compound_parts
+    procedure :: compound_of_block
+    procedure :: set_node_viscosity
     procedure :: add_action
     procedure :: end_actions
     procedure :: add_node_action
@@ -197,6 +202,44 @@ module halfspace_worlds
 
   end interface
 
+  ! Concave blocks: halfspace_worlds_compounds.f90.
+  interface
+
+    !> Adds a compound of convex parts, which touch or are apart. The world copies the shapes.
+    module subroutine add_compound(self, shapes, block, poses, kind, material, pose, velocity, stat, errmsg)
+      class(halfspace_world), intent(inout) :: self
+      type(halfspace_shape), intent(in) :: shapes(:)  !< of the parts
+      type(halfspace_block), intent(out), optional :: block  !< its id
+      type(halfspace_pose), intent(in), optional :: poses(:)  !< of the parts in one frame; default: as their vertices
+      integer(c_int32_t), intent(in), optional :: kind  !< HS_BLOCK_RIGID (default), _FIXED or _PRESCRIBED
+      integer(c_int32_t), intent(in), optional :: material  !< index from add_material(); default 1
+      type(halfspace_pose), intent(in), optional :: pose  !< of the centroid of all parts; default: as the parts
+      real(c_double), intent(in), optional :: velocity(:)  !< of that centroid, 3 values (2D: or 2); default 0
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine add_compound
+
+    !> The parts of a compound, in the order in which they were given; none for other blocks.
+    module subroutine compound_parts(self, block, parts, stat, errmsg)
+      class(halfspace_world), intent(in) :: self
+      type(halfspace_block), intent(in) :: block
+      type(halfspace_block), intent(out), allocatable, target :: parts(:)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine compound_parts
+
+    !> The compound of a part, and the index of the part from 1; 0 for a block that is not a part.
+    module subroutine compound_of_block(self, block, compound, part, stat, errmsg)
+      class(halfspace_world), intent(in) :: self
+      type(halfspace_block), intent(in) :: block
+      type(halfspace_block), intent(out) :: compound
+      integer(c_int32_t), intent(out) :: part
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine compound_of_block
+
+  end interface
+
   ! Motions and loads in time, and held axes: halfspace_worlds_actions.f90. Within a step a load is constant, the mean
   ! of its table, and a prescribed block moves by the integral of its velocity, so both are exact for any time step.
   interface
@@ -211,6 +254,16 @@ module halfspace_worlds
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine add_table
+
+    !> Sets the viscosity of nodes of a body: a dashpot connects each with the ground. 0 removes the dashpots.
+    module subroutine set_node_viscosity(self, body, nodes, viscosity, stat, errmsg)
+      class(halfspace_world), intent(inout) :: self
+      type(halfspace_body), intent(in) :: body
+      integer(c_int32_t), intent(in) :: nodes(:)  !< from 1
+      real(c_double), intent(in) :: viscosity(3,3)  !< of each node, symmetric, N s/m
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_node_viscosity
 
     !> Adds an action on a block, or without `block` on all blocks that move freely. Loads of one block add up; a motion
     !! replaces the one before.

@@ -61,6 +61,13 @@ contains
     call conclude(hs_world_end_node_actions(self%c_handle(), id_of_body(body)), self%c_context(), stat, errmsg)
   end procedure end_node_actions
 
+  module procedure set_node_viscosity
+    integer(c_int32_t), allocatable, target :: from_0(:)
+    if (.not. are_from_0(nodes, from_0, stat, errmsg)) return
+    call conclude(hs_world_set_node_viscosity(self%c_handle(), id_of_body(body), c_loc(from_0), &
+                                              size(from_0, kind=c_int64_t), viscosity), self%c_context(), stat, errmsg)
+  end procedure set_node_viscosity
+
   module procedure hold_block
     call conclude(hs_world_hold_block(self%c_handle(), id_of(block), axes), self%c_context(), stat, errmsg)
   end procedure hold_block

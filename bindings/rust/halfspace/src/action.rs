@@ -209,6 +209,31 @@ impl World {
         self.check(unsafe { sys::hs_world_end_node_actions(self.handle(), body.id()) })
     }
 
+    /// Sets the viscosity of nodes of a body, in N s/m: a dashpot connects each with the ground. With
+    /// the impedance of a face, waves leave the body there. 0 removes the dashpots.
+    pub fn set_node_viscosity(
+        &mut self,
+        body: Body,
+        nodes: &[usize],
+        viscosity: [[f64; 3]; 3],
+    ) -> Result<()> {
+        let nodes = indices(nodes, "World::set_node_viscosity: nodes")?;
+        let mut components = [0.0; 9];
+        for (row, values) in viscosity.iter().enumerate() {
+            components[3 * row..3 * row + 3].copy_from_slice(values);
+        }
+        // SAFETY: the world lives and is borrowed mutably, and the array is as long as said.
+        self.check(unsafe {
+            sys::hs_world_set_node_viscosity(
+                self.handle(),
+                body.id(),
+                nodes.as_ptr(),
+                nodes.len() as i64,
+                &components,
+            )
+        })
+    }
+
     /// Holds axes of a rigid block: the velocity along them stays, whatever the forces, and with
     /// [`Axes::ROTATION`] it does not rotate. [`Axes::NONE`] frees the block. Contacts of laws
     /// without springs are points then, without restitution.

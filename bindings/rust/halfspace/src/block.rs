@@ -118,7 +118,7 @@ impl BlockDef {
     pub(crate) fn raw(&self, shape: &Shape) -> sys::hs_block_def {
         let mut raw = MaybeUninit::<sys::hs_block_def>::zeroed();
         // SAFETY: the size is that of the struct, for which all zero is valid, and the shape lives.
-        let mut raw = unsafe {
+        let raw = unsafe {
             sys::hs_block_def_init(
                 raw.as_mut_ptr(),
                 size_of::<sys::hs_block_def>(),
@@ -126,6 +126,11 @@ impl BlockDef {
             );
             raw.assume_init()
         };
+        self.changed(raw)
+    }
+
+    /// A definition with these values.
+    pub(crate) fn changed(&self, mut raw: sys::hs_block_def) -> sys::hs_block_def {
         raw.kind = self.kind;
         raw.material = self.material.0;
         raw.pose = self.pose.map_or(raw.pose, Into::into);

@@ -121,6 +121,7 @@ mod block;
 mod body;
 mod bolt;
 mod bond;
+mod compound;
 mod constants;
 mod contact;
 mod context;

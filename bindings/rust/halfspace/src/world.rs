@@ -153,9 +153,10 @@ impl World {
 
     /// Removes a block; its id becomes stale. The cost is proportional to the size of the world.
     pub fn remove_block(&mut self, block: Block) -> Result<()> {
+        let parts = self.compound_parts(block)?.len();
         // SAFETY: the world lives and is borrowed mutably.
         self.check(unsafe { sys::hs_world_remove_block(self.handle(), block.id()) })?;
-        self.block_count -= 1;
+        self.block_count -= 1 + parts;
         Ok(())
     }
 
