@@ -96,7 +96,7 @@ std::vector<EntryPoint> entry_points_of_actions() {
        [](S s) { return hs_world_end_node_actions(s.world.get(), s.body); }, add_actions_and_more},
       {"hs_world_hold_block", Allocates::never,
        [](S s) { return hs_world_hold_block(s.world.get(), s.upper, HS_AXIS_X | HS_AXIS_ROTATION); }},
-      {"hs_world_set_node_viscosity", Allocates::always, set_viscosity},
+      {"hs_world_set_node_viscosity", Allocates::always, set_viscosity, add_table_and_targets},
       {"hs_world_prescribe_velocities", Allocates::never, prescribe_velocities, add_table_and_targets},
   };
 }
