@@ -80,7 +80,7 @@ pub struct World {
     handle: NonNull<sys::hs_world>,
     owner: Rc<Owner>,
     /// Cached, so that checks of array lengths are cheap.
-    block_count: usize,
+    pub(crate) block_count: usize,
 }
 
 impl World {
@@ -153,7 +153,7 @@ impl World {
 
     /// Removes a block; its id becomes stale. The cost is proportional to the size of the world.
     pub fn remove_block(&mut self, block: Block) -> Result<()> {
-        let parts = self.compound_parts(block)?.len();
+        let parts = self.compound_parts(block).map_or(0, |parts| parts.len());
         // SAFETY: the world lives and is borrowed mutably.
         self.check(unsafe { sys::hs_world_remove_block(self.handle(), block.id()) })?;
         self.block_count -= 1 + parts;
