@@ -246,7 +246,7 @@ class Restart(SceneTest):
             ("count = 60", "count = 62", "its blocks differ"),
             ("[0, 0.001]", "[0, 0.002]", "its blocks differ"),
             ('"rubble.7"', '"rubble.8"', "its tracked blocks, points or joints differ"),
-            ("stop = 0.15", "stop = 0.16", "its prescribed motions differ"),
+            ("stop = 0.15", "stop = 0.16", "its prescribed motions or bolts differ"),
             ("gravity = [4.0", "gravity = [5.0", "stage 1, which it had begun, differs"),
             ("duration = 0.4", "duration = 0.5", "stage 1, which it had begun, differs"),
             ("ratio = 1e-7", "ratio = 1e-2", "stage 0, which it had begun, differs"),
