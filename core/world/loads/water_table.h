@@ -62,6 +62,20 @@ class WaterTable {
   WaterDepth<D> plane_;  // only in 3D
 };
 
+// Their specializations, which no use may precede.
+template <>
+void WaterTable<2>::prepare();
+template <>
+void WaterTable<3>::prepare();
+template <>
+double WaterTable<2>::steepest() const;
+template <>
+double WaterTable<3>::steepest() const;
+template <>
+bool WaterTable<2>::is_table() const;
+template <>
+bool WaterTable<3>::is_table() const;
+
 /// The depth below a level line, and below the line through two corners at different x.
 inline WaterDepth<2> depth_below(const Vector<2>& corner) { return {corner, {0, -1}}; }
 inline WaterDepth<2> depth_below(const Vector<2>& a, const Vector<2>& b) {
