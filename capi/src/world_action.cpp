@@ -27,7 +27,7 @@ Vector<3> read_row(const hs_view& view, std::int64_t i, const char* name) {
   return {row.x(), row.y(), 0};
 }
 
-/// What a definition says for blocks and nodes alike.
+/// Reads and checks the fields that blocks and nodes have in common.
 template <int D>
 hs_action_def read_action(const World<D>& world, const hs_action_def* given) {
   const hs_action_def def = read_definition(given, "def");

@@ -14,7 +14,7 @@
 
 namespace halfspace::cli {
 
-/// Where a command writes to, and with how many threads it runs; 0: those of the scene.
+/// The directory that a command writes to, and the number of its threads; 0: that of the scene.
 struct Target {
   std::string directory;
   Earlier earlier = Earlier::refuse;

@@ -7,7 +7,7 @@
 
 namespace halfspace::cli {
 
-/// What the search for a limit varies: one of the tilt, the loads, or the setting `key=low:high`.
+/// The quantity that the search for a limit varies: the tilt, the loads, or the setting `key=low:high`.
 struct LimitOptions {
   bool tilts = false;
   std::string axis;                 ///< of the tilt: x, y, z, -x, ..., or empty: z in the plane, x in space

@@ -133,7 +133,7 @@ void move_out(Side& side, const Scene& scene, const InSitu& in_situ, double stif
   }
 }
 
-/// Where two edges in the plane meet.
+/// The point where two edges in the plane meet.
 Point meeting_of(const Side& before, const Side& after) {
   const Point along = minus(before.corners[1], before.corners[0]),
               next = minus(after.corners[1], after.corners[0]);

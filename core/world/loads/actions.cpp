@@ -146,10 +146,8 @@ void Actions<D>::renew(const Blocks<D>& blocks) {
   for (std::size_t t = 0; t < targets_.size(); ++t)
     target_of_[std::size_t(targets_[t].slot)] = std::int32_t(t);
   for (const Action<D>& action : actions_) {
-    if (action.slot < 0) continue;
-    Target& target = targets_[std::size_t(target_of_[std::size_t(action.slot)])];
-    target.is_loaded |= is_load(action.kind);
-    target.is_servo |= action.kind == ActionKind::servo;
+    if (action.slot >= 0 && action.kind == ActionKind::servo)
+      targets_[std::size_t(target_of_[std::size_t(action.slot)])].is_servo = true;
   }
   node_velocities_.assign(nodes_.size(), {});
   node_loads_.assign(loaded_nodes, Vector<D>::Zero());

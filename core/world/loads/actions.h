@@ -8,7 +8,7 @@
 
 namespace halfspace {
 
-/// What a table gives to a block or to nodes. The values are those of the C API.
+/// The quantity that a table gives to a block or to nodes. The values are those of the C API.
 enum class ActionKind : std::int32_t {
   velocity = 0,
   angular_velocity = 1,
@@ -103,7 +103,6 @@ class Actions {
   /// A block with actions of its own.
   struct Target {
     std::int32_t slot = -1;
-    bool is_loaded = false;
     bool is_servo = false;
     double resistance = 0;  // force of the contacts of a servo over its velocity for a motion, N s/m
     GivenVelocity<Vector<D>> velocity = {};
@@ -122,7 +121,7 @@ class Actions {
     return slot < target_of_.size() && target_of_[slot] >= 0 ? &targets_[std::size_t(target_of_[slot])]
                                                              : nullptr;
   }
-  /// Of all blocks and nodes that move freely, besides gravity.
+  /// The acceleration of all blocks and nodes that move freely, besides gravity.
   const Vector<D>& acceleration() const { return acceleration_; }
   bool accelerates_all() const { return accelerates_all_; }
   Vector<D> load_on_node(std::size_t node) const {

@@ -96,7 +96,7 @@ void MeshMotion<D>::damp_by_ground(std::size_t i, double to_end) {
   }
 }
 
-/// What the dashpot of a node takes up. Along held axes the supports balance it.
+/// The power that the dashpot of a node takes up. Along held axes the supports balance it.
 template <int D>
 double MeshMotion<D>::power_of_ground(std::size_t i, const Tensor<D>& viscosity) const {
   const Vector<D> force = viscosity * meshes_.velocity[i];

@@ -58,7 +58,7 @@ class Division {
     });
   }
 
-  /// Of all ears that with the shortest new edge.
+  /// The ear with the shortest new edge.
   std::size_t best_ear(const Loop& rest) const {
     std::size_t best = rest.size();
     double shortest = 0;

@@ -13,7 +13,7 @@ constexpr double degree = std::numbers::pi / 180;
 
 Point horizontal(const Point& vector) { return {vector[0], vector[1], 0}; }
 
-/// Of two segments in the plane that do not cross.
+/// The distance of two segments in the plane that do not cross.
 double distance_of_segments(const Point& a, const Point& b, const Point& c, const Point& d) {
   return std::min({distance_to_segment(a, c, d), distance_to_segment(b, c, d), distance_to_segment(c, a, b),
                    distance_to_segment(d, a, b)});

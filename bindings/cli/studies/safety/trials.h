@@ -33,7 +33,7 @@ std::vector<double> limits_at_rest(const Scene& scene, const Model& standing);
 /// The same for blocks that are not at rest yet: a tenth of their size.
 std::vector<double> limits_at_start(const Frame& start);
 
-/// Where a trial begins.
+/// The state in which a trial begins.
 struct TrialStart {
   std::shared_ptr<Model> model;    ///< with the value
   std::vector<SceneStage> stages;  ///< which settle it
