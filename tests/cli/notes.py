@@ -222,19 +222,24 @@ class Notes(unittest.TestCase):
                 .replace("[world]\n", "[world]\n" + world + "time_step = 1e-3\n"))
         springs = HEAD.format(2).replace("[world]\n", "[world]\n" + world)
         stone = block("ground", [-1, -1], [2, 0], 'kind = "fixed"') + block("box", [0, 0], [1, 1])
-        rubber = block("soft", [2, 0], [3, 1], 'kind = "affine"', "rubber")
-        glued = '[[law]]\nbetween = ["stone", "rubber"]\ncohesion = 1e5\n'
+        ground = block("ground", [-1, -1], [2, 0], 'kind = "fixed"')
+        soft = block("soft", [2, 0], [3, 1], 'kind = "affine"', "rubber")
+        held = block("held", [0, 0], [1, 1], 'hold = "x"')
+        glued = '[[law]]\nbetween = ["stone", "stone"]\nstiffness = "none"\ncohesion = 1e5\nrestitution = 0\n'
         own = '[[law]]\nbetween = ["stone", "stone"]\nstiffness = "none"\nrestitution = 0.5\n'
         every = sorted(f"world.{key}" for key in of_world)
+        points = "contacts without springs of blocks that deform or are held are points"
         for head, blocks, keys, reason in (
                 (none, stone, [], ""),
                 (springs.replace("locate_impacts = true", "locate_impacts = false"), stone, every[:1] + every[2:], "have springs"),
                 (springs, stone, every, "the laws of all blocks have springs; usual: a law with stiffness = \"none\""),
                 (springs, own + stone, [], ""),
-                (springs, own + stone + rubber, ["law[0].restitution"] + every, '"soft" deforms, so that all contacts'),
-                (none, stone + rubber.replace("affine", "rigid"), [], ""),
-                (none, stone + rubber, ["default_law.restitution"] + every, '"soft" deforms, so that all contacts'),
-                (none, glued + stone, ["default_law.restitution"] + every, "a law without springs has cohesion or")):
+                (springs, own + stone + soft, [], ""),
+                (none, stone + held, [], ""),
+                (none, ground + held, ["default_law.restitution"] + every, points),
+                (none, ground + soft, ["default_law.restitution"] + every, points),
+                (none, glued + stone, ["default_law.restitution", "law[0].restitution"] + every, "that has cohesion or"),
+                (none, glued + stone + soft.replace("affine", "rigid"), [], "")):
             with self.subTest(blocks=blocks, keys=keys):
                 notes = [note for note in self.check_text(head + blocks) if "no effect" in note]
                 self.assertEqual(sorted(note.split("note: ")[1].split(":")[0] for note in notes), keys)

@@ -8,33 +8,37 @@
 namespace halfspace::cli {
 namespace {
 
-/// True if the blocks of two of these materials follow a law with the property. A block may meet another of
-/// its own material.
+/// True if a law between two of these materials has the property. A block may meet another of its own
+/// material.
 template <class Property>
-bool any_law_between(const Scene& scene, const std::set<int>& materials, Property property) {
-  return std::any_of(materials.begin(), materials.end(), [&](int a) {
-    return std::any_of(materials.begin(), materials.end(),
-                       [&](int b) { return a <= b && property(law_between(scene, a, b)); });
+bool any_law_between(const Scene& scene, const std::set<int>& some, const std::set<int>& others,
+                     Property property) {
+  return std::any_of(some.begin(), some.end(), [&](int a) {
+    return std::any_of(others.begin(), others.end(),
+                       [&](int b) { return property(law_between(scene, a, b)); });
   });
 }
 
-/// The reason why there are no impulses between rigid blocks. Empty if there may be some.
+/// The reason why no two blocks have impulses between rigid blocks. Empty if some may have.
 std::string reason_without_impulses(const Start& start) {
-  const auto bonds_without_spring = [](const hs_law_def& law) {
-    return has_no_spring(law) && holds_together(law);
-  };
-  if (!any_law_between(start.scene, used_materials(start), has_no_spring))
+  const std::set<int> used = used_materials(start);
+  if (!any_law_between(start.scene, used, used, has_no_spring))
     return "the laws of all blocks have springs; usual: a law with stiffness = \"none\"";
-  const std::string points = ", so that all contacts without springs are point constraints; usual: ";
-  const auto& blocks = start.layout.blocks;
-  const auto deformable = std::find_if(blocks.begin(), blocks.end(),
-                                       [](const LayoutBlock& block) { return deforms(block.kind); });
-  if (deformable != blocks.end()) return quoted(deformable->name) + " deforms" + points + "rigid blocks only";
-  std::set<int> materials;  // the world has all of them, also those without blocks
-  for (std::size_t i = 0; i < start.scene.materials.size(); ++i) materials.insert(static_cast<int>(i));
-  if (any_law_between(start.scene, materials, bonds_without_spring))
-    return "a law without springs has cohesion or tensile_strength" + points +
-           "these in laws with springs only";
+  std::set<int> with_manifolds, moving;  // materials of blocks that neither deform nor are held
+  for (const LayoutBlock& block : start.layout.blocks) {
+    if (deforms(block.kind) || block.motion.held_axes != 0) continue;
+    with_manifolds.insert(block.material);
+    if (block.kind == HS_BLOCK_RIGID) moving.insert(block.material);
+  }
+  if (!any_law_between(start.scene, moving, with_manifolds, has_no_spring))
+    return "contacts without springs of blocks that deform or are held are points; usual: a law without "
+           "springs "
+           "between rigid blocks";
+  const auto has_impulses = [](const hs_law_def& law) { return has_no_spring(law) && !holds_together(law); };
+  if (!any_law_between(start.scene, moving, with_manifolds, has_impulses))
+    return "contacts by a law without springs that has cohesion or tensile_strength are points; usual: these "
+           "in "
+           "laws with springs only";
   return {};
 }
 

@@ -407,7 +407,7 @@ module halfspace_c
     real(c_double) :: stable_time_step = 0.0_c_double
     integer(c_int64_t) :: block_count = 0  !< living blocks
     integer(c_int64_t) :: candidate_count = 0  !< pairs in the neighbour list
-    !> contacts: pairs of blocks; without springs, where a block deforms or is bonded, points
+    !> contacts: pairs of blocks; without springs, where a block deforms, is held or may be bonded, points
     integer(c_int64_t) :: contact_count = 0
     integer(c_int64_t) :: list_builds = 0  !< number of builds of the neighbour list
     real(c_double) :: largest_overlap = 0.0_c_double  !< max overlap of the last detection, m

@@ -504,7 +504,7 @@ class hs_world_report(Structure):
         ("stable_time_step", c_double),
         ("block_count", c_int64),  # living blocks
         ("candidate_count", c_int64),  # pairs in the neighbour list
-        # contacts: pairs of blocks; without springs, where a block deforms or is bonded, points
+        # contacts: pairs of blocks; without springs, where a block deforms, is held or may be bonded, points
         ("contact_count", c_int64),
         ("list_builds", c_int64),  # number of builds of the neighbour list
         ("largest_overlap", c_double),  # max overlap of the last detection, m

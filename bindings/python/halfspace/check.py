@@ -158,13 +158,12 @@ def notes_on_impulses(given: Given, boxes: Boxes) -> Iterator[str]:
     pairs = [f"law[{a}, {b}]" for b in range(count) for a in range(b + 1)]
     without = [law for law in (given.laws.get(pair, given.laws["default_law"]) for pair in pairs)
                if StiffnessKind.NONE == law.stiffness_kind]
-    points = "all contacts without springs are point constraints"
     if not without:
         reason = "all laws have springs; usual: a law of StiffnessKind.NONE"
-    elif boxes.deforms.any():
-        reason = f"block {boxes.ids[boxes.deforms.argmax()]} deforms, so that {points}; usual: rigid blocks only"
-    elif any(law.cohesion > 0 or law.tensile_strength > 0 for law in without):
-        reason = (f"a law without springs has cohesion or tensile_strength, so that {points}; "
+    elif not (boxes.moves & ~boxes.deforms).any():
+        reason = "contacts without springs of blocks that deform are points; usual: rigid blocks"
+    elif all(law.cohesion > 0 or law.tensile_strength > 0 for law in without):
+        reason = ("contacts by a law without springs that has cohesion or tensile_strength are points; "
                   "usual: these in laws with springs only")
     else:
         return

@@ -251,7 +251,7 @@ class WorldReport(Record):
     candidate_count : int
         pairs in the neighbour list
     contact_count : int
-        contacts: pairs of blocks; without springs, where a block deforms or is bonded, points
+        contacts: pairs of blocks; without springs, where a block deforms, is held or may be bonded, points
     list_builds : int
         number of builds of the neighbour list
     largest_overlap : float

@@ -120,8 +120,8 @@ typedef struct hs_world_report {
                                   freely */
   int64_t block_count;       /**< living blocks */
   int64_t candidate_count;   /**< pairs in the neighbour list */
-  int64_t contact_count;     /**< contacts: pairs of blocks; without springs, where a block deforms or is
-                                  bonded, points */
+  int64_t contact_count;     /**< contacts: pairs of blocks; without springs, where a block deforms, is held
+                                  or may be bonded, points */
   int64_t list_builds;       /**< number of builds of the neighbour list */
   double largest_overlap;    /**< max overlap of the last detection, m */
   double largest_speed;      /**< current max speed of blocks that move freely, m/s */

@@ -5,6 +5,7 @@
 #include <span>
 #include <tuple>
 
+#include "world/hard_contact/conjugate_direction.h"
 #include "world/motion/velocity_change.h"
 
 namespace halfspace {
@@ -64,6 +65,30 @@ struct ContactConstraint : PointContact<D> {
   bool fails(const Vector<D>& left) const;
 };
 
+/// A solver of points has converged when changes are below this fraction of the largest velocity: a point
+/// that moves farther would leave its face.
+constexpr double smallest_change = 1e-8;
+
+/// Sweeps of projected Gauss-Seidel over constraints, on the changes of velocity.
+template <int D>
+class ConstraintSweeps {
+ public:
+  ConstraintSweeps(std::span<ContactConstraint<D>> constraints, VelocityChange<D>& changes)
+      : constraints_(constraints), changes_(changes) {}
+
+  /// Applies the warm start. Returns the largest velocity by an impulse of it.
+  double begin();
+  /// Returns the largest change, as a velocity.
+  double sweep(bool is_backwards);
+  /// Of the impulses since the last acceleration, in the metric of the inverse masses.
+  double squared_change() const;
+  void accelerate(const ConjugateDirection& direction);
+
+ private:
+  std::span<ContactConstraint<D>> constraints_;
+  VelocityChange<D>& changes_;
+};
+
 /// Computes the impulses of all constraints together: normal impulses within the tension limit, shear
 /// impulses within friction and cohesion, and no relative velocity where neither is at its limit. The
 /// impulses given are the warm start.
@@ -73,6 +98,8 @@ struct ContactConstraint : PointContact<D> {
 template <int D>
 int solve_constraints(std::span<ContactConstraint<D>> constraints, VelocityChange<D>& changes);
 
+extern template class ConstraintSweeps<2>;
+extern template class ConstraintSweeps<3>;
 extern template int solve_constraints(std::span<ContactConstraint<2>>, VelocityChange<2>&);
 extern template int solve_constraints(std::span<ContactConstraint<3>>, VelocityChange<3>&);
 

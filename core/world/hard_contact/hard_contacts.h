@@ -1,12 +1,13 @@
 #pragma once
 
+#include "world/hard_contact/mixed_solver.h"
 #include "world/hard_contact/point_contacts.h"
 #include "world/hard_contact/rigid_contacts.h"
 
 namespace halfspace {
 
-/// The contacts of laws without springs, and their impulses: manifolds of rigid blocks, or points where some
-/// block deforms or is bonded. In a world without such laws its stages do nothing.
+/// The contacts of laws without springs, and their impulses: manifolds of rigid blocks, and points where a
+/// block deforms, is held or may be bonded. In a world without such laws its stages do nothing.
 template <int D>
 class HardContacts {
  public:
@@ -15,7 +16,8 @@ class HardContacts {
         contacts_(contacts),
         integrator_(integrator),
         points_(model, contacts, integrator, memory),
-        rigid_(model, contacts, integrator, memory) {}
+        rigid_(model, contacts, integrator, memory),
+        together_(model.blocks, memory) {}
 
   /// Does any law have no springs?
   bool is_used() const { return model_.materials.laws().knows_no_spring(); }
@@ -32,7 +34,7 @@ class HardContacts {
   double unbalanced_velocity() const { return rigid_.unbalanced_velocity(); }
   /// The part of the predicted motion before the first impact that is to be located, or 1.
   double fraction_before_impact() const {
-    return has_manifolds_ && model_.settings.locate_impacts ? rigid_.fraction_before_impact() : 1;
+    return model_.settings.locate_impacts ? rigid_.fraction_before_impact() : 1;
   }
 
   /// After the neighbour list has been renewed.
@@ -43,7 +45,7 @@ class HardContacts {
   /// Calls `visit(a, b)` for a moving and a sleeping block that will touch.
   template <class Visit>
   void for_each_meeting(double duration, Visit visit) {
-    if (has_manifolds_) rigid_.for_each_meeting(duration, visit);
+    if (is_used()) rigid_.for_each_meeting(duration, visit);
   }
 
   // The stages of a motion, in their order.
@@ -74,12 +76,21 @@ class HardContacts {
   }
 
  private:
+  VelocityChange<D>& changes() { return integrator_.kicks(); }
+  bool find_impulses(double time, double duration);
+  bool set_gap_targets(double time, double duration, bool is_first_search);
+  bool close_gaps(double duration);
+  bool solve(Half half, double duration);
+  bool solve_together(Half half, double duration);
+
   const Model<D>& model_;
   ContactList<D>& contacts_;
   Integrator<D>& integrator_;
   PointContacts<D> points_;
   RigidContacts<D> rigid_;
-  bool has_manifolds_ = false;
+  MixedSolver<D> together_;
+  bool has_points_ = false;
+  bool has_converged_ = true;  // in the last solve
 };
 
 extern template class HardContacts<2>;

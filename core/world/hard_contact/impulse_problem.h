@@ -110,6 +110,9 @@ struct ImpulseProblem {
   std::span<ImpulseRow<D>> frictions_of(const ImpulseContact<D>& contact) {
     return {rows.data() + contact.first_row + contact.normal_count, std::size_t(contact.friction_count)};
   }
+  std::span<const ImpulseRow<D>> rows_of(const ImpulseContact<D>& contact) const {
+    return {rows.data() + contact.first_row, std::size_t(contact.normal_count + contact.friction_count)};
+  }
   /// The largest friction impulse at the present normal impulses.
   double friction_bound(const ImpulseContact<D>& contact) {
     double sum = 0;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "world/hard_contact/stall.h"
+
 namespace halfspace {
 namespace {
 
@@ -11,12 +13,6 @@ constexpr int first_sweeps = 4;
 
 /// Active sets help when they leave this fraction of the velocity unbalanced.
 constexpr double helpful_fraction = 0.1;
-
-/// Redundant contacts may contradict each other by rounding, and then changes never vanish.
-constexpr int max_stalled_sweeps = 48;
-
-/// Rounding, as a fraction of the largest velocity by an impulse.
-constexpr double rounding_fraction = 1e-14;
 
 /// Changes impulses one after the other, and remembers the largest change as a velocity.
 template <int D>
@@ -74,35 +70,51 @@ double ImpulseSolver<D>::sweep(ImpulseProblem<D>& problem, bool is_backwards) {
 
 template <int D>
 void ImpulseSolver<D>::restart_acceleration(const ImpulseProblem<D>& problem) {
-  last_length_ = HUGE_VAL;
+  conjugate_ = {};
   previous_.resize(problem.rows.size());
   for (std::size_t i = 0; i < problem.rows.size(); ++i) previous_[i] = problem.rows[i].impulse;
   direction_.assign(problem.rows.size(), 0);
 }
 
-/// A sweep forwards and one backwards are a step of a symmetric iteration, to which conjugate gradients apply
-/// (Fletcher and Reeves). The next sweep projects impulses beyond their bounds.
 template <int D>
-void ImpulseSolver<D>::accelerate(ImpulseProblem<D>& problem) {
+double ImpulseSolver<D>::squared_change(const ImpulseProblem<D>& problem) const {
   double length = 0;
   for (std::size_t i = 0; i < problem.rows.size(); ++i) {
     const double change = problem.rows[i].impulse - previous_[i];
     length += change * change * problem.rows[i].inverse_mass;
   }
-  const bool is_shorter = length <= last_length_;
-  const double ratio = is_shorter && length > 0 ? length / last_length_ : 0;
+  return length;
+}
+
+template <int D>
+void ImpulseSolver<D>::accelerate(ImpulseProblem<D>& problem, const ConjugateDirection& direction) {
   for (const ImpulseContact<D>& contact : problem.contacts) {
     const std::int32_t end = contact.first_row + contact.normal_count + contact.friction_count;
     for (std::size_t i = std::size_t(contact.first_row); i < std::size_t(end); ++i) {
       ImpulseRow<D>& row = problem.rows[i];
-      const double more = ratio * direction_[i];
-      direction_[i] = is_shorter ? more + row.impulse - previous_[i] : 0;
-      row.impulse += more;
-      previous_[i] = row.impulse;
-      problem.apply(contact, row, more);
+      problem.apply(contact, row, direction.advance(row.impulse, previous_[i], direction_[i]));
     }
   }
-  last_length_ = length;
+}
+
+template <int D>
+void ImpulseSolver<D>::accelerate(ImpulseProblem<D>& problem) {
+  conjugate_.update(squared_change(problem));
+  accelerate(problem, conjugate_);
+}
+
+template <int D>
+double ImpulseSolver<D>::begin(ImpulseProblem<D>& problem) {
+  double fastest = 0;
+  for (const ImpulseContact<D>& contact : problem.contacts) {
+    for (const ImpulseRow<D>& row : problem.normals_of(contact)) {
+      problem.apply(contact, row, row.impulse);
+      fastest = std::max(fastest, row.impulse * row.inverse_mass);
+    }
+    for (const ImpulseRow<D>& row : problem.frictions_of(contact)) problem.apply(contact, row, row.impulse);
+  }
+  restart_acceleration(problem);
+  return fastest;
 }
 
 template <int D>
@@ -114,20 +126,15 @@ void ImpulseSolver<D>::reserve(std::size_t rows, std::size_t blocks) {
 
 template <int D>
 ImpulseResult ImpulseSolver<D>::solve(ImpulseProblem<D>& problem, const ImpulseSettings& settings) {
-  double fastest = 0;
-  for (const ImpulseContact<D>& contact : problem.contacts) {
-    for (const ImpulseRow<D>& row : problem.normals_of(contact)) {
-      problem.apply(contact, row, row.impulse);
-      fastest = std::max(fastest, row.impulse * row.inverse_mass);
-    }
-    for (const ImpulseRow<D>& row : problem.frictions_of(contact)) problem.apply(contact, row, row.impulse);
-  }
+  double fastest = begin(problem);
   const bool uses_active_sets = pause_.ends_now();
-  if (fastest == 0 && uses_active_sets) active_set_.solve(problem, settings.tolerance * settings.speed, true);
-  restart_acceleration(problem);
+  if (fastest == 0 && uses_active_sets) {
+    active_set_.solve(problem, settings.tolerance * settings.speed, true);
+    restart_acceleration(problem);
+  }
   ImpulseResult result;
-  double least = HUGE_VAL;
-  int least_in = 0, wait = first_sweeps, next_active_set = wait;
+  Stall stall;
+  int wait = first_sweeps, next_active_set = wait;
   bool is_symmetric = false;  // since the last acceleration: as many sweeps forwards as backwards
   for (int i = 1; i <= settings.max_iterations; ++i) {
     const bool is_backwards = i % 2 == 0;
@@ -136,8 +143,7 @@ ImpulseResult ImpulseSolver<D>::solve(ImpulseProblem<D>& problem, const ImpulseS
     result.iterations = i;
     result.unbalanced = sweep(problem, is_backwards);
     fastest = std::max(fastest, result.unbalanced);
-    const double speed = settings.speed > 0 ? settings.speed : fastest;
-    const double tolerance = std::max(settings.tolerance * speed, rounding_fraction * fastest);
+    const double tolerance = settings.tolerance_for(fastest);
     if (result.unbalanced <= tolerance) return result;
     if (i >= next_active_set && uses_active_sets) {
       const double unbalanced = active_set_.solve(problem, tolerance, false);
@@ -151,12 +157,7 @@ ImpulseResult ImpulseSolver<D>::solve(ImpulseProblem<D>& problem, const ImpulseS
       restart_acceleration(problem);
       is_symmetric = false;
     }
-    if (result.unbalanced <= 0.999 * least) {
-      least = result.unbalanced;
-      least_in = i;
-    } else if (i - least_in >= max_stalled_sweeps) {
-      break;
-    }
+    if (stall.is_reached(result.unbalanced)) break;
   }
   if (uses_active_sets && next_active_set > first_sweeps) pause_.begin_longer();
   result.has_converged = false;

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "world/hard_contact/active_set.h"
+#include "world/hard_contact/conjugate_direction.h"
 #include "world/hard_contact/impulse_problem.h"
 
 namespace halfspace {
@@ -12,6 +13,12 @@ struct ImpulseSettings {
   double tolerance = 1e-6;  // velocity that may remain unbalanced, over `speed`
   double speed = 0;         // m/s, of gravity over the step
   int max_iterations = 100;
+
+  /// The velocity that may remain when this is the largest one by an impulse: at least its rounding.
+  double tolerance_for(double fastest) const {
+    constexpr double rounding_fraction = 1e-14;
+    return std::max(tolerance * (speed > 0 ? speed : fastest), rounding_fraction * fastest);
+  }
 };
 
 struct ImpulseResult {
@@ -43,8 +50,8 @@ struct SolverPause {
 };
 
 /// Solves impulse problems from a warm start by sweeps of projected Gauss-Seidel (NLGS, Jean 1999),
-/// accelerated by nonsmooth conjugate gradients (Silcowitz-Hansen, Niebe and Erleben 2010), and by active
-/// sets, which solve stacks and walls exactly in a few factorizations.
+/// accelerated by nonsmooth conjugate gradients, and by active sets, which solve stacks and walls exactly in
+/// a few factorizations.
 template <int D>
 class ImpulseSolver {
  public:
@@ -54,20 +61,29 @@ class ImpulseSolver {
   void reserve(std::size_t rows, std::size_t blocks);
   /// The problem's motions contain the velocities without impulses.
   ImpulseResult solve(ImpulseProblem<D>& problem, const ImpulseSettings& settings);
+
+  // Its sweeps, for a solver of more than this problem.
+  /// Applies the warm start. Returns the largest velocity by an impulse of it.
+  double begin(ImpulseProblem<D>& problem);
+  /// Returns the largest change, as a velocity.
+  double sweep(ImpulseProblem<D>& problem, bool is_backwards);
+  /// Of the impulses since the last acceleration, in the metric of the inverse masses.
+  double squared_change(const ImpulseProblem<D>& problem) const;
+  void accelerate(ImpulseProblem<D>& problem, const ConjugateDirection& direction);
+
   const SolverPause& pause() const { return pause_; }
   void set_pause(const SolverPause& pause) { pause_ = pause; }
   /// So many sweeps only, from no impulses.
   void sweep_only(ImpulseProblem<D>& problem, int count);
 
  private:
-  double sweep(ImpulseProblem<D>& problem, bool is_backwards);
   void accelerate(ImpulseProblem<D>& problem);
   void restart_acceleration(const ImpulseProblem<D>& problem);
 
   ActiveSet<D> active_set_;
   Array<double> previous_;   // impulses two sweeps ago
   Array<double> direction_;  // of search
-  double last_length_ = 0;
+  ConjugateDirection conjugate_;
   SolverPause pause_;
 };
 

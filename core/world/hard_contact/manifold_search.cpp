@@ -53,11 +53,10 @@ double ManifoldSearch<D>::resting_gap(const RigidContact<D>& contact) const {
   return resting_fraction * smaller_radius(contact);
 }
 
-/// Two blocks have contacts of impulses by a law without springs, when one of them moves freely and is awake.
+/// Two blocks have contacts of impulses when one of them moves freely and is awake.
 template <int D>
 bool ManifoldSearch<D>::may_touch(const Candidate<D>& pair) const {
-  return model_.law_of(pair).has_no_spring() &&
-         (is_free(std::size_t(pair.a)) || is_free(std::size_t(pair.b)));
+  return model_.has_manifold(pair) && (is_free(std::size_t(pair.a)) || is_free(std::size_t(pair.b)));
 }
 
 /// Faces are chosen where blocks would be by their present velocities: at the start of a motion the end of a

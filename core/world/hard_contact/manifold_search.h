@@ -32,7 +32,7 @@ class ManifoldSearch {
   void for_each_meeting(double duration, Visit visit) {
     pose_ahead(duration);
     for (const Candidate<D>& pair : contacts_.neighbors().pairs()) {
-      if (!model_.law_of(pair).has_no_spring() || !integrator_.sleep().may_wake(pair)) continue;
+      if (!model_.has_manifold(pair) || !integrator_.sleep().may_wake(pair)) continue;
       RigidContact<D> contact;
       contact.a = pair.a;
       contact.b = pair.b;

@@ -284,14 +284,14 @@ double PointContactSearch<D>::reach(std::size_t b) const {
   return std::max(reach_share * blocks_.radius[b], roundings * blocks_.position[b].norm());
 }
 
-/// Pairs that have no spring, as far as they come near each other at all.
+/// Pairs that meet in points, as far as they come near each other at all.
 template <int D>
 void PointContactSearch<D>::find(Array<ContactConstraint<D>>& found) {
   found.clear();
   compute_node_normals();
   margin_ = 2 * integrator_.longest_motion();
   for (const Candidate<D>& pair : contacts_.neighbors().pairs()) {
-    if (!model_.law_of(pair).has_no_spring()) continue;
+    if (!model_.has_points(pair)) continue;
     const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
     const double reach = blocks_.radius[a] + blocks_.radius[b] + margin_ +
                          integrator_.predicted_displacement(a).norm() +

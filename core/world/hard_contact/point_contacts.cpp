@@ -19,9 +19,11 @@ bool precedes(const PointContact<D>& one, const PointContact<D>& other) {
 }  // namespace
 
 template <int D>
-void PointContacts<D>::solve(double duration) {
-  changes().begin(duration);
-  iterations_ += solve_constraints<D>(planned_, changes());
+void PointContacts<D>::push() {
+  for (const ContactConstraint<D>& at : planned_) {
+    changes().add(at.of_a, at.impulse);
+    changes().add(at.of_b, -at.impulse);
+  }
 }
 
 template <int D>
@@ -57,8 +59,6 @@ void PointContacts<D>::begin(ContactConstraint<D>& at, double duration) const {
   at.velocity = opening * at.normal + (1 - at.impact_fraction) * (free - free.dot(at.normal) * at.normal);
 }
 
-/// Impulses may move blocks to where the search has found no contact: it searches again. False when it finds
-/// none that is new.
 template <int D>
 bool PointContacts<D>::find_more(double time, double duration) {
   search_.find(found_);
@@ -77,27 +77,13 @@ bool PointContacts<D>::find_more(double time, double duration) {
 }
 
 template <int D>
-bool PointContacts<D>::predict(double time, double duration) {
+void PointContacts<D>::find(double time, double duration) {
   motion_began_ = time;
   search_.find(planned_);
-  if (planned_.empty()) return true;
   remember(planned_, time, duration);
   for (ContactConstraint<D>& at : planned_) begin(at, duration);
-  int searches = 1;
-  do {
-    bool is_exact = false;
-    for (int i = 0; i < max_corrections && !is_exact; ++i) {
-      solve(duration);
-      if (!integrator_.predict(duration)) return false;
-      is_exact = correct(duration);
-    }
-  } while (searches++ < max_searches && find_more(time, duration));
-  next_known_.reserve(planned_.size());
-  return true;
 }
 
-/// Gaps also change as their normals turn, which the linear constraints leave out: the constraint velocities
-/// are corrected by it. True when the correction is below the tolerance.
 template <int D>
 bool PointContacts<D>::correct(double duration) {
   bool is_exact = true;
@@ -213,7 +199,8 @@ bool PointContacts<D>::is_impact() const {
 template <int D>
 void PointContacts<D>::find_impact_losses() {
   for (ContactConstraint<D>& at : planned_) at.velocity = at.approach_velocity;
-  solve(integrator_.duration());
+  changes().begin(integrator_.duration());
+  solve();
   for (ContactConstraint<D>& at : planned_) at.impact_loss = -normal_work(at, at.approach_velocity);
 }
 
@@ -231,12 +218,15 @@ void PointContacts<D>::book_velocity_impulses(EnergyLedger& ledger, bool is_impa
 }
 
 template <int D>
-void PointContacts<D>::stop_approach(EnergyLedger& ledger) {
-  const bool is_impact = this->is_impact();
-  if (is_impact) find_impact_losses();
+void PointContacts<D>::set_velocities() {
+  is_impact_ = is_impact();
+  if (is_impact_) find_impact_losses();
   for (ContactConstraint<D>& at : planned_) at.velocity = velocity_of(at);
-  solve(integrator_.duration());
-  book_velocity_impulses(ledger, is_impact);
+}
+
+template <int D>
+void PointContacts<D>::end_motion(EnergyLedger& ledger) {
+  book_velocity_impulses(ledger, is_impact_);
   for (ContactConstraint<D>& at : planned_) break_when_due(at);
   const double rate = changes().rate();
   for (ContactConstraint<D>& at : planned_) at.force = rate * at.impulse;

@@ -41,10 +41,28 @@ class PointContacts {
   void rebuild_surface() { search_.rebuild_surface(); }
 
   // The stages of a motion, as in HardContacts.
-  bool predict(double time, double duration);
+  /// Finds the contacts of a motion predicted without impulses, with those of the last motion as a start.
+  void find(double time, double duration);
+  /// Contacts that the search has missed and that the predicted motion closes. False when there are none.
+  bool find_more(double time, double duration);
+  bool empty() const { return planned_.empty(); }
+  /// Takes the memory of the end of the motion.
+  void reserve() { next_known_.reserve(planned_.size()); }
+  /// Adds the changes of velocity by its impulses.
+  void solve() {
+    if (!empty()) iterations_ += solve_constraints<D>(planned_, changes());
+  }
+  /// Adds the changes of velocity by its impulses.
+  void push();
+  /// For a solver of more than these contacts.
+  Array<ContactConstraint<D>>& constraints() { return planned_; }
+  /// Gaps also change as their normals turn, which the linear constraints leave out: the constraint
+  /// velocities are corrected by it. True when the correction is below the tolerance.
+  bool correct(double duration);
   void apply_position_impulses(EnergyLedger& ledger);
   void find_at_end();
-  void stop_approach(EnergyLedger& ledger);
+  void set_velocities();
+  void end_motion(EnergyLedger& ledger);
 
   void forget() { known_.clear(); }
 
@@ -59,9 +77,7 @@ class PointContacts {
  private:
   VelocityChange<D>& changes() { return integrator_.kicks(); }
   const VelocityChange<D>& changes() const { return integrator_.kicks(); }
-  void solve(double duration);
   Vector<D> kicked(const ContactConstraint<D>& at) const;
-  bool correct(double duration);
   bool is_approached(const ContactConstraint<D>& at) const;
   bool is_impact() const;
   double normal_work(const ContactConstraint<D>& at, const Vector<D>& velocity) const;
@@ -70,7 +86,6 @@ class PointContacts {
   void exchange_known(EnergyLedger& ledger);
   double gap_floor_of(const ContactConstraint<D>& at) const;
   void begin(ContactConstraint<D>& at, double duration) const;
-  bool find_more(double time, double duration);
   void remember(Array<ContactConstraint<D>>& found, double time, double duration) const;
   void break_when_due(ContactConstraint<D>& at) const;
   Vector<D> velocity_of(const ContactConstraint<D>& at) const;
@@ -86,6 +101,7 @@ class PointContacts {
   Array<ContactConstraint<D>> planned_;
   Array<ContactConstraint<D>> found_;
   double motion_began_ = 0;   // time
+  bool is_impact_ = false;    // some contact has closed in this motion
   std::int64_t touches_ = 0;  // so far
   std::int64_t iterations_ = 0;
   double deepest_ = 0;

@@ -15,7 +15,7 @@ constexpr int max_recovery_sweeps = 10;
 
 /// The second half step finds the unbalanced velocity of the first one twice. At half of the tolerance, both
 /// stay within it.
-constexpr double position_tolerance_fraction = 0.5;
+constexpr double first_tolerance_fraction = 0.5;
 
 /// Impacts this early in a motion, as a fraction of it, are at its start.
 constexpr double shortest_fraction = 1e-6;
@@ -54,10 +54,18 @@ void RigidContacts<D>::warm_start(double duration) {
   }
 }
 
+/// Blocks that others support do not fall.
+template <int D>
+void RigidContacts<D>::add_other_changes() {
+  for (std::size_t i = 0; i < problem_.motions.size(); ++i) problem_.motions[i] += changes().of_motion(i);
+}
+
 /// An impact reverses the velocity of approach at its time within the step, and the rest of the step is free
 /// flight: for blocks under constant forces that is exact.
 template <int D>
 void RigidContacts<D>::find_impacts(double time, double duration) {
+  set_motions(Half::first);
+  if (model_.may_have_points()) add_other_changes();
   std::size_t c = 0;
   for (PlannedContact<D>& contact : planned_) {
     ImpulseContact<D>& of = problem_.contacts[c++];
@@ -101,7 +109,8 @@ double RigidContacts<D>::gap_floor(const PlannedContact<D>& contact, std::size_t
 }
 
 template <int D>
-void RigidContacts<D>::set_position_targets(double duration) {
+void RigidContacts<D>::set_gap_targets(double duration) {
+  set_motions(Half::first);
   for (std::size_t c = 0; c < planned_.size(); ++c) {
     const PlannedContact<D>& contact = planned_[c];
     const auto predicted = search_.predicted_gaps(contact);
@@ -135,38 +144,54 @@ bool RigidContacts<D>::correct_targets(double duration) {
   return is_accurate;
 }
 
-/// From velocities without impulses.
 template <int D>
-bool RigidContacts<D>::solve(double duration, double tolerance_fraction) {
-  const ImpulseSettings settings{.tolerance = tolerance_fraction * model_.settings.impulse_tolerance,
-                                 .speed = duration * model_.settings.gravity.norm(),
-                                 .max_iterations = model_.settings.max_impulse_iterations};
-  const ImpulseResult result = solver_.solve(problem_, settings);
+ImpulseSettings RigidContacts<D>::settings_of(Half half, double duration) const {
+  const double fraction = half == Half::first ? first_tolerance_fraction : 1;
+  return {.tolerance = fraction * model_.settings.impulse_tolerance,
+          .speed = duration * model_.settings.gravity.norm(),
+          .max_iterations = model_.settings.max_impulse_iterations};
+}
+
+template <int D>
+bool RigidContacts<D>::solve(Half half, double duration) {
+  set_motions(half);
+  const ImpulseResult result = solver_.solve(problem_, settings_of(half, duration));
+  take_impulses(result);
+  push();
+  return result.has_converged;
+}
+
+template <int D>
+void RigidContacts<D>::take_impulses(const ImpulseResult& result) {
   iterations_ += result.iterations;
   unbalanced_velocity_ = std::max(unbalanced_velocity_, result.unbalanced);
-  changes().begin(duration);
   std::size_t c = 0;
   for (PlannedContact<D>& contact : planned_) {
     const ImpulseContact<D>& of = problem_.contacts[c++];
-    Vector<D> impulse = Vector<D>::Zero();
-    Angular<D> turn_a = Angular<D>::Zero(), turn_b = Angular<D>::Zero();
-    const auto add = [&](const ImpulseRow<D>& row) {
-      impulse += row.impulse * row.direction;
-      turn_a += row.impulse * row.turn_a;
-      turn_b += row.impulse * row.turn_b;
-      return row.impulse;
-    };
     std::size_t i = 0;
-    for (const ImpulseRow<D>& row : problem_.normals_of(of)) contact.impulse[i++] = add(row);
+    for (const ImpulseRow<D>& row : problem_.normals_of(of)) contact.impulse[i++] = row.impulse;
     contact.friction.setZero();
     for (const ImpulseRow<D>& row : problem_.frictions_of(of)) {
       contact.friction += row.impulse * row.direction;
-      contact.couple = add(row);  // of the last row in space
+      contact.couple = row.impulse;  // of the last row in space
+    }
+  }
+}
+
+template <int D>
+void RigidContacts<D>::push() const {
+  if (planned_.empty()) return;
+  for (const ImpulseContact<D>& of : problem_.contacts) {
+    Vector<D> impulse = Vector<D>::Zero();
+    Angular<D> turn_a = Angular<D>::Zero(), turn_b = Angular<D>::Zero();
+    for (const ImpulseRow<D>& row : problem_.rows_of(of)) {
+      impulse += row.impulse * row.direction;
+      turn_a += row.impulse * row.turn_a;
+      turn_b += row.impulse * row.turn_b;
     }
     if (search_.is_free(std::size_t(of.a))) changes().push(std::size_t(of.a), -impulse, -turn_a);
     if (search_.is_free(std::size_t(of.b))) changes().push(std::size_t(of.b), impulse, turn_b);
   }
-  return result.has_converged;
 }
 
 /// As it is now.
@@ -177,51 +202,37 @@ BlockMotion<D> RigidContacts<D>::motion(std::size_t i) const {
 }
 
 template <int D>
-void RigidContacts<D>::set_motions() {
+void RigidContacts<D>::set_motions(Half half) {
   problem_.motions.resize(blocks_.slot_count());
-  for (std::size_t i = 0; i < problem_.motions.size(); ++i) problem_.motions[i] = motion(i);
-}
-
-template <int D>
-void RigidContacts<D>::set_motions_at_half_step() {
-  set_motions();
   for (std::size_t i = 0; i < problem_.motions.size(); ++i) {
-    if (search_.is_free(i) || blocks_.kind[i] == BlockKind::prescribed)
-      problem_.motions[i] = integrator_.motion_at_half_step(i);
+    const bool is_ahead =
+        half == Half::first && (search_.is_free(i) || blocks_.kind[i] == BlockKind::prescribed);
+    problem_.motions[i] = is_ahead ? integrator_.motion_at_half_step(i) : motion(i);
   }
 }
 
 template <int D>
-bool RigidContacts<D>::predict(double time, double duration) {
+void RigidContacts<D>::find(double duration) {
   unbalanced_velocity_ = 0;
   fraction_before_impact_ = 1;
   solver_.set_pause(pause_);
   search_.find(duration, known_, planned_);
-  next_known_.reserve(planned_.size() + known_.size());
-  if (planned_.empty()) return true;
   for (PlannedContact<D>& contact : planned_) search_.set_gaps(contact);
   warm_start(duration);
-  for (int searches = 1;; ++searches) {
-    rows_.build(planned_, problem_);
-    solver_.reserve(problem_.rows.size(), blocks_.slot_count());
-    set_motions_at_half_step();
-    if (searches == 1) find_impacts(time, duration);
-    set_position_targets(duration);
-    bool has_converged = true;
-    for (int i = 0; i < max_corrections; ++i) {
-      has_converged = solve(duration, position_tolerance_fraction);
-      if (!integrator_.predict(duration)) return false;
-      if (correct_targets(duration) || !has_converged) break;
-      set_motions_at_half_step();
-    }
-    if (searches == max_searches || !has_converged || !search_.find_more(planned_)) break;
-    for (PlannedContact<D>& contact : planned_) {
-      if (contact.is_new && contact.touched_at == 0) contact.touched_at = time + duration;
-    }
-    changes().begin(duration);
-    if (!integrator_.predict(duration)) return false;
+}
+
+template <int D>
+void RigidContacts<D>::build() {
+  rows_.build(planned_, problem_);
+  solver_.reserve(problem_.rows.size(), blocks_.slot_count());
+}
+
+template <int D>
+bool RigidContacts<D>::find_more(double time, double duration) {
+  if (!search_.find_more(planned_)) return false;
+  for (PlannedContact<D>& contact : planned_) {
+    if (contact.is_new && contact.touched_at == 0) contact.touched_at = time + duration;
   }
-  next_known_.reserve(planned_.size() + known_.size());
   return true;
 }
 
@@ -307,6 +318,8 @@ void RigidContacts<D>::find_at_end(EnergyLedger& ledger) {
 /// Points that neither bear nor are on their face have no target.
 template <int D>
 void RigidContacts<D>::set_velocity_targets() {
+  if (planned_.empty()) return;
+  rows_.build(planned_, problem_);
   for (std::size_t c = 0; c < planned_.size(); ++c) {
     const PlannedContact<D>& contact = planned_[c];
     const std::span<ImpulseRow<D>> rows = problem_.normals_of(problem_.contacts[c]);
@@ -318,14 +331,8 @@ void RigidContacts<D>::set_velocity_targets() {
 }
 
 template <int D>
-void RigidContacts<D>::stop_approach(EnergyLedger& ledger) {
+void RigidContacts<D>::end_motion(EnergyLedger& ledger) {
   const double duration = integrator_.duration();
-  if (!planned_.empty()) {
-    rows_.build(planned_, problem_);
-    set_motions();
-    set_velocity_targets();
-    solve(duration, 1);
-  }
   for (std::size_t c = 0; c < planned_.size(); ++c) {
     planned_[c].impact_loss += book(c, ledger);
     touches_ += planned_[c].is_new;

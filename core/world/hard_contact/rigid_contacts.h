@@ -12,6 +12,9 @@ namespace halfspace {
 // of the first half step keep every gap open at the motion's end, those of the second stop approach there, or
 // reverse it by the coefficient of restitution. Both are one impulse problem each, on the same manifolds.
 
+/// The two halves of a motion, each with its impulse problem.
+enum class Half { first, second };
+
 /// The contacts of rigid blocks by laws without springs, and their impulses.
 template <int D>
 class RigidContacts {
@@ -47,10 +50,37 @@ class RigidContacts {
   }
 
   // The stages of a motion, as in HardContacts.
-  bool predict(double time, double duration);
+  /// Finds the contacts of a motion predicted without impulses, with those of the last motion as a start.
+  void find(double duration);
+  /// Contacts that the search has missed and that the predicted motion closes. False when there are none.
+  bool find_more(double time, double duration);
+  bool empty() const { return planned_.empty(); }
+  /// Takes the memory of the end of the motion.
+  void reserve() { next_known_.reserve(planned_.size() + known_.size()); }
+  /// After a search.
+  void build();
+  /// Changes of velocity so far are those of other contacts.
+  void find_impacts(double time, double duration);
+  /// From the motion predicted without impulses.
+  void set_gap_targets(double duration);
+  /// Adds the changes of velocity by its impulses. False when they do not converge.
+  bool solve(Half half, double duration);
+  /// Adds the changes of velocity by its impulses.
+  void push() const;
+  bool correct_targets(double duration);
+
+  // For a solver of more than these contacts.
+  ImpulseSettings settings_of(Half half, double duration) const;
+  /// The velocities that the impulses of a half act on, without those of any contact.
+  void set_motions(Half half);
+  ImpulseProblem<D>& problem() { return problem_; }
+  /// Of the problem, for the contacts.
+  void take_impulses(const ImpulseResult& result);
+
   void apply_position_impulses(EnergyLedger& ledger);
   void find_at_end(EnergyLedger& ledger);
-  void stop_approach(EnergyLedger& ledger);
+  void set_velocity_targets();
+  void end_motion(EnergyLedger& ledger);
 
   void forget() { known_.clear(); }
   void forget(std::int32_t slot) {
@@ -66,19 +96,13 @@ class RigidContacts {
   }
 
  private:
-  VelocityChange<D>& changes() { return integrator_.kicks(); }
+  VelocityChange<D>& changes() const { return integrator_.kicks(); }
 
   /// The impulses of equal forces in a motion of this duration over those of the last motion.
   double impulse_scale(double duration) const { return duration_ > 0 ? duration / duration_ : 1; }
   void warm_start(double duration);
-  void find_impacts(double time, double duration);
-  void set_position_targets(double duration);
-  bool correct_targets(double duration);
-  void set_velocity_targets();
+  void add_other_changes();
   BlockMotion<D> motion(std::size_t slot) const;
-  void set_motions();
-  void set_motions_at_half_step();
-  bool solve(double duration, double tolerance_fraction);
   double recover();
   void replace_known(double duration);
   double book(std::size_t contact, EnergyLedger& ledger);

@@ -30,11 +30,20 @@ struct Model {
   const ContactLaw& law_of(const Pair& pair) const {
     return law_between(std::size_t(pair.a), std::size_t(pair.b));
   }
-  /// Do contacts by laws without springs have manifolds? They do when no block deforms or is held, and no
-  /// such law bonds.
-  bool has_manifolds() const {
-    return !blocks.has_deformable() && !blocks.any_held() &&
-           !materials.laws().any([](const ContactLaw& law) { return law.has_no_spring() && law.bonds(); });
+  /// Do two blocks meet without springs, in a manifold? They do unless one deforms or is held, or the law
+  /// bonds.
+  template <class Pair>
+  bool has_manifold(const Pair& pair) const {
+    return meets_without_springs(pair, false);
+  }
+  /// Or in single points?
+  template <class Pair>
+  bool has_points(const Pair& pair) const {
+    return meets_without_springs(pair, true);
+  }
+  /// May any two blocks meet in single points without springs?
+  bool may_have_points() const {
+    return blocks.has_deformable() || blocks.any_held() || materials.laws().any(bonds_without_spring);
   }
   const Elasticity& elasticity_of(std::size_t block) const {
     return materials.elasticity(blocks.material[block]);
@@ -71,6 +80,18 @@ struct Model {
   Water<D> water;
   Bolts<D> bolts;
   double fixed_length = 0;  // H, from the first force evaluation on; 0 before
+
+ private:
+  static bool bonds_without_spring(const ContactLaw& law) { return law.has_no_spring() && law.bonds(); }
+  template <class Pair>
+  bool meets_without_springs(const Pair& pair, bool in_points) const {
+    const ContactLaw& law = law_of(pair);
+    const auto needs_points = [&](std::size_t i) {
+      return blocks.is_deformable(i) || blocks.held[blocks.mover_of(i)] != 0;
+    };
+    return law.has_no_spring() && in_points == (law.bonds() || needs_points(std::size_t(pair.a)) ||
+                                                needs_points(std::size_t(pair.b)));
+  }
 };
 
 extern template struct Model<2>;

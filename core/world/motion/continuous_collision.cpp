@@ -126,8 +126,7 @@ double ContinuousCollision<D>::safe_fraction_of(Candidate<D>& pair, double& stab
   if (motion <= integrator_.duration() / clock_.time_step() * safe_thickness_fraction * thickness) return 1;
   pair_ = {pair.a, pair.b, motion / integrator_.duration(), thickness,
            safe_thickness_fraction * thickness * integrator_.duration() / motion};
-  const bool has_manifold = has_manifolds_ && model_.law_of(pair).has_no_spring();
-  const double largest_overlap = has_manifold ? manifold_thickness_fraction * thickness : 0;
+  const double largest_overlap = model_.has_manifold(pair) ? manifold_thickness_fraction * thickness : 0;
   if (motion <= largest_overlap) return 1;
   double time_of_touch = 0;
   if (touching(pair.witness) && !model_.law_of(pair).has_no_spring()) {
@@ -153,7 +152,6 @@ double ContinuousCollision<D>::safe_fraction_of(Candidate<D>& pair, double& stab
 
 template <int D>
 double ContinuousCollision<D>::safe_fraction() {
-  has_manifolds_ = model_.has_manifolds();
   double part = 1;
   double stable_duration = 0;  // 0: not computed yet, because it visits all contacts
   FastPair first = pair_;

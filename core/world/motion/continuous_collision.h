@@ -86,7 +86,6 @@ class ContinuousCollision {
   Array<double> impact_room_;          // per worker, for two of the largest blocks
   double fastest_squared_ = HUGE_VAL;  // bound of the squared speed of all points; not saved
   FastPair pair_;
-  bool has_manifolds_ = false;  // of the model, in the last call of safe_fraction()
 };
 
 extern template class ContinuousCollision<2>;

@@ -79,6 +79,11 @@ class VelocityChange {
     if (blocks_.kind[slot] != BlockKind::rigid) return {};
     return {of_block_[slot], blocks_.inertia[slot].spin(momentum_[slot], blocks_.rotation[slot])};
   }
+  /// Replaces the change of a rigid block.
+  void set_motion(std::size_t slot, const BlockMotion<D>& change) {
+    of_block_[slot] = change.velocity;
+    momentum_[slot] = blocks_.inertia[slot].momentum(change.spin, blocks_.rotation[slot]);
+  }
   /// An impulse and its moment on a block, which is ignored unless it is rigid.
   void push(std::size_t slot, const Vector<D>& impulse, const Angular<D>& moment) {
     if (blocks_.kind[slot] != BlockKind::rigid) return;

@@ -707,7 +707,7 @@ pub struct hs_world_report {
     pub block_count: i64,
     /// pairs in the neighbour list
     pub candidate_count: i64,
-    /// contacts: pairs of blocks; without springs, where a block deforms or is bonded, points
+    /// contacts: pairs of blocks; without springs, where a block deforms, is held or may be bonded, points
     pub contact_count: i64,
     /// number of builds of the neighbour list
     pub list_builds: i64,

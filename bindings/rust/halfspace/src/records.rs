@@ -298,7 +298,7 @@ pub struct Report {
     pub block_count: usize,
     /// pairs in the neighbour list
     pub candidate_count: usize,
-    /// contacts: pairs of blocks; without springs, where a block deforms or is bonded, points
+    /// contacts: pairs of blocks; without springs, where a block deforms, is held or may be bonded, points
     pub contact_count: usize,
     /// number of builds of the neighbour list
     pub list_builds: u64,
