@@ -32,13 +32,11 @@ std::string reason_without_impulses(const Start& start) {
   }
   if (!any_law_between(start.scene, moving, with_manifolds, has_no_spring))
     return "contacts without springs of blocks that deform or are held are points; usual: a law without "
-           "springs "
-           "between rigid blocks";
+           "springs between rigid blocks";
   const auto has_impulses = [](const hs_law_def& law) { return has_no_spring(law) && !holds_together(law); };
   if (!any_law_between(start.scene, moving, with_manifolds, has_impulses))
     return "contacts by a law without springs that has cohesion or tensile_strength are points; usual: these "
-           "in "
-           "laws with springs only";
+           "in laws with springs only";
   return {};
 }
 

@@ -3,12 +3,20 @@
 #include "world/hard_contact/limits.h"
 
 namespace halfspace {
+namespace {
+
+constexpr int max_mixed_sweeps = 1000;
+
+/// Active sets give a better start when points then unbalance manifolds by this fraction only.
+constexpr double better_start_fraction = 0.1;
+
+}  // namespace
 
 template <int D>
 void HardContacts<D>::begin(double duration) {
   if (!is_used()) return;
   has_points_ = model_.may_have_points();
-  if (!has_points_) points_.forget();
+  points_.begin();
   changes().begin(duration);
 }
 
@@ -17,6 +25,8 @@ bool HardContacts<D>::predict(double time, double duration) {
   if (!is_used()) return true;
   if (has_points_) points_.find(time, duration);
   rigid_.find(duration);
+  together_.forget_shared();
+  next_pause_ = pause_;
   if ((!points_.empty() || !rigid_.empty()) && !find_impulses(time, duration)) return false;
   points_.reserve();
   rigid_.reserve();
@@ -30,7 +40,8 @@ bool HardContacts<D>::find_impulses(double time, double duration) {
   for (int searches = 1;; ++searches) {
     if (!rigid_.empty() && !set_gap_targets(time, duration, searches == 1)) return false;
     if (!close_gaps(duration)) return false;
-    if (searches == max_searches || !has_converged_) return true;
+    // Manifolds alone that have not converged are not worth another search.
+    if (searches == max_searches || (!has_converged_ && points_.empty())) return true;
     const bool has_more_points = has_points_ && points_.find_more(time, duration);
     if (!rigid_.find_more(time, duration) && !has_more_points) return true;
   }
@@ -40,7 +51,7 @@ template <int D>
 bool HardContacts<D>::set_gap_targets(double time, double duration, bool is_first_search) {
   rigid_.build();
   if (is_first_search) {
-    points_.push();
+    points_.push(rigid_.impulse_scale(duration));
     rigid_.find_impacts(time, duration);
   }
   changes().begin(duration);
@@ -69,11 +80,34 @@ bool HardContacts<D>::solve(Half half, double duration) {
   return rigid_.empty() || rigid_.solve(half, duration);
 }
 
+/// Where a sweep is not enough, active sets find the impulses of manifolds at those of the points: for blocks
+/// far from any point these are the result. Where points bear most of the blocks, they are no better a start.
 template <int D>
 bool HardContacts<D>::solve_together(Half half, double duration) {
-  rigid_.set_motions(half);
-  const ImpulseResult result =
-      together_.solve(rigid_.problem(), points_.constraints(), changes(), rigid_.settings_of(half, duration));
+  ImpulseProblem<D>& problem = rigid_.problem();
+  const auto sweep = [&](int max_sweeps) {
+    changes().begin(duration);
+    rigid_.set_motions(half);
+    return together_.solve(problem, points_.constraints(), changes(), rigid_.settings_of(half, duration),
+                           max_sweeps);
+  };
+  ImpulseResult result = sweep(1);
+  const double change = together_.change_of_manifolds();
+  if (!is_balanced(result) && next_pause_.ends_now()) {
+    together_.return_to_start(problem, points_.constraints());
+    together_.keep_start(problem);
+    changes().begin(duration);
+    points_.push();
+    rigid_.solve(half, duration);
+    result = sweep(1);
+    if (together_.change_of_manifolds() <= better_start_fraction * change) {
+      next_pause_ = {};
+    } else {
+      together_.return_to_kept(problem, points_.constraints());
+      next_pause_.begin_longer();
+    }
+  }
+  if (!is_balanced(result)) result = sweep(max_mixed_sweeps);
   rigid_.take_impulses(result);
   changes().begin(duration);
   points_.push();
@@ -89,7 +123,8 @@ void HardContacts<D>::apply_position_impulses(EnergyLedger& ledger) {
 
 template <int D>
 void HardContacts<D>::find_at_end(EnergyLedger& ledger) {
-  rigid_.find_at_end(ledger);
+  has_impact_ = !points_.empty() && rigid_.has_impact();
+  rigid_.find_at_end(together_.shared(), ledger);
   points_.find_at_end();
 }
 
@@ -97,11 +132,16 @@ template <int D>
 void HardContacts<D>::stop_approach(EnergySample& sample, EnergyLedger& ledger) {
   if (!is_used()) return;
   const double duration = integrator_.duration();
-  points_.set_velocities();
   rigid_.set_velocity_targets();
+  if (points_.begin_impact(has_impact_)) {
+    solve(Half::second, duration);
+    points_.end_impact();
+  }
+  points_.set_velocities();
   solve(Half::second, duration);
   rigid_.end_motion(ledger);
   points_.end_motion(ledger);
+  pause_ = next_pause_;
   contacts_.note_overlap(rigid_.largest_overlap());
   integrator_.take_kicks(sample);
   contacts_.end_bonds_without_spring();

@@ -68,11 +68,13 @@ class HardContacts {
   }
 
   /// False for what cannot be, after reading a snapshot.
-  bool is_consistent() const { return points_.is_consistent() && rigid_.is_consistent(); }
+  bool is_consistent() const {
+    return points_.is_consistent() && rigid_.is_consistent() && pause_.is_consistent();
+  }
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(points_, rigid_);
+    archive(points_, rigid_, pause_);
   }
 
  private:
@@ -91,6 +93,9 @@ class HardContacts {
   MixedSolver<D> together_;
   bool has_points_ = false;
   bool has_converged_ = true;  // in the last solve
+  bool has_impact_ = false;    // of manifolds, in this motion
+  SolverPause pause_;          // of active sets beside points, after the last motion
+  SolverPause next_pause_;
 };
 
 extern template class HardContacts<2>;

@@ -62,6 +62,9 @@ struct ImpulseProblem {
   double velocity_along(const ImpulseContact<D>& contact, const ImpulseRow<D>& row) const {
     return row.velocity(motions[std::size_t(contact.a)], motions[std::size_t(contact.b)]);
   }
+  bool can_move(const ImpulseContact<D>& contact) const {
+    return contact.inverse_mass_a > 0 || contact.inverse_mass_b > 0;
+  }
   void apply(const ImpulseContact<D>& contact, const ImpulseRow<D>& row, double impulse) {
     BlockMotion<D>&a = motions[std::size_t(contact.a)], &b = motions[std::size_t(contact.b)];
     a.velocity -= (impulse * contact.inverse_mass_a) * row.direction;

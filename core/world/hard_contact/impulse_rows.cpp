@@ -50,8 +50,10 @@ typename ImpulseRows<D>::Patch ImpulseRows<D>::patch_of(
 }
 
 template <int D>
-void ImpulseRows<D>::build(std::span<const PlannedContact<D>> contacts, ImpulseProblem<D>& problem) {
+void ImpulseRows<D>::build(std::span<const PlannedContact<D>> contacts, ImpulseProblem<D>& problem,
+                           std::span<const std::size_t> immovable) {
   set_inverse_masses(problem);
+  for (const std::size_t block : immovable) problem.inverse_masses[block] = {};
   problem.contacts.clear();
   problem.rows.clear();
   const auto add_row = [&](const ImpulseContact<D>& contact, const Vector<D>& direction,

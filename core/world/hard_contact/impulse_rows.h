@@ -16,7 +16,9 @@ class ImpulseRows {
       : model_(model), blocks_(model.blocks), search_(search) {}
 
   /// Sets contacts, rows and masses. Impulses are those of the contacts; targets are 0.
-  void build(std::span<const PlannedContact<D>> contacts, ImpulseProblem<D>& problem);
+  /// These blocks do not move.
+  void build(std::span<const PlannedContact<D>> contacts, ImpulseProblem<D>& problem,
+             std::span<const std::size_t> immovable = {});
 
  private:
   /// Where friction acts.

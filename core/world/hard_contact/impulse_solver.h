@@ -25,6 +25,7 @@ struct ImpulseResult {
   int iterations = 0;
   double unbalanced = 0;  // m/s, the largest velocity that the last iteration changed
   bool has_converged = true;
+  double fastest = 0;  // m/s, the largest velocity by an impulse
 };
 
 /// Active sets do not settle where many blocks move past each other. They are then tried in one solve out of
@@ -70,6 +71,10 @@ class ImpulseSolver {
   /// Of the impulses since the last acceleration, in the metric of the inverse masses.
   double squared_change(const ImpulseProblem<D>& problem) const;
   void accelerate(ImpulseProblem<D>& problem, const ConjugateDirection& direction);
+  /// Gives rows the impulses that they had at begin(), or after the last acceleration.
+  void restore_impulses(ImpulseProblem<D>& problem) const {
+    for (std::size_t i = 0; i < problem.rows.size(); ++i) problem.rows[i].impulse = previous_[i];
+  }
 
   const SolverPause& pause() const { return pause_; }
   void set_pause(const SolverPause& pause) { pause_ = pause; }

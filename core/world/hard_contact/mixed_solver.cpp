@@ -5,13 +5,6 @@
 #include "world/hard_contact/stall.h"
 
 namespace halfspace {
-namespace {
-
-/// Points take many sweeps where light nodes bear heavy blocks.
-constexpr int min_limit = 1000;
-
-}  // namespace
-
 template <int D>
 void MixedSolver<D>::find_shared(const ImpulseProblem<D>& problem,
                                  std::span<const ContactConstraint<D>> points) {
@@ -30,7 +23,8 @@ void MixedSolver<D>::find_shared(const ImpulseProblem<D>& problem,
 
 template <int D>
 ImpulseResult MixedSolver<D>::solve(ImpulseProblem<D>& problem, std::span<ContactConstraint<D>> points,
-                                    VelocityChange<D>& changes, const ImpulseSettings& settings) {
+                                    VelocityChange<D>& changes, const ImpulseSettings& settings,
+                                    int max_sweeps) {
   find_shared(problem, points);
   // Each side computes with motions of its own, and takes over those of shared blocks from the other.
   const auto tell_points = [&] {
@@ -51,19 +45,18 @@ ImpulseResult MixedSolver<D>::solve(ImpulseProblem<D>& problem, std::span<Contac
   ConjugateDirection direction;
   Stall stall;
   ImpulseResult result;
-  const int limit = std::max(settings.max_iterations, min_limit);
-  for (int i = 1; i <= limit; ++i) {
-    const bool is_backwards = i % 2 == 0;
-    double changed = 0;
-    for (const bool of_manifolds : {!is_backwards, is_backwards}) {
-      changed =
-          std::max(changed, of_manifolds ? solver_.sweep(problem, is_backwards) : sweeps.sweep(is_backwards));
-      of_manifolds ? tell_points() : tell_manifolds();
-    }
+  for (int i = 1; i <= max_sweeps; ++i) {
+    const bool is_forwards = i % 2 == 0;
+    double of_points = 0;
+    if (!is_forwards) of_points = sweeps.sweep(true), tell_manifolds();
+    of_manifolds_ = solver_.sweep(problem, !is_forwards);
+    tell_points();
+    if (is_forwards) of_points = sweeps.sweep(false), tell_manifolds();
+    const double changed = std::max(of_manifolds_, of_points);
     fastest = std::max(fastest, changed);
-    result = {i, changed, changed <= std::min(settings.tolerance_for(fastest), smallest_change * fastest)};
-    if (result.has_converged || stall.is_reached(changed)) return result;
-    if (!is_backwards) continue;
+    result = {i, changed, changed <= settings.tolerance_for(fastest), fastest};
+    if (is_balanced(result) || stall.is_reached(changed)) return result;
+    if (!is_forwards) continue;
     direction.update(solver_.squared_change(problem) + sweeps.squared_change());
     solver_.accelerate(problem, direction);
     tell_points();
@@ -71,6 +64,26 @@ ImpulseResult MixedSolver<D>::solve(ImpulseProblem<D>& problem, std::span<Contac
     tell_manifolds();
   }
   return result;
+}
+
+template <int D>
+void MixedSolver<D>::return_to_start(ImpulseProblem<D>& problem,
+                                     std::span<ContactConstraint<D>> points) const {
+  solver_.restore_impulses(problem);
+  for (ContactConstraint<D>& at : points) at.impulse = at.previous_impulse;
+}
+
+template <int D>
+void MixedSolver<D>::keep_start(const ImpulseProblem<D>& problem) {
+  start_.clear();
+  for (const ImpulseRow<D>& row : problem.rows) start_.push_back(row.impulse);
+}
+
+template <int D>
+void MixedSolver<D>::return_to_kept(ImpulseProblem<D>& problem,
+                                    std::span<ContactConstraint<D>> points) const {
+  return_to_start(problem, points);
+  for (std::size_t i = 0; i < start_.size(); ++i) problem.rows[i].impulse = start_[i];
 }
 
 template class MixedSolver<2>;

@@ -5,24 +5,42 @@
 
 namespace halfspace {
 
+/// Would no point leave its face by what remains?
+inline bool is_balanced(const ImpulseResult& result) {
+  return result.unbalanced <= smallest_change * result.fastest;
+}
+
 /// Solves the manifolds of rigid blocks and the points of others together, where blocks have both: sweeps
 /// over all of them are one iteration, accelerated by one conjugate direction.
 template <int D>
 class MixedSolver {
  public:
   MixedSolver(const Blocks<D>& blocks, Memory* memory)
-      : blocks_(blocks), solver_(memory), shared_(memory), before_(memory) {}
+      : blocks_(blocks), solver_(memory), start_(memory), shared_(memory), before_(memory) {}
 
   /// From no changes, and motions of the problem without any impulses. The impulses of both are the start and
   /// the result.
   ImpulseResult solve(ImpulseProblem<D>& problem, std::span<ContactConstraint<D>> points,
-                      VelocityChange<D>& changes, const ImpulseSettings& settings);
+                      VelocityChange<D>& changes, const ImpulseSettings& settings, int max_sweeps);
+
+  /// After a solution of one sweep: back to its start.
+  void return_to_start(ImpulseProblem<D>& problem, std::span<ContactConstraint<D>> points) const;
+  /// Keeps the impulses of manifolds, to return to after others have been tried for one sweep.
+  void keep_start(const ImpulseProblem<D>& problem);
+  void return_to_kept(ImpulseProblem<D>& problem, std::span<ContactConstraint<D>> points) const;
+  /// The velocity that the last sweep changed at manifolds; in the first one, after the points'.
+  double change_of_manifolds() const { return of_manifolds_; }
+  /// Rigid blocks that had points in the last solution.
+  std::span<const std::size_t> shared() const { return shared_; }
+  void forget_shared() { shared_.clear(); }
 
  private:
   void find_shared(const ImpulseProblem<D>& problem, std::span<const ContactConstraint<D>> points);
 
   const Blocks<D>& blocks_;
   ImpulseSolver<D> solver_;
+  double of_manifolds_ = 0;
+  Array<double> start_;           // impulses of manifolds
   Array<std::size_t> shared_;     // rigid blocks that have points
   Array<BlockMotion<D>> before_;  // of these, without impulses
 };

@@ -19,10 +19,10 @@ bool precedes(const PointContact<D>& one, const PointContact<D>& other) {
 }  // namespace
 
 template <int D>
-void PointContacts<D>::push() {
+void PointContacts<D>::push(double scale) {
   for (const ContactConstraint<D>& at : planned_) {
-    changes().add(at.of_a, at.impulse);
-    changes().add(at.of_b, -at.impulse);
+    changes().add(at.of_a, scale * at.impulse);
+    changes().add(at.of_b, -scale * at.impulse);
   }
 }
 
@@ -195,23 +195,28 @@ bool PointContacts<D>::is_impact() const {
                      [](const ContactConstraint<D>& at) { return at.is_new_impact; });
 }
 
-/// An impact ends before elements deform: its loss is the work of its own impulses.
 template <int D>
-void PointContacts<D>::find_impact_losses() {
+bool PointContacts<D>::begin_impact(bool is_other_impact) {
+  is_impact_ = !planned_.empty() && (is_other_impact || is_impact());
+  if (!is_impact_) return false;
   for (ContactConstraint<D>& at : planned_) at.velocity = at.approach_velocity;
-  changes().begin(integrator_.duration());
-  solve();
+  return true;
+}
+
+template <int D>
+void PointContacts<D>::end_impact() {
   for (ContactConstraint<D>& at : planned_) at.impact_loss = -normal_work(at, at.approach_velocity);
 }
 
 /// Loaded contacts store energy in each second half step and release it in the first of the next motion. That
 /// is no loss.
 template <int D>
-void PointContacts<D>::book_velocity_impulses(EnergyLedger& ledger, bool is_impact) {
+void PointContacts<D>::book_velocity_impulses(EnergyLedger& ledger) {
   for (ContactConstraint<D>& at : planned_) {
     const double normal_work = book(at, at.velocity, ledger);
-    const double stored_normal_work = is_impact ? -normal_work - at.impact_loss
-                                                : 0.5 * at.impulse.dot(at.normal) * at.normal.dot(kicked(at));
+    const double stored_normal_work = is_impact_
+                                          ? -normal_work - at.impact_loss
+                                          : 0.5 * at.impulse.dot(at.normal) * at.normal.dot(kicked(at));
     ledger.add_impact_loss(at.stored_normal_work - stored_normal_work);
     at.stored_normal_work = stored_normal_work;
   }
@@ -219,14 +224,12 @@ void PointContacts<D>::book_velocity_impulses(EnergyLedger& ledger, bool is_impa
 
 template <int D>
 void PointContacts<D>::set_velocities() {
-  is_impact_ = is_impact();
-  if (is_impact_) find_impact_losses();
   for (ContactConstraint<D>& at : planned_) at.velocity = velocity_of(at);
 }
 
 template <int D>
 void PointContacts<D>::end_motion(EnergyLedger& ledger) {
-  book_velocity_impulses(ledger, is_impact_);
+  book_velocity_impulses(ledger);
   for (ContactConstraint<D>& at : planned_) break_when_due(at);
   const double rate = changes().rate();
   for (ContactConstraint<D>& at : planned_) at.force = rate * at.impulse;

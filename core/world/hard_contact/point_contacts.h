@@ -52,8 +52,8 @@ class PointContacts {
   void solve() {
     if (!empty()) iterations_ += solve_constraints<D>(planned_, changes());
   }
-  /// Adds the changes of velocity by its impulses.
-  void push();
+  /// Adds the changes of velocity by its impulses, times a factor.
+  void push(double scale = 1);
   /// For a solver of more than these contacts.
   Array<ContactConstraint<D>>& constraints() { return planned_; }
   /// Gaps also change as their normals turn, which the linear constraints leave out: the constraint
@@ -61,9 +61,16 @@ class PointContacts {
   bool correct(double duration);
   void apply_position_impulses(EnergyLedger& ledger);
   void find_at_end();
+  /// An impact ends before elements deform: its loss is the work of its own impulses. If there is one, sets
+  /// the velocities that they act on. False without any.
+  bool begin_impact(bool is_other_impact);
+  /// After its solve.
+  void end_impact();
   void set_velocities();
   void end_motion(EnergyLedger& ledger);
 
+  /// Those planned for a motion that was not made are none of the next one.
+  void begin() { planned_.clear(); }
   void forget() { known_.clear(); }
 
   /// False for what cannot be, after reading a snapshot.
@@ -81,8 +88,7 @@ class PointContacts {
   bool is_approached(const ContactConstraint<D>& at) const;
   bool is_impact() const;
   double normal_work(const ContactConstraint<D>& at, const Vector<D>& velocity) const;
-  void find_impact_losses();
-  void book_velocity_impulses(EnergyLedger& ledger, bool is_impact);
+  void book_velocity_impulses(EnergyLedger& ledger);
   void exchange_known(EnergyLedger& ledger);
   double gap_floor_of(const ContactConstraint<D>& at) const;
   void begin(ContactConstraint<D>& at, double duration) const;

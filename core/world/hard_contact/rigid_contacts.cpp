@@ -271,16 +271,17 @@ void RigidContacts<D>::apply_position_impulses(EnergyLedger& ledger) {
 /// Moves blocks apart that overlap, without a change of their velocities. Returns the change of their
 /// potential energy.
 template <int D>
-double RigidContacts<D>::recover() {
+double RigidContacts<D>::recover(std::span<const std::size_t> held_by_points) {
   const auto overlaps = [&](const PlannedContact<D>& contact) {
     return contact.min_gap() < -search_.settled_gap(contact);
   };
   if (std::none_of(planned_.begin(), planned_.end(), overlaps)) return 0;
-  rows_.build(planned_, problem_);
+  rows_.build(planned_, problem_, held_by_points);
   problem_.motions.assign(blocks_.slot_count(), {});  // displacements
   for (std::size_t c = 0; c < planned_.size(); ++c) {
     const PlannedContact<D>& contact = planned_[c];
     problem_.contacts[c].friction_count = 0;
+    if (!problem_.can_move(problem_.contacts[c])) problem_.contacts[c].normal_count = 0;
     const std::span<ImpulseRow<D>> rows = problem_.normals_of(problem_.contacts[c]);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       rows[i].impulse = 0;
@@ -301,9 +302,22 @@ double RigidContacts<D>::recover() {
 }
 
 template <int D>
-void RigidContacts<D>::find_at_end(EnergyLedger& ledger) {
+bool RigidContacts<D>::has_impact() const {
+  constexpr double fraction = 1e-3;
+  const double slow = fraction * integrator_.duration() * model_.settings.gravity.norm();
+  return std::any_of(problem_.contacts.begin(), problem_.contacts.end(), [&](const ImpulseContact<D>& of) {
+    const BlockMotion<D> a = motion(std::size_t(of.a)), b = motion(std::size_t(of.b));
+    const std::span<const ImpulseRow<D>> rows = problem_.rows_of(of).first(std::size_t(of.normal_count));
+    return std::any_of(rows.begin(), rows.end(), [&](const ImpulseRow<D>& row) {
+      return row.impulse > 0 && row.velocity(a, b) < -slow;
+    });
+  });
+}
+
+template <int D>
+void RigidContacts<D>::find_at_end(std::span<const std::size_t> held_by_points, EnergyLedger& ledger) {
   for (PlannedContact<D>& contact : planned_) search_.set_gaps(contact);
-  ledger.add_impact_loss(-recover());
+  ledger.add_impact_loss(-recover(held_by_points));
   for (const PlannedContact<D>& contact : planned_) {
     for (std::size_t i = 0; i < std::size_t(contact.manifold.count); ++i) {
       const double depth = -contact.gap[i] / blocks_.thinner(contact.a, contact.b);

@@ -35,6 +35,8 @@ class RigidContacts {
   const Array<RigidContact<D>>& all() const { return known_; }
   std::int64_t touches() const { return touches_; }
   std::int64_t iterations() const { return iterations_; }
+  /// The impulses of equal forces in a motion of this duration over those of the last motion.
+  double impulse_scale(double duration) const { return duration_ > 0 ? duration / duration_ : 1; }
   /// The largest overlap of the last motion, m; 0 when no contact overlaps.
   double largest_overlap() const;
   /// The largest penetration so far over the thickness of the thinner block.
@@ -55,6 +57,8 @@ class RigidContacts {
   /// Contacts that the search has missed and that the predicted motion closes. False when there are none.
   bool find_more(double time, double duration);
   bool empty() const { return planned_.empty(); }
+  /// At the end of a motion, before its second half step: does any contact close, faster than by gravity?
+  bool has_impact() const;
   /// Takes the memory of the end of the motion.
   void reserve() { next_known_.reserve(planned_.size() + known_.size()); }
   /// After a search.
@@ -78,7 +82,8 @@ class RigidContacts {
   void take_impulses(const ImpulseResult& result);
 
   void apply_position_impulses(EnergyLedger& ledger);
-  void find_at_end(EnergyLedger& ledger);
+  /// Blocks that points hold do not recover from penetration: they would be moved into the others.
+  void find_at_end(std::span<const std::size_t> held_by_points, EnergyLedger& ledger);
   void set_velocity_targets();
   void end_motion(EnergyLedger& ledger);
 
@@ -97,13 +102,10 @@ class RigidContacts {
 
  private:
   VelocityChange<D>& changes() const { return integrator_.kicks(); }
-
-  /// The impulses of equal forces in a motion of this duration over those of the last motion.
-  double impulse_scale(double duration) const { return duration_ > 0 ? duration / duration_ : 1; }
   void warm_start(double duration);
   void add_other_changes();
   BlockMotion<D> motion(std::size_t slot) const;
-  double recover();
+  double recover(std::span<const std::size_t> held_by_points);
   void replace_known(double duration);
   double book(std::size_t contact, EnergyLedger& ledger);
   double gap_floor(const PlannedContact<D>& contact, std::size_t point) const;
