@@ -6,8 +6,15 @@ import re
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 MAIN_PAGE = "docs/doxygen/main_page.md"
 C_REFERENCE = "docs/doxygen/c_reference.md"
-OUTSIDE = ["CONTRIBUTING.md", "CHANGELOG.md", "bindings/python/README.md", "bindings/fortran/README.md",
-           "bindings/rust/README.md", "box2d_adapter/README.md"]
+# Pages outside of docs/, which pages name by their paths, as they are not installed beside them; and their titles.
+OUTSIDE = {
+    "bindings/python/README.md": "Python",
+    "bindings/fortran/README.md": "Fortran",
+    "bindings/rust/README.md": "Rust",
+    "box2d_adapter/README.md": "Box2D adapter",
+    "CONTRIBUTING.md": "Contributing",
+    "CHANGELOG.md": "Changes",
+}
 LINK = re.compile(r"(!?)\[((?:[^\[\]`]|`[^`]*`)*)\]\(([^()\s]+)\)")
 
 
@@ -15,7 +22,7 @@ def sources():
     """All pages, by their paths in the repository."""
     folders = ["docs"] + [f"docs/{name}" for name in ("concepts", "scenes", "measured", "decisions", "coming_from")]
     inside = (path for folder in folders for path in sorted((ROOT / folder).glob("*.md")))
-    return [str(path.relative_to(ROOT)) for path in inside] + [C_REFERENCE] + OUTSIDE
+    return [str(path.relative_to(ROOT)) for path in inside] + [C_REFERENCE] + list(OUTSIDE)
 
 
 def name_of(path):
@@ -44,6 +51,13 @@ def address_of(link, page, pages):
     if file in pages:
         return f"{name_of(file)}.html" + (f"#{name_of(file)}-{place}" if place else "")
     return file.removeprefix("docs/") if file.startswith("docs/") else None
+
+
+def with_outside_links(text, page):
+    """Paths of pages outside of docs/ as links."""
+    for path, title in OUTSIDE.items():
+        text = text.replace(f"`{path}`", f"[{title}]({posixpath.relpath(path, posixpath.dirname(page))})")
+    return text
 
 
 def tables(text):

@@ -45,7 +45,8 @@ def sidebar(known, references):
     """A group for each table of the guide, and one of the tables of scenes. `references` are words and addresses of
     further pages of the reference."""
     groups = []
-    for name, rows in pages.tables((pages.ROOT / GUIDE).read_text(encoding="utf-8")):
+    guide = pages.with_outside_links((pages.ROOT / GUIDE).read_text(encoding="utf-8"), GUIDE)
+    for name, rows in pages.tables(guide):
         entries = list(of_table(rows, GUIDE, known))
         if name == "reference":
             scenes = pages.tables((pages.ROOT / SCENES).read_text(encoding="utf-8"))

@@ -52,7 +52,8 @@ int main(void) {
   for (i = 1; i <= 60; ++i) {
     check(hs_world_step(world, 1));
     check(hs_world_get_block_state(world, body, &state));
-    if (i % 15 == 0) printf("%4.2f %4.2f %4.2f\n", state.pose.position[0], state.pose.position[1], state.angle);
+    if (i % 15 == 0)
+      printf("%4.2f %4.2f %4.2f\n", state.pose.position[0], state.pose.position[1], state.angle);
   }
   hs_context_destroy(context);
   return 0;

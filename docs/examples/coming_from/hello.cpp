@@ -20,7 +20,7 @@ int main() {
   fixture_def.shape = &dynamic_box;
   fixture_def.density = 1;
   fixture_def.friction = 0.3f;
-  b2Body* body = world.CreateBody(&body_def);
+  b2Body *body = world.CreateBody(&body_def);
   body->CreateFixture(&fixture_def);
 
   for (int i = 1; i <= 60; ++i) {

@@ -1,10 +1,6 @@
-#!/usr/bin/python3 -B
-"""page FILE: a page as Doxygen reads it. Its first heading gets the page's name, the others the names that links use,
-as Doxygen has the names of all pages in one. Links lead to pages of the site, and a long page gets a table of contents.
-"""
-import pathlib
+"""A page as Doxygen reads it. Its first heading gets the page's name, the others the names that links use, as Doxygen has
+the names of all pages in one. Links lead to pages of the site, and a long page gets a table of contents."""
 import re
-import sys
 
 import pages
 
@@ -55,15 +51,6 @@ def with_headings(text, page):
     return "\n".join(lines) + "\n"
 
 
-def main():
-    path = pathlib.Path(sys.argv[1]).resolve()
-    text = path.read_text(encoding="utf-8")
-    if path.is_relative_to(pages.ROOT):
-        page = str(path.relative_to(pages.ROOT))
-        known = set(pages.sources())
-        if page in known or page == pages.MAIN_PAGE:
-            text = with_headings(with_links(text, page, known), page)
-    sys.stdout.write(with_percent_signs(text))
-
-
-main()
+def text_of(page, known):
+    text = pages.with_outside_links((pages.ROOT / page).read_text(encoding="utf-8"), page)
+    return with_percent_signs(with_headings(with_links(text, page, known), page))
