@@ -1,5 +1,5 @@
-"""A page as Doxygen reads it. Its first heading gets the page's name, the others the names that links use, as Doxygen has
-the names of all pages in one. Links lead to pages of the site, and a long page gets a table of contents."""
+"""A page as Doxygen reads it. Its first heading gets the page's name, the others the names that links use, as
+Doxygen has the names of all pages in one. Links lead to pages of the site, and a long page gets a table of contents."""
 import re
 
 import pages
